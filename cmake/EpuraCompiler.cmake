@@ -1,0 +1,31 @@
+# Settings shared by everything that is compiled here.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release)
+endif()
+
+# Contraction to fused multiply-add would make results depend on compiler and processor.
+add_compile_options(-ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+  # GCC 12 sees overlapping copies in plain string concatenation (GCC bug 105651).
+  add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-Wno-restrict>)
+endif()
+if(EPURA_WERROR)
+  add_compile_options(-Werror)
+endif()
+if(EPURA_SANITIZE)
+  add_compile_options(-fsanitize=${EPURA_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=${EPURA_SANITIZE})
+endif()
+
+# epura_stage(NAME sources... [LINK libraries...]): one folder of src/ as one static library.
+function(epura_stage name)
+  cmake_parse_arguments(STAGE "" "" "LINK" ${ARGN})
+  add_library(epura_${name} STATIC ${STAGE_UNPARSED_ARGUMENTS})
+  target_include_directories(epura_${name} PUBLIC ${PROJECT_SOURCE_DIR}/src ${PROJECT_SOURCE_DIR}/include)
+  target_link_libraries(epura_${name} PUBLIC ${STAGE_LINK})
+endfunction()

@@ -1,0 +1,16 @@
+# epura_add_projection(NAME source...): a projection plugin NAME.so, loadable by epura, in C++ or C.
+# In this tree and outside it the same function is used.
+include(GNUInstallDirs)
+
+function(epura_add_projection name)
+  add_library(${name} MODULE ${ARGN})
+  target_compile_features(${name} PRIVATE cxx_std_20)
+  target_include_directories(${name} PRIVATE ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../include)
+  # Everything but the entry point stays inside.
+  set_target_properties(${name} PROPERTIES PREFIX "" CXX_VISIBILITY_PRESET hidden C_VISIBILITY_PRESET hidden
+                        VISIBILITY_INLINES_HIDDEN ON)
+  if(EPURA_PLUGIN_OUTPUT_DIRECTORY)
+    set_target_properties(${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${EPURA_PLUGIN_OUTPUT_DIRECTORY})
+  endif()
+  install(TARGETS ${name} LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}/epura/projections)
+endfunction()

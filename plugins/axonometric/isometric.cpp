@@ -1,0 +1,15 @@
+// Isometric projection: the three axes at 120 degrees on the page and equally long.
+#include "axonometric.hpp"
+
+using namespace epura::plugin;
+
+struct Isometric {
+  static constexpr auto name = "isometric";
+  static constexpr auto family = "axonometric";
+  static constexpr auto summary = "axes at equal angles; factor 0.8165, or 1:1:1 when not foreshortened";
+  static constexpr auto reference = "ISO 5456-3";
+  static constexpr std::array parameters{foreshortened_parameter};
+
+  static View project(const Scene& scene, bool foreshortened) { return axonometric(scene, {1, -1, 1}, foreshortened); }
+};
+EPURA_PROJECTION(Isometric)

@@ -1,0 +1,26 @@
+// Trimetric projection: the directions of width and depth on the page are chosen, three different scales follow.
+#include "axonometric.hpp"
+
+using namespace epura::plugin;
+
+struct Trimetric {
+  static constexpr auto name = "trimetric";
+  static constexpr auto family = "axonometric";
+  static constexpr auto summary = "width and depth at chosen angles from the horizontal";
+  static constexpr auto reference = "ISO 5456-3";
+  static constexpr std::array parameters{
+      number("x-angle", "deg", "width axis below the horizontal", 15, 1, 88),
+      number("y-angle", "deg", "depth axis above the horizontal; less than 90 together", 35, 1, 88),
+      foreshortened_parameter,
+  };
+
+  // From azimuth A and elevation E the axes appear at tan x = tan A sin E and tan y = sin E / tan A.
+  static View project(const Scene& scene, double x_angle, double y_angle, bool foreshortened) {
+    if (x_angle + y_angle > 89) throw std::invalid_argument("x-angle and y-angle together must be 89 deg at most");
+    const double x = std::tan(radians(x_angle)), y = std::tan(radians(y_angle));
+    const double sine = std::sqrt(x * y), cosine = std::sqrt(1 - x * y);
+    const double azimuth = std::atan(std::sqrt(x / y));
+    return axonometric(scene, {std::sin(azimuth) * cosine, -std::cos(azimuth) * cosine, sine}, foreshortened);
+  }
+};
+EPURA_PROJECTION(Trimetric)

@@ -1,0 +1,18 @@
+// Oblique projection: the front face keeps its true shape, depth recedes at a chosen angle and length.
+#include "oblique.hpp"
+
+using namespace epura::plugin;
+
+struct Oblique {
+  static constexpr auto name = "oblique";
+  static constexpr auto family = "oblique";
+  static constexpr auto summary = "front face true, depth slanted at any angle and ratio";
+  static constexpr auto reference = "ISO 5456-3";
+  static constexpr std::array parameters{
+      number("angle", "deg", "receding lines from the horizontal", 30, -360, 360),
+      number("ratio", "1", "length on the page of a unit of depth", 0.75, 0, 10),
+  };
+
+  static View project(const Scene& scene, double angle, double ratio) { return oblique(scene, angle, ratio); }
+};
+EPURA_PROJECTION(Oblique)

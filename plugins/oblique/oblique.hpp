@@ -1,0 +1,14 @@
+// What the oblique projections of the front face share.
+#pragma once
+
+#include <epura/projection_plugin.hpp>
+
+/// A point y behind the plane is drawn at (x + ratio cos(angle) y, z + ratio sin(angle) y). The projectors meet the
+/// plane at the angle whose cotangent is `ratio`.
+inline epura::plugin::View oblique(const epura::plugin::Scene& scene, double angle, double ratio) {
+  const double a = epura::plugin::radians(angle);
+  return {.point = scene.centre(),
+          .normal = {0, -1, 0},
+          .up = {0, 0, 1},
+          .projector = {ratio * std::cos(a), -1, ratio * std::sin(a)}};
+}

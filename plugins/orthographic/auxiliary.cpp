@@ -1,0 +1,18 @@
+// Auxiliary view: shows a slanted face in true shape, looking at it squarely.
+#include "orthographic.hpp"
+
+using namespace epura::plugin;
+
+struct Auxiliary {
+  static constexpr auto name = "auxiliary";
+  static constexpr auto family = "orthographic";
+  static constexpr auto summary = "seen squarely from any direction";
+  static constexpr auto reference = "ISO 5456-2";
+  static constexpr std::array parameters{
+      vector<3>("direction", "1", "from the model towards the viewer", {1, -1, 0}),
+      vector<3>("up", "1", "points up the page", {0, 0, 1}),
+  };
+
+  static View project(const Scene& scene, Vec3 direction, Vec3 up) { return orthographic(scene, direction, up); }
+};
+EPURA_PROJECTION(Auxiliary)

@@ -1,0 +1,37 @@
+// Look-at: the camera model of eye, reference point and up-vector. The plane passes through the reference point, so
+// that lengths there are true. What is drawn is everything, a field of view, or a window about the reference point.
+#include "perspective.hpp"
+
+using namespace perspective;
+
+struct LookAt {
+  static constexpr auto name = "look-at";
+  static constexpr auto family = "perspective";
+  static constexpr auto summary = "an eye that looks at a point";
+  static constexpr auto reference = "Martha and Gattass, transformations for viewing in 3D: [C] = [R][T]";
+  static constexpr std::array parameters{
+      vector<3>("eye", "model units", "centre of projection"),
+      vector<3>("ref", "model units", "point looked at; the model's centre unless given"),
+      vector<3>("vup", "1", "points up the page", {0, 0, 1}),
+      number("fovy", "deg", "height of what is drawn, as an angle; 0: everything", 0, 0, 170),
+      number("aspect", "1", "width over height of the field of view", 1, 1e-3, 1e3),
+      vector<4>("window", "model units", "least u, least v, most u, most v; zeros: everything", {0, 0, 0, 0}),
+  };
+
+  static View project(const Scene& scene, Vec3 eye, Vec3 ref, Vec3 vup, double fovy, double aspect,
+                      const std::array<double, 4>& window) {
+    ref = given_or(ref, scene.centre());
+    eye = given_or(eye, calm_eye(scene, ref));
+    const Vec3 line = sight(eye, ref);
+    View view{.central = true, .point = ref, .normal = -line, .up = vup, .projector = eye, .window = window};
+    if (fovy > 0) {
+      if (window != std::array<double, 4>{}) throw std::invalid_argument("give fovy or window, not both");
+      const double v = length(line) * std::tan(radians(fovy) / 2), u = aspect * v;
+      view.window = {-u, -v, u, v};
+    } else if (aspect != 1) {
+      throw std::invalid_argument("aspect means nothing without fovy");
+    }
+    return view;
+  }
+};
+EPURA_PROJECTION(LookAt)

@@ -1,0 +1,26 @@
+// One-point perspective: the plane holds the front of the model's box, which is drawn true; depth converges.
+#include "perspective.hpp"
+
+using namespace perspective;
+
+struct OnePoint {
+  static constexpr auto name = "one-point";
+  static constexpr auto family = "perspective";
+  static constexpr auto summary = "front face true, depth converging to one point";
+  static constexpr auto reference = "ISO 5456-4";
+  static constexpr std::array parameters{
+      distance_parameter,
+      number("right", "diagonals", "eye to the right of the model's centre", 0.2, -1e3, 1e3),
+      number("above", "diagonals", "eye above the model's centre", 0.2, -1e3, 1e3),
+  };
+
+  static View project(const Scene& scene, double distance, double right, double above) {
+    const Vec3 centre = scene.centre();
+    return {.central = true,
+            .point = {centre.x, scene.least.y, centre.z},
+            .normal = {0, -1, 0},
+            .up = {0, 0, 1},
+            .projector = centre + scene.diagonal() * Vec3{right, -distance, above}};
+  }
+};
+EPURA_PROJECTION(OnePoint)

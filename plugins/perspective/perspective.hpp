@@ -1,0 +1,40 @@
+// What the perspectives share: where the eye stands when nobody says, and turned planes.
+#pragma once
+
+#include <epura/projection_plugin.hpp>
+
+namespace perspective {
+
+using namespace epura::plugin;
+
+/// Distance of the eye in diagonals of the box: the box then lies in a cone of 23 degrees about its centre, and stays
+/// within 40 degrees of the main sight line when the eye stands up to a quarter of a diagonal off it.
+inline constexpr double calm_distance = 1.3;
+
+inline constexpr epura_parameter distance_parameter =
+    number("distance", "diagonals", "eye from the model's centre, along the normal", calm_distance, 0.6, 1e6);
+
+/// What was given, or what stands for it when nothing was.
+inline double given_or(double given, double otherwise) { return std::isnan(given) ? otherwise : given; }
+inline Vec3 given_or(Vec3 given, Vec3 otherwise) { return std::isnan(given.x) ? otherwise : given; }
+
+/// An eye that sees the whole model from the right, the front and above while looking at `reference`.
+inline Vec3 calm_eye(const Scene& scene, Vec3 reference) {
+  return reference + calm_distance * scene.diagonal() * unit({1, -1, 1});
+}
+
+/// From `eye` to `reference`, which fixes the direction in which the model is seen.
+inline Vec3 sight(Vec3 eye, Vec3 reference) {
+  const Vec3 line = reference - eye;
+  if (!(length(line) > 0)) throw std::invalid_argument("the eye and the point it looks at are the same");
+  return line;
+}
+
+/// At a quarter turn the plane would be parallel to a model axis, whose vanishing point is then lost.
+inline void require_turned(double azimuth) {
+  if (std::abs(std::sin(radians(2 * azimuth))) < std::sin(radians(2)))
+    throw std::invalid_argument(
+        "azimuth must keep 1 deg away from 0, 90, 180 and 270 deg: there an axis lies in the plane");
+}
+
+}  // namespace perspective

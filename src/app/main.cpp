@@ -1,0 +1,38 @@
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "app/command_line.hpp"
+#include "app/commands.hpp"
+#include "base/error.hpp"
+
+namespace {
+
+int run(int argc, char** argv) {
+  using namespace epura;
+  const Command command = parse_command_line(argc, argv);
+  if (const auto* answer = std::get_if<Answer>(&command)) {
+    std::fputs(answer->text.c_str(), stdout);
+    return 0;
+  }
+  if (const auto* options = std::get_if<DrawOptions>(&command)) return draw(*options);
+  return plugins(std::get<PluginsOptions>(command));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const epura::Error& error) {
+    std::fprintf(stderr, "epura: %s\n", error.what());
+    if (!error.hint().empty()) std::fprintf(stderr, "  hint: %s\n", error.hint().c_str());
+    return static_cast<int>(error.trouble());
+  } catch (const std::bad_alloc&) {
+    std::fputs("epura: not enough memory for this model\n", stderr);
+    return 2;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "epura: %s\n", error.what());
+    return 2;
+  }
+}

@@ -1,0 +1,50 @@
+// The whole way of one view, stage by stage: models in, drawing out.
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "drawing/drawing.hpp"
+#include "drawing/make_drawing.hpp"
+#include "edges/drawn_edges.hpp"
+#include "output/write.hpp"
+#include "scene/scene.hpp"
+#include "sheet/paper.hpp"
+#include "view/view.hpp"
+
+namespace epura {
+
+/// What is wanted of a view beside its projection.
+struct ViewWish {
+  ViewLimits limits;
+  EdgeWishes edges;
+  std::optional<double> contact;  ///< world length
+  bool remove_hidden = true;      ///< false: a wireframe
+  bool keep_hidden = true;        ///< hidden lines are drawn, too
+  Paper paper;
+  std::optional<double> scale;  ///< mm of paper per unit of the world; nothing: as large as fits
+};
+
+struct ViewResult {
+  Drawing drawing;
+  Placement placement;
+};
+
+/// Seconds since the last call of `lap`, under a name.
+class Stopwatch {
+ public:
+  void lap(const std::string& stage);
+  [[nodiscard]] const std::vector<std::pair<std::string, double>>& laps() const { return laps_; }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::vector<std::pair<std::string, double>> laps_;
+};
+
+/// Draws one view and notes in `plan` and `watch` what was done.
+ViewResult draw_view(const World& world, const Projection& projection, const ViewWish& wish,
+                     std::vector<PlanStep>& plan, Stopwatch& watch);
+
+}  // namespace epura

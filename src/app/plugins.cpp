@@ -1,0 +1,106 @@
+#include <cmath>
+#include <cstdio>
+
+#include "app/commands.hpp"
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "projection/catalogue.hpp"
+#include "projection/matrices.hpp"
+
+namespace epura {
+
+namespace {
+
+void print(const std::string& line) { std::printf("%s\n", line.c_str()); }
+
+std::string padded(std::string text, std::size_t width) {
+  text.resize(std::max(text.size() + 1, width), ' ');
+  return text;
+}
+
+std::string numbers(const std::vector<double>& values) {
+  std::string text;
+  for (const double value : values) text += (text.empty() ? "" : ",") + format_number(value);
+  return text;
+}
+
+std::string initial_text(const Parameter& parameter) {
+  for (const double value : parameter.initial)
+    if (std::isnan(value)) return "from the model";
+  if (parameter.type == ParameterType::choice) return parameter.choices[static_cast<std::size_t>(parameter.initial[0])];
+  return numbers(parameter.initial);
+}
+
+std::string range_text(const Parameter& parameter) {
+  if (parameter.type == ParameterType::choice) {
+    std::string text;
+    for (const std::string& choice : parameter.choices) text += (text.empty() ? "" : "|") + choice;
+    return text;
+  }
+  const std::string kind = parameter.initial.size() == 1 ? "" : std::to_string(parameter.initial.size()) + " numbers ";
+  const bool bounded = std::isfinite(parameter.least) || std::isfinite(parameter.most);
+  return kind + (bounded ? format_number(parameter.least) + ".." + format_number(parameter.most) : "");
+}
+
+void print_matrix(const Mat4& matrix) {
+  for (int row = 0; row < 4; ++row) {
+    std::string line = "   ";
+    for (int column = 0; column < 4; ++column) line += padded(" " + format_fixed(matrix[column][row], 6), 14);
+    print(line);
+  }
+}
+
+void print_vanishing_points(const Projection& projection) {
+  const char* const axes[] = {"x", "y", "z"};
+  const auto points = vanishing_points(projection);
+  int count = 0;
+  for (const auto& point : points) count += point ? 1 : 0;
+  print("\nprincipal vanishing points: " + std::to_string(count));
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (points[i])
+      print(std::string("  ") + axes[i] + "  " + format_fixed(points[i]->x, 6) + ", " + format_fixed(points[i]->y, 6));
+}
+
+void show(const ProjectionEntry& entry) {
+  print(entry.name + " (" + entry.family + "): " + entry.summary);
+  if (!entry.reference.empty()) print("after " + entry.reference);
+  print("from " + entry.plugin.string());
+  if (!entry.parameters.empty()) print("\nparameters (--projection " + entry.name + ":key=value)");
+  for (const Parameter& p : entry.parameters) {
+    print("  " + padded(p.name, 16) + p.help);
+    print("  " + padded("", 16) + "default " + initial_text(p) + (range_text(p).empty() ? "" : "; " + range_text(p)) +
+          (p.unit.empty() || p.unit == "1" ? "" : " [" + p.unit + "]"));
+  }
+  Box box;
+  box.add(Vec3(0));
+  box.add(Vec3(1));
+  const Projection projection = make_projection(entry, {entry.name, {}}, box);
+  print(std::string("\n") + (projection.central ? "M_per" : "M_par") + " with the defaults, for the unit cube");
+  print_matrix(plane_matrix(projection));
+  print_vanishing_points(projection);
+}
+
+int list(const std::vector<std::filesystem::path>& folders) {
+  const Catalogue catalogue = load_catalogue(folders);
+  std::string family;
+  for (const ProjectionEntry& entry : catalogue.entries) {
+    if (entry.family != family) print((family.empty() ? "" : "\n") + entry.family);
+    family = entry.family;
+    print("  " + padded(entry.name, 18) + entry.summary);
+  }
+  for (const BadPlugin& bad : catalogue.bad)
+    std::fprintf(stderr, "epura: %s: %s\n", bad.path.c_str(), bad.reason.c_str());
+  if (!catalogue.entries.empty()) return 0;
+  throw Error(Trouble::plugin, "plugins", "none found", "name their folder with --plugin-path or $EPURA_PLUGIN_PATH");
+}
+
+}  // namespace
+
+int plugins(const PluginsOptions& options) {
+  const auto folders = plugin_folders(options.plugin_path);
+  if (options.name.empty()) return list(folders);
+  show(find_projection(options.name, folders));
+  return 0;
+}
+
+}  // namespace epura

@@ -1,0 +1,30 @@
+// The one error type: trouble that the user can mend. Thrown anywhere, caught once, in app.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace epura {
+
+/// What kind of trouble it is; the value is the exit code of the program.
+enum class Trouble { input = 2, plugin = 3, output = 4 };
+
+/// Names the place (file:line, an option, a plugin), the reason and, where there is one, the remedy.
+class Error : public std::runtime_error {
+ public:
+  Error(Trouble trouble, std::string where, std::string what, std::string hint = {});
+
+  [[nodiscard]] Trouble trouble() const { return trouble_; }
+  [[nodiscard]] const std::string& where() const { return where_; }
+  [[nodiscard]] const std::string& hint() const { return hint_; }
+
+ private:
+  Trouble trouble_;
+  std::string where_;
+  std::string hint_;
+};
+
+/// Our own mistake: prints the sentence and aborts, in every build type.
+void check(bool condition, const char* sentence);
+
+}  // namespace epura

@@ -1,0 +1,24 @@
+// Parallel loops. What a loop computes must not depend on how its range is cut.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace epura {
+
+/// Calls `body(begin, end)` on disjoint pieces that cover [0, count), at least `grain` long, on several threads.
+void parallel_for(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body);
+
+/// Limits the number of threads while it lives; 0 means all cores.
+class ThreadLimit {
+ public:
+  explicit ThreadLimit(int threads);
+  ThreadLimit(const ThreadLimit&) = delete;
+  ThreadLimit& operator=(const ThreadLimit&) = delete;
+  ~ThreadLimit();
+
+ private:
+  void* control_;
+};
+
+}  // namespace epura

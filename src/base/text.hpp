@@ -1,0 +1,39 @@
+// Numbers as text and back, independent of the locale; names that were perhaps meant.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace epura {
+
+/// The whole of `text` as a number: decimal or scientific, a leading '+' allowed. Nothing else may stand beside it.
+/// "nan" and "inf" are numbers here; whoever needs finite values checks.
+std::optional<double> parse_number(std::string_view text);
+
+/// The whole of `text` as a whole number.
+std::optional<long long> parse_integer(std::string_view text);
+
+/// Comma-separated numbers, all of them or nothing.
+std::optional<std::vector<double>> parse_numbers(std::string_view text);
+
+/// The shortest text that reads back as the same double; never a negative zero.
+std::string format_number(double value);
+
+/// At most `decimals` digits behind the point, trailing zeros dropped; never "-0".
+std::string format_fixed(double value, int decimals);
+
+/// The parts of `text` between separators; an empty text has one empty part.
+std::vector<std::string_view> split(std::string_view text, char separator);
+
+std::string to_lower(std::string_view text);
+
+/// The candidate closest to `name` by edit distance, if it is close enough to have been meant.
+std::optional<std::string> nearest_name(std::string_view name, std::span<const std::string> candidates);
+
+/// "did you mean 'x'?" or the list of candidates, for the hint of an error.
+std::string did_you_mean(std::string_view name, std::span<const std::string> candidates);
+
+}  // namespace epura

@@ -1,0 +1,114 @@
+#include "drawing/chains.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+namespace epura {
+
+namespace {
+
+// One end of a segment: 2 * segment + (0 at `from`, 1 at `to`).
+using End = int;
+constexpr End none = -1;
+
+int segment_of(End end) { return end / 2; }
+End other(End end) { return end ^ 1; }
+
+const Vec2& place(const std::vector<Segment>& segments, End end) {
+  const Segment& s = segments[segment_of(end)];
+  return end % 2 == 0 ? s.from : s.to;
+}
+
+// Direction in which the segment leaves this end.
+Vec2 leaving(const std::vector<Segment>& segments, End end) {
+  return glm::normalize(place(segments, other(end)) - place(segments, end));
+}
+
+// Ends that meet in one point: the two that run on most straightly first, as long as there are two.
+void pair_up(const std::vector<Segment>& segments, std::vector<End> ends, std::vector<End>& partner) {
+  while (ends.size() >= 2) {
+    std::tuple<double, End, End> best{HUGE_VAL, none, none};
+    for (std::size_t i = 0; i < ends.size(); ++i)
+      for (std::size_t j = i + 1; j < ends.size(); ++j)
+        best = std::min(best,
+                        std::tuple(glm::dot(leaving(segments, ends[i]), leaving(segments, ends[j])), ends[i], ends[j]));
+    const auto& [straightness, a, b] = best;
+    partner[a] = b;
+    partner[b] = a;
+    std::erase_if(ends, [a = a, b = b](End e) { return e == a || e == b; });
+  }
+}
+
+std::vector<End> find_partners(const std::vector<Segment>& segments) {
+  std::vector<End> ends(segments.size() * 2);
+  std::iota(ends.begin(), ends.end(), 0);
+  const auto key = [&](End e) {
+    const Segment& s = segments[segment_of(e)];
+    const Vec2& p = place(segments, e);
+    return std::tuple(!s.visible, s.kind, p.x, p.y);
+  };
+  std::sort(ends.begin(), ends.end(), [&](End a, End b) { return std::pair(key(a), a) < std::pair(key(b), b); });
+  std::vector<End> partner(ends.size(), none);
+  constexpr std::size_t most_at_a_point = 64;  // beyond that, straightness is not worth a quadratic search
+  for (std::size_t begin = 0, end = 0; begin < ends.size(); begin = end) {
+    while (end < ends.size() && key(ends[end]) == key(ends[begin])) ++end;
+    if (end - begin <= most_at_a_point) pair_up(segments, {ends.begin() + begin, ends.begin() + end}, partner);
+  }
+  return partner;
+}
+
+// Leaves out corners at which the line runs straight on.
+void straighten(std::vector<Vec2>& points, bool closed, double tolerance) {
+  std::vector<Vec2> kept;
+  const std::size_t n = points.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool end = !closed && (i == 0 || i == n - 1);
+    const Vec2& before = kept.empty() ? points[(i + n - 1) % n] : kept.back();
+    const Vec2 chord = points[(i + 1) % n] - before;
+    const Vec2 step = points[i] - before;
+    const double length = glm::length(chord);
+    const bool straight = length > 0 && std::abs(chord.x * step.y - chord.y * step.x) <= tolerance * length &&
+                          glm::dot(step, chord) >= 0 && glm::dot(step, chord) <= length * length;
+    if (end || !straight) kept.push_back(points[i]);
+  }
+  if (kept.size() >= 2) points = std::move(kept);
+}
+
+// Follows partners from the end `start`, whose segment is walked towards its other end.
+Chain follow(const std::vector<Segment>& segments, const std::vector<End>& partner, End start,
+             std::vector<bool>& used) {
+  const Segment& first = segments[segment_of(start)];
+  Chain chain{{place(segments, start)}, false, first.visible, first.kind, {}};
+  for (End at = start; at != none && !used[segment_of(at)]; at = partner[other(at)]) {
+    used[segment_of(at)] = true;
+    chain.segments.push_back(segment_of(at));
+    chain.points.push_back(place(segments, other(at)));
+  }
+  return chain;
+}
+
+}  // namespace
+
+std::vector<Chain> chain_segments(const std::vector<Segment>& segments, double tolerance) {
+  const std::vector<End> partner = find_partners(segments);
+  std::vector<bool> used(segments.size(), false);
+  std::vector<Chain> chains;
+  const auto add = [&](End start, bool closed) {
+    Chain chain = follow(segments, partner, start, used);
+    chain.closed = closed && chain.segments.size() > 2;
+    if (chain.closed) chain.points.pop_back();
+    straighten(chain.points, chain.closed, tolerance);
+    chains.push_back(std::move(chain));
+  };
+  for (End end = 0; end < static_cast<End>(partner.size()); ++end)
+    if (partner[end] == none && !used[segment_of(end)]) add(end, false);
+  // What is left runs in rings.
+  for (End end = 0; end < static_cast<End>(partner.size()); end += 2)
+    if (!used[segment_of(end)]) add(end, true);
+  return chains;
+}
+
+}  // namespace epura

@@ -1,0 +1,14 @@
+// Touching segments of one look, joined end to end into polylines.
+#pragma once
+
+#include <vector>
+
+#include "drawing/drawing.hpp"
+
+namespace epura {
+
+/// Every segment is in exactly one chain. Where more than two ends meet, those that run on most straightly are joined.
+/// Corners where a chain runs straight on within `tolerance` mm are left out.
+std::vector<Chain> chain_segments(const std::vector<Segment>& segments, double tolerance);
+
+}  // namespace epura

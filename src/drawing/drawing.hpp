@@ -1,0 +1,47 @@
+// One view as plain 2D ink, in millimetres of paper, y up. No styles yet.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/vec.hpp"
+#include "edges/edge_kind.hpp"
+#include "projection/projection.hpp"
+
+namespace epura {
+
+/// A straight piece of ink and where it comes from. Coincident pieces are resolved, touching ones of one edge merged.
+struct Segment {
+  Vec2 from, to;
+  bool visible;
+  EdgeKind kind;
+  int model;
+  std::array<int, 2> edge;                  ///< vertex numbers of the file; {-1, -1} for an intersection line
+  std::array<double, 2> t;                  ///< 3D parameters along the edge, `from` at t[0]
+  std::array<std::array<int, 2>, 2> faces;  ///< intersection line: (model, face) of both; otherwise {-1, -1}
+  std::array<Vec3, 2> world;                ///< intersection line: the ends in world coordinates
+};
+
+/// Segments of one look chained end to end.
+struct Chain {
+  std::vector<Vec2> points;  ///< the closing point of a closed chain is not repeated
+  bool closed;
+  bool visible;
+  EdgeKind kind;
+  std::vector<int> segments;  ///< indices into Drawing::segments, in order along the chain
+};
+
+struct Drawing {
+  std::string name;  ///< of the view
+  Projection projection;
+  Mat4 world_to_page;  ///< page = (row0/row3, row1/row3) in mm; row2/row3 grows towards the viewer
+  std::array<std::optional<Vec2>, 3> vanishing_points;  ///< of the world axes, on the page
+  std::vector<Segment> segments;
+  std::vector<Chain> chains;
+  Vec2 least{0, 0}, most{0, 0};  ///< box of the ink
+};
+
+}  // namespace epura

@@ -1,0 +1,112 @@
+#include "drawing/make_drawing.hpp"
+
+#include <algorithm>
+
+#include "drawing/chains.hpp"
+#include "drawing/ink.hpp"
+
+namespace epura {
+
+namespace {
+
+constexpr double least_piece = 1e-7;  // of the drawing; shorter coincidences and remainders are rounding
+constexpr double coincident_cells = 4;
+constexpr double straight_mm = 1e-6;
+
+Vec2 place(const View& view, const PaperMap& paper, const DrawnEdge& edge, double s) {
+  if (s == 0) return paper(view.vertices[edge.vertex[0]]);
+  if (s == 1) return paper(view.vertices[edge.vertex[1]]);
+  const PageVertex& p = view.vertices[edge.vertex[0]];
+  const PageVertex& q = view.vertices[edge.vertex[1]];
+  return paper({p.x + s * (q.x - p.x), p.y + s * (q.y - p.y), 0, 1});
+}
+
+std::vector<Piece> pieces_of(const View& view, const PaperMap& paper, const DrawnEdges& drawn,
+                             const HiddenSpans& hidden, bool keep_hidden) {
+  std::vector<Piece> pieces;
+  for (std::size_t e = 0; e < drawn.edges.size(); ++e) {
+    const auto add = [&](double from, double to, bool visible) {
+      if (!(from < to) || (!visible && !keep_hidden)) return;
+      pieces.push_back({place(view, paper, drawn.edges[e], from),
+                        place(view, paper, drawn.edges[e], to),
+                        visible,
+                        drawn.edges[e].kind,
+                        static_cast<int>(e),
+                        {from, to}});
+    };
+    double at = 0;
+    for (std::size_t i = hidden.first[e]; i < hidden.first[e + 1]; ++i) {
+      add(at, hidden.spans[i][0], true);
+      add(hidden.spans[i][0], hidden.spans[i][1], false);
+      at = hidden.spans[i][1];
+    }
+    add(at, 1, true);
+  }
+  return pieces;
+}
+
+// A place on the page edge -> a place on the clipped edge in space -> on the edge of the model.
+double parameter_in_space(const View& view, const DrawnEdge& edge, double s) {
+  if (s == 0) return edge.t[0];
+  if (s == 1) return edge.t[1];
+  const double wp = view.vertices[edge.vertex[0]].w;
+  const double wq = view.vertices[edge.vertex[1]].w;
+  const double part = s * wp / (s * wp + (1 - s) * wq);
+  return edge.t[0] + part * (edge.t[1] - edge.t[0]);
+}
+
+Segment segment_of(const World& world, const View& view, const DrawnEdges& drawn, const Piece& piece) {
+  const DrawnEdge& edge = drawn.edges[piece.edge];
+  Segment segment{piece.from,
+                  piece.to,
+                  piece.visible,
+                  piece.kind,
+                  edge.model,
+                  {-1, -1},
+                  {parameter_in_space(view, edge, piece.s[0]), parameter_in_space(view, edge, piece.s[1])},
+                  {{{-1, -1}, {-1, -1}}},
+                  {Vec3(0), Vec3(0)}};
+  if (edge.mesh_edge >= 0) {
+    segment.edge = world.models[edge.model].mesh.edges[edge.mesh_edge].vertex;
+    return segment;
+  }
+  const FaceCrossing& crossing = drawn.crossings[edge.crossing];
+  for (int i = 0; i < 2; ++i) {
+    const int model = world.model_of_triangle(crossing.triangles[i]);
+    const Mesh& mesh = world.models[model].mesh;
+    segment.faces[i] = {model, mesh.polygon[crossing.triangles[i] - world.first_triangle[model]]};
+    segment.world[i] = crossing.ends[0] + segment.t[i] * (crossing.ends[1] - crossing.ends[0]);
+  }
+  return segment;
+}
+
+}  // namespace
+
+Drawing make_drawing(const World& world, const View& view, const DrawnEdges& drawn, const HiddenSpans& hidden,
+                     const Contact& contact, const PaperMap& paper, const DrawingWishes& wishes) {
+  Drawing drawing;
+  drawing.name = wishes.name;
+  drawing.projection = view.projection;
+  drawing.world_to_page = world_to_page(view, paper);
+  drawing.vanishing_points = vanishing_points_on_page(view, paper);
+
+  const double tolerance = std::max(coincident_cells * view.cell, contact.touching) * paper.scale;
+  const double least = std::max(least_piece * view.extent * paper.scale, 8 * tolerance);
+  std::vector<Piece> pieces = pieces_of(view, paper, drawn, hidden, wishes.hidden);
+  pieces = resolve_coincident(std::move(pieces), tolerance, least);
+  for (const Piece& piece : pieces) drawing.segments.push_back(segment_of(world, view, drawn, piece));
+  drawing.chains = chain_segments(drawing.segments, straight_mm);
+
+  Vec2 most(-HUGE_VAL), low(HUGE_VAL);
+  for (const Segment& s : drawing.segments) {
+    low = glm::min(low, glm::min(s.from, s.to));
+    most = glm::max(most, glm::max(s.from, s.to));
+  }
+  if (!drawing.segments.empty()) {
+    drawing.least = low;
+    drawing.most = most;
+  }
+  return drawing;
+}
+
+}  // namespace epura

@@ -1,0 +1,87 @@
+#include "edges/dihedral.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace epura {
+
+namespace {
+
+int opposite_corner(const std::array<int, 3>& corners, const std::array<int, 2>& edge) {
+  for (const int v : corners)
+    if (v != edge[0] && v != edge[1]) return v;
+  return corners[0];
+}
+
+std::array<int, 2> sorted(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
+
+// The side of the triangle on which `place` lies, `entry` left out.
+std::array<int, 2> side_at(const EdgeSurroundings& around, const std::array<int, 3>& corners,
+                           const std::array<int, 2>& entry, const Vec3& place) {
+  std::array<int, 2> best{};
+  double least = HUGE_VAL;
+  for (int i = 0; i < 3; ++i) {
+    const std::array<int, 2> side = sorted(corners[i], corners[(i + 1) % 3]);
+    if (side == entry) continue;
+    // The detour over `place` is zero on the side and grows away from it.
+    const Vec3 a = around.point(side[0]);
+    const Vec3 b = around.point(side[1]);
+    const double detour = glm::length(place - a) + glm::length(b - place) - glm::length(b - a);
+    if (detour < least) {
+      least = detour;
+      best = side;
+    }
+  }
+  return best;
+}
+
+const MeshEdge* find_edge(const EdgeSurroundings& around, const std::array<int, 2>& side) {
+  const Mesh& mesh = around.world.models[around.model].mesh;
+  const int first = around.world.first_vertex[around.model];
+  const std::array<int, 2> key{side[0] - first, side[1] - first};
+  const auto found = std::lower_bound(mesh.edges.begin(), mesh.edges.end(), key,
+                                      [](const MeshEdge& e, const std::array<int, 2>& k) { return e.vertex < k; });
+  return found != mesh.edges.end() && found->vertex == key ? &*found : nullptr;
+}
+
+double length_of(const EdgeSurroundings& around, const std::array<int, 2>& side) {
+  return glm::length(around.point(side[1]) - around.point(side[0]));
+}
+
+}  // namespace
+
+double fold_angle(const EdgeSurroundings& around, const std::array<int, 2>& edge, int first, int second) {
+  const Vec3 a = around.point(edge[0]);
+  const Vec3 along = around.point(edge[1]) - a;
+  const Vec3 n1 = glm::cross(along, around.point(opposite_corner(around.corners(first), edge)) - a);
+  const Vec3 n2 = glm::cross(around.point(opposite_corner(around.corners(second), edge)) - a, along);
+  return std::atan2(glm::length(glm::cross(n1, n2)), glm::dot(n1, n2)) * (180 / std::numbers::pi);
+}
+
+double height_of(const EdgeSurroundings& around, int triangle) {
+  const std::array<int, 3> c = around.corners(triangle);
+  const Vec3 ab = around.point(c[1]) - around.point(c[0]);
+  const Vec3 ac = around.point(c[2]) - around.point(c[0]);
+  const double longest = std::max({glm::length(ab), glm::length(ac), glm::length(ac - ab)});
+  return longest > 0 ? glm::length(glm::cross(ab, ac)) / longest : 0;
+}
+
+Beyond across_slivers(const EdgeSurroundings& around, const std::array<int, 2>& edge, int triangle) {
+  const Vec3 middle = (around.point(edge[0]) + around.point(edge[1])) * 0.5;
+  std::array<int, 2> entry = edge;
+  constexpr int longest_row = 16;  // of slivers side by side; more than that is no surface any more
+  for (int step = 0; step < longest_row && height_of(around, triangle) <= around.sliver; ++step) {
+    const std::array<int, 3> corners = around.corners(triangle);
+    const std::array<int, 2> exit = side_at(around, corners, entry, middle);
+    if (step == 0 && length_of(around, entry) >= length_of(around, exit)) return {std::nullopt, true};
+    const MeshEdge* next = find_edge(around, exit);
+    if (next == nullptr || next->count != 2) return {};
+    const auto faces = around.world.models[around.model].mesh.triangles_of(*next);
+    triangle = faces[0] == triangle ? faces[1] : faces[0];
+    entry = exit;
+  }
+  return {triangle, false};
+}
+
+}  // namespace epura

@@ -1,0 +1,40 @@
+// The fold between two triangles at their common edge, whichever way round they are oriented.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "scene/scene.hpp"
+
+namespace epura {
+
+/// One model of a world, with what edge decisions need of it.
+struct EdgeSurroundings {
+  const World& world;
+  int model;
+  double shrink;  ///< power of two that brings lengths near 1, so that products of them stay in range
+  double sliver;  ///< triangles lower than this (shrunk) have no reliable normal; folds are measured across them
+
+  /// A corner of the model's triangle, as a vertex of the world.
+  [[nodiscard]] std::array<int, 3> corners(int triangle) const {
+    return world.triangles[world.first_triangle[model] + triangle];
+  }
+  [[nodiscard]] Vec3 point(int vertex) const { return world.points[vertex] * shrink; }
+};
+
+/// Degrees by which the second triangle turns away from continuing the first one flatly: 0 flat, 180 folded back.
+double fold_angle(const EdgeSurroundings& around, const std::array<int, 2>& edge, int first, int second);
+
+/// The height of a triangle over its longest side.
+double height_of(const EdgeSurroundings& around, int triangle);
+
+/// A sliver (a triangle lower than `sliver`) has no normal of its own: the triangle that continues the surface
+/// behind it, found by leaving through the side on which the middle of the entry edge lies. `covered` means that the
+/// entry edge is the sliver's longest side: what there is to draw is drawn on the shorter ones.
+struct Beyond {
+  std::optional<int> triangle;
+  bool covered = false;
+};
+Beyond across_slivers(const EdgeSurroundings& around, const std::array<int, 2>& edge, int triangle);
+
+}  // namespace epura

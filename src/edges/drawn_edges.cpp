@@ -1,0 +1,46 @@
+#include "edges/drawn_edges.hpp"
+
+#include <optional>
+
+#include "edges/feature_edges.hpp"
+
+namespace epura {
+
+namespace {
+
+void add_mesh_edges(const World& world, View& view, int model, const EdgeWishes& wishes,
+                    std::vector<DrawnEdge>& drawn) {
+  const std::vector<std::optional<EdgeKind>> kinds = feature_edges(world, view, model, wishes);
+  const std::vector<MeshEdge>& edges = world.models[model].mesh.edges;
+  const int first = world.first_vertex[model];
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    if (!kinds[e]) continue;
+    if (const auto part = clip_edge(view, first + edges[e].vertex[0], first + edges[e].vertex[1]))
+      drawn.push_back({part->vertex, part->t, *kinds[e], model, static_cast<int>(e), -1});
+  }
+}
+
+void add_intersections(const World& world, View& view, DrawnEdges& drawn) {
+  for (std::size_t i = 0; i < drawn.crossings.size(); ++i) {
+    const FaceCrossing& crossing = drawn.crossings[i];
+    const int a = add_point(view, crossing.ends[0]);
+    const int b = add_point(view, crossing.ends[1]);
+    if (const auto part = clip_edge(view, a, b))
+      drawn.edges.push_back({part->vertex, part->t, EdgeKind::intersection,
+                             world.model_of_triangle(crossing.triangles[0]), -1, static_cast<int>(i)});
+  }
+}
+
+}  // namespace
+
+DrawnEdges find_drawn_edges(const World& world, View& view, const EdgeWishes& wishes, double contact) {
+  DrawnEdges drawn;
+  for (int model = 0; model < static_cast<int>(world.models.size()); ++model)
+    add_mesh_edges(world, view, model, wishes, drawn.edges);
+  if (!wishes.intersection) return drawn;
+  drawn.crossings = find_intersections(world, view.map.shrink, contact);
+  add_intersections(world, view, drawn);
+  return drawn;
+}
+
+}  // namespace epura

@@ -1,0 +1,36 @@
+// Which edges deserve a line, as straight pieces between vertices of the view.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "edges/edge_kind.hpp"
+#include "edges/intersections.hpp"
+#include "view/view.hpp"
+
+namespace epura {
+
+struct EdgeWishes {
+  bool contour = true, boundary = true, crease = true, intersection = true, smooth = false;
+  double crease_angle = 30;  ///< degrees between the faces' normals from which an edge is a crease
+};
+
+/// A straight piece to be split into visible and hidden spans.
+struct DrawnEdge {
+  std::array<int, 2> vertex;  ///< of the view
+  std::array<double, 2> t;    ///< 3D parameters of the ends along the edge it comes from
+  EdgeKind kind;
+  int model;
+  int mesh_edge;  ///< in its model; -1 for an intersection line
+  int crossing;   ///< of an intersection line, in DrawnEdges::crossings; otherwise -1
+};
+
+struct DrawnEdges {
+  std::vector<DrawnEdge> edges;  ///< in order of model and mesh edge, then the intersection lines
+  std::vector<FaceCrossing> crossings;
+};
+
+/// `contact` is the distance in the shrunk world (ViewMap::shrink) below which faces touch rather than cross.
+DrawnEdges find_drawn_edges(const World& world, View& view, const EdgeWishes& wishes, double contact);
+
+}  // namespace epura

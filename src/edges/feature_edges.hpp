@@ -1,0 +1,20 @@
+// Which mesh edges deserve a line: contours, boundaries, creases.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "edges/drawn_edges.hpp"
+#include "edges/edge_kind.hpp"
+#include "view/view.hpp"
+
+namespace epura {
+
+/// For every edge of a model why it is drawn, or nothing.
+///
+/// Orientation of faces is not used: an edge is a contour when its two triangles lie on the same side of it on the
+/// page, or when one of them is seen edge-on; so inside-out, one-sided and randomly oriented surfaces are drawn alike.
+std::vector<std::optional<EdgeKind>> feature_edges(const World& world, const View& view, int model,
+                                                   const EdgeWishes& wishes);
+
+}  // namespace epura

@@ -1,0 +1,178 @@
+#include "edges/intersections.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+#include "base/parallel.hpp"
+#include "edges/triangle_tree.hpp"
+
+namespace epura {
+
+namespace {
+
+// Planes that differ by less than this angle (radians) have no reliable line in common.
+constexpr double least_angle = 1e-9;
+
+struct Plane {
+  Vec3 point, normal;
+
+  [[nodiscard]] double distance(const Vec3& p) const { return glm::dot(normal, p - point); }
+};
+
+struct Piece {
+  std::array<Vec3, 2> ends;
+};
+
+class Crossings {
+ public:
+  Crossings(const World& world, double shrink, double contact)
+      : world_(world), shrink_(shrink), contact_(contact), middle_(world.box.centre() * shrink) {}
+
+  [[nodiscard]] Vec3 point(int vertex) const { return world_.points[vertex] * shrink_ - middle_; }
+  [[nodiscard]] Vec3 unshrunk(const Vec3& p) const { return (p + middle_) / shrink_; }
+
+  [[nodiscard]] Box box(int triangle) const {
+    Box box;
+    for (const int v : world_.triangles[triangle]) box.add(point(v));
+    return box;
+  }
+
+  // Nothing for a triangle so low that its normal is no direction.
+  [[nodiscard]] std::optional<Plane> plane(int triangle) const {
+    const auto& c = world_.triangles[triangle];
+    const Vec3 a = point(c[0]);
+    const Vec3 ab = point(c[1]) - a;
+    const Vec3 ac = point(c[2]) - a;
+    const Vec3 normal = glm::cross(ab, ac);
+    const double area = glm::length(normal);
+    const double longest = std::max({glm::length(ab), glm::length(ac), glm::length(ac - ab)});
+    if (!(area > contact_ * longest)) return std::nullopt;
+    return Plane{a, normal / area};
+  }
+
+  [[nodiscard]] std::optional<FaceCrossing> cross(int first, int second) const {
+    if (common_vertices(first, second) >= 2) return std::nullopt;
+    const auto first_plane = plane(first);
+    const auto second_plane = plane(second);
+    if (!first_plane || !second_plane) return std::nullopt;
+    const Vec3 along = glm::cross(first_plane->normal, second_plane->normal);
+    if (glm::length(along) < least_angle) return std::nullopt;
+    const auto one = cut(first, *second_plane);
+    if (!one) return std::nullopt;
+    const auto two = cut(second, *first_plane);
+    if (!two) return std::nullopt;
+    const auto common = overlap(*one, *two, glm::normalize(along));
+    if (!common) return std::nullopt;
+    return FaceCrossing{{unshrunk(common->ends[0]), unshrunk(common->ends[1])}, {first, second}};
+  }
+
+ private:
+  [[nodiscard]] int common_vertices(int first, int second) const {
+    int common = 0;
+    for (const int a : world_.triangles[first])
+      for (const int b : world_.triangles[second]) common += a == b ? 1 : 0;
+    return common;
+  }
+
+  [[nodiscard]] int sign(double distance) const { return distance > contact_ ? 1 : distance < -contact_ ? -1 : 0; }
+
+  // Where the edge between two vertices meets the plane: computed alike from both triangles at the edge.
+  [[nodiscard]] Vec3 meet(const Plane& plane, int a, int b) const {
+    const Vec3 p = point(std::min(a, b));
+    const Vec3 q = point(std::max(a, b));
+    const double from = plane.distance(p);
+    return p + (from / (from - plane.distance(q))) * (q - p);
+  }
+
+  // The piece of a triangle in a plane that it crosses.
+  [[nodiscard]] std::optional<Piece> cut(int triangle, const Plane& plane) const {
+    const auto& c = world_.triangles[triangle];
+    std::array<int, 3> signs{};
+    for (int i = 0; i < 3; ++i) signs[i] = sign(plane.distance(point(c[i])));
+    const auto has = [&](int s) { return std::find(signs.begin(), signs.end(), s) != signs.end(); };
+    if (!has(1)) return std::nullopt;
+    if (!has(-1)) return edge_in_plane(triangle, signs, plane);
+
+    std::array<Vec3, 4> met{};
+    std::size_t count = 0;
+    for (int i = 0; i < 3; ++i) {
+      const int j = (i + 1) % 3;
+      if (signs[i] == 0) met[count++] = point(c[i]);
+      if (signs[i] * signs[j] < 0) met[count++] = meet(plane, c[i], c[j]);
+    }
+    return Piece{{met[0], met[1]}};
+  }
+
+  // Two corners in the plane, the third in front: a crossing only if the surface goes on behind the plane. It is found
+  // from the triangle in front alone, so it is found once.
+  [[nodiscard]] std::optional<Piece> edge_in_plane(int triangle, const std::array<int, 3>& signs,
+                                                   const Plane& plane) const {
+    if (std::count(signs.begin(), signs.end(), 0) != 2) return std::nullopt;
+    const auto& c = world_.triangles[triangle];
+    const auto third = std::distance(signs.begin(), std::find(signs.begin(), signs.end(), 1));
+    const int a = c[(third + 1) % 3];
+    const int b = c[(third + 2) % 3];
+    return goes_on_behind(triangle, a, b, plane) ? std::optional(Piece{{point(a), point(b)}}) : std::nullopt;
+  }
+
+  [[nodiscard]] bool goes_on_behind(int triangle, int a, int b, const Plane& plane) const {
+    const int model = world_.model_of_triangle(triangle);
+    const Mesh& mesh = world_.models[model].mesh;
+    const int first = world_.first_vertex[model];
+    const std::array<int, 2> key{std::min(a, b) - first, std::max(a, b) - first};
+    const auto edge = std::lower_bound(mesh.edges.begin(), mesh.edges.end(), key,
+                                       [](const MeshEdge& e, const std::array<int, 2>& k) { return e.vertex < k; });
+    for (const int other : mesh.triangles_of(*edge))
+      for (const int v : world_.triangles[world_.first_triangle[model] + other])
+        if (sign(plane.distance(point(v))) < 0) return true;
+    return false;
+  }
+
+  // What two pieces of one line have in common, if that is longer than the contact distance.
+  [[nodiscard]] std::optional<Piece> overlap(Piece one, Piece two, const Vec3& along) const {
+    for (Piece* piece : {&one, &two})
+      if (glm::dot(piece->ends[0], along) > glm::dot(piece->ends[1], along)) std::swap(piece->ends[0], piece->ends[1]);
+    const auto at = [&](const Vec3& p) { return glm::dot(p, along); };
+    const Vec3 from = at(one.ends[0]) >= at(two.ends[0]) ? one.ends[0] : two.ends[0];
+    const Vec3 to = at(one.ends[1]) <= at(two.ends[1]) ? one.ends[1] : two.ends[1];
+    if (at(to) - at(from) <= contact_) return std::nullopt;
+    return Piece{{from, to}};
+  }
+
+  const World& world_;
+  double shrink_, contact_;
+  Vec3 middle_;
+};
+
+}  // namespace
+
+std::vector<FaceCrossing> find_intersections(const World& world, double shrink, double contact) {
+  const Crossings crossings(world, shrink, contact);
+  std::vector<Box> boxes(world.triangles.size());
+  for (std::size_t f = 0; f < boxes.size(); ++f) boxes[f] = crossings.box(static_cast<int>(f));
+  const TriangleTree tree(boxes);
+
+  std::vector<FaceCrossing> found;
+  std::mutex mutex;
+  parallel_for(boxes.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    std::vector<FaceCrossing> here;
+    for (std::size_t f = begin; f < end; ++f) {
+      const int first = static_cast<int>(f);
+      tree.overlapping(boxes[f], [&](int second) {
+        if (second <= first) return;
+        if (const auto crossing = crossings.cross(first, second)) here.push_back(*crossing);
+      });
+    }
+    const std::lock_guard lock(mutex);
+    found.insert(found.end(), here.begin(), here.end());
+  });
+  std::sort(found.begin(), found.end(),
+            [](const FaceCrossing& a, const FaceCrossing& b) { return a.triangles < b.triangles; });
+  return found;
+}
+
+}  // namespace epura

@@ -1,0 +1,22 @@
+// Where faces interpenetrate: the lines in which they cross. They are no mesh edges, but drawn like creases.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "scene/scene.hpp"
+
+namespace epura {
+
+struct FaceCrossing {
+  std::array<Vec3, 2> ends;      ///< in the world
+  std::array<int, 2> triangles;  ///< of the world, first < second
+};
+
+/// All crossings of two triangles without a common vertex, longer than `contact`, sorted by their triangles.
+/// Faces that only touch (a corner or an edge within `contact` of the other's plane) do not cross; an edge that lies
+/// in the other plane counts when its surface goes on to the other side. `shrink` is a power of two that brings the
+/// world's size near 1; `contact` is a length after shrinking.
+std::vector<FaceCrossing> find_intersections(const World& world, double shrink, double contact);
+
+}  // namespace epura

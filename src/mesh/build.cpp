@@ -1,0 +1,125 @@
+#include "mesh/build.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "base/vec.hpp"
+#include "mesh/bodies.hpp"
+#include "mesh/cracks.hpp"
+#include "mesh/cut_surface.hpp"
+#include "mesh/edge_table.hpp"
+#include "mesh/faces.hpp"
+#include "mesh/triangulate.hpp"
+#include "mesh/weld.hpp"
+
+namespace epura {
+
+namespace {
+
+Vec3 place(const Points& points, int vertex) { return {points[vertex][0], points[vertex][1], points[vertex][2]}; }
+
+int count_non_finite(const Points& points) {
+  int count = 0;
+  for (const auto& p : points) count += !finite(Vec3(p[0], p[1], p[2]));
+  return count;
+}
+
+void weld(Soup& soup, MeshReport& report) {
+  std::vector<int> first = same_places(soup.points);
+  if (soup.corners_repeat_points) return renumber(soup.points, soup.corners, std::move(first));
+  for (int v = 0; v < static_cast<int>(first.size()); ++v) report.welded_vertices += first[v] != v;
+  if (report.welded_vertices == 0) return;
+  for (int& corner : soup.corners) corner = first[corner];
+}
+
+Faces usable_faces(Soup& soup, MeshReport& report) {
+  Faces faces{.corners = std::move(soup.corners), .ends = std::move(soup.face_ends), .number = {}};
+  faces.number.resize(faces.size());
+  std::iota(faces.number.begin(), faces.number.end(), 0);
+  if (report.non_finite_vertices > 0)
+    report.dropped_non_finite = drop_faces_with_non_finite_corners(faces, soup.points);
+  report.dropped_degenerate = drop_faces_without_three_corners(faces);
+  report.dropped_duplicates = drop_duplicate_faces(faces, report.vertices);
+  report.faces = static_cast<int>(faces.size());
+  return faces;
+}
+
+EdgeTable edges_of(const Faces& triangles, const MeshReport& report) {
+  return make_edge_table(triangles.corners, triangles.number, report.vertices);
+}
+
+/// Welds across cracks; then some triangles may have become equal.
+void close_cracks(Points& points, Faces& triangles, EdgeTable& table, MeshReport& report) {
+  Mending mending = mend_cracks(points, triangles.corners, table);
+  if (mending.joined == 0) return;
+  report.welded_vertices += mending.joined;
+  report.weld_distance = mending.distance;
+  renumber(points, triangles.corners, std::move(mending.representative));
+  report.vertices = static_cast<int>(points.size());
+  report.dropped_duplicates += drop_duplicate_faces(triangles, report.vertices);
+  table = edges_of(triangles, report);
+}
+
+void count_edges(const EdgeTable& table, std::span<const int> corners, MeshReport& report) {
+  for (const MeshEdge& edge : table.edges) {
+    report.open_edges += edge.count == 1;
+    report.non_manifold_edges += edge.count > 2;
+    report.misoriented_edges += edge.count == 2 && !is_two_sided(table, edge, corners);
+  }
+}
+
+/// Such triangles stay, since leaving them out would open the edges beside them.
+void note_triangles_without_area(const Points& points, std::span<const int> corners, MeshReport& report) {
+  int count = 0;
+  for (std::size_t h = 0; h < corners.size(); h += 3) {
+    const Vec3 origin = place(points, corners[h]);
+    const Vec3 u = place(points, corners[h + 1]) - origin, v = place(points, corners[h + 2]) - origin;
+    count += u.y * v.z == u.z * v.y && u.z * v.x == u.x * v.z && u.x * v.y == u.y * v.x;
+  }
+  if (count > 0) report.notes.push_back(std::to_string(count) + (count == 1 ? " triangle has" : " triangles have") + " no area");
+}
+
+void number_bodies(Mesh& mesh, const Soup& soup, const EdgeTable& table) {
+  const bool named = soup.body_names.size() > 1;
+  if (!named) {
+    mesh.body = connected_parts(mesh.polygon.size(), table);
+  } else {
+    for (const int face : mesh.polygon) mesh.body.push_back(soup.face_body[face]);
+    for (const int body : renumber_labels(mesh.body)) mesh.body_names.push_back(soup.body_names[body]);
+  }
+  const auto last = std::max_element(mesh.body.begin(), mesh.body.end());
+  mesh.report.bodies = last == mesh.body.end() ? 0 : *last + 1;
+}
+
+}  // namespace
+
+Mesh build_mesh(Soup soup, std::string name) {
+  Mesh mesh;
+  MeshReport& report = mesh.report;
+  report.name = std::move(name);
+  report.format = soup.format;
+  report.single_precision = soup.single_precision;
+  report.notes = std::move(soup.notes);
+
+  weld(soup, report);
+  report.vertices = static_cast<int>(soup.points.size());
+  report.non_finite_vertices = count_non_finite(soup.points);
+  Faces triangles = triangulate(usable_faces(soup, report), soup.points);
+  EdgeTable table = edges_of(triangles, report);
+  if (soup.corners_repeat_points) close_cracks(soup.points, triangles, table, report);
+
+  report.triangles = static_cast<int>(triangles.size());
+  count_edges(table, triangles.corners, report);
+  note_triangles_without_area(soup.points, triangles.corners, report);
+  cut_surface(mesh, soup.points, triangles.corners, table);
+  mesh.polygon = std::move(triangles.number);
+  number_bodies(mesh, soup, table);
+
+  for (int& halfedge : table.halfedges) halfedge /= 3;
+  mesh.edges = std::move(table.edges);
+  mesh.edge_triangles = std::move(table.halfedges);
+  return mesh;
+}
+
+}  // namespace epura

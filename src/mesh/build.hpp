@@ -1,0 +1,14 @@
+// Soup -> Mesh: weld, drop what is no face, triangulate, pair edges, and lay the surface out in OpenMesh.
+#pragma once
+
+#include <string>
+
+#include "mesh/mesh.hpp"
+#include "mesh/soup.hpp"
+
+namespace epura {
+
+/// Never fails on imperfect data: what was dropped or found open stands in the report.
+Mesh build_mesh(Soup soup, std::string name);
+
+}  // namespace epura

@@ -1,0 +1,20 @@
+// Numbers as they lie in binary files.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstring>
+
+namespace epura {
+
+/// The number at `from`, which need not be aligned.
+template <class Number>
+Number load(const char* from, std::endian order) {
+  std::array<char, sizeof(Number)> bytes;
+  std::memcpy(bytes.data(), from, bytes.size());
+  if (order != std::endian::native) std::reverse(bytes.begin(), bytes.end());
+  return std::bit_cast<Number>(bytes);
+}
+
+}  // namespace epura

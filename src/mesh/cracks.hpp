@@ -1,0 +1,19 @@
+// Cracks: open edges that lie beside each other because corners of one place differ in the last bits.
+#pragma once
+
+#include "mesh/edge_table.hpp"
+#include "mesh/soup.hpp"
+
+namespace epura {
+
+struct Mending {
+  std::vector<int> representative;  ///< for each vertex the lowest one it is joined with; empty when none is joined
+  int joined = 0;                   ///< vertices that are not their own representative
+  double distance = 0;              ///< largest distance to a representative
+};
+
+/// Joins ends of open edges that lie within a few roundings of 32-bit coordinates of each other, and much closer than
+/// their open edges are long; never two vertices with an edge between them. `corners` are those of the table.
+Mending mend_cracks(const Points& points, std::span<const int> corners, const EdgeTable& table);
+
+}  // namespace epura

@@ -1,0 +1,98 @@
+#include "mesh/cut_surface.hpp"
+
+#include <numeric>
+
+#include "base/parallel.hpp"
+
+namespace epura {
+
+namespace {
+
+using OpenMesh::FaceHandle;
+using OpenMesh::HalfedgeHandle;
+using OpenMesh::VertexHandle;
+
+struct SurfaceEdges {
+  std::vector<HalfedgeHandle> of;  ///< half-edge of the table -> half-edge of the surface
+  int count = 0;
+};
+
+/// One edge for two triangles that stay joined, one for each half-edge otherwise. They are numbered along the triangles
+/// and not as in the table, which keeps neighbours near each other in memory.
+SurfaceEdges number_edges(std::span<const int> corners, const EdgeTable& table) {
+  SurfaceEdges numbered;
+  numbered.of.resize(corners.size());  // not valid yet
+  for (const MeshEdge& edge : table.edges)
+    if (is_two_sided(table, edge, corners)) {
+      const auto halfedges = table.halfedges_of(edge);
+      numbered.of[halfedges[1]] = HalfedgeHandle(halfedges[0]);  // for the moment the later one names the earlier one
+    }
+  for (HalfedgeHandle& own : numbered.of)
+    own = own.is_valid() ? HalfedgeHandle(numbered.of[own.idx()].idx() + 1) : HalfedgeHandle(2 * numbered.count++);
+  return numbered;
+}
+
+void link_faces(Surface& surface, const std::vector<HalfedgeHandle>& of) {
+  parallel_for(surface.n_faces(), 16384, [&](std::size_t first, std::size_t last) {
+    for (std::size_t t = first; t < last; ++t) {
+      const FaceHandle face(static_cast<int>(t));
+      // The last half-edge ends at corner 0, so that OpenMesh's circulators begin there.
+      surface.set_halfedge_handle(face, of[3 * t + 2]);
+      for (std::size_t k = 0; k < 3; ++k) {
+        surface.set_face_handle(of[3 * t + k], face);
+        surface.set_next_halfedge_handle(of[3 * t + k], of[3 * t + (k + 1) % 3]);
+      }
+    }
+  });
+}
+
+/// The triangles around one vertex: from the outgoing half-edge at their right end (any, if they close a ring).
+void link_fan(Surface& surface, HalfedgeHandle right, VertexHandle vertex) {
+  const HalfedgeHandle border_in = surface.opposite_halfedge_handle(right);
+  for (HalfedgeHandle outgoing = right;;) {
+    const HalfedgeHandle incoming = surface.prev_halfedge_handle(outgoing);
+    surface.set_vertex_handle(incoming, vertex);
+    outgoing = surface.opposite_halfedge_handle(incoming);
+    if (outgoing == right) return surface.set_halfedge_handle(vertex, right);
+    if (!surface.is_boundary(outgoing)) continue;
+    // OpenMesh wants a border's half-edge at the vertex.
+    surface.set_vertex_handle(border_in, vertex);
+    surface.set_next_halfedge_handle(border_in, outgoing);
+    return surface.set_halfedge_handle(vertex, outgoing);
+  }
+}
+
+HalfedgeHandle right_end_of_fan(const Surface& surface, HalfedgeHandle start) {
+  HalfedgeHandle outgoing = start;
+  while (!surface.is_boundary(surface.opposite_halfedge_handle(outgoing))) {
+    outgoing = surface.next_halfedge_handle(surface.opposite_halfedge_handle(outgoing));
+    if (outgoing == start) break;
+  }
+  return outgoing;
+}
+
+}  // namespace
+
+void cut_surface(Mesh& mesh, const Points& points, std::span<const int> corners, const EdgeTable& table) {
+  Surface& surface = mesh.surface;
+  const SurfaceEdges edges = number_edges(corners, table);
+  surface.resize(points.size(), static_cast<std::size_t>(edges.count), corners.size() / 3);
+  for (std::size_t v = 0; v < points.size(); ++v)
+    surface.set_point(VertexHandle(static_cast<int>(v)), {points[v][0], points[v][1], points[v][2]});
+  mesh.vertex_of.resize(points.size());
+  std::iota(mesh.vertex_of.begin(), mesh.vertex_of.end(), 0);
+  link_faces(surface, edges.of);
+
+  for (std::size_t h = 0; h < corners.size(); ++h) {
+    if (surface.to_vertex_handle(surface.prev_halfedge_handle(edges.of[h])).is_valid()) continue;  // fan done
+    VertexHandle vertex(corners[h]);
+    if (!surface.is_isolated(vertex)) {
+      vertex = surface.new_vertex();
+      surface.set_point(vertex, surface.point(VertexHandle(corners[h])));
+      mesh.vertex_of.push_back(corners[h]);
+    }
+    link_fan(surface, right_end_of_fan(surface, edges.of[h]), vertex);
+  }
+}
+
+}  // namespace epura

@@ -1,0 +1,32 @@
+// The undirected edges of triangles, each with all half-edges that run along it.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "mesh/mesh.hpp"
+
+namespace epura {
+
+/// Half-edge 3t + k runs along triangle t from its corner k to the next one.
+struct EdgeTable {
+  std::vector<MeshEdge> edges;  ///< sorted by their vertices; `first` and `count` refer to `halfedges`
+  std::vector<int> halfedges;   ///< of each edge, ascending
+
+  [[nodiscard]] std::span<const int> halfedges_of(const MeshEdge& edge) const {
+    return {halfedges.data() + edge.first, static_cast<std::size_t>(edge.count)};
+  }
+};
+
+/// `corners` has three vertices a triangle, all different; an edge is a diagonal where it joins triangles of one
+/// polygon only.
+EdgeTable make_edge_table(std::span<const int> corners, std::span<const int> polygon, int vertex_count);
+
+inline int next_in_triangle(int halfedge) { return halfedge % 3 == 2 ? halfedge - 2 : halfedge + 1; }
+
+/// Whether exactly two triangles share the edge and run along it in opposite directions.
+inline bool is_two_sided(const EdgeTable& table, const MeshEdge& edge, std::span<const int> corners) {
+  return edge.count == 2 && corners[table.halfedges[edge.first]] != corners[table.halfedges[edge.first + 1]];
+}
+
+}  // namespace epura

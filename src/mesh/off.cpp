@@ -1,0 +1,100 @@
+// Object File Format of Geomview: [ST][C][N]OFF, counts, one vertex a line, one face a line.
+// Format: http://www.geomview.org/docs/html/OFF.html
+#include "base/text.hpp"
+#include "mesh/read.hpp"
+#include "mesh/text_cursor.hpp"
+
+namespace epura {
+
+namespace {
+
+struct Counts {
+  long long vertices;
+  long long faces;
+};
+
+// The keyword may be missing; what stands before "OFF" says what else a vertex line holds behind its place.
+void read_keyword(TextCursor& text) {
+  const TextCursor before = text;
+  const std::string_view keyword = text.word_of_any_line();
+  if (!keyword.ends_with("OFF")) {
+    if (keyword.empty() || !parse_integer(keyword)) text.fail("does not begin with 'OFF'");
+    text = before;
+    return;
+  }
+  if (keyword.find_first_of("4n") != std::string_view::npos)
+    text.fail(quoted(keyword) + " has vertices of another dimension than three");
+  const TextCursor behind = text;
+  if (text.word() == "BINARY") text.fail("binary OFF is not read", "save it as text OFF or as PLY");
+  text = behind;
+}
+
+Counts read_counts(TextCursor& text) {
+  Counts counts{};
+  for (long long* count : {&counts.vertices, &counts.faces}) {
+    *count = text.integer(text.word_of_any_line());
+    // A vertex takes at least six bytes and a face two, so a wrong count cannot make us ask for all memory.
+    const long long least_bytes = count == &counts.vertices ? 6 : 2;
+    const auto most = static_cast<long long>(text.bytes_left() / least_bytes) + 1;
+    if (*count < 0 || *count > most)
+      text.fail("the file cannot hold the " + std::to_string(*count) +
+                (least_bytes == 6 ? " vertices" : " faces") + " that its header announces");
+  }
+  // The number of edges, which nobody needs, follows here, alone on the next line, or not at all.
+  if (!text.word().empty()) return counts;
+  const TextCursor before = text;
+  text.word_of_any_line();
+  if (!text.word().empty()) text = before;
+  return counts;
+}
+
+std::string_view expect_word(TextCursor& text, const char* what, long long done, long long count) {
+  const std::string_view word = text.word_of_any_line();
+  if (word.empty())
+    text.fail(std::string("the file ends at ") + what + " " + std::to_string(done + 1) + " of " +
+              std::to_string(count));
+  return word;
+}
+
+void read_vertices(TextCursor& text, Soup& soup, long long count) {
+  soup.points.resize(static_cast<std::size_t>(count));
+  for (long long v = 0; v < count; ++v) {
+    for (double& x : soup.points[static_cast<std::size_t>(v)]) x = text.number(expect_word(text, "vertex", v, count));
+    text.next_line();
+  }
+}
+
+void read_faces(TextCursor& text, Soup& soup, long long count) {
+  soup.corners.reserve(static_cast<std::size_t>(3 * count));
+  soup.face_ends.reserve(static_cast<std::size_t>(count));
+  for (long long f = 0; f < count; ++f) {
+    const long long corners = text.integer(expect_word(text, "face", f, count));
+    if (corners < 0 || corners > static_cast<long long>(text.bytes_left()))
+      text.fail("a face cannot have " + std::to_string(corners) + " corners");
+    for (long long k = 0; k < corners; ++k) {
+      const long long index = text.integer(expect_word(text, "face", f, count));
+      if (index < 0 || index >= static_cast<long long>(soup.points.size()))
+        text.fail("a face refers to vertex " + std::to_string(index) + ", but there are " +
+                      std::to_string(soup.points.size()),
+                  "vertices are numbered from 0");
+      soup.corners.push_back(static_cast<int>(index));
+    }
+    soup.end_face();
+    text.next_line();
+  }
+}
+
+}  // namespace
+
+Soup read_off(std::string_view bytes, std::string_view name) {
+  Soup soup;
+  soup.format = "off";
+  TextCursor text(bytes, name);
+  read_keyword(text);
+  const Counts counts = read_counts(text);
+  read_vertices(text, soup, counts.vertices);
+  read_faces(text, soup, counts.faces);
+  return soup;
+}
+
+}  // namespace epura

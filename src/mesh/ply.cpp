@@ -1,0 +1,260 @@
+// PLY: text and binary in both byte orders, elements and properties in any order.
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "mesh/bytes.hpp"
+#include "mesh/ply_header.hpp"
+#include "mesh/read.hpp"
+#include "mesh/text_cursor.hpp"
+
+namespace epura {
+
+namespace {
+
+// Both sources give numbers as doubles, which hold every index of 32 bits.
+
+class BinarySource {
+ public:
+  BinarySource(std::string_view bytes, std::size_t offset, std::endian order, std::string_view name)
+      : bytes_(bytes), at_(offset), order_(order), name_(name) {}
+
+  /// Calls `take(number)` for the next `count` numbers.
+  template <class Take>
+  void numbers(PlyType type, long long count, const Take& take) {
+    switch (type) {
+      case PlyType::int8:
+        return numbers_of<std::int8_t>(count, take);
+      case PlyType::uint8:
+        return numbers_of<std::uint8_t>(count, take);
+      case PlyType::int16:
+        return numbers_of<std::int16_t>(count, take);
+      case PlyType::uint16:
+        return numbers_of<std::uint16_t>(count, take);
+      case PlyType::int32:
+        return numbers_of<std::int32_t>(count, take);
+      case PlyType::uint32:
+        return numbers_of<std::uint32_t>(count, take);
+      case PlyType::int64:
+        return numbers_of<std::int64_t>(count, take);
+      case PlyType::uint64:
+        return numbers_of<std::uint64_t>(count, take);
+      case PlyType::float32:
+        return numbers_of<float>(count, take);
+      case PlyType::float64:
+        return numbers_of<double>(count, take);
+    }
+  }
+
+  void end_element() const {}
+  [[nodiscard]] static std::size_t least_bytes(PlyType type) { return size_of(type); }
+  [[nodiscard]] std::size_t bytes_left() const { return bytes_.size() - at_; }
+  [[nodiscard]] std::size_t place() const { return at_; }
+  [[noreturn]] void fail(const std::string& reason, std::size_t place) const {
+    throw Error(Trouble::input, std::string(name_) + ": byte " + std::to_string(place), reason);
+  }
+
+ private:
+  template <class Number, class Take>
+  void numbers_of(long long count, const Take& take) {
+    if (bytes_left() / sizeof(Number) < static_cast<std::size_t>(count)) fail("the file ends too early", bytes_.size());
+    for (long long k = 0; k < count; ++k) {
+      const auto number = static_cast<double>(load<Number>(bytes_.data() + at_, order_));
+      at_ += sizeof(Number);
+      take(number);
+    }
+  }
+
+  std::string_view bytes_;
+  std::size_t at_;
+  std::endian order_;
+  std::string_view name_;
+};
+
+class TextSource {
+ public:
+  TextSource(std::string_view text, std::string_view name, std::size_t first_line)
+      : text_(text, name, first_line), name_(name) {}
+
+  template <class Take>
+  void numbers(PlyType, long long count, const Take& take) {
+    for (long long k = 0; k < count; ++k) {
+      const std::string_view word = text_.word_of_any_line();
+      if (word.empty()) text_.fail("the file ends too early");
+      take(text_.number(word));
+    }
+  }
+
+  void end_element() {
+    const std::string_view word = text_.word();
+    if (!word.empty()) text_.fail(quoted(word) + " is more than this element has properties");
+    text_.next_line();
+  }
+  [[nodiscard]] static std::size_t least_bytes(PlyType) { return 1; }
+  [[nodiscard]] std::size_t bytes_left() const { return text_.bytes_left(); }
+  [[nodiscard]] std::size_t place() const { return text_.line(); }
+  [[noreturn]] void fail(const std::string& reason, std::size_t place) const {
+    TextCursor("", name_, place).fail(reason);
+  }
+
+ private:
+  TextCursor text_;
+  std::string_view name_;
+};
+
+template <class Source>
+class PlyReader {
+ public:
+  PlyReader(Source source, std::string_view name) : source_(source), name_(name) { soup_.format = "ply"; }
+
+  Soup read(const std::vector<PlyElement>& elements) {
+    for (const PlyElement& element : elements) {
+      check_count(element);
+      if (element.name == "vertex") {
+        read_vertices(element);
+      } else if (element.name == "face" || element.name == "tristrips") {
+        read_faces(element);
+      } else {
+        read_rows(element, [](std::size_t, double) {}, [](std::size_t) {});
+      }
+    }
+    if (largest_ >= static_cast<long long>(soup_.points.size()))
+      source_.fail("a face refers to vertex " + std::to_string(largest_) + ", but there are " +
+                       std::to_string(soup_.points.size()),
+                   largest_place_);
+    return std::move(soup_);
+  }
+
+ private:
+  // A wrong count must not make us ask for all memory.
+  void check_count(const PlyElement& element) const {
+    std::size_t least_bytes = 0;
+    for (const PlyProperty& property : element.properties)
+      least_bytes += Source::least_bytes(property.count_type.value_or(property.type));
+    if (least_bytes == 0 || static_cast<unsigned long long>(element.count) <= source_.bytes_left() / least_bytes) return;
+    TextCursor("", name_, element.line)
+        .fail("the file cannot hold the " + std::to_string(element.count) + " elements '" + element.name +
+                  "' that its header announces",
+              "is the file complete?");
+  }
+
+  /// Calls `take(property, number)` for each number and `end(property)` behind each property of all elements.
+  template <class Take, class End>
+  void read_rows(const PlyElement& element, const Take& take, const End& end) {
+    if (element.properties.empty()) return;
+    for (long long row = 0; row < element.count; ++row) {
+      for (std::size_t p = 0; p < element.properties.size(); ++p) {
+        const PlyProperty& property = element.properties[p];
+        const long long count = property.count_type ? list_length(*property.count_type) : 1;
+        source_.numbers(property.type, count, [&](double number) { take(p, number); });
+        end(p);
+      }
+      source_.end_element();
+    }
+  }
+
+  long long list_length(PlyType type) {
+    const std::size_t place = source_.place();
+    double length = 0;
+    source_.numbers(type, 1, [&](double number) { length = number; });
+    if (!(length >= 0) || length != std::floor(length) || length > static_cast<double>(source_.bytes_left()) + 1)
+      source_.fail("a list cannot have this length", place);
+    return static_cast<long long>(length);
+  }
+
+  void read_vertices(const PlyElement& element) {
+    constexpr std::size_t none = 3;
+    std::vector<std::size_t> axis(element.properties.size(), none);
+    soup_.single_precision = true;
+    for (std::size_t a = 0; a < 3; ++a) {
+      const std::string wanted(1, "xyz"[a]);
+      const auto found = std::find_if(element.properties.begin(), element.properties.end(), [&](const auto& property) {
+        return property.name == wanted && !property.count_type;
+      });
+      if (found == element.properties.end())
+        TextCursor("", name_, element.line).fail("the vertices have no property '" + wanted + "'");
+      axis[static_cast<std::size_t>(found - element.properties.begin())] = a;
+      soup_.single_precision = soup_.single_precision && found->type == PlyType::float32;
+    }
+    soup_.points.reserve(soup_.points.size() + static_cast<std::size_t>(element.count));
+    std::array<double, 4> point{};  // the last place takes what is not wanted
+    read_rows(
+        element, [&](std::size_t p, double value) { point[axis[p]] = value; },
+        [&](std::size_t p) {
+          if (p + 1 == axis.size()) soup_.points.push_back({point[0], point[1], point[2]});
+        });
+  }
+
+  void read_faces(const PlyElement& element) {
+    const auto found = std::find_if(element.properties.begin(), element.properties.end(), [](const auto& property) {
+      return property.count_type && (property.name == "vertex_indices" || property.name == "vertex_index");
+    });
+    const auto wanted = static_cast<std::size_t>(found - element.properties.begin());
+    const bool strips = element.name == "tristrips";
+    std::vector<int> strip;
+    if (!strips) {
+      soup_.corners.reserve(3 * static_cast<std::size_t>(element.count));
+      soup_.face_ends.reserve(static_cast<std::size_t>(element.count));
+    }
+    read_rows(
+        element,
+        [&](std::size_t p, double value) {
+          if (p == wanted) (strips ? strip : soup_.corners).push_back(index(value, strips));
+        },
+        [&](std::size_t p) {
+          if (p != wanted) return;
+          if (!strips) return soup_.end_face();
+          add_strip(strip);
+          strip.clear();
+        });
+  }
+
+  /// A vertex number; -1 ends a strip.
+  int index(double value, bool may_end) {
+    if (value == -1 && may_end) return -1;
+    if (!(value >= 0) || value != std::floor(value) || value > 2147483646.0)
+      source_.fail("a face refers to a vertex whose number is no vertex", source_.place());
+    const auto number = static_cast<long long>(value);
+    if (number > largest_) {
+      largest_ = number;
+      largest_place_ = source_.place();
+    }
+    return static_cast<int>(number);
+  }
+
+  /// Every further vertex of a strip makes a triangle with the two before it; every second one is turned.
+  void add_strip(const std::vector<int>& strip) {
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i < strip.size(); ++i) {
+      if (strip[i] < 0) begin = i + 1;
+      if (i < begin + 2 || strip[i] < 0) continue;
+      std::array<int, 3> triangle{strip[i - 2], strip[i - 1], strip[i]};
+      if ((i - begin) % 2 == 1) std::swap(triangle[0], triangle[1]);
+      // Strips are sewn together by triangles that repeat a vertex: they are no faces.
+      if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) continue;
+      soup_.corners.insert(soup_.corners.end(), triangle.begin(), triangle.end());
+      soup_.end_face();
+    }
+  }
+
+  Source source_;
+  std::string_view name_;
+  Soup soup_;
+  long long largest_ = -1;         // the largest vertex number of a face, checked when all vertices are known
+  std::size_t largest_place_ = 0;  // and where that stands
+};
+
+}  // namespace
+
+Soup read_ply(std::string_view bytes, std::string_view name) {
+  const PlyHeader header = read_ply_header(bytes, name);
+  if (header.encoding == PlyEncoding::text) {
+    const TextSource source(bytes.substr(header.data_offset), name, header.data_line);
+    return PlyReader(source, name).read(header.elements);
+  }
+  const std::endian order = header.encoding == PlyEncoding::big_endian ? std::endian::big : std::endian::little;
+  const BinarySource source(bytes, header.data_offset, order, name);
+  return PlyReader(source, name).read(header.elements);
+}
+
+}  // namespace epura

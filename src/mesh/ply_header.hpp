@@ -1,0 +1,41 @@
+// The header of a PLY file: which elements follow, how many, and how each of their properties is stored.
+// Format: Greg Turk, The PLY Polygon File Format, 1994, with the type names of both generations (float, float32).
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace epura {
+
+enum class PlyEncoding { text, little_endian, big_endian };
+enum class PlyType { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
+
+/// Bytes of a number of this type.
+std::size_t size_of(PlyType type);
+
+struct PlyProperty {
+  std::string name;
+  PlyType type;
+  std::optional<PlyType> count_type;  ///< of a list
+};
+
+struct PlyElement {
+  std::string name;
+  long long count;
+  std::size_t line;  ///< where it is declared
+  std::vector<PlyProperty> properties;
+};
+
+struct PlyHeader {
+  PlyEncoding encoding;
+  std::vector<PlyElement> elements;
+  std::size_t data_offset;  ///< first byte behind the header
+  std::size_t data_line;    ///< and its line
+};
+
+PlyHeader read_ply_header(std::string_view bytes, std::string_view name);
+
+}  // namespace epura

@@ -1,0 +1,89 @@
+#include "mesh/read.hpp"
+
+#include <algorithm>
+#include <array>
+#include <climits>
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/text.hpp"
+#include "mesh/build.hpp"
+#include "mesh/stl_kind.hpp"
+#include "mesh/text_cursor.hpp"
+#include "mesh/unicode.hpp"
+
+namespace epura {
+
+namespace {
+
+struct Format {
+  std::string_view name;  ///< also the extension
+  Soup (*read)(std::string_view, std::string_view);
+};
+
+constexpr std::array<Format, 4> formats{{{"obj", read_obj}, {"stl", read_stl}, {"ply", read_ply}, {"off", read_off}}};
+
+const Format* format_named(std::string_view name) {
+  const auto found = std::find_if(formats.begin(), formats.end(), [&](const Format& f) { return f.name == name; });
+  return found == formats.end() ? nullptr : &*found;
+}
+
+// OBJ has no mark of its own.
+const Format* format_of_content(std::string_view bytes) {
+  const std::string_view first = TextCursor(bytes, "").word_of_any_line();
+  if (first == "ply" && bytes.starts_with("ply")) return format_named("ply");
+  if (first.size() <= 8 && first.ends_with("OFF") && first.find_first_not_of("STCN4nOF") == std::string_view::npos)
+    return format_named("off");
+  return stl_kind(bytes) == StlKind::neither ? nullptr : format_named("stl");
+}
+
+const Format& format_of(std::string_view bytes, std::string_view extension, const std::string& name) {
+  if (const Format* format = format_of_content(bytes)) return *format;
+  if (const Format* format = format_named(extension)) return *format;
+  std::string known;
+  for (const Format& format : formats) known += (known.empty() ? "." : ", .") + std::string(format.name);
+  throw Error(Trouble::input, name,
+              extension.empty() ? "has no extension that says which format it has"
+                                : "'." + std::string(extension) + "' is not a model format that can be read",
+              "models are " + known);
+}
+
+Soup read_soup(const std::filesystem::path& path) {
+  const std::string name = path.string();
+  std::string bytes = read_file(path);
+  if (bytes.empty()) throw Error(Trouble::input, name, "is empty");
+  if (stl_kind(bytes) != StlKind::binary) bytes = without_byte_order_mark(std::move(bytes));
+
+  const std::string dotted = to_lower(path.extension().string());
+  const std::string extension = dotted.empty() ? dotted : dotted.substr(1);
+  const Format& format = format_of(bytes, extension, name);
+  Soup soup = format.read(bytes, name);
+  // The half-edges, twice as many as corners at most, are numbered with int.
+  if (soup.corners.size() > INT_MAX / 6 || soup.points.size() > INT_MAX)
+    throw Error(Trouble::input, name, "has more corners than can be numbered", "split the model");
+  if (format_named(extension) != nullptr && extension != soup.format)
+    soup.notes.push_back("the file is named ." + extension + ", but holds " + soup.format);
+  return soup;
+}
+
+[[noreturn]] void fail_without_triangles(const MeshReport& report) {
+  std::string reasons;
+  const auto add = [&](int count, const std::string& reason) {
+    if (count > 0) reasons += (reasons.empty() ? "" : ", ") + std::to_string(count) + " " + reason;
+  };
+  add(report.dropped_non_finite, "with corners that are not finite");
+  add(report.dropped_degenerate, "with fewer than three distinct corners");
+  throw Error(Trouble::input, report.name,
+              reasons.empty() ? "holds no faces" : "none of its faces can be drawn: " + reasons,
+              reasons.empty() ? "points and lines alone are not drawn" : "");
+}
+
+}  // namespace
+
+Mesh read_mesh(const std::filesystem::path& path) {
+  Mesh mesh = build_mesh(read_soup(path), path.string());
+  if (mesh.report.triangles == 0) fail_without_triangles(mesh.report);
+  return mesh;
+}
+
+}  // namespace epura

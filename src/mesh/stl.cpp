@@ -1,0 +1,132 @@
+// STL: binary (80 bytes of anything, a count, 50 bytes a triangle) and text (solid, facet, vertex).
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "mesh/bytes.hpp"
+#include "mesh/read.hpp"
+#include "mesh/stl_kind.hpp"
+#include "mesh/text_cursor.hpp"
+
+namespace epura {
+
+namespace {
+
+constexpr std::size_t header_bytes = 84, triangle_bytes = 50;
+
+std::uint64_t announced_bytes(std::string_view bytes) {
+  return header_bytes + triangle_bytes * std::uint64_t{load<std::uint32_t>(bytes.data() + 80, std::endian::little)};
+}
+
+Soup read_binary(std::string_view bytes, std::string_view name) {
+  const auto fail = [&](std::size_t at, const std::string& reason) {
+    throw Error(Trouble::input, std::string(name) + ": byte " + std::to_string(at), reason, "is the file complete?");
+  };
+  if (bytes.size() < header_bytes) fail(bytes.size(), "the file ends inside the header of a binary STL");
+  const std::uint64_t count = (announced_bytes(bytes) - header_bytes) / triangle_bytes;
+  if (bytes.size() < announced_bytes(bytes))
+    fail(bytes.size(), "the file ends at triangle " +
+                           std::to_string((bytes.size() - header_bytes) / triangle_bytes + 1) + " of " +
+                           std::to_string(count));
+
+  Soup soup;
+  if (bytes.size() > announced_bytes(bytes))
+    soup.notes.push_back("ignored " + std::to_string(bytes.size() - announced_bytes(bytes)) +
+                         " bytes behind the last triangle");
+  soup.single_precision = true;
+  soup.points.resize(3 * count);
+  for (std::size_t corner = 0; corner < soup.points.size(); ++corner) {
+    // A triangle is its normal, three corners and two bytes of attributes.
+    const char* const from = bytes.data() + header_bytes + corner / 3 * triangle_bytes + 12 * (1 + corner % 3);
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      soup.points[corner][axis] = static_cast<double>(load<float>(from + 4 * axis, std::endian::little));
+  }
+  soup.face_ends.reserve(count);
+  for (std::uint64_t f = 1; f <= count; ++f) soup.face_ends.push_back(static_cast<int>(3 * f));
+  return soup;
+}
+
+class TextReader {
+ public:
+  TextReader(std::string_view bytes, std::string_view name) : text_(bytes, name) {}
+
+  Soup read() {
+    // Programs write text STL from floats, whatever the number of digits.
+    soup_.single_precision = true;
+    for (std::string_view word = text_.word_of_any_line(); !word.empty(); word = text_.word_of_any_line())
+      statement(to_lower(word), word);
+    if (in_facet_) text_.fail("the file ends inside a facet", "is the file complete?");
+    if (soup_.body_names.size() < 2) {
+      soup_.body_names.clear();
+      soup_.face_body.clear();
+    }
+    return std::move(soup_);
+  }
+
+ private:
+  void statement(const std::string& keyword, std::string_view word) {
+    if (keyword == "vertex") return vertex();
+    if (keyword == "facet") return begin_facet();
+    if (keyword == "endfacet") return end_facet();
+    if (keyword == "solid") return begin_solid();
+    if (keyword == "endsolid") return static_cast<void>(text_.rest_of_line());
+    if (keyword != "outer" && keyword != "loop" && keyword != "endloop")
+      text_.fail(quoted(word) + " does not belong into a text STL");
+  }
+
+  void begin_solid() {
+    const std::string_view name = text_.rest_of_line();
+    soup_.body_names.push_back(name.empty() ? "solid " + std::to_string(soup_.body_names.size() + 1)
+                                            : std::string(name));
+  }
+
+  void begin_facet() {
+    if (in_facet_) text_.fail("a facet begins inside a facet");
+    in_facet_ = true;
+    // "normal x y z" need not be numbers: the corners say where a facet faces.
+    for (int i = 0; i < 4; ++i) text_.word();
+  }
+
+  void vertex() {
+    if (!in_facet_) text_.fail("a vertex outside of a facet");
+    std::array<double, 3> point;
+    for (double& x : point) x = text_.number(text_.word());
+    soup_.points.push_back(point);
+  }
+
+  void end_facet() {
+    if (!in_facet_) text_.fail("'endfacet' without a facet");
+    in_facet_ = false;
+    if (soup_.body_names.empty()) soup_.body_names.emplace_back("solid 1");
+    soup_.face_ends.push_back(static_cast<int>(soup_.points.size()));
+    soup_.face_body.push_back(static_cast<int>(soup_.body_names.size()) - 1);
+  }
+
+  TextCursor text_;
+  Soup soup_;
+  bool in_facet_ = false;
+};
+
+}  // namespace
+
+StlKind stl_kind(std::string_view bytes) {
+  if (bytes.size() >= header_bytes && bytes.size() == announced_bytes(bytes)) return StlKind::binary;
+  TextCursor text(bytes, "");
+  if (to_lower(text.word_of_any_line().substr(0, 6)) != "solid") return StlKind::neither;
+  // Binary files may begin with this word, too; "facet" is then not far in text only.
+  const std::string_view beginning = bytes.substr(0, 65536);
+  const auto holds = [&](std::string_view word) { return beginning.find(word) != std::string_view::npos; };
+  const bool text_words = holds("facet") || holds("FACET") || holds("endsolid") || holds("ENDSOLID");
+  return text_words || bytes.size() < header_bytes ? StlKind::text : StlKind::neither;
+}
+
+Soup read_stl(std::string_view bytes, std::string_view name) {
+  Soup soup = stl_kind(bytes) == StlKind::text ? TextReader(bytes, name).read() : read_binary(bytes, name);
+  soup.format = "stl";
+  soup.corners_repeat_points = true;
+  soup.corners.resize(soup.points.size());
+  for (std::size_t i = 0; i < soup.corners.size(); ++i) soup.corners[i] = static_cast<int>(i);
+  return soup;
+}
+
+}  // namespace epura

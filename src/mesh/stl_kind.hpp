@@ -1,0 +1,13 @@
+// Whether bytes are an STL file, and of which kind.
+#pragma once
+
+#include <string_view>
+
+namespace epura {
+
+enum class StlKind { text, binary, neither };
+
+/// Binary files are known by their size alone, since their headers may begin with "solid" as well.
+StlKind stl_kind(std::string_view bytes);
+
+}  // namespace epura

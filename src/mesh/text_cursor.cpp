@@ -1,0 +1,99 @@
+#include "mesh/text_cursor.hpp"
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+
+namespace epura {
+
+namespace {
+
+bool is_blank(char c) { return static_cast<unsigned char>(c) <= ' '; }
+
+}  // namespace
+
+TextCursor::TextCursor(std::string_view text, std::string_view name, std::size_t first_line)
+    : at_(text.data()), end_(text.data() + text.size()), line_(first_line), name_(name) {}
+
+bool TextCursor::at_end_of_line(const char* at) const { return at == end_ || *at == '\n' || *at == '\r'; }
+
+void TextCursor::skip_line_end() {
+  const bool two = end_ - at_ > 1 && at_[0] == '\r' && at_[1] == '\n';
+  at_ += two ? 2 : 1;
+  ++line_;
+}
+
+void TextCursor::skip_blanks() {
+  while (!at_end_of_line(at_)) {
+    if (is_blank(*at_)) {
+      ++at_;
+    } else if (*at_ == '\\' && at_end_of_line(at_ + 1)) {
+      ++at_;
+      if (at_ != end_) skip_line_end();
+    } else {
+      return;
+    }
+  }
+}
+
+std::string_view TextCursor::word() {
+  skip_blanks();
+  const char* const begin = at_;
+  while (at_ != end_ && !is_blank(*at_) && *at_ != '#') {
+    if (*at_ == '\\' && at_end_of_line(at_ + 1)) break;
+    ++at_;
+  }
+  return {begin, static_cast<std::size_t>(at_ - begin)};
+}
+
+std::string_view TextCursor::word_of_any_line() {
+  while (true) {
+    const std::string_view found = word();
+    if (!found.empty() || !next_line()) return found;
+  }
+}
+
+std::string_view TextCursor::rest_of_line() {
+  skip_blanks();
+  const char* const begin = at_;
+  const char* behind = at_;
+  for (; !at_end_of_line(at_); ++at_)
+    if (!is_blank(*at_)) behind = at_ + 1;
+  return {begin, static_cast<std::size_t>(behind - begin)};
+}
+
+bool TextCursor::next_line() {
+  while (!word().empty()) {
+  }
+  while (!at_end_of_line(at_)) ++at_;
+  if (at_ == end_) return false;
+  skip_line_end();
+  return at_ != end_;
+}
+
+double TextCursor::number(std::string_view word) const {
+  const auto value = parse_number(word);
+  if (value) return *value;
+  if (word.empty()) fail("a number is missing");
+  fail(quoted(word) + " is not a number that a double can hold",
+       word.find(',') == std::string_view::npos ? "" : "numbers are written with a point and separated by blanks");
+}
+
+long long TextCursor::integer(std::string_view word) const {
+  const auto value = parse_integer(word);
+  if (value) return *value;
+  if (word.empty()) fail("a number is missing");
+  fail(quoted(word) + " is not a whole number");
+}
+
+void TextCursor::fail(const std::string& reason, const std::string& hint) const {
+  throw Error(Trouble::input, std::string(name_) + ":" + std::to_string(line_), reason, hint);
+}
+
+std::string quoted(std::string_view word) {
+  constexpr std::size_t longest = 24;
+  std::string text = "'";
+  for (const char c : word.substr(0, longest)) text += c >= ' ' && c <= '~' ? c : '?';
+  return text + (word.size() > longest ? "...'" : "'");
+}
+
+}  // namespace epura

@@ -1,0 +1,48 @@
+// The words of a text file, line by line, and where the reader stands when something is wrong.
+//
+// Lines end with LF, CR or CRLF; '#' begins a comment; a backslash at the end of a line continues it on the next.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace epura {
+
+class TextCursor {
+ public:
+  /// `name` is the file in errors; `first_line` counts from 1. Both views must outlive the cursor.
+  TextCursor(std::string_view text, std::string_view name, std::size_t first_line = 1);
+
+  /// The next word of this line; empty when there is none left.
+  std::string_view word();
+  /// The next word of this line or a later one; empty at the end of the text.
+  std::string_view word_of_any_line();
+  /// What is left of this line, comments too, without blanks around it.
+  std::string_view rest_of_line();
+  /// Skips what is left of this line; false when no line follows.
+  bool next_line();
+
+  [[nodiscard]] std::size_t line() const { return line_; }
+  [[nodiscard]] std::size_t bytes_left() const { return static_cast<std::size_t>(end_ - at_); }
+
+  /// `word` as a number, or an error that names this line.
+  [[nodiscard]] double number(std::string_view word) const;
+  [[nodiscard]] long long integer(std::string_view word) const;
+  [[noreturn]] void fail(const std::string& reason, const std::string& hint = {}) const;
+
+ private:
+  [[nodiscard]] bool at_end_of_line(const char* at) const;
+  void skip_line_end();
+  void skip_blanks();
+
+  const char* at_;
+  const char* end_;
+  std::size_t line_;
+  std::string_view name_;
+};
+
+/// A word of a file for a message: quoted, cut short, without bytes that are no printable text.
+std::string quoted(std::string_view word);
+
+}  // namespace epura

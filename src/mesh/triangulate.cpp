@@ -1,0 +1,135 @@
+// Ear clipping [Meisters. Polygons Have Ears. Amer. Math. Monthly 1975] for polygons that may touch themselves, as
+// those with holes do that are joined to the outline by a bridge. Each cut takes the signed area of its triangle away
+// from the polygon, so whatever is cut, the sum stays.
+#include "mesh/triangulate.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/vec.hpp"
+
+namespace epura {
+
+namespace {
+
+double area(Vec2 a, Vec2 b, Vec2 c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
+
+/// The ring's corners in a coordinate plane where its area is largest and positive.
+std::vector<Vec2> flattened(std::span<const int> ring, const Points& points) {
+  double largest = 0;
+  for (const int corner : ring)
+    for (const double x : points[corner]) largest = std::max(largest, std::abs(x));
+  // A power of two scales without error, and keeps products of very large or small coordinates in range.
+  const double scale = largest > 0 ? std::ldexp(1.0, -std::clamp(std::ilogb(largest), -1000, 1000)) : 1.0;
+  std::vector<Vec3> places;
+  for (const int c : ring) places.push_back(Vec3(points[c][0], points[c][1], points[c][2]) * scale);
+
+  Vec3 normal{};
+  for (std::size_t i = 1; i + 1 < places.size(); ++i)
+    normal += glm::cross(places[i] - places[0], places[i + 1] - places[0]);
+  const Vec3 size = glm::abs(normal);
+  const int axis = size.z >= size.x && size.z >= size.y ? 2 : size.y >= size.x ? 1 : 0;
+  const int u = (axis + 1) % 3, v = (axis + 2) % 3;
+  std::vector<Vec2> flat;
+  for (const Vec3& p : places) flat.push_back(normal[axis] < 0 ? Vec2(p[v], p[u]) : Vec2(p[u], p[v]));
+  return flat;
+}
+
+/// Whether the first corner sees all others within less than half a turn.
+bool is_fan(const std::vector<Vec2>& p) {
+  for (std::size_t i = 2; i < p.size(); ++i)
+    if (!(area(p[0], p[1], p[i]) > 0 && area(p[0], p[i - 1], p[i]) > 0)) return false;
+  return true;
+}
+
+class EarClipper {
+ public:
+  explicit EarClipper(const std::vector<Vec2>& places) : p_(places), next_(places.size()), previous_(places.size()) {
+    const int count = static_cast<int>(places.size());
+    for (int i = 0; i < count; ++i) {
+      next_[i] = i + 1 == count ? 0 : i + 1;
+      previous_[i] = i == 0 ? count - 1 : i - 1;
+    }
+  }
+
+  /// Calls `take(a, b, c)` for each triangle.
+  template <class Take>
+  void clip(const Take& take) {
+    int at = 0;
+    for (std::size_t left = p_.size(); left > 2; --left) {
+      at = choose(at, left);
+      take(previous_[at], at, next_[at]);
+      next_[previous_[at]] = next_[at];
+      previous_[next_[at]] = previous_[at];
+      at = next_[at];
+    }
+  }
+
+ private:
+  /// The first ear from `start` on. Where a polygon crosses itself there may be none: then a corner without area or,
+  /// failing that, any convex one.
+  int choose(int start, std::size_t left) {
+    int flat = -1, convex = -1, at = start;
+    for (std::size_t i = 0; i < left && work_ < most_work; ++i, at = next_[at], ++work_) {
+      if (is_ear(at)) return at;
+      const double size = area(p_[previous_[at]], p_[at], p_[next_[at]]);
+      if (size == 0 && flat < 0) flat = at;
+      if (size > 0 && convex < 0) convex = at;
+    }
+    return flat >= 0 ? flat : convex >= 0 ? convex : start;
+  }
+
+  /// Strictly convex, with a diagonal inside the polygon at both ends, and with no other corner in the triangle.
+  bool is_ear(int at) {
+    const int before = previous_[at], behind = next_[at];
+    const Vec2 a = p_[before], b = p_[at], c = p_[behind];
+    if (!(area(a, b, c) > 0) || !sees(before, c) || !sees(behind, a)) return false;
+    for (int other = next_[behind]; other != before; other = next_[other]) {
+      ++work_;
+      const Vec2 q = p_[other];
+      if (q == a || q == b || q == c) continue;  // at bridges; `sees` has looked at what leaves from there
+      if (area(a, b, q) >= 0 && area(b, c, q) >= 0 && area(c, a, q) >= 0) return false;
+    }
+    return true;
+  }
+
+  /// Whether `target` lies strictly between the two edges of a corner, on the side of the polygon.
+  [[nodiscard]] bool sees(int corner, Vec2 target) const {
+    const Vec2 before = p_[previous_[corner]], at = p_[corner], behind = p_[next_[corner]];
+    const bool left_of_next = area(at, behind, target) > 0, left_of_last = area(before, at, target) > 0;
+    // At a reflex corner it is enough to be on the inner side of one edge.
+    return area(before, at, behind) > 0 ? left_of_next && left_of_last : left_of_next || left_of_last;
+  }
+
+  // Bounds the time for polygons of many thousand corners that have hardly any ear: the rest becomes a fan.
+  static constexpr long long most_work = 1'000'000'000;
+
+  const std::vector<Vec2>& p_;
+  std::vector<int> next_, previous_;
+  long long work_ = 0;
+};
+
+void add_triangles(Faces& triangles, std::span<const int> ring, int number, const Points& points) {
+  const auto take = [&](int a, int b, int c) {
+    if (ring[a] == ring[b] || ring[b] == ring[c] || ring[c] == ring[a]) return;
+    triangles.corners.insert(triangles.corners.end(), {ring[a], ring[b], ring[c]});
+    triangles.ends.push_back(static_cast<int>(triangles.corners.size()));
+    triangles.number.push_back(number);
+  };
+  if (ring.size() == 3) return take(0, 1, 2);
+  const std::vector<Vec2> flat = flattened(ring, points);
+  if (!is_fan(flat)) return EarClipper(flat).clip(take);
+  for (int i = 2; i < static_cast<int>(ring.size()); ++i) take(0, i - 1, i);
+}
+
+}  // namespace
+
+Faces triangulate(Faces faces, const Points& points) {
+  if (faces.corners.size() == 3 * faces.size()) return faces;  // no face has fewer than three corners
+  Faces triangles;
+  triangles.corners.reserve(3 * (faces.corners.size() - 2 * faces.size()));
+  for (std::size_t f = 0; f < faces.size(); ++f) add_triangles(triangles, faces.ring(f), faces.number[f], points);
+  return triangles;
+}
+
+}  // namespace epura

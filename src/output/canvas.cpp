@@ -1,0 +1,80 @@
+#include "output/canvas.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <exception>
+
+#include "base/error.hpp"
+
+namespace epura {
+
+Canvas enlarged_canvas(const Sheet& sheet) {
+  Vec2 least(0, 0), most(sheet.width, sheet.height);
+  for (const Layer& layer : sheet.layers) {
+    for (const Stroke& stroke : layer.strokes) {
+      for (const Vec2& p : stroke.points) {
+        check(std::isfinite(p.x) && std::isfinite(p.y), "a stroke leads to infinity");
+        least = glm::min(least, p);
+        most = glm::max(most, p);
+      }
+    }
+  }
+  const Vec2 size = most - least;
+  // 2^31 / 2^8 units are the end of Cairo's numbers.
+  const double units = std::min(1000.0, 8e6 / std::max(size.x, size.y));
+  return {units, {least.x, most.y}, glm::max(glm::ceil(size * units), Vec2(1, 1))};
+}
+
+Pen make_pen(const CairoSurface& surface) {
+  Pen pen(cairo_create(surface.get()));
+  cairo_set_source_rgb(pen.get(), 0, 0, 0);
+  cairo_set_line_cap(pen.get(), CAIRO_LINE_CAP_ROUND);
+  cairo_set_line_join(pen.get(), CAIRO_LINE_JOIN_ROUND);
+  return pen;
+}
+
+void draw(const Pen& pen, const Canvas& canvas, const LineStyle& style, const std::vector<const Stroke*>& strokes) {
+  if (strokes.empty()) return;
+  cairo_t* cairo = pen.get();
+  cairo_set_line_width(cairo, style.width * canvas.units);
+  const Stroke& first = *strokes.front();
+  const std::array<double, 2> dashes = {first.dash * canvas.units, first.gap * canvas.units};
+  cairo_set_dash(cairo, dashes.data(), first.dash > 0 ? 2 : 0, 0);
+  for (const Stroke* stroke : strokes) {
+    cairo_new_sub_path(cairo);
+    for (const Vec2& point : stroke->points) {
+      const Vec2 p = canvas.to_surface(point);
+      cairo_line_to(cairo, p.x, p.y);
+    }
+    if (stroke->closed) cairo_close_path(cairo);
+  }
+  cairo_stroke(cairo);
+  require(cairo_status(cairo), "drawing");
+}
+
+void draw(const Pen& pen, const Canvas& canvas, const Layer& layer) {
+  for (const Stroke& stroke : layer.strokes) draw(pen, canvas, layer.style, {&stroke});
+}
+
+cairo_status_t append_bytes(void* bytes, const unsigned char* data, unsigned length) {
+  // No exception may pass through Cairo.
+  try {
+    static_cast<std::string*>(bytes)->append(reinterpret_cast<const char*>(data), length);
+    return CAIRO_STATUS_SUCCESS;
+  } catch (const std::exception&) {
+    return CAIRO_STATUS_NO_MEMORY;
+  }
+}
+
+void require(cairo_status_t status, const char* format) {
+  if (status != CAIRO_STATUS_SUCCESS) throw Error(Trouble::output, format, cairo_status_to_string(status));
+}
+
+void finish(const CairoSurface& surface, const char* format) {
+  cairo_surface_show_page(surface.get());
+  cairo_surface_finish(surface.get());
+  require(cairo_surface_status(surface.get()), format);
+}
+
+}  // namespace epura

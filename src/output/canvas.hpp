@@ -1,0 +1,60 @@
+// What all Cairo writers share: surfaces that close themselves, and sheets drawn on them.
+//
+// Cairo keeps the points of a path in 1/256 of a surface unit with 23 bits before the point. Vector files are therefore
+// drawn much enlarged and scaled back once, where the layers are put together.
+#pragma once
+
+#include <cairo.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sheet/sheet.hpp"
+
+namespace epura {
+
+/// How a surface lies on the sheet. Surfaces have y down.
+struct Canvas {
+  double units;  ///< of the surface per millimetre
+  Vec2 origin;   ///< upper left corner of the surface on the sheet, mm
+  Vec2 size;     ///< of the surface in its units, whole numbers: Cairo rounds heights up without a word
+
+  [[nodiscard]] Vec2 to_surface(const Vec2& p) const { return {(p.x - origin.x) * units, (origin.y - p.y) * units}; }
+  [[nodiscard]] Vec2 to_sheet(const Vec2& p) const { return {origin.x + p.x / units, origin.y - p.y / units}; }
+};
+
+/// Holds the sheet and all ink: what lies wholly beside a surface would be dropped. 1000 units per millimetre, fewer
+/// where the ink is more than 8 m long.
+Canvas enlarged_canvas(const Sheet& sheet);
+
+/// Frees with a function of Cairo's.
+template <auto function>
+struct Free {
+  template <class Thing>
+  void operator()(Thing* thing) const {
+    function(thing);
+  }
+};
+using CairoSurface = std::unique_ptr<cairo_surface_t, Free<cairo_surface_destroy>>;
+using Pen = std::unique_ptr<cairo_t, Free<cairo_destroy>>;
+
+/// Black, round ends and joins.
+Pen make_pen(const CairoSurface& surface);
+
+/// Draws strokes of one look in one go.
+void draw(const Pen& pen, const Canvas& canvas, const LineStyle& style, const std::vector<const Stroke*>& strokes);
+
+/// Draws every stroke of a layer for itself.
+void draw(const Pen& pen, const Canvas& canvas, const Layer& layer);
+
+/// For Cairo's streams: appends to the std::string `bytes`.
+cairo_status_t append_bytes(void* bytes, const unsigned char* data, unsigned length);
+
+/// Throws Error{output} when Cairo reports trouble.
+void require(cairo_status_t status, const char* format);
+
+/// Ends the page and the file, and looks for errors of all that was done before.
+void finish(const CairoSurface& surface, const char* format);
+
+}  // namespace epura

@@ -1,0 +1,21 @@
+#include <algorithm>
+
+#include "base/text.hpp"
+#include "output/write.hpp"
+
+namespace epura {
+
+const std::vector<std::string>& format_names() {
+  static const std::vector<std::string> names = {"svg", "pdf", "ps", "eps", "png", "json"};
+  return names;
+}
+
+std::optional<Format> format_of(std::string_view extension) {
+  if (extension.starts_with('.')) extension.remove_prefix(1);
+  const std::vector<std::string>& names = format_names();
+  const auto found = std::find(names.begin(), names.end(), to_lower(extension));
+  if (found == names.end()) return std::nullopt;
+  return static_cast<Format>(found - names.begin());
+}
+
+}  // namespace epura

@@ -1,0 +1,153 @@
+// Drawing JSON, schema 1 (docs/formats.md). RFC 8259.
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "output/utf8.hpp"
+#include "output/write.hpp"
+
+namespace epura {
+
+namespace {
+
+std::string number(double value) {
+  check(std::isfinite(value), "a number in the drawing is not finite");
+  return format_number(value);
+}
+
+std::string number(int value) { return std::to_string(value); }
+
+std::string number(long long value) { return std::to_string(value); }
+
+std::string boolean(bool value) { return value ? "true" : "false"; }
+
+std::string quoted(std::string_view text) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string result = "\"";
+  for (const char c : valid_utf8(text)) {
+    if (c == '"' || c == '\\') {
+      result += '\\';
+      result += c;
+    } else if (static_cast<unsigned char>(c) < ' ') {
+      result += "\\u00";
+      result += digits[static_cast<std::size_t>(c) / 16];
+      result += digits[static_cast<std::size_t>(c) % 16];
+    } else {
+      result += c;
+    }
+  }
+  return result + '"';
+}
+
+// The items, each made into JSON by `write`, with `between` behind the commas.
+template <class Items, class Write>
+std::string list(const Items& items, const Write& write, std::string_view between = " ") {
+  std::string result = "[";
+  bool first = true;
+  for (const auto& item : items) {
+    if (!first) result += ',';
+    if (!first || between != " ") result += between;
+    result += write(item);
+    first = false;
+  }
+  return result += ']';
+}
+
+template <class Items>
+std::string numbers(const Items& items) {
+  return list(items, [](auto item) { return number(item); });
+}
+
+std::string point(const Vec2& p) { return numbers(std::array{p.x, p.y}); }
+
+std::string point(const Vec3& p) { return numbers(std::array{p.x, p.y, p.z}); }
+
+std::string segment_of(const Segment& segment) {
+  std::string text = "{\"from\": " + point(segment.from) + ", \"to\": " + point(segment.to) +
+                     ", \"visible\": " + boolean(segment.visible) + ", \"kind\": \"" +
+                     std::string(name_of(segment.kind)) + "\", \"model\": " + number(segment.model);
+  const bool has_edge = segment.edge[0] >= 0;
+  text += ", \"edge\": " + (has_edge ? numbers(segment.edge) : "null") + ", \"t\": " + numbers(segment.t);
+  // An edge leads to the place in the world, an intersection line does not.
+  if (!has_edge)
+    text += ", \"faces\": " + list(segment.faces, [](const auto& face) { return numbers(face); }) +
+            ", \"world\": " + list(segment.world, [](const Vec3& p) { return point(p); });
+  return text + "}";
+}
+
+std::string parameters_of(const Projection& projection) {
+  std::string text;
+  for (const auto& [name, values] : projection.values) {
+    if (!text.empty()) text += ", ";
+    text += quoted(name) + ": " + (values.size() == 1 ? number(values[0]) : numbers(values));
+  }
+  return "{" + text + "}";
+}
+
+std::string matrix(const Mat4& m) {
+  std::array<double, 16> by_rows{};
+  for (int row = 0; row < 4; ++row)
+    for (int column = 0; column < 4; ++column) by_rows[static_cast<std::size_t>(4 * row + column)] = m[column][row];
+  return numbers(by_rows);
+}
+
+std::string view_of(const Drawing& drawing) {
+  const Projection& projection = drawing.projection;
+  const auto vanishing_point = [](const std::optional<Vec2>& p) { return p ? point(*p) : "null"; };
+  return "{\"name\": " + quoted(drawing.name) + ", \"projection\": " + quoted(projection.name) +
+         ", \"parameters\": " + parameters_of(projection) +
+         ",\n   \"world_to_page\": " + matrix(drawing.world_to_page) + ",\n   \"viewer\": {\"" +
+         (projection.central ? "centre" : "direction") + "\": " + point(projection.projector) +
+         "},\n   \"vanishing_points\": " + list(drawing.vanishing_points, vanishing_point) +
+         ",\n   \"segments\": " + list(drawing.segments, segment_of, "\n    ") + "}";
+}
+
+std::string mesh_of(const MeshReport& mesh) {
+  std::string text = "{\"name\": " + quoted(mesh.name) + ", \"format\": " + quoted(mesh.format);
+  const auto add = [&text](std::string_view key, const std::string& value) {
+    text.append(", \"").append(key).append("\": ").append(value);
+  };
+  add("vertices", number(mesh.vertices));
+  add("faces", number(mesh.faces));
+  add("triangles", number(mesh.triangles));
+  add("bodies", number(mesh.bodies));
+  add("open_edges", number(mesh.open_edges));
+  add("non_manifold_edges", number(mesh.non_manifold_edges));
+  add("misoriented_edges", number(mesh.misoriented_edges));
+  add("welded_vertices", number(mesh.welded_vertices));
+  add("dropped_degenerate", number(mesh.dropped_degenerate));
+  add("dropped_duplicates", number(mesh.dropped_duplicates));
+  add("non_finite_vertices", number(mesh.non_finite_vertices));
+  add("dropped_non_finite", number(mesh.dropped_non_finite));
+  add("weld_distance", number(mesh.weld_distance));
+  add("single_precision", boolean(mesh.single_precision));
+  add("notes", list(mesh.notes, quoted));
+  return text + "}";
+}
+
+std::string step_of(const PlanStep& step) {
+  return "{\"stage\": " + quoted(step.stage) + ", \"run\": " + boolean(step.run) + ", \"why\": " + quoted(step.why) +
+         ", \"in\": " + number(step.items_in) + ", \"out\": " + number(step.items_out) + "}";
+}
+
+std::string report_of(const Report& report) {
+  std::string text =
+      "{\"meshes\": " + list(report.meshes, mesh_of, "\n   ") + ",\n  \"plan\": " + list(report.plan, step_of, "\n   ");
+  std::string times;
+  for (const auto& [stage, seconds] : report.seconds)
+    times += (times.empty() ? "" : ", ") + quoted(stage) + ": " + number(seconds);
+  if (!times.empty()) text += ",\n  \"time\": {" + times + "}";
+  return text + "}";
+}
+
+}  // namespace
+
+std::string to_json(const Sheet& sheet, double scale, const std::vector<Drawing>& drawings, const Report& report) {
+  return "{\"epura\": 1, \"unit\": \"mm\", \"sheet\": {\"size\": " + point(Vec2(sheet.width, sheet.height)) +
+         ", \"scale\": " + number(scale) + "},\n \"views\": " + list(drawings, view_of, "\n  ") +
+         ",\n \"report\": " + report_of(report) + "}\n";
+}
+
+}  // namespace epura

@@ -1,0 +1,96 @@
+// PostScript, EPS and PNG: whole sheets drawn by Cairo in one go.
+#include <cairo-ps.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "output/canvas.hpp"
+#include "output/write.hpp"
+
+namespace epura {
+
+namespace {
+
+constexpr double points_per_millimetre = 72 / 25.4;
+constexpr int most_pixels = 20000;  // a side
+constexpr double most_dpi = 1200;
+
+// Comments of PostScript are lines of ASCII of at most 255 characters.
+std::string comment_text(std::string_view text) {
+  std::string plain(text.substr(0, 200));
+  for (char& c : plain)
+    if (c < ' ' || c > '~') c = '?';
+  return plain;
+}
+
+// Replaces the header line that begins with `key`. Cairo writes each of these lines once, before any text of ours.
+void replace_line(std::string& bytes, std::string_view key, const std::string& line) {
+  const std::size_t begin = bytes.find(key);
+  check(begin != std::string::npos, "Cairo wrote another PostScript header");
+  bytes.replace(begin, bytes.find('\n', begin) + 1 - begin, line);
+}
+
+std::string postscript(const Sheet& sheet, bool encapsulated) {
+  const Vec2 size = Vec2(sheet.width, sheet.height) * points_per_millimetre;
+  const Vec2 whole = glm::max(glm::ceil(size), Vec2(1, 1));
+  // The lower left corners meet: PostScript measures from there.
+  const Canvas canvas{points_per_millimetre, {0, whole.y / points_per_millimetre}, whole};
+  std::string bytes;
+  const CairoSurface surface(cairo_ps_surface_create_for_stream(append_bytes, &bytes, whole.x, whole.y));
+  cairo_ps_surface_set_eps(surface.get(), encapsulated);
+  cairo_ps_surface_dsc_comment(surface.get(), ("%%Title: " + comment_text(sheet.title)).c_str());
+  {
+    const Pen pen = make_pen(surface);
+    for (const Layer& layer : sheet.layers) draw(pen, canvas, layer);
+  }
+  finish(surface, "PostScript");
+  replace_line(bytes, "%%CreationDate:", "");
+  // An EPS file is as large as its sheet: Cairo would leave the margins out.
+  if (encapsulated)
+    replace_line(bytes, "%%BoundingBox:",
+                 "%%BoundingBox: 0 0 " + format_fixed(whole.x, 0) + " " + format_fixed(whole.y, 0) +
+                     "\n%%HiResBoundingBox: 0 0 " + format_fixed(size.x, 6) + " " + format_fixed(size.y, 6) + "\n");
+  return bytes;
+}
+
+Vec2 pixels_of(const Sheet& sheet, double dpi) {
+  if (!(dpi >= 1 && dpi <= most_dpi))
+    throw Error(Trouble::input, "--dpi", "PNG cannot be drawn at " + format_number(dpi) + " dots per inch",
+                "1 to " + format_number(most_dpi) + " are possible");
+  // The slack keeps 25.4 mm at 300 dpi at 300 pixels.
+  const Vec2 pixels = glm::max(glm::ceil(Vec2(sheet.width, sheet.height) * (dpi / 25.4) - 1e-6), Vec2(1, 1));
+  if (std::max(pixels.x, pixels.y) > most_pixels)
+    throw Error(
+        Trouble::output, "PNG",
+        "a picture of " + format_fixed(pixels.x, 0) + " x " + format_fixed(pixels.y, 0) + " pixels is too large",
+        "use a smaller sheet or fewer --dpi: at most " + std::to_string(most_pixels) + " pixels a side");
+  return pixels;
+}
+
+}  // namespace
+
+std::string to_ps(const Sheet& sheet) { return postscript(sheet, false); }
+
+std::string to_eps(const Sheet& sheet) { return postscript(sheet, true); }
+
+std::string to_png(const Sheet& sheet, double dpi) {
+  const Vec2 pixels = pixels_of(sheet, dpi);
+  const Canvas canvas{dpi / 25.4, {0, sheet.height}, pixels};
+  const CairoSurface surface(
+      cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(pixels.x), static_cast<int>(pixels.y)));
+  {
+    const Pen pen = make_pen(surface);
+    cairo_set_source_rgb(pen.get(), 1, 1, 1);
+    cairo_paint(pen.get());
+    cairo_set_source_rgb(pen.get(), 0, 0, 0);
+    for (const Layer& layer : sheet.layers) draw(pen, canvas, layer);
+  }
+  std::string bytes;
+  require(cairo_surface_write_to_png_stream(surface.get(), append_bytes, &bytes), "PNG");
+  return bytes;
+}
+
+}  // namespace epura

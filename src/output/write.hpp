@@ -1,0 +1,51 @@
+// One sheet -> the bytes of a file. Nothing is computed here but the encoding.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "drawing/drawing.hpp"
+#include "mesh/mesh.hpp"
+#include "sheet/sheet.hpp"
+
+namespace epura {
+
+enum class Format { svg, pdf, ps, eps, png, json };
+
+/// By file extension, in any case; nothing when unknown.
+std::optional<Format> format_of(std::string_view extension);
+/// All extensions, for help and hints.
+const std::vector<std::string>& format_names();
+
+struct VectorOptions {
+  bool plain = false;  ///< leave the origin of lines out
+  double dpi = 300;    ///< PNG only
+};
+
+// The same sheet gives the same bytes, always: no clock, no counter, no locale.
+std::string to_svg(const Sheet& sheet, const VectorOptions& options);
+std::string to_pdf(const Sheet& sheet);
+std::string to_ps(const Sheet& sheet);
+std::string to_eps(const Sheet& sheet);
+std::string to_png(const Sheet& sheet, double dpi);
+
+/// One stage of the plan, for the report.
+struct PlanStep {
+  std::string stage;
+  bool run;
+  std::string why;
+  long long items_in = 0, items_out = 0;
+};
+
+struct Report {
+  std::vector<MeshReport> meshes;
+  std::vector<PlanStep> plan;
+  std::vector<std::pair<std::string, double>> seconds;  ///< empty unless asked for: outputs are byte-stable
+};
+
+/// Drawing JSON, schema 1 (docs/formats.md).
+std::string to_json(const Sheet& sheet, double scale, const std::vector<Drawing>& drawings, const Report& report);
+
+}  // namespace epura

@@ -1,0 +1,121 @@
+#include "projection/catalogue.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <optional>
+#include <tuple>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "projection/loader.hpp"
+
+namespace epura {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Where the plugins that came with this program lie: found from the program, so that both can be moved together.
+/// Empty if the system does not tell where the program is.
+fs::path own_folder() {
+  std::error_code error;
+  const fs::path prefix = fs::read_symlink("/proc/self/exe", error).parent_path().parent_path();
+  if (prefix.empty()) return {};
+  const fs::path installed = prefix / EPURA_LIBRARY_FOLDER / "epura/projections";
+  return fs::is_directory(installed, error) ? installed : prefix / "lib/epura/projections";
+}
+
+/// In order of their names, since the order in which a folder lists them is accidental.
+std::vector<fs::path> libraries_in(const fs::path& folder, std::vector<BadPlugin>& bad) {
+  std::error_code error;
+  std::vector<fs::path> libraries;
+  for (fs::directory_iterator file(folder, error), end; !error && file != end; file.increment(error)) {
+    std::error_code unreadable;
+    if (file->path().extension() == ".so" && file->is_regular_file(unreadable)) libraries.push_back(file->path());
+  }
+  if (error) bad.push_back({folder, "is no folder that can be read: " + error.message()});
+  std::sort(libraries.begin(), libraries.end());
+  return libraries;
+}
+
+std::vector<ProjectionEntry> read_or_note(const fs::path& path, std::vector<BadPlugin>& bad) {
+  try {
+    return read_plugin(path);
+  } catch (const Error& error) {
+    bad.push_back({path, error.what()});
+    return {};
+  }
+}
+
+bool has_own_library(const ProjectionEntry& entry) { return entry.plugin.stem() == entry.name; }
+
+/// Of projections with one name, the one from the library of that name stays, otherwise the one found first; so a
+/// lookup by name need not open anything else. That an earlier folder hides a later one is the purpose of folders;
+/// within a folder it is a mistake.
+void drop_duplicates(Catalogue& catalogue) {
+  std::vector<ProjectionEntry>& entries = catalogue.entries;
+  std::stable_sort(entries.begin(), entries.end(), [](const ProjectionEntry& a, const ProjectionEntry& b) {
+    return a.name != b.name ? a.name < b.name : has_own_library(a) > has_own_library(b);
+  });
+  std::vector<ProjectionEntry> kept;
+  for (ProjectionEntry& entry : entries) {
+    if (kept.empty() || kept.back().name != entry.name)
+      kept.push_back(std::move(entry));
+    else if (kept.back().plugin.parent_path() == entry.plugin.parent_path() && kept.back().plugin != entry.plugin)
+      catalogue.bad.push_back({entry.plugin, "offers the projection '" + entry.name + "', which " +
+                                                 kept.back().plugin.filename().string() + " offers already"});
+  }
+  entries = std::move(kept);
+}
+
+std::optional<ProjectionEntry> entry_named(std::string_view name, const std::vector<ProjectionEntry>& entries) {
+  const auto found = std::find_if(entries.begin(), entries.end(), [&](const auto& e) { return e.name == name; });
+  if (found == entries.end()) return std::nullopt;
+  return *found;
+}
+
+[[noreturn]] void throw_unknown(std::string_view name, const Catalogue& catalogue) {
+  std::vector<std::string> names;
+  for (const ProjectionEntry& entry : catalogue.entries) names.push_back(entry.name);
+  std::string hint = names.empty() ? "no projections were found" : did_you_mean(name, names);
+  for (const BadPlugin& bad : catalogue.bad) hint += ('\n' + bad.path.string()) + ": " + bad.reason;
+  throw Error(Trouble::plugin, std::string(name), "no such projection", hint);
+}
+
+}  // namespace
+
+std::vector<fs::path> plugin_folders(const std::vector<fs::path>& extra) {
+  std::vector<fs::path> folders = extra;
+  if (const char* path = std::getenv("EPURA_PLUGIN_PATH"))
+    for (const std::string_view folder : split(path, ':'))
+      if (!folder.empty()) folders.emplace_back(folder);
+  if (fs::path own = own_folder(); !own.empty()) folders.push_back(std::move(own));
+  return folders;
+}
+
+Catalogue load_catalogue(const std::vector<fs::path>& folders) {
+  Catalogue catalogue;
+  for (const fs::path& folder : folders)
+    for (const fs::path& library : libraries_in(folder, catalogue.bad))
+      for (ProjectionEntry& entry : read_or_note(library, catalogue.bad)) catalogue.entries.push_back(std::move(entry));
+  drop_duplicates(catalogue);
+  std::sort(catalogue.entries.begin(), catalogue.entries.end(),
+            [](const auto& a, const auto& b) { return std::tie(a.family, a.name) < std::tie(b.family, b.name); });
+  return catalogue;
+}
+
+ProjectionEntry find_projection(std::string_view name, const std::vector<fs::path>& folders) {
+  std::vector<BadPlugin> bad;
+  // A name with a slash must not lead out of the folders.
+  for (const fs::path& folder : is_projection_name(name) ? folders : std::vector<fs::path>{}) {
+    const fs::path library = folder / (std::string(name) + ".so");
+    std::error_code error;
+    if (!fs::is_regular_file(library, error)) continue;
+    if (auto entry = entry_named(name, read_or_note(library, bad))) return *std::move(entry);
+  }
+  const Catalogue catalogue = load_catalogue(folders);
+  if (auto entry = entry_named(name, catalogue.entries)) return *std::move(entry);
+  throw_unknown(name, catalogue);
+}
+
+}  // namespace epura

@@ -1,0 +1,73 @@
+// Finds projection plugins, asks them for their tables, and turns a request into a Projection.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/vec.hpp"
+#include "projection/projection.hpp"
+
+namespace epura {
+
+enum class ParameterType { number, vector, choice };
+
+/// One row of a projection's own table, as the plugin gave it.
+struct Parameter {
+  std::string name;
+  ParameterType type;
+  std::string unit;
+  std::string help;
+  std::vector<std::string> choices;
+  std::vector<double> initial;  ///< NaN: found from the model's box
+  double least, most;
+};
+
+/// A projection that a plugin offers.
+struct ProjectionEntry {
+  std::string name;
+  std::string family;
+  std::string summary;
+  std::string reference;
+  std::vector<Parameter> parameters;
+  std::filesystem::path plugin;  ///< the library it comes from
+  const void* definition;        ///< the plugin's epura_projection
+};
+
+/// A library that could not be used, and why.
+struct BadPlugin {
+  std::filesystem::path path;
+  std::string reason;
+};
+
+struct Catalogue {
+  std::vector<ProjectionEntry> entries;  ///< sorted by family and name, one for each name
+  std::vector<BadPlugin> bad;            ///< libraries and folders
+};
+
+/// Where plugins are looked for, first wins: `extra`, then $EPURA_PLUGIN_PATH (folders with colons between), then
+/// beside the program (../lib/epura/projections from the executable). Never the current folder unless it is named.
+std::vector<std::filesystem::path> plugin_folders(const std::vector<std::filesystem::path>& extra);
+
+/// Loads every plugin (*.so) in the folders. Of several projections with one name, the one in NAME.so is taken,
+/// otherwise the first; two in one folder are reported.
+Catalogue load_catalogue(const std::vector<std::filesystem::path>& folders);
+
+/// Finds one projection, loading as few plugins as possible: NAME.so first, then the others until it is found.
+/// Throws Error{plugin} with "did you mean" when there is none, naming bad plugins that might have held it.
+ProjectionEntry find_projection(std::string_view name, const std::vector<std::filesystem::path>& folders);
+
+/// NAME[:key=value]... -> name and assignments. Vectors have commas, choices are words. Throws Error{input}.
+struct ProjectionRequest {
+  std::string name;
+  std::vector<std::pair<std::string, std::string>> assignments;
+};
+ProjectionRequest parse_request(std::string_view text);
+
+/// Checks the values against the table, calls the plugin and checks its answer. `scene` is the box of everything.
+/// Throws Error{input} for wrong values, and for values whose answer is no projection; Error{plugin} if already the
+/// defaults have no answer.
+Projection make_projection(const ProjectionEntry& entry, const ProjectionRequest& request, const Box& scene);
+
+}  // namespace epura

@@ -1,0 +1,133 @@
+#include "projection/matrices.hpp"
+
+#include <glm/gtc/matrix_access.hpp>
+
+namespace epura {
+
+namespace {
+
+// Below this cosine between axis and normal an axis counts as parallel to the plane. Sines of right angles leave
+// 1e-16; a point that vanishes 1e12 eye distances away is nowhere on a page.
+constexpr double parallel_cosine = 1e-12;
+
+/// (3.48), which (3.58) shares: S(s) T(-dr, -ds, 0) SH(shu, shv) T(0, 0, -B).
+Mat4 normalisation(const ViewVolume& volume, double dr, double ds, const Vec3& s) {
+  const Vec2 middle = (volume.window.least + volume.window.most) / 2.0;
+  const Vec3 dop = volume.prp - Vec3(middle, volume.plane);  // (3.41)
+  const double shu = -dop.x / dop.z, shv = -dop.y / dop.z;   // (3.40)
+  const double b = volume.back;
+  return rows({s.x, 0, s.x * shu, -s.x * (b * shu + dr)},  //
+              {0, s.y, s.y * shv, -s.y * (b * shv + ds)},  //
+              {0, 0, s.z, -s.z * b},                       //
+              {0, 0, 0, 1});
+}
+
+/// World -> (u, v, n) from the plane's point.
+Mat4 plane_coordinates(const Projection& p) {
+  const auto row = [&p](const Vec3& axis) { return Vec4(axis, -glm::dot(axis, p.point)); };
+  return rows(row(p.u), row(p.v), row(p.n), {0, 0, 0, 1});
+}
+
+}  // namespace
+
+Mat4 m_per(const Vec3& point, const Vec3& normal, const Vec3& centre) {
+  const Vec3& n = normal;
+  const double a = centre.x, b = centre.y, c = centre.z;
+  const double d0 = glm::dot(point, n), d1 = glm::dot(centre, n);
+  const double d = glm::dot(point - centre, n);  // (3.15): keeps its digits far from the origin, d0 - d1 does not
+  return rows({d + a * n.x, a * n.y, a * n.z, -a * d0},  //
+              {b * n.x, d + b * n.y, b * n.z, -b * d0},  //
+              {c * n.x, c * n.y, d + c * n.z, -c * d0},  //
+              {n.x, n.y, n.z, -d1});
+}
+
+Mat4 m_par(const Vec3& point, const Vec3& normal, const Vec3& direction) {
+  const Vec3& n = normal;
+  const double a = direction.x, b = direction.y, c = direction.z;
+  const double d0 = glm::dot(point, n), d1 = glm::dot(direction, n);
+  return rows({d1 - a * n.x, -a * n.y, -a * n.z, a * d0},  //
+              {-b * n.x, d1 - b * n.y, -b * n.z, b * d0},  //
+              {-c * n.x, -c * n.y, d1 - c * n.z, c * d0},  //
+              {0, 0, 0, d1});
+}
+
+Mat4 view_orientation(const Vec3& vrp, const Vec3& vpn, const Vec3& vup) {
+  Projection frame;
+  frame.point = vrp;
+  frame.u = glm::normalize(glm::cross(vup, vpn));
+  frame.n = glm::normalize(vpn);
+  frame.v = glm::cross(frame.n, frame.u);
+  return plane_coordinates(frame);
+}
+
+Mat4 n_par(const ViewVolume& volume) {
+  const Vec2 size = volume.window.most - volume.window.least;
+  const Vec2 middle = (volume.window.least + volume.window.most) / 2.0;
+  const Vec3 dop = volume.prp - Vec3(middle, volume.plane);
+  const double above_back = volume.plane - volume.back;
+  const double dr = volume.window.least.x - above_back * dop.x / dop.z;  // (3.42)
+  const double ds = volume.window.least.y - above_back * dop.y / dop.z;  // (3.43)
+  return normalisation(volume, dr, ds, 1.0 / Vec3(size, volume.front - volume.back));
+}
+
+Mat4 n_per(const ViewVolume& volume) {
+  const Vec2 size = volume.window.most - volume.window.least;
+  const double height = volume.prp.z - volume.back;             // (3.54)
+  const double grown = height / (volume.prp.z - volume.plane);  // from the view plane to the back plane
+  const double above_back = volume.plane - volume.back, to_plane = volume.plane - volume.prp.z;
+  const double dr = (-height * volume.window.least.x + volume.prp.x * above_back) / to_plane;  // (3.50)
+  const double ds = (-height * volume.window.least.y + volume.prp.y * above_back) / to_plane;  // (3.51)
+  return normalisation(volume, dr, ds, 1.0 / Vec3(size * grown, height));
+}
+
+Mat4 m_per_npc(const ViewVolume& volume) {
+  const double dt = (volume.plane - volume.back) / (volume.prp.z - volume.back);  // (3.61)
+  return rows({dt - 1, 0, 0.5, -dt / 2},                                          //
+              {0, dt - 1, 0.5, -dt / 2},                                          //
+              {0, 0, dt, -dt},                                                    //
+              {0, 0, 1, -1});
+}
+
+Window npc_window(const ViewVolume& volume, bool central) {
+  if (!central) return {{0, 0}, {1, 1}};
+  const double dt = (volume.plane - volume.back) / (volume.prp.z - volume.back);
+  return {{dt / 2, dt / 2}, {1 - dt / 2, 1 - dt / 2}};
+}
+
+Mat4 window_to_viewport(const Window& window, const Window& viewport) {
+  const Vec2 s = (viewport.most - viewport.least) / (window.most - window.least);
+  const Vec2 t = viewport.least - window.least * s;
+  return rows({s.x, 0, 0, t.x}, {0, s.y, 0, t.y}, {0, 0, 1, 0}, {0, 0, 0, 1});
+}
+
+Mat4 plane_matrix(const Projection& p) {
+  return p.central ? m_per(p.point, p.n, p.projector) : m_par(p.point, p.n, p.projector);
+}
+
+Mat4 view_matrix(const Projection& p) {
+  const Mat4 coordinates = plane_coordinates(p);
+  const Vec4 n_row = glm::row(coordinates, 2);
+  if (!p.central) {
+    const Mat4 flat = coordinates * plane_matrix(p) / glm::dot(p.projector, p.n);
+    return rows(glm::row(flat, 0), glm::row(flat, 1), n_row, {0, 0, 0, 1});
+  }
+  // M_per has w' = n.(x - centre), which is negative before the viewer.
+  const Mat4 flat = -(coordinates * plane_matrix(p));
+  const double eye = glm::dot(p.projector - p.point, p.n);
+  return rows(glm::row(flat, 0), glm::row(flat, 1), eye * n_row, glm::row(flat, 3));
+}
+
+std::array<std::optional<Vec2>, 3> vanishing_points(const Projection& p) {
+  std::array<std::optional<Vec2>, 3> points;
+  if (!p.central) return points;
+  const Mat4 flat = plane_coordinates(p) * plane_matrix(p);
+  for (int i = 0; i < 3; ++i) {
+    Vec4 axis(0);
+    axis[i] = 1;
+    const Vec4 image = flat * axis;
+    if (std::abs(image.w) > parallel_cosine) points[static_cast<std::size_t>(i)] = Vec2(image) / image.w;
+  }
+  return points;
+}
+
+}  // namespace epura

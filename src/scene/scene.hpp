@@ -1,0 +1,33 @@
+// Models placed in one world, in one index space.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "base/vec.hpp"
+#include "mesh/mesh.hpp"
+
+namespace epura {
+
+/// A model and where it stands.
+struct Placed {
+  Mesh mesh;
+  Mat4 to_world{1.0};
+};
+
+/// All models in one numbering: vertex v of model m is number first_vertex[m] + v, triangles likewise.
+struct World {
+  std::vector<Placed> models;
+  std::vector<Vec3> points;  ///< world coordinates; the origin for vertices that no triangle uses
+  std::vector<std::array<int, 3>> triangles;
+  std::vector<int> first_vertex, first_triangle;  ///< one more than there are models
+  Box box;                                        ///< of all vertices that triangles use
+  double precision = 0;  ///< relative precision of the input: 2^-22 when a model stores 32-bit floats, otherwise 0
+
+  [[nodiscard]] int model_of_triangle(int triangle) const;
+};
+
+/// Throws Error{input} when a transform throws a model out of the range of doubles.
+World make_world(std::vector<Placed> models);
+
+}  // namespace epura

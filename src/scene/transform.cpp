@@ -1,0 +1,83 @@
+#include "scene/transform.hpp"
+
+#include <glm/gtc/matrix_transform.hpp>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+
+namespace epura {
+
+namespace {
+
+[[noreturn]] void refuse(std::string_view step, const std::string& reason) {
+  throw Error(Trouble::input, "transform '" + std::string(step) + "'", reason,
+              "steps: translate:X,Y,Z  rotate:x|y|z,DEGREES  scale:S or scale:X,Y,Z  matrix:16 numbers");
+}
+
+// Quarter turns are exact, so that a turned box stays a box.
+Mat4 rotation(const Vec3& axis, double degrees) {
+  const double turned = std::remainder(degrees, 360.0);
+  if (std::remainder(turned, 90.0) != 0) return glm::rotate(Mat4(1.0), turned * std::numbers::pi / 180, axis);
+  const double c = turned == 0 ? 1 : std::abs(turned) == 180 ? -1 : 0;
+  const double s = turned == 90 ? 1 : turned == -90 ? -1 : 0;
+  Mat4 matrix(1.0);
+  const int i = axis.x != 0 ? 1 : axis.y != 0 ? 2 : 0;
+  const int j = (i + 1) % 3;
+  matrix[i][i] = c;
+  matrix[j][j] = c;
+  matrix[i][j] = s;
+  matrix[j][i] = -s;
+  return matrix;
+}
+
+Mat4 rotation_step(std::string_view step, std::string_view values) {
+  const auto parts = split(values, ',');
+  const auto degrees = parts.size() == 2 ? parse_number(parts[1]) : std::nullopt;
+  if (!degrees || !std::isfinite(*degrees)) refuse(step, "wants an axis and an angle in degrees");
+  if (parts[0] == "x") return rotation({1, 0, 0}, *degrees);
+  if (parts[0] == "y") return rotation({0, 1, 0}, *degrees);
+  if (parts[0] == "z") return rotation({0, 0, 1}, *degrees);
+  refuse(step, "has an unknown axis '" + std::string(parts[0]) + "'");
+}
+
+Mat4 parse_step(std::string_view step) {
+  const std::size_t colon = step.find(':');
+  const std::string_view verb = step.substr(0, colon);
+  const std::string_view values = colon == std::string_view::npos ? std::string_view{} : step.substr(colon + 1);
+  if (verb == "rotate") return rotation_step(step, values);
+
+  const auto numbers = parse_numbers(values);
+  if (!numbers) refuse(step, "wants numbers separated by commas");
+  for (const double number : *numbers)
+    if (!std::isfinite(number)) refuse(step, "has a number that is not finite");
+  const std::vector<double>& v = *numbers;
+  if (verb == "translate" && v.size() == 3) return glm::translate(Mat4(1.0), Vec3(v[0], v[1], v[2]));
+  if (verb == "scale" && v.size() == 1) return glm::scale(Mat4(1.0), Vec3(v[0]));
+  if (verb == "scale" && v.size() == 3) return glm::scale(Mat4(1.0), Vec3(v[0], v[1], v[2]));
+  if (verb == "matrix" && v.size() == 16)
+    return rows({v[0], v[1], v[2], v[3]}, {v[4], v[5], v[6], v[7]}, {v[8], v[9], v[10], v[11]},
+                {v[12], v[13], v[14], v[15]});
+  refuse(step, "is no known step, or has the wrong number of values");
+}
+
+}  // namespace
+
+Mat4 parse_transform(std::string_view text) {
+  Mat4 matrix(1.0);
+  for (const std::string_view step : split(text, ' ')) {
+    if (step.empty()) continue;
+    matrix = parse_step(step) * matrix;
+    if (matrix[0][3] != 0 || matrix[1][3] != 0 || matrix[2][3] != 0 || matrix[3][3] != 1)
+      refuse(step, "is not affine: the last row must be 0,0,0,1");
+    if (glm::determinant(Mat3(matrix)) == 0) refuse(step, "flattens the model");
+  }
+  return matrix;
+}
+
+Mat4 y_up_to_z_up() { return rotation({1, 0, 0}, 90); }
+
+}  // namespace epura

@@ -1,0 +1,121 @@
+#include "sheet/arrange.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "sheet/dash.hpp"
+
+namespace epura {
+
+namespace {
+
+// Wide lines are 0.7 mm from A1 on, 0.5 mm below.
+double wide_line(const Paper& paper) { return paper.width * paper.height >= 841.0 * 594.0 ? 0.7 : 0.5; }
+
+double narrow_line(const Paper& paper) { return wide_line(paper) == 0.7 ? 0.35 : 0.25; }
+
+// What the segments say about a stroke: their kinds, each once, and the model edges, each run of one edge once.
+void add_origin(Stroke& stroke, const Drawing& drawing, std::span<const int> segments) {
+  std::vector<EdgeKind> kinds;
+  std::string previous;
+  for (const int index : segments) {
+    const Segment& segment = drawing.segments[static_cast<std::size_t>(index)];
+    if (std::find(kinds.begin(), kinds.end(), segment.kind) == kinds.end()) kinds.push_back(segment.kind);
+    if (segment.edge[0] < 0) continue;
+    const auto [low, high] = std::minmax(segment.edge[0], segment.edge[1]);
+    std::string edge = std::to_string(segment.model) + ":" + std::to_string(low) + "-" + std::to_string(high);
+    if (edge == previous) continue;
+    stroke.edges += (stroke.edges.empty() ? "" : " ") + edge;
+    previous = std::move(edge);
+  }
+  for (const EdgeKind kind : kinds) {
+    if (!stroke.kind.empty()) stroke.kind += ' ';
+    stroke.kind += name_of(kind);
+  }
+}
+
+Stroke continuous(const Drawing& drawing, const Chain& chain) {
+  Stroke stroke;
+  stroke.points = chain.points;
+  stroke.closed = chain.closed;
+  add_origin(stroke, drawing, chain.segments);
+  return stroke;
+}
+
+// The segments that draw a piece; all of the chain where segments and points do not go side by side.
+std::vector<int> segments_of(const Chain& chain, const Piece& piece) {
+  const std::size_t lines = chain.points.size() - (chain.closed ? 0 : 1);
+  if (chain.segments.size() != lines) return chain.segments;
+  std::vector<int> segments;
+  for (int i = piece.first; i < piece.last; ++i)
+    segments.push_back(chain.segments[static_cast<std::size_t>(i) % lines]);
+  return segments;
+}
+
+Stroke dashed_piece(const Drawing& drawing, const Chain& chain, const Piece& piece, double width) {
+  Stroke stroke;
+  stroke.closed = piece.closed;
+  for (int i = piece.first; i <= piece.last - (piece.closed ? 1 : 0); ++i)
+    stroke.points.push_back(chain.points[static_cast<std::size_t>(i) % chain.points.size()]);
+  const double length = length_of(stroke.points, stroke.closed);
+  const Dashes dashes = stroke.closed ? fit_closed(length, width) : fit_open(length, width);
+  stroke.dash = dashes.dash;
+  stroke.gap = dashes.gap;
+  add_origin(stroke, drawing, segments_of(chain, piece));
+  return stroke;
+}
+
+void add_dashed(Layer& layer, const Drawing& drawing, const Chain& chain) {
+  const double width = layer.style.width;
+  const bool too_short = fit_open(length_of(chain.points, chain.closed), width).dash == 0;
+  if (too_short || chain.points.size() < 2) {
+    layer.strokes.push_back(continuous(drawing, chain));
+    return;
+  }
+  for (const Piece& piece : cut_at_corners(chain.points, chain.closed, width))
+    layer.strokes.push_back(dashed_piece(drawing, chain, piece, width));
+}
+
+}  // namespace
+
+HiddenLines parse_hidden_lines(std::string_view text) {
+  const std::vector<std::string> names = {"none", "dashed", "solid"};
+  const auto found = std::find(names.begin(), names.end(), to_lower(text));
+  if (found == names.end())
+    throw Error(Trouble::input, "--hidden", "'" + std::string(text) + "' is no style of hidden lines",
+                did_you_mean(text, names));
+  return static_cast<HiddenLines>(found - names.begin());
+}
+
+Sheet make_sheet(const Drawing& drawing, const Paper& paper, const SheetWish& wish) {
+  Sheet sheet{paper.width, paper.height, wish.title, {}};
+  if (wish.hidden != HiddenLines::none) {
+    const double width = narrow_line(paper);
+    LineStyle style{"hidden", width};
+    if (wish.hidden == HiddenLines::dashed) {
+      style.dash = dash_widths * width;
+      style.gap = gap_widths * width;
+    }
+    sheet.layers.push_back({drawing.name + "/hidden", std::move(style), {}});
+  }
+  sheet.layers.push_back({drawing.name + "/visible", {"visible", wide_line(paper)}, {}});
+
+  Layer& visible = sheet.layers.back();
+  for (const Chain& chain : drawing.chains) {
+    if (chain.visible) {
+      visible.strokes.push_back(continuous(drawing, chain));
+    } else if (wish.hidden == HiddenLines::dashed) {
+      add_dashed(sheet.layers.front(), drawing, chain);
+    } else if (wish.hidden == HiddenLines::solid) {
+      sheet.layers.front().strokes.push_back(continuous(drawing, chain));
+    }
+  }
+  return sheet;
+}
+
+}  // namespace epura

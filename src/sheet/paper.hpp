@@ -1,0 +1,38 @@
+// Paper sizes, drawing areas and scales. Sizes: ISO 216; drawing area: ISO 5457 (20 mm on the left, 10 mm elsewhere).
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "base/vec.hpp"
+
+namespace epura {
+
+/// Millimetres. Width 0: the paper is cut to the drawing.
+struct Paper {
+  double width = 0, height = 0;
+  double left = 5, other = 5;  ///< margins
+};
+
+/// No side of a paper and no drawing may be longer: 100 m.
+inline constexpr double longest_side = 100'000;
+
+/// "none", "A4" ... "A0" or "WxH" in mm. A sizes lie on their side unless `portrait`. Throws Error{input}.
+Paper parse_paper(std::string_view text, bool portrait);
+
+/// "1:2", "2:1" or "0.5" as millimetres of paper per unit of the model; nothing for "fit". Throws Error{input}.
+std::optional<double> parse_scale(std::string_view text);
+
+/// Where a drawing goes: page = scale * plane + shift.
+struct Placement {
+  Paper paper;  ///< with its size settled
+  double scale;
+  Vec2 shift;
+  bool inside;  ///< the ink keeps the margins
+};
+
+/// Centres ink that fills the box `least` to `most` of the projection plane in the drawing area. Without a scale it is
+/// made as large as fits; without paper, as large as fits on A4. Throws Error{input} beyond `longest_side`.
+Placement place_ink(const Vec2& least, const Vec2& most, std::optional<double> scale, const Paper& paper);
+
+}  // namespace epura

@@ -1,0 +1,71 @@
+#include "view/clip.hpp"
+
+#include <algorithm>
+
+namespace epura {
+
+namespace {
+
+std::uint64_t key_of(int a, int b) {
+  return (static_cast<std::uint64_t>(std::min(a, b)) << 32) | static_cast<std::uint32_t>(std::max(a, b));
+}
+
+}  // namespace
+
+int Clipper::add_plane(const ClipPlane& plane) {
+  planes_.push_back(plane);
+  cuts_.emplace_back();
+  return static_cast<int>(planes_.size()) - 1;
+}
+
+double Clipper::cut_parameter(int plane, int a, int b) const {
+  const double at_a = planes_[plane](vertices[a]);
+  const double at_b = planes_[plane](vertices[b]);
+  return at_a / (at_a - at_b);
+}
+
+int Clipper::cut(int plane, int a, int b) {
+  const auto [place, made] = cuts_[plane].try_emplace(key_of(a, b), static_cast<int>(vertices.size()));
+  if (made) {
+    const Mapped p = vertices[std::min(a, b)];
+    const Mapped q = vertices[std::max(a, b)];
+    const double s = cut_parameter(plane, std::min(a, b), std::max(a, b));
+    vertices.push_back({p.x + s * (q.x - p.x), p.y + s * (q.y - p.y), p.z + s * (q.z - p.z), p.w + s * (q.w - p.w)});
+  }
+  return place->second;
+}
+
+void Clipper::clip_triangle(const std::array<int, 3>& corners, std::span<const int> planes,
+                            std::vector<std::array<int, 3>>& pieces) {
+  std::vector<int> polygon(corners.begin(), corners.end());
+  std::vector<int> kept;
+  for (const int plane : planes) {
+    kept.clear();
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+      const int a = polygon[i];
+      const int b = polygon[(i + 1) % polygon.size()];
+      if (inside(plane, a)) kept.push_back(a);
+      if (inside(plane, a) != inside(plane, b)) kept.push_back(cut(plane, a, b));
+    }
+    polygon.swap(kept);
+    if (polygon.size() < 3) return;
+  }
+  for (std::size_t i = 2; i < polygon.size(); ++i) pieces.push_back({polygon[0], polygon[i - 1], polygon[i]});
+}
+
+std::optional<ClippedEdge> Clipper::clip_edge(int a, int b, std::span<const int> planes) {
+  ClippedEdge edge{{a, b}, {0, 1}};
+  for (const int plane : planes) {
+    const bool first = inside(plane, edge.vertex[0]);
+    const bool second = inside(plane, edge.vertex[1]);
+    if (!first && !second) return std::nullopt;
+    if (first && second) continue;
+    const double s = cut_parameter(plane, edge.vertex[0], edge.vertex[1]);
+    const int outside = first ? 1 : 0;
+    edge.t[outside] = edge.t[0] + s * (edge.t[1] - edge.t[0]);
+    edge.vertex[outside] = cut(plane, edge.vertex[0], edge.vertex[1]);
+  }
+  return edge;
+}
+
+}  // namespace epura

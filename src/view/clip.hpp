@@ -1,0 +1,52 @@
+// Clipping in homogeneous view coordinates, before any division (seed 003, step 7).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "view/view_map.hpp"
+
+namespace epura {
+
+/// What lies inside has x.x * X + x.y * Y + ... >= 0.
+struct ClipPlane {
+  double x, y, z, w;
+
+  [[nodiscard]] double operator()(const Mapped& p) const { return x * p.x + y * p.y + z * p.z + w * p.w; }
+};
+
+/// What is left of an edge: its ends as vertices, and where they lie on it in space (0 to 1).
+struct ClippedEdge {
+  std::array<int, 2> vertex;
+  std::array<double, 2> t;
+};
+
+/// Vertices in homogeneous view coordinates, and planes to cut by. Where an edge is cut, one new vertex is made,
+/// whoever asks: it is computed from the edge's ends in order of their numbers, so neighbours stay joined.
+class Clipper {
+ public:
+  std::vector<Mapped> vertices;
+
+  /// Returns the number by which the plane is called below.
+  int add_plane(const ClipPlane& plane);
+  /// Appends what of a triangle lies inside all of `planes`, as triangles.
+  void clip_triangle(const std::array<int, 3>& corners, std::span<const int> planes,
+                     std::vector<std::array<int, 3>>& pieces);
+  /// What of the edge a, b lies inside all of `planes`.
+  std::optional<ClippedEdge> clip_edge(int a, int b, std::span<const int> planes);
+  [[nodiscard]] bool inside(int plane, int vertex) const { return planes_[plane](vertices[vertex]) >= 0; }
+
+ private:
+  /// How far from a to b (0 to 1) the plane cuts.
+  [[nodiscard]] double cut_parameter(int plane, int a, int b) const;
+  int cut(int plane, int a, int b);
+
+  std::vector<ClipPlane> planes_;
+  std::vector<std::unordered_map<std::uint64_t, int>> cuts_;  ///< for each plane: edge -> vertex
+};
+
+}  // namespace epura

@@ -1,0 +1,40 @@
+#include "view/paper_map.hpp"
+
+#include "projection/matrices.hpp"
+
+namespace epura {
+
+namespace {
+
+// A row of the map as a row on absolute world points: constant + r . (shrink x - shrink origin).
+Vec4 absolute(const ViewMap& map, const Vec3& row, const Vec3& origin, double constant) {
+  const Vec3 r = row * map.shrink;
+  return {r.x, r.y, r.z, constant - glm::dot(row, origin * map.shrink)};
+}
+
+}  // namespace
+
+Window drawn_box(const View& view) {
+  return {(view.window.least - view.middle) / view.map.shrink, (view.window.most - view.middle) / view.map.shrink};
+}
+
+PaperMap make_paper_map(const View& view, double scale, const Vec2& shift) { return {scale / view.map.shrink, shift}; }
+
+Mat4 world_to_page(const View& view, const PaperMap& paper) {
+  const ViewMap& map = view.map;
+  const Vec4 w = absolute(map, map.w, map.w_origin, map.w_constant);
+  const Vec2 shift = paper.origin - paper.scale * view.middle;
+  return rows(paper.scale * absolute(map, map.u, map.centre, 0) + shift.x * w,
+              paper.scale * absolute(map, map.v, map.centre, 0) + shift.y * w,
+              paper.scale * absolute(map, map.z, map.centre, 0), w);
+}
+
+std::array<std::optional<Vec2>, 3> vanishing_points_on_page(const View& view, const PaperMap& paper) {
+  std::array<std::optional<Vec2>, 3> points = vanishing_points(view.projection);
+  const double unit = view.projection.scale * view.map.shrink;
+  for (auto& point : points)
+    if (point) point = paper.origin + paper.scale * (*point * unit - view.map.image - view.middle);
+  return points;
+}
+
+}  // namespace epura

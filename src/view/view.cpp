@@ -1,0 +1,182 @@
+#include "view/view.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "base/error.hpp"
+
+namespace epura {
+
+namespace {
+
+// Vertices nearer to the viewer than this part of the reference distance keep no digits in the division.
+constexpr double nearest_w = 0x1p-44;
+// A viewer inside the scene sees everything around; without a window he is given a cone of vision of 120 degrees.
+const double cone_tangent = std::sqrt(3.0);
+// Triangles are cut at 1.5 times the window, so that their own cut edges lie outside the picture.
+constexpr double guard = 1.5;
+constexpr double grid_half = (1 << 30) - 2;
+
+// Adds the plane for `users`, unless it cuts nothing. Returns whether it cuts.
+bool add_plane(View& view, const World& world, const ClipPlane& plane, std::initializer_list<std::vector<int>*> users) {
+  const int number = view.clipper.add_plane(plane);
+  const bool cuts = std::any_of(world.triangles.begin(), world.triangles.end(), [&](const auto& corners) {
+    return std::any_of(corners.begin(), corners.end(), [&](int v) { return !view.clipper.inside(number, v); });
+  });
+  if (cuts)
+    for (std::vector<int>* user : users) user->push_back(number);
+  return cuts;
+}
+
+// sign * n . (x - P) <= sign * limit. The homogeneous 1 is W + depth_to_one Z, and n . (x - c) follows from Z.
+ClipPlane depth_plane(const View& view, double limit, double sign) {
+  const ViewMap& map = view.map;
+  const Vec3 from_point = map.centre * map.shrink - view.projection.point * map.shrink;
+  const double constant = limit * map.shrink - glm::dot(view.projection.n, from_point);
+  return {0, 0, sign * (constant * map.depth_to_one - 1 / map.depth_of_n), sign * constant};
+}
+
+// Returns whether something lies beside or behind the viewer.
+bool add_depth_planes(View& view, const World& world, const ViewLimits& limits) {
+  const Projection& p = view.projection;
+  const double viewer = p.central ? glm::dot(p.n, p.projector - p.point) : 0;
+  double front = p.front;
+  double back = p.back;
+  if (limits.near) front = std::min(front, viewer - *limits.near);
+  if (limits.far) back = std::max(back, viewer - *limits.far);
+  if (!(front > back))
+    throw Error(Trouble::input, "near and far", "leave nothing between them", "near < far is wanted");
+
+  const auto users = {&view.triangle_planes, &view.edge_planes};
+  bool around = false;
+  if (p.central) around = add_plane(view, world, {0, 0, -nearest_w * view.map.depth_to_one, 1 - nearest_w}, users);
+  if (std::isfinite(front)) add_plane(view, world, depth_plane(view, front, 1), users);
+  if (std::isfinite(back)) add_plane(view, world, depth_plane(view, back, -1), users);
+  return around;
+}
+
+std::vector<ViewTriangle> clipped_triangles(View& view, const World& world) {
+  std::vector<ViewTriangle> triangles;
+  triangles.reserve(world.triangles.size());
+  std::vector<std::array<int, 3>> pieces;
+  for (std::size_t f = 0; f < world.triangles.size(); ++f) {
+    pieces.clear();
+    if (view.triangle_planes.empty())
+      pieces.push_back(world.triangles[f]);
+    else
+      view.clipper.clip_triangle(world.triangles[f], view.triangle_planes, pieces);
+    for (const auto& piece : pieces) triangles.push_back({piece, static_cast<int>(f)});
+  }
+  return triangles;
+}
+
+Window box_of(const View& view, const std::vector<ViewTriangle>& triangles) {
+  Window box{Vec2(HUGE_VAL), Vec2(-HUGE_VAL)};
+  for (const ViewTriangle& triangle : triangles)
+    for (const int v : triangle.vertex) {
+      const Mapped& p = view.clipper.vertices[v];
+      const Vec2 place(p.x / p.w, p.y / p.w);
+      box.least = glm::min(box.least, place);
+      box.most = glm::max(box.most, place);
+    }
+  return box;
+}
+
+Window cone_of_vision(const View& view) {
+  const Projection& p = view.projection;
+  const Vec3 from_point = p.projector * view.map.shrink - p.point * view.map.shrink;
+  const double reach = cone_tangent * p.scale * glm::dot(p.n, from_point);
+  const Vec2 foot = p.scale * Vec2(glm::dot(p.u, from_point), glm::dot(p.v, from_point)) - view.map.image;
+  return {foot - reach, foot + reach};
+}
+
+void choose_window(View& view, const World& world, bool around) {
+  if (const auto& given = view.projection.window) {
+    const double unit = view.projection.scale * view.map.shrink;
+    view.window = {given->least * unit - view.map.image, given->most * unit - view.map.image};
+    view.window_given = true;
+    return;
+  }
+  view.window = box_of(view, clipped_triangles(view, world));
+  if (!around) return;
+  const Window cone = cone_of_vision(view);
+  view.window = {glm::max(view.window.least, cone.least), glm::min(view.window.most, cone.most)};
+  view.window_given = true;
+}
+
+// least.x <= X/W <= most.x and alike for Y, as planes.
+void add_window_planes(View& view, const World& world, const Window& window, std::vector<int>& user) {
+  add_plane(view, world, {1, 0, 0, -window.least.x}, {&user});
+  add_plane(view, world, {-1, 0, 0, window.most.x}, {&user});
+  add_plane(view, world, {0, 1, 0, -window.least.y}, {&user});
+  add_plane(view, world, {0, -1, 0, window.most.y}, {&user});
+}
+
+void choose_grid(View& view) {
+  const Vec2 size = view.window.most - view.window.least;
+  view.extent = std::max(size.x, size.y);
+  if (!(view.extent > 0)) view.extent = 1;
+  const double reach = view.extent * (view.window_given ? guard : 1) / 2;
+  view.cell = std::ldexp(1.0, std::ilogb(reach / grid_half) + 1);
+  // The middle is a grid point, so that moving the scene by whole cells moves the grid along.
+  const Vec2 middle = view.window.least * 0.5 + view.window.most * 0.5;
+  view.middle = {std::round(middle.x / view.cell) * view.cell, std::round(middle.y / view.cell) * view.cell};
+}
+
+std::int32_t to_grid(double cells) {
+  return std::abs(cells) <= grid_half ? static_cast<std::int32_t>(std::nearbyint(cells)) : 0;
+}
+
+// Page vertices for all that the clipper has made since the last call.
+void lay_out(View& view) {
+  for (std::size_t v = view.vertices.size(); v < view.clipper.vertices.size(); ++v) {
+    const Mapped& p = view.clipper.vertices[v];
+    PageVertex page{0, 0, 0, p.w};
+    if (p.w > 0) page = {p.x / p.w - view.middle.x, p.y / p.w - view.middle.y, p.z / p.w, p.w};
+    view.vertices.push_back(page);
+    view.grid.push_back({to_grid(page.x / view.cell), to_grid(page.y / view.cell)});
+  }
+}
+
+}  // namespace
+
+View make_view(const World& world, const Projection& projection, const ViewLimits& limits) {
+  View view;
+  view.projection = projection;
+  view.map = make_view_map(projection, world.box);
+  view.clipper.vertices.reserve(world.points.size());
+  for (const Vec3& point : world.points) view.clipper.vertices.push_back(view.map(point));
+
+  const bool around = add_depth_planes(view, world, limits);
+  choose_window(view, world, around);
+  if (view.window_given) {
+    const Vec2 margin = (view.window.most - view.window.least) * ((guard - 1) / 2);
+    add_window_planes(view, world, {view.window.least - margin, view.window.most + margin}, view.triangle_planes);
+    add_window_planes(view, world, view.window, view.edge_planes);
+  }
+  view.triangles = clipped_triangles(view, world);
+  if (view.triangles.empty())
+    throw Error(Trouble::input, "projection '" + projection.name + "'",
+                "nothing of the model lies in front of the viewer and inside the window",
+                "move the eye or the window, or leave near, far and window out");
+  choose_grid(view);
+  lay_out(view);
+  return view;
+}
+
+int add_point(View& view, const Vec3& point) {
+  view.clipper.vertices.push_back(view.map(point));
+  lay_out(view);
+  return static_cast<int>(view.vertices.size()) - 1;
+}
+
+std::optional<ClippedEdge> clip_edge(View& view, int a, int b) {
+  if (view.edge_planes.empty()) return ClippedEdge{{a, b}, {0, 1}};
+  auto edge = view.clipper.clip_edge(a, b, view.edge_planes);
+  lay_out(view);
+  return edge;
+}
+
+}  // namespace epura

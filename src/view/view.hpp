@@ -1,0 +1,72 @@
+// The scene as the viewer has it: mapped, clipped, and laid on the page grid.
+//
+// Planar decisions are taken on whole numbers: page coordinates are rounded once to a grid of about 2^30 cells across
+// the window, where every cross product of differences fits 64 bits and its sign is exact. Depth stays double.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "scene/scene.hpp"
+#include "view/clip.hpp"
+#include "view/view_map.hpp"
+
+namespace epura {
+
+/// A point of the page grid; |x|, |y| < 2^30.
+struct GridPoint {
+  std::int32_t x, y;
+};
+
+/// Twice the signed area of the triangle a, b, c on the grid: exact.
+inline std::int64_t cross(const GridPoint& a, const GridPoint& b, const GridPoint& c) {
+  return (std::int64_t{b.x} - a.x) * (std::int64_t{c.y} - a.y) - (std::int64_t{b.y} - a.y) * (std::int64_t{c.x} - a.x);
+}
+
+/// A vertex on the page: plane coordinates from the middle of the window (y up), depth growing towards the viewer in
+/// about the same unit, and the homogeneous divisor, by which places on the page become places on an edge in space.
+struct PageVertex {
+  double x, y, depth, w;
+};
+
+struct ViewTriangle {
+  std::array<int, 3> vertex;
+  int source;  ///< the triangle of the world that it is, or is a piece of
+};
+
+/// Depth limits: distances in front of the centre (central) or behind the plane's point (parallel), world units.
+struct ViewLimits {
+  std::optional<double> near, far;
+};
+
+struct View {
+  Projection projection;
+  ViewMap map;
+  Window window;              ///< what of the plane is drawn, in view units from the image of map.centre
+  bool window_given = false;  ///< by the projection, or cut to a cone of vision because the viewer stands in the scene
+  Vec2 middle;                ///< of the window: origin of page vertices, view units
+  double extent = 0;          ///< longest side of the window, view units
+  double cell = 0;            ///< side of a grid cell, view units, a power of two
+
+  Clipper clipper;
+  std::vector<int> triangle_planes;  ///< that cut something: depth, and 1.5 times the window
+  std::vector<int> edge_planes;      ///< that cut something: depth, and the window itself
+
+  // By vertex: first the world's in its numbering, then added points and what clipping made.
+  std::vector<PageVertex> vertices;
+  std::vector<GridPoint> grid;
+  std::vector<ViewTriangle> triangles;
+};
+
+/// Throws Error{input} when nothing of the world lies in front of the viewer and inside the window.
+View make_view(const World& world, const Projection& projection, const ViewLimits& limits);
+
+/// A further point of space as a vertex.
+int add_point(View& view, const Vec3& point);
+
+/// What of the edge between two vertices is drawn.
+std::optional<ClippedEdge> clip_edge(View& view, int a, int b);
+
+}  // namespace epura

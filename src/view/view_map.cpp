@@ -1,0 +1,81 @@
+#include "view/view_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+
+namespace epura {
+
+namespace {
+
+double largest_component(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+// 2^-k with 2^k just above the half size of the box.
+double shrink_of(const Box& scene) {
+  const Vec3 half = scene.most * 0.5 - scene.least * 0.5;
+  const double size = largest_component(half);
+  if (!(size > 0)) return 1;
+  return std::ldexp(1.0, std::clamp(-std::ilogb(size) - 1, -1022, 1022));
+}
+
+ViewMap parallel_map(const Projection& p, ViewMap map) {
+  const double slope = glm::dot(p.n, p.projector);
+  const double s = p.scale;
+  map.u = s * (p.u - (glm::dot(p.u, p.projector) / slope) * p.n);
+  map.v = s * (p.v - (glm::dot(p.v, p.projector) / slope) * p.n);
+  map.z = s * p.n;
+  map.w = Vec3(0);
+  map.w_origin = map.centre;
+  map.w_constant = 1;
+  // The foot of c's projector on the plane, from the plane's point.
+  const Vec3 l = map.centre * map.shrink - p.point * map.shrink;
+  map.image = {glm::dot(map.u, l), glm::dot(map.v, l)};
+  map.depth_of_n = s;
+  map.depth_to_one = 0;
+  return map;
+}
+
+// A reference point well in front of the centre: the middle of the scene, or, where that lies beside or behind the
+// viewer, a point straight ahead at the scene's own distance.
+Vec3 reference_point(const Projection& p, const Box& scene) {
+  const Vec3 middle = scene.centre();
+  const double ahead = glm::dot(p.n, p.projector - middle);
+  const double size = std::max(largest_component(scene.size()), largest_component(p.projector - middle) * 0x1p-20);
+  if (ahead > size * 0x1p-4) return middle;
+  return p.projector - p.n * size;
+}
+
+ViewMap central_map(const Projection& p, const Box& scene, ViewMap map) {
+  map.centre = reference_point(p, scene);
+  const Vec3 from_eye = map.centre * map.shrink - p.projector * map.shrink;
+  const double w0 = -glm::dot(p.n, from_eye);
+  const double d = glm::dot(p.n, p.projector * map.shrink - p.point * map.shrink);
+  check(w0 > 0 && d > 0, "the reference point and the plane lie in front of the viewer");
+  const double enlarge = p.scale * (d / w0);
+  const double a = glm::dot(p.u, from_eye);
+  const double b = glm::dot(p.v, from_eye);
+  map.u = enlarge * (p.u + (a / w0) * p.n);
+  map.v = enlarge * (p.v + (b / w0) * p.n);
+  map.z = enlarge * p.n;
+  map.w = -p.n / w0;
+  const bool near = w0 < 8 * largest_component(scene.size()) * map.shrink;
+  map.w_origin = near ? p.projector : map.centre;
+  map.w_constant = near ? 0 : 1;
+  const Vec3 foot = p.projector * map.shrink - p.point * map.shrink;
+  map.image = {p.scale * glm::dot(p.u, foot) + enlarge * a, p.scale * glm::dot(p.v, foot) + enlarge * b};
+  map.depth_of_n = enlarge;
+  map.depth_to_one = 1 / (w0 * enlarge);
+  return map;
+}
+
+}  // namespace
+
+ViewMap make_view_map(const Projection& projection, const Box& scene) {
+  ViewMap map{};
+  map.centre = scene.empty() ? Vec3(0) : scene.centre();
+  map.shrink = shrink_of(scene);
+  return projection.central ? central_map(projection, scene, map) : parallel_map(projection, map);
+}
+
+}  // namespace epura

@@ -1,0 +1,43 @@
+// The one definition of hidden: which part of an edge one triangle hides.
+//
+// Planar decisions are signs of whole numbers on the page grid. A vertex exactly on the line of an edge counts as left
+// of it, for every triangle alike: the line is moved right by an infinitesimal amount (simulation of simplicity in one
+// dimension, after Edelsbrunner & Muecke, ACM TOG 1990). So triangles around a vertex or along an edge agree, and a
+// crossing is computed once for the pair of edges, from the vertices in order of their numbers, whichever triangle
+// asks: the intervals of neighbouring triangles abut to the last bit.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "edges/drawn_edges.hpp"
+#include "view/view.hpp"
+
+namespace epura {
+
+/// Distances in view units below which a face does not hide what it touches, for faces square to the view.
+struct Contact {
+  double touching;  ///< unrelated faces and edges
+  double joined;    ///< a face and an edge that starts at one of its corners: only rounding is forgiven
+};
+
+/// A triangle that may hide.
+struct Occluder {
+  std::array<int, 3> vertex;
+  int source;        ///< triangle of the world
+  double nearest;    ///< greatest depth of its corners
+  double steepness;  ///< 1 + |gradient of depth|: contact is measured along its normal, hiding along the view
+};
+
+/// An edge on the page.
+struct Sightline {
+  int p, q;         ///< vertices of the view
+  double farthest;  ///< least depth of its ends
+};
+
+/// Page parameters (0 at p, 1 at q) of the part that the triangle hides: where it covers the edge on the page and lies
+/// in front of it by more than contact. The caller has seen to it that the edge is none of the triangle's own.
+std::optional<std::array<double, 2>> hidden_part(const View& view, const Sightline& edge, const Occluder& triangle,
+                                                 const Contact& contact);
+
+}  // namespace epura

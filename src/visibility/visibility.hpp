@@ -1,0 +1,33 @@
+// Splits every drawn edge into visible and hidden spans.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "edges/drawn_edges.hpp"
+#include "visibility/hiding_rule.hpp"
+
+namespace epura {
+
+/// Hidden parts of edge e: spans[first[e]] to spans[first[e + 1]], as page parameters from its first vertex (0) to its
+/// second (1), ascending and disjoint. What is not hidden is visible.
+struct HiddenSpans {
+  std::vector<std::size_t> first;
+  std::vector<std::array<double, 2>> spans;
+};
+
+/// Contact tolerance for a view. `given` is a length in the world; without it, four cells of the page grid, or the
+/// rounding of the input where models store 32-bit floats.
+Contact contact_of(const World& world, const View& view, std::optional<double> given);
+
+/// The same tolerance as a length in the shrunk world (ViewMap::shrink), for faces that meet in space.
+double contact_in_space(const World& world, const View& view, std::optional<double> given);
+
+/// Every edge against every triangle that meets it on the page. The result does not depend on the number of threads.
+HiddenSpans find_hidden(const World& world, const View& view, const DrawnEdges& drawn, const Contact& contact);
+
+/// Nothing is hidden: a wireframe.
+HiddenSpans nothing_hidden(const DrawnEdges& drawn);
+
+}  // namespace epura

@@ -1,0 +1,6 @@
+# Tests of the tree itself. Included by CMakeLists.txt beside it.
+add_test(NAME layers COMMAND ${CMAKE_COMMAND} -P ${CMAKE_CURRENT_LIST_DIR}/layers.cmake)
+add_test(NAME checks_can_fail COMMAND ${CMAKE_CURRENT_LIST_DIR}/checks_test.sh)
+add_test(NAME readme_runs COMMAND ${CMAKE_CURRENT_LIST_DIR}/readme.sh $<TARGET_FILE:epura>)
+add_test(NAME gallery_page_is_fresh
+         COMMAND bash -c "diff <(samples/draw --gallery-page) samples/gallery.md" WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})

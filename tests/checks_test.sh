@@ -1,0 +1,47 @@
+#!/usr/bin/env bash
+# The checks of the tree must be able to fail: each is shown a small tree with one fault.
+set -uo pipefail
+tests=$(dirname "$(realpath "$0")")
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+status=0
+
+expect() {  # passes|fails title command...
+  local wanted=$1 title=$2 got=passes
+  shift 2
+  "$@" >"$scratch/log" 2>&1 || got=fails
+  [ "$got" = "$wanted" ] || { echo "$title: $got" >&2; cat "$scratch/log" >&2; status=1; }
+}
+
+tree() {  # file text: a sound tree plus one file
+  rm -rf "$scratch/tree"
+  mkdir -p "$scratch/tree/src/mesh" "$scratch/tree/src/output"
+  cp "$tests/../.clang-format" "$scratch/tree"
+  printf '#include <OpenMesh/Core/IO/MeshIO.hh>\n\n#include "base/text.hpp"\n' >"$scratch/tree/src/mesh/read.cpp"
+  printf '%b' "$2" >"$scratch/tree/src/$1"
+}
+
+layers() { cmake -DROOT="$scratch/tree" -P "$tests/layers.cmake"; }
+style() { "$tests/style.sh" "$scratch/tree"; }
+
+tree output/a.cpp '#include "mesh/read.hpp"\n'
+expect passes "a folder to the left" layers
+expect passes "nothing wrong" style
+tree mesh/a.cpp '#include "output/write.hpp"\n'
+expect fails "a folder to the right" layers
+tree mesh/a.cpp '#include "elsewhere/write.hpp"\n'
+expect fails "an unknown folder" layers
+tree output/a.cpp '#include <OpenMesh/Core/IO/MeshIO.hh>\n'
+expect fails "a library out of its place" layers
+
+tree mesh/a.cpp 'int   x;\n'
+expect fails "not formatted" style
+tree mesh/a.cpp "$(printf 'int x;\\n%.0s' {1..401})"
+expect fails "a long file" style
+tree mesh/a.cpp "int f(int a) {\\n$(printf '  ++a;\\n%.0s' {1..40})  return a;\\n}\\n"
+expect fails "a long function" style
+tree mesh/a.hpp 'int f();\n'
+expect fails "a header without a guard" style
+tree mesh/a.cpp "// see /ho""me/me\\n"
+expect fails "a path of a machine" style
+exit $status

@@ -1,0 +1,3 @@
+// An exception that leaves the plugin, which the contract forbids.
+#define SENTENCE (throw 1, nullptr)
+#include "plain.c"

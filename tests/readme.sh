@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# The README must not lie:  tests/readme.sh EPURA
+# Every ```sh block is run, in a scratch copy, with EPURA first in PATH; the pipeline is the one of src/CMakeLists.txt.
+set -uo pipefail
+root=$(realpath "$(dirname "$(realpath "$0")")/..")
+PATH=$(dirname "$(realpath "$1")"):$PATH
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+status=0
+
+complain() {
+  echo "README.md: $*" >&2
+  status=1
+}
+
+cp -r "$root/include" "$root/cmake" "$scratch"
+mkdir "$scratch/samples"
+cp -r "$root/samples/models" "$root/samples/plugin" "$scratch/samples"
+awk -v out="$scratch/block" '/^```sh$/ { inside = 1; ++n; next } /^```$/ { inside = 0 }
+                             inside { print > (out n ".sh") }' "$root/README.md"
+[ -f "$scratch/block1.sh" ] || complain "no sh block found"
+
+cd "$scratch" || exit 2
+for block in block*.sh; do
+  # The two big commands would run this test again: that they are there is enough.
+  if ! grep -vqE '^(samples/draw|tests/run)( |$)' "$block"; then
+    while read -r program _; do
+      [ -x "$root/$program" ] || complain "$program is no program"
+    done <"$block"
+  elif ! bash -euo pipefail "$block" >log 2>&1; then
+    complain "this block fails:"
+    cat "$block" log >&2
+  fi
+done
+
+sed -n '/^```cpp$/,/^```$/p' "$root/README.md" | sed '1d;$d' | diff - <(sed 1d "$root/samples/plugin/shadow.cpp") ||
+  complain "its plugin is not samples/plugin/shadow.cpp"
+while IFS= read -r line; do
+  grep -qxF -- "$line" "$root/README.md" || complain "lacks the line of src/CMakeLists.txt: $line"
+done < <(sed -nE 's/^add_subdirectory\((.*)\) *# (.*)$/- `\1`: \2/p' "$root/src/CMakeLists.txt")
+grep -oE '\]\([^)#:]+\)' "$root/README.md" | tr -d '()]' | while read -r link; do
+  [ -e "$root/$link" ] || echo "$link"
+done >broken
+[ -s broken ] && complain "broken links: $(tr '\n' ' ' <broken)"
+exit $status

@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# The house rules that a machine can hold: sizes, paths, format.  tests/style.sh [FOLDER]
+set -uo pipefail
+export LC_ALL=C  # wc and sort speak the language of the locale
+root=$(realpath "${1:-$(dirname "$(realpath "$0")")/..}")
+cd "$root" || exit 2
+status=0
+
+complain() {  # what, where
+  [ -z "$2" ] && return
+  printf '%s:\n%s\n' "$1" "$2" >&2
+  status=1
+}
+
+sources() { find . \( -name build -o -name out -o -name .git \) -prune -o -type f \( -name '*.[ch]pp' -o -name '*.h' \) -print | sort; }
+
+# A function or a class starts at the left margin and ends with a brace there; clang-format sees to that.
+long_functions() {
+  awk 'FNR == 1 { start = 0 }
+       /^[A-Za-z].*[({,]$|^[A-Za-z].*\) *(const )?\{$/ && !/^(namespace|struct|class|enum|union|extern|using|static constexpr)/ \
+         { if (!start) start = FNR }
+       /^}/ { if (start && FNR - start + 1 > 40) print FILENAME ":" start ": " FNR - start + 1 " lines"; start = 0 }
+       /;$/ && !/^ / { start = 0 }' "$@"
+}
+
+mapfile -t files < <(sources)
+if [ ${#files[@]} -eq 0 ]; then
+  echo "style: no sources under $root" >&2
+  exit 2
+fi
+
+complain "files longer than 400 lines" "$(wc -l "${files[@]}" | awk '$1 > 400 && $2 != "total"')"
+complain "functions longer than 40 lines" "$(long_functions "${files[@]}")"
+complain "headers without a guard" \
+  "$(printf '%s\n' "${files[@]}" | grep -E '\.(hpp|h)$' | xargs -r grep -L -e '#pragma once' -e '#ifndef')"
+complain "paths of a machine" "$(grep -rInE '(^|[^A-Za-z0-9_.])/(home|work|root)/|\.\./shared' . \
+  --exclude-dir=.git --exclude-dir=build --exclude-dir=out)"
+if command -v clang-format-14 >/dev/null; then
+  complain "not formatted (clang-format-14 -i)" "$(clang-format-14 --dry-run -Werror "${files[@]}" 2>&1 |
+    grep error: | cut -d: -f1 | sort | uniq -c)"
+else
+  echo "style: clang-format-14 is not installed; format not checked" >&2
+fi
+exit $status

@@ -1,0 +1,67 @@
+// What the tests of this folder share: projections by request, images of points.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "base/error.hpp"
+#include "projection/catalogue.hpp"
+#include "projection/matrices.hpp"
+
+namespace epura::test {
+
+inline const std::vector<std::filesystem::path>& built_plugins() {
+  static const std::vector<std::filesystem::path> folders{EPURA_TEST_PLUGINS};
+  return folders;
+}
+
+inline Projection make(const std::string& request, const Box& box) {
+  const ProjectionRequest parsed = parse_request(request);
+  return make_projection(find_projection(parsed.name, built_plugins()), parsed, box);
+}
+
+/// Neither centred nor a cube.
+inline Box a_box() { return {{-1, -2, 0.5}, {3, 1, 4}}; }
+
+inline Vec4 image(const Projection& p, const Vec3& x) { return view_matrix(p) * Vec4(x, 1); }
+/// Place on the plane.
+inline Vec2 place(const Projection& p, const Vec3& x) {
+  const Vec4 h = image(p, x);
+  return Vec2(h) / h.w;
+}
+inline double depth(const Projection& p, const Vec3& x) {
+  const Vec4 h = image(p, x);
+  return h.z / h.w;
+}
+/// How a step along a world vector appears under a parallel projection.
+inline Vec2 step(const Projection& p, const Vec3& by) { return place(p, by) - place(p, Vec3(0)); }
+
+inline double degrees(double radians) { return radians * 180 / 3.14159265358979323846; }
+inline double cot(double radians) { return 1 / std::tan(radians); }
+
+inline void expect_near(const Mat4& a, const Mat4& b, double tolerance) {
+  for (int c = 0; c < 4; ++c)
+    for (int r = 0; r < 4; ++r) EXPECT_NEAR(a[c][r], b[c][r], tolerance) << "row " << r << ", column " << c;
+}
+template <int N>
+void expect_near(const glm::vec<N, double>& a, const glm::vec<N, double>& b, double tolerance) {
+  for (int i = 0; i < N; ++i) EXPECT_NEAR(a[i], b[i], tolerance) << "component " << i;
+}
+
+/// The error that `action` throws; fails if there is none.
+inline Error error_of(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return error;
+  }
+  ADD_FAILURE() << "no error was thrown";
+  return {Trouble::input, "", ""};
+}
+
+inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace epura::test
