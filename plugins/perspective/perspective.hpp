@@ -7,9 +7,9 @@ namespace perspective {
 
 using namespace epura::plugin;
 
-/// Distance of the eye in diagonals of the box: the box then lies in a cone of 23 degrees about its centre, and stays
-/// within 40 degrees of the main sight line when the eye stands up to a quarter of a diagonal off it.
-inline constexpr double calm_distance = 1.3;
+/// Distance of the eye in diagonals of the box, which then lies in a cone of 23 degrees about its centre. An eye up to
+/// 0.64 diagonals off the centre keeps it in the cone of 60 degrees about the normal that ISO 5456-4 asks for.
+inline constexpr double calm_distance = 2.5;
 
 inline constexpr epura_parameter distance_parameter =
     number("distance", "diagonals", "eye from the model's centre, along the normal", calm_distance, 0.6, 1e6);

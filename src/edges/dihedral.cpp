@@ -8,12 +8,6 @@ namespace epura {
 
 namespace {
 
-int opposite_corner(const std::array<int, 3>& corners, const std::array<int, 2>& edge) {
-  for (const int v : corners)
-    if (v != edge[0] && v != edge[1]) return v;
-  return corners[0];
-}
-
 std::array<int, 2> sorted(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
 // The side of the triangle on which `place` lies, `entry` left out.
@@ -51,11 +45,27 @@ double length_of(const EdgeSurroundings& around, const std::array<int, 2>& side)
 
 }  // namespace
 
+int EdgeSurroundings::apex(const std::array<int, 2>& edge, int triangle) const {
+  const Vec3 a = point(edge[0]);
+  const Vec3 along = point(edge[1]) - a;
+  int apex = -1;
+  double farthest = -1;
+  for (const int v : corners(triangle)) {
+    if (v == edge[0] || v == edge[1]) continue;
+    const double distance = glm::length(glm::cross(along, point(v) - a));
+    if (distance > farthest) {
+      farthest = distance;
+      apex = v;
+    }
+  }
+  return apex;
+}
+
 double fold_angle(const EdgeSurroundings& around, const std::array<int, 2>& edge, int first, int second) {
   const Vec3 a = around.point(edge[0]);
   const Vec3 along = around.point(edge[1]) - a;
-  const Vec3 n1 = glm::cross(along, around.point(opposite_corner(around.corners(first), edge)) - a);
-  const Vec3 n2 = glm::cross(around.point(opposite_corner(around.corners(second), edge)) - a, along);
+  const Vec3 n1 = glm::cross(along, around.point(around.apex(edge, first)) - a);
+  const Vec3 n2 = glm::cross(around.point(around.apex(edge, second)) - a, along);
   return std::atan2(glm::length(glm::cross(n1, n2)), glm::dot(n1, n2)) * (180 / std::numbers::pi);
 }
 

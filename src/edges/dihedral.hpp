@@ -20,6 +20,9 @@ struct EdgeSurroundings {
     return world.triangles[world.first_triangle[model] + triangle];
   }
   [[nodiscard]] Vec3 point(int vertex) const { return world.points[vertex] * shrink; }
+  /// The corner of a triangle that is not on the edge. Behind a sliver a triangle may share less than the whole edge
+  /// with the one before it, so it is the corner farthest from the edge's line.
+  [[nodiscard]] int apex(const std::array<int, 2>& edge, int triangle) const;
 };
 
 /// Degrees by which the second triangle turns away from continuing the first one flatly: 0 flat, 180 folded back.

@@ -28,9 +28,7 @@ struct Judge {
 
   // Where the third corner of a triangle lies: 1 left of the edge on the page, -1 right, 0 on its line.
   [[nodiscard]] int side(const std::array<int, 2>& edge, int triangle) const {
-    int corner = edge[0];
-    for (const int v : around.corners(triangle))
-      if (v != edge[0] && v != edge[1]) corner = v;
+    const int corner = around.apex(edge, triangle);
     return view.triangle_planes.empty() ? side_on_grid(edge, corner) : side_in_space(edge, corner);
   }
 

@@ -37,9 +37,9 @@ Faces usable_faces(Soup& soup, MeshReport& report) {
   Faces faces{.corners = std::move(soup.corners), .ends = std::move(soup.face_ends), .number = {}};
   faces.number.resize(faces.size());
   std::iota(faces.number.begin(), faces.number.end(), 0);
+  report.dropped_degenerate = drop_faces_without_three_corners(faces);
   if (report.non_finite_vertices > 0)
     report.dropped_non_finite = drop_faces_with_non_finite_corners(faces, soup.points);
-  report.dropped_degenerate = drop_faces_without_three_corners(faces);
   report.dropped_duplicates = drop_duplicate_faces(faces, report.vertices);
   report.faces = static_cast<int>(faces.size());
   return faces;
@@ -77,7 +77,8 @@ void note_triangles_without_area(const Points& points, std::span<const int> corn
     const Vec3 u = place(points, corners[h + 1]) - origin, v = place(points, corners[h + 2]) - origin;
     count += u.y * v.z == u.z * v.y && u.z * v.x == u.x * v.z && u.x * v.y == u.y * v.x;
   }
-  if (count > 0) report.notes.push_back(std::to_string(count) + (count == 1 ? " triangle has" : " triangles have") + " no area");
+  if (count > 0)
+    report.notes.push_back(std::to_string(count) + (count == 1 ? " triangle has" : " triangles have") + " no area");
 }
 
 void number_bodies(Mesh& mesh, const Soup& soup, const EdgeTable& table) {

@@ -49,9 +49,9 @@ std::vector<OpenEnd> open_ends(const Points& points, const EdgeTable& table, dou
   std::sort(ends.begin(), ends.end(), [](const OpenEnd& a, const OpenEnd& b) {
     return a.vertex != b.vertex ? a.vertex < b.vertex : a.radius < b.radius;
   });
-  ends.erase(std::unique(ends.begin(), ends.end(),
-                         [](const OpenEnd& a, const OpenEnd& b) { return a.vertex == b.vertex; }),
-             ends.end());
+  ends.erase(
+      std::unique(ends.begin(), ends.end(), [](const OpenEnd& a, const OpenEnd& b) { return a.vertex == b.vertex; }),
+      ends.end());
   std::stable_sort(ends.begin(), ends.end(), [](const OpenEnd& a, const OpenEnd& b) { return a.along < b.along; });
   return ends;
 }

@@ -9,7 +9,7 @@ namespace epura {
 
 namespace {
 
-/// Keeps the faces for which `keep(face, ring)` holds; `keep` may shorten the ring it is given.
+/// `keep(face, ring)` may change the ring and returns how many of its corners stay, 0 to drop the face.
 template <class Keep>
 int keep_faces(Faces& faces, const Keep& keep) {
   std::size_t kept = 0;
@@ -75,20 +75,19 @@ Entry entry_of(const Faces& faces, std::size_t face) {
 
 }  // namespace
 
+int drop_faces_without_three_corners(Faces& faces) {
+  return keep_faces(faces, [](std::size_t, std::span<int> ring) {
+    const std::size_t length = without_repetitions(ring);
+    return has_three_corners(ring.first(length)) ? length : 0;
+  });
+}
+
 int drop_faces_with_non_finite_corners(Faces& faces, const Points& points) {
   const auto finite = [&](int corner) {
     return std::all_of(points[corner].begin(), points[corner].end(), [](double x) { return std::isfinite(x); });
   };
   return keep_faces(faces, [&](std::size_t, std::span<const int> ring) {
-    // A face without corners passes here, so that it is counted as what it is.
     return std::all_of(ring.begin(), ring.end(), finite) ? ring.size() : 0;
-  });
-}
-
-int drop_faces_without_three_corners(Faces& faces) {
-  return keep_faces(faces, [](std::size_t, std::span<int> ring) {
-    const std::size_t length = without_repetitions(ring);
-    return has_three_corners(ring.first(length)) ? length : 0;
   });
 }
 
@@ -98,7 +97,8 @@ int drop_duplicate_faces(Faces& faces, int vertex_count) {
   for (std::size_t f = 0; f < faces.size(); ++f) ++bucket_end[std::ranges::min(faces.ring(f)) + 1];
   for (int v = 0; v < vertex_count; ++v) bucket_end[v + 1] += bucket_end[v];
   std::vector<Entry> entries(faces.size());
-  for (std::size_t f = 0; f < faces.size(); ++f) entries[bucket_end[std::ranges::min(faces.ring(f))]++] = entry_of(faces, f);
+  for (std::size_t f = 0; f < faces.size(); ++f)
+    entries[bucket_end[std::ranges::min(faces.ring(f))]++] = entry_of(faces, f);
 
   std::vector<char> duplicate(faces.size(), 0);
   parallel_for(static_cast<std::size_t>(vertex_count), 4096, [&](std::size_t first, std::size_t last) {
@@ -112,9 +112,8 @@ int drop_duplicate_faces(Faces& faces, int vertex_count) {
         duplicate[bucket[i].face] = compare(faces, bucket[i - 1], bucket[i]) == 0;
     }
   });
-  return keep_faces(faces, [&](std::size_t face, std::span<const int> ring) {
-    return duplicate[face] ? 0 : ring.size();
-  });
+  return keep_faces(faces,
+                    [&](std::size_t face, std::span<const int> ring) { return duplicate[face] ? 0 : ring.size(); });
 }
 
 }  // namespace epura

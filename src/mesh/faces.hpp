@@ -22,10 +22,10 @@ struct Faces {
 
 // Each of these returns how many faces it dropped. The order of the rest stays.
 
-int drop_faces_with_non_finite_corners(Faces& faces, const Points& points);
-
 /// Also shortens rings that name one vertex twice in succession.
 int drop_faces_without_three_corners(Faces& faces);
+
+int drop_faces_with_non_finite_corners(Faces& faces, const Points& points);
 
 /// Keeps the first of faces that go through the same vertices in the same order, whatever their start and direction.
 int drop_duplicate_faces(Faces& faces, int vertex_count);

@@ -27,30 +27,30 @@ struct MeshEdge {
 
 /// What was found in the file and what was done about it.
 struct MeshReport {
-  std::string name;      ///< the file
-  std::string format;    ///< "obj", "stl", "ply", "off"
-  int vertices = 0;      ///< of the file (STL: after welding)
-  int faces = 0;         ///< polygons of the file that are drawn
-  int triangles = 0;     ///< after triangulation
-  int bodies = 0;        ///< named groups, otherwise connected parts
-  int open_edges = 0;          ///< edges with one face
-  int non_manifold_edges = 0;  ///< edges with three or more faces
-  int misoriented_edges = 0;   ///< edges whose two faces run the same way round
-  int welded_vertices = 0;     ///< vertices joined to another at the same place
-  int dropped_degenerate = 0;  ///< faces with fewer than three distinct corners, or without area
-  int dropped_duplicates = 0;  ///< faces with the same corners as an earlier one
-  int non_finite_vertices = 0; ///< vertices with NaN or infinity; their faces are dropped
-  int dropped_non_finite = 0;  ///< faces dropped for such a vertex
-  double weld_distance = 0;    ///< largest distance over which corners were joined
-  bool single_precision = false;  ///< the file stores 32-bit coordinates
-  std::vector<std::string> notes; ///< what else a user should know, a sentence each
+  std::string name;                ///< the file
+  std::string format;              ///< "obj", "stl", "ply", "off"
+  int vertices = 0;                ///< of the file (STL: after welding)
+  int faces = 0;                   ///< polygons of the file that are drawn
+  int triangles = 0;               ///< after triangulation
+  int bodies = 0;                  ///< named groups if there are two, otherwise parts connected through edges
+  int open_edges = 0;              ///< edges with one face
+  int non_manifold_edges = 0;      ///< edges with three or more faces
+  int misoriented_edges = 0;       ///< edges whose two faces run the same way round
+  int welded_vertices = 0;         ///< vertices joined to another at the same place (STL: across cracks)
+  int dropped_degenerate = 0;      ///< faces with fewer than three distinct corners
+  int dropped_duplicates = 0;      ///< faces with the same corners as an earlier one
+  int non_finite_vertices = 0;     ///< vertices with NaN or infinity; their faces are dropped
+  int dropped_non_finite = 0;      ///< faces dropped for such a vertex
+  double weld_distance = 0;        ///< largest distance over which corners were joined
+  bool single_precision = false;   ///< the file stores 32-bit coordinates
+  std::vector<std::string> notes;  ///< what else a user should know, a sentence each
 };
 
 struct Mesh {
-  Surface surface;              ///< triangle f of the project is face handle f
-  std::vector<int> vertex_of;   ///< surface vertex -> vertex number of the file; the identity for the first ones
-  std::vector<int> polygon;     ///< triangle -> face number of the file
-  std::vector<int> body;        ///< triangle -> body
+  Surface surface;             ///< triangle f of the project is face handle f
+  std::vector<int> vertex_of;  ///< surface vertex -> vertex number of the file; the identity for the first ones
+  std::vector<int> polygon;    ///< triangle -> face number of the file
+  std::vector<int> body;       ///< triangle -> body
   std::vector<std::string> body_names;  ///< empty for files without named groups
   std::vector<MeshEdge> edges;          ///< sorted by their vertices
   std::vector<int> edge_triangles;
@@ -62,9 +62,7 @@ struct Mesh {
   /// The corners of a triangle as vertex numbers of the file.
   [[nodiscard]] std::array<int, 3> corners(int triangle) const;
   /// The place of a vertex of the file. Vertices that no drawn face uses have one, too.
-  [[nodiscard]] const OpenMesh::Vec3d& point(int vertex) const {
-    return surface.point(OpenMesh::VertexHandle(vertex));
-  }
+  [[nodiscard]] const OpenMesh::Vec3d& point(int vertex) const { return surface.point(OpenMesh::VertexHandle(vertex)); }
 };
 
 }  // namespace epura

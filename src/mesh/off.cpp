@@ -37,8 +37,8 @@ Counts read_counts(TextCursor& text) {
     const long long least_bytes = count == &counts.vertices ? 6 : 2;
     const auto most = static_cast<long long>(text.bytes_left() / least_bytes) + 1;
     if (*count < 0 || *count > most)
-      text.fail("the file cannot hold the " + std::to_string(*count) +
-                (least_bytes == 6 ? " vertices" : " faces") + " that its header announces");
+      text.fail("the file cannot hold the " + std::to_string(*count) + (least_bytes == 6 ? " vertices" : " faces") +
+                " that its header announces");
   }
   // The number of edges, which nobody needs, follows here, alone on the next line, or not at all.
   if (!text.word().empty()) return counts;

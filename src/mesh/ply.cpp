@@ -115,7 +115,8 @@ class PlyReader {
       } else if (element.name == "face" || element.name == "tristrips") {
         read_faces(element);
       } else {
-        read_rows(element, [](std::size_t, double) {}, [](std::size_t) {});
+        read_rows(
+            element, [](std::size_t, double) {}, [](std::size_t) {});
       }
     }
     if (largest_ >= static_cast<long long>(soup_.points.size()))
@@ -131,7 +132,8 @@ class PlyReader {
     std::size_t least_bytes = 0;
     for (const PlyProperty& property : element.properties)
       least_bytes += Source::least_bytes(property.count_type.value_or(property.type));
-    if (least_bytes == 0 || static_cast<unsigned long long>(element.count) <= source_.bytes_left() / least_bytes) return;
+    if (least_bytes == 0 || static_cast<unsigned long long>(element.count) <= source_.bytes_left() / least_bytes)
+      return;
     TextCursor("", name_, element.line)
         .fail("the file cannot hold the " + std::to_string(element.count) + " elements '" + element.name +
                   "' that its header announces",

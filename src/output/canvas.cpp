@@ -34,6 +34,21 @@ Pen make_pen(const CairoSurface& surface) {
   return pen;
 }
 
+void begin_vector_file(const Pen& pen, const Canvas& canvas) {
+  cairo_t* cairo = pen.get();
+  // Cairo would drop lines narrower than half of this.
+  cairo_set_tolerance(cairo, 0.005 * canvas.units);
+  cairo_save(cairo);
+  // Dashes without length and without ends.
+  const std::array<double, 2> dashes = {0, 1};
+  cairo_set_dash(cairo, dashes.data(), 2, 0);
+  cairo_set_line_cap(cairo, CAIRO_LINE_CAP_BUTT);
+  cairo_move_to(cairo, 0, 0);
+  cairo_line_to(cairo, canvas.size.x, canvas.size.y);
+  cairo_stroke(cairo);
+  cairo_restore(cairo);
+}
+
 void draw(const Pen& pen, const Canvas& canvas, const LineStyle& style, const std::vector<const Stroke*>& strokes) {
   if (strokes.empty()) return;
   cairo_t* cairo = pen.get();

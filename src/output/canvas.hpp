@@ -42,6 +42,11 @@ using Pen = std::unique_ptr<cairo_t, Free<cairo_destroy>>;
 /// Black, round ends and joins.
 Pen make_pen(const CairoSurface& surface);
 
+/// What keeps vector files of many strokes fast. Cairo unites the boxes of all strokes drawn so far, so the first one
+/// reaches over the whole surface, without ink: PDF and PostScript drop it, SVG has it as its first path. And Cairo
+/// rounds each line's ends to find its box, which need not be fine.
+void begin_vector_file(const Pen& pen, const Canvas& canvas);
+
 /// Draws strokes of one look in one go.
 void draw(const Pen& pen, const Canvas& canvas, const LineStyle& style, const std::vector<const Stroke*>& strokes);
 

@@ -26,9 +26,11 @@ std::string comment_text(std::string_view text) {
   return plain;
 }
 
-// Replaces the header line that begins with `key`. Cairo writes each of these lines once, before any text of ours.
+// Replaces the header line that begins with `key`. Cairo writes each of these lines once.
 void replace_line(std::string& bytes, std::string_view key, const std::string& line) {
-  const std::size_t begin = bytes.find(key);
+  // Not in the middle of the title.
+  std::size_t begin = bytes.find(key);
+  while (begin != std::string::npos && bytes[begin - 1] != '\n') begin = bytes.find(key, begin + 1);
   check(begin != std::string::npos, "Cairo wrote another PostScript header");
   bytes.replace(begin, bytes.find('\n', begin) + 1 - begin, line);
 }
@@ -44,6 +46,7 @@ std::string postscript(const Sheet& sheet, bool encapsulated) {
   cairo_ps_surface_dsc_comment(surface.get(), ("%%Title: " + comment_text(sheet.title)).c_str());
   {
     const Pen pen = make_pen(surface);
+    begin_vector_file(pen, canvas);
     for (const Layer& layer : sheet.layers) draw(pen, canvas, layer);
   }
   finish(surface, "PostScript");

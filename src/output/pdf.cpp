@@ -4,10 +4,9 @@
 #include <cstddef>
 #include <qpdf/Buffer.hh>
 #include <qpdf/QPDF.hh>
-#include <qpdf/QPDFPageDocumentHelper.hh>
-#include <qpdf/QPDFPageObjectHelper.hh>
 #include <qpdf/QPDFWriter.hh>
 
+#include "base/error.hpp"
 #include "base/text.hpp"
 #include "output/canvas.hpp"
 #include "output/utf8.hpp"
@@ -27,20 +26,35 @@ std::string real(double value) { return format_fixed(value, 15); }
 std::string cairo_pdf(const Canvas& canvas, const Layer& layer) {
   std::string bytes;
   const CairoSurface surface(cairo_pdf_surface_create_for_stream(append_bytes, &bytes, canvas.size.x, canvas.size.y));
-  draw(make_pen(surface), canvas, layer);
+  {
+    const Pen pen = make_pen(surface);
+    begin_vector_file(pen, canvas);
+    draw(pen, canvas, layer);
+  }
   finish(surface, "PDF");
   return bytes;
 }
 
-// Cairo's page as a form XObject of `pdf`.
-Handle add_form(QPDF& pdf, const std::string& bytes) {
+Handle rectangle(const Vec2& size) {
+  Handle box = Handle::newArray();
+  for (const double side : {0.0, 0.0, size.x, size.y}) box.appendItem(Handle::newReal(real(side)));
+  return box;
+}
+
+// Cairo's page as a form XObject of `pdf`: the stream as it is, still compressed. The page's transparency group stays
+// behind; black ink needs none, and some printers answer one with pixels.
+Handle add_form(QPDF& pdf, const Canvas& canvas, const std::string& bytes) {
   QPDF drawn;
   drawn.setImmediateCopyFrom(true);  // `drawn` does not outlive this function
   drawn.processMemoryFile("layer", bytes.data(), bytes.size());
-  Handle form = QPDFPageDocumentHelper(drawn).getAllPages().at(0).getFormXObjectForPage();
-  // Black ink needs no transparency, which some printers answer with pixels.
-  form.getDict().removeKey("/Group");
-  return pdf.copyForeignObject(form);
+  Handle page = drawn.getAllPages().at(0);
+  check(page.getKey("/Contents").isStream() && page.getKey("/Resources").isIndirect(), "Cairo wrote another PDF page");
+  Handle form = pdf.copyForeignObject(page.getKey("/Contents"));
+  form.getDict().replaceKey("/Type", Handle::newName("/XObject"));
+  form.getDict().replaceKey("/Subtype", Handle::newName("/Form"));
+  form.getDict().replaceKey("/BBox", rectangle(canvas.size));
+  form.getDict().replaceKey("/Resources", pdf.copyForeignObject(page.getKey("/Resources")));
+  return form;
 }
 
 Handle add_group(QPDF& pdf, const std::string& name) {
@@ -58,12 +72,9 @@ std::string placement(const Canvas& canvas) {
 }
 
 void add_page(QPDF& pdf, const Sheet& sheet, Handle resources, const std::string& content) {
-  Handle box = Handle::newArray();
-  for (const double side : {0.0, 0.0, sheet.width, sheet.height})
-    box.appendItem(Handle::newReal(real(side * points_per_millimetre)));
   Handle page = pdf.makeIndirectObject(Handle::newDictionary());
   page.replaceKey("/Type", Handle::newName("/Page"));
-  page.replaceKey("/MediaBox", box);
+  page.replaceKey("/MediaBox", rectangle(Vec2(sheet.width, sheet.height) * points_per_millimetre));
   page.replaceKey("/Resources", resources);
   page.replaceKey("/Contents", Handle::newStream(&pdf, content));
   pdf.addPage(page, false);
@@ -78,7 +89,7 @@ void add_layers(QPDF& pdf, const Sheet& sheet) {
     Handle group = add_group(pdf, layer.name);
     groups.appendItem(group);
     properties.replaceKey(name, group);
-    forms.replaceKey(name, add_form(pdf, cairo_pdf(canvas, layer)));
+    forms.replaceKey(name, add_form(pdf, canvas, cairo_pdf(canvas, layer)));
     content += "/OC " + name + " BDC " + name + " Do EMC\n";
   }
   Handle resources = Handle::newDictionary();

@@ -63,6 +63,7 @@ std::string cairo_svg(const Canvas& canvas, const Layer& layer, const std::vecto
   const CairoSurface surface(cairo_svg_surface_create_for_stream(append_bytes, &bytes, canvas.size.x, canvas.size.y));
   {
     const Pen pen = make_pen(surface);
+    begin_vector_file(pen, canvas);
     for (const Group& group : groups) draw(pen, canvas, layer.style, group);
   }
   finish(surface, "SVG");
@@ -116,7 +117,8 @@ void add_layer(pugi::xml_node svg, const Sheet& sheet, const Layer& layer, const
   check(bool(drawn.load_buffer_inplace(bytes.data(), bytes.size())), "Cairo wrote no XML");
   const std::string usual_dashes = dash_array(layer.style.dash, layer.style.gap);
   pugi::xml_node line = drawn.child("svg").child("g").child("path");
-  for (std::size_t i = 0; i < groups.size(); ++i, line = line.next_sibling("path")) {
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    line = line.next_sibling("path");  // the first one has no ink
     check(bool(line), "Cairo left a stroke out");
     const Stroke& stroke = *groups[i].front();
     pugi::xml_node path = g.append_child("path");

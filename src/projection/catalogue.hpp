@@ -66,8 +66,8 @@ struct ProjectionRequest {
 ProjectionRequest parse_request(std::string_view text);
 
 /// Checks the values against the table, calls the plugin and checks its answer. `scene` is the box of everything.
-/// Throws Error{input} for wrong values, and for values whose answer is no projection; Error{plugin} if already the
-/// defaults have no answer.
+/// Throws Error{input} for wrong values, and for values to which the answer is no projection; Error{plugin} if already
+/// the defaults have no answer.
 Projection make_projection(const ProjectionEntry& entry, const ProjectionRequest& request, const Box& scene);
 
 }  // namespace epura

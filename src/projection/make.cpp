@@ -69,8 +69,16 @@ std::vector<std::vector<double>> values_of(const ProjectionEntry& entry, const P
   return values;
 }
 
+/// A plugin must answer for its own defaults; what the user gave is the user's to mend.
+[[noreturn]] void refuse_answer(const ProjectionEntry& entry, const ProjectionRequest& request,
+                                const std::string& reason) {
+  if (!request.assignments.empty()) refuse_value(entry.name, reason);
+  throw Error(Trouble::plugin, entry.plugin.string(), "'" + entry.name + "': " + reason);
+}
+
 /// The plugin's answer. Limits and window are preset, so that a simple projection need not speak of them.
-epura_view ask(const ProjectionEntry& entry, const std::vector<std::vector<double>>& values, const Box& scene) {
+epura_view ask(const ProjectionEntry& entry, const ProjectionRequest& request,
+               const std::vector<std::vector<double>>& values, const Box& scene) {
   std::vector<double> flat;
   for (const std::vector<double>& value : values) flat.insert(flat.end(), value.begin(), value.end());
   const Box box = scene.empty() ? Box{Vec3(0), Vec3(0)} : scene;
@@ -88,7 +96,7 @@ epura_view ask(const ProjectionEntry& entry, const std::vector<std::vector<doubl
   } catch (...) {
     throw Error(Trouble::plugin, entry.plugin.string(), "'" + entry.name + "' threw an exception across the border");
   }
-  if (sentence != nullptr) refuse_value(entry.name, sentence);
+  if (sentence != nullptr) refuse_answer(entry, request, sentence);
   return view;
 }
 
@@ -164,13 +172,8 @@ ProjectionRequest parse_request(std::string_view text) {
 
 Projection make_projection(const ProjectionEntry& entry, const ProjectionRequest& request, const Box& scene) {
   const std::vector<std::vector<double>> values = values_of(entry, request);
-  const epura_view view = ask(entry, values, scene);
-  if (const std::string fault = fault_of(view); !fault.empty()) {
-    // A plugin must answer for its own defaults; what the user gave is the user's to mend.
-    if (request.assignments.empty())
-      throw Error(Trouble::plugin, entry.plugin.string(), "'" + entry.name + "': " + fault);
-    refuse_value(entry.name, fault);
-  }
+  const epura_view view = ask(entry, request, values, scene);
+  if (const std::string fault = fault_of(view); !fault.empty()) refuse_answer(entry, request, fault);
   Projection projection = projection_of(view);
   projection.name = entry.name;
   for (std::size_t i = 0; i < values.size(); ++i)

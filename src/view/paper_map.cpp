@@ -7,9 +7,9 @@ namespace epura {
 namespace {
 
 // A row of the map as a row on absolute world points: constant + r . (shrink x - shrink origin).
-Vec4 absolute(const ViewMap& map, const Vec3& row, const Vec3& origin, double constant) {
+Vec4 absolute(const ViewMap& map, const Vec3& row, double constant) {
   const Vec3 r = row * map.shrink;
-  return {r.x, r.y, r.z, constant - glm::dot(row, origin * map.shrink)};
+  return {r.x, r.y, r.z, constant - glm::dot(row, map.origin * map.shrink)};
 }
 
 }  // namespace
@@ -22,11 +22,10 @@ PaperMap make_paper_map(const View& view, double scale, const Vec2& shift) { ret
 
 Mat4 world_to_page(const View& view, const PaperMap& paper) {
   const ViewMap& map = view.map;
-  const Vec4 w = absolute(map, map.w, map.w_origin, map.w_constant);
+  const Vec4 w = absolute(map, map.w, map.w_constant);
   const Vec2 shift = paper.origin - paper.scale * view.middle;
-  return rows(paper.scale * absolute(map, map.u, map.centre, 0) + shift.x * w,
-              paper.scale * absolute(map, map.v, map.centre, 0) + shift.y * w,
-              paper.scale * absolute(map, map.z, map.centre, 0), w);
+  return rows(paper.scale * absolute(map, map.u, 0) + shift.x * w, paper.scale * absolute(map, map.v, 0) + shift.y * w,
+              paper.scale * absolute(map, map.z, map.z_constant), w);
 }
 
 std::array<std::optional<Vec2>, 3> vanishing_points_on_page(const View& view, const PaperMap& paper) {

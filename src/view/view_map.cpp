@@ -24,14 +24,15 @@ ViewMap parallel_map(const Projection& p, ViewMap map) {
   const double s = p.scale;
   map.u = s * (p.u - (glm::dot(p.u, p.projector) / slope) * p.n);
   map.v = s * (p.v - (glm::dot(p.v, p.projector) / slope) * p.n);
-  map.z = s * p.n;
+  map.unit = s;
+  map.depth_of_n = s * glm::length(p.projector) / slope;
+  map.z = map.depth_of_n * p.n;
   map.w = Vec3(0);
-  map.w_origin = map.centre;
+  map.origin = map.centre;
   map.w_constant = 1;
   // The foot of c's projector on the plane, from the plane's point.
   const Vec3 l = map.centre * map.shrink - p.point * map.shrink;
   map.image = {glm::dot(map.u, l), glm::dot(map.v, l)};
-  map.depth_of_n = s;
   map.depth_to_one = 0;
   return map;
 }
@@ -55,17 +56,21 @@ ViewMap central_map(const Projection& p, const Box& scene, ViewMap map) {
   const double enlarge = p.scale * (d / w0);
   const double a = glm::dot(p.u, from_eye);
   const double b = glm::dot(p.v, from_eye);
-  map.u = enlarge * (p.u + (a / w0) * p.n);
-  map.v = enlarge * (p.v + (b / w0) * p.n);
-  map.z = enlarge * p.n;
+  // A centre at the scene's own distance, and not far beside it, is the better origin: differences to it are exact.
+  const bool near = largest_component({w0, a, b}) < 8 * largest_component(scene.size()) * map.shrink;
+  map.origin = near ? p.projector : map.centre;
+  map.u = enlarge * (near ? p.u : p.u + (a / w0) * p.n);
+  map.v = enlarge * (near ? p.v : p.v + (b / w0) * p.n);
+  map.unit = enlarge;
+  map.depth_of_n = enlarge * glm::length(from_eye) / w0;
+  map.z = map.depth_of_n * p.n;
   map.w = -p.n / w0;
-  const bool near = w0 < 8 * largest_component(scene.size()) * map.shrink;
-  map.w_origin = near ? p.projector : map.centre;
+  map.z_constant = near ? map.depth_of_n * w0 : 0;
   map.w_constant = near ? 0 : 1;
   const Vec3 foot = p.projector * map.shrink - p.point * map.shrink;
-  map.image = {p.scale * glm::dot(p.u, foot) + enlarge * a, p.scale * glm::dot(p.v, foot) + enlarge * b};
-  map.depth_of_n = enlarge;
-  map.depth_to_one = 1 / (w0 * enlarge);
+  map.image = p.scale * Vec2(glm::dot(p.u, foot), glm::dot(p.v, foot));
+  if (!near) map.image += enlarge * Vec2(a, b);
+  map.depth_to_one = 1 / (w0 * map.depth_of_n);
   return map;
 }
 

@@ -1,16 +1,18 @@
 // The projective map from the world to the projection plane that keeps depth, written so that it loses no digits.
 //
-// It is VOM * M_per (3.36, 3.10) or VOM * M_par (3.20) with the depth row of seed 000 [P], re-centred: every
-// coordinate is measured from a reference point c in front of the viewer, in space and in the plane alike. With
-// l = x - c, the constants of the matrix become 0, 0, 0 and 1, so neither a model far from the origin, nor a centre of
-// projection at 1e17, nor one that nearly lies in the plane cancels digits:
+// It is VOM * M_per (3.36, 3.10) or VOM * M_par (3.20) with the depth row of seed 000 [P], re-centred: coordinates are
+// measured from an origin o near the scene, in space and in the plane alike, so that neither a model far from the
+// world's origin nor a far or near centre of projection cancels digits. With l = x - o, c the middle of the scene,
+// w0 = n . (C - c), d = n . (C - P), a = u . (c - C), b = v . (c - C):
 //
-//   central:  U = (d/w0) (u + (a/w0) n) . l    V alike    Z = (d/w0) n . l    W = 1 - (n . l)/w0
-//             w0 = n . (C - c), a = u . (c - C), d = n . (C - P)
-//   parallel: U = (u - (u.p / n.p) n) . l      V alike    Z = n . l           W = 1
+//   parallel, o = c:            U = (u - (u.p / n.p) n) . l        Z = n . l                  W = 1
+//   centre far away, o = c:     U = (d/w0) (u + (a/w0) n) . l      Z = (d/w0) n . l           W = 1 - (n . l)/w0
+//   centre near, o = C:         U = (d/w0) u . l                   Z = (d/w0) (w0 + n . l)    W = -(n . l)/w0
 //
-// (U/W, V/W) are plane coordinates from the image of c; Z/W grows towards the viewer and is affine on planes, and a
-// unit of it is about as long as a unit of the plane at c. Everything is multiplied by the projection's scale.
+// V like U. (U/W, V/W) are plane coordinates from the image of c (from the foot of C when o = C); Z/W grows towards the
+// viewer and is affine on planes. The last two are the same map up to a shift in the plane: the first has its digits
+// near c, the second near C. All is multiplied by the projection's scale, and Z moreover by the secant of the angle
+// between normal and projector at c, so that depth is length along projectors, in the unit of the plane at c.
 #pragma once
 
 #include "base/vec.hpp"
@@ -24,20 +26,20 @@ struct Mapped {
 };
 
 struct ViewMap {
-  Vec3 centre;      ///< reference point c in the world
+  Vec3 origin;      ///< o in the world
   double shrink;    ///< power of two that brings the scene's size near 1, so that products neither over- nor underflow
-  Vec3 u, v, z, w;  ///< rows, applied to shrink * (x - c), that of W to shrink * (x - w_origin)
-  Vec3 w_origin;    ///< c, or the centre of projection where that is near: 1 - (n . l)/w0 would cancel there
-  double w_constant;    ///< 1, or 0
-  Vec2 image;           ///< image of c in the plane's own coordinates (times scale): what a window is relative to
+  Vec3 u, v, z, w;  ///< rows, applied to shrink * (x - o)
+  double z_constant, w_constant;
+  Vec2 image;           ///< the plane's own coordinates (times scale and shrink) of the place where U = V = 0
+  Vec3 centre;          ///< c in the world
+  double unit;          ///< length on the page of a (shrunk) unit length at c
   double depth_of_n;    ///< Z = depth_of_n * shrink * n . (x - c)
   double depth_to_one;  ///< the homogeneous 1 is W + depth_to_one * Z
 
   [[nodiscard]] Mapped operator()(const Vec3& point) const {
     // Shrinking first: the difference of two large coordinates may be no double.
-    const Vec3 l = point * shrink - centre * shrink;
-    return {glm::dot(u, l), glm::dot(v, l), glm::dot(z, l),
-            w_constant + glm::dot(w, point * shrink - w_origin * shrink)};
+    const Vec3 l = point * shrink - origin * shrink;
+    return {glm::dot(u, l), glm::dot(v, l), z_constant + glm::dot(z, l), w_constant + glm::dot(w, l)};
   }
 };
 

@@ -100,7 +100,7 @@ struct Hider {
 }  // namespace
 
 Contact contact_of(const World& world, const View& view, std::optional<double> given) {
-  const double unit = view.map.depth_of_n;  // view units per length at the reference point
+  const double unit = view.map.unit;
   const double joined = joined_part * view.extent;
   if (given) return {std::max(*given * view.map.shrink * unit, joined), joined};
   return {std::max(contact_cells * view.cell, world.precision * size_of(world, view) * unit), joined};

@@ -22,6 +22,9 @@ class with_folder : public testing::Test {
     folder = mkdtemp(pattern.data());
   }
   ~with_folder() override { fs::remove_all(folder); }
+  [[nodiscard]] bool is_open(const char* file) const {
+    return dlopen((folder / file).c_str(), RTLD_NOW | RTLD_NOLOAD) != nullptr;
+  }
   fs::path folder;
 };
 
@@ -75,14 +78,17 @@ TEST_P(refused_when_asked, is_named_with_the_reason) {
 }
 
 TEST(a_plugin, that_has_a_sentence_to_say_is_heard) {
-  const auto answer = [](const char* folder, const char* name) {
-    const ProjectionEntry entry = find_projection(name, {bad(folder)});
-    return error_of([&] { make_projection(entry, {name, {}}, a_box()); });
+  const auto answer = [](const char* folder, const char* text) {
+    const ProjectionRequest request = parse_request(text);
+    const ProjectionEntry entry = find_projection(request.name, {bad(folder)});
+    return error_of([&] { make_projection(entry, request, a_box()); });
   };
-  EXPECT_STREQ(answer("sentence", "plain").what(), "plain: not today");
-  EXPECT_STREQ(answer("throws", "throws-error").what(), "throws-error: the moon is not full");
+  EXPECT_STREQ(answer("sentence", "plain:scale=2").what(), "plain: not today");
+  EXPECT_EQ(answer("sentence", "plain:scale=2").trouble(), Trouble::input);
+  EXPECT_TRUE(contains(answer("sentence", "plain").what(), "plain.so: 'plain': not today"));
+  EXPECT_EQ(answer("sentence", "plain").trouble(), Trouble::plugin);
+  EXPECT_TRUE(contains(answer("throws", "throws-error").what(), "the moon is not full"));
   EXPECT_TRUE(contains(answer("throws", "throws-number").what(), "threw something"));
-  EXPECT_EQ(answer("throws", "throws-number").trouble(), Trouble::input);
 }
 
 TEST(a_plugin, in_plain_c_is_as_good_as_any) {
@@ -173,9 +179,6 @@ TEST_F(with_folder, missing_folder_is_named) {
 TEST_F(with_folder, only_the_library_of_the_name_is_opened) {
   fs::copy(built("front"), folder / "front.so");
   fs::copy(built("back"), folder / "back.so");
-  const auto is_open = [&](const char* file) {
-    return dlopen((folder / file).c_str(), RTLD_NOW | RTLD_NOLOAD) != nullptr;
-  };
   EXPECT_EQ(find_projection("front", {folder}).name, "front");
   EXPECT_TRUE(is_open("front.so"));
   EXPECT_FALSE(is_open("back.so"));
@@ -193,9 +196,11 @@ TEST(find_projection, says_what_was_perhaps_meant) {
   EXPECT_EQ(error.hint(), "did you mean 'isometric'?");
 }
 
-TEST(find_projection, does_not_leave_its_folders) {
-  EXPECT_EQ(error_of([] { find_projection("../bad-plugins/good/plain", {bad("no-name")}); }).trouble(),
-            Trouble::plugin);
+TEST_F(with_folder, name_does_not_lead_out_of_it) {
+  fs::create_directory(folder / "inside");
+  fs::copy(built("front"), folder / "outside.so");
+  EXPECT_EQ(error_of([&] { find_projection("../outside", {folder / "inside"}); }).trouble(), Trouble::plugin);
+  EXPECT_FALSE(is_open("outside.so"));
 }
 
 TEST(plugin_folders, are_those_given_then_the_environment_then_beside_the_program) {

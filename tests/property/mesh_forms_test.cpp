@@ -1,0 +1,323 @@
+// Meshes that trouble other hidden-line programs: lengths known in closed form.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "shapes.hpp"
+
+namespace epura::test {
+namespace {
+
+const double r = std::sqrt(2.0 / 3.0);
+const Vec3 diagonal(1, 1, 1);
+
+Shape two_boxes(double gap) {
+  Shape both = box({0, 0, 0}, {1, 1, 1});
+  both.add(box({1 + gap, 0, 0}, {2 + gap, 1, 1}));
+  return both;
+}
+
+void expect_cube(const Result& cube) {
+  EXPECT_NEAR(cube.visible(), 9 * r, 1e-8);
+  EXPECT_NEAR(cube.hidden_length(), 3 * r, 1e-8);
+}
+
+TEST(Meshes, BoxesInContact) {
+  const Result result = draw(world_of(two_boxes(0)), orthographic(diagonal));
+  EXPECT_NEAR(result.visible(), 14 * r, 1e-8);
+  EXPECT_NEAR(result.hidden_length(), 5 * r, 1e-8);
+}
+
+TEST(Meshes, BoxesInContactAsTwoModels) {
+  const Result result = draw(world_of({box({0, 0, 0}, {1, 1, 1}), box({1, 0, 0}, {2, 1, 1})}), orthographic(diagonal));
+  EXPECT_NEAR(result.visible(), 14 * r, 1e-8);
+  EXPECT_NEAR(result.hidden_length(), 5 * r, 1e-8);
+}
+
+TEST(Meshes, BoxesWithAGap) {
+  for (double g = 1e-1; g > 5e-8; g /= 10) {
+    const Result result = draw(world_of(two_boxes(g)), orthographic(diagonal));
+    EXPECT_NEAR(result.visible(), (16 + 2 * g) * r, 1e-6) << g;
+    EXPECT_NEAR(result.hidden_length(), (7 - g) * r, 1e-6) << g;
+  }
+  for (const double g : {1e-11, 1e-13, 1e-15}) {
+    const Result result = draw(world_of(two_boxes(g)), orthographic(diagonal));
+    EXPECT_NEAR(result.visible(), 14 * r, 1e-6) << g;
+    EXPECT_NEAR(result.hidden_length(), 5 * r, 1e-6) << g;
+  }
+}
+
+TEST(Meshes, CubeTwiceWithOtherDiagonals) {
+  Shape twice = triangulated_cube(false);
+  twice.add(triangulated_cube(true));
+  expect_cube(draw(world_of(twice), orthographic(diagonal)));
+  expect_cube(draw(world_of({triangulated_cube(false), triangulated_cube(true)}), orthographic(diagonal)));
+}
+
+TEST(Meshes, OrientationDoesNotMatter) {
+  for (unsigned flipped = 0; flipped < 4096; flipped += 117) {
+    Shape cube = triangulated_cube();
+    for (std::size_t f = 0; f < cube.faces.size(); ++f)
+      if ((flipped >> f & 1U) != 0) std::swap(cube.faces[f][0], cube.faces[f][1]);
+    expect_cube(draw(world_of(cube), orthographic(diagonal)));
+  }
+}
+
+TEST(Meshes, CubeWithACavity) {
+  for (const bool outward : {false, true}) {
+    Shape cube = box({0, 0, 0}, {3, 3, 3});
+    Shape cavity = box({1, 1, 1}, {2, 2, 2});
+    if (outward)
+      for (auto& face : cavity.faces) std::swap(face[1], face[3]);
+    cube.add(cavity);
+    const Result result = draw(world_of(cube), orthographic(diagonal));
+    EXPECT_NEAR(result.visible(), 27 * r, 1e-8);
+    EXPECT_NEAR(result.hidden_length(), 15 * r, 1e-8);
+  }
+}
+
+TEST(Meshes, CrossingPlates) {
+  // Two 2 x 1 plates that cross at a right angle in their middle line. Seen from above at 60 degrees along it, the
+  // front half of the upright one hides part of the lying one's rear.
+  Shape plates{{{-1, 0, 0}, {1, 0, 0}, {1, 1, 0}, {-1, 1, 0}}, {{0, 1, 2, 3}}, {}};
+  plates.add({{{0, 0, -1}, {0, 1, -1}, {0, 1, 1}, {0, 0, 1}}, {{0, 1, 2, 3}}, {}});
+  const Vec3 towards(1, -1, 1);
+  const Result without = draw(world_of(plates), orthographic(towards), {.intersection = false});
+  const Result with = draw(world_of(plates), orthographic(towards), {.intersection = true});
+  EXPECT_NEAR(with.visible() - without.visible(), r, 1e-9);
+  EXPECT_NEAR(with.hidden_length(), without.hidden_length(), 1e-9);
+  EXPECT_NEAR(without.visible() + without.hidden_length(), 12 * r, 1e-9);
+  // Hidden: of the lying plate x < 0 behind the upright upper half, of the upright plate z < 0 below the lying front.
+  EXPECT_GT(without.hidden_length(), 1);
+  double length = 0;
+  for (const Segment& s : with.drawing.segments)
+    if (s.kind == EdgeKind::intersection) length += glm::length(s.world[1] - s.world[0]);
+  EXPECT_NEAR(length, 1, 1e-12);
+}
+
+TEST(Meshes, CrossingAlongAnEdgeOfATriangulation) {
+  // The lying plate is split exactly where the upright one passes through it: both halves only touch its plane.
+  Shape plates{{{-1, 0, 0}, {0, 0, 0}, {0, 1, 0}, {-1, 1, 0}, {1, 0, 0}, {1, 1, 0}}, {{0, 1, 2, 3}, {1, 4, 5, 2}}, {}};
+  plates.add({{{0, -0.5, -1}, {0, 1.5, -1}, {0, 1.5, 1}, {0, -0.5, 1}}, {{0, 1, 2, 3}}, {}});
+  const Result result = draw(world_of(plates), orthographic({1, -1, 1}));
+  double length = 0;
+  for (const FaceCrossing& c : result.drawn.crossings) length += glm::length(c.ends[1] - c.ends[0]);
+  EXPECT_NEAR(length, 1, 1e-12);
+}
+
+TEST(Meshes, TouchingFacesDoNotCross) {
+  // A box standing on a table, a box hanging below it, and a box beside the first one.
+  Shape scene = plate(-5, -5, 5, 5, 0);
+  scene.add(box({0, 0, 0}, {1, 1, 1}));
+  scene.add(box({2, 2, -1}, {3, 3, 0}));
+  scene.add(box({1, 0, 0}, {2, 1, 1}));
+  EXPECT_TRUE(draw(world_of(scene), orthographic({1, -2, 1})).drawn.crossings.empty());
+}
+
+TEST(Meshes, InterpenetratingBoxes) {
+  // A bar through a cube: it enters and leaves in squares of side 1.
+  Shape scene = box({0, 0, 0}, {3, 3, 3});
+  scene.add(box({-1, 1, 1}, {4, 2, 2}));
+  const Result result = draw(world_of(scene), orthographic({1, -2, 1.5}));
+  double length = 0;
+  for (const FaceCrossing& c : result.drawn.crossings) length += glm::length(c.ends[1] - c.ends[0]);
+  EXPECT_NEAR(length, 8, 1e-9);
+}
+
+TEST(Meshes, CyclicOverlap) {
+  // Four bars, each over the next and under the one before; every crossing hides 2 lengths of 1 of the lower bar.
+  const double w = 1, l = 7;
+  const auto bar = [&](double x, double y, bool along_x, double from, double to) {
+    Shape s;
+    if (along_x)
+      s.points = {{x, y, from}, {x + l, y, to}, {x + l, y + w, to}, {x, y + w, from}};
+    else
+      s.points = {{x, y, from}, {x + w, y, from}, {x + w, y + l, to}, {x, y + l, to}};
+    s.faces = {{0, 1, 2, 3}};
+    return s;
+  };
+  Shape weave = bar(0, 1, true, 0, 1);
+  weave.add(bar(5, 0, false, 0, 1));
+  weave.add(bar(0, 5, true, 1, 0));
+  weave.add(bar(1, 0, false, 1, 0));
+  const Result result = draw(world_of(weave), from_above());
+  EXPECT_NEAR(result.hidden_length(), 8, 1e-7);
+  EXPECT_NEAR(result.visible() + result.hidden_length(), 64, 1e-7);
+}
+
+TEST(Meshes, StripsOverStrips) {
+  const int n = 20, m = 15;
+  const double w = 0.3;
+  Shape strips;
+  for (int i = 0; i < n; ++i) strips.add(plate(i, 0, i + w, m, 1));
+  for (int j = 0; j < m; ++j) strips.add(plate(-0.5, j + 0.2, n, j + 0.2 + w, 0));
+  const Result result = draw(world_of(strips), from_above());
+  EXPECT_NEAR(result.hidden_length(), 2 * m * n * w, 1e-6);
+  EXPECT_EQ(result.pieces(false), 2 * m * n);
+}
+
+TEST(Meshes, StackOfPlates) {
+  const int n = 300;
+  const double d = 1e-3;
+  Shape stack;
+  for (int i = 0; i < n; ++i) stack.add(plate(-d * i, -d * i, 1 - d * i, 1 - d * i, i));
+  const Result result = draw(world_of(stack), from_above());
+  EXPECT_NEAR(result.visible(), 2 * n + 2 + 2 * d * (n - 1), 1e-6);
+}
+
+TEST(Meshes, LineThroughATJunction) {
+  // Three triangles, one side of the first split by a vertex of the others.
+  const Shape junction{
+      {{0.5, -1, 1}, {0.5, 1, 1}, {-1, 0, 1}, {0.5, 0, 1}, {2, 0, 1}}, {{0, 1, 2}, {0, 4, 3}, {3, 4, 1}}, {}};
+  const auto spans =
+      hidden_of_line(world_of({junction, plate(-4, -4, 4, 4, -1)}), from_above(), {-2.5, 0, 0}, {3.5, 0, 0});
+  ASSERT_EQ(spans.size(), 1U);
+  EXPECT_NEAR(spans[0][0], 0.25, 1e-9);
+  EXPECT_NEAR(spans[0][1], 0.75, 1e-9);
+}
+
+TEST(Meshes, ManySlivers) {
+  const int n = 20000;
+  Shape strips;
+  for (int i = 0; i <= n; ++i) {
+    strips.points.push_back({static_cast<double>(i) / n, 0, 1});
+    strips.points.push_back({static_cast<double>(i) / n, 1, 1});
+    if (i > 0) strips.faces.push_back({2 * i - 2, 2 * i, 2 * i + 1, 2 * i - 1});
+  }
+  const auto spans =
+      hidden_of_line(world_of({strips, plate(-1, -1, 2, 2, 0)}), from_above(), {-1, 0.3, 0.5}, {2, 0.6, 0.5});
+  ASSERT_EQ(spans.size(), 1U);
+  EXPECT_NEAR(spans[0][0], 1.0 / 3, 1e-9);
+  EXPECT_NEAR(spans[0][1], 2.0 / 3, 1e-9);
+}
+
+TEST(Meshes, TrianglesWithoutAreaChangeNothing) {
+  Shape cube = triangulated_cube();
+  const Result plain = draw(world_of(cube), orthographic({3, -2, 1}));
+  // A vertex on the middle of an edge; the two faces at the edge stay, a flat triangle closes the gap.
+  for (const auto& [a, b] : {std::pair(0, 1), std::pair(1, 5), std::pair(4, 6)}) {
+    const int middle = static_cast<int>(cube.points.size());
+    const Point &p = cube.points[a], &q = cube.points[b];
+    cube.points.push_back({(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2});
+    for (auto& face : cube.faces) {
+      const auto at = [&](int v) { return std::find(face.begin(), face.end(), v) - face.begin(); };
+      const auto size = static_cast<std::ptrdiff_t>(face.size());
+      if (at(a) == size || at(b) == size) continue;
+      // Only one of the two faces is split: its corner b moves to the middle, and another triangle takes the rest.
+      std::vector<int> rest = face;
+      face[at(b)] = middle;
+      rest[std::find(rest.begin(), rest.end(), a) - rest.begin()] = middle;
+      cube.faces.push_back(rest);
+      break;
+    }
+    cube.faces.push_back({a, middle, b});
+  }
+  const Result split = draw(world_of(cube), orthographic({3, -2, 1}));
+  EXPECT_NEAR(split.visible(), plain.visible(), 1e-9);
+  EXPECT_NEAR(split.hidden_length(), plain.hidden_length(), 1e-9);
+}
+
+TEST(Meshes, FanWithAManyValentHub) {
+  const int n = 20000;
+  Shape fan{{{0, 0, 1}}, {}, {}};
+  for (int i = 0; i < n; ++i) {
+    const double a = 2 * M_PI * i / n;
+    fan.points.push_back({std::cos(a), std::sin(a), 1});
+    fan.faces.push_back({0, i + 1, (i + 1) % n + 1});
+  }
+  const World world = world_of({fan, plate(-2, -2, 2, 2, -1)});
+  for (const double c : {0.0, 0.25, 0.9}) {
+    const auto spans = hidden_of_line(world, from_above(), {-2, c, 0}, {2, c, 0});
+    ASSERT_EQ(spans.size(), 1U) << c;
+    EXPECT_NEAR(4 * (spans[0][1] - spans[0][0]), 2 * std::sqrt(1 - c * c), 1e-6) << c;
+  }
+}
+
+TEST(Meshes, BookOfPages) {
+  // Three square pages on one spine along y: at 45, 90 and 135 degrees, seen from above.
+  Shape book;
+  for (const double angle : {45.0, 90.0, 135.0}) {
+    const double a = angle * M_PI / 180;
+    Shape page{
+        {{0, 0, 0}, {std::cos(a), 0, std::sin(a)}, {std::cos(a), 1, std::sin(a)}, {0, 1, 0}}, {{0, 1, 2, 3}}, {}};
+    if (angle == 90) page.points[1][0] = page.points[2][0] = 0;
+    book.add(page);
+  }
+  const Result result = draw(world_of(book), from_above());
+  EXPECT_NEAR(result.visible(), 3 + 4 * std::cos(M_PI / 4), 1e-8);
+  EXPECT_NEAR(result.hidden_length(), 0, 1e-8);
+}
+
+TEST(Meshes, MoebiusStrip) {
+  const int n = 40;
+  Shape strip;
+  for (int i = 0; i < n; ++i) {
+    const double a = 2 * M_PI * i / n;
+    for (const double s : {-0.3, 0.3}) {
+      const double radius = 1 + s * std::cos(a / 2);
+      strip.points.push_back({radius * std::cos(a), radius * std::sin(a), s * std::sin(a / 2)});
+    }
+    // Once around, the sides change places.
+    const int c = i == n - 1 ? 1 : 2 * i + 2, d = i == n - 1 ? 0 : 2 * i + 3;
+    strip.faces.push_back({2 * i, c, d});
+    strip.faces.push_back({2 * i, d, 2 * i + 1});
+  }
+  const Result first = draw(world_of(strip), orthographic({1, -2, 3}));
+  EXPECT_EQ(first.world.models[0].mesh.report.open_edges, 80);
+  EXPECT_EQ(first.world.models[0].mesh.report.non_manifold_edges, 0);
+  for (const int start : {7, 23}) {
+    // The same surface with other numbers and orientations.
+    Shape turned = strip;
+    std::rotate(turned.points.begin(), turned.points.begin() + 2 * start, turned.points.end());
+    for (auto& face : turned.faces) {
+      for (int& v : face) v = (v - 2 * start + 2 * n) % (2 * n);
+      if (face[0] % 3 == 0) std::swap(face[1], face[2]);
+    }
+    std::rotate(turned.faces.begin(), turned.faces.begin() + start, turned.faces.end());
+    const Result result = draw(world_of(turned), orthographic({1, -2, 3}));
+    EXPECT_NEAR(result.visible(), first.visible(), 1e-9);
+    EXPECT_NEAR(result.hidden_length(), first.hidden_length(), 1e-9);
+  }
+}
+
+TEST(Meshes, SphereAlongItsAxis) {
+  const int n = 64, bands = 32;
+  Shape sphere{{{0, 0, -1}}, {}, {}};
+  for (int j = 1; j < bands; ++j)
+    for (int i = 0; i < n; ++i) {
+      const double b = M_PI * j / bands - M_PI / 2, a = 2 * M_PI * i / n;
+      sphere.points.push_back({std::cos(b) * std::cos(a), std::cos(b) * std::sin(a), std::sin(b)});
+    }
+  const int top = static_cast<int>(sphere.points.size());
+  sphere.points.push_back({0, 0, 1});
+  const auto at = [&](int j, int i) { return 1 + (j - 1) * n + (i % n); };
+  for (int i = 0; i < n; ++i) {
+    sphere.faces.push_back({0, at(1, i + 1), at(1, i)});
+    for (int j = 1; j + 1 < bands; ++j)
+      sphere.faces.push_back({at(j, i), at(j, i + 1), at(j + 1, i + 1), at(j + 1, i)});
+    sphere.faces.push_back({at(bands - 1, i), at(bands - 1, i + 1), top});
+  }
+  const Result result = draw(world_of(sphere), from_above());
+  EXPECT_NEAR(result.visible(), 2 * n * std::sin(M_PI / n), 1e-8);
+  EXPECT_NEAR(result.hidden_length(), 0, 1e-12);
+  ASSERT_EQ(result.drawing.chains.size(), 1U);
+  EXPECT_TRUE(result.drawing.chains[0].closed);
+}
+
+TEST(Meshes, PrismAtTheCreaseThreshold) {
+  for (const int n : {12, 36}) {
+    Shape prism;
+    for (int i = 0; i < n; ++i) {
+      const double a = 2 * M_PI * i / n;
+      prism.points.push_back({std::cos(a), std::sin(a), 0});
+      prism.points.push_back({std::cos(a), std::sin(a), 1});
+    }
+    for (int i = 0; i < n; ++i) prism.faces.push_back({2 * i, (2 * i + 2) % (2 * n), (2 * i + 3) % (2 * n), 2 * i + 1});
+    const EdgeWishes creases{.contour = false, .boundary = false, .intersection = false, .crease_angle = 360.0 / n};
+    EXPECT_EQ(draw(world_of(prism), orthographic({1, 0.3, 0.2}), creases).drawn.edges.size(), n);
+  }
+}
+
+}  // namespace
+}  // namespace epura::test

@@ -1,0 +1,294 @@
+// What would break if this were wrong: which edges exist, and therefore every line of a drawing.
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "support.hpp"
+
+namespace epura {
+namespace {
+
+using test::expect_valid;
+using test::mesh_of;
+
+constexpr double pi = std::numbers::pi;
+
+int diagonals(const Mesh& mesh) {
+  return static_cast<int>(std::count_if(mesh.edges.begin(), mesh.edges.end(), [](auto& e) { return e.diagonal; }));
+}
+
+double area_z(const Mesh& mesh, int triangle) {
+  const auto [a, b, c] = mesh.corners(triangle);
+  return (mesh.point(b) - mesh.point(a)).cross(mesh.point(c) - mesh.point(a))[2] / 2;
+}
+
+TEST(Build, CubeOfQuads) {
+  const Mesh mesh = mesh_of(test::unit_cube, test::cube_quads);
+  expect_valid(mesh);
+  EXPECT_EQ(mesh.report.faces, 6);
+  EXPECT_EQ(mesh.report.triangles, 12);
+  EXPECT_EQ(mesh.edges.size(), 18u);
+  EXPECT_EQ(diagonals(mesh), 6);
+  EXPECT_EQ(mesh.report.bodies, 1);
+  EXPECT_EQ(mesh.report.open_edges + mesh.report.non_manifold_edges + mesh.report.misoriented_edges, 0);
+  EXPECT_EQ(mesh.surface.n_edges(), 18u);
+  EXPECT_EQ(mesh.surface.n_vertices(), 8u);
+  EXPECT_EQ(mesh.corners(0), (std::array<int, 3>{0, 3, 2}));
+  EXPECT_EQ(mesh.polygon, (std::vector<int>{0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5}));
+}
+
+TEST(Build, CirculatorsStartAtTheFirstCorner) {
+  const Mesh mesh = mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{1, 2, 0}});
+  std::vector<int> seen;
+  for (const auto vertex : mesh.surface.fv_range(OpenMesh::FaceHandle(0))) seen.push_back(vertex.idx());
+  EXPECT_EQ(seen, (std::vector<int>{1, 2, 0}));
+}
+
+TEST(Build, ThreeTrianglesOnOneEdgeAreCutApart) {
+  const Mesh mesh =
+      mesh_of({{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {-1, 1, 0}, {-1, -1, 0}}, {{0, 1, 2}, {0, 1, 3}, {1, 0, 4}});
+  expect_valid(mesh);
+  EXPECT_EQ(mesh.report.non_manifold_edges, 1);
+  EXPECT_EQ(mesh.report.open_edges, 6);
+  EXPECT_EQ(mesh.edges.size(), 7u);
+  EXPECT_EQ(mesh.edges[0].count, 3);
+  EXPECT_EQ(mesh.surface.n_vertices(), 9u);  // 5 and two copies each of vertices 0 and 1
+  EXPECT_EQ(mesh.surface.n_edges(), 9u);
+  EXPECT_EQ(mesh.report.bodies, 1);
+  EXPECT_EQ(mesh.vertex_of, (std::vector<int>{0, 1, 2, 3, 4, 0, 1, 1, 0}));
+}
+
+TEST(Build, FlippedFaceIsCutButStaysInTheTable) {
+  auto quads = test::cube_quads;
+  std::reverse(quads[1].begin(), quads[1].end());
+  const Mesh mesh = mesh_of(test::unit_cube, quads);
+  expect_valid(mesh);
+  EXPECT_EQ(mesh.report.misoriented_edges, 4);
+  EXPECT_EQ(mesh.report.open_edges, 0);
+  EXPECT_EQ(mesh.edges.size(), 18u);
+  EXPECT_EQ(mesh.surface.n_edges(), 22u);
+  EXPECT_EQ(mesh.surface.n_vertices(), 12u);
+  EXPECT_EQ(mesh.report.bodies, 1);
+}
+
+TEST(Build, MoebiusBandHasOneSeam) {
+  constexpr int n = 20;
+  Points points;
+  std::vector<std::vector<int>> quads;
+  for (int i = 0; i < n; ++i) {
+    const double u = 2 * pi * i / n;
+    for (const double v : {-0.3, 0.3})
+      points.push_back(
+          {(1 + v * std::cos(u / 2)) * std::cos(u), (1 + v * std::cos(u / 2)) * std::sin(u), v * std::sin(u / 2)});
+    const bool last = i == n - 1;
+    const int a = last ? 1 : 2 * i + 2, b = last ? 0 : 2 * i + 3;
+    quads.push_back({2 * i, a, b, 2 * i + 1});
+  }
+  const Mesh mesh = mesh_of(points, quads);
+  expect_valid(mesh);
+  EXPECT_EQ(mesh.report.triangles, 2 * n);
+  EXPECT_EQ(mesh.report.misoriented_edges, 1);
+  EXPECT_EQ(mesh.report.open_edges, 2 * n);
+  EXPECT_EQ(mesh.edges.size(), 4u * n);  // n rungs, n diagonals, 2n at the rim
+  EXPECT_EQ(mesh.surface.n_edges(), 4u * n + 1);
+  EXPECT_EQ(mesh.surface.n_vertices(), 2u * n + 2);
+}
+
+TEST(Build, TorusHasEulerCharacteristicZero) {
+  constexpr int m = 12, n = 9;
+  Points points;
+  std::vector<std::vector<int>> quads;
+  for (int i = 0; i < m; ++i)
+    for (int j = 0; j < n; ++j) {
+      const double u = 2 * pi * i / m, v = 2 * pi * j / n;
+      points.push_back({(3 + std::cos(v)) * std::cos(u), (3 + std::cos(v)) * std::sin(u), std::sin(v)});
+      const int i1 = (i + 1) % m, j1 = (j + 1) % n;
+      quads.push_back({i * n + j, i1 * n + j, i1 * n + j1, i * n + j1});
+    }
+  const Mesh mesh = mesh_of(points, quads);
+  expect_valid(mesh);
+  EXPECT_EQ(mesh.surface.n_vertices() + mesh.surface.n_faces(), mesh.surface.n_edges());
+  EXPECT_EQ(mesh.report.open_edges, 0);
+}
+
+TEST(Build, TwoConesMeetInAVertex) {
+  const Mesh mesh = mesh_of({{0, 0, 0}, {1, 0, 1}, {0, 1, 1}, {-1, -1, 1}, {1, 0, -1}, {0, 1, -1}, {-1, -1, -1}},
+                            {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {0, 5, 4}, {0, 6, 5}, {0, 4, 6}});
+  expect_valid(mesh);
+  EXPECT_EQ(mesh.surface.n_vertices(), 8u);
+  EXPECT_EQ(mesh.vertex_of[7], 0);
+  EXPECT_EQ(mesh.report.bodies, 2);  // they share no edge
+}
+
+TEST(Build, SoupBecomesClosedByWelding) {
+  Points points;
+  std::vector<std::vector<int>> quads;
+  for (const auto& quad : test::cube_quads) {
+    quads.push_back({});
+    for (const int corner : quad) {
+      quads.back().push_back(static_cast<int>(points.size()));
+      points.push_back(test::unit_cube[static_cast<std::size_t>(corner)]);
+    }
+  }
+  points[5][0] = -0.0 + points[5][0];
+  const Mesh mesh = mesh_of(points, quads);
+  expect_valid(mesh);
+  EXPECT_EQ(mesh.report.welded_vertices, 16);
+  EXPECT_EQ(mesh.report.vertices, 24);  // numbers stay those of the file
+  EXPECT_EQ(mesh.surface.n_vertices(), 24u);
+  EXPECT_EQ(mesh.report.open_edges, 0);
+  EXPECT_EQ(mesh.edges.size(), 18u);
+  EXPECT_EQ(mesh.corners(0), (std::array<int, 3>{0, 1, 2}));
+  EXPECT_EQ(mesh.corners(4)[0], 0);  // vertex 8 lies where vertex 0 does
+}
+
+TEST(Build, NegativeZeroIsZero) {
+  const Mesh mesh = mesh_of({{0.0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.0, 0, 0}, {0, -1, 0}}, {{0, 1, 2}, {3, 4, 1}});
+  EXPECT_EQ(mesh.report.welded_vertices, 1);
+  EXPECT_EQ(mesh.report.open_edges, 4);
+}
+
+TEST(Build, DropsWhatIsNoFace) {
+  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = HUGE_VAL;
+  const Mesh mesh = mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {nan, 0, 0}, {0, inf, 0}, {nan, 0, 0}},
+                            {{0, 1, 2},
+                             {1, 2, 0},        // the same, turned
+                             {2, 1, 0},        // the same, seen from behind
+                             {0, 0, 1},        // two corners
+                             {0, 1},           // two corners
+                             {},               // none
+                             {0, 1, 0, 1},     // two corners, four times
+                             {0, 1, 4},        // not finite
+                             {5, 1, 2},        // not finite
+                             {1, 3, 3, 2, 1},  // one triangle, stuttering
+                             {6, 6, 6}});
+  expect_valid(mesh);
+  EXPECT_EQ(mesh.report.triangles, 2);
+  EXPECT_EQ(mesh.report.dropped_duplicates, 2);
+  EXPECT_EQ(mesh.report.dropped_degenerate, 5);
+  EXPECT_EQ(mesh.report.dropped_non_finite, 2);
+  EXPECT_EQ(mesh.report.non_finite_vertices, 3);
+  EXPECT_EQ(mesh.report.welded_vertices, 0);  // NaN is nobody's equal
+  EXPECT_EQ(mesh.polygon, (std::vector<int>{0, 9}));
+}
+
+TEST(Build, PolygonsWithOneCornerSetInTwoOrdersAreTwoFaces) {
+  const Points points{{0, 0, 0}, {1, 0, 0.5}, {1, 1, 0}, {0, 1, 0.5}};
+  EXPECT_EQ(mesh_of(points, {{0, 1, 2, 3}, {2, 1, 0, 3}}).report.dropped_duplicates, 1);
+  EXPECT_EQ(mesh_of(points, {{0, 1, 2, 3}, {0, 2, 1, 3}}).report.dropped_duplicates, 0);
+}
+
+TEST(Build, ATriangleWithoutAreaKeepsItsNeighboursClosed) {
+  // The long edge 0-1 is split at 2 on one side only: the sliver 0 1 2 closes the gap.
+  const Mesh mesh =
+      mesh_of({{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, -1, 0}}, {{0, 2, 3}, {2, 1, 3}, {1, 0, 4}, {0, 1, 2}});
+  expect_valid(mesh);
+  EXPECT_EQ(mesh.report.triangles, 4);
+  EXPECT_EQ(mesh.report.open_edges, 4);
+  EXPECT_EQ(mesh.report.notes, (std::vector<std::string>{"1 triangle has no area"}));
+}
+
+TEST(Build, ConcavePolygonsKeepTheirArea) {
+  // An L, begun at each of its corners, seen from both sides and in three planes.
+  const std::vector<std::array<double, 2>> outline{{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 2}, {0, 2}};
+  for (std::size_t start = 0; start < 6; ++start)
+    for (const bool turned : {false, true})
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        Points points(6);
+        for (std::size_t i = 0; i < 6; ++i) {
+          points[i][(axis + 1) % 3] = outline[(start + i) % 6][0];
+          points[i][(axis + 2) % 3] = outline[(start + i) % 6][1];
+        }
+        std::vector<int> face{0, 1, 2, 3, 4, 5};
+        if (turned) std::reverse(face.begin(), face.end());
+        const Mesh mesh = mesh_of(points, {face});
+        expect_valid(mesh);
+        ASSERT_EQ(mesh.report.triangles, 4);
+        EXPECT_EQ(diagonals(mesh), 3);
+        EXPECT_EQ(mesh.report.open_edges, 6);
+        double sum = 0;
+        for (int t = 0; t < 4; ++t) {
+          const auto [a, b, c] = mesh.corners(t);
+          const auto normal = (mesh.point(b) - mesh.point(a)).cross(mesh.point(c) - mesh.point(a));
+          EXPECT_GT(turned ? -normal[axis] : normal[axis], 0);
+          sum += std::abs(normal[axis]) / 2;
+        }
+        EXPECT_EQ(sum, 4.0);
+      }
+}
+
+TEST(Build, PolygonWithAHoleOnABridge) {
+  // A square of 4 x 4 with a hole of 2 x 2; the corners 0 and 4 are visited twice.
+  const Mesh mesh = mesh_of({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {1, 1, 0}, {1, 3, 0}, {3, 3, 0}, {3, 1, 0}},
+                            {{0, 1, 2, 3, 0, 4, 5, 6, 7, 4}});
+  expect_valid(mesh);
+  EXPECT_EQ(mesh.report.triangles, 8);
+  EXPECT_EQ(mesh.report.open_edges, 8);
+  double sum = 0;
+  for (int t = 0; t < 8; ++t) {
+    EXPECT_GT(area_z(mesh, t), 0);
+    sum += area_z(mesh, t);
+  }
+  EXPECT_EQ(sum, 12.0);
+}
+
+TEST(Build, CornersOnALineMakeNoTriangleWithoutArea) {
+  const Mesh mesh = mesh_of({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 2, 0}, {1, 2, 0}, {0, 2, 0}}, {{0, 1, 2, 3, 4, 5}});
+  ASSERT_EQ(mesh.report.triangles, 4);
+  for (int t = 0; t < 4; ++t) EXPECT_GT(area_z(mesh, t), 0);
+  EXPECT_TRUE(mesh.report.notes.empty());
+}
+
+TEST(Build, PolygonsOfAnySizeAndMagnitude) {
+  for (const double scale : {1e-300, 1e-9, 1.0, 1e9, 1e307}) {
+    // A star with 20 points: concave at every second corner.
+    Points points;
+    std::vector<int> face;
+    for (int i = 0; i < 40; ++i) {
+      const double r = scale * (i % 2 == 0 ? 2 : 1);
+      points.push_back({r * std::cos(pi * i / 20), r * std::sin(pi * i / 20), 0});
+      face.push_back(i);
+    }
+    const Mesh mesh = mesh_of(points, {face});
+    expect_valid(mesh);
+    ASSERT_EQ(mesh.report.triangles, 38);
+    double sum = 0;
+    for (int t = 0; t < 38; ++t) {
+      const auto [a, b, c] = mesh.corners(t);
+      const auto u = (mesh.point(b) - mesh.point(a)) / scale, v = (mesh.point(c) - mesh.point(a)) / scale;
+      EXPECT_GT(u.cross(v)[2], 0);
+      sum += u.cross(v)[2] / 2;
+    }
+    EXPECT_NEAR(sum, 40 * std::sin(pi / 20), 1e-9);  // 40 triangles with sides 1 and 2
+  }
+}
+
+TEST(Build, PolygonsThatCrossThemselvesKeepTheirCorners) {
+  const Mesh bow_tie = mesh_of({{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2, 3}});
+  expect_valid(bow_tie);
+  EXPECT_EQ(bow_tie.report.triangles, 2);
+  Points points;
+  for (int i = 0; i < 5; ++i) points.push_back({std::cos(4 * pi * i / 5), std::sin(4 * pi * i / 5), 0});
+  const Mesh pentagram = mesh_of(points, {{0, 1, 2, 3, 4}});
+  expect_valid(pentagram);
+  EXPECT_EQ(pentagram.report.triangles, 3);
+}
+
+TEST(Build, NamedBodiesAreNumberedByTheirFirstTriangle) {
+  Soup soup = test::make_soup(test::unit_cube, test::cube_quads);
+  soup.body_names = {"unused", "sides", "caps"};
+  soup.face_body = {2, 2, 1, 1, 1, 1};
+  const Mesh mesh = build_mesh(soup, "test");
+  EXPECT_EQ(mesh.body_names, (std::vector<std::string>{"caps", "sides"}));
+  EXPECT_EQ(mesh.body, (std::vector<int>{0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1}));
+  EXPECT_EQ(mesh.report.bodies, 2);
+}
+
+TEST(Build, NothingIsAMesh) {
+  const Mesh mesh = mesh_of({}, {});
+  expect_valid(mesh);
+  EXPECT_EQ(mesh.report.triangles, 0);
+}
+
+}  // namespace
+}  // namespace epura

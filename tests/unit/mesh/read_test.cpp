@@ -1,0 +1,116 @@
+// What would break if this were wrong: which reader a file gets, what a user is told, and every number in some locales.
+#include <locale>
+
+#include "support.hpp"
+
+namespace epura {
+namespace {
+
+using test::error_of;
+using test::TemporaryFolder;
+
+const std::string triangle_obj = "v 0 0 0\nv 1.5 0 0\nv 0 1 0\nf 1 2 3\n";
+const std::string triangle_off = "OFF\n3 1 0\n0 0 0\n1.5 0 0\n0 1 0\n3 0 1 2\n";
+const std::string triangle_ply =
+    "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\nproperty double z\n"
+    "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1.5 0 0\n0 1 0\n3 0 1 2\n";
+const std::string triangle_stl =
+    "solid t\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1.5 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid "
+    "t\n";
+
+void expect_triangle(const Mesh& mesh, const std::string& format) {
+  test::expect_valid(mesh);
+  EXPECT_EQ(mesh.report.format, format);
+  ASSERT_EQ(mesh.report.triangles, 1);
+  EXPECT_EQ(mesh.point(1), OpenMesh::Vec3d(1.5, 0, 0));
+}
+
+std::string utf16(const std::string& text, std::endian order) {
+  std::string bytes;
+  test::append(bytes, std::uint16_t{0xFEFF}, order);
+  for (const char c : text) test::append(bytes, static_cast<std::uint16_t>(c), order);
+  return bytes;
+}
+
+TEST(ReadMesh, EveryFormatInEveryEncoding) {
+  const TemporaryFolder folder;
+  for (const auto& [format, text] :
+       {std::pair{"obj", triangle_obj}, {"off", triangle_off}, {"ply", triangle_ply}, {"stl", triangle_stl}}) {
+    const std::string name = std::string("m.") + format;
+    expect_triangle(read_mesh(folder.write(name, text)), format);
+    expect_triangle(read_mesh(folder.write(name, "\xEF\xBB\xBF" + text)), format);
+    expect_triangle(read_mesh(folder.write(name, utf16(text, std::endian::little))), format);
+    expect_triangle(read_mesh(folder.write(name, utf16(text, std::endian::big))), format);
+  }
+}
+
+TEST(ReadMesh, NamesInUtf16BecomeUtf8) {
+  const TemporaryFolder folder;
+  std::string bytes = utf16("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\no a\nf 1 2 3\no ", std::endian::little);
+  for (const int unit : {0xC9, 0x20AC, 0xD83D, 0xDE00, 0xDC00}) test::append(bytes, static_cast<std::uint16_t>(unit));
+  for (const char c : std::string("\nf 1 2 4\n")) test::append(bytes, static_cast<std::uint16_t>(c));
+  const Mesh mesh = read_mesh(folder.write("m.obj", bytes));
+  EXPECT_EQ(mesh.body_names, (std::vector<std::string>{"a", "\xC3\x89\xE2\x82\xAC\xF0\x9F\x98\x80\xEF\xBF\xBD"}));
+}
+
+TEST(ReadMesh, ContentWinsOverTheExtension) {
+  const TemporaryFolder folder;
+  const Mesh mesh = read_mesh(folder.write("m.obj", triangle_ply));
+  expect_triangle(mesh, "ply");
+  EXPECT_EQ(mesh.report.notes, (std::vector<std::string>{"the file is named .obj, but holds ply"}));
+  expect_triangle(read_mesh(folder.write("m.ply", triangle_off)), "off");
+  expect_triangle(read_mesh(folder.write("m.off", triangle_stl)), "stl");
+  const Mesh unnamed = read_mesh(folder.write("m.dat", triangle_stl));
+  EXPECT_TRUE(unnamed.report.notes.empty());
+  const std::string binary = test::binary_stl({{{{{0, 0, 0}}, {{1.5, 0, 0}}, {{0, 1, 0}}}}}, "solid");
+  expect_triangle(read_mesh(folder.write("m", binary)), "stl");
+  expect_triangle(read_mesh(folder.write("m.OBJ", triangle_obj)), "obj");
+}
+
+TEST(ReadMesh, ErrorsNameTheFileAndTheReason) {
+  const TemporaryFolder folder;
+  const auto error = [&](const std::string& name, const std::string& bytes) {
+    const std::string path = folder.write(name, bytes).string();
+    std::string text = error_of([&] { read_mesh(path); });
+    for (std::size_t at; (at = text.find(path)) != std::string::npos;) text.replace(at, path.size(), "FILE");
+    return text;
+  };
+  EXPECT_EQ(error("m.obj", ""), "FILE | FILE: is empty | ");
+  EXPECT_EQ(error("m.step", "ISO-10303-21;"),
+            "FILE | FILE: '.step' is not a model format that can be read | models are .obj, .stl, .ply, .off");
+  EXPECT_EQ(error("model", "v 0 0 0\n"),
+            "FILE | FILE: has no extension that says which format it has | models are .obj, .stl, .ply, .off");
+  EXPECT_EQ(error("m.obj", "v 0 0 0\nl 1 1\n"), "FILE | FILE: holds no faces | points and lines alone are not drawn");
+  EXPECT_EQ(error("m.stl", test::binary_stl({})), "FILE | FILE: holds no faces | points and lines alone are not drawn");
+  EXPECT_EQ(error("m.obj", "v nan inf 0\nv 0 0 0\nv 1 0 0\nf 1 2 3\nf 2 2 3\n"),
+            "FILE | FILE: none of its faces can be drawn: 1 with corners that are not finite, "
+            "1 with fewer than three distinct corners | ");
+  EXPECT_EQ(error("m.obj", "v 0 0 0\nf 1 2 3\n"), "FILE:2 | FILE:2: a face refers to vertex 3, but there are 1 | ");
+  EXPECT_EQ(error("m.ply", "junk"), "FILE:1 | FILE:1: does not begin with 'ply' | ");
+  EXPECT_NE(error("m.stl", std::string(300, '\x7F')).find("FILE: byte 300"), std::string::npos);
+}
+
+TEST(ReadMesh, MissingFileIsAnError) {
+  EXPECT_NE(error_of([] { read_mesh("no/such/file.obj"); }).find("no/such/file.obj"), std::string::npos);
+}
+
+/// Numbers as German or Swiss programs print them.
+struct Decimals : std::numpunct<char> {
+  [[nodiscard]] char do_decimal_point() const override { return ','; }
+  [[nodiscard]] char do_thousands_sep() const override { return '.'; }
+  [[nodiscard]] std::string do_grouping() const override { return "\3"; }
+};
+
+TEST(ReadMesh, NoLocaleChangesANumber) {
+  const TemporaryFolder folder;
+  const std::locale before = std::locale::global(std::locale(std::locale(), new Decimals));
+  const char* const named = std::setlocale(LC_ALL, "de_DE.UTF-8");  // where the system has it
+  for (const auto& [format, text] :
+       {std::pair{"obj", triangle_obj}, {"off", triangle_off}, {"ply", triangle_ply}, {"stl", triangle_stl}})
+    expect_triangle(read_mesh(folder.write(std::string("m.") + format, text)), format);
+  if (named != nullptr) std::setlocale(LC_ALL, "C");
+  std::locale::global(before);
+}
+
+}  // namespace
+}  // namespace epura

@@ -1,0 +1,111 @@
+#include "sheet/arrange.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/error.hpp"
+#include "sheet/dash.hpp"
+
+namespace epura {
+namespace {
+
+void add_chain(Drawing& drawing, const std::vector<Vec2>& points, bool closed, bool visible) {
+  Chain chain{points, closed, visible, EdgeKind::crease, {}};
+  const std::size_t lines = points.size() - (closed ? 0 : 1);
+  for (std::size_t i = 0; i < lines; ++i) {
+    const int number = static_cast<int>(drawing.segments.size());
+    chain.segments.push_back(number);
+    drawing.segments.push_back({points[i],
+                                points[(i + 1) % points.size()],
+                                visible,
+                                EdgeKind::crease,
+                                0,
+                                {number + 1, number},
+                                {0, 1},
+                                {{{-1, -1}, {-1, -1}}},
+                                {}});
+  }
+  drawing.chains.push_back(chain);
+}
+
+Drawing example() {
+  Drawing drawing;
+  drawing.name = "front";
+  add_chain(drawing, {{10, 10}, {50, 10}, {50, 40}}, true, true);
+  add_chain(drawing, {{10, 10}, {30, 20}}, false, true);
+  add_chain(drawing, {{20, 20}, {60, 20}, {60, 50}}, false, false);
+  add_chain(drawing, {{20, 20}, {22, 20}, {22, 22}}, false, false);
+  return drawing;
+}
+
+TEST(Arrange, HiddenLinesLieUnderVisibleOnes) {
+  const Sheet sheet = make_sheet(example(), parse_paper("A4", false), {HiddenLines::dashed, "title"});
+  EXPECT_EQ(sheet.width, 297);
+  EXPECT_EQ(sheet.title, "title");
+  ASSERT_EQ(sheet.layers.size(), 2u);
+  EXPECT_EQ(sheet.layers[0].name, "front/hidden");
+  EXPECT_EQ(sheet.layers[0].style.width, 0.25);
+  EXPECT_EQ(sheet.layers[0].style.dash, 3);
+  EXPECT_EQ(sheet.layers[0].style.gap, 0.75);
+  EXPECT_EQ(sheet.layers[1].name, "front/visible");
+  EXPECT_EQ(sheet.layers[1].style.width, 0.5);
+  EXPECT_EQ(sheet.layers[1].style.dash, 0);
+  ASSERT_EQ(sheet.layers[1].strokes.size(), 2u);
+  EXPECT_TRUE(sheet.layers[1].strokes[0].closed);
+}
+
+TEST(Arrange, LargeSheetsHaveWiderLines) {
+  for (const char* size : {"A0", "A1"}) {
+    const Sheet sheet = make_sheet(example(), parse_paper(size, true), {});
+    EXPECT_EQ(sheet.layers[0].style.width, 0.35);
+    EXPECT_EQ(sheet.layers[1].style.width, 0.7);
+  }
+  EXPECT_EQ(make_sheet(example(), parse_paper("A2", false), {}).layers[1].style.width, 0.5);
+}
+
+TEST(Arrange, DashedLinesAreCutAtCorners) {
+  const Sheet sheet = make_sheet(example(), parse_paper("A4", false), {});
+  const std::vector<Stroke>& strokes = sheet.layers[0].strokes;
+  ASSERT_EQ(strokes.size(), 3u);
+  EXPECT_EQ(strokes[0].points, (std::vector<Vec2>{{20, 20}, {60, 20}}));
+  EXPECT_EQ(strokes[1].points, (std::vector<Vec2>{{60, 20}, {60, 50}}));
+  for (int i : {0, 1}) {
+    const Stroke& stroke = strokes[i];
+    const double gaps = (length_of(stroke.points, false) - stroke.dash) / (stroke.dash + stroke.gap);
+    EXPECT_NEAR(gaps, std::round(gaps), 1e-9);
+    EXPECT_GT(stroke.dash, 2);
+  }
+  // Each piece names its own edges only.
+  EXPECT_EQ(strokes[0].edges, "0:4-5");
+  EXPECT_EQ(strokes[1].edges, "0:5-6");
+  EXPECT_EQ(strokes[0].kind, "crease");
+  EXPECT_EQ(strokes[2].dash, 0);
+  EXPECT_EQ(strokes[2].edges, "0:6-7 0:7-8");
+}
+
+TEST(Arrange, HiddenLinesAsWished) {
+  const Sheet none = make_sheet(example(), parse_paper("A4", false), {HiddenLines::none, ""});
+  ASSERT_EQ(none.layers.size(), 1u);
+  EXPECT_EQ(none.layers[0].name, "front/visible");
+  const Sheet solid = make_sheet(example(), parse_paper("A4", false), {HiddenLines::solid, ""});
+  EXPECT_EQ(solid.layers[0].style.dash, 0);
+  EXPECT_EQ(solid.layers[0].style.width, 0.25);
+  ASSERT_EQ(solid.layers[0].strokes.size(), 2u);
+  EXPECT_EQ(solid.layers[0].strokes[0].points.size(), 3u);
+  EXPECT_EQ(parse_hidden_lines("solid"), HiddenLines::solid);
+  EXPECT_THROW(parse_hidden_lines("dotted"), Error);
+}
+
+TEST(Arrange, IntersectionLinesNameNoEdge) {
+  Drawing drawing = example();
+  drawing.segments[0].edge = {-1, -1};
+  drawing.segments[0].kind = EdgeKind::intersection;
+  drawing.segments[2].edge = drawing.segments[1].edge;
+  const Sheet sheet = make_sheet(drawing, parse_paper("A4", false), {});
+  EXPECT_EQ(sheet.layers[1].strokes[0].edges, "0:1-2");
+  EXPECT_EQ(sheet.layers[1].strokes[0].kind, "intersection crease");
+}
+
+}  // namespace
+}  // namespace epura
