@@ -98,8 +98,8 @@ World read_world(const DrawOptions& options, Report& report) {
   for (std::size_t i = 0; i < options.models.size(); ++i) places.push_back(place_of(options, i));
   std::vector<Placed> placed;
   for (std::size_t i = 0; i < options.models.size(); ++i) {
-    placed.push_back({read_mesh(options.models[i]), places[i]});
-    report.meshes.push_back(placed.back().mesh.report);
+    placed.push_back({std::make_shared<const Mesh>(read_mesh(options.models[i])), places[i]});
+    report.meshes.push_back(placed.back().mesh->report);
     warn_about(report.meshes.back());
   }
   return make_world(std::move(placed));

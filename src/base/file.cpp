@@ -68,11 +68,11 @@ std::string read_file(const fs::path& path) {
   if (::fstat(file.number(), &status) != 0) fail(Trouble::input, path, "read", errno);
   if (S_ISDIR(status.st_mode)) throw Error(Trouble::input, path.string(), "is a directory, not a file");
 
-  std::string bytes(static_cast<std::size_t>(status.st_size), '\0');
+  // One byte more than the size, so that the end of the file is seen without growing. A pipe says size 0.
+  std::string bytes(static_cast<std::size_t>(status.st_size) + 1, '\0');
   std::size_t filled = 0;
   while (true) {
-    // A pipe says size 0, so room is made while bytes come.
-    if (filled == bytes.size()) bytes.resize(filled + (filled == 0 || !S_ISREG(status.st_mode) ? 65536 + filled : 1));
+    if (filled == bytes.size()) bytes.resize(2 * filled + 65536);
     const ssize_t got = ::read(file.number(), bytes.data() + filled, bytes.size() - filled);
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) fail(Trouble::input, path, "read", errno);

@@ -67,13 +67,13 @@ Segment segment_of(const World& world, const View& view, const DrawnEdges& drawn
                   {{{-1, -1}, {-1, -1}}},
                   {Vec3(0), Vec3(0)}};
   if (edge.mesh_edge >= 0) {
-    segment.edge = world.models[edge.model].mesh.edges[edge.mesh_edge].vertex;
+    segment.edge = world.models[edge.model].mesh->edges[edge.mesh_edge].vertex;
     return segment;
   }
   const FaceCrossing& crossing = drawn.crossings[edge.crossing];
   for (int i = 0; i < 2; ++i) {
     const int model = world.model_of_triangle(crossing.triangles[i]);
-    const Mesh& mesh = world.models[model].mesh;
+    const Mesh& mesh = *world.models[model].mesh;
     segment.faces[i] = {model, mesh.polygon[crossing.triangles[i] - world.first_triangle[model]]};
     segment.world[i] = crossing.ends[0] + segment.t[i] * (crossing.ends[1] - crossing.ends[0]);
   }

@@ -31,7 +31,7 @@ std::array<int, 2> side_at(const EdgeSurroundings& around, const std::array<int,
 }
 
 const MeshEdge* find_edge(const EdgeSurroundings& around, const std::array<int, 2>& side) {
-  const Mesh& mesh = around.world.models[around.model].mesh;
+  const Mesh& mesh = *around.world.models[around.model].mesh;
   const int first = around.world.first_vertex[around.model];
   const std::array<int, 2> key{side[0] - first, side[1] - first};
   const auto found = std::lower_bound(mesh.edges.begin(), mesh.edges.end(), key,
@@ -87,7 +87,7 @@ Beyond across_slivers(const EdgeSurroundings& around, const std::array<int, 2>& 
     if (step == 0 && length_of(around, entry) >= length_of(around, exit)) return {std::nullopt, true};
     const MeshEdge* next = find_edge(around, exit);
     if (next == nullptr || next->count != 2) return {};
-    const auto faces = around.world.models[around.model].mesh.triangles_of(*next);
+    const auto faces = around.world.models[around.model].mesh->triangles_of(*next);
     triangle = faces[0] == triangle ? faces[1] : faces[0];
     entry = exit;
   }

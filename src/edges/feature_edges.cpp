@@ -24,7 +24,7 @@ struct Judge {
   const View& view;
   const EdgeWishes& wishes;
 
-  [[nodiscard]] const Mesh& mesh() const { return around.world.models[around.model].mesh; }
+  [[nodiscard]] const Mesh& mesh() const { return *around.world.models[around.model].mesh; }
 
   // Where the third corner of a triangle lies: 1 left of the edge on the page, -1 right, 0 on its line.
   [[nodiscard]] int side(const std::array<int, 2>& edge, int triangle) const {

@@ -121,7 +121,7 @@ class Crossings {
 
   [[nodiscard]] bool goes_on_behind(int triangle, int a, int b, const Plane& plane) const {
     const int model = world_.model_of_triangle(triangle);
-    const Mesh& mesh = world_.models[model].mesh;
+    const Mesh& mesh = *world_.models[model].mesh;
     const int first = world_.first_vertex[model];
     const std::array<int, 2> key{std::min(a, b) - first, std::max(a, b) - first};
     const auto edge = std::lower_bound(mesh.edges.begin(), mesh.edges.end(), key,

@@ -41,7 +41,6 @@ Faces usable_faces(Soup& soup, MeshReport& report) {
   if (report.non_finite_vertices > 0)
     report.dropped_non_finite = drop_faces_with_non_finite_corners(faces, soup.points);
   report.dropped_duplicates = drop_duplicate_faces(faces, report.vertices);
-  report.faces = static_cast<int>(faces.size());
   return faces;
 }
 
@@ -59,6 +58,13 @@ void close_cracks(Points& points, Faces& triangles, EdgeTable& table, MeshReport
   report.vertices = static_cast<int>(points.size());
   report.dropped_duplicates += drop_duplicate_faces(triangles, report.vertices);
   table = edges_of(triangles, report);
+}
+
+/// The triangles of a face follow each other.
+int count_faces(const Faces& triangles) {
+  int count = 0;
+  for (std::size_t t = 0; t < triangles.size(); ++t) count += t == 0 || triangles.number[t] != triangles.number[t - 1];
+  return count;
 }
 
 void count_edges(const EdgeTable& table, std::span<const int> corners, MeshReport& report) {
@@ -110,6 +116,7 @@ Mesh build_mesh(Soup soup, std::string name) {
   EdgeTable table = edges_of(triangles, report);
   if (soup.corners_repeat_points) close_cracks(soup.points, triangles, table, report);
 
+  report.faces = count_faces(triangles);
   report.triangles = static_cast<int>(triangles.size());
   count_edges(table, triangles.corners, report);
   note_triangles_without_area(soup.points, triangles.corners, report);

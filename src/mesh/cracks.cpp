@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -79,54 +78,69 @@ std::vector<Pair> near_pairs(const Points& points, const std::vector<OpenEnd>& e
   return pairs;
 }
 
-/// Vertices joined so far. A cluster is named by its lowest vertex.
+/// Vertices joined so far. Two with an edge between them never come into one cluster.
 class Clusters {
  public:
-  Clusters(std::size_t vertex_count, const EdgeTable& table) : table_(table), representative_(vertex_count) {
-    std::iota(representative_.begin(), representative_.end(), 0);
+  Clusters(std::size_t vertex_count, const std::vector<OpenEnd>& ends, const EdgeTable& table)
+      : cluster_(vertex_count), members_(vertex_count) {
+    std::iota(cluster_.begin(), cluster_.end(), 0);
+    for (const OpenEnd& end : ends) members_[end.vertex] = {end.vertex};
+    for (const MeshEdge& edge : table.edges) {
+      const auto [a, b] = edge.vertex;
+      if (members_[a].empty() || members_[b].empty()) continue;  // not both can be joined with anything
+      links_.push_back({a, b});
+      links_.push_back({b, a});
+    }
+    std::sort(links_.begin(), links_.end());
   }
 
   void join(int a, int b) {
-    const auto [low, high] = std::minmax({representative_[a], representative_[b]});
-    if (low == high) return;
-    auto& kept = members_.try_emplace(low, 1, low).first->second;
-    auto& added = members_.try_emplace(high, 1, high).first->second;
-    if (kept.size() + added.size() > most_members || linked(kept, added)) return;
-    for (const int vertex : added) representative_[vertex] = low;
-    kept.insert(kept.end(), added.begin(), added.end());
-    members_.erase(high);
+    int small = cluster_[a], large = cluster_[b];
+    if (members_[small].size() > members_[large].size()) std::swap(small, large);
+    if (small == large || linked(small, large)) return;
+    for (const int vertex : members_[small]) cluster_[vertex] = large;
+    members_[large].insert(members_[large].end(), members_[small].begin(), members_[small].end());
+    members_[small] = {};
   }
 
-  std::vector<int> take_representatives() { return std::move(representative_); }
+  /// For each vertex the lowest one of its cluster.
+  [[nodiscard]] std::vector<int> representatives() const {
+    constexpr int none = -1;
+    std::vector<int> lowest(cluster_.size(), none), found(cluster_.size());
+    for (int vertex = 0; vertex < static_cast<int>(found.size()); ++vertex) {
+      int& first = lowest[cluster_[vertex]];
+      if (first == none) first = vertex;
+      found[vertex] = first;
+    }
+    return found;
+  }
 
  private:
-  // More corners than ever meet at one place; keeps the search for edges between clusters short.
-  static constexpr std::size_t most_members = 256;
-
-  [[nodiscard]] bool linked(const std::vector<int>& one, const std::vector<int>& other) const {
-    for (const int a : one)
-      for (const int b : other) {
-        const std::array<int, 2> wanted{std::min(a, b), std::max(a, b)};
-        if (std::ranges::binary_search(table_.edges, wanted, {}, &MeshEdge::vertex)) return true;
-      }
+  [[nodiscard]] bool linked(int small, int large) const {
+    for (const int vertex : members_[small]) {
+      auto link = std::lower_bound(links_.begin(), links_.end(), std::array<int, 2>{vertex, 0});
+      for (; link != links_.end() && (*link)[0] == vertex; ++link)
+        if (cluster_[(*link)[1]] == large) return true;
+    }
     return false;
   }
 
-  const EdgeTable& table_;
-  std::vector<int> representative_;
-  std::map<int, std::vector<int>> members_;
+  std::vector<int> cluster_;               // of each vertex, named by one of its members
+  std::vector<std::vector<int>> members_;  // of each cluster; none for vertices that are no open end
+  std::vector<std::array<int, 2>> links_;  // edges between open ends, in both directions
 };
 
 }  // namespace
 
 Mending mend_cracks(const Points& points, std::span<const int> corners, const EdgeTable& table) {
   const double tolerance = roundings * largest_coordinate(points, corners);
-  const std::vector<Pair> pairs = near_pairs(points, open_ends(points, table, tolerance));
+  const std::vector<OpenEnd> ends = open_ends(points, table, tolerance);
+  const std::vector<Pair> pairs = near_pairs(points, ends);
   if (pairs.empty()) return {};
-  Clusters clusters(points.size(), table);
+  Clusters clusters(points.size(), ends, table);
   for (const Pair& pair : pairs) clusters.join(pair.a, pair.b);
 
-  Mending mending{.representative = clusters.take_representatives()};
+  Mending mending{.representative = clusters.representatives()};
   for (int vertex = 0; vertex < static_cast<int>(points.size()); ++vertex) {
     const int kept = mending.representative[vertex];
     if (kept == vertex) continue;

@@ -76,6 +76,8 @@ HalfedgeHandle right_end_of_fan(const Surface& surface, HalfedgeHandle start) {
 void cut_surface(Mesh& mesh, const Points& points, std::span<const int> corners, const EdgeTable& table) {
   Surface& surface = mesh.surface;
   const SurfaceEdges edges = number_edges(corners, table);
+  // Room for copies of vertices; memory that is never written costs nothing.
+  surface.reserve(2 * points.size(), static_cast<std::size_t>(edges.count), corners.size() / 3);
   surface.resize(points.size(), static_cast<std::size_t>(edges.count), corners.size() / 3);
   for (std::size_t v = 0; v < points.size(); ++v)
     surface.set_point(VertexHandle(static_cast<int>(v)), {points[v][0], points[v][1], points[v][2]});

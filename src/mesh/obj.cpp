@@ -1,5 +1,6 @@
 // Wavefront OBJ: v, f, o and g; the rest says nothing about surfaces.
 #include <algorithm>
+#include <array>
 #include <string>
 #include <unordered_map>
 

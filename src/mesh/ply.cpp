@@ -1,6 +1,7 @@
 // PLY: text and binary in both byte orders, elements and properties in any order.
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "base/error.hpp"
 #include "mesh/bytes.hpp"
@@ -194,7 +195,7 @@ class PlyReader {
     const auto wanted = static_cast<std::size_t>(found - element.properties.begin());
     const bool strips = element.name == "tristrips";
     std::vector<int> strip;
-    if (!strips) {
+    if (!strips && found != element.properties.end()) {
       soup_.corners.reserve(3 * static_cast<std::size_t>(element.count));
       soup_.face_ends.reserve(static_cast<std::size_t>(element.count));
     }

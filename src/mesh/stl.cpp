@@ -1,5 +1,6 @@
 // STL: binary (80 bytes of anything, a count, 50 bytes a triangle) and text (solid, facet, vertex).
-#include <algorithm>
+#include <array>
+#include <cstdint>
 
 #include "base/error.hpp"
 #include "base/text.hpp"

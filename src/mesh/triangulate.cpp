@@ -102,7 +102,7 @@ class EarClipper {
   }
 
   // Bounds the time for polygons of many thousand corners that have hardly any ear: the rest becomes a fan.
-  static constexpr long long most_work = 1'000'000'000;
+  static constexpr long long most_work = 400'000'000;
 
   const std::vector<Vec2>& p_;
   std::vector<int> next_, previous_;

@@ -20,18 +20,18 @@ Vec3 place(const Mat4& to_world, const OpenMesh::Vec3d& p) {
 void append(World& world, const Placed& model) {
   const int first_vertex = world.first_vertex.back();
   const int first_triangle = world.first_triangle.back();
-  const int count = static_cast<int>(model.mesh.polygon.size());
+  const int count = static_cast<int>(model.mesh->polygon.size());
   int vertices = 0;
-  for (const int v : model.mesh.vertex_of) vertices = std::max(vertices, v + 1);
+  for (const int v : model.mesh->vertex_of) vertices = std::max(vertices, v + 1);
   world.points.resize(static_cast<std::size_t>(first_vertex + vertices), Vec3(0));
   world.triangles.resize(static_cast<std::size_t>(first_triangle + count));
   for (int f = 0; f < count; ++f) {
-    std::array<int, 3> corners = model.mesh.corners(f);
+    std::array<int, 3> corners = model.mesh->corners(f);
     for (int& v : corners) {
       Vec3& point = world.points[first_vertex + v];
-      point = place(model.to_world, model.mesh.point(v));
+      point = place(model.to_world, model.mesh->point(v));
       if (!finite(point))
-        throw Error(Trouble::input, model.mesh.report.name, "the transform moves vertices out of the range of numbers",
+        throw Error(Trouble::input, model.mesh->report.name, "the transform moves vertices out of the range of numbers",
                     "use a smaller scale or translation");
       world.box.add(point);
       v += first_vertex;
@@ -40,7 +40,7 @@ void append(World& world, const Placed& model) {
   }
   world.first_vertex.push_back(first_vertex + vertices);
   world.first_triangle.push_back(first_triangle + count);
-  if (model.mesh.report.single_precision) world.precision = float_rounding;
+  if (model.mesh->report.single_precision) world.precision = float_rounding;
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "base/vec.hpp"
@@ -11,7 +12,7 @@ namespace epura {
 
 /// A model and where it stands.
 struct Placed {
-  Mesh mesh;
+  std::shared_ptr<const Mesh> mesh;  ///< shared: moving a half-edge structure of OpenMesh copies it
   Mat4 to_world{1.0};
 };
 

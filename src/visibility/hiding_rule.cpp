@@ -13,57 +13,60 @@ namespace {
 struct Crossing {
   double t;      // on the edge
   double depth;  // of the side there
-  bool rounded;  // t is only as good as the grid
 };
 
 double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
 Vec2 place(const PageVertex& v) { return {v.x, v.y}; }
 
-// The crossing with the side a, b. On the grid it is decided (0 before the edge's start, 2 behind its end, 1 between),
-// in double coordinates it is placed: both agree but for lines that are parallel within the grid.
+// The parameter of a crossing that lies before, on or behind the edge as whole numbers decide.
+double placed(double t, std::int64_t numerator, std::int64_t denominator) {
+  if (numerator <= 0) return std::min(t, 0.0);
+  if (numerator >= denominator) return std::max(t, 1.0);
+  return std::clamp(t, 0.0, 1.0);
+}
+
+// Where on the edge the side u, v crosses, by the grid, and how far rounding to the grid may have moved it.
+struct GridCrossing {
+  std::int64_t numerator, denominator;  // t, as whole numbers; the denominator is positive
+  double reach;
+
+  [[nodiscard]] double t() const { return static_cast<double>(numerator) / static_cast<double>(denominator); }
+};
+
+GridCrossing cross_on_grid(const View& view, const Sightline& edge, int u, int v) {
+  const GridPoint& p = view.grid[edge.p];
+  const GridPoint& q = view.grid[edge.q];
+  const GridPoint& a = view.grid[u];
+  const GridPoint& b = view.grid[v];
+  const std::int64_t sx = std::int64_t{b.x} - a.x, sy = std::int64_t{b.y} - a.y;
+  const std::int64_t denominator = (std::int64_t{q.x} - p.x) * sy - (std::int64_t{q.y} - p.y) * sx;
+  const std::int64_t numerator = (std::int64_t{a.x} - p.x) * sy - (std::int64_t{a.y} - p.y) * sx;
+  // Both ends of both lines were moved by less than a cell.
+  const double reach =
+      4 * static_cast<double>(std::abs(sx) + std::abs(sy)) / std::abs(static_cast<double>(denominator));
+  return denominator < 0 ? GridCrossing{-numerator, -denominator, reach} : GridCrossing{numerator, denominator, reach};
+}
+
+// The crossing is decided on the grid and computed from the unrounded coordinates. Where those do not confirm it (lines
+// parallel within the grid cross anywhere, or nowhere), the grid's place is taken.
 Crossing cross_side(const View& view, const Sightline& edge, int a, int b) {
-  const int u = std::min(a, b);
-  const int v = std::max(a, b);
-  const GridPoint& gp = view.grid[edge.p];
-  const GridPoint& gq = view.grid[edge.q];
-  const GridPoint& gu = view.grid[u];
-  const GridPoint& gv = view.grid[v];
-  const std::int64_t dx = std::int64_t{gq.x} - gp.x, dy = std::int64_t{gq.y} - gp.y;
-  const std::int64_t gx = std::int64_t{gv.x} - gu.x, gy = std::int64_t{gv.y} - gu.y;
-  const std::int64_t ox = std::int64_t{gu.x} - gp.x, oy = std::int64_t{gu.y} - gp.y;
-  std::int64_t denominator = dx * gy - dy * gx;
-  std::int64_t numerator = ox * gy - oy * gx;
-  if (denominator < 0) {
-    denominator = -denominator;
-    numerator = -numerator;
-  }
-  const double on_grid = static_cast<double>(numerator) / static_cast<double>(denominator);
+  const PageVertex& u = view.vertices[std::min(a, b)];
+  const PageVertex& v = view.vertices[std::max(a, b)];
+  const GridCrossing decided = cross_on_grid(view, edge, std::min(a, b), std::max(a, b));
+  const Vec2 p = place(view.vertices[edge.p]);
+  const Vec2 along = place(view.vertices[edge.q]) - p;
+  const Vec2 side = place(v) - place(u);
+  const double length2 = glm::dot(side, side);
+  const auto on_side = [&](double t) { return glm::dot(p + t * along - place(u), side) / length2; };
 
-  const PageVertex& pu = view.vertices[u];
-  const PageVertex& pv = view.vertices[v];
-  const Vec2 along = place(view.vertices[edge.q]) - place(view.vertices[edge.p]);
-  const Vec2 side = place(pv) - place(pu);
-  const Vec2 offset = place(pu) - place(view.vertices[edge.p]);
-  const double product = cross(along, side);
-  double t = cross(offset, side) / product;
-  double s = cross(offset, along) / product;
-
-  // Both ends of both lines were moved by at most a cell.
-  const double reach = static_cast<double>(std::abs(gx) + std::abs(gy)) / static_cast<double>(denominator);
-  const bool rounded = !(std::abs(t - on_grid) <= 4 * reach) || !(s >= 0 && s <= 1);
-  if (rounded) {
-    t = on_grid;
-    const std::int64_t from = ox * dy - oy * dx;
-    s = std::clamp(std::abs(static_cast<double>(from)) / static_cast<double>(denominator), 0.0, 1.0);
-  }
-  if (numerator <= 0)
-    t = std::min(t, 0.0);
-  else if (numerator >= denominator)
-    t = std::max(t, 1.0);
-  else
-    t = std::clamp(t, 0.0, 1.0);
-  return {t, pu.depth + s * (pv.depth - pu.depth), rounded};
+  double t = cross(place(u) - p, side) / cross(along, side);
+  double s = on_side(t);
+  const double slack = 2 * view.cell / std::sqrt(length2);
+  const bool confirmed = std::abs(t - decided.t()) <= decided.reach && s >= -slack && s <= 1 + slack;
+  t = placed(confirmed ? t : decided.t(), decided.numerator, decided.denominator);
+  s = std::clamp(on_side(t), 0.0, 1.0);
+  return {t, u.depth + s * (v.depth - u.depth)};
 }
 
 // The part of [from, to] where a difference that runs linearly exceeds the tolerance.
@@ -110,8 +113,7 @@ std::optional<std::array<double, 2>> hidden_part(const View& view, const Sightli
     return exceeding(from, to, in_front(from), in_front(to), contact.touching * triangle.steepness);
 
   // At a common corner the difference is zero by definition; the other end decides for the whole.
-  const double rounding = in.rounded || out.rounded ? contact.touching : contact.joined;
-  const bool hides = in_front(holds_p ? to : from) > rounding * triangle.steepness;
+  const bool hides = in_front(holds_p ? to : from) > contact.joined * triangle.steepness;
   return hides ? std::optional(std::array{from, to}) : std::nullopt;
 }
 

@@ -7,15 +7,16 @@ namespace epura {
 
 namespace {
 
-// 1 + length of the gradient of depth over the page.
+// Triangles lower than this part of their length on the page are lines there.
+constexpr double thinnest = 0x1p-40;
+
+// 1 + length of the gradient of depth over the page. A line has no gradient: what it covers is decided by depth alone.
 double steepness_of(const PageVertex& a, const PageVertex& b, const PageVertex& c) {
   const double bx = b.x - a.x, by = b.y - a.y, bz = b.depth - a.depth;
   const double cx = c.x - a.x, cy = c.y - a.y, cz = c.depth - a.depth;
   const double area = bx * cy - by * cx;
-  const double gx = (bz * cy - by * cz) / area;
-  const double gy = (bx * cz - bz * cx) / area;
-  const double gradient = std::hypot(gx, gy);
-  return std::isfinite(gradient) ? 1 + gradient : HUGE_VAL;
+  if (std::abs(area) <= thinnest * std::max(bx * bx + by * by, cx * cx + cy * cy)) return 1;
+  return 1 + std::hypot((bz * cy - by * cz) / area, (bx * cz - bz * cx) / area);
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ bool is_own(const World& world, const DrawnEdges& drawn, const DrawnEdge& edge, 
     const auto& pair = drawn.crossings[edge.crossing].triangles;
     return triangle == pair[0] || triangle == pair[1];
   }
-  const Mesh& mesh = world.models[edge.model].mesh;
+  const Mesh& mesh = *world.models[edge.model].mesh;
   const auto own = mesh.triangles_of(mesh.edges[edge.mesh_edge]);
   return std::find(own.begin(), own.end(), triangle - world.first_triangle[edge.model]) != own.end();
 }

@@ -264,8 +264,8 @@ TEST(Meshes, MoebiusStrip) {
     strip.faces.push_back({2 * i, d, 2 * i + 1});
   }
   const Result first = draw(world_of(strip), orthographic({1, -2, 3}));
-  EXPECT_EQ(first.world.models[0].mesh.report.open_edges, 80);
-  EXPECT_EQ(first.world.models[0].mesh.report.non_manifold_edges, 0);
+  EXPECT_EQ(first.world.models[0].mesh->report.open_edges, 80);
+  EXPECT_EQ(first.world.models[0].mesh->report.non_manifold_edges, 0);
   for (const int start : {7, 23}) {
     // The same surface with other numbers and orientations.
     Shape turned = strip;

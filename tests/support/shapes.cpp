@@ -63,7 +63,7 @@ Mesh mesh_of(const Shape& shape) {
 
 World world_of(const std::vector<Shape>& shapes) {
   std::vector<Placed> models;
-  for (const Shape& shape : shapes) models.push_back({mesh_of(shape), Mat4(1.0)});
+  for (const Shape& shape : shapes) models.push_back({std::make_shared<const Mesh>(mesh_of(shape)), Mat4(1.0)});
   return make_world(std::move(models));
 }
 

@@ -92,6 +92,10 @@ TEST(Ply, StripsTurnEverySecondTriangle) {
   EXPECT_EQ(soup.face_ends, (std::vector<int>{3, 6, 9}));
 }
 
+TEST(Ply, ElementsWithoutPropertiesTakeNoRoomHoweverMany) {
+  EXPECT_TRUE(soup_of("ply\nformat ascii 1.0\nelement face 350000000000\nend_header\n").face_ends.empty());
+}
+
 TEST(Ply, TextErrorsNameTheLine) {
   const auto error = [](const std::string& text) { return error_of([&] { soup_of(text); }); };
   const std::string head = "ply\nformat ascii 1.0\n" + vertex_header + face_header + "end_header\n";  // 9 lines

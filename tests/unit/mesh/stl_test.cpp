@@ -1,6 +1,8 @@
 // What would break if this were wrong: the most common files for makers of parts, and their cracks.
 #include <cmath>
+#include <numbers>
 
+#include "base/text.hpp"
 #include "support.hpp"
 
 namespace epura {
@@ -88,6 +90,25 @@ TEST(Stl, TinyFacesSurvive) {
   EXPECT_EQ(mesh.report.vertices, 6);
 }
 
+TEST(Stl, ManyCornersAtOnePlaceAreJoined) {
+  // The tip of a cone, computed anew for each of its triangles.
+  constexpr int n = 1000;
+  std::string text = "solid cone\n";
+  for (int i = 0; i < n; ++i) {
+    const auto rim = [](int k) {
+      const double angle = 2 * std::numbers::pi * (k % n) / n;
+      return "vertex " + format_number(std::cos(angle)) + " " + format_number(std::sin(angle)) + " 0\n";
+    };
+    const std::string tip = "vertex " + format_number(1e-12 * (i * 389 % n)) + " " + format_number(1e-12 * i) + " 1\n";
+    text += "facet normal 0 0 1\nouter loop\n" + tip + rim(i) + rim(i + 1) + "endloop\nendfacet\n";
+  }
+  const Mesh mesh = mesh_of(text);
+  expect_valid(mesh);
+  EXPECT_EQ(mesh.report.vertices, n + 1);
+  EXPECT_EQ(mesh.report.open_edges, n);
+  EXPECT_EQ(mesh.report.welded_vertices, n - 1);
+}
+
 TEST(Stl, FacesThatBecomeEqualAreDropped) {
   const float one = std::nextafter(1.0f, 2.0f);
   const std::vector<Triangle> triangles{{{{{0, 0, 1}}, {{1, 0, 1}}, {{0, 1, 1}}}},
@@ -95,6 +116,7 @@ TEST(Stl, FacesThatBecomeEqualAreDropped) {
   const Mesh mesh = mesh_of(binary_stl(triangles));
   expect_valid(mesh);
   EXPECT_EQ(mesh.report.triangles, 1);
+  EXPECT_EQ(mesh.report.faces, 1);
   EXPECT_EQ(mesh.report.dropped_duplicates, 1);
 }
 

@@ -1,0 +1,137 @@
+#include <gtest/gtest.h>
+
+#include <cfloat>
+
+#include "json_reader.hpp"
+#include "output/write.hpp"
+
+namespace epura {
+namespace {
+
+Drawing example() {
+  Drawing drawing;
+  drawing.name = "front \"A\"";
+  drawing.projection.name = "look-at";
+  drawing.projection.values = {{"eye", {4, -9, 5}}, {"fovy", {30}}};
+  drawing.projection.projector = {4, -9, 5};
+  drawing.projection.central = true;
+  drawing.world_to_page = rows({1, 2, 3, 4}, {5, 6, 7, 8}, {9, 10, 11, 12}, {13, 14, 15, 16});
+  drawing.vanishing_points[1] = Vec2(-1.5, 1e300);
+  drawing.segments.push_back(
+      {{0.1, 1.0 / 3}, {1e-300, -DBL_MAX}, true, EdgeKind::crease, 2, {7, 3}, {0, 1}, {{{-1, -1}, {-1, -1}}}, {}});
+  drawing.segments.push_back({{1, 2},
+                              {3, 4},
+                              false,
+                              EdgeKind::intersection,
+                              0,
+                              {-1, -1},
+                              {0, 1},
+                              {{{0, 5}, {1, 6}}},
+                              {Vec3(1, 2, 3), Vec3(4, 5, 6.5)}});
+  return drawing;
+}
+
+Json parse(const std::string& text) { return JsonReader(text).read(); }
+
+TEST(Json, HasTheKeysOfSchemaOneInOrder) {
+  Report report;
+  report.meshes.emplace_back();
+  report.plan.push_back({"clip", false, "all inside", 12, 34});
+  const Json json = parse(to_json({420, 297, "", {}}, 0.5, {example()}, report));
+  EXPECT_EQ(json.keys(), "epura unit sheet views report");
+  EXPECT_EQ(json["epura"].number(), 1);
+  EXPECT_EQ(json["unit"].text, "mm");
+  EXPECT_EQ(json["sheet"].keys(), "size scale");
+  EXPECT_EQ(json["sheet"]["size"].items[0].number(), 420);
+  const Json& view = json["views"].items.at(0);
+  EXPECT_EQ(view.keys(), "name projection parameters world_to_page viewer vanishing_points segments");
+  EXPECT_EQ(view["segments"].items.at(0).keys(), "from to visible kind model edge t");
+  EXPECT_EQ(view["segments"].items.at(1).keys(), "from to visible kind model edge t faces world");
+  EXPECT_EQ(json["report"].keys(), "meshes plan");
+  EXPECT_EQ(
+      json["report"]["meshes"].items.at(0).keys(),
+      "name format vertices faces triangles bodies open_edges non_manifold_edges misoriented_edges welded_vertices "
+      "dropped_degenerate dropped_duplicates non_finite_vertices dropped_non_finite weld_distance single_precision "
+      "notes");
+  EXPECT_EQ(json["report"]["plan"].items.at(0).keys(), "stage run why in out");
+  EXPECT_EQ(json["report"]["plan"].items.at(0)["out"].number(), 34);
+}
+
+TEST(Json, SaysWhatTheViewIs) {
+  const Json json = parse(to_json({420, 297, "", {}}, 0.5, {example()}, {}));
+  const Json& view = json["views"].items.at(0);
+  EXPECT_EQ(view["name"].text, "front \"A\"");
+  EXPECT_EQ(view["parameters"]["fovy"].number(), 30);
+  EXPECT_EQ(view["parameters"]["eye"].items.at(1).number(), -9);
+  EXPECT_EQ(view["viewer"].keys(), "centre");
+  ASSERT_EQ(view["world_to_page"].items.size(), 16u);
+  for (std::size_t i = 0; i < 16; ++i) EXPECT_EQ(view["world_to_page"].items[i].number(), static_cast<double>(i + 1));
+  EXPECT_EQ(view["vanishing_points"].items.at(0).type, 'n');
+  EXPECT_EQ(view["vanishing_points"].items.at(1).items.at(0).number(), -1.5);
+
+  Drawing parallel = example();
+  parallel.projection.central = false;
+  EXPECT_EQ(parse(to_json({1, 1, "", {}}, 1, {parallel}, {}))["views"].items[0]["viewer"].keys(), "direction");
+}
+
+TEST(Json, NumbersComeBackExactly) {
+  const Drawing drawing = example();
+  const Json json = parse(to_json({420, 297, "", {}}, 1 / 3.0, {drawing}, {}));
+  const Json& segment = json["views"].items.at(0)["segments"].items.at(0);
+  EXPECT_EQ(json["sheet"]["scale"].number(), 1 / 3.0);
+  EXPECT_EQ(segment["from"].items[0].number(), 0.1);
+  EXPECT_EQ(segment["from"].items[1].number(), 1.0 / 3);
+  EXPECT_EQ(segment["to"].items[0].number(), 1e-300);
+  EXPECT_EQ(segment["to"].items[1].number(), -DBL_MAX);
+  EXPECT_EQ(segment["visible"].type, 't');
+  EXPECT_EQ(segment["kind"].text, "crease");
+  EXPECT_EQ(segment["model"].number(), 2);
+  EXPECT_EQ(segment["edge"].items[0].number(), 7);
+}
+
+TEST(Json, IntersectionLinesNameTheirFacesAndPlaces) {
+  const Json json = parse(to_json({420, 297, "", {}}, 1, {example()}, {}));
+  const Json& segment = json["views"].items.at(0)["segments"].items.at(1);
+  EXPECT_EQ(segment["edge"].type, 'n');
+  EXPECT_EQ(segment["faces"].items.at(1).items.at(0).number(), 1);
+  EXPECT_EQ(segment["faces"].items.at(1).items.at(1).number(), 6);
+  EXPECT_EQ(segment["world"].items.at(1).items.at(2).number(), 6.5);
+}
+
+TEST(Json, SegmentsStandOnLinesOfTheirOwn) {
+  const std::string text = to_json({420, 297, "", {}}, 1, {example()}, {});
+  for (std::size_t at = text.find("{\"from\""); at != std::string::npos; at = text.find("{\"from\"", at + 1))
+    EXPECT_EQ(text[text.find_last_not_of(' ', at - 1)], '\n');
+}
+
+TEST(Json, TimesStandThereOnlyWhenAskedFor) {
+  Report report;
+  report.seconds = {{"read", 0.25}};
+  const Json json = parse(to_json({1, 1, "", {}}, 1, {}, report));
+  EXPECT_EQ(json["report"].keys(), "meshes plan time");
+  EXPECT_EQ(json["report"]["time"]["read"].number(), 0.25);
+  EXPECT_TRUE(json["views"].items.empty());
+}
+
+TEST(Json, StringsAreEscapedAndValid) {
+  Report report;
+  MeshReport mesh;
+  mesh.name = "a\"b\\c\n\x01\x1f\x7f W\xC3\xBCrfel";
+  mesh.notes = {"lone \xC3 overlong \xC0\xAF surrogate \xED\xA0\x80 high \xF4\x90\x80\x80 cut \xE2\x82"};
+  report.meshes = {mesh};
+  const Json json = parse(to_json({1, 1, "", {}}, 1, {}, report));
+  const Json& read = json["report"]["meshes"].items.at(0);
+  EXPECT_EQ(read["name"].text, mesh.name);
+  const std::string u = "\xEF\xBF\xBD";
+  EXPECT_EQ(read["notes"].items.at(0).text, "lone " + u + " overlong " + u + u + " surrogate " + u + u + u + " high " +
+                                                u + u + u + u + " cut " + u + u);
+}
+
+TEST(JsonDeathTest, NumbersThatAreNoneAreNeverWritten) {
+  Drawing drawing = example();
+  drawing.segments[0].to.x = std::nan("");
+  EXPECT_DEATH(to_json({1, 1, "", {}}, 1, {drawing}, {}), "not finite");
+}
+
+}  // namespace
+}  // namespace epura

@@ -1,0 +1,102 @@
+#include <cairo.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstring>
+
+#include "base/error.hpp"
+#include "output/write.hpp"
+#include "support.hpp"
+
+namespace epura {
+namespace {
+
+std::string header_line(const std::string& postscript, const std::string& key) {
+  const std::size_t begin = postscript.find("\n" + key) + 1;
+  if (begin == 0) return "";
+  return postscript.substr(begin, postscript.find('\n', begin) - begin);
+}
+
+TEST(Eps, BoundingBoxIsTheSheet) {
+  const std::string eps = to_eps(random_sheet(100, 50));
+  EXPECT_EQ(eps.substr(0, 23), "%!PS-Adobe-3.0 EPSF-3.0");
+  EXPECT_EQ(header_line(eps, "%%BoundingBox:"), "%%BoundingBox: 0 0 284 142");  // 283.46 x 141.73
+  EXPECT_EQ(header_line(eps, "%%HiResBoundingBox:"), "%%HiResBoundingBox: 0 0 283.464567 141.732283");
+  EXPECT_EQ(eps.find("CreationDate"), std::string::npos);
+}
+
+TEST(Eps, TheLowerLeftCornerOfTheSheetIsTheOrigin) {
+  Sheet sheet = random_sheet(100, 50, 0);
+  sheet.layers[1].strokes = {{{{25.4, 25.4}, {50.8, 25.4}}, false, 0, 0, "", ""}};
+  const std::string eps = to_eps(sheet);
+  // 142 points high, y down: one inch from below is 70 from above.
+  EXPECT_NE(eps.find("1 0 0 -1 0 142 cm"), std::string::npos);
+  EXPECT_NE(eps.find("72 70 m 144 70 l S"), std::string::npos);
+}
+
+TEST(PostScript, HasNoDateAndATitleOfOneLine) {
+  Sheet sheet = random_sheet(297, 210, 2);
+  sheet.title = "a\n%%BoundingBox: 1 2 3 4";
+  const std::string ps = to_ps(sheet), eps = to_eps(sheet);
+  EXPECT_EQ(ps.substr(0, 11), "%!PS-Adobe-");
+  EXPECT_EQ(ps.find("CreationDate"), std::string::npos);
+  EXPECT_EQ(header_line(ps, "%%Title:"), "%%Title: a?%%BoundingBox: 1 2 3 4");
+  EXPECT_EQ(header_line(eps, "%%BoundingBox:"), "%%BoundingBox: 0 0 842 596");
+}
+
+struct Reader {
+  const std::string& bytes;
+  std::size_t at = 0;
+};
+
+cairo_status_t read(void* closure, unsigned char* data, unsigned length) {
+  auto& reader = *static_cast<Reader*>(closure);
+  if (reader.at + length > reader.bytes.size()) return CAIRO_STATUS_READ_ERROR;
+  std::memcpy(data, reader.bytes.data() + reader.at, length);
+  reader.at += length;
+  return CAIRO_STATUS_SUCCESS;
+}
+
+TEST(Png, HasTheSizeOfTheSheetAndBlackLinesOnWhite) {
+  Sheet sheet = random_sheet(50.8, 25.4, 0);
+  sheet.layers[1].strokes = {{{{10, 5}, {40, 5}}, false, 0, 0, "", ""}};
+  const std::string png = to_png(sheet, 254);  // ten pixels a millimetre
+  Reader reader{png};
+  cairo_surface_t* surface = cairo_image_surface_create_from_png_stream(read, &reader);
+  ASSERT_EQ(cairo_surface_status(surface), CAIRO_STATUS_SUCCESS);
+  EXPECT_EQ(cairo_image_surface_get_width(surface), 508);
+  EXPECT_EQ(cairo_image_surface_get_height(surface), 254);
+  const auto shade = [surface](int x, int y) {
+    return int(cairo_image_surface_get_data(surface)[y * cairo_image_surface_get_stride(surface) + 4 * x]);
+  };
+  EXPECT_EQ(shade(200, 254 - 50), 0);
+  EXPECT_EQ(shade(200, 50), 255);
+  EXPECT_EQ(shade(0, 0), 255);
+  EXPECT_EQ(shade(450, 254 - 50), 255);
+  cairo_surface_destroy(surface);
+}
+
+TEST(Png, RefusesAbsurdSizes) {
+  EXPECT_THROW(to_png(random_sheet(1189, 841, 0), 600), Error);
+  for (const double dpi : {0.0, -1.0, 1e9, HUGE_VAL, std::nan("")})
+    EXPECT_THROW(to_png(random_sheet(10, 10, 0), dpi), Error);
+  try {
+    to_png(random_sheet(1189, 841, 0), 600);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.trouble(), Trouble::output);
+    EXPECT_FALSE(error.hint().empty());
+  }
+}
+
+TEST(Formats, AreKnownByTheirExtension) {
+  EXPECT_EQ(format_of("svg"), Format::svg);
+  EXPECT_EQ(format_of(".PDF"), Format::pdf);
+  EXPECT_EQ(format_of("json"), Format::json);
+  EXPECT_EQ(format_of("eps"), Format::eps);
+  EXPECT_EQ(format_of("dxf"), std::nullopt);
+  EXPECT_EQ(format_of(""), std::nullopt);
+  for (const std::string& name : format_names()) EXPECT_TRUE(format_of(name)) << name;
+}
+
+}  // namespace
+}  // namespace epura

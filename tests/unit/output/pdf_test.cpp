@@ -1,0 +1,135 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "output/write.hpp"
+#include "pdf_reader.hpp"
+#include "support.hpp"
+
+namespace epura {
+namespace {
+
+constexpr double millimetre = 72 / 25.4;
+
+std::vector<std::string_view> tokens_of(std::string_view text) {
+  std::vector<std::string_view> tokens;
+  while (true) {
+    const std::size_t begin = text.find_first_not_of(" \n[]");
+    if (begin == std::string_view::npos) return tokens;
+    text.remove_prefix(begin);
+    const std::size_t end = std::min(text.find_first_of(" \n[]"), text.size());
+    tokens.push_back(text.substr(0, end));
+    text.remove_prefix(end);
+  }
+}
+
+// Scale and shift of the first "cm": matrices here neither turn nor skew.
+struct Map {
+  Vec2 scale, shift;
+  [[nodiscard]] Vec2 operator()(const Vec2& p) const { return p * scale + shift; }
+};
+
+Map map_of(const std::vector<std::string_view>& tokens) {
+  std::size_t cm = 0;
+  while (tokens.at(cm) != "cm") ++cm;
+  const auto number = [&](std::size_t i) { return number_in(tokens[cm - 6 + i]); };
+  EXPECT_EQ(number(1), 0);
+  EXPECT_EQ(number(2), 0);
+  return {{number(0), number(3)}, {number(4), number(5)}};
+}
+
+std::vector<Ink> ink_of(const std::string& content, const Map& to_page) {
+  const auto tokens = tokens_of(content);
+  const Map to_form = map_of(tokens);
+  std::vector<Ink> lines;
+  bool open = false;
+  for (std::size_t i = 2; i < tokens.size(); ++i) {
+    if (tokens[i] == "S") open = false;
+    if (tokens[i] == "h") lines.back().closed = true;
+    if (tokens[i] != "m" && tokens[i] != "l") continue;
+    if (tokens[i] == "m") {
+      if (open) continue;  // Cairo moves back to the start after closing
+      lines.emplace_back();
+      open = true;
+    }
+    const Vec2 p(number_in(tokens[i - 2]), number_in(tokens[i - 1]));
+    lines.back().points.push_back(to_page(to_form(p)) / millimetre);
+  }
+  return lines;
+}
+
+class PdfOfSize : public testing::TestWithParam<Vec2> {};
+
+TEST_P(PdfOfSize, KeepsCoordinatesAndLayers) {
+  const Sheet sheet = random_sheet(GetParam().x, GetParam().y);
+  const std::string bytes = to_pdf(sheet);
+  const PdfReader pdf(bytes);
+  const PdfObject page = pdf.page();
+  EXPECT_EQ(pdf.pages(), 1);
+  const PdfObject box = page["/MediaBox"];
+  EXPECT_NEAR(box[2].number(), GetParam().x * millimetre, 1e-9 * GetParam().x);
+  EXPECT_NEAR(box[3].number(), GetParam().y * millimetre, 1e-9 * GetParam().x);
+
+  const Map to_page = map_of(tokens_of(page["/Contents"].stream()));
+  const PdfObject resources = page["/Resources"];
+  for (std::size_t i = 0; i < sheet.layers.size(); ++i) {
+    const std::string name = "/layer" + std::to_string(i);
+    const PdfObject group = resources["/Properties"][name.c_str()];
+    EXPECT_EQ(group["/Type"].name(), "/OCG");
+    EXPECT_EQ(group["/Name"].text(), sheet.layers[i].name);
+    const PdfObject form = resources["/XObject"][name.c_str()];
+    EXPECT_EQ(form["/Subtype"].name(), "/Form");
+    EXPECT_TRUE(form.has("/Filter"));
+    EXPECT_LT(largest_error(sheet.layers[i].strokes, ink_of(form.stream(), to_page)), 1e-4);
+  }
+  EXPECT_FALSE(pdf.has_trouble());
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, PdfOfSize,
+                         testing::Values(Vec2(297, 210), Vec2(1189, 841), Vec2(123.4567, 33.3333), Vec2(12000, 3000)));
+
+TEST(Pdf, EveryLayerIsOptionalContent) {
+  const std::string bytes = to_pdf(random_sheet(100, 100));
+  EXPECT_GE(bytes.substr(0, 8), "%PDF-1.5");
+  const PdfReader pdf(bytes);
+  const PdfObject properties = pdf.root()["/OCProperties"];
+  ASSERT_EQ(properties["/OCGs"].size(), 2);
+  EXPECT_EQ(properties["/OCGs"][0]["/Name"].text(), "a view/hidden");
+  EXPECT_EQ(properties["/D"]["/Order"].size(), 2);
+  // What is drawn of a layer stands between its marks.
+  const PdfObject page = pdf.page();
+  const std::string content = page["/Contents"].stream();
+  EXPECT_NE(content.find("/OC /layer0 BDC /layer0 Do EMC"), std::string::npos);
+  EXPECT_NE(content.find("/OC /layer1 BDC /layer1 Do EMC"), std::string::npos);
+}
+
+TEST(Pdf, WidthsAndDashesAreInMillimetres) {
+  Sheet sheet = random_sheet(100, 100, 0);
+  sheet.layers[0].strokes.push_back({{{10, 10}, {60, 10}}, false, 2.9, 0.75, "", ""});
+  const std::string bytes = to_pdf(sheet);
+  const PdfReader pdf(bytes);
+  const PdfObject page = pdf.page();
+  const double scale = map_of(tokens_of(page["/Contents"].stream())).scale.x / millimetre;
+  const std::string form = page["/Resources"]["/XObject"]["/layer0"].stream();
+  const auto tokens = tokens_of(form);
+  const auto before = [&](std::string_view name, std::size_t back) {
+    const auto found = std::find(tokens.begin(), tokens.end(), name);
+    return scale * number_in(*(found - static_cast<std::ptrdiff_t>(back)));
+  };
+  EXPECT_NEAR(before("w", 1), 0.25, 1e-6);
+  EXPECT_NEAR(before("d", 3), 2.9, 1e-6);
+  EXPECT_NEAR(before("d", 2), 0.75, 1e-6);
+}
+
+TEST(Pdf, TitleIsKeptAndNoDateIsWritten) {
+  Sheet sheet = random_sheet(100, 100, 1);
+  sheet.title = "<script>&\"') W\xC3\xBCrfel \xE2\x82\xAC";
+  const std::string bytes = to_pdf(sheet);
+  const PdfReader pdf(bytes);
+  const PdfObject information = pdf.trailer()["/Info"];
+  EXPECT_EQ(information["/Title"].text(), sheet.title);
+  EXPECT_FALSE(information.has("/CreationDate"));
+}
+
+}  // namespace
+}  // namespace epura
