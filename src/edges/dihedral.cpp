@@ -69,6 +69,21 @@ double fold_angle(const EdgeSurroundings& around, const std::array<int, 2>& edge
   return std::atan2(glm::length(glm::cross(n1, n2)), glm::dot(n1, n2)) * (180 / std::numbers::pi);
 }
 
+double turn_of_surface(const EdgeSurroundings& around, int triangle, double crease_angle) {
+  const std::array<int, 3> corners = around.corners(triangle);
+  const Mesh& mesh = *around.world.models[around.model].mesh;
+  double turn = 0;
+  for (int i = 0; i < 3; ++i) {
+    const std::array<int, 2> side = sorted(corners[i], corners[(i + 1) % 3]);
+    const MeshEdge* edge = find_edge(around, side);
+    if (edge == nullptr || edge->count != 2) continue;
+    const auto both = mesh.triangles_of(*edge);
+    const double fold = fold_angle(around, side, both[0], both[1]);
+    if (fold < crease_angle) turn = std::max(turn, fold);
+  }
+  return turn;
+}
+
 double height_of(const EdgeSurroundings& around, int triangle) {
   const std::array<int, 3> c = around.corners(triangle);
   const Vec3 ab = around.point(c[1]) - around.point(c[0]);

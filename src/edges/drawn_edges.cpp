@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "edges/dihedral.hpp"
 #include "edges/feature_edges.hpp"
 
 namespace epura {
@@ -18,6 +19,17 @@ void add_mesh_edges(const World& world, View& view, int model, const EdgeWishes&
     if (const auto part = clip_edge(view, first + edges[e].vertex[0], first + edges[e].vertex[1]))
       drawn.push_back({part->vertex, part->t, *kinds[e], model, static_cast<int>(e), -1});
   }
+}
+
+// Facets of curved surfaces that coincide (a bolt in its hole) cross by as much as their surfaces turn from facet to
+// facet: such lines are made by the tessellation, not by the bodies.
+bool is_tessellation(const World& world, double shrink, const FaceCrossing& crossing, double crease_angle) {
+  double turn = 0;
+  for (const int triangle : crossing.triangles) {
+    const int model = world.model_of_triangle(triangle);
+    turn += turn_of_surface({world, model, shrink, 0}, triangle - world.first_triangle[model], crease_angle) / 2;
+  }
+  return crossing.angle <= turn * 1.001;
 }
 
 void add_intersections(const World& world, View& view, DrawnEdges& drawn) {
@@ -38,7 +50,10 @@ DrawnEdges find_drawn_edges(const World& world, View& view, const EdgeWishes& wi
   for (int model = 0; model < static_cast<int>(world.models.size()); ++model)
     add_mesh_edges(world, view, model, wishes, drawn.edges);
   if (!wishes.intersection) return drawn;
-  drawn.crossings = find_intersections(world, view.map.shrink, contact);
+  const double shrink = view.map.shrink;
+  drawn.crossings = find_intersections(world, shrink, contact);
+  std::erase_if(drawn.crossings,
+                [&](const FaceCrossing& c) { return is_tessellation(world, shrink, c, wishes.crease_angle); });
   add_intersections(world, view, drawn);
   return drawn;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <mutex>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -67,7 +68,8 @@ class Crossings {
     if (!two) return std::nullopt;
     const auto common = overlap(*one, *two, glm::normalize(along));
     if (!common) return std::nullopt;
-    return FaceCrossing{{unshrunk(common->ends[0]), unshrunk(common->ends[1])}, {first, second}};
+    const double angle = std::asin(std::min(glm::length(along), 1.0)) * (180 / std::numbers::pi);
+    return FaceCrossing{{unshrunk(common->ends[0]), unshrunk(common->ends[1])}, {first, second}, angle};
   }
 
  private:

@@ -11,6 +11,7 @@ namespace epura {
 struct FaceCrossing {
   std::array<Vec3, 2> ends;      ///< in the world
   std::array<int, 2> triangles;  ///< of the world, first < second
+  double angle;                  ///< at which their planes cross, 0 to 90 degrees
 };
 
 /// All crossings of two triangles without a common vertex, longer than `contact`, sorted by their triangles.

@@ -119,7 +119,7 @@ std::vector<std::array<double, 2>> hidden_of_line(const World& world, const Proj
   const int b = add_point(view, to);
   DrawnEdges drawn;
   drawn.edges.push_back({{a, b}, {0, 1}, EdgeKind::intersection, 0, -1, 0});
-  drawn.crossings.push_back({{from, to}, {-1, -1}});
+  drawn.crossings.push_back({{from, to}, {-1, -1}, 90});
   return find_hidden(world, view, drawn, contact_of(world, view, std::nullopt)).spans;
 }
 
