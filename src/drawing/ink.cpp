@@ -84,7 +84,7 @@ class PieceGrid {
   template <class Visit>
   void near(std::size_t piece, double spread, Visit visit) const {
     const double angle = angles_[piece];
-    visit_cells(grid_, pieces_[piece].from, pieces_[piece].to, tolerance_, [&](int cell) {
+    visit_cells(grid_, pieces_[piece].from, pieces_[piece].to, tolerance_, [&](int cell, double, double) {
       visit_range(cell, angle - spread, angle + spread, visit);
       // Directions 0 and pi are neighbours.
       if (angle < spread) visit_range(cell, angle - spread + std::numbers::pi, std::numbers::pi, visit);
@@ -95,7 +95,9 @@ class PieceGrid {
  private:
   void fill() {
     first_.assign(static_cast<std::size_t>(grid_.columns) * grid_.rows + 1, 0);
-    const auto each = [&](const Piece& p, auto visit) { visit_cells(grid_, p.from, p.to, tolerance_, visit); };
+    const auto each = [&](const Piece& p, auto visit) {
+      visit_cells(grid_, p.from, p.to, tolerance_, [&](int cell, double, double) { visit(cell); });
+    };
     for (const Piece& p : pieces_) each(p, [&](int cell) { ++first_[cell + 1]; });
     std::partial_sum(first_.begin(), first_.end(), first_.begin());
     members_.resize(first_.back());

@@ -39,12 +39,14 @@ void begin_vector_file(const Pen& pen, const Canvas& canvas) {
   // Cairo would drop lines narrower than half of this.
   cairo_set_tolerance(cairo, 0.005 * canvas.units);
   cairo_save(cairo);
-  // One dash without length and without ends, and a gap for the rest.
+  // One dash without length and without ends at each corner, and a gap for the rest.
   const std::array<double, 2> dashes = {0, canvas.size.x + canvas.size.y};
   cairo_set_dash(cairo, dashes.data(), 2, 0);
   cairo_set_line_cap(cairo, CAIRO_LINE_CAP_BUTT);
   cairo_move_to(cairo, 0, 0);
   cairo_line_to(cairo, canvas.size.x, canvas.size.y);
+  cairo_move_to(cairo, canvas.size.x, canvas.size.y);
+  cairo_line_to(cairo, 0, 0);
   cairo_stroke(cairo);
   cairo_restore(cairo);
 }

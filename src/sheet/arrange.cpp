@@ -47,26 +47,25 @@ Stroke continuous(const Drawing& drawing, const Chain& chain) {
   return stroke;
 }
 
-// The segments that draw a piece; all of the chain where segments and points do not go side by side.
-std::vector<int> segments_of(const Chain& chain, const Piece& piece) {
+// The segments that draw a run; all of the chain where segments and points do not go side by side.
+std::vector<int> segments_of(const Chain& chain, const DashRun& run) {
   const std::size_t lines = chain.points.size() - (chain.closed ? 0 : 1);
   if (chain.segments.size() != lines) return chain.segments;
   std::vector<int> segments;
-  for (int i = piece.first; i < piece.last; ++i)
-    segments.push_back(chain.segments[static_cast<std::size_t>(i) % lines]);
+  for (int i = run.first; i < run.last; ++i) segments.push_back(chain.segments[static_cast<std::size_t>(i) % lines]);
   return segments;
 }
 
-Stroke dashed_piece(const Drawing& drawing, const Chain& chain, const Piece& piece, double width) {
+Stroke dashed_run(const Drawing& drawing, const Chain& chain, const DashRun& run, double width) {
   Stroke stroke;
-  stroke.closed = piece.closed;
-  for (int i = piece.first; i <= piece.last - (piece.closed ? 1 : 0); ++i)
+  stroke.closed = run.closed;
+  for (int i = run.first; i <= run.last - (run.closed ? 1 : 0); ++i)
     stroke.points.push_back(chain.points[static_cast<std::size_t>(i) % chain.points.size()]);
   const double length = length_of(stroke.points, stroke.closed);
   const Dashes dashes = stroke.closed ? fit_closed(length, width) : fit_open(length, width);
   stroke.dash = dashes.dash;
   stroke.gap = dashes.gap;
-  add_origin(stroke, drawing, segments_of(chain, piece));
+  add_origin(stroke, drawing, segments_of(chain, run));
   return stroke;
 }
 
@@ -77,8 +76,8 @@ void add_dashed(Layer& layer, const Drawing& drawing, const Chain& chain) {
     layer.strokes.push_back(continuous(drawing, chain));
     return;
   }
-  for (const Piece& piece : cut_at_corners(chain.points, chain.closed, width))
-    layer.strokes.push_back(dashed_piece(drawing, chain, piece, width));
+  for (const DashRun& run : cut_at_corners(chain.points, chain.closed, width))
+    layer.strokes.push_back(dashed_run(drawing, chain, run, width));
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ Dashes fit_closed(double length, double width) {
   return {length / periods - gap, gap};
 }
 
-std::vector<Piece> cut_at_corners(const std::vector<Vec2>& points, bool closed, double width) {
+std::vector<DashRun> cut_at_corners(const std::vector<Vec2>& points, bool closed, double width) {
   const int count = static_cast<int>(points.size());
   int first = 0, last = count - 1;
   if (closed) {
@@ -51,15 +51,15 @@ std::vector<Piece> cut_at_corners(const std::vector<Vec2>& points, bool closed, 
     travelled.push_back(travelled.back() + glm::distance(at(points, i), at(points, i + 1)));
   const auto length = [&](int from, int to) { return travelled[to - first] - travelled[from - first]; };
 
-  std::vector<Piece> pieces;
+  std::vector<DashRun> runs;
   const double shortest = shortest_widths * width;
   for (int i = first + 1, begin = first; i <= last; ++i) {
     const bool cut = i < last && is_corner(points, i) && length(begin, i) >= shortest && length(i, last) >= shortest;
     if (!cut && i < last) continue;
-    pieces.push_back({begin, i, false});
+    runs.push_back({begin, i, false});
     begin = i;
   }
-  return pieces;
+  return runs;
 }
 
 double length_of(const std::vector<Vec2>& points, bool closed) {

@@ -23,14 +23,14 @@ Dashes fit_open(double length, double width);
 Dashes fit_closed(double length, double width);
 
 /// A part of a polyline: points first ... last, counted on past its end when it is closed.
-struct Piece {
+struct DashRun {
   int first, last;
   bool closed;  ///< the whole of a closed line, without a corner to begin at
 };
 
-/// Cuts a line at its corners, turns of more than 30 degrees, for dashes to end there. A piece has at least 27 widths,
+/// Cuts a line at its corners, turns of more than 30 degrees, for dashes to end there. A run has at least 27 widths,
 /// so that corners too close together stay inside one. A closed line begins at a corner when it has one.
-std::vector<Piece> cut_at_corners(const std::vector<Vec2>& points, bool closed, double width);
+std::vector<DashRun> cut_at_corners(const std::vector<Vec2>& points, bool closed, double width);
 
 double length_of(const std::vector<Vec2>& points, bool closed);
 

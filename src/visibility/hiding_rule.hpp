@@ -29,10 +29,9 @@ struct Occluder {
   double steepness;  ///< 1 + |gradient of depth|: contact is measured along its normal, hiding along the view
 };
 
-/// An edge on the page.
+/// An edge on the page, between two vertices of the view.
 struct Sightline {
   int p, q;         ///< vertices of the view
-  double farthest;  ///< least depth of its ends
 };
 
 /// Page parameters (0 at p, 1 at q) of the part that the triangle hides: where it covers the edge on the page and lies

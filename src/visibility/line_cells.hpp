@@ -1,6 +1,9 @@
 // The cells of a uniform grid that a line passes through.
 #pragma once
 
+#include <algorithm>
+#include <array>
+
 #include "base/vec.hpp"
 
 namespace epura {
@@ -14,29 +17,43 @@ struct CellGrid {
   [[nodiscard]] int column(double x) const;
   [[nodiscard]] int row(double y) const;
   [[nodiscard]] int cell(int column, int row) const { return row * columns + column; }
+  [[nodiscard]] int count() const { return columns * rows; }
 };
 
 /// Cells for about `items` things spread over a box.
 CellGrid make_cell_grid(const Vec2& least, const Vec2& most, double items);
 
-/// Calls `visit(cell)` for every cell within `margin` of the line a, b (and a few more), each once.
+/// The parameters (0 at a, 1 at b) between which a line runs through a strip from <= x <= to in one coordinate.
+inline std::array<double, 2> part_in_strip(double a, double b, double from, double to) {
+  if (a == b) return {0, 1};
+  const double s = (from - a) / (b - a);
+  const double t = (to - a) / (b - a);
+  return {std::max(std::min(s, t), 0.0), std::min(std::max(s, t), 1.0)};
+}
+
+/// Calls `visit(cell, from, to)` for every cell within `margin` of the line a, b, each once, with the parameters of the
+/// part that runs through it (widened by the margin). The outermost cells take what lies beyond them.
 template <class Visit>
 void visit_cells(const CellGrid& grid, const Vec2& a, const Vec2& b, double margin, Visit visit) {
-  const Vec2 low = a.y <= b.y ? a : b;
-  const Vec2 high = a.y <= b.y ? b : a;
-  const int last = grid.row(high.y + margin);
-  for (int row = grid.row(low.y - margin); row <= last; ++row) {
-    // The part of the line in this row, widened; the outermost rows take all that lies beyond them.
-    const double from = row == 0 ? -HUGE_VAL : grid.origin.y + row * grid.side - margin;
-    const double to = row == grid.rows - 1 ? HUGE_VAL : grid.origin.y + (row + 1) * grid.side + margin;
-    const double rise = high.y - low.y;
-    const double s0 = rise > 0 && from > low.y ? (from - low.y) / rise : 0;
-    const double s1 = rise > 0 && to < high.y ? (to - low.y) / rise : 1;
-    const double x0 = low.x + s0 * (high.x - low.x);
-    const double x1 = low.x + s1 * (high.x - low.x);
-    const double slack = margin + grid.side * 0x1p-20;
-    const int end = grid.column((x0 < x1 ? x1 : x0) + slack);
-    for (int column = grid.column((x0 < x1 ? x0 : x1) - slack); column <= end; ++column) visit(grid.cell(column, row));
+  const double slack = margin + grid.side * 0x1p-20;
+  const auto strip = [&](double origin, int number, int count) {
+    return std::array{number == 0 ? -HUGE_VAL : origin + number * grid.side - slack,
+                      number == count - 1 ? HUGE_VAL : origin + (number + 1) * grid.side + slack};
+  };
+  const int last_row = grid.row(std::max(a.y, b.y) + slack);
+  for (int row = grid.row(std::min(a.y, b.y) - slack); row <= last_row; ++row) {
+    const auto [bottom, top] = strip(grid.origin.y, row, grid.rows);
+    const auto in_row = part_in_strip(a.y, b.y, bottom, top);
+    const double x0 = a.x + in_row[0] * (b.x - a.x);
+    const double x1 = a.x + in_row[1] * (b.x - a.x);
+    const int last_column = grid.column(std::max(x0, x1) + slack);
+    for (int column = grid.column(std::min(x0, x1) - slack); column <= last_column; ++column) {
+      const auto [left, right] = strip(grid.origin.x, column, grid.columns);
+      const auto in_column = part_in_strip(a.x, b.x, left, right);
+      const double from = std::max(in_row[0], in_column[0]);
+      const double to = std::min(in_row[1], in_column[1]);
+      if (from <= to) visit(grid.cell(column, row), from, to);
+    }
   }
 }
 

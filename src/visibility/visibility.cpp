@@ -34,17 +34,24 @@ bool is_own(const World& world, const DrawnEdges& drawn, const DrawnEdge& edge, 
   return std::find(own.begin(), own.end(), triangle - world.first_triangle[edge.model]) != own.end();
 }
 
-// Sorted and joined where they touch or overlap.
-void unite(Spans& spans) {
-  std::sort(spans.begin(), spans.end());
-  std::size_t last = 0;
-  for (std::size_t i = 1; i < spans.size(); ++i) {
-    if (spans[i][0] <= spans[last][1])
-      spans[last][1] = std::max(spans[last][1], spans[i][1]);
-    else
-      spans[++last] = spans[i];
+// Adds a span to ascending, disjoint spans; what touches becomes one.
+void add_span(Spans& spans, const std::array<double, 2>& span) {
+  auto begin = std::lower_bound(spans.begin(), spans.end(), span[0], [](const auto& s, double t) { return s[1] < t; });
+  auto end = begin;
+  std::array<double, 2> whole = span;
+  for (; end != spans.end() && (*end)[0] <= span[1]; ++end)
+    whole = {std::min(whole[0], (*end)[0]), std::max(whole[1], (*end)[1])};
+  if (begin == end)
+    spans.insert(begin, whole);
+  else {
+    *begin = whole;
+    spans.erase(begin + 1, end);
   }
-  if (!spans.empty()) spans.resize(last + 1);
+}
+
+bool covers(const Spans& spans, double from, double to) {
+  const auto span = std::lower_bound(spans.begin(), spans.end(), to, [](const auto& s, double t) { return s[1] < t; });
+  return span != spans.end() && (*span)[0] <= from;
 }
 
 // Visible slivers between or before hidden spans become hidden, then hidden slivers visible.
@@ -78,24 +85,31 @@ struct Hider {
   const OccluderGrid& occluders;
   const DrawnEdges& drawn;
 
-  // `candidates` is scratch space.
-  [[nodiscard]] Spans hidden_spans(const DrawnEdge& edge, std::vector<int>& candidates) const {
-    const auto& [p, q] = edge.vertex;
-    const PageVertex& a = view.vertices[p];
-    const PageVertex& b = view.vertices[q];
-    const Sightline line{p, q, std::min(a.depth, b.depth)};
+  // In every cell along the edge, occluders from the nearest on, until the part in the cell is hidden or the rest lies
+  // behind it. What a triangle hides is computed for the whole edge, so the union does not depend on cells or order.
+  [[nodiscard]] Spans hidden_spans(const DrawnEdge& edge) const {
+    const Sightline line{edge.vertex[0], edge.vertex[1]};
+    const PageVertex& p = view.vertices[line.p];
+    const PageVertex& q = view.vertices[line.q];
     Spans spans;
-    occluders.near(view, line, candidates);
-    for (const int number : candidates) {
-      const Occluder& occluder = occluders.occluders()[number];
-      if (is_own(world, drawn, edge, occluder.source)) continue;
-      if (const auto part = hidden_part(view, line, occluder, contact)) spans.push_back(*part);
-    }
-    unite(spans);
-    absorb_slivers(spans, least_piece * view.extent / std::hypot(b.x - a.x, b.y - a.y));
+    occluders.along(line, [&](int cell, double from, double to) {
+      if (covers(spans, from, to)) return;
+      const double farthest = p.depth + std::min(from * (q.depth - p.depth), to * (q.depth - p.depth));
+      occluders.in_cell(cell, [&](const Occluder& occluder) {
+        if (!(occluder.nearest > farthest)) return false;
+        if (is_own(world, drawn, edge, occluder.source)) return true;
+        const auto part = hidden_part(view, line, occluder, contact);
+        if (!part) return true;
+        add_span(spans, *part);
+        return !covers(spans, from, to);
+      });
+    });
+    absorb_slivers(spans, least_piece * view.extent / std::hypot(q.x - p.x, q.y - p.y));
     return spans;
   }
 };
+
+constexpr std::size_t chunk = 256;
 
 }  // namespace
 
@@ -112,20 +126,21 @@ double contact_in_space(const World& world, const View& view, std::optional<doub
 }
 
 HiddenSpans find_hidden(const World& world, const View& view, const DrawnEdges& drawn, const Contact& contact) {
-  const OccluderGrid occluders(view);
+  const OccluderGrid occluders(view, drawn.edges);
   const Hider hider{world, view, contact, occluders, drawn};
-  std::vector<Spans> by_edge(drawn.edges.size());
-  parallel_for(drawn.edges.size(), 64, [&](std::size_t begin, std::size_t end) {
-    std::vector<int> candidates;
-    for (std::size_t e = begin; e < end; ++e) by_edge[e] = hider.hidden_spans(drawn.edges[e], candidates);
+  const std::size_t count = drawn.edges.size();
+  HiddenSpans hidden{std::vector<std::size_t>(count + 1, 0), {}};
+  std::vector<Spans> found((count + chunk - 1) / chunk);
+  parallel_for(found.size(), 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t part = first; part < last; ++part)
+      for (std::size_t e = part * chunk; e < std::min((part + 1) * chunk, count); ++e) {
+        const Spans spans = hider.hidden_spans(drawn.edges[e]);
+        hidden.first[e + 1] = spans.size();
+        found[part].insert(found[part].end(), spans.begin(), spans.end());
+      }
   });
-
-  HiddenSpans hidden;
-  hidden.first.push_back(0);
-  for (const Spans& spans : by_edge) {
-    hidden.spans.insert(hidden.spans.end(), spans.begin(), spans.end());
-    hidden.first.push_back(hidden.spans.size());
-  }
+  for (std::size_t e = 0; e < count; ++e) hidden.first[e + 1] += hidden.first[e];
+  for (const Spans& spans : found) hidden.spans.insert(hidden.spans.end(), spans.begin(), spans.end());
   return hidden;
 }
 

@@ -1,6 +1,6 @@
 // An independent judge of visibility: brute force in rational numbers over the doubles of the input and of the matrix.
-// It shares nothing with the program but the mesh. Three answers: hidden, visible, or undecided where moving an occluder
-// by a billionth of the drawing, or by twice the contact tolerance in depth, changes the answer.
+// It shares nothing with the program but the mesh. Three answers: hidden, visible, or undecided where moving an
+// occluder by a billionth of the drawing, or by twice the contact tolerance in depth, changes the answer.
 #pragma once
 
 #include <string>
@@ -10,11 +10,11 @@
 namespace epura::test {
 
 struct Verdict {
-  double longest_wrong = 0;   ///< longest connected span shown hidden that is visible or the other way, in drawings
-  double wrong = 0;           ///< total of such spans
+  double longest_wrong = 0;  ///< longest connected span shown hidden that is visible or the other way, in drawings
+  double wrong = 0;          ///< total of such spans
   double undecided = 0;
-  double judged = 0;          ///< total length of all edges
-  std::string worst;          ///< the longest wrong span in words
+  double judged = 0;  ///< total length of all edges
+  std::string worst;  ///< the longest wrong span in words
 };
 
 Verdict judge(const Result& result);

@@ -61,8 +61,8 @@ void expect_right(const Shape& shape, Random& random, bool axes, const std::stri
   const World world = world_of(shape);
   for (const Projection& view : views(random, axes)) {
     const Verdict verdict = judge(draw(world, view));
-    EXPECT_LT(verdict.longest_wrong, goal) << name << (view.central ? " central " : " parallel ") << view.n.x << "," << view.n.y << ","
-                                           << view.n.z << " " << verdict.worst;
+    EXPECT_LT(verdict.longest_wrong, goal) << name << (view.central ? " central " : " parallel ") << view.n.x << ","
+                                           << view.n.y << "," << view.n.z << " " << verdict.worst;
   }
 }
 

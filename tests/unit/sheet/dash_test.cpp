@@ -40,32 +40,32 @@ TEST(Dash, ShortLinesAreContinuous) {
 }
 
 TEST(Dash, LinesAreCutAtCornersFarEnoughApart) {
-  const auto pieces = cut_at_corners({{0, 0}, {20, 0}, {20, 3}, {20, 30}}, false, 0.25);
-  ASSERT_EQ(pieces.size(), 2u);
-  EXPECT_EQ(pieces[0].first, 0);
-  EXPECT_EQ(pieces[0].last, 1);
-  EXPECT_EQ(pieces[1].first, 1);
-  EXPECT_EQ(pieces[1].last, 3);
+  const auto runs = cut_at_corners({{0, 0}, {20, 0}, {20, 3}, {20, 30}}, false, 0.25);
+  ASSERT_EQ(runs.size(), 2u);
+  EXPECT_EQ(runs[0].first, 0);
+  EXPECT_EQ(runs[0].last, 1);
+  EXPECT_EQ(runs[1].first, 1);
+  EXPECT_EQ(runs[1].last, 3);
   EXPECT_EQ(cut_at_corners({{0, 0}, {20, 0}, {20, 3}}, false, 0.25).size(), 1u);  // 3 mm are too short for dashes
   EXPECT_EQ(cut_at_corners({{0, 0}, {20, 0}, {40, 5}}, false, 0.25).size(), 1u);  // 14 degrees are no corner
 }
 
 TEST(Dash, ClosedLinesBeginAtACorner) {
   // A square whose list of points begins in the middle of a side.
-  const auto pieces = cut_at_corners({{10, 0}, {20, 0}, {20, 20}, {0, 20}, {0, 0}}, true, 0.25);
-  ASSERT_EQ(pieces.size(), 4u);
-  EXPECT_EQ(pieces[0].first, 1);
-  EXPECT_EQ(pieces[3].last, 6);
-  for (const Piece& piece : pieces) EXPECT_FALSE(piece.closed);
+  const auto runs = cut_at_corners({{10, 0}, {20, 0}, {20, 20}, {0, 20}, {0, 0}}, true, 0.25);
+  ASSERT_EQ(runs.size(), 4u);
+  EXPECT_EQ(runs[0].first, 1);
+  EXPECT_EQ(runs[3].last, 6);
+  for (const DashRun& run : runs) EXPECT_FALSE(run.closed);
 }
 
 TEST(Dash, RoundClosedLinesStayClosed) {
   std::vector<Vec2> circle;
   for (int i = 0; i < 40; ++i)
     circle.emplace_back(10 * std::cos(i * std::acos(-1) / 20), 10 * std::sin(i * std::acos(-1) / 20));
-  const auto pieces = cut_at_corners(circle, true, 0.25);
-  ASSERT_EQ(pieces.size(), 1u);
-  EXPECT_TRUE(pieces[0].closed);
+  const auto runs = cut_at_corners(circle, true, 0.25);
+  ASSERT_EQ(runs.size(), 1u);
+  EXPECT_TRUE(runs[0].closed);
   EXPECT_NEAR(length_of(circle, true), 800 * std::sin(std::acos(-1) / 40), 1e-9);
 }
 

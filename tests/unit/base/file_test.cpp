@@ -1,0 +1,132 @@
+#include "base/file.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+#include <csignal>
+#include <fstream>
+
+#include "errors.hpp"
+#include "folder.hpp"
+
+namespace epura::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Names = std::vector<std::string>;
+
+int mode_of(const fs::path& path) { return static_cast<int>(fs::status(path).permissions()); }
+
+TEST(Files, BytesComeBack) {
+  const Folder folder;
+  std::string bytes(100000, '\0');
+  for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<char>(i * i >> 3);
+  for (const std::string& content : {std::string(), std::string("\0\r\n\xFF", 4), bytes}) {
+    write_file(folder / "a", content);
+    EXPECT_EQ(read_file(folder / "a"), content);
+  }
+  EXPECT_EQ(folder.names(), Names{"a"});
+}
+
+TEST(Files, WhatCannotBeReadIsNamedWithTheReason) {
+  const Folder folder;
+  const Error missing = error_of([&] { read_file(folder / "none.obj"); });
+  EXPECT_EQ(missing.trouble(), Trouble::input);
+  EXPECT_EQ(missing.where(), (folder / "none.obj").string());
+  EXPECT_TRUE(contains(missing.what(), "No such file")) << missing.what();
+  EXPECT_EQ(missing.hint(), "check the path");
+  const Error directory = error_of([&] { read_file(folder / ""); });
+  EXPECT_TRUE(contains(directory.what(), "is a directory")) << directory.what();
+}
+
+TEST(Files, ANewFileHasTheModeOfAnyNewFile) {
+  const Folder folder;
+  const mode_t mask = ::umask(027);
+  write_file(folder / "a", "x");
+  ::umask(mask);
+  EXPECT_EQ(mode_of(folder / "a"), 0640);
+}
+
+TEST(Files, AnOldFileKeepsItsMode) {
+  const Folder folder;
+  write_file(folder / "a", "old");
+  fs::permissions(folder / "a", fs::perms(0604));
+  write_file(folder / "a", "new");
+  EXPECT_EQ(mode_of(folder / "a"), 0604);
+  EXPECT_EQ(read_file(folder / "a"), "new");
+}
+
+TEST(Files, ALinkStaysALink) {
+  const Folder folder;
+  write_file(folder / "target", "old");
+  fs::create_symlink("target", folder / "link");
+  write_file(folder / "link", "new");
+  EXPECT_TRUE(fs::is_symlink(folder / "link"));
+  EXPECT_EQ(read_file(folder / "target"), "new");
+  EXPECT_EQ(folder.names(), (Names{"link", "target"}));
+}
+
+TEST(Files, AReaderKeepsTheOldFile) {
+  const Folder folder;
+  write_file(folder / "a", "old");
+  std::ifstream reader(folder / "a");
+  write_file(folder / "a", "something new");
+  std::string seen;
+  std::getline(reader, seen);
+  EXPECT_EQ(seen, "old");
+}
+
+TEST(Files, WhatCannotBeWrittenIsRefused) {
+  const Folder folder;
+  write_file(folder / "file", "old");
+  for (const fs::path& path : {folder / "", folder / "missing/a", folder / "file/a", fs::path("/proc/epura")}) {
+    const Error error = error_of([&] { write_file(path, "x"); });
+    EXPECT_EQ(error.trouble(), Trouble::output) << path;
+    EXPECT_EQ(error.where(), path.string());
+  }
+  EXPECT_EQ(folder.names(), Names{"file"});
+  EXPECT_EQ(read_file(folder / "file"), "old");
+}
+
+TEST(Files, DevicesAreWrittenToDirectly) {
+  write_file("/dev/null", "x");
+  EXPECT_TRUE(fs::is_character_file("/dev/null"));
+  EXPECT_EQ(error_of([] { write_file("/dev/full", "x"); }).trouble(), Trouble::output);
+}
+
+// Files may hold no more than this many bytes while it lives: a full disk, as far as the writer can see.
+class FullDisk {
+ public:
+  explicit FullDisk(rlim_t bytes) : old_handler_(std::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &old_);
+    const rlimit limit{bytes, old_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+  ~FullDisk() {
+    ::setrlimit(RLIMIT_FSIZE, &old_);
+    std::signal(SIGXFSZ, old_handler_);
+  }
+
+ private:
+  void (*old_handler_)(int);
+  rlimit old_{};
+};
+
+TEST(Files, AFullDiskLeavesTheOldFileAndNothingElse) {
+  const Folder folder;
+  write_file(folder / "a", "old");
+  Error error(Trouble::input, "", "");
+  {
+    const FullDisk disk(1000);
+    error = error_of([&] { write_file(folder / "a", std::string(5000, 'x')); });
+  }
+  EXPECT_EQ(error.trouble(), Trouble::output);
+  EXPECT_EQ(read_file(folder / "a"), "old");
+  EXPECT_EQ(folder.names(), Names{"a"});
+}
+
+}  // namespace
+}  // namespace epura::test

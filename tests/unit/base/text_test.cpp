@@ -1,0 +1,139 @@
+#include "base/text.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cfloat>
+#include <clocale>
+#include <cmath>
+#include <locale>
+#include <random>
+#include <stdexcept>
+
+namespace epura::test {
+namespace {
+
+TEST(Numbers, AreReadWholeOrNotAtAll) {
+  EXPECT_EQ(parse_number("1.5"), 1.5);
+  EXPECT_EQ(parse_number("+1.5"), 1.5);
+  EXPECT_EQ(parse_number("-.5"), -0.5);
+  EXPECT_EQ(parse_number("2."), 2.0);
+  EXPECT_EQ(parse_number("1e3"), 1000.0);
+  EXPECT_EQ(parse_number("1E-2"), 0.01);
+  for (const char* junk : {"", " ", "+", "-", ".", "e5", "+-1", "++1", "--1", " 1", "1 ", "1,5", "1.5mm", "1e", "0x10",
+                           "1.2.3", "1\n", "one", "1e400", "-1e400"})
+    EXPECT_EQ(parse_number(junk), std::nullopt) << junk;
+}
+
+TEST(Numbers, NanAndInfinityAreNumbersForWhoeverChecks) {
+  EXPECT_TRUE(std::isnan(parse_number("nan").value()));
+  EXPECT_EQ(parse_number("inf"), HUGE_VAL);
+  EXPECT_EQ(parse_number("-inf"), -HUGE_VAL);
+}
+
+TEST(Numbers, WholeNumbersHaveNoFraction) {
+  EXPECT_EQ(parse_integer("+12"), 12);
+  EXPECT_EQ(parse_integer("-9223372036854775808"), INT64_MIN);
+  for (const char* junk : {"", "1.0", "1e2", "9223372036854775808", "12a", " 1", "+-3"})
+    EXPECT_EQ(parse_integer(junk), std::nullopt) << junk;
+}
+
+TEST(Numbers, ListsAreAllOrNothing) {
+  EXPECT_EQ(parse_numbers("1,-2,+3e1"), (std::vector<double>{1, -2, 30}));
+  for (const char* junk : {"", "1,", ",1", "1,,2", "1;2", "1, 2"}) EXPECT_EQ(parse_numbers(junk), std::nullopt) << junk;
+}
+
+TEST(Numbers, ComeBackAsTheSameDouble) {
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 20000; ++i) {
+    const double value = std::bit_cast<double>(random());
+    if (!std::isfinite(value)) continue;
+    ASSERT_EQ(std::bit_cast<std::uint64_t>(parse_number(format_number(value)).value()),
+              std::bit_cast<std::uint64_t>(value));
+  }
+  for (const double value : {DBL_MAX, DBL_MIN, DBL_TRUE_MIN, 0.1, 1.0 / 3, 1e23, -5e-324})
+    EXPECT_EQ(parse_number(format_number(value)), value);
+}
+
+TEST(Numbers, AreWrittenShort) {
+  EXPECT_EQ(format_number(0.1), "0.1");
+  EXPECT_EQ(format_number(-0.0), "0");
+  EXPECT_EQ(format_number(297), "297");
+  EXPECT_EQ(format_number(1e300), "1e+300");
+}
+
+TEST(Numbers, FixedDropsZerosAndKnowsNoNegativeZero) {
+  EXPECT_EQ(format_fixed(1.5, 3), "1.5");
+  EXPECT_EQ(format_fixed(0.1 + 0.2, 5), "0.3");
+  EXPECT_EQ(format_fixed(100, 2), "100");
+  EXPECT_EQ(format_fixed(100, 0), "100");
+  EXPECT_EQ(format_fixed(2.0 / 3, 2), "0.67");
+  for (const double tiny : {-0.0, -0.0004, -1e-300, 0.0004}) EXPECT_EQ(format_fixed(tiny, 3), "0") << tiny;
+  EXPECT_EQ(format_fixed(-0.4, 0), "0");
+  EXPECT_EQ(format_fixed(-0.0006, 3), "-0.001");
+  EXPECT_EQ(format_fixed(-DBL_MAX, 6).size(), 310U);
+}
+
+// A locale with decimal commas and dots between thousands, for streams and, where it is installed, for C as well.
+class GermanLocale {
+ public:
+  GermanLocale() : old_(std::locale()), old_c_(std::setlocale(LC_ALL, nullptr)) {
+    struct German : std::numpunct<char> {
+      char do_decimal_point() const override { return ','; }
+      char do_thousands_sep() const override { return '.'; }
+      std::string do_grouping() const override { return "\3"; }
+    };
+    try {
+      std::locale::global(std::locale("de_DE.UTF-8"));
+    } catch (const std::runtime_error&) {
+      std::locale::global(std::locale(std::locale(), new German));
+    }
+  }
+  GermanLocale(const GermanLocale&) = delete;
+  GermanLocale& operator=(const GermanLocale&) = delete;
+  ~GermanLocale() {
+    std::locale::global(old_);
+    std::setlocale(LC_ALL, old_c_.c_str());
+  }
+
+ private:
+  std::locale old_;
+  std::string old_c_;
+};
+
+TEST(Numbers, DoNotFollowTheLocale) {
+  const GermanLocale german;
+  EXPECT_EQ(format_number(1234.5), "1234.5");
+  EXPECT_EQ(format_fixed(1234567.25, 2), "1234567.25");
+  EXPECT_EQ(parse_number("1.5"), 1.5);
+  EXPECT_EQ(parse_number("1,5"), std::nullopt);
+  EXPECT_EQ(parse_integer("1.000"), std::nullopt);
+}
+
+TEST(Text, SplitKeepsEmptyParts) {
+  using Parts = std::vector<std::string_view>;
+  EXPECT_EQ(split("", ','), Parts{""});
+  EXPECT_EQ(split("a", ','), Parts{"a"});
+  EXPECT_EQ(split(",a,,b,", ','), (Parts{"", "a", "", "b", ""}));
+}
+
+TEST(Text, LowerCaseLeavesOtherBytesAlone) { EXPECT_EQ(to_lower("A4 \xC3\x9C Z[@"), "a4 \xC3\x9C z[@"); }
+
+TEST(Names, TheNearestIsMeantIfItIsNear) {
+  const std::vector<std::string> names{"isometric", "dimetric", "trimetric", "top"};
+  EXPECT_EQ(nearest_name("isometrc", names), "isometric");
+  EXPECT_EQ(nearest_name("ISOMETRIC", names), "isometric");
+  EXPECT_EQ(nearest_name("tpo", names), "top");
+  EXPECT_EQ(nearest_name("qqqqqqqqq", names), std::nullopt);
+  EXPECT_EQ(did_you_mean("dimetrik", names), "did you mean 'dimetric'?");
+  EXPECT_EQ(did_you_mean("qqqqqqqqq", names), "known: isometric, dimetric, trimetric, top");
+  EXPECT_EQ(did_you_mean("x", {}), "");
+}
+
+TEST(Names, OfEquallyNearOnesTheFirstIsTaken) {
+  const std::vector<std::string> names{"near", "dear", "fear"};
+  EXPECT_EQ(nearest_name("rear", names), "near");
+}
+
+}  // namespace
+}  // namespace epura::test

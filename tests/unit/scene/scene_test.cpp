@@ -1,0 +1,77 @@
+#include "scene/scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "errors.hpp"
+#include "scene/transform.hpp"
+#include "shapes.hpp"
+
+namespace epura::test {
+namespace {
+
+Placed placed(const Shape& shape, const char* steps = "") {
+  return {std::make_shared<const Mesh>(mesh_of(shape)), parse_transform(steps)};
+}
+
+TEST(Scene, ModelsShareOneNumbering) {
+  const World world = make_world({placed(triangulated_cube()), placed(plate(0, 0, 1, 1, 5)), placed(triangulated_cube())});
+  EXPECT_EQ(world.first_vertex, (std::vector<int>{0, 8, 12, 20}));
+  EXPECT_EQ(world.first_triangle, (std::vector<int>{0, 12, 14, 26}));
+  ASSERT_EQ(world.points.size(), 20U);
+  ASSERT_EQ(world.triangles.size(), 26U);
+  for (int t = 0; t < 26; ++t) {
+    const int model = world.model_of_triangle(t);
+    EXPECT_EQ(model, t < 12 ? 0 : t < 14 ? 1 : 2);
+    for (const int v : world.triangles[t]) {
+      EXPECT_GE(v, world.first_vertex[model]);
+      EXPECT_LT(v, world.first_vertex[model + 1]);
+    }
+  }
+  EXPECT_EQ(world.box.most, Vec3(1, 1, 5));
+}
+
+TEST(Scene, ModelsStandWhereTheirTransformsPutThem) {
+  const World world = make_world({placed(triangulated_cube(), "scale:2 translate:10,0,0"), placed(triangulated_cube())});
+  EXPECT_EQ(world.points[0], Vec3(10, 0, 0));
+  EXPECT_EQ(world.points[7], Vec3(12, 2, 2));
+  EXPECT_EQ(world.points[8], Vec3(0, 0, 0));
+  EXPECT_EQ(world.box.most, Vec3(12, 2, 2));
+}
+
+TEST(Scene, VerticesWithoutFacesDoNotCount) {
+  Shape cube = triangulated_cube();
+  cube.points.push_back({100, 100, 100});
+  EXPECT_EQ(world_of(cube).box.most, Vec3(1));
+}
+
+TEST(Scene, AnUnmovedModelKeepsItsBits) {
+  Shape cube = triangulated_cube();
+  cube.points[1] = {0x1.fffffffffffffp1023, -0.0, 0x1p-1074};
+  const World world = world_of(cube);
+  EXPECT_EQ(world.points[1].x, 0x1.fffffffffffffp1023);
+  EXPECT_TRUE(std::signbit(world.points[1].y));
+  EXPECT_EQ(world.points[1].z, 0x1p-1074);
+}
+
+TEST(Scene, ATransformOutOfTheDoublesIsRefused) {
+  for (const char* steps : {"scale:1e200 scale:1e200", "translate:1e308,0,0 scale:10"}) {
+    const Error error = error_of([&] { make_world({placed(triangulated_cube(), steps)}); });
+    EXPECT_EQ(error.trouble(), Trouble::input);
+    EXPECT_EQ(error.where(), "shape");
+    EXPECT_TRUE(contains(error.what(), "range")) << error.what();
+  }
+}
+
+TEST(Scene, TheLeastPreciseModelCounts) {
+  const World exact = world_of(triangulated_cube());
+  EXPECT_EQ(exact.precision, 0);
+  Mesh mesh = mesh_of(triangulated_cube());
+  mesh.report.single_precision = true;
+  const auto coarse = std::make_shared<const Mesh>(std::move(mesh));
+  EXPECT_GT(make_world({placed(plate(0, 0, 1, 1, 0)), {coarse, Mat4(1.0)}}).precision, 0x1p-25);
+}
+
+}  // namespace
+}  // namespace epura::test
