@@ -9,7 +9,6 @@ namespace epura {
 
 namespace {
 
-constexpr double least_piece = 1e-7;  // of the drawing; shorter coincidences and remainders are rounding
 constexpr double coincident_cells = 4;
 constexpr double straight_mm = 1e-6;
 

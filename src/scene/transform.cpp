@@ -1,5 +1,6 @@
 #include "scene/transform.hpp"
 
+#include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 #include <optional>
@@ -49,6 +50,7 @@ Mat4 parse_step(std::string_view step) {
   const std::string_view verb = step.substr(0, colon);
   const std::string_view values = colon == std::string_view::npos ? std::string_view{} : step.substr(colon + 1);
   if (verb == "rotate") return rotation_step(step, values);
+  if (verb != "translate" && verb != "scale" && verb != "matrix") refuse(step, "is no known step");
 
   const auto numbers = parse_numbers(values);
   if (!numbers) refuse(step, "wants numbers separated by commas");
@@ -61,7 +63,14 @@ Mat4 parse_step(std::string_view step) {
   if (verb == "matrix" && v.size() == 16)
     return rows({v[0], v[1], v[2], v[3]}, {v[4], v[5], v[6], v[7]}, {v[8], v[9], v[10], v[11]},
                 {v[12], v[13], v[14], v[15]});
-  refuse(step, "is no known step, or has the wrong number of values");
+  refuse(step, "has the wrong number of values");
+}
+
+// Scaled first: the determinant of a small matrix would vanish.
+bool is_flat(const Mat3& matrix) {
+  double largest = 0;
+  for (int i = 0; i < 9; ++i) largest = std::max(largest, std::abs(matrix[i / 3][i % 3]));
+  return largest == 0 || glm::determinant(matrix / largest) == 0;
 }
 
 }  // namespace
@@ -73,7 +82,7 @@ Mat4 parse_transform(std::string_view text) {
     matrix = parse_step(step) * matrix;
     if (matrix[0][3] != 0 || matrix[1][3] != 0 || matrix[2][3] != 0 || matrix[3][3] != 1)
       refuse(step, "is not affine: the last row must be 0,0,0,1");
-    if (glm::determinant(Mat3(matrix)) == 0) refuse(step, "flattens the model");
+    if (is_flat(Mat3(matrix))) refuse(step, "flattens the model");
   }
   return matrix;
 }

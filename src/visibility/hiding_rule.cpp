@@ -81,6 +81,10 @@ std::optional<std::array<double, 2>> exceeding(double from, double to, double at
 
 }  // namespace
 
+double least_span(const View& view, const Sightline& edge) {
+  return least_piece * view.extent / glm::distance(place(view.vertices[edge.p]), place(view.vertices[edge.q]));
+}
+
 std::optional<std::array<double, 2>> hidden_part(const View& view, const Sightline& edge, const Occluder& triangle,
                                                  const Contact& contact) {
   std::array<bool, 3> left{};

@@ -31,8 +31,14 @@ struct Occluder {
 
 /// An edge on the page, between two vertices of the view.
 struct Sightline {
-  int p, q;         ///< vertices of the view
+  int p, q;  ///< vertices of the view
 };
+
+/// Pieces of a line shorter than this part of the drawing are rounding, not geometry.
+inline constexpr double least_piece = 1e-7;
+
+/// The same as a part of the edge's length on the page.
+double least_span(const View& view, const Sightline& edge);
 
 /// Page parameters (0 at p, 1 at q) of the part that the triangle hides: where it covers the edge on the page and lies
 /// in front of it by more than contact. The caller has seen to it that the edge is none of the triangle's own.

@@ -5,18 +5,15 @@
 
 #include "base/parallel.hpp"
 #include "visibility/occluders.hpp"
+#include "visibility/spans.hpp"
 
 namespace epura {
 
 namespace {
 
-using Spans = std::vector<std::array<double, 2>>;
-
 constexpr double contact_cells = 4;
 constexpr double contact_part = 0x1p-29;
 constexpr double joined_part = 0x1p-44;
-// Pieces of a line shorter than this part of the drawing are rounding, not geometry.
-constexpr double least_piece = 1e-7;
 
 double size_of(const World& world, const View& view) {
   const Vec3 size = world.box.size() * view.map.shrink;
@@ -32,50 +29,6 @@ bool is_own(const World& world, const DrawnEdges& drawn, const DrawnEdge& edge, 
   const Mesh& mesh = *world.models[edge.model].mesh;
   const auto own = mesh.triangles_of(mesh.edges[edge.mesh_edge]);
   return std::find(own.begin(), own.end(), triangle - world.first_triangle[edge.model]) != own.end();
-}
-
-// Adds a span to ascending, disjoint spans; what touches becomes one.
-void add_span(Spans& spans, const std::array<double, 2>& span) {
-  auto begin = std::lower_bound(spans.begin(), spans.end(), span[0], [](const auto& s, double t) { return s[1] < t; });
-  auto end = begin;
-  std::array<double, 2> whole = span;
-  for (; end != spans.end() && (*end)[0] <= span[1]; ++end)
-    whole = {std::min(whole[0], (*end)[0]), std::max(whole[1], (*end)[1])};
-  if (begin == end)
-    spans.insert(begin, whole);
-  else {
-    *begin = whole;
-    spans.erase(begin + 1, end);
-  }
-}
-
-bool covers(const Spans& spans, double from, double to) {
-  const auto span = std::lower_bound(spans.begin(), spans.end(), to, [](const auto& s, double t) { return s[1] < t; });
-  return span != spans.end() && (*span)[0] <= from;
-}
-
-// Visible slivers between or before hidden spans become hidden, then hidden slivers visible.
-void absorb_slivers(Spans& spans, double least) {
-  if (spans.empty()) return;
-  if (least >= 1) {
-    double hidden = 0;
-    for (const auto& span : spans) hidden += span[1] - span[0];
-    spans = hidden > 0.5 ? Spans{{0.0, 1.0}} : Spans{};
-    return;
-  }
-  Spans joined;
-  for (const auto& span : spans) {
-    if (!joined.empty() && span[0] - joined.back()[1] < least)
-      joined.back()[1] = span[1];
-    else
-      joined.push_back(span);
-  }
-  std::erase_if(joined, [&](const auto& span) { return span[1] - span[0] < least; });
-  if (!joined.empty()) {
-    if (joined.front()[0] < least) joined.front()[0] = 0;
-    if (1 - joined.back()[1] < least) joined.back()[1] = 1;
-  }
-  spans = joined;
 }
 
 struct Hider {
@@ -104,7 +57,7 @@ struct Hider {
         return !covers(spans, from, to);
       });
     });
-    absorb_slivers(spans, least_piece * view.extent / std::hypot(q.x - p.x, q.y - p.y));
+    absorb_slivers(spans, least_span(view, line));
     return spans;
   }
 };

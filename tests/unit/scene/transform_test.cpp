@@ -53,11 +53,9 @@ TEST(Transform, AMatrixIsRowMajor) {
 TEST(Transform, MirrorsAreAllowed) { EXPECT_EQ(moved("scale:-1,1,1", {1, 2, 3}), Vec3(-1, 2, 3)); }
 
 TEST(Transform, TinyAndHugeScalesAreNotFlat) {
-  for (const double scale : {1e-200, 1e-110, 1e110, 1e200})
-    EXPECT_EQ(moved(("scale:" + std::to_string(0) + "1e" + std::to_string(std::lround(std::log10(scale)))).c_str(),
-                    {1, 1, 1})
-                  .x,
-              scale);
+  EXPECT_EQ(moved("scale:1e-200", {1, 1, 1}), Vec3(1e-200));
+  EXPECT_EQ(moved("scale:1e200", {1, 1, 1}), Vec3(1e200));
+  EXPECT_EQ(moved("scale:1,1,1e-300", {1, 1, 1}), Vec3(1, 1, 1e-300));
 }
 
 TEST(Transform, WrongStepsAreNamed) {

@@ -1,0 +1,49 @@
+#include "visibility/spans.hpp"
+
+#include <algorithm>
+
+namespace epura {
+
+void add_span(Spans& spans, const std::array<double, 2>& span) {
+  auto begin = std::lower_bound(spans.begin(), spans.end(), span[0], [](const auto& s, double t) { return s[1] < t; });
+  auto end = begin;
+  std::array<double, 2> whole = span;
+  for (; end != spans.end() && (*end)[0] <= span[1]; ++end)
+    whole = {std::min(whole[0], (*end)[0]), std::max(whole[1], (*end)[1])};
+  if (begin == end)
+    spans.insert(begin, whole);
+  else {
+    *begin = whole;
+    spans.erase(begin + 1, end);
+  }
+}
+
+bool covers(const Spans& spans, double from, double to) {
+  const auto span = std::lower_bound(spans.begin(), spans.end(), to, [](const auto& s, double t) { return s[1] < t; });
+  return span != spans.end() && (*span)[0] <= from;
+}
+
+void absorb_slivers(Spans& spans, double least) {
+  if (spans.empty()) return;
+  if (least >= 1) {
+    double hidden = 0;
+    for (const auto& span : spans) hidden += span[1] - span[0];
+    spans = hidden > 0.5 ? Spans{{0.0, 1.0}} : Spans{};
+    return;
+  }
+  Spans joined;
+  for (const auto& span : spans) {
+    if (!joined.empty() && span[0] - joined.back()[1] < least)
+      joined.back()[1] = span[1];
+    else
+      joined.push_back(span);
+  }
+  std::erase_if(joined, [&](const auto& span) { return span[1] - span[0] < least; });
+  if (!joined.empty()) {
+    if (joined.front()[0] < least) joined.front()[0] = 0;
+    if (1 - joined.back()[1] < least) joined.back()[1] = 1;
+  }
+  spans = joined;
+}
+
+}  // namespace epura

@@ -1,0 +1,107 @@
+// Searching occluders by place and depth gives, to the last bit, what trying every triangle on every edge gives.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "shapes.hpp"
+#include "visibility/spans.hpp"
+
+namespace epura::test {
+namespace {
+
+bool is_own(const Result& r, const DrawnEdge& edge, int triangle) {
+  if (edge.crossing >= 0) {
+    const auto& pair = r.drawn.crossings[edge.crossing].triangles;
+    return triangle == pair[0] || triangle == pair[1];
+  }
+  const Mesh& mesh = *r.world.models[edge.model].mesh;
+  const auto own = mesh.triangles_of(mesh.edges[edge.mesh_edge]);
+  return std::find(own.begin(), own.end(), triangle - r.world.first_triangle[edge.model]) != own.end();
+}
+
+double steepness_of(const View& view, const std::array<int, 3>& corners) {
+  const PageVertex &a = view.vertices[corners[0]], &b = view.vertices[corners[1]], &c = view.vertices[corners[2]];
+  const double bx = b.x - a.x, by = b.y - a.y, bz = b.depth - a.depth;
+  const double cx = c.x - a.x, cy = c.y - a.y, cz = c.depth - a.depth;
+  const double area = bx * cy - by * cx;
+  if (std::abs(area) <= 0x1p-40 * std::max(bx * bx + by * by, cx * cx + cy * cy)) return 1;
+  return 1 + std::hypot((bz * cy - by * cz) / area, (bx * cz - bz * cx) / area);
+}
+
+Spans by_brute_force(const Result& r, const DrawnEdge& edge, const Contact& contact) {
+  const Sightline line{edge.vertex[0], edge.vertex[1]};
+  Spans spans;
+  for (const ViewTriangle& t : r.view.triangles) {
+    const auto& [a, b, c] = t.vertex;
+    if (cross(r.view.grid[a], r.view.grid[b], r.view.grid[c]) == 0 || is_own(r, edge, t.source)) continue;
+    const Occluder occluder{t.vertex, t.source, 0, steepness_of(r.view, t.vertex)};
+    if (const auto part = hidden_part(r.view, line, occluder, contact)) add_span(spans, *part);
+  }
+  absorb_slivers(spans, least_span(r.view, line));
+  return spans;
+}
+
+void expect_equal(const Result& r) {
+  const Contact contact = contact_of(r.world, r.view, std::nullopt);
+  for (std::size_t e = 0; e < r.drawn.edges.size(); ++e) {
+    const Spans found(r.hidden.spans.begin() + r.hidden.first[e], r.hidden.spans.begin() + r.hidden.first[e + 1]);
+    ASSERT_EQ(found, by_brute_force(r, r.drawn.edges[e], contact)) << "edge " << e;
+  }
+}
+
+Shape soup(unsigned seed) {
+  std::mt19937 random(seed);
+  const auto number = [&] { return static_cast<double>(random()) / 4294967296.0; };
+  const int triangles = 4 + static_cast<int>(random() % 60);
+  const double size = std::pow(2.0, -static_cast<double>(random() % 5));
+  const double steps = random() % 3 == 0 ? 5 : 0;
+  Shape shape;
+  const auto place = [&](double c) { return steps > 0 ? std::round(c * steps) / steps : c; };
+  for (int i = 0; i < triangles; ++i) {
+    const Point at{number(), number(), number()};
+    for (int k = 0; k < 3; ++k)
+      shape.points.push_back(
+          {place(at[0] + size * number()), place(at[1] + size * number()), place(at[2] + size * number())});
+    shape.faces.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  return shape;
+}
+
+TEST(Search, EqualsBruteForceOnRandomScenes) {
+  for (unsigned seed = 1; seed <= 1000; ++seed) {
+    const World world = world_of(soup(seed));
+    const std::vector<Projection> views{orthographic({1, 1, 1}), orthographic({0.3, -1, 0.2}), from_above(),
+                                        perspective({3, -2, 2}, {0, 0, 0}, {3, -2, 2}, {0, 0, 1}),
+                                        perspective({0.5, -0.5, 0.5}, {0.5, 0, 0.5}, {0, -1, 0}, {0, 0, 1})};
+    if (world.triangles.empty()) continue;  // all were rounded to nothing
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    expect_equal(draw(world, views[seed % views.size()]));
+  }
+}
+
+TEST(Search, EqualsBruteForceFromInside) {
+  for (unsigned seed = 1; seed <= 50; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    // A room around the soup, so that there is always something in front of the eye.
+    const World world = world_of({soup(seed), box({-1, -1, -1}, {3, 3, 3})});
+    expect_equal(draw(world, perspective({0.5, 0.5, 0.5}, {0.5, 0.7, 0.5}, {0.1, -1, 0.2}, {0, 0, 1})));
+  }
+}
+
+TEST(Search, EqualsBruteForceOnAFineMesh) {
+  const int n = 48;
+  Shape torus;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const double a = 2 * M_PI * i / n, b = 2 * M_PI * j / n, radius = 1 + (0.4 + 0.1 * std::sin(5 * a)) * std::cos(b);
+      torus.points.push_back({radius * std::cos(a), radius * std::sin(a), 0.4 * std::sin(b)});
+      torus.faces.push_back({i * n + j, (i + 1) % n * n + j, (i + 1) % n * n + (j + 1) % n, i * n + (j + 1) % n});
+    }
+  expect_equal(draw(world_of(torus), orthographic({1, -2, 0.8})));
+  expect_equal(draw(world_of(torus), orthographic({1, -2, 0.8}), {.smooth = true}));
+}
+
+}  // namespace
+}  // namespace epura::test

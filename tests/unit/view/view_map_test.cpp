@@ -1,0 +1,170 @@
+// The map of the view against the textbook matrices, which are built in another way.
+#include "view/view_map.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "projection/matrices.hpp"
+#include "shapes.hpp"
+#include "view/paper_map.hpp"
+
+namespace epura::test {
+namespace {
+
+using Random = std::mt19937;
+
+double uniform(Random& random, double least, double most) {
+  return least + (most - least) * (static_cast<double>(random()) / 4294967296.0);
+}
+
+Vec3 point_in(Random& random, const Box& box) {
+  return {uniform(random, box.least.x, box.most.x), uniform(random, box.least.y, box.most.y),
+          uniform(random, box.least.z, box.most.z)};
+}
+
+Box box_of_the_scene() { return {{-1, -2, 0.5}, {3, 1, 4}}; }
+
+// Parallel and oblique, central from near and from far, with the plane before and behind the scene, scaled.
+std::vector<Projection> projections() {
+  std::vector<Projection> list;
+  for (const Vec3& towards : {Vec3(1, -1, 1), Vec3(0, -1, 0), Vec3(0.3, 2, -5)}) {
+    Projection p = orthographic(towards);
+    p.point = {3, -2, 7};
+    p.scale = 0.7;
+    list.push_back(p);
+    p.projector = glm::normalize(p.n + 0.8 * p.u - 0.3 * p.v);
+    list.push_back(p);
+    for (const double distance : {8.0, 500.0})
+      for (const double plane : {0.25, 1.0, 2.0}) {
+        Projection c = perspective(Vec3(1, 0, 2) + distance * p.n + 0.3 * p.u, Vec3(0), towards, {0, 0, 1});
+        c.point = c.projector - plane * distance * c.n + 5.0 * c.v;
+        c.scale = 2.5;
+        list.push_back(c);
+      }
+  }
+  return list;
+}
+
+TEST(ViewMap, PlacesAreThoseOfTheMatrix) {
+  Random random(1);
+  for (const Projection& p : projections()) {
+    const ViewMap map = make_view_map(p, box_of_the_scene());
+    const Mat4 matrix = view_matrix(p);
+    for (int i = 0; i < 50; ++i) {
+      const Vec3 point = point_in(random, box_of_the_scene());
+      const Mapped mapped = map(point);
+      const Vec4 expected = matrix * Vec4(point, 1);
+      ASSERT_GT(mapped.w, 0);
+      // From the plane's own point, in model lengths: undo shrinking and the shift to the image of the scene's middle.
+      const Vec2 place = (Vec2(mapped.x, mapped.y) / mapped.w + map.image) / map.shrink;
+      EXPECT_NEAR(place.x, p.scale * expected.x / expected.w, 1e-11);
+      EXPECT_NEAR(place.y, p.scale * expected.y / expected.w, 1e-11);
+    }
+  }
+}
+
+TEST(ViewMap, DepthIsThatOfTheMatrixUpToScaleAndShift) {
+  Random random(2);
+  for (const Projection& p : projections()) {
+    const ViewMap map = make_view_map(p, box_of_the_scene());
+    const Mat4 matrix = view_matrix(p);
+    const auto both = [&](const Vec3& point) {
+      const Mapped mapped = map(point);
+      const Vec4 expected = matrix * Vec4(point, 1);
+      return Vec2(expected.z / expected.w, mapped.z / mapped.w);
+    };
+    const Vec2 a = both(box_of_the_scene().least);
+    const Vec2 b = both(box_of_the_scene().most);
+    const double slope = (b.y - a.y) / (b.x - a.x);
+    EXPECT_GT(slope, 0);
+    for (int i = 0; i < 50; ++i) {
+      const Vec2 c = both(point_in(random, box_of_the_scene()));
+      EXPECT_NEAR(c.y, a.y + slope * (c.x - a.x), 1e-9 * std::abs(b.y - a.y));
+    }
+  }
+}
+
+TEST(ViewMap, DepthIsLengthAlongProjectorsAtTheMiddle) {
+  for (const Projection& p : projections()) {
+    const ViewMap map = make_view_map(p, box_of_the_scene());
+    const Vec3 middle = box_of_the_scene().centre();
+    const Vec3 along = p.central ? glm::normalize(p.projector - middle) : p.projector;
+    const auto depth = [&](const Vec3& point) { return map(point).z / map(point).w; };
+    const auto place = [&](const Vec3& point) { return Vec2(map(point).x, map(point).y) / map(point).w; };
+    const double step = 1e-4;
+    const double towards = (depth(middle + step * along) - depth(middle - step * along)) / (2 * step);
+    // A step beside, parallel to the plane, has the page's length of that step.
+    const double beside = glm::length(place(middle + step * p.u) - place(middle - step * p.u)) / (2 * step);
+    EXPECT_NEAR(towards / beside, 1, 1e-6);
+  }
+}
+
+TEST(ViewMap, FarFromTheOriginNoDigitIsLost) {
+  Random random(3);
+  const double far = 0x1p40;
+  for (const Projection& p : projections()) {
+    Projection moved = p;
+    moved.point += Vec3(far);
+    if (p.central) moved.projector += Vec3(far);
+    Box box = box_of_the_scene();
+    const ViewMap near_map = make_view_map(p, box);
+    const ViewMap far_map = make_view_map(moved, {box.least + far, box.most + far});
+    for (int i = 0; i < 10; ++i) {
+      // Multiples of 2^-10 stay what they are beside 2^40.
+      const Vec3 point = glm::round(point_in(random, box) * 1024.0) / 1024.0;
+      const Mapped a = near_map(point);
+      const Mapped b = far_map(point + far);
+      // The eye itself is rounded when it moves; the map adds nothing to that.
+      EXPECT_NEAR(a.x / a.w, b.x / b.w, 4e-4);
+      EXPECT_NEAR(a.y / a.w, b.y / b.w, 4e-4);
+    }
+  }
+}
+
+TEST(PaperMap, OneMatrixGoesTheWholeWay) {
+  const World world = world_of(box({-1, -2, 0.5}, {3, 1, 4}));
+  for (const Projection& p : projections()) {
+    const View view = make_view(world, p, {});
+    const double scale = 12.5;
+    const Window drawn = drawn_box(view);
+    const PaperMap paper = make_paper_map(view, scale, {100, 70});
+    const Mat4 matrix = world_to_page(view, paper);
+    const Mat4 textbook = view_matrix(p);
+    const auto on = [](const Mat4& m, const Vec3& x) {
+      const Vec4 h = m * Vec4(x, 1);
+      return Vec2(h) / h.w;
+    };
+    Vec2 least(HUGE_VAL), most(-HUGE_VAL);
+    for (std::size_t v = 0; v < world.points.size(); ++v) {
+      const Vec2 place = on(matrix, world.points[v]);
+      EXPECT_LT(glm::distance(place, paper(view.vertices[v])), 1e-10);
+      // Distances on paper are those in the projection plane times both scales.
+      const double apart = glm::distance(on(textbook, world.points[v]), on(textbook, world.points[0]));
+      EXPECT_NEAR(glm::distance(place, on(matrix, world.points[0])), scale * p.scale * apart, 1e-9);
+      least = glm::min(least, place);
+      most = glm::max(most, place);
+    }
+    EXPECT_LT(glm::distance(least, Vec2(100, 70) + scale * drawn.least), 1e-9);
+    EXPECT_LT(glm::distance(most, Vec2(100, 70) + scale * drawn.most), 1e-9);
+  }
+}
+
+TEST(PaperMap, VanishingPointsAreImagesOfTheAxes) {
+  const World world = world_of(box({-1, -2, 0.5}, {3, 1, 4}));
+  for (const Projection& p : projections()) {
+    const View view = make_view(world, p, {});
+    const PaperMap paper = make_paper_map(view, 3, {100, 70});
+    const Mat4 matrix = world_to_page(view, paper);
+    const auto points = vanishing_points_on_page(view, paper);
+    for (int axis = 0; axis < 3; ++axis) {
+      EXPECT_EQ(points[axis].has_value(), p.central && std::abs(p.n[axis]) > 1e-12);
+      if (!points[axis]) continue;
+      const Vec4 image = matrix[axis];
+      EXPECT_LT(glm::distance(*points[axis], Vec2(image) / image.w), 1e-8 * glm::length(*points[axis]) + 1e-8);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace epura::test
