@@ -1,6 +1,8 @@
 #include "app/command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <cmath>
+#include <type_traits>
 
 #include "base/error.hpp"
 #include "base/text.hpp"
@@ -16,10 +18,48 @@ std::string joined(const std::vector<std::string>& names) {
   return text;
 }
 
+struct Range {
+  double least, most;
+};
+
+constexpr Range any{-HUGE_VAL, HUGE_VAL};
+
+std::string text_of(const Range& range) {
+  if (std::isinf(range.most)) return format_number(range.least) + " or more";
+  return format_number(range.least) + " to " + format_number(range.most);
+}
+
+// CLI11 would take "nan", and its messages know neither the option nor our way to write numbers.
+double number_of(const std::string& option, const std::string& text, const Range& range, bool whole) {
+  const auto number = parse_number(text);
+  if (!number || !std::isfinite(*number) || (whole && *number != std::floor(*number)))
+    throw Error(Trouble::input, option, "'" + text + "' is no " + (whole ? "whole number" : "number"));
+  if (*number < range.least || *number > range.most)
+    throw Error(Trouble::input, option, "is " + text + ", allowed is " + text_of(range));
+  return *number;
+}
+
+template <class Number>
+CLI::Option* add_number(CLI::App& app, const std::string& option, Number& value, const Range& range,
+                        const std::string& help) {
+  constexpr bool whole = std::is_integral_v<Number>;
+  CLI::Option* added = app.add_option_function<std::string>(
+      option,
+      [&value, option, range](const std::string& text) { value = Number(number_of(option, text, range, whole)); },
+      help);
+  if constexpr (std::is_arithmetic_v<Number>) added->default_str(format_number(value));
+  return added;
+}
+
+// As often as wanted, one value each time: what follows may be a model.
+CLI::Option* add_list(CLI::App& app, const std::string& option, auto& values, const std::string& help) {
+  return app.add_option(option, values, help)->allow_extra_args(false);
+}
+
 void define_inputs(CLI::App& draw, DrawOptions& options) {
   draw.add_option("models", options.models, "model files: obj stl ply off")->required()->type_name("MODEL...");
-  draw.add_option("--transform", options.transforms,
-                  "where models stand, e.g. \"rotate:z,30 translate:0,0,5\"; once for all models, or once for each")
+  add_list(draw, "--transform", options.transforms,
+           "where models stand, e.g. \"rotate:z,30 translate:0,0,5\"; once for all models, or once for each")
       ->type_name("STEPS");
   draw.add_option("--unit", options.unit, "unit of the files: mm, in or m")->capture_default_str()->type_name("UNIT");
   draw.add_option("--up", options.up, "axis that points up in the files: z or y")
@@ -32,9 +72,9 @@ void define_view(CLI::App& draw, DrawOptions& options) {
       ->capture_default_str()
       ->type_name("NAME")
       ->take_last();
-  draw.add_option("--plugin-path", options.plugin_path, "more folders with projection plugins")->type_name("DIR");
-  draw.add_option("--near", options.near, "leave out what is nearer to the viewer")->type_name("D");
-  draw.add_option("--far", options.far, "leave out what is farther from the viewer")->type_name("D");
+  add_list(draw, "--plugin-path", options.plugin_path, "more folders with projection plugins")->type_name("DIR");
+  add_number(draw, "--near", options.near, any, "leave out what is nearer to the viewer")->type_name("D");
+  add_number(draw, "--far", options.far, any, "leave out what is farther from the viewer")->type_name("D");
 }
 
 void define_lines(CLI::App& draw, DrawOptions& options) {
@@ -44,15 +84,14 @@ void define_lines(CLI::App& draw, DrawOptions& options) {
   draw.add_option("--edges", options.edges, "which edges: contour crease boundary intersection smooth, with commas")
       ->capture_default_str()
       ->type_name("KINDS");
-  draw.add_option("--crease-angle", options.crease_angle, "degrees between faces from which their edge is a crease")
-      ->capture_default_str()
-      ->check(CLI::Range(0.0, 180.0))
+  add_number(draw, "--crease-angle", options.crease_angle, {0, 180},
+             "degrees between faces from which their edge is a crease")
       ->type_name("DEG");
   draw.add_option("--visibility", options.visibility, "exact, or none for a wireframe")
       ->capture_default_str()
       ->type_name("METHOD");
-  draw.add_option("--contact", options.contact, "length below which faces touch and hide nothing (by default found)")
-      ->check(CLI::NonNegativeNumber)
+  add_number(draw, "--contact", options.contact, {0, HUGE_VAL},
+             "length below which faces touch and hide nothing (by default found)")
       ->type_name("D");
 }
 
@@ -66,21 +105,14 @@ void define_sheet(CLI::App& draw, DrawOptions& options) {
 }
 
 void define_outputs(CLI::App& draw, DrawOptions& options) {
-  draw.add_option("-o,--output", options.outputs,
-                  "file to write, by extension: " + joined(format_names()) + "; - for standard output")
+  add_list(draw, "-o,--output", options.outputs,
+           "file to write, by extension: " + joined(format_names()) + "; - for standard output")
       ->required()
-      ->type_name("FILE")
-      ->take_all();
+      ->type_name("FILE");
   draw.add_option("--format", options.format, "format of '-'")->type_name("NAME");
   draw.add_flag("--plain", options.plain, "SVG without the origin of lines");
-  draw.add_option("--dpi", options.dpi, "resolution of PNG")
-      ->capture_default_str()
-      ->check(CLI::Range(1.0, 4800.0))
-      ->type_name("N");
-  draw.add_option("--threads", options.threads, "number of threads, 0 for all cores")
-      ->capture_default_str()
-      ->check(CLI::Range(0, 1024))
-      ->type_name("N");
+  add_number(draw, "--dpi", options.dpi, {1, 1200}, "resolution of PNG")->type_name("N");
+  add_number(draw, "--threads", options.threads, {0, 1024}, "number of threads, 0 for all cores")->type_name("N");
   draw.add_flag("--timings", options.timings, "say how long each stage took");
 }
 
@@ -126,7 +158,7 @@ Command parse_command_line(int argc, char** argv) {
   CLI::App* plugins_command = app.add_subcommand("plugins", "list projections, or show one");
   plugins_command->add_option("name", plugins.name, "projection to show: parameters, matrix, vanishing points")
       ->type_name("NAME");
-  plugins_command->add_option("--plugin-path", plugins.plugin_path, "more folders with projection plugins")
+  add_list(*plugins_command, "--plugin-path", plugins.plugin_path, "more folders with projection plugins")
       ->type_name("DIR");
 
   try {

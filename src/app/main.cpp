@@ -23,7 +23,10 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   try {
-    return run(argc, argv);
+    const int code = run(argc, argv);
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+      throw epura::Error(epura::Trouble::output, "standard output", "cannot be written");
+    return code;
   } catch (const epura::Error& error) {
     std::fprintf(stderr, "epura: %s\n", error.what());
     if (!error.hint().empty()) std::fprintf(stderr, "  hint: %s\n", error.hint().c_str());

@@ -3,6 +3,7 @@
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 namespace epura {
 
@@ -13,6 +14,10 @@ void parallel_for(std::size_t count, std::size_t grain, const std::function<void
   }
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
                     [&](const tbb::blocked_range<std::size_t>& range) { body(range.begin(), range.end()); });
+}
+
+void parallel_both(const std::function<void()>& first, const std::function<void()>& second) {
+  tbb::parallel_invoke(first, second);
 }
 
 ThreadLimit::ThreadLimit(int threads) : control_(nullptr) {

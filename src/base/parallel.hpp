@@ -9,6 +9,9 @@ namespace epura {
 /// Calls `body(begin, end)` on disjoint pieces that cover [0, count), at least `grain` long, on several threads.
 void parallel_for(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body);
 
+/// Calls both, perhaps at the same time.
+void parallel_both(const std::function<void()>& first, const std::function<void()>& second);
+
 /// Limits the number of threads while it lives; 0 means all cores.
 class ThreadLimit {
  public:

@@ -89,7 +89,8 @@ std::string to_lower(std::string_view text) {
 std::optional<std::string> nearest_name(std::string_view name, std::span<const std::string> candidates) {
   const std::string lower = to_lower(name);
   std::optional<std::string> best;
-  std::size_t best_distance = std::max<std::size_t>(2, name.size() / 3) + 1;
+  // Some of the name must be right: any two letters are two steps from any other two.
+  std::size_t best_distance = std::min(std::max<std::size_t>(2, name.size() / 3) + 1, name.size());
   for (const std::string& candidate : candidates) {
     const std::size_t distance = edit_distance(lower, to_lower(candidate));
     if (distance < best_distance) {

@@ -60,19 +60,24 @@ std::vector<End> find_partners(const std::vector<Segment>& segments) {
   return partner;
 }
 
-// Leaves out corners at which the line runs straight on.
+// Leaves out corners at which the line runs straight on. The offsets of those left out since the last corner add up, or
+// a long fine arc would be cut short bit by bit.
 void straighten(std::vector<Vec2>& points, bool closed, double tolerance) {
   std::vector<Vec2> kept;
   const std::size_t n = points.size();
+  double offsets = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const bool end = !closed && (i == 0 || i == n - 1);
     const Vec2& before = kept.empty() ? points[(i + n - 1) % n] : kept.back();
     const Vec2 chord = points[(i + 1) % n] - before;
     const Vec2 step = points[i] - before;
     const double length = glm::length(chord);
-    const bool straight = length > 0 && std::abs(chord.x * step.y - chord.y * step.x) <= tolerance * length &&
-                          glm::dot(step, chord) >= 0 && glm::dot(step, chord) <= length * length;
-    if (end || !straight) kept.push_back(points[i]);
+    if (length > 0) offsets += std::abs(chord.x * step.y - chord.y * step.x) / length;
+    const bool straight =
+        length > 0 && offsets <= tolerance && glm::dot(step, chord) >= 0 && glm::dot(step, chord) <= length * length;
+    if (!end && straight) continue;
+    kept.push_back(points[i]);
+    offsets = 0;
   }
   if (kept.size() >= 2) points = std::move(kept);
 }

@@ -31,19 +31,28 @@ double angle_of(const Piece& p) {
 
 double length_of(const Piece& p) { return glm::length(p.to - p.from); }
 
-// The part of `lower`, in its own length, that `upper` covers.
-std::array<double, 2> covered_part(const Piece& lower, const Piece& upper, double tolerance, double least) {
-  const double length = length_of(lower);
-  const Vec2 along = (lower.to - lower.from) / length;
-  const auto local = [&](const Vec2& p) {
-    const Vec2 d = p - lower.from;
-    return Vec2(glm::dot(d, along), along.x * d.y - along.y * d.x);
-  };
-  Vec2 a = local(upper.from);
-  Vec2 b = local(upper.to);
+// A piece as a line to measure from.
+struct Ruler {
+  Vec2 from, along;
+  double length;
+
+  explicit Ruler(const Piece& p) : from(p.from), along((p.to - p.from) / length_of(p)), length(length_of(p)) {}
+
+  // Along the line and to the left of it.
+  [[nodiscard]] Vec2 local(const Vec2& p) const {
+    const Vec2 d = p - from;
+    return {glm::dot(d, along), along.x * d.y - along.y * d.x};
+  }
+};
+
+// The part of a line, in its own length, that a piece covers.
+std::array<double, 2> covered_part(const Ruler& line, const Piece& upper, double tolerance, double least) {
+  Vec2 a = line.local(upper.from);
+  Vec2 b = line.local(upper.to);
+  if (std::min(a.y, b.y) > tolerance || std::max(a.y, b.y) < -tolerance) return {0, 0};
   if (a.x > b.x) std::swap(a, b);
   const double from = std::max(a.x, 0.0);
-  const double to = std::min(b.x, length);
+  const double to = std::min(b.x, line.length);
   if (to - from < least) return {0, 0};
   const auto offset = [&](double x) { return std::abs(a.y + (b.y - a.y) * ((x - a.x) / (b.x - a.x))); };
   if (offset(from) > tolerance || offset(to) > tolerance) return {0, 0};
@@ -66,7 +75,7 @@ std::vector<Piece> without_copies(std::vector<Piece> pieces) {
   return kept;
 }
 
-// Pieces by cell of the paper, within a cell by direction.
+// Pieces by cell of the paper, within a cell by direction, each with the distance of its line from the cell's middle.
 class PieceGrid {
  public:
   PieceGrid(const std::vector<Piece>& pieces, double tolerance) : pieces_(pieces), tolerance_(tolerance), grid_{} {
@@ -75,53 +84,80 @@ class PieceGrid {
       least = glm::min(least, glm::min(p.from, p.to));
       most = glm::max(most, glm::max(p.from, p.to));
     }
-    grid_ = make_cell_grid(least, most, static_cast<double>(pieces.size()));
-    for (const Piece& p : pieces) angles_.push_back(angle_of(p));
+    grid_ = make_cell_grid(least, most, 0.5 * static_cast<double>(pieces.size()));
     fill();
   }
 
-  /// Calls `visit` for pieces that run near `piece` in nearly its direction; some more than once.
+  /// Calls `visit` for pieces whose lines come near that of `piece`, within `spread` of its direction; some more than
+  /// once.
   template <class Visit>
-  void near(std::size_t piece, double spread, Visit visit) const {
-    const double angle = angles_[piece];
-    visit_cells(grid_, pieces_[piece].from, pieces_[piece].to, tolerance_, [&](int cell, double, double) {
-      visit_range(cell, angle - spread, angle + spread, visit);
-      // Directions 0 and pi are neighbours.
-      if (angle < spread) visit_range(cell, angle - spread + std::numbers::pi, std::numbers::pi, visit);
-      if (angle > std::numbers::pi - spread) visit_range(cell, 0, angle + spread - std::numbers::pi, visit);
+  void near(const Piece& piece, double spread, Visit visit) const {
+    const double angle = angle_of(piece);
+    visit_cells(grid_, piece.from, piece.to, tolerance_, [&](int cell, double, double) {
+      const Line line{angle, offset(piece, angle, cell)};
+      visit_range(cell, line, spread, visit);
+      // Directions 0 and pi are neighbours, with the sides of the line exchanged.
+      const Line reversed{angle < spread ? angle + std::numbers::pi : angle - std::numbers::pi, -line.offset};
+      if (angle < spread || angle > std::numbers::pi - spread) visit_range(cell, reversed, spread, visit);
     });
   }
 
  private:
+  struct Line {
+    double angle, offset;
+  };
+  struct Member {
+    Line line;
+    int piece;
+  };
+
+  [[nodiscard]] double offset(const Piece& piece, double angle, int cell) const {
+    const Vec2 middle = grid_.origin + grid_.side * Vec2(cell % grid_.columns + 0.5, cell / grid_.columns + 0.5);
+    const Vec2 d = piece.from - middle;
+    return std::cos(angle) * d.y - std::sin(angle) * d.x;
+  }
+
   void fill() {
-    first_.assign(static_cast<std::size_t>(grid_.columns) * grid_.rows + 1, 0);
+    first_.assign(static_cast<std::size_t>(grid_.count()) + 1, 0);
     const auto each = [&](const Piece& p, auto visit) {
       visit_cells(grid_, p.from, p.to, tolerance_, [&](int cell, double, double) { visit(cell); });
     };
     for (const Piece& p : pieces_) each(p, [&](int cell) { ++first_[cell + 1]; });
     std::partial_sum(first_.begin(), first_.end(), first_.begin());
     members_.resize(first_.back());
-    std::vector<int> next(first_.begin(), first_.end() - 1);
-    for (std::size_t i = 0; i < pieces_.size(); ++i)
-      each(pieces_[i], [&](int cell) { members_[next[cell]++] = static_cast<int>(i); });
-    for (std::size_t c = 0; c + 1 < first_.size(); ++c)
-      std::sort(members_.begin() + first_[c], members_.begin() + first_[c + 1],
-                [&](int a, int b) { return std::pair(angles_[a], a) < std::pair(angles_[b], b); });
+    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      const double angle = angle_of(pieces_[i]);
+      each(pieces_[i], [&](int cell) {
+        members_[next[cell]++] = {{angle, offset(pieces_[i], angle, cell)}, static_cast<int>(i)};
+      });
+    }
+    parallel_for(first_.size() - 1, 4096, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t c = begin; c < end; ++c)
+        std::sort(members_.begin() + first_[c], members_.begin() + first_[c + 1], [](const Member& a, const Member& b) {
+          return std::pair(a.line.angle, a.piece) < std::pair(b.line.angle, b.piece);
+        });
+    });
   }
 
   template <class Visit>
-  void visit_range(int cell, double from, double to, Visit visit) const {
+  void visit_range(int cell, const Line& line, double spread, Visit visit) const {
     const auto begin = members_.begin() + first_[cell];
     const auto end = members_.begin() + first_[cell + 1];
-    auto it = std::lower_bound(begin, end, from, [&](int piece, double angle) { return angles_[piece] < angle; });
-    for (; it != end && angles_[*it] <= to; ++it) visit(static_cast<std::size_t>(*it));
+    auto it = std::lower_bound(begin, end, line.angle - spread,
+                               [](const Member& m, double angle) { return m.line.angle < angle; });
+    for (; it != end && it->line.angle <= line.angle + spread; ++it) {
+      // Lines that coincide somewhere in the cell are this close at its middle.
+      const double reach = 4 * tolerance_ + grid_.side * std::abs(it->line.angle - line.angle);
+      if (std::abs(it->line.offset - line.offset) <= reach) visit(static_cast<std::size_t>(it->piece));
+    }
   }
 
   const std::vector<Piece>& pieces_;
   double tolerance_;
   CellGrid grid_;
-  std::vector<double> angles_;
-  std::vector<int> first_, members_;
+  std::vector<std::size_t> first_;
+  std::vector<Member> members_;
 };
 
 Piece part_of(const Piece& piece, double from, double to) {
@@ -167,10 +203,10 @@ std::vector<Piece> resolve_coincident(std::vector<Piece> pieces, double toleranc
     std::vector<std::array<double, 2>> covered;
     for (std::size_t i = begin; i < end; ++i) {
       covered.clear();
-      grid.near(i, spread, [&](std::size_t j) {
-        if (!(rank(pieces[j]) < rank(pieces[i]))) return;
-        const auto part = covered_part(pieces[i], pieces[j], tolerance, least);
-        if (part[1] > part[0]) covered.push_back(part);
+      const Ruler line(pieces[i]);
+      grid.near(pieces[i], spread, [&](std::size_t j) {
+        const auto part = covered_part(line, pieces[j], tolerance, least);
+        if (part[1] > part[0] && rank(pieces[j]) < rank(pieces[i])) covered.push_back(part);
       });
       append_rest(pieces[i], covered, least, rests[i]);
     }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <mutex>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -18,10 +17,12 @@ namespace {
 // Planes that differ by less than this angle (radians) have no reliable line in common.
 constexpr double least_angle = 1e-9;
 
+// n . p = offset with a unit normal; a zero normal for a triangle so low that its normal is no direction.
 struct Plane {
-  Vec3 point, normal;
+  Vec3 normal;
+  double offset;
 
-  [[nodiscard]] double distance(const Vec3& p) const { return glm::dot(normal, p - point); }
+  [[nodiscard]] double distance(const Vec3& p) const { return glm::dot(normal, p) - offset; }
 };
 
 struct Piece {
@@ -31,10 +32,12 @@ struct Piece {
 class Crossings {
  public:
   Crossings(const World& world, double shrink, double contact)
-      : world_(world), shrink_(shrink), contact_(contact), middle_(world.box.centre() * shrink) {}
-
-  [[nodiscard]] Vec3 point(int vertex) const { return world_.points[vertex] * shrink_ - middle_; }
-  [[nodiscard]] Vec3 unshrunk(const Vec3& p) const { return (p + middle_) / shrink_; }
+      : world_(world), shrink_(shrink), contact_(contact), middle_(world.box.centre() * shrink) {
+    planes_.resize(world.triangles.size());
+    parallel_for(planes_.size(), 8192, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t f = begin; f < end; ++f) planes_[f] = plane(static_cast<int>(f));
+    });
+  }
 
   [[nodiscard]] Box box(int triangle) const {
     Box box;
@@ -42,29 +45,17 @@ class Crossings {
     return box;
   }
 
-  // Nothing for a triangle so low that its normal is no direction.
-  [[nodiscard]] std::optional<Plane> plane(int triangle) const {
-    const auto& c = world_.triangles[triangle];
-    const Vec3 a = point(c[0]);
-    const Vec3 ab = point(c[1]) - a;
-    const Vec3 ac = point(c[2]) - a;
-    const Vec3 normal = glm::cross(ab, ac);
-    const double area = glm::length(normal);
-    const double longest = std::max({glm::length(ab), glm::length(ac), glm::length(ac - ab)});
-    if (!(area > contact_ * longest)) return std::nullopt;
-    return Plane{a, normal / area};
-  }
-
-  [[nodiscard]] std::optional<FaceCrossing> cross(int first, int second) const {
+  [[nodiscard]] std::optional<FaceCrossing> cross(int a, int b) const {
+    const int first = std::min(a, b);
+    const int second = std::max(a, b);
+    // Most neighbours part here: all corners of one on one side of the other.
+    if (stays_apart(second, planes_[first]) || stays_apart(first, planes_[second])) return std::nullopt;
     if (common_vertices(first, second) >= 2) return std::nullopt;
-    const auto first_plane = plane(first);
-    const auto second_plane = plane(second);
-    if (!first_plane || !second_plane) return std::nullopt;
-    const Vec3 along = glm::cross(first_plane->normal, second_plane->normal);
+    const Vec3 along = glm::cross(planes_[first].normal, planes_[second].normal);
     if (glm::length(along) < least_angle) return std::nullopt;
-    const auto one = cut(first, *second_plane);
+    const auto one = cut(first, planes_[second]);
     if (!one) return std::nullopt;
-    const auto two = cut(second, *first_plane);
+    const auto two = cut(second, planes_[first]);
     if (!two) return std::nullopt;
     const auto common = overlap(*one, *two, glm::normalize(along));
     if (!common) return std::nullopt;
@@ -73,14 +64,41 @@ class Crossings {
   }
 
  private:
+  [[nodiscard]] Vec3 point(int vertex) const { return world_.points[vertex] * shrink_ - middle_; }
+  [[nodiscard]] Vec3 unshrunk(const Vec3& p) const { return (p + middle_) / shrink_; }
+
+  [[nodiscard]] Plane plane(int triangle) const {
+    const auto& c = world_.triangles[triangle];
+    const Vec3 a = point(c[0]);
+    const Vec3 ab = point(c[1]) - a;
+    const Vec3 ac = point(c[2]) - a;
+    const Vec3 normal = glm::cross(ab, ac);
+    const double area = glm::length(normal);
+    const double longest = std::max({glm::length(ab), glm::length(ac), glm::length(ac - ab)});
+    if (!(area > contact_ * longest)) return {Vec3(0), 0};
+    return {normal / area, glm::dot(normal / area, a)};
+  }
+
+  [[nodiscard]] int sign(double distance) const { return distance > contact_ ? 1 : distance < -contact_ ? -1 : 0; }
+
+  // No corner in front of the plane, or none behind it and no edge in it.
+  [[nodiscard]] bool stays_apart(int triangle, const Plane& plane) const {
+    int in_front = 0;
+    int behind = 0;
+    for (const int v : world_.triangles[triangle]) {
+      const int side = sign(plane.distance(point(v)));
+      in_front += side > 0 ? 1 : 0;
+      behind += side < 0 ? 1 : 0;
+    }
+    return in_front == 0 || (behind == 0 && in_front > 1);
+  }
+
   [[nodiscard]] int common_vertices(int first, int second) const {
     int common = 0;
     for (const int a : world_.triangles[first])
       for (const int b : world_.triangles[second]) common += a == b ? 1 : 0;
     return common;
   }
-
-  [[nodiscard]] int sign(double distance) const { return distance > contact_ ? 1 : distance < -contact_ ? -1 : 0; }
 
   // Where the edge between two vertices meets the plane: computed alike from both triangles at the edge.
   [[nodiscard]] Vec3 meet(const Plane& plane, int a, int b) const {
@@ -95,9 +113,7 @@ class Crossings {
     const auto& c = world_.triangles[triangle];
     std::array<int, 3> signs{};
     for (int i = 0; i < 3; ++i) signs[i] = sign(plane.distance(point(c[i])));
-    const auto has = [&](int s) { return std::find(signs.begin(), signs.end(), s) != signs.end(); };
-    if (!has(1)) return std::nullopt;
-    if (!has(-1)) return edge_in_plane(triangle, signs, plane);
+    if (std::count(signs.begin(), signs.end(), -1) == 0) return edge_in_plane(triangle, signs, plane);
 
     std::array<Vec3, 4> met{};
     std::size_t count = 0;
@@ -113,7 +129,6 @@ class Crossings {
   // from the triangle in front alone, so it is found once.
   [[nodiscard]] std::optional<Piece> edge_in_plane(int triangle, const std::array<int, 3>& signs,
                                                    const Plane& plane) const {
-    if (std::count(signs.begin(), signs.end(), 0) != 2) return std::nullopt;
     const auto& c = world_.triangles[triangle];
     const auto third = std::distance(signs.begin(), std::find(signs.begin(), signs.end(), 1));
     const int a = c[(third + 1) % 3];
@@ -148,6 +163,7 @@ class Crossings {
   const World& world_;
   double shrink_, contact_;
   Vec3 middle_;
+  std::vector<Plane> planes_;
 };
 
 }  // namespace
@@ -156,25 +172,21 @@ std::vector<FaceCrossing> find_intersections(const World& world, double shrink, 
   const Crossings crossings(world, shrink, contact);
   std::vector<Box> boxes(world.triangles.size());
   for (std::size_t f = 0; f < boxes.size(); ++f) boxes[f] = crossings.box(static_cast<int>(f));
-  const TriangleTree tree(boxes);
+  const TriangleTree tree(std::move(boxes));
 
-  std::vector<FaceCrossing> found;
-  std::mutex mutex;
-  parallel_for(boxes.size(), 1024, [&](std::size_t begin, std::size_t end) {
-    std::vector<FaceCrossing> here;
-    for (std::size_t f = begin; f < end; ++f) {
-      const int first = static_cast<int>(f);
-      tree.overlapping(boxes[f], [&](int second) {
-        if (second <= first) return;
-        if (const auto crossing = crossings.cross(first, second)) here.push_back(*crossing);
+  const std::vector<TriangleTree::NodePair> tasks = tree.tasks(1024);
+  std::vector<std::vector<FaceCrossing>> found(tasks.size());
+  parallel_for(tasks.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t task = begin; task < end; ++task)
+      tree.search(tasks[task], [&](int a, int b) {
+        if (const auto crossing = crossings.cross(a, b)) found[task].push_back(*crossing);
       });
-    }
-    const std::lock_guard lock(mutex);
-    found.insert(found.end(), here.begin(), here.end());
   });
-  std::sort(found.begin(), found.end(),
+  std::vector<FaceCrossing> all;
+  for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
+  std::sort(all.begin(), all.end(),
             [](const FaceCrossing& a, const FaceCrossing& b) { return a.triangles < b.triangles; });
-  return found;
+  return all;
 }
 
 }  // namespace epura

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "base/parallel.hpp"
@@ -23,10 +24,6 @@ double steepness_of(const PageVertex& a, const PageVertex& b, const PageVertex& 
   return 1 + std::hypot((bz * cy - by * cz) / area, (bx * cz - bz * cx) / area);
 }
 
-double nearest_of(const View& view, const std::array<int, 3>& corners) {
-  return std::max({view.vertices[corners[0]].depth, view.vertices[corners[1]].depth, view.vertices[corners[2]].depth});
-}
-
 // Whether the line through two corners keeps the third corner and the whole square on different sides.
 bool separates(const PageVertex& a, const PageVertex& b, const PageVertex& c, const Vec2& middle, double half) {
   const Vec2 normal(a.y - b.y, b.x - a.x);
@@ -41,8 +38,7 @@ bool separates(const PageVertex& a, const PageVertex& b, const PageVertex& c, co
 OccluderGrid::OccluderGrid(const View& view, const std::vector<DrawnEdge>& edges) : view_(view), grid_{} {
   choose_cells(edges);
   find_depths(edges);
-  collect();
-  fill();
+  fill(collect());
 }
 
 void OccluderGrid::choose_cells(const std::vector<DrawnEdge>& edges) {
@@ -69,8 +65,7 @@ void OccluderGrid::find_depths(const std::vector<DrawnEdge>& edges) {
 }
 
 // The cells that a triangle may touch and in which something lies behind its nearest corner.
-template <class Visit>
-void OccluderGrid::each_cell(const std::array<int, 3>& corners, double nearest, Visit visit) const {
+void OccluderGrid::add_cells(const std::array<int, 3>& corners, double nearest, std::vector<int>& cells) const {
   const PageVertex& a = view_.vertices[corners[0]];
   const PageVertex& b = view_.vertices[corners[1]];
   const PageVertex& c = view_.vertices[corners[2]];
@@ -90,48 +85,56 @@ void OccluderGrid::each_cell(const std::array<int, 3>& corners, double nearest, 
       if (large && inner &&
           (separates(a, b, c, middle, half) || separates(b, c, a, middle, half) || separates(c, a, b, middle, half)))
         continue;
-      if (!visit(cell)) return;
+      cells.push_back(cell);
     }
 }
 
-void OccluderGrid::collect() {
-  const std::size_t count = view_.triangles.size();
-  std::vector<std::vector<Occluder>> found((count + chunk - 1) / chunk);
-  parallel_for(found.size(), 1, [&](std::size_t first, std::size_t last) {
-    for (std::size_t part = first; part < last; ++part)
-      for (std::size_t t = part * chunk; t < std::min((part + 1) * chunk, count); ++t) {
-        const auto& [corners, source] = view_.triangles[t];
-        const auto& [i, j, k] = corners;
-        if (cross(view_.grid[i], view_.grid[j], view_.grid[k]) == 0) continue;
-        const double nearest = nearest_of(view_, corners);
-        bool useful = false;
-        each_cell(corners, nearest, [&](int) {
-          useful = true;
-          return false;
-        });
-        const auto& v = view_.vertices;
-        if (useful) found[part].push_back({corners, source, nearest, steepness_of(v[i], v[j], v[k])});
-      }
-  });
-  for (const auto& part : found) occluders_.insert(occluders_.end(), part.begin(), part.end());
-  std::stable_sort(occluders_.begin(), occluders_.end(),
-                   [](const Occluder& a, const Occluder& b) { return a.nearest > b.nearest; });
+void OccluderGrid::collect(const ViewTriangle& triangle, Found& found) const {
+  const auto& [i, j, k] = triangle.vertex;
+  if (cross(view_.grid[i], view_.grid[j], view_.grid[k]) == 0) return;
+  const auto& v = view_.vertices;
+  const double nearest = std::max({v[i].depth, v[j].depth, v[k].depth});
+  const std::size_t before = found.cells.size();
+  add_cells(triangle.vertex, nearest, found.cells);
+  if (found.cells.size() == before) return;
+  found.occluders.push_back({triangle.vertex, triangle.source, nearest, steepness_of(v[i], v[j], v[k])});
+  found.ends.push_back(found.cells.size());
 }
 
-void OccluderGrid::fill() {
+OccluderGrid::Found OccluderGrid::collect() const {
+  const std::size_t count = view_.triangles.size();
+  std::vector<Found> parts((count + chunk - 1) / chunk);
+  parallel_for(parts.size(), 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t part = first; part < last; ++part)
+      for (std::size_t t = part * chunk; t < std::min((part + 1) * chunk, count); ++t)
+        collect(view_.triangles[t], parts[part]);
+  });
+  Found all;
+  for (const Found& part : parts) {
+    for (const std::size_t end : part.ends) all.ends.push_back(all.cells.size() + end);
+    all.occluders.insert(all.occluders.end(), part.occluders.begin(), part.occluders.end());
+    all.cells.insert(all.cells.end(), part.cells.begin(), part.cells.end());
+  }
+  return all;
+}
+
+void OccluderGrid::fill(const Found& found) {
+  std::vector<int> order(found.occluders.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin(), order.end(), [&](int a, int b) {
+    return std::pair(-found.occluders[a].nearest, a) < std::pair(-found.occluders[b].nearest, b);
+  });
   first_.assign(static_cast<std::size_t>(grid_.count()) + 1, 0);
-  const auto each = [&](const Occluder& o, auto visit) {
-    each_cell(o.vertex, o.nearest, [&](int cell) {
-      visit(cell);
-      return true;
-    });
-  };
-  for (const Occluder& o : occluders_) each(o, [&](int cell) { ++first_[cell + 1]; });
-  for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
-  members_.resize(first_.back());
+  for (const int cell : found.cells) ++first_[cell + 1];
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  members_.resize(found.cells.size());
   std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-  for (std::size_t o = 0; o < occluders_.size(); ++o)
-    each(occluders_[o], [&](int cell) { members_[next[cell]++] = static_cast<int>(o); });
+  occluders_.reserve(order.size());
+  for (const int o : order) {
+    for (std::size_t i = o == 0 ? 0 : found.ends[o - 1]; i < found.ends[o]; ++i)
+      members_[next[found.cells[i]]++] = static_cast<int>(occluders_.size());
+    occluders_.push_back(found.occluders[o]);
+  }
 }
 
 }  // namespace epura

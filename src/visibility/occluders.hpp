@@ -36,10 +36,16 @@ class OccluderGrid {
   [[nodiscard]] double margin() const { return 2 * view_.cell; }
   void choose_cells(const std::vector<DrawnEdge>& edges);
   void find_depths(const std::vector<DrawnEdge>& edges);
-  void collect();
-  void fill();
-  template <class Visit>
-  void each_cell(const std::array<int, 3>& corners, double nearest, Visit visit) const;
+  /// Occluders and, one after the other, the cells of each: `ends` says where those of an occluder end.
+  struct Found {
+    std::vector<Occluder> occluders;
+    std::vector<std::size_t> ends;
+    std::vector<int> cells;
+  };
+  [[nodiscard]] Found collect() const;
+  void collect(const ViewTriangle& triangle, Found& found) const;
+  void add_cells(const std::array<int, 3>& corners, double nearest, std::vector<int>& cells) const;
+  void fill(const Found& found);
 
   const View& view_;
   CellGrid grid_;

@@ -30,7 +30,7 @@ class Folder {
 
   [[nodiscard]] std::filesystem::path operator/(std::string_view name) const { return path_ / name; }
   /// Writes a file and returns its path.
-  [[nodiscard]] std::string file(std::string_view name, std::string_view bytes) const {
+  std::string file(std::string_view name, std::string_view bytes) const {
     write_file(path_ / name, bytes);
     return (path_ / name).string();
   }

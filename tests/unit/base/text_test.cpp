@@ -130,6 +130,14 @@ TEST(Names, TheNearestIsMeantIfItIsNear) {
   EXPECT_EQ(did_you_mean("x", {}), "");
 }
 
+TEST(Names, WithNothingInCommonNoneIsMeant) {
+  const std::vector<std::string> names{"ps", "svg"};
+  EXPECT_EQ(nearest_name("", names), std::nullopt);
+  EXPECT_EQ(nearest_name("x", names), std::nullopt);
+  EXPECT_EQ(nearest_name("ab", names), std::nullopt);
+  EXPECT_EQ(nearest_name("pa", names), "ps");
+}
+
 TEST(Names, OfEquallyNearOnesTheFirstIsTaken) {
   const std::vector<std::string> names{"near", "dear", "fear"};
   EXPECT_EQ(nearest_name("rear", names), "near");

@@ -1,0 +1,158 @@
+// What `epura draw` gives when all is well.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <string_view>
+
+#include "errors.hpp"
+#include "folder.hpp"
+#include "program.hpp"
+
+namespace epura::test {
+namespace {
+
+using Names = std::vector<std::string>;
+
+const std::map<std::string, std::string_view>& beginnings() {
+  static const std::map<std::string, std::string_view> table{
+      {"svg", "<?xml version=\"1.0\""}, {"pdf", "%PDF-1."},           {"ps", "%!PS-Adobe-3"},
+      {"eps", "%!PS-Adobe-3.0 EPSF"},   {"png", "\x89PNG\r\n\x1A\n"}, {"json", "{\"epura\": 1,"}};
+  return table;
+}
+
+TEST(Draw, EveryFormatByItsExtension) {
+  const Folder folder;
+  for (const auto& [format, beginning] : beginnings()) {
+    const Outcome run = epura({"draw", sample("cylinders.obj"), "-o", "x." + format}, folder / "");
+    EXPECT_EQ(run.code, 0) << format;
+    EXPECT_EQ(run.out, "") << format;
+    EXPECT_EQ(run.err, "") << format;
+    EXPECT_EQ(read_file(folder / ("x." + format)).substr(0, beginning.size()), beginning);
+  }
+  EXPECT_EQ(folder.names(), (Names{"x.eps", "x.json", "x.pdf", "x.png", "x.ps", "x.svg"}));
+}
+
+TEST(Draw, ExtensionsMayBeCapitals) {
+  const Folder folder;
+  EXPECT_EQ(epura({"draw", sample("cylinders.obj"), "-o", "X.PDF"}, folder / "").code, 0);
+  EXPECT_EQ(read_file(folder / "X.PDF").substr(0, 5), "%PDF-");
+}
+
+TEST(Draw, SeveralFilesInOneRunAreThoseOfSingleRuns) {
+  const Folder folder;
+  std::vector<std::string> arguments{"draw", sample("bracket.obj")};
+  for (const auto& [format, beginning] : beginnings()) {
+    arguments.insert(arguments.end(), {"-o", "all." + format});
+    ASSERT_EQ(epura({"draw", sample("bracket.obj"), "-o", "one." + format}, folder / "").code, 0);
+  }
+  ASSERT_EQ(epura(arguments, folder / "").code, 0);
+  for (const auto& [format, beginning] : beginnings())
+    EXPECT_EQ(read_file(folder / ("all." + format)), read_file(folder / ("one." + format))) << format;
+}
+
+TEST(Draw, StandardOutputHoldsTheFileAndNothingElse) {
+  const Folder folder;
+  for (const auto& [format, beginning] : beginnings()) {
+    const Outcome run =
+        epura({"draw", sample("cylinders.obj"), "-o", "-", "--format", format, "-o", "x." + format}, folder / "");
+    EXPECT_EQ(run.code, 0) << format;
+    EXPECT_EQ(run.out, read_file(folder / ("x." + format))) << format;
+  }
+}
+
+TEST(Draw, OptionsMayStandBeforeTheModels) {
+  const Folder folder;
+  const Outcome run = epura({"draw", "-o", "a.svg", "--transform", "scale:2", sample("cylinders.obj")}, folder / "");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(folder.names(), Names{"a.svg"});
+}
+
+TEST(Draw, ManyModelsAreOneDrawing) {
+  const Folder folder;
+  const Outcome run = epura({"draw", sample("cylinders.obj"), sample("bracket.obj"), "--transform",
+                             "translate:-200,0,0", "--transform", "scale:0.5", "-o", "-", "--format", "json"},
+                            folder / "");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "\"model\": 0,"));
+  EXPECT_TRUE(contains(run.out, "\"model\": 1,"));
+}
+
+TEST(Draw, TheSameBytesForAnyNumberOfThreads) {
+  const Folder folder;
+  for (const char* format : {"svg", "pdf", "json"})
+    for (const char* projection : {"isometric", "two-point"}) {
+      std::string first;
+      for (const char* threads : {"1", "2", "3", "7", "0", "0"}) {
+        const Outcome run = epura({"draw", sample("bracket.obj"), sample("gear.stl"), "--projection", projection,
+                                   "--threads", threads, "-o", "-", "--format", format},
+                                  folder / "");
+        ASSERT_EQ(run.code, 0) << run.err;
+        if (first.empty()) first = run.out;
+        EXPECT_TRUE(run.out == first) << format << " " << projection << ", " << threads << " threads";
+      }
+    }
+}
+
+TEST(Draw, TimesAreToldOnlyWhenAskedFor) {
+  const Folder folder;
+  const Outcome plain = epura({"draw", sample("cylinders.obj"), "-o", "-", "--format", "json"}, folder / "");
+  const Outcome timed =
+      epura({"draw", sample("cylinders.obj"), "-o", "-", "--format", "json", "--timings"}, folder / "");
+  EXPECT_FALSE(contains(plain.out, "\"time\""));
+  EXPECT_TRUE(contains(timed.out, "\"time\""));
+  for (const char* stage : {"read", "view", "edges", "visibility", "drawing", "sheet", "write"})
+    EXPECT_TRUE(contains(timed.err, stage)) << timed.err;
+}
+
+TEST(Draw, AnEmptyDrawingIsSaid) {
+  const Folder folder;
+  const std::string cube = folder.file("triangle.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const Outcome run = epura({"draw", cube, "-o", "x.svg", "--edges", "crease"}, folder / "");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_TRUE(contains(run.err, "nothing is drawn")) << run.err;
+}
+
+TEST(Draw, WhatWasRepairedIsSaid) {
+  const Folder folder;
+  const std::string model =
+      folder.file("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 nan\nf 1 2 3\nf 1 1 2\nf 2 3 4\nf 3 1 2\n");
+  const Outcome run = epura({"draw", model, "-o", "x.svg"}, folder / "");
+  EXPECT_EQ(run.code, 0);
+  for (const char* said : {"fewer than three distinct corners", "repeat an earlier face", "no finite numbers"})
+    EXPECT_TRUE(contains(run.err, said)) << run.err;
+  EXPECT_TRUE(contains(run.err, model)) << run.err;
+}
+
+TEST(Draw, ADrawingLargerThanTheSheetIsSaid) {
+  const Folder folder;
+  const Outcome run = epura({"draw", sample("bracket.obj"), "-o", "x.svg", "--scale", "20:1"}, folder / "");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_TRUE(contains(run.err, "larger than the sheet")) << run.err;
+}
+
+TEST(Draw, CoordinatesNearTheEndOfTheDoublesAreDrawn) {
+  const Folder folder;
+  const std::string small = folder.file("small.obj", "v -1 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 -1\nf 1 2 3\nf 1 2 4\n");
+  const std::string huge =
+      folder.file("huge.obj", "v -1e308 0 0\nv 1e308 0 0\nv 0 1e308 0\nv 0 0 -1e308\nf 1 2 3\nf 1 2 4\n");
+  const auto lines = [&](const std::string& model) {
+    const Outcome run = epura({"draw", model, "-o", "-", "--format", "svg", "--plain"}, folder / "");
+    EXPECT_EQ(run.code, 0) << run.err;
+    return run.out;
+  };
+  // They look alike: fitted to the sheet, at most the last digit differs.
+  EXPECT_EQ(lines(small).size(), lines(huge).size());
+}
+
+TEST(Draw, AnOldFileIsReplacedAndKeepsItsMode) {
+  const Folder folder;
+  const std::string old = folder.file("x.svg", "old");
+  std::filesystem::permissions(old, std::filesystem::perms(0640));
+  ASSERT_EQ(epura({"draw", sample("cylinders.obj"), "-o", "x.svg"}, folder / "").code, 0);
+  EXPECT_EQ(static_cast<int>(std::filesystem::status(old).permissions()), 0640);
+  EXPECT_NE(read_file(old), "old");
+  EXPECT_EQ(folder.names(), Names{"x.svg"});
+}
+
+}  // namespace
+}  // namespace epura::test

@@ -1,0 +1,129 @@
+#include "drawing/chains.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace epura::test {
+namespace {
+
+Segment segment(Vec2 from, Vec2 to, bool visible = true, EdgeKind kind = EdgeKind::crease) {
+  return {from, to, visible, kind, 0, {0, 1}, {0, 1}, {{{-1, -1}, {-1, -1}}}, {}};
+}
+
+double length(const Chain& chain) {
+  double sum = 0;
+  for (std::size_t i = 1; i < chain.points.size(); ++i) sum += glm::distance(chain.points[i - 1], chain.points[i]);
+  return chain.closed ? sum + glm::distance(chain.points.back(), chain.points.front()) : sum;
+}
+
+TEST(Chains, JoinWhatTouchesWhicheverWayItRuns) {
+  const auto chains = chain_segments({segment({0, 0}, {1, 0}), segment({2, 1}, {1, 0}), segment({2, 1}, {2, 2})}, 1e-6);
+  ASSERT_EQ(chains.size(), 1U);
+  EXPECT_EQ(chains[0].points, (std::vector<Vec2>{{0, 0}, {1, 0}, {2, 1}, {2, 2}}));
+  EXPECT_EQ(chains[0].segments, (std::vector<int>{0, 1, 2}));
+  EXPECT_FALSE(chains[0].closed);
+}
+
+TEST(Chains, LooksAreNotMixed) {
+  const auto chains = chain_segments({segment({0, 0}, {1, 0}), segment({1, 0}, {2, 0}, false),
+                                      segment({2, 0}, {3, 0}, false, EdgeKind::contour), segment({3, 0}, {4, 0})},
+                                     1e-6);
+  EXPECT_EQ(chains.size(), 4U);
+}
+
+TEST(Chains, ARingIsClosedAndDoesNotRepeatItsStart) {
+  const auto chains = chain_segments(
+      {segment({0, 0}, {1, 0}), segment({1, 1}, {1, 0}), segment({1, 1}, {0, 1}), segment({0, 1}, {0, 0})}, 1e-6);
+  ASSERT_EQ(chains.size(), 1U);
+  EXPECT_TRUE(chains[0].closed);
+  EXPECT_EQ(chains[0].points.size(), 4U);
+  EXPECT_EQ(chains[0].segments.size(), 4U);
+  EXPECT_EQ(length(chains[0]), 4);
+}
+
+TEST(Chains, StraightCornersAreLeftOut) {
+  const auto line = chain_segments({segment({0, 0}, {1, 1}), segment({1, 1}, {3, 3}), segment({3, 3}, {4, 4})}, 1e-6);
+  ASSERT_EQ(line.size(), 1U);
+  EXPECT_EQ(line[0].points, (std::vector<Vec2>{{0, 0}, {4, 4}}));
+  EXPECT_EQ(line[0].segments.size(), 3U);
+  // A square that begins in the middle of a side.
+  const auto ring = chain_segments({segment({1, 0}, {2, 0}), segment({2, 0}, {2, 2}), segment({2, 2}, {0, 2}),
+                                    segment({0, 2}, {0, 0}), segment({0, 0}, {1, 0})},
+                                   1e-6);
+  ASSERT_EQ(ring.size(), 1U);
+  EXPECT_TRUE(ring[0].closed);
+  EXPECT_EQ(ring[0].points.size(), 4U);
+  EXPECT_EQ(length(ring[0]), 8);
+}
+
+TEST(Chains, CornersBeyondTheToleranceStay) {
+  EXPECT_EQ(chain_segments({segment({0, 0}, {1, 1e-3}), segment({1, 1e-3}, {2, 0})}, 1e-2)[0].points.size(), 2U);
+  EXPECT_EQ(chain_segments({segment({0, 0}, {1, 1e-3}), segment({1, 1e-3}, {2, 0})}, 1e-4)[0].points.size(), 3U);
+  // Back on itself is a corner, though it lies on the line.
+  EXPECT_EQ(chain_segments({segment({0, 0}, {3, 0}), segment({3, 0}, {1, 0})}, 1e-6)[0].points.size(), 3U);
+}
+
+TEST(Chains, ALongArcIsNotStraightenedAway) {
+  // Each corner is within the tolerance of its neighbours' chord, but the whole must not creep.
+  std::vector<Segment> arc;
+  const int n = 2000;
+  const auto at = [&](int i) {
+    const double a = std::numbers::pi * i / n;
+    return Vec2(std::cos(a), std::sin(a)) * 100.0;
+  };
+  for (int i = 0; i < n; ++i) arc.push_back(segment(at(i), at(i + 1)));
+  const double tolerance = 1e-3;
+  const auto chains = chain_segments(arc, tolerance);
+  ASSERT_EQ(chains.size(), 1U);
+  const std::vector<Vec2>& points = chains[0].points;
+  for (int i = 0; i <= n; ++i) {
+    double nearest = HUGE_VAL;
+    for (std::size_t k = 1; k < points.size(); ++k) {
+      const Vec2 along = points[k] - points[k - 1];
+      const double s = std::clamp(glm::dot(at(i) - points[k - 1], along) / glm::dot(along, along), 0.0, 1.0);
+      nearest = std::min(nearest, glm::distance(at(i), points[k - 1] + s * along));
+    }
+    ASSERT_LT(nearest, 2 * tolerance) << i;
+  }
+}
+
+TEST(Chains, AtACrossingLinesRunStraightOn) {
+  const auto chains = chain_segments(
+      {segment({-1, 0}, {0, 0}), segment({0, 0}, {0, 1}), segment({0, 0}, {1, 0}), segment({0, -1}, {0, 0})}, 1e-6);
+  ASSERT_EQ(chains.size(), 2U);
+  for (const Chain& chain : chains) EXPECT_EQ(length(chain), 2);
+  for (const Chain& chain : chains) EXPECT_EQ(chain.points.size(), 2U) << "a straight line";
+}
+
+TEST(Chains, HoldEverySegmentOnceAndItsLength) {
+  std::mt19937 random(3);
+  std::vector<Segment> segments;
+  double total = 0;
+  while (segments.size() < 500) {
+    const auto grid = [&] { return Vec2(static_cast<double>(random() % 8), static_cast<double>(random() % 8)); };
+    const Vec2 a = grid(), b = grid();
+    if (a == b) continue;
+    segments.push_back(segment(a, b, random() % 2 == 0));
+    total += glm::distance(a, b);
+  }
+  std::vector<int> seen;
+  double drawn = 0;
+  for (const Chain& chain : chain_segments(segments, 0)) {
+    for (const int s : chain.segments) {
+      seen.push_back(s);
+      EXPECT_EQ(segments[s].visible, chain.visible);
+    }
+    drawn += length(chain);
+  }
+  std::sort(seen.begin(), seen.end());
+  for (int i = 0; i < 500; ++i) ASSERT_EQ(seen.at(i), i);
+  EXPECT_EQ(seen.size(), 500U);
+  EXPECT_NEAR(drawn, total, 1e-9);
+}
+
+}  // namespace
+}  // namespace epura::test

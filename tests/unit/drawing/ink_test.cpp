@@ -1,0 +1,140 @@
+#include "drawing/ink.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace epura::test {
+namespace {
+
+constexpr double tolerance = 1e-6;
+constexpr double least = 1e-4;
+
+Piece piece(Vec2 from, Vec2 to, bool visible, int edge, EdgeKind kind = EdgeKind::crease) {
+  return {from, to, visible, kind, edge, {0, 1}};
+}
+
+double length(const Piece& p) { return glm::length(p.to - p.from); }
+
+double ink(const std::vector<Piece>& pieces, bool visible) {
+  double sum = 0;
+  for (const Piece& p : pieces) sum += p.visible == visible ? length(p) : 0;
+  return sum;
+}
+
+TEST(Ink, VisibleBeatsHiddenWhoeverComesFirst) {
+  for (const bool first : {false, true}) {
+    const auto kept = resolve_coincident({piece({0, 0}, {4, 0}, first, 0), piece({4, 0}, {0, 0}, !first, 1)}, tolerance, least);
+    ASSERT_EQ(kept.size(), 1U);
+    EXPECT_TRUE(kept[0].visible);
+    EXPECT_EQ(kept[0].edge, first ? 0 : 1);
+  }
+}
+
+TEST(Ink, AmongEqualsTheStrongerKindThenTheEarlierEdgeStays) {
+  const auto by_kind = resolve_coincident(
+      {piece({0, 0}, {4, 0}, true, 0, EdgeKind::smooth), piece({0, 0}, {4, 0}, true, 1, EdgeKind::contour)}, tolerance, least);
+  ASSERT_EQ(by_kind.size(), 1U);
+  EXPECT_EQ(by_kind[0].kind, EdgeKind::contour);
+  const auto by_edge = resolve_coincident({piece({0, 0}, {4, 0}, true, 7), piece({0, 0}, {4, 0}, true, 3)}, tolerance, least);
+  ASSERT_EQ(by_edge.size(), 1U);
+  EXPECT_EQ(by_edge[0].edge, 3);
+}
+
+TEST(Ink, AHiddenLineKeepsWhatNoVisibleOneCovers) {
+  // Covered from 3 to 5 of 10, and by a slanted direction, given backwards.
+  const Vec2 along = Vec2(3, 4) / 5.0;
+  const auto at = [&](double x) { return Vec2(1, 1) + x * along; };
+  const auto kept = resolve_coincident({piece(at(0), at(10), false, 0), piece(at(5), at(3), true, 1)}, tolerance, least);
+  ASSERT_EQ(kept.size(), 3U);
+  EXPECT_NEAR(glm::distance(kept[0].from, at(0)) + glm::distance(kept[0].to, at(3)), 0, 1e-12);
+  EXPECT_NEAR(glm::distance(kept[1].from, at(5)) + glm::distance(kept[1].to, at(10)), 0, 1e-12);
+  EXPECT_NEAR(kept[0].s[1], 0.3, 1e-12);
+  EXPECT_NEAR(kept[1].s[0], 0.5, 1e-12);
+  EXPECT_TRUE(kept[2].visible);
+  EXPECT_EQ(kept[2].s, (std::array{0.0, 1.0}));
+}
+
+TEST(Ink, PartialOverlapsOfOneLook) {
+  const auto kept = resolve_coincident({piece({0, 0}, {6, 0}, true, 0), piece({4, 0}, {10, 0}, true, 1)}, tolerance, least);
+  EXPECT_NEAR(ink(kept, true), 10, 1e-12);
+  ASSERT_EQ(kept.size(), 2U);
+  EXPECT_NEAR(kept[1].from.x, 6, 1e-12);
+}
+
+TEST(Ink, SeveralCoversAddUp) {
+  std::vector<Piece> pieces{piece({0, 0}, {10, 0}, false, 0)};
+  for (int i = 0; i < 5; ++i) pieces.push_back(piece({2.0 * i, 0}, {2.0 * i + 1.5, 0}, true, i + 1));
+  const auto kept = resolve_coincident(pieces, tolerance, least);
+  EXPECT_NEAR(ink(kept, false), 2.5, 1e-12);
+  EXPECT_NEAR(ink(kept, true), 7.5, 1e-12);
+}
+
+TEST(Ink, CrossingParallelAndTouchingLinesStay) {
+  const std::vector<Piece> pieces{piece({0, 0}, {10, 0}, true, 0), piece({5, -5}, {5, 5}, false, 1),
+                                  piece({0, 0.1}, {10, 0.1}, false, 2), piece({10, 0}, {20, 0}, false, 3),
+                                  piece({0, 0}, {10, 0.001}, false, 4)};
+  const auto kept = resolve_coincident(pieces, tolerance, least);
+  ASSERT_EQ(kept.size(), 5U);
+  for (int i = 0; i < 4; ++i) EXPECT_EQ(kept[i].from, pieces[i].from) << i;
+  // The last one leaves the first at an angle of 1e-4: within the tolerance only over 1e-2.
+  EXPECT_NEAR(length(kept[4]), 10, 0.011);
+}
+
+TEST(Ink, WithinTheToleranceLinesCoincide) {
+  const auto kept = resolve_coincident(
+      {piece({0, 0}, {10, 0}, true, 0), piece({-1, 0.9 * tolerance}, {11, -0.9 * tolerance}, false, 1)}, tolerance, least);
+  EXPECT_NEAR(ink(kept, false), 2, 1e-9);
+}
+
+TEST(Ink, PointsAndShortRemaindersAreDropped) {
+  EXPECT_TRUE(resolve_coincident({piece({1, 1}, {1, 1}, true, 0)}, tolerance, least).empty());
+  const auto kept = resolve_coincident({piece({0, 0}, {10 + least / 2, 0}, false, 0), piece({0, 0}, {10, 0}, true, 1)}, tolerance, least);
+  ASSERT_EQ(kept.size(), 1U);
+  EXPECT_TRUE(kept[0].visible);
+  EXPECT_TRUE(resolve_coincident({}, tolerance, least).empty());
+}
+
+TEST(Ink, DirectionsNearZeroAndPiAreNeighbours) {
+  const auto kept = resolve_coincident({piece({0, 0}, {10, 1e-8}, true, 0), piece({10, 0}, {0, 1e-8}, false, 1)}, tolerance, least);
+  EXPECT_EQ(kept.size(), 1U);
+  // The very same with upright lines, where nothing is special.
+  EXPECT_EQ(resolve_coincident({piece({0, 0}, {1e-8, 10}, true, 0), piece({1e-8, 0}, {0, 10}, false, 1)}, tolerance, least).size(), 1U);
+}
+
+TEST(Ink, IsTheUnionOfManyIntervalsOnALine) {
+  // Random intervals on one slanted line: visible ink is their union, hidden ink what the visible leaves of the rest.
+  std::mt19937 random(5);
+  const auto uniform = [&] { return static_cast<double>(random()) / 4294967296.0; };
+  for (int round = 0; round < 50; ++round) {
+    std::vector<Piece> pieces;
+    for (int i = 0; i < 30; ++i) {
+      const double a = 100 * uniform(), b = a + 0.01 + 8 * uniform();
+      const Vec2 along(0.6, 0.8);
+      pieces.push_back(piece(a * along, b * along, i % 3 == 0, i));
+      if (i % 2 == 0) std::swap(pieces.back().from, pieces.back().to);
+    }
+    const auto covered = [&](double x, bool visible) {
+      return std::any_of(pieces.begin(), pieces.end(), [&](const Piece& p) {
+        const double a = glm::length(p.from), b = glm::length(p.to);
+        return p.visible == visible && std::min(a, b) <= x && x <= std::max(a, b);
+      });
+    };
+    double visible = 0, hidden = 0;
+    const double step = 0.01;
+    for (double x = step / 2; x < 110; x += step) {
+      if (covered(x, true))
+        visible += step;
+      else if (covered(x, false))
+        hidden += step;
+    }
+    const auto kept = resolve_coincident(pieces, tolerance, least);
+    EXPECT_NEAR(ink(kept, true), visible, 0.3);
+    EXPECT_NEAR(ink(kept, false), hidden, 0.3);
+  }
+}
+
+}  // namespace
+}  // namespace epura::test

@@ -1,0 +1,143 @@
+#include "edges/feature_edges.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <string>
+
+#include "shapes.hpp"
+
+namespace epura::test {
+namespace {
+
+constexpr EdgeWishes everything{.smooth = true};
+
+using Kinds = std::map<std::string, int>;
+
+// How many edges of each kind there are.
+Kinds kinds(const World& world, const Projection& projection, const EdgeWishes& wishes = {}) {
+  const View view = make_view(world, projection, {});
+  Kinds counts;
+  for (const auto& kind : feature_edges(world, view, 0, wishes))
+    if (kind) ++counts[std::string(name_of(*kind))];
+  return counts;
+}
+
+const Vec3 corner(1.1, -2, 1.3);
+
+// Three pages of 1 x 1 on a spine along z, the angles between them 120 degrees.
+Shape fan_of_three() {
+  Shape fan{{{0, 0, 0}, {0, 0, 1}}, {}, {}};
+  for (int i = 0; i < 3; ++i) {
+    const double a = (0.2 + i / 3.0) * 2 * std::numbers::pi;
+    fan.points.push_back({std::cos(a), std::sin(a), 0});
+    fan.points.push_back({std::cos(a), std::sin(a), 1});
+    fan.faces.push_back({0, 2 * i + 2, 2 * i + 3, 1});
+  }
+  return fan;
+}
+
+TEST(FeatureEdges, OfACubeAreSixContoursAndSixCreases) {
+  EXPECT_EQ(kinds(world_of(box({0, 0, 0}, {1, 1, 1})), orthographic(corner)), (Kinds{{"contour", 6}, {"crease", 6}}));
+  EXPECT_EQ(kinds(world_of(triangulated_cube()), orthographic(corner)), (Kinds{{"contour", 6}, {"crease", 6}}));
+}
+
+TEST(FeatureEdges, FaceOnTheBordersOfACubeAreContours) {
+  // Four faces are seen edge-on: their upright edges are points on the page, and their diagonals are nothing.
+  EXPECT_EQ(kinds(world_of(box({0, 0, 0}, {1, 1, 1})), from_above()), (Kinds{{"contour", 8}, {"crease", 4}}));
+}
+
+TEST(FeatureEdges, DiagonalsAreSmoothButNotInsideAPolygon) {
+  EXPECT_EQ(kinds(world_of(triangulated_cube()), orthographic(corner), everything)["smooth"], 6);
+  EXPECT_EQ(kinds(world_of(box({0, 0, 0}, {1, 1, 1})), orthographic(corner), everything)["smooth"], 0);
+}
+
+TEST(FeatureEdges, AnOpenBoxHasABoundary) {
+  Shape open = box({0, 0, 0}, {1, 1, 1});
+  open.faces.erase(open.faces.begin() + 1);  // z = 1
+  // Of the eight other edges four bound the three faces that turn the other way.
+  EXPECT_EQ(kinds(world_of(open), orthographic(corner)), (Kinds{{"boundary", 4}, {"contour", 4}, {"crease", 4}}));
+}
+
+TEST(FeatureEdges, WhereThreeFacesMeetIsACrease) {
+  EXPECT_EQ(kinds(world_of(fan_of_three()), orthographic(corner)), (Kinds{{"boundary", 9}, {"crease", 1}}));
+}
+
+// Two boxes that touch in the edge x = y = 1, as named groups of one file.
+World touching_boxes(const std::vector<std::string>& names) {
+  Shape boxes = box({0, 0, 0}, {1, 1, 1});
+  boxes.add(box({1, 1, 0}, {2, 2, 1}));
+  Soup soup;
+  soup.points = boxes.points;
+  soup.body_names = names;
+  for (std::size_t f = 0; f < boxes.faces.size(); ++f) {
+    soup.corners.insert(soup.corners.end(), boxes.faces[f].begin(), boxes.faces[f].end());
+    soup.end_face();
+    soup.face_body.push_back(f < 6 ? 0 : static_cast<int>(names.size()) - 1);
+  }
+  return make_world({{std::make_shared<const Mesh>(build_mesh(std::move(soup), "boxes")), Mat4(1.0)}});
+}
+
+TEST(FeatureEdges, BodiesThatTouchInAnEdgeAreJudgedEachByItself) {
+  // The common edge is a contour of both boxes; as one body it is where four faces meet.
+  const Projection view = orthographic({1, -3, 0.5});
+  EXPECT_EQ(kinds(touching_boxes({"a", "b"}), view), (Kinds{{"contour", 11}, {"crease", 12}}));
+  EXPECT_EQ(kinds(touching_boxes({"a"}), view), (Kinds{{"contour", 10}, {"crease", 13}}));
+}
+
+TEST(FeatureEdges, OrientationChangesNothing) {
+  Shape cube = triangulated_cube();
+  for (std::size_t f = 0; f < cube.faces.size(); f += 2) std::swap(cube.faces[f][0], cube.faces[f][2]);
+  EXPECT_EQ(kinds(world_of(cube), orthographic(corner), everything),
+            (Kinds{{"contour", 6}, {"crease", 6}, {"smooth", 6}}));
+}
+
+TEST(FeatureEdges, OnlyWishedKindsAreNamed) {
+  const World world = world_of(fan_of_three());
+  EXPECT_EQ(kinds(world, orthographic(corner), {.boundary = false}), (Kinds{{"crease", 1}}));
+  EXPECT_EQ(kinds(world, orthographic(corner), {.crease = false}), (Kinds{{"boundary", 9}}));
+  // A contour that nobody wants as such is still a crease.
+  EXPECT_EQ(kinds(world_of(box({0, 0, 0}, {1, 1, 1})), orthographic(corner), {.contour = false}),
+            (Kinds{{"crease", 12}}));
+}
+
+TEST(FeatureEdges, TheCreaseAngleIsTheAngleBetweenTheFaces) {
+  const auto roof = [](double degrees) {
+    const double a = degrees / 2 * std::numbers::pi / 180;
+    return Shape{{{0, 0, 0}, {0, 1, 0}, {-std::cos(a), 0, -std::sin(a)}, {-std::cos(a), 1, -std::sin(a)},
+                  {std::cos(a), 0, -std::sin(a)}, {std::cos(a), 1, -std::sin(a)}},
+                 {{0, 1, 3, 2}, {0, 4, 5, 1}},
+                 {}};
+  };
+  for (const double degrees : {1.0, 30.0, 60.0, 90.0}) {
+    const World world = world_of(roof(degrees));
+    EXPECT_EQ(kinds(world, from_above(), {.crease_angle = degrees})["crease"], 1) << degrees;
+    EXPECT_EQ(kinds(world, from_above(), {.crease_angle = degrees + 0.01})["crease"], 0) << degrees;
+  }
+}
+
+TEST(FeatureEdges, ASliverInARidgeLeavesOneRidge) {
+  // A roof whose ridge is split on one side only; the gap is filled by a triangle without height.
+  for (const double height : {0.0, 1e-14}) {
+    const Shape roof{{{0, 0, 0}, {0, 2, 0}, {-1, 0, -1}, {-1, 2, -1}, {1, 0, -1}, {1, 2, -1}, {0, 1, -height}},
+                     {{0, 1, 3, 2}, {0, 6, 1}, {0, 4, 6}, {4, 5, 6}, {5, 1, 6}},
+                     {}};
+    double length = 0;
+    const Result result = draw(world_of(roof), from_above(), {.boundary = false});
+    for (const Segment& s : result.drawing.segments) length += glm::length(s.to - s.from) * result.unit;
+    EXPECT_NEAR(length, 2, 1e-9) << height;
+  }
+}
+
+TEST(FeatureEdges, BehindTheEyeSidesAreFoundWithoutDivision) {
+  // The eye stands in a long box: the edges along the view run past it.
+  const World world = world_of(box({-1, -5, -1}, {1, 5, 1}));
+  const Projection p = perspective({0, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1});
+  // From within every face turns inward alike: no contours.
+  EXPECT_EQ(kinds(world, p), (Kinds{{"crease", 12}}));
+}
+
+}  // namespace
+}  // namespace epura::test
