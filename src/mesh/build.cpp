@@ -67,10 +67,21 @@ int count_faces(const Faces& triangles) {
   return count;
 }
 
-void count_edges(const EdgeTable& table, std::span<const int> corners, MeshReport& report) {
+/// Bodies that touch in an edge share it; each by itself may be sound.
+bool is_non_manifold(const MeshEdge& edge, const EdgeTable& table, const std::vector<int>& body) {
+  std::vector<int> bodies;
+  for (const int halfedge : table.halfedges_of(edge)) bodies.push_back(body[halfedge / 3]);
+  std::sort(bodies.begin(), bodies.end());
+  for (std::size_t i = 2; i < bodies.size(); ++i)
+    if (bodies[i] == bodies[i - 2]) return true;
+  return false;
+}
+
+void count_edges(const EdgeTable& table, std::span<const int> corners, const std::vector<int>& body,
+                 MeshReport& report) {
   for (const MeshEdge& edge : table.edges) {
     report.open_edges += edge.count == 1;
-    report.non_manifold_edges += edge.count > 2;
+    report.non_manifold_edges += edge.count > 2 && is_non_manifold(edge, table, body);
     report.misoriented_edges += edge.count == 2 && !is_two_sided(table, edge, corners);
   }
 }
@@ -118,11 +129,11 @@ Mesh build_mesh(Soup soup, std::string name) {
 
   report.faces = count_faces(triangles);
   report.triangles = static_cast<int>(triangles.size());
-  count_edges(table, triangles.corners, report);
   note_triangles_without_area(soup.points, triangles.corners, report);
   cut_surface(mesh, soup.points, triangles.corners, table);
   mesh.polygon = std::move(triangles.number);
   number_bodies(mesh, soup, table);
+  count_edges(table, triangles.corners, mesh.body, report);
 
   for (int& halfedge : table.halfedges) halfedge /= 3;
   mesh.edges = std::move(table.edges);

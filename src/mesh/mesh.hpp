@@ -34,7 +34,7 @@ struct MeshReport {
   int triangles = 0;               ///< after triangulation
   int bodies = 0;                  ///< named groups if there are two, otherwise parts connected through edges
   int open_edges = 0;              ///< edges with one face
-  int non_manifold_edges = 0;      ///< edges with three or more faces
+  int non_manifold_edges = 0;      ///< edges with three or more faces of one body
   int misoriented_edges = 0;       ///< edges whose two faces run the same way round
   int welded_vertices = 0;         ///< vertices joined to another at the same place (STL: across cracks)
   int dropped_degenerate = 0;      ///< faces with fewer than three distinct corners

@@ -100,11 +100,11 @@ TEST_F(Refusal, StandardOutputThatCannotBeWritten) {
 }
 
 TEST_F(Refusal, Formats) {
-  expect_refused({"draw", cube, "-o", "x.dwg"}, 2, {"x.dwg", "unknown format", "known: svg, pdf, ps, eps, png, json"});
+  expect_refused({"draw", cube, "-o", "x.bmp"}, 2, {"x.bmp", "unknown format", "known: svg, pdf, ps, eps, png, json"});
   expect_refused({"draw", cube, "-o", "x.svgg"}, 2, {"x.svgg", "did you mean 'svg'?"});
   expect_refused({"draw", cube, "-o", "x"}, 2, {"x", "no extension", "known: svg"});
   expect_refused({"draw", cube, "-o", "-"}, 2, {"--format"});
-  expect_refused({"draw", cube, "-o", "-", "--format", "pgn"}, 2, {"--format", "did you mean 'png'?"});
+  expect_refused({"draw", cube, "-o", "-", "--format", "jsn"}, 2, {"--format", "did you mean 'json'?"});
   expect_refused({"draw", cube, "-o", "x.svg", "-o", "y.pdf", "-o", "x.svg"}, 2, {"x.svg", "twice"});
   expect_refused({"draw", cube, "-o", "-", "-o", "-", "--format", "svg"}, 2, {"twice"});
 }
