@@ -39,6 +39,14 @@ const MeshEdge* find_edge(const EdgeSurroundings& around, const std::array<int, 
   return found != mesh.edges.end() && found->vertex == key ? &*found : nullptr;
 }
 
+// Normals of two triangles at their common edge, equal where one continues the other flatly.
+std::array<Vec3, 2> normals_at(const EdgeSurroundings& around, const std::array<int, 2>& edge, int first, int second) {
+  const Vec3 a = around.point(edge[0]);
+  const Vec3 along = around.point(edge[1]) - a;
+  return {glm::cross(along, around.point(around.apex(edge, first)) - a),
+          glm::cross(around.point(around.apex(edge, second)) - a, along)};
+}
+
 double length_of(const EdgeSurroundings& around, const std::array<int, 2>& side) {
   return glm::length(around.point(side[1]) - around.point(side[0]));
 }
@@ -46,12 +54,17 @@ double length_of(const EdgeSurroundings& around, const std::array<int, 2>& side)
 }  // namespace
 
 int EdgeSurroundings::apex(const std::array<int, 2>& edge, int triangle) const {
+  const std::array<int, 3> c = corners(triangle);
+  const auto on_edge = [&](int v) { return v == edge[0] || v == edge[1]; };
+  if (on_edge(c[0]) && on_edge(c[1])) return c[2];
+  if (on_edge(c[1]) && on_edge(c[2])) return c[0];
+  if (on_edge(c[2]) && on_edge(c[0])) return c[1];
   const Vec3 a = point(edge[0]);
   const Vec3 along = point(edge[1]) - a;
   int apex = -1;
   double farthest = -1;
-  for (const int v : corners(triangle)) {
-    if (v == edge[0] || v == edge[1]) continue;
+  for (const int v : c) {
+    if (on_edge(v)) continue;
     const double distance = glm::length(glm::cross(along, point(v) - a));
     if (distance > farthest) {
       farthest = distance;
@@ -62,11 +75,23 @@ int EdgeSurroundings::apex(const std::array<int, 2>& edge, int triangle) const {
 }
 
 double fold_angle(const EdgeSurroundings& around, const std::array<int, 2>& edge, int first, int second) {
-  const Vec3 a = around.point(edge[0]);
-  const Vec3 along = around.point(edge[1]) - a;
-  const Vec3 n1 = glm::cross(along, around.point(around.apex(edge, first)) - a);
-  const Vec3 n2 = glm::cross(around.point(around.apex(edge, second)) - a, along);
+  const auto [n1, n2] = normals_at(around, edge, first, second);
   return std::atan2(glm::length(glm::cross(n1, n2)), glm::dot(n1, n2)) * (180 / std::numbers::pi);
+}
+
+FoldLimit::FoldLimit(double limit) : degrees(limit), squared_cosine(2) {
+  const double cosine = std::cos(limit * (std::numbers::pi / 180));
+  if (limit < 90) squared_cosine = cosine * cosine;
+}
+
+bool folds_by(const EdgeSurroundings& around, const std::array<int, 2>& edge, int first, int second,
+              const FoldLimit& limit) {
+  const auto [n1, n2] = normals_at(around, edge, first, second);
+  const double product = glm::dot(n1, n2);
+  // Plainly flatter than the limit, beyond all rounding.
+  const double least = 1.0001 * limit.squared_cosine * glm::dot(n1, n1) * glm::dot(n2, n2);
+  if (product > 0 && product * product > least) return false;
+  return fold_angle(around, edge, first, second) >= limit.degrees;
 }
 
 double turn_of_surface(const EdgeSurroundings& around, int triangle, double crease_angle) {

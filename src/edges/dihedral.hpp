@@ -28,6 +28,18 @@ struct EdgeSurroundings {
 /// Degrees by which the second triangle turns away from continuing the first one flatly: 0 flat, 180 folded back.
 double fold_angle(const EdgeSurroundings& around, const std::array<int, 2>& edge, int first, int second);
 
+/// An angle to compare folds with.
+struct FoldLimit {
+  double degrees;
+  double squared_cosine;  ///< 2 from a right angle on, which nothing exceeds
+
+  explicit FoldLimit(double limit);
+};
+
+/// Whether a fold is at least so large; most edges are told without an arc tangent.
+bool folds_by(const EdgeSurroundings& around, const std::array<int, 2>& edge, int first, int second,
+              const FoldLimit& limit);
+
 /// The largest fold at the sides of a triangle that is below `crease_angle`: how far the surface that it approximates
 /// turns from one facet to the next. 0 for a facet of a plane.
 double turn_of_surface(const EdgeSurroundings& around, int triangle, double crease_angle);

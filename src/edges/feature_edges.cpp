@@ -23,6 +23,12 @@ struct Judge {
   EdgeSurroundings around;
   const View& view;
   const EdgeWishes& wishes;
+  const std::vector<char>& is_sliver;  ///< by triangle
+  FoldLimit crease;
+
+  [[nodiscard]] Beyond beyond_slivers(const std::array<int, 2>& edge, int triangle) const {
+    return is_sliver[triangle] != 0 ? across_slivers(around, edge, triangle) : Beyond{triangle, false};
+  }
 
   [[nodiscard]] const Mesh& mesh() const { return *around.world.models[around.model].mesh; }
 
@@ -54,8 +60,8 @@ struct Judge {
   // Two triangles at an edge.
   [[nodiscard]] std::optional<EdgeKind> judge_pair(const MeshEdge& edge, const std::array<int, 2>& ends, int first,
                                                    int second) const {
-    const Beyond one = across_slivers(around, ends, first);
-    const Beyond two = across_slivers(around, ends, second);
+    const Beyond one = beyond_slivers(ends, first);
+    const Beyond two = beyond_slivers(ends, second);
     if (one.covered || two.covered) return std::nullopt;
     if (!one.triangle || !two.triangle) return wish(EdgeKind::boundary);
     const int side_one = side(ends, *one.triangle);
@@ -64,8 +70,7 @@ struct Judge {
     if (contour && wishes.contour) return EdgeKind::contour;
     // Inside a polygon nothing is folded: the file says it is one face.
     if (edge.diagonal) return std::nullopt;
-    if (wishes.crease && fold_angle(around, ends, *one.triangle, *two.triangle) >= wishes.crease_angle - angle_rounding)
-      return EdgeKind::crease;
+    if (wishes.crease && folds_by(around, ends, *one.triangle, *two.triangle, crease)) return EdgeKind::crease;
     return wish(EdgeKind::smooth);
   }
 
@@ -107,8 +112,13 @@ struct Judge {
 
 std::vector<std::optional<EdgeKind>> feature_edges(const World& world, const View& view, int model,
                                                    const EdgeWishes& wishes) {
-  const double sliver = std::max(sliver_part, world.precision);
-  const Judge judge{{world, model, view.map.shrink, sliver}, view, wishes};
+  const EdgeSurroundings around{world, model, view.map.shrink, std::max(sliver_part, world.precision)};
+  std::vector<char> is_sliver(world.models[model].mesh->polygon.size());
+  parallel_for(is_sliver.size(), 8192, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t)
+      is_sliver[t] = height_of(around, static_cast<int>(t)) <= around.sliver ? 1 : 0;
+  });
+  const Judge judge{around, view, wishes, is_sliver, FoldLimit(wishes.crease_angle - angle_rounding)};
   const std::vector<MeshEdge>& edges = judge.mesh().edges;
   std::vector<std::optional<EdgeKind>> kinds(edges.size());
   parallel_for(edges.size(), 4096, [&](std::size_t begin, std::size_t end) {

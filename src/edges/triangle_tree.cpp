@@ -1,7 +1,7 @@
 #include "edges/triangle_tree.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <cstdint>
 #include <utility>
 
 #include "base/parallel.hpp"
@@ -18,47 +18,86 @@ int node_count(int triangles) {
   return triangles <= leaf_size ? 1 : 1 + node_count(triangles / 2) + node_count(triangles - triangles / 2);
 }
 
-int longest_axis(const Box& box) {
-  const Vec3 size = box.size();
-  if (size.x >= size.y && size.x >= size.z) return 0;
-  return size.y >= size.z ? 1 : 2;
+// The lower 21 bits, two zeros behind each.
+std::uint64_t spread(std::uint64_t x) {
+  x &= 0x1fffff;
+  x = (x | x << 32) & 0x1f00000000ffff;
+  x = (x | x << 16) & 0x1f0000ff0000ff;
+  x = (x | x << 8) & 0x100f00f00f00f00f;
+  x = (x | x << 4) & 0x10c30c30c30c30c3;
+  return (x | x << 2) & 0x1249249249249249;
+}
+
+// Halves are sorted side by side and merged.
+template <class Iterator>
+void sort_in_parallel(Iterator begin, Iterator end) {
+  if (end - begin <= alone) return std::sort(begin, end);
+  const Iterator middle = begin + (end - begin) / 2;
+  parallel_both([&] { sort_in_parallel(begin, middle); }, [&] { sort_in_parallel(middle, end); });
+  std::inplace_merge(begin, middle, end);
 }
 
 }  // namespace
 
-TriangleTree::TriangleTree(std::vector<Box> boxes) : boxes_(std::move(boxes)), order_(boxes_.size()) {
-  std::iota(order_.begin(), order_.end(), 0);
+TriangleTree::TriangleTree(std::vector<Box> boxes) : boxes_(std::move(boxes)) {
+  sort_along_curve();
   const int count = static_cast<int>(boxes_.size());
   nodes_.resize(static_cast<std::size_t>(node_count(count)));
   build(0, 0, count);
 }
 
-void TriangleTree::build(int number, int begin, int end) {
-  Box box;
-  Box centres;
-  for (int i = begin; i < end; ++i) {
-    box.add(boxes_[order_[i]].least);
-    box.add(boxes_[order_[i]].most);
-    centres.add(boxes_[order_[i]].centre());
+// By the places of the boxes' middles on a Morton curve: neighbours there are neighbours in space.
+void TriangleTree::sort_along_curve() {
+  Box all;
+  for (const Box& box : boxes_) all.add(box.centre());
+  const Vec3 size = all.size();
+  const double cells = 0x1fffff / std::max({size.x, size.y, size.z, 1e-300});
+  std::vector<std::pair<std::uint64_t, int>> places(boxes_.size());
+  parallel_for(places.size(), alone, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Vec3 at = (boxes_[i].centre() - all.least) * cells;
+      const std::uint64_t code = spread(static_cast<std::uint64_t>(at.x)) |
+                                 spread(static_cast<std::uint64_t>(at.y)) << 1 |
+                                 spread(static_cast<std::uint64_t>(at.z)) << 2;
+      places[i] = {code, static_cast<int>(i)};
+    }
+  });
+  sort_in_parallel(places.begin(), places.end());
+  std::vector<Box> sorted;
+  sorted.reserve(boxes_.size());
+  for (const auto& [code, triangle] : places) {
+    order_.push_back(triangle);
+    sorted.push_back(boxes_[triangle]);
   }
+  boxes_ = std::move(sorted);
+}
+
+void TriangleTree::build(int number, int begin, int end) {
+  Node& node = nodes_[number];
+  node = {{}, begin, end, -1};
   if (end - begin <= leaf_size) {
-    nodes_[number] = {box, begin, end, -1};
+    for (int i = begin; i < end; ++i) {
+      node.box.add(boxes_[i].least);
+      node.box.add(boxes_[i].most);
+    }
     return;
   }
-  const int axis = longest_axis(centres);
   const int middle = begin + (end - begin) / 2;
-  std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end, [&](int a, int b) {
-    const double ca = boxes_[a].least[axis] + boxes_[a].most[axis];
-    const double cb = boxes_[b].least[axis] + boxes_[b].most[axis];
-    return std::pair(ca, a) < std::pair(cb, b);
-  });
-  const int right = number + 1 + node_count(middle - begin);
-  nodes_[number] = {box, begin, end, right};
-  const auto build_left = [&] { build(number + 1, begin, middle); };
+  const int left = number + 1;
+  const int right = left + node_count(middle - begin);
+  node.right = right;
+  const auto build_left = [&] { build(left, begin, middle); };
   const auto build_right = [&] { build(right, middle, end); };
-  if (end - begin > alone) return parallel_both(build_left, build_right);
-  build_left();
-  build_right();
+  if (end - begin > alone) {
+    parallel_both(build_left, build_right);
+  } else {
+    build_left();
+    build_right();
+  }
+  for (const int child : {left, right}) {
+    node.box.add(nodes_[child].box.least);
+    node.box.add(nodes_[child].box.most);
+  }
 }
 
 // A node against itself: its children against themselves and each other. Two nodes: the larger one is opened.

@@ -45,6 +45,7 @@ class TriangleTree {
            a.least.z <= b.most.z && b.least.z <= a.most.z;
   }
 
+  void sort_along_curve();
   void build(int number, int begin, int end);
   void split(const NodePair& pair, std::vector<NodePair>& parts) const;
 
@@ -52,11 +53,12 @@ class TriangleTree {
   void meet_leaves(const Node& a, const Node& b, bool same, Meet& meet) const {
     for (int i = a.begin; i < a.end; ++i)
       for (int j = same ? i + 1 : b.begin; j < b.end; ++j)
-        if (overlap(boxes_[order_[i]], boxes_[order_[j]])) meet(order_[i], order_[j]);
+        if (overlap(boxes_[i], boxes_[j])) meet(order_[i], order_[j]);
   }
 
+  // Both in the order of the leaves.
   std::vector<Box> boxes_;
-  std::vector<int> order_;
+  std::vector<int> order_;  ///< the boxes' numbers
   std::vector<Node> nodes_;
 };
 

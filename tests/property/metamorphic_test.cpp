@@ -116,13 +116,11 @@ const std::map<std::string, Shape>& zoo() {
                                                    {"moebius", moebius(40)},
                                                    {"boxes", random_boxes(3, 8)},
                                                    {"triangles", random_triangles(4, 30)},
-{"triangles5", random_triangles(5, 60)},{"triangles6", random_triangles(6, 60)},
-{"boxes5", random_boxes(5, 12)},{"boxes6", random_boxes(6, 12)},{"boxes7", random_boxes(7, 12)},
-{"lattice1", lattice_boxes(1, 6)},{"lattice2", lattice_boxes(2, 6)},{"lattice3", lattice_boxes(3, 6)},
-{"sample_cyl", sample("cylinders.obj")},{"sample_shaft", sample("shaft.obj")},{"sample_stairs", sample("stairs.obj")},{"sample_flange", sample("flange.obj")},{"sample_gear", sample("gear.stl")},{"sample_elbow", sample("elbow.obj")},{"sample_bearing", sample("bearing.obj")},{"sample_sombrero", sample("sombrero.obj")},
-
+                                                   {"lattice", lattice_boxes(1, 6)},
                                                    {"sample_bracket", sample("bracket.obj")},
-                                                   {"sample_house", sample("house.obj")}};
+                                                   {"sample_house", sample("house.obj")},
+                                                   {"sample_shaft", sample("shaft.obj")},
+                                                   {"sample_gear", sample("gear.stl")}};
   return shapes;
 }
 
@@ -179,7 +177,7 @@ double distance_to(const std::vector<Segment>& segments, const Vec2& p, bool vis
   return nearest;
 }
 
-// How far some point of `segments` is from what `others` show alike, in drawings.
+// How far some point of `segments` is from what `other` shows alike, in drawings.
 double farthest(const Result& result, const Result& other) {
   double worst = 0;
   for (const Segment& s : result.drawing.segments)
@@ -188,12 +186,16 @@ double farthest(const Result& result, const Result& other) {
   return worst / result.view.extent;
 }
 
+void expect_near_each_other(const Result& one, const Result& other) {
+  if (one.drawing.segments.size() > 400) return;  // every point is compared with every segment
+  EXPECT_LT(farthest(one, other), 1e-7);
+  EXPECT_LT(farthest(other, one), 1e-7);
+}
+
 void expect_same(const Result& expected, const Result& result, double tolerance) {
   expect_same(ink_of(expected.drawing.segments, expected.unit), ink_of(result.drawing.segments, result.unit),
               tolerance);
-  if (expected.drawing.segments.size() > 400) return;
-  EXPECT_LT(farthest(expected, result), 1e-7);
-  EXPECT_LT(farthest(result, expected), 1e-7);
+  expect_near_each_other(expected, result);
 }
 
 // Calls `check(shape, projection, drawing)` for the whole zoo in all views.
@@ -263,7 +265,11 @@ Shape in_quarters(const Shape& shape) {
 
 TEST(Metamorphic, FinerTrianglesDoNotMatter) {
   in_all_views([](const Shape& shape, const Projection& view, const Result& expected) {
-    expect_same(expected, draw(world_of(in_quarters(shape)), view), 1e-9);
+    // Kinds may change: where bodies without names touch, their finer edges become one.
+    const Result result = draw(world_of(in_quarters(shape)), view);
+    EXPECT_NEAR(result.visible(), expected.visible(), 1e-9 * expected.visible());
+    EXPECT_NEAR(result.hidden_length(), expected.hidden_length(), 1e-9 * expected.visible());
+    expect_near_each_other(expected, result);
   });
 }
 
@@ -383,28 +389,3 @@ TEST(Metamorphic, ThreadsDoNotMatter) {
 
 }  // namespace
 }  // namespace epura::test
-namespace epura::test { namespace {
-void show(const Result& a, const Result& b) {
-  for (const Segment& s : a.drawing.segments) {
-    const Vec2 m = s.from + 0.5 * (s.to - s.from);
-    const double d = distance_to(b.drawing.segments, m, s.visible) / a.view.extent;
-    if (d > 1e-6) {
-      const auto& mesh = *a.world.models[s.model].mesh;
-      printf("%s %s edge %d-%d t %.9f %.9f dist %g len %g", s.visible ? "vis" : "hid", std::string(name_of(s.kind)).c_str(), s.edge[0], s.edge[1], s.t[0], s.t[1], d, a.unit*glm::length(s.to-s.from));
-      if (s.edge[0] >= 0) printf(" p (%g %g %g) q (%g %g %g)", mesh.point(s.edge[0])[0],mesh.point(s.edge[0])[1],mesh.point(s.edge[0])[2],mesh.point(s.edge[1])[0],mesh.point(s.edge[1])[1],mesh.point(s.edge[1])[2]);
-      else printf(" w (%.9g %.9g %.9g) (%.9g %.9g %.9g)", s.world[0].x,s.world[0].y,s.world[0].z,s.world[1].x,s.world[1].y,s.world[1].z);
-      printf("\n");
-    }
-  }
-}
-TEST(Debug, DISABLED_Stairs) {
-  for (const auto& [nm, vw] : {std::pair("sample_stairs","isometric"), std::pair("sample_stairs","generic"), std::pair("sample_cyl","front")}) {
-  const Shape& shape = zoo().at(nm);
-  const Projection view = views(box_of(shape)).at(vw);
-  const Result a = draw(world_of(shape), view);
-  for (int k = 0; k < 2; ++k) {
-    const Result b = draw(world_of(renumbered(shape, 7+k)), view);
-    printf("=== %s %s %d: in a, not in b\n", nm, vw, k); show(a, b); printf("in b, not in a\n"); show(b, a);
-  }}
-}
-}}

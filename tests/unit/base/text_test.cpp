@@ -20,8 +20,8 @@ TEST(Numbers, AreReadWholeOrNotAtAll) {
   EXPECT_EQ(parse_number("2."), 2.0);
   EXPECT_EQ(parse_number("1e3"), 1000.0);
   EXPECT_EQ(parse_number("1E-2"), 0.01);
-  for (const char* junk : {"", " ", "+", "-", ".", "e5", "+-1", "++1", "--1", " 1", "1 ", "1,5", "1.5mm", "1e", "0x10",
-                           "1.2.3", "1\n", "one", "1e400", "-1e400"})
+  for (const char* junk : {"",   " ",   "+",     "-",  ".",    "e5",    "+-1", "++1", "--1",   " 1",
+                           "1 ", "1,5", "1.5mm", "1e", "0x10", "1.2.3", "1\n", "one", "1e400", "-1e400"})
     EXPECT_EQ(parse_number(junk), std::nullopt) << junk;
 }
 

@@ -26,7 +26,8 @@ double ink(const std::vector<Piece>& pieces, bool visible) {
 
 TEST(Ink, VisibleBeatsHiddenWhoeverComesFirst) {
   for (const bool first : {false, true}) {
-    const auto kept = resolve_coincident({piece({0, 0}, {4, 0}, first, 0), piece({4, 0}, {0, 0}, !first, 1)}, tolerance, least);
+    const auto kept =
+        resolve_coincident({piece({0, 0}, {4, 0}, first, 0), piece({4, 0}, {0, 0}, !first, 1)}, tolerance, least);
     ASSERT_EQ(kept.size(), 1U);
     EXPECT_TRUE(kept[0].visible);
     EXPECT_EQ(kept[0].edge, first ? 0 : 1);
@@ -35,10 +36,12 @@ TEST(Ink, VisibleBeatsHiddenWhoeverComesFirst) {
 
 TEST(Ink, AmongEqualsTheStrongerKindThenTheEarlierEdgeStays) {
   const auto by_kind = resolve_coincident(
-      {piece({0, 0}, {4, 0}, true, 0, EdgeKind::smooth), piece({0, 0}, {4, 0}, true, 1, EdgeKind::contour)}, tolerance, least);
+      {piece({0, 0}, {4, 0}, true, 0, EdgeKind::smooth), piece({0, 0}, {4, 0}, true, 1, EdgeKind::contour)}, tolerance,
+      least);
   ASSERT_EQ(by_kind.size(), 1U);
   EXPECT_EQ(by_kind[0].kind, EdgeKind::contour);
-  const auto by_edge = resolve_coincident({piece({0, 0}, {4, 0}, true, 7), piece({0, 0}, {4, 0}, true, 3)}, tolerance, least);
+  const auto by_edge =
+      resolve_coincident({piece({0, 0}, {4, 0}, true, 7), piece({0, 0}, {4, 0}, true, 3)}, tolerance, least);
   ASSERT_EQ(by_edge.size(), 1U);
   EXPECT_EQ(by_edge[0].edge, 3);
 }
@@ -47,7 +50,8 @@ TEST(Ink, AHiddenLineKeepsWhatNoVisibleOneCovers) {
   // Covered from 3 to 5 of 10, and by a slanted direction, given backwards.
   const Vec2 along = Vec2(3, 4) / 5.0;
   const auto at = [&](double x) { return Vec2(1, 1) + x * along; };
-  const auto kept = resolve_coincident({piece(at(0), at(10), false, 0), piece(at(5), at(3), true, 1)}, tolerance, least);
+  const auto kept =
+      resolve_coincident({piece(at(0), at(10), false, 0), piece(at(5), at(3), true, 1)}, tolerance, least);
   ASSERT_EQ(kept.size(), 3U);
   EXPECT_NEAR(glm::distance(kept[0].from, at(0)) + glm::distance(kept[0].to, at(3)), 0, 1e-12);
   EXPECT_NEAR(glm::distance(kept[1].from, at(5)) + glm::distance(kept[1].to, at(10)), 0, 1e-12);
@@ -58,7 +62,8 @@ TEST(Ink, AHiddenLineKeepsWhatNoVisibleOneCovers) {
 }
 
 TEST(Ink, PartialOverlapsOfOneLook) {
-  const auto kept = resolve_coincident({piece({0, 0}, {6, 0}, true, 0), piece({4, 0}, {10, 0}, true, 1)}, tolerance, least);
+  const auto kept =
+      resolve_coincident({piece({0, 0}, {6, 0}, true, 0), piece({4, 0}, {10, 0}, true, 1)}, tolerance, least);
   EXPECT_NEAR(ink(kept, true), 10, 1e-12);
   ASSERT_EQ(kept.size(), 2U);
   EXPECT_NEAR(kept[1].from.x, 6, 1e-12);
@@ -85,23 +90,29 @@ TEST(Ink, CrossingParallelAndTouchingLinesStay) {
 
 TEST(Ink, WithinTheToleranceLinesCoincide) {
   const auto kept = resolve_coincident(
-      {piece({0, 0}, {10, 0}, true, 0), piece({-1, 0.9 * tolerance}, {11, -0.9 * tolerance}, false, 1)}, tolerance, least);
+      {piece({0, 0}, {10, 0}, true, 0), piece({-1, 0.9 * tolerance}, {11, -0.9 * tolerance}, false, 1)}, tolerance,
+      least);
   EXPECT_NEAR(ink(kept, false), 2, 1e-9);
 }
 
 TEST(Ink, PointsAndShortRemaindersAreDropped) {
   EXPECT_TRUE(resolve_coincident({piece({1, 1}, {1, 1}, true, 0)}, tolerance, least).empty());
-  const auto kept = resolve_coincident({piece({0, 0}, {10 + least / 2, 0}, false, 0), piece({0, 0}, {10, 0}, true, 1)}, tolerance, least);
+  const auto kept = resolve_coincident({piece({0, 0}, {10 + least / 2, 0}, false, 0), piece({0, 0}, {10, 0}, true, 1)},
+                                       tolerance, least);
   ASSERT_EQ(kept.size(), 1U);
   EXPECT_TRUE(kept[0].visible);
   EXPECT_TRUE(resolve_coincident({}, tolerance, least).empty());
 }
 
 TEST(Ink, DirectionsNearZeroAndPiAreNeighbours) {
-  const auto kept = resolve_coincident({piece({0, 0}, {10, 1e-8}, true, 0), piece({10, 0}, {0, 1e-8}, false, 1)}, tolerance, least);
+  const auto kept =
+      resolve_coincident({piece({0, 0}, {10, 1e-8}, true, 0), piece({10, 0}, {0, 1e-8}, false, 1)}, tolerance, least);
   EXPECT_EQ(kept.size(), 1U);
   // The very same with upright lines, where nothing is special.
-  EXPECT_EQ(resolve_coincident({piece({0, 0}, {1e-8, 10}, true, 0), piece({1e-8, 0}, {0, 10}, false, 1)}, tolerance, least).size(), 1U);
+  EXPECT_EQ(
+      resolve_coincident({piece({0, 0}, {1e-8, 10}, true, 0), piece({1e-8, 0}, {0, 10}, false, 1)}, tolerance, least)
+          .size(),
+      1U);
 }
 
 TEST(Ink, IsTheUnionOfManyIntervalsOnALine) {

@@ -47,9 +47,8 @@ TEST(Height, IsOverTheLongestSide) {
 
 // Two halves of a roof with a ridge along y, and between them, in the ridge, a sliver 0, 1, 4.
 Shape roof_with_a_sliver() {
-  return {{{0, 0, 0}, {0, 2, 0}, {-1, 1, -1}, {1, 1, -1}, {1e-9, 1, 0}},
-          {{0, 1, 2}, {0, 4, 1}, {4, 0, 3}, {1, 4, 3}},
-          {}};
+  return {
+      {{0, 0, 0}, {0, 2, 0}, {-1, 1, -1}, {1, 1, -1}, {1e-9, 1, 0}}, {{0, 1, 2}, {0, 4, 1}, {4, 0, 3}, {1, 4, 3}}, {}};
 }
 
 TEST(Slivers, AreCrossedToTheFaceBehind) {

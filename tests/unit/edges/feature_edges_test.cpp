@@ -106,8 +106,12 @@ TEST(FeatureEdges, OnlyWishedKindsAreNamed) {
 TEST(FeatureEdges, TheCreaseAngleIsTheAngleBetweenTheFaces) {
   const auto roof = [](double degrees) {
     const double a = degrees / 2 * std::numbers::pi / 180;
-    return Shape{{{0, 0, 0}, {0, 1, 0}, {-std::cos(a), 0, -std::sin(a)}, {-std::cos(a), 1, -std::sin(a)},
-                  {std::cos(a), 0, -std::sin(a)}, {std::cos(a), 1, -std::sin(a)}},
+    return Shape{{{0, 0, 0},
+                  {0, 1, 0},
+                  {-std::cos(a), 0, -std::sin(a)},
+                  {-std::cos(a), 1, -std::sin(a)},
+                  {std::cos(a), 0, -std::sin(a)},
+                  {std::cos(a), 1, -std::sin(a)}},
                  {{0, 1, 3, 2}, {0, 4, 5, 1}},
                  {}};
   };

@@ -16,7 +16,8 @@ Placed placed(const Shape& shape, const char* steps = "") {
 }
 
 TEST(Scene, ModelsShareOneNumbering) {
-  const World world = make_world({placed(triangulated_cube()), placed(plate(0, 0, 1, 1, 5)), placed(triangulated_cube())});
+  const World world =
+      make_world({placed(triangulated_cube()), placed(plate(0, 0, 1, 1, 5)), placed(triangulated_cube())});
   EXPECT_EQ(world.first_vertex, (std::vector<int>{0, 8, 12, 20}));
   EXPECT_EQ(world.first_triangle, (std::vector<int>{0, 12, 14, 26}));
   ASSERT_EQ(world.points.size(), 20U);
@@ -33,7 +34,8 @@ TEST(Scene, ModelsShareOneNumbering) {
 }
 
 TEST(Scene, ModelsStandWhereTheirTransformsPutThem) {
-  const World world = make_world({placed(triangulated_cube(), "scale:2 translate:10,0,0"), placed(triangulated_cube())});
+  const World world =
+      make_world({placed(triangulated_cube(), "scale:2 translate:10,0,0"), placed(triangulated_cube())});
   EXPECT_EQ(world.points[0], Vec3(10, 0, 0));
   EXPECT_EQ(world.points[7], Vec3(12, 2, 2));
   EXPECT_EQ(world.points[8], Vec3(0, 0, 0));

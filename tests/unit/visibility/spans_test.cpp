@@ -1,0 +1,76 @@
+#include "visibility/spans.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+namespace epura::test {
+namespace {
+
+Spans sum(const std::vector<std::array<double, 2>>& parts) {
+  Spans spans;
+  for (const auto& part : parts) add_span(spans, part);
+  return spans;
+}
+
+TEST(Spans, TouchingOnesBecomeOne) {
+  EXPECT_EQ(sum({{0.1, 0.2}, {0.3, 0.4}}), (Spans{{0.1, 0.2}, {0.3, 0.4}}));
+  EXPECT_EQ(sum({{0.3, 0.4}, {0.1, 0.3}}), (Spans{{0.1, 0.4}}));
+  EXPECT_EQ(sum({{0.1, 0.2}, {0.5, 0.6}, {0.8, 0.9}, {0.15, 0.8}}), (Spans{{0.1, 0.9}}));
+  EXPECT_EQ(sum({{0, 1}, {0.4, 0.5}}), (Spans{{0, 1}}));
+}
+
+TEST(Spans, AreTheUnionInAnyOrder) {
+  std::mt19937 random(1);
+  for (int round = 0; round < 200; ++round) {
+    std::vector<std::array<double, 2>> parts;
+    for (int i = 0; i < 12; ++i) {
+      const double a = static_cast<double>(random() % 60) / 64;
+      parts.push_back({a, a + static_cast<double>(1 + random() % 4) / 64});
+    }
+    const Spans spans = sum(parts);
+    std::shuffle(parts.begin(), parts.end(), random);
+    ASSERT_EQ(sum(parts), spans);
+    for (std::size_t i = 1; i < spans.size(); ++i) ASSERT_LT(spans[i - 1][1], spans[i][0]);
+    for (int k = 0; k < 64; ++k) {
+      const double t = (k + 0.5) / 64;
+      const bool inside = std::any_of(parts.begin(), parts.end(), [&](const auto& p) { return p[0] < t && t < p[1]; });
+      ASSERT_EQ(covers(spans, t, t), inside) << t;
+    }
+  }
+}
+
+TEST(Spans, OneHasToCoverTheWhole) {
+  const Spans spans{{0.1, 0.4}, {0.5, 0.9}};
+  EXPECT_TRUE(covers(spans, 0.1, 0.4));
+  EXPECT_TRUE(covers(spans, 0.6, 0.7));
+  EXPECT_FALSE(covers(spans, 0.3, 0.6));
+  EXPECT_FALSE(covers(spans, 0.0, 0.2));
+  EXPECT_FALSE(covers(spans, 0.85, 0.95));
+  EXPECT_FALSE(covers({}, 0, 0));
+}
+
+Spans absorbed(Spans spans, double least) {
+  absorb_slivers(spans, least);
+  return spans;
+}
+
+TEST(Slivers, GapsAreClosedThenSpansDropped) {
+  EXPECT_EQ(absorbed({{0.1, 0.4}, {0.4005, 0.8}}, 0.001), (Spans{{0.1, 0.8}}));
+  EXPECT_EQ(absorbed({{0.1, 0.4}, {0.402, 0.8}}, 0.001), (Spans{{0.1, 0.4}, {0.402, 0.8}}));
+  EXPECT_EQ(absorbed({{0.2, 0.2005}, {0.4, 0.8}}, 0.001), (Spans{{0.4, 0.8}}));
+  // Three short ones close together are one long one.
+  EXPECT_EQ(absorbed({{0.2, 0.2009}, {0.201, 0.2018}, {0.202, 0.203}}, 0.001), (Spans{{0.2, 0.203}}));
+  EXPECT_EQ(absorbed({{0.0005, 0.5}, {0.7, 0.9995}}, 0.001), (Spans{{0, 0.5}, {0.7, 1}}));
+  EXPECT_TRUE(absorbed({{0.5, 0.5001}}, 0.001).empty());
+}
+
+TEST(Slivers, AShortEdgeIsWhollyOneOrTheOther) {
+  EXPECT_EQ(absorbed({{0.1, 0.4}, {0.5, 0.8}}, 2), (Spans{{0, 1}}));
+  EXPECT_TRUE(absorbed({{0.1, 0.4}}, 2).empty());
+  EXPECT_TRUE(absorbed({}, 2).empty());
+}
+
+}  // namespace
+}  // namespace epura::test

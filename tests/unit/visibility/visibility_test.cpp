@@ -1,0 +1,105 @@
+#include "visibility/visibility.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "shapes.hpp"
+
+namespace epura::test {
+namespace {
+
+// A wide ground far below, so that lines beside the plates lie inside the drawing.
+Shape ground() { return plate(-4, -4, 4, 4, -10); }
+
+TEST(Hidden, IsWhatLiesBehindAFace) {
+  const World world = world_of({plate(0, 0, 1, 1, 1), ground()});
+  const auto behind = hidden_of_line(world, from_above(), {-1, 0.5, 0}, {3, 0.5, 0});
+  ASSERT_EQ(behind.size(), 1U);
+  EXPECT_NEAR(behind[0][0], 0.25, 1e-9);
+  EXPECT_NEAR(behind[0][1], 0.5, 1e-9);
+  EXPECT_TRUE(hidden_of_line(world, from_above(), {-1, 0.5, 2}, {3, 0.5, 2}).empty()) << "before it";
+  EXPECT_TRUE(hidden_of_line(world, from_above(), {-1, 1.5, 0}, {3, 1.5, 0}).empty()) << "beside it";
+}
+
+TEST(Hidden, PartsAreParametersOnThePage) {
+  // The eye at the origin looks along +y at a line that recedes from (-1, 1) to (3, 3): on the page from -1 to 1. A
+  // plate at y = 0.5 covers x/y from 0 to 0.5, that is half to three quarters of the line on the page.
+  const Shape screen{{{0, 0.5, -1}, {0.25, 0.5, -1}, {0.25, 0.5, 1}, {0, 0.5, 1}}, {{0, 1, 2, 3}}, {}};
+  const Shape backdrop{{{-8, 4, -8}, {8, 4, -8}, {8, 4, 8}, {-8, 4, 8}}, {{0, 1, 2, 3}}, {}};
+  const Projection eye = perspective({0, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1});
+  const auto spans = hidden_of_line(world_of({screen, backdrop}), eye, {-1, 1, 0}, {3, 3, 0});
+  ASSERT_EQ(spans.size(), 1U);
+  EXPECT_NEAR(spans[0][0], 0.5, 1e-8);
+  EXPECT_NEAR(spans[0][1], 0.75, 1e-8);
+}
+
+TEST(Hidden, SpansOfEveryEdgeAscendAndDoNotTouch) {
+  Shape boxes;
+  for (int i = 0; i < 6; ++i) boxes.add(box({i * 0.7, i * 0.3, i * 0.2}, {i * 0.7 + 1.1, i * 0.3 + 2, i * 0.2 + 1.5}));
+  const Result result = draw(world_of(boxes), orthographic({0.4, -1, 0.6}));
+  ASSERT_EQ(result.hidden.first.size(), result.drawn.edges.size() + 1);
+  EXPECT_EQ(result.hidden.first.front(), 0U);
+  EXPECT_EQ(result.hidden.first.back(), result.hidden.spans.size());
+  EXPECT_FALSE(result.hidden.spans.empty());
+  for (std::size_t e = 0; e < result.drawn.edges.size(); ++e)
+    for (std::size_t i = result.hidden.first[e]; i < result.hidden.first[e + 1]; ++i) {
+      const auto& [from, to] = result.hidden.spans[i];
+      EXPECT_TRUE(0 <= from && from < to && to <= 1);
+      if (i == result.hidden.first[e]) continue;
+      EXPECT_LT(result.hidden.spans[i - 1][1], from);
+    }
+}
+
+TEST(Hidden, NothingInAWireframe) {
+  const Result result = draw(world_of(box({0, 0, 0}, {1, 1, 1})), orthographic({1, -2, 3}));
+  const HiddenSpans none = nothing_hidden(result.drawn);
+  EXPECT_TRUE(none.spans.empty());
+  EXPECT_EQ(none.first, std::vector<std::size_t>(result.drawn.edges.size() + 1, 0));
+}
+
+int hidden_spans_below(double gap, std::optional<double> contact) {
+  const World world = world_of({plate(0, 0, 1, 1, gap), ground()});
+  View view = make_view(world, from_above(), {});
+  const int a = add_point(view, {-1, 0.5, 0});
+  const int b = add_point(view, {2, 0.5, 0});
+  DrawnEdges drawn;
+  drawn.edges.push_back({{a, b}, {0, 1}, EdgeKind::intersection, 0, -1, 0});
+  drawn.crossings.push_back({{Vec3(-1, 0.5, 0), Vec3(2, 0.5, 0)}, {-1, -1}, 90});
+  return static_cast<int>(find_hidden(world, view, drawn, contact_of(world, view, contact)).spans.size());
+}
+
+TEST(Contact, IsTheLengthThatWasGiven) {
+  EXPECT_EQ(hidden_spans_below(0.1001, 0.1), 1);
+  EXPECT_EQ(hidden_spans_below(0.0999, 0.1), 0);
+  EXPECT_EQ(hidden_spans_below(1e-4, 0), 1);
+}
+
+TEST(Contact, IsOtherwiseAFewCellsOfTheGrid) {
+  // The drawing is 8 wide: a cell is 8 / 2^30 or the next power of two.
+  EXPECT_EQ(hidden_spans_below(8 * 0x1p-26, std::nullopt), 1);
+  EXPECT_EQ(hidden_spans_below(8 * 0x1p-30, std::nullopt), 0);
+}
+
+TEST(Contact, FollowsTheScaleOfTheProjection) {
+  const World world = world_of(plate(0, 0, 1, 1, 0));
+  Projection p = from_above();
+  const View plain = make_view(world, p, {});
+  p.scale = 3;
+  const View tripled = make_view(world, p, {});
+  EXPECT_NEAR(contact_of(world, tripled, 0.1).touching, 3 * contact_of(world, plain, 0.1).touching, 1e-15);
+  EXPECT_EQ(contact_in_space(world, plain, 0.25), 0.25 * plain.map.shrink);
+}
+
+TEST(Contact, OfSinglePrecisionModelsIsTheirRounding) {
+  World world = world_of(plate(0, 0, 1, 1, 0));
+  const View view = make_view(world, from_above(), {});
+  const double fine = contact_of(world, view, std::nullopt).touching;
+  world.precision = 0x1p-22;
+  EXPECT_EQ(contact_of(world, view, std::nullopt).touching, 0x1p-22 * view.map.shrink);
+  EXPECT_LT(fine, 0x1p-25 * view.map.shrink);
+  EXPECT_EQ(contact_in_space(world, view, std::nullopt), 0x1p-22 * view.map.shrink);
+}
+
+}  // namespace
+}  // namespace epura::test
