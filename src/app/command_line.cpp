@@ -129,10 +129,10 @@ std::vector<std::string> long_names(const CLI::App& app) {
   for (const CLI::App* sub : app.get_subcommands()) command = sub;
   for (const std::string& extra : command->remaining(true)) {
     if (extra.starts_with("-"))
-      throw Error(Trouble::input, "option '" + extra + "'", "is unknown", did_you_mean(extra, long_names(*command)));
+      throw Error(Trouble::input, "", "there is no option '" + extra + "'", did_you_mean(extra, long_names(*command)));
     const std::vector<std::string> commands{"draw", "plugins"};
     if (command == &app)
-      throw Error(Trouble::input, "command '" + extra + "'", "is unknown", did_you_mean(extra, commands));
+      throw Error(Trouble::input, "", "there is no command '" + extra + "'", did_you_mean(extra, commands));
   }
   throw Error(Trouble::input, "command line", error.what(),
               "see 'epura " + (command == &app ? "" : command->get_name() + " ") + "--help'");

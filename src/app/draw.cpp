@@ -25,7 +25,7 @@ Value choose(const std::string& option, const std::string& word,
     if (name == word) return value;
     names.push_back(name);
   }
-  throw Error(Trouble::input, option + " '" + word + "'", "is unknown", did_you_mean(word, names));
+  throw Error(Trouble::input, option, "does not know '" + word + "'", did_you_mean(word, names));
 }
 
 struct Target {

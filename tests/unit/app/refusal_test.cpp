@@ -111,9 +111,9 @@ TEST_F(Refusal, Formats) {
 
 TEST_F(Refusal, WordsThatNobodyKnows) {
   expect_refused({}, 2, {"epura --help"});
-  expect_refused({"drwa", cube}, 2, {"command 'drwa'", "did you mean 'draw'?"});
+  expect_refused({"drwa", cube}, 2, {"'drwa'", "did you mean 'draw'?"});
   expect_refused({"frobnicate"}, 2, {"known: draw, plugins"});
-  expect_refused({"--verison"}, 2, {"option '--verison'", "did you mean '--version'?"});
+  expect_refused({"--verison"}, 2, {"'--verison'", "did you mean '--version'?"});
   expect_refused({"draw", cube, "-o", "x.svg", "--projecton", "front"}, 2,
                  {"'--projecton'", "did you mean '--projection'?"});
   expect_refused({"draw", cube, "-o", "x.svg", "-q"}, 2, {"'-q'"});
@@ -158,18 +158,18 @@ TEST_F(Refusal, Numbers) {
 }
 
 TEST_F(Refusal, Words) {
-  expect_option_refused({"--unit", "km"}, {"--unit 'km'", "did you mean 'mm'?"});
-  expect_option_refused({"--unit", "yards"}, {"--unit 'yards'", "known: mm, in, m"});
-  expect_option_refused({"--up", "x"}, {"--up 'x'", "known: z, y"});
+  expect_option_refused({"--unit", "km"}, {"--unit", "'km'", "did you mean 'mm'?"});
+  expect_option_refused({"--unit", "yards"}, {"--unit", "'yards'", "known: mm, in, m"});
+  expect_option_refused({"--up", "x"}, {"--up", "'x'", "known: z, y"});
   expect_option_refused({"--scale", "0"}, {"--scale", "'0'"});
   expect_option_refused({"--scale", "1:0"}, {"--scale", "'1:0'"});
   expect_option_refused({"--scale", "1e9"}, {"--scale", "m long"});
   expect_option_refused({"--sheet", "A7"}, {"--sheet", "A0 to A4"});
   expect_option_refused({"--sheet", "0x100"}, {"--sheet", "0x100"});
-  expect_option_refused({"--edges", "contour,creases"}, {"--edges 'creases'", "did you mean 'crease'?"});
-  expect_option_refused({"--edges", "contour,"}, {"--edges ''", "known: contour"});
+  expect_option_refused({"--edges", "contour,creases"}, {"--edges", "'creases'", "did you mean 'crease'?"});
+  expect_option_refused({"--edges", "contour,"}, {"--edges", "''", "known: contour"});
   expect_option_refused({"--hidden", "dotted"}, {"--hidden", "'dotted'"});
-  expect_option_refused({"--visibility", "exactly"}, {"--visibility 'exactly'", "did you mean 'exact'?"});
+  expect_option_refused({"--visibility", "exactly"}, {"--visibility", "'exactly'", "did you mean 'exact'?"});
   expect_option_refused({"--transform", "scale:0"}, {"'scale:0'", "flattens"});
   expect_option_refused({"--transform", "turn:z,3"}, {"'turn:z,3'", "no known step", "steps:"});
   expect_option_refused({"--transform", "scale:1", "--transform", "scale:2"}, {"--transform"});
