@@ -99,7 +99,8 @@ std::optional<std::array<double, 2>> hidden_part(const View& view, const Sightli
     if (left[i] != left[j]) in_out[count++] = cross_side(view, edge, triangle.vertex[i], triangle.vertex[j]);
   }
   if (in_out[0].t > in_out[1].t) std::swap(in_out[0], in_out[1]);
-  const auto& [in, out] = in_out;
+  const Crossing& in = in_out[0];
+  const Crossing& out = in_out[1];
   const double from = std::max(in.t, 0.0);
   const double to = std::min(out.t, 1.0);
   if (!(from < to)) return std::nullopt;
