@@ -25,6 +25,7 @@ struct Judge {
   const EdgeWishes& wishes;
   const std::vector<char>& is_sliver;  ///< by triangle
   FoldLimit crease;
+  double edge_on;  ///< cells from the line of an edge within which a corner is on it
 
   [[nodiscard]] Beyond beyond_slivers(const std::array<int, 2>& edge, int triangle) const {
     return is_sliver[triangle] != 0 ? across_slivers(around, edge, triangle) : Beyond{triangle, false};
@@ -43,7 +44,7 @@ struct Judge {
     const GridPoint& b = view.grid[edge[1]];
     const double area = static_cast<double>(cross(a, b, view.grid[corner]));
     const double length = std::hypot(static_cast<double>(b.x) - a.x, static_cast<double>(b.y) - a.y);
-    return std::abs(area) <= edge_on_cells * length ? 0 : area > 0 ? 1 : -1;
+    return std::abs(area) <= edge_on * length ? 0 : area > 0 ? 1 : -1;
   }
 
   // The same without division, for corners that may lie behind the viewer: the side of the plane through edge and eye.
@@ -112,13 +113,18 @@ struct Judge {
 
 std::vector<std::optional<EdgeKind>> feature_edges(const World& world, const View& view, int model,
                                                    const EdgeWishes& wishes) {
-  const EdgeSurroundings around{world, model, view.map.shrink, std::max(sliver_part, world.precision)};
+  const EdgeSurroundings around{world, model, view.map.shrink, std::max(sliver_part, world.rounding * view.map.shrink)};
   std::vector<char> is_sliver(world.models[model].mesh->polygon.size());
   parallel_for(is_sliver.size(), 8192, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t)
       is_sliver[t] = height_of(around, static_cast<int>(t)) <= around.sliver ? 1 : 0;
   });
-  const Judge judge{around, view, wishes, is_sliver, FoldLimit(wishes.crease_angle - angle_rounding)};
+  const Judge judge{around,
+                    view,
+                    wishes,
+                    is_sliver,
+                    FoldLimit(wishes.crease_angle - angle_rounding),
+                    std::max(edge_on_cells, world.rounding * view.map.shrink * view.map.unit / view.cell)};
   const std::vector<MeshEdge>& edges = judge.mesh().edges;
   std::vector<std::optional<EdgeKind>> kinds(edges.size());
   parallel_for(edges.size(), 4096, [&](std::size_t begin, std::size_t end) {

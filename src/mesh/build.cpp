@@ -10,6 +10,7 @@
 #include "mesh/cut_surface.hpp"
 #include "mesh/edge_table.hpp"
 #include "mesh/faces.hpp"
+#include "mesh/resolution.hpp"
 #include "mesh/triangulate.hpp"
 #include "mesh/weld.hpp"
 
@@ -123,6 +124,7 @@ Mesh build_mesh(Soup soup, std::string name) {
   weld(soup, report);
   report.vertices = static_cast<int>(soup.points.size());
   report.non_finite_vertices = count_non_finite(soup.points);
+  if (soup.printed) report.resolution = decimal_resolution(soup.points);
   Faces triangles = triangulate(usable_faces(soup, report), soup.points);
   EdgeTable table = edges_of(triangles, report);
   if (soup.corners_repeat_points) close_cracks(soup.points, triangles, table, report);

@@ -43,6 +43,7 @@ class ObjReader {
 
   Soup read() {
     soup_.format = "obj";
+    soup_.printed = true;
     do statement(text_.word());
     while (text_.next_line());
     if (largest_ >= static_cast<long long>(soup_.points.size())) fail_out_of_range(largest_ + 1, largest_line_);

@@ -89,6 +89,7 @@ void read_faces(TextCursor& text, Soup& soup, long long count) {
 Soup read_off(std::string_view bytes, std::string_view name) {
   Soup soup;
   soup.format = "off";
+  soup.printed = true;
   TextCursor text(bytes, name);
   read_keyword(text);
   const Counts counts = read_counts(text);

@@ -253,7 +253,9 @@ Soup read_ply(std::string_view bytes, std::string_view name) {
   const PlyHeader header = read_ply_header(bytes, name);
   if (header.encoding == PlyEncoding::text) {
     const TextSource source(bytes.substr(header.data_offset), name, header.data_line);
-    return PlyReader(source, name).read(header.elements);
+    Soup soup = PlyReader(source, name).read(header.elements);
+    soup.printed = true;
+    return soup;
   }
   const std::endian order = header.encoding == PlyEncoding::big_endian ? std::endian::big : std::endian::little;
   const BinarySource source(bytes, header.data_offset, order, name);

@@ -17,6 +17,7 @@ struct Soup {
   std::vector<std::string> body_names;
   std::string format;                  ///< "obj", "stl", "ply", "off"
   bool single_precision = false;       ///< coordinates are stored in 32 bits
+  bool printed = false;                ///< coordinates were written as text, so perhaps rounded to decimals
   bool corners_repeat_points = false;  ///< every face brings its own points (STL)
   std::vector<std::string> notes;
 

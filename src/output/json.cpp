@@ -123,6 +123,7 @@ std::string mesh_of(const MeshReport& mesh) {
   add("dropped_non_finite", number(mesh.dropped_non_finite));
   add("weld_distance", number(mesh.weld_distance));
   add("single_precision", boolean(mesh.single_precision));
+  add("resolution", number(mesh.resolution));
   add("notes", list(mesh.notes, quoted));
   return text + "}";
 }

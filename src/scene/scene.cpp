@@ -1,6 +1,7 @@
 #include "scene/scene.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "base/error.hpp"
@@ -10,6 +11,20 @@ namespace epura {
 namespace {
 
 constexpr double float_rounding = 0x1p-22;
+
+double largest_component(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+// Of a placed model, in world lengths: of 32-bit floats by their size, of decimals by the last place of both of two
+// vertices that should be equal.
+double rounding_of(const Placed& model, const Box& box) {
+  const Mat3 turn(model.to_world);
+  const double stretch = std::max({glm::length(turn[0]), glm::length(turn[1]), glm::length(turn[2])});
+  const double decimals = 2 * model.mesh->report.resolution * stretch;
+  if (!model.mesh->report.single_precision) return decimals;
+  const double size =
+      std::max({largest_component(box.size()), largest_component(box.least), largest_component(box.most)});
+  return std::max(decimals, float_rounding * size);
+}
 
 Vec3 place(const Mat4& to_world, const OpenMesh::Vec3d& p) {
   const Vec3 point(p[0], p[1], p[2]);
@@ -22,6 +37,7 @@ void append(World& world, const Placed& model) {
   const int first_triangle = world.first_triangle.back();
   const int count = static_cast<int>(model.mesh->polygon.size());
   int vertices = 0;
+  Box box;
   for (const int v : model.mesh->vertex_of) vertices = std::max(vertices, v + 1);
   world.points.resize(static_cast<std::size_t>(first_vertex + vertices), Vec3(0));
   world.triangles.resize(static_cast<std::size_t>(first_triangle + count));
@@ -33,6 +49,7 @@ void append(World& world, const Placed& model) {
       if (!finite(point))
         throw Error(Trouble::input, model.mesh->report.name, "the transform moves vertices out of the range of numbers",
                     "use a smaller scale or translation");
+      box.add(point);
       world.box.add(point);
       v += first_vertex;
     }
@@ -40,7 +57,7 @@ void append(World& world, const Placed& model) {
   }
   world.first_vertex.push_back(first_vertex + vertices);
   world.first_triangle.push_back(first_triangle + count);
-  if (model.mesh->report.single_precision) world.precision = float_rounding;
+  world.rounding = std::max(world.rounding, rounding_of(model, box));
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ struct World {
   std::vector<std::array<int, 3>> triangles;
   std::vector<int> first_vertex, first_triangle;  ///< one more than there are models
   Box box;                                        ///< of all vertices that triangles use
-  double precision = 0;  ///< relative precision of the input: 2^-22 when a model stores 32-bit floats, otherwise 0
+  double rounding = 0;  ///< how far rounding in the files may have moved vertices; 0: coordinates mean what they say
 
   [[nodiscard]] int model_of_triangle(int triangle) const;
 };

@@ -9,6 +9,18 @@ namespace epura {
 
 namespace {
 
+// Triangles lower than this part of their length on the page are lines there.
+constexpr double thinnest = 0x1p-40;
+
+// 1 + length of the gradient of depth over the page. A line has no gradient: what it covers is decided by depth alone.
+double steepness_of(const PageVertex& a, const PageVertex& b, const PageVertex& c) {
+  const double bx = b.x - a.x, by = b.y - a.y, bz = b.depth - a.depth;
+  const double cx = c.x - a.x, cy = c.y - a.y, cz = c.depth - a.depth;
+  const double area = bx * cy - by * cx;
+  if (std::abs(area) <= thinnest * std::max(bx * bx + by * by, cx * cx + cy * cy)) return 1;
+  return 1 + std::hypot((bz * cy - by * cz) / area, (bx * cz - bz * cx) / area);
+}
+
 // Where the edge p, q crosses a side of a triangle.
 struct Crossing {
   double t;      // on the edge
@@ -80,6 +92,13 @@ std::optional<std::array<double, 2>> exceeding(double from, double to, double at
 }
 
 }  // namespace
+
+Occluder make_occluder(const View& view, const ViewTriangle& triangle) {
+  const PageVertex& a = view.vertices[triangle.vertex[0]];
+  const PageVertex& b = view.vertices[triangle.vertex[1]];
+  const PageVertex& c = view.vertices[triangle.vertex[2]];
+  return {triangle.vertex, triangle.source, std::max({a.depth, b.depth, c.depth}), steepness_of(a, b, c)};
+}
 
 double least_span(const View& view, const Sightline& edge) {
   return least_piece * view.extent / glm::distance(place(view.vertices[edge.p]), place(view.vertices[edge.q]));

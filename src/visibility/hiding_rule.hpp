@@ -29,6 +29,8 @@ struct Occluder {
   double steepness;  ///< 1 + |gradient of depth|: contact is measured along its normal, hiding along the view
 };
 
+Occluder make_occluder(const View& view, const ViewTriangle& triangle);
+
 /// An edge on the page, between two vertices of the view.
 struct Sightline {
   int p, q;  ///< vertices of the view

@@ -11,18 +11,7 @@ namespace epura {
 
 namespace {
 
-// Triangles lower than this part of their length on the page are lines there.
-constexpr double thinnest = 0x1p-40;
 constexpr std::size_t chunk = 8192;
-
-// 1 + length of the gradient of depth over the page. A line has no gradient: what it covers is decided by depth alone.
-double steepness_of(const PageVertex& a, const PageVertex& b, const PageVertex& c) {
-  const double bx = b.x - a.x, by = b.y - a.y, bz = b.depth - a.depth;
-  const double cx = c.x - a.x, cy = c.y - a.y, cz = c.depth - a.depth;
-  const double area = bx * cy - by * cx;
-  if (std::abs(area) <= thinnest * std::max(bx * bx + by * by, cx * cx + cy * cy)) return 1;
-  return 1 + std::hypot((bz * cy - by * cz) / area, (bx * cz - bz * cx) / area);
-}
 
 // Whether the line through two corners keeps the third corner and the whole square on different sides.
 bool separates(const PageVertex& a, const PageVertex& b, const PageVertex& c, const Vec2& middle, double half) {
@@ -92,12 +81,11 @@ void OccluderGrid::add_cells(const std::array<int, 3>& corners, double nearest, 
 void OccluderGrid::collect(const ViewTriangle& triangle, Found& found) const {
   const auto& [i, j, k] = triangle.vertex;
   if (cross(view_.grid[i], view_.grid[j], view_.grid[k]) == 0) return;
-  const auto& v = view_.vertices;
-  const double nearest = std::max({v[i].depth, v[j].depth, v[k].depth});
+  const Occluder occluder = make_occluder(view_, triangle);
   const std::size_t before = found.cells.size();
-  add_cells(triangle.vertex, nearest, found.cells);
+  add_cells(triangle.vertex, occluder.nearest, found.cells);
   if (found.cells.size() == before) return;
-  found.occluders.push_back({triangle.vertex, triangle.source, nearest, steepness_of(v[i], v[j], v[k])});
+  found.occluders.push_back(occluder);
   found.ends.push_back(found.cells.size());
 }
 

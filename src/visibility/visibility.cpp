@@ -20,17 +20,6 @@ double size_of(const World& world, const View& view) {
   return std::max({size.x, size.y, size.z});
 }
 
-// An edge's own triangles never hide it.
-bool is_own(const World& world, const DrawnEdges& drawn, const DrawnEdge& edge, int triangle) {
-  if (edge.crossing >= 0) {
-    const auto& pair = drawn.crossings[edge.crossing].triangles;
-    return triangle == pair[0] || triangle == pair[1];
-  }
-  const Mesh& mesh = *world.models[edge.model].mesh;
-  const auto own = mesh.triangles_of(mesh.edges[edge.mesh_edge]);
-  return std::find(own.begin(), own.end(), triangle - world.first_triangle[edge.model]) != own.end();
-}
-
 struct Hider {
   const World& world;
   const View& view;
@@ -70,12 +59,22 @@ Contact contact_of(const World& world, const View& view, std::optional<double> g
   const double unit = view.map.unit;
   const double joined = joined_part * view.extent;
   if (given) return {std::max(*given * view.map.shrink * unit, joined), joined};
-  return {std::max(contact_cells * view.cell, world.precision * size_of(world, view) * unit), joined};
+  return {std::max(contact_cells * view.cell, world.rounding * view.map.shrink * unit), joined};
 }
 
 double contact_in_space(const World& world, const View& view, std::optional<double> given) {
   if (given) return *given * view.map.shrink;
-  return std::max(contact_part, world.precision) * size_of(world, view);
+  return std::max(contact_part * size_of(world, view), world.rounding * view.map.shrink);
+}
+
+bool is_own(const World& world, const DrawnEdges& drawn, const DrawnEdge& edge, int triangle) {
+  if (edge.crossing >= 0) {
+    const auto& pair = drawn.crossings[edge.crossing].triangles;
+    return triangle == pair[0] || triangle == pair[1];
+  }
+  const Mesh& mesh = *world.models[edge.model].mesh;
+  const auto own = mesh.triangles_of(mesh.edges[edge.mesh_edge]);
+  return std::find(own.begin(), own.end(), triangle - world.first_triangle[edge.model]) != own.end();
 }
 
 HiddenSpans find_hidden(const World& world, const View& view, const DrawnEdges& drawn, const Contact& contact) {

@@ -24,6 +24,9 @@ Contact contact_of(const World& world, const View& view, std::optional<double> g
 /// The same tolerance as a length in the shrunk world (ViewMap::shrink), for faces that meet in space.
 double contact_in_space(const World& world, const View& view, std::optional<double> given);
 
+/// Whether a triangle of the world is one of those that meet in the edge: they never hide it.
+bool is_own(const World& world, const DrawnEdges& drawn, const DrawnEdge& edge, int triangle);
+
 /// Every edge against every triangle that meets it on the page. The result does not depend on the number of threads.
 HiddenSpans find_hidden(const World& world, const View& view, const DrawnEdges& drawn, const Contact& contact);
 

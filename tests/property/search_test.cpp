@@ -1,7 +1,6 @@
 // Searching occluders by place and depth gives, to the last bit, what trying every triangle on every edge gives.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -11,33 +10,14 @@
 namespace epura::test {
 namespace {
 
-bool is_own(const Result& r, const DrawnEdge& edge, int triangle) {
-  if (edge.crossing >= 0) {
-    const auto& pair = r.drawn.crossings[edge.crossing].triangles;
-    return triangle == pair[0] || triangle == pair[1];
-  }
-  const Mesh& mesh = *r.world.models[edge.model].mesh;
-  const auto own = mesh.triangles_of(mesh.edges[edge.mesh_edge]);
-  return std::find(own.begin(), own.end(), triangle - r.world.first_triangle[edge.model]) != own.end();
-}
-
-double steepness_of(const View& view, const std::array<int, 3>& corners) {
-  const PageVertex &a = view.vertices[corners[0]], &b = view.vertices[corners[1]], &c = view.vertices[corners[2]];
-  const double bx = b.x - a.x, by = b.y - a.y, bz = b.depth - a.depth;
-  const double cx = c.x - a.x, cy = c.y - a.y, cz = c.depth - a.depth;
-  const double area = bx * cy - by * cx;
-  if (std::abs(area) <= 0x1p-40 * std::max(bx * bx + by * by, cx * cx + cy * cy)) return 1;
-  return 1 + std::hypot((bz * cy - by * cz) / area, (bx * cz - bz * cx) / area);
-}
-
 Spans by_brute_force(const Result& r, const DrawnEdge& edge, const Contact& contact) {
   const Sightline line{edge.vertex[0], edge.vertex[1]};
   Spans spans;
   for (const ViewTriangle& t : r.view.triangles) {
     const auto& [a, b, c] = t.vertex;
-    if (cross(r.view.grid[a], r.view.grid[b], r.view.grid[c]) == 0 || is_own(r, edge, t.source)) continue;
-    const Occluder occluder{t.vertex, t.source, 0, steepness_of(r.view, t.vertex)};
-    if (const auto part = hidden_part(r.view, line, occluder, contact)) add_span(spans, *part);
+    if (cross(r.view.grid[a], r.view.grid[b], r.view.grid[c]) == 0 || is_own(r.world, r.drawn, edge, t.source))
+      continue;
+    if (const auto part = hidden_part(r.view, line, make_occluder(r.view, t), contact)) add_span(spans, *part);
   }
   absorb_slivers(spans, least_span(r.view, line));
   return spans;

@@ -68,11 +68,12 @@ TEST(Scene, ATransformOutOfTheDoublesIsRefused) {
 
 TEST(Scene, TheLeastPreciseModelCounts) {
   const World exact = world_of(triangulated_cube());
-  EXPECT_EQ(exact.precision, 0);
+  EXPECT_EQ(exact.rounding, 0);
   Mesh mesh = mesh_of(triangulated_cube());
   mesh.report.single_precision = true;
   const auto coarse = std::make_shared<const Mesh>(std::move(mesh));
-  EXPECT_GT(make_world({placed(plate(0, 0, 1, 1, 0)), {coarse, Mat4(1.0)}}).precision, 0x1p-25);
+  EXPECT_EQ(make_world({placed(plate(0, 0, 1, 1, 0)), {coarse, Mat4(1.0)}}).rounding, 0x1p-22);
+  EXPECT_EQ(make_world({{coarse, parse_transform("translate:7,0,0")}}).rounding, 8 * 0x1p-22);
 }
 
 }  // namespace

@@ -95,7 +95,7 @@ TEST(Contact, OfSinglePrecisionModelsIsTheirRounding) {
   World world = world_of(plate(0, 0, 1, 1, 0));
   const View view = make_view(world, from_above(), {});
   const double fine = contact_of(world, view, std::nullopt).touching;
-  world.precision = 0x1p-22;
+  world.rounding = 0x1p-22;
   EXPECT_EQ(contact_of(world, view, std::nullopt).touching, 0x1p-22 * view.map.shrink);
   EXPECT_LT(fine, 0x1p-25 * view.map.shrink);
   EXPECT_EQ(contact_in_space(world, view, std::nullopt), 0x1p-22 * view.map.shrink);

@@ -1,0 +1,12 @@
+// The decimals to which a file's coordinates were rounded.
+#pragma once
+
+#include "mesh/soup.hpp"
+
+namespace epura {
+
+/// 10^-d when all coordinates are multiples of it, with 5 to 9 decimals, and so many need the last one that they look
+/// rounded: a quarter of them, of a hundred points at least. Otherwise 0: the coordinates mean what they say.
+double decimal_resolution(const Points& points);
+
+}  // namespace epura

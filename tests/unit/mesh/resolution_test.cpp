@@ -1,0 +1,41 @@
+// The decimals of a file, told from its coordinates.
+#include "mesh/resolution.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace epura {
+namespace {
+
+Points circle(int count, double radius, double unit) {
+  Points points;
+  for (int i = 0; i < count; ++i) {
+    const double x = radius * std::cos(0.1 + i), y = radius * std::sin(0.1 + i);
+    // As a number printed with decimals and read again.
+    points.push_back({std::round(x / unit) / (1 / unit), std::round(y / unit) / (1 / unit), 10});
+  }
+  return points;
+}
+
+TEST(Resolution, IsTheLastPlaceOfRoundedCoordinates) {
+  EXPECT_DOUBLE_EQ(decimal_resolution(circle(200, 35, 1e-6)), 1e-6);
+  EXPECT_DOUBLE_EQ(decimal_resolution(circle(200, 1e4, 1e-9)), 1e-9);
+}
+
+TEST(Resolution, IsNothingForFullDoublesFewPointsOrRoundNumbers) {
+  Points exact;
+  for (int i = 0; i < 200; ++i) exact.push_back({std::cos(i), std::sin(i), 10});
+  EXPECT_EQ(decimal_resolution(exact), 0);
+  EXPECT_EQ(decimal_resolution(circle(50, 35, 1e-6)), 0);
+  Points grid;
+  for (int i = 0; i < 200; ++i) grid.push_back({i * 0.5, i * 0.25, 3.0});
+  EXPECT_EQ(decimal_resolution(grid), 0);
+  EXPECT_EQ(decimal_resolution(circle(200, 35, 1e-3)), 0);
+  // One vertex with many digits says nothing of the others.
+  grid[7][0] = 1.234567;
+  EXPECT_EQ(decimal_resolution(grid), 0);
+}
+
+}  // namespace
+}  // namespace epura
