@@ -51,7 +51,8 @@ TEST(Json, HasTheKeysOfSchemaOneInOrder) {
   EXPECT_EQ(
       json["report"]["meshes"].items.at(0).keys(),
       "name format vertices faces triangles bodies open_edges non_manifold_edges misoriented_edges welded_vertices "
-      "dropped_degenerate dropped_duplicates non_finite_vertices dropped_non_finite weld_distance single_precision resolution "
+      "dropped_degenerate dropped_duplicates non_finite_vertices dropped_non_finite weld_distance single_precision "
+      "resolution "
       "notes");
   EXPECT_EQ(json["report"]["plan"].items.at(0).keys(), "stage run why in out");
   EXPECT_EQ(json["report"]["plan"].items.at(0)["out"].number(), 34);
