@@ -7,7 +7,7 @@ namespace epura {
 namespace {
 
 using test::error_of;
-using test::TemporaryFolder;
+using test::Folder;
 
 const std::string triangle_obj = "v 0 0 0\nv 1.5 0 0\nv 0 1 0\nf 1 2 3\n";
 const std::string triangle_off = "OFF\n3 1 0\n0 0 0\n1.5 0 0\n0 1 0\n3 0 1 2\n";
@@ -33,44 +33,44 @@ std::string utf16(const std::string& text, std::endian order) {
 }
 
 TEST(ReadMesh, EveryFormatInEveryEncoding) {
-  const TemporaryFolder folder;
+  const Folder folder;
   for (const auto& [format, text] :
        {std::pair{"obj", triangle_obj}, {"off", triangle_off}, {"ply", triangle_ply}, {"stl", triangle_stl}}) {
     const std::string name = std::string("m.") + format;
-    expect_triangle(read_mesh(folder.write(name, text)), format);
-    expect_triangle(read_mesh(folder.write(name, "\xEF\xBB\xBF" + text)), format);
-    expect_triangle(read_mesh(folder.write(name, utf16(text, std::endian::little))), format);
-    expect_triangle(read_mesh(folder.write(name, utf16(text, std::endian::big))), format);
+    expect_triangle(read_mesh(folder.file(name, text)), format);
+    expect_triangle(read_mesh(folder.file(name, "\xEF\xBB\xBF" + text)), format);
+    expect_triangle(read_mesh(folder.file(name, utf16(text, std::endian::little))), format);
+    expect_triangle(read_mesh(folder.file(name, utf16(text, std::endian::big))), format);
   }
 }
 
 TEST(ReadMesh, NamesInUtf16BecomeUtf8) {
-  const TemporaryFolder folder;
+  const Folder folder;
   std::string bytes = utf16("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\no a\nf 1 2 3\no ", std::endian::little);
   for (const int unit : {0xC9, 0x20AC, 0xD83D, 0xDE00, 0xDC00}) test::append(bytes, static_cast<std::uint16_t>(unit));
   for (const char c : std::string("\nf 1 2 4\n")) test::append(bytes, static_cast<std::uint16_t>(c));
-  const Mesh mesh = read_mesh(folder.write("m.obj", bytes));
+  const Mesh mesh = read_mesh(folder.file("m.obj", bytes));
   EXPECT_EQ(mesh.body_names, (std::vector<std::string>{"a", "\xC3\x89\xE2\x82\xAC\xF0\x9F\x98\x80\xEF\xBF\xBD"}));
 }
 
 TEST(ReadMesh, ContentWinsOverTheExtension) {
-  const TemporaryFolder folder;
-  const Mesh mesh = read_mesh(folder.write("m.obj", triangle_ply));
+  const Folder folder;
+  const Mesh mesh = read_mesh(folder.file("m.obj", triangle_ply));
   expect_triangle(mesh, "ply");
   EXPECT_EQ(mesh.report.notes, (std::vector<std::string>{"the file is named .obj, but holds ply"}));
-  expect_triangle(read_mesh(folder.write("m.ply", triangle_off)), "off");
-  expect_triangle(read_mesh(folder.write("m.off", triangle_stl)), "stl");
-  const Mesh unnamed = read_mesh(folder.write("m.dat", triangle_stl));
+  expect_triangle(read_mesh(folder.file("m.ply", triangle_off)), "off");
+  expect_triangle(read_mesh(folder.file("m.off", triangle_stl)), "stl");
+  const Mesh unnamed = read_mesh(folder.file("m.dat", triangle_stl));
   EXPECT_TRUE(unnamed.report.notes.empty());
   const std::string binary = test::binary_stl({{{{{0, 0, 0}}, {{1.5, 0, 0}}, {{0, 1, 0}}}}}, "solid");
-  expect_triangle(read_mesh(folder.write("m", binary)), "stl");
-  expect_triangle(read_mesh(folder.write("m.OBJ", triangle_obj)), "obj");
+  expect_triangle(read_mesh(folder.file("m", binary)), "stl");
+  expect_triangle(read_mesh(folder.file("m.OBJ", triangle_obj)), "obj");
 }
 
 TEST(ReadMesh, ErrorsNameTheFileAndTheReason) {
-  const TemporaryFolder folder;
+  const Folder folder;
   const auto error = [&](const std::string& name, const std::string& bytes) {
-    const std::string path = folder.write(name, bytes).string();
+    const std::string path = folder.file(name, bytes);
     std::string text = error_of([&] { read_mesh(path); });
     for (std::size_t at; (at = text.find(path)) != std::string::npos;) text.replace(at, path.size(), "FILE");
     return text;
@@ -102,12 +102,12 @@ struct Decimals : std::numpunct<char> {
 };
 
 TEST(ReadMesh, NoLocaleChangesANumber) {
-  const TemporaryFolder folder;
+  const Folder folder;
   const std::locale before = std::locale::global(std::locale(std::locale(), new Decimals));
   const char* const named = std::setlocale(LC_ALL, "de_DE.UTF-8");  // where the system has it
   for (const auto& [format, text] :
        {std::pair{"obj", triangle_obj}, {"off", triangle_off}, {"ply", triangle_ply}, {"stl", triangle_stl}})
-    expect_triangle(read_mesh(folder.write(std::string("m.") + format, text)), format);
+    expect_triangle(read_mesh(folder.file(std::string("m.") + format, text)), format);
   if (named != nullptr) std::setlocale(LC_ALL, "C");
   std::locale::global(before);
 }

@@ -2,17 +2,15 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <bit>
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "base/error.hpp"
-#include "base/file.hpp"
+#include "folder.hpp"
 #include "mesh/build.hpp"
 #include "mesh/read.hpp"
 
@@ -32,26 +30,6 @@ inline Soup make_soup(Points points, const std::vector<std::vector<int>>& faces)
 inline Mesh mesh_of(Points points, const std::vector<std::vector<int>>& faces) {
   return build_mesh(make_soup(std::move(points), faces), "test");
 }
-
-/// A folder that vanishes with its files.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "epura.XXXXXX").string();
-    path_ = ::mkdtemp(name.data());
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
-
-  [[nodiscard]] std::filesystem::path write(const std::string& name, std::string_view bytes) const {
-    write_file(path_ / name, bytes);
-    return path_ / name;
-  }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// What `action` throws, as "where | sentence | hint"; empty if nothing.
 inline std::string error_of(const std::function<void()>& action) {

@@ -4,10 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <functional>
 #include <string>
 
-#include "base/error.hpp"
+#include "errors.hpp"
 #include "projection/catalogue.hpp"
 #include "projection/matrices.hpp"
 
@@ -50,18 +49,5 @@ template <int N>
 void expect_near(const glm::vec<N, double>& a, const glm::vec<N, double>& b, double tolerance) {
   for (int i = 0; i < N; ++i) EXPECT_NEAR(a[i], b[i], tolerance) << "component " << i;
 }
-
-/// The error that `action` throws; fails if there is none.
-inline Error error_of(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const Error& error) {
-    return error;
-  }
-  ADD_FAILURE() << "no error was thrown";
-  return {Trouble::input, "", ""};
-}
-
-inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
 }  // namespace epura::test
