@@ -30,15 +30,6 @@ std::array<int, 2> side_at(const EdgeSurroundings& around, const std::array<int,
   return best;
 }
 
-const MeshEdge* find_edge(const EdgeSurroundings& around, const std::array<int, 2>& side) {
-  const Mesh& mesh = *around.world.models[around.model].mesh;
-  const int first = around.world.first_vertex[around.model];
-  const std::array<int, 2> key{side[0] - first, side[1] - first};
-  const auto found = std::lower_bound(mesh.edges.begin(), mesh.edges.end(), key,
-                                      [](const MeshEdge& e, const std::array<int, 2>& k) { return e.vertex < k; });
-  return found != mesh.edges.end() && found->vertex == key ? &*found : nullptr;
-}
-
 // Normals of two triangles at their common edge, equal where one continues the other flatly.
 std::array<Vec3, 2> normals_at(const EdgeSurroundings& around, const std::array<int, 2>& edge, int first, int second) {
   const Vec3 a = around.point(edge[0]);
@@ -52,6 +43,15 @@ double length_of(const EdgeSurroundings& around, const std::array<int, 2>& side)
 }
 
 }  // namespace
+
+const MeshEdge* find_edge(const EdgeSurroundings& around, const std::array<int, 2>& side) {
+  const Mesh& mesh = *around.world.models[around.model].mesh;
+  const int first = around.world.first_vertex[around.model];
+  const std::array<int, 2> key{side[0] - first, side[1] - first};
+  const auto found = std::lower_bound(mesh.edges.begin(), mesh.edges.end(), key,
+                                      [](const MeshEdge& e, const std::array<int, 2>& k) { return e.vertex < k; });
+  return found != mesh.edges.end() && found->vertex == key ? &*found : nullptr;
+}
 
 int EdgeSurroundings::apex(const std::array<int, 2>& edge, int triangle) const {
   const std::array<int, 3> c = corners(triangle);

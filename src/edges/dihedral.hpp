@@ -25,6 +25,9 @@ struct EdgeSurroundings {
   [[nodiscard]] int apex(const std::array<int, 2>& edge, int triangle) const;
 };
 
+/// The edge between two vertices of the world, the lower number first; null when the model has none there.
+const MeshEdge* find_edge(const EdgeSurroundings& around, const std::array<int, 2>& side);
+
 /// Degrees by which the second triangle turns away from continuing the first one flatly: 0 flat, 180 folded back.
 double fold_angle(const EdgeSurroundings& around, const std::array<int, 2>& edge, int first, int second);
 

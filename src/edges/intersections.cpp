@@ -7,7 +7,9 @@
 #include <optional>
 #include <utility>
 
+#include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "edges/dihedral.hpp"
 #include "edges/triangle_tree.hpp"
 
 namespace epura {
@@ -138,12 +140,9 @@ class Crossings {
 
   [[nodiscard]] bool goes_on_behind(int triangle, int a, int b, const Plane& plane) const {
     const int model = world_.model_of_triangle(triangle);
-    const Mesh& mesh = *world_.models[model].mesh;
-    const int first = world_.first_vertex[model];
-    const std::array<int, 2> key{std::min(a, b) - first, std::max(a, b) - first};
-    const auto edge = std::lower_bound(mesh.edges.begin(), mesh.edges.end(), key,
-                                       [](const MeshEdge& e, const std::array<int, 2>& k) { return e.vertex < k; });
-    for (const int other : mesh.triangles_of(*edge))
+    const MeshEdge* edge = find_edge({world_, model, shrink_, 0}, {std::min(a, b), std::max(a, b)});
+    check(edge != nullptr, "the sides of a triangle are edges of its mesh");
+    for (const int other : world_.models[model].mesh->triangles_of(*edge))
       for (const int v : world_.triangles[world_.first_triangle[model] + other])
         if (sign(plane.distance(point(v))) < 0) return true;
     return false;

@@ -251,18 +251,7 @@ TEST(Meshes, BookOfPages) {
 
 TEST(Meshes, MoebiusStrip) {
   const int n = 40;
-  Shape strip;
-  for (int i = 0; i < n; ++i) {
-    const double a = 2 * M_PI * i / n;
-    for (const double s : {-0.3, 0.3}) {
-      const double radius = 1 + s * std::cos(a / 2);
-      strip.points.push_back({radius * std::cos(a), radius * std::sin(a), s * std::sin(a / 2)});
-    }
-    // Once around, the sides change places.
-    const int c = i == n - 1 ? 1 : 2 * i + 2, d = i == n - 1 ? 0 : 2 * i + 3;
-    strip.faces.push_back({2 * i, c, d});
-    strip.faces.push_back({2 * i, d, 2 * i + 1});
-  }
+  const Shape strip = moebius(n);
   const Result first = draw(world_of(strip), orthographic({1, -2, 3}));
   EXPECT_EQ(first.world.models[0].mesh->report.open_edges, 80);
   EXPECT_EQ(first.world.models[0].mesh->report.non_manifold_edges, 0);

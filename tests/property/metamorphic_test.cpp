@@ -36,21 +36,6 @@ Shape torus(int around, int across) {
   return shape;
 }
 
-Shape moebius(int n) {
-  Shape strip;
-  for (int i = 0; i < n; ++i) {
-    const double a = 2 * M_PI * i / n;
-    for (const double s : {-0.3, 0.3}) {
-      const double radius = 1 + s * std::cos(a / 2);
-      strip.points.push_back({radius * std::cos(a), radius * std::sin(a), s * std::sin(a / 2)});
-    }
-    const int c = i == n - 1 ? 1 : 2 * i + 2, d = i == n - 1 ? 0 : 2 * i + 3;
-    strip.faces.push_back({2 * i, c, d});
-    strip.faces.push_back({2 * i, d, 2 * i + 1});
-  }
-  return strip;
-}
-
 // A plate, an upright on it, a rib that runs into both.
 Shape bracket() {
   Shape shape = box({0, 0, 0}, {8, 5, 1});

@@ -1,5 +1,7 @@
 #include "shapes.hpp"
 
+#include <cmath>
+
 namespace epura::test {
 
 void Shape::add(const Shape& other) {
@@ -47,6 +49,22 @@ Shape triangulated_cube(bool other) {
 
 Shape plate(double x0, double y0, double x1, double y1, double height) {
   return {{{x0, y0, height}, {x1, y0, height}, {x1, y1, height}, {x0, y1, height}}, {{0, 1, 2, 3}}, {}};
+}
+
+Shape moebius(int n) {
+  Shape strip;
+  for (int i = 0; i < n; ++i) {
+    const double a = 2 * M_PI * i / n;
+    for (const double s : {-0.3, 0.3}) {
+      const double radius = 1 + s * std::cos(a / 2);
+      strip.points.push_back({radius * std::cos(a), radius * std::sin(a), s * std::sin(a / 2)});
+    }
+    // Once around, the sides change places.
+    const int c = i == n - 1 ? 1 : 2 * i + 2, d = i == n - 1 ? 0 : 2 * i + 3;
+    strip.faces.push_back({2 * i, c, d});
+    strip.faces.push_back({2 * i, d, 2 * i + 1});
+  }
+  return strip;
 }
 
 Mesh mesh_of(const Shape& shape) {

@@ -34,6 +34,9 @@ Shape triangulated_cube(bool other = false);
 /// A rectangle in the plane z = `height`.
 Shape plate(double x0, double y0, double x1, double y1, double height);
 
+/// The strip with one side and one border, of `quads` quadrilaterals, each in two triangles.
+Shape moebius(int quads);
+
 Mesh mesh_of(const Shape& shape);
 World world_of(const std::vector<Shape>& shapes);
 inline World world_of(const Shape& shape) { return world_of(std::vector<Shape>{shape}); }
