@@ -19,6 +19,11 @@ namespace {
 // Planes that differ by less than this angle (radians) have no reliable line in common.
 constexpr double least_angle = 1e-9;
 
+bool boxes_overlap(const Box& a, const Box& b) {
+  return a.least.x <= b.most.x && b.least.x <= a.most.x && a.least.y <= b.most.y && b.least.y <= a.most.y &&
+         a.least.z <= b.most.z && b.least.z <= a.most.z;
+}
+
 // n . p = offset with a unit normal; a zero normal for a triangle so low that its normal is no direction.
 struct Plane {
   Vec3 normal;
@@ -50,9 +55,10 @@ class Crossings {
   [[nodiscard]] std::optional<FaceCrossing> cross(int a, int b) const {
     const int first = std::min(a, b);
     const int second = std::max(a, b);
-    // Most neighbours part here: all corners of one on one side of the other.
-    if (stays_apart(second, planes_[first]) || stays_apart(first, planes_[second])) return std::nullopt;
+    // Nearly all are neighbours, or part here: all corners of one on one side of the other.
     if (common_vertices(first, second) >= 2) return std::nullopt;
+    if (stays_apart(second, planes_[first]) || stays_apart(first, planes_[second])) return std::nullopt;
+    if (!boxes_overlap(box(first), box(second))) return std::nullopt;
     const Vec3 along = glm::cross(planes_[first].normal, planes_[second].normal);
     if (glm::length(along) < least_angle) return std::nullopt;
     const auto one = cut(first, planes_[second]);
@@ -98,7 +104,7 @@ class Crossings {
   [[nodiscard]] int common_vertices(int first, int second) const {
     int common = 0;
     for (const int a : world_.triangles[first])
-      for (const int b : world_.triangles[second]) common += a == b ? 1 : 0;
+      for (const int b : world_.triangles[second]) common += static_cast<int>(a == b);
     return common;
   }
 
@@ -169,9 +175,7 @@ class Crossings {
 
 std::vector<FaceCrossing> find_intersections(const World& world, double shrink, double contact) {
   const Crossings crossings(world, shrink, contact);
-  std::vector<Box> boxes(world.triangles.size());
-  for (std::size_t f = 0; f < boxes.size(); ++f) boxes[f] = crossings.box(static_cast<int>(f));
-  const TriangleTree tree(std::move(boxes));
+  const TriangleTree tree(world.triangles.size(), [&](int triangle) { return crossings.box(triangle); });
 
   const std::vector<TriangleTree::NodePair> tasks = tree.tasks(1024);
   std::vector<std::vector<FaceCrossing>> found(tasks.size());

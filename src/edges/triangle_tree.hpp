@@ -2,16 +2,22 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <limits>
 #include <vector>
 
 #include "base/vec.hpp"
 
 namespace epura {
 
+/// Leaves hold eight triangles each, in the order of a space-filling curve, and boxes are rounded outwards to 32 bits:
+/// eight boxes are tested at once, and the tree takes about 36 bytes a triangle.
 class TriangleTree {
  public:
-  /// One box a triangle; the boxes' order numbers are what the tree reports.
-  explicit TriangleTree(std::vector<Box> boxes);
+  /// `box_of(triangle)` for triangles 0 to count - 1; called more than once, from several threads.
+  TriangleTree(std::size_t count, const std::function<Box(int)>& box_of);
 
   /// A task of the search for pairs: triangles below one node against those below another (or the same).
   using NodePair = std::array<int, 2>;
@@ -19,46 +25,64 @@ class TriangleTree {
   /// The whole search, cut into about `count` independent tasks.
   [[nodiscard]] std::vector<NodePair> tasks(std::size_t count) const;
 
-  /// Calls `meet(a, b)` once for each two triangles of a task whose boxes overlap, touching included.
+  /// Calls `meet(a, b)` once for each two triangles of a task whose boxes overlap, touching included; a few more may
+  /// come, since the boxes are rounded.
   template <class Meet>
   void search(const NodePair& task, Meet meet) const {
     std::vector<NodePair> open{task};
     while (!open.empty()) {
       const auto [a, b] = open.back();
       open.pop_back();
-      if (nodes_[a].right >= 0 || nodes_[b].right >= 0)
+      if (nodes_[a].leaves > 1 || nodes_[b].leaves > 1)
         split({a, b}, open);
       else
-        meet_leaves(nodes_[a], nodes_[b], a == b, meet);
+        meet_leaves(nodes_[a].leaf, nodes_[b].leaf, meet);
     }
   }
 
  private:
+  static constexpr std::size_t width = 8;  ///< triangles of a leaf
+  static constexpr float infinity = std::numeric_limits<float>::infinity();
+
+  struct Bounds {
+    std::array<float, 3> least{infinity, infinity, infinity};
+    std::array<float, 3> most{-infinity, -infinity, -infinity};
+  };
   struct Node {
-    Box box;
-    int begin, end;  ///< of order_
-    int right;       ///< the left child follows its parent; -1 for a leaf
+    Bounds bounds;
+    int leaf, leaves;  ///< the first one and how many; the left child follows its parent
+  };
+  struct Leaf {
+    std::array<std::array<float, width>, 3> least, most;
+    std::array<int, width> triangle;  ///< -1 behind the last one
   };
 
-  static bool overlap(const Box& a, const Box& b) {
-    return a.least.x <= b.most.x && b.least.x <= a.most.x && a.least.y <= b.most.y && b.least.y <= a.most.y &&
-           a.least.z <= b.most.z && b.least.z <= a.most.z;
-  }
-
-  void sort_along_curve();
-  void build(int number, int begin, int end);
+  [[nodiscard]] int right_child(int node) const { return node + 2 * (nodes_[node].leaves / 2); }
+  static Bounds rounded_outwards(const Box& box);
+  static bool overlap(const Bounds& a, const Bounds& b);
+  void fill_leaves(const std::vector<int>& order, const std::function<Box(int)>& box_of);
+  Bounds build(int node, int leaf, int leaves);
   void split(const NodePair& pair, std::vector<NodePair>& parts) const;
 
   template <class Meet>
-  void meet_leaves(const Node& a, const Node& b, bool same, Meet& meet) const {
-    for (int i = a.begin; i < a.end; ++i)
-      for (int j = same ? i + 1 : b.begin; j < b.end; ++j)
-        if (overlap(boxes_[i], boxes_[j])) meet(order_[i], order_[j]);
+  void meet_leaves(int first, int second, Meet& meet) const {
+    const Leaf& a = leaves_[first];
+    const Leaf& b = leaves_[second];
+    for (std::size_t i = 0; i < width && a.triangle[i] >= 0; ++i) {
+      std::array<std::int32_t, width> apart{};
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const float least = a.least[axis][i];
+        const float most = a.most[axis][i];
+        for (std::size_t j = 0; j < width; ++j)
+          apart[j] |= static_cast<std::int32_t>(least > b.most[axis][j]) |
+                      static_cast<std::int32_t>(b.least[axis][j] > most);
+      }
+      for (std::size_t j = first == second ? i + 1 : 0; j < width; ++j)
+        if (apart[j] == 0) meet(a.triangle[i], b.triangle[j]);
+    }
   }
 
-  // Both in the order of the leaves.
-  std::vector<Box> boxes_;
-  std::vector<int> order_;  ///< the boxes' numbers
+  std::vector<Leaf> leaves_;
   std::vector<Node> nodes_;
 };
 
