@@ -12,13 +12,17 @@ namespace {
 // Triangles lower than this part of their length on the page are lines there.
 constexpr double thinnest = 0x1p-40;
 
-// 1 + length of the gradient of depth over the page. A line has no gradient: what it covers is decided by depth alone.
-double steepness_of(const PageVertex& a, const PageVertex& b, const PageVertex& c) {
+// 1 + length of the gradient of depth over the page: contact is measured along the normal, hiding along the view.
+// A line has no gradient: what it covers is decided by depth alone.
+double steepness_of(const View& view, const ViewTriangle& triangle) {
+  const PageVertex& a = view.vertices[triangle.vertex[0]];
+  const PageVertex& b = view.vertices[triangle.vertex[1]];
+  const PageVertex& c = view.vertices[triangle.vertex[2]];
   const double bx = b.x - a.x, by = b.y - a.y, bz = b.depth - a.depth;
   const double cx = c.x - a.x, cy = c.y - a.y, cz = c.depth - a.depth;
   const double area = bx * cy - by * cx;
   if (std::abs(area) <= thinnest * std::max(bx * bx + by * by, cx * cx + cy * cy)) return 1;
-  return 1 + std::hypot((bz * cy - by * cz) / area, (bx * cz - bz * cx) / area);
+  return 1 + glm::length(Vec2(bz * cy - by * cz, bx * cz - bz * cx) / area);
 }
 
 // Where the edge p, q crosses a side of a triangle.
@@ -38,12 +42,15 @@ double placed(double t, std::int64_t numerator, std::int64_t denominator) {
   return std::clamp(t, 0.0, 1.0);
 }
 
-// Where on the edge the side u, v crosses, by the grid, and how far rounding to the grid may have moved it.
+// Where on the edge the side u, v crosses, by the grid: t as whole numbers; the denominator is positive.
 struct GridCrossing {
-  std::int64_t numerator, denominator;  // t, as whole numbers; the denominator is positive
-  double reach;
+  std::int64_t numerator, denominator;
+  double slack;  // how far rounding to the grid may have moved the numerator
 
   [[nodiscard]] double t() const { return static_cast<double>(numerator) / static_cast<double>(denominator); }
+  [[nodiscard]] bool confirms(double other) const {
+    return std::abs(other * static_cast<double>(denominator) - static_cast<double>(numerator)) <= slack;
+  }
 };
 
 GridCrossing cross_on_grid(const View& view, const Sightline& edge, int u, int v) {
@@ -55,9 +62,8 @@ GridCrossing cross_on_grid(const View& view, const Sightline& edge, int u, int v
   const std::int64_t denominator = (std::int64_t{q.x} - p.x) * sy - (std::int64_t{q.y} - p.y) * sx;
   const std::int64_t numerator = (std::int64_t{a.x} - p.x) * sy - (std::int64_t{a.y} - p.y) * sx;
   // Both ends of both lines were moved by less than a cell.
-  const double reach =
-      4 * static_cast<double>(std::abs(sx) + std::abs(sy)) / std::abs(static_cast<double>(denominator));
-  return denominator < 0 ? GridCrossing{-numerator, -denominator, reach} : GridCrossing{numerator, denominator, reach};
+  const double slack = 4 * static_cast<double>(std::abs(sx) + std::abs(sy));
+  return denominator < 0 ? GridCrossing{-numerator, -denominator, slack} : GridCrossing{numerator, denominator, slack};
 }
 
 // The crossing is decided on the grid and computed from the unrounded coordinates. Where those do not confirm it (lines
@@ -70,15 +76,28 @@ Crossing cross_side(const View& view, const Sightline& edge, int a, int b) {
   const Vec2 along = place(view.vertices[edge.q]) - p;
   const Vec2 side = place(v) - place(u);
   const double length2 = glm::dot(side, side);
-  const auto on_side = [&](double t) { return glm::dot(p + t * along - place(u), side) / length2; };
+  const auto on_side = [&](double t) { return glm::dot(p + t * along - place(u), side); };  // times length2
 
-  double t = cross(place(u) - p, side) / cross(along, side);
-  double s = on_side(t);
-  const double slack = 2 * view.cell / std::sqrt(length2);
-  const bool confirmed = std::abs(t - decided.t()) <= decided.reach && s >= -slack && s <= 1 + slack;
-  t = placed(confirmed ? t : decided.t(), decided.numerator, decided.denominator);
-  s = std::clamp(on_side(t), 0.0, 1.0);
-  return {t, u.depth + s * (v.depth - u.depth)};
+  const double computed = cross(place(u) - p, side) / cross(along, side);
+  const double slack = 2 * view.cell * std::sqrt(length2);
+  const double s = on_side(computed);
+  const bool confirmed = decided.confirms(computed) && s >= -slack && s <= length2 + slack;
+  const double t = placed(confirmed ? computed : decided.t(), decided.numerator, decided.denominator);
+  return {t, u.depth + std::clamp((t == computed ? s : on_side(t)) / length2, 0.0, 1.0) * (v.depth - u.depth)};
+}
+
+// Whether all corners lie before the foot of p, or all behind that of q: then so does all that the line crosses.
+bool lies_beyond_an_end(const View& view, const Sightline& edge, const ViewTriangle& triangle) {
+  const GridPoint& p = view.grid[edge.p];
+  const std::int64_t dx = std::int64_t{view.grid[edge.q].x} - p.x, dy = std::int64_t{view.grid[edge.q].y} - p.y;
+  const std::int64_t length2 = dx * dx + dy * dy;
+  int before = 0, behind = 0;
+  for (const int v : triangle.vertex) {
+    const std::int64_t along = dx * (std::int64_t{view.grid[v].x} - p.x) + dy * (std::int64_t{view.grid[v].y} - p.y);
+    before += static_cast<int>(along <= 0);
+    behind += static_cast<int>(along >= length2);
+  }
+  return before == 3 || behind == 3;
 }
 
 // The part of [from, to] where a difference that runs linearly exceeds the tolerance.
@@ -93,23 +112,17 @@ std::optional<std::array<double, 2>> exceeding(double from, double to, double at
 
 }  // namespace
 
-Occluder make_occluder(const View& view, const ViewTriangle& triangle) {
-  const PageVertex& a = view.vertices[triangle.vertex[0]];
-  const PageVertex& b = view.vertices[triangle.vertex[1]];
-  const PageVertex& c = view.vertices[triangle.vertex[2]];
-  return {triangle.vertex, triangle.source, std::max({a.depth, b.depth, c.depth}), steepness_of(a, b, c)};
-}
-
 double least_span(const View& view, const Sightline& edge) {
   return least_piece * view.extent / glm::distance(place(view.vertices[edge.p]), place(view.vertices[edge.q]));
 }
 
-std::optional<std::array<double, 2>> hidden_part(const View& view, const Sightline& edge, const Occluder& triangle,
+std::optional<std::array<double, 2>> hidden_part(const View& view, const Sightline& edge, const ViewTriangle& triangle,
                                                  const Contact& contact) {
   std::array<bool, 3> left{};
   for (int i = 0; i < 3; ++i)
     left[i] = epura::cross(view.grid[edge.p], view.grid[edge.q], view.grid[triangle.vertex[i]]) >= 0;
   if (left[0] == left[1] && left[1] == left[2]) return std::nullopt;
+  if (lies_beyond_an_end(view, edge, triangle)) return std::nullopt;
 
   std::array<Crossing, 2> in_out{};
   std::size_t count = 0;
@@ -133,11 +146,15 @@ std::optional<std::array<double, 2>> hidden_part(const View& view, const Sightli
     const double of_triangle = in.depth + (out.depth - in.depth) * ((t - in.t) / (out.t - in.t));
     return of_triangle - (p.depth + t * (q.depth - p.depth));
   };
-  if (!holds_p && !holds_q)
-    return exceeding(from, to, in_front(from), in_front(to), contact.touching * triangle.steepness);
+  if (!holds_p && !holds_q) {
+    const double at_from = in_front(from);
+    const double at_to = in_front(to);
+    if (!(at_from > 0) && !(at_to > 0)) return std::nullopt;
+    return exceeding(from, to, at_from, at_to, contact.touching * steepness_of(view, triangle));
+  }
 
   // At a common corner the difference is zero by definition; the other end decides for the whole.
-  const bool hides = in_front(holds_p ? to : from) > contact.joined * triangle.steepness;
+  const bool hides = in_front(holds_p ? to : from) > contact.joined * steepness_of(view, triangle);
   return hides ? std::optional(std::array{from, to}) : std::nullopt;
 }
 

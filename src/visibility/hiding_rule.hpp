@@ -21,16 +21,6 @@ struct Contact {
   double joined;    ///< a face and an edge that starts at one of its corners: only rounding is forgiven
 };
 
-/// A triangle that may hide.
-struct Occluder {
-  std::array<int, 3> vertex;
-  int source;        ///< triangle of the world
-  double nearest;    ///< greatest depth of its corners
-  double steepness;  ///< 1 + |gradient of depth|: contact is measured along its normal, hiding along the view
-};
-
-Occluder make_occluder(const View& view, const ViewTriangle& triangle);
-
 /// An edge on the page, between two vertices of the view.
 struct Sightline {
   int p, q;  ///< vertices of the view
@@ -44,7 +34,7 @@ double least_span(const View& view, const Sightline& edge);
 
 /// Page parameters (0 at p, 1 at q) of the part that the triangle hides: where it covers the edge on the page and lies
 /// in front of it by more than contact. The caller has seen to it that the edge is none of the triangle's own.
-std::optional<std::array<double, 2>> hidden_part(const View& view, const Sightline& edge, const Occluder& triangle,
+std::optional<std::array<double, 2>> hidden_part(const View& view, const Sightline& edge, const ViewTriangle& triangle,
                                                  const Contact& contact);
 
 }  // namespace epura

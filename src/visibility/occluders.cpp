@@ -1,128 +1,261 @@
 #include "visibility/occluders.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
 #include "base/parallel.hpp"
+#include "visibility/triangle_cells.hpp"
 
 namespace epura {
 
 namespace {
 
-constexpr std::size_t chunk = 8192;
+constexpr std::size_t chunk = 4096;
+// Cells in which more pairs of edge and triangle meet than this are divided, into so many cells at most, and so deep.
+constexpr double most_pairs = 1 << 15;
+constexpr double most_cells_of_part = 1024;
+constexpr int deepest_level = 8;
 
-// Whether the line through two corners keeps the third corner and the whole square on different sides.
-bool separates(const PageVertex& a, const PageVertex& b, const PageVertex& c, const Vec2& middle, double half) {
-  const Vec2 normal(a.y - b.y, b.x - a.x);
-  const double inner = normal.x * (c.x - a.x) + normal.y * (c.y - a.y);
-  const double square = normal.x * (middle.x - a.x) + normal.y * (middle.y - a.y);
-  const double reach = half * (std::abs(normal.x) + std::abs(normal.y));
-  return inner > 0 ? square + reach < 0 : square - reach > 0;
+// Depths are computed to this part of their size.
+constexpr double depth_rounding = 0x1p-40;
+
+// Cells are widened by this part of their side: stretches reach over their borders by rounding.
+constexpr double cell_slack = 0x1p-12;
+
+void raise(double& value, double other) {
+  std::atomic_ref<double> shared(value);
+  double old = shared.load(std::memory_order_relaxed);
+  while (other > old && !shared.compare_exchange_weak(old, other, std::memory_order_relaxed)) {
+  }
+}
+
+void lower(double& value, double other) {
+  std::atomic_ref<double> shared(value);
+  double old = shared.load(std::memory_order_relaxed);
+  while (other < old && !shared.compare_exchange_weak(old, other, std::memory_order_relaxed)) {
+  }
+}
+
+template <class Number>
+Number count_up(Number& value) {
+  return std::atomic_ref<Number>(value).fetch_add(1, std::memory_order_relaxed);
+}
+
+float rounded_down(double x) {
+  const auto rounded = static_cast<float>(x);
+  return rounded > x ? std::nextafter(rounded, 0.0F) : rounded;
+}
+
+double greatest_depth(const View& view) {
+  double greatest = -HUGE_VAL;
+  for (const ViewTriangle& triangle : view.triangles)
+    for (const int v : triangle.vertex) greatest = std::max(greatest, view.vertices[v].depth);
+  return greatest;
+}
+
+// The plane of a triangle on the page: depth = depth0 + slope . (place - place0).
+struct DepthPlane {
+  Vec2 place;
+  double depth;
+  Vec2 slope;
+};
+
+DepthPlane depth_plane(const PageVertex& a, const PageVertex& b, const PageVertex& c) {
+  const double bx = b.x - a.x, by = b.y - a.y, bz = b.depth - a.depth;
+  const double cx = c.x - a.x, cy = c.y - a.y, cz = c.depth - a.depth;
+  const double area = bx * cy - by * cx;
+  return {{a.x, a.y}, a.depth, {(bz * cy - by * cz) / area, (bx * cz - bz * cx) / area}};
 }
 
 }  // namespace
 
-OccluderGrid::OccluderGrid(const View& view, const std::vector<DrawnEdge>& edges) : view_(view), grid_{} {
-  choose_cells(edges);
-  find_depths(edges);
-  fill(collect());
+Candidate::Candidate(double distance, int triangle)
+    : key_(std::uint64_t{std::bit_cast<std::uint32_t>(rounded_down(distance))} << 32 |
+           static_cast<std::uint32_t>(triangle)) {}
+
+OccluderGrid::OccluderGrid(const View& view, const std::vector<DrawnEdge>& edges, const Contact& contact)
+    : view_(view), edges_(edges), contact_(contact), front_(greatest_depth(view)), top_(make_level(whole_page(), 0)) {}
+
+Vec2 OccluderGrid::place(const Sightline& edge, double t) const {
+  const PageVertex& p = view_.vertices[edge.p];
+  const PageVertex& q = view_.vertices[edge.q];
+  if (t >= 1) return {q.x, q.y};
+  return {p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)};
 }
 
-void OccluderGrid::choose_cells(const std::vector<DrawnEdge>& edges) {
-  Vec2 least(HUGE_VAL), most(-HUGE_VAL);
-  for (const DrawnEdge& edge : edges)
-    for (const int v : edge.vertex) {
-      const Vec2 place(view_.vertices[v].x, view_.vertices[v].y);
-      least = glm::min(least, place);
-      most = glm::max(most, place);
-    }
-  if (edges.empty()) least = most = Vec2(0);
-  grid_ = make_cell_grid(least, most, static_cast<double>(view_.triangles.size()) / 2);
-}
-
-void OccluderGrid::find_depths(const std::vector<DrawnEdge>& edges) {
-  deepest_.assign(static_cast<std::size_t>(grid_.count()), HUGE_VAL);
-  for (const DrawnEdge& edge : edges) {
-    const double p = view_.vertices[edge.vertex[0]].depth;
-    const double q = view_.vertices[edge.vertex[1]].depth;
-    along({edge.vertex[0], edge.vertex[1]}, [&](int cell, double from, double to) {
-      deepest_[cell] = std::min({deepest_[cell], p + from * (q - p), p + to * (q - p)});
-    });
+std::array<Vec2, 3> OccluderGrid::corners(const ViewTriangle& triangle) const {
+  std::array<Vec2, 3> places;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const PageVertex& v = view_.vertices[triangle.vertex[i]];
+    places[i] = {v.x, v.y};
   }
+  return places;
 }
 
-// The cells that a triangle may touch and in which something lies behind its nearest corner.
-void OccluderGrid::add_cells(const std::array<int, 3>& corners, double nearest, std::vector<int>& cells) const {
-  const PageVertex& a = view_.vertices[corners[0]];
-  const PageVertex& b = view_.vertices[corners[1]];
-  const PageVertex& c = view_.vertices[corners[2]];
-  const int left = grid_.column(std::min({a.x, b.x, c.x}) - margin());
-  const int right = grid_.column(std::max({a.x, b.x, c.x}) + margin());
-  const int bottom = grid_.row(std::min({a.y, b.y, c.y}) - margin());
-  const int top = grid_.row(std::max({a.y, b.y, c.y}) + margin());
-  const bool large = right - left > 1 && top - bottom > 1;
-  const double half = grid_.side / 2 + 2 * margin();
-  for (int row = bottom; row <= top; ++row)
-    for (int column = left; column <= right; ++column) {
-      const int cell = grid_.cell(column, row);
-      if (!(nearest > deepest_[cell])) continue;
-      // The outermost cells reach beyond their square.
-      const bool inner = column > 0 && row > 0 && column < grid_.columns - 1 && row < grid_.rows - 1;
-      const Vec2 middle = grid_.origin + grid_.side * Vec2(column + 0.5, row + 0.5);
-      if (large && inner &&
-          (separates(a, b, c, middle, half) || separates(b, c, a, middle, half) || separates(c, a, b, middle, half)))
-        continue;
-      cells.push_back(cell);
+double OccluderGrid::nearest(const ViewTriangle& triangle) const {
+  const auto& [a, b, c] = triangle.vertex;
+  return std::max({view_.vertices[a].depth, view_.vertices[b].depth, view_.vertices[c].depth});
+}
+
+Sightline OccluderGrid::sightline(const Piece& piece) const {
+  const DrawnEdge& edge = edges_[piece.edge];
+  return {edge.vertex[0], edge.vertex[1]};
+}
+
+// Triangles without area on the page hide nothing.
+OccluderGrid::Content OccluderGrid::whole_page() const {
+  Content content{Vec2(HUGE_VAL), Vec2(-HUGE_VAL), {}, {}};
+  content.pieces.reserve(edges_.size());
+  for (std::size_t e = 0; e < edges_.size(); ++e) {
+    content.pieces.push_back({static_cast<int>(e), 0, 1});
+    for (const int v : edges_[e].vertex) {
+      const Vec2 at(view_.vertices[v].x, view_.vertices[v].y);
+      content.least = glm::min(content.least, at);
+      content.most = glm::max(content.most, at);
     }
+  }
+  if (edges_.empty()) content.least = content.most = Vec2(0);
+  content.triangles.reserve(view_.triangles.size());
+  for (std::size_t t = 0; t < view_.triangles.size(); ++t) {
+    const auto& [a, b, c] = view_.triangles[t].vertex;
+    if (cross(view_.grid[a], view_.grid[b], view_.grid[c]) != 0) content.triangles.push_back(static_cast<int>(t));
+  }
+  return content;
 }
 
-void OccluderGrid::collect(const ViewTriangle& triangle, Found& found) const {
-  const auto& [i, j, k] = triangle.vertex;
-  if (cross(view_.grid[i], view_.grid[j], view_.grid[k]) == 0) return;
-  const Occluder occluder = make_occluder(view_, triangle);
-  const std::size_t before = found.cells.size();
-  add_cells(triangle.vertex, occluder.nearest, found.cells);
-  if (found.cells.size() == before) return;
-  found.occluders.push_back(occluder);
-  found.ends.push_back(found.cells.size());
+OccluderGrid::Level OccluderGrid::make_level(const Content& content, int depth) const {
+  Level level;
+  const double cells = static_cast<double>(content.triangles.size()) / 5;
+  level.grid = make_cell_grid(content.least, content.most, depth == 0 ? cells : std::min(cells, most_cells_of_part));
+  find_covers(content, level);
+  const CellLoad load = find_load(content, level);
+  find_candidates(content, load, level);
+  if (depth < deepest_level) divide_cells(content, load, depth, level);
+  return level;
 }
 
-OccluderGrid::Found OccluderGrid::collect() const {
-  const std::size_t count = view_.triangles.size();
-  std::vector<Found> parts((count + chunk - 1) / chunk);
+// A triangle that covers a cell hides there what lies deeper than its farthest place in the cell, and the contact
+// distance.
+void OccluderGrid::find_covers(const Content& content, Level& level) const {
+  const CellGrid& grid = level.grid;
+  level.cover.assign(static_cast<std::size_t>(grid.count()), -HUGE_VAL);
+  const double slack = 2 * margin() + cell_slack * grid.side;
+  parallel_for(content.triangles.size(), chunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const ViewTriangle& triangle = view_.triangles[content.triangles[i]];
+      const TriangleOnGrid on_grid(grid, corners(triangle), slack);
+      if (!on_grid.large()) continue;
+      const DepthPlane plane = depth_plane(view_.vertices[triangle.vertex[0]], view_.vertices[triangle.vertex[1]],
+                                           view_.vertices[triangle.vertex[2]]);
+      const double steepness = std::abs(plane.slope.x) + std::abs(plane.slope.y);
+      const double rounding = depth_rounding * (view_.extent + std::abs(plane.depth));
+      const double behind =
+          (grid.side / 2 + slack) * steepness * (1 + cell_slack) + contact_.touching * (1 + steepness) + rounding;
+      on_grid.visit_rows([&](const RowOfCells& row) {
+        for (int column = row.inner_from; column <= row.inner_to; ++column) {
+          const Vec2 middle = grid.origin + grid.side * Vec2(column + 0.5, row.row + 0.5);
+          raise(level.cover[grid.cell(column, row.row)],
+                plane.depth + glm::dot(plane.slope, middle - plane.place) - behind);
+        }
+      });
+    }
+  });
+}
+
+OccluderGrid::CellLoad OccluderGrid::find_load(const Content& content, const Level& level) const {
+  const auto count = static_cast<std::size_t>(level.grid.count());
+  CellLoad load{std::vector<double>(count, HUGE_VAL), std::vector<int>(count, 0)};
+  parallel_for(content.pieces.size(), chunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Piece& piece = content.pieces[i];
+      const Sightline line = sightline(piece);
+      visit_cells(level.grid, place(line, piece.from), place(line, piece.to), margin(),
+                  [&](int cell, double s, double t) {
+                    const double length = piece.to - piece.from;
+                    const auto [least, most] = depths(line, piece.from + s * length, piece.from + t * length);
+                    if (most < level.cover[cell]) return;
+                    lower(load.deepest[cell], least);
+                    count_up(load.pieces[cell]);
+                  });
+    }
+  });
+  return load;
+}
+
+void OccluderGrid::find_candidates(const Content& content, const CellLoad& load, Level& level) const {
+  struct Found {
+    int cell;
+    Candidate candidate;
+  };
+  const CellGrid& grid = level.grid;
+  const double slack = margin() + cell_slack * grid.side;
+  const std::size_t count = content.triangles.size();
+  std::vector<std::vector<Found>> parts((count + chunk - 1) / chunk);
+  level.first.assign(static_cast<std::size_t>(grid.count()) + 1, 0);
   parallel_for(parts.size(), 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t part = first; part < last; ++part)
-      for (std::size_t t = part * chunk; t < std::min((part + 1) * chunk, count); ++t)
-        collect(view_.triangles[t], parts[part]);
+      for (std::size_t i = part * chunk; i < std::min((part + 1) * chunk, count); ++i) {
+        const int number = content.triangles[i];
+        const double closest = nearest(view_.triangles[number]);
+        const Candidate candidate(front_ - closest, number);
+        TriangleOnGrid(grid, corners(view_.triangles[number]), slack).visit_rows([&](const RowOfCells& row) {
+          for (int column = row.from; column <= row.to; ++column) {
+            const int cell = grid.cell(column, row.row);
+            if (!(closest > load.deepest[cell]) || closest < level.cover[cell]) continue;
+            parts[part].push_back({cell, candidate});
+            count_up(level.first[cell + 1]);
+          }
+        });
+      }
   });
-  Found all;
-  for (const Found& part : parts) {
-    for (const std::size_t end : part.ends) all.ends.push_back(all.cells.size() + end);
-    all.occluders.insert(all.occluders.end(), part.occluders.begin(), part.occluders.end());
-    all.cells.insert(all.cells.end(), part.cells.begin(), part.cells.end());
-  }
-  return all;
+  std::partial_sum(level.first.begin(), level.first.end(), level.first.begin());
+  level.candidates.resize(level.first.back(), Candidate(0, 0));
+  std::vector<std::size_t> next(level.first.begin(), level.first.end() - 1);
+  parallel_for(parts.size(), 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t part = first; part < last; ++part)
+      for (const Found& found : std::exchange(parts[part], {}))
+        level.candidates[count_up(next[found.cell])] = found.candidate;
+  });
+  parallel_for(static_cast<std::size_t>(grid.count()), chunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t cell = begin; cell < end; ++cell)
+      std::sort(level.candidates.begin() + level.first[cell], level.candidates.begin() + level.first[cell + 1]);
+  });
 }
 
-void OccluderGrid::fill(const Found& found) {
-  std::vector<int> order(found.occluders.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](int a, int b) {
-    return std::pair(-found.occluders[a].nearest, a) < std::pair(-found.occluders[b].nearest, b);
-  });
-  first_.assign(static_cast<std::size_t>(grid_.count()) + 1, 0);
-  for (const int cell : found.cells) ++first_[cell + 1];
-  std::partial_sum(first_.begin(), first_.end(), first_.begin());
-  members_.resize(found.cells.size());
-  std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-  occluders_.reserve(order.size());
-  for (const int o : order) {
-    for (std::size_t i = o == 0 ? 0 : found.ends[o - 1]; i < found.ends[o]; ++i)
-      members_[next[found.cells[i]]++] = static_cast<int>(occluders_.size());
-    occluders_.push_back(found.occluders[o]);
+void OccluderGrid::divide_cells(const Content& content, const CellLoad& load, int depth, Level& level) const {
+  const CellGrid& grid = level.grid;
+  std::vector<Content> parts;
+  for (int cell = 0; cell < grid.count(); ++cell) {
+    const std::size_t candidates = level.first[cell + 1] - level.first[cell];
+    if (static_cast<double>(load.pieces[cell]) * static_cast<double>(candidates) <= most_pairs) continue;
+    level.child.resize(static_cast<std::size_t>(grid.count()), -1);
+    level.child[cell] = static_cast<int>(parts.size());
+    const Vec2 least = grid.origin + grid.side * Vec2(cell % grid.columns, cell / grid.columns);
+    Content part{least, least + grid.side, {}, {}};
+    for (std::size_t i = level.first[cell]; i < level.first[cell + 1]; ++i)
+      part.triangles.push_back(level.candidates[i].triangle());
+    parts.push_back(std::move(part));
   }
+  if (parts.empty()) return;
+  for (const Piece& piece : content.pieces) {
+    const Sightline line = sightline(piece);
+    visit_cells(grid, place(line, piece.from), place(line, piece.to), margin(), [&](int cell, double s, double t) {
+      if (level.child[cell] < 0) return;
+      const double length = piece.to - piece.from;
+      parts[level.child[cell]].pieces.push_back({piece.edge, piece.from + s * length, piece.from + t * length});
+    });
+  }
+  level.children.resize(parts.size());
+  parallel_for(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t part = begin; part < end; ++part) {
+      level.children[part] = make_level(parts[part], depth + 1);
+      parts[part] = {};
+    }
+  });
 }
 
 }  // namespace epura

@@ -1,6 +1,9 @@
 // The triangles that may hide something, found by place on the page, the nearest first.
 #pragma once
 
+#include <bit>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "edges/drawn_edges.hpp"
@@ -10,49 +13,111 @@
 
 namespace epura {
 
-/// Occluders by cell of the page. A cell through which no edge runs has none, nor has a cell those that lie behind all
-/// edges in it. Triangles without area on the page hide nothing.
-class OccluderGrid {
+/// A triangle of the view that may hide something in a cell. They are ordered by distance.
+class Candidate {
  public:
-  OccluderGrid(const View& view, const std::vector<DrawnEdge>& edges);
+  /// `distance` behind the nearest place of the scene, not negative, is rounded down to 32 bits.
+  Candidate(double distance, int triangle);
 
-  /// Calls `visit(cell, from, to)` for the cells along an edge, with page parameters of the part in the cell.
-  template <class Visit>
-  void along(const Sightline& edge, Visit visit) const {
-    const PageVertex& p = view_.vertices[edge.p];
-    const PageVertex& q = view_.vertices[edge.q];
-    visit_cells(grid_, {p.x, p.y}, {q.x, q.y}, margin(), visit);
-  }
-
-  /// Calls `visit(occluder)` for those of a cell, in order of falling `nearest`, until it returns false.
-  template <class Visit>
-  void in_cell(int cell, Visit visit) const {
-    for (std::size_t i = first_[cell]; i < first_[cell + 1]; ++i)
-      if (!visit(occluders_[members_[i]])) return;
-  }
+  [[nodiscard]] float distance() const { return std::bit_cast<float>(static_cast<std::uint32_t>(key_ >> 32)); }
+  [[nodiscard]] int triangle() const { return static_cast<int>(key_ & 0xffffffff); }
+  bool operator<(const Candidate& other) const { return key_ < other.key_; }
 
  private:
+  // The bits of floats that are not negative are ordered like them: one comparison of whole numbers sorts.
+  std::uint64_t key_;
+};
+
+/// A part of an edge within one cell of the page, and what may hide it there.
+struct Stretch {
+  double from, to;                        ///< page parameters
+  double cover;                           ///< what lies deeper than this in the cell is hidden
+  std::span<const Candidate> candidates;  ///< the nearest first
+};
+
+/// A uniform grid of cells over the drawn edges. A cell through which no edge runs has no candidates, nor has a cell
+/// those that lie behind all edges in it, or behind a triangle that covers it wholly. Cells that have too many of both
+/// are divided further.
+class OccluderGrid {
+ public:
+  OccluderGrid(const View& view, const std::vector<DrawnEdge>& edges, const Contact& contact);
+
+  /// Calls `visit(Stretch)` for the cells along an edge; together the stretches cover the whole edge.
+  template <class Visit>
+  void along(const Sightline& edge, Visit visit) const {
+    along(top_, edge, 0, 1, visit);
+  }
+
+  /// Least and greatest depth of an edge between two page parameters.
+  [[nodiscard]] std::array<double, 2> depths(const Sightline& edge, double from, double to) const {
+    const double p = view_.vertices[edge.p].depth;
+    const double along = view_.vertices[edge.q].depth - p;
+    const auto [least, most] = std::minmax({p + from * along, p + to * along});
+    return {least, most};
+  }
+
+  /// Candidates at greater distances lie behind this depth.
+  [[nodiscard]] double distance(double depth) const { return front_ - depth; }
+
+ private:
+  struct Level {
+    CellGrid grid;
+    std::vector<double> cover;          ///< by cell
+    std::vector<std::size_t> first;     ///< by cell, into candidates
+    std::vector<Candidate> candidates;  ///< by cell
+    std::vector<int> child;             ///< by cell: its place in `children`, or -1; empty without children
+    std::vector<Level> children;
+  };
+  /// Part of a drawn edge.
+  struct Piece {
+    int edge;
+    double from, to;
+  };
+  /// What a level is made from: everything that may meet in its part of the page.
+  struct Content {
+    Vec2 least, most;
+    std::vector<Piece> pieces;
+    std::vector<int> triangles;  ///< of the view
+  };
+  struct CellLoad {
+    std::vector<double> deepest;  ///< by cell: least depth of the pieces that cover does not hide
+    std::vector<int> pieces;      ///< by cell: how many
+  };
+
+  template <class Visit>
+  void along(const Level& level, const Sightline& edge, double from, double to, Visit& visit) const {
+    visit_cells(level.grid, place(edge, from), place(edge, to), margin(), [&](int cell, double s, double t) {
+      const double begin = from + s * (to - from);
+      const double end = from + t * (to - from);
+      if (!level.child.empty() && level.child[cell] >= 0)
+        along(level.children[level.child[cell]], edge, begin, end, visit);
+      else
+        visit(Stretch{begin,
+                      end,
+                      level.cover[cell],
+                      {level.candidates.data() + level.first[cell], level.first[cell + 1] - level.first[cell]}});
+    });
+  }
+
   // Vertices lie within a cell of the page grid of their place.
   [[nodiscard]] double margin() const { return 2 * view_.cell; }
-  void choose_cells(const std::vector<DrawnEdge>& edges);
-  void find_depths(const std::vector<DrawnEdge>& edges);
-  /// Occluders and, one after the other, the cells of each: `ends` says where those of an occluder end.
-  struct Found {
-    std::vector<Occluder> occluders;
-    std::vector<std::size_t> ends;
-    std::vector<int> cells;
-  };
-  [[nodiscard]] Found collect() const;
-  void collect(const ViewTriangle& triangle, Found& found) const;
-  void add_cells(const std::array<int, 3>& corners, double nearest, std::vector<int>& cells) const;
-  void fill(const Found& found);
+  [[nodiscard]] Vec2 place(const Sightline& edge, double t) const;
+  [[nodiscard]] std::array<Vec2, 3> corners(const ViewTriangle& triangle) const;
+  [[nodiscard]] double nearest(const ViewTriangle& triangle) const;
+  [[nodiscard]] Sightline sightline(const Piece& piece) const;
+
+  [[nodiscard]] Content whole_page() const;
+  [[nodiscard]] Level make_level(const Content& content, int depth) const;
+  void find_covers(const Content& content, Level& level) const;
+  [[nodiscard]] CellLoad find_load(const Content& content, const Level& level) const;
+  void find_candidates(const Content& content, const CellLoad& load, Level& level) const;
+  void divide_cells(const Content& content, const CellLoad& load, int depth, Level& level) const;
 
   const View& view_;
-  CellGrid grid_;
-  std::vector<double> deepest_;      ///< by cell: least depth of the edges in it
-  std::vector<Occluder> occluders_;  ///< nearest first
-  std::vector<std::size_t> first_;   ///< by cell, into members_
-  std::vector<int> members_;
+  const std::vector<DrawnEdge>& edges_;
+  Contact contact_;
+  double front_;  ///< greatest depth of all
+  Level top_;
 };
 
 }  // namespace epura

@@ -1,7 +1,9 @@
 #include "visibility/visibility.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "base/parallel.hpp"
 #include "visibility/occluders.hpp"
@@ -27,24 +29,30 @@ struct Hider {
   const OccluderGrid& occluders;
   const DrawnEdges& drawn;
 
-  // In every cell along the edge, occluders from the nearest on, until the part in the cell is hidden or the rest lies
-  // behind it. What a triangle hides is computed for the whole edge, so the union does not depend on cells or order.
+  // In every cell along the edge, what lies behind its cover is hidden; otherwise candidates are tried from the nearest
+  // on, until the stretch is hidden or the rest lies behind it. What a triangle hides is computed for the whole edge,
+  // so the union does not depend on cells or order.
   [[nodiscard]] Spans hidden_spans(const DrawnEdge& edge) const {
     const Sightline line{edge.vertex[0], edge.vertex[1]};
-    const PageVertex& p = view.vertices[line.p];
-    const PageVertex& q = view.vertices[line.q];
+    std::array<int, 64> tried;  // lately, by the last bits of their numbers
+    tried.fill(-1);
     Spans spans;
-    occluders.along(line, [&](int cell, double from, double to) {
-      if (covers(spans, from, to)) return;
-      const double farthest = p.depth + std::min(from * (q.depth - p.depth), to * (q.depth - p.depth));
-      occluders.in_cell(cell, [&](const Occluder& occluder) {
-        if (!(occluder.nearest > farthest)) return false;
-        if (is_own(world, drawn, edge, occluder.source)) return true;
-        const auto part = hidden_part(view, line, occluder, contact);
-        if (!part) return true;
+    occluders.along(line, [&](const Stretch& stretch) {
+      if (covers(spans, stretch.from, stretch.to)) return;
+      const auto [farthest, nearest] = occluders.depths(line, stretch.from, stretch.to);
+      if (nearest < stretch.cover) return add_span(spans, {stretch.from, stretch.to});
+      const double reach = occluders.distance(farthest);
+      for (const Candidate& candidate : stretch.candidates) {
+        if (candidate.distance() > reach) return;
+        const int number = candidate.triangle();
+        if (std::exchange(tried[number % tried.size()], number) == number) continue;
+        const ViewTriangle& triangle = view.triangles[number];
+        if (is_own(world, drawn, edge, triangle.source)) continue;
+        const auto part = hidden_part(view, line, triangle, contact);
+        if (!part) continue;
         add_span(spans, *part);
-        return !covers(spans, from, to);
-      });
+        if (covers(spans, stretch.from, stretch.to)) return;
+      }
     });
     absorb_slivers(spans, least_span(view, line));
     return spans;
@@ -78,7 +86,7 @@ bool is_own(const World& world, const DrawnEdges& drawn, const DrawnEdge& edge, 
 }
 
 HiddenSpans find_hidden(const World& world, const View& view, const DrawnEdges& drawn, const Contact& contact) {
-  const OccluderGrid occluders(view, drawn.edges);
+  const OccluderGrid occluders(view, drawn.edges, contact);
   const Hider hider{world, view, contact, occluders, drawn};
   const std::size_t count = drawn.edges.size();
   HiddenSpans hidden{std::vector<std::size_t>(count + 1, 0), {}};

@@ -17,7 +17,7 @@ Spans by_brute_force(const Result& r, const DrawnEdge& edge, const Contact& cont
     const auto& [a, b, c] = t.vertex;
     if (cross(r.view.grid[a], r.view.grid[b], r.view.grid[c]) == 0 || is_own(r.world, r.drawn, edge, t.source))
       continue;
-    if (const auto part = hidden_part(r.view, line, make_occluder(r.view, t), contact)) add_span(spans, *part);
+    if (const auto part = hidden_part(r.view, line, t, contact)) add_span(spans, *part);
   }
   absorb_slivers(spans, least_span(r.view, line));
   return spans;

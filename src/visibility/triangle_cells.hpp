@@ -1,0 +1,45 @@
+// The cells of a uniform grid that a triangle touches, and those that lie wholly inside it, row by row.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/vec.hpp"
+#include "visibility/line_cells.hpp"
+
+namespace epura {
+
+/// Columns `from` to `to` of a row may be touched; `inner_from` to `inner_to` lie inside the triangle. Either may be
+/// empty (from > to).
+struct RowOfCells {
+  int row;
+  int from, to;
+  int inner_from, inner_to;
+};
+
+/// A triangle to be laid on a grid. Cells are widened by `slack` on all sides before they are compared with it: what is
+/// left out is surely not touched, and what is called inside surely is.
+class TriangleOnGrid {
+ public:
+  TriangleOnGrid(const CellGrid& grid, const std::array<Vec2, 3>& corners, double slack);
+
+  /// Whether a cell can lie inside at all.
+  [[nodiscard]] bool large() const { return right_ - left_ > 1 && top_ - bottom_ > 1; }
+
+  /// Calls `visit(RowOfCells)` for every row of the grid that the triangle's box meets.
+  template <class Visit>
+  void visit_rows(Visit visit) const {
+    for (int row = bottom_; row <= top_; ++row) visit(large() ? cut_row(row) : RowOfCells{row, left_, right_, 1, 0});
+  }
+
+ private:
+  [[nodiscard]] RowOfCells cut_row(int row) const;
+
+  const CellGrid& grid_;
+  std::array<Vec2, 3> corners_;
+  double slack_;
+  int left_, right_, bottom_, top_;  ///< cells of its box; right < left where it lies beside the grid
+};
+
+}  // namespace epura
