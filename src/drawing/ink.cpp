@@ -112,8 +112,7 @@ class PieceGrid {
   };
 
   [[nodiscard]] double offset(const Piece& piece, double angle, int cell) const {
-    const Vec2 middle = grid_.origin + grid_.side * Vec2(cell % grid_.columns + 0.5, cell / grid_.columns + 0.5);
-    const Vec2 d = piece.from - middle;
+    const Vec2 d = piece.from - grid_.middle(cell);
     return std::cos(angle) * d.y - std::sin(angle) * d.x;
   }
 
@@ -148,7 +147,7 @@ class PieceGrid {
                                [](const Member& m, double angle) { return m.line.angle < angle; });
     for (; it != end && it->line.angle <= line.angle + spread; ++it) {
       // Lines that coincide somewhere in the cell are this close at its middle.
-      const double reach = 4 * tolerance_ + grid_.side * std::abs(it->line.angle - line.angle);
+      const double reach = 4 * tolerance_ + grid_.side.x * std::abs(it->line.angle - line.angle);
       if (std::abs(it->line.offset - line.offset) <= reach) visit(static_cast<std::size_t>(it->piece));
     }
   }

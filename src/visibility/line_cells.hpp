@@ -8,19 +8,20 @@
 
 namespace epura {
 
-/// Square cells from `origin`, `columns` by `rows` of them; what lies outside belongs to the nearest one.
+/// Equal cells from `origin`, `columns` by `rows` of them; what lies outside belongs to the nearest one.
 struct CellGrid {
   Vec2 origin;
-  double side;
+  Vec2 side;  ///< width and height of a cell
   int columns, rows;
 
   [[nodiscard]] int column(double x) const;
   [[nodiscard]] int row(double y) const;
   [[nodiscard]] int cell(int column, int row) const { return row * columns + column; }
   [[nodiscard]] int count() const { return columns * rows; }
+  [[nodiscard]] Vec2 middle(int cell) const { return origin + side * Vec2(cell % columns + 0.5, cell / columns + 0.5); }
 };
 
-/// Cells for about `items` things spread over a box.
+/// Square cells for about `items` things spread over a box.
 CellGrid make_cell_grid(const Vec2& least, const Vec2& most, double items);
 
 /// The parameters (0 at a, 1 at b) between which a line runs through a strip from <= x <= to in one coordinate.
@@ -35,20 +36,21 @@ inline std::array<double, 2> part_in_strip(double a, double b, double from, doub
 /// part that runs through it (widened by the margin). The outermost cells take what lies beyond them.
 template <class Visit>
 void visit_cells(const CellGrid& grid, const Vec2& a, const Vec2& b, double margin, Visit visit) {
-  const double slack = margin + grid.side * 0x1p-20;
-  const auto strip = [&](double origin, int number, int count) {
-    return std::array{number == 0 ? -HUGE_VAL : origin + number * grid.side - slack,
-                      number == count - 1 ? HUGE_VAL : origin + (number + 1) * grid.side + slack};
+  const Vec2 slack = margin + grid.side * 0x1p-20;
+  const auto strip = [&](int axis, int number, int count) {
+    const double from = grid.origin[axis] + number * grid.side[axis];
+    return std::array{number == 0 ? -HUGE_VAL : from - slack[axis],
+                      number == count - 1 ? HUGE_VAL : from + grid.side[axis] + slack[axis]};
   };
-  const int last_row = grid.row(std::max(a.y, b.y) + slack);
-  for (int row = grid.row(std::min(a.y, b.y) - slack); row <= last_row; ++row) {
-    const auto [bottom, top] = strip(grid.origin.y, row, grid.rows);
+  const int last_row = grid.row(std::max(a.y, b.y) + slack.y);
+  for (int row = grid.row(std::min(a.y, b.y) - slack.y); row <= last_row; ++row) {
+    const auto [bottom, top] = strip(1, row, grid.rows);
     const auto in_row = part_in_strip(a.y, b.y, bottom, top);
     const double x0 = a.x + in_row[0] * (b.x - a.x);
     const double x1 = a.x + in_row[1] * (b.x - a.x);
-    const int last_column = grid.column(std::max(x0, x1) + slack);
-    for (int column = grid.column(std::min(x0, x1) - slack); column <= last_column; ++column) {
-      const auto [left, right] = strip(grid.origin.x, column, grid.columns);
+    const int last_column = grid.column(std::max(x0, x1) + slack.x);
+    for (int column = grid.column(std::min(x0, x1) - slack.x); column <= last_column; ++column) {
+      const auto [left, right] = strip(0, column, grid.columns);
       const auto in_column = part_in_strip(a.x, b.x, left, right);
       const double from = std::max(in_row[0], in_column[0]);
       const double to = std::min(in_row[1], in_column[1]);

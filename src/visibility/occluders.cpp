@@ -15,10 +15,20 @@ namespace epura {
 namespace {
 
 constexpr std::size_t chunk = 4096;
-// Cells in which more pairs of edge and triangle meet than this are divided, into so many cells at most, and so deep.
+// The page gets cells for about so many triangles each. Of a triangle, most cells are passed by without work, since no
+// line runs through them.
+constexpr double triangles_of_cell = 5;
+constexpr GridLimits page_limits{0x1p24, 0, 8, 128};
+// Cells in which more pairs of edge and triangle meet than this are divided, and their parts again.
 constexpr double most_pairs = 1 << 15;
-constexpr double most_cells_of_part = 1024;
+constexpr GridLimits cell_limits{1024, 0, 8, 128};
 constexpr int deepest_level = 8;
+// Triangles that are looked at to choose a grid.
+constexpr std::size_t sample = 65536;
+
+// Division is idle where it leaves more than this part of the pairs. Once it may be (what lies in an L parts only at
+// the second time), but not twice in succession.
+constexpr double worthwhile = 0.5;
 
 // Depths are computed to this part of their size.
 constexpr double depth_rounding = 0x1p-40;
@@ -52,8 +62,7 @@ float rounded_down(double x) {
 
 double greatest_depth(const View& view) {
   double greatest = -HUGE_VAL;
-  for (const ViewTriangle& triangle : view.triangles)
-    for (const int v : triangle.vertex) greatest = std::max(greatest, view.vertices[v].depth);
+  for (const PageVertex& vertex : view.vertices) greatest = std::max(greatest, vertex.depth);
   return greatest;
 }
 
@@ -106,36 +115,59 @@ Sightline OccluderGrid::sightline(const Piece& piece) const {
   return {edge.vertex[0], edge.vertex[1]};
 }
 
-// Triangles without area on the page hide nothing.
 OccluderGrid::Content OccluderGrid::whole_page() const {
-  Content content{Vec2(HUGE_VAL), Vec2(-HUGE_VAL), {}, {}};
+  Content content{{}, {}, HUGE_VAL, false};
   content.pieces.reserve(edges_.size());
-  for (std::size_t e = 0; e < edges_.size(); ++e) {
-    content.pieces.push_back({static_cast<int>(e), 0, 1});
-    for (const int v : edges_[e].vertex) {
-      const Vec2 at(view_.vertices[v].x, view_.vertices[v].y);
-      content.least = glm::min(content.least, at);
-      content.most = glm::max(content.most, at);
-    }
-  }
-  if (edges_.empty()) content.least = content.most = Vec2(0);
-  content.triangles.reserve(view_.triangles.size());
-  for (std::size_t t = 0; t < view_.triangles.size(); ++t) {
-    const auto& [a, b, c] = view_.triangles[t].vertex;
-    if (cross(view_.grid[a], view_.grid[b], view_.grid[c]) != 0) content.triangles.push_back(static_cast<int>(t));
-  }
+  for (std::size_t e = 0; e < edges_.size(); ++e) content.pieces.push_back({static_cast<int>(e), 0, 1});
+  content.triangles.resize(view_.triangles.size());
+  std::iota(content.triangles.begin(), content.triangles.end(), 0);
   return content;
+}
+
+PageBox OccluderGrid::box_of(const std::vector<Piece>& pieces) const {
+  PageBox box{Vec2(HUGE_VAL), Vec2(-HUGE_VAL)};
+  for (const Piece& piece : pieces)
+    for (const double t : {piece.from, piece.to}) {
+      const Vec2 at = place(sightline(piece), t);
+      box = {glm::min(box.least, at), glm::max(box.most, at)};
+    }
+  if (pieces.empty()) return {Vec2(0), Vec2(0)};
+  return box;
 }
 
 OccluderGrid::Level OccluderGrid::make_level(const Content& content, int depth) const {
   Level level;
-  const double cells = static_cast<double>(content.triangles.size()) / 5;
-  level.grid = make_cell_grid(content.least, content.most, depth == 0 ? cells : std::min(cells, most_cells_of_part));
+  level.grid = grid_for(content, depth);
   find_covers(content, level);
   const CellLoad load = find_load(content, level);
   find_candidates(content, load, level);
-  if (depth < deepest_level) divide_cells(content, load, depth, level);
+  for (int cell = 0; cell < level.grid.count(); ++cell) level.pairs += pairs_in(level, load, cell);
+  const bool idle = level.pairs > worthwhile * content.pairs;
+  if (idle && content.idle) return level;
+  if (depth < deepest_level) divide_cells(content, load, idle, depth, level);
   return level;
+}
+
+double OccluderGrid::pairs_in(const Level& level, const CellLoad& load, int cell) {
+  return static_cast<double>(load.pieces[cell]) * static_cast<double>(level.first[cell + 1] - level.first[cell]);
+}
+
+CellGrid OccluderGrid::grid_for(const Content& content, int depth) const {
+  const PageBox page = box_of(content.pieces);
+  const Vec2 size = glm::max(page.most - page.least, Vec2(margin()));
+  Cuts lines, areas;
+  for (const Piece& piece : content.pieces)
+    lines.add(glm::abs(place(sightline(piece), piece.to) - place(sightline(piece), piece.from)), size);
+  const std::size_t step = 1 + content.triangles.size() / sample;
+  for (std::size_t i = 0; i < content.triangles.size(); i += step) {
+    const auto [a, b, c] = corners(view_.triangles[content.triangles[i]]);
+    const Vec2 least = glm::max(glm::min(glm::min(a, b), c), page.least);
+    areas.add(glm::min(glm::max(glm::max(a, b), c), page.most) - least, size);
+  }
+  GridLimits limits = depth == 0 ? page_limits : cell_limits;
+  limits.cells = std::min(limits.cells, static_cast<double>(content.triangles.size()) / triangles_of_cell);
+  limits.side = 8 * margin();
+  return choose_grid(page, lines, areas, limits);
 }
 
 // A triangle that covers a cell hides there what lies deeper than its farthest place in the cell, and the contact
@@ -143,7 +175,7 @@ OccluderGrid::Level OccluderGrid::make_level(const Content& content, int depth) 
 void OccluderGrid::find_covers(const Content& content, Level& level) const {
   const CellGrid& grid = level.grid;
   level.cover.assign(static_cast<std::size_t>(grid.count()), -HUGE_VAL);
-  const double slack = 2 * margin() + cell_slack * grid.side;
+  const Vec2 slack = 2 * margin() + cell_slack * grid.side;
   parallel_for(content.triangles.size(), chunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const ViewTriangle& triangle = view_.triangles[content.triangles[i]];
@@ -153,13 +185,12 @@ void OccluderGrid::find_covers(const Content& content, Level& level) const {
                                            view_.vertices[triangle.vertex[2]]);
       const double steepness = std::abs(plane.slope.x) + std::abs(plane.slope.y);
       const double rounding = depth_rounding * (view_.extent + std::abs(plane.depth));
-      const double behind =
-          (grid.side / 2 + slack) * steepness * (1 + cell_slack) + contact_.touching * (1 + steepness) + rounding;
+      const double behind = glm::dot(grid.side / 2.0 + slack, glm::abs(plane.slope)) * (1 + cell_slack) +
+                            contact_.touching * (1 + steepness) + rounding;
       on_grid.visit_rows([&](const RowOfCells& row) {
         for (int column = row.inner_from; column <= row.inner_to; ++column) {
-          const Vec2 middle = grid.origin + grid.side * Vec2(column + 0.5, row.row + 0.5);
-          raise(level.cover[grid.cell(column, row.row)],
-                plane.depth + glm::dot(plane.slope, middle - plane.place) - behind);
+          const int cell = grid.cell(column, row.row);
+          raise(level.cover[cell], plane.depth + glm::dot(plane.slope, grid.middle(cell) - plane.place) - behind);
         }
       });
     }
@@ -192,7 +223,7 @@ void OccluderGrid::find_candidates(const Content& content, const CellLoad& load,
     Candidate candidate;
   };
   const CellGrid& grid = level.grid;
-  const double slack = margin() + cell_slack * grid.side;
+  const Vec2 slack = margin() + cell_slack * grid.side;
   const std::size_t count = content.triangles.size();
   std::vector<std::vector<Found>> parts((count + chunk - 1) / chunk);
   level.first.assign(static_cast<std::size_t>(grid.count()) + 1, 0);
@@ -200,6 +231,8 @@ void OccluderGrid::find_candidates(const Content& content, const CellLoad& load,
     for (std::size_t part = first; part < last; ++part)
       for (std::size_t i = part * chunk; i < std::min((part + 1) * chunk, count); ++i) {
         const int number = content.triangles[i];
+        const auto& [a, b, c] = view_.triangles[number].vertex;
+        if (cross(view_.grid[a], view_.grid[b], view_.grid[c]) == 0) continue;  // without area it hides nothing
         const double closest = nearest(view_.triangles[number]);
         const Candidate candidate(front_ - closest, number);
         TriangleOnGrid(grid, corners(view_.triangles[number]), slack).visit_rows([&](const RowOfCells& row) {
@@ -226,16 +259,15 @@ void OccluderGrid::find_candidates(const Content& content, const CellLoad& load,
   });
 }
 
-void OccluderGrid::divide_cells(const Content& content, const CellLoad& load, int depth, Level& level) const {
+void OccluderGrid::divide_cells(const Content& content, const CellLoad& load, bool idle, int depth,
+                                Level& level) const {
   const CellGrid& grid = level.grid;
   std::vector<Content> parts;
   for (int cell = 0; cell < grid.count(); ++cell) {
-    const std::size_t candidates = level.first[cell + 1] - level.first[cell];
-    if (static_cast<double>(load.pieces[cell]) * static_cast<double>(candidates) <= most_pairs) continue;
+    if (pairs_in(level, load, cell) <= most_pairs) continue;
     level.child.resize(static_cast<std::size_t>(grid.count()), -1);
     level.child[cell] = static_cast<int>(parts.size());
-    const Vec2 least = grid.origin + grid.side * Vec2(cell % grid.columns, cell / grid.columns);
-    Content part{least, least + grid.side, {}, {}};
+    Content part{{}, {}, pairs_in(level, load, cell), idle};
     for (std::size_t i = level.first[cell]; i < level.first[cell + 1]; ++i)
       part.triangles.push_back(level.candidates[i].triangle());
     parts.push_back(std::move(part));
@@ -244,18 +276,30 @@ void OccluderGrid::divide_cells(const Content& content, const CellLoad& load, in
   for (const Piece& piece : content.pieces) {
     const Sightline line = sightline(piece);
     visit_cells(grid, place(line, piece.from), place(line, piece.to), margin(), [&](int cell, double s, double t) {
-      if (level.child[cell] < 0) return;
-      const double length = piece.to - piece.from;
-      parts[level.child[cell]].pieces.push_back({piece.edge, piece.from + s * length, piece.from + t * length});
+      const double from = piece.from + s * (piece.to - piece.from);
+      const double to = piece.from + t * (piece.to - piece.from);
+      if (level.child[cell] >= 0 && !(depths(line, from, to)[1] < level.cover[cell]))
+        parts[level.child[cell]].pieces.push_back({piece.edge, from, to});
     });
   }
   level.children.resize(parts.size());
   parallel_for(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t part = begin; part < end; ++part) {
-      level.children[part] = make_level(parts[part], depth + 1);
-      parts[part] = {};
+      const Content content_of_part = std::exchange(parts[part], {});
+      level.children[part] = make_level(content_of_part, depth + 1);
     }
   });
+  for (int cell = 0; cell < grid.count(); ++cell) {
+    if (level.child[cell] < 0) continue;
+    Level& child = level.children[level.child[cell]];
+    const double saved = pairs_in(level, load, cell) - child.pairs;
+    if (saved > 0) {
+      level.pairs -= saved;
+    } else {
+      child = {};
+      level.child[cell] = -1;
+    }
+  }
 }
 
 }  // namespace epura

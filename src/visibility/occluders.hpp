@@ -8,6 +8,7 @@
 
 #include "edges/drawn_edges.hpp"
 #include "view/view.hpp"
+#include "visibility/choose_grid.hpp"
 #include "visibility/hiding_rule.hpp"
 #include "visibility/line_cells.hpp"
 
@@ -65,6 +66,7 @@ class OccluderGrid {
     std::vector<double> cover;          ///< by cell
     std::vector<std::size_t> first;     ///< by cell, into candidates
     std::vector<Candidate> candidates;  ///< by cell
+    double pairs = 0;                   ///< of edge and triangle that are to be tried
     std::vector<int> child;             ///< by cell: its place in `children`, or -1; empty without children
     std::vector<Level> children;
   };
@@ -75,9 +77,10 @@ class OccluderGrid {
   };
   /// What a level is made from: everything that may meet in its part of the page.
   struct Content {
-    Vec2 least, most;
     std::vector<Piece> pieces;
     std::vector<int> triangles;  ///< of the view
+    double pairs;                ///< of edge and triangle that were to be tried without further division
+    bool idle;                   ///< the last division left nearly as many
   };
   struct CellLoad {
     std::vector<double> deepest;  ///< by cell: least depth of the pieces that cover does not hide
@@ -89,7 +92,8 @@ class OccluderGrid {
     visit_cells(level.grid, place(edge, from), place(edge, to), margin(), [&](int cell, double s, double t) {
       const double begin = from + s * (to - from);
       const double end = from + t * (to - from);
-      if (!level.child.empty() && level.child[cell] >= 0)
+      const bool divided = !level.child.empty() && level.child[cell] >= 0;
+      if (divided && !(depths(edge, begin, end)[1] < level.cover[cell]))
         along(level.children[level.child[cell]], edge, begin, end, visit);
       else
         visit(Stretch{begin,
@@ -107,11 +111,14 @@ class OccluderGrid {
   [[nodiscard]] Sightline sightline(const Piece& piece) const;
 
   [[nodiscard]] Content whole_page() const;
+  [[nodiscard]] PageBox box_of(const std::vector<Piece>& pieces) const;
   [[nodiscard]] Level make_level(const Content& content, int depth) const;
+  [[nodiscard]] CellGrid grid_for(const Content& content, int depth) const;
+  [[nodiscard]] static double pairs_in(const Level& level, const CellLoad& load, int cell);
   void find_covers(const Content& content, Level& level) const;
   [[nodiscard]] CellLoad find_load(const Content& content, const Level& level) const;
   void find_candidates(const Content& content, const CellLoad& load, Level& level) const;
-  void divide_cells(const Content& content, const CellLoad& load, int depth, Level& level) const;
+  void divide_cells(const Content& content, const CellLoad& load, bool idle, int depth, Level& level) const;
 
   const View& view_;
   const std::vector<DrawnEdge>& edges_;

@@ -46,12 +46,13 @@ LevelCut cut_level(const std::array<Vec2, 3>& corners, double y, double flat) {
 
 }  // namespace
 
-TriangleOnGrid::TriangleOnGrid(const CellGrid& grid, const std::array<Vec2, 3>& corners, double slack)
+TriangleOnGrid::TriangleOnGrid(const CellGrid& grid, const std::array<Vec2, 3>& corners, const Vec2& slack)
     : grid_(grid), corners_(corners), slack_(slack) {
   const auto& [a, b, c] = corners;
-  const Vec2 least(std::min({a.x, b.x, c.x}) - slack, std::min({a.y, b.y, c.y}) - slack);
-  const Vec2 most(std::max({a.x, b.x, c.x}) + slack, std::max({a.y, b.y, c.y}) + slack);
+  const Vec2 least = glm::min(glm::min(a, b), c) - slack;
+  const Vec2 most = glm::max(glm::max(a, b), c) + slack;
   const Vec2 end = grid.origin + grid.side * Vec2(grid.columns, grid.rows);
+  large_ = most.x - least.x > grid.side.x && most.y - least.y > grid.side.y;
   const bool beside = most.x < grid.origin.x || most.y < grid.origin.y || least.x > end.x || least.y > end.y;
   left_ = grid.column(least.x);
   right_ = beside ? left_ - 1 : grid.column(most.x);
@@ -60,20 +61,20 @@ TriangleOnGrid::TriangleOnGrid(const CellGrid& grid, const std::array<Vec2, 3>& 
 }
 
 RowOfCells TriangleOnGrid::cut_row(int row) const {
-  const double bottom = grid_.origin.y + row * grid_.side - slack_;
-  const double top = grid_.origin.y + (row + 1) * grid_.side + slack_;
-  const LevelCut lower = cut_level(corners_, bottom, slack_);
-  const LevelCut upper = cut_level(corners_, top, slack_);
+  const double bottom = grid_.origin.y + row * grid_.side.y - slack_.y;
+  const double top = grid_.origin.y + (row + 1) * grid_.side.y + slack_.y;
+  const LevelCut lower = cut_level(corners_, bottom, slack_.y);
+  const LevelCut upper = cut_level(corners_, top, slack_.y);
   Interval touched = lower.hull;
   touched.add(upper.hull);
   for (const Vec2& corner : corners_)
     if (bottom <= corner.y && corner.y <= top) touched.add({corner.x, corner.x});
   RowOfCells cells{row, 1, 0, 1, 0};
   if (!(touched.from <= touched.to)) return cells;
-  cells.from = std::max(left_, grid_.column(touched.from - slack_));
-  cells.to = std::min(right_, grid_.column(touched.to + slack_));
-  const double inner_from = (std::max(lower.inner.from, upper.inner.from) + slack_ - grid_.origin.x) / grid_.side;
-  const double inner_to = (std::min(lower.inner.to, upper.inner.to) - slack_ - grid_.origin.x) / grid_.side - 1;
+  cells.from = std::max(left_, grid_.column(touched.from - slack_.x));
+  cells.to = std::min(right_, grid_.column(touched.to + slack_.x));
+  const double inner_from = (std::max(lower.inner.from, upper.inner.from) + slack_.x - grid_.origin.x) / grid_.side.x;
+  const double inner_to = (std::min(lower.inner.to, upper.inner.to) - slack_.x - grid_.origin.x) / grid_.side.x - 1;
   if (!(std::ceil(inner_from) <= std::floor(inner_to))) return cells;
   cells.inner_from = static_cast<int>(std::clamp(std::ceil(inner_from), 0.0, static_cast<double>(grid_.columns)));
   cells.inner_to = static_cast<int>(std::clamp(std::floor(inner_to), -1.0, grid_.columns - 1.0));

@@ -22,15 +22,15 @@ struct RowOfCells {
 /// left out is surely not touched, and what is called inside surely is.
 class TriangleOnGrid {
  public:
-  TriangleOnGrid(const CellGrid& grid, const std::array<Vec2, 3>& corners, double slack);
+  TriangleOnGrid(const CellGrid& grid, const std::array<Vec2, 3>& corners, const Vec2& slack);
 
   /// Whether a cell can lie inside at all.
-  [[nodiscard]] bool large() const { return right_ - left_ > 1 && top_ - bottom_ > 1; }
+  [[nodiscard]] bool large() const { return large_; }
 
   /// Calls `visit(RowOfCells)` for every row of the grid that the triangle's box meets.
   template <class Visit>
   void visit_rows(Visit visit) const {
-    for (int row = bottom_; row <= top_; ++row) visit(large() ? cut_row(row) : RowOfCells{row, left_, right_, 1, 0});
+    for (int row = bottom_; row <= top_; ++row) visit(large_ ? cut_row(row) : RowOfCells{row, left_, right_, 1, 0});
   }
 
  private:
@@ -38,7 +38,8 @@ class TriangleOnGrid {
 
   const CellGrid& grid_;
   std::array<Vec2, 3> corners_;
-  double slack_;
+  Vec2 slack_;
+  bool large_;
   int left_, right_, bottom_, top_;  ///< cells of its box; right < left where it lies beside the grid
 };
 

@@ -16,8 +16,8 @@ TEST(CellGrid, CoversItsBoxWithAboutAsManyCellsAsThings) {
   for (const Vec2& size : {Vec2(1, 1), Vec2(100, 1), Vec2(1e-3, 1e3), Vec2(5, 0), Vec2(0, 0)}) {
     const CellGrid grid = make_cell_grid({-2, 7}, Vec2(-2, 7) + size, 1000);
     EXPECT_LE(grid.count(), 10000);
-    EXPECT_GE(grid.origin.x + grid.columns * grid.side, -2 + size.x);
-    EXPECT_GE(grid.origin.y + grid.rows * grid.side, 7 + size.y);
+    EXPECT_GE(grid.origin.x + grid.columns * grid.side.x, -2 + size.x);
+    EXPECT_GE(grid.origin.y + grid.rows * grid.side.y, 7 + size.y);
     EXPECT_EQ(grid.column(-1e300), 0);
     EXPECT_EQ(grid.column(1e300), grid.columns - 1);
     EXPECT_EQ(grid.row(HUGE_VAL), grid.rows - 1);
@@ -26,7 +26,7 @@ TEST(CellGrid, CoversItsBoxWithAboutAsManyCellsAsThings) {
 
 TEST(LineCells, EveryPlaceOfTheLineIsVisitedWithItsParameter) {
   std::mt19937 random(2);
-  const CellGrid grid{{-1, -2}, 0.5, 9, 7};
+  const CellGrid grid{{-1, -2}, {0.5, 0.75}, 9, 5};
   for (int round = 0; round < 2000; ++round) {
     // Upright, level, along the borders of cells, into corners, out of the grid.
     const auto coordinate = [&] {
