@@ -11,7 +11,7 @@ namespace epura {
 namespace {
 
 constexpr int leaf_size = 6;
-constexpr int alone = 8192;  // triangles that one thread sorts without help
+constexpr int alone = 8192;  // triangles that one thread handles without help
 
 // Nodes of a tree over so many triangles: halves are equal, so the tree's shape follows from the number alone.
 int node_count(int triangles) {
@@ -26,15 +26,6 @@ std::uint64_t spread(std::uint64_t x) {
   x = (x | x << 8) & 0x100f00f00f00f00f;
   x = (x | x << 4) & 0x10c30c30c30c30c3;
   return (x | x << 2) & 0x1249249249249249;
-}
-
-// Halves are sorted side by side and merged.
-template <class Iterator>
-void sort_in_parallel(Iterator begin, Iterator end) {
-  if (end - begin <= alone) return std::sort(begin, end);
-  const Iterator middle = begin + (end - begin) / 2;
-  parallel_both([&] { sort_in_parallel(begin, middle); }, [&] { sort_in_parallel(middle, end); });
-  std::inplace_merge(begin, middle, end);
 }
 
 }  // namespace
@@ -62,7 +53,7 @@ void TriangleTree::sort_along_curve() {
       places[i] = {code, static_cast<int>(i)};
     }
   });
-  sort_in_parallel(places.begin(), places.end());
+  parallel_sort(places.begin(), places.end());
   std::vector<Box> sorted;
   sorted.reserve(boxes_.size());
   for (const auto& [code, triangle] : places) {

@@ -120,7 +120,8 @@ std::string to_svg(const Sheet& sheet, const VectorOptions& options) {
     append_paths(svg, sheet.layers[i], canvas, sheet.height, ids[i], options.plain);
     copied = here + paths_here.size();
   }
-  return svg.append(frame, copied);
+  svg.append(frame, copied);
+  return svg;
 }
 
 }  // namespace epura
