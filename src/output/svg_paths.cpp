@@ -8,12 +8,11 @@
 #include <map>
 #include <pugixml.hpp>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "base/error.hpp"
-#include "base/parallel.hpp"
 #include "base/text.hpp"
+#include "output/in_order.hpp"
 #include "output/utf8.hpp"
 
 namespace epura {
@@ -22,7 +21,6 @@ namespace {
 
 constexpr int decimals = 5;  // of a millimetre
 constexpr std::size_t points_at_once = 8192;
-constexpr std::size_t chunks_at_once = 16;
 
 // A stroke and the number of the <path> that it goes into. Strokes of one path follow each other.
 struct Part {
@@ -211,14 +209,7 @@ void append_paths(std::string& text, const Layer& layer, const Canvas& canvas, d
     }
     return lines;
   };
-  std::vector<std::string> written(chunks_at_once);
-  for (std::size_t done = 0; done < chunks.size(); done += chunks_at_once) {
-    const std::size_t count = std::min(chunks_at_once, chunks.size() - done);
-    parallel_for(count, 1, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) written[i] = write(chunks[done + i]);
-    });
-    for (std::size_t i = 0; i < count; ++i) text += std::exchange(written[i], {});
-  }
+  append_in_order(text, chunks.size(), [&](std::size_t i) { return write(chunks[i]); });
 }
 
 }  // namespace epura
