@@ -164,13 +164,15 @@ int draw(const DrawOptions& options) {
   watch.lap("prepare");
 
   Report report;
-  const World world = read_world(options, report);
+  World world = read_world(options, report);
   watch.lap("read");
   const Projection projection = make_projection(entry, request, world.box);
-  const ViewResult result = draw_view(world, projection, wish, report.plan, watch);
+  ViewResult result = draw_view(world, projection, wish, report.plan, watch);
   warn_about(result);
+  world = {};  // what follows takes its room
   const Sheet sheet =
       make_sheet(result.drawing, result.placement.paper, {parse_hidden_lines(options.hidden), options.title});
+  result.drawing.chains = {};  // the sheet has them
   watch.lap("sheet");
   if (options.timings) report.seconds = watch.laps();
 

@@ -1,6 +1,7 @@
 // Parallel loops. What a loop computes must not depend on how its range is cut.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 
@@ -11,6 +12,16 @@ void parallel_for(std::size_t count, std::size_t grain, const std::function<void
 
 /// Calls both, perhaps at the same time.
 void parallel_both(const std::function<void()>& first, const std::function<void()>& second);
+
+/// Sorts halves side by side and merges them. Items of which none is less than the other must be the same.
+template <class Iterator>
+void parallel_sort(Iterator begin, Iterator end) {
+  constexpr int alone = 8192;  // items that one thread sorts without help
+  if (end - begin <= alone) return std::sort(begin, end);
+  const Iterator middle = begin + (end - begin) / 2;
+  parallel_both([&] { parallel_sort(begin, middle); }, [&] { parallel_sort(middle, end); });
+  std::inplace_merge(begin, middle, end);
+}
 
 /// Limits the number of threads while it lives; 0 means all cores.
 class ThreadLimit {

@@ -4,6 +4,8 @@
 #include <array>
 #include <cctype>
 #include <charconv>
+#include <cmath>
+#include <cstdint>
 #include <numeric>
 
 namespace epura {
@@ -35,6 +37,34 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
+std::string format_exactly(double value, int decimals) {
+  std::array<char, 400> buffer{};
+  const auto [end, error] =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, decimals);
+  std::string text(buffer.data(), end);
+  if (text.find('.') != std::string::npos) {
+    text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+  }
+  return text == "-0" ? "0" : text;
+}
+
+// scaled / 10^decimals, without zeros at the end.
+void append_scaled(std::string& text, bool negative, std::uint64_t scaled, int decimals) {
+  std::array<char, 24> buffer{};
+  char* const end = buffer.data() + buffer.size();
+  char* begin = end;
+  negative = negative && scaled > 0;
+  for (; decimals > 0 && scaled % 10 == 0; --decimals) scaled /= 10;
+  for (int place = 0; scaled > 0 || place <= decimals; ++place) {
+    if (place == decimals && place > 0) *--begin = '.';
+    *--begin = static_cast<char>('0' + scaled % 10);
+    scaled /= 10;
+  }
+  if (negative) *--begin = '-';
+  text.append(begin, end);
+}
+
 }  // namespace
 
 std::optional<double> parse_number(std::string_view text) { return parse_whole<double>(text); }
@@ -51,22 +81,34 @@ std::optional<std::vector<double>> parse_numbers(std::string_view text) {
   return numbers;
 }
 
-std::string format_number(double value) {
+void append_number(std::string& text, double value) {
   std::array<char, 32> buffer{};
   const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value == 0 ? 0.0 : value);
-  return {buffer.data(), end};
+  text.append(buffer.data(), end);
+}
+
+std::string format_number(double value) {
+  std::string text;
+  append_number(text, value);
+  return text;
+}
+
+void append_fixed(std::string& text, double value, int decimals) {
+  constexpr std::array<double, 7> powers = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6};
+  if (decimals < static_cast<int>(powers.size())) {
+    const double scaled = std::abs(value) * powers[static_cast<std::size_t>(decimals)];
+    const double whole = std::floor(scaled + 0.5);
+    // The product may be wrong in its last bits, which matters only halfway between two texts.
+    if (scaled < 1e11 && std::abs(scaled - whole) < 0.4999)
+      return append_scaled(text, value < 0, static_cast<std::uint64_t>(whole), decimals);
+  }
+  text += format_exactly(value, decimals);
 }
 
 std::string format_fixed(double value, int decimals) {
-  std::array<char, 400> buffer{};
-  const auto [end, error] =
-      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, decimals);
-  std::string text(buffer.data(), end);
-  if (text.find('.') != std::string::npos) {
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.back() == '.') text.pop_back();
-  }
-  return text == "-0" ? "0" : text;
+  std::string text;
+  append_fixed(text, value, decimals);
+  return text;
 }
 
 std::vector<std::string_view> split(std::string_view text, char separator) {

@@ -21,9 +21,11 @@ std::optional<std::vector<double>> parse_numbers(std::string_view text);
 
 /// The shortest text that reads back as the same double; never a negative zero.
 std::string format_number(double value);
+void append_number(std::string& text, double value);
 
 /// At most `decimals` digits behind the point, trailing zeros dropped; never "-0".
 std::string format_fixed(double value, int decimals);
+void append_fixed(std::string& text, double value, int decimals);
 
 /// The parts of `text` between separators; an empty text has one empty part.
 std::vector<std::string_view> split(std::string_view text, char separator);

@@ -1,10 +1,14 @@
 #include "drawing/chains.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numeric>
+#include <cstddef>
+#include <span>
 #include <tuple>
 #include <utility>
+
+#include "drawing/same_key.hpp"
 
 namespace epura {
 
@@ -28,58 +32,64 @@ Vec2 leaving(const std::vector<Segment>& segments, End end) {
 }
 
 // Ends that meet in one point: the two that run on most straightly first, as long as there are two.
-void pair_up(const std::vector<Segment>& segments, std::vector<End> ends, std::vector<End>& partner) {
-  while (ends.size() >= 2) {
-    std::tuple<double, End, End> best{HUGE_VAL, none, none};
-    for (std::size_t i = 0; i < ends.size(); ++i)
-      for (std::size_t j = i + 1; j < ends.size(); ++j)
-        best = std::min(best,
-                        std::tuple(glm::dot(leaving(segments, ends[i]), leaving(segments, ends[j])), ends[i], ends[j]));
-    const auto& [straightness, a, b] = best;
+void pair_up(const std::vector<Segment>& segments, std::span<const End> ends, std::vector<End>& partner) {
+  constexpr std::size_t most_at_a_point = 64;  // beyond that, straightness is not worth a quadratic search
+  if (ends.size() > most_at_a_point) return;
+  const auto join = [&](End a, End b) {
     partner[a] = b;
     partner[b] = a;
-    std::erase_if(ends, [a = a, b = b](End e) { return e == a || e == b; });
+  };
+  if (ends.size() == 2) return join(ends[0], ends[1]);
+  std::vector<std::pair<End, Vec2>> left;
+  for (const End end : ends) left.emplace_back(end, leaving(segments, end));
+  while (left.size() >= 2) {
+    std::tuple<double, End, End> best{HUGE_VAL, none, none};
+    for (std::size_t i = 0; i < left.size(); ++i)
+      for (std::size_t j = i + 1; j < left.size(); ++j)
+        best = std::min(best, std::tuple(glm::dot(left[i].second, left[j].second), left[i].first, left[j].first));
+    const auto [straightness, a, b] = best;
+    join(a, b);
+    std::erase_if(left, [a = a, b = b](const auto& l) { return l.first == a || l.first == b; });
   }
 }
 
 std::vector<End> find_partners(const std::vector<Segment>& segments) {
-  std::vector<End> ends(segments.size() * 2);
-  std::iota(ends.begin(), ends.end(), 0);
-  const auto key = [&](End e) {
+  std::vector<End> partner(segments.size() * 2, none);
+  const auto look_and_place = [&](End e) {
     const Segment& s = segments[segment_of(e)];
     const Vec2& p = place(segments, e);
-    return std::tuple(!s.visible, s.kind, p.x, p.y);
+    return std::array{s.visible ? 1.0 : 0.0, static_cast<double>(s.kind), p.x, p.y};
   };
-  std::sort(ends.begin(), ends.end(), [&](End a, End b) { return std::pair(key(a), a) < std::pair(key(b), b); });
-  std::vector<End> partner(ends.size(), none);
-  constexpr std::size_t most_at_a_point = 64;  // beyond that, straightness is not worth a quadratic search
-  for (std::size_t begin = 0, end = 0; begin < ends.size(); begin = end) {
-    while (end < ends.size() && key(ends[end]) == key(ends[begin])) ++end;
-    if (end - begin <= most_at_a_point) pair_up(segments, {ends.begin() + begin, ends.begin() + end}, partner);
-  }
+  visit_same_keys(static_cast<int>(partner.size()), look_and_place,
+                  [&](std::span<const End> ends) { pair_up(segments, ends, partner); });
   return partner;
 }
 
 // Leaves out corners at which the line runs straight on. The offsets of those left out since the last corner add up, or
 // a long fine arc would be cut short bit by bit.
 void straighten(std::vector<Vec2>& points, bool closed, double tolerance) {
-  std::vector<Vec2> kept;
   const std::size_t n = points.size();
+  const Vec2 first = points.front();
+  std::size_t kept = 0;  // they take the places of those before them
   double offsets = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const bool end = !closed && (i == 0 || i == n - 1);
-    const Vec2& before = kept.empty() ? points[(i + n - 1) % n] : kept.back();
-    const Vec2 chord = points[(i + 1) % n] - before;
+    const Vec2 before = kept > 0 ? points[kept - 1] : points[(i + n - 1) % n];
+    const Vec2 chord = (i + 1 < n ? points[i + 1] : first) - before;
     const Vec2 step = points[i] - before;
     const double length = glm::length(chord);
     if (length > 0) offsets += std::abs(chord.x * step.y - chord.y * step.x) / length;
     const bool straight =
         length > 0 && offsets <= tolerance && glm::dot(step, chord) >= 0 && glm::dot(step, chord) <= length * length;
     if (!end && straight) continue;
-    kept.push_back(points[i]);
+    points[kept++] = points[i];
     offsets = 0;
   }
-  if (kept.size() >= 2) points = std::move(kept);
+  if (kept >= 2) {
+    points.erase(points.begin() + static_cast<std::ptrdiff_t>(kept), points.end());
+  } else {
+    points.front() = first;
+  }
 }
 
 // Follows partners from the end `start`, whose segment is walked towards its other end.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/parallel.hpp"
 #include "drawing/chains.hpp"
 #include "drawing/ink.hpp"
 
@@ -93,7 +94,11 @@ Drawing make_drawing(const World& world, const View& view, const DrawnEdges& dra
   const double least = std::max(least_piece * view.extent * paper.scale, 8 * tolerance);
   std::vector<Piece> pieces = pieces_of(view, paper, drawn, hidden, wishes.hidden);
   pieces = resolve_coincident(std::move(pieces), tolerance, least);
-  for (const Piece& piece : pieces) drawing.segments.push_back(segment_of(world, view, drawn, piece));
+  drawing.segments.resize(pieces.size());
+  parallel_for(pieces.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) drawing.segments[i] = segment_of(world, view, drawn, pieces[i]);
+  });
+  pieces = {};  // chains take their room
   drawing.chains = chain_segments(drawing.segments, straight_mm);
 
   Vec2 most(-HUGE_VAL), low(HUGE_VAL);

@@ -1,10 +1,13 @@
 // Drawing JSON, schema 1 (docs/formats.md). RFC 8259.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "output/in_order.hpp"
 #include "output/utf8.hpp"
 #include "output/write.hpp"
 
@@ -12,9 +15,17 @@ namespace epura {
 
 namespace {
 
-std::string number(double value) {
+void append(std::string& text, double value) {
   check(std::isfinite(value), "a number in the drawing is not finite");
-  return format_number(value);
+  append_number(text, value);
+}
+
+void append(std::string& text, int value) { text += std::to_string(value); }
+
+std::string number(double value) {
+  std::string text;
+  append(text, value);
+  return text;
 }
 
 std::string number(int value) { return std::to_string(value); }
@@ -56,25 +67,65 @@ std::string list(const Items& items, const Write& write, std::string_view betwee
 }
 
 template <class Items>
-std::string numbers(const Items& items) {
-  return list(items, [](auto item) { return number(item); });
+void append_numbers(std::string& text, const Items& items) {
+  text += '[';
+  bool first = true;
+  for (const auto item : items) {
+    if (!std::exchange(first, false)) text += ", ";
+    append(text, item);
+  }
+  text += ']';
 }
 
-std::string point(const Vec2& p) { return numbers(std::array{p.x, p.y}); }
+template <class Items>
+std::string numbers(const Items& items) {
+  std::string text;
+  append_numbers(text, items);
+  return text;
+}
 
-std::string point(const Vec3& p) { return numbers(std::array{p.x, p.y, p.z}); }
+std::array<double, 2> coordinates(const Vec2& p) { return {p.x, p.y}; }
 
-std::string segment_of(const Segment& segment) {
-  std::string text = "{\"from\": " + point(segment.from) + ", \"to\": " + point(segment.to) +
-                     ", \"visible\": " + boolean(segment.visible) + ", \"kind\": \"" +
-                     std::string(name_of(segment.kind)) + "\", \"model\": " + number(segment.model);
-  const bool has_edge = segment.edge[0] >= 0;
-  text += ", \"edge\": " + (has_edge ? numbers(segment.edge) : "null") + ", \"t\": " + numbers(segment.t);
-  // An edge leads to the place in the world, an intersection line does not.
-  if (!has_edge)
-    text += ", \"faces\": " + list(segment.faces, [](const auto& face) { return numbers(face); }) +
-            ", \"world\": " + list(segment.world, [](const Vec3& p) { return point(p); });
-  return text + "}";
+std::array<double, 3> coordinates(const Vec3& p) { return {p.x, p.y, p.z}; }
+
+std::string point(const Vec2& p) { return numbers(coordinates(p)); }
+
+std::string point(const Vec3& p) { return numbers(coordinates(p)); }
+
+void append_segment(std::string& text, const Segment& segment) {
+  append_numbers(text += "{\"from\": ", coordinates(segment.from));
+  append_numbers(text += ", \"to\": ", coordinates(segment.to));
+  text += segment.visible ? ", \"visible\": true" : ", \"visible\": false";
+  text.append(", \"kind\": \"").append(name_of(segment.kind));
+  append(text += "\", \"model\": ", segment.model);
+  if (segment.edge[0] >= 0) {
+    append_numbers(text += ", \"edge\": ", segment.edge);
+    append_numbers(text += ", \"t\": ", segment.t);
+  } else {
+    // An edge leads to the place in the world, an intersection line does not.
+    append_numbers(text += ", \"edge\": null, \"t\": ", segment.t);
+    append_numbers(text += ", \"faces\": [", segment.faces[0]);
+    append_numbers(text += ", ", segment.faces[1]);
+    append_numbers(text += "], \"world\": [", coordinates(segment.world[0]));
+    append_numbers(text += ", ", coordinates(segment.world[1]));
+    text += ']';
+  }
+  text += '}';
+}
+
+void append_segments(std::string& text, const std::vector<Segment>& segments) {
+  constexpr std::size_t at_once = 4096, most_bytes = 512;
+  text.reserve(text.size() + most_bytes * segments.size());  // what is not touched costs nothing
+  text += '[';
+  append_in_order(text, (segments.size() + at_once - 1) / at_once, [&](std::size_t part) {
+    std::string lines;
+    for (std::size_t i = part * at_once; i < std::min((part + 1) * at_once, segments.size()); ++i) {
+      lines += i > 0 ? ",\n    " : "\n    ";
+      append_segment(lines, segments[i]);
+    }
+    return lines;
+  });
+  text += ']';
 }
 
 std::string parameters_of(const Projection& projection) {
@@ -93,15 +144,16 @@ std::string matrix(const Mat4& m) {
   return numbers(by_rows);
 }
 
-std::string view_of(const Drawing& drawing) {
+void append_view(std::string& text, const Drawing& drawing) {
   const Projection& projection = drawing.projection;
   const auto vanishing_point = [](const std::optional<Vec2>& p) { return p ? point(*p) : "null"; };
-  return "{\"name\": " + quoted(drawing.name) + ", \"projection\": " + quoted(projection.name) +
-         ", \"parameters\": " + parameters_of(projection) +
-         ",\n   \"world_to_page\": " + matrix(drawing.world_to_page) + ",\n   \"viewer\": {\"" +
-         (projection.central ? "centre" : "direction") + "\": " + point(projection.projector) +
-         "},\n   \"vanishing_points\": " + list(drawing.vanishing_points, vanishing_point) +
-         ",\n   \"segments\": " + list(drawing.segments, segment_of, "\n    ") + "}";
+  text += "{\"name\": " + quoted(drawing.name) + ", \"projection\": " + quoted(projection.name) +
+          ", \"parameters\": " + parameters_of(projection) +
+          ",\n   \"world_to_page\": " + matrix(drawing.world_to_page) + ",\n   \"viewer\": {\"" +
+          (projection.central ? "centre" : "direction") + "\": " + point(projection.projector) +
+          "},\n   \"vanishing_points\": " + list(drawing.vanishing_points, vanishing_point) + ",\n   \"segments\": ";
+  append_segments(text, drawing.segments);
+  text += '}';
 }
 
 std::string mesh_of(const MeshReport& mesh) {
@@ -146,9 +198,15 @@ std::string report_of(const Report& report) {
 }  // namespace
 
 std::string to_json(const Sheet& sheet, double scale, const std::vector<Drawing>& drawings, const Report& report) {
-  return "{\"epura\": 1, \"unit\": \"mm\", \"sheet\": {\"size\": " + point(Vec2(sheet.width, sheet.height)) +
-         ", \"scale\": " + number(scale) + "},\n \"views\": " + list(drawings, view_of, "\n  ") +
-         ",\n \"report\": " + report_of(report) + "}\n";
+  std::string text =
+      "{\"epura\": 1, \"unit\": \"mm\", \"sheet\": {\"size\": " + point(Vec2(sheet.width, sheet.height)) +
+      ", \"scale\": " + number(scale) + "},\n \"views\": [";
+  for (const Drawing& drawing : drawings) {
+    text += &drawing == drawings.data() ? "\n  " : ",\n  ";
+    append_view(text, drawing);
+  }
+  text += "],\n \"report\": " + report_of(report) + "}\n";
+  return text;
 }
 
 }  // namespace epura

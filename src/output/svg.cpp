@@ -1,39 +1,28 @@
-// SVG: Cairo draws each layer, pugixml joins the layers into one document in millimetres.
-#include <cairo-svg.h>
-
+// SVG: pugixml makes the document, Cairo draws the paths of its layers.
 #include <algorithm>
 #include <cstddef>
 #include <map>
 #include <pugixml.hpp>
-#include <set>
-#include <utility>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "base/error.hpp"
-#include "base/text.hpp"
 #include "output/canvas.hpp"
-#include "output/utf8.hpp"
+#include "output/svg_paths.hpp"
 #include "output/write.hpp"
 
 namespace epura {
 
 namespace {
 
-constexpr int decimals = 5;  // of a millimetre
+// Stands in the document where the paths of a layer go.
+constexpr std::string_view paths_here = "<path />\n";
 
-using Group = std::vector<const Stroke*>;  // what becomes one <path>
-
-std::string millimetres(double value) { return format_fixed(value, decimals); }
-
-std::string dash_array(double dash, double gap) {
-  return dash > 0 ? millimetres(dash) + " " + millimetres(gap) : "none";
-}
-
-// Text that XML can hold: it has no way to write control characters.
-std::string xml_text(std::string_view text) {
-  std::string valid = valid_utf8(text);
-  for (char& c : valid)
-    if (static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t') c = ' ';
-  return valid;
+std::string millimetres(double value) {
+  std::string text;
+  append_millimetres(text, value);
+  return text;
 }
 
 // A name that ids and style sheets take.
@@ -45,89 +34,13 @@ std::string identifier(std::string_view name) {
   return id;
 }
 
-std::vector<Group> groups_of(const Layer& layer, bool plain) {
-  std::vector<Group> groups;
-  std::map<std::string, std::size_t> group_of_dashes;
-  for (const Stroke& stroke : layer.strokes) {
-    if (stroke.points.empty()) continue;
-    std::size_t group = groups.size();
-    if (plain) group = group_of_dashes.emplace(dash_array(stroke.dash, stroke.gap), group).first->second;
-    if (group == groups.size()) groups.emplace_back();
-    groups[group].push_back(&stroke);
-  }
-  return groups;
-}
-
-std::string cairo_svg(const Canvas& canvas, const Layer& layer, const std::vector<Group>& groups) {
-  std::string bytes;
-  const CairoSurface surface(cairo_svg_surface_create_for_stream(append_bytes, &bytes, canvas.size.x, canvas.size.y));
-  {
-    const Pen pen = make_pen(surface);
-    begin_vector_file(pen, canvas);
-    for (const Group& group : groups) draw(pen, canvas, layer.style, group);
-  }
-  finish(surface, "SVG");
-  return bytes;
-}
-
-// Cairo writes "M x y L x y ... Z M x y " in its units.
-std::string path_in_millimetres(std::string_view path, const Canvas& canvas, double height) {
-  std::string result, start;
-  const auto next_token = [&path] {
-    const std::size_t end = std::min(path.find(' '), path.size());
-    const std::string_view token = path.substr(0, end);
-    path.remove_prefix(std::min(end + 1, path.size()));
-    return token;
-  };
-  while (!path.empty()) {
-    const std::string_view command = next_token();
-    if (command == "Z") {
-      result += 'Z';
-      continue;
-    }
-    const auto x = parse_number(next_token()), y = parse_number(next_token());
-    check((command == "M" || command == "L") && x && y, "Cairo wrote an SVG path in another form");
-    const Vec2 p = canvas.to_sheet({*x, *y});
-    const std::string point = millimetres(p.x) + " " + millimetres(height - p.y);
-    if (command == "M") {
-      start = "M" + point;  // only wanted when a line follows
-    } else {
-      result += std::exchange(start, {}) + "L" + point;
-    }
-  }
-  return result;
-}
-
-void add_origin(pugi::xml_node path, const Stroke& stroke) {
-  if (!stroke.kind.empty()) path.append_attribute("data-kind") = xml_text(stroke.kind).c_str();
-  if (!stroke.edges.empty()) path.append_attribute("data-edges") = xml_text(stroke.edges).c_str();
-}
-
-void add_layer(pugi::xml_node svg, const Sheet& sheet, const Layer& layer, const Canvas& canvas, bool plain,
-               const std::string& id) {
+void add_layer(pugi::xml_node svg, const Layer& layer, const std::string& id) {
   pugi::xml_node g = svg.append_child("g");
   g.append_attribute("id") = id.c_str();
   g.append_attribute("inkscape:groupmode") = "layer";
   g.append_attribute("inkscape:label") = xml_text(layer.name).c_str();
   g.append_attribute("class") = identifier(layer.style.name).c_str();
-
-  const std::vector<Group> groups = groups_of(layer, plain);
-  std::string bytes = cairo_svg(canvas, layer, groups);
-  pugi::xml_document drawn;
-  check(bool(drawn.load_buffer_inplace(bytes.data(), bytes.size())), "Cairo wrote no XML");
-  const std::string usual_dashes = dash_array(layer.style.dash, layer.style.gap);
-  pugi::xml_node line = drawn.child("svg").child("g").child("path");
-  for (std::size_t i = 0; i < groups.size(); ++i) {
-    line = line.next_sibling("path");  // the first one has no ink
-    check(bool(line), "Cairo left a stroke out");
-    const Stroke& stroke = *groups[i].front();
-    pugi::xml_node path = g.append_child("path");
-    if (!plain) path.append_attribute("id") = (id + "-" + std::to_string(i)).c_str();
-    if (!plain) add_origin(path, stroke);
-    const std::string dashes = dash_array(stroke.dash, stroke.gap);
-    if (dashes != usual_dashes) path.append_attribute("stroke-dasharray") = dashes.c_str();
-    path.append_attribute("d") = path_in_millimetres(line.attribute("d").value(), canvas, sheet.height).c_str();
-  }
+  if (has_ink(layer)) g.append_child("path");
 }
 
 // One class a line style. It stands on the layers, so that a path's own dashes win over it.
@@ -164,26 +77,51 @@ pugi::xml_node add_head(pugi::xml_document& document, const Sheet& sheet) {
   return svg;
 }
 
+std::vector<std::string> layer_ids(const Sheet& sheet) {
+  std::vector<std::string> ids;
+  for (const Layer& layer : sheet.layers) {
+    ids.push_back(identifier(layer.name));
+    while (std::count(ids.begin(), ids.end(), ids.back()) > 1) ids.back() += '-';
+  }
+  return ids;
+}
+
 struct StringWriter : pugi::xml_writer {
   std::string bytes;
   void write(const void* data, std::size_t size) override { bytes.append(static_cast<const char*>(data), size); }
 };
 
-}  // namespace
-
-std::string to_svg(const Sheet& sheet, const VectorOptions& options) {
+// The document without its paths.
+std::string frame_of(const Sheet& sheet, const std::vector<std::string>& ids) {
   pugi::xml_document document;
   const pugi::xml_node svg = add_head(document, sheet);
-  const Canvas canvas = enlarged_canvas(sheet);
-  std::set<std::string> ids;
-  for (const Layer& layer : sheet.layers) {
-    std::string id = identifier(layer.name);
-    while (!ids.insert(id).second) id += '-';
-    add_layer(svg, sheet, layer, canvas, options.plain, id);
-  }
+  for (std::size_t i = 0; i < ids.size(); ++i) add_layer(svg, sheet.layers[i], ids[i]);
   StringWriter writer;
   document.save(writer, "", pugi::format_default, pugi::encoding_utf8);
   return writer.bytes;
+}
+
+}  // namespace
+
+std::string to_svg(const Sheet& sheet, const VectorOptions& options) {
+  const std::vector<std::string> ids = layer_ids(sheet);
+  const std::string frame = frame_of(sheet, ids);
+  const Canvas canvas = enlarged_canvas(sheet);
+  std::string svg;
+  // Memory that is never touched costs nothing, moving a long text does.
+  std::size_t most = frame.size();
+  for (std::size_t i = 0; i < ids.size(); ++i) most += most_bytes(sheet.layers[i], ids[i]);
+  svg.reserve(most);
+  std::size_t copied = 0;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    if (!has_ink(sheet.layers[i])) continue;
+    const std::size_t here = frame.find(paths_here, copied);
+    svg.append(frame, copied, here - copied);
+    append_paths(svg, sheet.layers[i], canvas, sheet.height, ids[i], options.plain);
+    copied = here + paths_here.size();
+  }
+  svg.append(frame, copied);
+  return svg;
 }
 
 }  // namespace epura

@@ -1,12 +1,15 @@
 #include "sheet/arrange.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <iterator>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "sheet/dash.hpp"
 
@@ -22,16 +25,16 @@ double narrow_line(const Paper& paper) { return wide_line(paper) == 0.7 ? 0.35 :
 // What the segments say about a stroke: their kinds, each once, and the model edges, each run of one edge once.
 void add_origin(Stroke& stroke, const Drawing& drawing, std::span<const int> segments) {
   std::vector<EdgeKind> kinds;
-  std::string previous;
+  std::array<int, 3> previous{-1, -1, -1};
   for (const int index : segments) {
     const Segment& segment = drawing.segments[static_cast<std::size_t>(index)];
     if (std::find(kinds.begin(), kinds.end(), segment.kind) == kinds.end()) kinds.push_back(segment.kind);
     if (segment.edge[0] < 0) continue;
     const auto [low, high] = std::minmax(segment.edge[0], segment.edge[1]);
-    std::string edge = std::to_string(segment.model) + ":" + std::to_string(low) + "-" + std::to_string(high);
-    if (edge == previous) continue;
-    stroke.edges += (stroke.edges.empty() ? "" : " ") + edge;
-    previous = std::move(edge);
+    const std::array edge{segment.model, low, high};
+    if (edge == std::exchange(previous, edge)) continue;
+    if (!stroke.edges.empty()) stroke.edges += ' ';
+    stroke.edges += std::to_string(segment.model) + ':' + std::to_string(low) + '-' + std::to_string(high);
   }
   for (const EdgeKind kind : kinds) {
     if (!stroke.kind.empty()) stroke.kind += ' ';
@@ -69,15 +72,44 @@ Stroke dashed_run(const Drawing& drawing, const Chain& chain, const DashRun& run
   return stroke;
 }
 
-void add_dashed(Layer& layer, const Drawing& drawing, const Chain& chain) {
-  const double width = layer.style.width;
+void add_dashed(std::vector<Stroke>& strokes, const Drawing& drawing, const Chain& chain, double width) {
   const bool too_short = fit_open(length_of(chain.points, chain.closed), width).dash == 0;
   if (too_short || chain.points.size() < 2) {
-    layer.strokes.push_back(continuous(drawing, chain));
+    strokes.push_back(continuous(drawing, chain));
     return;
   }
   for (const DashRun& run : cut_at_corners(chain.points, chain.closed, width))
-    layer.strokes.push_back(dashed_run(drawing, chain, run, width));
+    strokes.push_back(dashed_run(drawing, chain, run, width));
+}
+
+struct Strokes {
+  std::vector<Stroke> hidden, visible;
+};
+
+// In order of the chains, in parts of so many.
+std::vector<Strokes> strokes_of(const Drawing& drawing, double hidden_width, HiddenLines hidden) {
+  constexpr std::size_t chains_a_part = 4096;
+  const std::size_t count = drawing.chains.size();
+  std::vector<Strokes> parts((count + chains_a_part - 1) / chains_a_part);
+  parallel_for(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin * chains_a_part; i < std::min(end * chains_a_part, count); ++i) {
+      const Chain& chain = drawing.chains[i];
+      Strokes& part = parts[i / chains_a_part];
+      if (chain.visible) {
+        part.visible.push_back(continuous(drawing, chain));
+      } else if (hidden == HiddenLines::dashed) {
+        add_dashed(part.hidden, drawing, chain, hidden_width);
+      } else if (hidden == HiddenLines::solid) {
+        part.hidden.push_back(continuous(drawing, chain));
+      }
+    }
+  });
+  return parts;
+}
+
+void append(std::vector<Stroke>& strokes, std::vector<Stroke>& more) {
+  std::move(more.begin(), more.end(), std::back_inserter(strokes));
+  more = {};
 }
 
 }  // namespace
@@ -104,15 +136,10 @@ Sheet make_sheet(const Drawing& drawing, const Paper& paper, const SheetWish& wi
   }
   sheet.layers.push_back({drawing.name + "/visible", {"visible", wide_line(paper)}, {}});
 
-  Layer& visible = sheet.layers.back();
-  for (const Chain& chain : drawing.chains) {
-    if (chain.visible) {
-      visible.strokes.push_back(continuous(drawing, chain));
-    } else if (wish.hidden == HiddenLines::dashed) {
-      add_dashed(sheet.layers.front(), drawing, chain);
-    } else if (wish.hidden == HiddenLines::solid) {
-      sheet.layers.front().strokes.push_back(continuous(drawing, chain));
-    }
+  std::vector<Strokes> parts = strokes_of(drawing, sheet.layers.front().style.width, wish.hidden);
+  for (Strokes& part : parts) {
+    append(sheet.layers.front().strokes, part.hidden);
+    append(sheet.layers.back().strokes, part.visible);
   }
   return sheet;
 }

@@ -1,9 +1,11 @@
 // Errors, vectors, parallel loops.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cfloat>
 #include <mutex>
+#include <random>
 #include <set>
 #include <thread>
 #include <vector>
@@ -57,6 +59,18 @@ TEST(Parallel, EveryItemIsVisitedOnce) {
       });
       for (const auto& n : visits) ASSERT_EQ(n, 1);
     }
+}
+
+TEST(Parallel, SortSorts) {
+  std::mt19937 random(6);
+  for (const std::size_t count : {0u, 1u, 8193u, 100000u}) {
+    std::vector<unsigned> numbers(count);
+    for (unsigned& number : numbers) number = static_cast<unsigned>(random() % 1000);
+    std::vector<unsigned> expected = numbers;
+    std::sort(expected.begin(), expected.end());
+    parallel_sort(numbers.begin(), numbers.end());
+    EXPECT_EQ(numbers, expected);
+  }
 }
 
 TEST(Parallel, OneThreadIsOneThread) {

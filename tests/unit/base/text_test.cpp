@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <bit>
 #include <cfloat>
+#include <charconv>
 #include <clocale>
 #include <cmath>
 #include <locale>
@@ -72,6 +74,30 @@ TEST(Numbers, FixedDropsZerosAndKnowsNoNegativeZero) {
   EXPECT_EQ(format_fixed(-0.4, 0), "0");
   EXPECT_EQ(format_fixed(-0.0006, 3), "-0.001");
   EXPECT_EQ(format_fixed(-DBL_MAX, 6).size(), 310U);
+}
+
+// The digits of the value itself, correctly rounded, and zeros dropped.
+std::string fixed_by_the_library(double value, int decimals) {
+  std::array<char, 400> buffer{};
+  std::string text(
+      buffer.data(),
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, decimals).ptr);
+  while (decimals > 0 && text.back() == '0') text.pop_back();
+  if (text.back() == '.') text.pop_back();
+  return text == "-0" ? "0" : text;
+}
+
+TEST(Numbers, FixedIsRoundedCorrectlyAlsoHalfway) {
+  std::mt19937_64 random(2);
+  for (int i = 0; i < 50000; ++i) {
+    const int decimals = static_cast<int>(random() % 9);
+    // Halves, thousandths that are nearly halves, and anything.
+    const double whole = static_cast<double>(static_cast<std::int64_t>(random()) >> (random() % 60));
+    const std::array<double, 3> scales = {1.0 / 256, 0.0005, 1e-9};
+    const double value = whole * scales[random() % 3];
+    ASSERT_EQ(format_fixed(value, decimals), fixed_by_the_library(value, decimals)) << value << ' ' << decimals;
+  }
+  EXPECT_EQ(format_fixed(HUGE_VAL, 5), "inf");
 }
 
 // A locale with decimal commas and dots between thousands, for streams and, where it is installed, for C as well.

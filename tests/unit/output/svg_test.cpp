@@ -98,6 +98,32 @@ TEST(Svg, DashesStandOnlyWhereTheyDiffer) {
   EXPECT_STREQ(first.next_sibling().attribute("stroke-dasharray").value(), "none");
 }
 
+TEST(Svg, PointsAndClosedLinesKeepTheirPlaceAmongManyOthers) {
+  // Cairo is given many lines at once; what it wrote must fall apart into the same lines.
+  Sheet sheet{100, 100, "many", {{"view/visible", {"visible", 0.5}, {}}}};
+  std::vector<Stroke>& strokes = sheet.layers[0].strokes;
+  for (int i = 0; i < 9000; ++i) {
+    const Vec2 at(i % 100, i / 100.0);
+    Stroke stroke;
+    stroke.points.push_back(at);
+    stroke.points.push_back(i % 3 == 0 ? at : at + Vec2(1, 0.5));
+    if (i % 5 == 0) stroke.points.emplace_back(at + Vec2(0.5, 2));
+    stroke.closed = i % 10 == 0;
+    strokes.push_back(stroke);
+  }
+  const auto document = parse(to_svg(sheet, {}));
+  std::size_t i = 0;
+  for (const pugi::xml_node path : document.child("svg").child("g").children("path")) {
+    const std::vector<Ink> ink = ink_of(path.attribute("d").value(), 100);
+    ASSERT_EQ(ink.size(), 1u) << i;
+    EXPECT_LT(glm::distance(ink[0].points.front(), strokes[i].points.front()), tolerance) << i;
+    EXPECT_LT(glm::distance(ink[0].points.back(), strokes[i].points.back()), tolerance) << i;
+    EXPECT_EQ(ink[0].closed, strokes[i].closed) << i;
+    ++i;
+  }
+  EXPECT_EQ(i, strokes.size());
+}
+
 TEST(Svg, PlainHasOnePathForEachPatternAndNoOrigin) {
   Sheet sheet = random_sheet(100, 100, 8);
   for (std::size_t i = 0; i < 8; ++i) sheet.layers[0].strokes[i].dash = i < 4 ? 3 : 2.5;

@@ -54,7 +54,7 @@ TEST(LineCells, EveryPlaceOfTheLineIsVisitedWithItsParameter) {
 }
 
 TEST(LineCells, AShortLineVisitsFewCells) {
-  const CellGrid grid{{0, 0}, 1, 1000, 1000};
+  const CellGrid grid{{0, 0}, Vec2(1), 1000, 1000};
   int visits = 0;
   visit_cells(grid, {500.5, 500.5}, {500.6, 500.6}, 1e-9, [&](int, double, double) { ++visits; });
   EXPECT_EQ(visits, 1);

@@ -1,0 +1,22 @@
+// Lines that fall on one line of the paper.
+#pragma once
+
+#include <compare>
+#include <vector>
+
+#include "drawing/ink.hpp"
+
+namespace epura {
+
+/// A part of a piece that a piece of higher rank draws already, in mm from its beginning.
+struct Cover {
+  int piece;
+  double from, to;
+
+  auto operator<=>(const Cover&) const = default;
+};
+
+/// Parts of at least `least` mm that lie within `tolerance` mm of a piece of higher rank, sorted. No piece is a point.
+std::vector<Cover> find_covers(const std::vector<Piece>& pieces, double tolerance, double least);
+
+}  // namespace epura

@@ -1,0 +1,72 @@
+// Things that have exactly the same key, found by hashing.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/parallel.hpp"
+
+namespace epura {
+
+struct HashedItem {
+  std::uint64_t hash;
+  int item;
+
+  auto operator<=>(const HashedItem&) const = default;
+};
+
+template <std::size_t size>
+std::uint64_t hash_of(const std::array<double, size>& key) {
+  std::uint64_t hash = 0;
+  for (const double value : key) {
+    // The sum makes negative zeros positive: both are equal. The mixer is that of splitmix64.
+    hash += std::bit_cast<std::uint64_t>(value + 0.0) + 0x9e3779b97f4a7c15;
+    hash = (hash ^ hash >> 30) * 0xbf58476d1ce4e5b9;
+    hash = (hash ^ hash >> 27) * 0x94d049bb133111eb;
+    hash ^= hash >> 31;
+  }
+  return hash;
+}
+
+/// Visits items of one hash, which nearly always have one key as well.
+template <class KeyOf, class Visit>
+void visit_same_hash(std::vector<int>& items, const KeyOf& key_of, const Visit& visit) {
+  const auto differs = [&](int item) { return key_of(item) != key_of(items[0]); };
+  if (std::any_of(items.begin() + 1, items.end(), differs))
+    std::stable_sort(items.begin(), items.end(), [&](int a, int b) { return key_of(a) < key_of(b); });
+  for (std::size_t begin = 0, end = 0; begin < items.size(); begin = end) {
+    while (end < items.size() && key_of(items[end]) == key_of(items[begin])) ++end;
+    if (end - begin > 1) visit(std::span<const int>(items).subspan(begin, end - begin));
+  }
+}
+
+/// Calls `visit(items)` for the items of [0, count), ascending, that share their key with others. `key_of(item)` is an
+/// array of finite doubles. Several calls run at the same time, in no particular order.
+template <class KeyOf, class Visit>
+void visit_same_keys(int count, const KeyOf& key_of, const Visit& visit) {
+  constexpr std::size_t grain = 4096;
+  std::vector<HashedItem> hashed(static_cast<std::size_t>(count));
+  parallel_for(hashed.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) hashed[i] = {hash_of(key_of(static_cast<int>(i))), static_cast<int>(i)};
+  });
+  parallel_sort(hashed.begin(), hashed.end());
+  parallel_for(hashed.size(), grain, [&](std::size_t begin, std::size_t end) {
+    std::vector<int> items;
+    // A run belongs to the range in which it begins.
+    while (begin > 0 && begin < end && hashed[begin].hash == hashed[begin - 1].hash) ++begin;
+    for (std::size_t i = begin; i < end;) {
+      const std::uint64_t hash = hashed[i].hash;
+      items.clear();
+      for (; i < hashed.size() && hashed[i].hash == hash; ++i) items.push_back(hashed[i].item);
+      if (items.size() > 1) visit_same_hash(items, key_of, visit);
+    }
+  });
+}
+
+}  // namespace epura

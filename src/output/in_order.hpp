@@ -1,0 +1,13 @@
+// Long texts written by several threads.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+
+namespace epura {
+
+/// Appends write(0), write(1) ... write(count - 1). Several are written at the same time, never many of them are kept.
+void append_in_order(std::string& text, std::size_t count, const std::function<std::string(std::size_t)>& write);
+
+}  // namespace epura
