@@ -20,6 +20,8 @@ std::vector<Generator> usual_scenes();
 /// Things that make a careless method slow: much hides much, or little hides a lot.
 std::vector<Generator> hard_scenes();
 
+std::vector<Generator> all_scenes();
+
 /// Adds a sphere of about `triangles` triangles, 100 in radius, around the origin.
 void add_sphere(Scene& scene, int triangles);
 

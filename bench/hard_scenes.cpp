@@ -118,4 +118,10 @@ std::vector<Generator> hard_scenes() {
           {"fan", "a disk of N triangles around one vertex, over a bar", fan}};
 }
 
+std::vector<Generator> all_scenes() {
+  std::vector<Generator> all = usual_scenes();
+  for (const Generator& generator : hard_scenes()) all.push_back(generator);
+  return all;
+}
+
 }  // namespace epura::bench

@@ -1,8 +1,8 @@
 // The same drawing by Open CASCADE's polygonal hidden-line removal, for comparison:  occ MODEL FILE.svg
 //
 // Isometric, visible and hidden lines, creases from 30 degrees. Reads with epura's readers and pairs edges with epura's
-// table, so that only what Open CASCADE does differs. Says how long each stage took and how many segments
-// were found.
+// table, so that only what Open CASCADE does differs. Says how long each stage
+// took and how many segments were found.
 #include <cmath>
 #include <cstdio>
 #include <filesystem>

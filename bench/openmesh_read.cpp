@@ -1,25 +1,23 @@
 // How long OpenMesh takes to read a model:  openmesh_read MODEL
-// In double, with nothing asked of it but the surface. Says the seconds on stderr as epura's --timings does.
+// In double, with nothing asked of it but the surface.
 #include <OpenMesh/Core/IO/MeshIO.hh>
 // After the readers, which must know of it.
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
-#include <chrono>
-#include <cstdio>
 
 #include "mesh/surface.hpp"
+#include "say.hpp"
 
 int main(int argc, char** argv) {
   if (argc != 2) {
     std::fputs("usage: openmesh_read MODEL\n", stderr);
     return 2;
   }
-  const auto start = std::chrono::steady_clock::now();
+  const double start = epura::bench::now();
   epura::Surface surface;
-  OpenMesh::IO::Options options = OpenMesh::IO::Options::Binary;
-  if (!OpenMesh::IO::read_mesh(surface, argv[1], options)) {
+  if (!OpenMesh::IO::read_mesh(surface, argv[1])) {
     std::fprintf(stderr, "openmesh_read: cannot read %s\n", argv[1]);
     return 2;
   }
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  std::fprintf(stderr, "%-12s %8.4f s\n%-12s %8zu\n", "read", seconds.count(), "triangles", surface.n_faces());
+  epura::bench::say_seconds("read", epura::bench::now() - start);
+  epura::bench::say_count("triangles", surface.n_faces());
 }

@@ -10,22 +10,16 @@ namespace {
 
 using namespace epura;
 
-std::vector<bench::Generator> all_scenes() {
-  std::vector<bench::Generator> all = bench::usual_scenes();
-  for (const bench::Generator& generator : bench::hard_scenes()) all.push_back(generator);
-  return all;
-}
-
 int usage() {
   std::fputs("usage: scenes KIND N FILE\n", stderr);
-  for (const bench::Generator& generator : all_scenes())
+  for (const bench::Generator& generator : bench::all_scenes())
     std::fprintf(stderr, "  %-8s %s\n", generator.name.data(), generator.summary.data());
   return static_cast<int>(Trouble::input);
 }
 
 int write_scene(std::string_view kind, std::string_view size, const char* file) {
   const auto n = parse_integer(size);
-  for (const bench::Generator& generator : all_scenes())
+  for (const bench::Generator& generator : bench::all_scenes())
     if (generator.name == kind && n && *n > 0 && *n <= 100'000'000) {
       write_file(file, bench::ply_bytes(generator.make(static_cast<int>(*n))));
       return 0;
