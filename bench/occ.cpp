@@ -93,7 +93,7 @@ void draw(const char* model, const char* file) {
   const double written = bench::now();
 
   bench::say_seconds("read", read - start);
-  bench::say_seconds("core", done - read);
+  bench::say_seconds("hlr", done - read);
   bench::say_seconds("write", written - done);
   bench::say_count("visible", drawn.visible.size());
   bench::say_count("hidden", drawn.hidden.size());
