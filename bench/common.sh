@@ -50,6 +50,14 @@ run() {
 
 draw() { run "$1" "$programs/epura" draw "$2" -o "$work/$1.svg" --timings "${@:3}"; }
 
+# turns ROUNDS ONE OTHER: calls both in every round, in alternating order: what runs first warms what runs next.
+turns() {
+  local round
+  for ((round = 0; round < $1; ++round)); do
+    if ((round % 2)); then "$3"; "$2"; else "$2"; "$3"; fi
+  done
+}
+
 forget() { : >"$work/records"; }
 
 values() { awk -v label="$1" -v key="$2" '$1 == label && $2 == key { print $3 }' "$work/records"; }
