@@ -1,0 +1,28 @@
+// Large scenes in closed form, so that a run can be repeated anywhere without a model file.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "scene.hpp"
+
+namespace epura::bench {
+
+struct Generator {
+  std::string_view name;
+  std::string_view summary;  ///< what the scene is and what its size N counts
+  Scene (*make)(int size);
+};
+
+/// Things as people draw them.
+std::vector<Generator> usual_scenes();
+
+/// Things that make a careless method slow: much hides much, or little hides a lot.
+std::vector<Generator> hard_scenes();
+
+std::vector<Generator> all_scenes();
+
+/// Adds a sphere of about `triangles` triangles, 100 in radius, around the origin.
+void add_sphere(Scene& scene, int triangles);
+
+}  // namespace epura::bench

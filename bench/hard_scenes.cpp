@@ -1,0 +1,127 @@
+#include <cmath>
+#include <numbers>
+
+#include "generators.hpp"
+
+namespace epura::bench {
+
+namespace {
+
+constexpr double turn = 2 * std::numbers::pi;
+
+// Sides shrink so that a line of sight meets about 44 boxes whatever their number.
+Scene boxes(int n) {
+  const double side = 2 * std::sqrt(83000.0 / n);
+  Scene scene;
+  Random random;
+  for (int i = 0; i < n; ++i) {
+    Point least{}, most{};
+    for (int k = 0; k < 3; ++k) {
+      const double middle = random.between(0, 100), half = random.between(side / 4, side * 3 / 4);
+      least[k] = middle - half;
+      most[k] = middle + half;
+    }
+    add_box(scene, least, most);
+  }
+  return scene;
+}
+
+// From above, with strips half as wide as their pitch: N^2 hidden of the long edges below, in 2 N^2 pieces.
+Scene weave(int n) {
+  Scene scene;
+  for (int i = 0; i < n; ++i) {
+    add_rectangle(scene, {i + 0.25, 0}, {i + 0.75, 1.0 * n}, 1);
+    add_rectangle(scene, {0, i + 0.25}, {1.0 * n, i + 0.75}, 0);
+  }
+  return scene;
+}
+
+// From above: 2 N + 2 + 2 d (N - 1) visible, with the side of the plates as unit.
+Scene stack(int n) {
+  constexpr double d = 1e-6;
+  Scene scene;
+  for (int i = 0; i < n; ++i) add_rectangle(scene, {d * i, d * i}, {1 + d * i, 1 + d * i}, -d * i);
+  return scene;
+}
+
+// From above, about every second pair crosses: N^2 pieces, half of them hidden.
+Scene needles(int n) {
+  Scene scene;
+  Random random;
+  for (int i = 0; i < n; ++i) {
+    const double left = random.between(0, 100), right = random.between(0, 100), z = 100.0 * i / n;
+    const int tip = scene.add(0, left, z);
+    scene.add(100, right, z);
+    scene.add(100, right + 0.01, z);
+    scene.triangles.push_back({tip, tip + 1, tip + 2});
+  }
+  return scene;
+}
+
+// All detail in a thousandth of the page.
+Scene stadium(int triangles) {
+  constexpr int sides = 64, tiers = 8;
+  Scene scene;
+  add_sphere(scene, triangles);
+  const int ground = scene.add(0, 0, -200);
+  std::vector<int> loop;
+  for (int level = 0; level <= 2 * tiers; ++level) {
+    const double radius = 60000 + 5000.0 * ((level + 1) / 2), height = -200 + 4000.0 * (level / 2);
+    std::vector<int> next;
+    for (int i = 0; i < sides; ++i)
+      next.push_back(scene.add(radius * std::cos(turn * i / sides), radius * std::sin(turn * i / sides), height));
+    for (int i = 0; i < sides; ++i) {
+      const int j = (i + 1) % sides;
+      if (level == 0)
+        scene.triangles.push_back({ground, next[i], next[j]});
+      else
+        scene.quad(loop[i], next[i], next[j], loop[j]);
+    }
+    loop = next;
+  }
+  return scene;
+}
+
+// What many thin triangles hide together must be hidden in one piece.
+void add_bar_below(Scene& scene) { add_box(scene, {-200, -1, -2}, {200, 1, -1}); }
+
+Scene slivers(int n) {
+  const int strips = std::max(1, n / 2);
+  Scene scene;
+  for (int i = 0; i <= strips; ++i) {
+    scene.add(-100 + 200.0 * i / strips, -100, 0);
+    scene.add(-100 + 200.0 * i / strips, 100, 0);
+  }
+  for (int i = 0; i < strips; ++i) scene.quad(2 * i, 2 * i + 2, 2 * i + 3, 2 * i + 1);
+  add_bar_below(scene);
+  return scene;
+}
+
+Scene fan(int n) {
+  Scene scene;
+  const int hub = scene.add(0, 0, 0);
+  for (int i = 0; i < n; ++i) scene.add(100 * std::cos(turn * i / n), 100 * std::sin(turn * i / n), 0);
+  for (int i = 0; i < n; ++i) scene.triangles.push_back({hub, hub + 1 + i, hub + 1 + (i + 1) % n});
+  add_bar_below(scene);
+  return scene;
+}
+
+}  // namespace
+
+std::vector<Generator> hard_scenes() {
+  return {{"boxes", "N boxes at random, running into each other, some 44 behind one another", boxes},
+          {"weave", "N strips over N strips: from above, N^2 crossings", weave},
+          {"stack", "N square plates on one another, each shifted by a millionth of its side", stack},
+          {"needles", "N long needles across each other", needles},
+          {"stadium", "a sphere of about N triangles in a stadium 1000 times as large", stadium},
+          {"slivers", "a plate of N slivers over a bar", slivers},
+          {"fan", "a disk of N triangles around one vertex, over a bar", fan}};
+}
+
+std::vector<Generator> all_scenes() {
+  std::vector<Generator> all = usual_scenes();
+  for (const Generator& generator : hard_scenes()) all.push_back(generator);
+  return all;
+}
+
+}  // namespace epura::bench

@@ -1,0 +1,23 @@
+// How long OpenMesh takes to read a model:  openmesh_read MODEL
+// In double, with nothing asked of it but the surface.
+#include <OpenMesh/Core/IO/MeshIO.hh>
+// After the readers, which must know of it.
+#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
+
+#include "mesh/surface.hpp"
+#include "say.hpp"
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fputs("usage: openmesh_read MODEL\n", stderr);
+    return 2;
+  }
+  const double start = epura::bench::now();
+  epura::Surface surface;
+  if (!OpenMesh::IO::read_mesh(surface, argv[1])) {
+    std::fprintf(stderr, "openmesh_read: cannot read %s\n", argv[1]);
+    return 2;
+  }
+  epura::bench::say_seconds("read", epura::bench::now() - start);
+  epura::bench::say_count("triangles", surface.n_faces());
+}

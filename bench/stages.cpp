@@ -1,0 +1,166 @@
+// Google Benchmark of every stage:  stages [KIND N]... [--benchmark_filter=sphere/ ...]
+// The input of a stage is made by the stages before it, outside the time taken. Scenes: see 'scenes'.
+#include <benchmark/benchmark.h>
+
+#include <cstdio>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "drawing/chains.hpp"
+#include "drawing/make_drawing.hpp"
+#include "edges/drawn_edges.hpp"
+#include "generators.hpp"
+#include "mesh/build.hpp"
+#include "mesh/read.hpp"
+#include "output/write.hpp"
+#include "sheet/arrange.hpp"
+#include "view/view.hpp"
+#include "visibility/visibility.hpp"
+
+namespace {
+
+using namespace epura;
+using benchmark::DoNotOptimize;
+
+Projection isometric() {
+  const Vec3 n = glm::normalize(Vec3(1, -1, 1)), u = glm::normalize(glm::cross(Vec3(0, 0, 1), n));
+  Projection projection;
+  projection.name = "isometric";
+  projection.u = u;
+  projection.v = glm::cross(n, u);
+  projection.n = projection.projector = n;
+  return projection;
+}
+
+World world_of(const Mesh& mesh) { return make_world({{std::make_shared<const Mesh>(mesh), Mat4(1.0)}}); }
+
+constexpr EdgeWishes mesh_edges{.intersection = false};
+constexpr EdgeWishes intersections{.contour = false, .boundary = false, .crease = false};
+
+/// What each stage hands to the next.
+struct Run {
+  explicit Run(const bench::Scene& scene)
+      : file(bench::ply_bytes(scene)),
+        soup(read_ply(file, "scene")),
+        mesh(build_mesh(soup, "scene")),
+        world(world_of(mesh)),
+        view(make_view(world, isometric(), {})),
+        seen(view),
+        contact(contact_of(world, seen, {})),
+        drawn(find_drawn_edges(world, seen, {}, contact_in_space(world, seen, {}))),
+        hidden(find_hidden(world, seen, drawn, contact)),
+        placement(place_ink(drawn_box(seen).least, drawn_box(seen).most, {}, {})),
+        paper(make_paper_map(seen, placement.scale, placement.shift)),
+        drawing(draw()),
+        sheet(make_sheet(drawing, placement.paper, {})) {}
+
+  [[nodiscard]] Drawing draw() const {
+    return make_drawing(world, seen, drawn, hidden, contact, paper, {"isometric", true});
+  }
+
+  std::string file;
+  Soup soup;
+  Mesh mesh;
+  World world;
+  View view;  ///< before edges add their points
+  View seen;
+  Contact contact;
+  DrawnEdges drawn;
+  HiddenSpans hidden;
+  Placement placement;
+  PaperMap paper;
+  Drawing drawing;
+  Sheet sheet;
+};
+
+/// Made when the first stage of its scene is measured, and kept for the others.
+struct Case {
+  std::string name;
+  std::function<bench::Scene()> make;
+  std::unique_ptr<Run> run;
+
+  Run& ready() {
+    if (!run) run = std::make_unique<Run>(make());
+    return *run;
+  }
+};
+
+void find_edges(benchmark::State& state, const Run& run, const EdgeWishes& wishes) {
+  for (auto _ : state) {
+    state.PauseTiming();
+    View view = run.view;
+    state.ResumeTiming();
+    DoNotOptimize(find_drawn_edges(run.world, view, wishes, contact_in_space(run.world, view, {})));
+  }
+}
+
+using Stage = std::function<void(benchmark::State&, Run&)>;
+
+Stage timed(const std::function<void(const Run&)>& work) {
+  return [work](benchmark::State& state, const Run& run) {
+    for (auto _ : state) work(run);
+  };
+}
+
+std::vector<std::pair<std::string, Stage>> stages() {
+  return {
+      {"read", timed([](const Run& r) { DoNotOptimize(read_ply(r.file, "scene")); })},
+      {"mesh", timed([](const Run& r) { DoNotOptimize(build_mesh(r.soup, "scene")); })},
+      {"scene", timed([](const Run& r) { DoNotOptimize(make_world(r.world.models)); })},
+      {"view", timed([](const Run& r) { DoNotOptimize(make_view(r.world, isometric(), {})); })},
+      {"edges", [](benchmark::State& state, Run& r) { find_edges(state, r, mesh_edges); }},
+      {"intersections", [](benchmark::State& state, Run& r) { find_edges(state, r, intersections); }},
+      {"visibility", timed([](const Run& r) { DoNotOptimize(find_hidden(r.world, r.seen, r.drawn, r.contact)); })},
+      {"drawing", timed([](const Run& r) { DoNotOptimize(r.draw()); })},
+      {"chains", timed([](const Run& r) { DoNotOptimize(chain_segments(r.drawing.segments, 1e-6)); })},
+      {"sheet", timed([](const Run& r) { DoNotOptimize(make_sheet(r.drawing, r.placement.paper, {})); })},
+      {"svg", timed([](const Run& r) { DoNotOptimize(to_svg(r.sheet, {})); })},
+      {"pdf", timed([](const Run& r) { DoNotOptimize(to_pdf(r.sheet)); })},
+      {"json", timed([](const Run& r) { DoNotOptimize(to_json(r.sheet, r.placement.scale, {r.drawing}, {})); })},
+  };
+}
+
+void register_stages(const std::shared_ptr<Case>& scene) {
+  for (const auto& [name, stage] : stages())
+    benchmark::RegisterBenchmark((scene->name + "/" + name).c_str(),
+                                 [scene, stage = stage](benchmark::State& state) {
+                                   Run& run = scene->ready();
+                                   stage(state, run);
+                                   state.counters["triangles"] = double(run.world.triangles.size());
+                                   state.counters["segments"] = double(run.drawing.segments.size());
+                                 })
+        ->Unit(benchmark::kMillisecond)
+        ->UseRealTime();
+}
+
+std::shared_ptr<Case> case_of(std::string_view kind, std::string_view size) {
+  const auto n = parse_integer(size);
+  for (const bench::Generator& generator : bench::all_scenes())
+    if (generator.name == kind && n && *n > 0)
+      return std::make_shared<Case>(Case{std::string(kind) + "-" + std::string(size),
+                                         [make = generator.make, n = static_cast<int>(*n)] { return make(n); },
+                                         nullptr});
+  throw Error(Trouble::input, "stages", "no scene '" + std::string(kind) + " " + std::string(size) + "'");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    benchmark::Initialize(&argc, argv);
+    std::vector<std::string_view> scenes(argv + 1, argv + argc);
+    if (scenes.empty()) scenes = {"sphere", "100000", "torus", "100000", "plate", "16", "gears", "6", "city", "60"};
+    if (scenes.size() % 2 != 0) throw Error(Trouble::input, "stages", "wants pairs of KIND and N");
+    for (std::size_t i = 0; i < scenes.size(); i += 2) register_stages(case_of(scenes[i], scenes[i + 1]));
+    benchmark::RunSpecifiedBenchmarks();
+    benchmark::Shutdown();
+    return 0;
+  } catch (const Error& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return static_cast<int>(error.trouble());
+  }
+}
