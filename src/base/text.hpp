@@ -25,6 +25,9 @@ std::string format_number(double value);
 /// At most `decimals` digits behind the point, trailing zeros dropped; never "-0".
 std::string format_fixed(double value, int decimals);
 
+/// At most `digits` significant digits, for people; never "-0".
+std::string format_rounded(double value, int digits);
+
 /// The parts of `text` between separators; an empty text has one empty part.
 std::vector<std::string_view> split(std::string_view text, char separator);
 

@@ -31,34 +31,6 @@ double angle_of(const Piece& p) {
 
 double length_of(const Piece& p) { return glm::length(p.to - p.from); }
 
-// A piece as a line to measure from.
-struct Ruler {
-  Vec2 from, along;
-  double length;
-
-  explicit Ruler(const Piece& p) : from(p.from), along((p.to - p.from) / length_of(p)), length(length_of(p)) {}
-
-  // Along the line and to the left of it.
-  [[nodiscard]] Vec2 local(const Vec2& p) const {
-    const Vec2 d = p - from;
-    return {glm::dot(d, along), along.x * d.y - along.y * d.x};
-  }
-};
-
-// The part of a line, in its own length, that a piece covers.
-std::array<double, 2> covered_part(const Ruler& line, const Piece& upper, double tolerance, double least) {
-  Vec2 a = line.local(upper.from);
-  Vec2 b = line.local(upper.to);
-  if (std::min(a.y, b.y) > tolerance || std::max(a.y, b.y) < -tolerance) return {0, 0};
-  if (a.x > b.x) std::swap(a, b);
-  const double from = std::max(a.x, 0.0);
-  const double to = std::min(b.x, line.length);
-  if (to - from < least) return {0, 0};
-  const auto offset = [&](double x) { return std::abs(a.y + (b.y - a.y) * ((x - a.x) / (b.x - a.x))); };
-  if (offset(from) > tolerance || offset(to) > tolerance) return {0, 0};
-  return {from, to};
-}
-
 // Pieces at exactly the same place: only the first in rank stays.
 std::vector<Piece> without_copies(std::vector<Piece> pieces) {
   std::vector<std::size_t> order(pieces.size());
@@ -189,6 +161,19 @@ void append_rest(const Piece& piece, std::vector<std::array<double, 2>>& covered
 
 }  // namespace
 
+std::array<double, 2> covered_part(const Ruler& line, Vec2 a, Vec2 b, double tolerance, double least) {
+  a = line.local(a);
+  b = line.local(b);
+  if (std::min(a.y, b.y) > tolerance || std::max(a.y, b.y) < -tolerance) return {0, 0};
+  if (a.x > b.x) std::swap(a, b);
+  const double from = std::max(a.x, 0.0);
+  const double to = std::min(b.x, line.length);
+  if (to - from < least) return {0, 0};
+  const auto offset = [&](double x) { return std::abs(a.y + (b.y - a.y) * ((x - a.x) / (b.x - a.x))); };
+  if (offset(from) > tolerance || offset(to) > tolerance) return {0, 0};
+  return {from, to};
+}
+
 std::vector<Piece> resolve_coincident(std::vector<Piece> pieces, double tolerance, double least) {
   // Edges along the line of sight are points on the paper.
   std::erase_if(pieces, [&](const Piece& p) { return !(length_of(p) > tolerance); });
@@ -203,9 +188,9 @@ std::vector<Piece> resolve_coincident(std::vector<Piece> pieces, double toleranc
     std::vector<std::array<double, 2>> covered;
     for (std::size_t i = begin; i < end; ++i) {
       covered.clear();
-      const Ruler line(pieces[i]);
+      const Ruler line(pieces[i].from, pieces[i].to);
       grid.near(pieces[i], spread, [&](std::size_t j) {
-        const auto part = covered_part(line, pieces[j], tolerance, least);
+        const auto part = covered_part(line, pieces[j].from, pieces[j].to, tolerance, least);
         if (part[1] > part[0] && rank(pieces[j]) < rank(pieces[i])) covered.push_back(part);
       });
       append_rest(pieces[i], covered, least, rests[i]);

@@ -19,6 +19,25 @@ struct Piece {
   std::array<double, 2> s;  ///< page parameters of the ends along it
 };
 
+/// A straight line of the paper to measure from.
+struct Ruler {
+  Vec2 from, along;  ///< `along` has length 1
+  double length;     ///< mm
+
+  Ruler(const Vec2& start, const Vec2& end)
+      : from(start), along((end - start) / glm::length(end - start)), length(glm::length(end - start)) {}
+
+  /// mm along the line and to the left of it.
+  [[nodiscard]] Vec2 local(const Vec2& p) const {
+    const Vec2 d = p - from;
+    return {glm::dot(d, along), along.x * d.y - along.y * d.x};
+  }
+};
+
+/// The part of a line, in mm from its start, over which the line a, b lies within `tolerance` of it; {0, 0} where that
+/// is less than `least`.
+std::array<double, 2> covered_part(const Ruler& line, Vec2 a, Vec2 b, double tolerance, double least);
+
 /// Removes from every piece what a piece of higher rank draws already: what lies within `tolerance` mm of it over at
 /// least `least` mm. Remainders shorter than `least` are dropped. Keeps the order; what is cut stays in place.
 std::vector<Piece> resolve_coincident(std::vector<Piece> pieces, double tolerance, double least);
