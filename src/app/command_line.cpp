@@ -107,13 +107,21 @@ void define_sheet(CLI::App& draw, DrawOptions& options) {
 void define_outputs(CLI::App& draw, DrawOptions& options) {
   add_list(draw, "-o,--output", options.outputs,
            "file to write, by extension: " + joined(format_names()) + "; - for standard output")
-      ->required()
       ->type_name("FILE");
   draw.add_option("--format", options.format, "format of '-'")->type_name("NAME");
   draw.add_flag("--plain", options.plain, "SVG without the origin of lines");
   add_number(draw, "--dpi", options.dpi, {1, 1200}, "resolution of PNG")->type_name("N");
   add_number(draw, "--threads", options.threads, {0, 1024}, "number of threads, 0 for all cores")->type_name("N");
   draw.add_flag("--timings", options.timings, "say how long each stage took");
+}
+
+void define_questions(CLI::App& draw, DrawOptions& options) {
+  add_list(draw, "--why", options.why,
+           "tell why an edge is drawn and what hides it: [MODEL:]V0-V1 as in JSON, or @X,Y for those nearest to a "
+           "place of the page")
+      ->type_name("EDGE");
+  draw.add_option("--dump", options.dump, "print a table of all drawn edges, or of their spans: edges or spans")
+      ->type_name("TABLE");
 }
 
 std::vector<std::string> long_names(const CLI::App& app) {
@@ -153,6 +161,7 @@ Command parse_command_line(int argc, char** argv) {
   define_view(*draw_command, draw);
   define_lines(*draw_command, draw);
   define_sheet(*draw_command, draw);
+  define_questions(*draw_command, draw);
 
   PluginsOptions plugins;
   CLI::App* plugins_command = app.add_subcommand("plugins", "list projections, or show one");

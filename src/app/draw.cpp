@@ -4,6 +4,7 @@
 
 #include "app/commands.hpp"
 #include "app/pipeline.hpp"
+#include "app/questions.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/parallel.hpp"
@@ -158,6 +159,7 @@ int draw(const DrawOptions& options) {
   Stopwatch watch;
   const ThreadLimit threads(options.threads);
   const std::vector<Target> targets = targets_of(options);
+  const Questions questions = parse_questions(options);
   const ViewWish wish = view_wish(options);
   const ProjectionRequest request = parse_request(options.projection);
   const ProjectionEntry entry = find_projection(request.name, plugin_folders(options.plugin_path));
@@ -180,6 +182,8 @@ int draw(const DrawOptions& options) {
   for (const Target& target : targets) files.push_back(encode(target, sheet, result, options, report));
   for (std::size_t i = 0; i < targets.size(); ++i) write(targets[i], files[i]);
   watch.lap("write");
+  print_answers(questions, {world, result.view, wish.edges, result.drawn, result.hidden, result.contact, result.paper,
+                            result.drawing, wish.keep_hidden});
   if (options.timings) print_timings(watch);
   return 0;
 }

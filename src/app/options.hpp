@@ -30,6 +30,8 @@ struct DrawOptions {
   int threads = 0;
   bool plain = false;
   bool timings = false;
+  std::vector<std::string> why;  ///< edges to explain
+  std::string dump;              ///< table to print: "edges", "spans" or none
 };
 
 struct PluginsOptions {

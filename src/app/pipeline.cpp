@@ -1,9 +1,7 @@
 #include "app/pipeline.hpp"
 
 #include <algorithm>
-
-#include "view/paper_map.hpp"
-#include "visibility/visibility.hpp"
+#include <utility>
 
 namespace epura {
 
@@ -42,12 +40,12 @@ ViewResult draw_view(const World& world, const Projection& projection, const Vie
   plan.push_back(clip_step(world, view));
   watch.lap("view");
 
-  const DrawnEdges drawn = find_drawn_edges(world, view, wish.edges, contact_in_space(world, view, wish.contact));
+  DrawnEdges drawn = find_drawn_edges(world, view, wish.edges, contact_in_space(world, view, wish.contact));
   plan.push_back(intersection_step(world, wish.edges, drawn));
   watch.lap("edges");
 
   const Contact contact = contact_of(world, view, wish.contact);
-  const HiddenSpans hidden = wish.remove_hidden ? find_hidden(world, view, drawn, contact) : nothing_hidden(drawn);
+  HiddenSpans hidden = wish.remove_hidden ? find_hidden(world, view, drawn, contact) : nothing_hidden(drawn);
   plan.push_back(visibility_step(wish.remove_hidden, drawn, hidden));
   watch.lap("visibility");
 
@@ -56,7 +54,7 @@ ViewResult draw_view(const World& world, const Projection& projection, const Vie
   const PaperMap paper = make_paper_map(view, placement.scale, placement.shift);
   Drawing drawing = make_drawing(world, view, drawn, hidden, contact, paper, {projection.name, wish.keep_hidden});
   watch.lap("drawing");
-  return {std::move(drawing), placement};
+  return {std::move(view), std::move(drawn), contact, std::move(hidden), placement, paper, std::move(drawing)};
 }
 
 }  // namespace epura

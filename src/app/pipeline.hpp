@@ -12,7 +12,9 @@
 #include "output/write.hpp"
 #include "scene/scene.hpp"
 #include "sheet/paper.hpp"
+#include "view/paper_map.hpp"
 #include "view/view.hpp"
+#include "visibility/visibility.hpp"
 
 namespace epura {
 
@@ -27,9 +29,15 @@ struct ViewWish {
   std::optional<double> scale;  ///< mm of paper per unit of the world; nothing: as large as fits
 };
 
+/// What was computed on the way, and the drawing.
 struct ViewResult {
-  Drawing drawing;
+  View view;
+  DrawnEdges drawn;
+  Contact contact;
+  HiddenSpans hidden;
   Placement placement;
+  PaperMap paper;
+  Drawing drawing;
 };
 
 /// Seconds since the last call of `lap`, under a name.

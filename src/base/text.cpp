@@ -111,6 +111,13 @@ std::string format_fixed(double value, int decimals) {
   return text;
 }
 
+std::string format_rounded(double value, int digits) {
+  std::array<char, 64> buffer{};
+  const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value == 0 ? 0.0 : value,
+                                          std::chars_format::general, digits);
+  return {buffer.data(), end};
+}
+
 std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
   for (std::size_t begin = 0;;) {

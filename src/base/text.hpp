@@ -27,6 +27,9 @@ void append_number(std::string& text, double value);
 std::string format_fixed(double value, int decimals);
 void append_fixed(std::string& text, double value, int decimals);
 
+/// At most `digits` significant digits, for people; never "-0".
+std::string format_rounded(double value, int digits);
+
 /// The parts of `text` between separators; an empty text has one empty part.
 std::vector<std::string_view> split(std::string_view text, char separator);
 

@@ -13,22 +13,14 @@ namespace {
 constexpr double coincident_cells = 4;
 constexpr double straight_mm = 1e-6;
 
-Vec2 place(const View& view, const PaperMap& paper, const DrawnEdge& edge, double s) {
-  if (s == 0) return paper(view.vertices[edge.vertex[0]]);
-  if (s == 1) return paper(view.vertices[edge.vertex[1]]);
-  const PageVertex& p = view.vertices[edge.vertex[0]];
-  const PageVertex& q = view.vertices[edge.vertex[1]];
-  return paper({p.x + s * (q.x - p.x), p.y + s * (q.y - p.y), 0, 1});
-}
-
 std::vector<Piece> pieces_of(const View& view, const PaperMap& paper, const DrawnEdges& drawn,
                              const HiddenSpans& hidden, bool keep_hidden) {
   std::vector<Piece> pieces;
   for (std::size_t e = 0; e < drawn.edges.size(); ++e) {
     const auto add = [&](double from, double to, bool visible) {
       if (!(from < to) || (!visible && !keep_hidden)) return;
-      pieces.push_back({place(view, paper, drawn.edges[e], from),
-                        place(view, paper, drawn.edges[e], to),
+      pieces.push_back({place_on_paper(view, paper, drawn.edges[e], from),
+                        place_on_paper(view, paper, drawn.edges[e], to),
                         visible,
                         drawn.edges[e].kind,
                         static_cast<int>(e),
@@ -43,16 +35,6 @@ std::vector<Piece> pieces_of(const View& view, const PaperMap& paper, const Draw
     add(at, 1, true);
   }
   return pieces;
-}
-
-// A place on the page edge -> a place on the clipped edge in space -> on the edge of the model.
-double parameter_in_space(const View& view, const DrawnEdge& edge, double s) {
-  if (s == 0) return edge.t[0];
-  if (s == 1) return edge.t[1];
-  const double wp = view.vertices[edge.vertex[0]].w;
-  const double wq = view.vertices[edge.vertex[1]].w;
-  const double part = s * wp / (s * wp + (1 - s) * wq);
-  return edge.t[0] + part * (edge.t[1] - edge.t[0]);
 }
 
 Segment segment_of(const World& world, const View& view, const DrawnEdges& drawn, const Piece& piece) {
@@ -82,6 +64,29 @@ Segment segment_of(const World& world, const View& view, const DrawnEdges& drawn
 
 }  // namespace
 
+Vec2 place_on_paper(const View& view, const PaperMap& paper, const DrawnEdge& edge, double s) {
+  if (s == 0) return paper(view.vertices[edge.vertex[0]]);
+  if (s == 1) return paper(view.vertices[edge.vertex[1]]);
+  const PageVertex& p = view.vertices[edge.vertex[0]];
+  const PageVertex& q = view.vertices[edge.vertex[1]];
+  return paper({p.x + s * (q.x - p.x), p.y + s * (q.y - p.y), 0, 1});
+}
+
+double parameter_in_space(const View& view, const DrawnEdge& edge, double s) {
+  if (s == 0) return edge.t[0];
+  if (s == 1) return edge.t[1];
+  const double wp = view.vertices[edge.vertex[0]].w;
+  const double wq = view.vertices[edge.vertex[1]].w;
+  // First a place on the clipped edge in space, then on the edge of the model.
+  const double part = s * wp / (s * wp + (1 - s) * wq);
+  return edge.t[0] + part * (edge.t[1] - edge.t[0]);
+}
+
+Coincidence coincidence_on_paper(const View& view, const Contact& contact, const PaperMap& paper) {
+  const double tolerance = std::max(coincident_cells * view.cell, contact.touching) * paper.scale;
+  return {tolerance, std::max(least_piece * view.extent * paper.scale, 8 * tolerance)};
+}
+
 Drawing make_drawing(const World& world, const View& view, const DrawnEdges& drawn, const HiddenSpans& hidden,
                      const Contact& contact, const PaperMap& paper, const DrawingWishes& wishes) {
   Drawing drawing;
@@ -90,10 +95,9 @@ Drawing make_drawing(const World& world, const View& view, const DrawnEdges& dra
   drawing.world_to_page = world_to_page(view, paper);
   drawing.vanishing_points = vanishing_points_on_page(view, paper);
 
-  const double tolerance = std::max(coincident_cells * view.cell, contact.touching) * paper.scale;
-  const double least = std::max(least_piece * view.extent * paper.scale, 8 * tolerance);
+  const Coincidence limits = coincidence_on_paper(view, contact, paper);
   std::vector<Piece> pieces = pieces_of(view, paper, drawn, hidden, wishes.hidden);
-  pieces = resolve_coincident(std::move(pieces), tolerance, least);
+  pieces = resolve_coincident(std::move(pieces), limits.tolerance, limits.least);
   drawing.segments.resize(pieces.size());
   parallel_for(pieces.size(), 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) drawing.segments[i] = segment_of(world, view, drawn, pieces[i]);

@@ -14,6 +14,18 @@ struct DrawingWishes {
   bool hidden = true;  ///< keep hidden lines
 };
 
+/// The place at page parameter `s` of an edge, in mm.
+Vec2 place_on_paper(const View& view, const PaperMap& paper, const DrawnEdge& edge, double s);
+
+/// A page parameter of an edge as the parameter along the edge in space that it was clipped from.
+double parameter_in_space(const View& view, const DrawnEdge& edge, double s);
+
+/// Lines within `tolerance` of each other over at least `least` are one line; mm.
+struct Coincidence {
+  double tolerance, least;
+};
+Coincidence coincidence_on_paper(const View& view, const Contact& contact, const PaperMap& paper);
+
 Drawing make_drawing(const World& world, const View& view, const DrawnEdges& drawn, const HiddenSpans& hidden,
                      const Contact& contact, const PaperMap& paper, const DrawingWishes& wishes);
 

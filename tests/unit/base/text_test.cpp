@@ -127,6 +127,14 @@ class GermanLocale {
   std::string old_c_;
 };
 
+TEST(Numbers, RoundedToSignificantDigits) {
+  EXPECT_EQ(format_rounded(2.0 / 3, 6), "0.666667");
+  EXPECT_EQ(format_rounded(163.49999999999997, 6), "163.5");
+  EXPECT_EQ(format_rounded(-0.0, 6), "0");
+  EXPECT_EQ(format_rounded(1.25e-9, 6), "1.25e-09");
+  EXPECT_EQ(format_rounded(-1e300, 6), "-1e+300");
+}
+
 TEST(Numbers, DoNotFollowTheLocale) {
   const GermanLocale german;
   EXPECT_EQ(format_number(1234.5), "1234.5");

@@ -1,0 +1,42 @@
+#include "app/questions.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "study/explain.hpp"
+#include "study/tables.hpp"
+
+namespace epura {
+
+Questions parse_questions(const DrawOptions& options) {
+  const std::vector<std::string> tables{"edges", "spans"};
+  Questions questions;
+  for (const std::string& edge : options.why) questions.why.push_back(parse_edge_question(edge));
+  questions.edge_table = options.dump == tables[0];
+  questions.span_table = options.dump == tables[1];
+  if (!options.dump.empty() && !questions.edge_table && !questions.span_table)
+    throw Error(Trouble::input, "--dump", "does not know '" + options.dump + "'", did_you_mean(options.dump, tables));
+
+  const bool asked = !options.why.empty() || !options.dump.empty();
+  if (!asked && options.outputs.empty())
+    throw Error(Trouble::input, "command line", "--output is required", "see 'epura draw --help'");
+  if (asked && std::find(options.outputs.begin(), options.outputs.end(), "-") != options.outputs.end())
+    throw Error(Trouble::input, "--output -", "leaves no standard output to answer --why and --dump",
+                "write the drawing to a file");
+  return questions;
+}
+
+void print_answers(const Questions& questions, const DrawnView& drawn_view) {
+  if (questions.edge_table) std::fputs(edge_table(drawn_view).c_str(), stdout);
+  if (questions.why.empty() && !questions.span_table) return;
+  const TriangleBoxes boxes(drawn_view.view);
+  if (questions.span_table) std::fputs(span_table(drawn_view, boxes).c_str(), stdout);
+  for (const EdgeQuestion& question : questions.why)
+    for (const Subject& subject : find_subjects(drawn_view, question))
+      std::fputs(explain(drawn_view, boxes, subject).c_str(), stdout);
+}
+
+}  // namespace epura

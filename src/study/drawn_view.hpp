@@ -1,0 +1,26 @@
+// One view with all that was computed on the way to its drawing: what questions about a drawing are asked of.
+#pragma once
+
+#include "drawing/drawing.hpp"
+#include "drawing/make_drawing.hpp"
+#include "edges/drawn_edges.hpp"
+#include "scene/scene.hpp"
+#include "view/paper_map.hpp"
+#include "view/view.hpp"
+#include "visibility/visibility.hpp"
+
+namespace epura {
+
+struct DrawnView {
+  const World& world;
+  const View& view;
+  const EdgeWishes& wishes;
+  const DrawnEdges& drawn;
+  const HiddenSpans& hidden;
+  const Contact& contact;
+  const PaperMap& paper;
+  const Drawing& drawing;
+  bool keep_hidden;  ///< hidden lines are drawn, too
+};
+
+}  // namespace epura
