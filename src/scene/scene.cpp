@@ -1,16 +1,21 @@
 #include "scene/scene.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <cstddef>
+#include <span>
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/parallel.hpp"
 
 namespace epura {
 
 namespace {
 
 constexpr double float_rounding = 0x1p-22;
+constexpr std::size_t grain = 8192;
 
 double largest_component(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
@@ -32,29 +37,54 @@ Vec3 place(const Mat4& to_world, const OpenMesh::Vec3d& p) {
   return to_world == Mat4(1.0) ? point : Vec3(to_world * Vec4(point, 1.0));
 }
 
+// The places in the world of the vertices that triangles use; false when one leaves the range of doubles. The vertices
+// of the file come first in the surface, their copies behind them.
+bool place_vertices(const Placed& model, std::span<Vec3> points) {
+  const Surface& surface = model.mesh->surface;
+  std::atomic<bool> all_finite = true;
+  parallel_for(points.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      const OpenMesh::VertexHandle vertex(static_cast<int>(v));
+      if (surface.is_isolated(vertex)) continue;
+      points[v] = place(model.to_world, surface.point(vertex));
+      if (!finite(points[v])) all_finite = false;
+    }
+  });
+  return all_finite;
+}
+
+Box box_of(const Surface& surface, std::span<const Vec3> points) {
+  Box box;
+  for (std::size_t v = 0; v < points.size(); ++v)
+    if (!surface.is_isolated(OpenMesh::VertexHandle(static_cast<int>(v)))) box.add(points[v]);
+  return box;
+}
+
 void append(World& world, const Placed& model) {
+  const Mesh& mesh = *model.mesh;
   const int first_vertex = world.first_vertex.back();
   const int first_triangle = world.first_triangle.back();
-  const int count = static_cast<int>(model.mesh->polygon.size());
   int vertices = 0;
-  Box box;
-  for (const int v : model.mesh->vertex_of) vertices = std::max(vertices, v + 1);
+  for (const int v : mesh.vertex_of) vertices = std::max(vertices, v + 1);
   world.points.resize(static_cast<std::size_t>(first_vertex + vertices), Vec3(0));
-  world.triangles.resize(static_cast<std::size_t>(first_triangle + count));
-  for (int f = 0; f < count; ++f) {
-    std::array<int, 3> corners = model.mesh->corners(f);
-    for (int& v : corners) {
-      Vec3& point = world.points[first_vertex + v];
-      point = place(model.to_world, model.mesh->point(v));
-      if (!finite(point))
-        throw Error(Trouble::input, model.mesh->report.name, "the transform moves vertices out of the range of numbers",
-                    "use a smaller scale or translation");
-      box.add(point);
-      world.box.add(point);
-      v += first_vertex;
-    }
-    world.triangles[first_triangle + f] = corners;
+  const std::span<Vec3> points(world.points.data() + first_vertex, static_cast<std::size_t>(vertices));
+  if (!place_vertices(model, points))
+    throw Error(Trouble::input, mesh.report.name, "the transform moves vertices out of the range of numbers",
+                "use a smaller scale or translation");
+  const Box box = box_of(mesh.surface, points);
+  if (!box.empty()) {
+    world.box.add(box.least);
+    world.box.add(box.most);
   }
+  const int count = static_cast<int>(mesh.polygon.size());
+  world.triangles.resize(static_cast<std::size_t>(first_triangle + count));
+  parallel_for(mesh.polygon.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) {
+      std::array<int, 3> corners = mesh.corners(static_cast<int>(f));
+      for (int& v : corners) v += first_vertex;
+      world.triangles[static_cast<std::size_t>(first_triangle) + f] = corners;
+    }
+  });
   world.first_vertex.push_back(first_vertex + vertices);
   world.first_triangle.push_back(first_triangle + count);
   world.rounding = std::max(world.rounding, rounding_of(model, box));

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/parallel.hpp"
 
 namespace epura {
 
@@ -17,6 +18,7 @@ constexpr double nearest_w = 0x1p-44;
 const double cone_tangent = std::sqrt(3.0);
 // Triangles are cut at 1.5 times the window, so that their own cut edges lie outside the picture.
 constexpr double guard = 1.5;
+constexpr std::size_t grain = 8192;
 constexpr double grid_half = (1 << 30) - 2;
 
 // Adds the plane for `users`, unless it cuts nothing. Returns whether it cuts.
@@ -58,29 +60,34 @@ bool add_depth_planes(View& view, const World& world, const ViewLimits& limits) 
 }
 
 std::vector<ViewTriangle> clipped_triangles(View& view, const World& world) {
-  std::vector<ViewTriangle> triangles;
+  std::vector<ViewTriangle> triangles(view.triangle_planes.empty() ? world.triangles.size() : 0);
+  parallel_for(triangles.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t f = begin; f < end; ++f) triangles[f] = {world.triangles[f], static_cast<int>(f)};
+  });
+  if (view.triangle_planes.empty()) return triangles;
   triangles.reserve(world.triangles.size());
   std::vector<std::array<int, 3>> pieces;
   for (std::size_t f = 0; f < world.triangles.size(); ++f) {
     pieces.clear();
-    if (view.triangle_planes.empty())
-      pieces.push_back(world.triangles[f]);
-    else
-      view.clipper.clip_triangle(world.triangles[f], view.triangle_planes, pieces);
+    view.clipper.clip_triangle(world.triangles[f], view.triangle_planes, pieces);
     for (const auto& piece : pieces) triangles.push_back({piece, static_cast<int>(f)});
   }
   return triangles;
 }
 
 Window box_of(const View& view, const std::vector<ViewTriangle>& triangles) {
-  Window box{Vec2(HUGE_VAL), Vec2(-HUGE_VAL)};
+  // Most vertices are corners of several triangles: each is divided once.
+  std::vector<char> used(view.clipper.vertices.size(), 0);
   for (const ViewTriangle& triangle : triangles)
-    for (const int v : triangle.vertex) {
-      const Mapped& p = view.clipper.vertices[v];
-      const Vec2 place(p.x / p.w, p.y / p.w);
-      box.least = glm::min(box.least, place);
-      box.most = glm::max(box.most, place);
-    }
+    for (const int v : triangle.vertex) used[v] = 1;
+  Window box{Vec2(HUGE_VAL), Vec2(-HUGE_VAL)};
+  for (std::size_t v = 0; v < used.size(); ++v) {
+    if (used[v] == 0) continue;
+    const Mapped& p = view.clipper.vertices[v];
+    const Vec2 place(p.x / p.w, p.y / p.w);
+    box.least = glm::min(box.least, place);
+    box.most = glm::max(box.most, place);
+  }
   return box;
 }
 
@@ -131,13 +138,18 @@ std::int32_t to_grid(double cells) {
 
 // Page vertices for all that the clipper has made since the last call.
 void lay_out(View& view) {
-  for (std::size_t v = view.vertices.size(); v < view.clipper.vertices.size(); ++v) {
-    const Mapped& p = view.clipper.vertices[v];
-    PageVertex page{0, 0, 0, p.w};
-    if (p.w > 0) page = {p.x / p.w - view.middle.x, p.y / p.w - view.middle.y, p.z / p.w, p.w};
-    view.vertices.push_back(page);
-    view.grid.push_back({to_grid(page.x / view.cell), to_grid(page.y / view.cell)});
-  }
+  const std::size_t first = view.vertices.size();
+  view.vertices.resize(view.clipper.vertices.size());
+  view.grid.resize(view.clipper.vertices.size());
+  parallel_for(view.vertices.size() - first, grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = first + begin; v < first + end; ++v) {
+      const Mapped& p = view.clipper.vertices[v];
+      PageVertex page{0, 0, 0, p.w};
+      if (p.w > 0) page = {p.x / p.w - view.middle.x, p.y / p.w - view.middle.y, p.z / p.w, p.w};
+      view.vertices[v] = page;
+      view.grid[v] = {to_grid(page.x / view.cell), to_grid(page.y / view.cell)};
+    }
+  });
 }
 
 }  // namespace
@@ -146,8 +158,10 @@ View make_view(const World& world, const Projection& projection, const ViewLimit
   View view;
   view.projection = projection;
   view.map = make_view_map(projection, world.box);
-  view.clipper.vertices.reserve(world.points.size());
-  for (const Vec3& point : world.points) view.clipper.vertices.push_back(view.map(point));
+  view.clipper.vertices.resize(world.points.size());
+  parallel_for(world.points.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) view.clipper.vertices[v] = view.map(world.points[v]);
+  });
 
   const bool around = add_depth_planes(view, world, limits);
   choose_window(view, world, around);
