@@ -1,7 +1,9 @@
 #include "edges/triangle_tree.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <bit>
+#include <limits>
+#include <numeric>
 #include <utility>
 
 #include "base/parallel.hpp"
@@ -22,65 +24,65 @@ std::uint64_t spread(std::uint64_t x) {
   return (x | x << 2) & 0x1249249249249249;
 }
 
-// A place on a Morton curve, 63 bits.
-using Code = std::uint64_t;
-
-std::vector<Code> codes_of(std::size_t count, const std::function<Box(int)>& box_of) {
-  std::vector<Vec3> centres(count);
-  parallel_for(count, grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) centres[i] = box_of(static_cast<int>(i)).centre();
-  });
-  Box all;
-  for (const Vec3& centre : centres) all.add(centre);
-  const Vec3 size = all.size();
-  const double cells = 0x1fffff / std::max({size.x, size.y, size.z, 1e-300});
-  std::vector<Code> codes(count);
-  parallel_for(count, grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const Vec3 at = (centres[i] - all.least) * cells;
-      codes[i] = spread(static_cast<std::uint64_t>(at.x)) | spread(static_cast<std::uint64_t>(at.y)) << 1 |
-                 spread(static_cast<std::uint64_t>(at.z)) << 2;
-    }
-  });
-  return codes;
-}
-
-// By the places of the boxes' middles on the curve: neighbours there are neighbours in space. One pass puts them into
-// buckets by the codes' upper bits; the buckets are sorted side by side.
-std::vector<int> order_along_curve(const std::vector<Code>& codes) {
-  constexpr int lower_bits = 63 - 15;
-  std::vector<std::size_t> ends((1 << 15) + 1, 0);
-  for (const Code code : codes) ++ends[(code >> lower_bits) + 1];
-  for (std::size_t b = 1; b < ends.size(); ++b) ends[b] += ends[b - 1];
-  std::vector<int> order(codes.size());
-  for (std::size_t i = 0; i < codes.size(); ++i) order[ends[codes[i] >> lower_bits]++] = static_cast<int>(i);
-  parallel_for(ends.size() - 1, 64, [&](std::size_t first, std::size_t last) {
-    std::vector<std::pair<Code, int>> bucket;
-    for (std::size_t b = first; b < last; ++b) {
-      const auto begin = order.begin() + static_cast<std::ptrdiff_t>(b == 0 ? 0 : ends[b - 1]);
-      const auto end = order.begin() + static_cast<std::ptrdiff_t>(ends[b]);
-      bucket.clear();
-      for (auto it = begin; it != end; ++it) bucket.emplace_back(codes[*it], *it);
-      std::sort(bucket.begin(), bucket.end());
-      std::transform(bucket.begin(), bucket.end(), begin, [](const auto& place) { return place.second; });
-    }
-  });
-  return order;
-}
-
+// The largest float that is not above x. (std::nextafter takes longer than all the rest.)
 float rounded_down(double x) {
   const auto rounded = static_cast<float>(x);
-  return rounded > x ? std::nextafter(rounded, -std::numeric_limits<float>::infinity()) : rounded;
+  if (!(rounded > x)) return rounded;
+  const auto bits = std::bit_cast<std::int32_t>(rounded);
+  if (rounded == 0) return -std::numeric_limits<float>::denorm_min();
+  return std::bit_cast<float>(rounded > 0 ? bits - 1 : bits + 1);
 }
 
 }  // namespace
 
 TriangleTree::TriangleTree(std::size_t count, const std::function<Box(int)>& box_of) {
   if (count == 0) return;
+  std::vector<Bounds> bounds(count);
+  parallel_for(count, grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) bounds[i] = rounded_outwards(box_of(static_cast<int>(i)));
+  });
   leaves_.resize((count + width - 1) / width);
-  fill_leaves(order_along_curve(codes_of(count, box_of)), box_of);
+  fill_leaves(order_along_curve(bounds), bounds);
   nodes_.resize(2 * leaves_.size() - 1);
   build(0, 0, static_cast<int>(leaves_.size()));
+}
+
+// By the places of the boxes' middles on a Morton curve: neighbours there are neighbours in space. One pass puts them
+// into buckets by the upper bits of their places; the buckets are sorted side by side.
+std::vector<int> TriangleTree::order_along_curve(const std::vector<Bounds>& bounds) {
+  const auto middle = [&](std::size_t i) {
+    return (Vec3(bounds[i].least[0], bounds[i].least[1], bounds[i].least[2]) +
+            Vec3(bounds[i].most[0], bounds[i].most[1], bounds[i].most[2])) *
+           0.5;
+  };
+  Box all;
+  for (std::size_t i = 0; i < bounds.size(); ++i) all.add(middle(i));
+  const double cells = 0x1fffff / std::max({all.size().x, all.size().y, all.size().z, 1e-300});
+  std::vector<std::uint64_t> codes(bounds.size());  // 63 bits
+  parallel_for(bounds.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const Vec3 at = (middle(i) - all.least) * cells;
+      codes[i] = spread(static_cast<std::uint64_t>(at.x)) | spread(static_cast<std::uint64_t>(at.y)) << 1 |
+                 spread(static_cast<std::uint64_t>(at.z)) << 2;
+    }
+  });
+
+  constexpr int lower_bits = 63 - 15;
+  std::vector<std::size_t> ends((1 << 15) + 1, 0);
+  for (const std::uint64_t code : codes) ++ends[(code >> lower_bits) + 1];
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<std::pair<std::uint64_t, int>> places(codes.size());
+  for (std::size_t i = 0; i < codes.size(); ++i)
+    places[ends[codes[i] >> lower_bits]++] = {codes[i], static_cast<int>(i)};
+  std::vector<int> order(codes.size());
+  parallel_for(ends.size() - 1, 64, [&](std::size_t first, std::size_t last) {
+    for (std::size_t b = first; b < last; ++b) {
+      const std::size_t begin = b == 0 ? 0 : ends[b - 1];
+      std::sort(places.begin() + begin, places.begin() + ends[b]);
+      for (std::size_t i = begin; i < ends[b]; ++i) order[i] = places[i].second;
+    }
+  });
+  return order;
 }
 
 TriangleTree::Bounds TriangleTree::rounded_outwards(const Box& box) {
@@ -92,23 +94,16 @@ TriangleTree::Bounds TriangleTree::rounded_outwards(const Box& box) {
   return bounds;
 }
 
-bool TriangleTree::overlap(const Bounds& a, const Bounds& b) {
-  bool apart = false;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    apart |= a.least[axis] > b.most[axis] || b.least[axis] > a.most[axis];
-  return !apart;
-}
-
-void TriangleTree::fill_leaves(const std::vector<int>& order, const std::function<Box(int)>& box_of) {
+void TriangleTree::fill_leaves(const std::vector<int>& order, const std::vector<Bounds>& bounds) {
   parallel_for(leaves_.size(), grain / width, [&](std::size_t begin, std::size_t end) {
     for (std::size_t l = begin; l < end; ++l)
       for (std::size_t i = 0; i < width; ++i) {
         const std::size_t at = l * width + i;
         leaves_[l].triangle[i] = at < order.size() ? order[at] : -1;
-        const Bounds bounds = at < order.size() ? rounded_outwards(box_of(order[at])) : Bounds{};
+        const Bounds box = at < order.size() ? bounds[order[at]] : Bounds{};
         for (std::size_t axis = 0; axis < 3; ++axis) {
-          leaves_[l].least[axis][i] = bounds.least[axis];
-          leaves_[l].most[axis][i] = bounds.most[axis];
+          leaves_[l].least[axis][i] = box.least[axis];
+          leaves_[l].most[axis][i] = box.most[axis];
         }
       }
   });
@@ -146,7 +141,7 @@ TriangleTree::Bounds TriangleTree::build(int node, int leaf, int leaves) {
 void TriangleTree::split(const NodePair& pair, std::vector<NodePair>& parts) const {
   const auto [a, b] = pair;
   const auto add = [&](int i, int j) {
-    if (overlap(nodes_[i].bounds, nodes_[j].bounds)) parts.push_back({i, j});
+    if (nodes_[i].bounds.meets(nodes_[j].bounds)) parts.push_back({i, j});
   };
   if (a == b) {
     add(a + 1, a + 1);

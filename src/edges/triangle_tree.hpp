@@ -16,7 +16,7 @@ namespace epura {
 /// eight boxes are tested at once, and the tree takes about 36 bytes a triangle.
 class TriangleTree {
  public:
-  /// `box_of(triangle)` for triangles 0 to count - 1; called more than once, from several threads.
+  /// `box_of(triangle)` for triangles 0 to count - 1; called from several threads.
   TriangleTree(std::size_t count, const std::function<Box(int)>& box_of);
 
   /// A task of the search for pairs: triangles below one node against those below another (or the same).
@@ -36,7 +36,7 @@ class TriangleTree {
       if (nodes_[a].leaves > 1 || nodes_[b].leaves > 1)
         split({a, b}, open);
       else
-        meet_leaves(nodes_[a].leaf, nodes_[b].leaf, meet);
+        meet_leaves(nodes_[a], nodes_[b], meet);
     }
   }
 
@@ -47,6 +47,13 @@ class TriangleTree {
   struct Bounds {
     std::array<float, 3> least{infinity, infinity, infinity};
     std::array<float, 3> most{-infinity, -infinity, -infinity};
+
+    [[nodiscard]] bool meets(const Bounds& other) const {
+      bool apart = false;
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        apart |= (least[axis] > other.most[axis]) | (other.least[axis] > most[axis]);
+      return !apart;
+    }
   };
   struct Node {
     Bounds bounds;
@@ -55,29 +62,32 @@ class TriangleTree {
   struct Leaf {
     std::array<std::array<float, width>, 3> least, most;
     std::array<int, width> triangle;  ///< -1 behind the last one
+
+    [[nodiscard]] Bounds bounds(std::size_t i) const {
+      return {{least[0][i], least[1][i], least[2][i]}, {most[0][i], most[1][i], most[2][i]}};
+    }
   };
 
   [[nodiscard]] int right_child(int node) const { return node + 2 * (nodes_[node].leaves / 2); }
   static Bounds rounded_outwards(const Box& box);
-  static bool overlap(const Bounds& a, const Bounds& b);
-  void fill_leaves(const std::vector<int>& order, const std::function<Box(int)>& box_of);
+  static std::vector<int> order_along_curve(const std::vector<Bounds>& bounds);
+  void fill_leaves(const std::vector<int>& order, const std::vector<Bounds>& bounds);
   Bounds build(int node, int leaf, int leaves);
   void split(const NodePair& pair, std::vector<NodePair>& parts) const;
 
   template <class Meet>
-  void meet_leaves(int first, int second, Meet& meet) const {
-    const Leaf& a = leaves_[first];
-    const Leaf& b = leaves_[second];
+  void meet_leaves(const Node& first, const Node& second, Meet& meet) const {
+    const Leaf& a = leaves_[first.leaf];
+    const Leaf& b = leaves_[second.leaf];
     for (std::size_t i = 0; i < width && a.triangle[i] >= 0; ++i) {
+      const Bounds bounds = a.bounds(i);
+      if (!bounds.meets(second.bounds)) continue;
       std::array<std::int32_t, width> apart{};
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        const float least = a.least[axis][i];
-        const float most = a.most[axis][i];
+      for (std::size_t axis = 0; axis < 3; ++axis)
         for (std::size_t j = 0; j < width; ++j)
-          apart[j] |= static_cast<std::int32_t>(least > b.most[axis][j]) |
-                      static_cast<std::int32_t>(b.least[axis][j] > most);
-      }
-      for (std::size_t j = first == second ? i + 1 : 0; j < width; ++j)
+          apart[j] |= static_cast<std::int32_t>(bounds.least[axis] > b.most[axis][j]) |
+                      static_cast<std::int32_t>(b.least[axis][j] > bounds.most[axis]);
+      for (std::size_t j = &first == &second ? i + 1 : 0; j < width; ++j)
         if (apart[j] == 0) meet(a.triangle[i], b.triangle[j]);
     }
   }
