@@ -8,15 +8,15 @@ namespace {
 
 TEST(FullSize, StripsOverStrips) { expect_strips_over_strips(1000, 1000, 0.3); }
 
-TEST(FullSize, StackOfPlates) { expect_stack_of_plates(5000, 1e-6); }
+TEST(FullSize, StackOfPlates) { expect_stack_of_plates(2000, 1e-6); }
 
-// Takes time as the square of the plates: 5000 a few seconds, all of them half an hour.
+// Time grows as the square of the plates: 2000 take some seconds, all of them hours.
 TEST(FullSize, DISABLED_StackOfAllPlates) { expect_stack_of_plates(100000, 1e-6); }
 
 TEST(FullSize, ManySlivers) { expect_sliver_plate_to_hide_one_piece(1000000); }
 
-// 145 800 edges with 7 each.
-TEST(FullSize, TrianglesWithoutArea) { expect_triangles_without_area_to_change_nothing(90, 8); }
+// 335 000 edges with 3 each.
+TEST(FullSize, TrianglesWithoutArea) { expect_triangles_without_area_to_change_nothing(136, 4); }
 
 TEST(FullSize, FanWithAManyValentHub) { expect_fan_to_hide_chords(1000000); }
 
