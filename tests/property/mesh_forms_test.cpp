@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "shapes.hpp"
+#include "forms.hpp"
 
 namespace epura::test {
 namespace {
@@ -146,25 +146,9 @@ TEST(Meshes, CyclicOverlap) {
   EXPECT_NEAR(result.visible() + result.hidden_length(), 64, 1e-7);
 }
 
-TEST(Meshes, StripsOverStrips) {
-  const int n = 20, m = 15;
-  const double w = 0.3;
-  Shape strips;
-  for (int i = 0; i < n; ++i) strips.add(plate(i, 0, i + w, m, 1));
-  for (int j = 0; j < m; ++j) strips.add(plate(-0.5, j + 0.2, n, j + 0.2 + w, 0));
-  const Result result = draw(world_of(strips), from_above());
-  EXPECT_NEAR(result.hidden_length(), 2 * m * n * w, 1e-6);
-  EXPECT_EQ(result.pieces(false), 2 * m * n);
-}
+TEST(Meshes, StripsOverStrips) { expect_strips_over_strips(20, 15, 0.3); }
 
-TEST(Meshes, StackOfPlates) {
-  const int n = 300;
-  const double d = 1e-3;
-  Shape stack;
-  for (int i = 0; i < n; ++i) stack.add(plate(-d * i, -d * i, 1 - d * i, 1 - d * i, i));
-  const Result result = draw(world_of(stack), from_above());
-  EXPECT_NEAR(result.visible(), 2 * n + 2 + 2 * d * (n - 1), 1e-6);
-}
+TEST(Meshes, StackOfPlates) { expect_stack_of_plates(300, 1e-3); }
 
 TEST(Meshes, LineThroughATJunction) {
   // Three triangles, one side of the first split by a vertex of the others.
@@ -177,62 +161,26 @@ TEST(Meshes, LineThroughATJunction) {
   EXPECT_NEAR(spans[0][1], 0.75, 1e-9);
 }
 
-TEST(Meshes, ManySlivers) {
-  const int n = 20000;
-  Shape strips;
-  for (int i = 0; i <= n; ++i) {
-    strips.points.push_back({static_cast<double>(i) / n, 0, 1});
-    strips.points.push_back({static_cast<double>(i) / n, 1, 1});
-    if (i > 0) strips.faces.push_back({2 * i - 2, 2 * i, 2 * i + 1, 2 * i - 1});
-  }
-  const auto spans =
-      hidden_of_line(world_of({strips, plate(-1, -1, 2, 2, 0)}), from_above(), {-1, 0.3, 0.5}, {2, 0.6, 0.5});
-  ASSERT_EQ(spans.size(), 1U);
-  EXPECT_NEAR(spans[0][0], 1.0 / 3, 1e-9);
-  EXPECT_NEAR(spans[0][1], 2.0 / 3, 1e-9);
-}
+TEST(Meshes, ManySlivers) { expect_sliver_plate_to_hide_one_piece(20000); }
 
 TEST(Meshes, TrianglesWithoutAreaChangeNothing) {
-  Shape cube = triangulated_cube();
-  const Result plain = draw(world_of(cube), orthographic({3, -2, 1}));
-  // A vertex on the middle of an edge; the two faces at the edge stay, a flat triangle closes the gap.
-  for (const auto& [a, b] : {std::pair(0, 1), std::pair(1, 5), std::pair(4, 6)}) {
-    const int middle = static_cast<int>(cube.points.size());
-    const Point &p = cube.points[a], &q = cube.points[b];
-    cube.points.push_back({(p[0] + q[0]) / 2, (p[1] + q[1]) / 2, (p[2] + q[2]) / 2});
-    for (auto& face : cube.faces) {
-      const auto at = [&](int v) { return std::find(face.begin(), face.end(), v) - face.begin(); };
-      const auto size = static_cast<std::ptrdiff_t>(face.size());
-      if (at(a) == size || at(b) == size) continue;
-      // Only one of the two faces is split: its corner b moves to the middle, and another triangle takes the rest.
-      std::vector<int> rest = face;
-      face[at(b)] = middle;
-      rest[std::find(rest.begin(), rest.end(), a) - rest.begin()] = middle;
-      cube.faces.push_back(rest);
-      break;
-    }
-    cube.faces.push_back({a, middle, b});
+  for (const int parts : {2, 3, 4}) {
+    expect_triangles_without_area_to_change_nothing(1, parts);
+    expect_triangles_without_area_to_change_nothing(5, parts);
   }
-  const Result split = draw(world_of(cube), orthographic({3, -2, 1}));
-  EXPECT_NEAR(split.visible(), plain.visible(), 1e-9);
-  EXPECT_NEAR(split.hidden_length(), plain.hidden_length(), 1e-9);
 }
 
-TEST(Meshes, FanWithAManyValentHub) {
-  const int n = 20000;
-  Shape fan{{{0, 0, 1}}, {}, {}};
-  for (int i = 0; i < n; ++i) {
-    const double a = 2 * M_PI * i / n;
-    fan.points.push_back({std::cos(a), std::sin(a), 1});
-    fan.faces.push_back({0, i + 1, (i + 1) % n + 1});
-  }
-  const World world = world_of({fan, plate(-2, -2, 2, 2, -1)});
-  for (const double c : {0.0, 0.25, 0.9}) {
-    const auto spans = hidden_of_line(world, from_above(), {-2, c, 0}, {2, c, 0});
-    ASSERT_EQ(spans.size(), 1U) << c;
-    EXPECT_NEAR(4 * (spans[0][1] - spans[0][0]), 2 * std::sqrt(1 - c * c), 1e-6) << c;
-  }
+// In rows of more slivers, some visible pieces come out hidden.
+TEST(Meshes, DISABLED_RowsOfTrianglesWithoutAreaChangeNothing) {
+  for (const int parts : {9, 10, 12, 16}) expect_triangles_without_area_to_change_nothing(1, parts);
 }
+
+// Rows of more than 16 slivers are not followed to the surface behind them.
+TEST(Meshes, DISABLED_LongRowsOfTrianglesWithoutAreaChangeNothing) {
+  expect_triangles_without_area_to_change_nothing(1, 64);
+}
+
+TEST(Meshes, FanWithAManyValentHub) { expect_fan_to_hide_chords(20000); }
 
 TEST(Meshes, BookOfPages) {
   // Three square pages on one spine along y: at 45, 90 and 135 degrees, seen from above.
@@ -270,29 +218,17 @@ TEST(Meshes, MoebiusStrip) {
   }
 }
 
-TEST(Meshes, SphereAlongItsAxis) {
-  const int n = 64, bands = 32;
-  Shape sphere{{{0, 0, -1}}, {}, {}};
-  for (int j = 1; j < bands; ++j)
-    for (int i = 0; i < n; ++i) {
-      const double b = M_PI * j / bands - M_PI / 2, a = 2 * M_PI * i / n;
-      sphere.points.push_back({std::cos(b) * std::cos(a), std::cos(b) * std::sin(a), std::sin(b)});
-    }
-  const int top = static_cast<int>(sphere.points.size());
-  sphere.points.push_back({0, 0, 1});
-  const auto at = [&](int j, int i) { return 1 + (j - 1) * n + (i % n); };
-  for (int i = 0; i < n; ++i) {
-    sphere.faces.push_back({0, at(1, i + 1), at(1, i)});
-    for (int j = 1; j + 1 < bands; ++j)
-      sphere.faces.push_back({at(j, i), at(j, i + 1), at(j + 1, i + 1), at(j + 1, i)});
-    sphere.faces.push_back({at(bands - 1, i), at(bands - 1, i + 1), top});
-  }
-  const Result result = draw(world_of(sphere), from_above());
-  EXPECT_NEAR(result.visible(), 2 * n * std::sin(M_PI / n), 1e-8);
-  EXPECT_NEAR(result.hidden_length(), 0, 1e-12);
-  ASSERT_EQ(result.drawing.chains.size(), 1U);
-  EXPECT_TRUE(result.drawing.chains[0].closed);
-}
+TEST(Meshes, SphereAlongItsAxis) { expect_sphere_along_its_axis(64, 32); }
+
+TEST(Meshes, SphereFromAnywhere) { expect_sphere_from_anywhere(64, 32); }
+
+TEST(Meshes, Zonotope) { expect_zonotope(24); }
+
+TEST(Meshes, StackedCopiesAreOneLine) { expect_stacked_copies_to_be_one_line(300); }
+
+TEST(Meshes, SphereInAStadium) { expect_sphere_in_a_stadium(64, 32, 1000); }
+
+TEST(Meshes, Needles) { expect_needles(200); }
 
 TEST(Meshes, PrismAtTheCreaseThreshold) {
   for (const int n : {12, 36}) {

@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <random>
 
+#include "base/text.hpp"
 #include "shapes.hpp"
 #include "visibility/spans.hpp"
 
@@ -49,8 +51,18 @@ Shape soup(unsigned seed) {
   return shape;
 }
 
-TEST(Search, EqualsBruteForceOnRandomScenes) {
-  for (unsigned seed = 1; seed <= 1000; ++seed) {
+// $EPURA_SCENES of them in all, 1000 without it, in parts that can run at the same time.
+class Scenes : public testing::TestWithParam<unsigned> {};
+
+constexpr unsigned parts = 4;
+
+unsigned scene_count() {
+  const char* text = std::getenv("EPURA_SCENES");
+  return text == nullptr ? 1000 : static_cast<unsigned>(parse_number(text).value());
+}
+
+TEST_P(Scenes, SearchEqualsBruteForce) {
+  for (unsigned seed = 1 + GetParam(); seed <= scene_count(); seed += parts) {
     const World world = world_of(soup(seed));
     const std::vector<Projection> views{orthographic({1, 1, 1}), orthographic({0.3, -1, 0.2}), from_above(),
                                         perspective({3, -2, 2}, {0, 0, 0}, {3, -2, 2}, {0, 0, 1}),
@@ -58,8 +70,11 @@ TEST(Search, EqualsBruteForceOnRandomScenes) {
     if (world.triangles.empty()) continue;  // all were rounded to nothing
     SCOPED_TRACE("seed " + std::to_string(seed));
     expect_equal(draw(world, views[seed % views.size()]));
+    if (HasFatalFailure()) return;
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Random, Scenes, testing::Range(0U, parts));
 
 TEST(Search, EqualsBruteForceFromInside) {
   for (unsigned seed = 1; seed <= 50; ++seed) {

@@ -1,13 +1,12 @@
-// Each folder of tests/golden is a drawing as text: `arguments` holds what follows `epura draw`, with paths from the
-// root of the repository, `expected.json` what must come of it, to the byte. What comes is left in golden/CASE.json in
-// the folder of the test. ACCEPT=1 in the environment makes it the expectation; with CI set that is refused.
+// The drawings of tests/golden. What comes is left in golden/CASE.json in the folder of the test. ACCEPT=1 in the
+// environment makes it the expectation; with CI set that is refused.
+#include "golden.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdlib>
-#include <sstream>
 
-#include "base/file.hpp"
 #include "base/text.hpp"
 #include "program.hpp"
 
@@ -15,21 +14,6 @@ namespace epura::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::vector<std::string> cases() {
-  std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(EPURA_TEST_GOLDEN))
-    if (fs::exists(entry.path() / "arguments")) names.push_back(entry.path().filename());
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
-std::vector<std::string> words_of(const fs::path& path) {
-  std::istringstream text(read_file(path));
-  std::vector<std::string> words;
-  for (std::string word; text >> word;) words.push_back(word);
-  return words;
-}
 
 // The first line that differs, as in a unified diff; empty when none does.
 std::string first_difference(const std::string& expected, const std::string& actual) {
@@ -46,12 +30,11 @@ std::string first_difference(const std::string& expected, const std::string& act
 class Golden : public testing::TestWithParam<std::string> {};
 
 TEST_P(Golden, Drawing) {
-  const fs::path folder = fs::path(EPURA_TEST_GOLDEN) / GetParam();
+  const fs::path folder = golden_folder(GetParam());
   const fs::path actual_path = fs::absolute("golden") / (GetParam() + ".json");
   fs::create_directories(actual_path.parent_path());
 
-  std::vector<std::string> arguments = words_of(folder / "arguments");
-  arguments.insert(arguments.begin(), "draw");
+  std::vector<std::string> arguments = golden_arguments(GetParam());
   arguments.insert(arguments.end(), {"-o", actual_path.string()});
   const Outcome run = epura(arguments, root());
   ASSERT_EQ(run.code, 0) << run.err;
@@ -69,11 +52,8 @@ TEST_P(Golden, Drawing) {
                                   << difference;
 }
 
-INSTANTIATE_TEST_SUITE_P(Cases, Golden, testing::ValuesIn(cases()), [](const auto& of) {
-  std::string name = of.param;
-  std::replace(name.begin(), name.end(), '-', '_');
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Cases, Golden, testing::ValuesIn(golden_cases()),
+                         [](const auto& of) { return test_name(of.param); });
 
 TEST(GoldenDifference, IsTheFirstLineThatDiffers) {
   EXPECT_EQ(first_difference("a\nb\n", "a\nb\n"), "");
