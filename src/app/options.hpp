@@ -30,6 +30,8 @@ struct DrawOptions {
   int threads = 0;
   bool plain = false;
   bool timings = false;
+  std::string progress = "auto";
+  std::optional<double> time_limit;  ///< seconds
 };
 
 struct PluginsOptions {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/progress.hpp"
 #include "drawing/drawing.hpp"
 #include "drawing/make_drawing.hpp"
 #include "edges/drawn_edges.hpp"
@@ -30,6 +31,7 @@ struct ViewWish {
 struct ViewResult {
   Drawing drawing;
   Placement placement;
+  std::optional<Partial> partial;  ///< what is left out because time was over
 };
 
 /// Seconds since the last call of `lap`, under a name.
@@ -45,6 +47,6 @@ class Stopwatch {
 
 /// Draws one view and notes in `plan` and `watch` what was done.
 ViewResult draw_view(const World& world, const Projection& projection, const ViewWish& wish,
-                     std::vector<PlanStep>& plan, Stopwatch& watch);
+                     std::vector<PlanStep>& plan, Stopwatch& watch, Progress progress = {});
 
 }  // namespace epura

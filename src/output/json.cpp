@@ -133,6 +133,11 @@ std::string step_of(const PlanStep& step) {
          ", \"in\": " + number(step.items_in) + ", \"out\": " + number(step.items_out) + "}";
 }
 
+std::string partial_of(const Partial& partial) {
+  return "{\"reason\": \"time limit\", \"edges\": " + number(partial.edges) +
+         ", \"undecided\": " + number(partial.undecided) + ", \"searched\": " + number(partial.searched) + "}";
+}
+
 std::string report_of(const Report& report) {
   std::string text =
       "{\"meshes\": " + list(report.meshes, mesh_of, "\n   ") + ",\n  \"plan\": " + list(report.plan, step_of, "\n   ");
@@ -147,8 +152,9 @@ std::string report_of(const Report& report) {
 
 std::string to_json(const Sheet& sheet, double scale, const std::vector<Drawing>& drawings, const Report& report) {
   return "{\"epura\": 1, \"unit\": \"mm\", \"sheet\": {\"size\": " + point(Vec2(sheet.width, sheet.height)) +
-         ", \"scale\": " + number(scale) + "},\n \"views\": " + list(drawings, view_of, "\n  ") +
-         ",\n \"report\": " + report_of(report) + "}\n";
+         ", \"scale\": " + number(scale) + "}," +
+         (report.partial ? "\n \"partial\": " + partial_of(*report.partial) + "," : "") +
+         "\n \"views\": " + list(drawings, view_of, "\n  ") + ",\n \"report\": " + report_of(report) + "}\n";
 }
 
 }  // namespace epura

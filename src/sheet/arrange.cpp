@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "sheet/dash.hpp"
+#include "sheet/partial_mark.hpp"
 
 namespace epura {
 
@@ -114,6 +115,7 @@ Sheet make_sheet(const Drawing& drawing, const Paper& paper, const SheetWish& wi
       sheet.layers.front().strokes.push_back(continuous(drawing, chain));
     }
   }
+  if (wish.partial) sheet.layers.push_back(partial_mark(paper));
   return sheet;
 }
 
