@@ -123,7 +123,7 @@ ViewWish view_wish(const DrawOptions& options) {
 }
 
 void warn_about(Console& console, const ViewResult& result) {
-  if (result.drawing.segments.empty()) warn(console, "nothing is drawn: no edge of the wanted kinds is visible");
+  if (result.drawing.segments.empty() && !result.partial) warn(console, "nothing is drawn: no edge of the wanted kinds is visible");
   if (!result.placement.inside) warn(console, "the drawing is larger than the sheet at this scale");
 }
 
@@ -189,9 +189,9 @@ bool shows_progress(const DrawOptions& options) {
 
 int draw(const DrawOptions& options) {
   Stopwatch watch;
-  ProgressBoard board(options.time_limit);
+  ProgressBoard board;
   Console console(board, shows_progress(options));
-  const Progress progress(board);
+  const Progress progress(board, options.time_limit);
   const ThreadLimit threads(options.threads);
   const std::vector<Target> targets = targets_of(options);
   const ViewWish wish = view_wish(options);

@@ -28,12 +28,6 @@ Standing ProgressBoard::standing() const {
   return {stage_, done_.load(std::memory_order_relaxed), work_, seconds_since(begun_)};
 }
 
-bool ProgressBoard::is_out_of_time() {
-  if (!time_limit_) return false;
-  if (over_.load(std::memory_order_relaxed)) return true;
-  if (seconds_since(start_) < *time_limit_) return false;
-  over_.store(true, std::memory_order_relaxed);
-  return true;
-}
+double ProgressBoard::seconds() const { return seconds_since(start_); }
 
 }  // namespace epura

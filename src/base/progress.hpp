@@ -25,15 +25,12 @@ std::optional<double> seconds_left(const Standing& standing);
 /// Where the stages of a run write and somebody else reads, on any threads.
 class ProgressBoard {
  public:
-  /// `time_limit` in seconds from now.
-  explicit ProgressBoard(std::optional<double> time_limit = std::nullopt) : time_limit_(time_limit) {}
-
   void begin(std::string_view stage, std::size_t work);
   void advance(std::size_t done) { done_.fetch_add(done, std::memory_order_relaxed); }
   [[nodiscard]] Standing standing() const;
 
-  [[nodiscard]] bool is_limited() const { return time_limit_.has_value(); }
-  [[nodiscard]] bool is_out_of_time();
+  /// Since the board was made.
+  [[nodiscard]] double seconds() const;
 
   /// Whoever ends the process from outside locks it first.
   [[nodiscard]] std::timed_mutex& ending() { return ending_; }
@@ -42,8 +39,6 @@ class ProgressBoard {
   using Clock = std::chrono::steady_clock;
 
   const Clock::time_point start_ = Clock::now();
-  const std::optional<double> time_limit_;
-  std::atomic<bool> over_ = false;
   std::atomic<std::size_t> done_ = 0;
   mutable std::mutex stage_mutex_;  // of the next three
   std::string stage_;
@@ -56,7 +51,9 @@ class ProgressBoard {
 class Progress {
  public:
   Progress() = default;
-  explicit Progress(ProgressBoard& board) : board_(&board) {}
+  /// `time_limit` in seconds since the board was made; nothing: no limit.
+  explicit Progress(ProgressBoard& board, std::optional<double> time_limit = std::nullopt)
+      : board_(&board), time_limit_(time_limit) {}
 
   /// A stage begins; `work` is what its calls of `advance` will add up to, 0 when not known.
   void begin(std::string_view stage, std::size_t work = 0) const {
@@ -66,10 +63,14 @@ class Progress {
   void advance(std::size_t done) const {
     if (board_ != nullptr) board_->advance(done);
   }
-  [[nodiscard]] bool is_limited() const { return board_ != nullptr && board_->is_limited(); }
+  [[nodiscard]] bool is_limited() const { return time_limit_.has_value(); }
   /// Whether what is not decided yet is to be left out. Without a time limit it costs nothing, with one a look at the
   /// clock.
-  [[nodiscard]] bool is_out_of_time() const { return is_limited() && board_->is_out_of_time(); }
+  [[nodiscard]] bool is_out_of_time() const { return is_limited() && board_->seconds() >= *time_limit_; }
+  /// For a stage that is to leave half of the time that is left to those behind it.
+  [[nodiscard]] Progress with_half_the_time() const {
+    return is_limited() ? Progress(*board_, (board_->seconds() + *time_limit_) / 2) : *this;
+  }
   /// While it lives, the run is not cancelled: for moments that would leave files behind.
   [[nodiscard]] std::unique_lock<std::timed_mutex> undisturbed() const {
     if (board_ == nullptr) return {};
@@ -78,6 +79,7 @@ class Progress {
 
  private:
   ProgressBoard* board_ = nullptr;
+  std::optional<double> time_limit_;
 };
 
 }  // namespace epura

@@ -54,7 +54,7 @@ DrawnEdges find_drawn_edges(const World& world, View& view, const EdgeWishes& wi
     add_mesh_edges(world, view, model, wishes, drawn.edges);
   if (!wishes.intersection) return drawn;
   const double shrink = view.map.shrink;
-  auto [crossings, searched] = find_intersections(world, shrink, contact, progress);
+  auto [crossings, searched] = find_intersections(world, shrink, contact, progress.with_half_the_time());
   drawn.crossings = std::move(crossings);
   drawn.searched = searched;
   std::erase_if(drawn.crossings,
