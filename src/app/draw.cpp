@@ -123,7 +123,8 @@ ViewWish view_wish(const DrawOptions& options) {
 }
 
 void warn_about(Console& console, const ViewResult& result) {
-  if (result.drawing.segments.empty() && !result.partial) warn(console, "nothing is drawn: no edge of the wanted kinds is visible");
+  if (result.drawing.segments.empty() && !result.partial)
+    warn(console, "nothing is drawn: no edge of the wanted kinds is visible");
   if (!result.placement.inside) warn(console, "the drawing is larger than the sheet at this scale");
 }
 

@@ -32,17 +32,16 @@ void expect_ended(Running& run, int signal) {
 class AtAnyTime : public testing::TestWithParam<int> {};
 
 TEST_P(AtAnyTime, TheRunEndsAndTheOldFileStays) {
-  const Folder folder;
-  const std::string model = folder.file("tangle.obj", tangle(1500));
-  folder.file("x.svg", "old");
-  Running run({"draw", model, "-o", "x.svg", "-o", "new.pdf"}, folder / "");
+  Reading reading({"-o", "new.pdf"});
+  reading.folder.file("x.svg", "old");
+  reading.give_model(tangle(1500));
   std::this_thread::sleep_for(milliseconds(GetParam()));
-  expect_ended(run, SIGINT);
-  EXPECT_EQ(read_file(folder / "x.svg"), "old");
-  EXPECT_EQ(folder.names(), (Names{"tangle.obj", "x.svg"}));
+  expect_ended(reading.run, SIGINT);
+  EXPECT_EQ(read_file(reading.folder / "x.svg"), "old");
+  EXPECT_EQ(reading.folder.names(), (Names{"model.obj", "x.svg"}));
 }
 
-INSTANTIATE_TEST_SUITE_P(Cancel, AtAnyTime, testing::Values(100, 300, 600),
+INSTANTIATE_TEST_SUITE_P(Cancel, AtAnyTime, testing::Values(10, 100, 300, 600),
                          [](const auto& of) { return std::to_string(of.param) + "ms"; });
 
 TEST(Cancel, EndsARunThatWaitsForItsModel) {
@@ -63,7 +62,7 @@ TEST(Cancel, EndsARunThatWaitsForTheReaderOfItsDrawing) {
 
 TEST(Cancel, ErasesTheProgressLine) {
   Reading reading({"--progress", "always"});
-  std::this_thread::sleep_for(milliseconds(600));
+  reading.wait_for_line();
   reading.run.signal(SIGINT);
   const std::string err = reading.run.wait().err;
   EXPECT_TRUE(err.starts_with("\repura: reading")) << err;

@@ -59,11 +59,13 @@ Running::~Running() {
 
 void Running::signal(int number) const { ::kill(child_, number); }
 
+std::string Running::err() const { return read_file(err_); }
+
 Outcome Running::wait() {
   int status = 0;
   if (::waitpid(std::exchange(child_, 0), &status, 0) < 0) throw std::runtime_error("cannot wait for a run");
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  return {code, keeps_out_ ? read_file(out_) : std::string(), read_file(err_)};
+  return {code, keeps_out_ ? read_file(out_) : std::string(), err()};
 }
 
 Outcome epura(const std::vector<std::string>& arguments, const std::filesystem::path& folder,

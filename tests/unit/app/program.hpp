@@ -27,6 +27,8 @@ class Running {
   ~Running();
 
   void signal(int number) const;
+  /// Its standard error so far.
+  [[nodiscard]] std::string err() const;
   [[nodiscard]] Outcome wait();
 
  private:

@@ -48,11 +48,16 @@ struct Reading {
   Reading& operator=(const Reading&) = delete;
   ~Reading() { ::close(pipe); }
 
-  /// One triangle: the run goes on.
-  void give_model() {
-    const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n";
-    EXPECT_EQ(::write(pipe, triangle.data(), triangle.size()), static_cast<ssize_t>(triangle.size()));
+  /// The run goes on.
+  void give_model(const std::string& text = "v 0 0 0\nv 1 0 0\nv 0 0 1\nf 1 2 3\n") {
+    ::fcntl(pipe, F_SETFL, 0);  // blocks while the pipe is full
+    EXPECT_EQ(::write(pipe, text.data(), text.size()), static_cast<ssize_t>(text.size()));
     ::close(std::exchange(pipe, -1));
+  }
+
+  /// Until the progress line is shown.
+  void wait_for_line() const {
+    for (int i = 0; i < 2000 && run.err().empty(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
 
  private:

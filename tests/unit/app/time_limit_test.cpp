@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <set>
 
 #include "../output/json_reader.hpp"
+#include "base/text.hpp"
 #include "errors.hpp"
 #include "long_model.hpp"
 #include "program.hpp"
@@ -58,21 +60,39 @@ TEST(TimeLimit, EveryFormatShowsTheMark) {
   }
 }
 
-TEST(TimeLimit, WhatIsShownIsAPartOfTheWholeDrawing) {
-  const Folder folder;
-  const std::string model = folder.file("tangle.obj", tangle(600));
-  const Outcome run = epura({"draw", model, "-o", "-", "--format", "json", "--time-limit", "0.02"}, folder / "");
-  EXPECT_EQ(run.code, partial) << run.err;
-  const Json counts = JsonReader(run.out).read()["partial"];
-  EXPECT_GT(counts["undecided"].number(), 0);
-  EXPECT_LE(counts["undecided"].number(), counts["edges"].number());
-  EXPECT_TRUE(contains(run.err, counts["undecided"].text + " of " + counts["edges"].text + " edges")) << run.err;
+std::set<std::string> segments_of(const std::string& json) {
+  std::set<std::string> lines;
+  for (std::string_view line : split(json, '\n')) {
+    if (!line.starts_with("    {\"from\"")) continue;
+    lines.emplace(line.substr(0, line.find("}", line.find("\"t\""))));
+  }
+  return lines;
 }
 
-// What a run says that waits long for its model.
-std::string said(const std::string& when) {
+TEST(TimeLimit, WhatIsShownIsAPartOfTheWholeDrawing) {
+  const Folder folder;
+  const std::string model = folder.file("tangle.obj", tangle(1000));
+  const std::vector<std::string> arguments{"draw", model, "-o", "-", "--format", "json", "--edges", "boundary"};
+  const std::set<std::string> whole = segments_of(epura(arguments, folder / "").out);
+  ASSERT_GT(whole.size(), 3000U);
+  for (const char* seconds : {"0.01", "0.015", "0.02", "0.03", "0.05"}) {
+    std::vector<std::string> limited = arguments;
+    limited.insert(limited.end(), {"--time-limit", seconds});
+    const Outcome run = epura(limited, folder / "");
+    if (run.code == 0) break;
+    ASSERT_EQ(run.code, partial) << run.err;
+    const Json counts = JsonReader(run.out).read()["partial"];
+    EXPECT_EQ(counts["edges"].number(), 3000);
+    EXPECT_TRUE(contains(run.err, counts["undecided"].text + " of 3000 edges")) << run.err;
+    for (const std::string& segment : segments_of(run.out)) EXPECT_TRUE(whole.contains(segment)) << segment;
+  }
+}
+
+// What a run has said when it is done, having waited for its model for as long as `wait` takes.
+template <class Wait>
+std::string said(const std::string& when, const Wait& wait) {
   Reading reading({"--progress", when});
-  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  wait(reading);
   reading.give_model();
   const Outcome run = reading.run.wait();
   EXPECT_EQ(run.code, 0);
@@ -80,14 +100,15 @@ std::string said(const std::string& when) {
 }
 
 TEST(ProgressLine, IsShownAndErased) {
-  const std::string err = said("always");
+  const std::string err = said("always", [](const Reading& reading) { reading.wait_for_line(); });
   EXPECT_TRUE(err.starts_with("\repura: reading")) << err;
   EXPECT_TRUE(err.ends_with(" \r")) << err;
 }
 
 TEST(ProgressLine, IsNotShownToFilesNorWhenUnwanted) {
-  EXPECT_EQ(said("auto"), "");
-  EXPECT_EQ(said("never"), "");
+  const auto half_a_second = [](const Reading&) { std::this_thread::sleep_for(std::chrono::milliseconds(450)); };
+  EXPECT_EQ(said("auto", half_a_second), "");
+  EXPECT_EQ(said("never", half_a_second), "");
 }
 
 TEST(ProgressLine, IsShownAtTimesThatAreKnown) {
@@ -104,7 +125,10 @@ TEST(ProgressLine, ShortRunsShowNone) {
     const auto start = std::chrono::steady_clock::now();
     const Outcome run = epura({"draw", sample("cylinders.obj"), "-o", "x.svg", "--progress", "always"}, folder / "");
     EXPECT_EQ(run.code, 0);
-    if (std::chrono::steady_clock::now() - start < std::chrono::milliseconds(300)) return EXPECT_EQ(run.err, "");
+    if (std::chrono::steady_clock::now() - start < std::chrono::milliseconds(300)) {
+      EXPECT_EQ(run.err, "");
+      return;
+    }
   }
 }
 
