@@ -111,8 +111,17 @@ void define_outputs(CLI::App& draw, DrawOptions& options) {
   draw.add_option("--format", options.format, "format of '-'")->type_name("NAME");
   draw.add_flag("--plain", options.plain, "SVG without the origin of lines");
   add_number(draw, "--dpi", options.dpi, {1, 1200}, "resolution of PNG")->type_name("N");
+}
+
+void define_run(CLI::App& draw, DrawOptions& options) {
   add_number(draw, "--threads", options.threads, {0, 1024}, "number of threads, 0 for all cores")->type_name("N");
   draw.add_flag("--timings", options.timings, "say how long each stage took");
+  draw.add_option("--progress", options.progress, "show how far it is: auto (on a terminal), always or never")
+      ->capture_default_str()
+      ->type_name("WHEN");
+  add_number(draw, "--time-limit", options.time_limit, {0, HUGE_VAL},
+             "seconds after which edges not decided yet are left out, longest first; marks the drawing PARTIAL")
+      ->type_name("S");
 }
 
 void define_questions(CLI::App& draw, DrawOptions& options) {
@@ -152,7 +161,9 @@ Command parse_command_line(int argc, char** argv) {
   CLI::App app("epura: 3D meshes to engineering drawings with hidden lines removed", "epura");
   app.set_version_flag("--version", "epura " EPURA_VERSION);
   app.require_subcommand(1);
-  app.footer("'epura COMMAND --help' says more. Exit codes: 0 done, 2 wrong input, 3 plugin, 4 could not write.");
+  app.footer(
+      "'epura COMMAND --help' says more. Exit codes: 0 done, 2 wrong input, 3 plugin, 4 could not write, 5 partial "
+      "drawing (--time-limit), 130 cancelled.");
 
   DrawOptions draw;
   CLI::App* draw_command = app.add_subcommand("draw", "draw models");
@@ -162,6 +173,7 @@ Command parse_command_line(int argc, char** argv) {
   define_lines(*draw_command, draw);
   define_sheet(*draw_command, draw);
   define_questions(*draw_command, draw);
+  define_run(*draw_command, draw);
 
   PluginsOptions plugins;
   CLI::App* plugins_command = app.add_subcommand("plugins", "list projections, or show one");

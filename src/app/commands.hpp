@@ -5,6 +5,9 @@
 
 namespace epura {
 
+/// The drawing was written, but --time-limit left edges out.
+inline constexpr int partial_exit_code = 5;
+
 int draw(const DrawOptions& options);
 int plugins(const PluginsOptions& options);
 

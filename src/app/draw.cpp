@@ -1,8 +1,10 @@
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 
 #include "app/commands.hpp"
+#include "app/console.hpp"
 #include "app/pipeline.hpp"
 #include "app/questions.hpp"
 #include "base/error.hpp"
@@ -80,28 +82,31 @@ Mat4 place_of(const DrawOptions& options, std::size_t model) {
   return parse_transform(options.transforms[options.transforms.size() == 1 ? 0 : model]) * place;
 }
 
-void warn(const std::string& sentence) { std::fprintf(stderr, "epura: %s\n", sentence.c_str()); }
+void warn(Console& console, const std::string& sentence) { console.print("epura: " + sentence + "\n"); }
 
 // Says what was repaired: a drawing of a damaged model must not look like one of a sound model.
-void warn_about(const MeshReport& report) {
+void warn_about(Console& console, const MeshReport& report) {
   const auto say = [&](int count, const std::string& what) {
-    if (count > 0) warn(report.name + ": " + std::to_string(count) + " " + what);
+    if (count > 0) warn(console, report.name + ": " + std::to_string(count) + " " + what);
   };
   say(report.dropped_degenerate, "faces with fewer than three distinct corners left out");
   say(report.dropped_duplicates, "faces that repeat an earlier face left out");
   say(report.dropped_non_finite, "faces with coordinates that are no finite numbers left out");
   say(report.non_manifold_edges, "edges have three or more faces; each is drawn");
-  for (const std::string& note : report.notes) warn(report.name + ": " + note);
+  for (const std::string& note : report.notes) warn(console, report.name + ": " + note);
 }
 
-World read_world(const DrawOptions& options, Report& report) {
+World read_world(const DrawOptions& options, Report& report, Console& console, Progress progress) {
   std::vector<Mat4> places;
   for (std::size_t i = 0; i < options.models.size(); ++i) places.push_back(place_of(options, i));
+  // A single model is read in one go: how far it is cannot be told.
+  progress.begin("reading", places.size() > 1 ? places.size() : 0);
   std::vector<Placed> placed;
   for (std::size_t i = 0; i < options.models.size(); ++i) {
     placed.push_back({std::make_shared<const Mesh>(read_mesh(options.models[i])), places[i]});
     report.meshes.push_back(placed.back().mesh->report);
-    warn_about(report.meshes.back());
+    warn_about(console, report.meshes.back());
+    progress.advance(1);
   }
   return make_world(std::move(placed));
 }
@@ -118,9 +123,18 @@ ViewWish view_wish(const DrawOptions& options) {
   return wish;
 }
 
-void warn_about(const ViewResult& result) {
-  if (result.drawing.segments.empty()) warn("nothing is drawn: no edge of the wanted kinds is visible");
-  if (!result.placement.inside) warn("the drawing is larger than the sheet at this scale");
+void warn_about(Console& console, const ViewResult& result) {
+  if (result.drawing.segments.empty() && !result.partial)
+    warn(console, "nothing is drawn: no edge of the wanted kinds is visible");
+  if (!result.placement.inside) warn(console, "the drawing is larger than the sheet at this scale");
+}
+
+void warn_about(Console& console, const Partial& partial) {
+  std::string sentence = "the drawing is partial: the time limit left out " + std::to_string(partial.undecided) +
+                         " of " + std::to_string(partial.edges) + " edges";
+  if (partial.searched < 1)
+    sentence += " and " + format_fixed(100 * (1 - partial.searched), 1) + " % of the search for intersection lines";
+  warn(console, sentence + "\n  hint: give a longer --time-limit, or ask for less with --edges");
 }
 
 std::string encode(const Target& target, const Sheet& sheet, const ViewResult& result, const DrawOptions& options,
@@ -142,21 +156,44 @@ std::string encode(const Target& target, const Sheet& sheet, const ViewResult& r
   return {};
 }
 
-void write(const Target& target, const std::string& bytes) {
-  if (target.path != "-") return write_file(target.path, bytes);
+void write(const Target& target, const std::string& bytes, Progress progress) {
+  if (target.path != "-") return write_file(target.path, bytes, progress);
   if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size() || std::fflush(stdout) != 0)
     throw Error(Trouble::output, "standard output", "cannot be written");
 }
 
-void print_timings(const Stopwatch& watch) {
-  for (const auto& [stage, seconds] : watch.laps())
-    std::fprintf(stderr, "%-12s %8s s\n", stage.c_str(), format_fixed(seconds, 4).c_str());
+void print_timings(Console& console, const Stopwatch& watch) {
+  std::string text;
+  for (const auto& [stage, seconds] : watch.laps()) {
+    std::array<char, 64> line{};
+    std::snprintf(line.data(), line.size(), "%-12s %8s s\n", stage.c_str(), format_fixed(seconds, 4).c_str());
+    text += line.data();
+  }
+  console.print(text);
+}
+
+std::vector<std::string> encode_all(const std::vector<Target>& targets, const Sheet& sheet, const ViewResult& result,
+                                    const DrawOptions& options, const Report& report, Progress progress) {
+  progress.begin("writing", targets.size() > 1 ? targets.size() : 0);
+  std::vector<std::string> files;
+  for (const Target& target : targets) {
+    files.push_back(encode(target, sheet, result, options, report));
+    progress.advance(1);
+  }
+  return files;
+}
+
+bool shows_progress(const DrawOptions& options) {
+  return choose<bool>("--progress", options.progress, {{"auto", is_terminal()}, {"always", true}, {"never", false}});
 }
 
 }  // namespace
 
 int draw(const DrawOptions& options) {
   Stopwatch watch;
+  ProgressBoard board;
+  Console console(board, shows_progress(options));
+  const Progress progress(board, options.time_limit);
   const ThreadLimit threads(options.threads);
   const std::vector<Target> targets = targets_of(options);
   const Questions questions = parse_questions(options);
@@ -166,26 +203,32 @@ int draw(const DrawOptions& options) {
   watch.lap("prepare");
 
   Report report;
-  World world = read_world(options, report);
+  World world = read_world(options, report, console, progress);
   watch.lap("read");
   const Projection projection = make_projection(entry, request, world.box);
-  ViewResult result = draw_view(world, projection, wish, report.plan, watch);
-  warn_about(result);
-  world = {};  // what follows takes its room
-  const Sheet sheet =
-      make_sheet(result.drawing, result.placement.paper, {parse_hidden_lines(options.hidden), options.title});
+  ViewResult result = draw_view(world, projection, wish, report.plan, watch, progress);
+  report.partial = result.partial;
+  warn_about(console, result);
+  const std::string answers = answer(questions, world, wish, result);
+  // What follows takes its room.
+  world = {};
+  result.work = {};
+
+  const SheetWish sheet_wish{parse_hidden_lines(options.hidden), options.title, result.partial.has_value()};
+  const Sheet sheet = make_sheet(result.drawing, result.placement.paper, sheet_wish);
   result.drawing.chains = {};  // the sheet has them
   watch.lap("sheet");
   if (options.timings) report.seconds = watch.laps();
 
-  std::vector<std::string> files;
-  for (const Target& target : targets) files.push_back(encode(target, sheet, result, options, report));
-  for (std::size_t i = 0; i < targets.size(); ++i) write(targets[i], files[i]);
+  const std::vector<std::string> files = encode_all(targets, sheet, result, options, report, progress);
+  for (std::size_t i = 0; i < targets.size(); ++i) write(targets[i], files[i], progress);
   watch.lap("write");
-  print_answers(questions, {world, result.view, wish.edges, result.drawn, result.hidden, result.contact, result.paper,
-                            result.drawing, wish.keep_hidden});
-  if (options.timings) print_timings(watch);
-  return 0;
+  console.print("");  // the line of progress makes room
+  std::fputs(answers.c_str(), stdout);
+  if (options.timings) print_timings(console, watch);
+  if (!result.partial) return 0;
+  warn_about(console, *result.partial);
+  return partial_exit_code;
 }
 
 }  // namespace epura

@@ -32,6 +32,8 @@ struct DrawOptions {
   bool timings = false;
   std::vector<std::string> why;  ///< edges to explain
   std::string dump;              ///< table to print: "edges", "spans" or none
+  std::string progress = "auto";
+  std::optional<double> time_limit;  ///< seconds
 };
 
 struct PluginsOptions {

@@ -26,6 +26,11 @@ PlanStep visibility_step(bool run, const DrawnEdges& drawn, const HiddenSpans& h
           count_of(hidden.spans.size())};
 }
 
+std::optional<Partial> partial_of(const DrawnEdges& drawn, const HiddenSpans& hidden) {
+  if (drawn.searched == 1 && hidden.undecided.empty()) return std::nullopt;
+  return Partial{count_of(drawn.edges.size()), count_of(hidden.undecided.size()), drawn.searched};
+}
+
 }  // namespace
 
 void Stopwatch::lap(const std::string& stage) {
@@ -35,26 +40,31 @@ void Stopwatch::lap(const std::string& stage) {
 }
 
 ViewResult draw_view(const World& world, const Projection& projection, const ViewWish& wish,
-                     std::vector<PlanStep>& plan, Stopwatch& watch) {
+                     std::vector<PlanStep>& plan, Stopwatch& watch, Progress progress) {
+  progress.begin("mapping");
   View view = make_view(world, projection, wish.limits);
   plan.push_back(clip_step(world, view));
   watch.lap("view");
 
-  DrawnEdges drawn = find_drawn_edges(world, view, wish.edges, contact_in_space(world, view, wish.contact));
+  DrawnEdges drawn = find_drawn_edges(world, view, wish.edges, contact_in_space(world, view, wish.contact), progress);
   plan.push_back(intersection_step(world, wish.edges, drawn));
   watch.lap("edges");
 
   const Contact contact = contact_of(world, view, wish.contact);
-  HiddenSpans hidden = wish.remove_hidden ? find_hidden(world, view, drawn, contact) : nothing_hidden(drawn);
+  HiddenSpans hidden = wish.remove_hidden ? find_hidden(world, view, drawn, contact, progress) : nothing_hidden(drawn);
   plan.push_back(visibility_step(wish.remove_hidden, drawn, hidden));
+  const std::optional<Partial> partial = partial_of(drawn, hidden);
+  keep_decided(drawn, hidden);
   watch.lap("visibility");
 
+  progress.begin("drawing");
   const Window box = drawn_box(view);
   const Placement placement = place_ink(box.least, box.most, wish.scale, wish.paper);
   const PaperMap paper = make_paper_map(view, placement.scale, placement.shift);
   Drawing drawing = make_drawing(world, view, drawn, hidden, contact, paper, {projection.name, wish.keep_hidden});
   watch.lap("drawing");
-  return {std::move(view), std::move(drawn), contact, std::move(hidden), placement, paper, std::move(drawing)};
+  return {
+      {std::move(view), std::move(drawn), contact, std::move(hidden), paper}, placement, std::move(drawing), partial};
 }
 
 }  // namespace epura

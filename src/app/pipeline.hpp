@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/progress.hpp"
 #include "drawing/drawing.hpp"
 #include "drawing/make_drawing.hpp"
 #include "edges/drawn_edges.hpp"
@@ -29,15 +30,20 @@ struct ViewWish {
   std::optional<double> scale;  ///< mm of paper per unit of the world; nothing: as large as fits
 };
 
-/// What was computed on the way, and the drawing.
-struct ViewResult {
+/// What was computed on the way to a drawing.
+struct ViewWork {
   View view;
   DrawnEdges drawn;
   Contact contact;
   HiddenSpans hidden;
-  Placement placement;
   PaperMap paper;
+};
+
+struct ViewResult {
+  ViewWork work;  ///< large; of use only for questions about the drawing
+  Placement placement;
   Drawing drawing;
+  std::optional<Partial> partial;  ///< what is left out because time was over
 };
 
 /// Seconds since the last call of `lap`, under a name.
@@ -53,6 +59,6 @@ class Stopwatch {
 
 /// Draws one view and notes in `plan` and `watch` what was done.
 ViewResult draw_view(const World& world, const Projection& projection, const ViewWish& wish,
-                     std::vector<PlanStep>& plan, Stopwatch& watch);
+                     std::vector<PlanStep>& plan, Stopwatch& watch, Progress progress = {});
 
 }  // namespace epura

@@ -1,11 +1,11 @@
 #include "app/questions.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <string>
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "study/drawn_view.hpp"
 #include "study/explain.hpp"
 #include "study/tables.hpp"
 
@@ -29,14 +29,18 @@ Questions parse_questions(const DrawOptions& options) {
   return questions;
 }
 
-void print_answers(const Questions& questions, const DrawnView& drawn_view) {
-  if (questions.edge_table) std::fputs(edge_table(drawn_view).c_str(), stdout);
-  if (questions.why.empty() && !questions.span_table) return;
-  const TriangleBoxes boxes(drawn_view.view);
-  if (questions.span_table) std::fputs(span_table(drawn_view, boxes).c_str(), stdout);
+std::string answer(const Questions& questions, const World& world, const ViewWish& wish, const ViewResult& result) {
+  const ViewWork& work = result.work;
+  const DrawnView drawn_view{world,        work.view,  wish.edges,     work.drawn,      work.hidden,
+                             work.contact, work.paper, result.drawing, wish.keep_hidden};
+  std::string text;
+  if (questions.edge_table) text += edge_table(drawn_view);
+  if (questions.why.empty() && !questions.span_table) return text;
+  const TriangleBoxes boxes(work.view);
+  if (questions.span_table) text += span_table(drawn_view, boxes);
   for (const EdgeQuestion& question : questions.why)
-    for (const Subject& subject : find_subjects(drawn_view, question))
-      std::fputs(explain(drawn_view, boxes, subject).c_str(), stdout);
+    for (const Subject& subject : find_subjects(drawn_view, question)) text += explain(drawn_view, boxes, subject);
+  return text;
 }
 
 }  // namespace epura

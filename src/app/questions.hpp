@@ -1,10 +1,11 @@
-// Questions about a drawing (--why, --dump): parsed before any work is done, answered on standard output.
+// Questions about a drawing (--why, --dump): parsed before any work is done, answered as text.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "app/options.hpp"
-#include "study/drawn_view.hpp"
+#include "app/pipeline.hpp"
 #include "study/find_subjects.hpp"
 
 namespace epura {
@@ -18,7 +19,7 @@ struct Questions {
 /// Throws Error{input} for wrong questions, and where neither a question nor an output is given.
 Questions parse_questions(const DrawOptions& options);
 
-/// Throws Error{input} when an edge that was asked for does not exist.
-void print_answers(const Questions& questions, const DrawnView& drawn_view);
+/// The answers as text. Throws Error{input} when an edge that was asked for does not exist.
+std::string answer(const Questions& questions, const World& world, const ViewWish& wish, const ViewResult& result);
 
 }  // namespace epura

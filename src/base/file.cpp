@@ -59,6 +59,59 @@ void write_directly(const fs::path& path, std::string_view bytes) {
   if (!write_all(file.number(), bytes) || !file.close()) fail(Trouble::output, path, "write", errno);
 }
 
+// The mode of the old file, or what any new file would get.
+mode_t mode_for(const fs::path& target) {
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  struct stat old {};
+  return ::stat(target.c_str(), &old) == 0 ? old.st_mode & 0777 : 0666 & ~mask;
+}
+
+// Closes a complete file and puts it into the place of the target, or removes it.
+bool put_in_place(Descriptor& file, const std::string& name, const fs::path& target) {
+  if (file.close() && ::rename(name.c_str(), target.c_str()) == 0) return true;
+  const int number = errno;
+  ::unlink(name.c_str());
+  errno = number;
+  return false;
+}
+
+// Gives a file without a name one beside the target; an empty one when it cannot have any.
+std::string name_beside(const Descriptor& file, const fs::path& target) {
+  const std::string self = "/proc/self/fd/" + std::to_string(file.number());
+  for (int attempt = 0; attempt < 100; ++attempt) {
+    std::string name = target.string() + "." + std::to_string(::getpid() + attempt);
+    if (::linkat(AT_FDCWD, self.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0) return name;
+    if (errno != EEXIST) break;
+  }
+  return {};
+}
+
+// By a file without a name: it vanishes by itself, whenever and however the process ends. False where the file system
+// has none, or for trouble that the other way will meet, too.
+bool replace_by_nameless(const fs::path& target, std::string_view bytes, Progress progress) {
+  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  Descriptor file(::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600));
+  if (file.number() < 0 || !write_all(file.number(), bytes) || ::fchmod(file.number(), mode_for(target)) != 0)
+    return false;
+  const auto lock = progress.undisturbed();
+  const std::string name = name_beside(file, target);
+  return !name.empty() && put_in_place(file, name, target);
+}
+
+bool replace_by_named(const fs::path& target, std::string_view bytes, Progress progress) {
+  const auto lock = progress.undisturbed();
+  std::string name = target.string() + ".XXXXXX";
+  Descriptor file(::mkostemp(name.data(), O_CLOEXEC));
+  if (file.number() < 0) return false;
+  if (write_all(file.number(), bytes) && ::fchmod(file.number(), mode_for(target)) == 0)
+    return put_in_place(file, name, target);
+  const int number = errno;
+  ::unlink(name.c_str());
+  errno = number;
+  return false;
+}
+
 }  // namespace
 
 std::string read_file(const fs::path& path) {
@@ -83,7 +136,7 @@ std::string read_file(const fs::path& path) {
   return bytes;
 }
 
-void write_file(const fs::path& path, std::string_view bytes) {
+void write_file(const fs::path& path, std::string_view bytes, Progress progress) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) throw Error(Trouble::output, path.string(), "is a directory, not a file");
   if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored)) return write_directly(path, bytes);
@@ -92,22 +145,8 @@ void write_file(const fs::path& path, std::string_view bytes) {
   fs::path target = fs::is_symlink(path, ignored) ? fs::canonical(path, ignored) : path;
   if (target.empty()) target = path;
   if (fs::exists(target, ignored) && ::access(target.c_str(), W_OK) != 0) fail(Trouble::output, path, "write", errno);
-
-  std::string temporary = target.string() + ".XXXXXX";
-  Descriptor file(::mkostemp(temporary.data(), O_CLOEXEC));
-  if (file.number() < 0) fail(Trouble::output, path, "write", errno);
-
-  // mkostemp makes private files; the result gets the mode that any new file would get.
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  struct stat old {};
-  const mode_t mode = ::stat(target.c_str(), &old) == 0 ? old.st_mode & 0777 : 0666 & ~mask;
-  const bool written = write_all(file.number(), bytes) && ::fchmod(file.number(), mode) == 0 && file.close() &&
-                       ::rename(temporary.c_str(), target.c_str()) == 0;
-  if (written) return;
-  const int number = errno;
-  ::unlink(temporary.c_str());
-  fail(Trouble::output, path, "write", number);
+  if (!replace_by_nameless(target, bytes, progress) && !replace_by_named(target, bytes, progress))
+    fail(Trouble::output, path, "write", errno);
 }
 
 }  // namespace epura

@@ -5,13 +5,15 @@
 #include <string>
 #include <string_view>
 
+#include "base/progress.hpp"
+
 namespace epura {
 
 /// All bytes of a regular file (or of a pipe). Throws Error{input} naming the path and the reason.
 std::string read_file(const std::filesystem::path& path);
 
-/// Writes beside the target under a temporary name and renames it. Throws Error{output}; the old file then stays.
-/// A target that is no regular file (a device, a pipe) is written to directly.
-void write_file(const std::filesystem::path& path, std::string_view bytes);
+/// Writes beside the target, without a name where the file system can, and renames at the end. Throws Error{output};
+/// the old file then stays. A target that is no regular file (a device, a pipe) is written to directly.
+void write_file(const std::filesystem::path& path, std::string_view bytes, Progress progress = {});
 
 }  // namespace epura

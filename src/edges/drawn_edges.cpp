@@ -1,6 +1,7 @@
 #include "edges/drawn_edges.hpp"
 
 #include <optional>
+#include <utility>
 
 #include "edges/dihedral.hpp"
 #include "edges/feature_edges.hpp"
@@ -45,13 +46,17 @@ void add_intersections(const World& world, View& view, DrawnEdges& drawn) {
 
 }  // namespace
 
-DrawnEdges find_drawn_edges(const World& world, View& view, const EdgeWishes& wishes, double contact) {
+DrawnEdges find_drawn_edges(const World& world, View& view, const EdgeWishes& wishes, double contact,
+                            Progress progress) {
+  progress.begin("finding edges");
   DrawnEdges drawn;
   for (int model = 0; model < static_cast<int>(world.models.size()); ++model)
     add_mesh_edges(world, view, model, wishes, drawn.edges);
   if (!wishes.intersection) return drawn;
   const double shrink = view.map.shrink;
-  drawn.crossings = find_intersections(world, shrink, contact);
+  auto [crossings, searched] = find_intersections(world, shrink, contact, progress.with_half_the_time());
+  drawn.crossings = std::move(crossings);
+  drawn.searched = searched;
   std::erase_if(drawn.crossings,
                 [&](const FaceCrossing& c) { return is_tessellation(world, shrink, c, wishes.crease_angle); });
   add_intersections(world, view, drawn);

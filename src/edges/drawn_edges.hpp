@@ -28,9 +28,11 @@ struct DrawnEdge {
 struct DrawnEdges {
   std::vector<DrawnEdge> edges;  ///< in order of model and mesh edge, then the intersection lines
   std::vector<FaceCrossing> crossings;
+  double searched = 1;  ///< part of the search for crossings that was done before time was over
 };
 
 /// `contact` is the distance in the shrunk world (ViewMap::shrink) below which faces touch rather than cross.
-DrawnEdges find_drawn_edges(const World& world, View& view, const EdgeWishes& wishes, double contact);
+DrawnEdges find_drawn_edges(const World& world, View& view, const EdgeWishes& wishes, double contact,
+                            Progress progress = {});
 
 }  // namespace epura

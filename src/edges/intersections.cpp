@@ -1,6 +1,7 @@
 #include "edges/intersections.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <iterator>
 #include <numbers>
@@ -173,21 +174,28 @@ class Crossings {
 
 }  // namespace
 
-std::vector<FaceCrossing> find_intersections(const World& world, double shrink, double contact) {
+FaceCrossings find_intersections(const World& world, double shrink, double contact, Progress progress) {
+  if (progress.is_out_of_time()) return {{}, 0};
   const Crossings crossings(world, shrink, contact);
   const TriangleTree tree(world.triangles.size(), [&](int triangle) { return crossings.box(triangle); });
 
   const std::vector<TriangleTree::NodePair> tasks = tree.tasks(1024);
+  progress.begin("finding intersections", tasks.size());
   std::vector<std::vector<FaceCrossing>> found(tasks.size());
+  std::atomic<std::size_t> finished = 0;
   parallel_for(tasks.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t task = begin; task < end; ++task)
+    for (std::size_t task = begin; task < end && !progress.is_out_of_time(); ++task) {
       tree.search(tasks[task], [&](int a, int b) {
+        if (progress.is_out_of_time()) return;
         if (const auto crossing = crossings.cross(a, b)) found[task].push_back(*crossing);
       });
+      finished += progress.is_out_of_time() ? 0 : 1;
+      progress.advance(1);
+    }
   });
-  std::vector<FaceCrossing> all;
-  for (const auto& part : found) all.insert(all.end(), part.begin(), part.end());
-  std::sort(all.begin(), all.end(),
+  FaceCrossings all{{}, static_cast<double>(finished) / static_cast<double>(tasks.size())};
+  for (const auto& part : found) all.found.insert(all.found.end(), part.begin(), part.end());
+  std::sort(all.found.begin(), all.found.end(),
             [](const FaceCrossing& a, const FaceCrossing& b) { return a.triangles < b.triangles; });
   return all;
 }

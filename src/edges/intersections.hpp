@@ -4,6 +4,7 @@
 #include <array>
 #include <vector>
 
+#include "base/progress.hpp"
 #include "scene/scene.hpp"
 
 namespace epura {
@@ -14,10 +15,15 @@ struct FaceCrossing {
   double angle;                  ///< at which their planes cross, 0 to 90 degrees
 };
 
+struct FaceCrossings {
+  std::vector<FaceCrossing> found;
+  double searched = 1;  ///< part of the search that was done before time was over; 1: all of it
+};
+
 /// All crossings of two triangles without a common vertex, longer than `contact`, sorted by their triangles.
 /// Faces that only touch (a corner or an edge within `contact` of the other's plane) do not cross; an edge that lies
 /// in the other plane counts when its surface goes on to the other side. `shrink` is a power of two that brings the
 /// world's size near 1; `contact` is a length after shrinking.
-std::vector<FaceCrossing> find_intersections(const World& world, double shrink, double contact);
+FaceCrossings find_intersections(const World& world, double shrink, double contact, Progress progress = {});
 
 }  // namespace epura

@@ -185,6 +185,11 @@ std::string step_of(const PlanStep& step) {
          ", \"in\": " + number(step.items_in) + ", \"out\": " + number(step.items_out) + "}";
 }
 
+std::string partial_of(const Partial& partial) {
+  return "{\"reason\": \"time limit\", \"edges\": " + number(partial.edges) +
+         ", \"undecided\": " + number(partial.undecided) + ", \"searched\": " + number(partial.searched) + "}";
+}
+
 std::string report_of(const Report& report) {
   std::string text =
       "{\"meshes\": " + list(report.meshes, mesh_of, "\n   ") + ",\n  \"plan\": " + list(report.plan, step_of, "\n   ");
@@ -200,7 +205,9 @@ std::string report_of(const Report& report) {
 std::string to_json(const Sheet& sheet, double scale, const std::vector<Drawing>& drawings, const Report& report) {
   std::string text =
       "{\"epura\": 1, \"unit\": \"mm\", \"sheet\": {\"size\": " + point(Vec2(sheet.width, sheet.height)) +
-      ", \"scale\": " + number(scale) + "},\n \"views\": [";
+      ", \"scale\": " + number(scale) + "},";
+  if (report.partial) text += "\n \"partial\": " + partial_of(*report.partial) + ",";
+  text += "\n \"views\": [";
   for (const Drawing& drawing : drawings) {
     text += &drawing == drawings.data() ? "\n  " : ",\n  ";
     append_view(text, drawing);

@@ -39,10 +39,17 @@ struct PlanStep {
   long long items_in = 0, items_out = 0;
 };
 
+/// What a time limit left undone.
+struct Partial {
+  long long edges = 0, undecided = 0;  ///< undecided edges are not drawn
+  double searched = 1;                 ///< part of the search for intersection lines that was done, 0 to 1
+};
+
 struct Report {
   std::vector<MeshReport> meshes;
   std::vector<PlanStep> plan;
   std::vector<std::pair<std::string, double>> seconds;  ///< empty unless asked for: outputs are byte-stable
+  std::optional<Partial> partial;                       ///< nothing: the drawing is complete
 };
 
 /// Drawing JSON, schema 1 (docs/formats.md).

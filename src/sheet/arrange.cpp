@@ -12,6 +12,7 @@
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "sheet/dash.hpp"
+#include "sheet/partial_mark.hpp"
 
 namespace epura {
 
@@ -141,6 +142,7 @@ Sheet make_sheet(const Drawing& drawing, const Paper& paper, const SheetWish& wi
     append(sheet.layers.front().strokes, part.hidden);
     append(sheet.layers.back().strokes, part.visible);
   }
+  if (wish.partial) sheet.layers.push_back(partial_mark(paper));
   return sheet;
 }
 

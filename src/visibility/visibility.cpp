@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "base/parallel.hpp"
@@ -61,6 +63,44 @@ struct Hider {
 
 constexpr std::size_t chunk = 256;
 
+// The order in which edges are decided. It matters only where time may be over before the last.
+std::vector<int> work_order(const View& view, const std::vector<DrawnEdge>& edges, Progress progress) {
+  std::vector<int> order(edges.size());
+  std::iota(order.begin(), order.end(), 0);
+  if (!progress.is_limited()) return order;
+  std::vector<double> length(edges.size());
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const PageVertex& p = view.vertices[edges[e].vertex[0]];
+    const PageVertex& q = view.vertices[edges[e].vertex[1]];
+    length[e] = std::hypot(q.x - p.x, q.y - p.y);
+  }
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return length[a] > length[b]; });
+  return order;
+}
+
+HiddenSpans nothing_decided(const DrawnEdges& drawn) {
+  HiddenSpans hidden = nothing_hidden(drawn);
+  hidden.undecided.resize(drawn.edges.size());
+  std::iota(hidden.undecided.begin(), hidden.undecided.end(), 0);
+  return hidden;
+}
+
+// What was found in the order of work, put into the order of the edges. `hidden.first` holds the number of spans of
+// edge e at e + 1.
+void put_in_order(const std::vector<Spans>& found, const std::vector<int>& order, HiddenSpans& hidden) {
+  std::partial_sum(hidden.first.begin(), hidden.first.end(), hidden.first.begin());
+  hidden.spans.resize(hidden.first.back());
+  for (std::size_t part = 0; part < found.size(); ++part) {
+    auto from = found[part].begin();
+    for (std::size_t i = part * chunk; i < std::min((part + 1) * chunk, order.size()); ++i) {
+      const auto e = static_cast<std::size_t>(order[i]);
+      const auto end = from + static_cast<std::ptrdiff_t>(hidden.first[e + 1] - hidden.first[e]);
+      std::copy(from, end, hidden.spans.begin() + static_cast<std::ptrdiff_t>(hidden.first[e]));
+      from = end;
+    }
+  }
+}
+
 }  // namespace
 
 Contact contact_of(const World& world, const View& view, std::optional<double> given) {
@@ -85,27 +125,56 @@ bool is_own(const World& world, const DrawnEdges& drawn, const DrawnEdge& edge, 
   return std::find(own.begin(), own.end(), triangle - world.first_triangle[edge.model]) != own.end();
 }
 
-HiddenSpans find_hidden(const World& world, const View& view, const DrawnEdges& drawn, const Contact& contact) {
+HiddenSpans find_hidden(const World& world, const View& view, const DrawnEdges& drawn, const Contact& contact,
+                        Progress progress) {
+  const std::size_t count = drawn.edges.size();
+  progress.begin("hiding lines", count);
+  if (progress.is_out_of_time()) return nothing_decided(drawn);
   const OccluderGrid occluders(view, drawn.edges, contact);
   const Hider hider{world, view, contact, occluders, drawn};
-  const std::size_t count = drawn.edges.size();
-  HiddenSpans hidden{std::vector<std::size_t>(count + 1, 0), {}};
+  const std::vector<int> order = work_order(view, drawn.edges, progress);
+  HiddenSpans hidden = nothing_hidden(drawn);
   std::vector<Spans> found((count + chunk - 1) / chunk);
+  std::vector<char> decided(count, 0);
+  std::atomic<std::size_t> next = 0;
   parallel_for(found.size(), 1, [&](std::size_t first, std::size_t last) {
-    for (std::size_t part = first; part < last; ++part)
-      for (std::size_t e = part * chunk; e < std::min((part + 1) * chunk, count); ++e) {
-        const Spans spans = hider.hidden_spans(drawn.edges[e]);
-        hidden.first[e + 1] = spans.size();
+    for (std::size_t turn = first; turn < last; ++turn) {
+      const std::size_t part = next++;  // in order, whichever turn a thread has taken
+      const std::size_t end = std::min((part + 1) * chunk, count);
+      for (std::size_t i = part * chunk; i < end && !progress.is_out_of_time(); ++i) {
+        const Spans spans = hider.hidden_spans(drawn.edges[order[i]]);
+        hidden.first[order[i] + 1] = spans.size();
         found[part].insert(found[part].end(), spans.begin(), spans.end());
+        decided[order[i]] = 1;
       }
+      progress.advance(end - part * chunk);
+    }
   });
-  for (std::size_t e = 0; e < count; ++e) hidden.first[e + 1] += hidden.first[e];
-  for (const Spans& spans : found) hidden.spans.insert(hidden.spans.end(), spans.begin(), spans.end());
+  put_in_order(found, order, hidden);
+  for (std::size_t e = 0; e < count; ++e)
+    if (decided[e] == 0) hidden.undecided.push_back(static_cast<int>(e));
   return hidden;
 }
 
+void keep_decided(DrawnEdges& drawn, HiddenSpans& hidden) {
+  if (hidden.undecided.empty()) return;
+  std::size_t kept = 0;
+  auto next = hidden.undecided.begin();
+  for (std::size_t e = 0; e < drawn.edges.size(); ++e) {
+    if (next != hidden.undecided.end() && static_cast<std::size_t>(*next) == e) {
+      ++next;
+      continue;
+    }
+    drawn.edges[kept] = drawn.edges[e];
+    hidden.first[++kept] = hidden.first[e + 1];
+  }
+  drawn.edges.resize(kept);
+  hidden.first.resize(kept + 1);
+  hidden.undecided.clear();
+}
+
 HiddenSpans nothing_hidden(const DrawnEdges& drawn) {
-  return {std::vector<std::size_t>(drawn.edges.size() + 1, 0), {}};
+  return {std::vector<std::size_t>(drawn.edges.size() + 1, 0), {}, {}};
 }
 
 }  // namespace epura

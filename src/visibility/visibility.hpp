@@ -15,6 +15,7 @@ namespace epura {
 struct HiddenSpans {
   std::vector<std::size_t> first;
   std::vector<std::array<double, 2>> spans;
+  std::vector<int> undecided;  ///< edges that were not looked at before time was over, ascending
 };
 
 /// Contact tolerance for a view. `given` is a length in the world; without it, four cells of the page grid, or the
@@ -28,7 +29,12 @@ double contact_in_space(const World& world, const View& view, std::optional<doub
 bool is_own(const World& world, const DrawnEdges& drawn, const DrawnEdge& edge, int triangle);
 
 /// Every edge against every triangle that meets it on the page. The result does not depend on the number of threads.
-HiddenSpans find_hidden(const World& world, const View& view, const DrawnEdges& drawn, const Contact& contact);
+/// Under a time limit the longest edges come first, and those that time does not suffice for stay undecided.
+HiddenSpans find_hidden(const World& world, const View& view, const DrawnEdges& drawn, const Contact& contact,
+                        Progress progress = {});
+
+/// Takes the undecided edges out of both: what is drawn then is right.
+void keep_decided(DrawnEdges& drawn, HiddenSpans& hidden);
 
 /// Nothing is hidden: a wireframe.
 HiddenSpans nothing_hidden(const DrawnEdges& drawn);

@@ -29,7 +29,7 @@ TEST(Help, IsThereForEverything) {
        {"--output",    "-o",        "--format",   "--projection", "--plugin-path", "--near",         "--far",
         "--transform", "--unit",    "--up",       "--hidden",     "--edges",       "--crease-angle", "--visibility",
         "--contact",   "--sheet",   "--portrait", "--landscape",  "--scale",       "--title",        "--plain",
-        "--dpi",       "--threads", "--timings",  "--why",        "--dump"})
+        "--dpi",       "--threads", "--timings",  "--why",        "--dump",        "--progress",     "--time-limit"})
     EXPECT_TRUE(contains(draw, option)) << option;
   EXPECT_EQ(answer({"draw", "-h"}).out, draw);
 }

@@ -5,10 +5,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <stdexcept>
 #include <string_view>
-
-#include "folder.hpp"
+#include <utility>
 
 namespace epura::test {
 
@@ -30,11 +30,11 @@ std::vector<std::string> environment() {
 
 }  // namespace
 
-Outcome epura(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
-              const std::string& out_path) {
-  const Folder scratch;
-  const std::string out = out_path.empty() ? (scratch / "out").string() : out_path;
-  const std::string err = (scratch / "err").string();
+Running::Running(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+                 const std::string& out_path)
+    : keeps_out_(out_path.empty()),
+      out_(keeps_out_ ? (scratch_ / "out").string() : out_path),
+      err_((scratch_ / "err").string()) {
   std::vector<std::string> words{EPURA_TEST_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<std::string> variables = environment();
@@ -42,17 +42,35 @@ Outcome epura(const std::vector<std::string>& arguments, const std::filesystem::
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out.c_str(), O_WRONLY | O_CREAT, 0600);
-  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err.c_str(), O_WRONLY | O_CREAT, 0600);
+  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out_.c_str(), O_WRONLY | O_CREAT, 0600);
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err_.c_str(), O_WRONLY | O_CREAT, 0600);
   posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  pid_t child = 0;
   const int failed =
-      posix_spawn(&child, words[0].c_str(), &actions, nullptr, pointers(words).data(), pointers(variables).data());
+      posix_spawn(&child_, words[0].c_str(), &actions, nullptr, pointers(words).data(), pointers(variables).data());
   posix_spawn_file_actions_destroy(&actions);
+  if (failed != 0) throw std::runtime_error("cannot run " + words[0]);
+}
+
+Running::~Running() {
+  if (child_ == 0) return;
+  signal(SIGKILL);
+  ::waitpid(child_, nullptr, 0);
+}
+
+void Running::signal(int number) const { ::kill(child_, number); }
+
+std::string Running::err() const { return read_file(err_); }
+
+Outcome Running::wait() {
   int status = 0;
-  if (failed != 0 || ::waitpid(child, &status, 0) != child) throw std::runtime_error("cannot run " + words[0]);
+  if (::waitpid(std::exchange(child_, 0), &status, 0) < 0) throw std::runtime_error("cannot wait for a run");
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-  return {code, out_path.empty() ? read_file(out) : std::string(), read_file(err)};
+  return {code, keeps_out_ ? read_file(out_) : std::string(), err()};
+}
+
+Outcome epura(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+              const std::string& out_path) {
+  return Running(arguments, folder, out_path).wait();
 }
 
 }  // namespace epura::test

@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <fstream>
+#include <thread>
 
 #include "errors.hpp"
 #include "folder.hpp"
@@ -75,6 +77,31 @@ TEST(Files, AReaderKeepsTheOldFile) {
   std::string seen;
   std::getline(reader, seen);
   EXPECT_EQ(seen, "old");
+}
+
+TEST(Files, NamesThatOthersHaveTakenAreLeftAlone) {
+  const Folder folder;
+  const std::string other = "a." + std::to_string(::getpid());
+  write_file(folder / "b", "other");
+  fs::rename(folder / "b", folder / other);
+  write_file(folder / "a", "new");
+  EXPECT_EQ(read_file(folder / "a"), "new");
+  EXPECT_EQ(read_file(folder / other), "other");
+  EXPECT_EQ(folder.names(), (Names{"a", other}));
+}
+
+TEST(Files, NothingIsPutInPlaceWhileTheRunIsBeingEnded) {
+  const Folder folder;
+  write_file(folder / "a", "old");
+  ProgressBoard board;
+  std::unique_lock ending(board.ending());
+  std::thread writer([&] { write_file(folder / "a", "new", Progress(board)); });
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  EXPECT_EQ(folder.names(), Names{"a"});
+  EXPECT_EQ(read_file(folder / "a"), "old");
+  ending.unlock();
+  writer.join();
+  EXPECT_EQ(read_file(folder / "a"), "new");
 }
 
 TEST(Files, WhatCannotBeWrittenIsRefused) {

@@ -105,6 +105,18 @@ TEST(Json, SegmentsStandOnLinesOfTheirOwn) {
     EXPECT_EQ(text[text.find_last_not_of(' ', at - 1)], '\n');
 }
 
+TEST(Json, PartialDrawingsSayWhatIsMissing) {
+  Report report;
+  report.partial = Partial{500, 123, 0.75};
+  const Json json = parse(to_json({1, 1, "", {}}, 1, {}, report));
+  EXPECT_EQ(json.keys(), "epura unit sheet partial views report");
+  EXPECT_EQ(json["partial"].keys(), "reason edges undecided searched");
+  EXPECT_EQ(json["partial"]["reason"].text, "time limit");
+  EXPECT_EQ(json["partial"]["edges"].number(), 500);
+  EXPECT_EQ(json["partial"]["undecided"].number(), 123);
+  EXPECT_EQ(json["partial"]["searched"].number(), 0.75);
+}
+
 TEST(Json, TimesStandThereOnlyWhenAskedFor) {
   Report report;
   report.seconds = {{"read", 0.25}};

@@ -1,0 +1,110 @@
+#include "app/console.hpp"
+
+#include <poll.h>
+#include <sys/eventfd.h>
+#include <sys/ioctl.h>
+#include <sys/signalfd.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+
+#include "app/progress_line.hpp"
+#include "base/error.hpp"
+
+namespace epura {
+
+namespace {
+
+// Runs shorter than the first wait show nothing.
+constexpr int first_wait_ms = 300, wait_ms = 100;
+// How long a cancelled run may keep the process for the sake of its files.
+constexpr std::chrono::seconds patience(2);
+
+// Without those that the parent process had ignored, as nohup does: they stay ignored.
+sigset_t ending_signals() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  for (const int number : {SIGINT, SIGTERM}) {
+    struct sigaction now {};
+    if (::sigaction(number, nullptr, &now) == 0 && now.sa_handler != SIG_IGN) sigaddset(&signals, number);
+  }
+  return signals;
+}
+
+std::size_t terminal_width() {
+  winsize size{};
+  const bool known = ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1;
+  return known ? size.ws_col - 1U : 79U;
+}
+
+void put(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
+
+}  // namespace
+
+bool is_terminal() { return ::isatty(STDERR_FILENO) != 0; }
+
+Console::Console(ProgressBoard& board, bool shows_progress) : board_(board), shows_progress_(shows_progress) {
+  // A thread waits for the signals, rather than a handler or a flag that the stages look at: it may take locks, and it
+  // ends the process even while a stage is deep in another library.
+  const sigset_t signals = ending_signals();
+  ::pthread_sigmask(SIG_BLOCK, &signals, &old_mask_);
+  signals_ = ::signalfd(-1, &signals, SFD_CLOEXEC);
+  end_ = ::eventfd(0, EFD_CLOEXEC);
+  check(signals_ >= 0 && end_ >= 0, "descriptors for signals are there");
+  watcher_ = std::thread([this] { watch(); });
+}
+
+Console::~Console() {
+  ::eventfd_write(end_, 1);
+  watcher_.join();
+  erase_line();
+  ::close(signals_);
+  ::close(end_);
+  ::pthread_sigmask(SIG_SETMASK, &old_mask_, nullptr);
+}
+
+void Console::print(std::string_view lines) {
+  const std::lock_guard lock(printing_);
+  erase_line();
+  put(lines);
+}
+
+void Console::watch() {
+  std::array<pollfd, 2> events{{{signals_, POLLIN, 0}, {end_, POLLIN, 0}}};
+  int wait = shows_progress_ ? first_wait_ms : -1;
+  while (true) {
+    const int happened = ::poll(events.data(), events.size(), wait);
+    if (happened > 0 && events[0].revents != 0) cancel();
+    if (happened > 0) return;
+    if (happened == 0) draw_line();
+    if (shows_progress_) wait = wait_ms;
+  }
+}
+
+void Console::draw_line() {
+  const std::string line = progress_line(board_.standing(), terminal_width());
+  const std::lock_guard lock(printing_);
+  const std::size_t rest = line_length_ > line.size() ? line_length_ - line.size() : 0;
+  put("\r" + line + std::string(rest, ' '));
+  line_length_ = line.size() + rest;
+}
+
+// By blanks: not every terminal knows the same commands.
+void Console::erase_line() {
+  if (line_length_ > 0) put("\r" + std::string(line_length_, ' ') + "\r");
+  line_length_ = 0;
+}
+
+// Nothing is unwound: memory goes with the process, and an output is not there before it is complete.
+void Console::cancel() {
+  signalfd_siginfo signal{};
+  check(::read(signals_, &signal, sizeof signal) == sizeof signal, "a signal can be read");
+  std::unique_lock files(board_.ending(), patience);
+  print("epura: cancelled\n");
+  ::_exit(128 + static_cast<int>(signal.ssi_signo));
+}
+
+}  // namespace epura

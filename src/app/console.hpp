@@ -1,0 +1,47 @@
+// Standard error and the signals of a run: warnings, the progress line, and the end by Ctrl-C.
+#pragma once
+
+#include <csignal>
+#include <cstddef>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <thread>
+
+#include "base/progress.hpp"
+
+namespace epura {
+
+/// Whether standard error is a terminal.
+bool is_terminal();
+
+/// While it lives, SIGINT and SIGTERM end the process with the exit code 128 + number, at once and at any stage, and
+/// (if asked for) a line shows how far the run is. To be made before any thread: threads inherit which signals reach
+/// them.
+class Console {
+ public:
+  Console(ProgressBoard& board, bool shows_progress);
+  Console(const Console&) = delete;
+  Console& operator=(const Console&) = delete;
+  ~Console();
+
+  /// Prints whole lines, with the progress line out of the way.
+  void print(std::string_view lines);
+
+ private:
+  void watch();
+  void draw_line();
+  void erase_line();
+  [[noreturn]] void cancel();
+
+  ProgressBoard& board_;
+  const bool shows_progress_;
+  sigset_t old_mask_{};
+  int signals_ = -1;  ///< descriptor that signals arrive at
+  int end_ = -1;      ///< descriptor that tells the thread to end
+  std::mutex printing_;
+  std::size_t line_length_ = 0;  ///< of the line on the screen
+  std::thread watcher_;
+};
+
+}  // namespace epura

@@ -1,0 +1,45 @@
+#include "app/progress_line.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace epura {
+
+namespace {
+
+constexpr std::size_t bar_width = 20;
+constexpr std::size_t name_width = 22;  // so that the bar stands still from stage to stage
+constexpr double longest = 360'000;     // seconds: beyond a hundred hours nobody waits
+
+std::string two_digits(long long number) { return (number < 10 ? "0" : "") + std::to_string(number); }
+
+std::string bar(double part) {
+  const auto full = static_cast<std::size_t>(part * bar_width);
+  return "[" + std::string(full, '#') + std::string(bar_width - full, '-') + "]";
+}
+
+}  // namespace
+
+std::string clock_text(double seconds) {
+  const auto whole = static_cast<long long>(std::ceil(std::min(seconds, longest)));
+  const long long minutes = whole / 60;
+  if (minutes < 60) return std::to_string(minutes) + ":" + two_digits(whole % 60);
+  return std::to_string(minutes / 60) + ":" + two_digits(minutes % 60) + ":" + two_digits(whole % 60);
+}
+
+std::string progress_line(const Standing& standing, std::size_t width) {
+  std::string name = standing.stage;
+  name.resize(std::max(name.size(), name_width), ' ');
+  std::string line = "epura: " + name;
+  if (standing.work == 0) {
+    line += clock_text(standing.seconds);
+  } else {
+    const double part = std::min(static_cast<double>(standing.done) / static_cast<double>(standing.work), 1.0);
+    const std::string percent = std::to_string(static_cast<int>(100 * part));
+    line += bar(part) + std::string(4 - percent.size(), ' ') + percent + " %";
+    if (const auto left = seconds_left(standing)) line += "  " + clock_text(*left) + " left";
+  }
+  return line.substr(0, width);
+}
+
+}  // namespace epura

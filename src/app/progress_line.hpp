@@ -1,0 +1,18 @@
+// The line that shows on a terminal how far a run is.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "base/progress.hpp"
+
+namespace epura {
+
+/// "2:05", "1:02:05": minutes and seconds, from an hour on hours too, rounded up.
+std::string clock_text(double seconds);
+
+/// Such as "epura: hiding lines  [########------------]  42 %  0:03 left", at most `width` characters and no control
+/// characters. Where the work is not known, the seconds so far stand for it.
+std::string progress_line(const Standing& standing, std::size_t width);
+
+}  // namespace epura

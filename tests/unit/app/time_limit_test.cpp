@@ -1,0 +1,136 @@
+// Drawings that lack lines because time was over say so everywhere; the progress line tells how far a run is.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <set>
+
+#include "../output/json_reader.hpp"
+#include "base/text.hpp"
+#include "errors.hpp"
+#include "long_model.hpp"
+#include "program.hpp"
+#include "reading.hpp"
+
+namespace epura::test {
+namespace {
+
+constexpr int partial = 5;  // exit code
+
+TEST(TimeLimit, ALongOneChangesNoByte) {
+  const Folder folder;
+  for (const char* format : {"svg", "json"}) {
+    const std::vector<std::string> arguments{"draw", sample("bracket.obj"), "-o", "-", "--format", format};
+    std::vector<std::string> limited = arguments;
+    limited.insert(limited.end(), {"--time-limit", "1000"});
+    const Outcome run = epura(limited, folder / "");
+    EXPECT_EQ(run.code, 0) << run.err;
+    EXPECT_EQ(run.err, "");
+    EXPECT_EQ(run.out, epura(arguments, folder / "").out);
+  }
+}
+
+TEST(TimeLimit, WithoutTimeTheDrawingIsEmptyAndMarked) {
+  const Folder folder;
+  std::vector<std::string> arguments{"draw", sample("bracket.obj"), "--time-limit", "0"};
+  for (const char* name : {"x.svg", "x.pdf", "x.ps", "x.eps", "x.png", "x.json"})
+    arguments.insert(arguments.end(), {"-o", name});
+  const Outcome run = epura(arguments, folder / "");
+  EXPECT_EQ(run.code, partial);
+  EXPECT_TRUE(contains(run.err, "the drawing is partial")) << run.err;
+  EXPECT_TRUE(contains(run.err, "hint: ")) << run.err;
+  EXPECT_EQ(folder.names().size(), 6U);
+  EXPECT_TRUE(contains(read_file(folder / "x.svg"), "inkscape:label=\"sheet/partial\""));
+  const Json json = JsonReader(read_file(folder / "x.json")).read();
+  EXPECT_EQ(json["partial"]["undecided"].number(), json["partial"]["edges"].number());
+  EXPECT_GT(json["partial"]["edges"].number(), 0);
+  EXPECT_TRUE(json["views"].items.at(0)["segments"].items.empty());
+}
+
+TEST(TimeLimit, EveryFormatShowsTheMark) {
+  // Without lines, the mark is all the ink that there is: a drawing of nothing is shorter.
+  const Folder folder;
+  const std::string bare = folder.file("bare.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  for (const char* format : {"svg", "pdf", "ps", "eps", "png"}) {
+    const Outcome empty =
+        epura({"draw", bare, "-o", "-", "--format", format, "--edges", "smooth", "--dpi", "50"}, folder / "");
+    const Outcome marked =
+        epura({"draw", bare, "-o", "-", "--format", format, "--time-limit", "0", "--dpi", "50"}, folder / "");
+    EXPECT_EQ(marked.code, partial);
+    EXPECT_GT(marked.out.size(), empty.out.size() + 100) << format;
+  }
+}
+
+std::set<std::string> segments_of(const std::string& json) {
+  std::set<std::string> lines;
+  for (std::string_view line : split(json, '\n')) {
+    if (!line.starts_with("    {\"from\"")) continue;
+    lines.emplace(line.substr(0, line.find("}", line.find("\"t\""))));
+  }
+  return lines;
+}
+
+TEST(TimeLimit, WhatIsShownIsAPartOfTheWholeDrawing) {
+  const Folder folder;
+  const std::string model = folder.file("tangle.obj", tangle(1000));
+  const std::vector<std::string> arguments{"draw", model, "-o", "-", "--format", "json", "--edges", "boundary"};
+  const std::set<std::string> whole = segments_of(epura(arguments, folder / "").out);
+  ASSERT_GT(whole.size(), 3000U);
+  for (const char* seconds : {"0.01", "0.015", "0.02", "0.03", "0.05"}) {
+    std::vector<std::string> limited = arguments;
+    limited.insert(limited.end(), {"--time-limit", seconds});
+    const Outcome run = epura(limited, folder / "");
+    if (run.code == 0) break;
+    ASSERT_EQ(run.code, partial) << run.err;
+    const Json counts = JsonReader(run.out).read()["partial"];
+    EXPECT_EQ(counts["edges"].number(), 3000);
+    EXPECT_TRUE(contains(run.err, counts["undecided"].text + " of 3000 edges")) << run.err;
+    for (const std::string& segment : segments_of(run.out)) EXPECT_TRUE(whole.contains(segment)) << segment;
+  }
+}
+
+// What a run has said when it is done, having waited for its model for as long as `wait` takes.
+template <class Wait>
+std::string said(const std::string& when, const Wait& wait) {
+  Reading reading({"--progress", when});
+  wait(reading);
+  reading.give_model();
+  const Outcome run = reading.run.wait();
+  EXPECT_EQ(run.code, 0);
+  return run.err;
+}
+
+TEST(ProgressLine, IsShownAndErased) {
+  const std::string err = said("always", [](const Reading& reading) { reading.wait_for_line(); });
+  EXPECT_TRUE(err.starts_with("\repura: reading")) << err;
+  EXPECT_TRUE(err.ends_with(" \r")) << err;
+}
+
+TEST(ProgressLine, IsNotShownToFilesNorWhenUnwanted) {
+  const auto half_a_second = [](const Reading&) { std::this_thread::sleep_for(std::chrono::milliseconds(450)); };
+  EXPECT_EQ(said("auto", half_a_second), "");
+  EXPECT_EQ(said("never", half_a_second), "");
+}
+
+TEST(ProgressLine, IsShownAtTimesThatAreKnown) {
+  const Folder folder;
+  const Outcome run = epura({"draw", sample("gear.stl"), "-o", "x.svg", "--progress", "sometimes"}, folder / "");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_TRUE(contains(run.err, "--progress")) << run.err;
+}
+
+TEST(ProgressLine, ShortRunsShowNone) {
+  // On a busy machine no run may be short: then there is nothing to see.
+  const Folder folder;
+  for (int i = 0; i < 5; ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    const Outcome run = epura({"draw", sample("cylinders.obj"), "-o", "x.svg", "--progress", "always"}, folder / "");
+    EXPECT_EQ(run.code, 0);
+    if (std::chrono::steady_clock::now() - start < std::chrono::milliseconds(300)) {
+      EXPECT_EQ(run.err, "");
+      return;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace epura::test

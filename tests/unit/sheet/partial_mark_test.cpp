@@ -1,0 +1,50 @@
+#include "sheet/partial_mark.hpp"
+
+#include <gtest/gtest.h>
+
+#include "sheet/arrange.hpp"
+
+namespace epura::test {
+namespace {
+
+// With half a line around every point.
+void expect_inside(const Layer& layer, const Vec2& least, const Vec2& most) {
+  const double half = layer.style.width / 2;
+  for (const Stroke& stroke : layer.strokes)
+    for (const Vec2& p : stroke.points) {
+      EXPECT_TRUE(p.x - half >= least.x && p.x + half <= most.x) << p.x;
+      EXPECT_TRUE(p.y - half >= least.y && p.y + half <= most.y) << p.y;
+    }
+}
+
+TEST(PartialMark, StandsInTheUpperMargin) {
+  for (const char* size : {"A4", "A0", "100x100"}) {
+    const Paper paper = parse_paper(size, false);
+    const Layer mark = partial_mark(paper);
+    EXPECT_EQ(mark.name, "sheet/partial");
+    EXPECT_EQ(mark.strokes.size(), 1U + 2 + 2 + 2 + 1 + 2 + 1) << "P A R T I A L";
+    expect_inside(mark, {0, paper.height - paper.other}, {paper.width, paper.height});
+  }
+}
+
+TEST(PartialMark, OnA4IsSixMillimetresHigh) {
+  const Layer mark = partial_mark(parse_paper("A4", false));
+  EXPECT_EQ(mark.strokes[0].points.front(), Vec2(20, 202));
+  EXPECT_EQ(mark.strokes[0].points[1], Vec2(20, 208));
+}
+
+TEST(PartialMark, ShrinksToNarrowPaper) {
+  Paper paper;
+  paper.width = 10;
+  paper.height = 300;
+  expect_inside(partial_mark(paper), {-0.1, 295}, {10, 300});
+}
+
+TEST(PartialMark, IsOnPartialSheetsAlone) {
+  const Paper paper = parse_paper("A4", false);
+  EXPECT_EQ(make_sheet({}, paper, {HiddenLines::none, "", true}).layers.back().name, "sheet/partial");
+  for (const Layer& layer : make_sheet({}, paper, {}).layers) EXPECT_NE(layer.name, "sheet/partial");
+}
+
+}  // namespace
+}  // namespace epura::test
