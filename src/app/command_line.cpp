@@ -114,6 +114,10 @@ void define_outputs(CLI::App& draw, DrawOptions& options) {
   add_number(draw, "--dpi", options.dpi, {1, 1200}, "resolution of PNG")->type_name("N");
   add_number(draw, "--threads", options.threads, {0, 1024}, "number of threads, 0 for all cores")->type_name("N");
   draw.add_flag("--timings", options.timings, "say how long each stage took");
+  draw.add_flag("--verify", options.verify,
+                "test the drawing by an independent exact method; exit code 1 if it is wrong");
+  add_number(draw, "--verify-samples", options.verify_samples, {1, 1e7}, "number of points at random for --verify")
+      ->type_name("N");
 }
 
 std::vector<std::string> long_names(const CLI::App& app) {
@@ -144,7 +148,9 @@ Command parse_command_line(int argc, char** argv) {
   CLI::App app("epura: 3D meshes to engineering drawings with hidden lines removed", "epura");
   app.set_version_flag("--version", "epura " EPURA_VERSION);
   app.require_subcommand(1);
-  app.footer("'epura COMMAND --help' says more. Exit codes: 0 done, 2 wrong input, 3 plugin, 4 could not write.");
+  app.footer(
+      "'epura COMMAND --help' says more. Exit codes: 0 done, 1 found wrong, 2 wrong input, 3 plugin, 4 could not "
+      "write.");
 
   DrawOptions draw;
   CLI::App* draw_command = app.add_subcommand("draw", "draw models");

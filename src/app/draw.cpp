@@ -12,6 +12,7 @@
 #include "projection/catalogue.hpp"
 #include "scene/transform.hpp"
 #include "sheet/arrange.hpp"
+#include "study/verify.hpp"
 
 namespace epura {
 
@@ -114,6 +115,9 @@ ViewWish view_wish(const DrawOptions& options) {
   wish.keep_hidden = parse_hidden_lines(options.hidden) != HiddenLines::none;
   wish.paper = parse_paper(options.sheet, options.portrait);
   wish.scale = parse_scale(options.scale);
+  if (options.verify && !wish.remove_hidden)
+    throw Error(Trouble::input, "--verify", "has nothing to test in a wireframe", "leave out --visibility none");
+  if (options.verify) wish.verify = options.verify_samples;
   return wish;
 }
 
@@ -152,6 +156,12 @@ void print_timings(const Stopwatch& watch) {
     std::fprintf(stderr, "%-12s %8s s\n", stage.c_str(), format_fixed(seconds, 4).c_str());
 }
 
+// On standard error, since a drawing may go to standard output. Returns the exit code.
+int say(const Verification& found) {
+  std::fputs(in_words(found).c_str(), stderr);
+  return found.wrong > 0 ? 1 : 0;
+}
+
 }  // namespace
 
 int draw(const DrawOptions& options) {
@@ -173,13 +183,14 @@ int draw(const DrawOptions& options) {
       make_sheet(result.drawing, result.placement.paper, {parse_hidden_lines(options.hidden), options.title});
   watch.lap("sheet");
   if (options.timings) report.seconds = watch.laps();
+  report.verification = result.verification;
 
   std::vector<std::string> files;
   for (const Target& target : targets) files.push_back(encode(target, sheet, result, options, report));
   for (std::size_t i = 0; i < targets.size(); ++i) write(targets[i], files[i]);
   watch.lap("write");
   if (options.timings) print_timings(watch);
-  return 0;
+  return report.verification ? say(*report.verification) : 0;
 }
 
 }  // namespace epura

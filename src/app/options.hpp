@@ -30,6 +30,8 @@ struct DrawOptions {
   int threads = 0;
   bool plain = false;
   bool timings = false;
+  bool verify = false;
+  int verify_samples = 2000;
 };
 
 struct PluginsOptions {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "study/verify.hpp"
 #include "view/paper_map.hpp"
 #include "visibility/visibility.hpp"
 
@@ -56,7 +57,12 @@ ViewResult draw_view(const World& world, const Projection& projection, const Vie
   const PaperMap paper = make_paper_map(view, placement.scale, placement.shift);
   Drawing drawing = make_drawing(world, view, drawn, hidden, contact, paper, {projection.name, wish.keep_hidden});
   watch.lap("drawing");
-  return {std::move(drawing), placement};
+  if (!wish.verify) return {std::move(drawing), placement, {}};
+  const Tolerance tolerance{view.extent * paper.scale, contact.touching * paper.scale};
+  Verification found =
+      verify({world, projection, wish.limits, drawn, hidden, drawing}, tolerance, *wish.verify, wish.keep_hidden);
+  watch.lap("verify");
+  return {std::move(drawing), placement, std::move(found)};
 }
 
 }  // namespace epura

@@ -25,11 +25,13 @@ struct ViewWish {
   bool keep_hidden = true;        ///< hidden lines are drawn, too
   Paper paper;
   std::optional<double> scale;  ///< mm of paper per unit of the world; nothing: as large as fits
+  std::optional<int> verify;    ///< by so many points at random
 };
 
 struct ViewResult {
   Drawing drawing;
   Placement placement;
+  std::optional<Verification> verification;
 };
 
 /// Seconds since the last call of `lap`, under a name.
