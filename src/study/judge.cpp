@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <map>
+#include <numeric>
 #include <utility>
 
 #include "base/parallel.hpp"
@@ -20,6 +22,35 @@ struct Met {
   int probe;
   Portion portion;
 };
+
+// For each portion the number of one that its triangle reaches across common edges of these triangles.
+std::vector<std::size_t> connected_parts(const World& world, const std::vector<Portion>& portions) {
+  std::vector<std::size_t> part(portions.size());
+  std::iota(part.begin(), part.end(), 0);
+  const auto root = [&](std::size_t i) {
+    while (part[i] != i) i = part[i] = part[part[i]];
+    return i;
+  };
+  std::map<std::pair<int, int>, std::size_t> owner;
+  for (std::size_t i = 0; i < portions.size(); ++i) {
+    const auto& corner = world.triangles[portions[i].triangle];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [first, other] = std::minmax(corner[k], corner[(k + 1) % 3]);
+      part[root(i)] = root(owner.try_emplace({first, other}, i).first->second);
+    }
+  }
+  for (std::size_t i = 0; i < part.size(); ++i) part[i] = root(i);
+  return part;
+}
+
+// Whether triangles that hang together cover the square. Strangers that merely abut on the page leave a gap when one
+// of them moves by less than the tolerance.
+bool covered(const World& world, const std::vector<Portion>& portions) {
+  std::map<std::size_t, std::vector<ConvexPolygon>> parts;
+  const std::vector<std::size_t> part = connected_parts(world, portions);
+  for (std::size_t i = 0; i < portions.size(); ++i) parts[part[i]].push_back(portions[i].corner);
+  return std::ranges::any_of(parts, [](const auto& one) { return uncovered(one.second) < least_gap; });
+}
 
 class Judge {
  public:
@@ -83,16 +114,11 @@ class Judge {
     });
   }
 
-  [[nodiscard]] Verdict verdict_of(bool settled, const std::vector<Portion>& portions) const {
+  [[nodiscard]] Verdict verdict_of(bool settled, std::vector<Portion>& portions) const {
     if (portions.empty()) return {};
-    const Portion* nearest = nullptr;
-    std::vector<ConvexPolygon> covers;
-    for (const Portion& portion : portions) {
-      if (!portion.in_front) continue;
-      covers.push_back(portion.corner);
-      if (!nearest || portion.depth < nearest->depth) nearest = &portion;
-    }
-    if (!settled && !(uncovered(covers) < least_gap)) return {Answer::undecided};
+    std::erase_if(portions, [](const Portion& portion) { return !portion.in_front; });
+    if (!settled && !covered(subject_.world, portions)) return {Answer::undecided};
+    const auto nearest = std::ranges::min_element(portions, {}, &Portion::depth);
     return {Answer::hidden, name_facets_ ? nearest->triangle : -1};
   }
 

@@ -24,9 +24,10 @@ struct Bounded {
   explicit Bounded(double exact) : value(exact) {}
   Bounded(double value_, double error_) : value(value_), error(error_) {}
 
-  /// The result of an operation; the last factor covers the rounding of the bound itself.
+  /// The result of an operation; the last factor covers the rounding of the bound itself. What underflow may lose is
+  /// overestimated, so that products of bounds do not themselves become denormal, which is slow.
   static Bounded rounded(double value, double error) {
-    return {value, (error + 0x1p-53 * std::abs(value)) * (1 + 0x1p-49) + 0x1p-1070};
+    return {value, (error + 0x1p-53 * std::abs(value)) * (1 + 0x1p-49) + 0x1p-500};
   }
 };
 
@@ -47,7 +48,7 @@ inline Bounded operator/(const Bounded& a, const Bounded& b) {
   const double least = std::abs(b.value) - b.error;
   if (!(least > 0)) return {0, std::numeric_limits<double>::infinity()};
   const double quotient = a.value / b.value;
-  return Bounded::rounded(quotient, (a.error + std::abs(quotient) * b.error * (1 + 0x1p-49) + 0x1p-1070) / least);
+  return Bounded::rounded(quotient, (a.error + std::abs(quotient) * b.error * (1 + 0x1p-49) + 0x1p-500) / least);
 }
 
 inline double value_of(const Bounded& number) { return number.value; }
