@@ -102,16 +102,12 @@ struct Piece3 {
 template <class N>
 std::optional<Portion> portion_of(const Piece3& piece, const Sight<N>& sight, const Tolerance& tolerance, bool joined) {
   const double k = value_of(sight.inverse_distance);
-  Portion portion{-1, false, 0, {}};
   DepthRange depth, c;
   double depth_error = 0;
   for (std::size_t i = 0; i < piece.polygon.count; ++i) {
-    const Triple<double>& p = piece.polygon.corner[i];
-    const double shrink = 1 - k * p.z;
-    const double scale = sight.page / shrink / tolerance.sideways();
-    portion.corner.emplace_back(p.x * scale, p.y * scale);
-    c.add(p.z);
-    depth.add(sight.depth * p.z / shrink);
+    const double along_ray = piece.polygon.corner[i].z, shrink = 1 - k * along_ray;
+    c.add(along_ray);
+    depth.add(sight.depth * along_ray / shrink);
     depth_error = std::max(depth_error, 2 * sight.depth * piece.moved / (shrink * shrink));
   }
   const std::optional<bool> seen = within_limits(sight, c, piece.moved);
@@ -119,8 +115,14 @@ std::optional<Portion> portion_of(const Piece3& piece, const Sight<N>& sight, co
   const bool line = !(piece.steepness < edge_on);
   const double touching = joined ? 0 : surely_touching * tolerance.contact * (line ? 1 : piece.steepness);
   if (depth.most + depth_error < touching) return std::nullopt;
-  portion.depth = depth.least;
-  portion.in_front = seen && !line && depth.least - depth_error > surely_apart * tolerance.contact * piece.steepness;
+  if (!seen || line || !(depth.least - depth_error > surely_apart * tolerance.contact * piece.steepness))
+    return Portion{-1, false, depth.least, {}};
+  Portion portion{-1, true, depth.least, {}};
+  for (std::size_t i = 0; i < piece.polygon.count; ++i) {
+    const Triple<double>& p = piece.polygon.corner[i];
+    const double scale = sight.page / (1 - k * p.z) / tolerance.sideways();
+    portion.corner.emplace_back(p.x * scale, p.y * scale);
+  }
   return portion;
 }
 

@@ -27,7 +27,7 @@ struct Portion {
   int triangle;              ///< of the world
   bool in_front;             ///< surely before the point by more than contact; otherwise perhaps
   double depth;              ///< how far before it, mm
-  std::vector<Vec2> corner;  ///< on the page from the point, the half side of the square being 1
+  std::vector<Vec2> corner;  ///< on the page from the point, the half side of the square being 1; empty unless in front
 };
 
 /// Looks from one point, first in doubles with bounds, and in rationals where those leave doubt.

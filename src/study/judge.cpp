@@ -61,7 +61,8 @@ class Judge {
         name_facets_(name_facets),
         frame_(sight_from(viewing_, place_of(probes[0])), 4 * tolerance.sideways()),
         grid_(extents()),
-        settled_(probes.size()) {
+        settled_(probes.size()),
+        doubted_(probes.size()) {
     for (const Probe& probe : probes) lookouts_.emplace_back(viewing_, tolerance, line_of(probe), probe.t);
   }
 
@@ -77,7 +78,7 @@ class Judge {
     for (std::vector<Met>& part : met)
       for (Met& one : part) portions[one.probe].push_back(std::move(one.portion));
     std::vector<Verdict> verdicts(probes_.size());
-    for (std::size_t i = 0; i < verdicts.size(); ++i) verdicts[i] = verdict_of(settled_[i], portions[i]);
+    for (std::size_t i = 0; i < verdicts.size(); ++i) verdicts[i] = verdict_of(i, portions[i]);
     return verdicts;
   }
 
@@ -108,16 +109,15 @@ class Judge {
       if (subject_.contains(edge, triangle)) return;
       auto portion = lookouts_[probe].look(corners, triangle, subject_.joined(edge, triangle));
       if (!portion) return;
-      if (portion->in_front && uncovered({portion->corner}) < least_gap)
-        settled_[probe].store(true, std::memory_order_relaxed);
+      if (!portion->in_front) return doubted_[probe].store(true, std::memory_order_relaxed);
+      if (uncovered({portion->corner}) < least_gap) settled_[probe].store(true, std::memory_order_relaxed);
       met.push_back({probe, std::move(*portion)});
     });
   }
 
-  [[nodiscard]] Verdict verdict_of(bool settled, std::vector<Portion>& portions) const {
-    if (portions.empty()) return {};
-    std::erase_if(portions, [](const Portion& portion) { return !portion.in_front; });
-    if (!settled && !covered(subject_.world, portions)) return {Answer::undecided};
+  [[nodiscard]] Verdict verdict_of(std::size_t probe, const std::vector<Portion>& portions) const {
+    if (portions.empty() && !doubted_[probe]) return {};
+    if (!settled_[probe] && !covered(subject_.world, portions)) return {Answer::undecided};
     const auto nearest = std::ranges::min_element(portions, {}, &Portion::depth);
     return {Answer::hidden, name_facets_ ? nearest->triangle : -1};
   }
@@ -129,7 +129,8 @@ class Judge {
   PageFrame frame_;
   ProbeGrid grid_;
   std::vector<Lookout> lookouts_;
-  std::vector<std::atomic<bool>> settled_;
+  std::vector<std::atomic<bool>> settled_;  ///< hidden by one triangle
+  std::vector<std::atomic<bool>> doubted_;  ///< perhaps hidden by one
 };
 
 }  // namespace
