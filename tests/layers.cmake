@@ -8,7 +8,7 @@ set(order base mesh scene projection view edges visibility drawing sheet output 
 set(libraries OpenMesh tbb gmp dlfcn.h cairo pugixml qpdf CLI toml\\+\\+ ft2build.h)
 set(folders_OpenMesh mesh scene projection view edges)
 set(folders_tbb base)
-set(folders_gmp base)
+set(folders_gmp study)
 set(folders_dlfcn.h projection)
 set(folders_cairo output)
 set(folders_pugixml output)

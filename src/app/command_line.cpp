@@ -131,6 +131,10 @@ void define_questions(CLI::App& draw, DrawOptions& options) {
       ->type_name("EDGE");
   draw.add_option("--dump", options.dump, "print a table of all drawn edges, or of their spans: edges or spans")
       ->type_name("TABLE");
+  draw.add_flag("--verify", options.verify,
+                "test the drawing by an independent exact method; exit code 1 if it is wrong");
+  add_number(draw, "--verify-samples", options.verify_samples, {1, 1e7}, "number of points at random for --verify")
+      ->type_name("N");
 }
 
 std::vector<std::string> long_names(const CLI::App& app) {
@@ -162,8 +166,9 @@ Command parse_command_line(int argc, char** argv) {
   app.set_version_flag("--version", "epura " EPURA_VERSION);
   app.require_subcommand(1);
   app.footer(
-      "'epura COMMAND --help' says more. Exit codes: 0 done, 2 wrong input, 3 plugin, 4 could not write, 5 partial "
-      "drawing (--time-limit), 130 cancelled.");
+      "'epura COMMAND --help' says more. Exit codes: 0 done, 1 found wrong (--verify), 2 wrong input, 3 plugin, 4 "
+      "could "
+      "not write, 5 partial drawing (--time-limit), 130 cancelled.");
 
   DrawOptions draw;
   CLI::App* draw_command = app.add_subcommand("draw", "draw models");

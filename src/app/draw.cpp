@@ -15,6 +15,7 @@
 #include "projection/catalogue.hpp"
 #include "scene/transform.hpp"
 #include "sheet/arrange.hpp"
+#include "study/verify/verify.hpp"
 
 namespace epura {
 
@@ -120,6 +121,9 @@ ViewWish view_wish(const DrawOptions& options) {
   wish.keep_hidden = parse_hidden_lines(options.hidden) != HiddenLines::none;
   wish.paper = parse_paper(options.sheet, options.portrait);
   wish.scale = parse_scale(options.scale);
+  if (options.verify && !wish.remove_hidden)
+    throw Error(Trouble::input, "--verify", "has nothing to test in a wireframe", "leave out --visibility none");
+  if (options.verify) wish.verify = options.verify_samples;
   return wish;
 }
 
@@ -187,6 +191,15 @@ bool shows_progress(const DrawOptions& options) {
   return choose<bool>("--progress", options.progress, {{"auto", is_terminal()}, {"always", true}, {"never", false}});
 }
 
+// Says what was found on the way, and returns the exit code. On standard error, since a drawing may go to standard
+// output.
+int conclude(Console& console, const ViewResult& result) {
+  if (result.verification) console.print(in_words(*result.verification));
+  if (result.partial) warn_about(console, *result.partial);
+  if (result.verification && result.verification->wrong > 0) return 1;
+  return result.partial ? partial_exit_code : 0;
+}
+
 }  // namespace
 
 int draw(const DrawOptions& options) {
@@ -219,6 +232,7 @@ int draw(const DrawOptions& options) {
   result.drawing.chains = {};  // the sheet has them
   watch.lap("sheet");
   if (options.timings) report.seconds = watch.laps();
+  report.verification = result.verification;
 
   const std::vector<std::string> files = encode_all(targets, sheet, result, options, report, progress);
   for (std::size_t i = 0; i < targets.size(); ++i) write(targets[i], files[i], progress);
@@ -226,9 +240,7 @@ int draw(const DrawOptions& options) {
   console.print("");  // the line of progress makes room
   std::fputs(answers.c_str(), stdout);
   if (options.timings) print_timings(console, watch);
-  if (!result.partial) return 0;
-  warn_about(console, *result.partial);
-  return partial_exit_code;
+  return conclude(console, result);
 }
 
 }  // namespace epura

@@ -34,6 +34,8 @@ struct DrawOptions {
   std::string dump;              ///< table to print: "edges", "spans" or none
   std::string progress = "auto";
   std::optional<double> time_limit;  ///< seconds
+  bool verify = false;
+  int verify_samples = 2000;
 };
 
 struct PluginsOptions {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "study/verify/verify.hpp"
+
 namespace epura {
 
 namespace {
@@ -63,8 +65,19 @@ ViewResult draw_view(const World& world, const Projection& projection, const Vie
   const PaperMap paper = make_paper_map(view, placement.scale, placement.shift);
   Drawing drawing = make_drawing(world, view, drawn, hidden, contact, paper, {projection.name, wish.keep_hidden});
   watch.lap("drawing");
-  return {
-      {std::move(view), std::move(drawn), contact, std::move(hidden), paper}, placement, std::move(drawing), partial};
+  std::optional<Verification> verification;
+  if (wish.verify) {
+    progress.begin("verifying");
+    const Tolerance tolerance{view.extent * paper.scale, contact.touching * paper.scale};
+    verification =
+        verify({world, projection, wish.limits, drawn, hidden, drawing}, tolerance, *wish.verify, wish.keep_hidden);
+    watch.lap("verify");
+  }
+  return {{std::move(view), std::move(drawn), contact, std::move(hidden), paper},
+          placement,
+          std::move(drawing),
+          partial,
+          std::move(verification)};
 }
 
 }  // namespace epura

@@ -28,6 +28,7 @@ struct ViewWish {
   bool keep_hidden = true;        ///< hidden lines are drawn, too
   Paper paper;
   std::optional<double> scale;  ///< mm of paper per unit of the world; nothing: as large as fits
+  std::optional<int> verify;    ///< by so many points at random
 };
 
 /// What was computed on the way to a drawing.
@@ -44,6 +45,7 @@ struct ViewResult {
   Placement placement;
   Drawing drawing;
   std::optional<Partial> partial;  ///< what is left out because time was over
+  std::optional<Verification> verification;
 };
 
 /// Seconds since the last call of `lap`, under a name.

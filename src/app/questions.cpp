@@ -5,9 +5,9 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
-#include "study/drawn_view.hpp"
-#include "study/explain.hpp"
-#include "study/tables.hpp"
+#include "study/questions/drawn_view.hpp"
+#include "study/questions/explain.hpp"
+#include "study/questions/tables.hpp"
 
 namespace epura {
 

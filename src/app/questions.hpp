@@ -6,7 +6,7 @@
 
 #include "app/options.hpp"
 #include "app/pipeline.hpp"
-#include "study/find_subjects.hpp"
+#include "study/questions/find_subjects.hpp"
 
 namespace epura {
 

@@ -190,6 +190,32 @@ std::string partial_of(const Partial& partial) {
          ", \"undecided\": " + number(partial.undecided) + ", \"searched\": " + number(partial.searched) + "}";
 }
 
+std::string facet_of(const FacetName& facet) { return numbers(std::array{facet.model, facet.face}); }
+
+std::string stratum_of(const Stratum& stratum) {
+  return "{\"visible\": " + boolean(stratum.visible) + ", \"kind\": " + quoted(name_of(stratum.kind)) +
+         ", \"least\": " + number(stratum.least) + ", \"length\": " + number(stratum.length) +
+         ", \"samples\": " + number(stratum.samples) + ", \"undecided\": " + number(stratum.undecided) +
+         ", \"wrong\": " + number(stratum.wrong) + "}";
+}
+
+std::string offence_of(const Offence& offence) {
+  const bool has_edge = offence.edge[0] >= 0;
+  return "{\"what\": " + quoted(offence.what) + ", \"model\": " + number(offence.model) +
+         ", \"edge\": " + (has_edge ? numbers(offence.edge) : "null") + ", \"t\": " + number(offence.t) +
+         (has_edge ? "" : ", \"faces\": " + list(offence.facets, facet_of)) + ", \"page\": " + point(offence.page) +
+         ", \"hider\": " + (offence.hider ? facet_of(*offence.hider) : "null") + "}";
+}
+
+std::string verification_of(const Verification& found) {
+  return "{\"points\": " + number(found.points) + ", \"decided\": " + number(found.decided) +
+         ", \"wrong\": " + number(found.wrong) + ", \"samples\": " + number(found.samples) +
+         ", \"length\": " + number(found.length) + ", \"misclassified\": " + number(found.misclassified) +
+         ", \"at_most\": " + number(found.at_most) + ", \"undecided\": " + number(found.undecided) +
+         ", \"untested\": " + number(found.untested) + ",\n   \"strata\": " + list(found.strata, stratum_of, "\n    ") +
+         ",\n   \"worst\": " + list(found.worst, offence_of, "\n    ") + "}";
+}
+
 std::string report_of(const Report& report) {
   std::string text =
       "{\"meshes\": " + list(report.meshes, mesh_of, "\n   ") + ",\n  \"plan\": " + list(report.plan, step_of, "\n   ");
@@ -197,6 +223,7 @@ std::string report_of(const Report& report) {
   for (const auto& [stage, seconds] : report.seconds)
     times += (times.empty() ? "" : ", ") + quoted(stage) + ": " + number(seconds);
   if (!times.empty()) text += ",\n  \"time\": {" + times + "}";
+  if (report.verification) text += ",\n  \"verify\": " + verification_of(*report.verification);
   return text + "}";
 }
 

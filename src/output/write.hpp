@@ -8,6 +8,7 @@
 
 #include "drawing/drawing.hpp"
 #include "mesh/mesh.hpp"
+#include "output/verification.hpp"
 #include "sheet/sheet.hpp"
 
 namespace epura {
@@ -50,6 +51,7 @@ struct Report {
   std::vector<PlanStep> plan;
   std::vector<std::pair<std::string, double>> seconds;  ///< empty unless asked for: outputs are byte-stable
   std::optional<Partial> partial;                       ///< nothing: the drawing is complete
+  std::optional<Verification> verification;             ///< where it was asked for
 };
 
 /// Drawing JSON, schema 1 (docs/formats.md).

@@ -1,8 +1,8 @@
-#include "study/hiders.hpp"
+#include "study/questions/hiders.hpp"
 
 #include <gtest/gtest.h>
 
-#include "study/find_subjects.hpp"
+#include "study/questions/find_subjects.hpp"
 #include "support.hpp"
 
 namespace epura::test {

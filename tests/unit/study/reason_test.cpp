@@ -1,9 +1,9 @@
-#include "study/reason.hpp"
+#include "study/questions/reason.hpp"
 
 #include <gtest/gtest.h>
 
 #include "errors.hpp"
-#include "study/find_subjects.hpp"
+#include "study/questions/find_subjects.hpp"
 #include "support.hpp"
 
 namespace epura::test {

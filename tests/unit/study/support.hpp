@@ -2,7 +2,7 @@
 #pragma once
 
 #include "shapes.hpp"
-#include "study/drawn_view.hpp"
+#include "study/questions/drawn_view.hpp"
 
 namespace epura::test {
 

@@ -1,4 +1,4 @@
-#include "study/tables.hpp"
+#include "study/questions/tables.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "study/tables.hpp"
+#include "study/questions/tables.hpp"
 
 #include <algorithm>
 
 #include "base/parallel.hpp"
 #include "base/text.hpp"
-#include "study/reason.hpp"
+#include "study/questions/reason.hpp"
 
 namespace epura {
 

@@ -1,4 +1,4 @@
-#include "study/find_subjects.hpp"
+#include "study/questions/find_subjects.hpp"
 
 #include <algorithm>
 #include <climits>

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "study/drawn_view.hpp"
+#include "study/questions/drawn_view.hpp"
 
 namespace epura {
 

@@ -1,10 +1,10 @@
-#include "study/explain.hpp"
+#include "study/questions/explain.hpp"
 
 #include <algorithm>
 
 #include "drawing/ink.hpp"
-#include "study/reason.hpp"
-#include "study/wording.hpp"
+#include "study/questions/reason.hpp"
+#include "study/questions/wording.hpp"
 
 namespace epura {
 

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "study/subject.hpp"
+#include "study/questions/subject.hpp"
 
 namespace epura {
 

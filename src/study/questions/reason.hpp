@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "study/subject.hpp"
+#include "study/questions/subject.hpp"
 
 namespace epura {
 

@@ -1,9 +1,9 @@
-#include "study/reason.hpp"
+#include "study/questions/reason.hpp"
 
 #include "base/text.hpp"
 #include "edges/dihedral.hpp"
 #include "edges/feature_edges.hpp"
-#include "study/wording.hpp"
+#include "study/questions/wording.hpp"
 
 namespace epura {
 

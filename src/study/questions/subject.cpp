@@ -1,4 +1,4 @@
-#include "study/subject.hpp"
+#include "study/questions/subject.hpp"
 
 #include <algorithm>
 

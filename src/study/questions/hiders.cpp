@@ -1,4 +1,4 @@
-#include "study/hiders.hpp"
+#include "study/questions/hiders.hpp"
 
 #include <algorithm>
 #include <map>

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "study/hiders.hpp"
-#include "study/subject.hpp"
+#include "study/questions/hiders.hpp"
+#include "study/questions/subject.hpp"
 
 namespace epura {
 

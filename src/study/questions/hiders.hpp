@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "study/subject.hpp"
+#include "study/questions/subject.hpp"
 #include "visibility/spans.hpp"
 
 namespace epura {

@@ -1,0 +1,54 @@
+// What an independent test of a drawing found. Made by study, written by JSON and in words.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/vec.hpp"
+#include "edges/edge_kind.hpp"
+
+namespace epura {
+
+/// A facet of a model: face number of the file.
+struct FacetName {
+  int model, face;
+};
+
+/// A point where the drawing is wrong.
+struct Offence {
+  std::string what;  ///< "drawn hidden", "drawn visible" or "not drawn"
+  int model;
+  std::array<int, 2> edge;        ///< vertex numbers of the file; {-1, -1} for an intersection line
+  std::vector<FacetName> facets;  ///< of an intersection line: the two that cross
+  double t;                       ///< 3D parameter along the edge
+  Vec2 page;                      ///< mm
+  std::optional<FacetName> hider;
+  double length;  ///< of the span that it was found on, mm
+};
+
+/// Lines of one look, kind and range of lengths.
+struct Stratum {
+  bool visible;
+  EdgeKind kind;
+  double least;                  ///< spans are at least so long, in parts of the drawing's size
+  double length = 0;             ///< of its spans together, mm
+  int samples = 0;               ///< points drawn at random
+  int undecided = 0, wrong = 0;  ///< of these
+};
+
+struct Verification {
+  int samples = 0;             ///< points at random, on which the estimates rest
+  int points = 0;              ///< all that were tested: also middles and both sides of ends of the spans met
+  int decided = 0, wrong = 0;  ///< of all points; what is neither decided nor wrong is undecided
+  double length = 0;           ///< of all lines, mm, also of those that coincide
+  double untested = 0;         ///< share of it in spans too short to be guaranteed
+  double undecided = 0;        ///< estimated share
+  double misclassified = 0;    ///< estimated share
+  double at_most = 1;          ///< the same with a confidence of 95 %, one-sided
+  std::vector<Stratum> strata;
+  std::vector<Offence> worst;  ///< longest spans first, at most ten
+};
+
+}  // namespace epura

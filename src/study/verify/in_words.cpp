@@ -1,0 +1,45 @@
+#include "base/text.hpp"
+#include "study/verify/verify.hpp"
+
+namespace epura {
+
+namespace {
+
+std::string millimetres(double length) { return format_fixed(length, 3) + " mm"; }
+
+std::string percent(double share) { return format_fixed(100 * share, 4) + " %"; }
+
+std::string name_of(const FacetName& facet) {
+  return "facet " + std::to_string(facet.face) + " of model " + std::to_string(facet.model);
+}
+
+std::string place_of(const Offence& offence) {
+  std::string text = "model " + std::to_string(offence.model) + " edge " + std::to_string(offence.edge[0]) + "-" +
+                     std::to_string(offence.edge[1]);
+  if (offence.facets.size() == 2)
+    text = "where " + name_of(offence.facets[0]) + " crosses " + name_of(offence.facets[1]);
+  return text + " at t = " + format_number(offence.t) + ", page " + format_fixed(offence.page.x, 3) + "," +
+         format_fixed(offence.page.y, 3);
+}
+
+std::string reason_of(const Offence& offence) {
+  if (offence.what == "not drawn") return "the drawing has no line there";
+  return offence.hider ? name_of(*offence.hider) + " hides it" : "nothing hides it";
+}
+
+}  // namespace
+
+std::string in_words(const Verification& v) {
+  std::string text = "verified " + std::to_string(v.points) + " points: " + std::to_string(v.decided) + " decided, " +
+                     std::to_string(v.wrong) + " wrong, " + std::to_string(v.points - v.decided) + " undecided\n";
+  text += "misclassified by " + std::to_string(v.samples) +
+          " of them at random: " + millimetres(v.misclassified * v.length) + " of " + millimetres(v.length) + " (" +
+          percent(v.misclassified) + "), with 95 % confidence at most " + millimetres(v.at_most * v.length) + " (" +
+          percent(v.at_most) + "); undecided " + percent(v.undecided) + ", too short to test " + percent(v.untested) +
+          "\n";
+  for (const Offence& offence : v.worst)
+    text += "wrong: " + place_of(offence) + " is " + offence.what + ", but " + reason_of(offence) + "\n";
+  return text;
+}
+
+}  // namespace epura

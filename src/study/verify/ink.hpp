@@ -1,0 +1,19 @@
+// Whether a drawing has ink at given places.
+#pragma once
+
+#include <vector>
+
+#include "drawing/drawing.hpp"
+
+namespace epura {
+
+/// A place on the page, mm, where a line is expected.
+struct Expected {
+  Vec2 place;
+  bool visible;  ///< a visible line; otherwise any
+};
+
+/// For each place whether such a segment passes within `reach` mm.
+std::vector<bool> find_ink(const Drawing& drawing, const std::vector<Expected>& places, double reach);
+
+}  // namespace epura
