@@ -12,18 +12,20 @@ namespace {
 // Triangles lower than this part of their length on the page are lines there.
 constexpr double thinnest = 0x1p-40;
 
-// 1 + length of the gradient of depth over the page: contact is measured along the normal, hiding along the view.
-// A line has no gradient: what it covers is decided by depth alone.
-double steepness_of(const View& view, const ViewTriangle& triangle) {
+// The gradient of depth over the page. A line has none.
+std::optional<Vec2> slope_of(const View& view, const ViewTriangle& triangle) {
   const PageVertex& a = view.vertices[triangle.vertex[0]];
   const PageVertex& b = view.vertices[triangle.vertex[1]];
   const PageVertex& c = view.vertices[triangle.vertex[2]];
   const double bx = b.x - a.x, by = b.y - a.y, bz = b.depth - a.depth;
   const double cx = c.x - a.x, cy = c.y - a.y, cz = c.depth - a.depth;
   const double area = bx * cy - by * cx;
-  if (std::abs(area) <= thinnest * std::max(bx * bx + by * by, cx * cx + cy * cy)) return 1;
-  return 1 + glm::length(Vec2(bz * cy - by * cz, bx * cz - bz * cx) / area);
+  if (std::abs(area) <= thinnest * std::max(bx * bx + by * by, cx * cx + cy * cy)) return std::nullopt;
+  return Vec2(bz * cy - by * cz, bx * cz - bz * cx) / area;
 }
+
+// Contact is measured along the normal, hiding along the view. What a line covers is decided by depth alone.
+double steepness(const std::optional<Vec2>& slope) { return slope ? 1 + glm::length(*slope) : 1; }
 
 // Where the edge p, q crosses a side of a triangle.
 struct Crossing {
@@ -86,6 +88,19 @@ Crossing cross_side(const View& view, const Sightline& edge, int a, int b) {
   return {t, u.depth + std::clamp((t == computed ? s : on_side(t)) / length2, 0.0, 1.0) * (v.depth - u.depth)};
 }
 
+// Where the line of the edge enters and leaves the triangle; `left` says on which side of it the corners lie.
+std::array<Crossing, 2> crossings(const View& view, const Sightline& edge, const ViewTriangle& triangle,
+                                  const std::array<bool, 3>& left) {
+  std::array<Crossing, 2> in_out{};
+  std::size_t count = 0;
+  for (int i = 0; i < 3; ++i) {
+    const int j = (i + 1) % 3;
+    if (left[i] != left[j]) in_out[count++] = cross_side(view, edge, triangle.vertex[i], triangle.vertex[j]);
+  }
+  if (in_out[0].t > in_out[1].t) std::swap(in_out[0], in_out[1]);
+  return in_out;
+}
+
 // Whether all corners lie before the foot of p, or all behind that of q: then so does all that the line crosses.
 bool lies_beyond_an_end(const View& view, const Sightline& edge, const ViewTriangle& triangle) {
   const GridPoint& p = view.grid[edge.p];
@@ -124,38 +139,36 @@ std::optional<std::array<double, 2>> hidden_part(const View& view, const Sightli
   if (left[0] == left[1] && left[1] == left[2]) return std::nullopt;
   if (lies_beyond_an_end(view, edge, triangle)) return std::nullopt;
 
-  std::array<Crossing, 2> in_out{};
-  std::size_t count = 0;
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3;
-    if (left[i] != left[j]) in_out[count++] = cross_side(view, edge, triangle.vertex[i], triangle.vertex[j]);
-  }
-  if (in_out[0].t > in_out[1].t) std::swap(in_out[0], in_out[1]);
-  const Crossing& in = in_out[0];
-  const Crossing& out = in_out[1];
+  const auto [in, out] = crossings(view, edge, triangle, left);
   const double from = std::max(in.t, 0.0);
   const double to = std::min(out.t, 1.0);
   if (!(from < to)) return std::nullopt;
 
-  const auto& own = triangle.vertex;
-  const bool holds_p = std::find(own.begin(), own.end(), edge.p) != own.end();
-  const bool holds_q = std::find(own.begin(), own.end(), edge.q) != own.end();
   const PageVertex& p = view.vertices[edge.p];
   const PageVertex& q = view.vertices[edge.q];
-  const auto in_front = [&](double t) {
+  const auto in_front = [&, in = in, out = out](double t) {
     const double of_triangle = in.depth + (out.depth - in.depth) * ((t - in.t) / (out.t - in.t));
     return of_triangle - (p.depth + t * (q.depth - p.depth));
   };
+  const auto& own = triangle.vertex;
+  const bool holds_p = std::find(own.begin(), own.end(), edge.p) != own.end();
+  const bool holds_q = std::find(own.begin(), own.end(), edge.q) != own.end();
   if (!holds_p && !holds_q) {
     const double at_from = in_front(from);
     const double at_to = in_front(to);
     if (!(at_from > 0) && !(at_to > 0)) return std::nullopt;
-    return exceeding(from, to, at_from, at_to, contact.touching * steepness_of(view, triangle));
+    return exceeding(from, to, at_from, at_to, contact.touching * steepness(slope_of(view, triangle)));
   }
 
-  // At a common corner the difference is zero by definition; the other end decides for the whole.
-  const bool hides = in_front(holds_p ? to : from) > contact.joined * steepness_of(view, triangle);
-  return hides ? std::optional(std::array{from, to}) : std::nullopt;
+  // At a common corner the difference is zero by definition; the other end decides for the whole. It is measured in the
+  // triangle's plane: where the edge runs along a side, the place at which it leaves the triangle is uncertain.
+  const std::optional<Vec2> slope = slope_of(view, triangle);
+  const PageVertex& corner = holds_p ? p : q;
+  const PageVertex& end = holds_p ? q : p;
+  const double part = holds_p ? to : 1 - from;
+  const double ahead = slope ? part * (glm::dot(*slope, place(end) - place(corner)) + corner.depth - end.depth)
+                             : in_front(holds_p ? to : from);
+  return ahead > contact.joined * steepness(slope) ? std::optional(std::array{from, to}) : std::nullopt;
 }
 
 }  // namespace epura
