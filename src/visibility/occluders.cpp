@@ -140,7 +140,7 @@ OccluderGrid::Level OccluderGrid::make_level(const Content& content, int depth) 
   level.grid = grid_for(content, depth);
   find_covers(content, level);
   const CellLoad load = find_load(content, level);
-  find_candidates(content, load, level);
+  sort_into_cells(find_candidates(content, load, level), level);
   for (int cell = 0; cell < level.grid.count(); ++cell) level.pairs += pairs_in(level, load, cell);
   const bool idle = level.pairs > worthwhile * content.pairs;
   if (idle && content.idle) return level;
@@ -217,11 +217,8 @@ OccluderGrid::CellLoad OccluderGrid::find_load(const Content& content, const Lev
   return load;
 }
 
-void OccluderGrid::find_candidates(const Content& content, const CellLoad& load, Level& level) const {
-  struct Found {
-    int cell;
-    Candidate candidate;
-  };
+std::vector<std::vector<OccluderGrid::Found>> OccluderGrid::find_candidates(const Content& content,
+                                                                            const CellLoad& load, Level& level) const {
   const CellGrid& grid = level.grid;
   const Vec2 slack = margin() + cell_slack * grid.side;
   const std::size_t count = content.triangles.size();
@@ -245,6 +242,10 @@ void OccluderGrid::find_candidates(const Content& content, const CellLoad& load,
         });
       }
   });
+  return parts;
+}
+
+void OccluderGrid::sort_into_cells(std::vector<std::vector<Found>> parts, Level& level) {
   std::partial_sum(level.first.begin(), level.first.end(), level.first.begin());
   level.candidates.resize(level.first.back(), Candidate(0, 0));
   std::vector<std::size_t> next(level.first.begin(), level.first.end() - 1);
@@ -253,14 +254,15 @@ void OccluderGrid::find_candidates(const Content& content, const CellLoad& load,
       for (const Found& found : std::exchange(parts[part], {}))
         level.candidates[count_up(next[found.cell])] = found.candidate;
   });
-  parallel_for(static_cast<std::size_t>(grid.count()), chunk, [&](std::size_t begin, std::size_t end) {
+  parallel_for(static_cast<std::size_t>(level.grid.count()), chunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t cell = begin; cell < end; ++cell)
       std::sort(level.candidates.begin() + level.first[cell], level.candidates.begin() + level.first[cell + 1]);
   });
 }
 
-void OccluderGrid::divide_cells(const Content& content, const CellLoad& load, bool idle, int depth,
-                                Level& level) const {
+// What lies in the cells that are to be divided; they get their numbers in `level.child`.
+std::vector<OccluderGrid::Content> OccluderGrid::contents_of_full_cells(const Content& content, const CellLoad& load,
+                                                                        bool idle, Level& level) const {
   const CellGrid& grid = level.grid;
   std::vector<Content> parts;
   for (int cell = 0; cell < grid.count(); ++cell) {
@@ -272,7 +274,7 @@ void OccluderGrid::divide_cells(const Content& content, const CellLoad& load, bo
       part.triangles.push_back(level.candidates[i].triangle());
     parts.push_back(std::move(part));
   }
-  if (parts.empty()) return;
+  if (parts.empty()) return parts;
   for (const Piece& piece : content.pieces) {
     const Sightline line = sightline(piece);
     visit_cells(grid, place(line, piece.from), place(line, piece.to), margin(), [&](int cell, double s, double t) {
@@ -282,6 +284,12 @@ void OccluderGrid::divide_cells(const Content& content, const CellLoad& load, bo
         parts[level.child[cell]].pieces.push_back({piece.edge, from, to});
     });
   }
+  return parts;
+}
+
+void OccluderGrid::divide_cells(const Content& content, const CellLoad& load, bool idle, int depth,
+                                Level& level) const {
+  std::vector<Content> parts = contents_of_full_cells(content, load, idle, level);
   level.children.resize(parts.size());
   parallel_for(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t part = begin; part < end; ++part) {
@@ -289,10 +297,10 @@ void OccluderGrid::divide_cells(const Content& content, const CellLoad& load, bo
       level.children[part] = make_level(content_of_part, depth + 1);
     }
   });
-  for (int cell = 0; cell < grid.count(); ++cell) {
+  for (std::size_t cell = 0; cell < level.child.size(); ++cell) {
     if (level.child[cell] < 0) continue;
     Level& child = level.children[level.child[cell]];
-    const double saved = pairs_in(level, load, cell) - child.pairs;
+    const double saved = pairs_in(level, load, static_cast<int>(cell)) - child.pairs;
     if (saved > 0) {
       level.pairs -= saved;
     } else {

@@ -87,6 +87,11 @@ class OccluderGrid {
     std::vector<int> pieces;      ///< by cell: how many
   };
 
+  struct Found {
+    int cell;
+    Candidate candidate;
+  };
+
   template <class Visit>
   void along(const Level& level, const Sightline& edge, double from, double to, Visit& visit) const {
     visit_cells(level.grid, place(edge, from), place(edge, to), margin(), [&](int cell, double s, double t) {
@@ -117,7 +122,11 @@ class OccluderGrid {
   [[nodiscard]] static double pairs_in(const Level& level, const CellLoad& load, int cell);
   void find_covers(const Content& content, Level& level) const;
   [[nodiscard]] CellLoad find_load(const Content& content, const Level& level) const;
-  void find_candidates(const Content& content, const CellLoad& load, Level& level) const;
+  [[nodiscard]] std::vector<std::vector<Found>> find_candidates(const Content& content, const CellLoad& load,
+                                                                Level& level) const;
+  static void sort_into_cells(std::vector<std::vector<Found>> parts, Level& level);
+  [[nodiscard]] std::vector<Content> contents_of_full_cells(const Content& content, const CellLoad& load, bool idle,
+                                                            Level& level) const;
   void divide_cells(const Content& content, const CellLoad& load, bool idle, int depth, Level& level) const;
 
   const View& view_;
