@@ -41,6 +41,10 @@ class Crossings {
  public:
   Crossings(const World& world, double shrink, double contact)
       : world_(world), shrink_(shrink), contact_(contact), middle_(world.box.centre() * shrink) {
+    points_.resize(world.points.size());
+    parallel_for(points_.size(), 8192, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t v = begin; v < end; ++v) points_[v] = world.points[v] * shrink_ - middle_;
+    });
     planes_.resize(world.triangles.size());
     parallel_for(planes_.size(), 8192, [&](std::size_t begin, std::size_t end) {
       for (std::size_t f = begin; f < end; ++f) planes_[f] = plane(static_cast<int>(f));
@@ -73,7 +77,7 @@ class Crossings {
   }
 
  private:
-  [[nodiscard]] Vec3 point(int vertex) const { return world_.points[vertex] * shrink_ - middle_; }
+  [[nodiscard]] const Vec3& point(int vertex) const { return points_[vertex]; }
   [[nodiscard]] Vec3 unshrunk(const Vec3& p) const { return (p + middle_) / shrink_; }
 
   [[nodiscard]] Plane plane(int triangle) const {
@@ -95,9 +99,9 @@ class Crossings {
     int in_front = 0;
     int behind = 0;
     for (const int v : world_.triangles[triangle]) {
-      const int side = sign(plane.distance(point(v)));
-      in_front += side > 0 ? 1 : 0;
-      behind += side < 0 ? 1 : 0;
+      const double distance = plane.distance(point(v));
+      in_front += static_cast<int>(distance > contact_);
+      behind += static_cast<int>(distance < -contact_);
     }
     return in_front == 0 || (behind == 0 && in_front > 1);
   }
@@ -169,6 +173,7 @@ class Crossings {
   const World& world_;
   double shrink_, contact_;
   Vec3 middle_;
+  std::vector<Vec3> points_;  ///< shrunk and moved to the middle
   std::vector<Plane> planes_;
 };
 
