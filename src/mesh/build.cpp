@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/parallel.hpp"
 #include "base/vec.hpp"
 #include "mesh/bodies.hpp"
 #include "mesh/cracks.hpp"
@@ -131,11 +132,13 @@ Mesh build_mesh(Soup soup, std::string name) {
 
   report.faces = count_faces(triangles);
   report.triangles = static_cast<int>(triangles.size());
-  note_triangles_without_area(soup.points, triangles.corners, report);
-  cut_surface(mesh, soup.points, triangles.corners, table);
   mesh.polygon = std::move(triangles.number);
-  number_bodies(mesh, soup, table);
-  count_edges(table, triangles.corners, mesh.body, report);
+  parallel_both([&] { cut_surface(mesh, soup.points, triangles.corners, table); },
+                [&] {
+                  note_triangles_without_area(soup.points, triangles.corners, report);
+                  number_bodies(mesh, soup, table);
+                  count_edges(table, triangles.corners, mesh.body, report);
+                });
 
   for (int& halfedge : table.halfedges) halfedge /= 3;
   mesh.edges = std::move(table.edges);
