@@ -102,14 +102,23 @@ World read_world(const DrawOptions& options, Report& report, Console& console, P
   for (std::size_t i = 0; i < options.models.size(); ++i) places.push_back(place_of(options, i));
   // A single model is read in one go: how far it is cannot be told.
   progress.begin("reading", places.size() > 1 ? places.size() : 0);
+  std::vector<std::shared_ptr<Mesh>> meshes;
   std::vector<Placed> placed;
   for (std::size_t i = 0; i < options.models.size(); ++i) {
-    placed.push_back({std::make_shared<const Mesh>(read_mesh(options.models[i])), places[i]});
-    report.meshes.push_back(placed.back().mesh->report);
+    meshes.push_back(std::make_shared<Mesh>(read_mesh(options.models[i])));
+    placed.push_back({meshes.back(), places[i]});
+    report.meshes.push_back(meshes.back()->report);
     warn_about(console, report.meshes.back());
     progress.advance(1);
   }
-  return make_world(std::move(placed));
+  World world = make_world(std::move(placed));
+  // The world has its points and triangles; half-edges would be a fifth of all memory. (OpenMesh keeps the room of what
+  // is assigned to.)
+  for (const std::shared_ptr<Mesh>& mesh : meshes) {
+    std::destroy_at(&mesh->surface);
+    std::construct_at(&mesh->surface);
+  }
+  return world;
 }
 
 ViewWish view_wish(const DrawOptions& options) {

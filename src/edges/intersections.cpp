@@ -45,7 +45,11 @@ class Crossings {
     parallel_for(points_.size(), 8192, [&](std::size_t begin, std::size_t end) {
       for (std::size_t v = begin; v < end; ++v) points_[v] = world.points[v] * shrink_ - middle_;
     });
-    planes_.resize(world.triangles.size());
+  }
+
+  /// To be called before `cross`. Apart from the constructor, since the tree is built in between, which needs room.
+  void find_planes() {
+    planes_.resize(world_.triangles.size());
     parallel_for(planes_.size(), 8192, [&](std::size_t begin, std::size_t end) {
       for (std::size_t f = begin; f < end; ++f) planes_[f] = plane(static_cast<int>(f));
     });
@@ -181,8 +185,9 @@ class Crossings {
 
 FaceCrossings find_intersections(const World& world, double shrink, double contact, Progress progress) {
   if (progress.is_out_of_time()) return {{}, 0};
-  const Crossings crossings(world, shrink, contact);
+  Crossings crossings(world, shrink, contact);
   const TriangleTree tree(world.triangles.size(), [&](int triangle) { return crossings.box(triangle); });
+  crossings.find_planes();
 
   const std::vector<TriangleTree::NodePair> tasks = tree.tasks(1024);
   progress.begin("finding intersections", tasks.size());
