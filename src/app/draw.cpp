@@ -164,7 +164,7 @@ std::string encode(const Target& target, const Sheet& sheet, const ViewResult& r
     case Format::png:
       return to_png(sheet, options.dpi);
     case Format::json:
-      return to_json(sheet, result.placement.scale, {result.drawing}, report);
+      return to_json(sheet, result.placement.scale, {&result.drawing, 1}, report);
   }
   return {};
 }

@@ -37,29 +37,50 @@ std::vector<Piece> pieces_of(const View& view, const PaperMap& paper, const Draw
   return pieces;
 }
 
-Segment segment_of(const World& world, const View& view, const DrawnEdges& drawn, const Piece& piece) {
+// `crossing` is its number among the intersection lines, if it is one.
+Segment segment_of(const World& world, const View& view, const DrawnEdges& drawn, const Piece& piece, int crossing) {
   const DrawnEdge& edge = drawn.edges[piece.edge];
-  Segment segment{piece.from,
-                  piece.to,
-                  piece.visible,
-                  piece.kind,
-                  edge.model,
-                  {-1, -1},
-                  {parameter_in_space(view, edge, piece.s[0]), parameter_in_space(view, edge, piece.s[1])},
-                  {{{-1, -1}, {-1, -1}}},
-                  {Vec3(0), Vec3(0)}};
-  if (edge.mesh_edge >= 0) {
-    segment.edge = world.models[edge.model].mesh->edges[edge.mesh_edge].vertex;
-    return segment;
-  }
-  const FaceCrossing& crossing = drawn.crossings[edge.crossing];
+  const bool has_edge = edge.mesh_edge >= 0;
+  return {piece.from,
+          piece.to,
+          piece.visible,
+          piece.kind,
+          edge.model,
+          has_edge ? world.models[edge.model].mesh->edges[edge.mesh_edge].vertex : std::array{-1, -1},
+          has_edge ? -1 : crossing,
+          {parameter_in_space(view, edge, piece.s[0]), parameter_in_space(view, edge, piece.s[1])}};
+}
+
+CrossingSegment crossing_segment(const World& world, const FaceCrossing& crossing, const std::array<double, 2>& t) {
+  CrossingSegment segment;
   for (int i = 0; i < 2; ++i) {
     const int model = world.model_of_triangle(crossing.triangles[i]);
     const Mesh& mesh = *world.models[model].mesh;
     segment.faces[i] = {model, mesh.polygon[crossing.triangles[i] - world.first_triangle[model]]};
-    segment.world[i] = crossing.ends[0] + segment.t[i] * (crossing.ends[1] - crossing.ends[0]);
+    segment.world[i] = crossing.ends[0] + t[i] * (crossing.ends[1] - crossing.ends[0]);
   }
   return segment;
+}
+
+void add_segments(const World& world, const View& view, const DrawnEdges& drawn, const std::vector<Piece>& pieces,
+                  Drawing& drawing) {
+  std::vector<int> crossing(pieces.size());  // how many of them come before
+  int crossings = 0;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    crossing[i] = crossings;
+    crossings += static_cast<int>(drawn.edges[pieces[i].edge].crossing >= 0);
+  }
+  drawing.segments.resize(pieces.size());
+  drawing.crossings.resize(static_cast<std::size_t>(crossings));
+  parallel_for(pieces.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      Segment& segment = drawing.segments[i];
+      segment = segment_of(world, view, drawn, pieces[i], crossing[i]);
+      if (segment.crossing < 0) continue;
+      const FaceCrossing& faces = drawn.crossings[drawn.edges[pieces[i].edge].crossing];
+      drawing.crossings[segment.crossing] = crossing_segment(world, faces, segment.t);
+    }
+  });
 }
 
 }  // namespace
@@ -98,10 +119,7 @@ Drawing make_drawing(const World& world, const View& view, const DrawnEdges& dra
   const Coincidence limits = coincidence_on_paper(view, contact, paper);
   std::vector<Piece> pieces = pieces_of(view, paper, drawn, hidden, wishes.hidden);
   pieces = resolve_coincident(std::move(pieces), limits.tolerance, limits.least);
-  drawing.segments.resize(pieces.size());
-  parallel_for(pieces.size(), 1024, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) drawing.segments[i] = segment_of(world, view, drawn, pieces[i]);
-  });
+  add_segments(world, view, drawn, pieces, drawing);
   pieces = {};  // chains take their room
   drawing.chains = chain_segments(drawing.segments, straight_mm);
 

@@ -12,8 +12,8 @@
 
 namespace epura {
 
-/// Leaves hold sixteen triangles each, in the order of a space-filling curve, and boxes are rounded outwards to 32 bits:
-/// many boxes are tested at once, and the tree takes about 32 bytes a triangle.
+/// Leaves hold sixteen triangles each, in the order of a space-filling curve, and boxes are rounded outwards to 32
+/// bits: many boxes are tested at once, and the tree takes about 32 bytes a triangle.
 class TriangleTree {
  public:
   /// `box_of(triangle)` for triangles 0 to count - 1; called from several threads.

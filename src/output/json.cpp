@@ -92,7 +92,7 @@ std::string point(const Vec2& p) { return numbers(coordinates(p)); }
 
 std::string point(const Vec3& p) { return numbers(coordinates(p)); }
 
-void append_segment(std::string& text, const Segment& segment) {
+void append_segment(std::string& text, const Drawing& drawing, const Segment& segment) {
   append_numbers(text += "{\"from\": ", coordinates(segment.from));
   append_numbers(text += ", \"to\": ", coordinates(segment.to));
   text += segment.visible ? ", \"visible\": true" : ", \"visible\": false";
@@ -104,16 +104,18 @@ void append_segment(std::string& text, const Segment& segment) {
   } else {
     // An edge leads to the place in the world, an intersection line does not.
     append_numbers(text += ", \"edge\": null, \"t\": ", segment.t);
-    append_numbers(text += ", \"faces\": [", segment.faces[0]);
-    append_numbers(text += ", ", segment.faces[1]);
-    append_numbers(text += "], \"world\": [", coordinates(segment.world[0]));
-    append_numbers(text += ", ", coordinates(segment.world[1]));
+    const CrossingSegment& crossing = drawing.crossings[segment.crossing];
+    append_numbers(text += ", \"faces\": [", crossing.faces[0]);
+    append_numbers(text += ", ", crossing.faces[1]);
+    append_numbers(text += "], \"world\": [", coordinates(crossing.world[0]));
+    append_numbers(text += ", ", coordinates(crossing.world[1]));
     text += ']';
   }
   text += '}';
 }
 
-void append_segments(std::string& text, const std::vector<Segment>& segments) {
+void append_segments(std::string& text, const Drawing& drawing) {
+  const std::vector<Segment>& segments = drawing.segments;
   constexpr std::size_t at_once = 4096, most_bytes = 512;
   text.reserve(text.size() + most_bytes * segments.size());  // what is not touched costs nothing
   text += '[';
@@ -121,7 +123,7 @@ void append_segments(std::string& text, const std::vector<Segment>& segments) {
     std::string lines;
     for (std::size_t i = part * at_once; i < std::min((part + 1) * at_once, segments.size()); ++i) {
       lines += i > 0 ? ",\n    " : "\n    ";
-      append_segment(lines, segments[i]);
+      append_segment(lines, drawing, segments[i]);
     }
     return lines;
   });
@@ -152,7 +154,7 @@ void append_view(std::string& text, const Drawing& drawing) {
           ",\n   \"world_to_page\": " + matrix(drawing.world_to_page) + ",\n   \"viewer\": {\"" +
           (projection.central ? "centre" : "direction") + "\": " + point(projection.projector) +
           "},\n   \"vanishing_points\": " + list(drawing.vanishing_points, vanishing_point) + ",\n   \"segments\": ";
-  append_segments(text, drawing.segments);
+  append_segments(text, drawing);
   text += '}';
 }
 
@@ -229,7 +231,7 @@ std::string report_of(const Report& report) {
 
 }  // namespace
 
-std::string to_json(const Sheet& sheet, double scale, const std::vector<Drawing>& drawings, const Report& report) {
+std::string to_json(const Sheet& sheet, double scale, std::span<const Drawing> drawings, const Report& report) {
   std::string text =
       "{\"epura\": 1, \"unit\": \"mm\", \"sheet\": {\"size\": " + point(Vec2(sheet.width, sheet.height)) +
       ", \"scale\": " + number(scale) + "},";

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -55,6 +56,6 @@ struct Report {
 };
 
 /// Drawing JSON, schema 1 (docs/formats.md).
-std::string to_json(const Sheet& sheet, double scale, const std::vector<Drawing>& drawings, const Report& report);
+std::string to_json(const Sheet& sheet, double scale, std::span<const Drawing> drawings, const Report& report);
 
 }  // namespace epura

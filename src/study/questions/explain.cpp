@@ -51,7 +51,8 @@ struct Storyteller {
   [[nodiscard]] bool is_own(const Segment& segment) const {
     if (segment.model != edge.model) return false;
     const std::vector<FaceName> faces = faces_at(drawn_view, subject);
-    if (subject.mesh_edge < 0) return std::equal(faces.begin(), faces.end(), segment.faces.begin());
+    if (subject.mesh_edge < 0)
+      return segment.crossing >= 0 && std::equal(faces.begin(), faces.end(), faces_of(segment).begin());
     return segment.edge == drawn_view.world.models[edge.model].mesh->edges[edge.mesh_edge].vertex;
   }
 
@@ -86,9 +87,12 @@ struct Storyteller {
   }
 
   [[nodiscard]] static std::string name_of(const FaceName& face) { return epura::name_of(face); }
-  [[nodiscard]] static std::string name_of(const Segment& segment) {
+  [[nodiscard]] const std::array<FaceName, 2>& faces_of(const Segment& segment) const {
+    return drawn_view.drawing.crossings[segment.crossing].faces;
+  }
+  [[nodiscard]] std::string name_of(const Segment& segment) const {
     const std::string kind = (segment.visible ? "visible " : "hidden ") + std::string(epura::name_of(segment.kind));
-    if (segment.edge[0] < 0) return kind + " " + name_of(segment.faces[0]) + "x" + name_of(segment.faces[1]);
+    if (segment.edge[0] < 0) return kind + " " + name_of(faces_of(segment)[0]) + "x" + name_of(faces_of(segment)[1]);
     return kind + " " + std::to_string(segment.model) + ":" + std::to_string(segment.edge[0]) + "-" +
            std::to_string(segment.edge[1]);
   }

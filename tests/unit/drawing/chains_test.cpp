@@ -11,7 +11,7 @@ namespace epura::test {
 namespace {
 
 Segment segment(Vec2 from, Vec2 to, bool visible = true, EdgeKind kind = EdgeKind::crease) {
-  return {from, to, visible, kind, 0, {0, 1}, {0, 1}, {{{-1, -1}, {-1, -1}}}, {}};
+  return {from, to, visible, kind, 0, {0, 1}, -1, {0, 1}};
 }
 
 double length(const Chain& chain) {

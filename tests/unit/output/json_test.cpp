@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cfloat>
 
 #include "json_reader.hpp"
@@ -17,17 +18,9 @@ Drawing example() {
   drawing.projection.central = true;
   drawing.world_to_page = rows({1, 2, 3, 4}, {5, 6, 7, 8}, {9, 10, 11, 12}, {13, 14, 15, 16});
   drawing.vanishing_points[1] = Vec2(-1.5, 1e300);
-  drawing.segments.push_back(
-      {{0.1, 1.0 / 3}, {1e-300, -DBL_MAX}, true, EdgeKind::crease, 2, {7, 3}, {0, 1}, {{{-1, -1}, {-1, -1}}}, {}});
-  drawing.segments.push_back({{1, 2},
-                              {3, 4},
-                              false,
-                              EdgeKind::intersection,
-                              0,
-                              {-1, -1},
-                              {0, 1},
-                              {{{0, 5}, {1, 6}}},
-                              {Vec3(1, 2, 3), Vec3(4, 5, 6.5)}});
+  drawing.segments.push_back({{0.1, 1.0 / 3}, {1e-300, -DBL_MAX}, true, EdgeKind::crease, 2, {7, 3}, -1, {0, 1}});
+  drawing.segments.push_back({{1, 2}, {3, 4}, false, EdgeKind::intersection, 0, {-1, -1}, 0, {0, 1}});
+  drawing.crossings.push_back({{{{0, 5}, {1, 6}}}, {Vec3(1, 2, 3), Vec3(4, 5, 6.5)}});
   return drawing;
 }
 
@@ -37,7 +30,7 @@ TEST(Json, HasTheKeysOfSchemaOneInOrder) {
   Report report;
   report.meshes.emplace_back();
   report.plan.push_back({"clip", false, "all inside", 12, 34});
-  const Json json = parse(to_json({420, 297, "", {}}, 0.5, {example()}, report));
+  const Json json = parse(to_json({420, 297, "", {}}, 0.5, std::array{example()}, report));
   EXPECT_EQ(json.keys(), "epura unit sheet views report");
   EXPECT_EQ(json["epura"].number(), 1);
   EXPECT_EQ(json["unit"].text, "mm");
@@ -59,7 +52,7 @@ TEST(Json, HasTheKeysOfSchemaOneInOrder) {
 }
 
 TEST(Json, SaysWhatTheViewIs) {
-  const Json json = parse(to_json({420, 297, "", {}}, 0.5, {example()}, {}));
+  const Json json = parse(to_json({420, 297, "", {}}, 0.5, std::array{example()}, {}));
   const Json& view = json["views"].items.at(0);
   EXPECT_EQ(view["name"].text, "front \"A\"");
   EXPECT_EQ(view["parameters"]["fovy"].number(), 30);
@@ -72,12 +65,13 @@ TEST(Json, SaysWhatTheViewIs) {
 
   Drawing parallel = example();
   parallel.projection.central = false;
-  EXPECT_EQ(parse(to_json({1, 1, "", {}}, 1, {parallel}, {}))["views"].items[0]["viewer"].keys(), "direction");
+  EXPECT_EQ(parse(to_json({1, 1, "", {}}, 1, std::array{parallel}, {}))["views"].items[0]["viewer"].keys(),
+            "direction");
 }
 
 TEST(Json, NumbersComeBackExactly) {
   const Drawing drawing = example();
-  const Json json = parse(to_json({420, 297, "", {}}, 1 / 3.0, {drawing}, {}));
+  const Json json = parse(to_json({420, 297, "", {}}, 1 / 3.0, std::array{drawing}, {}));
   const Json& segment = json["views"].items.at(0)["segments"].items.at(0);
   EXPECT_EQ(json["sheet"]["scale"].number(), 1 / 3.0);
   EXPECT_EQ(segment["from"].items[0].number(), 0.1);
@@ -91,7 +85,7 @@ TEST(Json, NumbersComeBackExactly) {
 }
 
 TEST(Json, IntersectionLinesNameTheirFacesAndPlaces) {
-  const Json json = parse(to_json({420, 297, "", {}}, 1, {example()}, {}));
+  const Json json = parse(to_json({420, 297, "", {}}, 1, std::array{example()}, {}));
   const Json& segment = json["views"].items.at(0)["segments"].items.at(1);
   EXPECT_EQ(segment["edge"].type, 'n');
   EXPECT_EQ(segment["faces"].items.at(1).items.at(0).number(), 1);
@@ -100,7 +94,7 @@ TEST(Json, IntersectionLinesNameTheirFacesAndPlaces) {
 }
 
 TEST(Json, SegmentsStandOnLinesOfTheirOwn) {
-  const std::string text = to_json({420, 297, "", {}}, 1, {example()}, {});
+  const std::string text = to_json({420, 297, "", {}}, 1, std::array{example()}, {});
   for (std::size_t at = text.find("{\"from\""); at != std::string::npos; at = text.find("{\"from\"", at + 1))
     EXPECT_EQ(text[text.find_last_not_of(' ', at - 1)], '\n');
 }
@@ -143,7 +137,7 @@ TEST(Json, StringsAreEscapedAndValid) {
 TEST(JsonDeathTest, NumbersThatAreNoneAreNeverWritten) {
   Drawing drawing = example();
   drawing.segments[0].to.x = std::nan("");
-  EXPECT_DEATH(to_json({1, 1, "", {}}, 1, {drawing}, {}), "not finite");
+  EXPECT_DEATH(to_json({1, 1, "", {}}, 1, std::array{drawing}, {}), "not finite");
 }
 
 }  // namespace

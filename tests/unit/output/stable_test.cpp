@@ -3,6 +3,7 @@
 #include <cairo-svg.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <chrono>
 #include <clocale>
 #include <locale>
@@ -26,7 +27,7 @@ std::vector<std::string> all_formats() {
           to_ps(sheet),
           to_eps(sheet),
           to_png(sheet, 100),
-          to_json(sheet, 0.5, {drawing}, {})};
+          to_json(sheet, 0.5, std::array{drawing}, {})};
 }
 
 class Stable : public testing::Test {

@@ -16,15 +16,8 @@ void add_chain(Drawing& drawing, const std::vector<Vec2>& points, bool closed, b
   for (std::size_t i = 0; i < lines; ++i) {
     const int number = static_cast<int>(drawing.segments.size());
     chain.segments.push_back(number);
-    drawing.segments.push_back({points[i],
-                                points[(i + 1) % points.size()],
-                                visible,
-                                EdgeKind::crease,
-                                0,
-                                {number + 1, number},
-                                {0, 1},
-                                {{{-1, -1}, {-1, -1}}},
-                                {}});
+    drawing.segments.push_back(
+        {points[i], points[(i + 1) % points.size()], visible, EdgeKind::crease, 0, {number + 1, number}, -1, {0, 1}});
   }
   drawing.chains.push_back(chain);
 }
