@@ -91,8 +91,7 @@ TEST(Meshes, CrossingPlates) {
   // Hidden: of the lying plate x < 0 behind the upright upper half, of the upright plate z < 0 below the lying front.
   EXPECT_GT(without.hidden_length(), 1);
   double length = 0;
-  for (const Segment& s : with.drawing.segments)
-    if (s.kind == EdgeKind::intersection) length += glm::length(s.world[1] - s.world[0]);
+  for (const CrossingSegment& s : with.drawing.crossings) length += glm::length(s.world[1] - s.world[0]);
   EXPECT_NEAR(length, 1, 1e-12);
 }
 
