@@ -8,6 +8,7 @@
 #include <map>
 #include <pugixml.hpp>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "base/error.hpp"
@@ -21,6 +22,8 @@ namespace {
 
 constexpr int decimals = 5;  // of a millimetre
 constexpr std::size_t points_at_once = 8192;
+// libxml2, and what reads with it, refuses attributes of 10 MB.
+constexpr std::size_t most_points_of_path = 200'000;
 
 // A stroke and the number of the <path> that it goes into. Strokes of one path follow each other.
 struct Part {
@@ -33,6 +36,20 @@ using Chunk = std::span<const Part>;
 // A stroke of fewer than two points has no ink.
 bool has_line(const Stroke& stroke) { return stroke.points.size() >= 2; }
 
+// Begins a new path where one would get too long.
+void split_long_paths(std::vector<Part>& parts) {
+  std::size_t points = 0, added = 0, previous = 0;
+  for (Part& part : parts) {
+    if (part.path != std::exchange(previous, part.path)) points = 0;
+    points += part.stroke->points.size();
+    if (points > most_points_of_path) {
+      points = part.stroke->points.size();
+      ++added;
+    }
+    part.path += added;
+  }
+}
+
 std::vector<Part> parts_of(const Layer& layer, bool plain) {
   std::vector<Part> parts;
   parts.reserve(layer.strokes.size());
@@ -44,7 +61,9 @@ std::vector<Part> parts_of(const Layer& layer, bool plain) {
               : parts.size();
     parts.push_back({&stroke, path});
   }
-  if (plain) std::stable_sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.path < b.path; });
+  if (!plain) return parts;
+  std::stable_sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.path < b.path; });
+  split_long_paths(parts);
   return parts;
 }
 
