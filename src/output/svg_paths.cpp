@@ -22,8 +22,8 @@ namespace {
 
 constexpr int decimals = 5;  // of a millimetre
 constexpr std::size_t points_at_once = 8192;
-// libxml2, and what reads with it, refuses attributes of 10 MB.
-constexpr std::size_t most_points_of_path = 200'000;
+// About 80 kB: libxml2, and what reads with it, refuses files above 10 MB with attributes of some 100 kB.
+constexpr std::size_t most_points_of_path = 4000;
 
 // A stroke and the number of the <path> that it goes into. Strokes of one path follow each other.
 struct Part {
