@@ -17,22 +17,15 @@ std::vector<Piece> pieces_of(const View& view, const PaperMap& paper, const Draw
                              const HiddenSpans& hidden, bool keep_hidden) {
   std::vector<Piece> pieces;
   for (std::size_t e = 0; e < drawn.edges.size(); ++e) {
-    const auto add = [&](double from, double to, bool visible) {
-      if (!(from < to) || (!visible && !keep_hidden)) return;
+    hidden.visit_parts(e, [&](double from, double to, bool visible) {
+      if (!visible && !keep_hidden) return;
       pieces.push_back({place_on_paper(view, paper, drawn.edges[e], from),
                         place_on_paper(view, paper, drawn.edges[e], to),
                         visible,
                         drawn.edges[e].kind,
                         static_cast<int>(e),
                         {from, to}});
-    };
-    double at = 0;
-    for (std::size_t i = hidden.first[e]; i < hidden.first[e + 1]; ++i) {
-      add(at, hidden.spans[i][0], true);
-      add(hidden.spans[i][0], hidden.spans[i][1], false);
-      at = hidden.spans[i][1];
-    }
-    add(at, 1, true);
+    });
   }
   return pieces;
 }

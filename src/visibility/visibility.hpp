@@ -16,6 +16,21 @@ struct HiddenSpans {
   std::vector<std::size_t> first;
   std::vector<std::array<double, 2>> spans;
   std::vector<int> undecided;  ///< edges that were not looked at before time was over, ascending
+
+  /// Calls `visit(from, to, visible)` for the parts of edge e from its first vertex to its second.
+  template <class Visit>
+  void visit_parts(std::size_t e, Visit visit) const {
+    const auto part = [&](double from, double to, bool visible) {
+      if (from < to) visit(from, to, visible);
+    };
+    double at = 0;
+    for (std::size_t i = first[e]; i < first[e + 1]; ++i) {
+      part(at, spans[i][0], true);
+      part(spans[i][0], spans[i][1], false);
+      at = spans[i][1];
+    }
+    part(at, 1, true);
+  }
 };
 
 /// Contact tolerance for a view. `given` is a length in the world; without it, four cells of the page grid, or the

@@ -58,16 +58,7 @@ Subject drawn_subject(const DrawnView& drawn_view, std::size_t e) {
 
 std::vector<Span> spans_of(const HiddenSpans& hidden, std::size_t e) {
   std::vector<Span> spans;
-  const auto add = [&](double from, double to, bool visible) {
-    if (from < to) spans.push_back({from, to, visible});
-  };
-  double at = 0;
-  for (std::size_t i = hidden.first[e]; i < hidden.first[e + 1]; ++i) {
-    add(at, hidden.spans[i][0], true);
-    add(hidden.spans[i][0], hidden.spans[i][1], false);
-    at = hidden.spans[i][1];
-  }
-  add(at, 1, true);
+  hidden.visit_parts(e, [&](double from, double to, bool visible) { spans.push_back({from, to, visible}); });
   return spans;
 }
 

@@ -32,6 +32,7 @@ PageLine page_line(const Claim& claim, const Viewing& viewing, const Tolerance& 
   return line;
 }
 
+// By hand: what is tested must not help with the test.
 void add_spans(const HiddenSpans& hidden, int edge, std::vector<TestedSpan>& spans) {
   double at = 0;
   const auto add = [&](double from, double to, bool visible) {
