@@ -87,13 +87,17 @@ void warn(Console& console, const std::string& sentence) { console.print("epura:
 
 // Says what was repaired: a drawing of a damaged model must not look like one of a sound model.
 void warn_about(Console& console, const MeshReport& report) {
-  const auto say = [&](int count, const std::string& what) {
-    if (count > 0) warn(console, report.name + ": " + std::to_string(count) + " " + what);
+  const auto say = [&](int count, const std::string& one, const std::string& many) {
+    if (count > 0) warn(console, report.name + ": " + std::to_string(count) + " " + (count == 1 ? one : many));
   };
-  say(report.dropped_degenerate, "faces with fewer than three distinct corners left out");
-  say(report.dropped_duplicates, "faces that repeat an earlier face left out");
-  say(report.dropped_non_finite, "faces with coordinates that are no finite numbers left out");
-  say(report.non_manifold_edges, "edges have three or more faces; each is drawn");
+  const auto say_left_out = [&](int faces, const std::string& what) {
+    say(faces, "face left out: " + what, "faces left out: " + what);
+  };
+  say_left_out(report.dropped_degenerate, "fewer than three distinct corners");
+  say_left_out(report.dropped_duplicates, "the corners of an earlier face");
+  say_left_out(report.dropped_non_finite, "coordinates that are no finite numbers");
+  say(report.non_manifold_edges, "edge has three or more faces and is drawn",
+      "edges have three or more faces; each is drawn");
   for (const std::string& note : report.notes) warn(console, report.name + ": " + note);
 }
 

@@ -118,7 +118,9 @@ TEST(Draw, WhatWasRepairedIsSaid) {
       folder.file("m.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 nan\nf 1 2 3\nf 1 1 2\nf 2 3 4\nf 3 1 2\n");
   const Outcome run = epura({"draw", model, "-o", "x.svg"}, folder / "");
   EXPECT_EQ(run.code, 0);
-  for (const char* said : {"fewer than three distinct corners", "repeat an earlier face", "no finite numbers"})
+  for (const char* said :
+       {"1 face left out: fewer than three distinct corners", "1 face left out: the corners of an earlier face",
+        "1 face left out: coordinates that are no finite numbers"})
     EXPECT_TRUE(contains(run.err, said)) << run.err;
   EXPECT_TRUE(contains(run.err, model)) << run.err;
 }
