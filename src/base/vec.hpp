@@ -1,13 +1,16 @@
 // The project's linear algebra: GLM in double. Column vectors everywhere: p' = M p.
 #pragma once
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <limits>
 
 namespace epura {
 
@@ -23,6 +26,15 @@ inline Mat4 rows(const Vec4& r0, const Vec4& r1, const Vec4& r2, const Vec4& r3)
 }
 
 inline bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+/// The largest 32-bit float that is not above x. (std::nextafter takes much longer.)
+inline float rounded_down(double x) {
+  const auto rounded = static_cast<float>(x);
+  if (!(rounded > x)) return rounded;
+  if (rounded == 0) return -std::numeric_limits<float>::denorm_min();
+  const auto bits = std::bit_cast<std::int32_t>(rounded);
+  return std::bit_cast<float>(rounded > 0 ? bits - 1 : bits + 1);
+}
 
 /// An axis-aligned box; empty while least > most.
 struct Box {

@@ -1,8 +1,6 @@
 #include "edges/triangle_tree.hpp"
 
 #include <algorithm>
-#include <bit>
-#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -22,15 +20,6 @@ std::uint64_t spread(std::uint64_t x) {
   x = (x | x << 8) & 0x100f00f00f00f00f;
   x = (x | x << 4) & 0x10c30c30c30c30c3;
   return (x | x << 2) & 0x1249249249249249;
-}
-
-// The largest float that is not above x. (std::nextafter takes longer than all the rest.)
-float rounded_down(double x) {
-  const auto rounded = static_cast<float>(x);
-  if (!(rounded > x)) return rounded;
-  const auto bits = std::bit_cast<std::int32_t>(rounded);
-  if (rounded == 0) return -std::numeric_limits<float>::denorm_min();
-  return std::bit_cast<float>(rounded > 0 ? bits - 1 : bits + 1);
 }
 
 }  // namespace

@@ -12,18 +12,6 @@ namespace {
 // Triangles lower than this part of their length on the page are lines there.
 constexpr double thinnest = 0x1p-40;
 
-// The gradient of depth over the page. A line has none.
-std::optional<Vec2> slope_of(const View& view, const ViewTriangle& triangle) {
-  const PageVertex& a = view.vertices[triangle.vertex[0]];
-  const PageVertex& b = view.vertices[triangle.vertex[1]];
-  const PageVertex& c = view.vertices[triangle.vertex[2]];
-  const double bx = b.x - a.x, by = b.y - a.y, bz = b.depth - a.depth;
-  const double cx = c.x - a.x, cy = c.y - a.y, cz = c.depth - a.depth;
-  const double area = bx * cy - by * cx;
-  if (std::abs(area) <= thinnest * std::max(bx * bx + by * by, cx * cx + cy * cy)) return std::nullopt;
-  return Vec2(bz * cy - by * cz, bx * cz - bz * cx) / area;
-}
-
 // Contact is measured along the normal, hiding along the view. What a line covers is decided by depth alone.
 double steepness(const std::optional<Vec2>& slope) { return slope ? 1 + glm::length(*slope) : 1; }
 
@@ -126,6 +114,17 @@ std::optional<std::array<double, 2>> exceeding(double from, double to, double at
 }
 
 }  // namespace
+
+std::optional<Vec2> slope_of(const View& view, const ViewTriangle& triangle) {
+  const PageVertex& a = view.vertices[triangle.vertex[0]];
+  const PageVertex& b = view.vertices[triangle.vertex[1]];
+  const PageVertex& c = view.vertices[triangle.vertex[2]];
+  const double bx = b.x - a.x, by = b.y - a.y, bz = b.depth - a.depth;
+  const double cx = c.x - a.x, cy = c.y - a.y, cz = c.depth - a.depth;
+  const double area = bx * cy - by * cx;
+  if (std::abs(area) <= thinnest * std::max(bx * bx + by * by, cx * cx + cy * cy)) return std::nullopt;
+  return Vec2(bz * cy - by * cz, bx * cz - bz * cx) / area;
+}
 
 double least_span(const View& view, const Sightline& edge) {
   return least_piece * view.extent / glm::distance(place(view.vertices[edge.p]), place(view.vertices[edge.q]));

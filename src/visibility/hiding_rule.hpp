@@ -21,6 +21,9 @@ struct Contact {
   double joined;    ///< a face and an edge that starts at one of its corners: only rounding is forgiven
 };
 
+/// The gradient of depth over the page. A triangle that is a line there has none.
+std::optional<Vec2> slope_of(const View& view, const ViewTriangle& triangle);
+
 /// An edge on the page, between two vertices of the view.
 struct Sightline {
   int p, q;  ///< vertices of the view

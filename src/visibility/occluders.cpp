@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <limits>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "base/parallel.hpp"
@@ -55,29 +55,10 @@ Number count_up(Number& value) {
   return std::atomic_ref<Number>(value).fetch_add(1, std::memory_order_relaxed);
 }
 
-float rounded_down(double x) {
-  const auto rounded = static_cast<float>(x);
-  return rounded > x ? std::nextafter(rounded, 0.0F) : rounded;
-}
-
 double greatest_depth(const View& view) {
   double greatest = -HUGE_VAL;
   for (const PageVertex& vertex : view.vertices) greatest = std::max(greatest, vertex.depth);
   return greatest;
-}
-
-// The plane of a triangle on the page: depth = depth0 + slope . (place - place0).
-struct DepthPlane {
-  Vec2 place;
-  double depth;
-  Vec2 slope;
-};
-
-DepthPlane depth_plane(const PageVertex& a, const PageVertex& b, const PageVertex& c) {
-  const double bx = b.x - a.x, by = b.y - a.y, bz = b.depth - a.depth;
-  const double cx = c.x - a.x, cy = c.y - a.y, cz = c.depth - a.depth;
-  const double area = bx * cy - by * cx;
-  return {{a.x, a.y}, a.depth, {(bz * cy - by * cz) / area, (bx * cz - bz * cx) / area}};
 }
 
 }  // namespace
@@ -181,16 +162,18 @@ void OccluderGrid::find_covers(const Content& content, Level& level) const {
       const ViewTriangle& triangle = view_.triangles[content.triangles[i]];
       const TriangleOnGrid on_grid(grid, corners(triangle), slack);
       if (!on_grid.large()) continue;
-      const DepthPlane plane = depth_plane(view_.vertices[triangle.vertex[0]], view_.vertices[triangle.vertex[1]],
-                                           view_.vertices[triangle.vertex[2]]);
-      const double steepness = std::abs(plane.slope.x) + std::abs(plane.slope.y);
-      const double rounding = depth_rounding * (view_.extent + std::abs(plane.depth));
-      const double behind = glm::dot(grid.side / 2.0 + slack, glm::abs(plane.slope)) * (1 + cell_slack) +
+      const std::optional<Vec2> slope = slope_of(view_, triangle);
+      if (!slope) continue;
+      const PageVertex& corner = view_.vertices[triangle.vertex[0]];
+      const double steepness = std::abs(slope->x) + std::abs(slope->y);
+      const double rounding = depth_rounding * (view_.extent + std::abs(corner.depth));
+      const double behind = glm::dot(grid.side / 2.0 + slack, glm::abs(*slope)) * (1 + cell_slack) +
                             contact_.touching * (1 + steepness) + rounding;
       on_grid.visit_rows([&](const RowOfCells& row) {
         for (int column = row.inner_from; column <= row.inner_to; ++column) {
           const int cell = grid.cell(column, row.row);
-          raise(level.cover[cell], plane.depth + glm::dot(plane.slope, grid.middle(cell) - plane.place) - behind);
+          raise(level.cover[cell],
+                corner.depth + glm::dot(*slope, grid.middle(cell) - Vec2(corner.x, corner.y)) - behind);
         }
       });
     }
