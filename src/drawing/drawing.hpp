@@ -30,13 +30,29 @@ struct CrossingSegment {
   std::array<Vec3, 2> world;                ///< its ends in world coordinates
 };
 
+/// A part of a polyline that is an arc: points first ... last lie on centre + cos(a) u + sin(a) v, and a runs from
+/// `from` to `to` (radians). Of a circle u and v have one length; of an ellipse they are its half axes; u is
+/// perpendicular to v. Around a closed line `last` counts on past its end.
+struct CurvePart {
+  int first, last;
+  Vec2 centre, u, v;
+  double from, to;
+};
+
 /// Segments of one look chained end to end.
 struct Chain {
   std::vector<Vec2> points;  ///< the closing point of a closed chain is not repeated
   bool closed;
   bool visible;
   EdgeKind kind;
-  std::vector<int> segments;  ///< indices into Drawing::segments, in order along the chain
+  std::vector<int> segments;        ///< indices into Drawing::segments, in order along the chain
+  std::vector<CurvePart> curves{};  ///< ascending and disjoint
+};
+
+/// A face that a cutting plane made: to be hatched.
+struct CutFace {
+  int model, body;                       ///< body numbers are those of the model's file
+  std::vector<std::vector<Vec2>> rings;  ///< outlines on paper, even-odd; the first point is not repeated
 };
 
 struct Drawing {
@@ -47,6 +63,7 @@ struct Drawing {
   std::vector<Segment> segments;
   std::vector<CrossingSegment> crossings;  ///< of the segments that are intersection lines, in their order
   std::vector<Chain> chains;
+  std::vector<CutFace> cut_faces;
   Vec2 least{0, 0}, most{0, 0};  ///< box of the ink
 };
 

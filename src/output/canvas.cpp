@@ -51,13 +51,22 @@ void begin_vector_file(const Pen& pen, const Canvas& canvas) {
   cairo_restore(cairo);
 }
 
+namespace {
+
+void set_dashes(cairo_t* cairo, const Dashes& dashes, double units) {
+  std::vector<double> lengths;
+  if (dashes.dash > 0) lengths = {dashes.dash * units, dashes.gap * units};
+  for (int i = 0; i < dashes.dots; ++i) lengths.insert(lengths.end(), {dashes.dot * units, dashes.gap * units});
+  cairo_set_dash(cairo, lengths.data(), static_cast<int>(lengths.size()), 0);
+}
+
+}  // namespace
+
 void draw(const Pen& pen, const Canvas& canvas, const LineStyle& style, const std::vector<const Stroke*>& strokes) {
   if (strokes.empty()) return;
   cairo_t* cairo = pen.get();
   cairo_set_line_width(cairo, style.width * canvas.units);
-  const Stroke& first = *strokes.front();
-  const std::array<double, 2> dashes = {first.dash * canvas.units, first.gap * canvas.units};
-  cairo_set_dash(cairo, dashes.data(), first.dash > 0 ? 2 : 0, 0);
+  set_dashes(cairo, strokes.front()->dashes, canvas.units);
   for (const Stroke* stroke : strokes) {
     cairo_new_sub_path(cairo);
     for (const Vec2& point : stroke->points) {

@@ -50,7 +50,7 @@ std::string style_sheet(const Sheet& sheet) {
   for (const Layer& layer : sheet.layers) {
     const std::string name = "." + identifier(layer.style.name);
     std::string rule = "stroke-width:" + millimetres(layer.style.width);
-    if (layer.style.dash > 0) rule += ";stroke-dasharray:" + dash_array(layer.style.dash, layer.style.gap);
+    if (layer.style.dashes.dash > 0) rule += ";stroke-dasharray:" + dash_array(layer.style.dashes);
     const auto [place, added] = rules.emplace(name, rule);
     check(place->second == rule, "two line styles have one name");
     if (added) common += (common.empty() ? "" : ",") + name;

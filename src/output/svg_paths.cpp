@@ -57,7 +57,7 @@ std::vector<Part> parts_of(const Layer& layer, bool plain) {
   for (const Stroke& stroke : layer.strokes) {
     if (!has_line(stroke)) continue;
     const std::size_t path =
-        plain ? path_of_dashes.emplace(dash_array(stroke.dash, stroke.gap), path_of_dashes.size()).first->second
+        plain ? path_of_dashes.emplace(dash_array(stroke.dashes), path_of_dashes.size()).first->second
               : parts.size();
     parts.push_back({&stroke, path});
   }
@@ -175,7 +175,7 @@ void append_head(std::string& text, const Part& part, const Look& look) {
     if (!stroke.kind.empty()) append_attribute(text, "data-kind", stroke.kind);
     if (!stroke.edges.empty()) append_attribute(text, "data-edges", stroke.edges);
   }
-  const std::string dashes = dash_array(stroke.dash, stroke.gap);
+  const std::string dashes = dash_array(stroke.dashes);
   if (dashes != look.usual_dashes) append_attribute(text, "stroke-dasharray", dashes);
   text += " d=\"";
 }
@@ -184,12 +184,16 @@ void append_head(std::string& text, const Part& part, const Look& look) {
 
 void append_millimetres(std::string& text, double value) { append_fixed(text, value, decimals); }
 
-std::string dash_array(double dash, double gap) {
-  if (!(dash > 0)) return "none";
+std::string dash_array(const Dashes& dashes) {
+  if (!(dashes.dash > 0)) return "none";
   std::string text;
-  append_millimetres(text, dash);
-  text += ' ';
-  append_millimetres(text, gap);
+  append_millimetres(text, dashes.dash);
+  const auto append = [&text](double length) { append_millimetres(text += ' ', length); };
+  append(dashes.gap);
+  for (int i = 0; i < dashes.dots; ++i) {
+    append(dashes.dot);
+    append(dashes.gap);
+  }
   return text;
 }
 
@@ -212,7 +216,7 @@ bool has_ink(const Layer& layer) { return std::any_of(layer.strokes.begin(), lay
 
 void append_paths(std::string& text, const Layer& layer, const Canvas& canvas, double height, const std::string& id,
                   bool plain) {
-  const Look look{id, dash_array(layer.style.dash, layer.style.gap), plain};
+  const Look look{id, dash_array(layer.style.dashes), plain};
   const std::vector<Part> parts = parts_of(layer, plain);
   const std::vector<Chunk> chunks = chunks_of(parts);
   const auto write = [&](Chunk chunk) {

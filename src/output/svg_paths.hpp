@@ -14,7 +14,7 @@ namespace epura {
 void append_millimetres(std::string& text, double value);
 
 /// Value of stroke-dasharray.
-std::string dash_array(double dash, double gap);
+std::string dash_array(const Dashes& dashes);
 
 /// Text that XML can hold, which has no way to write control characters.
 std::string xml_text(std::string_view text);

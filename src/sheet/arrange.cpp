@@ -47,6 +47,7 @@ Stroke continuous(const Drawing& drawing, const Chain& chain) {
   Stroke stroke;
   stroke.points = chain.points;
   stroke.closed = chain.closed;
+  stroke.curves = chain.curves;
   add_origin(stroke, drawing, chain.segments);
   return stroke;
 }
@@ -66,9 +67,7 @@ Stroke dashed_run(const Drawing& drawing, const Chain& chain, const DashRun& run
   for (int i = run.first; i <= run.last - (run.closed ? 1 : 0); ++i)
     stroke.points.push_back(chain.points[static_cast<std::size_t>(i) % chain.points.size()]);
   const double length = length_of(stroke.points, stroke.closed);
-  const Dashes dashes = stroke.closed ? fit_closed(length, width) : fit_open(length, width);
-  stroke.dash = dashes.dash;
-  stroke.gap = dashes.gap;
+  stroke.dashes = stroke.closed ? fit_closed(length, width) : fit_open(length, width);
   add_origin(stroke, drawing, segments_of(chain, run));
   return stroke;
 }
@@ -129,10 +128,7 @@ Sheet make_sheet(const Drawing& drawing, const Paper& paper, const SheetWish& wi
   if (wish.hidden != HiddenLines::none) {
     const double width = narrow_line(paper);
     LineStyle style{"hidden", width};
-    if (wish.hidden == HiddenLines::dashed) {
-      style.dash = dash_widths * width;
-      style.gap = gap_widths * width;
-    }
+    if (wish.hidden == HiddenLines::dashed) style.dashes = {dash_widths * width, gap_widths * width};
     sheet.layers.push_back({drawing.name + "/hidden", std::move(style), {}});
   }
   sheet.layers.push_back({drawing.name + "/visible", {"visible", wide_line(paper)}, {}});

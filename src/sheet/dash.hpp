@@ -4,16 +4,12 @@
 #include <vector>
 
 #include "base/vec.hpp"
+#include "sheet/sheet.hpp"
 
 namespace epura {
 
 /// Nominal lengths in line widths.
 inline constexpr double dash_widths = 12, gap_widths = 3;
-
-/// Dash and gap on paper; dash 0: continuous.
-struct Dashes {
-  double dash = 0, gap = 0;
-};
 
 /// Dashes of about 12 widths and gaps of 3 widths on a line of this length: n = round((L - 12 d) / 15 d) gaps and
 /// n + 1 dashes fill it exactly. Lines below 27 widths are continuous.

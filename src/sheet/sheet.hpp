@@ -1,42 +1,82 @@
-// A sheet of paper with strokes on it: everything that a writer needs, nothing left to compute.
+// A sheet of paper with strokes, fills and texts on it: everything that a writer needs, nothing left to compute.
 #pragma once
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/vec.hpp"
+#include "drawing/drawing.hpp"
 
 namespace epura {
+
+/// The pattern of a line in millimetres of paper: a dash and a gap, then `dots` times a dot and a gap. ISO 128-2.
+/// dash 0: continuous.
+struct Dashes {
+  double dash = 0, gap = 0;
+  double dot = 0;
+  int dots = 0;
+
+  bool operator==(const Dashes&) const = default;
+};
 
 /// How a layer's lines look. ISO 128-2; lengths in millimetres of paper.
 struct LineStyle {
   std::string name;  ///< class in SVG, such as "visible"
   double width;
-  double dash = 0;  ///< 0: continuous
-  double gap = 0;
+  Dashes dashes{};
 };
 
 /// One polyline in one go of the pen.
 struct Stroke {
   std::vector<Vec2> points;  ///< y up, origin at the lower left corner of the sheet
   bool closed = false;
-  double dash = 0;  ///< fitted to this stroke, so that it ends on dashes; 0: continuous
-  double gap = 0;
-  std::string kind;   ///< "contour", ...; several with spaces where a chain changes
-  std::string edges;  ///< the model edges it draws: "model:v0-v1 ...", empty when it draws none
+  Dashes dashes{};                  ///< fitted to this stroke, so that it ends on dashes
+  std::string kind{};               ///< "contour", ...; several with spaces where a chain changes
+  std::string edges{};              ///< the model edges it draws: "model:v0-v1 ...", empty when it draws none
+  std::vector<CurvePart> curves{};  ///< parts of the points that are arcs, ascending and disjoint
+};
+
+/// An area filled with black, by the even-odd rule. Rings as in a stroke, not repeating their first point.
+struct Fill {
+  std::vector<std::vector<Vec2>> rings;
+};
+
+enum class Align { left, middle, right };
+
+/// A line of lettering in the font of the project (sheet/lettering.hpp).
+struct Text {
+  std::string text;  ///< UTF-8
+  Vec2 at;           ///< on the base line: its left end, middle or right end
+  double height;     ///< of capitals, mm. ISO 3098
+  double angle = 0;  ///< of the base line, degrees counterclockwise
+  Align align = Align::left;
+  std::string role;  ///< class in SVG: "title", "dimension", "label" ...
 };
 
 struct Layer {
   std::string name;  ///< "isometric/visible"
   LineStyle style;
   std::vector<Stroke> strokes;
+  std::vector<Fill> fills{};
+  std::vector<Text> texts{};
+};
+
+/// A view's place, for bookmarks and descriptions.
+struct ViewFrame {
+  std::string name;
+  std::string projection;
+  std::string scale;  ///< "1:2"; empty where a view has none
+  Vec2 least, most;   ///< box of its ink, mm
 };
 
 struct Sheet {
   double width = 0, height = 0;  ///< mm
   std::string title;             ///< for the metadata of the file
   std::vector<Layer> layers;     ///< painted in order
+  std::vector<ViewFrame> views{};
+  std::vector<std::pair<std::string, std::string>> facts{};  ///< more metadata: ("author", "N. N."), ("scale", "1:2")
 };
 
 }  // namespace epura

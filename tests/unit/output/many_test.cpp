@@ -16,7 +16,7 @@ Sheet scattered(int strokes) {
   Sheet sheet{1000, 1000, "scattered", {{"view/visible", {"visible", 0.25}, {}}}};
   for (int i = 0; i < strokes; ++i) {
     const Vec2 place(static_cast<double>(random() % 1000), static_cast<double>(random() % 1000));
-    sheet.layers[0].strokes.push_back({{place, place + Vec2(5.3, 2.7)}, false, 0, 0, "", ""});
+    sheet.layers[0].strokes.push_back({{place, place + Vec2(5.3, 2.7)}, false});
   }
   return sheet;
 }

@@ -27,7 +27,7 @@ TEST(Eps, BoundingBoxIsTheSheet) {
 
 TEST(Eps, TheLowerLeftCornerOfTheSheetIsTheOrigin) {
   Sheet sheet = random_sheet(100, 50, 0);
-  sheet.layers[1].strokes = {{{{25.4, 25.4}, {50.8, 25.4}}, false, 0, 0, "", ""}};
+  sheet.layers[1].strokes = {{{{25.4, 25.4}, {50.8, 25.4}}, false}};
   const std::string eps = to_eps(sheet);
   // 142 points high, y down: one inch from below is 70 from above.
   EXPECT_NE(eps.find("1 0 0 -1 0 142 cm"), std::string::npos);
@@ -59,7 +59,7 @@ cairo_status_t read(void* closure, unsigned char* data, unsigned length) {
 
 TEST(Png, HasTheSizeOfTheSheetAndBlackLinesOnWhite) {
   Sheet sheet = random_sheet(50.8, 25.4, 0);
-  sheet.layers[1].strokes = {{{{10, 5}, {40, 5}}, false, 0, 0, "", ""}};
+  sheet.layers[1].strokes = {{{{10, 5}, {40, 5}}, false}};
   const std::string png = to_png(sheet, 254);  // ten pixels a millimetre
   Reader reader{png};
   cairo_surface_t* surface = cairo_image_surface_create_from_png_stream(read, &reader);

@@ -105,7 +105,7 @@ TEST(Pdf, EveryLayerIsOptionalContent) {
 
 TEST(Pdf, WidthsAndDashesAreInMillimetres) {
   Sheet sheet = random_sheet(100, 100, 0);
-  sheet.layers[0].strokes.push_back({{{10, 10}, {60, 10}}, false, 2.9, 0.75, "", ""});
+  sheet.layers[0].strokes.push_back({{{10, 10}, {60, 10}}, false, {2.9, 0.75}});
   const std::string bytes = to_pdf(sheet);
   const PdfReader pdf(bytes);
   const PdfObject page = pdf.page();

@@ -27,7 +27,7 @@ inline Sheet random_sheet(double width, double height, int strokes = 50) {
       for (int corner = 0; corner < 2 + i % 4; ++corner)
         stroke.points.emplace_back(coordinate(width), coordinate(height));
       stroke.closed = i % 4 == 3;
-      if (layer.style.dash > 0) stroke.dash = 2.5 + i * 0.01, stroke.gap = 0.75;
+      if (layer.style.dashes.dash > 0) stroke.dashes.dash = 2.5 + i * 0.01, stroke.dashes.gap = 0.75;
       stroke.kind = "crease";
       stroke.edges = "0:" + std::to_string(i) + "-" + std::to_string(i + 1);
       layer.strokes.push_back(stroke);

@@ -90,8 +90,8 @@ TEST(Svg, LinesKnowWhereTheyComeFrom) {
 TEST(Svg, DashesStandOnlyWhereTheyDiffer) {
   Sheet sheet = random_sheet(100, 100, 3);
   std::vector<Stroke>& strokes = sheet.layers[0].strokes;
-  strokes[0].dash = 3;  // as the style says
-  strokes[1].dash = 0;  // continuous
+  strokes[0].dashes.dash = 3;  // as the style says
+  strokes[1].dashes.dash = 0;  // continuous
   const auto document = parse(to_svg(sheet, {}));
   const pugi::xml_node first = document.child("svg").child("g").child("path");
   EXPECT_FALSE(first.attribute("stroke-dasharray"));
@@ -126,7 +126,7 @@ TEST(Svg, PointsAndClosedLinesKeepTheirPlaceAmongManyOthers) {
 
 TEST(Svg, PlainHasOnePathForEachPatternAndNoOrigin) {
   Sheet sheet = random_sheet(100, 100, 8);
-  for (std::size_t i = 0; i < 8; ++i) sheet.layers[0].strokes[i].dash = i < 4 ? 3 : 2.5;
+  for (std::size_t i = 0; i < 8; ++i) sheet.layers[0].strokes[i].dashes.dash = i < 4 ? 3 : 2.5;
   const std::string svg = to_svg(sheet, {true});
   EXPECT_EQ(svg.find("data-"), std::string::npos);
   const auto document = parse(svg);
@@ -171,7 +171,7 @@ TEST(Svg, DotsTouchingLinesAndInkBesideTheSheetStay) {
   Sheet sheet = random_sheet(100, 100, 0);
   std::vector<Stroke>& strokes = sheet.layers[1].strokes;
   const auto add = [&strokes](std::vector<Vec2> points, bool closed) {
-    strokes.push_back({std::move(points), closed, 0, 0, "", ""});
+    strokes.push_back({std::move(points), closed});
   };
   add({{50, 50}, {50, 50}}, false);
   add({{-300, -200}, {-310, -200.5}}, false);

@@ -39,11 +39,11 @@ TEST(Arrange, HiddenLinesLieUnderVisibleOnes) {
   ASSERT_EQ(sheet.layers.size(), 2u);
   EXPECT_EQ(sheet.layers[0].name, "front/hidden");
   EXPECT_EQ(sheet.layers[0].style.width, 0.25);
-  EXPECT_EQ(sheet.layers[0].style.dash, 3);
-  EXPECT_EQ(sheet.layers[0].style.gap, 0.75);
+  EXPECT_EQ(sheet.layers[0].style.dashes.dash, 3);
+  EXPECT_EQ(sheet.layers[0].style.dashes.gap, 0.75);
   EXPECT_EQ(sheet.layers[1].name, "front/visible");
   EXPECT_EQ(sheet.layers[1].style.width, 0.5);
-  EXPECT_EQ(sheet.layers[1].style.dash, 0);
+  EXPECT_EQ(sheet.layers[1].style.dashes.dash, 0);
   ASSERT_EQ(sheet.layers[1].strokes.size(), 2u);
   EXPECT_TRUE(sheet.layers[1].strokes[0].closed);
 }
@@ -65,15 +65,16 @@ TEST(Arrange, DashedLinesAreCutAtCorners) {
   EXPECT_EQ(strokes[1].points, (std::vector<Vec2>{{60, 20}, {60, 50}}));
   for (int i : {0, 1}) {
     const Stroke& stroke = strokes[i];
-    const double gaps = (length_of(stroke.points, false) - stroke.dash) / (stroke.dash + stroke.gap);
+    const double gaps =
+        (length_of(stroke.points, false) - stroke.dashes.dash) / (stroke.dashes.dash + stroke.dashes.gap);
     EXPECT_NEAR(gaps, std::round(gaps), 1e-9);
-    EXPECT_GT(stroke.dash, 2);
+    EXPECT_GT(stroke.dashes.dash, 2);
   }
   // Each piece names its own edges only.
   EXPECT_EQ(strokes[0].edges, "0:4-5");
   EXPECT_EQ(strokes[1].edges, "0:5-6");
   EXPECT_EQ(strokes[0].kind, "crease");
-  EXPECT_EQ(strokes[2].dash, 0);
+  EXPECT_EQ(strokes[2].dashes.dash, 0);
   EXPECT_EQ(strokes[2].edges, "0:6-7 0:7-8");
 }
 
@@ -82,7 +83,7 @@ TEST(Arrange, HiddenLinesAsWished) {
   ASSERT_EQ(none.layers.size(), 1u);
   EXPECT_EQ(none.layers[0].name, "front/visible");
   const Sheet solid = make_sheet(example(), parse_paper("A4", false), {HiddenLines::solid, ""});
-  EXPECT_EQ(solid.layers[0].style.dash, 0);
+  EXPECT_EQ(solid.layers[0].style.dashes.dash, 0);
   EXPECT_EQ(solid.layers[0].style.width, 0.25);
   ASSERT_EQ(solid.layers[0].strokes.size(), 2u);
   EXPECT_EQ(solid.layers[0].strokes[0].points.size(), 3u);
