@@ -57,8 +57,7 @@ std::vector<Part> parts_of(const Layer& layer, bool plain) {
   for (const Stroke& stroke : layer.strokes) {
     if (!has_line(stroke)) continue;
     const std::size_t path =
-        plain ? path_of_dashes.emplace(dash_array(stroke.dashes), path_of_dashes.size()).first->second
-              : parts.size();
+        plain ? path_of_dashes.emplace(dash_array(stroke.dashes), path_of_dashes.size()).first->second : parts.size();
     parts.push_back({&stroke, path});
   }
   if (!plain) return parts;

@@ -59,12 +59,12 @@ using Anchor = std::variant<std::array<int, 2>, Vec3>;
 
 /// A dimension in a view: it follows the model. ISO 129-1.
 struct DimensionDescription {
-  std::string where;            ///< for errors
-  Given view;                   ///< name of the view; the first one by default
-  Given type;                   ///< linear, aligned, angular, radius, diameter or overall
-  Given direction;              ///< of a linear one: horizontal or vertical; overall: width, height or depth
-  std::vector<Anchor> anchors;  ///< two ends; angular: the corner, then the ends of its legs; radius, diameter: a
-                                ///< vertex on the circle; overall: none
+  std::string where;             ///< for errors
+  Given view;                    ///< name of the view; the first one by default
+  Given type;                    ///< linear, aligned, angular, radius, diameter or overall
+  Given direction;               ///< of a linear one: horizontal or vertical; overall: width, height or depth
+  std::vector<Anchor> anchors;   ///< two ends; angular: the corner, then the ends of its legs; radius, diameter: a
+                                 ///< vertex on the circle; overall: none
   std::optional<double> offset;  ///< of the dimension line from the anchors, mm of paper; its sign gives the side
   Given text;                    ///< instead of the measured value; "<>" stands for the value
 };
