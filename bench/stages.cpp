@@ -17,7 +17,7 @@
 #include "mesh/build.hpp"
 #include "mesh/read.hpp"
 #include "output/write.hpp"
-#include "sheet/arrange.hpp"
+#include "sheet/view_lines.hpp"
 #include "view/view.hpp"
 #include "visibility/visibility.hpp"
 
@@ -56,10 +56,14 @@ struct Run {
         placement(place_ink(drawn_box(seen).least, drawn_box(seen).most, {}, {})),
         paper(make_paper_map(seen, placement.scale, placement.shift)),
         drawing(draw()),
-        sheet(make_sheet(drawing, placement.paper, {})) {}
+        sheet{placement.paper.width, placement.paper.height, {}, layers()} {}
 
   [[nodiscard]] Drawing draw() const {
     return make_drawing(world, seen, drawn, hidden, contact, paper, {"isometric", true});
+  }
+
+  [[nodiscard]] std::vector<Layer> layers() const {
+    return view_layers(drawing, line_widths(placement.paper), HiddenLines::dashed);
   }
 
   std::string file;
@@ -117,7 +121,7 @@ std::vector<std::pair<std::string, Stage>> stages() {
       {"visibility", timed([](const Run& r) { DoNotOptimize(find_hidden(r.world, r.seen, r.drawn, r.contact)); })},
       {"drawing", timed([](const Run& r) { DoNotOptimize(r.draw()); })},
       {"chains", timed([](const Run& r) { DoNotOptimize(chain_segments(r.drawing.segments, 1e-6)); })},
-      {"sheet", timed([](const Run& r) { DoNotOptimize(make_sheet(r.drawing, r.placement.paper, {})); })},
+      {"sheet", timed([](const Run& r) { DoNotOptimize(r.layers()); })},
       {"svg", timed([](const Run& r) { DoNotOptimize(to_svg(r.sheet, {})); })},
       {"pdf", timed([](const Run& r) { DoNotOptimize(to_pdf(r.sheet)); })},
       {"json", timed([](const Run& r) {

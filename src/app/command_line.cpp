@@ -1,12 +1,14 @@
 #include "app/command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <type_traits>
 
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "output/write.hpp"
+#include "scene/title_fields.hpp"
 
 namespace epura {
 
@@ -56,36 +58,48 @@ CLI::Option* add_list(CLI::App& app, const std::string& option, auto& values, co
   return app.add_option(option, values, help)->allow_extra_args(false);
 }
 
+// `usual` is said in the help, and is what a later stage makes of nothing.
+void add_word(CLI::App& app, const std::string& option, std::string& value, const std::string& type,
+              const std::string& usual, const std::string& help) {
+  app.add_option(option, value, help)->type_name(type)->default_str(usual);
+}
+
+// A flag that stands for one word of several.
+void add_choice(CLI::App& app, const std::string& option, std::string& value, const std::string& word,
+                const std::string& help) {
+  app.add_flag_callback(
+      option, [&value, word] { value = word; }, help);
+}
+
 void define_inputs(CLI::App& draw, DrawOptions& options) {
-  draw.add_option("models", options.models, "model files: obj stl ply off")->required()->type_name("MODEL...");
+  draw.add_option("models", options.models, "model files: obj stl ply off; or one scene file: toml")
+      ->required()
+      ->type_name("MODEL...");
   add_list(draw, "--transform", options.transforms,
            "where models stand, e.g. \"rotate:z,30 translate:0,0,5\"; once for all models, or once for each")
       ->type_name("STEPS");
-  draw.add_option("--unit", options.unit, "unit of the files: mm, in or m")->capture_default_str()->type_name("UNIT");
-  draw.add_option("--up", options.up, "axis that points up in the files: z or y")
-      ->capture_default_str()
-      ->type_name("AXIS");
+  add_word(draw, "--unit", options.unit, "UNIT", "mm", "unit of the files: mm, in or m");
+  add_word(draw, "--up", options.up, "AXIS", "z", "axis that points up in the files: z or y");
 }
 
 void define_view(CLI::App& draw, DrawOptions& options) {
-  draw.add_option("--projection", options.projection, "NAME[:key=value...]; 'epura plugins' lists them")
-      ->capture_default_str()
+  add_list(draw, "--projection", options.projections,
+           "NAME[:key=value...]; 'epura plugins' lists them; each time one more view")
       ->type_name("NAME")
-      ->take_last();
+      ->default_str("isometric");
+  add_word(draw, "--views", options.views, "NAMES", "", "several views on one sheet: front,top,left,isometric");
   add_list(draw, "--plugin-path", options.plugin_path, "more folders with projection plugins")->type_name("DIR");
   add_number(draw, "--near", options.near, any, "leave out what is nearer to the viewer")->type_name("D");
   add_number(draw, "--far", options.far, any, "leave out what is farther from the viewer")->type_name("D");
 }
 
 void define_lines(CLI::App& draw, DrawOptions& options) {
-  draw.add_option("--hidden", options.hidden, "hidden lines: none, dashed or solid")
-      ->capture_default_str()
-      ->type_name("STYLE");
-  draw.add_option("--edges", options.edges, "which edges: contour crease boundary intersection smooth, with commas")
-      ->capture_default_str()
-      ->type_name("KINDS");
+  add_word(draw, "--hidden", options.hidden, "STYLE", "dashed", "hidden lines: none, dashed or solid");
+  add_word(draw, "--edges", options.edges, "KINDS", "contour,crease,boundary,intersection",
+           "which edges: contour crease boundary intersection smooth, with commas");
   add_number(draw, "--crease-angle", options.crease_angle, {0, 180},
              "degrees between faces from which their edge is a crease")
+      ->default_str("30")
       ->type_name("DEG");
   draw.add_option("--visibility", options.visibility, "exact, or none for a wireframe")
       ->capture_default_str()
@@ -96,12 +110,33 @@ void define_lines(CLI::App& draw, DrawOptions& options) {
 }
 
 void define_sheet(CLI::App& draw, DrawOptions& options) {
-  draw.add_option("--sheet", options.sheet, "A4 to A0, WIDTHxHEIGHT in mm, or none")
-      ->capture_default_str()
-      ->type_name("SIZE");
-  draw.add_flag("--portrait,!--landscape", options.portrait, "the sheet stands upright");
-  draw.add_option("--scale", options.scale, "fit, 1:2, 2:1, ...")->capture_default_str()->type_name("SCALE");
-  draw.add_option("--title", options.title, "title of the drawing")->type_name("TEXT");
+  add_word(draw, "--sheet", options.sheet, "SIZE", "A4; A3 for several views",
+           "A4 to A0, WIDTHxHEIGHT in mm, none, or auto for the smallest of A4 to A0 that takes the --scale");
+  add_choice(draw, "--portrait", options.orientation, "portrait", "the sheet stands upright");
+  add_choice(draw, "--landscape", options.orientation, "landscape", "the sheet lies on its side");
+  add_word(draw, "--scale", options.scale, "SCALE", "fit; auto for several views",
+           "1:2, 5:1, ..., auto for the largest of ISO 5455 that fits, or fit for as large as fits");
+  add_choice(draw, "--first-angle", options.angle, "first", "views stand as in ISO 5456-2 (default)");
+  add_choice(draw, "--third-angle", options.angle, "third", "views stand as in ASME Y14.3");
+  add_word(
+      draw, "--frame", options.frame, "KIND", "auto",
+      "none, plain, full (centring marks, grid, title block), or auto: full for several views and where a field of "
+      "the title block other than the title is given");
+}
+
+std::string option_name(std::string name) {
+  std::replace(name.begin(), name.end(), '_', '-');
+  return name;
+}
+
+void define_title_block(CLI::App& draw, DrawOptions& options) {
+  for (const TitleField& field : title_fields()) {
+    draw.add_option_function<std::string>(
+            "--" + option_name(field.name),
+            [&options, name = field.name](const std::string& text) { options.title_block.emplace_back(name, text); },
+            field.help)
+        ->type_name("TEXT");
+  }
 }
 
 void define_outputs(CLI::App& draw, DrawOptions& options) {
@@ -177,6 +212,7 @@ Command parse_command_line(int argc, char** argv) {
   define_view(*draw_command, draw);
   define_lines(*draw_command, draw);
   define_sheet(*draw_command, draw);
+  define_title_block(*draw_command, draw);
   define_questions(*draw_command, draw);
   define_run(*draw_command, draw);
 

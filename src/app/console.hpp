@@ -27,6 +27,8 @@ class Console {
 
   /// Prints whole lines, with the progress line out of the way.
   void print(std::string_view lines);
+  /// Prints a sentence behind the program's name.
+  void warn(const std::string& sentence) { print("epura: " + sentence + "\n"); }
 
  private:
   void watch();

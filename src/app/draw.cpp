@@ -1,149 +1,30 @@
 #include <array>
-#include <cmath>
 #include <cstdio>
-#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
 
+#include "app/choose.hpp"
 #include "app/commands.hpp"
+#include "app/compose.hpp"
 #include "app/console.hpp"
+#include "app/describe.hpp"
 #include "app/pipeline.hpp"
 #include "app/questions.hpp"
-#include "base/error.hpp"
-#include "base/file.hpp"
+#include "app/read_models.hpp"
+#include "app/targets.hpp"
+#include "app/view_plan.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
-#include "mesh/read.hpp"
-#include "projection/catalogue.hpp"
-#include "scene/transform.hpp"
-#include "sheet/arrange.hpp"
 #include "study/verify/verify.hpp"
 
 namespace epura {
 
 namespace {
 
-template <class Value>
-Value choose(const std::string& option, const std::string& word,
-             const std::vector<std::pair<std::string, Value>>& choices) {
-  std::vector<std::string> names;
-  for (const auto& [name, value] : choices) {
-    if (name == word) return value;
-    names.push_back(name);
-  }
-  throw Error(Trouble::input, option, "does not know '" + word + "'", did_you_mean(word, names));
-}
-
-struct Target {
-  std::string path;
-  Format format;
-};
-
-// Formats are settled before any work is done: a long run must not end in a typing error.
-std::vector<Target> targets_of(const DrawOptions& options) {
-  std::vector<Target> targets;
-  for (const std::string& path : options.outputs) {
-    std::string extension = path == "-" ? options.format : std::filesystem::path(path).extension().string();
-    if (extension.starts_with(".")) extension.erase(0, 1);
-    const auto format = format_of(extension);
-    if (!format && path == "-")
-      throw Error(Trouble::input, "--output -", "wants --format", did_you_mean(extension, format_names()));
-    if (!format)
-      throw Error(Trouble::input, path,
-                  extension.empty() ? "has no extension to tell the format" : "has an unknown format",
-                  did_you_mean(extension, format_names()));
-    for (const Target& other : targets)
-      if (other.path == path) throw Error(Trouble::input, path, "is named twice as output");
-    targets.push_back({path, *format});
-  }
-  return targets;
-}
-
-EdgeWishes edge_wishes(const DrawOptions& options) {
-  EdgeWishes wishes{false, false, false, false, false, options.crease_angle};
-  for (const std::string_view part : split(options.edges, ',')) {
-    const auto wish = choose<bool EdgeWishes::*>("--edges", std::string(part),
-                                                 {{"contour", &EdgeWishes::contour},
-                                                  {"crease", &EdgeWishes::crease},
-                                                  {"boundary", &EdgeWishes::boundary},
-                                                  {"intersection", &EdgeWishes::intersection},
-                                                  {"smooth", &EdgeWishes::smooth}});
-    wishes.*wish = true;
-  }
-  return wishes;
-}
-
-// The n-th transform belongs to the n-th model; a single one to all.
-Mat4 place_of(const DrawOptions& options, std::size_t model) {
-  const double unit = choose<double>("--unit", options.unit, {{"mm", 1}, {"in", 25.4}, {"m", 1000}});
-  const bool y_up = choose<bool>("--up", options.up, {{"z", false}, {"y", true}});
-  Mat4 place = parse_transform("scale:" + format_number(unit));
-  if (y_up) place = y_up_to_z_up() * place;
-  if (options.transforms.empty()) return place;
-  if (options.transforms.size() != 1 && options.transforms.size() != options.models.size())
-    throw Error(Trouble::input, "--transform", "is given neither once nor once for each model");
-  return parse_transform(options.transforms[options.transforms.size() == 1 ? 0 : model]) * place;
-}
-
-void warn(Console& console, const std::string& sentence) { console.print("epura: " + sentence + "\n"); }
-
-// Says what was repaired: a drawing of a damaged model must not look like one of a sound model.
-void warn_about(Console& console, const MeshReport& report) {
-  const auto say = [&](int count, const std::string& one, const std::string& many) {
-    if (count > 0) warn(console, report.name + ": " + std::to_string(count) + " " + (count == 1 ? one : many));
-  };
-  const auto say_left_out = [&](int faces, const std::string& what) {
-    say(faces, "face left out: " + what, "faces left out: " + what);
-  };
-  say_left_out(report.dropped_degenerate, "fewer than three distinct corners");
-  say_left_out(report.dropped_duplicates, "the corners of an earlier face");
-  say_left_out(report.dropped_non_finite, "coordinates that are no finite numbers");
-  say(report.non_manifold_edges, "edge has three or more faces and is drawn",
-      "edges have three or more faces; each is drawn");
-  for (const std::string& note : report.notes) warn(console, report.name + ": " + note);
-}
-
-World read_world(const DrawOptions& options, Report& report, Console& console, Progress progress) {
-  std::vector<Mat4> places;
-  for (std::size_t i = 0; i < options.models.size(); ++i) places.push_back(place_of(options, i));
-  // A single model is read in one go: how far it is cannot be told.
-  progress.begin("reading", places.size() > 1 ? places.size() : 0);
-  std::vector<std::shared_ptr<Mesh>> meshes;
-  std::vector<Placed> placed;
-  for (std::size_t i = 0; i < options.models.size(); ++i) {
-    meshes.push_back(std::make_shared<Mesh>(read_mesh(options.models[i])));
-    placed.push_back({meshes.back(), places[i]});
-    report.meshes.push_back(meshes.back()->report);
-    warn_about(console, report.meshes.back());
-    progress.advance(1);
-  }
-  World world = make_world(std::move(placed));
-  // The world has its points and triangles; half-edges would be a fifth of all memory. (OpenMesh keeps the room of what
-  // is assigned to.)
-  for (const std::shared_ptr<Mesh>& mesh : meshes) {
-    std::destroy_at(&mesh->surface);
-    std::construct_at(&mesh->surface);
-  }
-  return world;
-}
-
-ViewWish view_wish(const DrawOptions& options) {
-  ViewWish wish;
-  wish.limits = {options.near, options.far};
-  wish.edges = edge_wishes(options);
-  wish.contact = options.contact;
-  wish.remove_hidden = choose<bool>("--visibility", options.visibility, {{"exact", true}, {"none", false}});
-  wish.keep_hidden = parse_hidden_lines(options.hidden) != HiddenLines::none;
-  wish.paper = parse_paper(options.sheet, options.portrait);
-  wish.scale = parse_scale(options.scale);
-  if (options.verify && !wish.remove_hidden)
-    throw Error(Trouble::input, "--verify", "has nothing to test in a wireframe", "leave out --visibility none");
-  if (options.verify) wish.verify = options.verify_samples;
-  return wish;
-}
-
 void warn_about(Console& console, const ViewResult& result) {
   if (result.drawing.segments.empty() && !result.partial)
-    warn(console, "nothing is drawn: no edge of the wanted kinds is visible");
-  if (!result.placement.inside) warn(console, "the drawing is larger than the sheet at this scale");
+    console.warn("nothing is drawn: no edge of the wanted kinds is visible");
 }
 
 void warn_about(Console& console, const Partial& partial) {
@@ -151,32 +32,7 @@ void warn_about(Console& console, const Partial& partial) {
                          " of " + std::to_string(partial.edges) + " edges";
   if (partial.searched < 1)
     sentence += " and " + format_fixed(100 * (1 - partial.searched), 1) + " % of the search for intersection lines";
-  warn(console, sentence + "\n  hint: give a longer --time-limit, or ask for less with --edges");
-}
-
-std::string encode(const Target& target, const Sheet& sheet, const ViewResult& result, const DrawOptions& options,
-                   const Report& report) {
-  switch (target.format) {
-    case Format::svg:
-      return to_svg(sheet, {options.plain, options.dpi});
-    case Format::pdf:
-      return to_pdf(sheet);
-    case Format::ps:
-      return to_ps(sheet);
-    case Format::eps:
-      return to_eps(sheet);
-    case Format::png:
-      return to_png(sheet, options.dpi);
-    case Format::json:
-      return to_json(sheet, result.placement.scale, {&result.drawing, 1}, report);
-  }
-  return {};
-}
-
-void write(const Target& target, const std::string& bytes, Progress progress) {
-  if (target.path != "-") return write_file(target.path, bytes, progress);
-  if (std::fwrite(bytes.data(), 1, bytes.size(), stdout) != bytes.size() || std::fflush(stdout) != 0)
-    throw Error(Trouble::output, "standard output", "cannot be written");
+  console.warn(sentence + "\n  hint: give a longer --time-limit, or ask for less with --edges");
 }
 
 void print_timings(Console& console, const Stopwatch& watch) {
@@ -189,28 +45,82 @@ void print_timings(Console& console, const Stopwatch& watch) {
   console.print(text);
 }
 
-std::vector<std::string> encode_all(const std::vector<Target>& targets, const Sheet& sheet, const ViewResult& result,
-                                    const DrawOptions& options, const Report& report, Progress progress) {
-  progress.begin("writing", targets.size() > 1 ? targets.size() : 0);
-  std::vector<std::string> files;
-  for (const Target& target : targets) {
-    files.push_back(encode(target, sheet, result, options, report));
-    progress.advance(1);
-  }
-  return files;
-}
-
 bool shows_progress(const DrawOptions& options) {
   return choose<bool>("--progress", options.progress, {{"auto", is_terminal()}, {"always", true}, {"never", false}});
 }
 
+/// One of the sheets, and which of the scene's views stand on it.
+struct SheetOfViews {
+  int sheet;
+  std::vector<ViewDescription> descriptions;
+  std::vector<PlannedView> plans;
+};
+
+std::vector<SheetOfViews> views_by_sheet(const SceneDescription& scene, const std::vector<PlannedView>& plans) {
+  std::vector<SheetOfViews> sheets;
+  for (int sheet = 0; sheet < static_cast<int>(scene.sheets.size()); ++sheet) {
+    SheetOfViews& here = sheets.emplace_back();
+    here.sheet = sheet;
+    for (std::size_t i = 0; i < scene.views.size(); ++i) {
+      if (scene.views[i].sheet != sheet + 1) continue;
+      here.descriptions.push_back(scene.views[i]);
+      here.plans.push_back(plans[i]);
+    }
+  }
+  return sheets;
+}
+
+/// What a run needs from beginning to end.
+struct Run {
+  const DrawOptions& options;
+  const SceneDescription& scene;
+  const Questions& questions;
+  Console& console;
+  Progress progress;
+  Stopwatch& watch;
+  Report report{};
+  std::string answers{};
+
+  FinishedSheet draw_sheet(const World& world, const SheetOfViews& views);
+};
+
+FinishedSheet Run::draw_sheet(const World& world, const SheetOfViews& views) {
+  progress.begin("mapping");
+  std::vector<View> seen;
+  std::vector<Window> boxes;
+  for (std::size_t i = 0; i < views.plans.size(); ++i) {
+    seen.push_back(look_at(world, views.plans[i], views.descriptions[i]));
+    boxes.push_back(drawn_box(seen.back()));
+  }
+  watch.lap("view");
+
+  const SheetPlan plan = plan_sheet(scene.sheets[std::size_t(views.sheet)], views.descriptions, boxes);
+  std::vector<ViewResult> results;
+  std::vector<ViewWish> wishes;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    wishes.push_back(views.plans[i].wish);
+    results.push_back(draw_view(world, std::move(seen[i]), wishes[i], plan.places[i], report.plan, watch, progress));
+    warn_about(console, results.back());
+    answers += answer(questions, world, wishes[i], results.back());
+    results.back().work = {};  // what follows takes its room
+  }
+  if (!plan.inside) console.warn("the drawing is larger than the sheet at this scale");
+  for (const ViewResult& result : results) {
+    if (result.partial) report.partial = result.partial;
+    if (result.verification) report.verification = result.verification;
+  }
+  FinishedSheet sheet = compose(scene, plan, results, wishes, views.sheet);
+  watch.lap("sheet");
+  return sheet;
+}
+
 // Says what was found on the way, and returns the exit code. On standard error, since a drawing may go to standard
 // output.
-int conclude(Console& console, const ViewResult& result) {
-  if (result.verification) console.print(in_words(*result.verification));
-  if (result.partial) warn_about(console, *result.partial);
-  if (result.verification && result.verification->wrong > 0) return 1;
-  return result.partial ? partial_exit_code : 0;
+int conclude(Console& console, const Report& report) {
+  if (report.verification) console.print(in_words(*report.verification));
+  if (report.partial) warn_about(console, *report.partial);
+  if (report.verification && report.verification->wrong > 0) return 1;
+  return report.partial ? partial_exit_code : 0;
 }
 
 }  // namespace
@@ -223,37 +133,26 @@ int draw(const DrawOptions& options) {
   const ThreadLimit threads(options.threads);
   const std::vector<Target> targets = targets_of(options);
   const Questions questions = parse_questions(options);
-  const ViewWish wish = view_wish(options);
-  const ProjectionRequest request = parse_request(options.projection);
-  const ProjectionEntry entry = find_projection(request.name, plugin_folders(options.plugin_path));
+  const SceneDescription scene = describe(options);
+  const std::vector<SheetOfViews> sheets = views_by_sheet(scene, plan_views(scene, options));
   watch.lap("prepare");
 
-  Report report;
-  World world = read_world(options, report, console, progress);
+  Run run{options, scene, questions, console, progress, watch};
+  World world = read_models(scene.models, run.report.meshes, console, progress);
   watch.lap("read");
-  const Projection projection = make_projection(entry, request, world.box);
-  ViewResult result = draw_view(world, projection, wish, report.plan, watch, progress);
-  report.partial = result.partial;
-  warn_about(console, result);
-  const std::string answers = answer(questions, world, wish, result);
-  // What follows takes its room.
-  world = {};
-  result.work = {};
+  std::vector<FinishedSheet> finished;
+  for (const SheetOfViews& sheet : sheets) finished.push_back(run.draw_sheet(world, sheet));
+  world = {};  // what follows takes its room
 
-  const SheetWish sheet_wish{parse_hidden_lines(options.hidden), options.title, result.partial.has_value()};
-  const Sheet sheet = make_sheet(result.drawing, result.placement.paper, sheet_wish);
-  result.drawing.chains = {};  // the sheet has them
-  watch.lap("sheet");
-  if (options.timings) report.seconds = watch.laps();
-  report.verification = result.verification;
-
-  const std::vector<std::string> files = encode_all(targets, sheet, result, options, report, progress);
-  for (std::size_t i = 0; i < targets.size(); ++i) write(targets[i], files[i], progress);
+  if (options.timings) run.report.seconds = watch.laps();
+  const VectorOptions vector_options{options.plain, options.dpi};
+  const std::vector<FileBytes> files = encode_all(targets, finished, vector_options, run.report, progress);
+  for (const FileBytes& file : files) write(file, progress);
   watch.lap("write");
   console.print("");  // the line of progress makes room
-  std::fputs(answers.c_str(), stdout);
+  std::fputs(run.answers.c_str(), stdout);
   if (options.timings) print_timings(console, watch);
-  return conclude(console, result);
+  return conclude(console, run.report);
 }
 
 }  // namespace epura

@@ -4,26 +4,25 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace epura {
 
+/// Empty texts are not given.
 struct DrawOptions {
-  std::vector<std::string> models;
+  std::vector<std::string> models;   ///< or one scene file
   std::vector<std::string> outputs;  ///< "-" is standard output
   std::string format;                ///< of "-"
-  std::string projection = "isometric";
+  std::vector<std::string> projections;
+  std::string views;  ///< names of projections with commas, arranged on the sheet
   std::vector<std::filesystem::path> plugin_path;
   std::vector<std::string> transforms;
-  std::string unit = "mm";
-  std::string up = "z";
-  std::string sheet = "A4";
-  bool portrait = false;
-  std::string scale = "fit";
-  std::string title;
-  std::string hidden = "dashed";
-  std::string edges = "contour,crease,boundary,intersection";
-  double crease_angle = 30;
+  std::string unit, up;
+  std::string sheet, orientation, scale, angle, frame;
+  std::vector<std::pair<std::string, std::string>> title_block;  ///< fields of ISO 7200 and what is written in them
+  std::string hidden, edges;
+  std::optional<double> crease_angle;
   std::string visibility = "exact";
   std::optional<double> near, far, contact;
   double dpi = 300;

@@ -41,13 +41,9 @@ void Stopwatch::lap(const std::string& stage) {
   start_ = now;
 }
 
-ViewResult draw_view(const World& world, const Projection& projection, const ViewWish& wish,
+ViewResult draw_view(const World& world, View view, const ViewWish& wish, const PlaceOnPage& place,
                      std::vector<PlanStep>& plan, Stopwatch& watch, Progress progress) {
-  progress.begin("mapping");
-  View view = make_view(world, projection, wish.limits);
   plan.push_back(clip_step(world, view));
-  watch.lap("view");
-
   DrawnEdges drawn = find_drawn_edges(world, view, wish.edges, contact_in_space(world, view, wish.contact), progress);
   plan.push_back(intersection_step(world, wish.edges, drawn));
   watch.lap("edges");
@@ -60,21 +56,18 @@ ViewResult draw_view(const World& world, const Projection& projection, const Vie
   watch.lap("visibility");
 
   progress.begin("drawing");
-  const Window box = drawn_box(view);
-  const Placement placement = place_ink(box.least, box.most, wish.scale, wish.paper);
-  const PaperMap paper = make_paper_map(view, placement.scale, placement.shift);
-  Drawing drawing = make_drawing(world, view, drawn, hidden, contact, paper, {projection.name, wish.keep_hidden});
+  const PaperMap paper = make_paper_map(view, place.scale, place.shift);
+  Drawing drawing = make_drawing(world, view, drawn, hidden, contact, paper, {wish.name, wish.keep_hidden()});
   watch.lap("drawing");
   std::optional<Verification> verification;
   if (wish.verify) {
     progress.begin("verifying");
     const Tolerance tolerance{view.extent * paper.scale, contact.touching * paper.scale};
-    verification =
-        verify({world, projection, wish.limits, drawn, hidden, drawing}, tolerance, *wish.verify, wish.keep_hidden);
+    verification = verify({world, view.projection, wish.limits, drawn, hidden, drawing}, tolerance, *wish.verify,
+                          wish.keep_hidden());
     watch.lap("verify");
   }
   return {{std::move(view), std::move(drawn), contact, std::move(hidden), paper},
-          placement,
           std::move(drawing),
           partial,
           std::move(verification)};

@@ -12,7 +12,7 @@
 #include "edges/drawn_edges.hpp"
 #include "output/write.hpp"
 #include "scene/scene.hpp"
-#include "sheet/paper.hpp"
+#include "sheet/view_lines.hpp"
 #include "view/paper_map.hpp"
 #include "view/view.hpp"
 #include "visibility/visibility.hpp"
@@ -21,14 +21,15 @@ namespace epura {
 
 /// What is wanted of a view beside its projection.
 struct ViewWish {
+  std::string name;
   ViewLimits limits;
   EdgeWishes edges;
   std::optional<double> contact;  ///< world length
   bool remove_hidden = true;      ///< false: a wireframe
-  bool keep_hidden = true;        ///< hidden lines are drawn, too
-  Paper paper;
-  std::optional<double> scale;  ///< mm of paper per unit of the world; nothing: as large as fits
-  std::optional<int> verify;    ///< by so many points at random
+  HiddenLines hidden = HiddenLines::dashed;
+  std::optional<int> verify;  ///< by so many points at random
+
+  [[nodiscard]] bool keep_hidden() const { return hidden != HiddenLines::none; }
 };
 
 /// What was computed on the way to a drawing.
@@ -42,7 +43,6 @@ struct ViewWork {
 
 struct ViewResult {
   ViewWork work;  ///< large; of use only for questions about the drawing
-  Placement placement;
   Drawing drawing;
   std::optional<Partial> partial;  ///< what is left out because time was over
   std::optional<Verification> verification;
@@ -59,8 +59,14 @@ class Stopwatch {
   std::vector<std::pair<std::string, double>> laps_;
 };
 
-/// Draws one view and notes in `plan` and `watch` what was done.
-ViewResult draw_view(const World& world, const Projection& projection, const ViewWish& wish,
+/// Where a drawing stands on its sheet: page = scale * plane + shift, mm.
+struct PlaceOnPage {
+  double scale;
+  Vec2 shift;
+};
+
+/// Draws one view, which stands on its sheet, and notes in `plan` and `watch` what was done.
+ViewResult draw_view(const World& world, View view, const ViewWish& wish, const PlaceOnPage& place,
                      std::vector<PlanStep>& plan, Stopwatch& watch, Progress progress = {});
 
 }  // namespace epura

@@ -31,8 +31,8 @@ Questions parse_questions(const DrawOptions& options) {
 
 std::string answer(const Questions& questions, const World& world, const ViewWish& wish, const ViewResult& result) {
   const ViewWork& work = result.work;
-  const DrawnView drawn_view{world,        work.view,  wish.edges,     work.drawn,      work.hidden,
-                             work.contact, work.paper, result.drawing, wish.keep_hidden};
+  const DrawnView drawn_view{world,        work.view,  wish.edges,     work.drawn,        work.hidden,
+                             work.contact, work.paper, result.drawing, wish.keep_hidden()};
   std::string text;
   if (questions.edge_table) text += edge_table(drawn_view);
   if (questions.why.empty() && !questions.span_table) return text;

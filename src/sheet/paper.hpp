@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "base/vec.hpp"
@@ -17,11 +18,12 @@ struct Paper {
 /// No side of a paper and no drawing may be longer: 100 m.
 inline constexpr double longest_side = 100'000;
 
-/// "none", "A4" ... "A0" or "WxH" in mm. A sizes lie on their side unless `portrait`. Throws Error{input}.
-Paper parse_paper(std::string_view text, bool portrait);
+/// "none", "A4" ... "A0" or "WxH" in mm. A sizes lie on their side unless `portrait`. Throws Error{input} that names
+/// `where` the text comes from.
+Paper parse_paper(std::string_view text, bool portrait, const std::string& where = "--sheet");
 
 /// "1:2", "2:1" or "0.5" as millimetres of paper per unit of the model; nothing for "fit". Throws Error{input}.
-std::optional<double> parse_scale(std::string_view text);
+std::optional<double> parse_scale(std::string_view text, const std::string& where = "--scale");
 
 /// Where a drawing goes: page = scale * plane + shift.
 struct Placement {

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "sheet/arrange.hpp"
-
 namespace epura::test {
 namespace {
 
@@ -38,12 +36,6 @@ TEST(PartialMark, ShrinksToNarrowPaper) {
   paper.width = 10;
   paper.height = 300;
   expect_inside(partial_mark(paper), {-0.1, 295}, {10, 300});
-}
-
-TEST(PartialMark, IsOnPartialSheetsAlone) {
-  const Paper paper = parse_paper("A4", false);
-  EXPECT_EQ(make_sheet({}, paper, {HiddenLines::none, "", true}).layers.back().name, "sheet/partial");
-  for (const Layer& layer : make_sheet({}, paper, {}).layers) EXPECT_NE(layer.name, "sheet/partial");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "sheet/arrange.hpp"
+#include "sheet/view_lines.hpp"
 
 #include <algorithm>
 #include <array>
@@ -12,16 +12,10 @@
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "sheet/dash.hpp"
-#include "sheet/partial_mark.hpp"
 
 namespace epura {
 
 namespace {
-
-// Wide lines are 0.7 mm from A1 on, 0.5 mm below.
-double wide_line(const Paper& paper) { return paper.width * paper.height >= 841.0 * 594.0 ? 0.7 : 0.5; }
-
-double narrow_line(const Paper& paper) { return wide_line(paper) == 0.7 ? 0.35 : 0.25; }
 
 // What the segments say about a stroke: their kinds, each once, and the model edges, each run of one edge once.
 void add_origin(Stroke& stroke, const Drawing& drawing, std::span<const int> segments) {
@@ -114,32 +108,35 @@ void append(std::vector<Stroke>& strokes, std::vector<Stroke>& more) {
 
 }  // namespace
 
-HiddenLines parse_hidden_lines(std::string_view text) {
+HiddenLines parse_hidden_lines(std::string_view text, const std::string& where) {
   const std::vector<std::string> names = {"none", "dashed", "solid"};
   const auto found = std::find(names.begin(), names.end(), to_lower(text));
   if (found == names.end())
-    throw Error(Trouble::input, "--hidden", "'" + std::string(text) + "' is no style of hidden lines",
+    throw Error(Trouble::input, where, "'" + std::string(text) + "' is no style of hidden lines",
                 did_you_mean(text, names));
   return static_cast<HiddenLines>(found - names.begin());
 }
 
-Sheet make_sheet(const Drawing& drawing, const Paper& paper, const SheetWish& wish) {
-  Sheet sheet{paper.width, paper.height, wish.title, {}};
-  if (wish.hidden != HiddenLines::none) {
-    const double width = narrow_line(paper);
-    LineStyle style{"hidden", width};
-    if (wish.hidden == HiddenLines::dashed) style.dashes = {dash_widths * width, gap_widths * width};
-    sheet.layers.push_back({drawing.name + "/hidden", std::move(style), {}});
-  }
-  sheet.layers.push_back({drawing.name + "/visible", {"visible", wide_line(paper)}, {}});
+LineWidths line_widths(const Paper& paper) {
+  if (paper.width * paper.height >= 841.0 * 594.0) return {0.7, 0.35};
+  return {0.5, 0.25};
+}
 
-  std::vector<Strokes> parts = strokes_of(drawing, sheet.layers.front().style.width, wish.hidden);
-  for (Strokes& part : parts) {
-    append(sheet.layers.front().strokes, part.hidden);
-    append(sheet.layers.back().strokes, part.visible);
+std::vector<Layer> view_layers(const Drawing& drawing, const LineWidths& widths, HiddenLines hidden) {
+  std::vector<Layer> layers;
+  if (hidden != HiddenLines::none) {
+    LineStyle style{"hidden", widths.narrow};
+    if (hidden == HiddenLines::dashed) style.dashes = {dash_widths * widths.narrow, gap_widths * widths.narrow};
+    layers.push_back({drawing.name + "/hidden", std::move(style), {}});
   }
-  if (wish.partial) sheet.layers.push_back(partial_mark(paper));
-  return sheet;
+  layers.push_back({drawing.name + "/visible", {"visible", widths.wide}, {}});
+
+  std::vector<Strokes> parts = strokes_of(drawing, widths.narrow, hidden);
+  for (Strokes& part : parts) {
+    append(layers.front().strokes, part.hidden);
+    append(layers.back().strokes, part.visible);
+  }
+  return layers;
 }
 
 }  // namespace epura

@@ -1,4 +1,4 @@
-#include "sheet/arrange.hpp"
+#include "sheet/view_lines.hpp"
 
 #include <gtest/gtest.h>
 
@@ -32,34 +32,31 @@ Drawing example() {
   return drawing;
 }
 
-TEST(Arrange, HiddenLinesLieUnderVisibleOnes) {
-  const Sheet sheet = make_sheet(example(), parse_paper("A4", false), {HiddenLines::dashed, "title"});
-  EXPECT_EQ(sheet.width, 297);
-  EXPECT_EQ(sheet.title, "title");
-  ASSERT_EQ(sheet.layers.size(), 2u);
-  EXPECT_EQ(sheet.layers[0].name, "front/hidden");
-  EXPECT_EQ(sheet.layers[0].style.width, 0.25);
-  EXPECT_EQ(sheet.layers[0].style.dashes.dash, 3);
-  EXPECT_EQ(sheet.layers[0].style.dashes.gap, 0.75);
-  EXPECT_EQ(sheet.layers[1].name, "front/visible");
-  EXPECT_EQ(sheet.layers[1].style.width, 0.5);
-  EXPECT_EQ(sheet.layers[1].style.dashes.dash, 0);
-  ASSERT_EQ(sheet.layers[1].strokes.size(), 2u);
-  EXPECT_TRUE(sheet.layers[1].strokes[0].closed);
+TEST(ViewLines, HiddenLinesLieUnderVisibleOnes) {
+  const std::vector<Layer> layers = view_layers(example(), {0.5, 0.25}, HiddenLines::dashed);
+  ASSERT_EQ(layers.size(), 2u);
+  EXPECT_EQ(layers[0].name, "front/hidden");
+  EXPECT_EQ(layers[0].style.width, 0.25);
+  EXPECT_EQ(layers[0].style.dashes.dash, 3);
+  EXPECT_EQ(layers[0].style.dashes.gap, 0.75);
+  EXPECT_EQ(layers[1].name, "front/visible");
+  EXPECT_EQ(layers[1].style.width, 0.5);
+  EXPECT_EQ(layers[1].style.dashes.dash, 0);
+  ASSERT_EQ(layers[1].strokes.size(), 2u);
+  EXPECT_TRUE(layers[1].strokes[0].closed);
 }
 
-TEST(Arrange, LargeSheetsHaveWiderLines) {
+TEST(ViewLines, LargeSheetsHaveWiderLines) {
   for (const char* size : {"A0", "A1"}) {
-    const Sheet sheet = make_sheet(example(), parse_paper(size, true), {});
-    EXPECT_EQ(sheet.layers[0].style.width, 0.35);
-    EXPECT_EQ(sheet.layers[1].style.width, 0.7);
+    EXPECT_EQ(line_widths(parse_paper(size, true)).wide, 0.7);
+    EXPECT_EQ(line_widths(parse_paper(size, true)).narrow, 0.35);
   }
-  EXPECT_EQ(make_sheet(example(), parse_paper("A2", false), {}).layers[1].style.width, 0.5);
+  EXPECT_EQ(line_widths(parse_paper("A2", false)).wide, 0.5);
 }
 
-TEST(Arrange, DashedLinesAreCutAtCorners) {
-  const Sheet sheet = make_sheet(example(), parse_paper("A4", false), {});
-  const std::vector<Stroke>& strokes = sheet.layers[0].strokes;
+TEST(ViewLines, DashedLinesAreCutAtCorners) {
+  const std::vector<Layer> layers = view_layers(example(), {0.5, 0.25}, HiddenLines::dashed);
+  const std::vector<Stroke>& strokes = layers[0].strokes;
   ASSERT_EQ(strokes.size(), 3u);
   EXPECT_EQ(strokes[0].points, (std::vector<Vec2>{{20, 20}, {60, 20}}));
   EXPECT_EQ(strokes[1].points, (std::vector<Vec2>{{60, 20}, {60, 50}}));
@@ -78,27 +75,27 @@ TEST(Arrange, DashedLinesAreCutAtCorners) {
   EXPECT_EQ(strokes[2].edges, "0:6-7 0:7-8");
 }
 
-TEST(Arrange, HiddenLinesAsWished) {
-  const Sheet none = make_sheet(example(), parse_paper("A4", false), {HiddenLines::none, ""});
-  ASSERT_EQ(none.layers.size(), 1u);
-  EXPECT_EQ(none.layers[0].name, "front/visible");
-  const Sheet solid = make_sheet(example(), parse_paper("A4", false), {HiddenLines::solid, ""});
-  EXPECT_EQ(solid.layers[0].style.dashes.dash, 0);
-  EXPECT_EQ(solid.layers[0].style.width, 0.25);
-  ASSERT_EQ(solid.layers[0].strokes.size(), 2u);
-  EXPECT_EQ(solid.layers[0].strokes[0].points.size(), 3u);
+TEST(ViewLines, HiddenLinesAsWished) {
+  const std::vector<Layer> none = view_layers(example(), {0.5, 0.25}, HiddenLines::none);
+  ASSERT_EQ(none.size(), 1u);
+  EXPECT_EQ(none[0].name, "front/visible");
+  const std::vector<Layer> solid = view_layers(example(), {0.5, 0.25}, HiddenLines::solid);
+  EXPECT_EQ(solid[0].style.dashes.dash, 0);
+  EXPECT_EQ(solid[0].style.width, 0.25);
+  ASSERT_EQ(solid[0].strokes.size(), 2u);
+  EXPECT_EQ(solid[0].strokes[0].points.size(), 3u);
   EXPECT_EQ(parse_hidden_lines("solid"), HiddenLines::solid);
   EXPECT_THROW(parse_hidden_lines("dotted"), Error);
 }
 
-TEST(Arrange, IntersectionLinesNameNoEdge) {
+TEST(ViewLines, IntersectionLinesNameNoEdge) {
   Drawing drawing = example();
   drawing.segments[0].edge = {-1, -1};
   drawing.segments[0].kind = EdgeKind::intersection;
   drawing.segments[2].edge = drawing.segments[1].edge;
-  const Sheet sheet = make_sheet(drawing, parse_paper("A4", false), {});
-  EXPECT_EQ(sheet.layers[1].strokes[0].edges, "0:1-2");
-  EXPECT_EQ(sheet.layers[1].strokes[0].kind, "intersection crease");
+  const std::vector<Layer> layers = view_layers(drawing, {0.5, 0.25}, HiddenLines::dashed);
+  EXPECT_EQ(layers[1].strokes[0].edges, "0:1-2");
+  EXPECT_EQ(layers[1].strokes[0].kind, "intersection crease");
 }
 
 }  // namespace

@@ -1,0 +1,13 @@
+// Options, and the scene file that they may name -> what is to be drawn.
+#pragma once
+
+#include "app/options.hpp"
+#include "scene/description.hpp"
+
+namespace epura {
+
+/// What an option says wins over what the scene file says. Every description has models, views and sheets.
+/// Throws Error{input} for a scene file beside models, and for options that a scene file leaves no room for.
+SceneDescription describe(const DrawOptions& options);
+
+}  // namespace epura

@@ -1,0 +1,69 @@
+#include "app/read_models.hpp"
+
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "app/choose.hpp"
+#include "base/text.hpp"
+#include "mesh/read.hpp"
+#include "scene/transform.hpp"
+
+namespace epura {
+
+namespace {
+
+Mat4 place_of(const ModelDescription& model) {
+  const double unit = choose<double>(model.unit, {{"mm", 1}, {"in", 25.4}, {"m", 1000}});
+  Mat4 place = parse_transform("scale:" + format_number(unit));
+  if (choose<bool>(model.up, {{"z", false}, {"y", true}})) place = y_up_to_z_up() * place;
+  if (model.transform.given()) place = parse_given(model.transform, parse_transform) * place;
+  return place;
+}
+
+// A drawing of a damaged model must not look like one of a sound model.
+void warn_about(Console& console, const MeshReport& report) {
+  const auto say = [&](int count, const std::string& one, const std::string& many) {
+    if (count > 0) console.warn(report.name + ": " + std::to_string(count) + " " + (count == 1 ? one : many));
+  };
+  const auto say_left_out = [&](int faces, const std::string& what) {
+    say(faces, "face left out: " + what, "faces left out: " + what);
+  };
+  say_left_out(report.dropped_degenerate, "fewer than three distinct corners");
+  say_left_out(report.dropped_duplicates, "the corners of an earlier face");
+  say_left_out(report.dropped_non_finite, "coordinates that are no finite numbers");
+  say(report.non_manifold_edges, "edge has three or more faces and is drawn",
+      "edges have three or more faces; each is drawn");
+  for (const std::string& note : report.notes) console.warn(report.name + ": " + note);
+}
+
+}  // namespace
+
+World read_models(const std::vector<ModelDescription>& models, std::vector<MeshReport>& reports, Console& console,
+                  Progress progress) {
+  std::vector<Mat4> places;
+  for (const ModelDescription& model : models) places.push_back(place_of(model));
+  // A single model is read in one go: how far it is cannot be told.
+  progress.begin("reading", models.size() > 1 ? models.size() : 0);
+  std::vector<std::shared_ptr<Mesh>> meshes;
+  std::vector<Placed> placed;
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    // What is not drawn keeps its number.
+    meshes.push_back(std::make_shared<Mesh>(models[i].drawn ? read_mesh(models[i].file.text) : Mesh()));
+    placed.push_back({meshes.back(), places[i]});
+    progress.advance(1);
+    if (!models[i].drawn) continue;
+    reports.push_back(meshes.back()->report);
+    warn_about(console, reports.back());
+  }
+  World world = make_world(std::move(placed));
+  // The world has its points and triangles; half-edges would be a fifth of all memory. (OpenMesh keeps the room of what
+  // is assigned to.)
+  for (const std::shared_ptr<Mesh>& mesh : meshes) {
+    std::destroy_at(&mesh->surface);
+    std::construct_at(&mesh->surface);
+  }
+  return world;
+}
+
+}  // namespace epura

@@ -1,0 +1,19 @@
+// Model files -> one world.
+#pragma once
+
+#include <vector>
+
+#include "app/console.hpp"
+#include "base/progress.hpp"
+#include "mesh/mesh.hpp"
+#include "scene/description.hpp"
+#include "scene/scene.hpp"
+
+namespace epura {
+
+/// Reads the models and puts them in their places; `reports` gets one more for each. Says on the console what was
+/// repaired. The half-edge structures of its meshes are given up; their points, edges and reports stay.
+World read_models(const std::vector<ModelDescription>& models, std::vector<MeshReport>& reports, Console& console,
+                  Progress progress);
+
+}  // namespace epura

@@ -1,0 +1,85 @@
+#include "app/targets.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/text.hpp"
+
+namespace epura {
+
+namespace {
+
+bool has_pages(Format format) { return format == Format::pdf || format == Format::ps; }
+
+std::string numbered(const std::string& path, std::size_t number) {
+  const std::filesystem::path file(path);
+  return (file.parent_path() / (file.stem().string() + "-" + std::to_string(number))).string() +
+         file.extension().string();
+}
+
+std::string encode(Format format, const FinishedSheet& sheet, const VectorOptions& options, const Report& report) {
+  switch (format) {
+    case Format::svg:
+      return to_svg(sheet.sheet, options);
+    case Format::eps:
+      return to_eps(sheet.sheet);
+    case Format::png:
+      return to_png(sheet.sheet, options.dpi);
+    case Format::json:
+      return to_json(sheet.sheet, sheet.scale, sheet.drawings, report);
+    case Format::pdf:
+      return to_pdf(sheet.sheet);
+    case Format::ps:
+      return to_ps(sheet.sheet);
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<Target> targets_of(const DrawOptions& options) {
+  std::vector<Target> targets;
+  for (const std::string& path : options.outputs) {
+    std::string extension = path == "-" ? options.format : std::filesystem::path(path).extension().string();
+    if (extension.starts_with(".")) extension.erase(0, 1);
+    const auto format = format_of(extension);
+    if (!format && path == "-")
+      throw Error(Trouble::input, "--output -", "wants --format", did_you_mean(extension, format_names()));
+    if (!format)
+      throw Error(Trouble::input, path,
+                  extension.empty() ? "has no extension to tell the format" : "has an unknown format",
+                  did_you_mean(extension, format_names()));
+    for (const Target& other : targets)
+      if (other.path == path) throw Error(Trouble::input, path, "is named twice as output");
+    targets.push_back({path, *format});
+  }
+  return targets;
+}
+
+std::vector<FileBytes> encode_all(const std::vector<Target>& targets, std::span<const FinishedSheet> sheets,
+                                  const VectorOptions& options, const Report& report, Progress progress) {
+  progress.begin("writing", targets.size() > 1 ? targets.size() : 0);
+  std::vector<FileBytes> files;
+  for (const Target& target : targets) {
+    const bool one_each = sheets.size() > 1 && !has_pages(target.format);
+    if (one_each && target.path == "-")
+      throw Error(Trouble::input, "--output -", "takes one sheet, and there are " + std::to_string(sheets.size()),
+                  "write PDF, or to a file");
+    for (std::size_t i = 0; i < (one_each ? sheets.size() : 1); ++i)
+      files.push_back(
+          {one_each ? numbered(target.path, i + 1) : target.path, encode(target.format, sheets[i], options, report)});
+    progress.advance(1);
+  }
+  return files;
+}
+
+void write(const FileBytes& file, Progress progress) {
+  if (file.path != "-") return write_file(file.path, file.bytes, progress);
+  if (std::fwrite(file.bytes.data(), 1, file.bytes.size(), stdout) != file.bytes.size() || std::fflush(stdout) != 0)
+    throw Error(Trouble::output, "standard output", "cannot be written");
+}
+
+}  // namespace epura

@@ -1,0 +1,63 @@
+#include "app/view_plan.hpp"
+
+#include "app/choose.hpp"
+
+namespace epura {
+
+namespace {
+
+EdgeWishes edge_wishes(const ViewDescription& view) {
+  EdgeWishes wishes;
+  if (view.crease_angle) wishes.crease_angle = *view.crease_angle;
+  if (!view.edges.given()) return wishes;
+  wishes = {false, false, false, false, false, wishes.crease_angle};
+  for (const std::string_view part : split(view.edges.text, ',')) {
+    const auto wish = choose<bool EdgeWishes::*>(view.edges.where, std::string(part),
+                                                 {{"contour", &EdgeWishes::contour},
+                                                  {"crease", &EdgeWishes::crease},
+                                                  {"boundary", &EdgeWishes::boundary},
+                                                  {"intersection", &EdgeWishes::intersection},
+                                                  {"smooth", &EdgeWishes::smooth}});
+    wishes.*wish = true;
+  }
+  return wishes;
+}
+
+ViewWish wish_of(const ViewDescription& view, const DrawOptions& options) {
+  ViewWish wish;
+  wish.name = view.name.text;
+  wish.limits = {view.near, view.far};
+  wish.edges = edge_wishes(view);
+  wish.contact = options.contact;
+  wish.remove_hidden = choose<bool>("--visibility", options.visibility, {{"exact", true}, {"none", false}});
+  if (view.hidden.given()) wish.hidden = parse_hidden_lines(view.hidden.text, view.hidden.where);
+  if (options.verify && !wish.remove_hidden)
+    throw Error(Trouble::input, "--verify", "has nothing to test in a wireframe", "leave out --visibility none");
+  if (options.verify) wish.verify = options.verify_samples;
+  return wish;
+}
+
+}  // namespace
+
+std::vector<PlannedView> plan_views(const SceneDescription& scene, const DrawOptions& options) {
+  const auto folders = plugin_folders(options.plugin_path);
+  const auto find = [&folders](const ProjectionRequest& request) { return find_projection(request.name, folders); };
+  std::vector<PlannedView> plans;
+  for (const ViewDescription& view : scene.views) {
+    const auto plan = [&](const std::string& text) -> PlannedView {
+      const ProjectionRequest request = parse_request(text);
+      return {request, find(request), wish_of(view, options)};
+    };
+    plans.push_back(parse_given(view.projection, plan));
+  }
+  return plans;
+}
+
+View look_at(const World& world, const PlannedView& plan, const ViewDescription& description) {
+  const auto look = [&](const std::string&) {
+    return make_view(world, make_projection(plan.entry, plan.request, world.box), plan.wish.limits);
+  };
+  return parse_given(description.projection, look);
+}
+
+}  // namespace epura

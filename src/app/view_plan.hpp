@@ -1,0 +1,26 @@
+// Descriptions of views, their words understood.
+#pragma once
+
+#include <vector>
+
+#include "app/options.hpp"
+#include "app/pipeline.hpp"
+#include "projection/catalogue.hpp"
+#include "scene/description.hpp"
+
+namespace epura {
+
+/// A view before the models are read: all that can be wrong about its words has been found.
+struct PlannedView {
+  ProjectionRequest request;
+  ProjectionEntry entry;
+  ViewWish wish;
+};
+
+/// Throws Error{input}, or Error{plugin} for projections that are not there.
+std::vector<PlannedView> plan_views(const SceneDescription& scene, const DrawOptions& options);
+
+/// The view of the world, not on paper yet. Throws Error{input} for values of parameters that do not fit the world.
+View look_at(const World& world, const PlannedView& plan, const ViewDescription& description);
+
+}  // namespace epura

@@ -1,0 +1,17 @@
+// The fields of a title block that have names. ISO 7200.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace epura {
+
+struct TitleField {
+  std::string name;  ///< "document_type": key of scene files, and option of the command line with "-" for "_"
+  std::string help;
+};
+
+/// The table from which options, keys of scene files and the documentation are made.
+const std::vector<TitleField>& title_fields();
+
+}  // namespace epura
