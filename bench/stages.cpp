@@ -63,7 +63,7 @@ struct Run {
   }
 
   [[nodiscard]] std::vector<Layer> layers() const {
-    return view_layers(drawing, line_widths(placement.paper), HiddenLines::dashed);
+    return view_layers(drawing, line_widths(placement.paper), {{}});
   }
 
   std::string file;

@@ -43,7 +43,7 @@ FinishedSheet compose(const SceneDescription& scene, const SheetPlan& plan, std:
   const LineWidths widths = line_widths(plan.paper);
   bool partial = false;
   for (std::size_t i = 0; i < views.size(); ++i) {
-    append(finished.sheet.layers, view_layers(views[i].drawing, widths, wishes[i].hidden));
+    append(finished.sheet.layers, view_layers(views[i].drawing, widths, wishes[i].looks));
     views[i].drawing.chains = {};  // the sheet has them
     partial = partial || views[i].partial;
     finished.drawings.push_back(std::move(views[i].drawing));

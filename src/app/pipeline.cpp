@@ -35,6 +35,11 @@ std::optional<Partial> partial_of(const DrawnEdges& drawn, const HiddenSpans& hi
 
 }  // namespace
 
+bool ViewWish::keep_hidden() const {
+  return std::any_of(looks.begin(), looks.end(),
+                     [](const ModelLook& look) { return look.hidden != HiddenLines::none; });
+}
+
 void Stopwatch::lap(const std::string& stage) {
   const auto now = std::chrono::steady_clock::now();
   laps_.emplace_back(stage, std::chrono::duration<double>(now - start_).count());

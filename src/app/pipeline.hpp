@@ -26,10 +26,11 @@ struct ViewWish {
   EdgeWishes edges;
   std::optional<double> contact;  ///< world length
   bool remove_hidden = true;      ///< false: a wireframe
-  HiddenLines hidden = HiddenLines::dashed;
-  std::optional<int> verify;  ///< by so many points at random
+  std::vector<ModelLook> looks;   ///< by model
+  std::optional<int> verify;      ///< by so many points at random
 
-  [[nodiscard]] bool keep_hidden() const { return hidden != HiddenLines::none; }
+  /// Whether the hidden lines of some model are drawn.
+  [[nodiscard]] bool keep_hidden() const;
 };
 
 /// What was computed on the way to a drawing.

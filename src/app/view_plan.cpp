@@ -23,14 +23,26 @@ EdgeWishes edge_wishes(const ViewDescription& view) {
   return wishes;
 }
 
-ViewWish wish_of(const ViewDescription& view, const DrawOptions& options) {
+// What a model says of itself wins over what the view says.
+std::vector<ModelLook> looks_of(const SceneDescription& scene, const ViewDescription& view) {
+  std::vector<ModelLook> looks;
+  for (const ModelDescription& model : scene.models) {
+    ModelLook& look = looks.emplace_back();
+    if (view.hidden.given()) look.hidden = parse_hidden_lines(view.hidden.text, view.hidden.where);
+    if (model.hidden.given()) look.hidden = parse_hidden_lines(model.hidden.text, model.hidden.where);
+    if (model.line.given()) look.line = parse_line_role(model.line.text, model.line.where);
+  }
+  return looks;
+}
+
+ViewWish wish_of(const SceneDescription& scene, const ViewDescription& view, const DrawOptions& options) {
   ViewWish wish;
   wish.name = view.name.text;
   wish.limits = {view.near, view.far};
   wish.edges = edge_wishes(view);
   wish.contact = options.contact;
   wish.remove_hidden = choose<bool>("--visibility", options.visibility, {{"exact", true}, {"none", false}});
-  if (view.hidden.given()) wish.hidden = parse_hidden_lines(view.hidden.text, view.hidden.where);
+  wish.looks = looks_of(scene, view);
   if (options.verify && !wish.remove_hidden)
     throw Error(Trouble::input, "--verify", "has nothing to test in a wireframe", "leave out --visibility none");
   if (options.verify) wish.verify = options.verify_samples;
@@ -46,7 +58,7 @@ std::vector<PlannedView> plan_views(const SceneDescription& scene, const DrawOpt
   for (const ViewDescription& view : scene.views) {
     const auto plan = [&](const std::string& text) -> PlannedView {
       const ProjectionRequest request = parse_request(text);
-      return {request, find(request), wish_of(view, options)};
+      return {request, find(request), wish_of(scene, view, options)};
     };
     plans.push_back(parse_given(view.projection, plan));
   }

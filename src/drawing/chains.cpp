@@ -58,7 +58,7 @@ std::vector<End> find_partners(const std::vector<Segment>& segments) {
   const auto look_and_place = [&](End e) {
     const Segment& s = segments[segment_of(e)];
     const Vec2& p = place(segments, e);
-    return std::array{s.visible ? 1.0 : 0.0, static_cast<double>(s.kind), p.x, p.y};
+    return std::array{s.visible ? 1.0 : 0.0, static_cast<double>(s.kind), static_cast<double>(s.model), p.x, p.y};
   };
   visit_same_keys(static_cast<int>(partner.size()), look_and_place,
                   [&](std::span<const End> ends) { pair_up(segments, ends, partner); });

@@ -1,4 +1,4 @@
-// Touching segments of one look, joined end to end into polylines.
+// Touching segments of one look and model, joined end to end into polylines.
 #pragma once
 
 #include <vector>

@@ -39,7 +39,7 @@ struct CurvePart {
   double from, to;
 };
 
-/// Segments of one look chained end to end.
+/// Segments of one look and model chained end to end.
 struct Chain {
   std::vector<Vec2> points;  ///< the closing point of a closed chain is not repeated
   bool closed;

@@ -53,10 +53,12 @@ void begin_vector_file(const Pen& pen, const Canvas& canvas) {
 
 namespace {
 
-void set_dashes(cairo_t* cairo, const Dashes& dashes, double units) {
-  std::vector<double> lengths;
-  if (dashes.dash > 0) lengths = {dashes.dash * units, dashes.gap * units};
-  for (int i = 0; i < dashes.dots; ++i) lengths.insert(lengths.end(), {dashes.dot * units, dashes.gap * units});
+void set_dashes(cairo_t* cairo, const Stroke& stroke, double units) {
+  const Dashes& dashes = stroke.dashes;
+  std::vector<double> lengths = stroke.pattern;
+  if (lengths.empty() && dashes.dash > 0) lengths = {dashes.dash, dashes.gap};
+  for (int i = 0; i < dashes.dots; ++i) lengths.insert(lengths.end(), {dashes.dot, dashes.gap});
+  for (double& length : lengths) length *= units;
   cairo_set_dash(cairo, lengths.data(), static_cast<int>(lengths.size()), 0);
 }
 
@@ -66,7 +68,7 @@ void draw(const Pen& pen, const Canvas& canvas, const LineStyle& style, const st
   if (strokes.empty()) return;
   cairo_t* cairo = pen.get();
   cairo_set_line_width(cairo, style.width * canvas.units);
-  set_dashes(cairo, strokes.front()->dashes, canvas.units);
+  set_dashes(cairo, *strokes.front(), canvas.units);
   for (const Stroke* stroke : strokes) {
     cairo_new_sub_path(cairo);
     for (const Vec2& point : stroke->points) {

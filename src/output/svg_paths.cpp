@@ -57,7 +57,7 @@ std::vector<Part> parts_of(const Layer& layer, bool plain) {
   for (const Stroke& stroke : layer.strokes) {
     if (!has_line(stroke)) continue;
     const std::size_t path =
-        plain ? path_of_dashes.emplace(dash_array(stroke.dashes), path_of_dashes.size()).first->second : parts.size();
+        plain ? path_of_dashes.emplace(dash_array(stroke), path_of_dashes.size()).first->second : parts.size();
     parts.push_back({&stroke, path});
   }
   if (!plain) return parts;
@@ -174,7 +174,7 @@ void append_head(std::string& text, const Part& part, const Look& look) {
     if (!stroke.kind.empty()) append_attribute(text, "data-kind", stroke.kind);
     if (!stroke.edges.empty()) append_attribute(text, "data-edges", stroke.edges);
   }
-  const std::string dashes = dash_array(stroke.dashes);
+  const std::string dashes = dash_array(stroke);
   if (dashes != look.usual_dashes) append_attribute(text, "stroke-dasharray", dashes);
   text += " d=\"";
 }
@@ -193,6 +193,13 @@ std::string dash_array(const Dashes& dashes) {
     append(dashes.dot);
     append(dashes.gap);
   }
+  return text;
+}
+
+std::string dash_array(const Stroke& stroke) {
+  if (stroke.pattern.empty()) return dash_array(stroke.dashes);
+  std::string text;
+  for (const double length : stroke.pattern) append_millimetres(text.empty() ? text : text += ' ', length);
   return text;
 }
 

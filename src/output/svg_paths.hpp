@@ -15,6 +15,7 @@ void append_millimetres(std::string& text, double value);
 
 /// Value of stroke-dasharray.
 std::string dash_array(const Dashes& dashes);
+std::string dash_array(const Stroke& stroke);
 
 /// Text that XML can hold, which has no way to write control characters.
 std::string xml_text(std::string_view text);

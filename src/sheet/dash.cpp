@@ -1,15 +1,14 @@
 #include "sheet/dash.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 
 namespace epura {
 
 namespace {
-
-// Two dashes and a gap.
-constexpr double shortest_widths = 2 * dash_widths + gap_widths;
 
 const Vec2& at(const std::vector<Vec2>& points, int index) {
   return points[static_cast<std::size_t>(index) % points.size()];
@@ -22,23 +21,84 @@ bool is_corner(const std::vector<Vec2>& points, int index) {
   return glm::dot(in, out) < cosine * glm::length(in) * glm::length(out);
 }
 
+bool inks_all(const Dashes& dashes, std::span<const double> crossings) {
+  const double period = dashes.dash + dashes.gap, slack = 1e-9 * period;
+  return std::all_of(crossings.begin(), crossings.end(),
+                     [&](double s) { return std::fmod(s + slack, period) <= dashes.dash + 2 * slack; });
+}
+
+// Dashes of one length that have ink at all crossings, as near to the usual ones as can be.
+std::optional<Dashes> try_lengths(double length, double width, bool closed, std::span<const double> crossings) {
+  constexpr double shortest_dash = 8, longest_dash = 16;
+  for (const double gap_widths : {3.0, 2.5, 3.5}) {
+    const double gap = gap_widths * width, usual = dashed.dash * width + gap;
+    const double dashes_more = closed ? 0 : 1;  // than gaps
+    const double gaps = std::round((length + gap * dashes_more) / usual) - dashes_more;
+    for (const double more : {0.0, 1.0, -1.0, 2.0, -2.0, 3.0, -3.0}) {
+      const double n = gaps + more;
+      if (n < 1) continue;
+      const Dashes dashes{(length - n * gap) / (n + dashes_more), gap};
+      const double widths = dashes.dash / width;
+      if (widths >= shortest_dash && widths <= longest_dash && inks_all(dashes, crossings)) return dashes;
+    }
+  }
+  return std::nullopt;
+}
+
+// A dash around each crossing and at the ends; what is between them is filled as evenly as it goes.
+std::vector<double> pattern_for(double length, double width, bool closed, std::span<const double> crossings) {
+  const double half = dashed.dash / 2 * width, gap = dashed.gap * width, dash = dashed.dash * width;
+  const double at_ends = closed ? half : dash;  // the halves at the seam of a closed line make one dash
+  std::vector<std::array<double, 2>> inked{{0, at_ends}};
+  const auto add = [&](double from, double to) {
+    if (from - inked.back()[1] < gap) {
+      inked.back()[1] = std::max(inked.back()[1], to);
+    } else {
+      inked.push_back({from, to});
+    }
+  };
+  for (const double s : crossings) add(std::max(s - half, 0.0), std::min(s + half, length));
+  add(length - at_ends, length);
+
+  std::vector<double> pattern{inked.front()[1]};
+  for (std::size_t i = 1; i < inked.size(); ++i) {
+    const double room = inked[i][0] - inked[i - 1][1];
+    const double dashes = std::max(0.0, std::round((room - gap) / (dash + gap)));
+    // Without room for a dash the gap would be too wide: the ink around it grows.
+    const double grow = dashes > 0 ? 0 : (room - gap) / 2;
+    pattern.back() += grow;
+    for (int k = 0; k < static_cast<int>(dashes); ++k)
+      pattern.insert(pattern.end(), {gap, (room - (dashes + 1) * gap) / dashes});
+    pattern.insert(pattern.end(), {gap, inked[i][1] - inked[i][0] + grow});
+  }
+  pattern.push_back(gap);  // beyond the end: writers want pairs
+  return pattern;
+}
+
 }  // namespace
 
-Dashes fit_open(double length, double width) {
-  if (!(length >= shortest_widths * width)) return {};
-  const double gap = gap_widths * width;
-  const double gaps = std::round((length - dash_widths * width) / ((dash_widths + gap_widths) * width));
-  return {(length - gap * gaps) / (gaps + 1), gap};
+Dashes fit_open(double length, double width, const DashType& type) {
+  if (!(length >= type.shortest() * width)) return {};
+  const double rest = type.rest() * width;
+  const double periods = std::round((length - type.dash * width) / (type.dash * width + rest));
+  return {(length - rest * periods) / (periods + 1), type.gap * width, type.dot * width, type.dots};
 }
 
-Dashes fit_closed(double length, double width) {
-  if (!(length >= shortest_widths * width)) return {};
-  const double gap = gap_widths * width;
-  const double periods = std::round(length / ((dash_widths + gap_widths) * width));
-  return {length / periods - gap, gap};
+Dashes fit_closed(double length, double width, const DashType& type) {
+  if (!(length >= type.shortest() * width)) return {};
+  const double rest = type.rest() * width;
+  const double periods = std::round(length / (type.dash * width + rest));
+  return {length / periods - rest, type.gap * width, type.dot * width, type.dots};
 }
 
-std::vector<DashRun> cut_at_corners(const std::vector<Vec2>& points, bool closed, double width) {
+FittedDashes fit_crossings(double length, double width, bool closed, std::span<const double> crossings) {
+  const Dashes usual = closed ? fit_closed(length, width) : fit_open(length, width);
+  if (usual.dash == 0 || inks_all(usual, crossings)) return {usual};
+  if (const auto dashes = try_lengths(length, width, closed, crossings)) return {*dashes};
+  return {{}, pattern_for(length, width, closed, crossings)};
+}
+
+std::vector<DashRun> cut_at_corners(const std::vector<Vec2>& points, bool closed, double shortest) {
   const int count = static_cast<int>(points.size());
   int first = 0, last = count - 1;
   if (closed) {
@@ -52,7 +112,6 @@ std::vector<DashRun> cut_at_corners(const std::vector<Vec2>& points, bool closed
   const auto length = [&](int from, int to) { return travelled[to - first] - travelled[from - first]; };
 
   std::vector<DashRun> runs;
-  const double shortest = shortest_widths * width;
   for (int i = first + 1, begin = first; i <= last; ++i) {
     const bool cut = i < last && is_corner(points, i) && length(begin, i) >= shortest && length(i, last) >= shortest;
     if (!cut && i < last) continue;

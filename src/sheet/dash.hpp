@@ -1,6 +1,7 @@
-// Dashes fitted to lines, so that ends and corners are drawn with ink. ISO 128-2, line type 02.
+// Dashes fitted to lines, so that ends, corners and crossings are drawn with ink. ISO 128-2.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "base/vec.hpp"
@@ -8,15 +9,37 @@
 
 namespace epura {
 
-/// Nominal lengths in line widths.
-inline constexpr double dash_widths = 12, gap_widths = 3;
+/// Nominal lengths of a line type in line widths.
+struct DashType {
+  double dash, gap, dot;
+  int dots;
 
-/// Dashes of about 12 widths and gaps of 3 widths on a line of this length: n = round((L - 12 d) / 15 d) gaps and
-/// n + 1 dashes fill it exactly. Lines below 27 widths are continuous.
-Dashes fit_open(double length, double width);
+  /// All but the dash.
+  [[nodiscard]] constexpr double rest() const { return gap + dots * (dot + gap); }
+  /// Lines below two dashes and what is between them are continuous.
+  [[nodiscard]] constexpr double shortest() const { return 2 * dash + rest(); }
+  /// The pattern for lines of this width, not fitted to any.
+  [[nodiscard]] constexpr Dashes nominal(double width) const { return {dash * width, gap * width, dot * width, dots}; }
+};
 
-/// The same on a closed line: n = round(L / 15 d) dashes and as many gaps go round it exactly.
-Dashes fit_closed(double length, double width);
+inline constexpr DashType dashed{12, 3, 0, 0};                  ///< type 02
+inline constexpr DashType long_dash_dot{24, 3, 0.5, 1};         ///< type 04
+inline constexpr DashType long_dash_double_dot{24, 3, 0.5, 2};  ///< type 05
+
+/// n = round((L - dash) / period) periods and one more dash fill the line exactly; the dashes are made to fit, about as
+/// long as the type says. Continuous when the line is too short.
+Dashes fit_open(double length, double width, const DashType& type = dashed);
+
+/// The same on a closed line: n = round(L / period) periods go round it exactly.
+Dashes fit_closed(double length, double width, const DashType& type = dashed);
+
+/// Dashed lines of type 02 that have ink at each of the `crossings`, ascending distances from their beginning: `dashes`
+/// with other lengths where these will do, otherwise a `pattern` for the whole line.
+struct FittedDashes {
+  Dashes dashes{};
+  std::vector<double> pattern{};
+};
+FittedDashes fit_crossings(double length, double width, bool closed, std::span<const double> crossings);
 
 /// A part of a polyline: points first ... last, counted on past its end when it is closed.
 struct DashRun {
@@ -24,9 +47,9 @@ struct DashRun {
   bool closed;  ///< the whole of a closed line, without a corner to begin at
 };
 
-/// Cuts a line at its corners, turns of more than 30 degrees, for dashes to end there. A run has at least 27 widths,
-/// so that corners too close together stay inside one. A closed line begins at a corner when it has one.
-std::vector<DashRun> cut_at_corners(const std::vector<Vec2>& points, bool closed, double width);
+/// Cuts a line at its corners, turns of more than 30 degrees, for dashes to end there. A run has at least
+/// `shortest` mm, so that corners too close together stay inside one. A closed line begins at a corner when it has one.
+std::vector<DashRun> cut_at_corners(const std::vector<Vec2>& points, bool closed, double shortest);
 
 double length_of(const std::vector<Vec2>& points, bool closed);
 

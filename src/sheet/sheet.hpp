@@ -33,6 +33,7 @@ struct Stroke {
   std::vector<Vec2> points;  ///< y up, origin at the lower left corner of the sheet
   bool closed = false;
   Dashes dashes{};                  ///< fitted to this stroke, so that it ends on dashes
+  std::vector<double> pattern{};    ///< instead, where crossings want it: ink, gap, ink, gap ... for the whole stroke
   std::string kind{};               ///< "contour", ...; several with spaces where a chain changes
   std::string edges{};              ///< the model edges it draws: "model:v0-v1 ...", empty when it draws none
   std::vector<CurvePart> curves{};  ///< parts of the points that are arcs, ascending and disjoint

@@ -11,11 +11,14 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
+#include "sheet/crossings.hpp"
 #include "sheet/dash.hpp"
 
 namespace epura {
 
 namespace {
+
+constexpr double tangent_gap = 2;  // wide lines
 
 // What the segments say about a stroke: their kinds, each once, and the model edges, each run of one edge once.
 void add_origin(Stroke& stroke, const Drawing& drawing, std::span<const int> segments) {
@@ -55,66 +58,156 @@ std::vector<int> segments_of(const Chain& chain, const DashRun& run) {
   return segments;
 }
 
-Stroke dashed_run(const Drawing& drawing, const Chain& chain, const DashRun& run, double width) {
+// The crossings that lie on a run, from its beginning. `start` is where it begins on the chain, which is `around` long.
+std::vector<double> crossings_of_run(const std::vector<double>& crossings, double start, double length, double around) {
+  std::vector<double> found;
+  for (const double s : crossings) {
+    const double from_start = s >= start ? s - start : s + around - start;
+    if (from_start <= length) found.push_back(from_start);
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+Stroke dashed_run(const Drawing& drawing, const Chain& chain, const DashRun& run, double width,
+                  const std::vector<double>& crossings) {
   Stroke stroke;
   stroke.closed = run.closed;
   for (int i = run.first; i <= run.last - (run.closed ? 1 : 0); ++i)
     stroke.points.push_back(chain.points[static_cast<std::size_t>(i) % chain.points.size()]);
   const double length = length_of(stroke.points, stroke.closed);
-  stroke.dashes = stroke.closed ? fit_closed(length, width) : fit_open(length, width);
+  const double start = length_of({chain.points.begin(), chain.points.begin() + run.first + 1}, false);
+  const double around = length_of(chain.points, chain.closed);
+  FittedDashes fitted = fit_crossings(length, width, stroke.closed, crossings_of_run(crossings, start, length, around));
+  stroke.dashes = fitted.dashes;
+  stroke.pattern = std::move(fitted.pattern);
   add_origin(stroke, drawing, segments_of(chain, run));
   return stroke;
 }
 
-void add_dashed(std::vector<Stroke>& strokes, const Drawing& drawing, const Chain& chain, double width) {
-  const bool too_short = fit_open(length_of(chain.points, chain.closed), width).dash == 0;
-  if (too_short || chain.points.size() < 2) {
+void add_dashed(std::vector<Stroke>& strokes, const Drawing& drawing, std::size_t number, double width,
+                const Crossings& crossings) {
+  const Chain& chain = drawing.chains[number];
+  const double shortest = dashed.shortest() * width;
+  if (chain.points.size() < 2 || length_of(chain.points, chain.closed) < shortest) {
     strokes.push_back(continuous(drawing, chain));
     return;
   }
-  for (const DashRun& run : cut_at_corners(chain.points, chain.closed, width))
-    strokes.push_back(dashed_run(drawing, chain, run, width));
+  const std::vector<double> places = crossings.along(number, width);
+  for (const DashRun& run : cut_at_corners(chain.points, chain.closed, shortest))
+    strokes.push_back(dashed_run(drawing, chain, run, width, places));
 }
 
-struct Strokes {
-  std::vector<Stroke> hidden, visible;
+// Lines of neighbouring parts, each fitted as a whole.
+Stroke double_dotted(const Drawing& drawing, const Chain& chain, double width) {
+  Stroke stroke = continuous(drawing, chain);
+  const double length = length_of(chain.points, chain.closed);
+  stroke.dashes =
+      chain.closed ? fit_closed(length, width, long_dash_double_dot) : fit_open(length, width, long_dash_double_dot);
+  return stroke;
+}
+
+// Takes `by` off one end of a line that is longer.
+void shorten(std::vector<Vec2>& points, double by) {
+  while (points.size() > 2 && glm::distance(points.back(), points[points.size() - 2]) <= by) {
+    by -= glm::distance(points.back(), points[points.size() - 2]);
+    points.pop_back();
+  }
+  const Vec2 step = points[points.size() - 2] - points.back();
+  points.back() += step * (by / glm::length(step));
+}
+
+// Tangent edges end short of outlines (ISO 128-3, imaginary intersections).
+Stroke tangent(const Drawing& drawing, const Chain& chain, double gap, const Crossings& crossings) {
+  Stroke stroke = continuous(drawing, chain);
+  if (chain.closed || chain.points.size() < 2 || length_of(chain.points, false) < 4 * gap) return stroke;
+  stroke.curves = {};
+  const bool at_last = crossings.has_outline_at(chain.points.back());
+  const bool at_first = crossings.has_outline_at(chain.points.front());
+  if (at_last) shorten(stroke.points, gap);
+  if (at_first) {
+    std::reverse(stroke.points.begin(), stroke.points.end());
+    shorten(stroke.points, gap);
+    std::reverse(stroke.points.begin(), stroke.points.end());
+  }
+  return stroke;
+}
+
+// Layers in the order in which they are painted.
+enum Place : std::size_t { hidden_dashed, hidden_solid, neighbour, narrow, tangent_edges, visible, places };
+using Strokes = std::array<std::vector<Stroke>, places>;
+
+Place place_of(const Chain& chain, const ModelLook& look) {
+  if (!chain.visible) return look.hidden == HiddenLines::solid ? hidden_solid : hidden_dashed;
+  if (look.line == LineRole::neighbour) return neighbour;
+  if (look.line == LineRole::narrow) return narrow;
+  return chain.kind == EdgeKind::smooth ? tangent_edges : visible;
+}
+
+struct Looks {
+  const std::vector<ModelLook>& by_model;
+
+  const ModelLook& operator()(const Drawing& drawing, const Chain& chain) const {
+    return by_model[static_cast<std::size_t>(drawing.segments[chain.segments.front()].model)];
+  }
 };
 
-// In order of the chains, in parts of so many.
-std::vector<Strokes> strokes_of(const Drawing& drawing, double hidden_width, HiddenLines hidden) {
-  constexpr std::size_t chains_a_part = 4096;
-  const std::size_t count = drawing.chains.size();
-  std::vector<Strokes> parts((count + chains_a_part - 1) / chains_a_part);
-  parallel_for(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin * chains_a_part; i < std::min(end * chains_a_part, count); ++i) {
-      const Chain& chain = drawing.chains[i];
-      Strokes& part = parts[i / chains_a_part];
-      if (chain.visible) {
-        part.visible.push_back(continuous(drawing, chain));
-      } else if (hidden == HiddenLines::dashed) {
-        add_dashed(part.hidden, drawing, chain, hidden_width);
-      } else if (hidden == HiddenLines::solid) {
-        part.hidden.push_back(continuous(drawing, chain));
-      }
-    }
-  });
-  return parts;
+void add_chain(Strokes& strokes, const Drawing& drawing, std::size_t number, const Looks& looks,
+               const LineWidths& widths, const Crossings& crossings) {
+  const Chain& chain = drawing.chains[number];
+  const ModelLook& look = looks(drawing, chain);
+  if (!chain.visible && (look.hidden == HiddenLines::none || chain.kind == EdgeKind::smooth)) return;
+  const Place place = place_of(chain, look);
+  std::vector<Stroke>& here = strokes[place];
+  if (place == hidden_dashed) return add_dashed(here, drawing, number, widths.narrow, crossings);
+  if (place == neighbour) return here.push_back(double_dotted(drawing, chain, widths.narrow));
+  if (place == tangent_edges) return here.push_back(tangent(drawing, chain, tangent_gap * widths.wide, crossings));
+  here.push_back(continuous(drawing, chain));
 }
 
-void append(std::vector<Stroke>& strokes, std::vector<Stroke>& more) {
-  std::move(more.begin(), more.end(), std::back_inserter(strokes));
-  more = {};
+// Most drawings need the places of crossings, those of visible lines alone do not.
+Crossings find_crossings(const Drawing& drawing, const Looks& looks) {
+  const bool wanted = std::any_of(drawing.chains.begin(), drawing.chains.end(), [&](const Chain& chain) {
+    const Place place = place_of(chain, looks(drawing, chain));
+    return place == hidden_dashed || place == tangent_edges;
+  });
+  return Crossings(wanted ? std::span<const Chain>(drawing.chains) : std::span<const Chain>());
+}
+
+// In order of the chains, in parts of so many.
+Strokes strokes_of(const Drawing& drawing, const LineWidths& widths, const Looks& looks) {
+  constexpr std::size_t chains_a_part = 4096;
+  const std::size_t count = drawing.chains.size();
+  const Crossings crossings = find_crossings(drawing, looks);
+  std::vector<Strokes> parts((count + chains_a_part - 1) / chains_a_part);
+  parallel_for(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin * chains_a_part; i < std::min(end * chains_a_part, count); ++i)
+      add_chain(parts[i / chains_a_part], drawing, i, looks, widths, crossings);
+  });
+  Strokes strokes;
+  for (Strokes& part : parts)
+    for (std::size_t place = 0; place < places; ++place)
+      std::move(part[place].begin(), part[place].end(), std::back_inserter(strokes[place]));
+  return strokes;
+}
+
+template <class Value>
+Value parse_word(std::string_view text, const std::string& where, const std::vector<std::string>& names,
+                 const std::string& what) {
+  const auto found = std::find(names.begin(), names.end(), to_lower(text));
+  if (found == names.end())
+    throw Error(Trouble::input, where, "'" + std::string(text) + "' is no " + what, did_you_mean(text, names));
+  return static_cast<Value>(found - names.begin());
 }
 
 }  // namespace
 
 HiddenLines parse_hidden_lines(std::string_view text, const std::string& where) {
-  const std::vector<std::string> names = {"none", "dashed", "solid"};
-  const auto found = std::find(names.begin(), names.end(), to_lower(text));
-  if (found == names.end())
-    throw Error(Trouble::input, where, "'" + std::string(text) + "' is no style of hidden lines",
-                did_you_mean(text, names));
-  return static_cast<HiddenLines>(found - names.begin());
+  return parse_word<HiddenLines>(text, where, {"none", "dashed", "solid"}, "style of hidden lines");
+}
+
+LineRole parse_line_role(std::string_view text, const std::string& where) {
+  return parse_word<LineRole>(text, where, {"visible", "narrow", "neighbour"}, "role of lines");
 }
 
 LineWidths line_widths(const Paper& paper) {
@@ -122,20 +215,24 @@ LineWidths line_widths(const Paper& paper) {
   return {0.5, 0.25};
 }
 
-std::vector<Layer> view_layers(const Drawing& drawing, const LineWidths& widths, HiddenLines hidden) {
+std::vector<Layer> view_layers(const Drawing& drawing, const LineWidths& widths, const std::vector<ModelLook>& looks) {
+  Strokes strokes = strokes_of(drawing, widths, {looks});
+  const auto wants = [&](HiddenLines hidden) {
+    return std::any_of(looks.begin(), looks.end(), [&](const ModelLook& look) { return look.hidden == hidden; });
+  };
   std::vector<Layer> layers;
-  if (hidden != HiddenLines::none) {
-    LineStyle style{"hidden", widths.narrow};
-    if (hidden == HiddenLines::dashed) style.dashes = {dash_widths * widths.narrow, gap_widths * widths.narrow};
-    layers.push_back({drawing.name + "/hidden", std::move(style), {}});
-  }
-  layers.push_back({drawing.name + "/visible", {"visible", widths.wide}, {}});
-
-  std::vector<Strokes> parts = strokes_of(drawing, widths.narrow, hidden);
-  for (Strokes& part : parts) {
-    append(layers.front().strokes, part.hidden);
-    append(layers.back().strokes, part.visible);
-  }
+  const auto add = [&](Place place, const std::string& name, const LineStyle& style, bool always) {
+    if (always || !strokes[place].empty())
+      layers.push_back({drawing.name + "/" + name, style, std::move(strokes[place])});
+  };
+  const double narrow_line = widths.narrow;
+  const bool both = wants(HiddenLines::dashed) && wants(HiddenLines::solid);
+  add(hidden_dashed, "hidden", {"hidden", narrow_line, dashed.nominal(narrow_line)}, wants(HiddenLines::dashed));
+  add(hidden_solid, both ? "hidden-solid" : "hidden", {"hidden-solid", narrow_line}, wants(HiddenLines::solid));
+  add(neighbour, "neighbour", {"neighbour", narrow_line, long_dash_double_dot.nominal(narrow_line)}, false);
+  add(narrow, "narrow", {"narrow", narrow_line}, false);
+  add(tangent_edges, "tangent", {"tangent", narrow_line}, false);
+  add(visible, "visible", {"visible", widths.wide}, true);
   return layers;
 }
 

@@ -1,6 +1,7 @@
 // A drawing becomes layers of strokes with line types and widths. Lines: ISO 128-2.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,14 +17,32 @@ enum class HiddenLines { none, dashed, solid };
 /// "none", "dashed" or "solid". Throws Error{input}.
 HiddenLines parse_hidden_lines(std::string_view text, const std::string& where = "--hidden");
 
+/// What the visible lines of a model are: of the part itself (wide, continuous), of one that stays in the background
+/// (narrow, continuous), or of a neighbouring part (narrow, long-dashed double-dotted; type 05.1).
+enum class LineRole { visible, narrow, neighbour };
+
+/// "visible", "narrow" or "neighbour". Throws Error{input}.
+LineRole parse_line_role(std::string_view text, const std::string& where);
+
 /// Widths of lines on a sheet, mm: 0.7 and 0.35 from A1 on, 0.5 and 0.25 below.
 struct LineWidths {
   double wide, narrow;
 };
 LineWidths line_widths(const Paper& paper);
 
-/// Layers "VIEW/hidden" and, to be painted over it, "VIEW/visible", of a drawing that is in its place. Visible lines
-/// are wide and continuous, hidden ones narrow and dashed (12 widths, gap 3 widths).
-std::vector<Layer> view_layers(const Drawing& drawing, const LineWidths& widths, HiddenLines hidden);
+/// How one model is drawn.
+struct ModelLook {
+  LineRole line = LineRole::visible;
+  HiddenLines hidden = HiddenLines::dashed;
+};
+
+/// Layers of a drawing that is in its place, to be painted in this order; `looks` are by model.
+///   VIEW/hidden     hidden lines: narrow, dashed (type 02.1) or continuous
+///   VIEW/neighbour, VIEW/narrow   visible lines of models with that role
+///   VIEW/tangent    visible edges between smooth faces: narrow, continuous, short of the lines that they end at
+///   VIEW/visible    visible lines: wide, continuous
+/// The first and the last one are there also when they are empty, unless no model has hidden lines. Dashed lines have
+/// ink at their ends, at corners and where other lines cross them. Hidden edges between smooth faces are left out.
+std::vector<Layer> view_layers(const Drawing& drawing, const LineWidths& widths, const std::vector<ModelLook>& looks);
 
 }  // namespace epura

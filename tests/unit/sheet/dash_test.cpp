@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <random>
 
 namespace epura {
 namespace {
@@ -40,19 +43,19 @@ TEST(Dash, ShortLinesAreContinuous) {
 }
 
 TEST(Dash, LinesAreCutAtCornersFarEnoughApart) {
-  const auto runs = cut_at_corners({{0, 0}, {20, 0}, {20, 3}, {20, 30}}, false, 0.25);
+  const auto runs = cut_at_corners({{0, 0}, {20, 0}, {20, 3}, {20, 30}}, false, 6.75);
   ASSERT_EQ(runs.size(), 2u);
   EXPECT_EQ(runs[0].first, 0);
   EXPECT_EQ(runs[0].last, 1);
   EXPECT_EQ(runs[1].first, 1);
   EXPECT_EQ(runs[1].last, 3);
-  EXPECT_EQ(cut_at_corners({{0, 0}, {20, 0}, {20, 3}}, false, 0.25).size(), 1u);  // 3 mm are too short for dashes
-  EXPECT_EQ(cut_at_corners({{0, 0}, {20, 0}, {40, 5}}, false, 0.25).size(), 1u);  // 14 degrees are no corner
+  EXPECT_EQ(cut_at_corners({{0, 0}, {20, 0}, {20, 3}}, false, 6.75).size(), 1u);  // 3 mm are too short for dashes
+  EXPECT_EQ(cut_at_corners({{0, 0}, {20, 0}, {40, 5}}, false, 6.75).size(), 1u);  // 14 degrees are no corner
 }
 
 TEST(Dash, ClosedLinesBeginAtACorner) {
   // A square whose list of points begins in the middle of a side.
-  const auto runs = cut_at_corners({{10, 0}, {20, 0}, {20, 20}, {0, 20}, {0, 0}}, true, 0.25);
+  const auto runs = cut_at_corners({{10, 0}, {20, 0}, {20, 20}, {0, 20}, {0, 0}}, true, 6.75);
   ASSERT_EQ(runs.size(), 4u);
   EXPECT_EQ(runs[0].first, 1);
   EXPECT_EQ(runs[3].last, 6);
@@ -63,10 +66,68 @@ TEST(Dash, RoundClosedLinesStayClosed) {
   std::vector<Vec2> circle;
   for (int i = 0; i < 40; ++i)
     circle.emplace_back(10 * std::cos(i * std::acos(-1) / 20), 10 * std::sin(i * std::acos(-1) / 20));
-  const auto runs = cut_at_corners(circle, true, 0.25);
+  const auto runs = cut_at_corners(circle, true, 6.75);
   ASSERT_EQ(runs.size(), 1u);
   EXPECT_TRUE(runs[0].closed);
   EXPECT_NEAR(length_of(circle, true), 800 * std::sin(std::acos(-1) / 40), 1e-9);
+}
+
+// Whether there is ink at a distance from the beginning.
+bool has_ink(const FittedDashes& fitted, double at) {
+  constexpr double slack = 1e-9;
+  if (fitted.pattern.empty())
+    return std::fmod(at + slack, fitted.dashes.dash + fitted.dashes.gap) <= fitted.dashes.dash + 2 * slack;
+  double end = 0;
+  for (std::size_t i = 0; i < fitted.pattern.size(); ++i) {
+    end += fitted.pattern[i];
+    if (at < end + slack) return i % 2 == 0;
+  }
+  return at <= end;
+}
+
+TEST(Dash, CrossingsHaveInk) {
+  std::mt19937 random(7);
+  int patterns = 0;
+  for (int round = 0; round < 2000; ++round) {
+    const double length = 7 + static_cast<double>(random() % 2000) / 10;
+    std::vector<double> crossings;
+    for (unsigned i = 0; i < random() % 12; ++i)
+      crossings.push_back(length * static_cast<double>(random() % 1001) / 1000);
+    std::sort(crossings.begin(), crossings.end());
+    const bool closed = round % 2 == 0;
+    const FittedDashes fitted = fit_crossings(length, 0.25, closed, crossings);
+    for (const double at : crossings) EXPECT_TRUE(has_ink(fitted, at)) << round << ": " << at << " of " << length;
+    EXPECT_TRUE(has_ink(fitted, 0));
+    if (fitted.pattern.empty()) continue;
+    ++patterns;
+    // Ink and gaps fill the line; the last gap lies beyond it. Without crossings near each other dashes keep their
+    // size.
+    EXPECT_NEAR(std::accumulate(fitted.pattern.begin(), fitted.pattern.end() - 1, 0.0), length, 1e-9);
+    for (std::size_t i = 1; i < fitted.pattern.size(); i += 2) EXPECT_NEAR(fitted.pattern[i], 0.75, 1e-9);
+    for (std::size_t i = 0; i < fitted.pattern.size(); i += 2) EXPECT_GE(fitted.pattern[i], 4.5 * 0.25);
+  }
+  EXPECT_GT(patterns, 20);
+}
+
+TEST(Dash, OtherLengthsComeBeforePatterns) {
+  const Dashes usual = fit_open(60, 0.25);
+  const FittedDashes fitted = fit_crossings(60, 0.25, false, std::vector{usual.dash + usual.gap / 2});
+  EXPECT_TRUE(fitted.pattern.empty());
+  EXPECT_NE(fitted.dashes, usual);
+  const double gaps = (60 - fitted.dashes.dash) / (fitted.dashes.dash + fitted.dashes.gap);
+  EXPECT_NEAR(gaps, std::round(gaps), 1e-9);
+}
+
+// ISO 128-2: n = round((L - 24 d) / 30.5 d), long dash = (L - 6.5 d n) / (n + 1).
+TEST(Dash, ChainLinesAreFittedToo) {
+  const Dashes dashes = fit_open(100, 0.25, long_dash_dot);
+  const double n = std::round((100 - 6) / 7.625);
+  EXPECT_DOUBLE_EQ(dashes.dash, (100 - 1.625 * n) / (n + 1));
+  EXPECT_EQ(dashes.dots, 1);
+  EXPECT_EQ(fit_open(54.4 * 0.25, 0.25, long_dash_dot).dash, 0);
+  EXPECT_GT(fit_open(54.5 * 0.25, 0.25, long_dash_dot).dash, 0);
+  EXPECT_EQ(fit_open(57.9 * 0.25, 0.25, long_dash_double_dot).dash, 0);
+  EXPECT_EQ(fit_open(58 * 0.25, 0.25, long_dash_double_dot).dots, 2);
 }
 
 }  // namespace

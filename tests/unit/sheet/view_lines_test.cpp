@@ -33,7 +33,7 @@ Drawing example() {
 }
 
 TEST(ViewLines, HiddenLinesLieUnderVisibleOnes) {
-  const std::vector<Layer> layers = view_layers(example(), {0.5, 0.25}, HiddenLines::dashed);
+  const std::vector<Layer> layers = view_layers(example(), {0.5, 0.25}, {{LineRole::visible, HiddenLines::dashed}});
   ASSERT_EQ(layers.size(), 2u);
   EXPECT_EQ(layers[0].name, "front/hidden");
   EXPECT_EQ(layers[0].style.width, 0.25);
@@ -55,7 +55,7 @@ TEST(ViewLines, LargeSheetsHaveWiderLines) {
 }
 
 TEST(ViewLines, DashedLinesAreCutAtCorners) {
-  const std::vector<Layer> layers = view_layers(example(), {0.5, 0.25}, HiddenLines::dashed);
+  const std::vector<Layer> layers = view_layers(example(), {0.5, 0.25}, {{LineRole::visible, HiddenLines::dashed}});
   const std::vector<Stroke>& strokes = layers[0].strokes;
   ASSERT_EQ(strokes.size(), 3u);
   EXPECT_EQ(strokes[0].points, (std::vector<Vec2>{{20, 20}, {60, 20}}));
@@ -76,10 +76,10 @@ TEST(ViewLines, DashedLinesAreCutAtCorners) {
 }
 
 TEST(ViewLines, HiddenLinesAsWished) {
-  const std::vector<Layer> none = view_layers(example(), {0.5, 0.25}, HiddenLines::none);
+  const std::vector<Layer> none = view_layers(example(), {0.5, 0.25}, {{LineRole::visible, HiddenLines::none}});
   ASSERT_EQ(none.size(), 1u);
   EXPECT_EQ(none[0].name, "front/visible");
-  const std::vector<Layer> solid = view_layers(example(), {0.5, 0.25}, HiddenLines::solid);
+  const std::vector<Layer> solid = view_layers(example(), {0.5, 0.25}, {{LineRole::visible, HiddenLines::solid}});
   EXPECT_EQ(solid[0].style.dashes.dash, 0);
   EXPECT_EQ(solid[0].style.width, 0.25);
   ASSERT_EQ(solid[0].strokes.size(), 2u);
@@ -93,9 +93,41 @@ TEST(ViewLines, IntersectionLinesNameNoEdge) {
   drawing.segments[0].edge = {-1, -1};
   drawing.segments[0].kind = EdgeKind::intersection;
   drawing.segments[2].edge = drawing.segments[1].edge;
-  const std::vector<Layer> layers = view_layers(drawing, {0.5, 0.25}, HiddenLines::dashed);
+  const std::vector<Layer> layers = view_layers(drawing, {0.5, 0.25}, {{LineRole::visible, HiddenLines::dashed}});
   EXPECT_EQ(layers[1].strokes[0].edges, "0:1-2");
   EXPECT_EQ(layers[1].strokes[0].kind, "intersection crease");
+}
+
+TEST(ViewLines, ModelsHaveLooksOfTheirOwn) {
+  Drawing drawing = example();
+  for (const int segment : drawing.chains[1].segments) drawing.segments[segment].model = 1;
+  for (const int segment : drawing.chains[2].segments) drawing.segments[segment].model = 1;
+  const ModelLook usual{LineRole::visible, HiddenLines::dashed}, other{LineRole::neighbour, HiddenLines::none};
+  const std::vector<Layer> layers = view_layers(drawing, {0.5, 0.25}, {usual, other});
+  ASSERT_EQ(layers.size(), 3u);
+  EXPECT_EQ(layers[0].strokes.size(), 1u);  // the hidden line of the other model is left out
+  EXPECT_EQ(layers[1].name, "front/neighbour");
+  EXPECT_EQ(layers[1].style.dashes, long_dash_double_dot.nominal(0.25));
+  EXPECT_EQ(layers[1].strokes[0].dashes.dots, 2);
+  EXPECT_EQ(layers[2].strokes.size(), 1u);
+  EXPECT_EQ(parse_line_role("narrow", "here"), LineRole::narrow);
+  EXPECT_THROW(parse_line_role("wide", "here"), Error);
+}
+
+TEST(ViewLines, TangentEdgesAreNarrowAndShortOfOutlines) {
+  Drawing drawing;
+  drawing.name = "front";
+  add_chain(drawing, {{0, 0}, {50, 0}}, false, true);
+  add_chain(drawing, {{10, 0}, {10, 20}}, false, true);
+  drawing.chains[1].kind = EdgeKind::smooth;
+  add_chain(drawing, {{20, 0}, {20, 20}}, false, false);
+  drawing.chains[2].kind = EdgeKind::smooth;
+  const std::vector<Layer> layers = view_layers(drawing, {0.5, 0.25}, {{}});
+  ASSERT_EQ(layers.size(), 3u);
+  EXPECT_TRUE(layers[0].strokes.empty());
+  EXPECT_EQ(layers[1].name, "front/tangent");
+  EXPECT_EQ(layers[1].style.width, 0.25);
+  EXPECT_EQ(layers[1].strokes[0].points, (std::vector<Vec2>{{10, 1}, {10, 20}}));
 }
 
 }  // namespace
