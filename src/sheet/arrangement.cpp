@@ -22,11 +22,6 @@ constexpr double good_share = 0.4, least_share = 0.1;
 constexpr int most_halvings = 14;
 constexpr double rounding = 1e-9;
 
-Rectangle drawing_area(const Paper& paper, double clearance) {
-  const Vec2 margin(clearance, clearance);
-  return {Vec2(paper.left, paper.other) + margin, Vec2(paper.width - paper.other, paper.height - paper.other) - margin};
-}
-
 // The largest scale at which `fits` holds, if it holds below some scale that is not much less than `most`.
 std::optional<double> largest_that(double most, bool standard, const std::function<bool(double)>& fits) {
   double fitting = standard ? standard_scale_up_to(most) : most;
@@ -86,7 +81,7 @@ std::optional<Found> find(const Question& question, const Arranger& arranger) {
 }
 
 ArrangerRoom room_on(const Paper& paper, const DrawingRoom& room) {
-  const Rectangle area = drawing_area(paper, room.clearance);
+  const Rectangle area = drawing_area(paper).grown(-room.clearance);
   ArrangerRoom arranger{area, {}, std::min(room.gap, std::min(area.size().x, area.size().y) / 10)};
   if (room.title_block) arranger.taken.push_back(room.title_block->grown(room.clearance));
   return arranger;
@@ -113,7 +108,7 @@ Found overflow(const Question& question, const Paper& paper) {
 }
 
 bool all_inside(const Spots& spots, const Question& question, const Paper& paper) {
-  const Rectangle area = drawing_area(paper, 0);
+  const Rectangle area = drawing_area(paper);
   const double slack = rounding * std::max(paper.width, paper.height);
   for (std::size_t i = 0; i < spots.size(); ++i) {
     if (!area.holds(spots[i].box, slack)) return false;
