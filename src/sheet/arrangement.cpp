@@ -47,7 +47,7 @@ struct Found {
 std::optional<Found> at_fixed_scale(const Arranger& arranger, double scale) {
   auto spots = arranger.arranged(scale, least_share);
   if (!spots) return std::nullopt;
-  return Found{scale, arranger.centred(*spots)};
+  return Found{scale, arranger.balanced(*spots)};
 }
 
 // `otherwise`: where no view depends on the scale.
@@ -61,7 +61,7 @@ std::optional<Found> at_free_scale(const Arranger& arranger, bool standard, doub
     if (!scale || (found && *scale < good_share * found->scale)) break;
     found = Found{*scale, *arranger.arranged(*scale, share)};
   }
-  if (found) found->spots = arranger.centred(found->spots);
+  if (found) found->spots = arranger.balanced(found->spots);
   return found;
 }
 
@@ -148,10 +148,7 @@ Arrangement on_cut_paper(Question question) {
   const Vec2 corner = Vec2(margins.left, margins.other) + question.room.clearance;
   const Vec2 move = given ? Vec2(0, 0) : corner - box.least;
   Arrangement arrangement{margins, found->scale, found->spots, true};
-  for (ViewSpot& spot : arrangement.views) {
-    spot.shift += move;
-    spot.box = {spot.box.least + move, spot.box.most + move};
-  }
+  for (ViewSpot& spot : arrangement.views) spot = moved(spot, move);
   const Vec2 most = box.most + move + question.room.clearance;
   arrangement.paper.width = most.x + margins.other;
   arrangement.paper.height = most.y + margins.other;

@@ -35,7 +35,7 @@ std::vector<Cell> standard_cells() {
           {"date", "Date of issue", 134, 0, 24, row},
           {"language", "Lang.", 158, 0, 9, row},
           {"sheet", "Sheet", 167, 0, 13, row},
-          {"number", "Identification number", 123, row, 57, row, title_height},
+          {"number", "Identification number", 123, row, 57, row},
           {"document_type", "Document type", 55, 2 * row, 68, row},
           {"status", "Document status", 123, 2 * row, 57, row},
           {"department", "Responsible department", 0, 3 * row, 40, row},
@@ -164,7 +164,7 @@ class Writer {
     for (const FittedText& text : texts) height += line_spacing * text.height * static_cast<double>(text.lines.size());
     double top = room.centre().y + height / 2;
     for (const FittedText& text : texts) {
-      const double above = (line_spacing - 1 - descent) / 2 * text.height;
+      const double above = (line_spacing - 1 - descent) * text.height;
       write(text, room.least.x + padding, top - above - text.height, role);
       top -= line_spacing * text.height * static_cast<double>(text.lines.size());
     }
