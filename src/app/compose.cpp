@@ -4,7 +4,11 @@
 #include <string>
 #include <utility>
 
+#include "sheet/lettering.hpp"
 #include "sheet/partial_mark.hpp"
+#include "sheet/sheet_layers.hpp"
+#include "sheet/standard_scale.hpp"
+#include "sheet/view_labels.hpp"
 #include "sheet/view_lines.hpp"
 
 namespace epura {
@@ -21,14 +25,52 @@ void append(std::vector<Layer>& layers, std::vector<Layer> more) {
   std::move(more.begin(), more.end(), std::back_inserter(layers));
 }
 
+// Names of sections, and scales where they differ from the sheet's.
+std::vector<Text> labels_of(const SheetPlan& plan, std::span<const ViewDescription> descriptions,
+                            const std::vector<ViewResult>& views) {
+  std::vector<Text> labels;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const ViewDescription& view = descriptions[i];
+    const Drawing& drawing = views[i].drawing;
+    std::string name = view.label.text;
+    if (name.empty() && view.section.given()) name = view.section.text + "-" + view.section.text;
+    const auto scale = drawing.projection.central ? std::nullopt : std::optional(drawing.scale);
+    const std::string label = view_label(name, scale, plan.scale);
+    if (!label.empty()) labels.push_back(label_above(label, {drawing.least, drawing.most}));
+  }
+  return labels;
+}
+
+std::vector<ViewFrame> frames_of(const std::vector<ViewResult>& views) {
+  std::vector<ViewFrame> frames;
+  for (const ViewResult& view : views) {
+    const Drawing& drawing = view.drawing;
+    const std::string scale = drawing.projection.central ? "" : ratio_text(drawing.scale);
+    frames.push_back({drawing.name, drawing.projection.name, scale, drawing.least, drawing.most});
+  }
+  return frames;
+}
+
+// Nothing is written where there is no frame and no label: then no font is opened.
+FurnitureLayers furniture_layers(const SheetFurniture& furniture) {
+  if (furniture.frame == FrameKind::none && furniture.labels.empty()) return {};
+  return sheet_layers(furniture, Lettering());
+}
+
 }  // namespace
 
-FinishedSheet compose(const SceneDescription& scene, const SheetPlan& plan, std::vector<ViewResult>& views,
-                      std::span<const ViewWish> wishes, int sheet) {
-  FinishedSheet finished;
-  finished.scale = plan.scale;
-  finished.sheet = {plan.paper.width, plan.paper.height, title_of(scene.sheets[std::size_t(sheet)]), {}};
-  const LineWidths widths = line_widths(plan.paper);
+FinishedSheet compose(const SheetDescription& sheet, const SheetPlan& plan,
+                      std::span<const ViewDescription> descriptions, std::vector<ViewResult>& views,
+                      std::span<const ViewWish> wishes) {
+  const Paper& paper = plan.furniture.paper;
+  SheetFurniture furniture = plan.furniture;
+  furniture.labels = labels_of(plan, descriptions, views);
+  FurnitureLayers around = furniture_layers(furniture);
+  FinishedSheet finished{{paper.width, paper.height, title_of(sheet), std::move(around.layers), frames_of(views)},
+                         plan.scale,
+                         {},
+                         std::move(around.warnings)};
+  const LineWidths widths = line_widths(paper);
   bool partial = false;
   for (std::size_t i = 0; i < views.size(); ++i) {
     append(finished.sheet.layers, view_layers(views[i].drawing, widths, wishes[i].looks));
@@ -36,7 +78,7 @@ FinishedSheet compose(const SceneDescription& scene, const SheetPlan& plan, std:
     partial = partial || views[i].partial;
     finished.drawings.push_back(std::move(views[i].drawing));
   }
-  if (partial) finished.sheet.layers.push_back(partial_mark(plan.paper));
+  if (partial) finished.sheet.layers.push_back(partial_mark(paper));
   return finished;
 }
 

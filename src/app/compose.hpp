@@ -12,7 +12,8 @@
 namespace epura {
 
 /// The drawings of one sheet, in order of its views, with all that belongs to them, and what a sheet has around.
-FinishedSheet compose(const SceneDescription& scene, const SheetPlan& plan, std::vector<ViewResult>& views,
-                      std::span<const ViewWish> wishes, int sheet);
+FinishedSheet compose(const SheetDescription& sheet, const SheetPlan& plan,
+                      std::span<const ViewDescription> descriptions, std::vector<ViewResult>& views,
+                      std::span<const ViewWish> wishes);
 
 }  // namespace epura
