@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "scene/scene_file.hpp"
+#include "scene/view_names.hpp"
 
 namespace epura {
 
@@ -80,19 +81,6 @@ void overrule(SheetDescription& sheet, const DrawOptions& options) {
   for (const auto& [name, text] : options.title_block) {
     std::erase_if(sheet.title_block, [&name = name](const auto& field) { return field.first == name; });
     sheet.title_block.emplace_back(name, Given{text, "--title-block"});
-  }
-}
-
-// Layers are called after views: of several with one name the later ones are numbered.
-void name_views(std::vector<ViewDescription>& views) {
-  std::vector<std::string> names;
-  for (ViewDescription& view : views) {
-    std::string name = view.name.given() ? view.name.text : std::string(split(view.projection.text, ':').front());
-    const std::string first = name;
-    for (int i = 2; std::find(names.begin(), names.end(), name) != names.end(); ++i)
-      name = first + "-" + std::to_string(i);
-    names.push_back(name);
-    view.name.text = std::move(name);
   }
 }
 

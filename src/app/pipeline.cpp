@@ -64,6 +64,7 @@ ViewResult draw_view(const World& world, View view, const ViewWish& wish, const 
   const PaperMap paper = make_paper_map(view, place.scale, place.shift);
   Drawing drawing = make_drawing(world, view, drawn, hidden, contact, paper, {wish.name, wish.keep_hidden()});
   watch.lap("drawing");
+  drawing.scale = place.scale;
   std::optional<Verification> verification;
   if (wish.verify) {
     progress.begin("verifying");

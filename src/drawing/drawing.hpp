@@ -58,6 +58,7 @@ struct CutFace {
 struct Drawing {
   std::string name;  ///< of the view
   Projection projection;
+  double scale = 1;    ///< mm of paper per unit of the world, in the projection plane
   Mat4 world_to_page;  ///< page = (row0/row3, row1/row3) in mm; row2/row3 grows towards the viewer
   std::array<std::optional<Vec2>, 3> vanishing_points;  ///< of the world axes, on the page
   std::vector<Segment> segments;

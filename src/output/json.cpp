@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "output/in_order.hpp"
-#include "output/utf8.hpp"
+#include "base/utf8.hpp"
 #include "output/write.hpp"
 
 namespace epura {
@@ -146,11 +146,12 @@ std::string matrix(const Mat4& m) {
   return numbers(by_rows);
 }
 
-void append_view(std::string& text, const Drawing& drawing) {
+void append_view(std::string& text, const Drawing& drawing, double main_scale) {
   const Projection& projection = drawing.projection;
   const auto vanishing_point = [](const std::optional<Vec2>& p) { return p ? point(*p) : "null"; };
   text += "{\"name\": " + quoted(drawing.name) + ", \"projection\": " + quoted(projection.name) +
           ", \"parameters\": " + parameters_of(projection) +
+          (drawing.scale == main_scale ? "" : ", \"scale\": " + number(drawing.scale)) +
           ",\n   \"world_to_page\": " + matrix(drawing.world_to_page) + ",\n   \"viewer\": {\"" +
           (projection.central ? "centre" : "direction") + "\": " + point(projection.projector) +
           "},\n   \"vanishing_points\": " + list(drawing.vanishing_points, vanishing_point) + ",\n   \"segments\": ";
@@ -239,7 +240,7 @@ std::string to_json(const Sheet& sheet, double scale, std::span<const Drawing> d
   text += "\n \"views\": [";
   for (const Drawing& drawing : drawings) {
     text += &drawing == drawings.data() ? "\n  " : ",\n  ";
-    append_view(text, drawing);
+    append_view(text, drawing, scale);
   }
   text += "],\n \"report\": " + report_of(report) + "}\n";
   return text;
