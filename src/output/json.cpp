@@ -102,11 +102,11 @@ void append_segment(std::string& text, const Drawing& drawing, const Segment& se
     append_numbers(text += ", \"edge\": ", segment.edge);
     append_numbers(text += ", \"t\": ", segment.t);
   } else {
-    // An edge leads to the place in the world, an intersection line does not.
+    // An edge leads to the place in the world, an intersection line or a cut does not.
     append_numbers(text += ", \"edge\": null, \"t\": ", segment.t);
     const CrossingSegment& crossing = drawing.crossings[segment.crossing];
     append_numbers(text += ", \"faces\": [", crossing.faces[0]);
-    append_numbers(text += ", ", crossing.faces[1]);
+    if (crossing.faces[1][0] >= 0) append_numbers(text += ", ", crossing.faces[1]);
     append_numbers(text += "], \"world\": [", coordinates(crossing.world[0]));
     append_numbers(text += ", ", coordinates(crossing.world[1]));
     text += ']';
