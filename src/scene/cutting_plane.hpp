@@ -14,6 +14,7 @@ struct CuttingPlane {
   Vec3 point;
   Vec3 normal;        ///< of length 1
   Vec3 right, up;     ///< directions in the plane: right x up = normal
+  std::string name;   ///< "A"
   std::string where;  ///< it was described, for errors
 };
 

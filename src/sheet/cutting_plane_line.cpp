@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "sheet/dash.hpp"
+
 namespace epura {
 
 namespace {
@@ -16,8 +18,6 @@ constexpr double wide_end = 1.6;
 constexpr double arrow_length = 2, head_length = 0.7;
 constexpr double head_half_angle = 15;  // degrees
 constexpr double letter_gap = 0.3;
-// Line type 04.1 in line widths.
-constexpr double dash_widths_04 = 24, gap_widths_04 = 3, dot_widths_04 = 0.5;
 constexpr double edge_on = 1e-9;  // radians
 
 Vec2 on_page(const Mat4& world_to_page, const Vec3& p) {
@@ -52,14 +52,6 @@ std::optional<Trace> trace_of(const Drawing& parent, const CuttingPlane& plane) 
   return trace;
 }
 
-// Dashes and dots stretched so that a line of this length begins and ends with a dash.
-Dashes fit_chain(double length, double width) {
-  const double between = (2 * gap_widths_04 + dot_widths_04) * width;
-  const double periods = std::round((length - dash_widths_04 * width) / (dash_widths_04 * width + between));
-  if (!(periods >= 1)) return {};
-  return {(length - periods * between) / (periods + 1), gap_widths_04 * width, dot_widths_04 * width, 1};
-}
-
 /// Corners of a box around the line a, b.
 Fill wide_line(const Vec2& a, const Vec2& b, double width) {
   const Vec2 along = glm::normalize(b - a) * (width / 2);
@@ -90,8 +82,7 @@ void add_end(Layer& layer, const Trace& trace, const Vec2& end, const Vec2& outw
 
 }  // namespace
 
-std::optional<Layer> cutting_plane_line(const Drawing& parent, const CuttingPlane& plane, const std::string& name,
-                                        const LineWidths& widths) {
+std::optional<Layer> cutting_plane_line(const Drawing& parent, const CuttingPlane& plane, const LineWidths& widths) {
   const auto trace = trace_of(parent, plane);
   if (!trace) return std::nullopt;
   const double height = letter_widths * widths.narrow;
@@ -100,10 +91,10 @@ std::optional<Layer> cutting_plane_line(const Drawing& parent, const CuttingPlan
   const Vec2 to = trace->point + (trace->to + past) * trace->along;
   Layer layer{parent.name + "/cutting-plane", {"cutting-plane", widths.narrow}, {}};
   Stroke chain{{from + wide_end * height * trace->along, to - wide_end * height * trace->along}};
-  chain.dashes = fit_chain(glm::distance(chain.points[0], chain.points[1]), widths.narrow);
+  chain.dashes = fit_open(glm::distance(chain.points[0], chain.points[1]), widths.narrow, long_dash_dot);
   layer.strokes.push_back(chain);
-  add_end(layer, *trace, from, -trace->along, name, widths);
-  add_end(layer, *trace, to, trace->along, name, widths);
+  add_end(layer, *trace, from, -trace->along, plane.name, widths);
+  add_end(layer, *trace, to, trace->along, plane.name, widths);
   return layer;
 }
 

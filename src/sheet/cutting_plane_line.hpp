@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "drawing/drawing.hpp"
 #include "scene/cutting_plane.hpp"
@@ -14,7 +13,6 @@ namespace epura {
 /// Layer "VIEW/cutting-plane": a narrow long-dashed dotted line (ISO 128-2, type 04.1) across the ink of `parent` with
 /// wide ends (04.2) past its outline, arrows onto them in the direction in which the section is seen, and its name
 /// beside them. Nothing where the view does not see the plane edge-on, and in central projections.
-std::optional<Layer> cutting_plane_line(const Drawing& parent, const CuttingPlane& plane, const std::string& name,
-                                        const LineWidths& widths);
+std::optional<Layer> cutting_plane_line(const Drawing& parent, const CuttingPlane& plane, const LineWidths& widths);
 
 }  // namespace epura

@@ -181,10 +181,10 @@ bool touch(const Part& one, const Part& two) {
   return false;
 }
 
-std::vector<Part> parts_of(std::span<const Drawing> drawings) {
+std::vector<Part> parts_of(std::span<const Drawing* const> drawings) {
   std::map<std::pair<int, int>, Part> parts;
   for (std::size_t d = 0; d < drawings.size(); ++d)
-    for (const CutFace& face : drawings[d].cut_faces) {
+    for (const CutFace& face : drawings[d]->cut_faces) {
       Part& part = parts.try_emplace({face.model, face.body}, Part{face.model, face.body, {}}).first->second;
       part.faces.emplace_back(static_cast<int>(d), &face);
       part.largest = std::max(part.largest, area_of(face));
@@ -216,7 +216,7 @@ double spacing_of(const Part& part) {
 
 }  // namespace
 
-std::vector<Hatching> choose_hatching(std::span<const Drawing> drawings) {
+std::vector<Hatching> choose_hatching(std::span<const Drawing* const> drawings) {
   const std::vector<Part> parts = parts_of(drawings);
   std::vector<Hatching> chosen;
   for (std::size_t p = 0; p < parts.size(); ++p) {
