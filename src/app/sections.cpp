@@ -8,6 +8,8 @@ namespace epura {
 
 namespace {
 
+constexpr std::size_t most_named = 8;
+
 std::string in_words(const Vec3& p) {
   return format_rounded(p.x, 6) + "," + format_rounded(p.y, 6) + "," + format_rounded(p.z, 6);
 }
@@ -21,6 +23,14 @@ void warn_about(Console& console, const CutSection& section, const OpenBody& ope
                in_words(open.gap));
 }
 
+void warn_about(Console& console, const CutSection& section) {
+  const std::vector<OpenBody>& open = section.cut.open;
+  const std::size_t named = std::min(most_named, open.size());
+  for (std::size_t i = 0; i < named; ++i) warn_about(console, section, open[i]);
+  if (named < open.size())
+    console.warn("... and " + std::to_string(open.size() - named) + " more bodies are not closed and not hatched");
+}
+
 }  // namespace
 
 CutSections cut_sections(const World& world, const SceneDescription& scene, Console& console) {
@@ -31,7 +41,7 @@ CutSections cut_sections(const World& world, const SceneDescription& scene, Cons
     if (std::none_of(scene.views.begin(), scene.views.end(), shows)) continue;
     const CuttingPlane plane = make_cutting_plane(description);
     const CutSection& section = sections.try_emplace(name, CutSection{plane, cut_world(world, plane)}).first->second;
-    for (const OpenBody& open : section.cut.open) warn_about(console, section, open);
+    warn_about(console, section);
   }
   return sections;
 }

@@ -68,8 +68,7 @@ void ModelCut::close() {
 }
 
 // Faces in the plane bound what remains where material lies behind them. Of open bodies all stay.
-void ModelCut::take_faces_in_plane(const std::vector<int>& material,
-                                   const std::vector<std::optional<int>>& open_edge) {
+void ModelCut::take_faces_in_plane(const std::vector<int>& material, const std::vector<std::optional<int>>& open_edge) {
   std::vector<std::vector<int>> by_body(material.size());
   for (const int t : cut.in_plane) by_body[material[mesh().body[t]]].push_back(t);
   std::vector<std::pair<int, int>> kept;  // triangle, body

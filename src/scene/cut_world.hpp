@@ -1,4 +1,5 @@
-// A world cut by a plane: what remains is a world of its own, closed by cut faces, so that no later stage knows of cuts.
+// A world cut by a plane: what remains is a world of its own, closed by cut faces, so that no later stage knows of
+// cuts.
 //
 // Sides are signs of vertices: a vertex within rounding of the plane is on it, for all triangles alike. What is decided
 // from signs alone is the same for neighbours; edges are cut once for all their triangles. Outlines of cut faces are
