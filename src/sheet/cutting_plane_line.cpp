@@ -13,8 +13,8 @@ namespace {
 
 // Lengths in heights of the letters, which are 20 narrow lines high: 5 mm beside lines of 0.25 mm.
 constexpr double letter_widths = 20;
-constexpr double past_outline = 1.2;
-constexpr double wide_end = 1.6;
+constexpr double past_outline = 0.8;
+constexpr double wide_end = 1.4;
 constexpr double arrow_length = 2, head_length = 0.7;
 constexpr double head_half_angle = 15;  // degrees
 constexpr double letter_gap = 0.3;
@@ -76,11 +76,15 @@ void add_end(Layer& layer, const Trace& trace, const Vec2& end, const Vec2& outw
   layer.fills.push_back(arrow_head(tip, trace.seen, head_length * height));
   layer.strokes.push_back({{tail, tip - head_length * height * trace.seen}});
   // Letters stand upright, whatever the direction of the line.
-  const Vec2 middle = tail + (0.5 + letter_gap) * height * outwards;
+  const Vec2 middle = tail + (letter_gap + 0.5) * height * outwards;
   layer.texts.push_back({name, middle - Vec2(0, height / 2), height, 0, Align::middle, "section"});
 }
 
 }  // namespace
+
+double cutting_plane_room(const LineWidths& widths) {
+  return (past_outline + wide_end / 2 + letter_gap + 1) * letter_widths * widths.narrow;
+}
 
 std::optional<Layer> cutting_plane_line(const Drawing& parent, const CuttingPlane& plane, const LineWidths& widths) {
   const auto trace = trace_of(parent, plane);

@@ -38,6 +38,8 @@ TEST(CuttingPlaneLine, CrossesTheInkAndEndsPastIt) {
     EXPECT_EQ(text.angle, 0);
     EXPECT_LT(text.at.y, y);  // on the side of the viewer
     EXPECT_TRUE(text.at.x < left || text.at.x > right);
+    const double past = std::max(parent.least.x - text.at.x, text.at.x - parent.most.x) + text.height / 2;
+    EXPECT_NEAR(past, cutting_plane_room(widths), 1e-12);
   }
   // Two wide ends and two arrow heads, whose tips come to the wide ends from below.
   ASSERT_EQ(layer->fills.size(), 4U);
