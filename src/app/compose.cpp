@@ -1,9 +1,12 @@
 #include "app/compose.hpp"
 
 #include <iterator>
+#include <map>
 #include <string>
 #include <utility>
 
+#include "sheet/cutting_plane_line.hpp"
+#include "sheet/hatch.hpp"
 #include "sheet/lettering.hpp"
 #include "sheet/partial_mark.hpp"
 #include "sheet/sheet_layers.hpp"
@@ -33,7 +36,7 @@ std::vector<Text> labels_of(const SheetPlan& plan, std::span<const ViewDescripti
     const ViewDescription& view = descriptions[i];
     const Drawing& drawing = views[i].drawing;
     std::string name = view.label.text;
-    if (name.empty() && view.section.given()) name = view.section.text + "-" + view.section.text;
+    if (name.empty() && view.section.given() && views.size() > 1) name = view.section.text + "-" + view.section.text;
     const auto scale = drawing.projection.central ? std::nullopt : std::optional(drawing.scale);
     const std::string label = view_label(name, scale, plan.scale);
     if (!label.empty()) labels.push_back(label_above(label, {drawing.least, drawing.most}));
@@ -57,6 +60,26 @@ FurnitureLayers furniture_layers(const SheetFurniture& furniture) {
   return sheet_layers(furniture, Lettering());
 }
 
+std::vector<const Drawing*> drawings_of(const std::vector<ViewResult>& views) {
+  std::vector<const Drawing*> drawings;
+  for (const ViewResult& view : views) drawings.push_back(&view.drawing);
+  return drawings;
+}
+
+// Each section is marked in the first view of the whole that sees its plane edge-on.
+std::vector<Layer> cutting_plane_lines(const std::vector<ViewResult>& views, const LineWidths& widths) {
+  std::map<std::string, Layer> marks;
+  for (const ViewResult& cut : views)
+    for (const ViewResult& parent : views) {
+      if (!cut.section || parent.section || marks.contains(cut.section->name)) continue;
+      if (auto mark = cutting_plane_line(parent.drawing, *cut.section, widths))
+        marks.emplace(cut.section->name, std::move(*mark));
+    }
+  std::vector<Layer> layers;
+  for (auto& [name, layer] : marks) layers.push_back(std::move(layer));
+  return layers;
+}
+
 }  // namespace
 
 FinishedSheet compose(const SheetDescription& sheet, const SheetPlan& plan,
@@ -71,13 +94,18 @@ FinishedSheet compose(const SheetDescription& sheet, const SheetPlan& plan,
                          {},
                          std::move(around.warnings)};
   const LineWidths widths = line_widths(paper);
+  const std::vector<Hatching> hatching = choose_hatching(drawings_of(views));
+  std::vector<Layer> marks = cutting_plane_lines(views, widths);
   bool partial = false;
   for (std::size_t i = 0; i < views.size(); ++i) {
+    if (!views[i].drawing.cut_faces.empty())
+      finished.sheet.layers.push_back(hatch_layer(views[i].drawing, hatching, widths));
     append(finished.sheet.layers, view_layers(views[i].drawing, widths, wishes[i].looks));
     views[i].drawing.chains = {};  // the sheet has them
     partial = partial || views[i].partial;
     finished.drawings.push_back(std::move(views[i].drawing));
   }
+  append(finished.sheet.layers, std::move(marks));
   if (partial) finished.sheet.layers.push_back(partial_mark(paper));
   return finished;
 }

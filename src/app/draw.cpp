@@ -12,6 +12,7 @@
 #include "app/pipeline.hpp"
 #include "app/questions.hpp"
 #include "app/read_models.hpp"
+#include "app/sections.hpp"
 #include "app/targets.hpp"
 #include "app/view_plan.hpp"
 #include "base/parallel.hpp"
@@ -82,25 +83,30 @@ struct Run {
   Report report{};
   std::string answers{};
 
-  FinishedSheet draw_sheet(const World& world, const SheetOfViews& views);
+  FinishedSheet draw_sheet(const World& whole, const CutSections& sections, const SheetOfViews& views);
 };
 
-FinishedSheet Run::draw_sheet(const World& world, const SheetOfViews& views) {
+FinishedSheet Run::draw_sheet(const World& whole, const CutSections& sections, const SheetOfViews& views) {
   progress.begin("mapping");
+  const auto section = [&](std::size_t view) { return section_of(sections, views.descriptions[view]); };
+  const auto world = [&](std::size_t view) -> const World& {
+    return section(view) == nullptr ? whole : section(view)->cut.world;
+  };
   std::vector<View> seen;
   for (std::size_t i = 0; i < views.plans.size(); ++i)
-    seen.push_back(look_at(world, views.plans[i], views.descriptions[i]));
+    seen.push_back(look_at(world(i), views.plans[i], views.descriptions[i]));
   watch.lap("view");
 
-  const SheetPlan plan = plan_sheet(world, scene, views.sheet, views.descriptions, seen);
+  const SheetPlan plan = plan_sheet(whole, scene, views.sheet, views.descriptions, seen);
   if (plan.chosen) console.warn("the scale is " + ratio_text(plan.scale) + ", the largest of ISO 5455 that fits");
   std::vector<ViewResult> results;
   std::vector<ViewWish> wishes;
   for (std::size_t i = 0; i < seen.size(); ++i) {
     wishes.push_back(views.plans[i].wish);
-    results.push_back(draw_view(world, std::move(seen[i]), wishes[i], plan.places[i], report.plan, watch, progress));
+    results.push_back(
+        draw_view(world(i), section(i), std::move(seen[i]), wishes[i], plan.places[i], report.plan, watch, progress));
     warn_about(console, results.back());
-    answers += answer(questions, world, wishes[i], results.back());
+    answers += answer(questions, world(i), wishes[i], results.back());
     results.back().work = {};  // what follows takes its room
   }
   if (!plan.inside) console.warn("the drawing is larger than the sheet at this scale");
@@ -140,9 +146,12 @@ int draw(const DrawOptions& options) {
   Run run{options, scene, questions, console, progress, watch};
   World world = read_models(scene.models, run.report.meshes, console, progress);
   watch.lap("read");
+  CutSections sections = cut_sections(world, scene, console);
+  if (!sections.empty()) watch.lap("section");
   std::vector<FinishedSheet> finished;
-  for (const SheetOfViews& sheet : sheets) finished.push_back(run.draw_sheet(world, sheet));
+  for (const SheetOfViews& sheet : sheets) finished.push_back(run.draw_sheet(world, sections, sheet));
   world = {};  // what follows takes its room
+  sections.clear();
 
   if (options.timings) run.report.seconds = watch.laps();
   const VectorOptions vector_options{options.plain, options.dpi};
