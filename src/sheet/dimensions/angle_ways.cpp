@@ -13,6 +13,7 @@ constexpr double first_radius = 14, longer = 4;  // mm
 constexpr double cost_of_radius = 0.1;           // a millimetre
 constexpr double cost_outside = 3;               // of a text that stands outside the angle
 constexpr double arrows_inside = 3;              // lengths of arrows that two of them need
+constexpr double steepest = 0.5;                 // sine of the slope of a text that falls to the right
 constexpr double step_of_arc = std::numbers::pi / 90;
 
 // From one leg to the other, as angles on the paper.
@@ -54,6 +55,21 @@ void add_extension_lines(PlacedDimension& dimension, const MeasuredAngle& angle,
   }
 }
 
+// Along the arc; level where the arc is so steep that the text would be read from the left.
+void set_text_at(PlacedDimension& dimension, const std::string& text, const Vec2& corner, double radius,
+                 const Vec2& spoke, const DimensionLook& look) {
+  const Vec2 read = reading_direction(left_of(spoke));
+  const double width = look.width(text);
+  if (read.y < -steepest) {
+    const double reach = (std::abs(spoke.x) * width + std::abs(spoke.y) * look.text) / 2 + 2 * look.above();
+    const Vec2 middle = corner + (radius + reach) * spoke;
+    return set_text(dimension, text, middle, {1, 0}, -look.text / 2, look);
+  }
+  const bool inside = glm::dot(left_of(read), spoke) < 0;  // then the arc rises beside the text
+  const double rise = look.above() + (inside ? width * width / (8 * radius) : 0);
+  set_text(dimension, text, corner + radius * spoke, read, rise, look);
+}
+
 // `place`: the text stands at the middle of the arc (0), or past its end (1) or its beginning (-1).
 PlacedDimension arc_dimension(const MeasuredAngle& angle, const std::string& text, double radius, int place,
                               const DimensionLook& look) {
@@ -74,10 +90,7 @@ PlacedDimension arc_dimension(const MeasuredAngle& angle, const std::string& tex
     const Vec2 forward = side * turn * left_of(turned_to(end));
     dimension.arrows.push_back(arrow_at(corner + radius * turned_to(end), outward ? forward : -forward, look));
   }
-  const Vec2 read = reading_direction(left_of(turned_to(middle)));
-  const bool inside = glm::dot(left_of(read), turned_to(middle)) < 0;  // then the arc rises beside the text
-  const double rise = look.above() + (inside ? std::pow(look.width(text), 2) / (8 * radius) : 0);
-  set_text(dimension, text, corner + radius * turned_to(middle), read, rise, look);
+  set_text_at(dimension, text, corner, radius, turned_to(middle), look);
   dimension.zones.push_back(dimension.text_box);
   return dimension;
 }

@@ -28,7 +28,10 @@ PlacedDimension leader(const MeasuredCircle& circle, const std::string& text, co
   dimension.lines = {line_box(tip, elbow)};
   dimension.arrows = {arrow_at(tip, -outward, look)};
   set_text(dimension, text, (elbow + shoulder) * 0.5, {1, 0}, look.above(), look);
-  dimension.zones = {dimension.text_box, line_box(elbow, shoulder)};
+  // Down to the shoulder, which no line should meet either.
+  dimension.text_box.centre.y -= look.above() / 2;
+  dimension.text_box.half += Vec2(look.above(), look.above() / 2);
+  dimension.zones = {dimension.text_box};
   return dimension;
 }
 
