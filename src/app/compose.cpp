@@ -4,7 +4,6 @@
 #include <string>
 #include <utility>
 
-#include "app/choose.hpp"
 #include "sheet/partial_mark.hpp"
 #include "sheet/view_lines.hpp"
 
@@ -23,17 +22,6 @@ void append(std::vector<Layer>& layers, std::vector<Layer> more) {
 }
 
 }  // namespace
-
-SheetPlan plan_sheet(const SheetDescription& sheet, std::span<const ViewDescription> views,
-                     std::span<const Window> boxes) {
-  const bool portrait = choose<bool>(sheet.orientation, {{"landscape", false}, {"portrait", true}});
-  const Paper paper = parse_paper(sheet.size.given() ? sheet.size.text : "A4", portrait, sheet.size.where);
-  const auto scale = sheet.scale.given() ? parse_scale(sheet.scale.text, sheet.scale.where) : std::nullopt;
-  const Placement placement = place_ink(boxes.front().least, boxes.front().most, scale, paper);
-  SheetPlan plan{placement.paper, {}, placement.scale, placement.inside};
-  for (std::size_t i = 0; i < views.size(); ++i) plan.places.push_back({placement.scale, placement.shift});
-  return plan;
-}
 
 FinishedSheet compose(const SceneDescription& scene, const SheetPlan& plan, std::vector<ViewResult>& views,
                       std::span<const ViewWish> wishes, int sheet) {

@@ -16,6 +16,7 @@
 #include "app/view_plan.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
+#include "sheet/standard_scale.hpp"
 #include "study/verify/verify.hpp"
 
 namespace epura {
@@ -87,14 +88,12 @@ struct Run {
 FinishedSheet Run::draw_sheet(const World& world, const SheetOfViews& views) {
   progress.begin("mapping");
   std::vector<View> seen;
-  std::vector<Window> boxes;
-  for (std::size_t i = 0; i < views.plans.size(); ++i) {
+  for (std::size_t i = 0; i < views.plans.size(); ++i)
     seen.push_back(look_at(world, views.plans[i], views.descriptions[i]));
-    boxes.push_back(drawn_box(seen.back()));
-  }
   watch.lap("view");
 
-  const SheetPlan plan = plan_sheet(scene.sheets[std::size_t(views.sheet)], views.descriptions, boxes);
+  const SheetPlan plan = plan_sheet(world, scene.sheets[std::size_t(views.sheet)], views.descriptions, seen);
+  if (plan.chosen) console.warn("the scale is " + ratio_text(plan.scale) + ", the largest of ISO 5455 that fits");
   std::vector<ViewResult> results;
   std::vector<ViewWish> wishes;
   for (std::size_t i = 0; i < seen.size(); ++i) {

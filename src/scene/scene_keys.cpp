@@ -42,6 +42,11 @@ auto in_description(Member member) {
   return [member](auto& words) -> auto& { return words.description.*member; };
 }
 
+// A key of the whole file is often written where it belongs to the last section.
+std::string hint_for(const std::string& key, const std::vector<std::string>& known) {
+  return key == "views" ? "it belongs above the first section" : did_you_mean(key, known);
+}
+
 template <class Part>
 void read_entries(Part& part, const TomlValue& table, const SceneKeys<Part>& keys, const std::string& section) {
   std::vector<std::string> names;
@@ -50,7 +55,7 @@ void read_entries(Part& part, const TomlValue& table, const SceneKeys<Part>& key
   for (const TomlValue& entry : entries)
     if (std::find(names.begin(), names.end(), entry.key) == names.end())
       throw Error(Trouble::input, entry.key_where, "'" + entry.key + "' is no key of " + section,
-                  did_you_mean(entry.key, names));
+                  hint_for(entry.key, names));
   for (const auto& known : keys) {
     const auto entry = std::find_if(entries.begin(), entries.end(),
                                     [&known](const TomlValue& candidate) { return candidate.key == known.name; });

@@ -19,7 +19,7 @@ namespace epura {
 
 namespace {
 
-constexpr std::uintmax_t most_bytes = 4'000'000;
+constexpr std::uintmax_t most_bytes = 2'000'000;
 constexpr std::ptrdiff_t most_dots = 100;
 
 std::string place(const std::string& file, const toml::source_position& position) {
@@ -93,12 +93,12 @@ void refuse_deep_keys(std::string_view text, const std::string& file) {
   }
 }
 
-// "Error while parsing string: ..." stands behind a place.
+// Of "Error while parsing string: ...", without what only the library's users can change.
 std::string sentence_of(const toml::parse_error& error) {
   constexpr std::string_view head = "Error ";
   std::string_view text = error.description();
   if (text.starts_with(head)) text.remove_prefix(head.size());
-  return "is no TOML: " + std::string(text);
+  return "is no TOML: " + to_lower(text.substr(0, 1)) + std::string(text.substr(1, text.find(" (TOML_") - 1));
 }
 
 }  // namespace
@@ -115,7 +115,8 @@ TomlValue read_toml(const std::filesystem::path& path) {
   try {
     return {"", file, file, Reader(file).table(toml::parse(text))};
   } catch (const toml::parse_error& error) {
-    throw Error(Trouble::input, place(file, error.source().begin), sentence_of(error));
+    throw Error(Trouble::input, place(file, error.source().begin), sentence_of(error),
+                "values are like \"text\", 1.5, true or [1, 2]; see toml.io");
   }
 }
 

@@ -37,7 +37,7 @@ struct TomlValue {
 };
 
 /// The table that a file is. Throws Error{input} for what cannot be read and is no TOML, with line and column, and for
-/// files that no person writes: larger than 4 MB, or nested deeper than the reader can follow.
+/// files that no person writes: larger than 2 MB, or nested deeper than the reader can follow.
 TomlValue read_toml(const std::filesystem::path& path);
 
 }  // namespace epura

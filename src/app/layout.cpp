@@ -1,0 +1,107 @@
+#include "app/layout.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "app/choose.hpp"
+#include "sheet/arrangement.hpp"
+#include "view/paper_map.hpp"
+
+namespace epura {
+
+namespace {
+
+// A title alone goes into the metadata of files.
+FrameKind frame_of(const SheetDescription& sheet, std::size_t views) {
+  const bool has_fields = std::any_of(sheet.title_block.begin(), sheet.title_block.end(),
+                                      [](const auto& field) { return field.first != "title"; });
+  const FrameKind usual = has_fields || views > 1 ? FrameKind::full : FrameKind::none;
+  return choose<FrameKind>(
+      sheet.frame,
+      {{"auto", usual}, {"none", FrameKind::none}, {"plain", FrameKind::plain}, {"full", FrameKind::full}});
+}
+
+// Where a point that all views share, the middle of the world, lies in the plane of a view.
+Vec2 common_point(const World& world, const View& view) {
+  const Mat4 to_plane = world_to_page(view, make_paper_map(view, 1, {0, 0}));
+  const Vec4 p = to_plane * Vec4(world.box.centre(), 1);
+  return Vec2(p) / p.w;
+}
+
+struct Views {
+  std::vector<ViewToPlace> to_place;
+  std::vector<Vec2> origins;  ///< what their boxes are measured from
+};
+
+Views views_to_place(const World& world, std::span<const ViewDescription> descriptions, std::span<const View> views) {
+  Views result;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    // One view alone needs nothing in common with others.
+    const Vec2 origin = views.size() > 1 ? common_point(world, views[i]) : Vec2(0, 0);
+    const Window box = drawn_box(views[i]);
+    ViewToPlace view{view_place(views[i].projection.name), {box.least - origin, box.most - origin}};
+    const Given& scale = descriptions[i].scale;
+    if (scale.given()) view.scale = parse_scale(scale.text, scale.where);
+    view.at = descriptions[i].at;
+    result.to_place.push_back(view);
+    result.origins.push_back(origin);
+  }
+  return result;
+}
+
+DrawingRoom room_of(const Paper& paper, FrameKind frame) {
+  DrawingRoom room{paper};
+  if (frame != FrameKind::none) room.clearance = 5;
+  return room;
+}
+
+struct Wishes {
+  ScaleWish scale;
+  bool portrait;
+  ProjectionAngle angle;
+  FrameKind frame;
+};
+
+Arrangement arranged_on(const std::string& size, const std::string& where, const Wishes& wishes,
+                        std::span<const ViewToPlace> views) {
+  return arrange(views, wishes.scale, wishes.angle, room_of(parse_paper(size, wishes.portrait, where), wishes.frame));
+}
+
+// "auto": the smallest paper on which the views have room at the scale that is given.
+Arrangement arranged(const SheetDescription& sheet, const Wishes& wishes, std::span<const ViewToPlace> views) {
+  const std::string usual = views.size() > 1 ? "A3" : "A4";
+  const bool by_size = to_lower(sheet.size.text) == "auto";
+  if (!by_size || !wishes.scale.fixed)
+    return arranged_on(by_size || !sheet.size.given() ? usual : sheet.size.text, sheet.size.where, wishes, views);
+  for (const char* size : {"A4", "A3", "A2", "A1"}) {
+    Arrangement arrangement = arranged_on(size, sheet.size.where, wishes, views);
+    if (arrangement.inside) return arrangement;
+  }
+  return arranged_on("A0", sheet.size.where, wishes, views);
+}
+
+}  // namespace
+
+SheetPlan plan_sheet(const World& world, const SheetDescription& sheet, std::span<const ViewDescription> descriptions,
+                     std::span<const View> views) {
+  Wishes wishes{};
+  wishes.frame = frame_of(sheet, views.size());
+  wishes.portrait = choose<bool>(sheet.orientation, {{"landscape", false}, {"portrait", true}});
+  wishes.angle =
+      choose<ProjectionAngle>(sheet.angle, {{"first", ProjectionAngle::first}, {"third", ProjectionAngle::third}});
+  const std::string usual_scale = wishes.frame == FrameKind::full ? "auto" : "fit";
+  wishes.scale = parse_scale_wish(sheet.scale.given() ? sheet.scale.text : usual_scale, sheet.scale.where);
+
+  const Views placing = views_to_place(world, descriptions, views);
+  const Arrangement arrangement = arranged(sheet, wishes, placing.to_place);
+  SheetPlan plan{arrangement.paper, wishes.frame,          wishes.angle,      {},
+                 arrangement.scale, wishes.scale.standard, arrangement.inside};
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const ViewSpot& spot = arrangement.views[i];
+    plan.places.push_back({spot.scale, spot.shift - spot.scale * placing.origins[i]});
+  }
+  return plan;
+}
+
+}  // namespace epura
