@@ -92,7 +92,9 @@ FinishedSheet Run::draw_sheet(const World& world, const SheetOfViews& views) {
     seen.push_back(look_at(world, views.plans[i], views.descriptions[i]));
   watch.lap("view");
 
-  const SheetPlan plan = plan_sheet(world, scene.sheets[std::size_t(views.sheet)], views.descriptions, seen);
+  const DimensionsByView dimensions = dimensions_by_view(scene, views.sheet, views.descriptions, seen);
+  const SheetPlan plan =
+      plan_sheet(world, scene.sheets[std::size_t(views.sheet)], views.descriptions, seen, dimensions);
   if (plan.chosen) console.warn("the scale is " + ratio_text(plan.scale) + ", the largest of ISO 5455 that fits");
   std::vector<ViewResult> results;
   std::vector<ViewWish> wishes;
@@ -108,7 +110,7 @@ FinishedSheet Run::draw_sheet(const World& world, const SheetOfViews& views) {
     if (result.partial) report.partial = result.partial;
     if (result.verification) report.verification = result.verification;
   }
-  FinishedSheet sheet = compose(scene, plan, results, wishes, views.sheet);
+  FinishedSheet sheet = compose(world, scene, plan, results, wishes, dimensions, views.sheet);
   watch.lap("sheet");
   return sheet;
 }

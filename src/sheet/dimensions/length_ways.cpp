@@ -83,7 +83,7 @@ std::vector<DimensionWay> ways_of(const MeasuredLength& length, const MeasuredDi
     const double outline = side > 0 ? reach.most : -reach.least;
     const double cost = cost_of_extension * (2 * outline - side * end);
     for (int level = 0; level < levels; ++level)
-      add_ways(ways, length, measured.text, side * (outline + look.first() + level * look.step()),
+      add_ways(ways, length, measured.text, side * (outline + first_dimension + level * dimension_step(look.text)),
                cost + cost_of_level * level, look);
   }
   return ways;

@@ -11,6 +11,10 @@
 
 namespace epura {
 
+/// From the outline to the first dimension line, and from one to the next, mm.
+inline constexpr double first_dimension = 10;
+constexpr double dimension_step(double text_height) { return 4.5 + text_height; }
+
 /// Measures of dimensions, mm.
 struct DimensionLook {
   const Lettering& lettering;
@@ -21,8 +25,6 @@ struct DimensionLook {
   [[nodiscard]] double gap() const { return 8 * line; }        ///< between the outline and an extension line
   [[nodiscard]] double overshoot() const { return 8 * line; }  ///< of an extension line past the dimension line
   [[nodiscard]] double above() const { return 0.3 * text; }    ///< between the dimension line and its text
-  [[nodiscard]] double first() const { return 10; }            ///< from the outline to the first dimension line
-  [[nodiscard]] double step() const { return 4.5 + text; }     ///< from one dimension line to the next
   [[nodiscard]] double width(const std::string& text_line) const { return lettering.width(text_line, text); }
 };
 

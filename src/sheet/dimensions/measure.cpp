@@ -12,6 +12,7 @@ namespace epura {
 namespace {
 
 constexpr double parallel = 1e-3;  // sine: what leans so little is shortened by half a millionth
+constexpr double whole = 1e-5;     // of a length: what ink may lack of it
 constexpr int decimals = 2;
 
 [[noreturn]] void refuse(const AnchoredDimension& dimension, const std::string& what, const std::string& hint) {
@@ -157,28 +158,8 @@ MeasuredDimension circular(const AnchoredDimension& dimension, const Sight& sigh
          is_radius ? "measure it in a view along its axis" : "measure it in a view along its axis, or square to it");
 }
 
-MeasuredDimension overall(const AnchoredDimension& dimension, const Sight& sight) {
-  const int axis = dimension.direction == DimensionDirection::width    ? 0
-                   : dimension.direction == DimensionDirection::height ? 2
-                                                                       : 1;
-  const Vec3 &least = dimension.points[0], &most = dimension.points[1];
-  if (!shows_all(sight.drawing, least, most, axis))
-    refuse(dimension, "the view does not show all of the models along this axis in true length",
-           "choose an orthographic view parallel to the axis");
-  Vec3 e(0);
-  e[axis] = 1;
-  const Vec2 along = glm::normalize(sight.page_of(e));
-  // The dimension line stands below, or on the right.
-  const Vec2 side = std::abs(along.x) > std::abs(along.y) ? Vec2(0, -1) : Vec2(1, 0);
-  const std::array<Vec2, 2> ends = ends_of_ink(sight.drawing, along, side).value();
-  return {MeasuredLength{ends[0], ends[1], along, left_of(along)},
-          with_text(dimension, format_fixed(most[axis] - least[axis], decimals)), dimension.offset};
-}
-
-}  // namespace
-
-std::optional<std::array<Vec2, 2>> ends_of_ink(const Drawing& drawing, const Vec2& along, const Vec2& side) {
-  if (drawing.segments.empty()) return std::nullopt;
+// The ends of the ink along a direction of the paper: of several the farthest along `side`.
+std::array<Vec2, 2> ends_of_ink(const Drawing& drawing, const Vec2& along, const Vec2& side) {
   constexpr double same = 1e-6;  // mm
   std::array<Vec2, 2> ends{drawing.segments.front().from, drawing.segments.front().from};
   const auto take = [&](Vec2& end, const Vec2& direction, const Vec2& p) {
@@ -194,17 +175,30 @@ std::optional<std::array<Vec2, 2>> ends_of_ink(const Drawing& drawing, const Vec
   return ends;
 }
 
-bool shows_all(const Drawing& drawing, const Vec3& least, const Vec3& most, int axis) {
-  const Sight sight{drawing};
+MeasuredDimension overall(const AnchoredDimension& dimension, const Sight& sight) {
+  const int axis = dimension.direction == DimensionDirection::width    ? 0
+                   : dimension.direction == DimensionDirection::height ? 2
+                                                                       : 1;
   Vec3 e(0);
   e[axis] = 1;
-  if (drawing.projection.central || !sight.orthographic || !sight.in_plane(e)) return false;
-  const Vec2 along = sight.page_of(e);
-  const auto ends = ends_of_ink(drawing, glm::normalize(along), {0, 0});
-  const double length = glm::length(along) * (most[axis] - least[axis]);
-  return ends && length > 0 &&
-         std::abs(glm::dot((*ends)[1] - (*ends)[0], glm::normalize(along)) - length) <= 1e-5 * length;
+  if (!sight.orthographic || !sight.in_plane(e))
+    refuse(dimension, "the view does not show this size in true length",
+           "choose an orthographic view parallel to the axis");
+  const Vec2 image = sight.page_of(e), along = glm::normalize(image);
+  const double value = dimension.points[1][axis] - dimension.points[0][axis];
+  // The dimension line stands below, or on the right.
+  const Vec2 side = std::abs(along.x) > std::abs(along.y) ? Vec2(0, -1) : Vec2(1, 0);
+  std::array<Vec2, 2> ends{};
+  if (!sight.drawing.segments.empty()) ends = ends_of_ink(sight.drawing, along, side);
+  const double drawn = glm::dot(ends[1] - ends[0], along) / glm::length(image);
+  if (!(drawn > 0) || std::abs(drawn - value) > whole * value)
+    refuse(dimension, "the view does not show all of the models along this axis",
+           "leave out --near and --far, and keep contours among the edges");
+  return {MeasuredLength{ends[0], ends[1], along, left_of(along)}, with_text(dimension, format_fixed(value, decimals)),
+          dimension.offset};
 }
+
+}  // namespace
 
 MeasuredDimension measure(const Drawing& drawing, const AnchoredDimension& dimension, const std::string& diameter) {
   if (drawing.projection.central)

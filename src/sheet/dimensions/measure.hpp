@@ -44,10 +44,4 @@ struct MeasuredDimension {
 /// perspective. Values have 2 decimals at most. `diameter` is the sign before diameters. ISO 129-1.
 MeasuredDimension measure(const Drawing& drawing, const AnchoredDimension& dimension, const std::string& diameter);
 
-/// The ends of the ink along a direction of the paper: of several the farthest along `side`. Nothing without ink.
-std::optional<std::array<Vec2, 2>> ends_of_ink(const Drawing& drawing, const Vec2& along, const Vec2& side);
-
-/// Whether the ink shows all of what lies between the points along the world axis (0 to 2), in true length.
-bool shows_all(const Drawing& drawing, const Vec3& least, const Vec3& most, int axis);
-
 }  // namespace epura
