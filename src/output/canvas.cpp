@@ -12,13 +12,16 @@ namespace epura {
 Canvas enlarged_canvas(const Sheet& sheet) {
   Vec2 least(0, 0), most(sheet.width, sheet.height);
   for (const Layer& layer : sheet.layers) {
-    for (const Stroke& stroke : layer.strokes) {
-      for (const Vec2& p : stroke.points) {
+    const auto add = [&](const std::vector<Vec2>& points) {
+      for (const Vec2& p : points) {
         check(std::isfinite(p.x) && std::isfinite(p.y), "a stroke leads to infinity");
         least = glm::min(least, p);
         most = glm::max(most, p);
       }
-    }
+    };
+    for (const Stroke& stroke : layer.strokes) add(stroke.points);
+    for (const Fill& fill : layer.fills)
+      for (const std::vector<Vec2>& ring : fill.rings) add(ring);
   }
   const Vec2 size = most - least;
   // 2^31 / 2^8 units are the end of Cairo's numbers.

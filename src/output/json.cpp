@@ -7,8 +7,8 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "base/utf8.hpp"
 #include "output/in_order.hpp"
-#include "output/utf8.hpp"
 #include "output/write.hpp"
 
 namespace epura {

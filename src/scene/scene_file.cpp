@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <string_view>
+#include <map>
+#include <set>
 
 #include "base/error.hpp"
 #include "base/text.hpp"
@@ -20,36 +21,39 @@ namespace fs = std::filesystem;
   throw Error(Trouble::input, where, reason, hint);
 }
 
-// By which dimensions may call a model.
-std::string name_of(const ModelDescription& model) {
-  return model.name.given() ? model.name.text : fs::path(model.file.text).stem().string();
-}
+using Names = std::set<std::string>;
 
-template <class Part>
-void refuse_namesakes(const std::vector<Part>& parts, const std::string& what) {
-  for (auto part = parts.begin(); part != parts.end(); ++part) {
-    const auto same = [&part](const Part& other) { return other.name.given() && other.name.text == part->name.text; };
-    if (std::any_of(parts.begin(), part, same))
-      refuse(part->name.where, "'" + part->name.text + "' is the name of an earlier " + what, "names are for one each");
+/// The numbers of the models that dimensions may call by a name.
+using ModelNumbers = std::map<std::string, std::vector<int>>;
+
+ModelNumbers numbers_of(const std::vector<ModelDescription>& models) {
+  ModelNumbers numbers;
+  for (int i = 0; i < static_cast<int>(models.size()); ++i) {
+    const ModelDescription& model = models[std::size_t(i)];
+    numbers[model.name.given() ? model.name.text : fs::path(model.file.text).stem().string()].push_back(i);
   }
+  return numbers;
 }
 
+/// The names that parts were given. Throws Error{input} for the second of two with one name.
 template <class Part>
-std::vector<std::string> names_of(const std::vector<Part>& parts) {
-  std::vector<std::string> names;
-  for (const Part& part : parts) names.push_back(part.name.text);
+Names names_of(const std::vector<Part>& parts, const std::string& what) {
+  Names names;
+  for (const Part& part : parts)
+    if (part.name.given() && !names.insert(part.name.text).second)
+      refuse(part.name.where, "'" + part.name.text + "' is the name of an earlier " + what, "names are for one each");
   return names;
 }
 
-void refuse_unknown(const Given& name, const std::vector<std::string>& names, const std::string& what) {
-  if (!name.given() || std::find(names.begin(), names.end(), name.text) != names.end()) return;
+void refuse_unknown(const Given& name, const Names& names, const std::string& what) {
+  if (!name.given() || names.contains(name.text)) return;
+  const std::vector<std::string> known(names.begin(), names.end());
   refuse(name.where, "there is no " + what + " '" + name.text + "'",
-         names.empty() ? "there is no [[" + what + "]] at all" : did_you_mean(name.text, names));
+         known.empty() ? "there is no [[" + what + "]] at all" : did_you_mean(name.text, known));
 }
 
-void check_views(const SceneDescription& scene) {
+void check_views(const SceneDescription& scene, const Names& sections) {
   const std::size_t sheets = scene.sheets.size();
-  const std::vector<std::string> sections = names_of(scene.sections);
   for (const ViewDescription& view : scene.views) {
     refuse_unknown(view.section, sections, "section");
     if (std::size_t(view.sheet) > sheets)
@@ -80,33 +84,40 @@ const DimensionType& type_of(const Given& type) {
 }
 
 // The number of the model that an anchor names.
-int model_of(const AnchorWords& anchor, const std::vector<ModelDescription>& models) {
-  const int count = static_cast<int>(models.size());
+int model_of(const AnchorWords& anchor, const ModelNumbers& models, int count) {
   if (const int* number = std::get_if<int>(&anchor.model)) {
     if (*number < count) return *number;
     refuse(anchor.where, "there is no model " + std::to_string(*number),
            "models are numbered from 0 to " + std::to_string(count - 1));
   }
   const auto& name = std::get<std::string>(anchor.model);
-  std::vector<std::string> names;
-  for (const ModelDescription& model : models) names.push_back(name_of(model));
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) refuse(anchor.where, "there is no model '" + name + "'", did_you_mean(name, names));
-  if (std::count(names.begin(), names.end(), name) > 1)
+  const auto found = models.find(name);
+  if (found == models.end()) {
+    std::vector<std::string> known;
+    for (const auto& [other, numbers] : models) known.push_back(other);
+    refuse(anchor.where, "there is no model '" + name + "'", did_you_mean(name, known));
+  }
+  if (found->second.size() > 1)
     refuse(anchor.where, "several models are called '" + name + "'", "give them names of their own, or use a number");
-  return static_cast<int>(found - names.begin());
+  return found->second.front();
 }
 
-Anchor anchor_of(const AnchorWords& words, const std::vector<ModelDescription>& models) {
+/// What dimensions refer to.
+struct Subjects {
+  const std::vector<ModelDescription>& models;
+  ModelNumbers numbers;
+  Names views;
+};
+
+Anchor anchor_of(const AnchorWords& words, const Subjects& subjects) {
   if (words.point) return *words.point;
-  const int model = model_of(words, models);
-  if (!models[std::size_t(model)].drawn)
-    refuse(words.where, "model '" + name_of(models[std::size_t(model)]) + "' is not drawn and has no vertices",
-           "give the place as {point = [x, y, z]}");
+  const int model = model_of(words, subjects.numbers, static_cast<int>(subjects.models.size()));
+  if (!subjects.models[std::size_t(model)].drawn)
+    refuse(words.where, "the model is not drawn and has no vertices", "give the place as {point = [x, y, z]}");
   return std::array<int, 2>{model, words.vertex};
 }
 
-DimensionDescription dimension_of(const DimensionWords& words, const SceneDescription& scene) {
+DimensionDescription dimension_of(const DimensionWords& words, const Subjects& subjects) {
   DimensionDescription dimension = words.description;
   const DimensionType& type = type_of(dimension.type);
   for (const std::string& key : type.anchors) {
@@ -115,13 +126,14 @@ DimensionDescription dimension_of(const DimensionWords& words, const SceneDescri
     if (found == words.anchors.end())
       refuse(dimension.where, "a dimension of type '" + type.name + "' lacks '" + key + "'",
              "[model, vertex] or {point = [x, y, z]}");
-    dimension.anchors.push_back(anchor_of(found->second, scene.models));
+    dimension.anchors.push_back(anchor_of(found->second, subjects));
   }
   for (const auto& [key, anchor] : words.anchors)
     if (std::find(type.anchors.begin(), type.anchors.end(), key) == type.anchors.end())
       refuse(anchor.where, "a dimension of type '" + type.name + "' has no '" + key + "'",
              type.anchors.empty() ? "it has no anchors" : did_you_mean(key, type.anchors));
-  if (!scene.views.empty()) refuse_unknown(dimension.view, names_of(scene.views), "view");
+  // Views of the command line are not known yet.
+  if (!subjects.views.empty()) refuse_unknown(dimension.view, subjects.views, "view");
   return dimension;
 }
 
@@ -138,12 +150,12 @@ SceneDescription read_scene_file(const fs::path& path) {
   if (scene.models.empty())
     refuse(path.string(), "names no model", "a scene file has at least:  [[model]]  file = \"part.obj\"");
   if (scene.sheets.empty()) scene.sheets.push_back(words.every_sheet);
-  refuse_namesakes(scene.models, "model");
-  refuse_namesakes(scene.sections, "section");
-  refuse_namesakes(scene.views, "view");
+  names_of(scene.models, "model");
   name_views(scene.views);
-  check_views(scene);
-  for (const DimensionWords& dimension : words.dimensions) scene.dimensions.push_back(dimension_of(dimension, scene));
+  check_views(scene, names_of(scene.sections, "section"));
+  const Subjects subjects{scene.models, numbers_of(scene.models), names_of(scene.views, "view")};
+  for (const DimensionWords& dimension : words.dimensions)
+    scene.dimensions.push_back(dimension_of(dimension, subjects));
   find_files(scene.models, path.parent_path());
   return scene;
 }

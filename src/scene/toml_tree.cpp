@@ -1,19 +1,14 @@
 #include "scene/toml_tree.hpp"
 
-// Eight levels are more than a scene needs.
-#define TOML_MAX_NESTED_VALUES 8
-#define TOML_ENABLE_FORMATTERS 0
-#include <toml++/toml.h>
-
 #include <algorithm>
-#include <array>
-#include <charconv>
+#include <cstdint>
 #include <string_view>
 #include <system_error>
 
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/text.hpp"
+#include "scene/toml_library.hpp"
 
 namespace epura {
 

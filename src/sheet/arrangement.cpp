@@ -22,11 +22,6 @@ constexpr double good_share = 0.4, least_share = 0.1;
 constexpr int most_halvings = 14;
 constexpr double rounding = 1e-9;
 
-Rectangle drawing_area(const Paper& paper, double clearance) {
-  const Vec2 margin(clearance, clearance);
-  return {Vec2(paper.left, paper.other) + margin, Vec2(paper.width - paper.other, paper.height - paper.other) - margin};
-}
-
 // The largest scale at which `fits` holds, if it holds below some scale that is not much less than `most`.
 std::optional<double> largest_that(double most, bool standard, const std::function<bool(double)>& fits) {
   double fitting = standard ? standard_scale_up_to(most) : most;
@@ -52,7 +47,7 @@ struct Found {
 std::optional<Found> at_fixed_scale(const Arranger& arranger, double scale) {
   auto spots = arranger.arranged(scale, least_share);
   if (!spots) return std::nullopt;
-  return Found{scale, arranger.centred(*spots)};
+  return Found{scale, arranger.balanced(*spots)};
 }
 
 // `otherwise`: where no view depends on the scale.
@@ -66,7 +61,7 @@ std::optional<Found> at_free_scale(const Arranger& arranger, bool standard, doub
     if (!scale || (found && *scale < good_share * found->scale)) break;
     found = Found{*scale, *arranger.arranged(*scale, share)};
   }
-  if (found) found->spots = arranger.centred(found->spots);
+  if (found) found->spots = arranger.balanced(found->spots);
   return found;
 }
 
@@ -86,7 +81,7 @@ std::optional<Found> find(const Question& question, const Arranger& arranger) {
 }
 
 ArrangerRoom room_on(const Paper& paper, const DrawingRoom& room) {
-  const Rectangle area = drawing_area(paper, room.clearance);
+  const Rectangle area = drawing_area(paper).grown(-room.clearance);
   ArrangerRoom arranger{area, {}, std::min(room.gap, std::min(area.size().x, area.size().y) / 10)};
   if (room.title_block) arranger.taken.push_back(room.title_block->grown(room.clearance));
   return arranger;
@@ -113,7 +108,7 @@ Found overflow(const Question& question, const Paper& paper) {
 }
 
 bool all_inside(const Spots& spots, const Question& question, const Paper& paper) {
-  const Rectangle area = drawing_area(paper, 0);
+  const Rectangle area = drawing_area(paper);
   const double slack = rounding * std::max(paper.width, paper.height);
   for (std::size_t i = 0; i < spots.size(); ++i) {
     if (!area.holds(spots[i].box, slack)) return false;
@@ -153,10 +148,7 @@ Arrangement on_cut_paper(Question question) {
   const Vec2 corner = Vec2(margins.left, margins.other) + question.room.clearance;
   const Vec2 move = given ? Vec2(0, 0) : corner - box.least;
   Arrangement arrangement{margins, found->scale, found->spots, true};
-  for (ViewSpot& spot : arrangement.views) {
-    spot.shift += move;
-    spot.box = {spot.box.least + move, spot.box.most + move};
-  }
+  for (ViewSpot& spot : arrangement.views) spot = moved(spot, move);
   const Vec2 most = box.most + move + question.room.clearance;
   arrangement.paper.width = most.x + margins.other;
   arrangement.paper.height = most.y + margins.other;

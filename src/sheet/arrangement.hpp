@@ -61,8 +61,8 @@ struct Arrangement {
 /// In first angle projection the view from above stands below the front view, that from the left to its right; in third
 /// angle projection above and to the left. The rear view is at the far right. Principal views are aligned with the
 /// front view, there or not; a second view with the same place is an `other` one, and so is one with its own scale. The
-/// others stand in the largest part of the sheet that is left. All together are centred. One view alone stands as
-/// place_ink says. `views` has at least one. Throws Error{input} beyond `longest_side`.
+/// others stand in the largest part of the sheet that is left. Each group is centred in its room. One view alone stands
+/// as place_ink says. `views` has at least one. Throws Error{input} beyond `longest_side`.
 Arrangement arrange(std::span<const ViewToPlace> views, const ScaleWish& wish, ProjectionAngle angle,
                     const DrawingRoom& room);
 

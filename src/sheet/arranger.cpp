@@ -14,17 +14,11 @@ namespace {
 
 // Lengths that differ by less are equal: rounding errors of sums.
 constexpr double slack = 1e-7;
+// The groups of views move each other a little.
+constexpr int rounds_of_balance = 4;
 
 void append(std::vector<ViewSpot>& spots, const std::vector<ViewSpot>& more) {
   spots.insert(spots.end(), more.begin(), more.end());
-}
-
-std::vector<ViewSpot> moved(std::vector<ViewSpot> spots, const Vec2& by) {
-  for (ViewSpot& spot : spots) {
-    spot.shift += by;
-    spot.box = {spot.box.least + by, spot.box.most + by};
-  }
-  return spots;
 }
 
 bool is_principal(ViewPlace place) { return place < ViewPlace::pictorial; }
@@ -129,9 +123,7 @@ double Arranger::largest_scale() const {
 ViewSpot Arranger::given_spot(std::size_t view, double scale) const {
   const ViewCell cell = free_cell(view, 0, 0, Labels::given);
   const ViewSpot spot = ViewTable({cell}, 0).spots(scale, {0, 0}).front();
-  // Where its middle is now.
-  const Vec2 move = *views_[view].at - (spot.shift + spot.scale * cell.anchor);
-  return {view, spot.scale, spot.shift + move, {spot.box.least + move, spot.box.most + move}};
+  return moved(spot, *views_[view].at - (spot.shift + spot.scale * cell.anchor));
 }
 
 bool Arranger::is_free(const Spots& spots, std::span<const Rectangle> taken) const {
@@ -200,42 +192,40 @@ std::optional<std::vector<ViewSpot>> Arranger::arranged(double scale, double sha
   return all;
 }
 
-// Moves along one axis: to the middle; between where a box meets the title block and the far end of the area; none.
-std::vector<double> Arranger::moves(const Spots& spots, int axis) const {
-  Rectangle whole = spots.front().box;
-  for (const ViewSpot& spot : spots) whole = united(whole, spot.box);
-  const double least = room_.area.least[axis] - whole.least[axis], most = room_.area.most[axis] - whole.most[axis];
-  std::vector<double> moves = {(least + most) / 2, 0};
-  for (const Rectangle& block : room_.taken)
-    for (const ViewSpot& spot : spots) {
-      const double end = axis == 0 ? least : most;
-      const double limit = axis == 0 ? block.least.x - spot.box.most.x : block.most.y - spot.box.least.y;
-      moves.push_back((end + std::clamp(limit, std::min(least, most), most)) / 2);
+// How far the views of a group may go along an axis, backwards and forwards, until one meets something.
+std::array<double, 2> Arranger::play(const Spots& spots, const std::vector<std::size_t>& group, int axis) const {
+  std::vector<Rectangle> taken = room_.taken;
+  for (const ViewSpot& spot : spots)
+    if (std::find(group.begin(), group.end(), spot.view) == group.end()) taken.push_back(spot.box.grown(room_.gap));
+  double back = HUGE_VAL, forth = HUGE_VAL;
+  for (const std::size_t view : group) {
+    const Rectangle& box = spots[view].box;
+    back = std::min(back, box.least[axis] - room_.area.least[axis]);
+    forth = std::min(forth, room_.area.most[axis] - box.most[axis]);
+    for (const Rectangle& obstacle : taken) {
+      const int across = 1 - axis;
+      if (std::min(box.most[across], obstacle.most[across]) - std::max(box.least[across], obstacle.least[across]) <=
+          slack)
+        continue;
+      if (obstacle.centre()[axis] < box.centre()[axis])
+        back = std::min(back, box.least[axis] - obstacle.most[axis]);
+      else
+        forth = std::min(forth, obstacle.least[axis] - box.most[axis]);
     }
-  return moves;
+  }
+  return {std::max(back, 0.0), std::max(forth, 0.0)};
 }
 
-std::vector<ViewSpot> Arranger::centred(std::vector<ViewSpot> spots) const {
-  Spots loose;
-  std::vector<Rectangle> taken = room_.taken;
-  for (const ViewSpot& spot : spots) {
-    if (views_[spot.view].at)
-      taken.push_back(spot.box.grown(room_.gap));
-    else
-      loose.push_back(spot);
-  }
-  if (loose.empty()) return spots;
-  const std::vector<double> across = moves(loose, 0), up = moves(loose, 1);
-  const Vec2 wanted(across.front(), up.front());
-  Vec2 best(0, 0);
-  for (const double x : across)
-    for (const double y : up) {
-      const Vec2 move(x, y);
-      if (glm::length(move - wanted) >= glm::length(best - wanted)) continue;
-      if (is_free(moved(loose, move), taken)) best = move;
-    }
-  for (ViewSpot& spot : spots)
-    if (!views_[spot.view].at) spot = moved({spot}, best).front();
+std::vector<ViewSpot> Arranger::balanced(std::vector<ViewSpot> spots) const {
+  for (int round = 0; round < rounds_of_balance; ++round)
+    for (const auto* group : {&principal_, &other_, &pictorial_})
+      for (const int axis : {0, 1}) {
+        if (group->empty()) continue;
+        const auto [back, forth] = play(spots, *group, axis);
+        Vec2 move(0, 0);
+        move[axis] = (forth - back) / 2;
+        for (const std::size_t view : *group) spots[view] = moved(spots[view], move);
+      }
   return spots;
 }
 

@@ -1,6 +1,7 @@
 // The views of a sheet in groups, tried at one scale after another.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
@@ -30,8 +31,8 @@ class Arranger {
   /// All views at a scale, pictorial ones at no less than `share` of it; nothing where they have no room.
   [[nodiscard]] std::optional<std::vector<ViewSpot>> arranged(double scale, double share) const;
 
-  /// All together moved to the middle of the area, as far as what is taken allows.
-  [[nodiscard]] std::vector<ViewSpot> centred(std::vector<ViewSpot> spots) const;
+  /// The same with each group of views in the middle of the room that the others leave it.
+  [[nodiscard]] std::vector<ViewSpot> balanced(std::vector<ViewSpot> spots) const;
 
   /// Views that do not fit: apart from each other, but not within the area.
   [[nodiscard]] std::vector<ViewSpot> overflowing(double scale) const;
@@ -52,7 +53,7 @@ class Arranger {
                                                 std::span<const Rectangle> taken) const;
   [[nodiscard]] std::optional<Spots> pictorial_spots(double scale, double share,
                                                      std::span<const Rectangle> taken) const;
-  [[nodiscard]] std::vector<double> moves(const Spots& spots, int axis) const;
+  [[nodiscard]] std::array<double, 2> play(const Spots& spots, const std::vector<std::size_t>& group, int axis) const;
 
   std::span<const ViewToPlace> views_;
   ProjectionAngle angle_;

@@ -67,6 +67,19 @@ std::optional<double> parse_scale(std::string_view text, const std::string& wher
   return scale;
 }
 
+std::string paper_name(const Paper& paper) {
+  if (paper.width == 0) return {};
+  const double longer = std::max(paper.width, paper.height), shorter = std::min(paper.width, paper.height);
+  for (std::size_t i = 0; i < a_sizes.size(); ++i)
+    if (a_sizes[i][0] == longer && a_sizes[i][1] == shorter) return "A" + std::to_string(i);
+  return format_number(paper.width) + "x" + format_number(paper.height);
+}
+
+Rectangle drawing_area(const Paper& paper) {
+  const Vec2 corner(paper.left, paper.other);
+  return {corner, corner + area(paper)};
+}
+
 void check_drawing_size(const Vec2& size) {
   if (!(size.x <= longest_side && size.y <= longest_side))
     throw Error(Trouble::input, "--scale",

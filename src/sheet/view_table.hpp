@@ -18,6 +18,10 @@ struct ViewSpot {
   Rectangle box;  ///< on the page, with what is kept free around the ink
 };
 
+inline ViewSpot moved(const ViewSpot& spot, const Vec2& by) {
+  return {spot.view, spot.scale, spot.shift + by, {spot.box.least + by, spot.box.most + by}};
+}
+
 /// One view of a table. Views of one column have their anchors above each other, those of one row side by side.
 struct ViewCell {
   std::size_t view;

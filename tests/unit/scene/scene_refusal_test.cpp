@@ -161,7 +161,7 @@ TEST(SceneRefusal, AnchorsOnModelsThatCannotBeMeant) {
   const std::string radius = "[[dimension]]\ntype = 'radius'\n";
   expect_refusals("", {
                           {model + "drawn = false\n" + radius + "at = ['a', 1]",
-                           "6:6: model 'a' is not drawn and has no vertices", "give the place as {point = [x, y, z]}"},
+                           "6:6: the model is not drawn and has no vertices", "give the place as {point = [x, y, z]}"},
                           {model + model + radius + "at = ['a', 1]", "7:6: several models are called 'a'",
                            "give them names of their own, or use a number"},
                       });
@@ -173,6 +173,13 @@ TEST(SceneRefusal, WhatIsNoToml) {
       {
           {"[[model]]\nfile = a.obj", "2:8: is no TOML: while parsing value: could not determine value type", values},
           {"[[model]\n", "1:9: is no TOML: while parsing table header: expected ']', saw '\\n'", values},
+          {"[Maß]", "1:4: is no TOML: while parsing table header: expected ']', saw 'ß'", values},
+          {"[ä]",
+           "1:2: is no TOML: while parsing key: expected bare key starting character or string delimiter, saw 'ä'",
+           values},
+          {"[[+]]",
+           "1:3: is no TOML: while parsing key: expected bare key starting character or string delimiter, saw '+'",
+           values},
           {"name 'x'", "1:6: is no TOML: while parsing key-value pair: expected '=', saw '''", values},
           {"a = 'x", "1:7: is no TOML: while parsing string: encountered end-of-file", values},
           {model + "file = 'b'",
