@@ -104,6 +104,8 @@ void define_lines(CLI::App& draw, DrawOptions& options) {
              "degrees between faces from which their edge is a crease")
       ->default_str("30")
       ->type_name("DEG");
+  add_word(draw, "--dimensions", options.dimensions, "WHICH", "",
+           "overall: width, height and depth of the models, each in the clearest view");
   draw.add_option("--visibility", options.visibility, "exact, or none for a wireframe")
       ->capture_default_str()
       ->type_name("METHOD");

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sheet/cutting_plane_line.hpp"
+#include "sheet/dimensions/dimensions.hpp"
 #include "sheet/hatch.hpp"
 #include "sheet/lettering.hpp"
 #include "sheet/partial_mark.hpp"
@@ -80,30 +81,41 @@ std::vector<Layer> cutting_plane_lines(const std::vector<ViewResult>& views, con
   return layers;
 }
 
+// A drawing that lacks lines may lack its ends: its overall dimensions are left out.
+std::vector<Layer> dimensions_of(const World& world, const ViewResult& view,
+                                 std::vector<DimensionDescription> dimensions, const LineWidths& widths,
+                                 double text_height) {
+  if (view.partial) std::erase_if(dimensions, [](const auto& one) { return one.type.text == "overall"; });
+  if (dimensions.empty()) return {};
+  return {dimension_layer(world, view.drawing, dimensions, Lettering(), widths.narrow, text_height)};
+}
+
 }  // namespace
 
-FinishedSheet compose(const SheetDescription& sheet, const SheetPlan& plan,
-                      std::span<const ViewDescription> descriptions, std::vector<ViewResult>& views,
-                      std::span<const ViewWish> wishes) {
+FinishedSheet compose(const World& world, const SceneDescription& scene, const SheetOfViews& views,
+                      const SheetPlan& plan, std::vector<ViewResult>& results, const DimensionsByView& dimensions) {
+  const SheetDescription& sheet = scene.sheets[static_cast<std::size_t>(views.sheet)];
   const Paper& paper = plan.furniture.paper;
   SheetFurniture furniture = plan.furniture;
-  furniture.labels = labels_of(plan, descriptions, views);
+  furniture.labels = labels_of(plan, views.descriptions, results);
   FurnitureLayers around = furniture_layers(furniture);
-  FinishedSheet finished{{paper.width, paper.height, title_of(sheet), std::move(around.layers), frames_of(views)},
+  FinishedSheet finished{{paper.width, paper.height, title_of(sheet), std::move(around.layers), frames_of(results)},
                          plan.scale,
                          {},
                          std::move(around.warnings)};
   const LineWidths widths = line_widths(paper);
-  const std::vector<Hatching> hatching = choose_hatching(drawings_of(views));
-  std::vector<Layer> marks = cutting_plane_lines(views, widths);
+  const double text_height = dimension_text_height(paper, results.size());
+  const std::vector<Hatching> hatching = choose_hatching(drawings_of(results));
+  std::vector<Layer> marks = cutting_plane_lines(results, widths);
   bool partial = false;
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    if (!views[i].drawing.cut_faces.empty())
-      finished.sheet.layers.push_back(hatch_layer(views[i].drawing, hatching, widths));
-    append(finished.sheet.layers, view_layers(views[i].drawing, widths, wishes[i].looks));
-    views[i].drawing.chains = {};  // the sheet has them
-    partial = partial || views[i].partial;
-    finished.drawings.push_back(std::move(views[i].drawing));
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    if (!results[i].drawing.cut_faces.empty())
+      finished.sheet.layers.push_back(hatch_layer(results[i].drawing, hatching, widths));
+    append(finished.sheet.layers, view_layers(results[i].drawing, widths, views.plans[i].wish.looks));
+    results[i].drawing.chains = {};  // the sheet has them
+    append(finished.sheet.layers, dimensions_of(world, results[i], dimensions[i], widths, text_height));
+    partial = partial || results[i].partial;
+    finished.drawings.push_back(std::move(results[i].drawing));
   }
   append(finished.sheet.layers, std::move(marks));
   if (partial) finished.sheet.layers.push_back(partial_mark(paper));

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "app/choose.hpp"
+#include "app/view_dimensions.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "scene/cutting_plane.hpp"
@@ -94,6 +96,13 @@ void overrule(SheetDescription& sheet, const DrawOptions& options) {
   }
 }
 
+void add_dimensions(SceneDescription& scene, const std::string& which) {
+  const std::string option = "--dimensions";
+  DimensionDescription& dimension = scene.dimensions.emplace_back();
+  dimension.where = option;
+  dimension.type = {choose<std::string>(option, which, {{"overall", "overall"}}), option};
+}
+
 }  // namespace
 
 SceneDescription describe(const DrawOptions& options) {
@@ -114,6 +123,8 @@ SceneDescription describe(const DrawOptions& options) {
   name_views(scene.views);
   if (scene.sheets.size() < std::size_t(sheets)) scene.sheets.resize(std::size_t(sheets));
   for (SheetDescription& sheet : scene.sheets) overrule(sheet, options);
+  if (!options.dimensions.empty()) add_dimensions(scene, options.dimensions);
+  expect_views_of_dimensions(scene);
   return scene;
 }
 

@@ -51,27 +51,6 @@ bool shows_progress(const DrawOptions& options) {
   return choose<bool>("--progress", options.progress, {{"auto", is_terminal()}, {"always", true}, {"never", false}});
 }
 
-/// One of the sheets, and which of the scene's views stand on it.
-struct SheetOfViews {
-  int sheet;
-  std::vector<ViewDescription> descriptions;
-  std::vector<PlannedView> plans;
-};
-
-std::vector<SheetOfViews> views_by_sheet(const SceneDescription& scene, const std::vector<PlannedView>& plans) {
-  std::vector<SheetOfViews> sheets;
-  for (int sheet = 0; sheet < static_cast<int>(scene.sheets.size()); ++sheet) {
-    SheetOfViews& here = sheets.emplace_back();
-    here.sheet = sheet;
-    for (std::size_t i = 0; i < scene.views.size(); ++i) {
-      if (scene.views[i].sheet != sheet + 1) continue;
-      here.descriptions.push_back(scene.views[i]);
-      here.plans.push_back(plans[i]);
-    }
-  }
-  return sheets;
-}
-
 /// What a run needs from beginning to end.
 struct Run {
   const DrawOptions& options;
@@ -97,7 +76,8 @@ FinishedSheet Run::draw_sheet(const World& whole, const CutSections& sections, c
     seen.push_back(look_at(world(i), views.plans[i], views.descriptions[i]));
   watch.lap("view");
 
-  const SheetPlan plan = plan_sheet(whole, scene, views.sheet, views.descriptions, seen);
+  const DimensionsByView dimensions = dimensions_by_view(scene, views.sheet, views.descriptions, seen);
+  const SheetPlan plan = plan_sheet(whole, scene, views.sheet, views.descriptions, seen, dimensions);
   if (plan.chosen) console.warn("the scale is " + ratio_text(plan.scale) + ", the largest of ISO 5455 that fits");
   std::vector<ViewResult> results;
   std::vector<ViewWish> wishes;
@@ -114,7 +94,7 @@ FinishedSheet Run::draw_sheet(const World& whole, const CutSections& sections, c
     if (result.partial) report.partial = result.partial;
     if (result.verification) report.verification = result.verification;
   }
-  FinishedSheet sheet = compose(scene.sheets[std::size_t(views.sheet)], plan, views.descriptions, results, wishes);
+  FinishedSheet sheet = compose(whole, scene, views, plan, results, dimensions);
   for (const std::string& warning : sheet.warnings) console.warn(warning);
   watch.lap("sheet");
   return sheet;

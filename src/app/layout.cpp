@@ -6,12 +6,15 @@
 
 #include "app/choose.hpp"
 #include "sheet/arrangement.hpp"
+#include "sheet/dimensions/overall.hpp"
 #include "sheet/standard_scale.hpp"
 #include "view/paper_map.hpp"
 
 namespace epura {
 
 namespace {
+
+constexpr double usual_text_height = 3.5;
 
 // A title alone goes into the metadata of files.
 FrameKind frame_of(const SheetDescription& sheet, std::size_t views) {
@@ -35,7 +38,8 @@ struct Views {
   std::vector<Vec2> origins;  ///< what their boxes are measured from
 };
 
-Views views_to_place(const World& world, std::span<const ViewDescription> descriptions, std::span<const View> views) {
+Views views_to_place(const World& world, std::span<const ViewDescription> descriptions, std::span<const View> views,
+                     const DimensionsByView& dimensions) {
   Views result;
   for (std::size_t i = 0; i < views.size(); ++i) {
     // One view alone needs nothing in common with others.
@@ -45,6 +49,9 @@ Views views_to_place(const World& world, std::span<const ViewDescription> descri
     const Given& scale = descriptions[i].scale;
     if (scale.given()) view.scale = parse_scale(scale.text, scale.where);
     view.at = descriptions[i].at;
+    const DimensionRoom room = dimension_room(dimensions[i], views[i].projection, usual_text_height);
+    view.before = room.before;
+    view.after = room.after;
     result.to_place.push_back(view);
     result.origins.push_back(origin);
   }
@@ -108,10 +115,16 @@ Wishes wishes_of(const SceneDescription& scene, int number, std::size_t views) {
 
 }  // namespace
 
+double dimension_text_height(const Paper& paper, std::size_t views) {
+  constexpr double a4 = 210 * 297;
+  return views > 1 && paper.width * paper.height <= a4 ? 2.5 : usual_text_height;
+}
+
 SheetPlan plan_sheet(const World& world, const SceneDescription& scene, int sheet,
-                     std::span<const ViewDescription> descriptions, std::span<const View> views) {
+                     std::span<const ViewDescription> descriptions, std::span<const View> views,
+                     const DimensionsByView& dimensions) {
   Wishes wishes = wishes_of(scene, sheet, views.size());
-  const Views placing = views_to_place(world, descriptions, views);
+  const Views placing = views_to_place(world, descriptions, views, dimensions);
   std::string size;
   const Arrangement arrangement =
       arranged(scene.sheets[static_cast<std::size_t>(sheet)], wishes, placing.to_place, size);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/pipeline.hpp"
+#include "app/view_dimensions.hpp"
 #include "scene/description.hpp"
 #include "sheet/paper.hpp"
 #include "sheet/projection_symbol.hpp"
@@ -22,9 +23,13 @@ struct SheetPlan {
   bool inside = true;               ///< all ink keeps the margins
 };
 
-/// Where the views of a sheet stand; it is number `sheet` of the scene, counted from 0. Throws Error{input} for words
-/// that say nothing.
+/// Height of the texts of dimensions, mm: 2.5 for several views on A4, 3.5 elsewhere. ISO 3098.
+double dimension_text_height(const Paper& paper, std::size_t views);
+
+/// Where the views of a sheet stand, with room for their dimensions; it is number `sheet` of the scene, counted from 0.
+/// Throws Error{input} for words that say nothing.
 SheetPlan plan_sheet(const World& world, const SceneDescription& scene, int sheet,
-                     std::span<const ViewDescription> descriptions, std::span<const View> views);
+                     std::span<const ViewDescription> descriptions, std::span<const View> views,
+                     const DimensionsByView& dimensions);
 
 }  // namespace epura
