@@ -19,6 +19,7 @@ struct DrawOptions {
   std::vector<std::filesystem::path> plugin_path;
   std::vector<std::string> transforms;
   std::string unit, up;
+  std::string section;  ///< POINT:NORMAL
   std::string sheet, orientation, scale, angle, frame;
   std::vector<std::pair<std::string, std::string>> title_block;  ///< fields of ISO 7200 and what is written in them
   std::string hidden, edges;
