@@ -7,12 +7,14 @@
 #include "app/layout.hpp"
 #include "app/pipeline.hpp"
 #include "app/targets.hpp"
+#include "app/view_dimensions.hpp"
+#include "app/view_plan.hpp"
 #include "scene/description.hpp"
 
 namespace epura {
 
 /// The drawings of one sheet, in order of its views, with all that belongs to them, and what a sheet has around.
-FinishedSheet compose(const SceneDescription& scene, const SheetPlan& plan, std::vector<ViewResult>& views,
-                      std::span<const ViewWish> wishes, int sheet);
+FinishedSheet compose(const World& world, const SceneDescription& scene, const SheetOfViews& views,
+                      const SheetPlan& plan, std::vector<ViewResult>& results, const DimensionsByView& dimensions);
 
 }  // namespace epura

@@ -6,11 +6,15 @@
 
 #include "app/choose.hpp"
 #include "sheet/arrangement.hpp"
+#include "sheet/dimensions/overall.hpp"
+#include "sheet/standard_scale.hpp"
 #include "view/paper_map.hpp"
 
 namespace epura {
 
 namespace {
+
+constexpr double usual_text_height = 3.5;
 
 // A title alone goes into the metadata of files.
 FrameKind frame_of(const SheetDescription& sheet, std::size_t views) {
@@ -34,7 +38,8 @@ struct Views {
   std::vector<Vec2> origins;  ///< what their boxes are measured from
 };
 
-Views views_to_place(const World& world, std::span<const ViewDescription> descriptions, std::span<const View> views) {
+Views views_to_place(const World& world, std::span<const ViewDescription> descriptions, std::span<const View> views,
+                     const DimensionsByView& dimensions) {
   Views result;
   for (std::size_t i = 0; i < views.size(); ++i) {
     // One view alone needs nothing in common with others.
@@ -44,59 +49,95 @@ Views views_to_place(const World& world, std::span<const ViewDescription> descri
     const Given& scale = descriptions[i].scale;
     if (scale.given()) view.scale = parse_scale(scale.text, scale.where);
     view.at = descriptions[i].at;
+    const DimensionRoom room = dimension_room(dimensions[i], views[i].projection, usual_text_height);
+    view.before = room.before;
+    view.after = room.after;
     result.to_place.push_back(view);
     result.origins.push_back(origin);
   }
   return result;
 }
 
-DrawingRoom room_of(const Paper& paper, FrameKind frame) {
-  DrawingRoom room{paper};
-  if (frame != FrameKind::none) room.clearance = 5;
-  return room;
-}
-
 struct Wishes {
   ScaleWish scale;
   bool portrait;
-  ProjectionAngle angle;
   FrameKind frame;
+  std::optional<TitleBlock> title_block;
+  ProjectionAngle angle;
 };
+
+constexpr double clearance = 5;  // mm between the frame and ink
 
 Arrangement arranged_on(const std::string& size, const std::string& where, const Wishes& wishes,
                         std::span<const ViewToPlace> views) {
-  return arrange(views, wishes.scale, wishes.angle, room_of(parse_paper(size, wishes.portrait, where), wishes.frame));
+  const Paper paper = parse_paper(size, wishes.portrait, where);
+  DrawingRoom room{wishes.frame == FrameKind::none ? paper : with_frame_margins(paper)};
+  if (wishes.frame != FrameKind::none) room.clearance = clearance;
+  if (wishes.title_block) room.title_block = title_block_box(*wishes.title_block, room.paper);
+  return arrange(views, wishes.scale, wishes.angle, room);
 }
 
 // "auto": the smallest paper on which the views have room at the scale that is given.
-Arrangement arranged(const SheetDescription& sheet, const Wishes& wishes, std::span<const ViewToPlace> views) {
-  const std::string usual = views.size() > 1 ? "A3" : "A4";
+Arrangement arranged(const SheetDescription& sheet, const Wishes& wishes, std::span<const ViewToPlace> views,
+                     std::string& size) {
   const bool by_size = to_lower(sheet.size.text) == "auto";
-  if (!by_size || !wishes.scale.fixed)
-    return arranged_on(by_size || !sheet.size.given() ? usual : sheet.size.text, sheet.size.where, wishes, views);
-  for (const char* size : {"A4", "A3", "A2", "A1"}) {
-    Arrangement arrangement = arranged_on(size, sheet.size.where, wishes, views);
+  size = by_size || !sheet.size.given() ? (views.size() > 1 ? "A3" : "A4") : sheet.size.text;
+  if (!by_size || !wishes.scale.fixed) return arranged_on(size, sheet.size.where, wishes, views);
+  for (const char* larger : {"A4", "A3", "A2", "A1"}) {
+    Arrangement arrangement = arranged_on(size = larger, sheet.size.where, wishes, views);
     if (arrangement.inside) return arrangement;
   }
-  return arranged_on("A0", sheet.size.where, wishes, views);
+  return arranged_on(size = "A0", sheet.size.where, wishes, views);
 }
 
-}  // namespace
+// Scale and size of paper are filled in when they are known.
+TitleBlock title_block_of(const SceneDescription& scene, int sheet) {
+  TitleBlock block;
+  for (const auto& [name, text] : scene.sheets[static_cast<std::size_t>(sheet)].title_block)
+    block.fields.emplace_back(name, text.text);
+  block.sheet = sheet + 1;
+  block.sheets = static_cast<int>(scene.sheets.size());
+  return block;
+}
 
-SheetPlan plan_sheet(const World& world, const SheetDescription& sheet, std::span<const ViewDescription> descriptions,
-                     std::span<const View> views) {
+Wishes wishes_of(const SceneDescription& scene, int number, std::size_t views) {
+  const SheetDescription& sheet = scene.sheets[static_cast<std::size_t>(number)];
   Wishes wishes{};
-  wishes.frame = frame_of(sheet, views.size());
+  wishes.frame = frame_of(sheet, views);
   wishes.portrait = choose<bool>(sheet.orientation, {{"landscape", false}, {"portrait", true}});
   wishes.angle =
       choose<ProjectionAngle>(sheet.angle, {{"first", ProjectionAngle::first}, {"third", ProjectionAngle::third}});
   const std::string usual_scale = wishes.frame == FrameKind::full ? "auto" : "fit";
   wishes.scale = parse_scale_wish(sheet.scale.given() ? sheet.scale.text : usual_scale, sheet.scale.where);
+  if (wishes.frame == FrameKind::full) wishes.title_block = title_block_of(scene, number);
+  return wishes;
+}
 
-  const Views placing = views_to_place(world, descriptions, views);
-  const Arrangement arrangement = arranged(sheet, wishes, placing.to_place);
-  SheetPlan plan{arrangement.paper, wishes.frame,          wishes.angle,      {},
-                 arrangement.scale, wishes.scale.standard, arrangement.inside};
+}  // namespace
+
+double dimension_text_height(const Paper& paper, std::size_t views) {
+  constexpr double a4 = 210 * 297;
+  return views > 1 && paper.width * paper.height <= a4 ? 2.5 : usual_text_height;
+}
+
+SheetPlan plan_sheet(const World& world, const SceneDescription& scene, int sheet,
+                     std::span<const ViewDescription> descriptions, std::span<const View> views,
+                     const DimensionsByView& dimensions) {
+  Wishes wishes = wishes_of(scene, sheet, views.size());
+  const Views placing = views_to_place(world, descriptions, views, dimensions);
+  std::string size;
+  const Arrangement arrangement =
+      arranged(scene.sheets[static_cast<std::size_t>(sheet)], wishes, placing.to_place, size);
+  if (wishes.title_block) {
+    wishes.title_block->scale = ratio_text(arrangement.scale);
+    wishes.title_block->size = size;
+    if (views.size() > 1) wishes.title_block->angle = wishes.angle;
+  }
+  SheetPlan plan{{arrangement.paper, wishes.frame, std::move(wishes.title_block)},
+                 {},
+                 arrangement.scale,
+                 wishes.scale.standard,
+                 arrangement.inside};
   for (std::size_t i = 0; i < views.size(); ++i) {
     const ViewSpot& spot = arrangement.views[i];
     plan.places.push_back({spot.scale, spot.shift - spot.scale * placing.origins[i]});

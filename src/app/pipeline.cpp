@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "drawing/cut_faces.hpp"
 #include "study/verify/verify.hpp"
 
 namespace epura {
@@ -28,6 +29,11 @@ PlanStep visibility_step(bool run, const DrawnEdges& drawn, const HiddenSpans& h
           count_of(hidden.spans.size())};
 }
 
+PlanStep section_step(const CutSection& section) {
+  return {"section", true, "the view shows section " + section.plane.name, count_of(section.cut.world.models.size()),
+          count_of(section.cut.faces.size())};
+}
+
 std::optional<Partial> partial_of(const DrawnEdges& drawn, const HiddenSpans& hidden) {
   if (drawn.searched == 1 && hidden.undecided.empty()) return std::nullopt;
   return Partial{count_of(drawn.edges.size()), count_of(hidden.undecided.size()), drawn.searched};
@@ -46,8 +52,9 @@ void Stopwatch::lap(const std::string& stage) {
   start_ = now;
 }
 
-ViewResult draw_view(const World& world, View view, const ViewWish& wish, const PlaceOnPage& place,
-                     std::vector<PlanStep>& plan, Stopwatch& watch, Progress progress) {
+ViewResult draw_view(const World& world, const CutSection* section, View view, const ViewWish& wish,
+                     const PlaceOnPage& place, std::vector<PlanStep>& plan, Stopwatch& watch, Progress progress) {
+  if (section != nullptr) plan.push_back(section_step(*section));
   plan.push_back(clip_step(world, view));
   DrawnEdges drawn = find_drawn_edges(world, view, wish.edges, contact_in_space(world, view, wish.contact), progress);
   plan.push_back(intersection_step(world, wish.edges, drawn));
@@ -63,6 +70,7 @@ ViewResult draw_view(const World& world, View view, const ViewWish& wish, const 
   progress.begin("drawing");
   const PaperMap paper = make_paper_map(view, place.scale, place.shift);
   Drawing drawing = make_drawing(world, view, drawn, hidden, contact, paper, {wish.name, wish.keep_hidden()});
+  if (section != nullptr) drawing.cut_faces = cut_faces_on_paper(section->cut.faces, section->plane, view, paper);
   watch.lap("drawing");
   drawing.scale = place.scale;
   std::optional<Verification> verification;
@@ -76,7 +84,8 @@ ViewResult draw_view(const World& world, View view, const ViewWish& wish, const 
   return {{std::move(view), std::move(drawn), contact, std::move(hidden), paper},
           std::move(drawing),
           partial,
-          std::move(verification)};
+          std::move(verification),
+          section != nullptr ? std::optional(section->plane) : std::nullopt};
 }
 
 }  // namespace epura

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/sections.hpp"
 #include "base/progress.hpp"
 #include "drawing/drawing.hpp"
 #include "drawing/make_drawing.hpp"
@@ -47,6 +48,7 @@ struct ViewResult {
   Drawing drawing;
   std::optional<Partial> partial;  ///< what is left out because time was over
   std::optional<Verification> verification;
+  std::optional<CuttingPlane> section;  ///< that the view shows
 };
 
 /// Seconds since the last call of `lap`, under a name.
@@ -66,8 +68,9 @@ struct PlaceOnPage {
   Vec2 shift;
 };
 
-/// Draws one view, which stands on its sheet, and notes in `plan` and `watch` what was done.
-ViewResult draw_view(const World& world, View view, const ViewWish& wish, const PlaceOnPage& place,
-                     std::vector<PlanStep>& plan, Stopwatch& watch, Progress progress = {});
+/// Draws one view, which stands on its sheet, and notes in `plan` and `watch` what was done. `world` is the cut one
+/// where the view shows a section.
+ViewResult draw_view(const World& world, const CutSection* section, View view, const ViewWish& wish,
+                     const PlaceOnPage& place, std::vector<PlanStep>& plan, Stopwatch& watch, Progress progress = {});
 
 }  // namespace epura

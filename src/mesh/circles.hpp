@@ -1,7 +1,6 @@
 // Circles among the edges of a mesh: what rims of holes, bosses and shafts are made of.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "base/vec.hpp"
@@ -19,9 +18,14 @@ struct MeshCircle {
   bool whole;                 ///< closed; otherwise an arc
 };
 
-/// Whole circles and arcs (60 degrees at least, 5 edges at least) among creases and boundaries of `crease_angle`
-/// degrees or more. Each vertex of a circle lies within `tolerance` times its radius of it. In order of their first
-/// vertices.
+/// Whole circles and arcs among creases of `crease_angle` degrees or more and boundaries, in order of their vertices. A
+/// circle begins at its lowest vertex and goes on to the lower neighbour, an arc begins at its lower end; both run
+/// counterclockwise about their axis.
+///
+/// What is a circle and what a polygon: there are twelve edges a turn or more on average (of a regular prism with
+/// fewer sides every edge is a crease), an edge takes at most 45 degrees and at most four times as much as the mean
+/// (the flat of a shaft is none of its arc), and an arc has five edges and 60 degrees at least. Each vertex lies within
+/// `tolerance` times the radius of the circle.
 std::vector<MeshCircle> find_circles(const Mesh& mesh, double crease_angle = 30, double tolerance = 1e-3);
 
 }  // namespace epura

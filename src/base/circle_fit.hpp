@@ -1,0 +1,21 @@
+// The circle nearest to points of the plane.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "base/vec.hpp"
+
+namespace epura {
+
+struct FittedCircle {
+  Vec2 centre;
+  double radius;
+  double deviation;  ///< of the points from it, at most
+};
+
+/// Least squares of |p|^2 - 2 c.p - k (Kasa, A circle fitting procedure and its error analysis, IEEE Trans. Instrum.
+/// Meas. 25, 1976): exact for points on a circle. Nothing for points on a line.
+std::optional<FittedCircle> fit_circle(std::span<const Vec2> points);
+
+}  // namespace epura

@@ -1,0 +1,70 @@
+// Runs of points of a polyline that lie on one curve, found greedily: the mechanism, for curves of any kind.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <vector>
+
+namespace epura {
+
+/// Points first ... last lie on the curve. Around a closed polyline `last` counts on past its end.
+template <class Curve>
+struct CurveRun {
+  int first, last;
+  Curve curve;
+};
+
+/// Moves one end of a run towards `limit` by as much as the curve allows, in steps that double and then halve.
+template <class Curve, class Fit>
+void grow(CurveRun<Curve>& run, int CurveRun<Curve>::*end, int limit, const Fit& fit) {
+  const int sign = limit < run.*end ? -1 : 1;
+  bool growing = true;
+  for (int step = 1; step > 0; step = growing ? 2 * step : step / 2) {
+    CurveRun<Curve> longer = run;
+    longer.*end += sign * step;
+    const bool inside = sign * (limit - longer.*end) >= 0;
+    const auto curve = inside ? fit(longer.first, longer.last) : std::nullopt;
+    growing = growing && curve;
+    if (!curve) continue;
+    longer.curve = *curve;
+    run = longer;
+  }
+}
+
+/// Runs as long as possible, ascending; they share no more than end points.
+///   window(first, most) -> std::optional<int>    last point of the shortest run from `first` worth fitting
+///   fit(first, last) -> std::optional<Curve>     the curve through all these points, if there is one
+/// Point numbers given to both may be negative or beyond the end of a closed polyline. After a failure the next try
+/// begins a sixteenth of the window later, so O(n log n) points are looked at.
+template <class Curve, class Window, class Fit>
+std::vector<CurveRun<Curve>> find_curve_runs(int points, bool closed, const Window& window, const Fit& fit) {
+  constexpr int tries_a_window = 16;
+  std::vector<CurveRun<Curve>> runs;
+  if (closed)
+    if (const auto whole = fit(0, points)) return {{0, points, *whole}};
+
+  // Around a closed polyline until the first run begins again.
+  const auto most = [&](int at) { return !closed ? points - 1 : (runs.empty() ? at : runs.front().first) + points; };
+  for (int at = 0; at < std::min(points, most(at));) {
+    const std::optional<int> last = window(at, most(at));
+    const auto curve = last ? fit(at, *last) : std::nullopt;
+    if (!curve) {
+      at += (last.value_or(most(at)) - at) / tries_a_window + 1;
+      continue;
+    }
+    CurveRun<Curve> run{at, *last, *curve};
+    grow(run, &CurveRun<Curve>::last, most(at), fit);
+    grow(run, &CurveRun<Curve>::first, !runs.empty() ? runs.back().last : closed ? run.last - points : 0, fit);
+    at = run.last;
+    runs.push_back(run);
+  }
+  for (CurveRun<Curve>& run : runs) {
+    if (run.first >= 0) continue;
+    run.first += points;
+    run.last += points;
+  }
+  std::sort(runs.begin(), runs.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  return runs;
+}
+
+}  // namespace epura

@@ -1,0 +1,139 @@
+#include "mesh/circles.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <tuple>
+#include <utility>
+
+#include "base/circle_fit.hpp"
+#include "base/curve_runs.hpp"
+#include "mesh/feature_lines.hpp"
+
+namespace epura {
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+constexpr int least_edges = 5;
+constexpr double least_sweep = 60 * degree;
+constexpr double most_step = 45 * degree;       // of one edge
+constexpr double most_mean_step = 30 * degree;  // twelve edges a turn
+constexpr double most_step_in_means = 4;
+constexpr double angle_slack = 1e-3 * degree;
+
+struct Fit {
+  Vec3 centre, axis;
+  double radius, deviation;
+};
+
+double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)); }
+
+// Circles along one line of features.
+struct Line {
+  const Mesh& mesh;
+  const FeatureLine& line;
+  double tolerance;
+
+  [[nodiscard]] int size() const { return static_cast<int>(line.vertices.size()); }
+  [[nodiscard]] int vertex(int i) const { return line.vertices[static_cast<std::size_t>((i + size()) % size())]; }
+  [[nodiscard]] Vec3 point(int i) const {
+    const auto& p = mesh.point(vertex(i));
+    return {p[0], p[1], p[2]};
+  }
+  [[nodiscard]] Vec3 step(int i) const { return point(i + 1) - point(i); }
+
+  // The shortest run that has turned far enough for its circle to be told.
+  [[nodiscard]] std::optional<int> window(int first, int most) const {
+    for (int last = first + least_edges; last <= most; ++last) {
+      const double turned = angle_between(step(first), step(last - 1));
+      if (turned + angle_between(step(last - 2), step(last - 1)) >= least_sweep - angle_slack) return last;
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] std::optional<Fit> fit(int first, int last) const;
+};
+
+// Steps go round one way, none is much longer than the others, and there are twelve or more to a turn.
+bool steps_of_circle(std::span<const Vec2> points, const Vec2& centre, bool whole) {
+  double sweep = 0, longest = 0;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const Vec2 a = points[i] - centre, b = points[i + 1] - centre;
+    const double angle = std::atan2(a.x * b.y - a.y * b.x, glm::dot(a, b));
+    if (!(angle > 0)) return false;
+    sweep += angle;
+    longest = std::max(longest, angle);
+  }
+  const double mean = sweep / static_cast<double>(points.size() - 1);
+  if (longest > std::min(most_step, most_step_in_means * mean) + angle_slack) return false;
+  const double turn = 2 * std::numbers::pi;
+  return mean <= most_mean_step + angle_slack && sweep >= least_sweep - angle_slack &&
+         (whole ? std::abs(sweep - turn) < angle_slack : sweep < turn);
+}
+
+std::optional<Fit> Line::fit(int first, int last) const {
+  if (last - first < least_edges) return std::nullopt;
+  // The plane by the area between the run and its chord.
+  const auto count = static_cast<double>(last - first + 1);
+  Vec3 middle(0), area(0);
+  for (int i = first; i <= last; ++i) middle += point(i) / count;
+  for (int i = first; i < last; ++i) area += glm::cross(point(i) - middle, point(i + 1) - middle);
+  area += glm::cross(point(last) - middle, point(first) - middle);
+  if (!(glm::length(area) > 0)) return std::nullopt;
+  const Vec3 axis = glm::normalize(area);
+  const Vec3 u = glm::normalize(glm::cross(axis, std::abs(axis.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 1, 0)));
+  const Vec3 v = glm::cross(axis, u);
+
+  std::vector<Vec2> points;
+  double off_plane = 0;
+  for (int i = first; i <= last; ++i) {
+    const Vec3 p = point(i) - middle;
+    points.emplace_back(glm::dot(p, u), glm::dot(p, v));
+    off_plane = std::max(off_plane, std::abs(glm::dot(p, axis)));
+  }
+  const auto circle = fit_circle(points);
+  if (!circle || std::hypot(circle->deviation, off_plane) > tolerance * circle->radius) return std::nullopt;
+  const bool whole = line.closed && last - first == size();
+  if (!steps_of_circle(points, circle->centre, whole)) return std::nullopt;
+  return Fit{middle + circle->centre.x * u + circle->centre.y * v, axis, circle->radius,
+             std::hypot(circle->deviation, off_plane)};
+}
+
+// From the lowest vertex towards its lower neighbour; an arc from the lower one of its ends.
+void order_vertices(MeshCircle& circle) {
+  std::vector<int>& vertices = circle.vertices;
+  if (circle.whole) std::rotate(vertices.begin(), std::min_element(vertices.begin(), vertices.end()), vertices.end());
+  const bool backwards = circle.whole ? vertices.back() < vertices[1] : vertices.back() < vertices.front();
+  if (!backwards) return;
+  std::reverse(vertices.begin() + (circle.whole ? 1 : 0), vertices.end());
+  circle.axis = -circle.axis;
+}
+
+MeshCircle circle_of(const Line& line, const CurveRun<Fit>& run) {
+  const Fit& fit = run.curve;
+  MeshCircle circle{fit.centre, fit.axis, fit.radius, fit.deviation, {}, run.last - run.first == line.size()};
+  for (int i = run.first; i <= run.last - (circle.whole ? 1 : 0); ++i) circle.vertices.push_back(line.vertex(i));
+  order_vertices(circle);
+  return circle;
+}
+
+}  // namespace
+
+std::vector<MeshCircle> find_circles(const Mesh& mesh, double crease_angle, double tolerance) {
+  std::vector<MeshCircle> circles;
+  for (const FeatureLine& features : find_feature_lines(mesh, crease_angle, most_step + angle_slack)) {
+    const Line line{mesh, features, tolerance};
+    const auto window = [&](int first, int most) { return line.window(first, most); };
+    const auto fit = [&](int first, int last) { return line.fit(first, last); };
+    for (const CurveRun<Fit>& run : find_curve_runs<Fit>(line.size(), features.closed, window, fit))
+      circles.push_back(circle_of(line, run));
+  }
+  std::sort(circles.begin(), circles.end(),
+            [](const MeshCircle& a, const MeshCircle& b) { return a.vertices < b.vertices; });
+  return circles;
+}
+
+}  // namespace epura

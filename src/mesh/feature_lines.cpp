@@ -1,0 +1,165 @@
+#include "mesh/feature_lines.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <span>
+#include <tuple>
+#include <utility>
+
+#include "base/parallel.hpp"
+#include "base/vec.hpp"
+
+namespace epura {
+
+namespace {
+
+// Triangles lower than this part of their longest side have no reliable normal.
+constexpr double sliver = 1e-6;
+constexpr double angle_rounding = 1e-6;  // degrees: a limit of 360/N takes all edges of an N-sided prism or none
+constexpr std::size_t most_at_a_vertex = 64;
+
+Vec3 point_of(const Mesh& mesh, int vertex) {
+  const auto& p = mesh.point(vertex);
+  return {p[0], p[1], p[2]};
+}
+
+// Twice the area, along the normal; 0 for slivers.
+Vec3 area_of(const Mesh& mesh, int triangle) {
+  const std::array<int, 3> c = mesh.corners(triangle);
+  const Vec3 a = point_of(mesh, c[0]), b = point_of(mesh, c[1]), d = point_of(mesh, c[2]);
+  const Vec3 area = glm::cross(b - a, d - a);
+  const double longest = std::max({glm::length(b - a), glm::length(d - b), glm::length(a - d)});
+  return glm::length(area) > sliver * longest * longest ? area : Vec3(0);
+}
+
+// Normals of triangles, times any length: those of the faces of the file that they are parts of. A face of nothing but
+// slivers has none.
+std::vector<Vec3> normals_of(const Mesh& mesh) {
+  std::vector<Vec3> normals(mesh.polygon.size());
+  parallel_for(normals.size(), 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) normals[t] = area_of(mesh, static_cast<int>(t));
+  });
+  // Triangles of one face follow each other.
+  for (std::size_t first = 0, end = 0; first < normals.size(); first = end) {
+    Vec3 sum(0);
+    for (; end < normals.size() && mesh.polygon[end] == mesh.polygon[first]; ++end) sum += normals[end];
+    std::fill(normals.begin() + static_cast<std::ptrdiff_t>(first), normals.begin() + static_cast<std::ptrdiff_t>(end),
+              sum);
+  }
+  return normals;
+}
+
+// Whether the triangle runs along the edge from its first vertex to its second one.
+bool runs_along(const Mesh& mesh, const MeshEdge& edge, int triangle) {
+  const std::array<int, 3> c = mesh.corners(triangle);
+  const auto at = static_cast<std::size_t>(std::find(c.begin(), c.end(), edge.vertex[0]) - c.begin());
+  return c[(at + 1) % 3] == edge.vertex[1];
+}
+
+bool is_feature(const Mesh& mesh, const MeshEdge& edge, std::span<const Vec3> normals, double least_fold) {
+  if (edge.count != 2) return true;
+  if (edge.diagonal) return false;
+  const auto triangles = mesh.triangles_of(edge);
+  const Vec3& a = normals[triangles[0]];
+  // Against a neighbour that runs the same way round the normal is the wrong one.
+  const bool turned = runs_along(mesh, edge, triangles[0]) == runs_along(mesh, edge, triangles[1]);
+  const Vec3 b = turned ? -normals[triangles[1]] : normals[triangles[1]];
+  if (a == Vec3(0) || b == Vec3(0)) return false;
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) >= least_fold;
+}
+
+// One end of an edge: 2 * edge + (0 or 1), the place in MeshEdge::vertex.
+using End = int;
+constexpr End none = -1;
+End other(End end) { return end ^ 1; }
+
+/// Edges of features and how they go on.
+struct Features {
+  const Mesh& mesh;
+  std::vector<char> wanted;  ///< by edge
+  std::vector<End> partner;  ///< by end
+
+  [[nodiscard]] int vertex(End end) const {
+    return mesh.edges[static_cast<std::size_t>(end / 2)].vertex[static_cast<std::size_t>(end % 2)];
+  }
+  [[nodiscard]] Vec3 leaving(End end) const {
+    return glm::normalize(point_of(mesh, vertex(other(end))) - point_of(mesh, vertex(end)));
+  }
+  void pair_up(std::span<const End> ends, double most_turn);
+  [[nodiscard]] FeatureLine follow(End start, std::vector<char>& used) const;
+};
+
+// The two that run on most straightly first.
+void Features::pair_up(std::span<const End> ends, double most_turn) {
+  if (ends.size() > most_at_a_vertex) return;
+  std::vector<std::tuple<double, End, End>> pairs;
+  for (std::size_t i = 0; i < ends.size(); ++i)
+    for (std::size_t j = i + 1; j < ends.size(); ++j) {
+      const double straightness = -glm::dot(leaving(ends[i]), leaving(ends[j]));
+      if (straightness >= std::cos(most_turn)) pairs.emplace_back(-straightness, ends[i], ends[j]);
+    }
+  std::sort(pairs.begin(), pairs.end());
+  for (const auto& [order, a, b] : pairs) {
+    if (partner[a] != none || partner[b] != none) continue;
+    partner[a] = b;
+    partner[b] = a;
+  }
+}
+
+// From the end `start`, whose edge is walked towards its other end.
+FeatureLine Features::follow(End start, std::vector<char>& used) const {
+  FeatureLine line{{vertex(start)}, false};
+  End at = start;
+  for (; at != none && used[at / 2] == 0; at = partner[other(at)]) {
+    used[at / 2] = 1;
+    line.vertices.push_back(vertex(other(at)));
+  }
+  line.closed = at == start;
+  if (line.closed) line.vertices.pop_back();
+  return line;
+}
+
+// Ends of wanted edges by their vertices.
+std::vector<End> ends_by_vertex(const Features& features) {
+  std::vector<End> ends;
+  for (std::size_t e = 0; e < features.wanted.size(); ++e)
+    if (features.wanted[e] != 0) ends.insert(ends.end(), {static_cast<End>(2 * e), static_cast<End>(2 * e + 1)});
+  std::sort(ends.begin(), ends.end(),
+            [&](End a, End b) { return std::pair(features.vertex(a), a) < std::pair(features.vertex(b), b); });
+  return ends;
+}
+
+Features find_features(const Mesh& mesh, double crease_angle) {
+  const std::vector<Vec3> normals = normals_of(mesh);
+  const double least_fold = (crease_angle - angle_rounding) * std::numbers::pi / 180;
+  Features features{mesh, std::vector<char>(mesh.edges.size()), std::vector<End>(2 * mesh.edges.size(), none)};
+  parallel_for(mesh.edges.size(), 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t e = begin; e < end; ++e)
+      features.wanted[e] = is_feature(mesh, mesh.edges[e], normals, least_fold) ? 1 : 0;
+  });
+  return features;
+}
+
+}  // namespace
+
+std::vector<FeatureLine> find_feature_lines(const Mesh& mesh, double crease_angle, double most_turn) {
+  Features features = find_features(mesh, crease_angle);
+  const std::vector<End> ends = ends_by_vertex(features);
+  for (std::size_t begin = 0, end = 0; begin < ends.size(); begin = end) {
+    while (end < ends.size() && features.vertex(ends[end]) == features.vertex(ends[begin])) ++end;
+    features.pair_up(std::span(ends).subspan(begin, end - begin), most_turn);
+  }
+  std::vector<FeatureLine> lines;
+  std::vector<char> used(mesh.edges.size(), 0);
+  for (const End end : ends)
+    if (features.partner[end] == none && used[end / 2] == 0) lines.push_back(features.follow(end, used));
+  // What is left runs in rings.
+  for (const End end : ends)
+    if (used[end / 2] == 0) lines.push_back(features.follow(end, used));
+  return lines;
+}
+
+}  // namespace epura
