@@ -1,12 +1,11 @@
 #include "mesh/circles.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <tuple>
-#include <utility>
+#include <optional>
+#include <span>
 
 #include "base/circle_fit.hpp"
 #include "base/curve_runs.hpp"
@@ -46,12 +45,12 @@ struct Line {
   [[nodiscard]] Vec3 step(int i) const { return point(i + 1) - point(i); }
 
   // The shortest run that has turned far enough for its circle to be told.
-  [[nodiscard]] std::optional<int> window(int first, int most) const {
+  [[nodiscard]] int window(int first, int most) const {
     for (int last = first + least_edges; last <= most; ++last) {
       const double turned = angle_between(step(first), step(last - 1));
       if (turned + angle_between(step(last - 2), step(last - 1)) >= least_sweep - angle_slack) return last;
     }
-    return std::nullopt;
+    return most;
   }
 
   [[nodiscard]] std::optional<Fit> fit(int first, int last) const;
