@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/choose.hpp"
+#include "sheet/centre_lines.hpp"
 #include "sheet/partial_mark.hpp"
 #include "sheet/view_lines.hpp"
 
@@ -43,8 +44,13 @@ FinishedSheet compose(const SceneDescription& scene, const SheetPlan& plan, std:
   const LineWidths widths = line_widths(plan.paper);
   bool partial = false;
   for (std::size_t i = 0; i < views.size(); ++i) {
-    append(finished.sheet.layers, view_layers(views[i].drawing, widths, wishes[i].looks));
-    views[i].drawing.chains = {};  // the sheet has them
+    std::vector<Layer> lines = view_layers(views[i].drawing, widths, wishes[i].looks);
+    if (wishes[i].centre_lines)
+      finished.sheet.layers.push_back(centre_lines(views[i].drawing, views[i].circles, widths, wishes[i].looks, lines));
+    append(finished.sheet.layers, std::move(lines));
+    // The sheet has them; JSON asks for their curves.
+    std::erase_if(views[i].drawing.chains, [](const Chain& chain) { return chain.curves.empty(); });
+    views[i].drawing.chains.shrink_to_fit();
     partial = partial || views[i].partial;
     finished.drawings.push_back(std::move(views[i].drawing));
   }

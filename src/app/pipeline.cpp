@@ -63,6 +63,7 @@ ViewResult draw_view(const World& world, View view, const ViewWish& wish, const 
   progress.begin("drawing");
   const PaperMap paper = make_paper_map(view, place.scale, place.shift);
   Drawing drawing = make_drawing(world, view, drawn, hidden, contact, paper, {wish.name, wish.keep_hidden()});
+  const CurveReport curves = wish.arcs ? find_curves(drawing.chains, *wish.arcs) : CurveReport{};
   watch.lap("drawing");
   std::optional<Verification> verification;
   if (wish.verify) {
@@ -75,7 +76,9 @@ ViewResult draw_view(const World& world, View view, const ViewWish& wish, const 
   return {{std::move(view), std::move(drawn), contact, std::move(hidden), paper},
           std::move(drawing),
           partial,
-          std::move(verification)};
+          std::move(verification),
+          curves,
+          wish.centre_lines ? find_placed_circles(world, wish.edges.crease_angle) : std::vector<PlacedCircle>()};
 }
 
 }  // namespace epura

@@ -1,7 +1,6 @@
 #include "drawing/arcs.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -20,7 +19,8 @@ constexpr int least_edges = 7;
 constexpr double least_turn = 30 * degree;
 constexpr double most_step = 30.001 * degree;
 constexpr double least_radius_in_tolerances = 10;
-constexpr double most_radius = 1e5;  // mm
+constexpr double least_radius = 0.05, least_length = 0.1;  // mm: no line is narrower
+constexpr double most_radius = 1e5;                        // mm
 
 struct Fit {
   Ellipse ellipse;
@@ -60,8 +60,9 @@ struct Line {
 
 // The corners one after the other on the curve.
 std::optional<Fit> Line::along(const Ellipse& ellipse, bool circle, const std::vector<Vec2>& points) const {
-  if (std::min(glm::length(ellipse.u), glm::length(ellipse.v)) < least_radius_in_tolerances * tolerance) return {};
-  if (std::max(glm::length(ellipse.u), glm::length(ellipse.v)) > most_radius) return {};
+  const double least = std::max(least_radius, least_radius_in_tolerances * tolerance);
+  if (!(std::min(glm::length(ellipse.u), glm::length(ellipse.v)) >= least)) return std::nullopt;
+  if (!(std::max(glm::length(ellipse.u), glm::length(ellipse.v)) <= most_radius)) return std::nullopt;
   Fit fit{ellipse, circle, ellipse.angle_of(points.front()), 0, 0, 0};
   double previous = fit.from;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -128,12 +129,29 @@ CurvePart part_of(Chain& chain, const CurveRun<Fit>& run, double tolerance) {
   return part;
 }
 
+// So that no curve runs on past the end of a closed line.
+void begin_at(Chain& chain, int first) {
+  const bool side_by_side = chain.segments.size() == chain.points.size();
+  std::rotate(chain.points.begin(), chain.points.begin() + first, chain.points.end());
+  if (side_by_side) std::rotate(chain.segments.begin(), chain.segments.begin() + first, chain.segments.end());
+}
+
 CurveReport find_in(Chain& chain, double tolerance) {
-  CurveReport report;
   const Line line{chain, tolerance};
   const auto window = [&](int first, int most) { return line.window(first, most); };
   const auto fit = [&](int first, int last) { return line.fit(first, last); };
-  for (const CurveRun<Fit>& run : find_curve_runs<Fit>(line.size(), chain.closed, window, fit)) {
+  std::vector<CurveRun<Fit>> runs = find_curve_runs<Fit>(line.size(), chain.closed, window, fit);
+  if (!runs.empty() && runs.back().last > line.size()) {
+    begin_at(chain, runs.back().first);
+    std::rotate(runs.begin(), runs.end() - 1, runs.end());
+    const int shift = runs.front().first;
+    for (CurveRun<Fit>& run : runs) {
+      const int from_start = (run.first - shift + line.size()) % line.size();
+      run = {from_start, from_start + run.last - run.first, run.curve};
+    }
+  }
+  CurveReport report;
+  for (const CurveRun<Fit>& run : runs) {
     chain.curves.push_back(part_of(chain, run, tolerance));
     report += {run.curve.circle ? 1 : 0, run.curve.circle ? 0 : 1, run.curve.deviation, bulge_of(run.curve)};
   }
@@ -148,26 +166,6 @@ CurveReport& CurveReport::operator+=(const CurveReport& other) {
   deviation = std::max(deviation, other.deviation);
   bulge = std::max(bulge, other.bulge);
   return *this;
-}
-
-Vec2 place_on_curve(const CurvePart& curve, double angle) {
-  return curve.centre + std::cos(angle) * curve.u + std::sin(angle) * curve.v;
-}
-
-double length_of_curve(const CurvePart& curve, double from, double to) {
-  // Gauss-Legendre, three places a piece: exact to 1e-9 of the length, except at the ends of the flattest ellipses.
-  constexpr std::array<double, 3> places{-0.7745966692414834, 0, 0.7745966692414834};
-  constexpr std::array<double, 3> weights{5.0 / 9, 8.0 / 9, 5.0 / 9};
-  constexpr double piece = 5 * degree;
-  const int pieces = static_cast<int>(std::ceil(std::abs(to - from) / piece)) + 1;
-  const double half = (to - from) / (2 * pieces);
-  double length = 0;
-  for (int i = 0; i < pieces; ++i)
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      const double angle = from + (2 * i + 1 + places[k]) * half;
-      length += weights[k] * glm::length(std::cos(angle) * curve.v - std::sin(angle) * curve.u);
-    }
-  return length * std::abs(half);
 }
 
 CurveReport find_curves(std::vector<Chain>& chains, double tolerance) {

@@ -20,13 +20,7 @@ struct CurveReport {
 /// ellipse. A circle in space is an ellipse on paper, its corners keep their angles: a run goes round one way in steps
 /// of at most 30 degrees of the curve's angle, so that polygons with fewer than twelve sides stay polygons; it has
 /// eight corners at least and turns by 30 degrees at least. The end of an open line that lies on a chord of the curve
-/// is moved onto it.
+/// is moved onto it. A closed line begins where no curve runs on past its end.
 CurveReport find_curves(std::vector<Chain>& chains, double tolerance);
-
-/// The point of a curve at its angle.
-Vec2 place_on_curve(const CurvePart& curve, double angle);
-
-/// The length of a curve between two of its angles, mm.
-double length_of_curve(const CurvePart& curve, double from, double to);
 
 }  // namespace epura
