@@ -62,9 +62,7 @@ struct Run {
     return make_drawing(world, seen, drawn, hidden, contact, paper, {"isometric", true});
   }
 
-  [[nodiscard]] std::vector<Layer> layers() const {
-    return view_layers(drawing, line_widths(placement.paper), {{}});
-  }
+  [[nodiscard]] std::vector<Layer> layers() const { return view_layers(drawing, line_widths(placement.paper), {{}}); }
 
   std::string file;
   Soup soup;

@@ -89,6 +89,9 @@ void define_view(CLI::App& draw, DrawOptions& options) {
       ->default_str("isometric");
   add_word(draw, "--views", options.views, "NAMES", "", "several views on one sheet: front,top,left,isometric");
   add_list(draw, "--plugin-path", options.plugin_path, "more folders with projection plugins")->type_name("DIR");
+  add_word(
+      draw, "--section", options.section, "POINT:NORMAL", "",
+      "cut through the models, e.g. 0,0,10:0,-1,0; what lies on the side to which the normal points is taken away");
   add_number(draw, "--near", options.near, any, "leave out what is nearer to the viewer")->type_name("D");
   add_number(draw, "--far", options.far, any, "leave out what is farther from the viewer")->type_name("D");
 }
@@ -105,6 +108,8 @@ void define_lines(CLI::App& draw, DrawOptions& options) {
                 "draw circles, ellipses and their arcs as such, through corners within so many mm")
       ->type_name("[=MM]");
   draw.add_flag("--centre-lines", options.centre_lines, "draw centre lines and axes of circles of the models");
+  add_word(draw, "--dimensions", options.dimensions, "WHICH", "",
+           "overall: width, height and depth of the models, each in the clearest view");
   draw.add_option("--visibility", options.visibility, "exact, or none for a wireframe")
       ->capture_default_str()
       ->type_name("METHOD");

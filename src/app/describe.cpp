@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "app/choose.hpp"
+#include "app/view_dimensions.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "scene/cutting_plane.hpp"
 #include "scene/scene_file.hpp"
+#include "scene/view_names.hpp"
 
 namespace epura {
 
@@ -63,6 +67,15 @@ SceneDescription described_by_file(const DrawOptions& options) {
   return scene;
 }
 
+void cut_by_option(SceneDescription& scene, const std::string& text) {
+  const std::string option = "--section";
+  if (scene.views.size() > 1 || !scene.sections.empty())
+    throw Error(Trouble::input, option, "is for a single view and a scene without sections of its own",
+                "write a [[section]] into the scene file and name it in the [[view]] that shows it");
+  scene.sections.push_back(parse_section(text, option));
+  scene.views.front().section = scene.sections.front().name;
+}
+
 void overrule(ViewDescription& view, const DrawOptions& options) {
   set(view.hidden, "--hidden", options.hidden);
   set(view.edges, "--edges", options.edges);
@@ -83,17 +96,11 @@ void overrule(SheetDescription& sheet, const DrawOptions& options) {
   }
 }
 
-// Layers are called after views: of several with one name the later ones are numbered.
-void name_views(std::vector<ViewDescription>& views) {
-  std::vector<std::string> names;
-  for (ViewDescription& view : views) {
-    std::string name = view.name.given() ? view.name.text : std::string(split(view.projection.text, ':').front());
-    const std::string first = name;
-    for (int i = 2; std::find(names.begin(), names.end(), name) != names.end(); ++i)
-      name = first + "-" + std::to_string(i);
-    names.push_back(name);
-    view.name.text = std::move(name);
-  }
+void add_dimensions(SceneDescription& scene, const std::string& which) {
+  const std::string option = "--dimensions";
+  DimensionDescription& dimension = scene.dimensions.emplace_back();
+  dimension.where = option;
+  dimension.type = {choose<std::string>(option, which, {{"overall", "overall"}}), option};
 }
 
 }  // namespace
@@ -112,9 +119,12 @@ SceneDescription describe(const DrawOptions& options) {
     overrule(view, options);
     sheets = std::max(sheets, view.sheet);
   }
+  if (!options.section.empty()) cut_by_option(scene, options.section);
   name_views(scene.views);
   if (scene.sheets.size() < std::size_t(sheets)) scene.sheets.resize(std::size_t(sheets));
   for (SheetDescription& sheet : scene.sheets) overrule(sheet, options);
+  if (!options.dimensions.empty()) add_dimensions(scene, options.dimensions);
+  expect_views_of_dimensions(scene);
   return scene;
 }
 

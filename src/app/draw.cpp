@@ -12,10 +12,12 @@
 #include "app/pipeline.hpp"
 #include "app/questions.hpp"
 #include "app/read_models.hpp"
+#include "app/sections.hpp"
 #include "app/targets.hpp"
 #include "app/view_plan.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
+#include "sheet/standard_scale.hpp"
 #include "study/verify/verify.hpp"
 
 namespace epura {
@@ -58,27 +60,6 @@ bool shows_progress(const DrawOptions& options) {
   return choose<bool>("--progress", options.progress, {{"auto", is_terminal()}, {"always", true}, {"never", false}});
 }
 
-/// One of the sheets, and which of the scene's views stand on it.
-struct SheetOfViews {
-  int sheet;
-  std::vector<ViewDescription> descriptions;
-  std::vector<PlannedView> plans;
-};
-
-std::vector<SheetOfViews> views_by_sheet(const SceneDescription& scene, const std::vector<PlannedView>& plans) {
-  std::vector<SheetOfViews> sheets;
-  for (int sheet = 0; sheet < static_cast<int>(scene.sheets.size()); ++sheet) {
-    SheetOfViews& here = sheets.emplace_back();
-    here.sheet = sheet;
-    for (std::size_t i = 0; i < scene.views.size(); ++i) {
-      if (scene.views[i].sheet != sheet + 1) continue;
-      here.descriptions.push_back(scene.views[i]);
-      here.plans.push_back(plans[i]);
-    }
-  }
-  return sheets;
-}
-
 /// What a run needs from beginning to end.
 struct Run {
   const DrawOptions& options;
@@ -90,27 +71,31 @@ struct Run {
   Report report{};
   std::string answers{};
 
-  FinishedSheet draw_sheet(const World& world, const SheetOfViews& views);
+  FinishedSheet draw_sheet(const World& whole, const CutSections& sections, const SheetOfViews& views);
 };
 
-FinishedSheet Run::draw_sheet(const World& world, const SheetOfViews& views) {
+FinishedSheet Run::draw_sheet(const World& whole, const CutSections& sections, const SheetOfViews& views) {
   progress.begin("mapping");
+  const auto section = [&](std::size_t view) { return section_of(sections, views.descriptions[view]); };
+  const auto world = [&](std::size_t view) -> const World& {
+    return section(view) == nullptr ? whole : section(view)->cut.world;
+  };
   std::vector<View> seen;
-  std::vector<Window> boxes;
-  for (std::size_t i = 0; i < views.plans.size(); ++i) {
-    seen.push_back(look_at(world, views.plans[i], views.descriptions[i]));
-    boxes.push_back(drawn_box(seen.back()));
-  }
+  for (std::size_t i = 0; i < views.plans.size(); ++i)
+    seen.push_back(look_at(world(i), views.plans[i], views.descriptions[i]));
   watch.lap("view");
 
-  const SheetPlan plan = plan_sheet(scene.sheets[std::size_t(views.sheet)], views.descriptions, boxes);
+  const DimensionsByView dimensions = dimensions_by_view(scene, views.sheet, views.descriptions, seen);
+  const SheetPlan plan = plan_sheet(whole, scene, views.sheet, views.descriptions, seen, dimensions);
+  if (plan.chosen) console.warn("the scale is " + ratio_text(plan.scale) + ", the largest of ISO 5455 that fits");
   std::vector<ViewResult> results;
   std::vector<ViewWish> wishes;
   for (std::size_t i = 0; i < seen.size(); ++i) {
     wishes.push_back(views.plans[i].wish);
-    results.push_back(draw_view(world, std::move(seen[i]), wishes[i], plan.places[i], report.plan, watch, progress));
+    results.push_back(
+        draw_view(world(i), section(i), std::move(seen[i]), wishes[i], plan.places[i], report.plan, watch, progress));
     warn_about(console, results.back());
-    answers += answer(questions, world, wishes[i], results.back());
+    answers += answer(questions, world(i), wishes[i], results.back());
     results.back().work = {};  // what follows takes its room
   }
   if (!options.arcs.empty()) tell_of(console, results);
@@ -119,7 +104,8 @@ FinishedSheet Run::draw_sheet(const World& world, const SheetOfViews& views) {
     if (result.partial) report.partial = result.partial;
     if (result.verification) report.verification = result.verification;
   }
-  FinishedSheet sheet = compose(scene, plan, results, wishes, views.sheet);
+  FinishedSheet sheet = compose(whole, scene, views, plan, results, dimensions);
+  for (const std::string& warning : sheet.warnings) console.warn(warning);
   watch.lap("sheet");
   return sheet;
 }
@@ -150,9 +136,12 @@ int draw(const DrawOptions& options) {
   Run run{options, scene, questions, console, progress, watch};
   World world = read_models(scene.models, run.report.meshes, console, progress);
   watch.lap("read");
+  CutSections sections = cut_sections(world, scene, console);
+  if (!sections.empty()) watch.lap("section");
   std::vector<FinishedSheet> finished;
-  for (const SheetOfViews& sheet : sheets) finished.push_back(run.draw_sheet(world, sheet));
+  for (const SheetOfViews& sheet : sheets) finished.push_back(run.draw_sheet(world, sections, sheet));
   world = {};  // what follows takes its room
+  sections.clear();
 
   if (options.timings) run.report.seconds = watch.laps();
   const VectorOptions vector_options{options.plain, options.dpi};

@@ -19,9 +19,11 @@ struct DrawOptions {
   std::vector<std::filesystem::path> plugin_path;
   std::vector<std::string> transforms;
   std::string unit, up;
+  std::string section;  ///< POINT:NORMAL
   std::string sheet, orientation, scale, angle, frame;
   std::vector<std::pair<std::string, std::string>> title_block;  ///< fields of ISO 7200 and what is written in them
   std::string hidden, edges;
+  std::string dimensions;  ///< "overall"
   std::optional<double> crease_angle;
   std::string visibility = "exact";
   std::optional<double> near, far, contact;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "drawing/cut_faces.hpp"
 #include "study/verify/verify.hpp"
 
 namespace epura {
@@ -28,6 +29,11 @@ PlanStep visibility_step(bool run, const DrawnEdges& drawn, const HiddenSpans& h
           count_of(hidden.spans.size())};
 }
 
+PlanStep section_step(const CutSection& section) {
+  return {"section", true, "the view shows section " + section.plane.name, count_of(section.cut.world.models.size()),
+          count_of(section.cut.faces.size())};
+}
+
 std::optional<Partial> partial_of(const DrawnEdges& drawn, const HiddenSpans& hidden) {
   if (drawn.searched == 1 && hidden.undecided.empty()) return std::nullopt;
   return Partial{count_of(drawn.edges.size()), count_of(hidden.undecided.size()), drawn.searched};
@@ -46,8 +52,9 @@ void Stopwatch::lap(const std::string& stage) {
   start_ = now;
 }
 
-ViewResult draw_view(const World& world, View view, const ViewWish& wish, const PlaceOnPage& place,
-                     std::vector<PlanStep>& plan, Stopwatch& watch, Progress progress) {
+ViewResult draw_view(const World& world, const CutSection* section, View view, const ViewWish& wish,
+                     const PlaceOnPage& place, std::vector<PlanStep>& plan, Stopwatch& watch, Progress progress) {
+  if (section != nullptr) plan.push_back(section_step(*section));
   plan.push_back(clip_step(world, view));
   DrawnEdges drawn = find_drawn_edges(world, view, wish.edges, contact_in_space(world, view, wish.contact), progress);
   plan.push_back(intersection_step(world, wish.edges, drawn));
@@ -64,7 +71,9 @@ ViewResult draw_view(const World& world, View view, const ViewWish& wish, const 
   const PaperMap paper = make_paper_map(view, place.scale, place.shift);
   Drawing drawing = make_drawing(world, view, drawn, hidden, contact, paper, {wish.name, wish.keep_hidden()});
   const CurveReport curves = wish.arcs ? find_curves(drawing.chains, *wish.arcs) : CurveReport{};
+  if (section != nullptr) drawing.cut_faces = cut_faces_on_paper(section->cut.faces, section->plane, view, paper);
   watch.lap("drawing");
+  drawing.scale = place.scale;
   std::optional<Verification> verification;
   if (wish.verify) {
     progress.begin("verifying");
@@ -77,6 +86,7 @@ ViewResult draw_view(const World& world, View view, const ViewWish& wish, const 
           std::move(drawing),
           partial,
           std::move(verification),
+          section != nullptr ? std::optional(section->plane) : std::nullopt,
           curves,
           wish.centre_lines ? find_placed_circles(world, wish.edges.crease_angle) : std::vector<PlacedCircle>()};
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/sections.hpp"
 #include "base/progress.hpp"
 #include "drawing/arcs.hpp"
 #include "drawing/drawing.hpp"
@@ -51,6 +52,7 @@ struct ViewResult {
   Drawing drawing;
   std::optional<Partial> partial;  ///< what is left out because time was over
   std::optional<Verification> verification;
+  std::optional<CuttingPlane> section;  ///< that the view shows
   CurveReport curves{};
   std::vector<PlacedCircle> circles{};  ///< for centre lines, where they are wanted
 };
@@ -72,8 +74,9 @@ struct PlaceOnPage {
   Vec2 shift;
 };
 
-/// Draws one view, which stands on its sheet, and notes in `plan` and `watch` what was done.
-ViewResult draw_view(const World& world, View view, const ViewWish& wish, const PlaceOnPage& place,
-                     std::vector<PlanStep>& plan, Stopwatch& watch, Progress progress = {});
+/// Draws one view, which stands on its sheet, and notes in `plan` and `watch` what was done. `world` is the cut one
+/// where the view shows a section.
+ViewResult draw_view(const World& world, const CutSection* section, View view, const ViewWish& wish,
+                     const PlaceOnPage& place, std::vector<PlanStep>& plan, Stopwatch& watch, Progress progress = {});
 
 }  // namespace epura

@@ -23,8 +23,9 @@ std::vector<Target> targets_of(const DrawOptions& options);
 /// A sheet, and what JSON says of it beside.
 struct FinishedSheet {
   Sheet sheet;
-  double scale = 1;                 ///< main scale, mm of paper per unit of the world
-  std::vector<Drawing> drawings{};  ///< in order of the views
+  double scale = 1;                     ///< main scale, mm of paper per unit of the world
+  std::vector<Drawing> drawings{};      ///< in order of the views
+  std::vector<std::string> warnings{};  ///< what of it is not as was wished
 };
 
 struct FileBytes {

@@ -76,6 +76,20 @@ std::vector<PlannedView> plan_views(const SceneDescription& scene, const DrawOpt
   return plans;
 }
 
+std::vector<SheetOfViews> views_by_sheet(const SceneDescription& scene, const std::vector<PlannedView>& plans) {
+  std::vector<SheetOfViews> sheets;
+  for (int sheet = 0; sheet < static_cast<int>(scene.sheets.size()); ++sheet) {
+    SheetOfViews& here = sheets.emplace_back();
+    here.sheet = sheet;
+    for (std::size_t i = 0; i < scene.views.size(); ++i) {
+      if (scene.views[i].sheet != sheet + 1) continue;
+      here.descriptions.push_back(scene.views[i]);
+      here.plans.push_back(plans[i]);
+    }
+  }
+  return sheets;
+}
+
 View look_at(const World& world, const PlannedView& plan, const ViewDescription& description) {
   const auto look = [&](const std::string&) {
     return make_view(world, make_projection(plan.entry, plan.request, world.box), plan.wish.limits);

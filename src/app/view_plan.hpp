@@ -20,6 +20,16 @@ struct PlannedView {
 /// Throws Error{input}, or Error{plugin} for projections that are not there.
 std::vector<PlannedView> plan_views(const SceneDescription& scene, const DrawOptions& options);
 
+/// One of the sheets, and which of the scene's views stand on it.
+struct SheetOfViews {
+  int sheet;
+  std::vector<ViewDescription> descriptions;
+  std::vector<PlannedView> plans;
+};
+
+/// In the order of the sheets; a sheet may have no views.
+std::vector<SheetOfViews> views_by_sheet(const SceneDescription& scene, const std::vector<PlannedView>& plans);
+
 /// The view of the world, not on paper yet. Throws Error{input} for values of parameters that do not fit the world.
 View look_at(const World& world, const PlannedView& plan, const ViewDescription& description);
 

@@ -19,15 +19,16 @@ struct Segment {
   bool visible;
   EdgeKind kind;
   int model;
-  std::array<int, 2> edge;  ///< vertex numbers of the file; {-1, -1} for an intersection line
-  int crossing;             ///< intersection line: its place in Drawing::crossings; otherwise -1
+  std::array<int, 2> edge;  ///< vertex numbers of the file; {-1, -1} for a line that is no edge of a file
+  int crossing;             ///< of such a line: its place in Drawing::crossings; otherwise -1
   std::array<double, 2> t;  ///< 3D parameters along the edge, `from` at t[0]
 };
 
-/// What an intersection line is made of, besides what all segments have.
+/// What a line that is no edge of a file is made of, besides what all segments have.
 struct CrossingSegment {
-  std::array<std::array<int, 2>, 2> faces;  ///< (model, face) of both
-  std::array<Vec3, 2> world;                ///< its ends in world coordinates
+  /// (model, face) of both faces that cross; of the face that is cut, and {-1, -1} for the cutting plane.
+  std::array<std::array<int, 2>, 2> faces;
+  std::array<Vec3, 2> world;  ///< its ends in world coordinates
 };
 
 /// A part of a polyline that is an arc: points first ... last lie on centre + cos(a) u + sin(a) v, and a runs from
@@ -58,10 +59,11 @@ struct CutFace {
 struct Drawing {
   std::string name;  ///< of the view
   Projection projection;
+  double scale = 1;    ///< mm of paper per unit of the world, in the projection plane
   Mat4 world_to_page;  ///< page = (row0/row3, row1/row3) in mm; row2/row3 grows towards the viewer
   std::array<std::optional<Vec2>, 3> vanishing_points;  ///< of the world axes, on the page
   std::vector<Segment> segments;
-  std::vector<CrossingSegment> crossings;  ///< of the segments that are intersection lines, in their order
+  std::vector<CrossingSegment> crossings;  ///< of the segments that are no edges of a file, in their order
   std::vector<Chain> chains;
   std::vector<CutFace> cut_faces;
   Vec2 least{0, 0}, most{0, 0};  ///< box of the ink

@@ -1,6 +1,7 @@
 #include "drawing/make_drawing.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "base/parallel.hpp"
 #include "drawing/chains.hpp"
@@ -30,18 +31,37 @@ std::vector<Piece> pieces_of(const View& view, const PaperMap& paper, const Draw
   return pieces;
 }
 
-// `crossing` is its number among the intersection lines, if it is one.
+// The edge of a file that a line is; nothing for intersection lines and cuts through faces.
+std::optional<std::array<int, 2>> edge_in_file(const World& world, const DrawnEdge& edge) {
+  if (edge.mesh_edge < 0) return std::nullopt;
+  const Mesh& mesh = *world.models[edge.model].mesh;
+  const EdgeOrigin origin = mesh.origin_of(mesh.edges[edge.mesh_edge]);
+  return origin.in_file ? std::optional(origin.vertex) : std::nullopt;
+}
+
+// `crossing` is its number among the lines that are no edges of a file, if it is one.
 Segment segment_of(const World& world, const View& view, const DrawnEdges& drawn, const Piece& piece, int crossing) {
   const DrawnEdge& edge = drawn.edges[piece.edge];
-  const bool has_edge = edge.mesh_edge >= 0;
+  const auto in_file = edge_in_file(world, edge);
   return {piece.from,
           piece.to,
           piece.visible,
           piece.kind,
           edge.model,
-          has_edge ? world.models[edge.model].mesh->edges[edge.mesh_edge].vertex : std::array{-1, -1},
-          has_edge ? -1 : crossing,
+          in_file.value_or(std::array{-1, -1}),
+          in_file ? -1 : crossing,
           {parameter_in_space(view, edge, piece.s[0]), parameter_in_space(view, edge, piece.s[1])}};
+}
+
+CrossingSegment cut_segment(const World& world, const DrawnEdge& edge, const std::array<double, 2>& t) {
+  const Mesh& mesh = *world.models[edge.model].mesh;
+  const MeshEdge& cut = mesh.edges[edge.mesh_edge];
+  const int first = world.first_vertex[edge.model];
+  const Vec3& p = world.points[first + cut.vertex[0]];
+  const Vec3& q = world.points[first + cut.vertex[1]];
+  // Triangles of the cut face come last.
+  return {{{{edge.model, mesh.polygon[mesh.triangles_of(cut).front()]}, {-1, -1}}},
+          {p + t[0] * (q - p), p + t[1] * (q - p)}};
 }
 
 CrossingSegment crossing_segment(const World& world, const FaceCrossing& crossing, const std::array<double, 2>& t) {
@@ -61,7 +81,7 @@ void add_segments(const World& world, const View& view, const DrawnEdges& drawn,
   int crossings = 0;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     crossing[i] = crossings;
-    crossings += static_cast<int>(drawn.edges[pieces[i].edge].crossing >= 0);
+    crossings += edge_in_file(world, drawn.edges[pieces[i].edge]) ? 0 : 1;
   }
   drawing.segments.resize(pieces.size());
   drawing.crossings.resize(static_cast<std::size_t>(crossings));
@@ -70,8 +90,10 @@ void add_segments(const World& world, const View& view, const DrawnEdges& drawn,
       Segment& segment = drawing.segments[i];
       segment = segment_of(world, view, drawn, pieces[i], crossing[i]);
       if (segment.crossing < 0) continue;
-      const FaceCrossing& faces = drawn.crossings[drawn.edges[pieces[i].edge].crossing];
-      drawing.crossings[segment.crossing] = crossing_segment(world, faces, segment.t);
+      const DrawnEdge& edge = drawn.edges[pieces[i].edge];
+      drawing.crossings[segment.crossing] = edge.crossing < 0
+                                                ? cut_segment(world, edge, segment.t)
+                                                : crossing_segment(world, drawn.crossings[edge.crossing], segment.t);
     }
   });
 }

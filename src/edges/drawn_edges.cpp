@@ -17,8 +17,12 @@ void add_mesh_edges(const World& world, View& view, int model, const EdgeWishes&
   const int first = world.first_vertex[model];
   for (std::size_t e = 0; e < edges.size(); ++e) {
     if (!kinds[e]) continue;
-    if (const auto part = clip_edge(view, first + edges[e].vertex[0], first + edges[e].vertex[1]))
-      drawn.push_back({part->vertex, part->t, *kinds[e], model, static_cast<int>(e), -1});
+    const auto part = clip_edge(view, first + edges[e].vertex[0], first + edges[e].vertex[1]);
+    if (!part) continue;
+    const std::array<double, 2> from_to = world.models[model].mesh->origin_of(edges[e]).t;
+    const auto in_file = [&](double t) { return t == 0 ? from_to[0] : from_to[0] + t * (from_to[1] - from_to[0]); };
+    drawn.push_back(
+        {part->vertex, {in_file(part->t[0]), in_file(part->t[1])}, *kinds[e], model, static_cast<int>(e), -1});
   }
 }
 

@@ -18,7 +18,7 @@ struct EdgeWishes {
 /// A straight piece to be split into visible and hidden spans.
 struct DrawnEdge {
   std::array<int, 2> vertex;  ///< of the view
-  std::array<double, 2> t;    ///< 3D parameters of the ends along the edge it comes from
+  std::array<double, 2> t;    ///< 3D parameters of the ends along the edge it comes from (Mesh::origin_of)
   EdgeKind kind;
   int model;
   int mesh_edge;  ///< in its model; -1 for an intersection line

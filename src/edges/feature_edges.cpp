@@ -91,6 +91,8 @@ struct Judge {
   }
 
   [[nodiscard]] std::optional<EdgeKind> judge(const MeshEdge& edge) const {
+    if (edge.cut == CutEdge::inside) return std::nullopt;
+    if (edge.cut == CutEdge::outline) return EdgeKind::section;
     const int first = around.world.first_vertex[around.model];
     const std::array<int, 2> ends{first + edge.vertex[0], first + edge.vertex[1]};
     const auto all = mesh().triangles_of(edge);

@@ -12,4 +12,13 @@ std::array<int, 3> Mesh::corners(int triangle) const {
   return corners;
 }
 
+EdgeOrigin Mesh::origin_of(const MeshEdge& edge) const {
+  const auto [low, high] = edge.vertex;
+  if (cut_vertices.empty() || high < first_cut_vertex) return {edge.vertex, {0, 1}, true};
+  const CutVertex& cut = cut_vertices[high - first_cut_vertex];
+  if (low == cut.edge[0]) return {cut.edge, {0, cut.t}, true};
+  if (low == cut.edge[1]) return {cut.edge, {1, cut.t}, true};
+  return {edge.vertex, {0, 1}, false};
+}
+
 }  // namespace epura

@@ -17,12 +17,33 @@
 
 namespace epura {
 
+/// What a cutting plane has to do with an edge.
+enum class CutEdge : std::uint8_t {
+  none,
+  outline,  ///< of a cut face, or of the cut through an open surface
+  inside    ///< divides a cut face, or what a cut left of a triangle: no line
+};
+
 /// An undirected edge between two vertices of the file, vertex[0] < vertex[1].
 struct MeshEdge {
   std::array<int, 2> vertex;
   int first;      ///< where its triangles begin in Mesh::edge_triangles
   int count;      ///< how many triangles share it
   bool diagonal;  ///< runs inside a polygon of the file: a line only where it is a contour
+  CutEdge cut = CutEdge::none;
+};
+
+/// A vertex that a cutting plane made.
+struct CutVertex {
+  std::array<int, 2> edge;  ///< of the file, on which it lies, lower vertex first; {-1, -1} inside of a cut face
+  double t;                 ///< where on it, between 0 and 1
+};
+
+/// The edge of the file that an edge is, or is a part of.
+struct EdgeOrigin {
+  std::array<int, 2> vertex;  ///< of the file's edge; of the edge itself where only the cutting plane made it
+  std::array<double, 2> t;    ///< of its ends along that
+  bool in_file;
 };
 
 /// What was found in the file and what was done about it.
@@ -55,11 +76,14 @@ struct Mesh {
   std::vector<std::string> body_names;  ///< empty for files without named groups
   std::vector<MeshEdge> edges;          ///< sorted by their vertices
   std::vector<int> edge_triangles;
+  std::vector<CutVertex> cut_vertices;  ///< of a mesh that was cut; they are numbered from `first_cut_vertex` on
+  int first_cut_vertex = 0;
   MeshReport report;
 
   [[nodiscard]] std::span<const int> triangles_of(const MeshEdge& edge) const {
     return {edge_triangles.data() + edge.first, static_cast<std::size_t>(edge.count)};
   }
+  [[nodiscard]] EdgeOrigin origin_of(const MeshEdge& edge) const;
   /// The corners of a triangle as vertex numbers of the file.
   [[nodiscard]] std::array<int, 3> corners(int triangle) const;
   /// The place of a vertex of the file. Vertices that no drawn face uses have one, too.

@@ -25,6 +25,9 @@ Canvas enlarged_canvas(const Sheet& sheet) {
         for (const BezierPiece& piece : bezier_pieces(part))
           for (const Vec2& p : piece.controls) add(p);
     }
+    for (const Fill& fill : layer.fills)
+      for (const std::vector<Vec2>& ring : fill.rings)
+        for (const Vec2& p : ring) add(p);
   }
   const Vec2 size = most - least;
   // 2^31 / 2^8 units are the end of Cairo's numbers.

@@ -7,8 +7,8 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "base/utf8.hpp"
 #include "output/in_order.hpp"
-#include "output/utf8.hpp"
 #include "output/write.hpp"
 
 namespace epura {
@@ -102,11 +102,11 @@ void append_segment(std::string& text, const Drawing& drawing, const Segment& se
     append_numbers(text += ", \"edge\": ", segment.edge);
     append_numbers(text += ", \"t\": ", segment.t);
   } else {
-    // An edge leads to the place in the world, an intersection line does not.
+    // An edge leads to the place in the world, an intersection line or a cut does not.
     append_numbers(text += ", \"edge\": null, \"t\": ", segment.t);
     const CrossingSegment& crossing = drawing.crossings[segment.crossing];
     append_numbers(text += ", \"faces\": [", crossing.faces[0]);
-    append_numbers(text += ", ", crossing.faces[1]);
+    if (crossing.faces[1][0] >= 0) append_numbers(text += ", ", crossing.faces[1]);
     append_numbers(text += "], \"world\": [", coordinates(crossing.world[0]));
     append_numbers(text += ", ", coordinates(crossing.world[1]));
     text += ']';
@@ -163,16 +163,24 @@ std::string matrix(const Mat4& m) {
   return numbers(by_rows);
 }
 
-void append_view(std::string& text, const Drawing& drawing) {
+std::string cut_face_of(const CutFace& face) {
+  const auto ring_of = [](const std::vector<Vec2>& ring) { return list(ring, [](const Vec2& p) { return point(p); }); };
+  return "{\"model\": " + number(face.model) + ", \"body\": " + number(face.body) +
+         ", \"rings\": " + list(face.rings, ring_of) + "}";
+}
+
+void append_view(std::string& text, const Drawing& drawing, double main_scale) {
   const Projection& projection = drawing.projection;
   const auto vanishing_point = [](const std::optional<Vec2>& p) { return p ? point(*p) : "null"; };
   text += "{\"name\": " + quoted(drawing.name) + ", \"projection\": " + quoted(projection.name) +
           ", \"parameters\": " + parameters_of(projection) +
+          (drawing.scale == main_scale ? "" : ", \"scale\": " + number(drawing.scale)) +
           ",\n   \"world_to_page\": " + matrix(drawing.world_to_page) + ",\n   \"viewer\": {\"" +
           (projection.central ? "centre" : "direction") + "\": " + point(projection.projector) +
           "},\n   \"vanishing_points\": " + list(drawing.vanishing_points, vanishing_point) + ",\n   \"segments\": ";
   append_segments(text, drawing);
   append_curves(text, drawing);
+  if (!drawing.cut_faces.empty()) text += ",\n   \"cut_faces\": " + list(drawing.cut_faces, cut_face_of, "\n    ");
   text += '}';
 }
 
@@ -257,7 +265,7 @@ std::string to_json(const Sheet& sheet, double scale, std::span<const Drawing> d
   text += "\n \"views\": [";
   for (const Drawing& drawing : drawings) {
     text += &drawing == drawings.data() ? "\n  " : ",\n  ";
-    append_view(text, drawing);
+    append_view(text, drawing, scale);
   }
   text += "],\n \"report\": " + report_of(report) + "}\n";
   return text;

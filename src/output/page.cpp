@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "output/canvas.hpp"
+#include "output/glyphs.hpp"
 #include "output/write.hpp"
 
 namespace epura {
@@ -47,7 +48,12 @@ std::string postscript(const Sheet& sheet, bool encapsulated) {
   {
     const Pen pen = make_pen(surface);
     begin_vector_file(pen, canvas);
-    for (const Layer& layer : sheet.layers) draw(pen, canvas, layer);
+    const std::optional<Lettering> lettering = lettering_of(sheet);
+    for (const Layer& layer : sheet.layers) {
+      draw_fills(pen, canvas, layer);
+      draw(pen, canvas, layer);
+      if (lettering) write_texts(pen, canvas, layer, *lettering);
+    }
   }
   finish(surface, "PostScript");
   replace_line(bytes, "%%CreationDate:", "");
@@ -89,7 +95,12 @@ std::string to_png(const Sheet& sheet, double dpi) {
     cairo_set_source_rgb(pen.get(), 1, 1, 1);
     cairo_paint(pen.get());
     cairo_set_source_rgb(pen.get(), 0, 0, 0);
-    for (const Layer& layer : sheet.layers) draw(pen, canvas, layer);
+    const std::optional<Lettering> lettering = lettering_of(sheet);
+    for (const Layer& layer : sheet.layers) {
+      draw_fills(pen, canvas, layer);
+      draw(pen, canvas, layer);
+      if (lettering) fill_texts(pen, canvas, layer, *lettering);
+    }
   }
   std::string bytes;
   require(cairo_surface_write_to_png_stream(surface.get(), append_bytes, &bytes), "PNG");

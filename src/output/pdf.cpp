@@ -3,6 +3,7 @@
 
 #include "base/text.hpp"
 #include "output/canvas.hpp"
+#include "output/glyphs.hpp"
 #include "output/pdf_layers.hpp"
 #include "output/write.hpp"
 
@@ -24,13 +25,15 @@ std::string placement(const Canvas& canvas) {
   return scale + " 0 0 " + scale + " " + real(corner.x) + " " + real(corner.y);
 }
 
-std::string cairo_pdf(const Canvas& canvas, const Layer& layer) {
+std::string cairo_pdf(const Canvas& canvas, const Layer& layer, const std::optional<Lettering>& lettering) {
   std::string bytes;
   const CairoSurface surface(cairo_pdf_surface_create_for_stream(append_bytes, &bytes, canvas.size.x, canvas.size.y));
   {
     const Pen pen = make_pen(surface);
     begin_vector_file(pen, canvas);
+    draw_fills(pen, canvas, layer);
     draw(pen, canvas, layer);
+    if (lettering) write_texts(pen, canvas, layer, *lettering);
   }
   finish(surface, "PDF");
   return bytes;
@@ -41,7 +44,8 @@ std::string cairo_pdf(const Canvas& canvas, const Layer& layer) {
 std::string to_pdf(const Sheet& sheet) {
   const Canvas canvas = enlarged_canvas(sheet);
   std::vector<PdfLayer> layers;
-  for (const Layer& layer : sheet.layers) layers.push_back({layer.name, cairo_pdf(canvas, layer)});
+  const std::optional<Lettering> lettering = lettering_of(sheet);
+  for (const Layer& layer : sheet.layers) layers.push_back({layer.name, cairo_pdf(canvas, layer, lettering)});
   const Vec2 size = Vec2(sheet.width, sheet.height) * points_per_millimetre;
   return join_pdf_layers(layers, {sheet.title, box(size), box(canvas.size), placement(canvas)});
 }

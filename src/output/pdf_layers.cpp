@@ -6,7 +6,7 @@
 #include <qpdf/QPDFWriter.hh>
 
 #include "base/error.hpp"
-#include "output/utf8.hpp"
+#include "base/utf8.hpp"
 
 namespace epura {
 

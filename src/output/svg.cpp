@@ -9,6 +9,8 @@
 
 #include "base/error.hpp"
 #include "output/canvas.hpp"
+#include "output/glyphs.hpp"
+#include "output/svg_lettering.hpp"
 #include "output/svg_paths.hpp"
 #include "output/write.hpp"
 
@@ -73,7 +75,7 @@ pugi::xml_node add_head(pugi::xml_document& document, const Sheet& sheet) {
   svg.append_attribute("height") = (height + "mm").c_str();
   svg.append_attribute("viewBox") = ("0 0 " + width + " " + height).c_str();
   svg.append_child("title").text() = xml_text(sheet.title).c_str();
-  svg.append_child("style").text() = style_sheet(sheet).c_str();
+  svg.append_child("style").text() = (style_sheet(sheet) + lettering_style(sheet)).c_str();
   return svg;
 }
 
@@ -107,6 +109,7 @@ std::string to_svg(const Sheet& sheet, const VectorOptions& options) {
   const std::vector<std::string> ids = layer_ids(sheet);
   const std::string frame = frame_of(sheet, ids);
   const Canvas canvas = enlarged_canvas(sheet);
+  const std::optional<Lettering> lettering = lettering_of(sheet);
   std::string svg;
   // Memory that is never touched costs nothing, moving a long text does.
   std::size_t most = frame.size();
@@ -117,7 +120,9 @@ std::string to_svg(const Sheet& sheet, const VectorOptions& options) {
     if (!has_ink(sheet.layers[i])) continue;
     const std::size_t here = frame.find(paths_here, copied);
     svg.append(frame, copied, here - copied);
+    append_fills(svg, sheet.layers[i], sheet.height);
     append_paths(svg, sheet.layers[i], canvas, sheet.height, ids[i], options.plain);
+    if (lettering) append_texts(svg, sheet.layers[i], sheet.height, *lettering, options.text);
     copied = here + paths_here.size();
   }
   svg.append(frame, copied);

@@ -15,9 +15,9 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "base/utf8.hpp"
 #include "output/curve_pieces.hpp"
 #include "output/in_order.hpp"
-#include "output/utf8.hpp"
 
 namespace epura {
 
@@ -183,26 +183,6 @@ void PathWriter::append_stroke(PathReader& reader, const Stroke& stroke) const {
   text += 'Z';
 }
 
-void append_attribute(std::string& text, std::string_view name, std::string_view value) {
-  text.append(" ").append(name).append("=\"");
-  for (const char c : xml_text(value)) {
-    if (c == '&') {
-      text += "&amp;";
-    } else if (c == '<') {
-      text += "&lt;";
-    } else if (c == '>') {
-      text += "&gt;";
-    } else if (c == '"') {
-      text += "&quot;";
-    } else if (c == '\n' || c == '\t') {
-      text += c == '\n' ? "&#10;" : "&#09;";
-    } else {
-      text += c;
-    }
-  }
-  text += '"';
-}
-
 struct Look {
   std::string id, usual_dashes;
   bool plain;
@@ -253,6 +233,30 @@ std::string xml_text(std::string_view text) {
   return valid;
 }
 
+void append_escaped(std::string& text, std::string_view value) {
+  for (const char c : xml_text(value)) {
+    if (c == '&') {
+      text += "&amp;";
+    } else if (c == '<') {
+      text += "&lt;";
+    } else if (c == '>') {
+      text += "&gt;";
+    } else if (c == '"') {
+      text += "&quot;";
+    } else if (c == '\n' || c == '\t') {
+      text += c == '\n' ? "&#10;" : "&#09;";
+    } else {
+      text += c;
+    }
+  }
+}
+
+void append_attribute(std::string& text, std::string_view name, std::string_view value) {
+  text.append(" ").append(name).append("=\"");
+  append_escaped(text, value);
+  text += '"';
+}
+
 std::size_t most_bytes(const Layer& layer, const std::string& id) {
   constexpr std::size_t of_head = 100, of_point = 32;
   std::size_t bytes = 0;
@@ -261,7 +265,10 @@ std::size_t most_bytes(const Layer& layer, const std::string& id) {
   return bytes;
 }
 
-bool has_ink(const Layer& layer) { return std::any_of(layer.strokes.begin(), layer.strokes.end(), has_line); }
+bool has_ink(const Layer& layer) {
+  return !layer.fills.empty() || !layer.texts.empty() ||
+         std::any_of(layer.strokes.begin(), layer.strokes.end(), has_line);
+}
 
 void append_paths(std::string& text, const Layer& layer, const Canvas& canvas, double height, const std::string& id,
                   bool plain) {

@@ -20,6 +20,10 @@ std::string dash_array(const Stroke& stroke);
 /// Text that XML can hold, which has no way to write control characters.
 std::string xml_text(std::string_view text);
 
+/// Text of an element, and an attribute, in which nothing can be taken for markup.
+void append_escaped(std::string& text, std::string_view value);
+void append_attribute(std::string& text, std::string_view name, std::string_view value);
+
 /// Whether there is anything to draw.
 bool has_ink(const Layer& layer);
 

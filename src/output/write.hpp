@@ -21,9 +21,13 @@ std::optional<Format> format_of(std::string_view extension);
 /// All extensions, for help and hints.
 const std::vector<std::string>& format_names();
 
+/// How an SVG file has its texts: as outlines, which look the same everywhere, or as text, which can be edited.
+enum class SvgText { outlines, text };
+
 struct VectorOptions {
   bool plain = false;  ///< leave the origin of lines out
   double dpi = 300;    ///< PNG only
+  SvgText text = SvgText::outlines;
 };
 
 // The same sheet gives the same bytes, always: no clock, no counter, no locale.

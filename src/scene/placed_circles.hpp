@@ -1,4 +1,4 @@
-// The circles of all models of a world, in world coordinates.
+// The circles of the models of a world, in world coordinates.
 #pragma once
 
 #include <vector>
@@ -8,13 +8,15 @@
 
 namespace epura {
 
+/// Circles and arcs of a model where it stands; what a transform with unequal scales made ellipses of is none.
+std::vector<MeshCircle> find_circles(const World& world, int model, double crease_angle = 30);
+
 struct PlacedCircle {
   int model;
   MeshCircle circle;  ///< in world coordinates; vertices are those of the model's file
 };
 
-/// Whole circles, and arcs of half a turn or more: those that drawings give centre lines. Left out is what a transform
-/// with unequal scales made an ellipse.
+/// Of all models what drawings give centre lines: whole circles, and arcs of half a turn or more.
 std::vector<PlacedCircle> find_placed_circles(const World& world, double crease_angle = 30);
 
 }  // namespace epura

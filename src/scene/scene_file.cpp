@@ -1,4 +1,163 @@
 #include "scene/scene_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "scene/scene_keys.hpp"
+#include "scene/toml_tree.hpp"
+#include "scene/view_names.hpp"
+
 namespace epura {
-SceneDescription read_scene_file(const std::filesystem::path&) { return {}; }
+
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void refuse(const std::string& where, const std::string& reason, const std::string& hint) {
+  throw Error(Trouble::input, where, reason, hint);
+}
+
+using Names = std::set<std::string>;
+
+/// The numbers of the models that dimensions may call by a name.
+using ModelNumbers = std::map<std::string, std::vector<int>>;
+
+ModelNumbers numbers_of(const std::vector<ModelDescription>& models) {
+  ModelNumbers numbers;
+  for (int i = 0; i < static_cast<int>(models.size()); ++i) {
+    const ModelDescription& model = models[std::size_t(i)];
+    numbers[model.name.given() ? model.name.text : fs::path(model.file.text).stem().string()].push_back(i);
+  }
+  return numbers;
+}
+
+/// The names that parts were given. Throws Error{input} for the second of two with one name.
+template <class Part>
+Names names_of(const std::vector<Part>& parts, const std::string& what) {
+  Names names;
+  for (const Part& part : parts)
+    if (part.name.given() && !names.insert(part.name.text).second)
+      refuse(part.name.where, "'" + part.name.text + "' is the name of an earlier " + what, "names are for one each");
+  return names;
+}
+
+void refuse_unknown(const Given& name, const Names& names, const std::string& what) {
+  if (!name.given() || names.contains(name.text)) return;
+  const std::vector<std::string> known(names.begin(), names.end());
+  refuse(name.where, "there is no " + what + " '" + name.text + "'",
+         known.empty() ? "there is no [[" + what + "]] at all" : did_you_mean(name.text, known));
+}
+
+void check_views(const SceneDescription& scene, const Names& sections) {
+  const std::size_t sheets = scene.sheets.size();
+  for (const ViewDescription& view : scene.views) {
+    refuse_unknown(view.section, sections, "section");
+    if (std::size_t(view.sheet) > sheets)
+      refuse(view.projection.where,
+             "the view is for sheet " + std::to_string(view.sheet) + " of " + std::to_string(sheets),
+             "add a [[sheet]]");
+  }
+}
+
+struct DimensionType {
+  std::string name;
+  std::vector<std::string> anchors;  ///< keys, in the order of DimensionDescription::anchors
+};
+
+const DimensionType& type_of(const Given& type) {
+  static const std::array<DimensionType, 6> types = {{{"linear", {"from", "to"}},
+                                                      {"aligned", {"from", "to"}},
+                                                      {"angular", {"corner", "from", "to"}},
+                                                      {"radius", {"at"}},
+                                                      {"diameter", {"at"}},
+                                                      {"overall", {}}}};
+  std::vector<std::string> names;
+  for (const DimensionType& known : types) {
+    if (known.name == type.text) return known;
+    names.push_back(known.name);
+  }
+  refuse(type.where, "does not know '" + type.text + "'", did_you_mean(type.text, names));
+}
+
+// The number of the model that an anchor names.
+int model_of(const AnchorWords& anchor, const ModelNumbers& models, int count) {
+  if (const int* number = std::get_if<int>(&anchor.model)) {
+    if (*number < count) return *number;
+    refuse(anchor.where, "there is no model " + std::to_string(*number),
+           "models are numbered from 0 to " + std::to_string(count - 1));
+  }
+  const auto& name = std::get<std::string>(anchor.model);
+  const auto found = models.find(name);
+  if (found == models.end()) {
+    std::vector<std::string> known;
+    for (const auto& [other, numbers] : models) known.push_back(other);
+    refuse(anchor.where, "there is no model '" + name + "'", did_you_mean(name, known));
+  }
+  if (found->second.size() > 1)
+    refuse(anchor.where, "several models are called '" + name + "'", "give them names of their own, or use a number");
+  return found->second.front();
+}
+
+/// What dimensions refer to.
+struct Subjects {
+  const std::vector<ModelDescription>& models;
+  ModelNumbers numbers;
+  Names views;
+};
+
+Anchor anchor_of(const AnchorWords& words, const Subjects& subjects) {
+  if (words.point) return *words.point;
+  const int model = model_of(words, subjects.numbers, static_cast<int>(subjects.models.size()));
+  if (!subjects.models[std::size_t(model)].drawn)
+    refuse(words.where, "the model is not drawn and has no vertices", "give the place as {point = [x, y, z]}");
+  return std::array<int, 2>{model, words.vertex};
+}
+
+DimensionDescription dimension_of(const DimensionWords& words, const Subjects& subjects) {
+  DimensionDescription dimension = words.description;
+  const DimensionType& type = type_of(dimension.type);
+  for (const std::string& key : type.anchors) {
+    const auto found = std::find_if(words.anchors.begin(), words.anchors.end(),
+                                    [&key](const auto& anchor) { return anchor.first == key; });
+    if (found == words.anchors.end())
+      refuse(dimension.where, "a dimension of type '" + type.name + "' lacks '" + key + "'",
+             "[model, vertex] or {point = [x, y, z]}");
+    dimension.anchors.push_back(anchor_of(found->second, subjects));
+  }
+  for (const auto& [key, anchor] : words.anchors)
+    if (std::find(type.anchors.begin(), type.anchors.end(), key) == type.anchors.end())
+      refuse(anchor.where, "a dimension of type '" + type.name + "' has no '" + key + "'",
+             type.anchors.empty() ? "it has no anchors" : did_you_mean(key, type.anchors));
+  // Views of the command line are not known yet.
+  if (!subjects.views.empty()) refuse_unknown(dimension.view, subjects.views, "view");
+  return dimension;
+}
+
+// A file's path, as seen from the folder of the scene file.
+void find_files(std::vector<ModelDescription>& models, const fs::path& folder) {
+  for (ModelDescription& model : models) model.file.text = (folder / model.file.text).string();
+}
+
+}  // namespace
+
+SceneDescription read_scene_file(const fs::path& path) {
+  SceneWords words = read_scene_words(read_toml(path));
+  SceneDescription& scene = words.description;
+  if (scene.models.empty())
+    refuse(path.string(), "names no model", "a scene file has at least:  [[model]]  file = \"part.obj\"");
+  if (scene.sheets.empty()) scene.sheets.push_back(words.every_sheet);
+  names_of(scene.models, "model");
+  name_views(scene.views);
+  check_views(scene, names_of(scene.sections, "section"));
+  const Subjects subjects{scene.models, numbers_of(scene.models), names_of(scene.views, "view")};
+  for (const DimensionWords& dimension : words.dimensions)
+    scene.dimensions.push_back(dimension_of(dimension, subjects));
+  find_files(scene.models, path.parent_path());
+  return scene;
+}
+
 }  // namespace epura

@@ -67,16 +67,33 @@ std::optional<double> parse_scale(std::string_view text, const std::string& wher
   return scale;
 }
 
+std::string paper_name(const Paper& paper) {
+  if (paper.width == 0) return {};
+  const double longer = std::max(paper.width, paper.height), shorter = std::min(paper.width, paper.height);
+  for (std::size_t i = 0; i < a_sizes.size(); ++i)
+    if (a_sizes[i][0] == longer && a_sizes[i][1] == shorter) return "A" + std::to_string(i);
+  return format_number(paper.width) + "x" + format_number(paper.height);
+}
+
+Rectangle drawing_area(const Paper& paper) {
+  const Vec2 corner(paper.left, paper.other);
+  return {corner, corner + area(paper)};
+}
+
+void check_drawing_size(const Vec2& size) {
+  if (!(size.x <= longest_side && size.y <= longest_side))
+    throw Error(Trouble::input, "--scale",
+                "the drawing would be " + format_fixed(std::max(size.x, size.y) / 1000, 1) + " m long",
+                "use fit or a smaller scale");
+}
+
 Placement place_ink(const Vec2& least, const Vec2& most, std::optional<double> scale, const Paper& paper) {
   const bool cut = paper.width == 0;
   const Vec2 room = area(cut ? parse_paper("A4", false) : paper);
   const Vec2 ink = most - least;
   Placement placement{paper, scale ? *scale : fitting_scale(ink, room), {0, 0}, true};
   const Vec2 size = ink * placement.scale;
-  if (!(size.x <= longest_side && size.y <= longest_side))
-    throw Error(Trouble::input, "--scale",
-                "the drawing would be " + format_fixed(std::max(size.x, size.y) / 1000, 1) + " m long",
-                "use fit or a smaller scale");
+  check_drawing_size(size);
 
   Paper& page = placement.paper;
   if (cut) {

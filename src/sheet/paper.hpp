@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "base/vec.hpp"
+#include "sheet/rectangle.hpp"
 
 namespace epura {
 
@@ -22,6 +23,12 @@ inline constexpr double longest_side = 100'000;
 /// `where` the text comes from.
 Paper parse_paper(std::string_view text, bool portrait, const std::string& where = "--sheet");
 
+/// "A3" for a sheet of that size, however it lies; otherwise "300x200"; empty for paper that is cut to the drawing.
+std::string paper_name(const Paper& paper);
+
+/// The paper within its margins.
+Rectangle drawing_area(const Paper& paper);
+
 /// "1:2", "2:1" or "0.5" as millimetres of paper per unit of the model; nothing for "fit". Throws Error{input}.
 std::optional<double> parse_scale(std::string_view text, const std::string& where = "--scale");
 
@@ -32,6 +39,9 @@ struct Placement {
   Vec2 shift;
   bool inside;  ///< the ink keeps the margins
 };
+
+/// Throws Error{input} for a drawing beyond `longest_side`.
+void check_drawing_size(const Vec2& size);
 
 /// Centres ink that fills the box `least` to `most` of the projection plane in the drawing area. Without a scale it is
 /// made as large as fits; without paper, as large as fits on A4. Throws Error{input} beyond `longest_side`.

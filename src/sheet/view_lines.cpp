@@ -176,13 +176,14 @@ Stroke tangent(const Drawing& drawing, const Chain& chain, double gap, const Cro
 }
 
 // Layers in the order in which they are painted.
-enum Place : std::size_t { hidden_dashed, hidden_solid, neighbour, narrow, tangent_edges, visible, places };
+enum Place : std::size_t { hidden_dashed, hidden_solid, neighbour, narrow, tangent_edges, section, visible, places };
 using Strokes = std::array<std::vector<Stroke>, places>;
 
 Place place_of(const Chain& chain, const ModelLook& look) {
   if (!chain.visible) return look.hidden == HiddenLines::solid ? hidden_solid : hidden_dashed;
   if (look.line == LineRole::neighbour) return neighbour;
   if (look.line == LineRole::narrow) return narrow;
+  if (chain.kind == EdgeKind::section) return section;
   return chain.kind == EdgeKind::smooth ? tangent_edges : visible;
 }
 
@@ -274,6 +275,7 @@ std::vector<Layer> view_layers(const Drawing& drawing, const LineWidths& widths,
   add(neighbour, "neighbour", {"neighbour", narrow_line, long_dash_double_dot.nominal(narrow_line)}, false);
   add(narrow, "narrow", {"narrow", narrow_line}, false);
   add(tangent_edges, "tangent", {"tangent", narrow_line}, false);
+  add(section, "section", {"section", widths.wide}, false);
   add(visible, "visible", {"visible", widths.wide}, true);
   return layers;
 }

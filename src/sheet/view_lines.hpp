@@ -40,6 +40,7 @@ struct ModelLook {
 ///   VIEW/hidden     hidden lines: narrow, dashed (type 02.1) or continuous
 ///   VIEW/neighbour, VIEW/narrow   visible lines of models with that role
 ///   VIEW/tangent    visible edges between smooth faces: narrow, continuous, short of the lines that they end at
+///   VIEW/section    outlines of cut faces: wide, continuous
 ///   VIEW/visible    visible lines: wide, continuous
 /// The first and the last one are there also when they are empty, unless no model has hidden lines. Dashed lines have
 /// ink at their ends, at corners and where other lines cross them. Hidden edges between smooth faces are left out.

@@ -35,9 +35,7 @@ int Clipper::cut(int plane, int a, int b) {
   return place->second;
 }
 
-void Clipper::clip_triangle(const std::array<int, 3>& corners, std::span<const int> planes,
-                            std::vector<std::array<int, 3>>& pieces) {
-  std::vector<int> polygon(corners.begin(), corners.end());
+std::vector<int> Clipper::clip_ring(std::vector<int> polygon, std::span<const int> planes) {
   std::vector<int> kept;
   for (const int plane : planes) {
     kept.clear();
@@ -48,8 +46,14 @@ void Clipper::clip_triangle(const std::array<int, 3>& corners, std::span<const i
       if (inside(plane, a) != inside(plane, b)) kept.push_back(cut(plane, a, b));
     }
     polygon.swap(kept);
-    if (polygon.size() < 3) return;
+    if (polygon.size() < 3) return {};
   }
+  return polygon;
+}
+
+void Clipper::clip_triangle(const std::array<int, 3>& corners, std::span<const int> planes,
+                            std::vector<std::array<int, 3>>& pieces) {
+  const std::vector<int> polygon = clip_ring({corners.begin(), corners.end()}, planes);
   for (std::size_t i = 2; i < polygon.size(); ++i) pieces.push_back({polygon[0], polygon[i - 1], polygon[i]});
 }
 

@@ -33,6 +33,9 @@ class Clipper {
 
   /// Returns the number by which the plane is called below.
   int add_plane(const ClipPlane& plane);
+  /// What of a polygon lies inside all of `planes`. The parts of one that is not convex hang together by edges in the
+  /// planes that are run along twice [Sutherland, Hodgman. Reentrant Polygon Clipping. CACM 1974].
+  std::vector<int> clip_ring(std::vector<int> ring, std::span<const int> planes);
   /// Appends what of a triangle lies inside all of `planes`, as triangles.
   void clip_triangle(const std::array<int, 3>& corners, std::span<const int> planes,
                      std::vector<std::array<int, 3>>& pieces);

@@ -193,4 +193,11 @@ std::optional<ClippedEdge> clip_edge(View& view, int a, int b) {
   return edge;
 }
 
+std::vector<int> clip_ring(View& view, const std::vector<int>& ring) {
+  if (view.edge_planes.empty()) return ring;
+  std::vector<int> clipped = view.clipper.clip_ring(ring, view.edge_planes);
+  lay_out(view);
+  return clipped;
+}
+
 }  // namespace epura

@@ -69,4 +69,7 @@ int add_point(View& view, const Vec3& point);
 /// What of the edge between two vertices is drawn.
 std::optional<ClippedEdge> clip_edge(View& view, int a, int b);
 
+/// What of the polygon of some vertices is drawn; empty where nothing is.
+std::vector<int> clip_ring(View& view, const std::vector<int>& ring);
+
 }  // namespace epura

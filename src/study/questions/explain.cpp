@@ -53,7 +53,10 @@ struct Storyteller {
     const std::vector<FaceName> faces = faces_at(drawn_view, subject);
     if (subject.mesh_edge < 0)
       return segment.crossing >= 0 && std::equal(faces.begin(), faces.end(), faces_of(segment).begin());
-    return segment.edge == drawn_view.world.models[edge.model].mesh->edges[edge.mesh_edge].vertex;
+    const Mesh& mesh = *drawn_view.world.models[edge.model].mesh;
+    const EdgeOrigin origin = mesh.origin_of(mesh.edges[edge.mesh_edge]);
+    if (!origin.in_file) return segment.kind == EdgeKind::section && faces_of(segment)[0] == faces[0];
+    return segment.edge == origin.vertex;
   }
 
   // Where a span has no ink of its own: which edges draw that place, or why nothing does.
@@ -92,7 +95,10 @@ struct Storyteller {
   }
   [[nodiscard]] std::string name_of(const Segment& segment) const {
     const std::string kind = (segment.visible ? "visible " : "hidden ") + std::string(epura::name_of(segment.kind));
-    if (segment.edge[0] < 0) return kind + " " + name_of(faces_of(segment)[0]) + "x" + name_of(faces_of(segment)[1]);
+    if (segment.edge[0] < 0) {
+      const auto& [face, other] = faces_of(segment);
+      return kind + " " + name_of(face) + (other[0] < 0 ? "" : "x" + name_of(other));
+    }
     return kind + " " + std::to_string(segment.model) + ":" + std::to_string(segment.edge[0]) + "-" +
            std::to_string(segment.edge[1]);
   }

@@ -84,9 +84,11 @@ std::vector<Subject> find(const DrawnView& drawn_view, const ByVertices& wanted)
     if (vertex >= mesh.report.vertices)
       throw Error(Trouble::input, option, mesh.report.name + " has no vertex " + std::to_string(vertex),
                   "its vertices are 0 to " + std::to_string(mesh.report.vertices - 1));
-  const auto edge = std::lower_bound(mesh.edges.begin(), mesh.edges.end(), wanted.vertex,
-                                     [](const MeshEdge& e, const auto& vertices) { return e.vertex < vertices; });
-  if (edge == mesh.edges.end() || edge->vertex != wanted.vertex)
+  const auto edge = std::find_if(mesh.edges.begin(), mesh.edges.end(), [&](const MeshEdge& e) {
+    const EdgeOrigin origin = mesh.origin_of(e);
+    return origin.in_file && origin.vertex == wanted.vertex;
+  });
+  if (edge == mesh.edges.end())
     throw Error(Trouble::input, option,
                 "no edge of " + mesh.report.name + " joins vertices " + std::to_string(wanted.vertex[0]) + " and " +
                     std::to_string(wanted.vertex[1]),

@@ -36,6 +36,8 @@ std::string reason_for(const DrawnView& drawn_view, const Subject& subject, Edge
       return "no face goes on from " + faces;
     case EdgeKind::intersection:
       return faces + " cross, their planes at " + in_words(angle_at(drawn_view, subject).value_or(0)) + " degrees";
+    case EdgeKind::section:
+      return "the cutting plane meets " + faces;
     default:
       return fold_of(drawn_view, subject, kind == EdgeKind::crease);
   }

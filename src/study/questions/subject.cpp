@@ -32,7 +32,10 @@ std::string name_of(const DrawnView& drawn_view, const Subject& subject) {
     const std::vector<FaceName> faces = faces_at(drawn_view, subject);
     return name_of(faces[0]) + "x" + name_of(faces[1]);
   }
-  const auto& [a, b] = drawn_view.world.models[subject.model].mesh->edges[subject.mesh_edge].vertex;
+  const Mesh& mesh = *drawn_view.world.models[subject.model].mesh;
+  const EdgeOrigin origin = mesh.origin_of(mesh.edges[subject.mesh_edge]);
+  if (!origin.in_file) return name_of(faces_at(drawn_view, subject).front());
+  const auto [a, b] = origin.vertex;
   return std::to_string(subject.model) + ":" + std::to_string(a) + "-" + std::to_string(b);
 }
 
@@ -46,7 +49,8 @@ std::string names_of(const std::vector<FaceName>& faces) {
 std::array<Vec3, 2> ends_of(const DrawnView& drawn_view, const Subject& subject) {
   const World& world = drawn_view.world;
   if (subject.mesh_edge < 0) return drawn_view.drawn.crossings[drawn_view.drawn.edges[subject.drawn].crossing].ends;
-  const auto& [a, b] = world.models[subject.model].mesh->edges[subject.mesh_edge].vertex;
+  const Mesh& mesh = *world.models[subject.model].mesh;
+  const auto [a, b] = mesh.origin_of(mesh.edges[subject.mesh_edge]).vertex;
   const int first = world.first_vertex[subject.model];
   return {world.points[first + a], world.points[first + b]};
 }

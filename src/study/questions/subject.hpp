@@ -1,7 +1,7 @@
 // What a question is about: an edge of a model or an intersection line, drawn or not.
 //
-// Names, as in SVG and JSON, counted from 0: an edge is MODEL:VERTEX-VERTEX, a face MODEL:FACE, and the intersection
-// line of two faces MODEL:FACExMODEL:FACE.
+// Names, as in SVG and JSON, counted from 0: an edge is MODEL:VERTEX-VERTEX, a face (and the line along which a plane
+// cuts it) MODEL:FACE, and the intersection line of two faces MODEL:FACExMODEL:FACE.
 #pragma once
 
 #include <array>

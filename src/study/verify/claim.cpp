@@ -19,8 +19,10 @@ std::array<int, 2> vertices_of(const Claim& claim, const DrawnEdge& edge) {
 
 std::array<Vec3, 2> Claim::ends_of(const DrawnEdge& edge) const {
   if (edge.crossing >= 0) return drawn.crossings[edge.crossing].ends;
-  const auto [a, b] = vertices_of(*this, edge);
-  return {world.points[a], world.points[b]};
+  const Mesh& mesh = *world.models[edge.model].mesh;
+  const auto [a, b] = mesh.origin_of(mesh.edges[edge.mesh_edge]).vertex;
+  const int first = world.first_vertex[edge.model];
+  return {world.points[first + a], world.points[first + b]};
 }
 
 bool Claim::contains(const DrawnEdge& edge, int triangle) const {

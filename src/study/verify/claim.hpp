@@ -20,7 +20,7 @@ struct Claim {
   const HiddenSpans& hidden;
   const Drawing& drawing;
 
-  /// The ends of the whole edge in the world; parameters t run from the first to the second.
+  /// The ends of the whole edge, cut or not, in the world; parameters t run from the first to the second.
   [[nodiscard]] std::array<Vec3, 2> ends_of(const DrawnEdge& edge) const;
   /// Whether a triangle contains the edge: by the mesh, or because it is one of the two that cross there.
   [[nodiscard]] bool contains(const DrawnEdge& edge, int triangle) const;

@@ -179,6 +179,16 @@ class Verifier {
     return {model, claim_.world.models[model].mesh->polygon[triangle - claim_.world.first_triangle[model]]};
   }
 
+  // Outlines of cuts are named by the face that is cut.
+  void name_edge(const DrawnEdge& edge, Offence& offence) const {
+    const Mesh& mesh = *claim_.world.models[edge.model].mesh;
+    const EdgeOrigin origin = mesh.origin_of(mesh.edges[edge.mesh_edge]);
+    if (origin.in_file)
+      offence.edge = origin.vertex;
+    else
+      offence.facets.push_back({edge.model, mesh.polygon[mesh.triangles_of(mesh.edges[edge.mesh_edge]).front()]});
+  }
+
   [[nodiscard]] Offence offence_of(std::size_t sample) const {
     const TestedSpan& span = span_of(sample);
     const DrawnEdge& edge = claim_.drawn.edges[span.edge];
@@ -191,7 +201,7 @@ class Verifier {
                     {},
                     population_.length_of(span)};
     if (findings_[sample] == Finding::no_ink) offence.what = "not drawn";
-    if (edge.mesh_edge >= 0) offence.edge = claim_.world.models[edge.model].mesh->edges[edge.mesh_edge].vertex;
+    if (edge.mesh_edge >= 0) name_edge(edge, offence);
     if (edge.crossing >= 0)
       for (const int triangle : claim_.drawn.crossings[edge.crossing].triangles)
         offence.facets.push_back(facet_name(triangle));

@@ -12,6 +12,7 @@ namespace {
 Drawing example() {
   Drawing drawing;
   drawing.name = "front \"A\"";
+  drawing.scale = 0.5;
   drawing.projection.name = "look-at";
   drawing.projection.values = {{"eye", {4, -9, 5}}, {"fovy", {30}}};
   drawing.projection.projector = {4, -9, 5};
@@ -40,6 +41,9 @@ TEST(Json, HasTheKeysOfSchemaOneInOrder) {
   EXPECT_EQ(view.keys(), "name projection parameters world_to_page viewer vanishing_points segments");
   EXPECT_EQ(view["segments"].items.at(0).keys(), "from to visible kind model edge t");
   EXPECT_EQ(view["segments"].items.at(1).keys(), "from to visible kind model edge t faces world");
+  // A view says its scale where it is not that of the sheet.
+  const Json other = parse(to_json({420, 297, "", {}}, 0.25, std::array{example()}, report));
+  EXPECT_EQ(other["views"].items.at(0)["scale"].number(), 0.5);
   EXPECT_EQ(json["report"].keys(), "meshes plan");
   EXPECT_EQ(
       json["report"]["meshes"].items.at(0).keys(),

@@ -1,0 +1,148 @@
+#include "app/layout.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "app/choose.hpp"
+#include "sheet/arrangement.hpp"
+#include "sheet/dimensions/overall.hpp"
+#include "sheet/standard_scale.hpp"
+#include "view/paper_map.hpp"
+
+namespace epura {
+
+namespace {
+
+constexpr double usual_text_height = 3.5;
+
+// A title alone goes into the metadata of files.
+FrameKind frame_of(const SheetDescription& sheet, std::size_t views) {
+  const bool has_fields = std::any_of(sheet.title_block.begin(), sheet.title_block.end(),
+                                      [](const auto& field) { return field.first != "title"; });
+  const FrameKind usual = has_fields || views > 1 ? FrameKind::full : FrameKind::none;
+  return choose<FrameKind>(
+      sheet.frame,
+      {{"auto", usual}, {"none", FrameKind::none}, {"plain", FrameKind::plain}, {"full", FrameKind::full}});
+}
+
+// Where a point that all views share, the middle of the world, lies in the plane of a view.
+Vec2 common_point(const World& world, const View& view) {
+  const Mat4 to_plane = world_to_page(view, make_paper_map(view, 1, {0, 0}));
+  const Vec4 p = to_plane * Vec4(world.box.centre(), 1);
+  return Vec2(p) / p.w;
+}
+
+struct Views {
+  std::vector<ViewToPlace> to_place;
+  std::vector<Vec2> origins;  ///< what their boxes are measured from
+};
+
+Views views_to_place(const World& world, std::span<const ViewDescription> descriptions, std::span<const View> views,
+                     const DimensionsByView& dimensions) {
+  Views result;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    // One view alone needs nothing in common with others.
+    const Vec2 origin = views.size() > 1 ? common_point(world, views[i]) : Vec2(0, 0);
+    const Window box = drawn_box(views[i]);
+    ViewToPlace view{view_place(views[i].projection.name), {box.least - origin, box.most - origin}};
+    const Given& scale = descriptions[i].scale;
+    if (scale.given()) view.scale = parse_scale(scale.text, scale.where);
+    view.at = descriptions[i].at;
+    const DimensionRoom room = dimension_room(dimensions[i], views[i].projection, usual_text_height);
+    view.before = room.before;
+    view.after = room.after;
+    result.to_place.push_back(view);
+    result.origins.push_back(origin);
+  }
+  return result;
+}
+
+struct Wishes {
+  ScaleWish scale;
+  bool portrait;
+  FrameKind frame;
+  std::optional<TitleBlock> title_block;
+  ProjectionAngle angle;
+};
+
+constexpr double clearance = 5;  // mm between the frame and ink
+
+Arrangement arranged_on(const std::string& size, const std::string& where, const Wishes& wishes,
+                        std::span<const ViewToPlace> views) {
+  const Paper paper = parse_paper(size, wishes.portrait, where);
+  DrawingRoom room{wishes.frame == FrameKind::none ? paper : with_frame_margins(paper)};
+  if (wishes.frame != FrameKind::none) room.clearance = clearance;
+  if (wishes.title_block) room.title_block = title_block_box(*wishes.title_block, room.paper);
+  return arrange(views, wishes.scale, wishes.angle, room);
+}
+
+// "auto": the smallest paper on which the views have room at the scale that is given.
+Arrangement arranged(const SheetDescription& sheet, const Wishes& wishes, std::span<const ViewToPlace> views,
+                     std::string& size) {
+  const bool by_size = to_lower(sheet.size.text) == "auto";
+  size = by_size || !sheet.size.given() ? (views.size() > 1 ? "A3" : "A4") : sheet.size.text;
+  if (!by_size || !wishes.scale.fixed) return arranged_on(size, sheet.size.where, wishes, views);
+  for (const char* larger : {"A4", "A3", "A2", "A1"}) {
+    Arrangement arrangement = arranged_on(size = larger, sheet.size.where, wishes, views);
+    if (arrangement.inside) return arrangement;
+  }
+  return arranged_on(size = "A0", sheet.size.where, wishes, views);
+}
+
+// Scale and size of paper are filled in when they are known.
+TitleBlock title_block_of(const SceneDescription& scene, int sheet) {
+  TitleBlock block;
+  for (const auto& [name, text] : scene.sheets[static_cast<std::size_t>(sheet)].title_block)
+    block.fields.emplace_back(name, text.text);
+  block.sheet = sheet + 1;
+  block.sheets = static_cast<int>(scene.sheets.size());
+  return block;
+}
+
+Wishes wishes_of(const SceneDescription& scene, int number, std::size_t views) {
+  const SheetDescription& sheet = scene.sheets[static_cast<std::size_t>(number)];
+  Wishes wishes{};
+  wishes.frame = frame_of(sheet, views);
+  wishes.portrait = choose<bool>(sheet.orientation, {{"landscape", false}, {"portrait", true}});
+  wishes.angle =
+      choose<ProjectionAngle>(sheet.angle, {{"first", ProjectionAngle::first}, {"third", ProjectionAngle::third}});
+  const std::string usual_scale = wishes.frame == FrameKind::full ? "auto" : "fit";
+  wishes.scale = parse_scale_wish(sheet.scale.given() ? sheet.scale.text : usual_scale, sheet.scale.where);
+  if (wishes.frame == FrameKind::full) wishes.title_block = title_block_of(scene, number);
+  return wishes;
+}
+
+}  // namespace
+
+double dimension_text_height(const Paper& paper, std::size_t views) {
+  constexpr double a4 = 210 * 297;
+  return views > 1 && paper.width * paper.height <= a4 ? 2.5 : usual_text_height;
+}
+
+SheetPlan plan_sheet(const World& world, const SceneDescription& scene, int sheet,
+                     std::span<const ViewDescription> descriptions, std::span<const View> views,
+                     const DimensionsByView& dimensions) {
+  Wishes wishes = wishes_of(scene, sheet, views.size());
+  const Views placing = views_to_place(world, descriptions, views, dimensions);
+  std::string size;
+  const Arrangement arrangement =
+      arranged(scene.sheets[static_cast<std::size_t>(sheet)], wishes, placing.to_place, size);
+  if (wishes.title_block) {
+    wishes.title_block->scale = ratio_text(arrangement.scale);
+    wishes.title_block->size = size;
+    if (views.size() > 1) wishes.title_block->angle = wishes.angle;
+  }
+  SheetPlan plan{{arrangement.paper, wishes.frame, std::move(wishes.title_block)},
+                 {},
+                 arrangement.scale,
+                 wishes.scale.standard,
+                 arrangement.inside};
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const ViewSpot& spot = arrangement.views[i];
+    plan.places.push_back({spot.scale, spot.shift - spot.scale * placing.origins[i]});
+  }
+  return plan;
+}
+
+}  // namespace epura

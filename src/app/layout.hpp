@@ -1,0 +1,35 @@
+// Descriptions of sheets and what their views look like -> where everything stands.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/pipeline.hpp"
+#include "app/view_dimensions.hpp"
+#include "scene/description.hpp"
+#include "sheet/paper.hpp"
+#include "sheet/projection_symbol.hpp"
+#include "sheet/sheet_layers.hpp"
+
+namespace epura {
+
+/// A sheet before anything is drawn on it.
+struct SheetPlan {
+  SheetFurniture furniture;         ///< with its paper, without labels of views
+  std::vector<PlaceOnPage> places;  ///< of its views, in their order
+  double scale = 1;                 ///< main scale, mm of paper per unit of the world
+  bool chosen = false;              ///< the scale is the largest of ISO 5455 that fits
+  bool inside = true;               ///< all ink keeps the margins
+};
+
+/// Height of the texts of dimensions, mm: 2.5 for several views on A4, 3.5 elsewhere. ISO 3098.
+double dimension_text_height(const Paper& paper, std::size_t views);
+
+/// Where the views of a sheet stand, with room for their dimensions; it is number `sheet` of the scene, counted from 0.
+/// Throws Error{input} for words that say nothing.
+SheetPlan plan_sheet(const World& world, const SceneDescription& scene, int sheet,
+                     std::span<const ViewDescription> descriptions, std::span<const View> views,
+                     const DimensionsByView& dimensions);
+
+}  // namespace epura

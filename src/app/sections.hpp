@@ -1,0 +1,25 @@
+// The sections of a scene, cut.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "app/console.hpp"
+#include "scene/cut_world.hpp"
+#include "scene/description.hpp"
+
+namespace epura {
+
+struct CutSection {
+  CuttingPlane plane;
+  CutWorld cut;
+};
+
+/// By name, those that some view shows. Throws Error{input} for planes that cut nothing.
+using CutSections = std::map<std::string, CutSection>;
+CutSections cut_sections(const World& world, const SceneDescription& scene, Console& console);
+
+/// The section that a view shows; null where it shows the whole.
+const CutSection* section_of(const CutSections& sections, const ViewDescription& view);
+
+}  // namespace epura

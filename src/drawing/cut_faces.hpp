@@ -1,0 +1,17 @@
+// Cut faces as the viewer has them.
+#pragma once
+
+#include <vector>
+
+#include "drawing/drawing.hpp"
+#include "scene/cut_world.hpp"
+#include "view/paper_map.hpp"
+
+namespace epura {
+
+/// The cut faces that are seen, on paper. Seen from in front of the plane, where all is taken away, nothing hides them;
+/// seen from behind it, none is seen, and the result is empty. `view` is of the cut world.
+std::vector<CutFace> cut_faces_on_paper(const std::vector<WorldCutFace>& faces, const CuttingPlane& plane, View& view,
+                                        const PaperMap& paper);
+
+}  // namespace epura

@@ -1,0 +1,26 @@
+// Areas between outlines, by the even-odd rule, as triangles.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "base/vec.hpp"
+
+namespace epura {
+
+/// The places of closed outlines, and segments between them in any order. From a point inside, a ray crosses an odd
+/// number of segments.
+struct Outlines {
+  std::vector<Vec2> places;
+  std::vector<std::array<int, 2>> segments;
+};
+
+/// Triangles that fill the inside without overlap. Their corners are places, and new ones on segments that are appended
+/// to `outlines.places`. Segments may cross and coincide. Lengths far below 1e-12 of the whole are not resolved.
+std::vector<std::array<int, 3>> fill_even_odd(Outlines& outlines);
+
+/// Whether a point lies inside. On the outline either may be said.
+bool is_inside(const Outlines& outlines, const Vec2& point);
+
+}  // namespace epura

@@ -1,0 +1,29 @@
+// Lettering on Cairo's surfaces.
+#pragma once
+
+#include <cairo.h>
+
+#include <optional>
+
+#include "output/canvas.hpp"
+#include "sheet/lettering.hpp"
+#include "sheet/sheet.hpp"
+
+namespace epura {
+
+/// The font, if anything is written on the sheet: without text no font is opened.
+std::optional<Lettering> lettering_of(const Sheet& sheet);
+
+/// Where the base line of a text begins on the sheet, mm.
+Vec2 start_of(const Text& text, const Lettering& lettering);
+
+/// Draws the texts of a layer as text, which vector files keep as such, with the font embedded.
+void write_texts(const Pen& pen, const Canvas& canvas, const Layer& layer, const Lettering& lettering);
+
+/// Draws them as filled outlines: no font is needed to look at them.
+void fill_texts(const Pen& pen, const Canvas& canvas, const Layer& layer, const Lettering& lettering);
+
+/// Fills the areas of a layer.
+void draw_fills(const Pen& pen, const Canvas& canvas, const Layer& layer);
+
+}  // namespace epura

@@ -1,0 +1,107 @@
+#include "output/svg_lettering.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string_view>
+
+#include "base/text.hpp"
+#include "output/glyphs.hpp"
+#include "output/svg_paths.hpp"
+
+namespace epura {
+
+namespace {
+
+void append_point(std::string& svg, const Vec2& point, double height) {
+  append_millimetres(svg, point.x);
+  svg += ' ';
+  append_millimetres(svg, height - point.y);
+}
+
+void append_area(std::string& svg, const Fill& fill, double height) {
+  svg += "<path d=\"";
+  for (const std::vector<Vec2>& ring : fill.rings) {
+    for (std::size_t i = 0; i < ring.size(); ++i) append_point(svg += i == 0 ? 'M' : 'L', ring[i], height);
+    if (!ring.empty()) svg += 'Z';
+  }
+  svg += "\" />\n";
+}
+
+// Outlines in millimetres of the sheet.
+void append_outlines(std::string& svg, const Text& text, double height, const Lettering& lettering) {
+  const double angle = text.angle * std::numbers::pi / 180;
+  const Vec2 start = start_of(text, lettering), along(std::cos(angle), std::sin(angle));
+  const auto place = [&](const Vec2& p) { return start + p.x * along + p.y * Vec2(-along.y, along.x); };
+  for (const GlyphOutline& outline : lettering.outlines(text.text, text.height)) {
+    append_point(svg += 'M', place(outline.curves.back().end), height);
+    for (const GlyphOutline::Curve& curve : outline.curves) {
+      append_point(svg += 'Q', place(curve.control), height);
+      append_point(svg += ' ', place(curve.end), height);
+    }
+    svg += 'Z';
+  }
+}
+
+void append_outlined(std::string& svg, const Text& text, double height, const Lettering& lettering) {
+  svg += "<path";
+  if (!text.role.empty()) append_attribute(svg, "class", text.role);
+  append_attribute(svg, "aria-label", text.text);
+  svg += " d=\"";
+  append_outlines(svg, text, height, lettering);
+  svg += "\" />\n";
+}
+
+void append_written(std::string& svg, const Text& text, double height, const Lettering& lettering) {
+  constexpr std::string_view anchors[] = {"start", "middle", "end"};
+  const double y = height - text.at.y;
+  svg += "<text";
+  if (!text.role.empty()) append_attribute(svg, "class", text.role);
+  append_millimetres(svg += " x=\"", text.at.x);
+  append_millimetres(svg += "\" y=\"", y);
+  append_millimetres(svg += "\" font-size=\"", text.height * lettering.em());
+  svg += '"';
+  if (text.align != Align::left) append_attribute(svg, "text-anchor", anchors[static_cast<int>(text.align)]);
+  if (text.angle != 0) {
+    append_millimetres(svg += " transform=\"rotate(", -text.angle);
+    append_millimetres(svg += ' ', text.at.x);
+    append_millimetres(svg += ' ', y);
+    svg += ")\"";
+  }
+  append_escaped(svg += '>', text.text);
+  svg += "</text>\n";
+}
+
+}  // namespace
+
+std::string lettering_style(const Sheet& sheet) {
+  const auto any = [&](const auto& has) { return std::any_of(sheet.layers.begin(), sheet.layers.end(), has); };
+  std::string rules;
+  if (any([](const Layer& layer) { return !layer.fills.empty(); }))
+    rules += "\n.filled{fill:#000;stroke:none;fill-rule:evenodd}";
+  if (any([](const Layer& layer) { return !layer.texts.empty(); }))
+    rules += "\n.lettering{fill:#000;stroke:none;font-family:osifont,'ISOCPEUR',sans-serif;white-space:pre}";
+  return rules;
+}
+
+void append_fills(std::string& svg, const Layer& layer, double height) {
+  if (layer.fills.empty()) return;
+  svg += "<g class=\"filled\">\n";
+  for (const Fill& fill : layer.fills) append_area(svg, fill, height);
+  svg += "</g>\n";
+}
+
+void append_texts(std::string& svg, const Layer& layer, double height, const Lettering& lettering, SvgText how) {
+  if (layer.texts.empty()) return;
+  svg += "<g class=\"lettering\">\n";
+  for (const Text& text : layer.texts) {
+    if (how == SvgText::outlines) {
+      append_outlined(svg, text, height, lettering);
+    } else {
+      append_written(svg, text, height, lettering);
+    }
+  }
+  svg += "</g>\n";
+}
+
+}  // namespace epura

@@ -1,0 +1,115 @@
+#include "scene/cut_mesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <unordered_map>
+
+#include "base/parallel.hpp"
+
+namespace epura {
+
+namespace {
+
+constexpr double rounding_part = 0x1p-44;  // of the world's size, by which computed distances are uncertain
+
+class Knife {
+ public:
+  Knife(const World& world, int model, const Sides& sides)
+      : world_(world), sides_(sides), first_(world.first_vertex[model]), mesh_(*world.models[model].mesh) {
+    file_vertices_ = world.first_vertex[model + 1] - first_;
+  }
+
+  CutMesh cut(int first_triangle) {
+    for (int t = 0; t < static_cast<int>(mesh_.polygon.size()); ++t) {
+      const std::array<int, 3>& corners = world_.triangles[first_triangle + t];
+      const auto side = [&](int i) { return sides_.of[corners[i]]; };
+      if (side(0) == 0 && side(1) == 0 && side(2) == 0) {
+        result_.in_plane.push_back(t);
+      } else if (side(0) < 0 || side(1) < 0 || side(2) < 0) {
+        cut_triangle(t, {corners[0] - first_, corners[1] - first_, corners[2] - first_});
+      }
+    }
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] int side(int vertex) const { return vertex < file_vertices_ ? sides_.of[first_ + vertex] : 0; }
+
+  void cut_triangle(int triangle, const std::array<int, 3>& corners) {
+    std::vector<int> ring;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const int a = corners[i], b = corners[(i + 1) % 3];
+      if (side(a) <= 0) ring.push_back(a);
+      if (side(a) * side(b) < 0) ring.push_back(cut_edge(std::min(a, b), std::max(a, b)));
+    }
+    for (std::size_t i = 2; i < ring.size(); ++i) {
+      result_.triangles.push_back({ring[0], ring[i - 1], ring[i]});
+      result_.polygon.push_back(mesh_.polygon[triangle]);
+      result_.body.push_back(mesh_.body[triangle]);
+    }
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const int a = ring[i], b = ring[(i + 1) % ring.size()];
+      if (side(a) == 0 && side(b) == 0)
+        result_.segments.push_back({mesh_.body[triangle], {std::min(a, b), std::max(a, b)}});
+    }
+  }
+
+  int cut_edge(int a, int b) {
+    const std::uint64_t key = (static_cast<std::uint64_t>(a) << 32) | static_cast<std::uint32_t>(b);
+    const auto [place, made] = made_.try_emplace(key, file_vertices_ + static_cast<int>(result_.points.size()));
+    if (made) {
+      const double from = sides_.distance[first_ + a], to = sides_.distance[first_ + b];
+      const double t = from / (from - to);
+      // Shrinking first: the difference of two large coordinates may be no double.
+      const Vec3 p = world_.points[first_ + a] * sides_.shrink;
+      const Vec3 q = world_.points[first_ + b] * sides_.shrink;
+      result_.points.push_back((p + t * (q - p)) / sides_.shrink);
+      result_.vertices.push_back({{a, b}, t});
+    }
+    return place->second;
+  }
+
+  const World& world_;
+  const Sides& sides_;
+  int first_, file_vertices_;
+  const Mesh& mesh_;
+  CutMesh result_;
+  std::unordered_map<std::uint64_t, int> made_;  ///< edge -> vertex; only looked up, so its order does not matter
+};
+
+}  // namespace
+
+Sides find_sides(const World& world, const CuttingPlane& plane) {
+  const Vec3 reach = glm::max(glm::abs(world.box.least), glm::abs(world.box.most));
+  const double size = std::max({reach.x, reach.y, reach.z});
+  Sides sides{size > 0 ? std::ldexp(1.0, -std::clamp(std::ilogb(size) + 1, -1000, 1000)) : 1.0, {}, {}};
+  sides.of.resize(world.points.size());
+  sides.distance.resize(world.points.size());
+  const Vec3 foot = plane.point * sides.shrink;
+  const double slack = std::max(rounding_part, world.rounding * sides.shrink);
+  parallel_for(world.points.size(), 8192, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      const double distance = glm::dot(plane.normal, world.points[v] * sides.shrink - foot);
+      sides.distance[v] = distance;
+      sides.of[v] = static_cast<signed char>(distance > slack ? 1 : distance < -slack ? -1 : 0);
+    }
+  });
+  return sides;
+}
+
+CutMesh cut_mesh(const World& world, int model, const Sides& sides) {
+  return Knife(world, model, sides).cut(world.first_triangle[model]);
+}
+
+void keep_odd(std::vector<CutSegment>& segments) {
+  std::sort(segments.begin(), segments.end());
+  std::size_t kept = 0;
+  for (std::size_t begin = 0, end = 0; begin < segments.size(); begin = end) {
+    while (end < segments.size() && segments[end] == segments[begin]) ++end;
+    if ((end - begin) % 2 == 1) segments[kept++] = segments[begin];
+  }
+  segments.resize(kept);
+}
+
+}  // namespace epura

@@ -1,0 +1,46 @@
+// What a plane leaves of one model, and the segments along which it cuts it.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "base/vec.hpp"
+#include "mesh/mesh.hpp"
+#include "scene/cutting_plane.hpp"
+#include "scene/scene.hpp"
+
+namespace epura {
+
+/// The vertices of a world as a plane has them.
+struct Sides {
+  double shrink;                 ///< power of two that brings the world's size near 1
+  std::vector<signed char> of;   ///< 1: taken away, -1: stays, 0: on the plane
+  std::vector<double> distance;  ///< from the plane, shrunk
+};
+
+Sides find_sides(const World& world, const CuttingPlane& plane);
+
+/// A segment of a cut, lower vertex first.
+struct CutSegment {
+  int body;
+  std::array<int, 2> vertex;
+
+  auto operator<=>(const CutSegment&) const = default;
+};
+
+/// Vertices are numbers of the model: those of its file, then new ones.
+struct CutMesh {
+  std::vector<std::array<int, 3>> triangles;
+  std::vector<int> polygon, body;  ///< of each triangle
+  std::vector<Vec3> points;        ///< of new vertices
+  std::vector<CutVertex> vertices;
+  std::vector<CutSegment> segments;  ///< one for each triangle that is cut just behind the plane
+  std::vector<int> in_plane;         ///< triangles of the uncut mesh that lie in the plane; not among `triangles`
+};
+
+CutMesh cut_mesh(const World& world, int model, const Sides& sides);
+
+/// Sorts segments and takes away pairs of the same: an even number of faces meets there.
+void keep_odd(std::vector<CutSegment>& segments);
+
+}  // namespace epura

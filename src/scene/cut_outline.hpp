@@ -1,0 +1,52 @@
+// Closed outlines in the plane of a cut.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "mesh/even_odd.hpp"
+#include "scene/cut_mesh.hpp"
+
+namespace epura {
+
+/// The cutting plane with coordinates of its own: shrunk, from near the middle of the world.
+struct PlaneFrame {
+  CuttingPlane plane;
+  double shrink;
+  Vec3 origin;  ///< in the plane, shrunk
+
+  PlaneFrame(const World& world, const CuttingPlane& cutting_plane, double shrink_by);
+  [[nodiscard]] Vec2 flat(const Vec3& point) const {
+    const Vec3 l = point * shrink - origin;
+    return {glm::dot(plane.right, l), glm::dot(plane.up, l)};
+  }
+  [[nodiscard]] Vec3 in_space(const Vec2& p) const { return (origin + p.x * plane.right + p.y * plane.up) / shrink; }
+};
+
+/// One model's vertices: those of its file, then those of the cut.
+struct CutPlaces {
+  std::span<const Vec3> file, made;
+
+  [[nodiscard]] const Vec3& operator[](int vertex) const {
+    const auto v = static_cast<std::size_t>(vertex);
+    return v < file.size() ? file[v] : made[v - file.size()];
+  }
+};
+
+/// Segments with the places of their vertices in the plane.
+struct FlatOutlines {
+  std::vector<int> vertices;  ///< of each place
+  Outlines outlines;
+};
+FlatOutlines flatten(std::span<const CutSegment> segments, const CutPlaces& places, const PlaneFrame& frame);
+
+/// Segments of which an even number meets in each vertex, as closed rings of vertices.
+std::vector<std::vector<int>> rings_of(std::span<const CutSegment> segments);
+
+/// Which of some triangles in the plane lie inside outlines that run along some of their sides. Neighbours with no
+/// outline between them are decided as one.
+std::vector<bool> lie_inside(std::span<const std::array<int, 3>> triangles, std::span<const CutSegment> segments,
+                             const CutPlaces& places, const PlaneFrame& frame);
+
+}  // namespace epura

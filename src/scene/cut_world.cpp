@@ -1,0 +1,211 @@
+#include "scene/cut_world.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "base/error.hpp"
+#include "mesh/edge_table.hpp"
+#include "scene/cut_bodies.hpp"
+#include "scene/cut_mesh.hpp"
+#include "scene/cut_outline.hpp"
+
+namespace epura {
+
+namespace {
+
+/// One model on its way through the plane.
+struct ModelCut {
+  const World& world;
+  int model;
+  const PlaneFrame& frame;
+  CutMesh cut;
+  std::size_t of_surface = 0;  ///< triangles before those of cut faces
+  std::vector<WorldCutFace> faces{};
+  std::vector<OpenBody> open{};
+
+  [[nodiscard]] const Mesh& mesh() const { return *world.models[model].mesh; }
+  [[nodiscard]] int file_vertices() const { return world.first_vertex[model + 1] - world.first_vertex[model]; }
+  [[nodiscard]] CutPlaces places() const {
+    const auto first = static_cast<std::size_t>(world.first_vertex[model]);
+    return {{world.points.data() + first, static_cast<std::size_t>(file_vertices())}, cut.points};
+  }
+
+  /// Calls `visit(body, segments)` for the segments of each body.
+  template <class Visit>
+  void visit_bodies(const Visit& visit) const {
+    const std::span<const CutSegment> all(cut.segments);
+    for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
+      while (end < all.size() && all[end].body == all[begin].body) ++end;
+      visit(all[begin].body, all.subspan(begin, end - begin));
+    }
+  }
+
+  void close();
+  void take_faces_in_plane(const std::vector<int>& material, const std::vector<std::optional<int>>& open_edge);
+  void keep_triangle(int triangle, int body);
+  void add_open(int body, std::span<const CutSegment> segments, int open_edge);
+  void add_face(int body, std::span<const CutSegment> segments);
+  [[nodiscard]] Mesh make_mesh() const;
+};
+
+void ModelCut::close() {
+  const std::vector<std::optional<int>> open_edge = open_edges(mesh());
+  keep_odd(cut.segments);
+  const std::vector<int> material = material_of(world, model, cut, places(), frame, open_edge);
+  for (CutSegment& segment : cut.segments) segment.body = material[segment.body];
+  keep_odd(cut.segments);
+  take_faces_in_plane(material, open_edge);
+  keep_odd(cut.segments);
+  of_surface = cut.triangles.size();
+  visit_bodies([&](int body, std::span<const CutSegment> segments) {
+    if (open_edge[body])
+      add_open(body, segments, *open_edge[body]);
+    else
+      add_face(body, segments);
+  });
+}
+
+// Faces in the plane bound what remains where material lies behind them. Of open bodies all stay.
+void ModelCut::take_faces_in_plane(const std::vector<int>& material, const std::vector<std::optional<int>>& open_edge) {
+  std::vector<std::vector<int>> by_body(material.size());
+  for (const int t : cut.in_plane) by_body[material[mesh().body[t]]].push_back(t);
+  std::vector<std::pair<int, int>> kept;  // triangle, body
+  for (int body = 0; body < static_cast<int>(by_body.size()); ++body) {
+    std::vector<std::array<int, 3>> triangles;
+    for (const int t : by_body[body]) {
+      std::array<int, 3> corners = world.triangles[world.first_triangle[model] + t];
+      for (int& v : corners) v -= world.first_vertex[model];
+      triangles.push_back(corners);
+    }
+    if (triangles.empty()) continue;
+    const auto of_body = std::ranges::equal_range(cut.segments, body, {}, &CutSegment::body);
+    const std::vector<bool> inside = lie_inside(triangles, of_body, places(), frame);
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+      if (inside[i] || open_edge[body]) kept.emplace_back(by_body[body][i], body);
+  }
+  for (const auto& [triangle, body] : kept) keep_triangle(triangle, body);
+}
+
+void ModelCut::keep_triangle(int triangle, int body) {
+  std::array<int, 3> corners = world.triangles[world.first_triangle[model] + triangle];
+  for (int& v : corners) v -= world.first_vertex[model];
+  cut.triangles.push_back(corners);
+  cut.polygon.push_back(mesh().polygon[triangle]);
+  cut.body.push_back(mesh().body[triangle]);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto [low, high] = std::minmax(corners[i], corners[(i + 1) % 3]);
+    cut.segments.push_back({body, {low, high}});
+  }
+}
+
+void ModelCut::add_open(int body, std::span<const CutSegment> segments, int open_edge) {
+  std::vector<int> ends;
+  for (const CutSegment& segment : segments) ends.insert(ends.end(), segment.vertex.begin(), segment.vertex.end());
+  std::sort(ends.begin(), ends.end());
+  for (std::size_t begin = 0, end = 0; begin < ends.size(); begin = end) {
+    while (end < ends.size() && ends[end] == ends[begin]) ++end;
+    if ((end - begin) % 2 == 0) continue;
+    open.push_back({model, body, places()[ends[begin]], true});
+    return;
+  }
+  const auto& [a, b] = mesh().edges[open_edge].vertex;
+  open.push_back({model, body, places()[a] * 0.5 + places()[b] * 0.5, false});
+}
+
+void ModelCut::add_face(int body, std::span<const CutSegment> segments) {
+  faces.push_back({model, body, rings_of(segments)});
+  FlatOutlines flat = flatten(segments, places(), frame);
+  const std::vector<std::array<int, 3>> triangles = fill_even_odd(flat.outlines);
+  for (std::size_t i = flat.vertices.size(); i < flat.outlines.places.size(); ++i) {
+    flat.vertices.push_back(file_vertices() + static_cast<int>(cut.points.size()));
+    cut.points.push_back(frame.in_space(flat.outlines.places[i]));
+    cut.vertices.push_back({{-1, -1}, 0});
+  }
+  const auto& polygons = mesh().polygon;
+  const int face = *std::max_element(polygons.begin(), polygons.end()) + static_cast<int>(faces.size());
+  for (const auto& [a, b, c] : triangles) {
+    cut.triangles.push_back({flat.vertices[a], flat.vertices[b], flat.vertices[c]});
+    cut.polygon.push_back(face);
+    cut.body.push_back(body);
+  }
+}
+
+Mesh ModelCut::make_mesh() const {
+  Mesh cut_away;
+  cut_away.polygon = cut.polygon;
+  cut_away.body = cut.body;
+  cut_away.body_names = mesh().body_names;
+  cut_away.report = mesh().report;
+  cut_away.cut_vertices = cut.vertices;
+  cut_away.first_cut_vertex = file_vertices();
+  std::vector<int> corners;
+  for (const auto& triangle : cut.triangles) corners.insert(corners.end(), triangle.begin(), triangle.end());
+  EdgeTable table = make_edge_table(corners, cut.polygon, file_vertices() + static_cast<int>(cut.points.size()));
+  for (int& halfedge : table.halfedges) halfedge /= 3;
+  cut_away.edges = std::move(table.edges);
+  cut_away.edge_triangles = std::move(table.halfedges);
+
+  std::vector<std::array<int, 2>> outline;
+  for (const CutSegment& segment : cut.segments) outline.push_back(segment.vertex);
+  std::sort(outline.begin(), outline.end());
+  for (MeshEdge& edge : cut_away.edges) {
+    // Triangles of cut faces come last.
+    const bool in_face = cut_away.triangles_of(edge).front() >= static_cast<int>(of_surface);
+    if (std::binary_search(outline.begin(), outline.end(), edge.vertex))
+      edge.cut = CutEdge::outline;
+    else if (in_face || !cut_away.origin_of(edge).in_file)
+      edge.cut = CutEdge::inside;
+  }
+  return cut_away;
+}
+
+void append(World& world, const ModelCut& cut) {
+  const int first = world.first_vertex.back();
+  const CutPlaces places = cut.places();
+  world.points.insert(world.points.end(), places.file.begin(), places.file.end());
+  world.points.insert(world.points.end(), places.made.begin(), places.made.end());
+  for (std::array<int, 3> corners : cut.cut.triangles) {
+    for (int& v : corners) v += first;
+    world.triangles.push_back(corners);
+  }
+  world.first_vertex.push_back(static_cast<int>(world.points.size()));
+  world.first_triangle.push_back(static_cast<int>(world.triangles.size()));
+  world.models.push_back({std::make_shared<const Mesh>(cut.make_mesh()), cut.world.models[cut.model].to_world});
+}
+
+[[noreturn]] void refuse(const CuttingPlane& plane, const std::string& what) {
+  throw Error(Trouble::input, plane.where, what, "move the point or turn the normal");
+}
+
+}  // namespace
+
+CutWorld cut_world(const World& world, const CuttingPlane& plane) {
+  const Sides sides = find_sides(world, plane);
+  const PlaneFrame frame(world, plane, sides.shrink);
+  CutWorld result;
+  result.world.first_vertex = {0};
+  result.world.first_triangle = {0};
+  result.world.box = world.box;
+  result.world.rounding = world.rounding;
+  bool cuts = false;
+  for (int model = 0; model < static_cast<int>(world.models.size()); ++model) {
+    ModelCut cut{world, model, frame, cut_mesh(world, model, sides)};
+    cut.close();
+    const int first = result.world.first_vertex.back();
+    for (WorldCutFace& face : cut.faces) {
+      for (auto& ring : face.rings)
+        for (int& v : ring) v += first;
+      result.faces.push_back(std::move(face));
+    }
+    result.open.insert(result.open.end(), cut.open.begin(), cut.open.end());
+    cuts = cuts || !cut.cut.segments.empty();
+    append(result.world, cut);
+  }
+  if (result.world.triangles.empty()) refuse(plane, "the cutting plane takes everything away");
+  if (!cuts) refuse(plane, "the plane cuts nothing");
+  return result;
+}
+
+}  // namespace epura

@@ -1,0 +1,41 @@
+// A world cut by a plane: what remains is a world of its own, closed by cut faces, so that no later stage knows of
+// cuts.
+//
+// Sides are signs of vertices: a vertex within rounding of the plane is on it, for all triangles alike. What is decided
+// from signs alone is the same for neighbours; edges are cut once for all their triangles. Outlines of cut faces are
+// taken just behind the plane, where vertices on it count as in front; faces that lie in the plane and bound what
+// remains are faces, not cut.
+#pragma once
+
+#include <vector>
+
+#include "scene/cutting_plane.hpp"
+#include "scene/scene.hpp"
+
+namespace epura {
+
+/// Where the plane cuts through material.
+struct WorldCutFace {
+  int model, body;                      ///< of a body with cavities that are bodies of the file: its own number
+  std::vector<std::vector<int>> rings;  ///< outlines by vertices of the cut world, even-odd
+};
+
+/// A body that has a cut but no cut face, because its surface is not closed.
+struct OpenBody {
+  int model, body;
+  Vec3 gap;         ///< a place where its surface ends or branches
+  bool in_outline;  ///< where the plane cuts it
+};
+
+struct CutWorld {
+  /// Vertices of the files keep their numbers, those that the plane makes follow them; so do triangles of cut faces and
+  /// their polygons. Its box is still that of the whole.
+  World world;
+  std::vector<WorldCutFace> faces;  ///< in order of model and body
+  std::vector<OpenBody> open;       ///< likewise
+};
+
+/// Throws Error{input} when the plane cuts no body, or leaves nothing.
+CutWorld cut_world(const World& world, const CuttingPlane& plane);
+
+}  // namespace epura

@@ -1,0 +1,32 @@
+// The keys of scene files. One table feeds the reader, its hints and the documentation.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scene/description.hpp"
+#include "scene/scene_values.hpp"
+
+namespace epura {
+
+/// A dimension whose anchors stand under their keys and do not know their models yet.
+struct DimensionWords {
+  DimensionDescription description;
+  std::vector<std::pair<std::string, AnchorWords>> anchors;
+};
+
+/// What a scene file says, before its parts are brought together.
+struct SceneWords {
+  SceneDescription description;
+  std::vector<DimensionWords> dimensions;
+  SheetDescription every_sheet;
+};
+
+/// Throws Error{input} for unknown keys, missing keys and values that are not what the key takes.
+SceneWords read_scene_words(const TomlValue& file);
+
+/// A table in Markdown with the keys of all sections: section, key, value, meaning.
+std::string describe_scene_keys();
+
+}  // namespace epura

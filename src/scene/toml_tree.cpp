@@ -1,0 +1,118 @@
+#include "scene/toml_tree.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <string_view>
+#include <system_error>
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/text.hpp"
+#include "scene/toml_library.hpp"
+
+namespace epura {
+
+namespace {
+
+constexpr std::uintmax_t most_bytes = 2'000'000;
+constexpr std::ptrdiff_t most_dots = 100;
+
+std::string place(const std::string& file, const toml::source_position& position) {
+  return file + ":" + std::to_string(position.line) + ":" + std::to_string(position.column);
+}
+
+std::string text_of(const toml::date& date) {
+  std::string text = "0000-00-00";
+  const auto put = [&text](std::size_t place, unsigned number) {
+    for (std::size_t i = place; number > 0; --i, number /= 10) text[i] = static_cast<char>('0' + number % 10);
+  };
+  put(3, date.year);
+  put(6, date.month);
+  put(9, date.day);
+  return text;
+}
+
+/// A key in the file, and what stands under it.
+struct Entry {
+  const toml::key* key;
+  const toml::node* node;
+};
+
+class Reader {
+ public:
+  explicit Reader(std::string file) : file_(std::move(file)) {}
+
+  [[nodiscard]] TomlTable table(const toml::table& source) const {
+    std::vector<Entry> entries;
+    for (const auto& [key, node] : source) entries.push_back({&key, &node});
+    std::sort(entries.begin(), entries.end(),
+              [](const Entry& a, const Entry& b) { return a.key->source().begin < b.key->source().begin; });
+    TomlTable result;
+    for (const auto& [key, node] : entries)
+      result.values.push_back(value(*node, std::string(key->str()), place(file_, key->source().begin)));
+    return result;
+  }
+
+ private:
+  [[nodiscard]] TomlValue value(const toml::node& node, const std::string& key, const std::string& key_where) const {
+    return {key, place(file_, node.source().begin), key_where, content(node, key, key_where)};
+  }
+
+  [[nodiscard]] TomlContent content(const toml::node& node, const std::string& key,
+                                    const std::string& key_where) const {
+    if (const auto* text = node.as_string()) return text->get();
+    if (const auto* number = node.as_floating_point()) return number->get();
+    if (const auto* number = node.as_integer()) return static_cast<double>(number->get());
+    if (const auto* flag = node.as_boolean()) return flag->get();
+    if (const auto* date = node.as_date()) return TomlDate{text_of(date->get())};
+    if (const auto* entries = node.as_table()) return table(*entries);
+    const auto* elements = node.as_array();
+    if (elements == nullptr) return TomlTime{};
+    TomlList list;
+    for (const toml::node& element : *elements) list.values.push_back(value(element, key, key_where));
+    return list;
+  }
+
+  std::string file_;
+};
+
+// toml++ counts how deep values are nested, but not dotted keys; it would exhaust the stack.
+void refuse_deep_keys(std::string_view text, const std::string& file) {
+  int number = 0;
+  for (const std::string_view line : split(text, '\n')) {
+    ++number;
+    const bool comment = line.substr(std::min(line.find_first_not_of(" \t"), line.size())).starts_with('#');
+    if (!comment && std::count(line.begin(), line.end(), '.') > most_dots)
+      throw Error(Trouble::input, file + ":" + std::to_string(number), "has more than 100 dots in a line",
+                  "dots in a key nest tables; write a shorter line");
+  }
+}
+
+// Of "Error while parsing string: ...", without what only the library's users can change.
+std::string sentence_of(const toml::parse_error& error) {
+  constexpr std::string_view head = "Error ";
+  std::string_view text = error.description();
+  if (text.starts_with(head)) text.remove_prefix(head.size());
+  return "is no TOML: " + to_lower(text.substr(0, 1)) + std::string(text.substr(1, text.find(" (TOML_") - 1));
+}
+
+}  // namespace
+
+TomlValue read_toml(const std::filesystem::path& path) {
+  const std::string file = path.string();
+  std::error_code unknown;  // of a pipe
+  const std::uintmax_t size = std::filesystem::file_size(path, unknown);
+  const std::string text = !unknown && size > most_bytes ? std::string() : read_file(path);
+  if (std::max(unknown ? 0 : size, std::uintmax_t{text.size()}) > most_bytes)
+    throw Error(Trouble::input, file, "has more than " + std::to_string(most_bytes / 1'000'000) + " MB",
+                "is it a scene file?");
+  refuse_deep_keys(text, file);
+  try {
+    return {"", file, file, Reader(file).table(toml::parse(text))};
+  } catch (const toml::parse_error& error) {
+    throw Error(Trouble::input, place(file, error.source().begin), sentence_of(error),
+                "values are like \"text\", 1.5, true or [1, 2]; see toml.io");
+  }
+}
+
+}  // namespace epura

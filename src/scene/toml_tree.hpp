@@ -1,0 +1,43 @@
+// TOML files (toml.io, version 1.0) as plain values that know their places.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace epura {
+
+struct TomlValue;
+
+/// A date without a time of day, as written: 2026-11-21.
+struct TomlDate {
+  std::string text;
+};
+
+/// A time of day, with or without a date.
+struct TomlTime {};
+
+struct TomlList {
+  std::vector<TomlValue> values;
+};
+
+struct TomlTable {
+  std::vector<TomlValue> values;  ///< in the order of the file
+};
+
+/// Whole numbers are numbers, too: those above 2^53 are rounded.
+using TomlContent = std::variant<std::string, double, bool, TomlDate, TomlTime, TomlList, TomlTable>;
+
+struct TomlValue {
+  std::string key;        ///< under which it stands; of an element, that of its list
+  std::string where;      ///< "scene.toml:12:9": file as given, line and column in characters, both from 1
+  std::string key_where;  ///< the same of the key
+  TomlContent content;
+};
+
+/// The table that a file is. Throws Error{input} for what cannot be read and is no TOML, with line and column, and for
+/// files that no person writes: larger than 2 MB, or nested deeper than the reader can follow.
+TomlValue read_toml(const std::filesystem::path& path);
+
+}  // namespace epura

@@ -1,0 +1,203 @@
+#include "sheet/arrangement.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include "base/text.hpp"
+#include "sheet/arranger.hpp"
+#include "sheet/standard_scale.hpp"
+
+namespace epura {
+
+namespace {
+
+using Spots = std::vector<ViewSpot>;
+
+// Pictorial views may be this much smaller than the others; when the others would lose too much by that, this much.
+constexpr double good_share = 0.4, least_share = 0.1;
+// Ten thousandfold less than what would fit without anything in the way.
+constexpr int most_halvings = 14;
+constexpr double rounding = 1e-9;
+
+// The largest scale at which `fits` holds, if it holds below some scale that is not much less than `most`.
+std::optional<double> largest_that(double most, bool standard, const std::function<bool(double)>& fits) {
+  double fitting = standard ? standard_scale_up_to(most) : most;
+  if (!(fitting > 0)) return std::nullopt;
+  double too_large = fitting;
+  for (int i = 0; !fits(fitting); ++i) {
+    if (i == most_halvings) return std::nullopt;
+    too_large = fitting;
+    fitting = standard ? standard_scale_up_to(fitting * 0.99) : fitting / 2;
+  }
+  while (!standard && too_large > fitting * (1 + rounding)) {
+    const double middle = (fitting + too_large) / 2;
+    (fits(middle) ? fitting : too_large) = middle;
+  }
+  return fitting;
+}
+
+struct Found {
+  double scale;
+  Spots spots;
+};
+
+std::optional<Found> at_fixed_scale(const Arranger& arranger, double scale) {
+  auto spots = arranger.arranged(scale, least_share);
+  if (!spots) return std::nullopt;
+  return Found{scale, arranger.balanced(*spots)};
+}
+
+// `otherwise`: where no view depends on the scale.
+std::optional<Found> at_free_scale(const Arranger& arranger, bool standard, double otherwise) {
+  double most = arranger.largest_scale();
+  if (!std::isfinite(most)) most = otherwise;
+  std::optional<Found> found;
+  for (const double share : {least_share, good_share}) {
+    const auto fits = [&](double scale) { return arranger.arranged(scale, share).has_value(); };
+    const auto scale = largest_that(most, standard, fits);
+    if (!scale || (found && *scale < good_share * found->scale)) break;
+    found = Found{*scale, *arranger.arranged(*scale, share)};
+  }
+  if (found) found->spots = arranger.balanced(found->spots);
+  return found;
+}
+
+struct Question {
+  std::span<const ViewToPlace> views;
+  ScaleWish wish;
+  ProjectionAngle angle;
+  DrawingRoom room;
+};
+
+// Where the scale is of no matter.
+double scale_of_first(const Question& question) { return question.views.front().scale.value_or(1); }
+
+std::optional<Found> find(const Question& question, const Arranger& arranger) {
+  if (question.wish.fixed) return at_fixed_scale(arranger, *question.wish.fixed);
+  return at_free_scale(arranger, question.wish.standard, scale_of_first(question));
+}
+
+ArrangerRoom room_on(const Paper& paper, const DrawingRoom& room) {
+  const Rectangle area = drawing_area(paper).grown(-room.clearance);
+  ArrangerRoom arranger{area, {}, std::min(room.gap, std::min(area.size().x, area.size().y) / 10)};
+  if (room.title_block) arranger.taken.push_back(room.title_block->grown(room.clearance));
+  return arranger;
+}
+
+// Gaps give way before the drawing does.
+std::optional<Found> find_on(const Question& question, const Paper& paper) {
+  ArrangerRoom room = room_on(paper, question.room);
+  if (!(room.area.size().x > 0 && room.area.size().y > 0)) return std::nullopt;
+  for (const auto& [part_of_gap, watch_given] : {std::pair(1.0, true), {0.25, true}, {0.25, false}}) {
+    ArrangerRoom tried = room;
+    tried.gap *= part_of_gap;
+    tried.watch_given = watch_given;
+    if (auto found = find(question, Arranger(question.views, question.angle, tried))) return found;
+  }
+  return std::nullopt;
+}
+
+Found overflow(const Question& question, const Paper& paper) {
+  const Arranger arranger(question.views, question.angle, room_on(paper, question.room));
+  const double most = arranger.largest_scale();
+  const double scale = question.wish.fixed.value_or(std::isfinite(most) && most > 0 ? most : scale_of_first(question));
+  return {scale, arranger.overflowing(scale)};
+}
+
+bool all_inside(const Spots& spots, const Question& question, const Paper& paper) {
+  const Rectangle area = drawing_area(paper);
+  const double slack = rounding * std::max(paper.width, paper.height);
+  for (std::size_t i = 0; i < spots.size(); ++i) {
+    if (!area.holds(spots[i].box, slack)) return false;
+    if (question.room.title_block && spots[i].box.overlaps(*question.room.title_block, slack)) return false;
+    for (std::size_t j = 0; j < i; ++j)
+      if (spots[i].box.overlaps(spots[j].box, slack)) return false;
+  }
+  return true;
+}
+
+Rectangle box_of(const Spots& spots) {
+  Rectangle box = spots.front().box;
+  for (const ViewSpot& spot : spots) box = united(box, spot.box);
+  return box;
+}
+
+Arrangement on_paper(const Question& question) {
+  const Paper& paper = question.room.paper;
+  auto found = find_on(question, paper);
+  if (!found) found = overflow(question, paper);
+  check_drawing_size(box_of(found->spots).size());
+  return {paper, found->scale, found->spots, all_inside(found->spots, question, paper)};
+}
+
+// Arranged on A4, or on a larger sheet of that shape where the scale is given; then the paper is cut.
+Arrangement on_cut_paper(Question question) {
+  const Paper margins = question.room.paper;
+  Paper trial = parse_paper("A4", false);
+  question.room.title_block.reset();
+  auto found = find_on(question, trial);
+  for (; !found && question.wish.fixed && trial.width < 2 * longest_side; trial.width *= 2, trial.height *= 2)
+    found = find_on(question, trial);
+  if (!found) found = overflow(question, trial);
+  const Rectangle box = box_of(found->spots);
+  check_drawing_size(box.size());
+  const bool given = std::any_of(question.views.begin(), question.views.end(), [](const auto& v) { return v.at; });
+  const Vec2 corner = Vec2(margins.left, margins.other) + question.room.clearance;
+  const Vec2 move = given ? Vec2(0, 0) : corner - box.least;
+  Arrangement arrangement{margins, found->scale, found->spots, true};
+  for (ViewSpot& spot : arrangement.views) spot = moved(spot, move);
+  const Vec2 most = box.most + move + question.room.clearance;
+  arrangement.paper.width = most.x + margins.other;
+  arrangement.paper.height = most.y + margins.other;
+  arrangement.inside = all_inside(arrangement.views, question, arrangement.paper);
+  return arrangement;
+}
+
+bool stands_alone(const Question& question) {
+  const ViewToPlace& view = question.views.front();
+  return question.views.size() == 1 && !view.at && !question.room.title_block && question.room.clearance == 0 &&
+         view.before == Vec2(0, 0) && view.after == Vec2(0, 0);
+}
+
+Arrangement alone(const Question& question) {
+  const Window& box = question.views.front().box;
+  const Paper& paper = question.room.paper;
+  std::optional<double> scale = question.wish.fixed;
+  if (!scale && question.wish.standard)
+    scale = standard_scale_up_to(place_ink(box.least, box.most, std::nullopt, paper).scale);
+  const Placement placed = place_ink(box.least, box.most, scale, paper);
+  const Rectangle ink{placed.scale * box.least + placed.shift, placed.scale * box.most + placed.shift};
+  return {placed.paper, placed.scale, {{0, placed.scale, placed.shift, ink}}, placed.inside};
+}
+
+}  // namespace
+
+ViewPlace view_place(std::string_view projection) {
+  constexpr std::array<std::string_view, 6> principal = {"front", "back", "left", "right", "top", "bottom"};
+  const auto found = std::find(principal.begin(), principal.end(), projection);
+  if (found != principal.end()) return static_cast<ViewPlace>(found - principal.begin());
+  return projection == "auxiliary" ? ViewPlace::other : ViewPlace::pictorial;
+}
+
+ScaleWish parse_scale_wish(std::string_view text, const std::string& where) {
+  if (to_lower(text) == "auto") return {std::nullopt, true};
+  return {parse_scale(text, where), false};
+}
+
+Arrangement arrange(std::span<const ViewToPlace> views, const ScaleWish& wish, ProjectionAngle angle,
+                    const DrawingRoom& room) {
+  Question question{views, wish, angle, room};
+  std::vector<ViewToPlace> single;
+  if (views.size() == 1 && views.front().scale) {
+    single = {views.front()};
+    question.wish = {std::exchange(single.front().scale, std::nullopt)};
+    question.views = single;
+  }
+  if (stands_alone(question)) return alone(question);
+  return room.paper.width == 0 ? on_cut_paper(question) : on_paper(question);
+}
+
+}  // namespace epura

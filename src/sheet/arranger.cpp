@@ -1,0 +1,245 @@
+#include "sheet/arranger.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "sheet/free_rectangles.hpp"
+#include "sheet/standard_scale.hpp"
+
+namespace epura {
+
+namespace {
+
+// Lengths that differ by less are equal: rounding errors of sums.
+constexpr double slack = 1e-7;
+// The groups of views move each other a little.
+constexpr int rounds_of_balance = 4;
+
+void append(std::vector<ViewSpot>& spots, const std::vector<ViewSpot>& more) {
+  spots.insert(spots.end(), more.begin(), more.end());
+}
+
+bool is_principal(ViewPlace place) { return place < ViewPlace::pictorial; }
+
+// Column and row around the front view.
+std::array<int, 2> cross_place(ViewPlace place, ProjectionAngle angle) {
+  const int to_its_side = angle == ProjectionAngle::third ? 1 : -1;
+  switch (place) {
+    case ViewPlace::left:
+      return {1 - to_its_side, 1};
+    case ViewPlace::right:
+      return {1 + to_its_side, 1};
+    case ViewPlace::top:
+      return {1, 1 - to_its_side};
+    case ViewPlace::bottom:
+      return {1, 1 + to_its_side};
+    case ViewPlace::back:
+      return {3, 1};
+    default:
+      return {1, 1};
+  }
+}
+
+}  // namespace
+
+Arranger::Arranger(std::span<const ViewToPlace> views, ProjectionAngle angle, ArrangerRoom room)
+    : views_(views), angle_(angle), room_(std::move(room)) {
+  sort_out();
+  if (!principal_.empty()) {
+    std::vector<ViewCell> cells;
+    for (const std::size_t view : principal_) cells.push_back(principal_cell(view));
+    cross_.emplace_back(cells, room_.gap);
+  }
+  others_ = grids(other_, Labels::given);
+  pictorials_ = grids(pictorial_, Labels::given);
+  labelled_pictorials_ = grids(pictorial_, Labels::all);
+}
+
+// Without principal views and sections all are alike.
+void Arranger::sort_out() {
+  std::array<bool, 6> there{};
+  for (std::size_t i = 0; i < views_.size(); ++i) {
+    const ViewToPlace& view = views_[i];
+    const bool principal = is_principal(view.place) && !view.scale;
+    if (view.at)
+      given_.push_back(i);
+    else if (principal && !std::exchange(there[static_cast<std::size_t>(view.place)], true))
+      principal_.push_back(i);
+    else
+      (view.place == ViewPlace::pictorial ? pictorial_ : other_).push_back(i);
+  }
+  if (principal_.empty() && other_.empty()) other_.swap(pictorial_);
+}
+
+ViewCell Arranger::principal_cell(std::size_t view) const {
+  const ViewToPlace& v = views_[view];
+  const auto [column, row] = cross_place(v.place, angle_);
+  return {view, column, row, Vec2(0, 0), v.box.least, v.box.most, v.before, v.after};
+}
+
+ViewCell Arranger::free_cell(std::size_t view, int column, int row, Labels labels) const {
+  const ViewToPlace& v = views_[view];
+  const Vec2 middle = Rectangle{v.box.least, v.box.most}.centre();
+  Vec2 after = v.after;
+  if (labels == Labels::all || v.scale) after.y = std::max(after.y, label_room);
+  if (!v.scale) return {view, column, row, middle, v.box.least - middle, v.box.most - middle, v.before, after};
+  const Vec2 half = (v.box.most - middle) * *v.scale;
+  return {view, column, row, middle, Vec2(0, 0), Vec2(0, 0), v.before + half, after + half, v.scale};
+}
+
+Arranger::Tables Arranger::grids(const std::vector<std::size_t>& views, Labels labels) const {
+  Tables tables;
+  const auto count = static_cast<int>(views.size());
+  int columns_before = 0;
+  for (int rows = 1; rows <= count; ++rows) {
+    const int columns = (count + rows - 1) / rows;
+    if (columns == std::exchange(columns_before, columns)) continue;
+    std::vector<ViewCell> cells;
+    for (int i = 0; i < count; ++i)
+      cells.push_back(free_cell(views[static_cast<std::size_t>(i)], i % columns, i / columns, labels));
+    tables.emplace_back(cells, room_.gap);
+  }
+  return tables;
+}
+
+double Arranger::largest_scale() const {
+  double largest = HUGE_VAL;
+  for (const Tables* tables : {&cross_, &others_}) {
+    double of_these = tables->empty() ? HUGE_VAL : 0;
+    for (const ViewTable& table : *tables) of_these = std::max(of_these, table.largest_scale(room_.area.size()));
+    largest = std::min(largest, of_these);
+  }
+  for (const std::size_t i : given_) {
+    const ViewToPlace& view = views_[i];
+    const ViewTable alone({free_cell(i, 0, 0, Labels::given)}, 0);
+    const Vec2 half = glm::min(room_.area.most - *view.at, *view.at - room_.area.least);
+    if (const double fitting = alone.largest_scale(half * 2.0); fitting > 0) largest = std::min(largest, fitting);
+  }
+  return largest;
+}
+
+ViewSpot Arranger::given_spot(std::size_t view, double scale) const {
+  const ViewCell cell = free_cell(view, 0, 0, Labels::given);
+  const ViewSpot spot = ViewTable({cell}, 0).spots(scale, {0, 0}).front();
+  return moved(spot, *views_[view].at - (spot.shift + spot.scale * cell.anchor));
+}
+
+bool Arranger::is_free(const Spots& spots, std::span<const Rectangle> taken) const {
+  return std::all_of(spots.begin(), spots.end(), [&](const ViewSpot& spot) {
+    return room_.area.holds(spot.box, slack) &&
+           std::none_of(taken.begin(), taken.end(),
+                        [&](const Rectangle& obstacle) { return obstacle.overlaps(spot.box, slack); });
+  });
+}
+
+// As high and far to the left as possible: the title block is at the lower right, and the others want their room.
+std::optional<Arranger::Spots> Arranger::principal_spots(double scale, std::span<const Rectangle> taken) const {
+  std::vector<Rectangle> corners = {room_.area};
+  const std::vector<Rectangle> free = free_rectangles(room_.area, taken);
+  corners.insert(corners.end(), free.begin(), free.end());
+  const ViewTable& table = cross_.front();
+  for (const Rectangle& r : corners) {
+    Spots spots = table.spots(scale, {r.least.x, r.most.y - table.size(scale).y});
+    if (is_free(spots, taken)) return spots;
+  }
+  return std::nullopt;
+}
+
+std::optional<Arranger::Spots> Arranger::grid_spots(const Tables& tables, double scale,
+                                                    std::span<const Rectangle> taken) const {
+  if (tables.empty()) return Spots{};
+  const ViewTable* best = nullptr;
+  Rectangle where{};
+  double largest = 0;
+  for (const Rectangle& r : free_rectangles(room_.area, taken))
+    for (const ViewTable& table : tables)
+      if (const double fitting = table.largest_scale(r.size()); fitting > largest) {
+        best = &table;
+        where = r;
+        largest = fitting;
+      }
+  if (best == nullptr || largest < scale * (1 - 1e-12)) return std::nullopt;
+  return best->spots(scale, where.centre() - best->size(scale) / 2.0);
+}
+
+std::optional<Arranger::Spots> Arranger::pictorial_spots(double scale, double share,
+                                                         std::span<const Rectangle> taken) const {
+  if (auto spots = grid_spots(pictorials_, scale, taken)) return spots;
+  for (double s = standard_scale_up_to(scale * 0.99); s >= scale * share; s = standard_scale_up_to(s * 0.99))
+    if (auto spots = grid_spots(labelled_pictorials_, s, taken)) return spots;
+  return std::nullopt;
+}
+
+std::optional<std::vector<ViewSpot>> Arranger::arranged(double scale, double share) const {
+  Spots all;
+  std::vector<Rectangle> taken = room_.taken;
+  const auto add = [&](const std::optional<Spots>& spots) {
+    if (!spots) return false;
+    append(all, *spots);
+    for (const ViewSpot& spot : *spots) taken.push_back(spot.box.grown(room_.gap));
+    return true;
+  };
+  for (const std::size_t view : given_) {
+    const Spots spot = {given_spot(view, scale)};
+    if (room_.watch_given && !is_free(spot, taken)) return std::nullopt;
+    add(spot);
+  }
+  if (!principal_.empty() && !add(principal_spots(scale, taken))) return std::nullopt;
+  if (!add(grid_spots(others_, scale, taken)) || !add(pictorial_spots(scale, share, taken))) return std::nullopt;
+  std::sort(all.begin(), all.end(), [](const ViewSpot& a, const ViewSpot& b) { return a.view < b.view; });
+  return all;
+}
+
+// How far the views of a group may go along an axis, backwards and forwards, until one meets something.
+std::array<double, 2> Arranger::play(const Spots& spots, const std::vector<std::size_t>& group, int axis) const {
+  std::vector<Rectangle> taken = room_.taken;
+  for (const ViewSpot& spot : spots)
+    if (std::find(group.begin(), group.end(), spot.view) == group.end()) taken.push_back(spot.box.grown(room_.gap));
+  double back = HUGE_VAL, forth = HUGE_VAL;
+  for (const std::size_t view : group) {
+    const Rectangle& box = spots[view].box;
+    back = std::min(back, box.least[axis] - room_.area.least[axis]);
+    forth = std::min(forth, room_.area.most[axis] - box.most[axis]);
+    for (const Rectangle& obstacle : taken) {
+      const int across = 1 - axis;
+      if (std::min(box.most[across], obstacle.most[across]) - std::max(box.least[across], obstacle.least[across]) <=
+          slack)
+        continue;
+      if (obstacle.centre()[axis] < box.centre()[axis])
+        back = std::min(back, box.least[axis] - obstacle.most[axis]);
+      else
+        forth = std::min(forth, obstacle.least[axis] - box.most[axis]);
+    }
+  }
+  return {std::max(back, 0.0), std::max(forth, 0.0)};
+}
+
+std::vector<ViewSpot> Arranger::balanced(std::vector<ViewSpot> spots) const {
+  for (int round = 0; round < rounds_of_balance; ++round)
+    for (const auto* group : {&principal_, &other_, &pictorial_})
+      for (const int axis : {0, 1}) {
+        if (group->empty()) continue;
+        const auto [back, forth] = play(spots, *group, axis);
+        Vec2 move(0, 0);
+        move[axis] = (forth - back) / 2;
+        for (const std::size_t view : *group) spots[view] = moved(spots[view], move);
+      }
+  return spots;
+}
+
+std::vector<ViewSpot> Arranger::overflowing(double scale) const {
+  std::vector<ViewCell> cells;
+  for (const std::size_t view : principal_) cells.push_back(principal_cell(view));
+  int column = 4;  // the rear view is in the one before
+  for (const auto* views : {&other_, &pictorial_})
+    for (const std::size_t view : *views) cells.push_back(free_cell(view, column++, 1, Labels::given));
+  const ViewTable table(cells, room_.gap);
+  Spots all = table.spots(scale, room_.area.centre() - table.size(scale) / 2.0);
+  for (const std::size_t view : given_) all.push_back(given_spot(view, scale));
+  std::sort(all.begin(), all.end(), [](const ViewSpot& a, const ViewSpot& b) { return a.view < b.view; });
+  return all;
+}
+
+}  // namespace epura

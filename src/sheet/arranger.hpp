@@ -1,0 +1,66 @@
+// The views of a sheet in groups, tried at one scale after another.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "sheet/arrangement.hpp"
+#include "sheet/rectangle.hpp"
+#include "sheet/view_table.hpp"
+
+namespace epura {
+
+/// Where to arrange, and how strictly.
+struct ArrangerRoom {
+  Rectangle area;
+  std::vector<Rectangle> taken;  ///< the title block with what is to be free around it
+  double gap;                    ///< between views
+  bool watch_given = true;       ///< views with a given place have to be in the area, apart from everything else
+};
+
+class Arranger {
+ public:
+  Arranger(std::span<const ViewToPlace> views, ProjectionAngle angle, ArrangerRoom room);
+
+  /// No larger scale can do; infinite where all views have a scale of their own.
+  [[nodiscard]] double largest_scale() const;
+
+  /// All views at a scale, pictorial ones at no less than `share` of it; nothing where they have no room.
+  [[nodiscard]] std::optional<std::vector<ViewSpot>> arranged(double scale, double share) const;
+
+  /// The same with each group of views in the middle of the room that the others leave it.
+  [[nodiscard]] std::vector<ViewSpot> balanced(std::vector<ViewSpot> spots) const;
+
+  /// Views that do not fit: apart from each other, but not within the area.
+  [[nodiscard]] std::vector<ViewSpot> overflowing(double scale) const;
+
+ private:
+  using Tables = std::vector<ViewTable>;
+  using Spots = std::vector<ViewSpot>;
+  enum class Labels { given, all };
+
+  void sort_out();
+  [[nodiscard]] ViewCell principal_cell(std::size_t view) const;
+  [[nodiscard]] ViewCell free_cell(std::size_t view, int column, int row, Labels labels) const;
+  [[nodiscard]] Tables grids(const std::vector<std::size_t>& views, Labels labels) const;
+  [[nodiscard]] ViewSpot given_spot(std::size_t view, double scale) const;
+  [[nodiscard]] bool is_free(const Spots& spots, std::span<const Rectangle> taken) const;
+  [[nodiscard]] std::optional<Spots> principal_spots(double scale, std::span<const Rectangle> taken) const;
+  [[nodiscard]] std::optional<Spots> grid_spots(const Tables& tables, double scale,
+                                                std::span<const Rectangle> taken) const;
+  [[nodiscard]] std::optional<Spots> pictorial_spots(double scale, double share,
+                                                     std::span<const Rectangle> taken) const;
+  [[nodiscard]] std::array<double, 2> play(const Spots& spots, const std::vector<std::size_t>& group, int axis) const;
+
+  std::span<const ViewToPlace> views_;
+  ProjectionAngle angle_;
+  ArrangerRoom room_;
+  std::vector<std::size_t> given_, principal_, other_, pictorial_;  // view numbers
+  Tables cross_;                                                    // of the principal views, if there are any
+  Tables others_, pictorials_, labelled_pictorials_;                // by number of columns
+};
+
+}  // namespace epura

@@ -1,0 +1,21 @@
+// Where a section is cut, marked in a view that sees the cutting plane edge-on. ISO 128-3.
+#pragma once
+
+#include <optional>
+
+#include "drawing/drawing.hpp"
+#include "scene/cutting_plane.hpp"
+#include "sheet/sheet.hpp"
+#include "sheet/view_lines.hpp"
+
+namespace epura {
+
+/// How far the marks reach past the ink of a view, along the cutting plane, mm.
+double cutting_plane_room(const LineWidths& widths);
+
+/// Layer "VIEW/cutting-plane": a narrow long-dashed dotted line (ISO 128-2, type 04.1) across the ink of `parent` with
+/// wide ends (04.2) past its outline, arrows onto them in the direction in which the section is seen, and its name
+/// beside them. Nothing where the view does not see the plane edge-on, and in central projections.
+std::optional<Layer> cutting_plane_line(const Drawing& parent, const CuttingPlane& plane, const LineWidths& widths);
+
+}  // namespace epura

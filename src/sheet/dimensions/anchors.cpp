@@ -1,0 +1,130 @@
+#include "sheet/dimensions/anchors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "sheet/dimensions/rims.hpp"
+
+namespace epura {
+
+namespace {
+
+constexpr double same_place = 1e-9;  // of the size of the world
+constexpr double farthest = 10'000;  // mm of paper
+
+struct TypeRule {
+  const char* name;
+  std::size_t anchors;
+  const char* wants;
+};
+
+// In order of DimensionType.
+constexpr std::array<TypeRule, 6> type_rules{{{"linear", 2, "its two ends"},
+                                              {"aligned", 2, "its two ends"},
+                                              {"angular", 3, "the corner and an end of each leg"},
+                                              {"radius", 1, "a vertex on the circle"},
+                                              {"diameter", 1, "a vertex on the circle"},
+                                              {"overall", 0, "no anchors"}}};
+constexpr std::array<const char*, 6> direction_names{"none", "horizontal", "vertical", "width", "height", "depth"};
+
+[[noreturn]] void refuse(const std::string& where, const std::string& what, const std::string& hint = {}) {
+  throw Error(Trouble::input, where, what, hint);
+}
+
+// The number of a word among those from `first` to before `last`.
+int number_of(const Given& given, const std::string& where, const std::string& what,
+              const std::vector<std::string>& names) {
+  const auto found = std::find(names.begin(), names.end(), given.text);
+  if (given.given() && found != names.end()) return static_cast<int>(found - names.begin());
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  if (!given.given()) refuse(where, "the dimension has no " + what, "give one of " + list);
+  refuse(given.where, "'" + given.text + "' is no " + what + " of a dimension", did_you_mean(given.text, names));
+}
+
+DimensionType type_of(const DimensionDescription& dimension) {
+  std::vector<std::string> names;
+  for (const TypeRule& rule : type_rules) names.emplace_back(rule.name);
+  return static_cast<DimensionType>(number_of(dimension.type, dimension.where, "type", names));
+}
+
+DimensionDirection direction_of(const DimensionDescription& dimension, DimensionType type) {
+  const bool linear = type == DimensionType::linear;
+  if (!linear && type != DimensionType::overall) {
+    if (dimension.direction.given())
+      refuse(dimension.direction.where, "only linear and overall dimensions have a direction");
+    return DimensionDirection::none;
+  }
+  const int first = static_cast<int>(linear ? DimensionDirection::horizontal : DimensionDirection::width);
+  const int end = linear ? static_cast<int>(DimensionDirection::width) : static_cast<int>(direction_names.size());
+  const std::vector<std::string> names(direction_names.begin() + first, direction_names.begin() + end);
+  return static_cast<DimensionDirection>(first + number_of(dimension.direction, dimension.where, "direction", names));
+}
+
+Vec3 place_of_vertex(const World& world, const std::array<int, 2>& vertex, const std::string& where) {
+  const auto [model, number] = vertex;
+  const int models = static_cast<int>(world.models.size());
+  if (model < 0 || model >= models)
+    refuse(where, "there is no model " + std::to_string(model), "models count from 0 to " + std::to_string(models - 1));
+  const int count = world.first_vertex[std::size_t(model) + 1] - world.first_vertex[std::size_t(model)];
+  if (number < 0 || number >= count)
+    refuse(where, "model " + std::to_string(model) + " has no vertex " + std::to_string(number),
+           "its vertices count from 0 to " + std::to_string(count - 1));
+  const Placed& placed = world.models[std::size_t(model)];
+  // Not World::points, which lacks vertices that no triangle uses.
+  const auto& p = placed.mesh->point(number);
+  return placed.to_world * Vec4(p[0], p[1], p[2], 1);
+}
+
+Vec3 place_of(const World& world, const Anchor& anchor, const std::string& where) {
+  const auto* vertex = std::get_if<std::array<int, 2>>(&anchor);
+  const Vec3 place = vertex ? place_of_vertex(world, *vertex, where) : std::get<Vec3>(anchor);
+  if (!finite(place)) refuse(where, "an anchor lies nowhere: its coordinates are no finite numbers");
+  return place;
+}
+
+void expect_apart(const World& world, const Vec3& a, const Vec3& b, const std::string& where) {
+  if (glm::length(a - b) <= same_place * glm::length(world.box.size()))
+    refuse(where, "two of its anchors are at the same place", "choose other vertices");
+}
+
+void expect_offset(const AnchoredDimension& dimension) {
+  if (!dimension.offset) return;
+  if (!(std::abs(*dimension.offset) <= farthest))
+    refuse(dimension.where, "the offset is no length on a sheet", "give at most " + format_number(farthest) + " mm");
+  if (dimension.type == DimensionType::angular && *dimension.offset <= 0)
+    refuse(dimension.where, "the offset of an angular dimension is the radius of its arc, which is positive");
+}
+
+AnchoredDimension anchored(const World& world, Rims& rims, const DimensionDescription& description) {
+  const std::string& where = description.where;
+  const DimensionType type = type_of(description);
+  const TypeRule& rule = type_rules[std::size_t(type)];
+  AnchoredDimension dimension{
+      where, type, direction_of(description, type), {}, {}, description.offset, description.text.text};
+  if (description.anchors.size() != rule.anchors)
+    refuse(where, "has " + std::to_string(description.anchors.size()) + " anchors",
+           std::string("the dimension '") + rule.name + "' wants " + rule.wants);
+  expect_offset(dimension);
+  for (const Anchor& anchor : description.anchors) dimension.points.push_back(place_of(world, anchor, where));
+  for (std::size_t i = 1; i < dimension.points.size(); ++i)
+    expect_apart(world, dimension.points[0], dimension.points[i], where);
+  if (type == DimensionType::radius || type == DimensionType::diameter)
+    dimension.circles = rims.through(description.anchors[0], dimension.points[0], where);
+  if (type == DimensionType::overall) dimension.points = {world.box.least, world.box.most};
+  return dimension;
+}
+
+}  // namespace
+
+std::vector<AnchoredDimension> find_anchors(const World& world, std::span<const DimensionDescription> dimensions) {
+  Rims rims(world);
+  std::vector<AnchoredDimension> anchored_ones;
+  for (const DimensionDescription& dimension : dimensions) anchored_ones.push_back(anchored(world, rims, dimension));
+  return anchored_ones;
+}
+
+}  // namespace epura

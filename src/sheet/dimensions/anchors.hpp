@@ -1,0 +1,42 @@
+// What a dimension hangs on: its words understood, its anchors found in the world.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/vec.hpp"
+#include "scene/description.hpp"
+#include "scene/scene.hpp"
+
+namespace epura {
+
+enum class DimensionType { linear, aligned, angular, radius, diameter, overall };
+
+/// Of linear dimensions on the paper, of overall ones in the world: along x, z and y.
+enum class DimensionDirection { none, horizontal, vertical, width, height, depth };
+
+/// A circle or an arc in the world.
+struct WorldCircle {
+  Vec3 centre, axis;  ///< the axis has length 1
+  double radius;
+  std::vector<Vec3> rim;  ///< its vertices, in order round it
+  bool whole;
+};
+
+struct AnchoredDimension {
+  std::string where;  ///< for errors
+  DimensionType type;
+  DimensionDirection direction;
+  std::vector<Vec3> points;          ///< two ends; angular: the corner, then the ends of its legs
+  std::vector<WorldCircle> circles;  ///< radius, diameter: all that pass through the anchor, at least one
+  std::optional<double> offset;
+  std::string text;  ///< "<>" stands for the measured value
+};
+
+/// In their order. Throws Error{input} that names where the dimension was asked for: for words that mean nothing,
+/// vertices that are not there, anchors that coincide, and anchors on no circle where one is wanted.
+std::vector<AnchoredDimension> find_anchors(const World& world, std::span<const DimensionDescription> dimensions);
+
+}  // namespace epura

@@ -1,0 +1,115 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "sheet/dimensions/forms.hpp"
+
+namespace epura {
+
+namespace {
+
+constexpr int radii = 24;
+constexpr double first_radius = 14, longer = 4;  // mm
+constexpr double cost_of_radius = 0.1;           // a millimetre
+constexpr double cost_outside = 3;               // of a text that stands outside the angle
+constexpr double arrows_inside = 3;              // lengths of arrows that two of them need
+constexpr double steepest = 0.5;                 // sine of the slope of a text that falls to the right
+constexpr double step_of_arc = std::numbers::pi / 90;
+
+// From one leg to the other, as angles on the paper.
+struct Sector {
+  Vec2 corner;
+  double first, sweep;
+};
+
+Sector sector_of(const MeasuredAngle& angle) {
+  const auto& [a, b] = angle.legs;
+  return {angle.corner, std::atan2(a.y, a.x), std::atan2(glm::dot(left_of(a), b), glm::dot(a, b))};
+}
+
+// The arc from one angle to another, as a polyline that knows what it is.
+Stroke arc(const Vec2& centre, double radius, double from, double to) {
+  const int parts = std::max(2, static_cast<int>(std::ceil(std::abs(to - from) / step_of_arc)));
+  Stroke stroke;
+  for (int i = 0; i <= parts; ++i) stroke.points.push_back(centre + radius * turned_to(from + (to - from) * i / parts));
+  stroke.curves = {{0, parts, centre, {radius, 0}, {0, radius}, from, to}};
+  return stroke;
+}
+
+void add_arc(PlacedDimension& dimension, const Stroke& stroke, double half_width) {
+  for (std::size_t i = 1; i < stroke.points.size(); ++i) {
+    dimension.zones.push_back(line_box(stroke.points[i - 1], stroke.points[i]));
+    dimension.zones.back().half.y = half_width;
+  }
+  dimension.strokes.push_back(stroke);
+}
+
+void add_extension_lines(PlacedDimension& dimension, const MeasuredAngle& angle, double radius,
+                         const DimensionLook& look) {
+  for (const Vec2& leg : angle.legs) {
+    const double length = glm::length(leg);
+    if (radius <= length + look.gap()) continue;
+    const Vec2 direction = leg / length;
+    add_crossable_line(dimension, angle.corner + (length + look.gap()) * direction,
+                       angle.corner + (radius + look.overshoot()) * direction);
+  }
+}
+
+// Along the arc; level where the arc is so steep that the text would be read from the left.
+void set_text_at(PlacedDimension& dimension, const std::string& text, const Vec2& corner, double radius,
+                 const Vec2& spoke, const DimensionLook& look) {
+  const Vec2 read = reading_direction(left_of(spoke));
+  const double width = look.width(text);
+  if (read.y < -steepest) {
+    const double reach = (std::abs(spoke.x) * width + std::abs(spoke.y) * look.text) / 2 + 2 * look.above();
+    const Vec2 middle = corner + (radius + reach) * spoke;
+    return set_text(dimension, text, middle, {1, 0}, -look.text / 2, look);
+  }
+  const bool inside = glm::dot(left_of(read), spoke) < 0;  // then the arc rises beside the text
+  const double rise = look.above() + (inside ? width * width / (8 * radius) : 0);
+  set_text(dimension, text, corner + radius * spoke, read, rise, look);
+}
+
+// `place`: the text stands at the middle of the arc (0), or past its end (1) or its beginning (-1).
+PlacedDimension arc_dimension(const MeasuredAngle& angle, const std::string& text, double radius, int place,
+                              const DimensionLook& look) {
+  const auto [corner, first, sweep] = sector_of(angle);
+  const double turn = sweep < 0 ? -1 : 1;
+  const bool outward = radius * std::abs(sweep) >= arrows_inside * look.arrow();
+  const double tail = (outward ? 0 : 2 * look.arrow() / radius) * turn;
+  const double lead = (look.arrow() + look.above() + look.width(text) / 2) / radius * turn;
+  const double middle = place == 0 ? first + sweep / 2 : place > 0 ? first + sweep + lead : first - lead;
+  PlacedDimension dimension;
+  add_extension_lines(dimension, angle, radius, look);
+  add_arc(dimension,
+          arc(corner, radius, place < 0 ? first - 2 * lead : first - tail,
+              place > 0 ? first + sweep + 2 * lead : first + sweep + tail),
+          look.above());
+  for (const double side : {-1.0, 1.0}) {
+    const double end = side < 0 ? first : first + sweep;
+    const Vec2 forward = side * turn * left_of(turned_to(end));
+    dimension.arrows.push_back(arrow_at(corner + radius * turned_to(end), outward ? forward : -forward, look));
+  }
+  set_text_at(dimension, text, corner, radius, turned_to(middle), look);
+  dimension.zones.push_back(dimension.text_box);
+  return dimension;
+}
+
+}  // namespace
+
+std::vector<DimensionWay> ways_of(const MeasuredAngle& angle, const MeasuredDimension& measured, const Drawing&,
+                                  const DimensionLook& look) {
+  std::vector<DimensionWay> ways;
+  const double sweep = std::abs(sector_of(angle).sweep);
+  for (int k = 0; k < (measured.offset ? 1 : radii); ++k) {
+    const double radius = measured.offset ? std::abs(*measured.offset) : first_radius + longer * k;
+    const bool room = radius * sweep > look.width(measured.text) + 2 * look.above();
+    for (const int place : {0, 1, -1}) {
+      const double crowded = place == 0 ? (room ? 0 : 2 * cost_outside) : cost_outside;
+      ways.push_back({arc_dimension(angle, measured.text, radius, place, look), cost_of_radius * radius + crowded});
+    }
+  }
+  return ways;
+}
+
+}  // namespace epura

@@ -1,0 +1,29 @@
+// What dimensions take of the paper, so that they keep out of each other's way.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/vec.hpp"
+#include "drawing/drawing.hpp"
+
+namespace epura {
+
+/// A rectangle in any direction; a line where a half is 0. Millimetres of paper.
+struct TurnedBox {
+  Vec2 centre;
+  Vec2 along;  ///< length 1
+  Vec2 half;   ///< half its size along and across
+};
+
+TurnedBox line_box(const Vec2& from, const Vec2& to);
+
+/// Whether they have more than their borders in common.
+bool overlap(const TurnedBox& a, const TurnedBox& b);
+
+int overlaps(const TurnedBox& box, std::span<const TurnedBox> others);
+
+/// How many lines of the drawing run through the box.
+int ink_in(const TurnedBox& box, const Drawing& drawing);
+
+}  // namespace epura

@@ -1,0 +1,119 @@
+#include "sheet/dimensions/dimensions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numeric>
+#include <tuple>
+
+#include "base/error.hpp"
+#include "sheet/dimensions/anchors.hpp"
+#include "sheet/dimensions/forms.hpp"
+#include "sheet/dimensions/measure.hpp"
+
+namespace epura {
+
+namespace {
+
+// What makes a drawing hard to read outweighs all that only makes it less neat.
+constexpr double cost_of_zone = 1000;  // two dimensions in one place
+constexpr double cost_of_text = 300;   // a line through a text
+constexpr double cost_of_crossing = 3;
+constexpr double cost_of_ink = 0.3;  // a line of the drawing that a leader crosses
+
+/// What stands on the paper already.
+struct Surroundings {
+  const Drawing& drawing;
+  std::vector<TurnedBox> zones, texts, lines;
+
+  void add(const PlacedDimension& dimension) {
+    zones.insert(zones.end(), dimension.zones.begin(), dimension.zones.end());
+    texts.push_back(dimension.text_box);
+    lines.insert(lines.end(), dimension.lines.begin(), dimension.lines.end());
+  }
+
+  /// What the place of the dimension costs; no more is found out once that is beyond `most`.
+  [[nodiscard]] double cost(const PlacedDimension& dimension, double most) const {
+    double cost = cost_of_text * overlaps(dimension.text_box, lines);
+    for (const TurnedBox& zone : dimension.zones)
+      cost += cost_of_zone * overlaps(zone, zones) + cost_of_crossing * overlaps(zone, lines);
+    for (const TurnedBox& line : dimension.lines)
+      cost += cost_of_text * overlaps(line, texts) + cost_of_crossing * overlaps(line, zones);
+    if (cost < most && ink_in(dimension.text_box, drawing) > 0) cost += cost_of_text;
+    if (cost < most)
+      for (const TurnedBox& line : dimension.lines) cost += cost_of_ink * ink_in(line, drawing);
+    return cost;
+  }
+};
+
+PlacedDimension best_of(std::vector<DimensionWay> ways, const Surroundings& surroundings) {
+  std::stable_sort(ways.begin(), ways.end(),
+                   [](const DimensionWay& a, const DimensionWay& b) { return a.cost < b.cost; });
+  DimensionWay* best = nullptr;
+  double least = HUGE_VAL;
+  for (DimensionWay& way : ways) {
+    if (way.cost >= least) break;
+    const double cost = way.cost + surroundings.cost(way.dimension, least - way.cost);
+    if (cost >= least) continue;
+    least = cost;
+    best = &way;
+  }
+  check(best != nullptr, "a dimension has no place");
+  return std::move(best->dimension);
+}
+
+// Those without a choice come first; then distances, small before large; then angles; then circles.
+std::vector<std::size_t> order_of(const std::vector<MeasuredDimension>& dimensions) {
+  const auto rank = [&](std::size_t i) {
+    const MeasuredDimension& dimension = dimensions[i];
+    const auto* length = std::get_if<MeasuredLength>(&dimension.form);
+    return std::tuple(!dimension.offset, dimension.form.index(),
+                      length ? std::abs(glm::dot(length->to - length->from, length->along)) : 0.0, i);
+  };
+  std::vector<std::size_t> order(dimensions.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
+  return order;
+}
+
+std::vector<PlacedDimension> place(const std::vector<MeasuredDimension>& dimensions, const Drawing& drawing,
+                                   const DimensionLook& look) {
+  Surroundings surroundings{drawing, {}, {}, {}};
+  std::vector<PlacedDimension> placed(dimensions.size());
+  for (const std::size_t i : order_of(dimensions)) {
+    const auto ways = [&](const auto& form) { return ways_of(form, dimensions[i], drawing, look); };
+    placed[i] = best_of(std::visit(ways, dimensions[i].form), surroundings);
+    surroundings.add(placed[i]);
+  }
+  return placed;
+}
+
+// U+2300, or the letter that stands for it.
+std::string diameter_sign(const Lettering& lettering) { return lettering.missing("⌀").empty() ? "⌀" : "Ø"; }
+
+void expect_letters(const std::string& text, const AnchoredDimension& dimension, const Lettering& lettering) {
+  const std::vector<std::string> missing = lettering.missing(text);
+  if (!missing.empty())
+    throw Error(Trouble::input, dimension.where, "the font has no '" + missing.front() + "'",
+                "write the text without it");
+}
+
+}  // namespace
+
+Layer dimension_layer(const World& world, const Drawing& drawing, std::span<const DimensionDescription> dimensions,
+                      const Lettering& lettering, double line_width, double text_height) {
+  std::vector<MeasuredDimension> measured;
+  for (const AnchoredDimension& dimension : find_anchors(world, dimensions)) {
+    measured.push_back(measure(drawing, dimension, diameter_sign(lettering)));
+    expect_letters(measured.back().text, dimension, lettering);
+  }
+  Layer layer{drawing.name + "/dimensions", {"dimension", line_width}, {}};
+  for (PlacedDimension& dimension : place(measured, drawing, {lettering, line_width, text_height})) {
+    std::move(dimension.strokes.begin(), dimension.strokes.end(), std::back_inserter(layer.strokes));
+    std::move(dimension.arrows.begin(), dimension.arrows.end(), std::back_inserter(layer.fills));
+    layer.texts.push_back(std::move(dimension.text));
+  }
+  return layer;
+}
+
+}  // namespace epura

@@ -1,0 +1,45 @@
+#include "sheet/dimensions/marks.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace epura {
+
+namespace {
+
+constexpr double half_tip = 10 * std::numbers::pi / 180;
+constexpr double air = 0.15;  // around a text, of its height
+constexpr double upright = 1e-6;
+
+}  // namespace
+
+Vec2 reading_direction(const Vec2& along) {
+  const bool vertical = std::abs(along.x) <= upright;
+  return (vertical ? along.y > 0 : along.x > 0) ? along : -along;
+}
+
+Fill arrow_at(const Vec2& tip, const Vec2& direction, const DimensionLook& look) {
+  const Vec2 foot = tip - look.arrow() * direction;
+  const Vec2 across = look.arrow() * std::tan(half_tip) * left_of(direction);
+  return {{{tip, foot + across, foot - across}}};
+}
+
+void add_line(PlacedDimension& dimension, const Vec2& from, const Vec2& to) {
+  dimension.strokes.emplace_back().points = {from, to};
+}
+
+void add_crossable_line(PlacedDimension& dimension, const Vec2& from, const Vec2& to) {
+  add_line(dimension, from, to);
+  dimension.lines.push_back(line_box(from, to));
+}
+
+void set_text(PlacedDimension& dimension, const std::string& text, const Vec2& middle, const Vec2& read, double rise,
+              const DimensionLook& look) {
+  const double degrees = std::atan2(read.y, read.x) * 180 / std::numbers::pi;
+  dimension.text = {text, middle + rise * left_of(read), look.text, degrees, Align::middle, "dimension"};
+  dimension.text_box = {middle + (rise + look.text / 2) * left_of(read),
+                        read,
+                        {look.width(text) / 2 + air * look.text, look.text / 2 + air * look.text}};
+}
+
+}  // namespace epura

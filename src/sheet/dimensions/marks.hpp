@@ -1,0 +1,60 @@
+// What dimensions are made of on the paper: lines, arrows, a text. ISO 129-1.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/vec.hpp"
+#include "sheet/dimensions/boxes.hpp"
+#include "sheet/lettering.hpp"
+#include "sheet/sheet.hpp"
+
+namespace epura {
+
+/// From the outline to the first dimension line, and from one to the next, mm.
+inline constexpr double first_dimension = 10;
+constexpr double dimension_step(double text_height) { return 4.5 + text_height; }
+
+/// Measures of dimensions, mm.
+struct DimensionLook {
+  const Lettering& lettering;
+  double line;  ///< width of the narrow lines
+  double text;  ///< height of capitals
+
+  [[nodiscard]] double arrow() const { return text; }          ///< its length; the tip has 20 degrees
+  [[nodiscard]] double gap() const { return 8 * line; }        ///< between the outline and an extension line
+  [[nodiscard]] double overshoot() const { return 8 * line; }  ///< of an extension line past the dimension line
+  [[nodiscard]] double above() const { return 0.3 * text; }    ///< between the dimension line and its text
+  [[nodiscard]] double width(const std::string& text_line) const { return lettering.width(text_line, text); }
+};
+
+/// A dimension as it would be drawn, and what it takes of the paper.
+struct PlacedDimension {
+  std::vector<Stroke> strokes;
+  std::vector<Fill> arrows;
+  Text text;
+  TurnedBox text_box;            ///< with some air
+  std::vector<TurnedBox> zones;  ///< of the dimension line and the text, for themselves alone
+  std::vector<TurnedBox> lines;  ///< extension lines and leaders, which may be crossed
+};
+
+inline Vec2 left_of(const Vec2& d) { return {-d.y, d.x}; }
+inline Vec2 turned_to(double angle) { return {std::cos(angle), std::sin(angle)}; }
+
+/// The one of two opposite directions in which a text is read, from the bottom or from the right.
+Vec2 reading_direction(const Vec2& along);
+
+/// `direction` leads to the tip and has length 1.
+Fill arrow_at(const Vec2& tip, const Vec2& direction, const DimensionLook& look);
+
+/// Adds a stroke from point to point.
+void add_line(PlacedDimension& dimension, const Vec2& from, const Vec2& to);
+
+/// The same, as an extension line or leader.
+void add_crossable_line(PlacedDimension& dimension, const Vec2& from, const Vec2& to);
+
+/// Writes a text whose middle stands `rise` above a place on the line that it is read along.
+void set_text(PlacedDimension& dimension, const std::string& text, const Vec2& middle, const Vec2& read, double rise,
+              const DimensionLook& look);
+
+}  // namespace epura

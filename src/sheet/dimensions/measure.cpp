@@ -1,0 +1,222 @@
+#include "sheet/dimensions/measure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+
+namespace epura {
+
+namespace {
+
+constexpr double parallel = 1e-3;  // sine: what leans so little is shortened by half a millionth
+constexpr double whole = 1e-5;     // of a length: what ink may lack of it
+constexpr int decimals = 2;
+
+[[noreturn]] void refuse(const AnchoredDimension& dimension, const std::string& what, const std::string& hint) {
+  throw Error(Trouble::input, dimension.where, what, hint);
+}
+
+// The view that a dimension is to stand in, as it maps the world.
+struct Sight {
+  const Drawing& drawing;
+  const Vec3 n = drawing.projection.n;
+  const bool orthographic =
+      glm::length(glm::cross(drawing.projection.projector, n)) <= 1e-9 * glm::length(drawing.projection.projector);
+
+  [[nodiscard]] Vec2 page(const Vec3& p) const { return Vec2(drawing.world_to_page * Vec4(p, 1)); }
+  // Image of a direction.
+  [[nodiscard]] Vec2 page_of(const Vec3& d) const { return Vec2(drawing.world_to_page * Vec4(d, 0)); }
+  [[nodiscard]] bool in_plane(const Vec3& d) const { return std::abs(glm::dot(d, n)) <= parallel * glm::length(d); }
+  [[nodiscard]] bool shows_an_axis() const { return in_plane({1, 0, 0}) || in_plane({0, 1, 0}) || in_plane({0, 0, 1}); }
+  [[nodiscard]] double millimetres() const { return glm::length(page_of(drawing.projection.u)); }  // per unit of length
+};
+
+std::string with_text(const AnchoredDimension& dimension, const std::string& value) {
+  if (dimension.text.empty()) return value;
+  std::string text = dimension.text;
+  for (std::size_t at = text.find("<>"); at != std::string::npos; at = text.find("<>", at + value.size()))
+    text.replace(at, 2, value);
+  return text;
+}
+
+Vec2 left_of(const Vec2& d) { return {-d.y, d.x}; }
+
+MeasuredDimension length_between(const AnchoredDimension& dimension, const Sight& sight, const Vec2& along,
+                                 double value) {
+  const Vec2 from = sight.page(dimension.points[0]), to = sight.page(dimension.points[1]);
+  return {MeasuredLength{from, to, along, left_of(along)}, with_text(dimension, format_fixed(value, decimals)),
+          dimension.offset};
+}
+
+MeasuredDimension linear(const AnchoredDimension& dimension, const Sight& sight) {
+  const Vec3 d = dimension.points[1] - dimension.points[0];
+  const bool horizontal = dimension.direction == DimensionDirection::horizontal;
+  if (!sight.in_plane(d) && !(sight.orthographic && sight.shows_an_axis()))
+    refuse(dimension, "the view shortens what it measures",
+           "measure in a view parallel to it, or along an axis with 'aligned'");
+  const double value = glm::dot(d, horizontal ? sight.drawing.projection.u : sight.drawing.projection.v);
+  if (std::abs(value) <= 1e-9 * glm::length(d))
+    refuse(dimension, std::string("its anchors lie ") + (horizontal ? "one above the other" : "side by side"),
+           std::string("measure the ") + (horizontal ? "vertical" : "horizontal") + " distance");
+  return length_between(dimension, sight, horizontal ? Vec2(1, 0) : Vec2(0, 1), std::abs(value));
+}
+
+// The image of a world axis most nearly perpendicular to the line on the paper, x before y before z: extension lines
+// of axonometric views. Length 1.
+Vec2 extension_axis(const Sight& sight, const Vec2& along) {
+  Vec2 best = left_of(along);
+  double least = 0.99;
+  for (int axis = 0; axis < 3; ++axis) {
+    Vec3 e(0);
+    e[axis] = 1;
+    const Vec2 image = sight.page_of(e);
+    const double size = glm::length(image);
+    if (size <= parallel * sight.millimetres()) continue;
+    const double lean = std::abs(glm::dot(image / size, along));
+    if (lean < least - 1e-9) {
+      least = lean;
+      best = image / size;
+    }
+  }
+  return best;
+}
+
+MeasuredDimension aligned(const AnchoredDimension& dimension, const Sight& sight) {
+  const Vec3 d = dimension.points[1] - dimension.points[0];
+  const double length = glm::length(d);
+  const Vec2 image = sight.page_of(d);
+  const bool seen = glm::length(image) > parallel * sight.millimetres() * length;
+  const bool on_axis = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}) >= (1 - parallel * parallel) * length;
+  if (!seen || !(sight.in_plane(d) || on_axis))
+    refuse(dimension, seen ? "the view shortens the line it measures" : "the view looks along the line it measures",
+           "measure it in a view parallel to it");
+  const Vec2 along = image / glm::length(image);
+  MeasuredDimension measured = length_between(dimension, sight, along, length);
+  if (!sight.in_plane(d) || (on_axis && !sight.shows_an_axis()))
+    std::get<MeasuredLength>(measured.form).extension = extension_axis(sight, along);
+  return measured;
+}
+
+MeasuredDimension angular(const AnchoredDimension& dimension, const Sight& sight) {
+  std::array<Vec3, 2> legs{};
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Vec3 leg = dimension.points[i + 1] - dimension.points[0];
+    if (!sight.in_plane(leg))
+      refuse(dimension, "the view changes the angle: a leg is not parallel to its plane",
+             "measure it in a view along the axis of the angle");
+    legs[i] = glm::normalize(leg);
+  }
+  const double angle = std::atan2(glm::length(glm::cross(legs[0], legs[1])), glm::dot(legs[0], legs[1]));
+  const double degrees = angle * 180 / std::numbers::pi;
+  if (degrees < 0.005) refuse(dimension, "its legs lie on one line: the angle is zero", "choose other vertices");
+  const Vec2 corner = sight.page(dimension.points[0]);
+  return {MeasuredAngle{corner, {sight.page(dimension.points[1]) - corner, sight.page(dimension.points[2]) - corner}},
+          with_text(dimension, format_fixed(degrees, decimals) + "°"), dimension.offset};
+}
+
+// Where an arc begins and how far it goes, as its vertices follow each other on the paper.
+MeasuredCircle on_paper(const WorldCircle& circle, const Sight& sight, bool is_radius) {
+  MeasuredCircle measured{sight.page(circle.centre), circle.radius * sight.millimetres(), 0, 2 * std::numbers::pi,
+                          is_radius};
+  if (circle.whole) return measured;
+  std::optional<Vec2> before;
+  measured.sweep = 0;
+  for (const Vec3& vertex : circle.rim) {
+    const Vec2 spoke = sight.page(vertex) - measured.centre;
+    if (before) measured.sweep += std::atan2(glm::dot(left_of(*before), spoke), glm::dot(*before, spoke));
+    if (!before) measured.first = std::atan2(spoke.y, spoke.x);
+    before = spoke;
+  }
+  return measured;
+}
+
+// Of a circle seen edge on: the distance between its ends.
+MeasuredDimension edge_on(const AnchoredDimension& dimension, const WorldCircle& circle, const Sight& sight,
+                          const std::string& text) {
+  const Vec3 across = glm::normalize(glm::cross(circle.axis, sight.n)) * circle.radius;
+  const Vec2 along = glm::normalize(sight.page_of(across));
+  return {MeasuredLength{sight.page(circle.centre - across), sight.page(circle.centre + across), along, left_of(along)},
+          text, dimension.offset};
+}
+
+MeasuredDimension circular(const AnchoredDimension& dimension, const Sight& sight, const std::string& diameter) {
+  const bool is_radius = dimension.type == DimensionType::radius;
+  const auto text = [&](const WorldCircle& circle) {
+    const double value = is_radius ? circle.radius : 2 * circle.radius;
+    return with_text(dimension, (is_radius ? "R" : diameter) + format_fixed(value, decimals));
+  };
+  for (const WorldCircle& circle : dimension.circles)
+    if (glm::length(glm::cross(circle.axis, sight.n)) <= parallel)
+      return {on_paper(circle, sight, is_radius), text(circle), dimension.offset};
+  for (const WorldCircle& circle : dimension.circles)
+    if (!is_radius && circle.whole && sight.orthographic && sight.in_plane(circle.axis))
+      return edge_on(dimension, circle, sight, text(circle));
+  refuse(dimension, "the view does not show the circle in its true form",
+         is_radius ? "measure it in a view along its axis" : "measure it in a view along its axis, or square to it");
+}
+
+// The ends of the ink along a direction of the paper: of several the farthest along `side`.
+std::array<Vec2, 2> ends_of_ink(const Drawing& drawing, const Vec2& along, const Vec2& side) {
+  constexpr double same = 1e-6;  // mm
+  std::array<Vec2, 2> ends{drawing.segments.front().from, drawing.segments.front().from};
+  const auto take = [&](Vec2& end, const Vec2& direction, const Vec2& p) {
+    const double farther = glm::dot(p - end, direction);
+    if (farther > same || (farther >= -same && glm::dot(p - end, side) > 0)) end = p;
+  };
+  for (const Segment& segment : drawing.segments) {
+    for (const Vec2& p : {segment.from, segment.to}) {
+      take(ends[0], -along, p);
+      take(ends[1], along, p);
+    }
+  }
+  return ends;
+}
+
+MeasuredDimension overall(const AnchoredDimension& dimension, const Sight& sight) {
+  const int axis = dimension.direction == DimensionDirection::width    ? 0
+                   : dimension.direction == DimensionDirection::height ? 2
+                                                                       : 1;
+  Vec3 e(0);
+  e[axis] = 1;
+  if (!sight.orthographic || !sight.in_plane(e))
+    refuse(dimension, "the view does not show this size in true length",
+           "choose an orthographic view parallel to the axis");
+  const Vec2 image = sight.page_of(e), along = glm::normalize(image);
+  const double value = dimension.points[1][axis] - dimension.points[0][axis];
+  // The dimension line stands below, or on the right.
+  const Vec2 side = std::abs(along.x) > std::abs(along.y) ? Vec2(0, -1) : Vec2(1, 0);
+  std::array<Vec2, 2> ends{};
+  if (!sight.drawing.segments.empty()) ends = ends_of_ink(sight.drawing, along, side);
+  const double drawn = glm::dot(ends[1] - ends[0], along) / glm::length(image);
+  if (!(drawn > 0) || std::abs(drawn - value) > whole * value)
+    refuse(dimension, "the view does not show all of the models along this axis",
+           "leave out --near and --far, and keep contours among the edges");
+  return {MeasuredLength{ends[0], ends[1], along, left_of(along)}, with_text(dimension, format_fixed(value, decimals)),
+          dimension.offset};
+}
+
+}  // namespace
+
+MeasuredDimension measure(const Drawing& drawing, const AnchoredDimension& dimension, const std::string& diameter) {
+  if (drawing.projection.central)
+    refuse(dimension, "the view '" + drawing.name + "' is a perspective, which shows no true lengths",
+           "measure in an orthographic view");
+  const Sight sight{drawing};
+  switch (dimension.type) {
+    case DimensionType::linear:
+      return linear(dimension, sight);
+    case DimensionType::aligned:
+      return aligned(dimension, sight);
+    case DimensionType::angular:
+      return angular(dimension, sight);
+    case DimensionType::overall:
+      return overall(dimension, sight);
+    default:
+      return circular(dimension, sight, diameter);
+  }
+}
+
+}  // namespace epura

@@ -1,0 +1,94 @@
+#include "sheet/dimensions/overall.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "sheet/dimensions/marks.hpp"
+
+namespace epura {
+
+namespace {
+
+struct Extent {
+  const char* direction;
+  Vec3 along;
+  std::array<Vec3, 4> seen_from;  // clearest first
+};
+
+const std::array<Extent, 3> extents{{{"width", {1, 0, 0}, {{{0, -1, 0}, {0, 0, 1}, {0, 1, 0}, {0, 0, -1}}}},
+                                     {"height", {0, 0, 1}, {{{0, -1, 0}, {-1, 0, 0}, {1, 0, 0}, {0, 1, 0}}}},
+                                     {"depth", {0, 1, 0}, {{{-1, 0, 0}, {1, 0, 0}, {0, 0, 1}, {0, 0, -1}}}}}};
+
+constexpr double same_direction = 1e-6;
+
+bool looks_from(const Projection& projection, const Vec3& viewer) {
+  return !projection.central && glm::length(projection.n - viewer) < same_direction &&
+         glm::length(glm::normalize(projection.projector) - viewer) < same_direction;
+}
+
+const NamedProjection* clearest(std::span<const NamedProjection> views, const Extent& extent, const std::string& name) {
+  for (const Vec3& viewer : extent.seen_from)
+    for (const NamedProjection& view : views)
+      if ((name.empty() || view.name == name) && looks_from(view.projection, viewer)) return &view;
+  return nullptr;
+}
+
+// How many dimension lines may stand on each side of the ink.
+struct Lines {
+  int below = 0, right = 0;          // overall ones, which stand there
+  int horizontal = 0, vertical = 0;  // others, which stand on one side or the other
+  double farthest = 0;               // offset
+};
+
+Lines lines_of(std::span<const DimensionDescription> dimensions, const Projection& projection) {
+  Lines lines;
+  for (const DimensionDescription& dimension : dimensions) {
+    const std::string& direction = dimension.direction.text;
+    const auto extent = std::find_if(extents.begin(), extents.end(),
+                                     [&direction](const Extent& e) { return e.direction == direction; });
+    if (dimension.offset) {
+      lines.farthest = std::max(lines.farthest, std::abs(*dimension.offset));
+    } else if (extent != extents.end()) {
+      const bool upright = std::abs(glm::dot(extent->along, projection.v)) > 0.5;
+      ++(upright ? lines.right : lines.below);
+    } else {
+      lines.horizontal += direction == "vertical" ? 0 : 1;
+      lines.vertical += direction == "horizontal" ? 0 : 1;
+    }
+  }
+  return lines;
+}
+
+}  // namespace
+
+std::vector<DimensionDescription> overall_dimensions(const DimensionDescription& overall,
+                                                     std::span<const NamedProjection> views) {
+  std::vector<DimensionDescription> dimensions;
+  for (const Extent& extent : extents) {
+    const NamedProjection* view = clearest(views, extent, overall.view.text);
+    if (view == nullptr) continue;
+    DimensionDescription& dimension = dimensions.emplace_back(overall);
+    dimension.view = {view->name, overall.where};
+    dimension.direction = {extent.direction, overall.where};
+  }
+  if (dimensions.empty())
+    throw Error(Trouble::input, overall.where, "no view shows the size of the models in true length",
+                "add a view such as front, top or left");
+  return dimensions;
+}
+
+DimensionRoom dimension_room(std::span<const DimensionDescription> dimensions, const Projection& projection,
+                             double text_height) {
+  const Lines lines = lines_of(dimensions, projection);
+  const auto room = [&](int count) {
+    const double stepped = count > 0 ? first_dimension + (count - 1) * dimension_step(text_height) : 0;
+    const double needed = std::max(stepped, lines.farthest);
+    return needed > 0 ? needed + text_height : 0;
+  };
+  const int both_rows = (lines.horizontal + 1) / 2, both_columns = (lines.vertical + 1) / 2;
+  return {{room(both_columns), room(lines.below + both_rows)}, {room(lines.right + both_columns), room(both_rows)}};
+}
+
+}  // namespace epura

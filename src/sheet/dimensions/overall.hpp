@@ -1,0 +1,36 @@
+// Which dimensions a view is to have, before it is drawn: overall ones in the clearest views, and the room they need.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "projection/projection.hpp"
+#include "scene/description.hpp"
+
+namespace epura {
+
+struct NamedProjection {
+  std::string name;  ///< of the view
+  Projection projection;
+};
+
+/// An overall dimension that names no direction, as overall width, height and depth: each once, in the clearest of the
+/// views - width and height from the front, depth from the side, before other orthographic views along a world axis.
+/// What no view shows in true length is left out. Where it names a view, only that one counts. Throws Error{input}
+/// when nothing is left.
+std::vector<DimensionDescription> overall_dimensions(const DimensionDescription& overall,
+                                                     std::span<const NamedProjection> views);
+
+/// Millimetres of paper to be kept free around the ink of a view.
+struct DimensionRoom {
+  Vec2 before{0, 0};  ///< on the left and below
+  Vec2 after{0, 0};   ///< on the right and above
+};
+
+/// What the dimensions of one view usually take, with texts `text_height` mm high. They are placed when there is a
+/// drawing: some may want more, many take less.
+DimensionRoom dimension_room(std::span<const DimensionDescription> dimensions, const Projection& projection,
+                             double text_height);
+
+}  // namespace epura

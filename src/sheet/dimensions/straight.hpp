@@ -1,0 +1,23 @@
+// A straight dimension line with its extension lines.
+#pragma once
+
+#include <string>
+
+#include "sheet/dimensions/marks.hpp"
+#include "sheet/dimensions/measure.hpp"
+
+namespace epura {
+
+/// Numbers of places for the text: 0 is the middle, or behind the right or upper end where it does not fit between the
+/// extension lines.
+inline constexpr int text_places = 5;
+
+/// The dimension line stands `distance` to the left of `length.along`, measured from `length.from`. Arrows point
+/// outwards where there is room for them. Nothing is drawn twice: a text that fits has 5 places, another has 2.
+PlacedDimension straight_dimension(const MeasuredLength& length, const std::string& text, double distance, int place,
+                                   const DimensionLook& look);
+
+/// Whether the text has room above the dimension line.
+bool fits_inside(const MeasuredLength& length, const std::string& text, const DimensionLook& look);
+
+}  // namespace epura

@@ -1,0 +1,73 @@
+#include "sheet/fit_text.hpp"
+
+#include <array>
+#include <cstddef>
+#include <utility>
+
+namespace epura {
+
+namespace {
+
+constexpr std::array<double, 8> standard_heights = {20, 14, 10, 7, 5, 3.5, 2.5, 1.8};
+constexpr std::string_view ellipsis = "...";
+
+std::string in_one_line(std::string_view text) {
+  std::string line;
+  for (const char c : text) {
+    const bool space = (c >= 0 && c <= ' ') || c == 127;
+    if (!space)
+      line += c;
+    else if (!line.empty() && line.back() != ' ')
+      line += ' ';
+  }
+  if (line.ends_with(' ')) line.pop_back();
+  return line;
+}
+
+bool begins_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; }
+
+// Bytes of the longest beginning, whole characters of UTF-8, that fits when `end` follows it.
+std::size_t fitting_bytes(std::string_view text, std::string_view end, double width, double height,
+                          const Lettering& lettering) {
+  std::size_t fits = 0, too_long = text.size() + 1;
+  while (true) {
+    std::size_t middle = (fits + too_long) / 2;
+    while (middle > fits && middle < text.size() && !begins_character(text[middle])) --middle;
+    if (middle == fits) middle = fits + 1;
+    while (middle < text.size() && !begins_character(text[middle])) ++middle;
+    if (middle >= too_long) return fits;
+    const std::string tried = std::string(text.substr(0, middle)) + std::string(end);
+    (lettering.width(tried, height) <= width ? fits : too_long) = middle;
+  }
+}
+
+std::pair<std::string, bool> cut_to(std::string_view text, double width, double height, const Lettering& lettering) {
+  if (lettering.width(text, height) <= width) return {std::string(text), false};
+  std::string_view kept = text.substr(0, fitting_bytes(text, ellipsis, width, height, lettering));
+  while (kept.ends_with(' ')) kept.remove_suffix(1);
+  return {std::string(kept) + std::string(ellipsis), true};
+}
+
+FittedText in_two_lines(std::string_view text, double width, double height, const Lettering& lettering) {
+  // One byte further, so that a space there counts.
+  const std::size_t fitting = fitting_bytes(text, {}, width, height, lettering);
+  const std::size_t space = text.substr(0, fitting + 1).rfind(' ');
+  if (space == std::string_view::npos) {
+    const auto [line, cut] = cut_to(text, width, height, lettering);
+    return {{line}, height, cut};
+  }
+  const auto [second, cut] = cut_to(text.substr(space + 1), width, height, lettering);
+  return {{std::string(text.substr(0, space)), second}, height, cut};
+}
+
+}  // namespace
+
+FittedText fit_text(std::string_view text, double width, double height, const Lettering& lettering) {
+  const std::string line = in_one_line(text);
+  if (line.empty()) return {{}, height, false};
+  for (const double h : standard_heights)
+    if (h <= height && lettering.width(line, h) <= width) return {{line}, h, false};
+  return in_two_lines(line, width, standard_heights.back(), lettering);
+}
+
+}  // namespace epura

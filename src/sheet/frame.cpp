@@ -1,0 +1,125 @@
+#include "sheet/frame.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace epura {
+
+namespace {
+
+constexpr double left_margin = 20, other_margin = 10;
+constexpr double grid_strip = 5;  // outside the frame
+constexpr double field_length = 50;
+constexpr double letter_height = 3.5;
+constexpr double mark_inside = 10;  // of the centring marks
+constexpr double trimming_long = 10, trimming_short = 5;
+constexpr Vec2 a5(210, 148);
+constexpr double longer_side_of_a4 = 297;
+
+bool has_iso_margins(const Paper& paper) { return paper.left == left_margin && paper.other == other_margin; }
+
+// Ends of the fields between `least` and `most`, which are the ends of the frame.
+std::vector<double> field_ends(double length, double least, double most) {
+  const int fields = static_cast<int>(std::round(length / 2 / field_length));
+  std::vector<double> ends = {least};
+  for (int i = 1 - fields; i < fields; ++i) ends.push_back(length / 2 + i * field_length);
+  ends.push_back(most);
+  return ends;
+}
+
+// 0, 1, 2 ... as A, B, C ... Z, AA, AB ... without I and O.
+std::string letters(int number) {
+  constexpr std::string_view alphabet = "ABCDEFGHJKLMNPQRSTUVWXYZ";
+  std::string text;
+  for (int rest = number + 1; rest > 0; rest = (rest - 1) / int(alphabet.size()))
+    text.insert(text.begin(), alphabet[std::size_t(rest - 1) % alphabet.size()]);
+  return text;
+}
+
+// One strip of fields along the frame: `inner` on the frame and `outer` are its sides. Axis 0 runs across.
+void add_strip(Furniture& all, const std::vector<double>& ends, double inner, double outer, int axis) {
+  const auto point = [axis](double along, double across) {
+    return axis == 0 ? Vec2(along, across) : Vec2(across, along);
+  };
+  const double middle = (inner + outer) / 2;
+  const std::size_t fields = ends.size() - 1;
+  for (std::size_t i = 0; i < fields; ++i) {
+    if (i > 0) all.medium.push_back(line(point(ends[i], inner), point(ends[i], outer)));
+    // Numbers go to the right, letters down.
+    const std::string text = axis == 0 ? std::to_string(i + 1) : letters(static_cast<int>(fields - 1 - i));
+    const Vec2 centre = point((ends[i] + ends[i + 1]) / 2, middle);
+    all.texts.push_back({text, centre - Vec2(0, letter_height / 2), letter_height, 0, Align::middle, "grid"});
+  }
+}
+
+void add_grid(Furniture& all, const Paper& paper) {
+  const Rectangle in = drawing_area(paper), out = in.grown(grid_strip);
+  const std::vector<double> across = field_ends(paper.width, in.least.x, in.most.x);
+  const std::vector<double> up = field_ends(paper.height, in.least.y, in.most.y);
+  add_strip(all, across, in.most.y, out.most.y, 0);
+  add_strip(all, up, in.most.x, out.most.x, 1);
+  if (std::max(paper.width, paper.height) <= longer_side_of_a4) {
+    all.medium.push_back({{{in.least.x, in.most.y},
+                           {in.least.x, out.most.y},
+                           out.most,
+                           {out.most.x, in.least.y},
+                           {in.most.x, in.least.y}}});
+    return;
+  }
+  add_strip(all, across, in.least.y, out.least.y, 0);
+  add_strip(all, up, in.least.x, out.least.x, 1);
+  all.medium.push_back(outline(out));
+}
+
+void add_centring_marks(Furniture& all, const Paper& paper, const std::optional<Rectangle>& title_block) {
+  const Rectangle in = drawing_area(paper), out = in.grown(grid_strip);
+  const Vec2 middle = Vec2(paper.width, paper.height) / 2.0;
+  const auto add = [&](const Vec2& from, const Vec2& frame, const Vec2& to) {
+    const Rectangle reach = {glm::min(frame, to) - wide_line, glm::max(frame, to) + wide_line};
+    all.wide.push_back(line(from, title_block && title_block->overlaps(reach) ? frame : to));
+  };
+  add({middle.x, out.most.y}, {middle.x, in.most.y}, {middle.x, in.most.y - mark_inside});
+  add({middle.x, out.least.y}, {middle.x, in.least.y}, {middle.x, in.least.y + mark_inside});
+  add({out.least.x, middle.y}, {in.least.x, middle.y}, {in.least.x + mark_inside, middle.y});
+  add({out.most.x, middle.y}, {in.most.x, middle.y}, {in.most.x - mark_inside, middle.y});
+}
+
+// Two rectangles in each corner of the sheet, as one area.
+void add_trimming_marks(Furniture& all, const Paper& paper) {
+  constexpr double a = trimming_long, b = trimming_short;
+  for (const Vec2& corner : {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)}) {
+    std::vector<Vec2> ring = {{0, 0}, {a, 0}, {a, b}, {b, b}, {b, a}, {0, a}};
+    for (Vec2& p : ring) p = corner * Vec2(paper.width, paper.height) + p * (1.0 - 2.0 * corner);
+    all.fills.push_back({{ring}});
+  }
+}
+
+}  // namespace
+
+Paper with_frame_margins(const Paper& paper) {
+  const Vec2 sides(std::max(paper.width, paper.height), std::min(paper.width, paper.height));
+  if (sides.x < a5.x || sides.y < a5.y) return paper;
+  return {paper.width, paper.height, left_margin, other_margin};
+}
+
+Furniture frame(const Paper& paper, FrameKind kind, const std::optional<Rectangle>& title_block) {
+  Furniture all;
+  if (kind == FrameKind::none) return all;
+  const Rectangle area = drawing_area(paper);
+  all.wide.push_back(outline(area));
+  if (kind == FrameKind::plain || !has_iso_margins(paper)) return all;
+  add_grid(all, paper);
+  add_centring_marks(all, paper, title_block);
+  add_trimming_marks(all, paper);
+  const std::string name = paper_name(paper);
+  const double inset = (grid_strip - letter_height) / 2;
+  const Vec2 place = Vec2(area.most.x, area.least.y - grid_strip) + Vec2(-inset, inset);
+  if (name.starts_with('A')) all.texts.push_back({name, place, letter_height, 0, Align::right, "grid"});
+  return all;
+}
+
+}  // namespace epura

@@ -1,0 +1,47 @@
+#include "sheet/free_rectangles.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace epura {
+
+namespace {
+
+// Left, right, below and above of what is taken.
+std::array<Rectangle, 4> around(const Rectangle& whole, const Rectangle& taken) {
+  std::array<Rectangle, 4> parts = {whole, whole, whole, whole};
+  parts[0].most.x = taken.least.x;
+  parts[1].least.x = taken.most.x;
+  parts[2].most.y = taken.least.y;
+  parts[3].least.y = taken.most.y;
+  return parts;
+}
+
+bool has_area(const Rectangle& r) { return r.size().x > 0 && r.size().y > 0; }
+
+}  // namespace
+
+std::vector<Rectangle> free_rectangles(const Rectangle& room, std::span<const Rectangle> taken) {
+  std::vector<Rectangle> free = {room};
+  for (const Rectangle& obstacle : taken) {
+    std::vector<Rectangle> kept, parts;
+    for (const Rectangle& r : free) {
+      if (!r.overlaps(obstacle)) {
+        kept.push_back(r);
+        continue;
+      }
+      for (const Rectangle& part : around(r, obstacle))
+        if (has_area(part)) parts.push_back(part);
+    }
+    // Only parts can lie in another one: what was kept was maximal before.
+    const auto lies_in = [](const Rectangle& part) { return [&part](const Rectangle& r) { return r.holds(part); }; };
+    for (auto part = parts.begin(); part != parts.end(); ++part) {
+      const bool in_kept = std::any_of(kept.begin(), kept.end(), lies_in(*part));
+      if (!in_kept && std::none_of(part + 1, parts.end(), lies_in(*part))) kept.push_back(*part);
+    }
+    free = kept;
+  }
+  return free;
+}
+
+}  // namespace epura

@@ -1,0 +1,33 @@
+// What is on a sheet beside its views, by the widths of its lines.
+#pragma once
+
+#include <iterator>
+#include <utility>
+#include <vector>
+
+#include "sheet/rectangle.hpp"
+#include "sheet/sheet.hpp"
+
+namespace epura {
+
+/// Widths of the lines, mm. ISO 5457: frame 0.7, grid 0.35.
+inline constexpr double wide_line = 0.7, medium_line = 0.35, narrow_line = 0.18;
+
+struct Furniture {
+  std::vector<Stroke> wide{}, medium{}, narrow{};
+  std::vector<Fill> fills{};
+  std::vector<Text> texts{};
+};
+
+inline Stroke line(const Vec2& from, const Vec2& to) { return {{from, to}}; }
+
+inline Stroke outline(const Rectangle& r) {
+  return {{r.least, {r.most.x, r.least.y}, r.most, {r.least.x, r.most.y}}, true};
+}
+
+template <class Thing>
+void append(std::vector<Thing>& all, std::vector<Thing> more) {
+  std::move(more.begin(), more.end(), std::back_inserter(all));
+}
+
+}  // namespace epura

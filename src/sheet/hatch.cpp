@@ -1,0 +1,260 @@
+#include "sheet/hatch.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <utility>
+
+#include "base/error.hpp"
+#include "base/parallel.hpp"
+#include "mesh/even_odd.hpp"
+
+namespace epura {
+
+namespace {
+
+using Ring = std::vector<Vec2>;
+using Line = std::array<Vec2, 2>;
+
+constexpr double least_spacing = 1, most_spacing = 4;
+constexpr double spacings_a_side = 16;  // of a square
+constexpr double thin_width = 1;
+constexpr double nearest = 0.7;       // parts closer than this touch
+constexpr double shortest = 1e-3;     // mm of a hatching line that are seen
+constexpr double alike_degrees = 10;  // a hatching line so close to an outline looks like one
+constexpr double most_alike = 0.25;   // part of the outlines that may run so
+constexpr double least_ratio = 1.4;   // of two spacings that are told apart
+
+/// In order of preference; the factor is of the spacing.
+struct Variant {
+  double angle, factor;
+};
+constexpr std::array<Variant, 14> variants = {{{45, 1},
+                                               {135, 1},
+                                               {45, 1.6},
+                                               {135, 1.6},
+                                               {30, 1},
+                                               {60, 1},
+                                               {120, 1},
+                                               {150, 1},
+                                               {30, 1.6},
+                                               {60, 1.6},
+                                               {120, 1.6},
+                                               {150, 1.6},
+                                               {45, 2.2},
+                                               {135, 2.2}}};
+
+template <class Visit>
+void visit_sides(const std::vector<Ring>& rings, const Visit& visit) {
+  for (const Ring& ring : rings)
+    for (std::size_t i = 0; i < ring.size(); ++i) visit(ring[i], ring[i + 1 < ring.size() ? i + 1 : 0]);
+}
+
+// The parts of the line n . p = offset inside the rings. A corner on the line counts as before it, for both its sides.
+void add_line(const std::vector<Ring>& rings, const Vec2& along, double offset, std::vector<Line>& lines) {
+  const Vec2 n(-along.y, along.x);
+  std::vector<double> crossings;
+  visit_sides(rings, [&](const Vec2& a, const Vec2& b) {
+    const double before = glm::dot(n, a) - offset, behind = glm::dot(n, b) - offset;
+    if ((before <= 0) == (behind <= 0)) return;
+    crossings.push_back(glm::dot(along, a) + before / (before - behind) * glm::dot(along, b - a));
+  });
+  std::sort(crossings.begin(), crossings.end());
+  for (std::size_t i = 1; i < crossings.size(); i += 2)
+    if (crossings[i] - crossings[i - 1] > shortest)
+      lines.push_back({crossings[i - 1] * along + offset * n, crossings[i] * along + offset * n});
+}
+
+Vec2 direction(double degrees) {
+  const double angle = degrees * std::numbers::pi / 180;
+  return {std::cos(angle), std::sin(angle)};
+}
+
+// Lines of all faces of a part in a view fall on one family, counted from the origin of the sheet.
+std::vector<Line> lines_of(const CutFace& face, double degrees, double spacing) {
+  const Vec2 along = direction(degrees), n(-along.y, along.x);
+  double least = HUGE_VAL, most = -HUGE_VAL;
+  visit_sides(face.rings, [&](const Vec2& a, const Vec2&) {
+    least = std::min(least, glm::dot(n, a));
+    most = std::max(most, glm::dot(n, a));
+  });
+  const double first = std::ceil(least / spacing);
+  const double count = std::floor(most / spacing) - first + 1;
+  std::vector<std::vector<Line>> found(count > 0 ? static_cast<std::size_t>(count) : 0);
+  parallel_for(found.size(), 16, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      add_line(face.rings, along, (first + static_cast<double>(i)) * spacing, found[i]);
+  });
+  std::vector<Line> lines;
+  for (const std::vector<Line>& part : found) lines.insert(lines.end(), part.begin(), part.end());
+  return lines;
+}
+
+Outlines outlines_of(const CutFace& face) {
+  Outlines outlines;
+  for (const Ring& ring : face.rings) {
+    const int first = static_cast<int>(outlines.places.size()), count = static_cast<int>(ring.size());
+    outlines.places.insert(outlines.places.end(), ring.begin(), ring.end());
+    for (int i = 0; i < count; ++i) outlines.segments.push_back({first + i, first + (i + 1) % count});
+  }
+  return outlines;
+}
+
+double area_of(const CutFace& face) {
+  Outlines outlines = outlines_of(face);
+  double area = 0;
+  for (const auto& [i, j, k] : fill_even_odd(outlines)) {
+    const Vec2 ab = outlines.places[j] - outlines.places[i], ac = outlines.places[k] - outlines.places[i];
+    area += (ab.x * ac.y - ab.y * ac.x) / 2;
+  }
+  return area;
+}
+
+double length_of(const CutFace& face) {
+  double length = 0;
+  visit_sides(face.rings, [&](const Vec2& a, const Vec2& b) { length += glm::distance(a, b); });
+  return length;
+}
+
+// A strip of width w and length l >> w has the area w l and the outline 2 l.
+bool is_thin(const CutFace& face) { return 2 * area_of(face) < thin_width * length_of(face); }
+
+double distance(const Vec2& p, const Line& line) {
+  const Vec2 along = line[1] - line[0];
+  const double length2 = glm::dot(along, along);
+  const double part = length2 > 0 ? std::clamp(glm::dot(p - line[0], along) / length2, 0.0, 1.0) : 0;
+  return glm::distance(p, line[0] + part * along);
+}
+
+struct Frame {
+  Vec2 least{HUGE_VAL}, most{-HUGE_VAL};
+
+  void add(const Vec2& p) {
+    least = glm::min(least, p);
+    most = glm::max(most, p);
+  }
+  [[nodiscard]] bool meets(const Vec2& from, const Vec2& to) const {
+    return from.x <= most.x + nearest && to.x >= least.x - nearest && from.y <= most.y + nearest &&
+           to.y >= least.y - nearest;
+  }
+};
+
+/// What the faces of one part have in common.
+struct Part {
+  int model, body;
+  std::vector<std::pair<int, const CutFace*>> faces;  ///< and the number of the drawing
+  double largest = 0;                                 ///< mm2
+};
+
+Frame frame_of(const CutFace& face) {
+  Frame frame;
+  visit_sides(face.rings, [&](const Vec2& a, const Vec2&) { frame.add(a); });
+  return frame;
+}
+
+std::vector<Line> sides_near(const CutFace& face, const Frame& frame) {
+  std::vector<Line> near;
+  visit_sides(face.rings, [&](const Vec2& a, const Vec2& b) {
+    if (frame.meets(glm::min(a, b), glm::max(a, b))) near.push_back({a, b});
+  });
+  return near;
+}
+
+// Closer than `nearest`, or over one another. (Outlines that only cross come close at a corner, or each has corners in
+// the other.)
+bool touch(const CutFace& one, const CutFace& two) {
+  const Frame of_one = frame_of(one), of_two = frame_of(two);
+  if (!of_one.meets(of_two.least, of_two.most)) return false;
+  const std::vector<Line> first = sides_near(one, of_two), second = sides_near(two, of_one);
+  for (const Line& a : first)
+    for (const Line& b : second)
+      if (distance(a[0], b) < nearest || distance(b[0], a) < nearest) return true;
+  return is_inside(outlines_of(one), two.rings[0][0]) || is_inside(outlines_of(two), one.rings[0][0]);
+}
+
+bool touch(const Part& one, const Part& two) {
+  for (const auto& [drawing, face] : one.faces)
+    for (const auto& [other_drawing, other_face] : two.faces)
+      if (drawing == other_drawing && touch(*face, *other_face)) return true;
+  return false;
+}
+
+std::vector<Part> parts_of(std::span<const Drawing* const> drawings) {
+  std::map<std::pair<int, int>, Part> parts;
+  for (std::size_t d = 0; d < drawings.size(); ++d)
+    for (const CutFace& face : drawings[d]->cut_faces) {
+      Part& part = parts.try_emplace({face.model, face.body}, Part{face.model, face.body, {}}).first->second;
+      part.faces.emplace_back(static_cast<int>(d), &face);
+      part.largest = std::max(part.largest, area_of(face));
+    }
+  std::vector<Part> list;
+  for (auto& [key, part] : parts) list.push_back(std::move(part));
+  return list;
+}
+
+// Which part of the outlines runs within `alike_degrees` of an angle.
+double share_along(const Part& part, double angle) {
+  const Vec2 along = direction(angle);
+  const double sine = std::sin(alike_degrees * std::numbers::pi / 180);
+  double alike = 0, all = 0;
+  for (const auto& [drawing, face] : part.faces)
+    visit_sides(face->rings, [&](const Vec2& a, const Vec2& b) {
+      const Vec2 side = b - a;
+      const double length = glm::length(side);
+      all += length;
+      if (std::abs(along.x * side.y - along.y * side.x) < sine * length) alike += length;
+    });
+  return all > 0 ? alike / all : 0;
+}
+
+double spacing_of(const Part& part) {
+  const double spacing = std::clamp(std::sqrt(part.largest) / spacings_a_side, least_spacing, most_spacing);
+  return std::round(spacing * 4) / 4;  // so that faces of about one size look alike
+}
+
+}  // namespace
+
+std::vector<Hatching> choose_hatching(std::span<const Drawing* const> drawings) {
+  const std::vector<Part> parts = parts_of(drawings);
+  std::vector<Hatching> chosen;
+  for (std::size_t p = 0; p < parts.size(); ++p) {
+    std::vector<Hatching> neighbours;
+    for (std::size_t q = 0; q < p; ++q)
+      if (touch(parts[p], parts[q])) neighbours.push_back(chosen[q]);
+    const auto of = [&](const Variant& variant) {
+      return Hatching{parts[p].model, parts[p].body, variant.angle, variant.factor * spacing_of(parts[p])};
+    };
+    const auto suits = [&](const Variant& variant) { return share_along(parts[p], variant.angle) <= most_alike; };
+    const auto differs = [&](const Variant& variant) {
+      const Hatching here = of(variant);
+      return std::none_of(neighbours.begin(), neighbours.end(), [&](const Hatching& there) {
+        const double ratio = here.spacing / there.spacing;
+        return here.angle == there.angle && ratio < least_ratio && ratio * least_ratio > 1;
+      });
+    };
+    auto best =
+        std::find_if(variants.begin(), variants.end(), [&](const Variant& v) { return suits(v) && differs(v); });
+    if (best == variants.end()) best = std::find_if(variants.begin(), variants.end(), differs);
+    chosen.push_back(of(best == variants.end() ? variants.front() : *best));
+  }
+  return chosen;
+}
+
+Layer hatch_layer(const Drawing& drawing, std::span<const Hatching> hatching, const LineWidths& widths) {
+  Layer layer{drawing.name + "/hatch", {"hatch", widths.narrow}, {}};
+  for (const CutFace& face : drawing.cut_faces) {
+    const auto found = std::find_if(hatching.begin(), hatching.end(),
+                                    [&](const Hatching& h) { return h.model == face.model && h.body == face.body; });
+    check(found != hatching.end(), "every part that is cut has a hatching");
+    if (is_thin(face)) {
+      layer.fills.push_back({face.rings});
+      continue;
+    }
+    for (const Line& line : lines_of(face, found->angle, found->spacing)) layer.strokes.push_back({{line[0], line[1]}});
+  }
+  return layer;
+}
+
+}  // namespace epura

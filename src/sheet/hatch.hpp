@@ -1,0 +1,29 @@
+// Hatching of cut faces. ISO 128-3: narrow continuous lines at 45 degrees to the main outlines or axes, the same for
+// all cut faces of one part, different for parts that touch; thin sections are black.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "drawing/drawing.hpp"
+#include "sheet/sheet.hpp"
+#include "sheet/view_lines.hpp"
+
+namespace epura {
+
+/// How the cut faces of one part are hatched, in all views.
+struct Hatching {
+  int model, body;
+  double angle;    ///< of the lines, degrees counterclockwise, 0 to 180
+  double spacing;  ///< mm
+};
+
+/// A hatching for each part that is cut, sorted by model and body. Spacing grows with the largest cut face, from 1 to
+/// 4 mm. Lines do not run along the part's own outlines, and parts whose cut faces come closer than 0.7 mm differ by
+/// angle or spacing.
+std::vector<Hatching> choose_hatching(std::span<const Drawing* const> drawings);
+
+/// Layer "VIEW/hatch". Hatching lines end at the outlines; faces that are less than 1 mm wide on average are fills.
+Layer hatch_layer(const Drawing& drawing, std::span<const Hatching> hatching, const LineWidths& widths);
+
+}  // namespace epura

@@ -1,0 +1,155 @@
+#include "sheet/lettering.hpp"
+
+#include <ft2build.h>
+
+#include <algorithm>
+#include <unordered_map>
+#include <utility>
+
+#include "base/error.hpp"
+#include "base/utf8.hpp"
+#include FT_FREETYPE_H
+#include FT_OUTLINE_H
+
+namespace epura {
+
+namespace {
+
+/// In the units of the font.
+struct Glyph {
+  double advance = 0;
+  std::vector<GlyphOutline> outlines;
+};
+
+Vec2 point_of(const FT_Vector& v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
+
+GlyphOutline& last_outline(void* outlines) { return static_cast<std::vector<GlyphOutline>*>(outlines)->back(); }
+
+void add_curve(GlyphOutline& outline, const Vec2& control, const Vec2& end) {
+  outline.curves.push_back({control, end});
+}
+
+int move_to(const FT_Vector* to, void* outlines) {
+  auto& all = *static_cast<std::vector<GlyphOutline>*>(outlines);
+  // The first point is kept as the end of a piece until the outline is closed.
+  all.push_back({{{point_of(*to), point_of(*to)}}});
+  return 0;
+}
+
+int line_to(const FT_Vector* to, void* outlines) {
+  GlyphOutline& outline = last_outline(outlines);
+  add_curve(outline, (outline.curves.back().end + point_of(*to)) / 2.0, point_of(*to));
+  return 0;
+}
+
+int curve_to(const FT_Vector* control, const FT_Vector* to, void* outlines) {
+  add_curve(last_outline(outlines), point_of(*control), point_of(*to));
+  return 0;
+}
+
+int cubic_to(const FT_Vector*, const FT_Vector*, const FT_Vector*, void*) { return 1; }
+
+// Without its first piece, which stood for the point to begin at; a straight piece closes what is open.
+void close(GlyphOutline& outline) {
+  const Vec2 first = outline.curves.front().end, last = outline.curves.back().end;
+  if (first != last) add_curve(outline, (first + last) / 2.0, first);
+  outline.curves.erase(outline.curves.begin());
+}
+
+Glyph load_glyph(FT_Face face, unsigned index) {
+  Glyph glyph;
+  if (FT_Load_Glyph(face, index, FT_LOAD_NO_SCALE) != 0) return glyph;
+  glyph.advance = static_cast<double>(face->glyph->metrics.horiAdvance);
+  const FT_Outline_Funcs functions{move_to, line_to, curve_to, cubic_to, 0, 0};
+  FT_Outline_Decompose(&face->glyph->outline, &functions, &glyph.outlines);
+  for (GlyphOutline& outline : glyph.outlines) close(outline);
+  return glyph;
+}
+
+}  // namespace
+
+struct Lettering::Font {
+  std::filesystem::path file;
+  double units_per_em = 0, capital = 0;  ///< height of an H in units
+  std::unordered_map<char32_t, Glyph> glyphs;
+  Glyph missing;
+
+  [[nodiscard]] const Glyph& glyph(char32_t character) const {
+    const auto found = glyphs.find(character);
+    return found != glyphs.end() ? found->second : missing;
+  }
+};
+
+namespace {
+
+[[noreturn]] void refuse(const std::filesystem::path& file, const std::string& reason) {
+  throw Error(Trouble::input, file.string(), reason, "install the Debian package fonts-osifont");
+}
+
+double height_of(const Glyph& glyph) {
+  double height = 0;
+  for (const GlyphOutline& outline : glyph.outlines)
+    for (const GlyphOutline::Curve& curve : outline.curves) height = std::max(height, curve.end.y);
+  return height;
+}
+
+}  // namespace
+
+Lettering::Lettering(const std::filesystem::path& file) {
+  auto font = std::make_shared<Font>();
+  font->file = file.empty() ? EPURA_FONT : file;
+  FT_Library library = nullptr;
+  check(FT_Init_FreeType(&library) == 0, "FreeType begins");
+  const std::unique_ptr<std::remove_pointer_t<FT_Library>, decltype(&FT_Done_FreeType)> ends(library, FT_Done_FreeType);
+  FT_Face face = nullptr;
+  if (FT_New_Face(library, font->file.c_str(), 0, &face) != 0)
+    refuse(font->file, "the font of the lettering is not there");
+  font->units_per_em = face->units_per_EM;
+  font->missing = load_glyph(face, 0);
+  unsigned index = 0;
+  for (FT_ULong character = FT_Get_First_Char(face, &index); index != 0;
+       character = FT_Get_Next_Char(face, character, &index))
+    font->glyphs.emplace(static_cast<char32_t>(character), load_glyph(face, index));
+  font->capital = height_of(font->glyph(U'H'));
+  if (!(font->capital > 0) || !(font->units_per_em > 0)) refuse(font->file, "is no font with outlines of letters");
+  font_ = std::move(font);
+}
+
+double Lettering::width(std::string_view text, double height) const {
+  double units = 0;
+  for (const char32_t character : characters(text)) units += font_->glyph(character).advance;
+  return units * (height / font_->capital);
+}
+
+std::vector<std::string> Lettering::missing(std::string_view text) const {
+  std::vector<std::string> found;
+  for (const char32_t character : characters(text)) {
+    if (font_->glyphs.contains(character)) continue;
+    std::string letter = utf8(character);
+    if (std::find(found.begin(), found.end(), letter) == found.end()) found.push_back(std::move(letter));
+  }
+  return found;
+}
+
+std::vector<GlyphOutline> Lettering::outlines(std::string_view text, double height) const {
+  const double scale = height / font_->capital;
+  std::vector<GlyphOutline> placed;
+  double at = 0;
+  for (const char32_t character : characters(text)) {
+    const Glyph& glyph = font_->glyph(character);
+    const auto place = [&](const Vec2& p) { return Vec2(at + p.x, p.y) * scale; };
+    for (const GlyphOutline& outline : glyph.outlines) {
+      GlyphOutline& copy = placed.emplace_back();
+      for (const GlyphOutline::Curve& curve : outline.curves)
+        copy.curves.push_back({place(curve.control), place(curve.end)});
+    }
+    at += glyph.advance;
+  }
+  return placed;
+}
+
+double Lettering::em() const { return font_->units_per_em / font_->capital; }
+
+const std::filesystem::path& Lettering::file() const { return font_->file; }
+
+}  // namespace epura

@@ -1,0 +1,33 @@
+// The layers of a sheet that are not of its views.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sheet/frame.hpp"
+#include "sheet/title_block.hpp"
+
+namespace epura {
+
+struct SheetFurniture {
+  Paper paper;  ///< with its size settled and the margins of its frame
+  FrameKind frame = FrameKind::none;
+  std::optional<TitleBlock> title_block{};
+  std::vector<Text> labels{};  ///< of views
+};
+
+struct FurnitureLayers {
+  std::vector<Layer> layers;
+  std::vector<std::string> warnings;
+};
+
+/// Those of them that are not empty, to be painted in this order:
+///   sheet/frame         frame, centring marks, trimming marks, outline of the title block: 0.7 mm
+///   sheet/grid          grid references: 0.35 mm
+///   sheet/title-block   lines of the title block, outlines of the projection symbol: 0.35 mm
+///   sheet/centre-lines  of the projection symbol: 0.18 mm
+///   sheet/text          all lettering
+FurnitureLayers sheet_layers(const SheetFurniture& furniture, const Lettering& lettering);
+
+}  // namespace epura

@@ -1,0 +1,41 @@
+#include "sheet/standard_scale.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/text.hpp"
+
+namespace epura {
+
+namespace {
+
+constexpr double rounding = 1e-12;
+constexpr int least_power = -300, most_power = 300;
+constexpr double largest_ratio = 1e9;  // that is written as one
+
+// Correctly rounded, unlike pow: 1:5 is the double nearest to 0.2.
+double by_tens(int digit, int power) { return *parse_number(std::to_string(digit) + "e" + std::to_string(power)); }
+
+}  // namespace
+
+double standard_scale_up_to(double scale) {
+  const double most = scale * (1 + rounding);
+  const double power = std::clamp<double>(std::floor(std::log10(most)), least_power, most_power);
+  // The logarithm may be one off at powers of ten.
+  for (int tens = static_cast<int>(power) + 1; tens >= least_power; --tens)
+    for (const int digit : {5, 2, 1})
+      if (const double standard = by_tens(digit, tens); standard <= most) return standard;
+  return by_tens(1, least_power);
+}
+
+std::string ratio_text(double scale) {
+  const double larger = std::max(scale, 1 / scale);
+  if (!(larger <= largest_ratio)) return {};
+  const std::string text = format_rounded(larger, 3);
+  const auto rounded = parse_number(text);
+  if (!rounded || !(std::abs(*rounded - larger) <= rounding * larger)) return {};
+  const std::string plain = format_fixed(*rounded, 2);
+  return scale >= 1 ? plain + ":1" : "1:" + plain;
+}
+
+}  // namespace epura

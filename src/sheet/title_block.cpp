@@ -1,0 +1,206 @@
+#include "sheet/title_block.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+#include "sheet/fit_text.hpp"
+
+namespace epura {
+
+namespace {
+
+constexpr double full_width = 180, least_width = 120;
+constexpr double row = 9;  // mm; a caption, and a value with room for what goes below the base line
+constexpr double caption_height = 1.8, value_height = 3.5, title_height = 5;
+constexpr double padding = 1;         // between lines and text
+constexpr double caption_space = 3;   // of a cell's height
+constexpr double line_spacing = 1.5;  // of two lines in one cell, in heights
+constexpr double descent = 0.35;      // below the base line, in heights
+constexpr int columns_of_free_fields = 3;
+
+struct Cell {
+  std::string name, caption;
+  double left, bottom, width, height;  // in a block 180 wide
+  double text_height = value_height;
+};
+
+// The arrangement of the annex of ISO 7200, and a row above for what belongs to the drawing rather than to the
+// document.
+std::vector<Cell> standard_cells() {
+  return {{"owner", "Legal owner", 0, 0, 55, 3 * row},
+          {"title", "Title, supplementary title", 55, 0, 68, 2 * row, title_height},
+          {"revision", "Rev.", 123, 0, 11, row},
+          {"date", "Date of issue", 134, 0, 24, row},
+          {"language", "Lang.", 158, 0, 9, row},
+          {"sheet", "Sheet", 167, 0, 13, row},
+          {"number", "Identification number", 123, row, 57, row},
+          {"document_type", "Document type", 55, 2 * row, 68, row},
+          {"status", "Document status", 123, 2 * row, 57, row},
+          {"department", "Responsible department", 0, 3 * row, 40, row},
+          {"technical_reference", "Technical reference", 40, 3 * row, 43, row},
+          {"creator", "Created by", 83, 3 * row, 48.5, row},
+          {"approver", "Approved by", 131.5, 3 * row, 48.5, row},
+          {"material", "Material", 0, 4 * row, 83, row},
+          {"mass", "Mass", 83, 4 * row, 28, row},
+          {"scale", "Scale", 111, 4 * row, 24, row},
+          {"size", "Size", 135, 4 * row, 20, row}};
+}
+constexpr double standard_height = 5 * row;
+constexpr double symbol_left = 155, symbol_height = 2.5;
+
+using Field = std::pair<std::string, std::string>;
+
+// Those for which there is no cell, in their order.
+std::vector<Field> free_fields(const TitleBlock& block) {
+  const std::vector<Cell> cells = standard_cells();
+  std::vector<Field> fields;
+  for (const Field& field : block.fields) {
+    const auto has_name = [&field](const Cell& cell) { return cell.name == field.first; };
+    if (field.first != "supplementary_title" && !field.second.empty() &&
+        std::none_of(cells.begin(), cells.end(), has_name))
+      fields.push_back(field);
+  }
+  return fields;
+}
+
+double block_height(std::size_t rows) { return standard_height + row * static_cast<double>(rows); }
+
+std::size_t rows_for(std::size_t fields) { return (fields + columns_of_free_fields - 1) / columns_of_free_fields; }
+
+// "surface_treatment" -> "Surface treatment"
+std::string caption_of(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  if (!name.empty() && name[0] >= 'a' && name[0] <= 'z') name[0] = static_cast<char>(name[0] - 'a' + 'A');
+  return name;
+}
+
+// Above the standard ones, the first at the top; those of the last row share its width.
+std::vector<Cell> free_cells(const std::vector<Field>& fields, std::size_t rows) {
+  std::vector<Cell> cells;
+  for (std::size_t i = 0; i < fields.size() && i < rows * columns_of_free_fields; ++i) {
+    const std::size_t line = i / columns_of_free_fields, column = i % columns_of_free_fields;
+    const std::size_t here = std::min<std::size_t>(columns_of_free_fields, fields.size() - i + column);
+    const double width = full_width / static_cast<double>(here);
+    cells.push_back({fields[i].first, caption_of(fields[i].first), width * static_cast<double>(column),
+                     block_height(rows - 1 - line), width, row});
+  }
+  return cells;
+}
+
+std::string value_of(const TitleBlock& block, const std::string& name) {
+  for (const auto& [field, value] : block.fields)
+    if (field == name && !value.empty()) return value;
+  if (name == "scale") return block.scale;
+  if (name == "size") return block.size;
+  if (name == "sheet") return std::to_string(block.sheet) + "/" + std::to_string(block.sheets);
+  return {};
+}
+
+/// Draws cells, one after the other.
+class Writer {
+ public:
+  Writer(const TitleBlock& block, const Rectangle& box, const Lettering& lettering)
+      : block_(block), box_(box), factor_(box.size().x / full_width), lettering_(lettering) {
+    drawn_.ink.wide.push_back(outline(box));
+  }
+
+  // Left and upper lines: those of all cells together are all lines within the block.
+  void draw(const Cell& cell) {
+    const Rectangle r = rectangle(cell);
+    if (cell.left > 0) divide({r.least.x, r.most.y}, r.least);
+    if (r.most.y < box_.most.y) divide({r.least.x, r.most.y}, r.most);
+    const double width = r.size().x - 2 * padding;
+    write(fit_text(cell.caption, width, caption_height, lettering_), r.least.x + padding,
+          r.most.y - padding - caption_height, "caption");
+    std::vector<FittedText> texts = {fitted(cell.name, width, cell.text_height)};
+    if (cell.name == "title") texts.push_back(fitted("supplementary_title", width, value_height));
+    write_values(texts, {r.least, {r.most.x, r.most.y - caption_space}}, cell.name == "title" ? "title" : "field");
+  }
+
+  void draw_symbol() {
+    const Rectangle r = rectangle({"", "", symbol_left, 4 * row, full_width - symbol_left, row});
+    divide({r.least.x, r.most.y}, r.least);
+    if (r.most.y < box_.most.y) divide({r.least.x, r.most.y}, r.most);
+    if (!block_.angle) return;
+    Furniture symbol = projection_symbol(*block_.angle, symbol_height, r.centre());
+    append(drawn_.ink.medium, std::move(symbol.medium));
+    append(drawn_.ink.narrow, std::move(symbol.narrow));
+  }
+
+  void leave_out(std::size_t fields) {
+    if (fields > 0)
+      drawn_.warnings.push_back("the title block has no room for the last " + std::to_string(fields) +
+                                " of its fields");
+  }
+
+  DrawnTitleBlock result() { return std::move(drawn_); }
+
+ private:
+  [[nodiscard]] Rectangle rectangle(const Cell& cell) const {
+    const Vec2 corner = box_.least + Vec2(cell.left * factor_, cell.bottom);
+    return {corner, corner + Vec2(cell.width * factor_, cell.height)};
+  }
+
+  void divide(const Vec2& from, const Vec2& to) { drawn_.ink.medium.push_back(line(from, to)); }
+
+  FittedText fitted(const std::string& name, double width, double height) {
+    FittedText text = fit_text(value_of(block_, name), width, height, lettering_);
+    if (text.cut) drawn_.warnings.push_back("the title block has no room for all of the text of '" + name + "'");
+    return text;
+  }
+
+  void write(const FittedText& text, double left, double base_line, const std::string& role) {
+    for (const std::string& words : text.lines) {
+      drawn_.ink.texts.push_back({words, {left, base_line}, text.height, 0, Align::left, role});
+      base_line -= line_spacing * text.height;
+    }
+  }
+
+  // One under the other, all of them in the middle of the room's height.
+  void write_values(const std::vector<FittedText>& texts, const Rectangle& room, const std::string& role) {
+    double height = 0;
+    for (const FittedText& text : texts) height += line_spacing * text.height * static_cast<double>(text.lines.size());
+    double top = room.centre().y + height / 2;
+    for (const FittedText& text : texts) {
+      const double above = (line_spacing - 1 - descent) * text.height;
+      write(text, room.least.x + padding, top - above - text.height, role);
+      top -= line_spacing * text.height * static_cast<double>(text.lines.size());
+    }
+  }
+
+  const TitleBlock& block_;
+  Rectangle box_;
+  double factor_;
+  const Lettering& lettering_;
+  DrawnTitleBlock drawn_;
+};
+
+}  // namespace
+
+std::optional<Rectangle> title_block_box(const TitleBlock& block, const Paper& paper) {
+  const Rectangle area = drawing_area(paper);
+  const double width = std::min(full_width, area.size().x), most_height = area.size().y / 2;
+  if (width < least_width || standard_height > most_height) return std::nullopt;
+  std::size_t rows = rows_for(free_fields(block).size());
+  rows = std::min(rows, static_cast<std::size_t>((most_height - standard_height) / row));
+  const Vec2 corner(area.most.x - width, area.least.y);
+  return Rectangle{corner, corner + Vec2(width, block_height(rows))};
+}
+
+DrawnTitleBlock draw_title_block(const TitleBlock& block, const Paper& paper, const Lettering& lettering) {
+  const auto box = title_block_box(block, paper);
+  if (!box) return {{}, {"the sheet is too small for a title block"}};
+  const std::vector<Field> fields = free_fields(block);
+  const auto rows = static_cast<std::size_t>((box->size().y - standard_height) / row + 0.5);
+  const std::vector<Cell> free = free_cells(fields, rows);
+  Writer writer(block, *box, lettering);
+  for (const Cell& cell : standard_cells()) writer.draw(cell);
+  writer.draw_symbol();
+  for (const Cell& cell : free) writer.draw(cell);
+  writer.leave_out(fields.size() - free.size());
+  return writer.result();
+}
+
+}  // namespace epura

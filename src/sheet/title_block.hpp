@@ -1,0 +1,40 @@
+// The title block of a sheet. ISO 7200.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sheet/furniture.hpp"
+#include "sheet/lettering.hpp"
+#include "sheet/paper.hpp"
+#include "sheet/projection_symbol.hpp"
+
+namespace epura {
+
+/// What is to stand in a title block. Nothing is invented: a cell without a value has its caption only.
+struct TitleBlock {
+  /// Names as in scene/title_fields.hpp; the fields with other names stand in rows of their own, their names as
+  /// captions.
+  std::vector<std::pair<std::string, std::string>> fields;
+  std::string scale{};                        ///< "1:2"
+  std::string size{};                         ///< "A3"
+  int sheet = 1, sheets = 1;                  ///< this is sheet 1 of 1
+  std::optional<ProjectionAngle> angle = {};  ///< nothing: no symbol
+};
+
+struct DrawnTitleBlock {
+  Furniture ink;
+  std::vector<std::string> warnings;  ///< what was cut or left out
+};
+
+/// The rectangle of the title block: in the lower right corner of the drawing area, 180 mm wide, or as wide as the area
+/// where that is narrower. Nothing where it would take more than half of the area's height, or be less than 120 mm
+/// wide. It does not depend on values but on the number of fields alone, so that it is known before the scale is.
+std::optional<Rectangle> title_block_box(const TitleBlock& block, const Paper& paper);
+
+/// Lines, captions and values. Long values are fitted as fit_text does.
+DrawnTitleBlock draw_title_block(const TitleBlock& block, const Paper& paper, const Lettering& lettering);
+
+}  // namespace epura

@@ -1,0 +1,24 @@
+#include "sheet/view_labels.hpp"
+
+#include "sheet/standard_scale.hpp"
+
+namespace epura {
+
+namespace {
+
+constexpr double height = 5;
+constexpr double above_ink = 3;  // with the height less than label_room
+
+}  // namespace
+
+std::string view_label(const std::string& label, std::optional<double> scale, double main_scale) {
+  const std::string ratio = scale && *scale != main_scale ? ratio_text(*scale) : "";
+  if (ratio.empty()) return label;
+  return (label.empty() ? "" : label + " ") + "(" + ratio + ")";
+}
+
+Text label_above(const std::string& label, const Rectangle& ink) {
+  return {label, {ink.centre().x, ink.most.y + above_ink}, height, 0, Align::middle, "label"};
+}
+
+}  // namespace epura

@@ -1,0 +1,19 @@
+// Names and scales above views. ISO 128-3, ISO 5455.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "sheet/rectangle.hpp"
+#include "sheet/sheet.hpp"
+
+namespace epura {
+
+/// What stands above a view: its label, and its scale where that is not the sheet's: "A-A", "A-A (2:1)", "(1:2)". Views
+/// without a scale, perspectives, have `scale` nothing. A scale that is no simple ratio is not written.
+std::string view_label(const std::string& label, std::optional<double> scale, double main_scale);
+
+/// The label above the middle of the view's ink, 5 mm high.
+Text label_above(const std::string& label, const Rectangle& ink);
+
+}  // namespace epura

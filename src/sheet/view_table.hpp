@@ -1,0 +1,70 @@
+// Views in rows and columns, as one thing to be placed: the scale is still open.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "sheet/rectangle.hpp"
+
+namespace epura {
+
+/// A view in its place: page = scale * plane + shift, mm.
+struct ViewSpot {
+  std::size_t view;
+  double scale;
+  Vec2 shift;
+  Rectangle box;  ///< on the page, with what is kept free around the ink
+};
+
+inline ViewSpot moved(const ViewSpot& spot, const Vec2& by) {
+  return {spot.view, spot.scale, spot.shift + by, {spot.box.least + by, spot.box.most + by}};
+}
+
+/// One view of a table. Views of one column have their anchors above each other, those of one row side by side.
+struct ViewCell {
+  std::size_t view;
+  int column, row;                ///< row 0 is the highest
+  Vec2 anchor;                    ///< point of the projection plane
+  Vec2 least, most;               ///< of the ink from the anchor, to be scaled
+  Vec2 before, after;             ///< mm of paper to the left and below, to the right and above; not scaled
+  std::optional<double> scale{};  ///< the view's own; `before` and `after` then hold its ink
+};
+
+class ViewTable {
+ public:
+  /// `gap` mm of paper between the boxes of columns and of rows. Columns and rows without a view take no room.
+  ViewTable(std::vector<ViewCell> cells, double gap);
+
+  /// Of the whole table, mm.
+  [[nodiscard]] Vec2 size(double scale) const;
+
+  /// The largest scale at which it is not larger than `room`: infinite where all ink is a point, 0 where gaps and
+  /// margins alone are too large.
+  [[nodiscard]] double largest_scale(const Vec2& room) const;
+
+  /// The views where the table's lower left corner is `corner`, in the order of the cells.
+  [[nodiscard]] std::vector<ViewSpot> spots(double scale, const Vec2& corner) const;
+
+ private:
+  // A column or row: what is scaled, and what is not.
+  struct Band {
+    bool used = false;
+    double least = 0, most = 0;
+    double before = 0, after = 0;
+  };
+  struct Lines {
+    double scaled = 0, fixed = 0;  // the whole length is scale * scaled + fixed
+    std::vector<Band> bands;
+  };
+  static void extend(Lines& lines, int band, const ViewCell& cell, int axis);
+  static void sum_up(Lines& lines, double gap);
+  [[nodiscard]] std::vector<double> anchors(const Lines& lines, double scale) const;
+
+  std::vector<ViewCell> cells_;
+  double gap_;
+  Lines columns_, rows_;  // rows from below
+};
+
+}  // namespace epura

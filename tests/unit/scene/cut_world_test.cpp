@@ -1,0 +1,393 @@
+#include "scene/cut_world.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <numbers>
+#include <random>
+
+#include "errors.hpp"
+#include "shapes.hpp"
+
+namespace epura::test {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+CuttingPlane plane_at(const Vec3& point, const Vec3& normal) {
+  return make_cutting_plane({{"A", "--section"}, point, normal});
+}
+
+CutWorld cut(const World& world, const Vec3& point, const Vec3& normal) {
+  return cut_world(world, plane_at(point, normal));
+}
+
+double area(const World& world, int triangle) {
+  const auto [a, b, c] = world.triangles[triangle];
+  return glm::length(glm::cross(world.points[b] - world.points[a], world.points[c] - world.points[a])) / 2;
+}
+
+// Of the triangles of cut faces: their polygons are numbered behind those of the file.
+double cut_area(const World& whole, const CutWorld& cut) {
+  double sum = 0;
+  for (std::size_t m = 0; m < whole.models.size(); ++m) {
+    const std::vector<int>& polygons = whole.models[m].mesh->polygon;
+    const int last = *std::max_element(polygons.begin(), polygons.end());
+    const Mesh& mesh = *cut.world.models[m].mesh;
+    for (std::size_t t = 0; t < mesh.polygon.size(); ++t)
+      if (mesh.polygon[t] > last) sum += area(cut.world, cut.world.first_triangle[m] + static_cast<int>(t));
+  }
+  return sum;
+}
+
+// The same from rings. The sums of all are alike where rings of one face are nested no deeper than holes.
+double ring_area(const World& world, const std::vector<int>& ring) {
+  Vec3 sum(0);
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    sum += glm::cross(world.points[ring[i]] - world.points[ring[0]],
+                      world.points[ring[(i + 1) % ring.size()]] - world.points[ring[0]]);
+  return glm::length(sum) / 2;
+}
+
+double surface_area(const World& world) {
+  double sum = 0;
+  for (std::size_t t = 0; t < world.triangles.size(); ++t) sum += area(world, static_cast<int>(t));
+  return sum;
+}
+
+double outline_length(const CutWorld& cut) {
+  double sum = 0;
+  for (std::size_t m = 0; m < cut.world.models.size(); ++m)
+    for (const MeshEdge& edge : cut.world.models[m].mesh->edges) {
+      const int first = cut.world.first_vertex[m];
+      if (edge.cut == CutEdge::outline)
+        sum += glm::distance(cut.world.points[first + edge.vertex[0]], cut.world.points[first + edge.vertex[1]]);
+    }
+  return sum;
+}
+
+Shape inside_out(Shape shape) {
+  for (auto& face : shape.faces) std::reverse(face.begin(), face.end());
+  return shape;
+}
+
+Shape joined(Shape shape, const Shape& other) {
+  shape.add(other);
+  return shape;
+}
+
+// A profile in the x, z plane, counterclockwise from the front, from y = 0 to y = depth.
+Shape prism(const std::vector<std::array<double, 2>>& profile, double depth) {
+  Shape shape;
+  const int n = static_cast<int>(profile.size());
+  for (const double y : {0.0, depth})
+    for (const auto& [x, z] : profile) shape.points.push_back({x, y, z});
+  std::vector<int> front, back;
+  for (int i = 0; i < n; ++i) {
+    front.push_back(i);
+    back.push_back(2 * n - 1 - i);
+    shape.faces.push_back({(i + 1) % n, i, n + i, n + (i + 1) % n});
+  }
+  shape.faces.push_back(front);
+  shape.faces.push_back(back);
+  return shape;
+}
+
+// Turned about the z axis: rings of `around` places at each (radius, height) of a profile; closed on itself or by
+// poles.
+Shape turned(const std::vector<std::array<double, 2>>& profile, int around, bool closed) {
+  Shape shape;
+  const int n = static_cast<int>(profile.size());
+  for (int i = 0; i < n; ++i)
+    for (int k = 0; k < around; ++k) {
+      const double a = 2 * pi * k / around;
+      shape.points.push_back({profile[i][0] * std::cos(a), profile[i][0] * std::sin(a), profile[i][1]});
+    }
+  const auto place = [&](int i, int k) { return (i % n) * around + k % around; };
+  for (int i = 0; i + (closed ? 0 : 1) < n; ++i)
+    for (int k = 0; k < around; ++k)
+      shape.faces.push_back({place(i, k), place(i, k + 1), place(i + 1, k + 1), place(i + 1, k)});
+  if (closed) return shape;
+  std::vector<int> bottom, top;
+  for (int k = 0; k < around; ++k) {
+    bottom.push_back(place(0, around - k));
+    top.push_back(place(n - 1, k));
+  }
+  shape.faces.push_back(bottom);
+  shape.faces.push_back(top);
+  return shape;
+}
+
+Shape torus(double large, double small, int around, int across) {
+  std::vector<std::array<double, 2>> profile;
+  for (int i = 0; i < across; ++i)
+    profile.push_back({large + small * std::cos(2 * pi * i / across), small * std::sin(2 * pi * i / across)});
+  return turned(profile, around, true);
+}
+
+double polygon_area(int n, double radius) { return n / 2.0 * std::sin(2 * pi / n) * radius * radius; }
+
+TEST(CutWorld, OfACubeIsHalfACube) {
+  const World cube = world_of(box({0, 0, 0}, {2, 2, 2}));
+  const CutWorld half = cut(cube, {0, 0.5, 0}, {0, -3, 0});
+  ASSERT_EQ(half.faces.size(), 1U);
+  ASSERT_EQ(half.faces[0].rings.size(), 1U);
+  EXPECT_TRUE(half.open.empty());
+  EXPECT_DOUBLE_EQ(cut_area(cube, half), 4);
+  EXPECT_DOUBLE_EQ(ring_area(half.world, half.faces[0].rings[0]), 4);
+  EXPECT_DOUBLE_EQ(surface_area(half.world), 2 * 4 + 4 * 1.5 * 2);
+  EXPECT_DOUBLE_EQ(outline_length(half), 8);
+  for (const auto& corners : half.world.triangles)
+    for (const int v : corners) EXPECT_GE(half.world.points[v].y, 0.5);
+}
+
+TEST(CutWorld, EdgesKeepTheirNumbersAndParameters) {
+  const World cube = world_of({plate(0, 0, 1, 1, -9), box({0, 0, 0}, {2, 2, 2})});
+  const CutWorld half = cut(cube, {0, 0.5, 0}, {0, -1, 0});
+  const Mesh& mesh = *half.world.models[1].mesh;
+  int cut_edges = 0, whole = 0;
+  for (const MeshEdge& edge : mesh.edges) {
+    if (edge.cut == CutEdge::inside || edge.diagonal) continue;
+    const EdgeOrigin origin = mesh.origin_of(edge);
+    if (!origin.in_file) {
+      EXPECT_EQ(edge.cut, CutEdge::outline);
+      continue;
+    }
+    const int old = cube.first_vertex[1], first = half.world.first_vertex[1];
+    const Vec3 p = cube.points[old + origin.vertex[0]], q = cube.points[old + origin.vertex[1]];
+    for (std::size_t i = 0; i < 2; ++i)
+      EXPECT_LT(glm::distance(half.world.points[first + edge.vertex[i]], p + origin.t[i] * (q - p)), 1e-15);
+    const bool is_cut = edge.vertex[1] >= 8;
+    (is_cut ? cut_edges : whole) += 1;
+    EXPECT_TRUE(!is_cut || origin.t[1] == 0.25 || origin.t[1] == 0.75);
+  }
+  EXPECT_EQ(cut_edges, 4);
+  EXPECT_EQ(whole, 4);
+}
+
+TEST(CutWorld, DoesNotDependOnHowAPartStands) {
+  const Shape shape = box({-1, -2, -3}, {1, 2, 3});
+  const World straight = world_of(shape);
+  const Vec3 point(0.1, 0.2, 0.3), normal(0.3, 0.5, 0.8);
+  const double expected = cut_area(straight, cut(straight, point, normal));
+  EXPECT_GT(expected, 8);
+  const Mat4 turn = glm::translate(glm::rotate(Mat4(1), 0.7, Vec3(0.2, -0.6, 0.77)), Vec3(5, 6, 7));
+  const World moved = make_world({{std::make_shared<const Mesh>(mesh_of(shape)), turn}});
+  const Vec3 new_point(turn * Vec4(point, 1)), new_normal(turn * Vec4(normal, 0));
+  EXPECT_NEAR(cut_area(moved, cut(moved, new_point, new_normal)), expected, 1e-12);
+}
+
+TEST(CutWorld, BothSidesAreCutAlike) {
+  const World world = world_of(torus(5, 2, 48, 24));
+  const Vec3 normal(0.2, 0.3, 0.9), point(0.4, 0.1, 0.2);
+  const CutWorld one = cut(world, point, normal), other = cut(world, point, -normal);
+  EXPECT_NEAR(cut_area(world, one), cut_area(world, other), 1e-12);
+  EXPECT_NEAR(surface_area(one.world) + surface_area(other.world), surface_area(world) + 2 * cut_area(world, one),
+              1e-10);
+}
+
+TEST(CutWorld, OfASphereThroughAndBetweenItsRings) {
+  std::vector<std::array<double, 2>> profile;
+  constexpr int bands = 16, around = 40;
+  for (int i = 1; i < bands; ++i) profile.push_back({10 * std::sin(pi * i / bands), -10 * std::cos(pi * i / bands)});
+  const World sphere = world_of(turned(profile, around, false));
+  const CutWorld middle = cut(sphere, {0, 0, 0}, {0, 0, 1});
+  ASSERT_EQ(middle.faces.size(), 1U);
+  EXPECT_EQ(middle.faces[0].rings[0].size(), std::size_t{around});
+  EXPECT_NEAR(cut_area(sphere, middle), polygon_area(around, 10), 1e-11);
+  const double radius = (10 + profile[8][0]) / 2, height = profile[8][1] / 2;
+  EXPECT_NEAR(cut_area(sphere, cut(sphere, {0, 0, height}, {0, 0, 1})), polygon_area(around, radius), 1e-11);
+  // Through both poles, along edges.
+  const CutWorld along = cut(sphere, {0, 0, 0}, {0, 1, 0});
+  double expected = 0;
+  for (std::size_t i = 1; i < profile.size(); ++i)
+    expected += (profile[i][0] + profile[i - 1][0]) * (profile[i][1] - profile[i - 1][1]);
+  EXPECT_NEAR(cut_area(sphere, along), expected, 1e-11);
+}
+
+TEST(CutWorld, OfATorusIsTwoDiscsOrARing) {
+  constexpr int around = 32, across = 20;
+  const World world = world_of(torus(10, 3, around, across));
+  const CutWorld discs = cut(world, {0, 0, 0}, {0, 1, 0});
+  ASSERT_EQ(discs.faces.size(), 1U);  // of one body
+  EXPECT_EQ(discs.faces[0].rings.size(), 2U);
+  EXPECT_NEAR(cut_area(world, discs), 2 * polygon_area(across, 3), 1e-11);
+  const CutWorld ring = cut(world, {0, 0, 0}, {0, 0, -1});
+  ASSERT_EQ(ring.faces.size(), 1U);
+  EXPECT_EQ(ring.faces[0].rings.size(), 2U);
+  EXPECT_NEAR(cut_area(world, ring), polygon_area(around, 13) - polygon_area(around, 7), 1e-10);
+  // Tangent to the inside: the rings of the figure eight touch, or nearly do.
+  EXPECT_NEAR(cut_area(world, cut(world, {0, 7, 0}, {0, 1, 0})), cut_area(world, cut(world, {0, 7, 0}, {0, -1, 0})),
+              1e-10);
+}
+
+TEST(CutWorld, CavitiesAreHolesAndNestedBodiesAreNot) {
+  const Shape outside = box({0, 0, 0}, {10, 10, 10}), inside = box({2, 2, 2}, {8, 8, 8}),
+              ball = box({4, 4, 4}, {6, 6, 6});
+  const World hollow = world_of(joined(outside, inside_out(inside)));
+  const CutWorld hole = cut(hollow, {0, 5, 0}, {0, -1, 0});
+  ASSERT_EQ(hole.faces.size(), 1U);
+  EXPECT_EQ(hole.faces[0].rings.size(), 2U);
+  EXPECT_DOUBLE_EQ(cut_area(hollow, hole), 100 - 36);
+
+  const World nested = world_of(joined(outside, inside));
+  const CutWorld two = cut(nested, {0, 5, 0}, {0, -1, 0});
+  ASSERT_EQ(two.faces.size(), 2U);
+  EXPECT_DOUBLE_EQ(cut_area(nested, two), 100 + 36);
+
+  const World rattle = world_of(joined(joined(outside, inside_out(inside)), ball));
+  const CutWorld three = cut(rattle, {0, 5, 0}, {0, -1, 0});
+  ASSERT_EQ(three.faces.size(), 2U);
+  EXPECT_DOUBLE_EQ(cut_area(rattle, three), 100 - 36 + 4);
+  EXPECT_EQ(three.faces[0].body, 0);
+  EXPECT_EQ(three.faces[1].body, 2);
+
+  // A file that is inside out as a whole.
+  const World wrong = world_of(joined(inside_out(outside), inside));
+  EXPECT_DOUBLE_EQ(cut_area(wrong, cut(wrong, {0, 5, 0}, {0, -1, 0})), 100 - 36);
+}
+
+TEST(CutWorld, OfOtherModelsAndTouchingBoxesEachHasItsFace) {
+  const World world = world_of({box({0, 0, 0}, {1, 1, 1}), box({1, 0, 0}, {3, 1, 1}), box({0.5, 0, 0.5}, {1.5, 1, 2})});
+  const CutWorld faces = cut(world, {0, 0.5, 0}, {0, -1, 0});
+  ASSERT_EQ(faces.faces.size(), 3U);
+  for (int m = 0; m < 3; ++m) EXPECT_EQ(faces.faces[m].model, m);
+  EXPECT_DOUBLE_EQ(cut_area(world, faces), 1 + 2 + 1.5);
+}
+
+TEST(CutWorld, AFaceInThePlaneIsNotCut) {
+  // A step at z = 1, a column from x = 0 to 1 up to z = 3, and a notch from below up to z = 1 at x = 0.2 to 0.4.
+  const Shape step = prism({{0, 0}, {0.2, 0}, {0.2, 1}, {0.4, 1}, {0.4, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}}, 2);
+  const World world = world_of(step);
+  const CutWorld low = cut(world, {0, 0, 1}, {0, 0, 1});
+  EXPECT_NEAR(cut_area(world, low), (1 - 0.2) * 2, 1e-15);
+  // All of the cut, the step, and the sides.
+  EXPECT_NEAR(surface_area(low.world), 2 * (3 - 0.2) * 2 + 2 * 2.8 + 2 * 2 + 2 * 2, 1e-12);
+  const CutWorld high = cut(world, {0, 0, 1}, {0, 0, -1});
+  EXPECT_NEAR(cut_area(world, high), (1 - 0.2) * 2, 1e-15);
+  EXPECT_NEAR(surface_area(high.world), 2 * 1 * 2 + 2 * (1 + 2) * 2, 1e-12);
+}
+
+TEST(CutWorld, ACavityMayEndInThePlane) {
+  const World hollow = world_of(joined(box({0, 0, 0}, {10, 10, 10}), inside_out(box({2, 2, 2}, {8, 8, 8}))));
+  for (const double sign : {1.0, -1.0}) {
+    const CutWorld at_end = cut(hollow, {0, 0, 8}, {0, 0, sign});
+    EXPECT_DOUBLE_EQ(cut_area(hollow, at_end), 100 - 36);
+    // Above, the ceiling stays, below, the walls of the cavity.
+    const double expected = sign > 0 ? 100 + 4 * 80 + 64 + 36 + 4 * 36 : 100 + 4 * 20 + 64 + 36;
+    EXPECT_DOUBLE_EQ(surface_area(at_end.world), expected);
+  }
+}
+
+TEST(CutWorld, ThroughVerticesAndDiagonals) {
+  const World cube = world_of(triangulated_cube()), other = world_of(triangulated_cube(true));
+  for (const World* world : {&cube, &other})
+    for (const Vec3& normal : {Vec3(1, 1, 0), Vec3(1, -1, 0), Vec3(0, 1, 1), Vec3(-1, 0, 1)}) {
+      const CutWorld half = cut(*world, {0.5, 0.5, 0.5}, normal);
+      EXPECT_NEAR(cut_area(*world, half), std::sqrt(2), 1e-15);
+      EXPECT_NEAR(surface_area(half.world), 3 + std::sqrt(2), 1e-14);
+    }
+  // Through three corners.
+  EXPECT_NEAR(cut_area(cube, cut(cube, {1, 0, 0}, {1, 1, 1})), std::sqrt(3) / 2, 1e-15);
+  EXPECT_NEAR(cut_area(cube, cut(cube, {1, 0, 0}, {-1, -1, -1})), std::sqrt(3) / 2, 1e-15);
+}
+
+TEST(CutWorld, RoundingDoesNotMoveVerticesOffThePlane) {
+  Shape shape = torus(10, 3, 64, 32);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> noise(-1e-14, 1e-14);
+  for (Point& p : shape.points)
+    for (double& x : p) x += noise(random);
+  const World world = world_of(shape);
+  const CutWorld half = cut(world, {0, 0, 0}, {0, 1, 0});
+  EXPECT_TRUE(half.world.models[0].mesh->cut_vertices.empty() ||
+              half.world.models[0].mesh->cut_vertices[0].edge[0] == -1);
+  EXPECT_NEAR(cut_area(world, half), 2 * polygon_area(32, 3), 1e-11);
+}
+
+TEST(CutWorld, OpenSurfacesAreReportedAndNotFilled) {
+  const World strip = world_of(moebius(24));
+  const CutWorld cut_strip = cut(strip, {0, 0, 0}, {0, 1, 0});
+  EXPECT_TRUE(cut_strip.faces.empty());
+  ASSERT_EQ(cut_strip.open.size(), 1U);
+  EXPECT_TRUE(cut_strip.open[0].in_outline);
+  EXPECT_NEAR(cut_strip.open[0].gap.y, 0, 1e-15);
+  EXPECT_GT(outline_length(cut_strip), 0.5);
+
+  Shape open = box({0, 0, 0}, {2, 2, 2});
+  std::erase_if(open.faces, [&](const auto& f) {
+    return std::all_of(f.begin(), f.end(), [&](int v) { return open.points[v][2] == 2; });
+  });
+  ASSERT_EQ(open.faces.size(), 5U);
+  const World world = world_of({open, box({4, 0, 0}, {5, 2, 2})});
+  for (const Vec3& normal : {Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(0, 0, -1)}) {
+    const CutWorld half = cut(world, {1, 1, 1}, normal);
+    ASSERT_EQ(half.open.size(), 1U);
+    EXPECT_EQ(half.open[0].model, 0);
+    EXPECT_EQ(half.open[0].in_outline, normal.y != 0);
+    EXPECT_NEAR(half.open[0].gap.z, 2, 1e-15);
+    ASSERT_EQ(half.faces.size(), 1U);
+    EXPECT_EQ(half.faces[0].model, 1);
+  }
+}
+
+TEST(CutWorld, OfASoupKeepsWhatLiesBehind) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> place(-1, 1);
+  Shape soup;
+  for (int i = 0; i < 600; ++i) {
+    soup.points.push_back({place(random), place(random), place(random)});
+    if (i % 3 == 2) soup.faces.push_back({i - 2, i - 1, i});
+  }
+  const World world = world_of(soup);
+  const Vec3 normal(0.3, 0.9, -0.2);
+  const CutWorld one = cut(world, {0.05, 0.1, 0}, normal), other = cut(world, {0.05, 0.1, 0}, -normal);
+  EXPECT_TRUE(one.faces.empty());
+  EXPECT_FALSE(one.open.empty());
+  EXPECT_NEAR(surface_area(one.world) + surface_area(other.world), surface_area(world), 1e-11);
+  EXPECT_NEAR(outline_length(one), outline_length(other), 1e-12);
+}
+
+TEST(CutWorld, FarAndSmallWorldsAreCutAlike) {
+  const World small = world_of(torus(10, 3, 32, 16).scaled(1e-150)),
+              large = world_of(torus(10, 3, 32, 16).scaled(1e140));
+  EXPECT_EQ(cut(small, {0, 0, 0}, {0, 1, 0}).faces[0].rings.size(), 2U);
+  EXPECT_EQ(cut(large, {0, 0, 0}, {0, 1, 0}).faces[0].rings.size(), 2U);
+  const World far = world_of(box({0, 0, 0}, {2, 2, 2}).moved(1e9, 2e9, 3e9));
+  EXPECT_NEAR(cut_area(far, cut(far, {1e9, 2e9 + 0.5, 3e9}, {0, 1, 0})), 4, 1e-6);
+}
+
+TEST(CutWorld, RefusesPlanesThatCutNothing) {
+  const World cube = world_of(box({0, 0, 0}, {2, 2, 2}));
+  const auto refusal = [&](const World& world, const Vec3& point, const Vec3& normal) {
+    const Error error = error_of([&] { cut(world, point, normal); });
+    EXPECT_EQ(error.trouble(), Trouble::input);
+    EXPECT_EQ(error.where(), "--section");
+    return std::string(error.what());
+  };
+  EXPECT_TRUE(contains(refusal(cube, {0, 0, 5}, {0, 0, 1}), "cuts nothing"));
+  EXPECT_TRUE(contains(refusal(cube, {0, 0, 2}, {0, 0, 1}), "cuts nothing"));
+  EXPECT_TRUE(contains(refusal(cube, {0, 0, 5}, {0, 0, -1}), "everything"));
+  EXPECT_TRUE(contains(refusal(cube, {0, 0, 2}, {0, 0, -1}), "everything"));
+  const World stack = world_of({box({0, 0, 0}, {2, 2, 2}), box({0, 0, 2}, {2, 2, 4})});
+  EXPECT_TRUE(contains(refusal(stack, {0, 0, 2}, {0, 0, 1}), "cuts nothing"));
+}
+
+TEST(CuttingPlane, IsParsedAndNormalised) {
+  const CuttingPlane plane = make_cutting_plane(parse_section("1,2,3:0,-2e-200,0", "--section"));
+  EXPECT_EQ(plane.point, Vec3(1, 2, 3));
+  EXPECT_EQ(plane.normal, Vec3(0, -1, 0));
+  EXPECT_LT(glm::distance(glm::cross(plane.right, plane.up), plane.normal), 1e-15);
+  const CuttingPlane oblique = plane_at({0, 0, 0}, {1e200, 2e200, -3e200});
+  EXPECT_NEAR(glm::length(oblique.normal), 1, 1e-15);
+  EXPECT_LT(glm::distance(glm::cross(oblique.right, oblique.up), oblique.normal), 1e-15);
+  for (const char* text : {"", "1,2,3", "1,2,3:0,0", "1,2:0,0,1", "a,b,c:0,0,1", "1,2,3:0,0,1:5", "1,2,3:0 0 1"})
+    EXPECT_TRUE(contains(error_of([&] { parse_section(text, "--section"); }).what(), "no cutting plane")) << text;
+  for (const char* text : {"1,2,3:0,0,0", "nan,2,3:0,0,1", "1,2,3:0,inf,1"})
+    EXPECT_EQ(error_of([&] { make_cutting_plane(parse_section(text, "x")); }).where(), "x") << text;
+}
+
+}  // namespace
+}  // namespace epura::test

@@ -1,0 +1,216 @@
+// Scene files that are refused: the place, the reason and the hint, word by word.
+#include <gtest/gtest.h>
+
+#include "errors.hpp"
+#include "folder.hpp"
+#include "scene/scene_file.hpp"
+
+namespace epura::test {
+namespace {
+
+struct Refusal {
+  std::string text;      ///< of the file
+  std::string sentence;  ///< "line:column: reason"
+  std::string hint;
+};
+
+void expect_refusals(const std::string& head, const std::vector<Refusal>& refusals) {
+  const Folder folder;
+  for (const Refusal& refusal : refusals) {
+    const std::string path = folder.file("scene.toml", head + refusal.text);
+    const Error error = error_of([&] { read_scene_file(path); });
+    EXPECT_EQ(error.trouble(), Trouble::input);
+    EXPECT_EQ(error.what(), path + ":" + refusal.sentence) << refusal.text.substr(0, 200);
+    EXPECT_EQ(error.hint(), refusal.hint) << refusal.text.substr(0, 200);
+  }
+}
+
+const std::string model = "[[model]]\nfile = 'a.obj'\n";                  // lines 1 and 2
+const std::string view = model + "[[view]]\nprojection = 'front'\n";      // lines 3 and 4
+const std::string dimension = view + "[[dimension]]\ntype = 'linear'\n";  // lines 5 and 6
+const std::string quotes = "put it in quotes";
+const std::string values = "values are like \"text\", 1.5, true or [1, 2]; see toml.io";
+const std::string empty = "leave it out, or say something";
+const std::string anchors = "[model, vertex] or {point = [x, y, z]}";
+
+TEST(SceneRefusal, WhatIsMissing) {
+  const std::string hint = "a scene file has at least:  [[model]]  file = \"part.obj\"";
+  expect_refusals("",
+                  {
+                      {"", " names no model", hint},
+                      {"# nothing\n", " names no model", hint},
+                      {"[sheet]\nsize = 'A4'\n", " names no model", hint},
+                      {"[[model]]\nname = 'a'\n", "1:1: [[model]] lacks 'file'",
+                       "obj, stl, ply or off; a relative path starts at the scene file"},
+                      {model + "[[view]]\n", "3:1: [[view]] lacks 'projection'",
+                       "`NAME[:key=value...]`, or `{name = NAME, key = value}`"},
+                      {model + "[[section]]\n", "3:1: [[section]] lacks 'name'", "by which views call it, such as `A`"},
+                      {"view = [{projection = {eye = [1, 2, 3]}}]\n" + model, "1:23: 'projection' lacks 'name'",
+                       "{name = \"look-at\", eye = [4, -9, 5]}"},
+                  });
+}
+
+TEST(SceneRefusal, UnknownKeys) {
+  expect_refusals(
+      "",
+      {
+          {"[[modle]]\n", "1:3: 'modle' is no key of a scene file", "did you mean 'model'?"},
+          {model + "unti = 'mm'", "3:1: 'unti' is no key of [[model]]", "did you mean 'unit'?"},
+          {model + "views = ['front']", "3:1: 'views' is no key of [[model]]", "it belongs above the first section"},
+          {view + "crease-angle = 3", "5:1: 'crease-angle' is no key of [[view]]", "did you mean 'crease_angle'?"},
+          {model + "[sheet]\nsice = 'A4'", "4:1: 'sice' is no key of [[sheet]]", "did you mean 'size'?"},
+          {model + "[all_sheets.title_block]", "3:13: 'title_block' is no key of [all_sheets]",
+           "known: size, orientation, scale, angle, frame"},
+          {model + "[title_block]\ntitel = 'A'", "4:1: 'titel' is no key of [title_block]", "did you mean 'title'?"},
+          {model + "[sheet.title_block]\ntitel = 'A'", "4:1: 'titel' is no key of [sheet.title_block]",
+           "did you mean 'title'?"},
+          {model + "[title_block.free]\ntitle = 'A'", "4:1: 'title' is no free field", "put it into [title_block]"},
+      });
+}
+
+TEST(SceneRefusal, ValuesOfAnotherKind) {
+  expect_refusals("", {
+                          {"model = 3", "1:9: 'model' is a number, a table is wanted", ""},
+                          {"model = [{file = 'a'}, 3]", "1:24: 'model' is a number, a table is wanted", ""},
+                          {"[[model]]\nfile = 3", "2:8: 'file' is a number, a text is wanted", quotes},
+                          {"[[model]]\nfile = true", "2:8: 'file' is true or false, a text is wanted", quotes},
+                          {"[[model]]\nfile = ['a.obj']", "2:8: 'file' is a list, a text is wanted", ""},
+                          {"[[model]]\nfile = {}", "2:8: 'file' is a table, a text is wanted", ""},
+                          {"[[model]]\nfile = 2026-11-21", "2:8: 'file' is a date, a text is wanted", quotes},
+                          {model + "drawn = 'no'", "3:9: 'drawn' is a text, true or false is wanted", ""},
+                          {view + "near = '3'", "5:8: 'near' is a text, a number is wanted", ""},
+                          {view + "at = 3", "5:6: 'at' is a number, a list is wanted", ""},
+                          {view + "at = [3, 'x']", "5:10: 'at' is a text, a number is wanted", ""},
+                          {view + "at = [3]", "5:6: 'at' has 1 elements, 2 numbers are wanted", ""},
+                          {view + "edges = 7", "5:9: 'edges' is a number, a list is wanted", ""},
+                          {view + "scale = 2", "5:9: 'scale' is a number, a text is wanted", quotes},
+                          {model + "[title_block]\ndate = 10:20:00", "4:8: 'date' is a time, a text is wanted", quotes},
+                          {model + "[title_block]\nmass = 2.5", "4:8: 'mass' is a number, a text is wanted", quotes},
+                          {model + "[title_block]\nfree = 'x'", "4:8: 'free' is a text, a table is wanted", ""},
+                          {model + "[[all_sheets]]", "3:1: 'all_sheets' is a list, a table is wanted", ""},
+                      });
+}
+
+TEST(SceneRefusal, ValuesOutOfRange) {
+  expect_refusals("", {
+                          {view + "crease_angle = 180.5", "5:16: 'crease_angle' is 180.5, allowed is 0 to 180", ""},
+                          {view + "near = nan", "5:8: 'near' is no finite number", ""},
+                          {view + "far = -inf", "5:7: 'far' is no finite number", ""},
+                          {view + "at = [0, inf]", "5:10: 'at' is no finite number", ""},
+                          {view + "sheet = 0", "5:9: 'sheet' is 0, allowed is 1 or more", ""},
+                          {view + "sheet = 1.5", "5:9: 'sheet' is 1.5, a whole number is wanted", ""},
+                          {view + "sheet = 3000000000", "5:9: 'sheet' is 3e+09, allowed is 1 to 2147483647", ""},
+                          {"[[model]]\nfile = ''", "2:8: 'file' is empty", empty},
+                          {"[[model]]\nfile = 'a\tb'", "2:8: 'file' has a line break or another control character",
+                           "write it on one line"},
+                          {"[[model]]\nfile = \"a\\u0000b\"",
+                           "2:8: 'file' has a line break or another control character", "write it on one line"},
+                          {"[[model]]\nfile = '''a\nb'''", "2:8: 'file' has a line break or another control character",
+                           "write it on one line"},
+                          {"views = []\n" + model, "1:9: 'views' is empty", empty},
+                          {"views = 'front,,top'\n" + model, "1:9: 'views' has an empty word", empty},
+                          {model + "[[section]]\nname = 'A'\nnormal = [0, -0.0, 0]",
+                           "5:10: 'normal' is zero and has no direction", ""},
+                      });
+}
+
+TEST(SceneRefusal, NamesThatLeadNowhereOrToTwoThings) {
+  const std::string section = model + "[[section]]\nname = 'A'\n";
+  const std::string one = "names are for one each";
+  expect_refusals(
+      "", {
+              {model + "name = 'x'\n" + model + "name = 'x'", "6:8: 'x' is the name of an earlier model", one},
+              {section + "[[section]]\nname = 'A'", "6:8: 'A' is the name of an earlier section", one},
+              {view + "name = 'x'\n[[view]]\nprojection = 'top'\nname = 'x'", "8:8: 'x' is the name of an earlier view",
+               one},
+              {view + "section = 'A'", "5:11: there is no section 'A'", "there is no [[section]] at all"},
+              {section + "[[view]]\nprojection = 'left'\nsection = 'B'", "7:11: there is no section 'B'", "known: A"},
+              {view + "sheet = 2", "4:14: the view is for sheet 2 of 1", "add a [[sheet]]"},
+              {dimension + "from = [0, 1]\nto = [0, 2]\nview = 'frnt'", "9:8: there is no view 'frnt'",
+               "did you mean 'front'?"},
+          });
+}
+
+TEST(SceneRefusal, Anchors) {
+  expect_refusals(dimension,
+                  {
+                      {"", "5:1: a dimension of type 'linear' lacks 'from'", anchors},
+                      {"from = [0, 1]", "5:1: a dimension of type 'linear' lacks 'to'", anchors},
+                      {"from = [0, 1]\nto = [0, 2]\nat = [0, 3]", "9:6: a dimension of type 'linear' has no 'at'",
+                       "known: from, to"},
+                      {"from = [1, 1]\nto = [0, 2]", "7:8: there is no model 1", "models are numbered from 0 to 0"},
+                      {"from = ['b', 1]\nto = [0, 2]", "7:8: there is no model 'b'", "known: a"},
+                      {"from = [0, -1]", "7:12: 'from' is -1, allowed is 0 or more", ""},
+                      {"from = [0, 'x']", "7:12: 'from' is a text, a number is wanted", ""},
+                      {"from = [0]", "7:8: 'from' has 1 elements, [model, vertex] is wanted",
+                       "a point of the world is {point = [x, y, z]}"},
+                      {"from = {piont = [0, 0, 0]}", "7:8: 'from' is no anchor", anchors},
+                      {"from = {point = [0, 0]}", "7:17: 'point' has 2 elements, 3 numbers are wanted", ""},
+                      {"from = 'a:1'", "7:8: 'from' is a text, [model, vertex] or {point = [x, y, z]} is wanted", ""},
+                  });
+  expect_refusals(
+      view + "[[dimension]]\n",
+      {
+          {"type = 'diametre'", "6:8: does not know 'diametre'", "did you mean 'diameter'?"},
+          {"type = 'radius'\nfrom = [0, 1]", "5:1: a dimension of type 'radius' lacks 'at'", anchors},
+          {"type = 'overall'\nat = [0, 1]", "7:6: a dimension of type 'overall' has no 'at'", "it has no anchors"},
+      });
+}
+
+TEST(SceneRefusal, AnchorsOnModelsThatCannotBeMeant) {
+  const std::string radius = "[[dimension]]\ntype = 'radius'\n";
+  expect_refusals("", {
+                          {model + "drawn = false\n" + radius + "at = ['a', 1]",
+                           "6:6: the model is not drawn and has no vertices", "give the place as {point = [x, y, z]}"},
+                          {model + model + radius + "at = ['a', 1]", "7:6: several models are called 'a'",
+                           "give them names of their own, or use a number"},
+                      });
+}
+
+TEST(SceneRefusal, WhatIsNoToml) {
+  expect_refusals(
+      "",
+      {
+          {"[[model]]\nfile = a.obj", "2:8: is no TOML: while parsing value: could not determine value type", values},
+          {"[[model]\n", "1:9: is no TOML: while parsing table header: expected ']', saw '\\n'", values},
+          {"[Maß]", "1:4: is no TOML: while parsing table header: expected ']', saw 'ß'", values},
+          {"[ä]",
+           "1:2: is no TOML: while parsing key: expected bare key starting character or string delimiter, saw 'ä'",
+           values},
+          {"[[+]]",
+           "1:3: is no TOML: while parsing key: expected bare key starting character or string delimiter, saw '+'",
+           values},
+          {"name 'x'", "1:6: is no TOML: while parsing key-value pair: expected '=', saw '''", values},
+          {"a = 'x", "1:7: is no TOML: while parsing string: encountered end-of-file", values},
+          {model + "file = 'b'",
+           "3:8: is no TOML: while parsing key-value pair: cannot redefine existing string 'file'", values},
+          {"a = \"\xff\"", "1:5: is no TOML: encountered invalid utf-8 sequence", values},
+          {"a = " + std::string(100'000, '['),
+           "1:13: is no TOML: while parsing value: exceeded maximum nested value depth of 8", values},
+      });
+}
+
+TEST(SceneRefusal, WhatWouldExhaustMemoryOrStack) {
+  std::string keys = "a";
+  for (int i = 0; i < 500'000; ++i) keys += ".a";
+  const std::string hint = "dots in a key nest tables; write a shorter line";
+  expect_refusals("", {
+                          {model + keys + " = 1", "3: has more than 100 dots in a line", hint},
+                          {"\n[" + keys + "]\n", "2: has more than 100 dots in a line", hint},
+                          {std::string(3'000'000, '['), " has more than 2 MB", "is it a scene file?"},
+                      });
+  const Folder folder;
+  const std::string comment = "# " + std::string(1000, '.') + "\n";
+  EXPECT_EQ(read_scene_file(folder.file("scene.toml", comment + model)).models.size(), 1U);
+}
+
+TEST(SceneRefusal, FilesThatAreNone) {
+  const Folder folder;
+  const std::string missing = folder / "missing.toml";
+  EXPECT_EQ(error_of([&] { read_scene_file(missing); }).what(), missing + ": cannot read: No such file or directory");
+  const std::string path = folder / "";
+  EXPECT_EQ(error_of([&] { read_scene_file(path); }).what(), path + ": is a directory, not a file");
+}
+
+}  // namespace
+}  // namespace epura::test

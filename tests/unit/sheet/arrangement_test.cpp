@@ -1,0 +1,272 @@
+#include "sheet/arrangement.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/error.hpp"
+#include "sheet/free_rectangles.hpp"
+#include "sheet/standard_scale.hpp"
+
+namespace epura {
+namespace {
+
+using enum ViewPlace;
+
+// A box of 60 x 40 x 20 around the origin, seen from all sides.
+ViewToPlace view_of_box(ViewPlace place, const Vec3& size = {60, 40, 20}) {
+  Vec2 half = Vec2(size.x, size.z) / 2.0;
+  if (place == left || place == right) half = Vec2(size.y, size.z) / 2.0;
+  if (place == top || place == bottom) half = Vec2(size.x, size.y) / 2.0;
+  if (place == pictorial || place == other) half = Vec2(size.x + size.y, size.x + size.z) / 3.0;
+  ViewToPlace view;
+  view.place = place;
+  view.box = {-half, half};
+  return view;
+}
+
+std::vector<ViewToPlace> views_of_box(const std::vector<ViewPlace>& places) {
+  std::vector<ViewToPlace> views;
+  for (const ViewPlace place : places) views.push_back(view_of_box(place));
+  return views;
+}
+
+DrawingRoom a3() {
+  const Paper paper = parse_paper("A3", false);
+  return {paper, Rectangle{{230, 10}, {410, 50}}, 5, 20};
+}
+
+// Nothing over anything else, and all in the drawing area.
+void expect_tidy(const Arrangement& arrangement, const DrawingRoom& room) {
+  const Paper& paper = arrangement.paper;
+  const Rectangle area{{paper.left, paper.other}, {paper.width - paper.other, paper.height - paper.other}};
+  for (std::size_t i = 0; i < arrangement.views.size(); ++i) {
+    const Rectangle& box = arrangement.views[i].box;
+    EXPECT_EQ(arrangement.views[i].view, i);
+    EXPECT_TRUE(area.holds(box, 1e-6)) << i;
+    EXPECT_FALSE(room.title_block && box.overlaps(*room.title_block, 1e-6)) << i;
+    for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(box.overlaps(arrangement.views[j].box, 1e-6)) << i << " " << j;
+  }
+}
+
+bool above(const ViewSpot& a, const ViewSpot& b) { return a.box.least.y > b.box.most.y; }
+bool right_of(const ViewSpot& a, const ViewSpot& b) { return a.box.least.x > b.box.most.x; }
+
+TEST(Arrangement, FirstAngleShowsFromAboveBelowAndFromTheLeftAtTheRight) {
+  const auto views = views_of_box({front, back, left, right, top, bottom});
+  const Arrangement made = arrange(views, {}, ProjectionAngle::first, a3());
+  const auto& v = made.views;
+  EXPECT_TRUE(above(v[0], v[4]));  // front above the view from above
+  EXPECT_TRUE(above(v[5], v[0]));
+  EXPECT_TRUE(right_of(v[2], v[0]));
+  EXPECT_TRUE(right_of(v[0], v[3]));
+  EXPECT_TRUE(right_of(v[1], v[2]));
+  EXPECT_TRUE(made.inside);
+  expect_tidy(made, a3());
+}
+
+TEST(Arrangement, ThirdAngleShowsFromAboveAboveAndFromTheLeftAtTheLeft) {
+  const auto views = views_of_box({front, back, left, right, top, bottom});
+  const Arrangement made = arrange(views, {}, ProjectionAngle::third, a3());
+  const auto& v = made.views;
+  EXPECT_TRUE(above(v[4], v[0]));
+  EXPECT_TRUE(above(v[0], v[5]));
+  EXPECT_TRUE(right_of(v[0], v[2]));
+  EXPECT_TRUE(right_of(v[3], v[0]));
+  EXPECT_TRUE(right_of(v[1], v[3]));
+  expect_tidy(made, a3());
+}
+
+// Without a title block the sheet is symmetrical, and so are the two ways to arrange.
+TEST(Arrangement, FirstAndThirdAngleAreMirrorArrangements) {
+  const auto views = views_of_box({front, left, right, top, bottom});
+  const DrawingRoom room{parse_paper("A3", false)};
+  const auto first = arrange(views, {}, ProjectionAngle::first, room);
+  const auto third = arrange(views, {}, ProjectionAngle::third, room);
+  ASSERT_EQ(first.scale, third.scale);
+  const Vec2 centre(215, 148.5);
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const Vec2 there = first.views[i].box.centre() - centre, here = third.views[i].box.centre() - centre;
+    EXPECT_LT(glm::length(there + here), 1e-9) << i;
+  }
+}
+
+TEST(Arrangement, AlignsWithAFrontViewThatIsNotThere) {
+  const auto views = views_of_box({left, top});
+  const auto made = arrange(views, {}, ProjectionAngle::first, a3()).views;
+  const auto with_front = arrange(views_of_box({left, top, front}), {}, ProjectionAngle::first, a3()).views;
+  EXPECT_TRUE(right_of(made[0], made[1]));
+  EXPECT_TRUE(above(made[0], made[1]));
+  EXPECT_TRUE(right_of(with_front[0], with_front[1]));
+}
+
+TEST(Arrangement, StandardScaleIsTheLargestThatFits) {
+  const auto views = views_of_box({front, left, top});
+  const Arrangement fit = arrange(views, {}, ProjectionAngle::first, a3());
+  const Arrangement standard = arrange(views, {std::nullopt, true}, ProjectionAngle::first, a3());
+  EXPECT_EQ(standard.scale, standard_scale_up_to(fit.scale));
+  EXPECT_TRUE(standard.inside);
+}
+
+TEST(Arrangement, PictorialViewTakesASmallerStandardScaleWhereItsOwnHasNoRoom) {
+  auto views = views_of_box({front, left, top, pictorial});
+  views[3].box = {{-200, -150}, {100, 150}};
+  const Arrangement made = arrange(views, {2.0}, ProjectionAngle::first, a3());
+  EXPECT_EQ(made.scale, 2);
+  EXPECT_EQ(made.views[0].scale, 2);
+  EXPECT_LT(made.views[3].scale, 2);
+  EXPECT_EQ(made.views[3].scale, standard_scale_up_to(made.views[3].scale));
+  EXPECT_TRUE(made.inside);
+  expect_tidy(made, a3());
+}
+
+TEST(Arrangement, PictorialViewKeepsTheScaleWhereThereIsRoom) {
+  const auto made = arrange(views_of_box({front, pictorial}), {1.0}, ProjectionAngle::first, a3());
+  EXPECT_EQ(made.views[1].scale, 1);
+  expect_tidy(made, a3());
+}
+
+TEST(Arrangement, OnlyPictorialViewsStandInAGrid) {
+  const auto made =
+      arrange(views_of_box({pictorial, pictorial, pictorial, pictorial}), {}, ProjectionAngle::first, a3());
+  expect_tidy(made, a3());
+  EXPECT_EQ(made.views[0].shift.y, made.views[1].shift.y);
+  EXPECT_EQ(made.views[0].scale, made.views[3].scale);
+}
+
+TEST(Arrangement, SaysWhenAGivenScaleIsTooLarge) {
+  const auto made = arrange(views_of_box({front, left, top, pictorial}), {20.0}, ProjectionAngle::first, a3());
+  EXPECT_FALSE(made.inside);
+  EXPECT_EQ(made.scale, 20);
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 0; j < i; ++j) EXPECT_FALSE(made.views[i].box.overlaps(made.views[j].box));
+}
+
+TEST(Arrangement, ViewsKeepTheirGivenPlaces) {
+  auto views = views_of_box({front, left, pictorial});
+  views[2].at = Vec2(350, 220);
+  const auto made = arrange(views, {}, ProjectionAngle::first, a3());
+  expect_tidy(made, a3());
+  EXPECT_LT(glm::length(made.views[2].scale * Rectangle{views[2].box.least, views[2].box.most}.centre() +
+                        made.views[2].shift - Vec2(350, 220)),
+            1e-9);
+}
+
+TEST(Arrangement, SecondViewOfAPlaceStandsBeside) {
+  auto views = views_of_box({front, front, left});
+  views[1].after.y = label_room;
+  expect_tidy(arrange(views, {}, ProjectionAngle::first, a3()), a3());
+}
+
+TEST(Arrangement, ViewsWithTheirOwnScaleKeepIt) {
+  auto views = views_of_box({front, top, other});
+  views[2].scale = 3;
+  const auto made = arrange(views, {1.0}, ProjectionAngle::third, a3());
+  EXPECT_EQ(made.views[2].scale, 3);
+  expect_tidy(made, a3());
+}
+
+TEST(Arrangement, CutsPaperToSeveralViews) {
+  const DrawingRoom room{parse_paper("none", false)};
+  for (const double scale : {0.01, 1.0, 50.0}) {
+    const auto made = arrange(views_of_box({front, left, top, pictorial}), {scale}, ProjectionAngle::first, room);
+    EXPECT_TRUE(made.inside);
+    EXPECT_EQ(made.views[0].scale, scale);
+    expect_tidy(made, room);
+    Rectangle all = made.views[0].box;
+    for (const ViewSpot& spot : made.views) all = united(all, spot.box);
+    EXPECT_NEAR(all.least.x, 5, 1e-9);
+    EXPECT_NEAR(all.least.y, 5, 1e-9);
+    EXPECT_NEAR(all.most.x, made.paper.width - 5, 1e-9);
+    EXPECT_NEAR(all.most.y, made.paper.height - 5, 1e-9);
+  }
+  EXPECT_THROW(arrange(views_of_box({front, left}), {1e6}, ProjectionAngle::first, room), Error);
+}
+
+TEST(Arrangement, OneViewAloneStandsAsItAlwaysDid) {
+  for (const std::string size : {"none", "A3", "60x40"})
+    for (const std::optional<double> scale : {std::optional<double>(), std::optional<double>(0.37)}) {
+      const Paper paper = parse_paper(size, false);
+      const Placement placed = place_ink({-3.1, 0.2}, {17.3, 4.4}, scale, paper);
+      ViewToPlace view;
+      view.box = {{-3.1, 0.2}, {17.3, 4.4}};
+      view.place = pictorial;
+      const Arrangement made = arrange(std::vector{view}, {scale}, ProjectionAngle::first, {paper});
+      EXPECT_EQ(made.scale, placed.scale);
+      EXPECT_EQ(made.views[0].shift, placed.shift);
+      EXPECT_EQ(made.paper.width, placed.paper.width);
+      EXPECT_EQ(made.inside, placed.inside);
+    }
+}
+
+TEST(Arrangement, ViewsWithoutExtentAndOfExtremeSizeFindAPlace) {
+  for (const double size : {0.0, 1e-280, 1e-9, 1e9, 1e280}) {
+    std::vector<ViewToPlace> views;
+    for (const ViewPlace place : {front, top, pictorial, other}) views.push_back(view_of_box(place, Vec3(size)));
+    for (const bool standard : {false, true}) {
+      const auto made = arrange(views, {std::nullopt, standard}, ProjectionAngle::first, a3());
+      EXPECT_TRUE(made.inside) << size;
+      EXPECT_GT(made.scale, 0);
+      expect_tidy(made, a3());
+    }
+  }
+}
+
+TEST(FreeRectangles, AreMaximal) {
+  const Rectangle block[] = {{{60, 0}, {100, 20}}};
+  const auto free = free_rectangles({{0, 0}, {100, 100}}, block);
+  ASSERT_EQ(free.size(), 2U);
+  EXPECT_EQ(free[0].most, Vec2(60, 100));
+  EXPECT_EQ(free[1].least, Vec2(0, 20));
+}
+
+// Models, sets of views, sheets and scales drawn by lot.
+TEST(ArrangementProperty, AllIsInsideApartAndAligned) {
+  std::mt19937 random(7);
+  const auto up_to = [&random](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+  for (int round = 0; round < 600; ++round) {
+    const Vec3 size = Vec3(1 + up_to(100), 1 + up_to(100), 1 + up_to(100)) * std::pow(10.0, up_to(7) - 3);
+    const Vec2 offset = Vec2(up_to(100), up_to(100)) * 0.3;
+    const auto angle = up_to(2) == 0 ? ProjectionAngle::first : ProjectionAngle::third;
+    std::vector<ViewToPlace> views;
+    for (int i = 1 + up_to(8); i > 0; --i) {
+      ViewToPlace view = view_of_box(static_cast<ViewPlace>(up_to(8)), size);
+      view.box = {view.box.least + offset, view.box.most + offset};
+      if (view.place == other) view.after.y = label_room;
+      views.push_back(view);
+    }
+    const std::array<std::string, 5> sizes = {"A4", "A3", "A1", "300x200", "200x500"};
+    DrawingRoom room{parse_paper(sizes[static_cast<std::size_t>(up_to(5))], false)};
+    if (up_to(2) == 0) room.clearance = 5;
+    if (up_to(3) > 0)
+      room.title_block = {{room.paper.width - room.paper.other - 120, room.paper.other},
+                          {room.paper.width - room.paper.other, room.paper.other + 20 + up_to(20)}};
+    const auto made = arrange(views, {std::nullopt, up_to(2) == 0}, angle, room);
+    EXPECT_TRUE(made.inside) << round;
+    expect_tidy(made, room);
+    std::array<const ViewSpot*, 8> first{};
+    for (const ViewSpot& spot : made.views) {
+      const auto place = static_cast<std::size_t>(views[spot.view].place);
+      if (first[place] == nullptr) first[place] = &spot;
+    }
+    for (const auto& [group, axis] :
+         {std::pair(std::array{front, top, bottom}, 0), std::pair(std::array{front, left, right}, 1)})
+      for (const ViewPlace a : group)
+        for (const ViewPlace b : group) {
+          const ViewSpot *one = first[std::size_t(a)], *two = first[std::size_t(b)];
+          if (one != nullptr && two != nullptr) {
+            EXPECT_NEAR(one->shift[axis], two->shift[axis], 1e-9) << round;
+          }
+        }
+  }
+}
+
+}  // namespace
+}  // namespace epura

@@ -1,0 +1,74 @@
+#include "sheet/cutting_plane_line.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "shapes.hpp"
+
+namespace epura::test {
+namespace {
+
+constexpr LineWidths widths{0.5, 0.25};
+
+CuttingPlane plane_at(const Vec3& point, const Vec3& normal) {
+  return make_cutting_plane({{"B", "--section"}, point, normal});
+}
+
+// Page coordinates are x and y of the world.
+Drawing from_top() { return draw(world_of(box({10, 20, 0}, {50, 40, 5})), from_above()).drawing; }
+
+TEST(CuttingPlaneLine, CrossesTheInkAndEndsPastIt) {
+  const Drawing parent = from_top();
+  const auto layer = cutting_plane_line(parent, plane_at({0, 30, 0}, {0, -1, 0}), widths);
+  ASSERT_TRUE(layer);
+  EXPECT_EQ(layer->name, parent.name + "/cutting-plane");
+  const double y = (parent.least.y + parent.most.y) / 2;
+  const Stroke& chain = layer->strokes.at(0);
+  EXPECT_GT(chain.dashes.dots, 0);
+  for (const Vec2& p : chain.points) EXPECT_NEAR(p.y, y, 1e-12);
+  const auto [left, right] = std::minmax(chain.points[0].x, chain.points[1].x);
+  EXPECT_LT(left, parent.least.x - 3);
+  EXPECT_GT(right, parent.most.x + 3);
+
+  ASSERT_EQ(layer->texts.size(), 2U);
+  for (const Text& text : layer->texts) {
+    EXPECT_EQ(text.text, "B");
+    EXPECT_EQ(text.angle, 0);
+    EXPECT_LT(text.at.y, y);  // on the side of the viewer
+    EXPECT_TRUE(text.at.x < left || text.at.x > right);
+    const double past = std::max(parent.least.x - text.at.x, text.at.x - parent.most.x) + text.height / 2;
+    EXPECT_NEAR(past, cutting_plane_room(widths), 1e-12);
+  }
+  // Two wide ends and two arrow heads, whose tips come to the wide ends from below.
+  ASSERT_EQ(layer->fills.size(), 4U);
+  int heads = 0;
+  for (const Fill& fill : layer->fills) {
+    if (fill.rings[0].size() != 3) continue;
+    ++heads;
+    EXPECT_NEAR(fill.rings[0][0].y, y - widths.wide / 2, 1e-12);
+    EXPECT_LT(fill.rings[0][1].y, fill.rings[0][0].y);
+  }
+  EXPECT_EQ(heads, 2);
+}
+
+TEST(CuttingPlaneLine, PointsWhereTheSectionIsSeen) {
+  const auto layer = cutting_plane_line(from_top(), plane_at({30, 0, 7}, {3, 0, 0}), widths);
+  ASSERT_TRUE(layer);
+  for (const Fill& fill : layer->fills)
+    if (fill.rings[0].size() == 3) {
+      EXPECT_GT(fill.rings[0][1].x, fill.rings[0][0].x);
+    }
+}
+
+TEST(CuttingPlaneLine, IsOnlyWhereThePlaneIsALine) {
+  EXPECT_FALSE(cutting_plane_line(from_top(), plane_at({0, 30, 0}, {0, -1, 0.01}), widths));
+  EXPECT_FALSE(cutting_plane_line(from_top(), plane_at({0, 30, 2}, {0, 0, 1}), widths));
+  const Drawing central =
+      draw(world_of(box({0, 0, 0}, {1, 1, 1})), perspective({0.5, -5, 0.5}, {0, 0, 0}, {0, -1, 0}, {0, 0, 1})).drawing;
+  EXPECT_FALSE(cutting_plane_line(central, plane_at({0.5, 0, 0}, {1, 0, 0}), widths));
+}
+
+}  // namespace
+}  // namespace epura::test

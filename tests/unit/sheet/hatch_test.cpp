@@ -1,0 +1,136 @@
+#include "sheet/hatch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace epura {
+namespace {
+
+using Ring = std::vector<Vec2>;
+
+Ring rectangle(double x0, double y0, double x1, double y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
+
+Ring turned(const Ring& ring, double degrees) {
+  const double c = std::cos(degrees * std::numbers::pi / 180), s = std::sin(degrees * std::numbers::pi / 180);
+  Ring result;
+  for (const Vec2& p : ring) result.emplace_back(c * p.x - s * p.y, s * p.x + c * p.y);
+  return result;
+}
+
+Ring circle(double radius, int corners) {
+  Ring ring;
+  for (int i = 0; i < corners; ++i)
+    ring.emplace_back(radius * std::cos(2 * std::numbers::pi * i / corners),
+                      radius * std::sin(2 * std::numbers::pi * i / corners));
+  return ring;
+}
+
+Drawing drawing_of(std::vector<CutFace> faces) {
+  Drawing drawing;
+  drawing.name = "front";
+  drawing.cut_faces = std::move(faces);
+  return drawing;
+}
+
+std::vector<Hatching> choose(const Drawing& drawing) {
+  const Drawing* pointer = &drawing;
+  return choose_hatching({&pointer, 1});
+}
+
+Layer hatched(const Drawing& drawing) { return hatch_layer(drawing, choose(drawing), {0.5, 0.25}); }
+
+double ink(const Layer& layer) {
+  double length = 0;
+  for (const Stroke& stroke : layer.strokes) length += glm::distance(stroke.points[0], stroke.points[1]);
+  return length;
+}
+
+TEST(Hatch, LengthOfLinesIsAreaBySpacing) {
+  const double disc = 100 * std::sin(2 * std::numbers::pi / 200) * 900;
+  const std::vector<std::pair<CutFace, double>> faces = {
+      {{0, 0, {rectangle(0, 0, 80, 60)}}, 4800},
+      {{0, 0, {rectangle(0, 0, 80, 60), rectangle(10, 10, 50, 50)}}, 3200},
+      {{0, 0, {rectangle(0, 0, 80, 60), rectangle(10, 10, 50, 50), rectangle(20, 20, 30, 30)}}, 3300},
+      {{0, 0, {circle(30, 200)}}, disc}};
+  for (const auto& [face, area] : faces) {
+    const Drawing drawing = drawing_of({face});
+    const Hatching hatching = choose(drawing).at(0);
+    EXPECT_EQ(hatching.angle, 45);
+    const Layer layer = hatched(drawing);
+    EXPECT_EQ(layer.name, "front/hatch");
+    EXPECT_EQ(layer.style.width, 0.25);
+    EXPECT_TRUE(layer.fills.empty());
+    EXPECT_NEAR(ink(layer) * hatching.spacing / area, 1, 0.02);
+  }
+}
+
+TEST(Hatch, EndsExactlyAtOutlinesAlsoAtCorners) {
+  // Corners lie on hatching lines: x - y is a multiple of the spacing times the root of 2.
+  const Drawing probe = drawing_of({{0, 0, {rectangle(0, 0, 40, 40)}}});
+  const double step = choose(probe).at(0).spacing * std::sqrt(2);
+  const double a = 10 * step;
+  const Drawing drawing = drawing_of({{0, 0, {{{0, 0}, {a, 0}, {a, a}, {a / 2, a / 2}, {0, a}}}}});
+  const Hatching same{0, 0, 45, step / std::sqrt(2)};
+  const Layer layer = hatch_layer(drawing, {&same, 1}, {0.5, 0.25});
+  for (const Stroke& stroke : layer.strokes)
+    for (const Vec2& p : stroke.points) {
+      const bool on_outline = std::abs(p.y) < 1e-9 || std::abs(p.x - a) < 1e-9 || std::abs(p.x) < 1e-9 ||
+                              std::abs(p.x - p.y) < 1e-9 || std::abs(p.x + p.y - a) < 1e-9;
+      EXPECT_TRUE(on_outline) << p.x << " " << p.y;
+    }
+  EXPECT_NEAR(ink(layer) * same.spacing / (0.75 * a * a), 1, 0.03);
+}
+
+TEST(Hatch, DoesNotRunAlongTheOutline) {
+  EXPECT_EQ(choose(drawing_of({{0, 0, {turned(rectangle(0, 0, 60, 10), 45)}}})).at(0).angle, 30);
+  EXPECT_EQ(choose(drawing_of({{0, 0, {turned(rectangle(0, 0, 60, 10), 135)}}})).at(0).angle, 45 - 15);
+  EXPECT_EQ(choose(drawing_of({{0, 0, {rectangle(0, 0, 60, 10)}}})).at(0).angle, 45);
+}
+
+TEST(Hatch, OfTouchingPartsDiffersAndOfOnePartIsTheSame) {
+  const Drawing drawing = drawing_of({{0, 0, {rectangle(0, 0, 40, 40)}},
+                                      {0, 1, {rectangle(40, 0, 80, 40)}},
+                                      {0, 2, {rectangle(0, 40, 80, 80)}},
+                                      {1, 0, {rectangle(200, 0, 240, 40)}},
+                                      {1, 1, {rectangle(10, 10, 30, 30)}}});
+  const std::vector<Hatching> hatching = choose(drawing);
+  ASSERT_EQ(hatching.size(), 5U);
+  const auto differ = [&](std::size_t i, std::size_t j) {
+    return hatching[i].angle != hatching[j].angle || std::abs(hatching[i].spacing / hatching[j].spacing - 1) > 0.3;
+  };
+  EXPECT_TRUE(differ(0, 1) && differ(0, 2) && differ(1, 2) && differ(0, 4));
+  EXPECT_EQ(hatching[0].angle, 45);
+  EXPECT_EQ(hatching[1].angle, 135);
+  EXPECT_EQ(hatching[3].angle, 45);
+
+  Drawing other = drawing_of({{0, 1, {rectangle(0, 0, 7, 7)}}});
+  other.name = "left";
+  const std::array both{&drawing, static_cast<const Drawing*>(&other)};
+  const std::vector<Hatching> of_both = choose_hatching(both);
+  EXPECT_EQ(of_both.size(), 5U);
+  EXPECT_EQ(of_both[1].angle, hatching[1].angle);
+  EXPECT_EQ(of_both[1].spacing, hatching[1].spacing);
+}
+
+TEST(Hatch, SpacingGrowsWithTheFaceWithinLimits) {
+  double last = 0;
+  for (const double side : {3.0, 10.0, 30.0, 60.0, 200.0}) {
+    const double spacing = choose(drawing_of({{0, 0, {rectangle(0, 0, side, side)}}})).at(0).spacing;
+    EXPECT_GE(spacing, std::max(last, 0.7));
+    EXPECT_LE(spacing, 4);
+    last = spacing;
+  }
+  EXPECT_EQ(last, 4);
+}
+
+TEST(Hatch, ThinSectionsAreBlack) {
+  const Layer layer = hatched(drawing_of({{0, 0, {rectangle(0, 0, 50, 0.8)}}, {0, 1, {rectangle(0, 5, 50, 15)}}}));
+  ASSERT_EQ(layer.fills.size(), 1U);
+  EXPECT_EQ(layer.fills[0].rings, (std::vector{rectangle(0, 0, 50, 0.8)}));
+  EXPECT_FALSE(layer.strokes.empty());
+}
+
+}  // namespace
+}  // namespace epura
