@@ -37,6 +37,15 @@ void warn_about(Console& console, const Partial& partial) {
   console.warn(sentence + "\n  hint: give a longer --time-limit, or ask for less with --edges");
 }
 
+void tell_of(Console& console, const std::vector<ViewResult>& results) {
+  CurveReport all;
+  for (const ViewResult& result : results) all += result.curves;
+  console.print("arcs: " + std::to_string(all.circles) + " of circles, " + std::to_string(all.ellipses) +
+                " of ellipses; corners lie within " + format_rounded(all.deviation, 2) +
+                " mm of them, they rise over the lines that they replace by up to " + format_rounded(all.bulge, 2) +
+                " mm\n");
+}
+
 void print_timings(Console& console, const Stopwatch& watch) {
   std::string text;
   for (const auto& [stage, seconds] : watch.laps()) {
@@ -89,6 +98,7 @@ FinishedSheet Run::draw_sheet(const World& whole, const CutSections& sections, c
     answers += answer(questions, world(i), wishes[i], results.back());
     results.back().work = {};  // what follows takes its room
   }
+  if (!options.arcs.empty()) tell_of(console, results);
   if (!plan.inside) console.warn("the drawing is larger than the sheet at this scale");
   for (const ViewResult& result : results) {
     if (result.partial) report.partial = result.partial;
