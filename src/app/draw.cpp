@@ -110,9 +110,6 @@ FinishedSheet Run::draw_sheet(const World& whole, const CutSections& sections, c
   return sheet;
 }
 
-// Circles are looked for on the surfaces of meshes.
-bool wants_surfaces(const SceneDescription& scene) { return !scene.dimensions.empty(); }
-
 // Says what was found on the way, and returns the exit code. On standard error, since a drawing may go to standard
 // output.
 int conclude(Console& console, const Report& report) {
@@ -137,7 +134,7 @@ int draw(const DrawOptions& options) {
   watch.lap("prepare");
 
   Run run{options, scene, questions, console, progress, watch};
-  World world = read_models(scene.models, wants_surfaces(scene), run.report.meshes, console, progress);
+  World world = read_models(scene.models, run.report.meshes, console, progress);
   watch.lap("read");
   CutSections sections = cut_sections(world, scene, console);
   if (!sections.empty()) watch.lap("section");
