@@ -13,6 +13,9 @@ namespace epura {
 
 namespace {
 
+// Some 60 kB: libxml2, and what reads with it, refuses attributes of 10 MB.
+constexpr std::size_t outlines_of_path = 200;
+
 void append_point(std::string& svg, const Vec2& point, double height) {
   append_millimetres(svg, point.x);
   svg += ' ';
@@ -28,31 +31,44 @@ void append_area(std::string& svg, const Fill& fill, double height) {
   svg += "\" />\n";
 }
 
+// Straight pieces as lines, without the last one, which Z draws.
+void append_outline(std::string& svg, const GlyphOutline& outline, const auto& append) {
+  Vec2 at = outline.curves.back().end;
+  append('M', at);
+  for (const GlyphOutline::Curve& curve : outline.curves) {
+    const bool straight = glm::distance(curve.control, (at + curve.end) / 2.0) < 1e-9;
+    at = curve.end;
+    if (!straight) append('Q', curve.control);
+    if (!straight || &curve != &outline.curves.back()) append(straight ? 'L' : ' ', at);
+  }
+  svg += 'Z';
+}
+
 // Outlines in millimetres of the sheet.
 void append_outlines(std::string& svg, const Text& text, double height, const Lettering& lettering) {
   const double angle = text.angle * std::numbers::pi / 180;
   const Vec2 start = start_of(text, lettering), along(std::cos(angle), std::sin(angle));
-  const auto place = [&](const Vec2& p) { return start + p.x * along + p.y * Vec2(-along.y, along.x); };
-  for (const GlyphOutline& outline : lettering.outlines(text.text, text.height)) {
-    append_point(svg += 'M', place(outline.curves.back().end), height);
-    for (const GlyphOutline::Curve& curve : outline.curves) {
-      append_point(svg += 'Q', place(curve.control), height);
-      append_point(svg += ' ', place(curve.end), height);
-    }
-    svg += 'Z';
+  const auto append = [&](char command, const Vec2& p) {
+    append_point(svg += command, start + p.x * along + p.y * Vec2(-along.y, along.x), height);
+  };
+  const std::vector<GlyphOutline> outlines = lettering.outlines(text.text, text.height);
+  for (std::size_t i = 0; i < outlines.size(); ++i) {
+    if (i % outlines_of_path == 0) svg += i == 0 ? "<path d=\"" : "\" /><path d=\"";
+    append_outline(svg, outlines[i], append);
   }
+  if (!outlines.empty()) svg += "\" />";
 }
 
 // Line styles have names of their own, which may be the same words.
 std::string class_of(const Text& text) { return "text-" + text.role; }
 
 void append_outlined(std::string& svg, const Text& text, double height, const Lettering& lettering) {
-  svg += "<path";
+  svg += "<g";
   if (!text.role.empty()) append_attribute(svg, "class", class_of(text));
   append_attribute(svg, "aria-label", text.text);
-  svg += " d=\"";
+  svg += '>';
   append_outlines(svg, text, height, lettering);
-  svg += "\" />\n";
+  svg += "</g>\n";
 }
 
 void append_written(std::string& svg, const Text& text, double height, const Lettering& lettering) {
@@ -71,7 +87,7 @@ void append_written(std::string& svg, const Text& text, double height, const Let
     append_millimetres(svg += ' ', y);
     svg += ")\"";
   }
-  append_escaped(svg += '>', text.text);
+  append_escaped(svg += '>', written(text.text));
   svg += "</text>\n";
 }
 
@@ -83,7 +99,7 @@ std::string lettering_style(const Sheet& sheet) {
   if (any([](const Layer& layer) { return !layer.fills.empty(); }))
     rules += "\n.filled{fill:#000;stroke:none;fill-rule:evenodd}";
   if (any([](const Layer& layer) { return !layer.texts.empty(); }))
-    rules += "\n.lettering{fill:#000;stroke:none;font-family:osifont,'ISOCPEUR',sans-serif;white-space:pre}";
+    rules += "\n.lettering{fill:#000;stroke:none;font-family:osifont,'ISOCPEUR',sans-serif;font-kerning:none}";
   return rules;
 }
 
@@ -96,7 +112,7 @@ void append_fills(std::string& svg, const Layer& layer, double height) {
 
 void append_texts(std::string& svg, const Layer& layer, double height, const Lettering& lettering, SvgText how) {
   if (layer.texts.empty()) return;
-  svg += "<g class=\"lettering\">\n";
+  svg += how == SvgText::text ? "<g class=\"lettering\" xml:space=\"preserve\">\n" : "<g class=\"lettering\">\n";
   for (const Text& text : layer.texts) {
     if (how == SvgText::outlines) {
       append_outlined(svg, text, height, lettering);
