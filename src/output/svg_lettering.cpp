@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "base/text.hpp"
+#include "base/utf8.hpp"
 #include "output/glyphs.hpp"
 #include "output/svg_paths.hpp"
 
@@ -14,7 +15,7 @@ namespace epura {
 namespace {
 
 // Some 60 kB: libxml2, and what reads with it, refuses attributes of 10 MB.
-constexpr std::size_t outlines_of_path = 200;
+constexpr std::size_t letters_of_path = 100;
 
 void append_point(std::string& svg, const Vec2& point, double height) {
   append_millimetres(svg, point.x);
@@ -47,16 +48,20 @@ void append_outline(std::string& svg, const GlyphOutline& outline, const auto& a
 // Outlines in millimetres of the sheet.
 void append_outlines(std::string& svg, const Text& text, double height, const Lettering& lettering) {
   const double angle = text.angle * std::numbers::pi / 180;
-  const Vec2 start = start_of(text, lettering), along(std::cos(angle), std::sin(angle));
+  const Vec2 along(std::cos(angle), std::sin(angle));
+  Vec2 start = start_of(text, lettering);
   const auto append = [&](char command, const Vec2& p) {
     append_point(svg += command, start + p.x * along + p.y * Vec2(-along.y, along.x), height);
   };
-  const std::vector<GlyphOutline> outlines = lettering.outlines(text.text, text.height);
-  for (std::size_t i = 0; i < outlines.size(); ++i) {
-    if (i % outlines_of_path == 0) svg += i == 0 ? "<path d=\"" : "\" /><path d=\"";
-    append_outline(svg, outlines[i], append);
+  const std::vector<char32_t> letters = characters(written(text.text));
+  for (std::size_t begin = 0; begin < letters.size(); begin += letters_of_path) {
+    std::string part;
+    for (std::size_t i = begin; i < std::min(begin + letters_of_path, letters.size()); ++i) part += utf8(letters[i]);
+    svg += "<path d=\"";
+    for (const GlyphOutline& outline : lettering.outlines(part, text.height)) append_outline(svg, outline, append);
+    svg += "\" />";
+    start += along * lettering.width(part, text.height);
   }
-  if (!outlines.empty()) svg += "\" />";
 }
 
 // Line styles have names of their own, which may be the same words.

@@ -74,6 +74,8 @@ Glyph load_glyph(FT_Face face, unsigned index) {
   const FT_Outline_Funcs functions{move_to, line_to, curve_to, cubic_to, 0, 0};
   FT_Outline_Decompose(&face->glyph->outline, &functions, &glyph.outlines);
   for (GlyphOutline& outline : glyph.outlines) close(outline);
+  // A point alone helps to hint a glyph.
+  std::erase_if(glyph.outlines, [](const GlyphOutline& outline) { return outline.curves.empty(); });
   return glyph;
 }
 
