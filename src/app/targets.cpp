@@ -28,6 +28,8 @@ std::string encode(Format format, const FinishedSheet& sheet, const VectorOption
       return to_eps(sheet.sheet);
     case Format::png:
       return to_png(sheet.sheet, options.dpi);
+    case Format::dxf:
+      return to_dxf(sheet.sheet);
     case Format::json:
       return to_json(sheet.sheet, sheet.scale, sheet.drawings, report);
     case Format::pdf:

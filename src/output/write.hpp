@@ -14,7 +14,7 @@
 
 namespace epura {
 
-enum class Format { svg, pdf, ps, eps, png, json };
+enum class Format { svg, pdf, ps, eps, png, dxf, json };
 
 /// By file extension, in any case; nothing when unknown.
 std::optional<Format> format_of(std::string_view extension);
@@ -36,6 +36,8 @@ std::string to_pdf(const Sheet& sheet);
 std::string to_ps(const Sheet& sheet);
 std::string to_eps(const Sheet& sheet);
 std::string to_png(const Sheet& sheet, double dpi);
+/// AutoCAD 2000 (AC1015), in millimetres.
+std::string to_dxf(const Sheet& sheet);
 
 /// One stage of the plan, for the report.
 struct PlanStep {

@@ -93,7 +93,8 @@ TEST(Formats, AreKnownByTheirExtension) {
   EXPECT_EQ(format_of(".PDF"), Format::pdf);
   EXPECT_EQ(format_of("json"), Format::json);
   EXPECT_EQ(format_of("eps"), Format::eps);
-  EXPECT_EQ(format_of("dxf"), std::nullopt);
+  EXPECT_EQ(format_of("dxf"), Format::dxf);
+  EXPECT_EQ(format_of("dwg"), std::nullopt);
   EXPECT_EQ(format_of(""), std::nullopt);
   for (const std::string& name : format_names()) EXPECT_TRUE(format_of(name)) << name;
 }
