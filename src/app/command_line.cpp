@@ -150,6 +150,8 @@ void define_outputs(CLI::App& draw, DrawOptions& options) {
       ->type_name("FILE");
   draw.add_option("--format", options.format, "format of '-'")->type_name("NAME");
   draw.add_flag("--plain", options.plain, "SVG without the origin of lines");
+  add_number(draw, "--decimals", options.decimals, {1, 5}, "digits behind the point of millimetres in SVG")
+      ->type_name("N");
   add_number(draw, "--dpi", options.dpi, {1, 1200}, "resolution of PNG")->type_name("N");
 }
 

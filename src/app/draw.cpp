@@ -134,7 +134,7 @@ int draw(const DrawOptions& options) {
   sections.clear();
 
   if (options.timings) run.report.seconds = watch.laps();
-  const VectorOptions vector_options{options.plain, options.dpi};
+  const VectorOptions vector_options{options.plain, options.dpi, options.decimals};
   const std::vector<FileBytes> files = encode_all(targets, finished, vector_options, run.report, progress);
   for (const FileBytes& file : files) write(file, progress);
   watch.lap("write");

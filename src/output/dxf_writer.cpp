@@ -9,7 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
-#include "output/utf8.hpp"
+#include "base/utf8.hpp"
 
 namespace epura {
 

@@ -7,39 +7,41 @@
 
 #include "base/text.hpp"
 #include "output/glyphs.hpp"
+#include "output/svg_path_text.hpp"
 #include "output/svg_paths.hpp"
 
 namespace epura {
 
 namespace {
 
-void append_point(std::string& svg, const Vec2& point, double height) {
-  append_millimetres(svg, point.x);
-  svg += ' ';
-  append_millimetres(svg, height - point.y);
-}
+constexpr int decimals = 4;  // of a millimetre
 
 void append_area(std::string& svg, const Fill& fill, double height) {
   svg += "<path d=\"";
+  SvgPathText path(svg, decimals);
   for (const std::vector<Vec2>& ring : fill.rings) {
-    for (std::size_t i = 0; i < ring.size(); ++i) append_point(svg += i == 0 ? 'M' : 'L', ring[i], height);
-    if (!ring.empty()) svg += 'Z';
+    const auto on_page = [&](const Vec2& p) { return Vec2(p.x, height - p.y); };
+    if (ring.empty()) continue;
+    path.move(on_page(ring.front()));
+    for (std::size_t i = 1; i < ring.size(); ++i) path.line(on_page(ring[i]));
+    path.close();
   }
-  svg += "\" />\n";
+  svg += "\"/>\n";
 }
 
 // Outlines in millimetres of the sheet.
 void append_outlines(std::string& svg, const Text& text, double height, const Lettering& lettering) {
   const double angle = text.angle * std::numbers::pi / 180;
   const Vec2 start = start_of(text, lettering), along(std::cos(angle), std::sin(angle));
-  const auto place = [&](const Vec2& p) { return start + p.x * along + p.y * Vec2(-along.y, along.x); };
+  const auto on_page = [&](const Vec2& p) {
+    const Vec2 at = start + p.x * along + p.y * Vec2(-along.y, along.x);
+    return Vec2(at.x, height - at.y);
+  };
+  SvgPathText path(svg, decimals);
   for (const GlyphOutline& outline : lettering.outlines(text.text, text.height)) {
-    append_point(svg += 'M', place(outline.curves.back().end), height);
-    for (const GlyphOutline::Curve& curve : outline.curves) {
-      append_point(svg += 'Q', place(curve.control), height);
-      append_point(svg += ' ', place(curve.end), height);
-    }
-    svg += 'Z';
+    path.move(on_page(outline.curves.back().end));
+    for (const GlyphOutline::Curve& curve : outline.curves) path.curve(on_page(curve.control), on_page(curve.end));
+    path.close();
   }
 }
 
@@ -49,7 +51,7 @@ void append_outlined(std::string& svg, const Text& text, double height, const Le
   append_attribute(svg, "aria-label", text.text);
   svg += " d=\"";
   append_outlines(svg, text, height, lettering);
-  svg += "\" />\n";
+  svg += "\"/>\n";
 }
 
 void append_written(std::string& svg, const Text& text, double height, const Lettering& lettering) {

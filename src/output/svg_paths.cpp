@@ -15,12 +15,12 @@
 #include "base/text.hpp"
 #include "base/utf8.hpp"
 #include "output/in_order.hpp"
+#include "output/svg_path_text.hpp"
 
 namespace epura {
 
 namespace {
 
-constexpr int decimals = 5;  // of a millimetre
 constexpr std::size_t points_at_once = 8192;
 // About 80 kB: libxml2, and what reads with it, refuses files above 10 MB with attributes of some 100 kB.
 constexpr std::size_t most_points_of_path = 4000;
@@ -122,46 +122,64 @@ class PathReader {
 };
 
 // One stroke in millimetres, y down.
-void append_line(std::string& text, PathReader& reader, const Canvas& canvas, double height) {
-  const auto append = [&](char command, const Vec2& point) {
+void append_line(std::string& text, PathReader& reader, const Canvas& canvas, const PathStyle& style) {
+  const auto on_page = [&](const Vec2& point) {
     const Vec2 p = canvas.to_sheet(point);
-    text += command;
-    append_millimetres(text, p.x);
-    text += ' ';
-    append_millimetres(text, height - p.y);
+    return Vec2(p.x, style.height - p.y);
   };
   check(reader.at('M'), "Cairo left a stroke out");
   Vec2 start;
   for (; reader.at('M'); start = reader.point()) reader.skip_command();  // one more M stands behind a Z
-  append('M', start);
-  for (; reader.at('L'); append('L', reader.point())) reader.skip_command();
+  SvgPathText path(text, style.decimals);
+  path.move(on_page(start));
+  for (; reader.at('L'); path.line(on_page(reader.point()))) reader.skip_command();
   if (!reader.at('Z')) return;
   reader.skip_command();
-  text += 'Z';
+  path.close();
 }
 
-struct Look {
-  std::string id, usual_dashes;
-  bool plain;
+// "0:2-6 0:6-7": the number of the model, when all edges have one; otherwise empty.
+std::string_view model_of(std::string_view edges) {
+  const std::size_t colon = edges.find(':');
+  if (colon == std::string_view::npos) return {};
+  for (const std::string_view edge : split(edges, ' '))
+    if (!edge.starts_with(edges.substr(0, colon + 1))) return {};
+  return edges.substr(0, colon);
+}
+
+// What all lines of a layer have in common, and need not say.
+struct Common {
+  std::string dashes, model;
 };
 
+void append_origin(std::string& text, const Stroke& stroke, const std::string& common_model) {
+  if (!stroke.kind.empty()) append_attribute(text, "data-kind", stroke.kind);
+  if (stroke.edges.empty()) return;
+  const std::string_view model = model_of(stroke.edges);
+  if (model.empty()) return append_attribute(text, "data-edge", stroke.edges);
+  if (common_model.empty()) append_attribute(text, "data-model", model);
+  std::string edges;
+  for (const std::string_view edge : split(stroke.edges, ' '))
+    edges.append(edges.empty() ? "" : " ").append(edge.substr(model.size() + 1));
+  append_attribute(text, "data-edge", edges);
+}
+
 // All of a path but its lines.
-void append_head(std::string& text, const Part& part, const Look& look) {
+void append_head(std::string& text, const Part& part, const Common& common, const PathStyle& style) {
   const Stroke& stroke = *part.stroke;
   text += "<path";
-  if (!look.plain) {
-    append_attribute(text, "id", look.id + "-" + std::to_string(part.path));
-    if (!stroke.kind.empty()) append_attribute(text, "data-kind", stroke.kind);
-    if (!stroke.edges.empty()) append_attribute(text, "data-edges", stroke.edges);
+  if (!style.plain) {
+    append_attribute(text, "id", line_id(style.first_line + part.path));
+    append_origin(text, stroke, common.model);
   }
   const std::string dashes = dash_array(stroke);
-  if (dashes != look.usual_dashes) append_attribute(text, "stroke-dasharray", dashes);
+  if (dashes != common.dashes) append_attribute(text, "stroke-dasharray", dashes);
   text += " d=\"";
 }
 
 }  // namespace
 
-void append_millimetres(std::string& text, double value) { append_fixed(text, value, decimals); }
+void append_millimetres(std::string& text, double value) { append_short(text, value, 4); }
 
 std::string dash_array(const Dashes& dashes) {
   if (!(dashes.dash > 0)) return "none";
@@ -214,11 +232,24 @@ void append_attribute(std::string& text, std::string_view name, std::string_view
   text += '"';
 }
 
-std::size_t most_bytes(const Layer& layer, const std::string& id) {
+std::string common_model(const Layer& layer) {
+  std::string_view common;
+  for (const Stroke& stroke : layer.strokes) {
+    if (stroke.edges.empty()) continue;
+    const std::string_view model = model_of(stroke.edges);
+    if (model.empty() || (!common.empty() && model != common)) return {};
+    common = model;
+  }
+  return std::string(common);
+}
+
+std::string line_id(std::size_t number) { return "p" + std::to_string(number); }
+
+std::size_t most_bytes(const Layer& layer) {
   constexpr std::size_t of_head = 100, of_point = 32;
   std::size_t bytes = 0;
   for (const Stroke& stroke : layer.strokes)
-    bytes += of_head + id.size() + stroke.kind.size() + stroke.edges.size() + of_point * stroke.points.size();
+    bytes += of_head + stroke.kind.size() + stroke.edges.size() + of_point * stroke.points.size();
   return bytes;
 }
 
@@ -227,10 +258,9 @@ bool has_ink(const Layer& layer) {
          std::any_of(layer.strokes.begin(), layer.strokes.end(), has_line);
 }
 
-void append_paths(std::string& text, const Layer& layer, const Canvas& canvas, double height, const std::string& id,
-                  bool plain) {
-  const Look look{id, dash_array(layer.style.dashes), plain};
-  const std::vector<Part> parts = parts_of(layer, plain);
+void append_paths(std::string& text, const Layer& layer, const Canvas& canvas, const PathStyle& style) {
+  const Common common{dash_array(layer.style.dashes), common_model(layer)};
+  const std::vector<Part> parts = parts_of(layer, style.plain);
   const std::vector<Chunk> chunks = chunks_of(parts);
   const auto write = [&](Chunk chunk) {
     std::string lines;
@@ -239,9 +269,9 @@ void append_paths(std::string& text, const Layer& layer, const Canvas& canvas, d
     for (const Part& part : chunk) {
       const bool first = &part == parts.data() || (&part)[-1].path != part.path;
       const bool last = &part == &parts.back() || (&part)[1].path != part.path;
-      if (first) append_head(lines, part, look);
-      append_line(lines, reader, canvas, height);
-      if (last) lines += "\" />\n";
+      if (first) append_head(lines, part, common, style);
+      append_line(lines, reader, canvas, style);
+      if (last) lines += "\"/>\n";
     }
     return lines;
   };

@@ -62,7 +62,7 @@ class PdfOfSize : public testing::TestWithParam<Vec2> {};
 
 TEST_P(PdfOfSize, KeepsCoordinatesAndLayers) {
   const Sheet sheet = random_sheet(GetParam().x, GetParam().y);
-  const std::string bytes = to_pdf(sheet);
+  const std::string bytes = to_pdf({&sheet});
   const PdfReader pdf(bytes);
   const PdfObject page = pdf.page();
   EXPECT_EQ(pdf.pages(), 1);
@@ -106,7 +106,7 @@ TEST(Pdf, EveryLayerIsOptionalContent) {
 TEST(Pdf, WidthsAndDashesAreInMillimetres) {
   Sheet sheet = random_sheet(100, 100, 0);
   sheet.layers[0].strokes.push_back({{{10, 10}, {60, 10}}, false, {2.9, 0.75}});
-  const std::string bytes = to_pdf(sheet);
+  const std::string bytes = to_pdf({&sheet});
   const PdfReader pdf(bytes);
   const PdfObject page = pdf.page();
   const double scale = map_of(tokens_of(page["/Contents"].stream())).scale.x / millimetre;
@@ -124,7 +124,7 @@ TEST(Pdf, WidthsAndDashesAreInMillimetres) {
 TEST(Pdf, TitleIsKeptAndNoDateIsWritten) {
   Sheet sheet = random_sheet(100, 100, 1);
   sheet.title = "<script>&\"') W\xC3\xBCrfel \xE2\x82\xAC";
-  const std::string bytes = to_pdf(sheet);
+  const std::string bytes = to_pdf({&sheet});
   const PdfReader pdf(bytes);
   const PdfObject information = pdf.trailer()["/Info"];
   EXPECT_EQ(information["/Title"].text(), sheet.title);

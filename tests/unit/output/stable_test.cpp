@@ -23,8 +23,8 @@ std::vector<std::string> all_formats() {
   drawing.projection.projector = {0.5, -1234567.25, 1e-9};
   return {to_svg(sheet, {}),
           to_svg(sheet, {true}),
-          to_pdf(sheet),
-          to_ps(sheet),
+          to_pdf({&sheet}),
+          to_ps({&sheet}),
           to_eps(sheet),
           to_png(sheet, 100),
           to_json(sheet, 0.5, std::array{drawing}, {})};
