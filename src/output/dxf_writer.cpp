@@ -4,7 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdint>
+#include <cstddef>
 #include <set>
 
 #include "base/error.hpp"
@@ -17,19 +17,10 @@ namespace {
 
 constexpr char32_t replacement = 0xFFFD;
 
-std::u32string characters_of(std::string_view text) {
-  std::u32string characters;
-  for (const char c : valid_utf8(text)) {
-    const auto byte = static_cast<std::uint8_t>(c);
-    if (byte < 0x80) {
-      characters += byte;
-    } else if (byte >= 0xC0) {
-      characters += byte & (byte >= 0xF0 ? 0x07u : byte >= 0xE0 ? 0x0Fu : 0x1Fu);
-    } else {
-      characters.back() = characters.back() << 6 | (byte & 0x3Fu);
-    }
-  }
-  return characters;
+// No more of them than `most`.
+std::u32string beginning(std::string_view text, std::size_t most) {
+  const std::vector<char32_t> all = characters(text);
+  return {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(std::min(all.size(), most))};
 }
 
 std::string hexadecimal(unsigned value) {
@@ -48,12 +39,12 @@ void append_escape(std::string& text, char32_t character) {
 
 std::string clean_name(std::string_view name) {
   constexpr std::u32string_view forbidden = U"<>/\\\":;?*|=,'`^%";
-  std::u32string characters = characters_of(name).substr(0, 200);
-  const auto first = characters.find_first_not_of(U' ');
+  std::u32string kept = beginning(name, 200);
+  const auto first = kept.find_first_not_of(U' ');
   if (first == std::u32string::npos) return "layer";
-  characters = characters.substr(first, characters.find_last_not_of(U' ') - first + 1);
+  kept = kept.substr(first, kept.find_last_not_of(U' ') - first + 1);
   std::string clean;
-  for (const char32_t c : characters) {
+  for (const char32_t c : kept) {
     if (c > '~') {
       append_escape(clean, c);
     } else {
@@ -107,7 +98,7 @@ int DxfWriter::begin(std::string_view type, int owner, std::string_view first_cl
 std::string dxf_text(std::string_view text) {
   std::string line;
   char32_t previous = 0;
-  for (const char32_t c : characters_of(text).substr(0, 256)) {
+  for (const char32_t c : beginning(text, 256)) {
     if (c > '~' || c == '\\') {
       append_escape(line, c);
     } else if (c == '^') {

@@ -62,7 +62,7 @@ class Rasters : public testing::Test {
 
   // 8 pixels a millimetre.
   [[nodiscard]] Picture of_pdf(const Sheet& sheet) const {
-    write("sheet.pdf", to_pdf(sheet));
+    write("sheet.pdf", to_pdf({&sheet}));
     run("pdftocairo -png -r 203.2 -singlefile " + path("sheet.pdf") + " " + path("pdf"));
     return read_png(folder_ / "pdf.png");
   }
@@ -107,8 +107,8 @@ TEST_F(Rasters, PdfKeepsTextAsText) {
 
 TEST(Lettered, TheSameBytesEachTime) {
   const Sheet sheet = lettered();
-  EXPECT_EQ(to_pdf(sheet), to_pdf(sheet));
-  EXPECT_EQ(to_ps(sheet), to_ps(sheet));
+  EXPECT_EQ(to_pdf({&sheet}), to_pdf({&sheet}));
+  EXPECT_EQ(to_ps({&sheet}), to_ps({&sheet}));
   EXPECT_EQ(to_svg(sheet, {}), to_svg(sheet, {}));
 }
 

@@ -89,7 +89,8 @@ INSTANTIATE_TEST_SUITE_P(Sizes, PdfOfSize,
                          testing::Values(Vec2(297, 210), Vec2(1189, 841), Vec2(123.4567, 33.3333), Vec2(12000, 3000)));
 
 TEST(Pdf, EveryLayerIsOptionalContent) {
-  const std::string bytes = to_pdf(random_sheet(100, 100));
+  const Sheet sheet = random_sheet(100, 100);
+  const std::string bytes = to_pdf({&sheet});
   EXPECT_GE(bytes.substr(0, 8), "%PDF-1.5");
   const PdfReader pdf(bytes);
   const PdfObject properties = pdf.root()["/OCProperties"];
