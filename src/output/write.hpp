@@ -27,8 +27,8 @@ enum class SvgText { outlines, text };
 struct VectorOptions {
   bool plain = false;  ///< leave the origin of lines out
   double dpi = 300;    ///< PNG only
+  int decimals = 4;    ///< of coordinates in millimetres, SVG only: no point is off by more than 0.0001 mm
   SvgText text = SvgText::outlines;
-  int decimals = 4;  ///< of coordinates in millimetres, SVG only: no point is off by more than 0.0001 mm
 };
 
 /// Sheets that become pages of one file, at least one.
