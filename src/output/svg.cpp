@@ -71,23 +71,40 @@ void add_origin(pugi::xml_node g, const Layer& layer) {
   if (!model.empty()) g.append_attribute("data-model") = xml_text(model).c_str();
 }
 
+// Of VIEW/ROLE the view; empty where there is none.
+std::string_view view_of(const Layer& layer) {
+  const std::size_t slash = layer.name.rfind('/');
+  return std::string_view(layer.name).substr(0, slash == std::string::npos ? 0 : slash);
+}
+
+// The layers of a view side by side: all ink is black, so that any order does.
+std::vector<const Layer*> by_view(const Sheet& sheet) {
+  std::map<std::string_view, std::size_t> places;
+  std::vector<const Layer*> layers;
+  for (const Layer& layer : sheet.layers) {
+    places.emplace(view_of(layer), places.size());
+    layers.push_back(&layer);
+  }
+  const auto place = [&](const Layer* layer) { return places.at(view_of(*layer)); };
+  std::stable_sort(layers.begin(), layers.end(), [&](const Layer* a, const Layer* b) { return place(a) < place(b); });
+  return layers;
+}
+
 // VIEW/ROLE is a layer ROLE in a layer VIEW.
-void add_layers(pugi::xml_node svg, const Sheet& sheet, bool plain) {
+void add_layers(pugi::xml_node svg, const std::vector<const Layer*>& layers, bool plain) {
   Ids ids;
   pugi::xml_node view;
-  std::string_view view_name;
-  for (const Layer& layer : sheet.layers) {
-    const std::size_t slash = std::min(layer.name.rfind('/'), layer.name.size());
-    const bool has_view = slash < layer.name.size();
-    const std::string_view name = std::string_view(layer.name).substr(0, has_view ? slash : 0);
-    if (has_view && (!view || name != view_name)) view = add_group(svg, ids.unique(name), name);
-    if (!has_view) view = {};
-    view_name = name;
-    const std::string_view role = std::string_view(layer.name).substr(has_view ? slash + 1 : 0);
-    pugi::xml_node g = add_group(has_view ? view : svg, ids.unique(layer.name), role);
-    g.append_attribute("class") = identifier(layer.style.name).c_str();
-    if (!plain) add_origin(g, layer);
-    if (has_ink(layer)) g.append_child("path");
+  const Layer* previous = nullptr;
+  for (const Layer* layer : layers) {
+    const std::string_view name = view_of(*layer), whole = layer->name;
+    const bool has_view = !name.empty();
+    if (has_view && (previous == nullptr || view_of(*previous) != name)) view = add_group(svg, ids.unique(name), name);
+    pugi::xml_node g = has_view ? add_group(view, ids.unique(whole), whole.substr(name.size() + 1))
+                                : add_group(svg, ids.unique(whole), whole);
+    g.append_attribute("class") = identifier(layer->style.name).c_str();
+    if (!plain) add_origin(g, *layer);
+    if (has_ink(*layer)) g.append_child("path");
+    previous = layer;
   }
 }
 
@@ -134,9 +151,9 @@ struct StringWriter : pugi::xml_writer {
 };
 
 // The document without its paths.
-std::string frame_of(const Sheet& sheet, bool plain) {
+std::string frame_of(const Sheet& sheet, const std::vector<const Layer*>& layers, bool plain) {
   pugi::xml_document document;
-  add_layers(add_head(document, sheet), sheet, plain);
+  add_layers(add_head(document, sheet), layers, plain);
   StringWriter writer;
   document.save(writer, "", pugi::format_default, pugi::encoding_utf8);
   return writer.bytes;
@@ -145,24 +162,25 @@ std::string frame_of(const Sheet& sheet, bool plain) {
 }  // namespace
 
 std::string to_svg(const Sheet& sheet, const VectorOptions& options) {
-  const std::string frame = frame_of(sheet, options.plain);
+  const std::vector<const Layer*> layers = by_view(sheet);
+  const std::string frame = frame_of(sheet, layers, options.plain);
   const Canvas canvas = enlarged_canvas(sheet);
   const std::optional<Lettering> lettering = lettering_of(sheet);
   std::string svg;
   // Memory that is never touched costs nothing, moving a long text does.
   std::size_t most = frame.size();
-  for (const Layer& layer : sheet.layers) most += most_bytes(layer);
+  for (const Layer* layer : layers) most += most_bytes(*layer);
   svg.reserve(most);
   std::size_t copied = 0, lines = 0;
-  for (const Layer& layer : sheet.layers) {
-    if (!has_ink(layer)) continue;
+  for (const Layer* layer : layers) {
+    if (!has_ink(*layer)) continue;
     const std::size_t here = frame.find(paths_here, copied);
     svg.append(frame, copied, here - copied);
-    append_fills(svg, layer, sheet.height);
-    append_paths(svg, layer, canvas, {sheet.height, options.decimals, options.plain, lines});
-    if (lettering) append_texts(svg, layer, sheet.height, *lettering, options.text);
+    append_fills(svg, *layer, sheet.height);
+    append_paths(svg, *layer, canvas, {sheet.height, options.decimals, options.plain, lines});
+    if (lettering) append_texts(svg, *layer, sheet.height, *lettering, options.text);
     copied = here + paths_here.size();
-    lines += layer.strokes.size();
+    lines += layer->strokes.size();
   }
   svg.append(frame, copied);
   return svg;

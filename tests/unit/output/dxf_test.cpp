@@ -27,7 +27,11 @@ TEST_P(DxfOfSize, KeepsEveryBitOfCoordinates) {
 INSTANTIATE_TEST_SUITE_P(Sizes, DxfOfSize,
                          testing::Values(Vec2(297, 210), Vec2(1189, 841), Vec2(123.4567, 33.3333), Vec2(20000, 20000)));
 
-Sheet one_stroke(Stroke stroke) { return {200, 200, "", {{"v/visible", {"visible", 0.5}, {std::move(stroke)}}}}; }
+Sheet one_stroke(const Stroke& stroke) {
+  Sheet sheet{200, 200, "", {{"v/visible", {"visible", 0.5}, {}}}};
+  sheet.layers[0].strokes.push_back(stroke);
+  return sheet;
+}
 
 Vec2 on(const CurvePart& curve, double angle) {
   return curve.centre + std::cos(angle) * curve.u + std::sin(angle) * curve.v;
@@ -170,9 +174,11 @@ TEST(DxfTexts, CannotBreakOut) {
   sheet.title = "a\n  0\nSECTION\r\n" + std::string(10000, 'x');
   sheet.layers[0].name = "<script>&\"'/b\n0\nLINE" + std::string(10000, 'y');
   sheet.layers[1].name = "<SCRIPT>&\"'/b\n0\nLINE" + std::string(10000, 'Y');
-  sheet.layers[0].texts = {{"one\n0\nLINE\\P%%u 100 %^J \xC3\xB8 \xF0\x9F\x98\x80 \xFF", {5, 5}, 3.5}};
+  sheet.layers[0].texts = {
+      {"one\n0\nLINE\\P%%u 100 %^J \xC3\xB8 \xF0\x9F\x98\x80 \xFF", {5, 5}, 3.5, 0, Align::left, ""}};
   const auto records = dxf_records(to_dxf(sheet));
   std::set<std::string> layers;
+  std::string text;
   int lines = 0, sections = 0;
   for (const DxfRecord& record : records) {
     lines += record.type == "LINE" ? 1 : 0;
@@ -182,16 +188,16 @@ TEST(DxfTexts, CannotBreakOut) {
       EXPECT_LT(record.text(2).size(), 256u);
       EXPECT_EQ(record.text(2).find_first_of("<>/\\\":;?*|=,'`"), std::string::npos);
     }
-    if (record.type == "TEXT")
-      EXPECT_EQ(record.text(1), "one 0 LINE\\U+005CP%%%%u 100 %^ J \\U+00F8 \\U+FFFD \\U+FFFD");
+    if (record.type == "TEXT") text += record.text(1);
   }
+  EXPECT_EQ(text, "one 0 LINE\\U+005CP%%%%u 100 %^ J \\U+00F8 \\U+FFFD \\U+FFFD");
   EXPECT_EQ(lines, 2);
   EXPECT_EQ(sections, 5);
 }
 
 TEST(DxfTexts, StandWhereTheyBelong) {
   Sheet sheet = random_sheet(100, 100, 0);
-  sheet.layers[0].texts = {{"left", {5, 6}, 3.5}, {"right", {50, 60}, 7, 90, Align::right}};
+  sheet.layers[0].texts = {{"left", {5, 6}, 3.5, 0, Align::left, ""}, {"right", {50, 60}, 7, 90, Align::right, ""}};
   const auto texts = entities_of(to_dxf(sheet), "a view-hidden");
   ASSERT_EQ(texts.size(), 2u);
   EXPECT_EQ(texts[0].point(10), Vec2(5, 6));
@@ -217,7 +223,7 @@ TEST_F(Ezdxf, FindsNoFault) {
   ellipse.points.pop_back();
   sheet.layers[1].strokes.push_back(ellipse);
   sheet.layers[1].fills.push_back({{{{80, 20}, {110, 20}, {95, 40}}, {{90, 24}, {100, 24}, {95, 30}}}});
-  sheet.layers[1].texts = {{"Gehäuse ⌀12 50%%c \\P ^J", {10, 65}, 5, 30, Align::middle}};
+  sheet.layers[1].texts = {{"Gehäuse ⌀12 50%%c \\P ^J", {10, 65}, 5, 30, Align::middle, ""}};
   sheet.layers[1].name = "<ä\n>/visible";
   write("sheet.dxf", to_dxf(sheet));
   const std::string program =

@@ -40,7 +40,8 @@ TEST_F(LetteredRasters, SvgAndPdfLookTheSame) {
 }
 
 TEST_F(LetteredRasters, PdfKeepsTextAsText) {
-  write("sheet.pdf", to_pdf(lettered()));
+  const Sheet sheet = lettered();
+  write("sheet.pdf", to_pdf({&sheet}));
   const std::string text = run("pdftotext -layout " + path("sheet.pdf") + " -");
   EXPECT_NE(text.find("Gehäuse Ø12 <&>"), std::string::npos) << text;
   EXPECT_NE(text.find("upright"), std::string::npos) << text;

@@ -38,8 +38,7 @@ TEST(Svg, ViewsAreLayersOfLayers) {
     for (const pugi::xml_node inner : g.children("g"))
       outline.back() += std::string(" ") + inner.attribute("inkscape:label").value();
   }
-  EXPECT_EQ(outline,
-            (std::vector<std::string>{"a view hidden visible", "top visible", "a view visible", "notes", "p12"}));
+  EXPECT_EQ(outline, (std::vector<std::string>{"a view hidden visible visible", "top visible", "notes", "p12"}));
   for (const pugi::xpath_node& node : document.select_nodes("//*[@id]"))
     EXPECT_TRUE(ids.insert(node.node().attribute("id").value()).second) << node.node().attribute("id").value();
   for (const pugi::xpath_node& node : document.select_nodes("//g"))
