@@ -121,7 +121,7 @@ std::vector<std::pair<std::string, Stage>> stages() {
       {"chains", timed([](const Run& r) { DoNotOptimize(chain_segments(r.drawing.segments, 1e-6)); })},
       {"sheet", timed([](const Run& r) { DoNotOptimize(r.layers()); })},
       {"svg", timed([](const Run& r) { DoNotOptimize(to_svg(r.sheet, {})); })},
-      {"pdf", timed([](const Run& r) { DoNotOptimize(to_pdf(r.sheet)); })},
+      {"pdf", timed([](const Run& r) { DoNotOptimize(to_pdf({&r.sheet})); })},
       {"json", timed([](const Run& r) {
          DoNotOptimize(to_json(r.sheet, r.placement.scale, {&r.drawing, 1}, {}));
        })},

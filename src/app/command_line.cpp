@@ -158,6 +158,8 @@ void define_outputs(CLI::App& draw, DrawOptions& options) {
                   "lettering of SVG: outlines, or text, which needs the font to look right")
       ->capture_default_str()
       ->type_name("HOW");
+  add_number(draw, "--decimals", options.decimals, {1, 5}, "digits behind the point of millimetres in SVG")
+      ->type_name("N");
   add_number(draw, "--dpi", options.dpi, {1, 1200}, "resolution of PNG")->type_name("N");
 }
 

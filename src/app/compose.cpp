@@ -56,6 +56,14 @@ std::vector<ViewFrame> frames_of(const std::vector<ViewResult>& views) {
   return frames;
 }
 
+// The fields of the title block but the title, for the metadata of files. The creator of a drawing is its author there.
+std::vector<std::pair<std::string, std::string>> facts_of(const SheetDescription& sheet) {
+  std::vector<std::pair<std::string, std::string>> facts;
+  for (const auto& [name, text] : sheet.title_block)
+    if (name != "title" && text.given()) facts.emplace_back(name == "creator" ? "author" : name, text.text);
+  return facts;
+}
+
 // Nothing is written where there is no frame and no label: then no font is opened.
 FurnitureLayers furniture_layers(const SheetFurniture& furniture) {
   if (furniture.frame == FrameKind::none && furniture.labels.empty()) return {};
@@ -112,10 +120,11 @@ FinishedSheet compose(const World& world, const SceneDescription& scene, const S
   SheetFurniture furniture = plan.furniture;
   furniture.labels = labels_of(plan, views.descriptions, results);
   FurnitureLayers around = furniture_layers(furniture);
-  FinishedSheet finished{{paper.width, paper.height, title_of(sheet), std::move(around.layers), frames_of(results)},
-                         plan.scale,
-                         {},
-                         std::move(around.warnings)};
+  FinishedSheet finished{
+      {paper.width, paper.height, title_of(sheet), std::move(around.layers), frames_of(results), facts_of(sheet)},
+      plan.scale,
+      {},
+      std::move(around.warnings)};
   const LineWidths widths = line_widths(paper);
   const double text_height = dimension_text_height(paper, results.size());
   const std::vector<Hatching> hatching = choose_hatching(drawings_of(results));

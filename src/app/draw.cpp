@@ -136,7 +136,7 @@ int draw(const DrawOptions& options) {
   const ThreadLimit threads(options.threads);
   const std::vector<Target> targets = targets_of(options);
   const VectorOptions vector_options{
-      options.plain, options.dpi,
+      options.plain, options.dpi, options.decimals,
       choose<SvgText>("--svg-text", options.svg_text, {{"outlines", SvgText::outlines}, {"text", SvgText::text}})};
   const Questions questions = parse_questions(options);
   const SceneDescription scene = describe(options);

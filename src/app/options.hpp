@@ -27,6 +27,7 @@ struct DrawOptions {
   std::optional<double> crease_angle;
   std::string visibility = "exact";
   std::optional<double> near, far, contact;
+  int decimals = 4;  ///< of millimetres in SVG
   double dpi = 300;
   int threads = 0;
   bool plain = false;

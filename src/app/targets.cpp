@@ -20,7 +20,16 @@ std::string numbered(const std::string& path, std::size_t number) {
          file.extension().string();
 }
 
-std::string encode(Format format, const FinishedSheet& sheet, const VectorOptions& options, const Report& report) {
+Pages pages_of(std::span<const FinishedSheet> sheets) {
+  Pages pages;
+  for (const FinishedSheet& sheet : sheets) pages.push_back(&sheet.sheet);
+  return pages;
+}
+
+// One sheet for formats without pages.
+std::string encode(Format format, std::span<const FinishedSheet> sheets, const VectorOptions& options,
+                   const Report& report) {
+  const FinishedSheet& sheet = sheets.front();
   switch (format) {
     case Format::svg:
       return to_svg(sheet.sheet, options);
@@ -28,12 +37,14 @@ std::string encode(Format format, const FinishedSheet& sheet, const VectorOption
       return to_eps(sheet.sheet);
     case Format::png:
       return to_png(sheet.sheet, options.dpi);
+    case Format::dxf:
+      return to_dxf(sheet.sheet);
     case Format::json:
       return to_json(sheet.sheet, sheet.scale, sheet.drawings, report);
     case Format::pdf:
-      return to_pdf(sheet.sheet);
+      return to_pdf(pages_of(sheets));
     case Format::ps:
-      return to_ps(sheet.sheet);
+      return to_ps(pages_of(sheets));
   }
   return {};
 }
@@ -69,8 +80,8 @@ std::vector<FileBytes> encode_all(const std::vector<Target>& targets, std::span<
       throw Error(Trouble::input, "--output -", "takes one sheet, and there are " + std::to_string(sheets.size()),
                   "write PDF, or to a file");
     for (std::size_t i = 0; i < (one_each ? sheets.size() : 1); ++i)
-      files.push_back(
-          {one_each ? numbered(target.path, i + 1) : target.path, encode(target.format, sheets[i], options, report)});
+      files.push_back({one_each ? numbered(target.path, i + 1) : target.path,
+                       encode(target.format, one_each ? sheets.subspan(i, 1) : sheets, options, report)});
     progress.advance(1);
   }
   return files;

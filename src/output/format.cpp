@@ -6,7 +6,7 @@
 namespace epura {
 
 const std::vector<std::string>& format_names() {
-  static const std::vector<std::string> names = {"svg", "pdf", "ps", "eps", "png", "json"};
+  static const std::vector<std::string> names = {"svg", "pdf", "ps", "eps", "png", "dxf", "json"};
   return names;
 }
 

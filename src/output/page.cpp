@@ -36,32 +36,39 @@ void replace_line(std::string& bytes, std::string_view key, const std::string& l
   bytes.replace(begin, bytes.find('\n', begin) + 1 - begin, line);
 }
 
-std::string postscript(const Sheet& sheet, bool encapsulated) {
-  const Vec2 size = Vec2(sheet.width, sheet.height) * points_per_millimetre;
-  const Vec2 whole = glm::max(glm::ceil(size), Vec2(1, 1));
+// Whole points, rounded up.
+Vec2 paper_size(const Sheet& sheet) {
+  return glm::max(glm::ceil(Vec2(sheet.width, sheet.height) * points_per_millimetre), Vec2(1, 1));
+}
+
+void draw_page(const CairoSurface& surface, const Sheet& sheet) {
+  const Vec2 whole = paper_size(sheet);
+  cairo_ps_surface_set_size(surface.get(), whole.x, whole.y);
   // The lower left corners meet: PostScript measures from there.
   const Canvas canvas{points_per_millimetre, {0, whole.y / points_per_millimetre}, whole};
+  const Pen pen = make_pen(surface);
+  begin_vector_file(pen, canvas);
+  const std::optional<Lettering> lettering = lettering_of(sheet);
+  for (const Layer& layer : sheet.layers) {
+    draw_fills(pen, canvas, layer);
+    draw(pen, canvas, layer);
+    if (lettering) write_texts(pen, canvas, layer, *lettering);
+  }
+}
+
+std::string postscript(const Pages& sheets, bool encapsulated) {
+  check(!sheets.empty(), "a PostScript file without pages");
+  const Vec2 first = paper_size(*sheets.front());
   std::string bytes;
-  const CairoSurface surface(cairo_ps_surface_create_for_stream(append_bytes, &bytes, whole.x, whole.y));
+  const CairoSurface surface(cairo_ps_surface_create_for_stream(append_bytes, &bytes, first.x, first.y));
   cairo_ps_surface_set_eps(surface.get(), encapsulated);
-  cairo_ps_surface_dsc_comment(surface.get(), ("%%Title: " + comment_text(sheet.title)).c_str());
-  {
-    const Pen pen = make_pen(surface);
-    begin_vector_file(pen, canvas);
-    const std::optional<Lettering> lettering = lettering_of(sheet);
-    for (const Layer& layer : sheet.layers) {
-      draw_fills(pen, canvas, layer);
-      draw(pen, canvas, layer);
-      if (lettering) write_texts(pen, canvas, layer, *lettering);
-    }
+  cairo_ps_surface_dsc_comment(surface.get(), ("%%Title: " + comment_text(sheets.front()->title)).c_str());
+  for (const Sheet* const& sheet : sheets) {
+    if (&sheet != &sheets.front()) cairo_surface_show_page(surface.get());
+    draw_page(surface, *sheet);
   }
   finish(surface, "PostScript");
   replace_line(bytes, "%%CreationDate:", "");
-  // An EPS file is as large as its sheet: Cairo would leave the margins out.
-  if (encapsulated)
-    replace_line(bytes, "%%BoundingBox:",
-                 "%%BoundingBox: 0 0 " + format_fixed(whole.x, 0) + " " + format_fixed(whole.y, 0) +
-                     "\n%%HiResBoundingBox: 0 0 " + format_fixed(size.x, 6) + " " + format_fixed(size.y, 6) + "\n");
   return bytes;
 }
 
@@ -81,9 +88,17 @@ Vec2 pixels_of(const Sheet& sheet, double dpi) {
 
 }  // namespace
 
-std::string to_ps(const Sheet& sheet) { return postscript(sheet, false); }
+std::string to_ps(const Pages& sheets) { return postscript(sheets, false); }
 
-std::string to_eps(const Sheet& sheet) { return postscript(sheet, true); }
+std::string to_eps(const Sheet& sheet) {
+  std::string bytes = postscript({&sheet}, true);
+  // An EPS file is as large as its sheet: Cairo would leave the margins out.
+  const Vec2 whole = paper_size(sheet), size = Vec2(sheet.width, sheet.height) * points_per_millimetre;
+  replace_line(bytes, "%%BoundingBox:",
+               "%%BoundingBox: 0 0 " + format_fixed(whole.x, 0) + " " + format_fixed(whole.y, 0) +
+                   "\n%%HiResBoundingBox: 0 0 " + format_fixed(size.x, 6) + " " + format_fixed(size.y, 6) + "\n");
+  return bytes;
+}
 
 std::string to_png(const Sheet& sheet, double dpi) {
   const Vec2 pixels = pixels_of(sheet, dpi);

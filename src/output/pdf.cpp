@@ -1,9 +1,11 @@
-// PDF: Cairo draws each layer, qpdf joins them on one page.
+// PDF: Cairo draws each layer, qpdf joins them on pages.
 #include <cairo-pdf.h>
 
+#include "base/error.hpp"
 #include "base/text.hpp"
 #include "output/canvas.hpp"
 #include "output/glyphs.hpp"
+#include "output/metadata.hpp"
 #include "output/pdf_layers.hpp"
 #include "output/write.hpp"
 
@@ -39,15 +41,35 @@ std::string cairo_pdf(const Canvas& canvas, const Layer& layer, const std::optio
   return bytes;
 }
 
+// A little more than the ink.
+std::string view_of(const ViewFrame& frame) {
+  constexpr double margin = 5;  // mm
+  const Vec2 least = (frame.least - margin) * points_per_millimetre,
+             most = (frame.most + margin) * points_per_millimetre;
+  return "/FitR " + real(least.x) + " " + real(least.y) + " " + real(most.x) + " " + real(most.y);
+}
+
+PdfPage page_of(const Sheet& sheet, std::size_t number) {
+  const Canvas canvas = enlarged_canvas(sheet);
+  const Vec2 size = Vec2(sheet.width, sheet.height) * points_per_millimetre;
+  const std::string title = "Sheet " + std::to_string(number) + (sheet.title.empty() ? "" : ": " + sheet.title);
+  PdfPage page{{}, box(size), box(canvas.size), placement(canvas), {title, "/Fit"}, {}};
+  const std::optional<Lettering> lettering = lettering_of(sheet);
+  for (const Layer& layer : sheet.layers) page.layers.push_back({layer.name, cairo_pdf(canvas, layer, lettering)});
+  for (const ViewFrame& view : sheet.views) page.views.push_back({view.name, view_of(view)});
+  return page;
+}
+
 }  // namespace
 
-std::string to_pdf(const Sheet& sheet) {
-  const Canvas canvas = enlarged_canvas(sheet);
-  std::vector<PdfLayer> layers;
-  const std::optional<Lettering> lettering = lettering_of(sheet);
-  for (const Layer& layer : sheet.layers) layers.push_back({layer.name, cairo_pdf(canvas, layer, lettering)});
-  const Vec2 size = Vec2(sheet.width, sheet.height) * points_per_millimetre;
-  return join_pdf_layers(layers, {sheet.title, box(size), box(canvas.size), placement(canvas)});
+std::string to_pdf(const Pages& sheets) {
+  check(!sheets.empty(), "a PDF file without pages");
+  PdfDocument document;
+  for (std::size_t i = 0; i < sheets.size(); ++i) document.pages.push_back(page_of(*sheets[i], i + 1));
+  document.title = sheets.front()->title;
+  document.author = fact_of(*sheets.front(), "author");
+  document.subject = description_of(*sheets.front());
+  return join_pdf_layers(document);
 }
 
 }  // namespace epura

@@ -1,9 +1,11 @@
 #include "output/pdf_layers.hpp"
 
+#include <cstddef>
 #include <memory>
 #include <qpdf/Buffer.hh>
 #include <qpdf/QPDF.hh>
 #include <qpdf/QPDFWriter.hh>
+#include <set>
 
 #include "base/error.hpp"
 #include "base/utf8.hpp"
@@ -37,22 +39,37 @@ Handle add_group(QPDF& pdf, const std::string& name) {
   return group;
 }
 
-void add_page(QPDF& pdf, const std::string& media_box, Handle resources, const std::string& content) {
+Handle add_page(QPDF& pdf, const std::string& media_box, Handle resources, const std::string& content) {
   Handle page = pdf.makeIndirectObject(Handle::newDictionary());
   page.replaceKey("/Type", Handle::newName("/Page"));
   page.replaceKey("/MediaBox", Handle::parse(media_box));
   page.replaceKey("/Resources", resources);
   page.replaceKey("/Contents", Handle::newStream(&pdf, content));
   pdf.addPage(page, false);
+  return pdf.getAllPages().back();
 }
 
-void add_layers(QPDF& pdf, const std::vector<PdfLayer>& layers, const PdfPage& page) {
-  Handle groups = Handle::newArray(), forms = Handle::newDictionary(), properties = Handle::newDictionary();
+// The optional content groups of all pages.
+struct Groups {
+  Handle all = Handle::newArray();
+  Handle order = Handle::newArray();  // by page where there are several
+  std::set<std::string> names;
+
+  std::string unique(const std::string& name) {
+    std::string found = name;
+    for (int number = 2; !names.insert(found).second; ++number) found = name + " (" + std::to_string(number) + ")";
+    return found;
+  }
+};
+
+Handle add_layers(QPDF& pdf, const PdfPage& page, Groups& groups, Handle order) {
+  Handle forms = Handle::newDictionary(), properties = Handle::newDictionary();
   std::string content = "q\n" + page.placement + " cm\n";
-  for (const PdfLayer& layer : layers) {
-    const std::string name = "/layer" + std::to_string(groups.getArrayNItems());
-    Handle group = add_group(pdf, layer.name);
-    groups.appendItem(group);
+  for (const PdfLayer& layer : page.layers) {
+    const std::string name = "/layer" + std::to_string(&layer - page.layers.data());
+    Handle group = add_group(pdf, groups.unique(layer.name));
+    groups.all.appendItem(group);
+    order.appendItem(group);
     properties.replaceKey(name, group);
     forms.replaceKey(name, add_form(pdf, layer.file, page.layer_box));
     content += "/OC " + name + " BDC " + name + " Do EMC\n";
@@ -60,27 +77,69 @@ void add_layers(QPDF& pdf, const std::vector<PdfLayer>& layers, const PdfPage& p
   Handle resources = Handle::newDictionary();
   resources.replaceKey("/XObject", forms);
   resources.replaceKey("/Properties", properties);
-  add_page(pdf, page.media_box, resources, content + "Q\n");
+  return add_page(pdf, page.media_box, resources, content + "Q\n");
+}
 
+void add_optional_content(QPDF& pdf, const Groups& groups) {
   Handle usual = Handle::newDictionary();
-  usual.replaceKey("/Order", groups.shallowCopy());
+  usual.replaceKey("/Order", groups.order);
   Handle optional_content = Handle::newDictionary();
-  optional_content.replaceKey("/OCGs", groups);
+  optional_content.replaceKey("/OCGs", groups.all);
   optional_content.replaceKey("/D", usual);
   pdf.getRoot().replaceKey("/OCProperties", optional_content);
 }
 
-}  // namespace
+Handle bookmark(QPDF& pdf, const PdfBookmark& mark, Handle page) {
+  Handle item = pdf.makeIndirectObject(Handle::newDictionary());
+  item.replaceKey("/Title", Handle::newUnicodeString(valid_utf8(mark.title)));
+  Handle place = Handle::parse("[" + mark.view + "]");
+  place.insertItem(0, page);
+  item.replaceKey("/Dest", place);
+  return item;
+}
 
-std::string join_pdf_layers(const std::vector<PdfLayer>& layers, const PdfPage& page) {
-  QPDF pdf;
-  pdf.emptyPDF();
-  add_layers(pdf, layers, page);
+// Chains the items below their parent. `shown`: they and all below them.
+void adopt(Handle parent, std::vector<Handle> items, std::size_t shown) {
+  if (items.empty()) return;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    items[i].replaceKey("/Parent", parent);
+    if (i > 0) items[i].replaceKey("/Prev", items[i - 1]);
+    if (i + 1 < items.size()) items[i].replaceKey("/Next", items[i + 1]);
+  }
+  parent.replaceKey("/First", items.front());
+  parent.replaceKey("/Last", items.back());
+  parent.replaceKey("/Count", Handle::newInteger(static_cast<long long>(shown)));
+}
+
+void add_bookmarks(QPDF& pdf, const std::vector<PdfPage>& pages, const std::vector<Handle>& page_objects) {
+  Handle outlines = pdf.makeIndirectObject(Handle::newDictionary());
+  outlines.replaceKey("/Type", Handle::newName("/Outlines"));
+  std::vector<Handle> items;
+  std::size_t shown = 0;
+  for (std::size_t i = 0; i < pages.size(); ++i) {
+    items.push_back(bookmark(pdf, pages[i].bookmark, page_objects[i]));
+    std::vector<Handle> views;
+    for (const PdfBookmark& view : pages[i].views) views.push_back(bookmark(pdf, view, page_objects[i]));
+    adopt(items.back(), views, views.size());
+    shown += 1 + views.size();
+  }
+  adopt(outlines, items, shown);
+  pdf.getRoot().replaceKey("/Outlines", outlines);
+}
+
+void add_information(QPDF& pdf, const PdfDocument& document) {
   Handle information = pdf.makeIndirectObject(Handle::newDictionary());
-  information.replaceKey("/Title", Handle::newUnicodeString(valid_utf8(page.title)));
-  information.replaceKey("/Producer", Handle::newString("epura"));
+  const auto add = [&information](const std::string& key, const std::string& text) {
+    if (!text.empty()) information.replaceKey(key, Handle::newUnicodeString(valid_utf8(text)));
+  };
+  add("/Title", document.title);
+  add("/Author", document.author);
+  add("/Subject", document.subject);
+  add("/Producer", "epura");
   pdf.getTrailer().replaceKey("/Info", information);
+}
 
+std::string bytes_of(QPDF& pdf) {
   QPDFWriter writer(pdf);
   writer.setOutputMemory();
   writer.setObjectStreamMode(qpdf_o_generate);
@@ -88,6 +147,27 @@ std::string join_pdf_layers(const std::vector<PdfLayer>& layers, const PdfPage& 
   writer.write();
   const std::shared_ptr<Buffer> bytes = writer.getBufferSharedPointer();
   return {reinterpret_cast<const char*>(bytes->getBuffer()), bytes->getSize()};
+}
+
+}  // namespace
+
+std::string join_pdf_layers(const PdfDocument& document) {
+  QPDF pdf;
+  pdf.emptyPDF();
+  Groups groups;
+  std::vector<Handle> pages;
+  for (const PdfPage& page : document.pages) {
+    Handle order = groups.order;
+    if (document.pages.size() > 1) {
+      order = Handle::newArray({Handle::newUnicodeString(valid_utf8(page.bookmark.title))});
+      groups.order.appendItem(order);
+    }
+    pages.push_back(add_layers(pdf, page, groups, order));
+  }
+  add_optional_content(pdf, groups);
+  add_bookmarks(pdf, document.pages, pages);
+  add_information(pdf, document);
+  return bytes_of(pdf);
 }
 
 }  // namespace epura

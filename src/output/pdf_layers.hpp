@@ -1,4 +1,5 @@
-// Pages become layers of one page: all that is done with qpdf. (This pair of files is C++17, see CMakeLists.txt.)
+// Drawings of layers become layers of pages: all that is done with qpdf. (This pair of files is C++17, see
+// CMakeLists.txt.)
 #pragma once
 
 #include <string>
@@ -11,16 +12,30 @@ struct PdfLayer {
   std::string file;  ///< a PDF file of one page, drawn by Cairo
 };
 
-/// The page that holds the layers. Numbers are ready to be written.
-struct PdfPage {
+/// A place of a page under its name.
+struct PdfBookmark {
   std::string title;
+  std::string view;  ///< how the place fits the window: "/Fit" or "/FitR left bottom right top" in points
+};
+
+/// A page that holds layers, painted in order. Numbers are ready to be written.
+struct PdfPage {
+  std::vector<PdfLayer> layers;
   std::string media_box;  ///< "[0 0 width height]" in points
   std::string layer_box;  ///< the same of the layers' pages in their units
   std::string placement;  ///< matrix "a b c d e f" from the layers' units to points
+  PdfBookmark bookmark;
+  std::vector<PdfBookmark> views;  ///< under that of the page
 };
 
-/// Each layer becomes a form XObject in an optional content group of its name (ISO 32000-1, 8.10 and 8.11). Painted in
-/// order. No date, and an identifier that follows from the contents.
-std::string join_pdf_layers(const std::vector<PdfLayer>& layers, const PdfPage& page);
+struct PdfDocument {
+  std::vector<PdfPage> pages;
+  std::string title, author, subject;  ///< empty: not given
+};
+
+/// Each layer becomes a form XObject in an optional content group of its name (ISO 32000-1, 8.10 and 8.11); a name that
+/// an earlier page has gets a number. Bookmarks are outlines (12.3.3). No date, and an identifier that follows from the
+/// contents.
+std::string join_pdf_layers(const PdfDocument& document);
 
 }  // namespace epura

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <map>
 #include <pugixml.hpp>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "output/canvas.hpp"
 #include "output/glyphs.hpp"
 #include "output/svg_lettering.hpp"
+#include "output/svg_metadata.hpp"
 #include "output/svg_paths.hpp"
 #include "output/write.hpp"
 
@@ -36,13 +38,74 @@ std::string identifier(std::string_view name) {
   return id;
 }
 
-void add_layer(pugi::xml_node svg, const Layer& layer, const std::string& id) {
-  pugi::xml_node g = svg.append_child("g");
+class Ids {
+ public:
+  /// An id like the name that nothing else in the document has, lines included.
+  std::string unique(std::string_view name) {
+    std::string id = identifier(name);
+    if (id.empty() || id[0] < 'A') id.insert(0, "_");
+    const bool like_a_line = id[0] == 'p' && id.find_first_not_of("0123456789", 1) == std::string::npos;
+    if (like_a_line) id += '-';
+    while (!used_.insert(id).second) id += '-';
+    return id;
+  }
+
+ private:
+  std::set<std::string> used_;
+};
+
+pugi::xml_node add_group(pugi::xml_node parent, const std::string& id, std::string_view label) {
+  pugi::xml_node g = parent.append_child("g");
   g.append_attribute("id") = id.c_str();
   g.append_attribute("inkscape:groupmode") = "layer";
-  g.append_attribute("inkscape:label") = xml_text(layer.name).c_str();
-  g.append_attribute("class") = identifier(layer.style.name).c_str();
-  if (has_ink(layer)) g.append_child("path");
+  g.append_attribute("inkscape:label") = xml_text(label).c_str();
+  return g;
+}
+
+// What all lines of the layer share is said once. Layers of lines that are no edges have none of it.
+void add_origin(pugi::xml_node g, const Layer& layer) {
+  const auto is_edge = [](const Stroke& stroke) { return !stroke.kind.empty(); };
+  if (std::none_of(layer.strokes.begin(), layer.strokes.end(), is_edge)) return;
+  g.append_attribute("data-visible") = layer.style.name.starts_with("hidden") ? "0" : "1";
+  const std::string model = common_model(layer);
+  if (!model.empty()) g.append_attribute("data-model") = xml_text(model).c_str();
+}
+
+// Of VIEW/ROLE the view; empty where there is none.
+std::string_view view_of(const Layer& layer) {
+  const std::size_t slash = layer.name.rfind('/');
+  return std::string_view(layer.name).substr(0, slash == std::string::npos ? 0 : slash);
+}
+
+// The layers of a view side by side: all ink is black, so that any order does.
+std::vector<const Layer*> by_view(const Sheet& sheet) {
+  std::map<std::string_view, std::size_t> places;
+  std::vector<const Layer*> layers;
+  for (const Layer& layer : sheet.layers) {
+    places.emplace(view_of(layer), places.size());
+    layers.push_back(&layer);
+  }
+  const auto place = [&](const Layer* layer) { return places.at(view_of(*layer)); };
+  std::stable_sort(layers.begin(), layers.end(), [&](const Layer* a, const Layer* b) { return place(a) < place(b); });
+  return layers;
+}
+
+// VIEW/ROLE is a layer ROLE in a layer VIEW.
+void add_layers(pugi::xml_node svg, const std::vector<const Layer*>& layers, bool plain) {
+  Ids ids;
+  pugi::xml_node view;
+  const Layer* previous = nullptr;
+  for (const Layer* layer : layers) {
+    const std::string_view name = view_of(*layer), whole = layer->name;
+    const bool has_view = !name.empty();
+    if (has_view && (previous == nullptr || view_of(*previous) != name)) view = add_group(svg, ids.unique(name), name);
+    pugi::xml_node g = has_view ? add_group(view, ids.unique(whole), whole.substr(name.size() + 1))
+                                : add_group(svg, ids.unique(whole), whole);
+    g.append_attribute("class") = identifier(layer->style.name).c_str();
+    if (!plain) add_origin(g, *layer);
+    if (has_ink(*layer)) g.append_child("path");
+    previous = layer;
+  }
 }
 
 // One class a line style. It stands on the layers, so that a path's own dashes win over it.
@@ -71,21 +134,15 @@ pugi::xml_node add_head(pugi::xml_document& document, const Sheet& sheet) {
   pugi::xml_node svg = document.append_child("svg");
   svg.append_attribute("xmlns") = "http://www.w3.org/2000/svg";
   svg.append_attribute("xmlns:inkscape") = "http://www.inkscape.org/namespaces/inkscape";
+  svg.append_attribute("xmlns:sodipodi") = "http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd";
   svg.append_attribute("width") = (width + "mm").c_str();
   svg.append_attribute("height") = (height + "mm").c_str();
   svg.append_attribute("viewBox") = ("0 0 " + width + " " + height).c_str();
-  svg.append_child("title").text() = xml_text(sheet.title).c_str();
+  pugi::xml_node view = svg.append_child("sodipodi:namedview");
+  view.append_attribute("inkscape:document-units") = "mm";
+  add_svg_metadata(svg, sheet);
   svg.append_child("style").text() = (style_sheet(sheet) + lettering_style(sheet)).c_str();
   return svg;
-}
-
-std::vector<std::string> layer_ids(const Sheet& sheet) {
-  std::vector<std::string> ids;
-  for (const Layer& layer : sheet.layers) {
-    ids.push_back(identifier(layer.name));
-    while (std::count(ids.begin(), ids.end(), ids.back()) > 1) ids.back() += '-';
-  }
-  return ids;
 }
 
 struct StringWriter : pugi::xml_writer {
@@ -94,10 +151,9 @@ struct StringWriter : pugi::xml_writer {
 };
 
 // The document without its paths.
-std::string frame_of(const Sheet& sheet, const std::vector<std::string>& ids) {
+std::string frame_of(const Sheet& sheet, const std::vector<const Layer*>& layers, bool plain) {
   pugi::xml_document document;
-  const pugi::xml_node svg = add_head(document, sheet);
-  for (std::size_t i = 0; i < ids.size(); ++i) add_layer(svg, sheet.layers[i], ids[i]);
+  add_layers(add_head(document, sheet), layers, plain);
   StringWriter writer;
   document.save(writer, "", pugi::format_default, pugi::encoding_utf8);
   return writer.bytes;
@@ -106,24 +162,25 @@ std::string frame_of(const Sheet& sheet, const std::vector<std::string>& ids) {
 }  // namespace
 
 std::string to_svg(const Sheet& sheet, const VectorOptions& options) {
-  const std::vector<std::string> ids = layer_ids(sheet);
-  const std::string frame = frame_of(sheet, ids);
+  const std::vector<const Layer*> layers = by_view(sheet);
+  const std::string frame = frame_of(sheet, layers, options.plain);
   const Canvas canvas = enlarged_canvas(sheet);
   const std::optional<Lettering> lettering = lettering_of(sheet);
   std::string svg;
   // Memory that is never touched costs nothing, moving a long text does.
   std::size_t most = frame.size();
-  for (std::size_t i = 0; i < ids.size(); ++i) most += most_bytes(sheet.layers[i], ids[i]);
+  for (const Layer* layer : layers) most += most_bytes(*layer);
   svg.reserve(most);
-  std::size_t copied = 0;
-  for (std::size_t i = 0; i < ids.size(); ++i) {
-    if (!has_ink(sheet.layers[i])) continue;
+  std::size_t copied = 0, lines = 0;
+  for (const Layer* layer : layers) {
+    if (!has_ink(*layer)) continue;
     const std::size_t here = frame.find(paths_here, copied);
     svg.append(frame, copied, here - copied);
-    append_fills(svg, sheet.layers[i], sheet.height);
-    append_paths(svg, sheet.layers[i], canvas, sheet.height, ids[i], options.plain);
-    if (lettering) append_texts(svg, sheet.layers[i], sheet.height, *lettering, options.text);
+    append_fills(svg, *layer, sheet.height);
+    append_paths(svg, *layer, canvas, {sheet.height, options.decimals, options.plain, lines});
+    if (lettering) append_texts(svg, *layer, sheet.height, *lettering, options.text);
     copied = here + paths_here.size();
+    lines += layer->strokes.size();
   }
   svg.append(frame, copied);
   return svg;

@@ -8,6 +8,7 @@
 #include "base/text.hpp"
 #include "base/utf8.hpp"
 #include "output/glyphs.hpp"
+#include "output/svg_path_text.hpp"
 #include "output/svg_paths.hpp"
 
 namespace epura {
@@ -17,32 +18,35 @@ namespace {
 // Some 60 kB: libxml2, and what reads with it, refuses attributes of 10 MB.
 constexpr std::size_t letters_of_path = 100;
 
-void append_point(std::string& svg, const Vec2& point, double height) {
-  append_millimetres(svg, point.x);
-  svg += ' ';
-  append_millimetres(svg, height - point.y);
-}
+constexpr int decimals = 4;  // of a millimetre
 
 void append_area(std::string& svg, const Fill& fill, double height) {
   svg += "<path d=\"";
+  SvgPathText path(svg, decimals);
   for (const std::vector<Vec2>& ring : fill.rings) {
-    for (std::size_t i = 0; i < ring.size(); ++i) append_point(svg += i == 0 ? 'M' : 'L', ring[i], height);
-    if (!ring.empty()) svg += 'Z';
+    const auto on_page = [&](const Vec2& p) { return Vec2(p.x, height - p.y); };
+    if (ring.empty()) continue;
+    path.move(on_page(ring.front()));
+    for (std::size_t i = 1; i < ring.size(); ++i) path.line(on_page(ring[i]));
+    path.close();
   }
-  svg += "\" />\n";
+  svg += "\"/>\n";
 }
 
 // Straight pieces as lines, without the last one, which Z draws.
-void append_outline(std::string& svg, const GlyphOutline& outline, const auto& append) {
+void append_outline(SvgPathText& path, const GlyphOutline& outline, const auto& on_page) {
   Vec2 at = outline.curves.back().end;
-  append('M', at);
+  path.move(on_page(at));
   for (const GlyphOutline::Curve& curve : outline.curves) {
     const bool straight = glm::distance(curve.control, (at + curve.end) / 2.0) < 1e-9;
     at = curve.end;
-    if (!straight) append('Q', curve.control);
-    if (!straight || &curve != &outline.curves.back()) append(straight ? 'L' : ' ', at);
+    if (!straight) {
+      path.curve(on_page(curve.control), on_page(at));
+    } else if (&curve != &outline.curves.back()) {
+      path.line(on_page(at));
+    }
   }
-  svg += 'Z';
+  path.close();
 }
 
 // Outlines in millimetres of the sheet.
@@ -50,16 +54,18 @@ void append_outlines(std::string& svg, const Text& text, double height, const Le
   const double angle = text.angle * std::numbers::pi / 180;
   const Vec2 along(std::cos(angle), std::sin(angle));
   Vec2 start = start_of(text, lettering);
-  const auto append = [&](char command, const Vec2& p) {
-    append_point(svg += command, start + p.x * along + p.y * Vec2(-along.y, along.x), height);
+  const auto on_page = [&](const Vec2& p) {
+    const Vec2 at = start + p.x * along + p.y * Vec2(-along.y, along.x);
+    return Vec2(at.x, height - at.y);
   };
   const std::vector<char32_t> letters = characters(written(text.text));
   for (std::size_t begin = 0; begin < letters.size(); begin += letters_of_path) {
     std::string part;
     for (std::size_t i = begin; i < std::min(begin + letters_of_path, letters.size()); ++i) part += utf8(letters[i]);
     svg += "<path d=\"";
-    for (const GlyphOutline& outline : lettering.outlines(part, text.height)) append_outline(svg, outline, append);
-    svg += "\" />";
+    SvgPathText path(svg, decimals);
+    for (const GlyphOutline& outline : lettering.outlines(part, text.height)) append_outline(path, outline, on_page);
+    svg += "\"/>";
     start += along * lettering.width(part, text.height);
   }
 }

@@ -18,12 +18,12 @@
 #include "base/utf8.hpp"
 #include "output/curve_pieces.hpp"
 #include "output/in_order.hpp"
+#include "output/svg_path_text.hpp"
 
 namespace epura {
 
 namespace {
 
-constexpr int decimals = 5;  // of a millimetre
 constexpr std::size_t points_at_once = 8192;
 // About 80 kB: libxml2, and what reads with it, refuses files above 10 MB with attributes of some 100 kB.
 constexpr std::size_t most_points_of_path = 4000;
@@ -125,48 +125,43 @@ class PathReader {
 };
 
 /// The path of one stroke in millimetres, y down.
-struct PathWriter {
-  std::string& text;
-  const Canvas& canvas;
-  double height;
+class PathWriter {
+ public:
+  PathWriter(std::string& text, const Canvas& canvas, const PathStyle& style)
+      : canvas_(canvas), height_(style.height), path_(text, style.decimals) {}
 
-  void append_point(const Vec2& p) const {
-    append_millimetres(text, p.x);
-    append_millimetres(text += ' ', height - p.y);
-  }
-  void append(char command, const Vec2& on_surface) const {
-    text += command;
-    append_point(canvas.to_sheet(on_surface));
-  }
-  void append_arcs(const CurvePart& part) const;
-  void append_stroke(PathReader& reader, const Stroke& stroke) const;
+  void append_stroke(PathReader& reader, const Stroke& stroke);
+
+ private:
+  [[nodiscard]] Vec2 on_page(const Vec2& on_sheet) const { return {on_sheet.x, height_ - on_sheet.y}; }
+  Vec2 next(PathReader& reader) const { return on_page(canvas_.to_sheet(reader.point())); }
+  void append_arcs(const CurvePart& part);
+
+  const Canvas& canvas_;
+  double height_;
+  SvgPathText path_;
 };
 
 // Arcs as SVG knows them. What turns counterclockwise with y up does so on the page.
-void PathWriter::append_arcs(const CurvePart& part) const {
+void PathWriter::append_arcs(const CurvePart& part) {
   constexpr double degrees = 180 / std::numbers::pi;
-  const double u = glm::length(part.u), v = glm::length(part.v);
+  const Vec2 radii(glm::length(part.u), glm::length(part.v));
   const bool turned_over = part.u.x * part.v.y < part.u.y * part.v.x;
   const bool counterclockwise = (part.to > part.from) != turned_over;
-  for (const Vec2& end : quarter_ends(part)) {
-    append_millimetres(text += 'A', u);
-    append_millimetres(text += ' ', v);
-    append_fixed(text += ' ', u == v ? 0 : -std::atan2(part.u.y, part.u.x) * degrees, 6);
-    text += counterclockwise ? " 0 0 " : " 0 1 ";
-    append_point(end);
-  }
+  const double turn = radii.x == radii.y ? 0 : -std::atan2(part.u.y, part.u.x) * degrees;
+  for (const Vec2& end : quarter_ends(part)) path_.arc(radii, turn, !counterclockwise, on_page(end));
 }
 
-void PathWriter::append_stroke(PathReader& reader, const Stroke& stroke) const {
+void PathWriter::append_stroke(PathReader& reader, const Stroke& stroke) {
   check(reader.at('M'), "Cairo left a stroke out");
   Vec2 start;
-  for (; reader.at('M'); start = reader.point()) reader.skip_command();  // one more M stands behind a Z
-  append('M', start);
+  for (; reader.at('M'); start = next(reader)) reader.skip_command();  // one more M stands behind a Z
+  path_.move(start);
   std::size_t curve = 0;
   while (reader.at('L') || reader.at('C')) {
     if (reader.at('L')) {
       reader.skip_command();
-      append('L', reader.point());
+      path_.line(next(reader));
       continue;
     }
     check(curve < stroke.curves.size(), "Cairo drew a curve of its own");
@@ -180,31 +175,51 @@ void PathWriter::append_stroke(PathReader& reader, const Stroke& stroke) const {
   }
   if (!reader.at('Z')) return;
   reader.skip_command();
-  text += 'Z';
+  path_.close();
 }
 
-struct Look {
-  std::string id, usual_dashes;
-  bool plain;
+// "0:2-6 0:6-7": the number of the model, when all edges have one; otherwise empty.
+std::string_view model_of(std::string_view edges) {
+  const std::size_t colon = edges.find(':');
+  if (colon == std::string_view::npos) return {};
+  for (const std::string_view edge : split(edges, ' '))
+    if (!edge.starts_with(edges.substr(0, colon + 1))) return {};
+  return edges.substr(0, colon);
+}
+
+// What all lines of a layer have in common, and need not say.
+struct Common {
+  std::string dashes, model;
 };
 
+void append_origin(std::string& text, const Stroke& stroke, const std::string& common_model) {
+  if (!stroke.kind.empty()) append_attribute(text, "data-kind", stroke.kind);
+  if (stroke.edges.empty()) return;
+  const std::string_view model = model_of(stroke.edges);
+  if (model.empty()) return append_attribute(text, "data-edge", stroke.edges);
+  if (common_model.empty()) append_attribute(text, "data-model", model);
+  std::string edges;
+  for (const std::string_view edge : split(stroke.edges, ' '))
+    edges.append(edges.empty() ? "" : " ").append(edge.substr(model.size() + 1));
+  append_attribute(text, "data-edge", edges);
+}
+
 // All of a path but its lines.
-void append_head(std::string& text, const Part& part, const Look& look) {
+void append_head(std::string& text, const Part& part, const Common& common, const PathStyle& style) {
   const Stroke& stroke = *part.stroke;
   text += "<path";
-  if (!look.plain) {
-    append_attribute(text, "id", look.id + "-" + std::to_string(part.path));
-    if (!stroke.kind.empty()) append_attribute(text, "data-kind", stroke.kind);
-    if (!stroke.edges.empty()) append_attribute(text, "data-edges", stroke.edges);
+  if (!style.plain) {
+    append_attribute(text, "id", line_id(style.first_line + part.path));
+    append_origin(text, stroke, common.model);
   }
   const std::string dashes = dash_array(stroke);
-  if (dashes != look.usual_dashes) append_attribute(text, "stroke-dasharray", dashes);
+  if (dashes != common.dashes) append_attribute(text, "stroke-dasharray", dashes);
   text += " d=\"";
 }
 
 }  // namespace
 
-void append_millimetres(std::string& text, double value) { append_fixed(text, value, decimals); }
+void append_millimetres(std::string& text, double value) { append_short(text, value, 4); }
 
 std::string dash_array(const Dashes& dashes) {
   if (!(dashes.dash > 0)) return "none";
@@ -257,11 +272,24 @@ void append_attribute(std::string& text, std::string_view name, std::string_view
   text += '"';
 }
 
-std::size_t most_bytes(const Layer& layer, const std::string& id) {
+std::string common_model(const Layer& layer) {
+  std::string_view common;
+  for (const Stroke& stroke : layer.strokes) {
+    if (stroke.edges.empty()) continue;
+    const std::string_view model = model_of(stroke.edges);
+    if (model.empty() || (!common.empty() && model != common)) return {};
+    common = model;
+  }
+  return std::string(common);
+}
+
+std::string line_id(std::size_t number) { return "p" + std::to_string(number); }
+
+std::size_t most_bytes(const Layer& layer) {
   constexpr std::size_t of_head = 100, of_point = 32;
   std::size_t bytes = 0;
   for (const Stroke& stroke : layer.strokes)
-    bytes += of_head + id.size() + stroke.kind.size() + stroke.edges.size() + of_point * stroke.points.size();
+    bytes += of_head + stroke.kind.size() + stroke.edges.size() + of_point * stroke.points.size();
   return bytes;
 }
 
@@ -270,10 +298,9 @@ bool has_ink(const Layer& layer) {
          std::any_of(layer.strokes.begin(), layer.strokes.end(), has_line);
 }
 
-void append_paths(std::string& text, const Layer& layer, const Canvas& canvas, double height, const std::string& id,
-                  bool plain) {
-  const Look look{id, dash_array(layer.style.dashes), plain};
-  const std::vector<Part> parts = parts_of(layer, plain);
+void append_paths(std::string& text, const Layer& layer, const Canvas& canvas, const PathStyle& style) {
+  const Common common{dash_array(layer.style.dashes), common_model(layer)};
+  const std::vector<Part> parts = parts_of(layer, style.plain);
   const std::vector<Chunk> chunks = chunks_of(parts);
   const auto write = [&](Chunk chunk) {
     std::string lines;
@@ -282,9 +309,9 @@ void append_paths(std::string& text, const Layer& layer, const Canvas& canvas, d
     for (const Part& part : chunk) {
       const bool first = &part == parts.data() || (&part)[-1].path != part.path;
       const bool last = &part == &parts.back() || (&part)[1].path != part.path;
-      if (first) append_head(lines, part, look);
-      PathWriter{lines, canvas, height}.append_stroke(reader, *part.stroke);
-      if (last) lines += "\" />\n";
+      if (first) append_head(lines, part, common, style);
+      PathWriter(lines, canvas, style).append_stroke(reader, *part.stroke);
+      if (last) lines += "\"/>\n";
     }
     return lines;
   };

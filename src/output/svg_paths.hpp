@@ -10,12 +10,15 @@
 
 namespace epura {
 
-/// Millimetres as SVG files have them: at most five decimals.
+/// Millimetres beside the lines: at most four decimals.
 void append_millimetres(std::string& text, double value);
 
 /// Value of stroke-dasharray.
 std::string dash_array(const Dashes& dashes);
 std::string dash_array(const Stroke& stroke);
+
+/// The number of the model that has all edges of the layer; empty when there are several, or no edges.
+std::string common_model(const Layer& layer);
 
 /// Text that XML can hold, which has no way to write control characters.
 std::string xml_text(std::string_view text);
@@ -28,11 +31,19 @@ void append_attribute(std::string& text, std::string_view name, std::string_view
 bool has_ink(const Layer& layer);
 
 /// About as many bytes as append_paths appends, rather more.
-std::size_t most_bytes(const Layer& layer, const std::string& id);
+std::size_t most_bytes(const Layer& layer);
 
-/// Appends one line of text for each stroke, its id beginning with `id`. `plain`: one for each dash pattern, without
-/// id and origin. `height` of the sheet in mm: the paths have y down.
-void append_paths(std::string& text, const Layer& layer, const Canvas& canvas, double height, const std::string& id,
-                  bool plain);
+/// How paths are written.
+struct PathStyle {
+  double height;           ///< of the sheet, mm: the paths have y down
+  int decimals;            ///< of a millimetre
+  bool plain;              ///< one path for each dash pattern, without id and origin
+  std::size_t first_line;  ///< the strokes have the ids line_id(first_line), line_id(first_line + 1) ...
+};
+
+std::string line_id(std::size_t number);
+
+/// Appends one line of text for each stroke; with PathStyle::plain, for each dash pattern.
+void append_paths(std::string& text, const Layer& layer, const Canvas& canvas, const PathStyle& style);
 
 }  // namespace epura

@@ -1,4 +1,4 @@
-// One sheet -> the bytes of a file. Nothing is computed here but the encoding.
+// Sheets -> the bytes of a file. Nothing is computed here but the encoding.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@
 
 namespace epura {
 
-enum class Format { svg, pdf, ps, eps, png, json };
+enum class Format { svg, pdf, ps, eps, png, dxf, json };
 
 /// By file extension, in any case; nothing when unknown.
 std::optional<Format> format_of(std::string_view extension);
@@ -27,15 +27,21 @@ enum class SvgText { outlines, text };
 struct VectorOptions {
   bool plain = false;  ///< leave the origin of lines out
   double dpi = 300;    ///< PNG only
+  int decimals = 4;    ///< of coordinates in millimetres, SVG only: no point is off by more than 0.0001 mm
   SvgText text = SvgText::outlines;
 };
 
+/// Sheets that become pages of one file, at least one.
+using Pages = std::vector<const Sheet*>;
+
 // The same sheet gives the same bytes, always: no clock, no counter, no locale.
 std::string to_svg(const Sheet& sheet, const VectorOptions& options);
-std::string to_pdf(const Sheet& sheet);
-std::string to_ps(const Sheet& sheet);
+std::string to_pdf(const Pages& sheets);
+std::string to_ps(const Pages& sheets);
 std::string to_eps(const Sheet& sheet);
 std::string to_png(const Sheet& sheet, double dpi);
+/// AutoCAD 2000 (AC1015), in millimetres.
+std::string to_dxf(const Sheet& sheet);
 
 /// One stage of the plan, for the report.
 struct PlanStep {

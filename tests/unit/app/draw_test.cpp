@@ -16,7 +16,8 @@ using Names = std::vector<std::string>;
 const std::map<std::string, std::string_view>& beginnings() {
   static const std::map<std::string, std::string_view> table{
       {"svg", "<?xml version=\"1.0\""}, {"pdf", "%PDF-1."},           {"ps", "%!PS-Adobe-3"},
-      {"eps", "%!PS-Adobe-3.0 EPSF"},   {"png", "\x89PNG\r\n\x1A\n"}, {"json", "{\"epura\": 1,"}};
+      {"eps", "%!PS-Adobe-3.0 EPSF"},   {"png", "\x89PNG\r\n\x1A\n"}, {"json", "{\"epura\": 1,"},
+      {"dxf", "999\nepura\n"}};
   return table;
 }
 
@@ -29,7 +30,7 @@ TEST(Draw, EveryFormatByItsExtension) {
     EXPECT_EQ(run.err, "") << format;
     EXPECT_EQ(read_file(folder / ("x." + format)).substr(0, beginning.size()), beginning);
   }
-  EXPECT_EQ(folder.names(), (Names{"x.eps", "x.json", "x.pdf", "x.png", "x.ps", "x.svg"}));
+  EXPECT_EQ(folder.names(), (Names{"x.dxf", "x.eps", "x.json", "x.pdf", "x.png", "x.ps", "x.svg"}));
 }
 
 TEST(Draw, ExtensionsMayBeCapitals) {

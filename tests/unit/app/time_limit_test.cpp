@@ -32,14 +32,14 @@ TEST(TimeLimit, ALongOneChangesNoByte) {
 TEST(TimeLimit, WithoutTimeTheDrawingIsEmptyAndMarked) {
   const Folder folder;
   std::vector<std::string> arguments{"draw", sample("bracket.obj"), "--time-limit", "0"};
-  for (const char* name : {"x.svg", "x.pdf", "x.ps", "x.eps", "x.png", "x.json"})
+  for (const char* name : {"x.svg", "x.pdf", "x.ps", "x.eps", "x.png", "x.dxf", "x.json"})
     arguments.insert(arguments.end(), {"-o", name});
   const Outcome run = epura(arguments, folder / "");
   EXPECT_EQ(run.code, partial);
   EXPECT_TRUE(contains(run.err, "the drawing is partial")) << run.err;
   EXPECT_TRUE(contains(run.err, "hint: ")) << run.err;
-  EXPECT_EQ(folder.names().size(), 6U);
-  EXPECT_TRUE(contains(read_file(folder / "x.svg"), "inkscape:label=\"sheet/partial\""));
+  EXPECT_EQ(folder.names().size(), 7U);
+  EXPECT_TRUE(contains(read_file(folder / "x.svg"), "id=\"sheet-partial\""));
   const Json json = JsonReader(read_file(folder / "x.json")).read();
   EXPECT_EQ(json["partial"]["undecided"].number(), json["partial"]["edges"].number());
   EXPECT_GT(json["partial"]["edges"].number(), 0);
@@ -50,7 +50,7 @@ TEST(TimeLimit, EveryFormatShowsTheMark) {
   // Without lines, the mark is all the ink that there is: a drawing of nothing is shorter.
   const Folder folder;
   const std::string bare = folder.file("bare.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-  for (const char* format : {"svg", "pdf", "ps", "eps", "png"}) {
+  for (const char* format : {"svg", "pdf", "ps", "eps", "png", "dxf"}) {
     const Outcome empty =
         epura({"draw", bare, "-o", "-", "--format", format, "--edges", "smooth", "--dpi", "50"}, folder / "");
     const Outcome marked =

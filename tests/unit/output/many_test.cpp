@@ -38,7 +38,7 @@ void expect_linear(const Write& write) {
 TEST(ManyStrokes, TakeLinearTime) {
   expect_linear([](const Sheet& sheet) { return to_svg(sheet, {}); });
   expect_linear([](const Sheet& sheet) { return to_svg(sheet, {true}); });
-  expect_linear([](const Sheet& sheet) { return to_pdf(sheet); });
+  expect_linear([](const Sheet& sheet) { return to_pdf({&sheet}); });
   expect_linear([](const Sheet& sheet) { return to_eps(sheet); });
 }
 

@@ -37,7 +37,7 @@ TEST(Eps, TheLowerLeftCornerOfTheSheetIsTheOrigin) {
 TEST(PostScript, HasNoDateAndATitleOfOneLine) {
   Sheet sheet = random_sheet(297, 210, 2);
   sheet.title = "a\n%%BoundingBox: 1 2 3 4";
-  const std::string ps = to_ps(sheet), eps = to_eps(sheet);
+  const std::string ps = to_ps({&sheet}), eps = to_eps(sheet);
   EXPECT_EQ(ps.substr(0, 11), "%!PS-Adobe-");
   EXPECT_EQ(ps.find("CreationDate"), std::string::npos);
   EXPECT_EQ(header_line(ps, "%%Title:"), "%%Title: a?%%BoundingBox: 1 2 3 4");
@@ -93,7 +93,8 @@ TEST(Formats, AreKnownByTheirExtension) {
   EXPECT_EQ(format_of(".PDF"), Format::pdf);
   EXPECT_EQ(format_of("json"), Format::json);
   EXPECT_EQ(format_of("eps"), Format::eps);
-  EXPECT_EQ(format_of("dxf"), std::nullopt);
+  EXPECT_EQ(format_of("dxf"), Format::dxf);
+  EXPECT_EQ(format_of("dwg"), std::nullopt);
   EXPECT_EQ(format_of(""), std::nullopt);
   for (const std::string& name : format_names()) EXPECT_TRUE(format_of(name)) << name;
 }

@@ -50,7 +50,7 @@ class PdfReader {
 
   [[nodiscard]] PdfObject root() const { return {pdf_, qpdf_get_root(pdf_)}; }
   [[nodiscard]] PdfObject trailer() const { return {pdf_, qpdf_get_trailer(pdf_)}; }
-  [[nodiscard]] PdfObject page() const { return {pdf_, qpdf_get_page_n(pdf_, 0)}; }
+  [[nodiscard]] PdfObject page(std::size_t number = 0) const { return {pdf_, qpdf_get_page_n(pdf_, number)}; }
   [[nodiscard]] int pages() const { return qpdf_get_num_pages(pdf_); }
   [[nodiscard]] bool has_trouble() const { return qpdf_has_error(pdf_) || qpdf_more_warnings(pdf_); }
 

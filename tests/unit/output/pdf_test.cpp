@@ -62,7 +62,7 @@ class PdfOfSize : public testing::TestWithParam<Vec2> {};
 
 TEST_P(PdfOfSize, KeepsCoordinatesAndLayers) {
   const Sheet sheet = random_sheet(GetParam().x, GetParam().y);
-  const std::string bytes = to_pdf(sheet);
+  const std::string bytes = to_pdf({&sheet});
   const PdfReader pdf(bytes);
   const PdfObject page = pdf.page();
   EXPECT_EQ(pdf.pages(), 1);
@@ -86,10 +86,12 @@ TEST_P(PdfOfSize, KeepsCoordinatesAndLayers) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, PdfOfSize,
-                         testing::Values(Vec2(297, 210), Vec2(1189, 841), Vec2(123.4567, 33.3333), Vec2(12000, 3000)));
+                         testing::Values(Vec2(297, 210), Vec2(1189, 841), Vec2(123.4567, 33.3333), Vec2(12000, 3000),
+                                         Vec2(20000, 20000)));
 
 TEST(Pdf, EveryLayerIsOptionalContent) {
-  const std::string bytes = to_pdf(random_sheet(100, 100));
+  const Sheet sheet = random_sheet(100, 100);
+  const std::string bytes = to_pdf({&sheet});
   EXPECT_GE(bytes.substr(0, 8), "%PDF-1.5");
   const PdfReader pdf(bytes);
   const PdfObject properties = pdf.root()["/OCProperties"];
@@ -106,7 +108,7 @@ TEST(Pdf, EveryLayerIsOptionalContent) {
 TEST(Pdf, WidthsAndDashesAreInMillimetres) {
   Sheet sheet = random_sheet(100, 100, 0);
   sheet.layers[0].strokes.push_back({{{10, 10}, {60, 10}}, false, {2.9, 0.75}});
-  const std::string bytes = to_pdf(sheet);
+  const std::string bytes = to_pdf({&sheet});
   const PdfReader pdf(bytes);
   const PdfObject page = pdf.page();
   const double scale = map_of(tokens_of(page["/Contents"].stream())).scale.x / millimetre;
@@ -121,10 +123,70 @@ TEST(Pdf, WidthsAndDashesAreInMillimetres) {
   EXPECT_NEAR(before("d", 2), 0.75, 1e-6);
 }
 
+TEST(Pdf, SheetsBecomePages) {
+  Sheet first = random_sheet(100, 50, 3), second = random_sheet(200, 100, 4);
+  second.layers.push_back({"notes", {"visible", 0.5}, {}});
+  const std::string bytes = to_pdf({&first, &second});
+  const PdfReader pdf(bytes);
+  ASSERT_EQ(pdf.pages(), 2);
+  EXPECT_NEAR(pdf.page(1)["/MediaBox"][2].number(), 200 * millimetre, 1e-9);
+  const Map to_page = map_of(tokens_of(pdf.page(1)["/Contents"].stream()));
+  const std::string form = pdf.page(1)["/Resources"]["/XObject"]["/layer1"].stream();
+  EXPECT_LT(largest_error(second.layers[1].strokes, ink_of(form, to_page)), 1e-4);
+  const PdfObject optional = pdf.root()["/OCProperties"];
+  std::vector<std::string> names;
+  for (int i = 0; i < optional["/OCGs"].size(); ++i) names.push_back(optional["/OCGs"][i]["/Name"].text());
+  EXPECT_EQ(names, (std::vector<std::string>{"a view/hidden", "a view/visible", "a view/hidden (2)",
+                                             "a view/visible (2)", "notes"}));
+  const PdfObject order = optional["/D"]["/Order"];
+  ASSERT_EQ(order.size(), 2);
+  EXPECT_EQ(order[1].size(), 4);
+  EXPECT_EQ(order[1][0].text(), "Sheet 2: random");
+  EXPECT_EQ(order[1][3]["/Name"].text(), "notes");
+  EXPECT_FALSE(pdf.has_trouble());
+}
+
+TEST(Pdf, BookmarksLeadToViews) {
+  Sheet sheet = random_sheet(100, 100, 1);
+  sheet.views = {{"front", "front", "1:2", {10, 20}, {40, 50}}, {"top", "top", "", {50, 20}, {80, 50}}};
+  Sheet bare = random_sheet(50, 50, 1);
+  bare.title = "";
+  const std::string bytes = to_pdf({&sheet, &bare});
+  const PdfReader pdf(bytes);
+  const PdfObject outlines = pdf.root()["/Outlines"];
+  EXPECT_EQ(outlines["/Count"].number(), 4);
+  const PdfObject first = outlines["/First"], second = outlines["/Last"];
+  EXPECT_EQ(first["/Title"].text(), "Sheet 1: random");
+  EXPECT_EQ(first["/Next"]["/Title"].text(), "Sheet 2");
+  EXPECT_EQ(second["/Prev"]["/Title"].text(), "Sheet 1: random");
+  EXPECT_EQ(second["/Dest"][1].name(), "/Fit");
+  EXPECT_FALSE(second.has("/First"));
+  const PdfObject front = first["/First"];
+  EXPECT_EQ(front["/Title"].text(), "front");
+  EXPECT_EQ(front["/Next"]["/Title"].text(), "top");
+  EXPECT_EQ(front["/Parent"]["/Title"].text(), "Sheet 1: random");
+  EXPECT_EQ(front["/Dest"][0]["/Type"].name(), "/Page");
+  EXPECT_EQ(front["/Dest"][1].name(), "/FitR");
+  EXPECT_NEAR(front["/Dest"][2].number(), 5 * millimetre, 1e-9);
+  EXPECT_NEAR(front["/Dest"][5].number(), 55 * millimetre, 1e-9);
+}
+
+TEST(Pdf, SaysWhoDrewWhat) {
+  Sheet sheet = random_sheet(100, 100, 1);
+  sheet.views = {{"front", "front", "1:2", {10, 20}, {40, 50}}, {"round", "isometric", "", {50, 20}, {80, 50}}};
+  sheet.facts = {{"author", "N\xC3\xA4. <&)"}};
+  const std::string bytes = to_pdf({&sheet});
+  const PdfReader pdf(bytes);
+  const PdfObject information = pdf.trailer()["/Info"];
+  EXPECT_EQ(information["/Author"].text(), "N\xC3\xA4. <&)");
+  EXPECT_EQ(information["/Subject"].text(), "front 1:2, round (isometric)");
+  EXPECT_EQ(information["/Producer"].text(), "epura");
+}
+
 TEST(Pdf, TitleIsKeptAndNoDateIsWritten) {
   Sheet sheet = random_sheet(100, 100, 1);
   sheet.title = "<script>&\"') W\xC3\xBCrfel \xE2\x82\xAC";
-  const std::string bytes = to_pdf(sheet);
+  const std::string bytes = to_pdf({&sheet});
   const PdfReader pdf(bytes);
   const PdfObject information = pdf.trailer()["/Info"];
   EXPECT_EQ(information["/Title"].text(), sheet.title);

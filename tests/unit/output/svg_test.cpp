@@ -1,90 +1,115 @@
 #include <gtest/gtest.h>
 
-#include <pugixml.hpp>
 #include <set>
 
 #include "output/write.hpp"
 #include "support.hpp"
+#include "svg_reader.hpp"
 
 namespace epura {
 namespace {
 
 constexpr double tolerance = 1e-4;  // mm
 
-pugi::xml_document parse(const std::string& svg) {
-  pugi::xml_document document;
-  EXPECT_TRUE(document.load_buffer(svg.data(), svg.size()));
-  return document;
-}
-
-// Reads M, L and Z of one path; several lines when there are several M.
-std::vector<Ink> ink_of(std::string_view path, double height) {
-  std::vector<Ink> lines;
-  while (!path.empty()) {
-    const char command = path[0];
-    path.remove_prefix(1);
-    const std::size_t end = std::min(path.find_first_of("MLZ"), path.size());
-    if (command == 'Z') {
-      lines.back().closed = true;
-    } else {
-      const auto parts = split(path.substr(0, end), ' ');
-      EXPECT_EQ(parts.size(), 2u);
-      if (command == 'M') lines.emplace_back();
-      lines.back().points.emplace_back(number_in(parts[0]), height - number_in(parts[1]));
-    }
-    path.remove_prefix(end);
-  }
-  return lines;
-}
-
-std::vector<Ink> ink_of(const pugi::xml_node& layer, double height) {
-  std::vector<Ink> lines;
-  for (const pugi::xml_node path : layer.children("path"))
-    for (Ink& line : ink_of(path.attribute("d").value(), height)) lines.push_back(std::move(line));
-  return lines;
-}
-
 class SvgOfSize : public testing::TestWithParam<Vec2> {};
 
 TEST_P(SvgOfSize, KeepsCoordinates) {
   const Sheet sheet = random_sheet(GetParam().x, GetParam().y);
-  const auto document = parse(to_svg(sheet, {}));
-  pugi::xml_node layer = document.child("svg").child("g");
-  for (const Layer& drawn : sheet.layers) {
-    EXPECT_EQ(layer.attribute("inkscape:label").value(), drawn.name);
-    EXPECT_STREQ(layer.attribute("inkscape:groupmode").value(), "layer");
-    EXPECT_EQ(layer.attribute("class").value(), drawn.style.name);
-    EXPECT_LT(largest_error(drawn.strokes, ink_of(layer, sheet.height)), tolerance);
-    layer = layer.next_sibling();
-  }
-  EXPECT_FALSE(layer);
+  const auto document = parse_svg(to_svg(sheet, {}));
+  const std::vector<pugi::xml_node> layers = layers_of(document);
+  ASSERT_EQ(layers.size(), sheet.layers.size());
+  for (std::size_t i = 0; i < layers.size(); ++i)
+    EXPECT_LT(largest_error(sheet.layers[i].strokes, ink_of(layers[i], sheet.height)), tolerance);
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, SvgOfSize,
-                         testing::Values(Vec2(297, 210), Vec2(1189, 841), Vec2(123.4567, 33.3333), Vec2(12000, 3000)));
+                         testing::Values(Vec2(297, 210), Vec2(1189, 841), Vec2(123.4567, 33.3333), Vec2(12000, 3000),
+                                         Vec2(20000, 20000)));
+
+TEST(Svg, ViewsAreLayersOfLayers) {
+  Sheet sheet = random_sheet(100, 100, 1);
+  for (const char* name : {"top/visible", "a view/visible", "notes", "p12"})
+    sheet.layers.push_back({name, sheet.layers[1].style, sheet.layers[1].strokes});
+  const auto document = parse_svg(to_svg(sheet, {}));
+  std::vector<std::string> outline;
+  std::set<std::string> ids;
+  for (const pugi::xml_node g : document.child("svg").children("g")) {
+    outline.emplace_back(g.attribute("inkscape:label").value());
+    for (const pugi::xml_node inner : g.children("g"))
+      outline.back() += std::string(" ") + inner.attribute("inkscape:label").value();
+  }
+  EXPECT_EQ(outline, (std::vector<std::string>{"a view hidden visible visible", "top visible", "notes", "p12"}));
+  for (const pugi::xpath_node& node : document.select_nodes("//*[@id]"))
+    EXPECT_TRUE(ids.insert(node.node().attribute("id").value()).second) << node.node().attribute("id").value();
+  for (const pugi::xpath_node& node : document.select_nodes("//g"))
+    EXPECT_STREQ(node.node().attribute("inkscape:groupmode").value(), "layer");
+  EXPECT_STREQ(layers_of(document)[0].attribute("class").value(), "hidden");
+}
 
 TEST(Svg, IsInMillimetres) {
-  const auto document = parse(to_svg(random_sheet(297, 210.5), {}));
+  const auto document = parse_svg(to_svg(random_sheet(297, 210.5), {}));
   const pugi::xml_node svg = document.child("svg");
   EXPECT_STREQ(svg.attribute("width").value(), "297mm");
   EXPECT_STREQ(svg.attribute("height").value(), "210.5mm");
   EXPECT_STREQ(svg.attribute("viewBox").value(), "0 0 297 210.5");
-  EXPECT_NE(std::string(svg.child("style").text().get()).find(".hidden{stroke-width:0.25;stroke-dasharray:3 0.75}"),
+  EXPECT_NE(std::string(svg.child("style").text().get()).find(".hidden{stroke-width:0.25;stroke-dasharray:3 .75}"),
             std::string::npos);
 }
 
 TEST(Svg, LinesKnowWhereTheyComeFrom) {
   const Sheet sheet = random_sheet(100, 100, 3);
-  const auto document = parse(to_svg(sheet, {}));
-  std::set<std::string> ids;
-  for (const pugi::xml_node layer : document.child("svg").children("g"))
-    for (const pugi::xml_node path : layer.children("path"))
-      EXPECT_TRUE(ids.insert(path.attribute("id").value()).second);
-  EXPECT_EQ(ids.size(), 7u);
-  const pugi::xml_node second = document.child("svg").child("g").child("path").next_sibling();
-  EXPECT_STREQ(second.attribute("data-edges").value(), "0:1-2");
+  const auto document = parse_svg(to_svg(sheet, {}));
+  const std::vector<pugi::xml_node> layers = layers_of(document);
+  EXPECT_STREQ(layers[0].attribute("data-visible").value(), "0");
+  EXPECT_STREQ(layers[1].attribute("data-visible").value(), "1");
+  EXPECT_STREQ(layers[0].attribute("data-model").value(), "0");
+  const pugi::xml_node second = layers[0].child("path").next_sibling();
+  EXPECT_STREQ(second.attribute("id").value(), "p1");
+  EXPECT_STREQ(second.attribute("data-edge").value(), "1-2");
   EXPECT_STREQ(second.attribute("data-kind").value(), "crease");
-  EXPECT_STREQ(second.attribute("stroke-dasharray").value(), "2.51 0.75");
+  EXPECT_STREQ(second.attribute("stroke-dasharray").value(), "2.51 .75");
+}
+
+TEST(Svg, LinesOfSeveralModelsSayWhichTheyDraw) {
+  Sheet sheet = random_sheet(100, 100, 3);
+  const std::vector<std::string> edges = {"12:0-1 12:1-2", "1:0-1", "1:0-1 12:0-1", "", "no edge"};
+  sheet.layers[0].strokes.assign(edges.size(), sheet.layers[0].strokes[0]);
+  for (std::size_t i = 0; i < edges.size(); ++i) sheet.layers[0].strokes[i].edges = edges[i];
+  const auto document = parse_svg(to_svg(sheet, {}));
+  const pugi::xml_node layer = layers_of(document)[0];
+  EXPECT_FALSE(layer.attribute("data-model"));
+  std::vector<std::string> found;
+  for (const pugi::xml_node path : layer.children("path"))
+    found.push_back(std::string(path.attribute("data-model").value()) + "|" + path.attribute("data-edge").value());
+  EXPECT_EQ(found, (std::vector<std::string>{"12|0-1 1-2", "1|0-1", "|1:0-1 12:0-1", "|", "|no edge"}));
+}
+
+TEST(Svg, HasTheMetadataThatInkscapeShows) {
+  Sheet sheet = random_sheet(100, 100, 1);
+  sheet.title = "Bracket <&";
+  sheet.views = {{"front", "front", "1:2", {0, 0}, {50, 50}}, {"round", "isometric", "", {50, 0}, {99, 50}}};
+  sheet.facts = {{"author", "N. N."}, {"number", "B-7"}, {"scale", "1:2"}};
+  const auto document = parse_svg(to_svg(sheet, {}));
+  const pugi::xml_node svg = document.child("svg");
+  EXPECT_STREQ(svg.child("desc").text().get(), "front 1:2, round (isometric)");
+  const pugi::xml_node work = svg.child("metadata").child("rdf:RDF").child("cc:Work");
+  EXPECT_STREQ(work.child("dc:title").text().get(), "Bracket <&");
+  EXPECT_STREQ(work.child("dc:creator").child("cc:Agent").child("dc:title").text().get(), "N. N.");
+  EXPECT_STREQ(work.child("dc:identifier").text().get(), "B-7");
+  EXPECT_STREQ(work.child("dc:description").text().get(), "front 1:2, round (isometric)\nscale: 1:2");
+}
+
+TEST(Svg, DecimalsAreThoseAskedForAndDoNotAddUp) {
+  Sheet sheet{1000, 1000, "", {{"view/visible", {"visible", 0.5}, {}}}};
+  Stroke stroke;
+  for (int i = 0; i < 5000; ++i) stroke.points.emplace_back(i * 0.1333333, 500 + 100 * std::sin(i * 0.01));
+  sheet.layers[0].strokes.push_back(stroke);
+  for (const auto& [decimals, most] : {std::pair{1, 0.0708}, {3, 0.000708}, {4, 0.0000758}, {5, 0.0000121}}) {
+    const auto document = parse_svg(to_svg(sheet, {false, 300, decimals}));
+    const double error = largest_error(sheet.layers[0].strokes, ink_of(layers_of(document)[0], 1000));
+    EXPECT_LT(error, most) << decimals;
+    EXPECT_GT(error, most / 4) << decimals;
+  }
 }
 
 TEST(Svg, DashesStandOnlyWhereTheyDiffer) {
@@ -92,8 +117,8 @@ TEST(Svg, DashesStandOnlyWhereTheyDiffer) {
   std::vector<Stroke>& strokes = sheet.layers[0].strokes;
   strokes[0].dashes.dash = 3;  // as the style says
   strokes[1].dashes.dash = 0;  // continuous
-  const auto document = parse(to_svg(sheet, {}));
-  const pugi::xml_node first = document.child("svg").child("g").child("path");
+  const auto document = parse_svg(to_svg(sheet, {}));
+  const pugi::xml_node first = layers_of(document)[0].child("path");
   EXPECT_FALSE(first.attribute("stroke-dasharray"));
   EXPECT_STREQ(first.next_sibling().attribute("stroke-dasharray").value(), "none");
 }
@@ -111,10 +136,10 @@ TEST(Svg, PointsAndClosedLinesKeepTheirPlaceAmongManyOthers) {
     stroke.closed = i % 10 == 0;
     strokes.push_back(stroke);
   }
-  const auto document = parse(to_svg(sheet, {}));
+  const auto document = parse_svg(to_svg(sheet, {}));
   std::size_t i = 0;
-  for (const pugi::xml_node path : document.child("svg").child("g").children("path")) {
-    const std::vector<Ink> ink = ink_of(path.attribute("d").value(), 100);
+  for (const pugi::xml_node path : layers_of(document)[0].children("path")) {
+    const std::vector<Ink> ink = SvgPathReader(path.attribute("d").value(), 100).lines();
     ASSERT_EQ(ink.size(), 1u) << i;
     EXPECT_LT(glm::distance(ink[0].points.front(), strokes[i].points.front()), tolerance) << i;
     EXPECT_LT(glm::distance(ink[0].points.back(), strokes[i].points.back()), tolerance) << i;
@@ -129,8 +154,8 @@ TEST(Svg, PlainHasOnePathForEachPatternAndNoOrigin) {
   for (std::size_t i = 0; i < 8; ++i) sheet.layers[0].strokes[i].dashes.dash = i < 4 ? 3 : 2.5;
   const std::string svg = to_svg(sheet, {true});
   EXPECT_EQ(svg.find("data-"), std::string::npos);
-  const auto document = parse(svg);
-  const pugi::xml_node hidden = document.child("svg").child("g");
+  const auto document = parse_svg(svg);
+  const pugi::xml_node hidden = layers_of(document)[0];
   EXPECT_EQ(std::distance(hidden.begin(), hidden.end()), 2);
   EXPECT_LT(largest_error(sheet.layers[0].strokes, ink_of(hidden, 100)), tolerance);
   const pugi::xml_node visible = hidden.next_sibling();
@@ -145,8 +170,8 @@ TEST(Svg, PlainKeepsPathsShort) {
     for (int k = 0; k < 300; ++k) stroke.points.emplace_back(i + k % 7 / 3.0, k / 3.3);
     sheet.layers[0].strokes.push_back(stroke);
   }
-  const auto document = parse(to_svg(sheet, {true}));
-  const pugi::xml_node layer = document.child("svg").child("g");
+  const auto document = parse_svg(to_svg(sheet, {true}));
+  const pugi::xml_node layer = layers_of(document)[0];
   for (const pugi::xml_node path : layer.children("path"))
     EXPECT_LT(std::string_view(path.attribute("d").value()).size(), 100'000U);
   EXPECT_EQ(std::distance(layer.begin(), layer.end()), 5);
@@ -160,11 +185,11 @@ TEST(Svg, TextCannotBreakOut) {
   sheet.layers[0].strokes[0].edges = "\"/><script/>";
   const std::string svg = to_svg(sheet, {});
   EXPECT_EQ(svg.find("<script"), std::string::npos);
-  const auto document = parse(svg);
+  const auto document = parse_svg(svg);
   EXPECT_STREQ(document.child("svg").child("title").text().get(), "<script>&\"'   \xEF\xBF\xBD </title>\xC3\xA9");
-  const pugi::xml_node layer = document.child("svg").child("g");
-  EXPECT_EQ(layer.attribute("inkscape:label").value(), sheet.layers[0].name);
-  EXPECT_EQ(layer.child("path").attribute("data-edges").value(), sheet.layers[0].strokes[0].edges);
+  const pugi::xml_node layer = layers_of(document)[0];
+  EXPECT_STREQ(layer.parent().attribute("inkscape:label").value(), "\"><script>");
+  EXPECT_EQ(layer.child("path").attribute("data-edge").value(), sheet.layers[0].strokes[0].edges);
 }
 
 TEST(Svg, DotsTouchingLinesAndInkBesideTheSheetStay) {
@@ -176,14 +201,14 @@ TEST(Svg, DotsTouchingLinesAndInkBesideTheSheetStay) {
   add({{50, 50}, {50, 50}}, false);
   add({{-300, -200}, {-310, -200.5}}, false);
   add({{1000, 50}, {1010, 51}, {1010, 60}}, true);
-  const auto document = parse(to_svg(sheet, {}));
-  EXPECT_LT(largest_error(strokes, ink_of(document.child("svg").child("g").next_sibling(), 100)), tolerance);
+  const auto document = parse_svg(to_svg(sheet, {}));
+  EXPECT_LT(largest_error(strokes, ink_of(layers_of(document)[1], 100)), tolerance);
 }
 
 TEST(Svg, AnEmptySheetIsADocument) {
-  const auto document = parse(to_svg({10, 10, "", {{"v/visible", {"visible", 0.5}, {}}}}, {}));
-  EXPECT_TRUE(document.child("svg").child("g"));
-  EXPECT_TRUE(parse(to_svg({10, 10, "", {}}, {})).child("svg"));
+  const auto document = parse_svg(to_svg({10, 10, "", {{"v/visible", {"visible", 0.5}, {}}}}, {}));
+  EXPECT_EQ(layers_of(document).size(), 1u);
+  EXPECT_TRUE(parse_svg(to_svg({10, 10, "", {}}, {})).child("svg"));
 }
 
 }  // namespace

@@ -1,0 +1,140 @@
+// DXF: the shapes, fills and texts of a sheet as entities in millimetres.
+#include <cmath>
+#include <cstddef>
+#include <string_view>
+#include <variant>
+
+#include "base/error.hpp"
+#include "output/dxf_shapes.hpp"
+#include "output/dxf_tables.hpp"
+#include "output/dxf_writer.hpp"
+#include "output/write.hpp"
+
+namespace epura {
+
+namespace {
+
+constexpr double degrees = 180 / 3.14159265358979323846;
+
+/// Where an entity belongs, and how it looks.
+struct Place {
+  int model_space;
+  const std::string& layer;
+  bool dashed;      ///< the layer's line type is
+  bool continuous;  ///< this line is, whatever its layer says
+};
+
+void begin_entity(DxfWriter& dxf, const Place& place, std::string_view type, std::string_view entity_class) {
+  dxf.begin(type, place.model_space, "AcDbEntity");
+  dxf.add(8, place.layer);
+  if (place.dashed && place.continuous) dxf.add(6, "CONTINUOUS");
+  dxf.add(100, entity_class);
+}
+
+void add_shape(DxfWriter& dxf, const Place& place, const BulgedLine& line) {
+  const auto& corners = line.corners;
+  if (corners.size() == 2 && !line.closed && corners[0].bulge == 0) {
+    begin_entity(dxf, place, "LINE", "AcDbLine");
+    dxf.add(10, corners[0].at);
+    dxf.add(11, corners[1].at);
+    return;
+  }
+  constexpr int is_closed = 1, dashes_run_through_corners = 128;
+  begin_entity(dxf, place, "LWPOLYLINE", "AcDbPolyline");
+  dxf.add(90, static_cast<int>(corners.size()));
+  dxf.add(70, (line.closed ? is_closed : 0) + (place.dashed ? dashes_run_through_corners : 0));
+  for (const BulgedCorner& corner : corners) {
+    dxf.add(10, corner.at);
+    if (corner.bulge != 0) dxf.add(42, corner.bulge);
+  }
+}
+
+void add_circle(DxfWriter& dxf, const Place& place, const EllipseArc& arc) {
+  begin_entity(dxf, place, arc.whole() ? "CIRCLE" : "ARC", "AcDbCircle");
+  dxf.add(10, arc.centre);
+  dxf.add(40, glm::length(arc.major));
+  if (arc.whole()) return;
+  const double turned = std::atan2(arc.major.y, arc.major.x);
+  dxf.add(100, "AcDbArc");
+  dxf.add(50, (turned + arc.from) * degrees);
+  dxf.add(51, (turned + arc.to) * degrees);
+}
+
+void add_shape(DxfWriter& dxf, const Place& place, const EllipseArc& arc) {
+  if (arc.ratio == 1) return add_circle(dxf, place, arc);
+  begin_entity(dxf, place, "ELLIPSE", "AcDbEllipse");
+  dxf.add(10, arc.centre);
+  dxf.add(30, 0);
+  dxf.add(11, arc.major);
+  dxf.add(31, 0);
+  dxf.add(40, arc.ratio);
+  dxf.add(41, arc.whole() ? 0 : arc.from);
+  dxf.add(42, arc.whole() ? 360 / degrees : arc.to);
+}
+
+// One hatch, whose rings are filled by the even-odd rule.
+void add_fill(DxfWriter& dxf, const Place& place, const Fill& fill) {
+  begin_entity(dxf, place, "HATCH", "AcDbHatch");
+  dxf.add(10, Vec2(0, 0));
+  dxf.add(30, 0);
+  dxf.add(210, Vec2(0, 0));
+  dxf.add(230, 1);
+  dxf.add(2, "SOLID");
+  dxf.add(70, 1);
+  dxf.add(71, 0);
+  dxf.add(91, static_cast<int>(fill.rings.size()));
+  for (const auto& ring : fill.rings) {
+    dxf.add(92, 3);  // a polyline, and external
+    dxf.add(72, 0);  // without bulges
+    dxf.add(73, 1);  // closed
+    dxf.add(93, static_cast<int>(ring.size()));
+    for (const Vec2& p : ring) dxf.add(10, p);
+    dxf.add(97, 0);
+  }
+  dxf.add(75, 0);  // even-odd
+  dxf.add(76, 1);
+  dxf.add(98, 0);
+}
+
+void add_text(DxfWriter& dxf, const Place& place, const Text& text) {
+  begin_entity(dxf, place, "TEXT", "AcDbText");
+  dxf.add(10, text.at);
+  dxf.add(40, text.height);
+  dxf.add(1, dxf_text(text.text));
+  dxf.add(50, text.angle);
+  dxf.add(7, dxf_text_style);
+  dxf.add(72, static_cast<int>(text.align));
+  if (text.align != Align::left) dxf.add(11, text.at);
+  dxf.add(100, "AcDbText");
+}
+
+void add_layer(DxfWriter& dxf, int model_space, const std::string& name, const Layer& layer) {
+  const bool dashed = layer.style.dashes.dash > 0;
+  for (const Fill& fill : layer.fills)
+    if (!fill.rings.empty()) add_fill(dxf, {model_space, name, false, true}, fill);
+  for (const Stroke& stroke : layer.strokes) {
+    if (stroke.points.size() < 2) continue;
+    const Place place{model_space, name, dashed, !(stroke.dashes.dash > 0) && stroke.pattern.empty()};
+    for (const DxfShape& shape : dxf_shapes(stroke))
+      std::visit([&](const auto& kind) { add_shape(dxf, place, kind); }, shape);
+  }
+  for (const Text& text : layer.texts) add_text(dxf, {model_space, name, false, true}, text);
+}
+
+}  // namespace
+
+std::string to_dxf(const Sheet& sheet) {
+  std::vector<std::string> names;
+  for (const Layer& layer : sheet.layers) names.push_back(layer.name);
+  names = dxf_names(names, {"0"});
+  DxfWriter dxf;
+  const int model_space = add_dxf_tables(dxf, sheet, names);
+  dxf.add(0, "SECTION");
+  dxf.add(2, "ENTITIES");
+  for (std::size_t i = 0; i < names.size(); ++i) add_layer(dxf, model_space, names[i], sheet.layers[i]);
+  dxf.add(0, "ENDSEC");
+  add_dxf_objects(dxf);
+  return dxf_header(sheet, dxf.handles()) + dxf.take();
+}
+
+}  // namespace epura

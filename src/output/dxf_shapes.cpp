@@ -1,0 +1,92 @@
+#include "output/dxf_shapes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <utility>
+
+namespace epura {
+
+namespace {
+
+constexpr double full_turn = 2 * std::numbers::pi;
+constexpr double slack = 1e-9;  // of angles and ratios, which are computed
+
+double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
+
+bool is_circle(const CurvePart& curve) {
+  const double u = glm::length(curve.u), v = glm::length(curve.v);
+  return std::abs(u - v) <= slack * std::max(u, v);
+}
+
+Vec2 point_at(const CurvePart& curve, double angle) {
+  return curve.centre + std::cos(angle) * curve.u + std::sin(angle) * curve.v;
+}
+
+// With v to the left of u, u the longer half axis, and angles that grow.
+EllipseArc arc_of(CurvePart curve) {
+  if (cross(curve.u, curve.v) < 0) {
+    curve.v = -curve.v;
+    curve.from = -curve.from;
+    curve.to = -curve.to;
+  }
+  if (glm::length(curve.v) > glm::length(curve.u) && !is_circle(curve)) {
+    curve.u = std::exchange(curve.v, -curve.u);
+    curve.from -= full_turn / 4;
+    curve.to -= full_turn / 4;
+  }
+  if (curve.to < curve.from) std::swap(curve.from, curve.to);
+  const double ratio = is_circle(curve) ? 1 : glm::length(curve.v) / glm::length(curve.u);
+  return {curve.centre, curve.u, ratio, curve.from, curve.to};
+}
+
+// Arcs of a quarter turn at most: bulges grow without bounds towards a full turn.
+void add_bulges(BulgedLine& line, const Vec2& start, const CurvePart& curve) {
+  const double sweep = cross(curve.u, curve.v) < 0 ? curve.from - curve.to : curve.to - curve.from;
+  const int pieces = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / (full_turn / 4) - slack)));
+  const double bulge = std::tan(sweep / pieces / 4);
+  for (int i = 0; i < pieces; ++i)
+    line.corners.push_back(
+        {i == 0 ? start : point_at(curve, curve.from + (curve.to - curve.from) * i / pieces), bulge});
+}
+
+void add_line(std::vector<DxfShape>& shapes, BulgedLine& line) {
+  if (line.corners.size() > 1) shapes.emplace_back(std::move(line));
+  line = {};
+}
+
+}  // namespace
+
+bool EllipseArc::whole() const { return to - from >= full_turn - slack; }
+
+std::vector<DxfShape> dxf_shapes(const Stroke& stroke) {
+  const int count = static_cast<int>(stroke.points.size());
+  const auto point = [&](int i) { return stroke.points[static_cast<std::size_t>(i % count)]; };
+  const auto& curves = stroke.curves;
+  const int start = stroke.closed && !curves.empty() ? curves.front().first : 0;
+  const int end = stroke.closed ? start + count : count - 1;
+  if (curves.size() == 1 && curves[0].first == start && curves[0].last == end) return {arc_of(curves[0])};
+
+  std::vector<DxfShape> shapes;
+  BulgedLine line;
+  int here = start;
+  for (const CurvePart& curve : curves) {
+    for (; here < curve.first; ++here) line.corners.push_back({point(here)});
+    if (is_circle(curve)) {
+      add_bulges(line, point(here), curve);
+    } else {
+      line.corners.push_back({point(here)});
+      add_line(shapes, line);
+      shapes.emplace_back(arc_of(curve));
+    }
+    here = curve.last;
+  }
+  for (; here < end; ++here) line.corners.push_back({point(here)});
+  line.closed = stroke.closed && shapes.empty();
+  if (!line.closed) line.corners.push_back({point(end)});
+  add_line(shapes, line);
+  return shapes;
+}
+
+}  // namespace epura

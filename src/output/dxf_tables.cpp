@@ -1,0 +1,256 @@
+#include "output/dxf_tables.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string_view>
+#include <utility>
+
+namespace epura {
+
+namespace {
+
+// Calls `add_entries` with the handle of the table, which owns them.
+template <class AddEntries>
+void add_table(DxfWriter& dxf, std::string_view name, std::size_t entries, const AddEntries& add_entries) {
+  dxf.add(0, "TABLE");
+  dxf.add(2, name);
+  const int table = dxf.next_handle();
+  dxf.add_handle(5, table);
+  dxf.add_handle(330, 0);
+  dxf.add(100, "AcDbSymbolTable");
+  dxf.add(70, static_cast<int>(entries));
+  if (name == "DIMSTYLE") dxf.add(100, "AcDbDimStyleTable");
+  add_entries(table);
+  dxf.add(0, "ENDTAB");
+}
+
+int begin_entry(DxfWriter& dxf, std::string_view type, int table, std::string_view second_class,
+                std::string_view name) {
+  const int handle = dxf.begin(type, table, "AcDbSymbolTableRecord", second_class);
+  dxf.add(2, name);
+  dxf.add(70, 0);
+  return handle;
+}
+
+// The whole sheet in the window.
+void add_viewports(DxfWriter& dxf, const Sheet& sheet) {
+  add_table(dxf, "VPORT", 1, [&](int table) {
+    begin_entry(dxf, "VPORT", table, "AcDbViewportTableRecord", "*ACTIVE");
+    dxf.add(10, Vec2(0, 0));
+    dxf.add(11, Vec2(1, 1));
+    dxf.add(12, Vec2(sheet.width, sheet.height) * 0.5);
+    dxf.add(40, std::max({sheet.height, sheet.width / 1.5, 1.0}) * 1.05);
+    dxf.add(41, 1.5);
+  });
+}
+
+// Line types, by their dots, under names that all programs know.
+constexpr std::array<std::string_view, 3> pattern_names = {"DASHED", "DASHDOT", "DIVIDE"};
+
+struct LineType {
+  Dashes dashes;
+  std::string name;
+};
+
+// One for each pattern of the sheet, finest first. The second of one kind is in AutoCAD's words twice as long, as that
+// of wide lines is.
+std::vector<LineType> line_types(const Sheet& sheet) {
+  std::vector<LineType> types;
+  for (const Layer& layer : sheet.layers) {
+    const Dashes& dashes = layer.style.dashes;
+    const auto same = [&](const LineType& type) { return type.dashes == dashes; };
+    if (dashes.dash > 0 && std::none_of(types.begin(), types.end(), same)) types.push_back({dashes, {}});
+  }
+  std::stable_sort(types.begin(), types.end(), [](const LineType& a, const LineType& b) {
+    return std::pair(a.dashes.dots, a.dashes.dash) < std::pair(b.dashes.dots, b.dashes.dash);
+  });
+  std::array<int, pattern_names.size()> named{};
+  for (LineType& type : types) {
+    const std::size_t kind = std::min(static_cast<std::size_t>(type.dashes.dots), pattern_names.size() - 1);
+    const int number = ++named[kind];
+    type.name = pattern_names[kind];
+    if (number > 1) type.name += number == 2 ? "X2" : std::to_string(number);
+  }
+  return types;
+}
+
+std::string line_type_of(const std::vector<LineType>& types, const Dashes& dashes) {
+  for (const LineType& type : types)
+    if (type.dashes == dashes) return type.name;
+  return "CONTINUOUS";
+}
+
+void add_line_type(DxfWriter& dxf, int table, std::string_view name, std::string_view remark,
+                   const std::vector<double>& lengths) {
+  begin_entry(dxf, "LTYPE", table, "AcDbLinetypeTableRecord", name);
+  dxf.add(3, remark);
+  dxf.add(72, 65);
+  dxf.add(73, static_cast<int>(lengths.size()));
+  double period = 0;
+  for (const double length : lengths) period += std::abs(length);
+  dxf.add(40, period);
+  for (const double length : lengths) {
+    dxf.add(49, length);
+    dxf.add(74, 0);
+  }
+}
+
+// Gaps are negative.
+std::vector<double> lengths_of(const Dashes& dashes) {
+  std::vector<double> lengths = {dashes.dash, -dashes.gap};
+  for (int i = 0; i < dashes.dots; ++i) lengths.insert(lengths.end(), {dashes.dot, -dashes.gap});
+  return lengths;
+}
+
+void add_line_types(DxfWriter& dxf, const std::vector<LineType>& types) {
+  add_table(dxf, "LTYPE", types.size() + 3, [&](int table) {
+    for (const char* name : {"BYBLOCK", "BYLAYER", "CONTINUOUS"}) add_line_type(dxf, table, name, "", {});
+    for (const LineType& type : types) add_line_type(dxf, table, type.name, "ISO 128-2", lengths_of(type.dashes));
+  });
+}
+
+// Hundredths of a millimetre. DXF knows these only.
+int line_weight(double width) {
+  constexpr std::array weights = {0,  5,  9,  13, 15, 18,  20,  25,  30,  35,  40,  50,
+                                  53, 60, 70, 80, 90, 100, 106, 120, 140, 158, 200, 211};
+  const auto distance = [&](int weight) { return std::abs(weight - 100 * width); };
+  return *std::min_element(weights.begin(), weights.end(), [&](int a, int b) { return distance(a) < distance(b); });
+}
+
+void add_layer(DxfWriter& dxf, int table, std::string_view name, std::string_view line_type, int weight) {
+  begin_entry(dxf, "LAYER", table, "AcDbLayerTableRecord", name);
+  dxf.add(62, 7);  // black on white, white on black
+  dxf.add(6, line_type);
+  dxf.add(370, weight);
+}
+
+void add_layers(DxfWriter& dxf, const Sheet& sheet, const std::vector<std::string>& names,
+                const std::vector<LineType>& types) {
+  add_table(dxf, "LAYER", names.size() + 1, [&](int table) {
+    add_layer(dxf, table, "0", "CONTINUOUS", 25);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      const LineStyle& style = sheet.layers[i].style;
+      add_layer(dxf, table, names[i], line_type_of(types, style.dashes), line_weight(style.width));
+    }
+  });
+}
+
+void add_text_styles(DxfWriter& dxf) {
+  const auto add = [&](int table, std::string_view name, std::string_view font) {
+    begin_entry(dxf, "STYLE", table, "AcDbTextStyleTableRecord", name);
+    dxf.add(40, 0);  // each text has its own height
+    dxf.add(41, 1);
+    dxf.add(50, 0);
+    dxf.add(71, 0);
+    dxf.add(42, 3.5);
+    dxf.add(3, font);
+    dxf.add(4, "");
+  };
+  add_table(dxf, "STYLE", 2, [&](int table) {
+    add(table, "STANDARD", "txt");
+    add(table, dxf_text_style, "osifont.ttf");
+  });
+}
+
+constexpr std::array<std::string_view, 2> blocks = {"*Model_Space", "*Paper_Space"};
+
+// The handle of the model space.
+int add_block_records(DxfWriter& dxf) {
+  int model_space = 0;
+  add_table(dxf, "BLOCK_RECORD", blocks.size(), [&](int table) {
+    for (const std::string_view name : blocks) {
+      const int handle = dxf.begin("BLOCK_RECORD", table, "AcDbSymbolTableRecord", "AcDbBlockTableRecord");
+      dxf.add(2, name);
+      if (model_space == 0) model_space = handle;
+    }
+  });
+  return model_space;
+}
+
+void add_blocks(DxfWriter& dxf, int model_space) {
+  dxf.add(0, "SECTION");
+  dxf.add(2, "BLOCKS");
+  for (const std::string_view name : blocks) {
+    const int owner = model_space + static_cast<int>(&name - blocks.data());
+    dxf.begin("BLOCK", owner, "AcDbEntity");
+    dxf.add(8, "0");
+    dxf.add(100, "AcDbBlockBegin");
+    dxf.add(2, name);
+    dxf.add(70, 0);
+    dxf.add(10, Vec2(0, 0));
+    dxf.add(30, 0);
+    dxf.add(3, name);
+    dxf.add(1, "");
+    dxf.begin("ENDBLK", owner, "AcDbEntity");
+    dxf.add(8, "0");
+    dxf.add(100, "AcDbBlockEnd");
+  }
+  dxf.add(0, "ENDSEC");
+}
+
+}  // namespace
+
+int add_dxf_tables(DxfWriter& dxf, const Sheet& sheet, const std::vector<std::string>& layers) {
+  const std::vector<LineType> types = line_types(sheet);
+  dxf.add(0, "SECTION");
+  dxf.add(2, "TABLES");
+  add_viewports(dxf, sheet);
+  add_line_types(dxf, types);
+  add_layers(dxf, sheet, layers, types);
+  add_text_styles(dxf);
+  for (const char* empty : {"VIEW", "UCS"}) add_table(dxf, empty, 0, [](int) {});
+  add_table(dxf, "APPID", 1, [&](int table) { begin_entry(dxf, "APPID", table, "AcDbRegAppTableRecord", "ACAD"); });
+  add_table(dxf, "DIMSTYLE", 1,
+            [&](int table) { begin_entry(dxf, "DIMSTYLE", table, "AcDbDimStyleTableRecord", "STANDARD"); });
+  const int model_space = add_block_records(dxf);
+  dxf.add(0, "ENDSEC");
+  add_blocks(dxf, model_space);
+  return model_space;
+}
+
+void add_dxf_objects(DxfWriter& dxf) {
+  dxf.add(0, "SECTION");
+  dxf.add(2, "OBJECTS");
+  const int root = dxf.begin("DICTIONARY", 0, "AcDbDictionary");
+  dxf.add(281, 1);
+  dxf.add(3, "ACAD_GROUP");
+  dxf.add_handle(350, root + 1);
+  dxf.begin("DICTIONARY", root, "AcDbDictionary");
+  dxf.add(281, 1);
+  dxf.add(0, "ENDSEC");
+  dxf.add(0, "EOF");
+}
+
+std::string dxf_header(const Sheet& sheet, int handles) {
+  DxfWriter dxf;
+  dxf.add(999, "epura");
+  if (!sheet.title.empty()) dxf.add(999, dxf_text(sheet.title));
+  dxf.add(0, "SECTION");
+  dxf.add(2, "HEADER");
+  const auto variable = [&](std::string_view name, int code, const auto& value) {
+    dxf.add(9, name);
+    dxf.add(code, value);
+  };
+  variable("$ACADVER", 1, "AC1015");
+  variable("$DWGCODEPAGE", 3, "ANSI_1252");
+  variable("$EXTMIN", 10, Vec2(0, 0));
+  dxf.add(30, 0);
+  variable("$EXTMAX", 10, Vec2(sheet.width, sheet.height));
+  dxf.add(30, 0);
+  variable("$LIMMIN", 10, Vec2(0, 0));
+  variable("$LIMMAX", 10, Vec2(sheet.width, sheet.height));
+  variable("$LTSCALE", 40, 1.0);
+  variable("$CELTSCALE", 40, 1.0);
+  variable("$MEASUREMENT", 70, 1);  // metric
+  variable("$INSUNITS", 70, 4);     // millimetres
+  variable("$LUNITS", 70, 2);       // decimal
+  variable("$LWDISPLAY", 290, 1);
+  dxf.add(9, "$HANDSEED");
+  dxf.add_handle(5, handles + 1);
+  dxf.add(0, "ENDSEC");
+  return dxf.take();
+}
+
+}  // namespace epura

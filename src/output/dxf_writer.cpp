@@ -1,0 +1,130 @@
+#include "output/dxf_writer.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <set>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "base/utf8.hpp"
+
+namespace epura {
+
+namespace {
+
+constexpr char32_t replacement = 0xFFFD;
+
+// No more of them than `most`.
+std::u32string beginning(std::string_view text, std::size_t most) {
+  const std::vector<char32_t> all = characters(text);
+  return {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(std::min(all.size(), most))};
+}
+
+std::string hexadecimal(unsigned value) {
+  std::array<char, 8> digits{};
+  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), value, 16);
+  std::string text(digits.data(), end);
+  for (char& c : text)
+    if (c >= 'a') c = static_cast<char>(c - 'a' + 'A');
+  return text;
+}
+
+void append_escape(std::string& text, char32_t character) {
+  const std::string digits = hexadecimal(character > 0xFFFF ? replacement : character);
+  text += "\\U+" + std::string(4 - digits.size(), '0') + digits;
+}
+
+std::string clean_name(std::string_view name) {
+  constexpr std::u32string_view forbidden = U"<>/\\\":;?*|=,'`^%";
+  std::u32string kept = beginning(name, 200);
+  const auto first = kept.find_first_not_of(U' ');
+  if (first == std::u32string::npos) return "layer";
+  kept = kept.substr(first, kept.find_last_not_of(U' ') - first + 1);
+  std::string clean;
+  for (const char32_t c : kept) {
+    if (c > '~') {
+      append_escape(clean, c);
+    } else {
+      clean += c < ' ' || forbidden.find(c) != std::u32string_view::npos ? '-' : static_cast<char>(c);
+    }
+  }
+  return clean;
+}
+
+}  // namespace
+
+void DxfWriter::add_code(int code) {
+  text_ += std::to_string(code);
+  text_ += '\n';
+}
+
+void DxfWriter::add(int code, std::string_view text) {
+  add_code(code);
+  text_.append(text);
+  text_ += '\n';
+}
+
+void DxfWriter::add(int code, int value) { add(code, std::string_view(std::to_string(value))); }
+
+void DxfWriter::add(int code, double value) {
+  check(std::isfinite(value), "a line of a DXF file leads to infinity");
+  add_code(code);
+  append_number(text_, value);
+  text_ += '\n';
+}
+
+void DxfWriter::add(int code, const Vec2& point) {
+  add(code, point.x);
+  add(code + 10, point.y);
+}
+
+void DxfWriter::add_handle(int code, int handle) {
+  add(code, std::string_view(hexadecimal(static_cast<unsigned>(handle))));
+}
+
+int DxfWriter::begin(std::string_view type, int owner, std::string_view first_class, std::string_view second_class) {
+  const int handle = next_handle();
+  add(0, type);
+  add_handle(type == "DIMSTYLE" ? 105 : 5, handle);  // 5 is the name of a block there
+  add_handle(330, owner);
+  add(100, first_class);
+  if (!second_class.empty()) add(100, second_class);
+  return handle;
+}
+
+std::string dxf_text(std::string_view text) {
+  std::string line;
+  char32_t previous = 0;
+  for (const char32_t c : beginning(text, 256)) {
+    if (c > '~' || c == '\\') {
+      append_escape(line, c);
+    } else if (c == '^') {
+      line += "^ ";
+    } else if (c == '%' && previous == '%') {
+      line += "%%%";
+    } else {
+      line += c < ' ' ? ' ' : static_cast<char>(c);
+    }
+    previous = c;
+  }
+  return line;
+}
+
+std::vector<std::string> dxf_names(const std::vector<std::string>& names, const std::vector<std::string>& taken) {
+  std::set<std::string> used;
+  for (const std::string& name : taken) used.insert(to_lower(name));
+  std::vector<std::string> clean;
+  for (const std::string& name : names) {
+    const std::string wanted = clean_name(name);
+    std::string unique = wanted;
+    for (int number = 2; !used.insert(to_lower(unique)).second; ++number)
+      unique = wanted + "-" + std::to_string(number);
+    clean.push_back(unique);
+  }
+  return clean;
+}
+
+}  // namespace epura

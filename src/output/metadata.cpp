@@ -1,0 +1,22 @@
+#include "output/metadata.hpp"
+
+namespace epura {
+
+std::string fact_of(const Sheet& sheet, std::string_view name) {
+  for (const auto& [fact, value] : sheet.facts)
+    if (fact == name) return value;
+  return {};
+}
+
+std::string description_of(const Sheet& sheet) {
+  std::string text;
+  for (const ViewFrame& view : sheet.views) {
+    if (!text.empty()) text += ", ";
+    text += view.name;
+    if (!view.projection.empty() && view.projection != view.name) text += " (" + view.projection + ")";
+    if (!view.scale.empty()) text += " " + view.scale;
+  }
+  return text;
+}
+
+}  // namespace epura

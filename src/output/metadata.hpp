@@ -1,0 +1,17 @@
+// What a file says of its sheet beside the lines.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "sheet/sheet.hpp"
+
+namespace epura {
+
+/// The value of a fact; empty where there is none.
+std::string fact_of(const Sheet& sheet, std::string_view name);
+
+/// The views in words: "front 1:2, axonometric (isometric) 1:5".
+std::string description_of(const Sheet& sheet);
+
+}  // namespace epura

@@ -1,0 +1,78 @@
+#include "output/svg_path_text.hpp"
+
+#include <cmath>
+#include <cstddef>
+
+#include "base/text.hpp"
+
+namespace epura {
+
+SvgPathText::SvgPathText(std::string& text, int decimals)
+    : text_(text), decimals_(decimals), parts_(std::pow(10, decimals)) {}
+
+void SvgPathText::move(const Vec2& point) {
+  here_ = round(point);
+  command_ = 0;
+  command('M');
+  number(here_[0]);
+  number(here_[1]);
+}
+
+void SvgPathText::line(const Vec2& point) {
+  const Rounded next = round(point);
+  const Rounded way = {next[0] - here_[0], next[1] - here_[1]};
+  here_ = next;
+  command(way[1] == 0 ? 'h' : way[0] == 0 ? 'v' : 'l');
+  if (command_ != 'v') number(way[0]);
+  if (command_ != 'h') number(way[1]);
+}
+
+void SvgPathText::curve(const Vec2& control, const Vec2& end) {
+  const Rounded by = round(control), next = round(end);
+  command('q');
+  number(by[0] - here_[0]);
+  number(by[1] - here_[1]);
+  number(next[0] - here_[0]);
+  number(next[1] - here_[1]);
+  here_ = next;
+}
+
+void SvgPathText::arc(const Vec2& radii, double turn, bool clockwise, const Vec2& end) {
+  // Turns are written finer than lengths: they act at the end of a radius.
+  constexpr int decimals_of_degree = 6;
+  command('A');
+  for (const long long radius : round(radii)) number(radius);
+  append_short(text_ += ' ', turn, decimals_of_degree);
+  text_ += clockwise ? " 0 1" : " 0 0";
+  here_ = round(end);
+  for (const long long place : here_) number(place);
+}
+
+void SvgPathText::close() { command('Z'); }
+
+SvgPathText::Rounded SvgPathText::round(const Vec2& point) const {
+  return {std::llround(point.x * parts_), std::llround(point.y * parts_)};
+}
+
+void SvgPathText::command(char letter) {
+  if (letter == command_) return;
+  text_ += letter;
+  command_ = letter;
+  after_number_ = false;
+}
+
+// A sign separates numbers as well as a space does.
+void SvgPathText::number(long long rounded) {
+  if (after_number_ && rounded >= 0) text_ += ' ';
+  append_short(text_, static_cast<double>(rounded) / parts_, decimals_);
+  after_number_ = true;
+}
+
+void append_short(std::string& text, double value, int decimals) {
+  const std::size_t begin = text.size();
+  append_fixed(text, value, decimals);
+  const std::size_t first = begin + (text[begin] == '-' ? 1 : 0);
+  if (text.compare(first, 2, "0.") == 0) text.erase(first, 1);
+}
+
+}  // namespace epura

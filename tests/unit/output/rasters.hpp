@@ -1,0 +1,88 @@
+// Files drawn by the programs that people look at them with, as pixels.
+#pragma once
+
+#include <cairo.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "base/text.hpp"
+#include "folder.hpp"
+#include "output/canvas.hpp"
+#include "output/write.hpp"
+
+namespace epura {
+
+/// What a command prints. Its failure is one of the test.
+inline std::string run(const std::string& command) {
+  std::string text;
+  FILE* pipe = ::popen(command.c_str(), "r");
+  std::array<char, 4096> buffer{};
+  for (std::size_t n = 0; (n = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) text.append(buffer.data(), n);
+  EXPECT_EQ(::pclose(pipe), 0) << command << "\n" << text;
+  return text;
+}
+
+inline bool is_installed(const std::string& program) {
+  return std::system(("command -v " + program + " >/dev/null").c_str()) == 0;
+}
+
+/// Shades from 0, black, to 255.
+struct Picture {
+  int width = 0, height = 0;
+  std::vector<int> grey;
+};
+
+inline Picture read_png(const std::filesystem::path& file) {
+  const CairoSurface image(cairo_image_surface_create_from_png(file.c_str()));
+  Picture picture{cairo_image_surface_get_width(image.get()), cairo_image_surface_get_height(image.get()), {}};
+  const unsigned char* rows = cairo_image_surface_get_data(image.get());
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x)
+      picture.grey.push_back(rows[y * cairo_image_surface_get_stride(image.get()) + 4 * x]);
+  return picture;
+}
+
+/// Share of pixels that differ by more than three quarters of black; 1 when the sizes do.
+inline double difference(const Picture& a, const Picture& b) {
+  // Sizes are rounded one way or the other.
+  if (std::abs(a.width - b.width) > 1 || std::abs(a.height - b.height) > 1) return 1;
+  double differing = 0;
+  for (int y = 0; y < std::min(a.height, b.height); ++y)
+    for (int x = 0; x < std::min(a.width, b.width); ++x) {
+      const auto shade = [&](const Picture& p) { return p.grey[static_cast<std::size_t>(y * p.width + x)]; };
+      differing += std::abs(shade(a) - shade(b)) > 192 ? 1 : 0;
+    }
+  return differing / static_cast<double>(a.grey.size());
+}
+
+class Rasters : public testing::Test {
+ protected:
+  void write(const std::string& name, const std::string& bytes) const { folder_.file(name, bytes); }
+  [[nodiscard]] std::string path(const std::string& name) const { return "'" + (folder_ / name).string() + "'"; }
+  [[nodiscard]] Picture picture(const std::string& name) const { return read_png(folder_ / name); }
+
+  [[nodiscard]] Picture of_pdf(const Sheet& sheet, double dpi) const {
+    write("sheet.pdf", to_pdf({&sheet}));
+    run("pdftocairo -png -r " + format_number(dpi) + " -singlefile " + path("sheet.pdf") + " " + path("pdf"));
+    return picture("pdf.png");
+  }
+  [[nodiscard]] Picture of_svg(const Sheet& sheet, double dpi) const {
+    write("sheet.svg", to_svg(sheet, {}));
+    const std::string resolution = format_number(dpi);
+    run("rsvg-convert --background-color=white -d " + resolution + " -p " + resolution + " -o " + path("svg.png") +
+        " " + path("sheet.svg"));
+    return picture("svg.png");
+  }
+
+ private:
+  test::Folder folder_;
+};
+
+}  // namespace epura
