@@ -181,9 +181,10 @@ TEST(Curves, LieInPicturesWhereFinePolylinesDo) {
 }
 
 TEST(Curves, AreCurvesInPdfAndPostScript) {
-  const std::string ps = to_ps(sheet_of(true, 24));
+  const Sheet sheet = sheet_of(true, 24);
+  const std::string ps = to_ps({&sheet});
   EXPECT_NE(ps.find(" c\n"), std::string::npos);
-  EXPECT_GT(to_pdf(sheet_of(true, 24)).size(), 1000U);
+  EXPECT_GT(to_pdf({&sheet}).size(), 1000U);
 }
 
 }  // namespace
