@@ -36,8 +36,6 @@ const Content& content_of(const TomlValue& value) {
   return *content;
 }
 
-bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
-
 Given checked_text(const TomlValue& value) {
   const auto& text = content_of<std::string>(value);
   if (std::any_of(text.begin(), text.end(), is_control))

@@ -48,8 +48,13 @@ class Reader {
     std::sort(entries.begin(), entries.end(),
               [](const Entry& a, const Entry& b) { return a.key->source().begin < b.key->source().begin; });
     TomlTable result;
-    for (const auto& [key, node] : entries)
-      result.values.push_back(value(*node, std::string(key->str()), place(file_, key->source().begin)));
+    for (const auto& [key, node] : entries) {
+      const std::string where = place(file_, key->source().begin);
+      const std::string name(key->str());
+      if (name.empty() || std::any_of(name.begin(), name.end(), is_control))
+        throw Error(Trouble::input, where, "a key is empty or has a control character");
+      result.values.push_back(value(*node, name, where));
+    }
     return result;
   }
 
@@ -88,15 +93,20 @@ void refuse_deep_keys(std::string_view text, const std::string& file) {
   }
 }
 
-// Of "Error while parsing string: ...", without what only the library's users can change.
+// Of "Error while parsing string: ...", without what only the library's users can change and without the line breaks
+// of the file.
 std::string sentence_of(const toml::parse_error& error) {
   constexpr std::string_view head = "Error ";
   std::string_view text = error.description();
   if (text.starts_with(head)) text.remove_prefix(head.size());
-  return "is no TOML: " + to_lower(text.substr(0, 1)) + std::string(text.substr(1, text.find(" (TOML_") - 1));
+  std::string sentence = to_lower(text.substr(0, 1)) + std::string(text.substr(1, text.find(" (TOML_") - 1));
+  std::replace_if(sentence.begin(), sentence.end(), is_control, ' ');
+  return "is no TOML: " + sentence;
 }
 
 }  // namespace
+
+bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }
 
 TomlValue read_toml(const std::filesystem::path& path) {
   const std::string file = path.string();

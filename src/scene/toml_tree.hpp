@@ -36,8 +36,12 @@ struct TomlValue {
   TomlContent content;
 };
 
-/// The table that a file is. Throws Error{input} for what cannot be read and is no TOML, with line and column, and for
-/// files that no person writes: larger than 2 MB, or nested deeper than the reader can follow.
+/// Whether it is a line break, a tab, an escape or another control character of ASCII.
+bool is_control(char c);
+
+/// The table that a file is. No key in it is empty or has control characters. Throws Error{input} for what cannot be
+/// read and is no TOML, with line and column, and for files that no person writes: larger than 2 MB, or nested deeper
+/// than the reader can follow.
 TomlValue read_toml(const std::filesystem::path& path);
 
 }  // namespace epura

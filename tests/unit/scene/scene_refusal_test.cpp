@@ -64,6 +64,8 @@ TEST(SceneRefusal, UnknownKeys) {
           {model + "[title_block]\ntitel = 'A'", "4:1: 'titel' is no key of [title_block]", "did you mean 'title'?"},
           {model + "[sheet.title_block]\ntitel = 'A'", "4:1: 'titel' is no key of [sheet.title_block]",
            "did you mean 'title'?"},
+          {model + "[title_block.free]\n\"a\\nb\" = 'A'", "4:1: a key is empty or has a control character", ""},
+          {model + "[title_block.free]\n'' = 'A'", "4:1: a key is empty or has a control character", ""},
           {model + "[title_block.free]\ntitle = 'A'", "4:1: 'title' is no free field", "put it into [title_block]"},
       });
 }
@@ -180,6 +182,7 @@ TEST(SceneRefusal, WhatIsNoToml) {
           {"[[+]]",
            "1:3: is no TOML: while parsing key: expected bare key starting character or string delimiter, saw '+'",
            values},
+          {"a = i\nb", "1:6: is no TOML: while parsing floating-point: expected 'inf', saw 'i '", values},
           {"name 'x'", "1:6: is no TOML: while parsing key-value pair: expected '=', saw '''", values},
           {"a = 'x", "1:7: is no TOML: while parsing string: encountered end-of-file", values},
           {model + "file = 'b'",
