@@ -27,10 +27,12 @@ constexpr double alike_degrees = 10;  // a hatching line so close to an outline 
 constexpr double most_alike = 0.25;   // part of the outlines that may run so
 constexpr double least_ratio = 1.4;   // of two spacings that are told apart
 
-/// In order of preference; the factor is of the spacing.
+/// In order of preference; the factor is of the spacing. Where the first few do not tell a part from its neighbours by
+/// angle, spacing has to.
 struct Variant {
   double angle, factor;
 };
+constexpr int usual_variants = 2;
 constexpr std::array<Variant, 14> variants = {{{45, 1},
                                                {135, 1},
                                                {45, 1.6},
@@ -214,6 +216,28 @@ double spacing_of(const Part& part) {
   return std::round(spacing * 4) / 4;  // so that faces of about one size look alike
 }
 
+Hatching hatching_of(const Part& part, const std::vector<Hatching>& neighbours) {
+  const double spacing = spacing_of(part);
+  const auto suits = [&](const Variant& variant) { return share_along(part, variant.angle) <= most_alike; };
+  const auto differs_by_angle = [&](const Variant& variant) {
+    return std::none_of(neighbours.begin(), neighbours.end(),
+                        [&](const Hatching& there) { return there.angle == variant.angle; });
+  };
+  const auto differs = [&](const Variant& variant) {
+    return std::none_of(neighbours.begin(), neighbours.end(), [&](const Hatching& there) {
+      const double ratio = variant.factor * spacing / there.spacing;
+      return there.angle == variant.angle && ratio < least_ratio && ratio * least_ratio > 1;
+    });
+  };
+  const auto usual = variants.begin() + usual_variants;
+  auto best = std::find_if(variants.begin(), usual, [&](const auto& v) { return suits(v) && differs_by_angle(v); });
+  if (best == usual)
+    best = std::find_if(variants.begin(), variants.end(), [&](const auto& v) { return suits(v) && differs(v); });
+  if (best == variants.end()) best = std::find_if(variants.begin(), variants.end(), differs);
+  if (best == variants.end()) best = variants.begin();
+  return {part.model, part.body, best->angle, best->factor * spacing};
+}
+
 }  // namespace
 
 std::vector<Hatching> choose_hatching(std::span<const Drawing* const> drawings) {
@@ -223,21 +247,7 @@ std::vector<Hatching> choose_hatching(std::span<const Drawing* const> drawings) 
     std::vector<Hatching> neighbours;
     for (std::size_t q = 0; q < p; ++q)
       if (touch(parts[p], parts[q])) neighbours.push_back(chosen[q]);
-    const auto of = [&](const Variant& variant) {
-      return Hatching{parts[p].model, parts[p].body, variant.angle, variant.factor * spacing_of(parts[p])};
-    };
-    const auto suits = [&](const Variant& variant) { return share_along(parts[p], variant.angle) <= most_alike; };
-    const auto differs = [&](const Variant& variant) {
-      const Hatching here = of(variant);
-      return std::none_of(neighbours.begin(), neighbours.end(), [&](const Hatching& there) {
-        const double ratio = here.spacing / there.spacing;
-        return here.angle == there.angle && ratio < least_ratio && ratio * least_ratio > 1;
-      });
-    };
-    auto best =
-        std::find_if(variants.begin(), variants.end(), [&](const Variant& v) { return suits(v) && differs(v); });
-    if (best == variants.end()) best = std::find_if(variants.begin(), variants.end(), differs);
-    chosen.push_back(of(best == variants.end() ? variants.front() : *best));
+    chosen.push_back(hatching_of(parts[p], neighbours));
   }
   return chosen;
 }
