@@ -17,6 +17,7 @@
 #include "app/view_plan.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
+#include "sheet/lettering.hpp"
 #include "sheet/standard_scale.hpp"
 #include "study/verify/verify.hpp"
 
@@ -44,6 +45,11 @@ void tell_of(Console& console, const std::vector<ViewResult>& results) {
                 " of ellipses; corners lie within " + format_rounded(all.deviation, 2) +
                 " mm of them, they rise over the lines that they replace by up to " + format_rounded(all.bulge, 2) +
                 " mm\n");
+}
+
+void warn_about(Console& console, const Sheet& sheet) {
+  for (const MissingCharacter& missing : missing_characters(sheet))
+    console.warn("the font has no glyph for '" + missing.character + "' (in the " + missing.role + ")");
 }
 
 void print_timings(Console& console, const Stopwatch& watch) {
@@ -106,6 +112,7 @@ FinishedSheet Run::draw_sheet(const World& whole, const CutSections& sections, c
   }
   FinishedSheet sheet = compose(whole, scene, views, plan, results, dimensions);
   for (const std::string& warning : sheet.warnings) console.warn(warning);
+  warn_about(console, sheet.sheet);
   watch.lap("sheet");
   return sheet;
 }
@@ -128,6 +135,9 @@ int draw(const DrawOptions& options) {
   const Progress progress(board, options.time_limit);
   const ThreadLimit threads(options.threads);
   const std::vector<Target> targets = targets_of(options);
+  const VectorOptions vector_options{
+      options.plain, options.dpi,
+      choose<SvgText>("--svg-text", options.svg_text, {{"outlines", SvgText::outlines}, {"text", SvgText::text}})};
   const Questions questions = parse_questions(options);
   const SceneDescription scene = describe(options);
   const std::vector<SheetOfViews> sheets = views_by_sheet(scene, plan_views(scene, options));
@@ -144,7 +154,6 @@ int draw(const DrawOptions& options) {
   sections.clear();
 
   if (options.timings) run.report.seconds = watch.laps();
-  const VectorOptions vector_options{options.plain, options.dpi};
   const std::vector<FileBytes> files = encode_all(targets, finished, vector_options, run.report, progress);
   for (const FileBytes& file : files) write(file, progress);
   watch.lap("write");

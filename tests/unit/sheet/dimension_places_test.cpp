@@ -1,0 +1,251 @@
+// Where dimensions stand: outside the outline, in order, and out of each other's way.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "dimensions_support.hpp"
+#include "errors.hpp"
+#include "sheet/dimensions/boxes.hpp"
+#include "sheet/dimensions/overall.hpp"
+
+namespace epura::test {
+namespace {
+
+TurnedBox box_of(const Text& text) {
+  const double angle = text.angle * std::numbers::pi / 180;
+  const Vec2 along(std::cos(angle), std::sin(angle)), up(-along.y, along.x);
+  EXPECT_EQ(text.align, Align::middle);
+  return {text.at + up * (text.height / 2), along, {Lettering().width(text.text, text.height) / 2, text.height / 2}};
+}
+
+void expect_texts_apart(const Layer& layer) {
+  for (std::size_t i = 0; i < layer.texts.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      EXPECT_FALSE(overlap(box_of(layer.texts[i]), box_of(layer.texts[j])))
+          << layer.texts[i].text << " over " << layer.texts[j].text;
+}
+
+void expect_no_line_through_a_text(const Layer& layer, const Drawing& drawing) {
+  for (const Text& text : layer.texts) {
+    EXPECT_EQ(ink_in(box_of(text), drawing), 0) << text.text;
+    for (const Stroke& stroke : layer.strokes)
+      for (std::size_t i = 1; i < stroke.points.size(); ++i)
+        EXPECT_FALSE(overlap(box_of(text), line_box(stroke.points[i - 1], stroke.points[i]))) << text.text;
+  }
+}
+
+// A flight of steps in the plane of the front view; vertex 2 i is the outer corner of step i.
+Shape stairs(int steps) {
+  Shape shape;
+  for (int i = 0; i < steps; ++i) shape.add(box({0, 0, 10.0 * i}, {12.0 * (steps - i), 20, 10.0 * (i + 1)}));
+  return shape;
+}
+
+TEST(DimensionPlaces, LookLikeDimensions) {
+  const World world = placed(box({0, 0, 0}, {60, 10, 40}));
+  const Drawing front = drawing_of(world, orthographic(from_front));
+  const Layer layer = layer_of(world, front, {dimension("overall", {}, "width"), dimension("overall", {}, "height")});
+  EXPECT_EQ(layer.name, "view/dimensions");
+  EXPECT_EQ(layer.style.width, 0.25);
+  ASSERT_EQ(layer.strokes.size(), 6u);  // two extension lines and the dimension line of each
+  // The outline is 60 by 40 around (100, 100). Gap and overshoot are 8 line widths.
+  EXPECT_EQ(layer.strokes[0].points, (std::vector<Vec2>{{70, 78}, {70, 68}}));
+  EXPECT_EQ(layer.strokes[1].points, (std::vector<Vec2>{{130, 78}, {130, 68}}));
+  EXPECT_EQ(layer.strokes[2].points, (std::vector<Vec2>{{70, 70}, {130, 70}}));
+  EXPECT_EQ(layer.texts[0].at, Vec2(100, 70 + 0.3 * 3.5));
+  EXPECT_EQ(layer.texts[0].angle, 0);
+  EXPECT_EQ(layer.texts[0].role, "dimension");
+  // Read from the right.
+  EXPECT_EQ(layer.strokes[5].points, (std::vector<Vec2>{{140, 80}, {140, 120}}));
+  EXPECT_EQ(layer.texts[1].at, Vec2(140 - 0.3 * 3.5, 100));
+  EXPECT_EQ(layer.texts[1].angle, 90);
+  // Arrows of 20 degrees that end at the extension lines.
+  const std::vector<Vec2> arrow = layer.fills[0].rings[0];
+  EXPECT_EQ(arrow[0], Vec2(70, 70));
+  const Vec2 a = arrow[1] - arrow[0], b = arrow[2] - arrow[0];
+  EXPECT_NEAR(std::acos(glm::dot(glm::normalize(a), glm::normalize(b))) * 180 / std::numbers::pi, 20, 1e-9);
+}
+
+TEST(DimensionPlaces, SmallInsideLarge) {
+  const World world = placed(stairs(3));  // boxes 36, 24 and 12 wide
+  const Drawing front = drawing_of(world, orthographic(from_front), 2);
+  std::vector<DimensionDescription> dimensions{dimension("overall", {}, "width")};
+  for (const int v : {9, 1, 17}) dimensions.push_back(dimension("linear", {0, v}, "horizontal"));
+  for (DimensionDescription& one : dimensions)
+    if (one.type.text == "linear") one.anchors[0] = Vec3(0, 0, 0);
+  const Layer layer = layer_of(world, front, dimensions);
+  std::vector<std::pair<double, double>> lines;  // span and distance from the outline
+  for (std::size_t i = 0; i < dimensions.size(); ++i) {
+    const auto [a, b] = tips(layer, i);
+    EXPECT_NEAR(a.y, b.y, 1e-9);
+    EXPECT_TRUE(a.y < front.least.y - 9.99 || a.y > front.most.y + 9.99);
+    lines.emplace_back(std::abs(a.x - b.x), a.y < 100 ? front.least.y - a.y : a.y - front.most.y);
+  }
+  EXPECT_NEAR(lines[3].first, 24, 1e-6);
+  std::sort(lines.begin(), lines.end());
+  for (std::size_t i = 1; i < lines.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (std::abs(lines[i].second - lines[j].second) > 1e-9) {
+        EXPECT_GE(std::abs(lines[i].second - lines[j].second), 7.99);
+      }
+  expect_texts_apart(layer);
+  expect_no_line_through_a_text(layer, front);
+}
+
+TEST(DimensionPlaces, NeighboursShareALine) {
+  const World world = placed(box({0, 0, 0}, {60, 10, 40}));
+  const Drawing front = drawing_of(world, orthographic(from_front));
+  DimensionDescription left = dimension("linear", {0}, "horizontal"), right = dimension("linear", {1}, "horizontal");
+  for (DimensionDescription* one : {&left, &right}) one->anchors.emplace_back(Vec3(25, 0, 0));
+  const Layer layer = layer_of(world, front, {left, right});
+  EXPECT_NEAR(tips(layer, 0)[0].y, tips(layer, 1)[0].y, 1e-9);
+  expect_texts_apart(layer);
+}
+
+TEST(DimensionPlaces, ArrowsAndTextsGoOutsideWhereThereIsNoRoom) {
+  const World world = placed(box({0, 0, 0}, {60, 10, 40}));
+  const Drawing front = drawing_of(world, orthographic(from_front));
+  DimensionDescription narrow = dimension("linear", {0}, "horizontal"), wide = narrow;
+  narrow.anchors.emplace_back(Vec3(2.25, 0, 0));
+  wide.anchors.emplace_back(Vec3(30, 0, 0));
+  const auto arrow_points_right = [&](const DimensionDescription& one) {
+    const std::vector<Vec2> ring = layer_of(world, front, {one}).fills[0].rings[0];  // at the left end
+    return ring[0].x > ring[1].x;
+  };
+  EXPECT_TRUE(arrow_points_right(narrow));
+  EXPECT_FALSE(arrow_points_right(wide));
+  const Layer layer = layer_of(world, front, {narrow});
+  EXPECT_EQ(layer.texts[0].text, "2.25");
+  const TurnedBox text = box_of(layer.texts[0]);
+  EXPECT_GT(text.centre.x - text.half.x, 72.25);
+  // The line runs on under the text.
+  EXPECT_GE(layer.strokes[2].points[1].x, text.centre.x + text.half.x);
+}
+
+TEST(DimensionPlaces, AnOffsetIsObeyed) {
+  const World world = placed(wedge());
+  const Drawing front = drawing_of(world, orthographic(from_front));
+  const auto page = [&](int v) { return Vec2(front.world_to_page * Vec4(world.points[std::size_t(v)], 1)); };
+  const auto tip_of = [&](DimensionDescription one, double offset) {
+    one.offset = offset;
+    return tips(layer_of(world, front, {one}))[0];
+  };
+  const DimensionDescription width = dimension("linear", {0, 2}, "horizontal");
+  const DimensionDescription height = dimension("linear", {0, 2}, "vertical");
+  EXPECT_NEAR(tip_of(width, 13).y, page(2).y + 13, 1e-6);
+  EXPECT_NEAR(tip_of(width, -13).y, page(0).y - 13, 1e-6);
+  EXPECT_NEAR(tip_of(height, 7).x, page(2).x + 7, 1e-6);
+  EXPECT_NEAR(tip_of(height, -7).x, page(0).x - 7, 1e-6);
+  // Upwards from the longest side is to its upper left.
+  const Vec2 tip = tip_of(dimension("aligned", {2, 0}), 20);
+  EXPECT_NEAR(glm::length(tip - page(0)), 20, 1e-6);
+  EXPECT_GT(tip.y, page(0).y);
+  EXPECT_NEAR(glm::length(tip_of(dimension("angular", {0, 1, 2}), 33) - page(0)), 33, 1e-6);
+}
+
+TEST(DimensionPlaces, LeadersOfAnOffset) {
+  const World world = placed(cylinder(64, 20, 7));
+  const Drawing top = drawing_of(world, from_above());
+  DimensionDescription radius = dimension("radius", {0});
+  for (const double offset : {12.0, -12.0}) {
+    radius.offset = offset;
+    const std::vector<Vec2> leader = layer_of(world, top, {radius}).strokes[0].points;
+    EXPECT_NEAR(glm::length(leader[0] - Vec2(100, 100)), 20, 1e-6);
+    EXPECT_NEAR(glm::length(leader[1] - Vec2(100, 100)), 20 + offset, 1e-6);
+  }
+}
+
+TEST(DimensionPlaces, ManyAtOnce) {
+  const World world = placed(wedge());
+  const Drawing front = drawing_of(world, orthographic(from_front), 2);
+  const std::vector<DimensionDescription> dimensions{
+      dimension("linear", {0, 1}, "horizontal"), dimension("overall", {}, "width"),
+      dimension("overall", {}, "height"),        dimension("aligned", {0, 2}),
+      dimension("linear", {1, 2}, "vertical"),   dimension("angular", {0, 1, 2}),
+      dimension("angular", {2, 0, 1}),           dimension("angular", {1, 2, 0})};
+  const Layer layer = layer_of(world, front, dimensions);
+  ASSERT_EQ(layer.texts.size(), dimensions.size());
+  EXPECT_EQ(layer.fills.size(), 2 * dimensions.size());
+  expect_texts_apart(layer);
+  expect_no_line_through_a_text(layer, front);
+}
+
+TEST(DimensionPlaces, ManyCircles) {
+  Shape plates = cylinder(64, 50, 5);
+  for (int i = 0; i < 6; ++i) {
+    const double a = i * std::numbers::pi / 3;
+    plates.add(cylinder(48, 6, 5).moved(35 * std::cos(a), 35 * std::sin(a), 10));
+  }
+  const World world = placed(plates);
+  const Drawing top = drawing_of(world, from_above());
+  std::vector<DimensionDescription> dimensions{dimension("diameter", {0})};
+  for (int i = 0; i < 6; ++i) dimensions.push_back(dimension("diameter", {128 + 96 * i}));
+  const Layer layer = layer_of(world, top, dimensions);
+  EXPECT_EQ(layer.texts[0].text, "⌀100");
+  EXPECT_EQ(layer.texts[6].text, "⌀12");
+  expect_texts_apart(layer);
+  expect_no_line_through_a_text(layer, top);
+}
+
+TEST(DimensionPlaces, ArcsKnowTheirCircles) {
+  const World world = placed(wedge());
+  const Drawing front = drawing_of(world, orthographic(from_front));
+  const Layer layer = layer_of(world, front, {dimension("angular", {0, 1, 2})});
+  const auto arc = std::find_if(layer.strokes.begin(), layer.strokes.end(),
+                                [](const Stroke& stroke) { return !stroke.curves.empty(); });
+  ASSERT_NE(arc, layer.strokes.end());
+  const CurvePart& part = arc->curves[0];
+  EXPECT_EQ(part.last, static_cast<int>(arc->points.size()) - 1);
+  for (std::size_t i = 0; i < arc->points.size(); ++i) {
+    const double a = part.from + (part.to - part.from) * double(i) / part.last;
+    EXPECT_LT(glm::length(arc->points[i] - (part.centre + std::cos(a) * part.u + std::sin(a) * part.v)), 1e-9);
+  }
+}
+
+NamedProjection view(const std::string& name, const Vec3& viewer, const Vec3& up = {0, 0, 1}) {
+  return {name, orthographic(viewer, up)};
+}
+
+std::string in_words(const std::vector<DimensionDescription>& dimensions) {
+  std::string text;
+  for (const DimensionDescription& one : dimensions) text += one.direction.text + ' ' + one.view.text + ' ';
+  return text;
+}
+
+TEST(OverallDimensions, EachOnceInTheClearestView) {
+  const NamedProjection front = view("front", from_front), top = view("top", {0, 0, 1}, {0, 1, 0}),
+                        left = view("left", from_left), corner = view("corner", from_corner);
+  const DimensionDescription open = dimension("overall", {});
+  const auto chosen = [&](const std::vector<NamedProjection>& views, const DimensionDescription& wish) {
+    return in_words(overall_dimensions(wish, views));
+  };
+  EXPECT_EQ(chosen({corner, top, left, front}, open), "width front height front depth left ");
+  EXPECT_EQ(chosen({front, top}, open), "width front height front depth top ");
+  EXPECT_EQ(chosen({top}, open), "width top depth top ");
+  EXPECT_EQ(chosen({left, corner}, open), "height left depth left ");
+  DimensionDescription at_the_left = open;
+  at_the_left.view = {"left", "scene.toml:1:1"};
+  EXPECT_EQ(chosen({front, top, left}, at_the_left), "height left depth left ");
+  EXPECT_TRUE(contains(error_of([&] { chosen({corner}, open); }).what(), "no view shows"));
+}
+
+TEST(OverallDimensions, HaveTheRoomThatWasKeptFree) {
+  const World world = placed(box({0, 0, 0}, {60, 10, 40}));
+  const Projection front = orthographic(from_front);
+  const Drawing drawing = drawing_of(world, front);
+  const std::vector<DimensionDescription> dimensions{dimension("overall", {}, "width"),
+                                                     dimension("overall", {}, "height")};
+  const DimensionRoom room = dimension_room(dimensions, front, 3.5);
+  EXPECT_EQ(room.before.x, 0);
+  EXPECT_EQ(room.after.y, 0);
+  for (const Stroke& stroke : layer_of(world, drawing, dimensions).strokes) {
+    for (const Vec2& p : stroke.points) {
+      EXPECT_GE(p.y, drawing.least.y - room.before.y);
+      EXPECT_LE(p.x, drawing.most.x + room.after.x);
+    }
+  }
+  EXPECT_EQ(dimension_room({}, front, 3.5).before, Vec2(0, 0));
+}
+
+}  // namespace
+}  // namespace epura::test

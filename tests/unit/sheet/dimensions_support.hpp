@@ -1,0 +1,82 @@
+// Models, views and descriptions for tests of dimensions.
+#pragma once
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "scene/transform.hpp"
+#include "shapes.hpp"
+#include "sheet/dimensions/dimensions.hpp"
+#include "view/paper_map.hpp"
+
+namespace epura::test {
+
+inline const Vec3 from_front{0, -1, 0}, from_left{-1, 0, 0}, from_corner{1, -1, 1};
+
+inline World placed(const Shape& shape, const std::string& steps = "") {
+  return make_world({{std::make_shared<const Mesh>(mesh_of(shape)), parse_transform(steps)}});
+}
+
+/// Its front is the triangle 40, 30, 50; 10 deep. Vertices 0 (right angle at 1) to 2, and 3 to 5 behind them.
+inline Shape wedge() {
+  Shape shape;
+  shape.points = {{0, 0, 0}, {40, 0, 0}, {40, 0, 30}, {0, 10, 0}, {40, 10, 0}, {40, 10, 30}};
+  shape.faces = {{0, 1, 2}, {5, 4, 3}, {0, 3, 4, 1}, {1, 4, 5, 2}, {2, 5, 3, 0}};
+  return shape;
+}
+
+/// A prism of `n` corners on a circle around the z axis; vertex 0 is at (radius, 0, 0).
+inline Shape cylinder(int n, double radius, double height) {
+  Shape shape;
+  std::vector<int> bottom, top;
+  for (int i = 0; i < 2 * n; ++i) {
+    const double a = 2 * std::numbers::pi * i / n;
+    shape.points.push_back({radius * std::cos(a), radius * std::sin(a), i < n ? 0 : height});
+  }
+  for (int i = 0; i < n; ++i) {
+    shape.faces.push_back({i, (i + 1) % n, n + (i + 1) % n, n + i});
+    bottom.insert(bottom.begin(), i);
+    top.push_back(n + i);
+  }
+  shape.faces.push_back(bottom);
+  shape.faces.push_back(top);
+  return shape;
+}
+
+/// A view in its place, `scale` mm for a unit of the world, its middle at (100, 100).
+inline Drawing drawing_of(const World& world, const Projection& projection, double scale = 1) {
+  View view = make_view(world, projection, {});
+  const DrawnEdges drawn = find_drawn_edges(world, view, {}, contact_in_space(world, view, std::nullopt));
+  const Contact contact = contact_of(world, view, std::nullopt);
+  const HiddenSpans hidden = find_hidden(world, view, drawn, contact);
+  return make_drawing(world, view, drawn, hidden, contact, make_paper_map(view, scale, {100, 100}), {"view", true});
+}
+
+inline DimensionDescription dimension(const std::string& type, const std::vector<int>& vertices,
+                                      const std::string& direction = "") {
+  DimensionDescription description;
+  description.where = "scene.toml:7";
+  description.type = {type, "scene.toml:8:8"};
+  description.direction = {direction, "scene.toml:9:13"};
+  for (const int v : vertices) description.anchors.emplace_back(std::array{0, v});
+  return description;
+}
+
+inline Layer layer_of(const World& world, const Drawing& drawing, const std::vector<DimensionDescription>& dimensions) {
+  return dimension_layer(world, drawing, dimensions, Lettering(), 0.25);
+}
+
+/// What is written at the only dimension.
+inline std::string text_of(const World& world, const Drawing& drawing, const DimensionDescription& dimension) {
+  return layer_of(world, drawing, {dimension}).texts.at(0).text;
+}
+
+/// Where the arrows of the n-th dimension point to.
+inline std::array<Vec2, 2> tips(const Layer& layer, std::size_t n = 0) {
+  return {layer.fills.at(2 * n).rings[0][0], layer.fills.at(2 * n + 1).rings[0][0]};
+}
+
+}  // namespace epura::test

@@ -1,0 +1,230 @@
+// What dimensions say: true measures, or a reason why there are none.
+#include "sheet/dimensions/dimensions.hpp"
+
+#include <gtest/gtest.h>
+
+#include "dimensions_support.hpp"
+#include "errors.hpp"
+
+namespace epura::test {
+namespace {
+
+void expect_at(const Vec2& p, const Vec2& q) { EXPECT_LT(glm::length(p - q), 1e-6) << p.x << ' ' << p.y; }
+
+TEST(Dimensions, LengthsOfATriangle) {
+  const World world = placed(wedge());
+  for (const double scale : {0.2, 1.0, 5.0}) {
+    const Drawing front = drawing_of(world, orthographic(from_front), scale);
+    EXPECT_EQ(text_of(world, front, dimension("aligned", {0, 2})), "50");
+    EXPECT_EQ(text_of(world, front, dimension("linear", {0, 2}, "horizontal")), "40");
+    EXPECT_EQ(text_of(world, front, dimension("linear", {2, 0}, "vertical")), "30");
+    // One end lies behind the other.
+    EXPECT_EQ(text_of(world, front, dimension("linear", {0, 5}, "horizontal")), "40");
+    EXPECT_EQ(text_of(world, front, dimension("overall", {}, "width")), "40");
+    EXPECT_EQ(text_of(world, front, dimension("overall", {}, "height")), "30");
+  }
+  const Drawing left = drawing_of(world, orthographic(from_left));
+  EXPECT_EQ(text_of(world, left, dimension("overall", {}, "depth")), "10");
+  EXPECT_EQ(text_of(world, left, dimension("aligned", {0, 3})), "10");
+}
+
+TEST(Dimensions, AnglesOfATriangle) {
+  const World world = placed(wedge());
+  const Drawing front = drawing_of(world, orthographic(from_front));
+  EXPECT_EQ(text_of(world, front, dimension("angular", {0, 1, 2})), "36.87°");
+  EXPECT_EQ(text_of(world, front, dimension("angular", {2, 0, 1})), "53.13°");
+  EXPECT_EQ(text_of(world, front, dimension("angular", {1, 2, 0})), "90°");
+}
+
+TEST(Dimensions, FollowTheModel) {
+  for (const char* steps : {"", "rotate:y,30", "translate:1000,-300,20", "rotate:y,-200 translate:7,0,0"}) {
+    const World world = placed(wedge(), steps);
+    const Drawing front = drawing_of(world, orthographic(from_front), 2);
+    const Layer layer = layer_of(world, front, {dimension("aligned", {0, 2}), dimension("angular", {0, 1, 2})});
+    EXPECT_EQ(layer.texts[0].text, "50") << steps;
+    EXPECT_EQ(layer.texts[1].text, "36.87°") << steps;
+    // The dimension line is the edge, moved square to it.
+    const auto page = [&](int v) { return Vec2(front.world_to_page * Vec4(world.points[std::size_t(v)], 1)); };
+    auto [a, b] = tips(layer);
+    if (glm::dot(b - a, page(2) - page(0)) < 0) std::swap(a, b);
+    expect_at(b - a, page(2) - page(0));
+    EXPECT_NEAR(glm::length(b - a), 100, 1e-6);
+    EXPECT_NEAR(glm::dot(a - page(0), page(2) - page(0)), 0, 1e-5);
+    EXPECT_NEAR(glm::length(a - page(0)), 10, 1e-6) << "there is no ink before the longest side";
+  }
+  EXPECT_EQ(text_of(placed(wedge(), "scale:0.5"), drawing_of(placed(wedge(), "scale:0.5"), orthographic(from_front)),
+                    dimension("aligned", {0, 2})),
+            "25");
+}
+
+TEST(Dimensions, CirclesSeenAsCircles) {
+  const World world = placed(cylinder(64, 10, 7), "scale:2 translate:5,6,7");
+  const Drawing top = drawing_of(world, from_above());
+  const Layer layer = layer_of(world, top, {dimension("diameter", {3}), dimension("radius", {70})});
+  EXPECT_EQ(layer.texts[0].text, "⌀40");
+  EXPECT_EQ(layer.texts[1].text, "R20");
+  const Vec2 centre(top.world_to_page * Vec4(5, 6, 7, 1));
+  for (const Fill& arrow : layer.fills) {
+    const Vec2 tip = arrow.rings[0][0], foot = (arrow.rings[0][1] + arrow.rings[0][2]) * 0.5;
+    EXPECT_NEAR(glm::length(tip - centre), 20, 1e-6);
+    EXPECT_NEAR(std::abs(glm::dot(glm::normalize(tip - foot), glm::normalize(tip - centre))), 1, 1e-9);
+  }
+}
+
+TEST(Dimensions, CirclesSeenEdgeOn) {
+  const World world = placed(cylinder(64, 10, 60), "rotate:x,90 rotate:z,20");
+  const Drawing top = drawing_of(world, from_above());
+  const Layer layer = layer_of(world, top, {dimension("diameter", {3})});
+  EXPECT_EQ(layer.texts[0].text, "⌀20");
+  EXPECT_NEAR(glm::length(tips(layer)[0] - tips(layer)[1]), 20, 1e-6);
+  const Error error = error_of([&] { layer_of(world, top, {dimension("radius", {3})}); });
+  EXPECT_TRUE(contains(error.what(), "does not show the circle in its true form")) << error.what();
+}
+
+TEST(Dimensions, ACircleThroughAPointOfTheWorld) {
+  const World world = placed(cylinder(64, 10, 7));
+  const Drawing top = drawing_of(world, from_above());
+  DimensionDescription radius = dimension("radius", {});
+  radius.anchors = {Vec3(0, 10, 7)};
+  EXPECT_EQ(text_of(world, top, radius), "R10");
+}
+
+TEST(Dimensions, TheTextMayBeAnother) {
+  const World world = placed(wedge());
+  const Drawing front = drawing_of(world, orthographic(from_front));
+  DimensionDescription width = dimension("linear", {0, 1}, "horizontal");
+  width.text = {"2x <> (<>)", "scene.toml:1:1"};
+  EXPECT_EQ(text_of(world, front, width), "2x 40 (40)");
+  width.text = {"free", "scene.toml:1:1"};
+  EXPECT_EQ(text_of(world, front, width), "free");
+  width.text = {"<> 寸", "scene.toml:1:1"};
+  EXPECT_TRUE(contains(error_of([&] { text_of(world, front, width); }).what(), "the font has no '寸'"));
+}
+
+TEST(Dimensions, TwoDecimalsAtMost) {
+  const auto width_of = [](double width) {
+    const World world = placed(box({0, 0, 0}, {width, 5, 5}));
+    return text_of(world, drawing_of(world, orthographic(from_front)), dimension("linear", {0, 1}, "horizontal"));
+  };
+  EXPECT_EQ(width_of(12.3456), "12.35");
+  EXPECT_EQ(width_of(12.5), "12.5");
+  EXPECT_EQ(width_of(12.0000000001), "12");
+  EXPECT_EQ(width_of(0.1 + 0.2), "0.3");
+}
+
+TEST(Dimensions, AxonometricViewsShowTrueLengthsAlongTheAxes) {
+  const World world = placed(wedge());
+  const Drawing isometric = drawing_of(world, orthographic(from_corner));
+  EXPECT_EQ(text_of(world, isometric, dimension("aligned", {0, 1})), "40");
+  EXPECT_EQ(text_of(world, isometric, dimension("aligned", {1, 4})), "10");
+  EXPECT_EQ(text_of(world, isometric, dimension("aligned", {1, 2})), "30");
+  // Extension lines of the width follow the axis of depth, 30 degrees up to the right.
+  const std::vector<Vec2> line = layer_of(world, isometric, {dimension("aligned", {0, 1})}).strokes[0].points;
+  EXPECT_NEAR((line[1].y - line[0].y) / (line[1].x - line[0].x), std::tan(std::numbers::pi / 6), 1e-6);
+}
+
+TEST(Dimensions, ObliqueViewsShowTrueLengthsInTheirPlane) {
+  const World world = placed(wedge());
+  Projection cavalier = orthographic(from_front);
+  cavalier.projector = {std::sqrt(0.5), -1, std::sqrt(0.5)};
+  const Drawing drawing = drawing_of(world, cavalier);
+  EXPECT_EQ(text_of(world, drawing, dimension("aligned", {0, 2})), "50");
+  EXPECT_EQ(text_of(world, drawing, dimension("angular", {0, 1, 2})), "36.87°");
+  EXPECT_TRUE(contains(error_of([&] { text_of(world, drawing, dimension("aligned", {0, 5})); }).what(), "shortens"));
+  EXPECT_TRUE(contains(error_of([&] {
+                         text_of(world, drawing, dimension("linear", {0, 5}, "horizontal"));
+                       }).what(),
+                       "shortens"));
+}
+
+struct Refusal {
+  DimensionDescription dimension;
+  const char* reason;
+};
+
+void expect_refusals(const World& world, const Drawing& drawing, const std::vector<Refusal>& refusals) {
+  for (const Refusal& refusal : refusals) {
+    const Error error = error_of([&] { text_of(world, drawing, refusal.dimension); });
+    EXPECT_TRUE(contains(error.what(), refusal.reason)) << error.what() << "\nnot: " << refusal.reason;
+    EXPECT_TRUE(error.where().starts_with("scene.toml:")) << error.where();
+  }
+}
+
+TEST(Dimensions, RefusedForWhatTheViewShows) {
+  const World world = placed(wedge());
+  const Vec3 eye(60, -200, 50);
+  const Refusal perspective_one{dimension("aligned", {0, 2}), "perspective"};
+  expect_refusals(world, drawing_of(world, perspective(eye, {0, 0, 0}, {0, -1, 0}, {0, 0, 1})),
+                  {perspective_one, {dimension("overall", {}, "width"), "perspective"}});
+  expect_refusals(world, drawing_of(world, orthographic(from_corner)),
+                  {{dimension("aligned", {0, 2}), "shortens the line"},
+                   {dimension("linear", {0, 1}, "horizontal"), "shortens what it measures"},
+                   {dimension("angular", {0, 1, 2}), "changes the angle"},
+                   {dimension("overall", {}, "width"), "true length"}});
+  expect_refusals(world, drawing_of(world, orthographic(from_left)),
+                  {{dimension("aligned", {0, 1}), "looks along the line"},
+                   {dimension("linear", {0, 1}, "horizontal"), "one above the other"},
+                   {dimension("overall", {}, "width"), "true length"}});
+}
+
+TEST(Dimensions, RefusedForWhatTheySay) {
+  const World world = placed(wedge());
+  DimensionDescription far_off = dimension("linear", {0, 1}, "horizontal"), flat = dimension("angular", {0, 1, 2});
+  far_off.offset = 1e300;
+  flat.offset = 0;
+  DimensionDescription nowhere = dimension("aligned", {0});
+  nowhere.anchors.emplace_back(Vec3(0, HUGE_VAL, 0));
+  DimensionDescription other_model = dimension("aligned", {0});
+  other_model.anchors.emplace_back(std::array{3, 0});
+  expect_refusals(world, drawing_of(world, orthographic(from_front)),
+                  {{dimension("length", {0, 1}), "'length' is no type"},
+                   {dimension("", {0, 1}), "has no type"},
+                   {dimension("linear", {0, 1}), "has no direction"},
+                   {dimension("linear", {0, 1}, "width"), "'width' is no direction"},
+                   {dimension("aligned", {0, 1}, "horizontal"), "only linear and overall"},
+                   {dimension("aligned", {0}), "has 1 anchors"},
+                   {dimension("angular", {0, 1}), "has 2 anchors"},
+                   {dimension("aligned", {0, 99}), "model 0 has no vertex 99"},
+                   {dimension("aligned", {0, -1}), "model 0 has no vertex -1"},
+                   {other_model, "there is no model 3"},
+                   {dimension("aligned", {1, 1}), "at the same place"},
+                   {dimension("angular", {0, 0, 1}), "at the same place"},
+                   {nowhere, "no finite numbers"},
+                   {dimension("linear", {0, 1}, "vertical"), "side by side"},
+                   {dimension("radius", {0}), "rim of a circle"},
+                   {far_off, "no length on a sheet"},
+                   {flat, "which is positive"}});
+}
+
+TEST(Dimensions, NoAngleBetweenLegsOnOneLine) {
+  const World world = placed(box({0, 0, 0}, {10, 10, 10}));
+  DimensionDescription angle = dimension("angular", {0, 1});
+  angle.anchors.emplace_back(Vec3(20, 0, 0));
+  expect_refusals(world, drawing_of(world, orthographic(from_front)), {{angle, "the angle is zero"}});
+}
+
+TEST(Dimensions, TheNearestCircleIsNamed) {
+  const World world = placed(cylinder(64, 10, 7));
+  DimensionDescription radius = dimension("radius", {});
+  radius.anchors = {Vec3(14, 0, 7)};
+  const Error error = error_of([&] { text_of(world, drawing_of(world, from_above()), radius); });
+  EXPECT_TRUE(contains(error.hint(), "radius 10 around 0,0,7; its vertex 64")) << error.hint();
+}
+
+TEST(Dimensions, AnUnevenScaleLeavesNoCircle) {
+  const World world = placed(cylinder(64, 10, 7), "scale:1,2,1");
+  const Error error = error_of([&] { text_of(world, drawing_of(world, from_above()), dimension("radius", {0})); });
+  EXPECT_TRUE(contains(error.what(), "rim of a circle")) << error.what();
+}
+
+TEST(Dimensions, OverallOnesWantAllOfTheModels) {
+  const World world = placed(wedge());
+  Drawing front = drawing_of(world, orthographic(from_front));
+  std::erase_if(front.segments, [](const Segment& s) { return std::min(s.from.x, s.to.x) < 90; });
+  expect_refusals(world, front, {{dimension("overall", {}, "width"), "does not show all of the models"}});
+  front.segments.clear();
+  expect_refusals(world, front, {{dimension("overall", {}, "width"), "does not show all of the models"}});
+}
+
+}  // namespace
+}  // namespace epura::test
