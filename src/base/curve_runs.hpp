@@ -7,23 +7,28 @@
 
 namespace epura {
 
-/// Points first ... last lie on the curve. Around a closed polyline `last` counts on past its end.
+/// Points first ... last lie on the curve, which has a `deviation` from them and a `tolerance` for it. Around a closed
+/// polyline `last` counts on past its end.
 template <class Curve>
 struct CurveRun {
   int first, last;
   Curve curve;
 };
 
-/// Moves one end of a run towards `limit` by as much as the curve allows, in steps that double and then halve.
+/// Moves one end of a run towards `limit` by as much as the curve allows, in steps that double and then halve. The
+/// tolerance is for noise: points that lie much worse than those of the run so far belong to something else.
 template <class Curve, class Fit>
 void grow(CurveRun<Curve>& run, int CurveRun<Curve>::*end, int limit, const Fit& fit) {
+  constexpr double much_worse = 5, rounding = 0.02;
+  const double most = std::max(much_worse * run.curve.deviation, rounding * run.curve.tolerance);
   const int sign = limit < run.*end ? -1 : 1;
   bool growing = true;
   for (int step = 1; step > 0; step = growing ? 2 * step : step / 2) {
     CurveRun<Curve> longer = run;
     longer.*end += sign * step;
     const bool inside = sign * (limit - longer.*end) >= 0;
-    const auto curve = inside ? fit(longer.first, longer.last) : std::nullopt;
+    auto curve = inside ? fit(longer.first, longer.last) : std::nullopt;
+    if (curve && curve->deviation > most) curve = std::nullopt;
     growing = growing && curve;
     if (!curve) continue;
     longer.curve = *curve;

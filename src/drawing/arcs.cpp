@@ -17,6 +17,7 @@ namespace {
 constexpr double degree = std::numbers::pi / 180;
 constexpr int least_edges = 7;
 constexpr double least_turn = 30 * degree;
+constexpr double much_better = 5;
 constexpr double most_step = 30.001 * degree;
 constexpr double least_radius_in_tolerances = 10;
 constexpr double least_radius = 0.05, least_length = 0.1;  // mm: no line is narrower
@@ -27,19 +28,23 @@ struct Fit {
   bool circle;
   double from, sweep;  ///< angles; a negative sweep goes clockwise
   double longest_step;
-  double deviation;
+  double deviation, tolerance;
 };
 
 double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
 double angle_between(const Vec2& a, const Vec2& b) { return std::atan2(cross(a, b), glm::dot(a, b)); }
 
+/// All points of a closed chain, of an open one those between its ends: these may lie on a chord.
 struct Line {
   const Chain& chain;
   double tolerance;
 
-  [[nodiscard]] int size() const { return static_cast<int>(chain.points.size()); }
-  [[nodiscard]] const Vec2& point(int i) const { return chain.points[static_cast<std::size_t>((i + size()) % size())]; }
+  [[nodiscard]] int before() const { return chain.closed ? 0 : 1; }
+  [[nodiscard]] int size() const { return static_cast<int>(chain.points.size()) - 2 * before(); }
+  [[nodiscard]] const Vec2& point(int i) const {
+    return chain.points[static_cast<std::size_t>(before() + (i + size()) % size())];
+  }
   [[nodiscard]] double turn(int i) const { return angle_between(point(i) - point(i - 1), point(i + 1) - point(i)); }
 
   // The shortest run that turns far enough, or that no longer turns one way.
@@ -54,6 +59,8 @@ struct Line {
     return most;
   }
 
+  // More than rounding.
+  [[nodiscard]] bool is_noise(double deviation) const { return deviation > 0.02 * tolerance; }
   [[nodiscard]] std::optional<Fit> fit(int first, int last) const;
   [[nodiscard]] std::optional<Fit> along(const Ellipse& ellipse, bool circle, const std::vector<Vec2>& points) const;
 };
@@ -63,7 +70,7 @@ std::optional<Fit> Line::along(const Ellipse& ellipse, bool circle, const std::v
   const double least = std::max(least_radius, least_radius_in_tolerances * tolerance);
   if (!(std::min(glm::length(ellipse.u), glm::length(ellipse.v)) >= least)) return std::nullopt;
   if (!(std::max(glm::length(ellipse.u), glm::length(ellipse.v)) <= most_radius)) return std::nullopt;
-  Fit fit{ellipse, circle, ellipse.angle_of(points.front()), 0, 0, 0};
+  Fit fit{ellipse, circle, ellipse.angle_of(points.front()), 0, 0, 0, tolerance};
   double previous = fit.from;
   for (std::size_t i = 0; i < points.size(); ++i) {
     fit.deviation = std::max(fit.deviation, ellipse.distance(points[i]));
@@ -87,8 +94,12 @@ std::optional<Fit> Line::fit(int first, int last) const {
   std::optional<Fit> found;
   if (const auto circle = fit_circle(points))
     found = along({circle->centre, {circle->radius, 0}, {0, circle->radius}}, true, points);
-  if (!found)
-    if (const auto ellipse = fit_ellipse(points)) found = along(*ellipse, false, points);
+  if (!found || is_noise(found->deviation)) {
+    const auto ellipse = fit_ellipse(points);
+    const auto other = ellipse ? along(*ellipse, false, points) : std::nullopt;
+    // An ellipse always fits better: much better only when it is one.
+    if (!found || (other && much_better * other->deviation < found->deviation)) found = other;
+  }
   const bool round = found && std::abs(std::abs(found->sweep) - 2 * std::numbers::pi) < 1e-6;
   return found && round == whole ? found : std::nullopt;
 }
@@ -98,7 +109,7 @@ double bulge_of(const Fit& fit) {
   return std::max(glm::length(fit.ellipse.u), glm::length(fit.ellipse.v)) * (1 - std::cos(fit.longest_step / 2));
 }
 
-// Where a line becomes hidden, or another covers it, it ends on a chord.
+// An end of an open chain is on the curve, or where a line becomes hidden or another covers it, on a chord.
 bool ends_on_chord(const Fit& fit, const Vec2& end, double step, double tolerance) {
   const bool onward = step * fit.sweep > 0 && std::abs(step) <= fit.longest_step * 1.001;
   return onward && fit.ellipse.distance(end) <= bulge_of(fit) * 1.001 + tolerance;
@@ -107,7 +118,8 @@ bool ends_on_chord(const Fit& fit, const Vec2& end, double step, double toleranc
 CurvePart part_of(Chain& chain, const CurveRun<Fit>& run, double tolerance) {
   const Fit& fit = run.curve;
   const Ellipse& e = fit.ellipse;
-  CurvePart part{run.first, run.last, e.centre, e.u, e.v, fit.from, fit.from + fit.sweep};
+  const int before = chain.closed ? 0 : 1;
+  CurvePart part{run.first + before, run.last + before, e.centre, e.u, e.v, fit.from, fit.from + fit.sweep};
   if (chain.closed) return part;
   const int end = static_cast<int>(chain.points.size()) - 1;
   if (part.first == 1) {

@@ -25,7 +25,7 @@ constexpr double angle_slack = 1e-3 * degree;
 
 struct Fit {
   Vec3 centre, axis;
-  double radius, deviation;
+  double radius, deviation, tolerance;
 };
 
 double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)); }
@@ -95,7 +95,7 @@ std::optional<Fit> Line::fit(int first, int last) const {
   const bool whole = line.closed && last - first == size();
   if (!steps_of_circle(points, circle->centre, whole)) return std::nullopt;
   return Fit{middle + circle->centre.x * u + circle->centre.y * v, axis, circle->radius,
-             std::hypot(circle->deviation, off_plane)};
+             std::hypot(circle->deviation, off_plane), tolerance * circle->radius};
 }
 
 // From the lowest vertex towards its lower neighbour; an arc from the lower one of its ends.

@@ -191,7 +191,7 @@ TEST(Circles, AreFoundBehindLongLinesOfManyPieces) {
   shape.faces.resize(shape.faces.size() - 2);  // open: its caps would take longer than what is tested
   const auto arcs = shape.circles();
   ASSERT_EQ(arcs.size(), 2);
-  EXPECT_NEAR(arcs[0].radius, 5, 0.005);
+  EXPECT_NEAR(arcs[0].radius, 5, 0.001);
 }
 
 struct Sample {

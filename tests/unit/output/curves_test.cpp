@@ -98,7 +98,7 @@ TEST(Curves, AreArcsInSvg) {
       EXPECT_EQ(std::count(path.begin(), path.end(), 'A'), std::ceil(std::abs(part.to - part.from) / (pi / 2) - 1e-9));
       EXPECT_EQ(path.find('C'), std::string::npos);
       EXPECT_EQ(path.back() == 'Z', stroke.closed);
-      Vec2 pen;
+      Vec2 pen(0);
       for (std::size_t begin = 0; begin < path.size();) {
         const std::size_t end = std::min(path.find_first_of("MLAZ", begin + 1), path.size());
         if (path[begin] != 'Z') {
