@@ -104,6 +104,10 @@ void define_lines(CLI::App& draw, DrawOptions& options) {
              "degrees between faces from which their edge is a crease")
       ->default_str("30")
       ->type_name("DEG");
+  draw.add_flag("--arcs{0.01}", options.arcs,
+                "draw circles, ellipses and their arcs as such, through corners within so many mm")
+      ->type_name("[=MM]");
+  draw.add_flag("--centre-lines", options.centre_lines, "draw centre lines and axes of circles of the models");
   add_word(draw, "--dimensions", options.dimensions, "WHICH", "",
            "overall: width, height and depth of the models, each in the clearest view");
   draw.add_option("--visibility", options.visibility, "exact, or none for a wireframe")

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "sheet/centre_lines.hpp"
 #include "sheet/cutting_plane_line.hpp"
 #include "sheet/dimensions/dimensions.hpp"
 #include "sheet/hatch.hpp"
@@ -93,6 +94,18 @@ void add_dimensions(FinishedSheet& finished, const World& world, const ViewResul
   finished.sheet.layers.push_back(std::move(layer));
 }
 
+std::vector<Layer> centre_layers(const ViewResult& view, const ViewWish& wish, const LineWidths& widths,
+                                 const std::vector<Layer>& lines) {
+  if (!wish.centre_lines) return {};
+  return {centre_lines(view.drawing, view.circles, widths, wish.looks, lines)};
+}
+
+// The sheet has the lines; JSON asks for their curves.
+void keep_curves(std::vector<Chain>& chains) {
+  std::erase_if(chains, [](const Chain& chain) { return chain.curves.empty(); });
+  chains.shrink_to_fit();
+}
+
 }  // namespace
 
 FinishedSheet compose(const World& world, const SceneDescription& scene, const SheetOfViews& views,
@@ -114,8 +127,10 @@ FinishedSheet compose(const World& world, const SceneDescription& scene, const S
   for (std::size_t i = 0; i < results.size(); ++i) {
     if (!results[i].drawing.cut_faces.empty())
       finished.sheet.layers.push_back(hatch_layer(results[i].drawing, hatching, widths));
-    append(finished.sheet.layers, view_layers(results[i].drawing, widths, views.plans[i].wish.looks));
-    results[i].drawing.chains = {};  // the sheet has them
+    std::vector<Layer> lines = view_layers(results[i].drawing, widths, views.plans[i].wish.looks);
+    append(finished.sheet.layers, centre_layers(results[i], views.plans[i].wish, widths, lines));
+    append(finished.sheet.layers, std::move(lines));
+    keep_curves(results[i].drawing.chains);
     add_dimensions(finished, world, results[i], dimensions[i], widths.narrow, text_height);
     partial = partial || results[i].partial;
     finished.drawings.push_back(std::move(results[i].drawing));

@@ -37,6 +37,15 @@ void warn_about(Console& console, const Partial& partial) {
   console.warn(sentence + "\n  hint: give a longer --time-limit, or ask for less with --edges");
 }
 
+void tell_of(Console& console, const std::vector<ViewResult>& results) {
+  CurveReport all;
+  for (const ViewResult& result : results) all += result.curves;
+  console.print("arcs: " + std::to_string(all.circles) + " of circles, " + std::to_string(all.ellipses) +
+                " of ellipses; corners lie within " + format_rounded(all.deviation, 2) +
+                " mm of them, they rise over the lines that they replace by up to " + format_rounded(all.bulge, 2) +
+                " mm\n");
+}
+
 void print_timings(Console& console, const Stopwatch& watch) {
   std::string text;
   for (const auto& [stage, seconds] : watch.laps()) {
@@ -89,6 +98,7 @@ FinishedSheet Run::draw_sheet(const World& whole, const CutSections& sections, c
     answers += answer(questions, world(i), wishes[i], results.back());
     results.back().work = {};  // what follows takes its room
   }
+  if (!options.arcs.empty()) tell_of(console, results);
   if (!plan.inside) console.warn("the drawing is larger than the sheet at this scale");
   for (const ViewResult& result : results) {
     if (result.partial) report.partial = result.partial;
@@ -99,6 +109,9 @@ FinishedSheet Run::draw_sheet(const World& whole, const CutSections& sections, c
   watch.lap("sheet");
   return sheet;
 }
+
+// Circles are looked for on the surfaces of meshes.
+bool wants_surfaces(const SceneDescription& scene) { return !scene.dimensions.empty(); }
 
 // Says what was found on the way, and returns the exit code. On standard error, since a drawing may go to standard
 // output.
@@ -124,7 +137,7 @@ int draw(const DrawOptions& options) {
   watch.lap("prepare");
 
   Run run{options, scene, questions, console, progress, watch};
-  World world = read_models(scene.models, run.report.meshes, console, progress);
+  World world = read_models(scene.models, wants_surfaces(scene), run.report.meshes, console, progress);
   watch.lap("read");
   CutSections sections = cut_sections(world, scene, console);
   if (!sections.empty()) watch.lap("section");

@@ -30,6 +30,8 @@ struct DrawOptions {
   double dpi = 300;
   int threads = 0;
   bool plain = false;
+  std::string arcs;  ///< tolerance, mm; empty: lines stay straight
+  bool centre_lines = false;
   bool timings = false;
   std::vector<std::string> why;  ///< edges to explain
   std::string dump;              ///< table to print: "edges", "spans" or none

@@ -70,6 +70,7 @@ ViewResult draw_view(const World& world, const CutSection* section, View view, c
   progress.begin("drawing");
   const PaperMap paper = make_paper_map(view, place.scale, place.shift);
   Drawing drawing = make_drawing(world, view, drawn, hidden, contact, paper, {wish.name, wish.keep_hidden()});
+  const CurveReport curves = wish.arcs ? find_curves(drawing.chains, *wish.arcs) : CurveReport{};
   if (section != nullptr) drawing.cut_faces = cut_faces_on_paper(section->cut.faces, section->plane, view, paper);
   watch.lap("drawing");
   drawing.scale = place.scale;
@@ -85,7 +86,9 @@ ViewResult draw_view(const World& world, const CutSection* section, View view, c
           std::move(drawing),
           partial,
           std::move(verification),
-          section != nullptr ? std::optional(section->plane) : std::nullopt};
+          section != nullptr ? std::optional(section->plane) : std::nullopt,
+          curves,
+          wish.centre_lines ? find_placed_circles(world, wish.edges.crease_angle) : std::vector<PlacedCircle>()};
 }
 
 }  // namespace epura

@@ -8,10 +8,12 @@
 
 #include "app/sections.hpp"
 #include "base/progress.hpp"
+#include "drawing/arcs.hpp"
 #include "drawing/drawing.hpp"
 #include "drawing/make_drawing.hpp"
 #include "edges/drawn_edges.hpp"
 #include "output/write.hpp"
+#include "scene/placed_circles.hpp"
 #include "scene/scene.hpp"
 #include "sheet/view_lines.hpp"
 #include "view/paper_map.hpp"
@@ -29,6 +31,8 @@ struct ViewWish {
   bool remove_hidden = true;      ///< false: a wireframe
   std::vector<ModelLook> looks;   ///< by model
   std::optional<int> verify;      ///< by so many points at random
+  std::optional<double> arcs;     ///< lines within so many mm of circles and ellipses become these
+  bool centre_lines = false;
 
   /// Whether the hidden lines of some model are drawn.
   [[nodiscard]] bool keep_hidden() const;
@@ -49,6 +53,8 @@ struct ViewResult {
   std::optional<Partial> partial;  ///< what is left out because time was over
   std::optional<Verification> verification;
   std::optional<CuttingPlane> section;  ///< that the view shows
+  CurveReport curves{};
+  std::vector<PlacedCircle> circles{};  ///< for centre lines, where they are wanted
 };
 
 /// Seconds since the last call of `lap`, under a name.

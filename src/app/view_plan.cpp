@@ -35,6 +35,15 @@ std::vector<ModelLook> looks_of(const SceneDescription& scene, const ViewDescrip
   return looks;
 }
 
+std::optional<double> arc_tolerance(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  const auto tolerance = parse_number(text);
+  if (!tolerance || !(*tolerance > 0 && *tolerance <= 1))
+    throw Error(Trouble::input, "--arcs", "'" + text + "' is no tolerance",
+                "more than 0 and at most 1 mm are possible");
+  return tolerance;
+}
+
 ViewWish wish_of(const SceneDescription& scene, const ViewDescription& view, const DrawOptions& options) {
   ViewWish wish;
   wish.name = view.name.text;
@@ -43,6 +52,8 @@ ViewWish wish_of(const SceneDescription& scene, const ViewDescription& view, con
   wish.contact = options.contact;
   wish.remove_hidden = choose<bool>("--visibility", options.visibility, {{"exact", true}, {"none", false}});
   wish.looks = looks_of(scene, view);
+  wish.arcs = arc_tolerance(options.arcs);
+  wish.centre_lines = options.centre_lines;
   if (options.verify && !wish.remove_hidden)
     throw Error(Trouble::input, "--verify", "has nothing to test in a wireframe", "leave out --visibility none");
   if (options.verify) wish.verify = options.verify_samples;

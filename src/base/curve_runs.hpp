@@ -32,8 +32,8 @@ void grow(CurveRun<Curve>& run, int CurveRun<Curve>::*end, int limit, const Fit&
 }
 
 /// Runs as long as possible, ascending; they share no more than end points.
-///   window(first, most) -> std::optional<int>    last point of the shortest run from `first` worth fitting
-///   fit(first, last) -> std::optional<Curve>     the curve through all these points, if there is one
+///   window(first, most) -> int                last point of the shortest run from `first` worth fitting, or `most`
+///   fit(first, last) -> std::optional<Curve>  the curve through all these points, if there is one
 /// Point numbers given to both may be negative or beyond the end of a closed polyline. After a failure the next try
 /// begins a sixteenth of the window later, so O(n log n) points are looked at.
 template <class Curve, class Window, class Fit>
@@ -46,13 +46,13 @@ std::vector<CurveRun<Curve>> find_curve_runs(int points, bool closed, const Wind
   // Around a closed polyline until the first run begins again.
   const auto most = [&](int at) { return !closed ? points - 1 : (runs.empty() ? at : runs.front().first) + points; };
   for (int at = 0; at < std::min(points, most(at));) {
-    const std::optional<int> last = window(at, most(at));
-    const auto curve = last ? fit(at, *last) : std::nullopt;
+    const int last = window(at, most(at));
+    const auto curve = fit(at, last);
     if (!curve) {
-      at += (last.value_or(most(at)) - at) / tries_a_window + 1;
+      at += (last - at) / tries_a_window + 1;
       continue;
     }
-    CurveRun<Curve> run{at, *last, *curve};
+    CurveRun<Curve> run{at, last, *curve};
     grow(run, &CurveRun<Curve>::last, most(at), fit);
     grow(run, &CurveRun<Curve>::first, !runs.empty() ? runs.back().last : closed ? run.last - points : 0, fit);
     at = run.last;

@@ -33,7 +33,7 @@ struct CrossingSegment {
 
 /// A part of a polyline that is an arc: points first ... last lie on centre + cos(a) u + sin(a) v, and a runs from
 /// `from` to `to` (radians). Of a circle u and v have one length; of an ellipse they are its half axes; u is
-/// perpendicular to v. Around a closed line `last` counts on past its end.
+/// perpendicular to v. Where a curve ends at the first point of a closed line, `last` is the number of points.
 struct CurvePart {
   int first, last;
   Vec2 centre, u, v;

@@ -5,12 +5,11 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <tuple>
-#include <utility>
+#include <optional>
+#include <span>
 
 #include "base/circle_fit.hpp"
 #include "base/curve_runs.hpp"
-#include "mesh/feature_lines.hpp"
 
 namespace epura {
 
@@ -33,25 +32,22 @@ double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(glm::leng
 
 // Circles along one line of features.
 struct Line {
-  const Mesh& mesh;
+  const PlacedMesh& mesh;
   const FeatureLine& line;
   double tolerance;
 
   [[nodiscard]] int size() const { return static_cast<int>(line.vertices.size()); }
   [[nodiscard]] int vertex(int i) const { return line.vertices[static_cast<std::size_t>((i + size()) % size())]; }
-  [[nodiscard]] Vec3 point(int i) const {
-    const auto& p = mesh.point(vertex(i));
-    return {p[0], p[1], p[2]};
-  }
+  [[nodiscard]] const Vec3& point(int i) const { return mesh.point(vertex(i)); }
   [[nodiscard]] Vec3 step(int i) const { return point(i + 1) - point(i); }
 
   // The shortest run that has turned far enough for its circle to be told.
-  [[nodiscard]] std::optional<int> window(int first, int most) const {
+  [[nodiscard]] int window(int first, int most) const {
     for (int last = first + least_edges; last <= most; ++last) {
       const double turned = angle_between(step(first), step(last - 1));
       if (turned + angle_between(step(last - 2), step(last - 1)) >= least_sweep - angle_slack) return last;
     }
-    return std::nullopt;
+    return most;
   }
 
   [[nodiscard]] std::optional<Fit> fit(int first, int last) const;
@@ -122,7 +118,7 @@ MeshCircle circle_of(const Line& line, const CurveRun<Fit>& run) {
 
 }  // namespace
 
-std::vector<MeshCircle> find_circles(const Mesh& mesh, double crease_angle, double tolerance) {
+std::vector<MeshCircle> find_circles(const PlacedMesh& mesh, double crease_angle, double tolerance) {
   std::vector<MeshCircle> circles;
   for (const FeatureLine& features : find_feature_lines(mesh, crease_angle, most_step + angle_slack)) {
     const Line line{mesh, features, tolerance};
@@ -134,6 +130,17 @@ std::vector<MeshCircle> find_circles(const Mesh& mesh, double crease_angle, doub
   std::sort(circles.begin(), circles.end(),
             [](const MeshCircle& a, const MeshCircle& b) { return a.vertices < b.vertices; });
   return circles;
+}
+
+std::vector<MeshCircle> find_circles(const Mesh& mesh, double crease_angle, double tolerance) {
+  std::vector<Vec3> points;
+  for (const auto vertex : mesh.surface.vertices()) {
+    const auto& p = mesh.surface.point(vertex);
+    points.emplace_back(p[0], p[1], p[2]);
+  }
+  std::vector<std::array<int, 3>> triangles;
+  for (std::size_t t = 0; t < mesh.polygon.size(); ++t) triangles.push_back(mesh.corners(static_cast<int>(t)));
+  return find_circles(PlacedMesh{mesh, points, triangles}, crease_angle, tolerance);
 }
 
 }  // namespace epura

@@ -4,11 +4,11 @@
 #include <vector>
 
 #include "base/vec.hpp"
-#include "mesh/mesh.hpp"
+#include "mesh/feature_lines.hpp"
 
 namespace epura {
 
-/// Edges that run round on a circle. Coordinates of the model's file.
+/// Edges that run round on a circle.
 struct MeshCircle {
   Vec3 centre;
   Vec3 axis;  ///< unit normal of its plane
@@ -26,6 +26,9 @@ struct MeshCircle {
 /// fewer sides every edge is a crease), an edge takes at most 45 degrees and at most four times as much as the mean
 /// (the flat of a shaft is none of its arc), and an arc has five edges and 60 degrees at least. Each vertex lies within
 /// `tolerance` times the radius of the circle.
+std::vector<MeshCircle> find_circles(const PlacedMesh& mesh, double crease_angle = 30, double tolerance = 1e-3);
+
+/// The same in coordinates of the model's file.
 std::vector<MeshCircle> find_circles(const Mesh& mesh, double crease_angle = 30, double tolerance = 1e-3);
 
 }  // namespace epura

@@ -21,15 +21,10 @@ constexpr double sliver = 1e-6;
 constexpr double angle_rounding = 1e-6;  // degrees: a limit of 360/N takes all edges of an N-sided prism or none
 constexpr std::size_t most_at_a_vertex = 64;
 
-Vec3 point_of(const Mesh& mesh, int vertex) {
-  const auto& p = mesh.point(vertex);
-  return {p[0], p[1], p[2]};
-}
-
 // Twice the area, along the normal; 0 for slivers.
-Vec3 area_of(const Mesh& mesh, int triangle) {
-  const std::array<int, 3> c = mesh.corners(triangle);
-  const Vec3 a = point_of(mesh, c[0]), b = point_of(mesh, c[1]), d = point_of(mesh, c[2]);
+Vec3 area_of(const PlacedMesh& placed, int triangle) {
+  const std::array<int, 3>& c = placed.triangles[triangle];
+  const Vec3 &a = placed.points[c[0]], &b = placed.points[c[1]], &d = placed.points[c[2]];
   const Vec3 area = glm::cross(b - a, d - a);
   const double longest = std::max({glm::length(b - a), glm::length(d - b), glm::length(a - d)});
   return glm::length(area) > sliver * longest * longest ? area : Vec3(0);
@@ -37,15 +32,15 @@ Vec3 area_of(const Mesh& mesh, int triangle) {
 
 // Normals of triangles, times any length: those of the faces of the file that they are parts of. A face of nothing but
 // slivers has none.
-std::vector<Vec3> normals_of(const Mesh& mesh) {
-  std::vector<Vec3> normals(mesh.polygon.size());
+std::vector<Vec3> normals_of(const PlacedMesh& placed) {
+  std::vector<Vec3> normals(placed.mesh.polygon.size());
   parallel_for(normals.size(), 4096, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t t = begin; t < end; ++t) normals[t] = area_of(mesh, static_cast<int>(t));
+    for (std::size_t t = begin; t < end; ++t) normals[t] = area_of(placed, static_cast<int>(t));
   });
   // Triangles of one face follow each other.
   for (std::size_t first = 0, end = 0; first < normals.size(); first = end) {
     Vec3 sum(0);
-    for (; end < normals.size() && mesh.polygon[end] == mesh.polygon[first]; ++end) sum += normals[end];
+    for (; end < normals.size() && placed.mesh.polygon[end] == placed.mesh.polygon[first]; ++end) sum += normals[end];
     std::fill(normals.begin() + static_cast<std::ptrdiff_t>(first), normals.begin() + static_cast<std::ptrdiff_t>(end),
               sum);
   }
@@ -53,19 +48,19 @@ std::vector<Vec3> normals_of(const Mesh& mesh) {
 }
 
 // Whether the triangle runs along the edge from its first vertex to its second one.
-bool runs_along(const Mesh& mesh, const MeshEdge& edge, int triangle) {
-  const std::array<int, 3> c = mesh.corners(triangle);
-  const auto at = static_cast<std::size_t>(std::find(c.begin(), c.end(), edge.vertex[0]) - c.begin());
-  return c[(at + 1) % 3] == edge.vertex[1];
+bool runs_along(const PlacedMesh& placed, const MeshEdge& edge, int triangle) {
+  const std::array<int, 3>& c = placed.triangles[triangle];
+  const auto at = std::find(c.begin(), c.end(), placed.first_vertex + edge.vertex[0]) - c.begin();
+  return c[static_cast<std::size_t>(at + 1) % 3] == placed.first_vertex + edge.vertex[1];
 }
 
-bool is_feature(const Mesh& mesh, const MeshEdge& edge, std::span<const Vec3> normals, double least_fold) {
+bool is_feature(const PlacedMesh& placed, const MeshEdge& edge, std::span<const Vec3> normals, double least_fold) {
   if (edge.count != 2) return true;
   if (edge.diagonal) return false;
-  const auto triangles = mesh.triangles_of(edge);
+  const auto triangles = placed.mesh.triangles_of(edge);
   const Vec3& a = normals[triangles[0]];
   // Against a neighbour that runs the same way round the normal is the wrong one.
-  const bool turned = runs_along(mesh, edge, triangles[0]) == runs_along(mesh, edge, triangles[1]);
+  const bool turned = runs_along(placed, edge, triangles[0]) == runs_along(placed, edge, triangles[1]);
   const Vec3 b = turned ? -normals[triangles[1]] : normals[triangles[1]];
   if (a == Vec3(0) || b == Vec3(0)) return false;
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) >= least_fold;
@@ -78,15 +73,15 @@ End other(End end) { return end ^ 1; }
 
 /// Edges of features and how they go on.
 struct Features {
-  const Mesh& mesh;
+  const PlacedMesh& placed;
   std::vector<char> wanted;  ///< by edge
   std::vector<End> partner;  ///< by end
 
   [[nodiscard]] int vertex(End end) const {
-    return mesh.edges[static_cast<std::size_t>(end / 2)].vertex[static_cast<std::size_t>(end % 2)];
+    return placed.mesh.edges[static_cast<std::size_t>(end / 2)].vertex[static_cast<std::size_t>(end % 2)];
   }
   [[nodiscard]] Vec3 leaving(End end) const {
-    return glm::normalize(point_of(mesh, vertex(other(end))) - point_of(mesh, vertex(end)));
+    return glm::normalize(placed.point(vertex(other(end))) - placed.point(vertex(end)));
   }
   void pair_up(std::span<const End> ends, double most_turn);
   [[nodiscard]] FeatureLine follow(End start, std::vector<char>& used) const;
@@ -132,28 +127,29 @@ std::vector<End> ends_by_vertex(const Features& features) {
   return ends;
 }
 
-Features find_features(const Mesh& mesh, double crease_angle) {
-  const std::vector<Vec3> normals = normals_of(mesh);
+Features find_features(const PlacedMesh& placed, double crease_angle) {
+  const std::vector<Vec3> normals = normals_of(placed);
   const double least_fold = (crease_angle - angle_rounding) * std::numbers::pi / 180;
-  Features features{mesh, std::vector<char>(mesh.edges.size()), std::vector<End>(2 * mesh.edges.size(), none)};
-  parallel_for(mesh.edges.size(), 4096, [&](std::size_t begin, std::size_t end) {
+  Features features{placed, std::vector<char>(placed.mesh.edges.size()),
+                    std::vector<End>(2 * placed.mesh.edges.size(), none)};
+  parallel_for(placed.mesh.edges.size(), 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e)
-      features.wanted[e] = is_feature(mesh, mesh.edges[e], normals, least_fold) ? 1 : 0;
+      features.wanted[e] = is_feature(placed, placed.mesh.edges[e], normals, least_fold) ? 1 : 0;
   });
   return features;
 }
 
 }  // namespace
 
-std::vector<FeatureLine> find_feature_lines(const Mesh& mesh, double crease_angle, double most_turn) {
-  Features features = find_features(mesh, crease_angle);
+std::vector<FeatureLine> find_feature_lines(const PlacedMesh& placed, double crease_angle, double most_turn) {
+  Features features = find_features(placed, crease_angle);
   const std::vector<End> ends = ends_by_vertex(features);
   for (std::size_t begin = 0, end = 0; begin < ends.size(); begin = end) {
     while (end < ends.size() && features.vertex(ends[end]) == features.vertex(ends[begin])) ++end;
     features.pair_up(std::span(ends).subspan(begin, end - begin), most_turn);
   }
   std::vector<FeatureLine> lines;
-  std::vector<char> used(mesh.edges.size(), 0);
+  std::vector<char> used(placed.mesh.edges.size(), 0);
   for (const End end : ends)
     if (features.partner[end] == none && used[end / 2] == 0) lines.push_back(features.follow(end, used));
   // What is left runs in rings.

@@ -1,11 +1,25 @@
 // Creases and boundaries of a mesh, end to end as far as they run on.
 #pragma once
 
+#include <array>
+#include <span>
 #include <vector>
 
+#include "base/vec.hpp"
 #include "mesh/mesh.hpp"
 
 namespace epura {
+
+/// The places of a mesh's vertices and the corners of its triangles: those of its surface, or where it stands in a
+/// world.
+struct PlacedMesh {
+  const Mesh& mesh;
+  std::span<const Vec3> points;                   ///< vertex v at first_vertex + v
+  std::span<const std::array<int, 3>> triangles;  ///< their corners counted likewise
+  int first_vertex = 0;
+
+  [[nodiscard]] const Vec3& point(int vertex) const { return points[first_vertex + vertex]; }
+};
 
 struct FeatureLine {
   std::vector<int> vertices;  ///< of the file; at least two. Of a closed line the first one is not repeated.
@@ -15,6 +29,6 @@ struct FeatureLine {
 /// Lines along edges with one triangle, with three or more, and with two that are folded by `crease_angle` degrees or
 /// more. Each edge is in one line. Where several meet in a vertex, those that run on most straightly are joined;
 /// lines end where they would turn by more than `most_turn` radians.
-std::vector<FeatureLine> find_feature_lines(const Mesh& mesh, double crease_angle, double most_turn);
+std::vector<FeatureLine> find_feature_lines(const PlacedMesh& mesh, double crease_angle, double most_turn);
 
 }  // namespace epura

@@ -6,22 +6,28 @@
 #include <exception>
 
 #include "base/error.hpp"
+#include "output/curve_pieces.hpp"
+#include "sheet/walk_stroke.hpp"
 
 namespace epura {
 
 Canvas enlarged_canvas(const Sheet& sheet) {
   Vec2 least(0, 0), most(sheet.width, sheet.height);
+  const auto add = [&](const Vec2& p) {
+    check(std::isfinite(p.x) && std::isfinite(p.y), "a stroke leads to infinity");
+    least = glm::min(least, p);
+    most = glm::max(most, p);
+  };
   for (const Layer& layer : sheet.layers) {
-    const auto add = [&](const std::vector<Vec2>& points) {
-      for (const Vec2& p : points) {
-        check(std::isfinite(p.x) && std::isfinite(p.y), "a stroke leads to infinity");
-        least = glm::min(least, p);
-        most = glm::max(most, p);
-      }
-    };
-    for (const Stroke& stroke : layer.strokes) add(stroke.points);
+    for (const Stroke& stroke : layer.strokes) {
+      for (const Vec2& p : stroke.points) add(p);
+      for (const CurvePart& part : stroke.curves)
+        for (const BezierPiece& piece : bezier_pieces(part))
+          for (const Vec2& p : piece.controls) add(p);
+    }
     for (const Fill& fill : layer.fills)
-      for (const std::vector<Vec2>& ring : fill.rings) add(ring);
+      for (const std::vector<Vec2>& ring : fill.rings)
+        for (const Vec2& p : ring) add(p);
   }
   const Vec2 size = most - least;
   // 2^31 / 2^8 units are the end of Cairo's numbers.
@@ -65,6 +71,23 @@ void set_dashes(cairo_t* cairo, const Stroke& stroke, double units) {
   cairo_set_dash(cairo, lengths.data(), static_cast<int>(lengths.size()), 0);
 }
 
+void add_path(cairo_t* cairo, const Canvas& canvas, const Stroke& stroke) {
+  const auto line = [&](const Vec2& point) {
+    const Vec2 p = canvas.to_surface(point);
+    cairo_line_to(cairo, p.x, p.y);
+  };
+  const auto curve = [&](const CurvePart& part) {
+    for (const BezierPiece& piece : bezier_pieces(part)) {
+      const Vec2 a = canvas.to_surface(piece.controls[0]), b = canvas.to_surface(piece.controls[1]);
+      const Vec2 to = canvas.to_surface(piece.to);
+      cairo_curve_to(cairo, a.x, a.y, b.x, b.y, to.x, to.y);
+    }
+  };
+  if (!stroke.points.empty()) line(stroke.points.front());
+  walk_stroke(stroke, line, curve);
+  if (stroke.closed) cairo_close_path(cairo);
+}
+
 }  // namespace
 
 void draw(const Pen& pen, const Canvas& canvas, const LineStyle& style, const std::vector<const Stroke*>& strokes) {
@@ -74,11 +97,7 @@ void draw(const Pen& pen, const Canvas& canvas, const LineStyle& style, const st
   set_dashes(cairo, *strokes.front(), canvas.units);
   for (const Stroke* stroke : strokes) {
     cairo_new_sub_path(cairo);
-    for (const Vec2& point : stroke->points) {
-      const Vec2 p = canvas.to_surface(point);
-      cairo_line_to(cairo, p.x, p.y);
-    }
-    if (stroke->closed) cairo_close_path(cairo);
+    add_path(cairo, canvas, *stroke);
   }
   cairo_stroke(cairo);
   require(cairo_status(cairo), "drawing");

@@ -130,6 +130,23 @@ void append_segments(std::string& text, const Drawing& drawing) {
   text += ']';
 }
 
+// Nothing for a drawing without curves.
+void append_curves(std::string& text, const Drawing& drawing) {
+  std::string lines;
+  for (const Chain& chain : drawing.chains) {
+    for (const CurvePart& curve : chain.curves) {
+      lines += lines.empty() ? "\n    {\"centre\": " : ",\n    {\"centre\": ";
+      append_numbers(lines, coordinates(curve.centre));
+      append_numbers(lines += ", \"u\": ", coordinates(curve.u));
+      append_numbers(lines += ", \"v\": ", coordinates(curve.v));
+      append_numbers(lines += ", \"angles\": ", std::array{curve.from, curve.to});
+      lines += chain.visible ? ", \"visible\": true" : ", \"visible\": false";
+      lines.append(", \"kind\": \"").append(name_of(chain.kind)).append("\"}");
+    }
+  }
+  if (!lines.empty()) text += ",\n   \"curves\": [" + lines + "]";
+}
+
 std::string parameters_of(const Projection& projection) {
   std::string text;
   for (const auto& [name, values] : projection.values) {
@@ -162,6 +179,7 @@ void append_view(std::string& text, const Drawing& drawing, double main_scale) {
           (projection.central ? "centre" : "direction") + "\": " + point(projection.projector) +
           "},\n   \"vanishing_points\": " + list(drawing.vanishing_points, vanishing_point) + ",\n   \"segments\": ";
   append_segments(text, drawing);
+  append_curves(text, drawing);
   if (!drawing.cut_faces.empty()) text += ",\n   \"cut_faces\": " + list(drawing.cut_faces, cut_face_of, "\n    ");
   text += '}';
 }

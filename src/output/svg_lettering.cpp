@@ -43,9 +43,12 @@ void append_outlines(std::string& svg, const Text& text, double height, const Le
   }
 }
 
+// Line styles have names of their own, which may be the same words.
+std::string class_of(const Text& text) { return "text-" + text.role; }
+
 void append_outlined(std::string& svg, const Text& text, double height, const Lettering& lettering) {
   svg += "<path";
-  if (!text.role.empty()) append_attribute(svg, "class", text.role);
+  if (!text.role.empty()) append_attribute(svg, "class", class_of(text));
   append_attribute(svg, "aria-label", text.text);
   svg += " d=\"";
   append_outlines(svg, text, height, lettering);
@@ -56,7 +59,7 @@ void append_written(std::string& svg, const Text& text, double height, const Let
   constexpr std::string_view anchors[] = {"start", "middle", "end"};
   const double y = height - text.at.y;
   svg += "<text";
-  if (!text.role.empty()) append_attribute(svg, "class", text.role);
+  if (!text.role.empty()) append_attribute(svg, "class", class_of(text));
   append_millimetres(svg += " x=\"", text.at.x);
   append_millimetres(svg += "\" y=\"", y);
   append_millimetres(svg += "\" font-size=\"", text.height * lettering.em());

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstddef>
 #include <map>
+#include <numbers>
 #include <pugixml.hpp>
 #include <span>
 #include <utility>
@@ -14,6 +16,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "base/utf8.hpp"
+#include "output/curve_pieces.hpp"
 #include "output/in_order.hpp"
 
 namespace epura {
@@ -121,20 +124,60 @@ class PathReader {
   std::string_view path_;
 };
 
-// One stroke in millimetres, y down.
-void append_line(std::string& text, PathReader& reader, const Canvas& canvas, double height) {
-  const auto append = [&](char command, const Vec2& point) {
-    const Vec2 p = canvas.to_sheet(point);
-    text += command;
+/// The path of one stroke in millimetres, y down.
+struct PathWriter {
+  std::string& text;
+  const Canvas& canvas;
+  double height;
+
+  void append_point(const Vec2& p) const {
     append_millimetres(text, p.x);
-    text += ' ';
-    append_millimetres(text, height - p.y);
-  };
+    append_millimetres(text += ' ', height - p.y);
+  }
+  void append(char command, const Vec2& on_surface) const {
+    text += command;
+    append_point(canvas.to_sheet(on_surface));
+  }
+  void append_arcs(const CurvePart& part) const;
+  void append_stroke(PathReader& reader, const Stroke& stroke) const;
+};
+
+// Arcs as SVG knows them. What turns counterclockwise with y up does so on the page.
+void PathWriter::append_arcs(const CurvePart& part) const {
+  constexpr double degrees = 180 / std::numbers::pi;
+  const double u = glm::length(part.u), v = glm::length(part.v);
+  const bool turned_over = part.u.x * part.v.y < part.u.y * part.v.x;
+  const bool counterclockwise = (part.to > part.from) != turned_over;
+  for (const Vec2& end : quarter_ends(part)) {
+    append_millimetres(text += 'A', u);
+    append_millimetres(text += ' ', v);
+    append_fixed(text += ' ', u == v ? 0 : -std::atan2(part.u.y, part.u.x) * degrees, 6);
+    text += counterclockwise ? " 0 0 " : " 0 1 ";
+    append_point(end);
+  }
+}
+
+void PathWriter::append_stroke(PathReader& reader, const Stroke& stroke) const {
   check(reader.at('M'), "Cairo left a stroke out");
   Vec2 start;
   for (; reader.at('M'); start = reader.point()) reader.skip_command();  // one more M stands behind a Z
   append('M', start);
-  for (; reader.at('L'); append('L', reader.point())) reader.skip_command();
+  std::size_t curve = 0;
+  while (reader.at('L') || reader.at('C')) {
+    if (reader.at('L')) {
+      reader.skip_command();
+      append('L', reader.point());
+      continue;
+    }
+    check(curve < stroke.curves.size(), "Cairo drew a curve of its own");
+    const CurvePart& part = stroke.curves[curve++];
+    for (std::size_t pieces = bezier_pieces(part).size(); pieces > 0; --pieces) {
+      check(reader.at('C'), "Cairo left a piece of a curve out");
+      reader.skip_command();
+      for (int i = 0; i < 3; ++i) reader.point();
+    }
+    append_arcs(part);
+  }
   if (!reader.at('Z')) return;
   reader.skip_command();
   text += 'Z';
@@ -240,7 +283,7 @@ void append_paths(std::string& text, const Layer& layer, const Canvas& canvas, d
       const bool first = &part == parts.data() || (&part)[-1].path != part.path;
       const bool last = &part == &parts.back() || (&part)[1].path != part.path;
       if (first) append_head(lines, part, look);
-      append_line(lines, reader, canvas, height);
+      PathWriter{lines, canvas, height}.append_stroke(reader, *part.stroke);
       if (last) lines += "\" />\n";
     }
     return lines;

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <optional>
 
+#include "drawing/curve_part.hpp"
+
 namespace epura {
 
 namespace {
@@ -14,8 +16,10 @@ const Vec2& at(const std::vector<Vec2>& points, int index) {
   return points[static_cast<std::size_t>(index) % points.size()];
 }
 
-bool is_corner(const std::vector<Vec2>& points, int index) {
+bool is_corner(const std::vector<Vec2>& points, int index, std::span<const CurvePart> curves) {
   const int count = static_cast<int>(points.size());
+  const auto inside = [&](const CurvePart& curve) { return curve.first < index % count && index % count < curve.last; };
+  if (std::any_of(curves.begin(), curves.end(), inside)) return false;
   const Vec2 in = at(points, index) - at(points, index + count - 1), out = at(points, index + 1) - at(points, index);
   constexpr double cosine = 0.8660254037844386;  // of 30 degrees
   return glm::dot(in, out) < cosine * glm::length(in) * glm::length(out);
@@ -75,14 +79,19 @@ std::vector<double> pattern_for(double length, double width, bool closed, std::s
   return pattern;
 }
 
-}  // namespace
-
-Dashes fit_open(double length, double width, const DashType& type) {
+// With a number of periods that is a multiple of `of`.
+Dashes fit_multiple(double length, double width, const DashType& type, double of) {
   if (!(length >= type.shortest() * width)) return {};
   const double rest = type.rest() * width;
-  const double periods = std::round((length - type.dash * width) / (type.dash * width + rest));
+  const double periods = of * std::round((length - type.dash * width) / (of * (type.dash * width + rest)));
   return {(length - rest * periods) / (periods + 1), type.gap * width, type.dot * width, type.dots};
 }
+
+}  // namespace
+
+Dashes fit_open(double length, double width, const DashType& type) { return fit_multiple(length, width, type, 1); }
+
+Dashes fit_centred(double length, double width, const DashType& type) { return fit_multiple(length, width, type, 2); }
 
 Dashes fit_closed(double length, double width, const DashType& type) {
   if (!(length >= type.shortest() * width)) return {};
@@ -98,22 +107,23 @@ FittedDashes fit_crossings(double length, double width, bool closed, std::span<c
   return {{}, pattern_for(length, width, closed, crossings)};
 }
 
-std::vector<DashRun> cut_at_corners(const std::vector<Vec2>& points, bool closed, double shortest) {
+std::vector<DashRun> cut_at_corners(const std::vector<Vec2>& points, bool closed, double shortest,
+                                    std::span<const CurvePart> curves) {
   const int count = static_cast<int>(points.size());
   int first = 0, last = count - 1;
   if (closed) {
-    while (first < count && !is_corner(points, first)) ++first;
+    while (first < count && !is_corner(points, first, curves)) ++first;
     if (first == count) return {{0, count, true}};
     last = first + count;
   }
-  std::vector<double> travelled{0};
-  for (int i = first; i < last; ++i)
-    travelled.push_back(travelled.back() + glm::distance(at(points, i), at(points, i + 1)));
-  const auto length = [&](int from, int to) { return travelled[to - first] - travelled[from - first]; };
+  const std::vector<double> distances = distances_along(points, closed, curves);
+  const auto travelled = [&](int i) { return i < count ? distances[i] : distances[i - count] + distances.back(); };
+  const auto length = [&](int from, int to) { return travelled(to) - travelled(from); };
 
   std::vector<DashRun> runs;
   for (int i = first + 1, begin = first; i <= last; ++i) {
-    const bool cut = i < last && is_corner(points, i) && length(begin, i) >= shortest && length(i, last) >= shortest;
+    const bool cut =
+        i < last && is_corner(points, i, curves) && length(begin, i) >= shortest && length(i, last) >= shortest;
     if (!cut && i < last) continue;
     runs.push_back({begin, i, false});
     begin = i;
@@ -121,10 +131,8 @@ std::vector<DashRun> cut_at_corners(const std::vector<Vec2>& points, bool closed
   return runs;
 }
 
-double length_of(const std::vector<Vec2>& points, bool closed) {
-  double length = 0;
-  for (std::size_t i = 1; i < points.size(); ++i) length += glm::distance(points[i - 1], points[i]);
-  return closed && !points.empty() ? length + glm::distance(points.back(), points.front()) : length;
+double length_of(const std::vector<Vec2>& points, bool closed, std::span<const CurvePart> curves) {
+  return points.empty() ? 0 : distances_along(points, closed, curves).back();
 }
 
 }  // namespace epura

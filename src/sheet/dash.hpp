@@ -33,6 +33,9 @@ Dashes fit_open(double length, double width, const DashType& type = dashed);
 /// The same on a closed line: n = round(L / period) periods go round it exactly.
 Dashes fit_closed(double length, double width, const DashType& type = dashed);
 
+/// The same as fit_open with a dash in the middle, where a centre line crosses another.
+Dashes fit_centred(double length, double width, const DashType& type);
+
 /// Dashed lines of type 02 that have ink at each of the `crossings`, ascending distances from their beginning: `dashes`
 /// with other lengths where these will do, otherwise a `pattern` for the whole line.
 struct FittedDashes {
@@ -47,10 +50,13 @@ struct DashRun {
   bool closed;  ///< the whole of a closed line, without a corner to begin at
 };
 
-/// Cuts a line at its corners, turns of more than 30 degrees, for dashes to end there. A run has at least
-/// `shortest` mm, so that corners too close together stay inside one. A closed line begins at a corner when it has one.
-std::vector<DashRun> cut_at_corners(const std::vector<Vec2>& points, bool closed, double shortest);
+/// Cuts a line at its corners, turns of more than 30 degrees that are not inside a curve, for dashes to end there. A
+/// run has at least `shortest` mm, so that corners too close together stay inside one. A closed line begins at a corner
+/// when it has one.
+std::vector<DashRun> cut_at_corners(const std::vector<Vec2>& points, bool closed, double shortest,
+                                    std::span<const CurvePart> curves = {});
 
-double length_of(const std::vector<Vec2>& points, bool closed);
+/// Along lines and curves.
+double length_of(const std::vector<Vec2>& points, bool closed, std::span<const CurvePart> curves = {});
 
 }  // namespace epura

@@ -52,7 +52,7 @@ void add_strip(Furniture& all, const std::vector<double>& ends, double inner, do
     // Numbers go to the right, letters down.
     const std::string text = axis == 0 ? std::to_string(i + 1) : letters(static_cast<int>(fields - 1 - i));
     const Vec2 centre = point((ends[i] + ends[i + 1]) / 2, middle);
-    all.texts.push_back({text, centre - Vec2(0, letter_height / 2), letter_height, 0, Align::middle, "grid"});
+    all.texts.push_back({text, centre - Vec2(0, letter_height / 2), letter_height, 0, Align::middle, "grid-reference"});
   }
 }
 
@@ -118,7 +118,7 @@ Furniture frame(const Paper& paper, FrameKind kind, const std::optional<Rectangl
   const std::string name = paper_name(paper);
   const double inset = (grid_strip - letter_height) / 2;
   const Vec2 place = Vec2(area.most.x, area.least.y - grid_strip) + Vec2(-inset, inset);
-  if (name.starts_with('A')) all.texts.push_back({name, place, letter_height, 0, Align::right, "grid"});
+  if (name.starts_with('A')) all.texts.push_back({name, place, letter_height, 0, Align::right, "grid-reference"});
   return all;
 }
 

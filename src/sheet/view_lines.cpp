@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
+#include "drawing/curve_part.hpp"
 #include "sheet/crossings.hpp"
 #include "sheet/dash.hpp"
 
@@ -69,16 +70,44 @@ std::vector<double> crossings_of_run(const std::vector<double>& crossings, doubl
   return found;
 }
 
-Stroke dashed_run(const Drawing& drawing, const Chain& chain, const DashRun& run, double width,
-                  const std::vector<double>& crossings) {
+// Places along the straight lines of a chain as places along its curves.
+std::vector<double> onto_curves(std::vector<double> places, const Chain& chain, const std::vector<double>& distances) {
+  if (chain.curves.empty()) return places;
+  const std::vector<double> straight = distances_along(chain.points, chain.closed, {});
+  std::size_t i = 0;
+  for (double& place : places) {
+    while (i + 2 < straight.size() && straight[i + 1] < place) ++i;
+    const double step = straight[i + 1] - straight[i];
+    const double part = step > 0 ? (place - straight[i]) / step : 0;
+    place = distances[i] + part * (distances[i + 1] - distances[i]);
+  }
+  return places;
+}
+
+/// A chain to be dashed.
+struct DashedChain {
+  const Drawing& drawing;
+  const Chain& chain;
+  double width;
+  std::vector<double> distances;  ///< of its points
+  std::vector<double> crossings;  ///< places along it
+
+  [[nodiscard]] double distance(int i) const {
+    const int count = static_cast<int>(chain.points.size());
+    return i < count ? distances[i] : distances[i - count] + distances.back();
+  }
+  [[nodiscard]] Stroke stroke(const DashRun& run) const;
+};
+
+Stroke DashedChain::stroke(const DashRun& run) const {
   Stroke stroke;
   stroke.closed = run.closed;
   for (int i = run.first; i <= run.last - (run.closed ? 1 : 0); ++i)
     stroke.points.push_back(chain.points[static_cast<std::size_t>(i) % chain.points.size()]);
-  const double length = length_of(stroke.points, stroke.closed);
-  const double start = length_of({chain.points.begin(), chain.points.begin() + run.first + 1}, false);
-  const double around = length_of(chain.points, chain.closed);
-  FittedDashes fitted = fit_crossings(length, width, stroke.closed, crossings_of_run(crossings, start, length, around));
+  stroke.curves = curves_between(chain.curves, chain.points, run.first, run.last);
+  const double start = distance(run.first), length = distance(run.last) - start;
+  FittedDashes fitted =
+      fit_crossings(length, width, stroke.closed, crossings_of_run(crossings, start, length, distances.back()));
   stroke.dashes = fitted.dashes;
   stroke.pattern = std::move(fitted.pattern);
   add_origin(stroke, drawing, segments_of(chain, run));
@@ -89,46 +118,59 @@ void add_dashed(std::vector<Stroke>& strokes, const Drawing& drawing, std::size_
                 const Crossings& crossings) {
   const Chain& chain = drawing.chains[number];
   const double shortest = dashed.shortest() * width;
-  if (chain.points.size() < 2 || length_of(chain.points, chain.closed) < shortest) {
+  std::vector<double> distances = distances_along(chain.points, chain.closed, chain.curves);
+  if (chain.points.size() < 2 || distances.back() < shortest) {
     strokes.push_back(continuous(drawing, chain));
     return;
   }
-  const std::vector<double> places = crossings.along(number, width);
-  for (const DashRun& run : cut_at_corners(chain.points, chain.closed, shortest))
-    strokes.push_back(dashed_run(drawing, chain, run, width, places));
+  std::vector<double> places = onto_curves(crossings.along(number, width), chain, distances);
+  const DashedChain dashed_chain{drawing, chain, width, std::move(distances), std::move(places)};
+  for (const DashRun& run : cut_at_corners(chain.points, chain.closed, shortest, chain.curves))
+    strokes.push_back(dashed_chain.stroke(run));
 }
 
 // Lines of neighbouring parts, each fitted as a whole.
 Stroke double_dotted(const Drawing& drawing, const Chain& chain, double width) {
   Stroke stroke = continuous(drawing, chain);
-  const double length = length_of(chain.points, chain.closed);
+  const double length = length_of(chain.points, chain.closed, chain.curves);
   stroke.dashes =
       chain.closed ? fit_closed(length, width, long_dash_double_dot) : fit_open(length, width, long_dash_double_dot);
   return stroke;
 }
 
-// Takes `by` off one end of a line that is longer.
-void shorten(std::vector<Vec2>& points, double by) {
-  while (points.size() > 2 && glm::distance(points.back(), points[points.size() - 2]) <= by) {
-    by -= glm::distance(points.back(), points[points.size() - 2]);
-    points.pop_back();
+// Takes `by` off the end of a line that is longer. The curve there goes on as far as its last corner.
+void shorten(Stroke& stroke, double by) {
+  std::vector<Vec2>& points = stroke.points;
+  std::size_t end = points.size() - 1;
+  for (; end > 1 && glm::distance(points[end], points[end - 1]) <= by; --end)
+    by -= glm::distance(points[end], points[end - 1]);
+  stroke.curves = curves_between(stroke.curves, points, 0, static_cast<int>(end) - 1);
+  points.resize(end + 1);
+  const Vec2 step = points[end - 1] - points[end];
+  points[end] += step * (by / glm::length(step));
+}
+
+void turn_round(Stroke& stroke) {
+  const int last = static_cast<int>(stroke.points.size()) - 1;
+  std::reverse(stroke.points.begin(), stroke.points.end());
+  std::reverse(stroke.curves.begin(), stroke.curves.end());
+  for (CurvePart& curve : stroke.curves) {
+    std::swap(curve.from, curve.to);
+    curve.first = last - std::exchange(curve.last, last - curve.first);
   }
-  const Vec2 step = points[points.size() - 2] - points.back();
-  points.back() += step * (by / glm::length(step));
 }
 
 // Tangent edges end short of outlines (ISO 128-3, imaginary intersections).
 Stroke tangent(const Drawing& drawing, const Chain& chain, double gap, const Crossings& crossings) {
   Stroke stroke = continuous(drawing, chain);
   if (chain.closed || chain.points.size() < 2 || length_of(chain.points, false) < 4 * gap) return stroke;
-  stroke.curves = {};
   const bool at_last = crossings.has_outline_at(chain.points.back());
   const bool at_first = crossings.has_outline_at(chain.points.front());
-  if (at_last) shorten(stroke.points, gap);
+  if (at_last) shorten(stroke, gap);
   if (at_first) {
-    std::reverse(stroke.points.begin(), stroke.points.end());
-    shorten(stroke.points, gap);
-    std::reverse(stroke.points.begin(), stroke.points.end());
+    turn_round(stroke);
+    shorten(stroke, gap);
+    turn_round(stroke);
   }
   return stroke;
 }

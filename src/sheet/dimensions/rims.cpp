@@ -2,38 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <utility>
 
 #include "base/error.hpp"
 #include "base/text.hpp"
-#include "mesh/circles.hpp"
+#include "scene/placed_circles.hpp"
 
 namespace epura {
 
 namespace {
 
 constexpr double roundness = 2e-3;  // of the radius: twice what find_circles grants to vertices
-
-// Nothing where the transform makes an ellipse of it.
-std::optional<WorldCircle> in_world(const Placed& model, const MeshCircle& circle) {
-  const Mat3 turn(model.to_world);
-  const Vec3 other = std::abs(circle.axis.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
-  const Vec3 u = glm::cross(circle.axis, other);
-  const Vec3 axis = glm::cross(turn * u, turn * glm::cross(circle.axis, u));
-  WorldCircle placed{Vec3(model.to_world * Vec4(circle.centre, 1)), glm::normalize(axis), 0, {}, circle.whole};
-  for (const int v : circle.vertices) {
-    const auto& p = model.mesh->point(v);
-    placed.rim.emplace_back(model.to_world * Vec4(p[0], p[1], p[2], 1));
-    placed.radius += glm::length(placed.rim.back() - placed.centre) / double(circle.vertices.size());
-  }
-  const auto round = [&placed](const Vec3& p) {
-    return std::abs(glm::length(p - placed.centre) - placed.radius) <= roundness * placed.radius;
-  };
-  if (!std::all_of(placed.rim.begin(), placed.rim.end(), round)) return std::nullopt;
-  // A turn or an even scale leaves the fitted radius as it is; vertices lie beside it by their rounding.
-  placed.radius = circle.radius * std::sqrt(glm::length(axis) / glm::dot(u, u));
-  return placed;
-}
 
 double distance(const Vec3& point, const WorldCircle& circle) {
   const Vec3 d = point - circle.centre;
@@ -50,9 +29,11 @@ std::string text_of(const Vec3& p) {
 const std::vector<Rims::Rim>& Rims::of_model(int model) {
   const auto [at, first_time] = rims_.try_emplace(model);
   if (!first_time) return at->second;
-  const Placed& placed = world_.models[std::size_t(model)];
-  for (const MeshCircle& circle : find_circles(*placed.mesh))
-    if (const auto in_place = in_world(placed, circle)) at->second.push_back({circle.vertices, *in_place});
+  for (const MeshCircle& circle : find_circles(world_, model)) {
+    WorldCircle placed{circle.centre, circle.axis, circle.radius, {}, circle.whole};
+    for (const int v : circle.vertices) placed.rim.push_back(world_.points[world_.first_vertex[model] + v]);
+    at->second.push_back({circle.vertices, std::move(placed)});
+  }
   return at->second;
 }
 

@@ -1,0 +1,182 @@
+#include "drawing/arcs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+#include "base/circle_fit.hpp"
+#include "base/curve_runs.hpp"
+#include "base/parallel.hpp"
+#include "drawing/conic_fit.hpp"
+
+namespace epura {
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+constexpr int least_edges = 7;
+constexpr double least_turn = 30 * degree;
+constexpr double most_step = 30.001 * degree;
+constexpr double least_radius_in_tolerances = 10;
+constexpr double least_radius = 0.05, least_length = 0.1;  // mm: no line is narrower
+constexpr double most_radius = 1e5;                        // mm
+
+struct Fit {
+  Ellipse ellipse;
+  bool circle;
+  double from, sweep;  ///< angles; a negative sweep goes clockwise
+  double longest_step;
+  double deviation;
+};
+
+double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
+
+double angle_between(const Vec2& a, const Vec2& b) { return std::atan2(cross(a, b), glm::dot(a, b)); }
+
+struct Line {
+  const Chain& chain;
+  double tolerance;
+
+  [[nodiscard]] int size() const { return static_cast<int>(chain.points.size()); }
+  [[nodiscard]] const Vec2& point(int i) const { return chain.points[static_cast<std::size_t>((i + size()) % size())]; }
+  [[nodiscard]] double turn(int i) const { return angle_between(point(i) - point(i - 1), point(i + 1) - point(i)); }
+
+  // The shortest run that turns far enough, or that no longer turns one way.
+  [[nodiscard]] int window(int first, int most) const {
+    double turned = 0;
+    for (int last = first + 2; last <= most; ++last) {
+      const double turning = turn(last - 1);
+      if (!(turned * turning >= 0) || turning == 0) return last;
+      turned += turning;
+      if (last - first >= least_edges && std::abs(turned) >= least_turn) return last;
+    }
+    return most;
+  }
+
+  [[nodiscard]] std::optional<Fit> fit(int first, int last) const;
+  [[nodiscard]] std::optional<Fit> along(const Ellipse& ellipse, bool circle, const std::vector<Vec2>& points) const;
+};
+
+// The corners one after the other on the curve.
+std::optional<Fit> Line::along(const Ellipse& ellipse, bool circle, const std::vector<Vec2>& points) const {
+  const double least = std::max(least_radius, least_radius_in_tolerances * tolerance);
+  if (!(std::min(glm::length(ellipse.u), glm::length(ellipse.v)) >= least)) return std::nullopt;
+  if (!(std::max(glm::length(ellipse.u), glm::length(ellipse.v)) <= most_radius)) return std::nullopt;
+  Fit fit{ellipse, circle, ellipse.angle_of(points.front()), 0, 0, 0};
+  double previous = fit.from;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    fit.deviation = std::max(fit.deviation, ellipse.distance(points[i]));
+    if (!(fit.deviation <= tolerance)) return std::nullopt;
+    if (i == 0) continue;
+    const double angle = ellipse.angle_of(points[i]);
+    const double step = std::remainder(angle - previous, 2 * std::numbers::pi);
+    if (!(std::abs(step) <= most_step) || !(step * fit.sweep >= 0) || step == 0) return std::nullopt;
+    fit.sweep += step;
+    fit.longest_step = std::max(fit.longest_step, std::abs(step));
+    previous = angle;
+  }
+  return std::abs(fit.sweep) <= 2 * std::numbers::pi + 1e-6 ? std::optional(fit) : std::nullopt;
+}
+
+std::optional<Fit> Line::fit(int first, int last) const {
+  if (last - first < least_edges) return std::nullopt;
+  const bool whole = chain.closed && last - first == size();
+  std::vector<Vec2> points;
+  for (int i = first; i <= last; ++i) points.push_back(point(i));
+  std::optional<Fit> found;
+  if (const auto circle = fit_circle(points))
+    found = along({circle->centre, {circle->radius, 0}, {0, circle->radius}}, true, points);
+  if (!found)
+    if (const auto ellipse = fit_ellipse(points)) found = along(*ellipse, false, points);
+  const bool round = found && std::abs(std::abs(found->sweep) - 2 * std::numbers::pi) < 1e-6;
+  return found && round == whole ? found : std::nullopt;
+}
+
+// Height of the curve over the chord of a step, which is largest in the direction of the longer half axis.
+double bulge_of(const Fit& fit) {
+  return std::max(glm::length(fit.ellipse.u), glm::length(fit.ellipse.v)) * (1 - std::cos(fit.longest_step / 2));
+}
+
+// Where a line becomes hidden, or another covers it, it ends on a chord.
+bool ends_on_chord(const Fit& fit, const Vec2& end, double step, double tolerance) {
+  const bool onward = step * fit.sweep > 0 && std::abs(step) <= fit.longest_step * 1.001;
+  return onward && fit.ellipse.distance(end) <= bulge_of(fit) * 1.001 + tolerance;
+}
+
+CurvePart part_of(Chain& chain, const CurveRun<Fit>& run, double tolerance) {
+  const Fit& fit = run.curve;
+  const Ellipse& e = fit.ellipse;
+  CurvePart part{run.first, run.last, e.centre, e.u, e.v, fit.from, fit.from + fit.sweep};
+  if (chain.closed) return part;
+  const int end = static_cast<int>(chain.points.size()) - 1;
+  if (part.first == 1) {
+    const double step = std::remainder(fit.from - e.angle_of(chain.points.front()), 2 * std::numbers::pi);
+    if (ends_on_chord(fit, chain.points.front(), step, tolerance)) {
+      part.first = 0;
+      part.from -= step;
+      chain.points.front() = e.at(part.from);
+    }
+  }
+  if (part.last == end - 1) {
+    const double step = std::remainder(e.angle_of(chain.points.back()) - part.to, 2 * std::numbers::pi);
+    if (ends_on_chord(fit, chain.points.back(), step, tolerance)) {
+      part.last = end;
+      part.to += step;
+      chain.points.back() = e.at(part.to);
+    }
+  }
+  return part;
+}
+
+// So that no curve runs on past the end of a closed line.
+void begin_at(Chain& chain, int first) {
+  const bool side_by_side = chain.segments.size() == chain.points.size();
+  std::rotate(chain.points.begin(), chain.points.begin() + first, chain.points.end());
+  if (side_by_side) std::rotate(chain.segments.begin(), chain.segments.begin() + first, chain.segments.end());
+}
+
+CurveReport find_in(Chain& chain, double tolerance) {
+  const Line line{chain, tolerance};
+  const auto window = [&](int first, int most) { return line.window(first, most); };
+  const auto fit = [&](int first, int last) { return line.fit(first, last); };
+  std::vector<CurveRun<Fit>> runs = find_curve_runs<Fit>(line.size(), chain.closed, window, fit);
+  if (!runs.empty() && runs.back().last > line.size()) {
+    begin_at(chain, runs.back().first);
+    std::rotate(runs.begin(), runs.end() - 1, runs.end());
+    const int shift = runs.front().first;
+    for (CurveRun<Fit>& run : runs) {
+      const int from_start = (run.first - shift + line.size()) % line.size();
+      run = {from_start, from_start + run.last - run.first, run.curve};
+    }
+  }
+  CurveReport report;
+  for (const CurveRun<Fit>& run : runs) {
+    chain.curves.push_back(part_of(chain, run, tolerance));
+    report += {run.curve.circle ? 1 : 0, run.curve.circle ? 0 : 1, run.curve.deviation, bulge_of(run.curve)};
+  }
+  return report;
+}
+
+}  // namespace
+
+CurveReport& CurveReport::operator+=(const CurveReport& other) {
+  circles += other.circles;
+  ellipses += other.ellipses;
+  deviation = std::max(deviation, other.deviation);
+  bulge = std::max(bulge, other.bulge);
+  return *this;
+}
+
+CurveReport find_curves(std::vector<Chain>& chains, double tolerance) {
+  std::vector<CurveReport> reports(chains.size());
+  parallel_for(chains.size(), 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (chains[i].points.size() > least_edges) reports[i] = find_in(chains[i], tolerance);
+  });
+  CurveReport all;
+  for (const CurveReport& report : reports) all += report;
+  return all;
+}
+
+}  // namespace epura

@@ -1,0 +1,32 @@
+// The ellipse nearest to points of the plane.
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <span>
+
+#include "base/vec.hpp"
+
+namespace epura {
+
+/// Points centre + cos(a) u + sin(a) v; u is perpendicular to v and turns into it counterclockwise.
+struct Ellipse {
+  Vec2 centre, u, v;
+
+  [[nodiscard]] Vec2 at(double angle) const { return centre + std::cos(angle) * u + std::sin(angle) * v; }
+  /// The angle whose ray from the centre goes through `p`.
+  [[nodiscard]] double angle_of(const Vec2& p) const {
+    const Vec2 d = p - centre;
+    return std::atan2(glm::dot(d, v) / glm::dot(v, v), glm::dot(d, u) / glm::dot(u, u));
+  }
+  /// Distance of a point near the ellipse from it, to first order (Sampson).
+  [[nodiscard]] double distance(const Vec2& p) const;
+};
+
+/// Algebraic least squares, a x^2 + b x y + c y^2 + d x + e y = f with a + c = 1 (Gander, Golub, Strebel. Least-Squares
+/// Fitting of Circles and Ellipses. BIT 34, 1994), after an affine map that makes the points' covariance the identity:
+/// exact for points on an ellipse. Nothing for fewer than 5 points, for points on a line, and where the best conic is
+/// none.
+std::optional<Ellipse> fit_ellipse(std::span<const Vec2> points);
+
+}  // namespace epura

@@ -1,0 +1,25 @@
+// Arcs of circles and ellipses as what file formats have: cubic Bezier curves, and arcs of a quarter at most.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "drawing/drawing.hpp"
+
+namespace epura {
+
+/// A cubic curve from where the pen stands.
+struct BezierPiece {
+  std::array<Vec2, 2> controls;
+  Vec2 to;
+};
+
+/// Within `tolerance` mm of the curve: pieces of angle t have their control points 4/3 tan(t/4) tangents away, which
+/// leaves an error of 2.73e-4 (t / 90 degrees)^6 radii (Goldapp. Approximation of circular arcs by cubic polynomials.
+/// CAGD 8, 1991).
+std::vector<BezierPiece> bezier_pieces(const CurvePart& curve, double tolerance = 1e-5);
+
+/// Where arcs of at most a quarter end; from these and the radii programs find the centre well.
+std::vector<Vec2> quarter_ends(const CurvePart& curve);
+
+}  // namespace epura

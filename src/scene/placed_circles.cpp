@@ -1,0 +1,41 @@
+#include "scene/placed_circles.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <utility>
+
+namespace epura {
+
+namespace {
+
+double sweep_of(const World& world, int model, const MeshCircle& circle) {
+  const auto spoke = [&](std::size_t i) {
+    return world.points[world.first_vertex[model] + circle.vertices[i]] - circle.centre;
+  };
+  double sweep = 0;
+  for (std::size_t i = 1; i < circle.vertices.size(); ++i)
+    sweep += std::atan2(glm::length(glm::cross(spoke(i - 1), spoke(i))), glm::dot(spoke(i - 1), spoke(i)));
+  return sweep;
+}
+
+}  // namespace
+
+std::vector<MeshCircle> find_circles(const World& world, int model, double crease_angle) {
+  const int first = world.first_triangle[model], count = world.first_triangle[model + 1] - first;
+  const auto triangles =
+      std::span(world.triangles).subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(count));
+  return find_circles(PlacedMesh{*world.models[model].mesh, world.points, triangles, world.first_vertex[model]},
+                      crease_angle);
+}
+
+std::vector<PlacedCircle> find_placed_circles(const World& world, double crease_angle) {
+  constexpr double half_turn = std::numbers::pi * (1 - 1e-6);
+  std::vector<PlacedCircle> placed;
+  for (int model = 0; model < static_cast<int>(world.models.size()); ++model)
+    for (MeshCircle& circle : find_circles(world, model, crease_angle))
+      if (circle.whole || sweep_of(world, model, circle) >= half_turn) placed.push_back({model, std::move(circle)});
+  return placed;
+}
+
+}  // namespace epura

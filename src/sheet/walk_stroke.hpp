@@ -1,0 +1,26 @@
+// A stroke as a pen draws it: lines and curves in their order.
+#pragma once
+
+#include <cstddef>
+
+#include "sheet/sheet.hpp"
+
+namespace epura {
+
+/// Calls line(point) for each line to a point and curve(part) for each curve, from the first point on. What closes a
+/// closed stroke is left to the caller, unless a curve does.
+template <class Line, class Curve>
+void walk_stroke(const Stroke& stroke, const Line& line, const Curve& curve) {
+  std::size_t at = 1;
+  const auto lines_to = [&](std::size_t end) {
+    for (; at < end; ++at) line(stroke.points[at]);
+  };
+  for (const CurvePart& part : stroke.curves) {
+    lines_to(static_cast<std::size_t>(part.first) + 1);
+    curve(part);
+    at = static_cast<std::size_t>(part.last) + 1;
+  }
+  lines_to(stroke.points.size());
+}
+
+}  // namespace epura

@@ -1,0 +1,60 @@
+// What would break if this were wrong: centre lines and diameters of models that a transform has moved.
+#include "scene/placed_circles.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+#include "mesh/read.hpp"
+#include "scene/transform.hpp"
+
+namespace epura {
+namespace {
+
+World world_of(const std::string& transform) {
+  auto mesh = std::make_shared<Mesh>(read_mesh(EPURA_TEST_SAMPLES "/models/bracket.obj"));
+  auto other = std::make_shared<Mesh>(read_mesh(EPURA_TEST_SAMPLES "/models/flange.obj"));
+  World world = make_world({{other, Mat4(1)}, {mesh, parse_transform(transform)}});
+  // As when a drawing is made: what is known is in the world and in the table of edges.
+  mesh->surface = Surface();
+  other->surface = Surface();
+  return world;
+}
+
+TEST(PlacedCircles, AreWhereTheModelStands) {
+  const Mat4 place = parse_transform("scale:2 rotate:y,35 translate:300,0,-20");
+  const World world = world_of("scale:2 rotate:y,35 translate:300,0,-20");
+  const auto circles = find_circles(world, 1);
+  ASSERT_EQ(circles.size(), 16U);
+  int found = 0;
+  for (const MeshCircle& circle : circles) {
+    for (const int v : circle.vertices)
+      EXPECT_NEAR(glm::distance(world.points[world.first_vertex[1] + v], circle.centre), circle.radius, 1e-4);
+    if (std::abs(circle.radius - 2 * 13) > 1e-4) continue;
+    ++found;
+    const double y = circle.centre.y > 130 ? 70 : 60;
+    EXPECT_LT(glm::distance(circle.centre, Vec3(place * Vec4(40, y, 48, 1))), 1e-4);
+    EXPECT_NEAR(std::abs(circle.axis.y), 1, 1e-9);
+  }
+  EXPECT_EQ(found, 2);
+}
+
+TEST(PlacedCircles, UnequalScalesMakeEllipses) {
+  // Holes along y become ellipses, slots along z, and the fillets along x stay round.
+  const auto circles = find_circles(world_of("scale:2,1,1"), 1);
+  ASSERT_EQ(circles.size(), 2U);
+  for (const MeshCircle& circle : circles) EXPECT_NEAR(circle.radius, 12, 1e-4);
+}
+
+TEST(PlacedCircles, ThoseWithCentreLinesAreHalfATurnAtLeast) {
+  const auto circles = find_placed_circles(world_of("scale:1"));
+  int of_bracket = 0;
+  for (const PlacedCircle& placed : circles) of_bracket += placed.model;
+  EXPECT_EQ(of_bracket, 6 + 8);  // the fillets are quarters
+  EXPECT_EQ(circles.size(), 24U + 6 + 8);
+}
+
+}  // namespace
+}  // namespace epura
