@@ -154,6 +154,10 @@ void define_outputs(CLI::App& draw, DrawOptions& options) {
       ->type_name("FILE");
   draw.add_option("--format", options.format, "format of '-'")->type_name("NAME");
   draw.add_flag("--plain", options.plain, "SVG without the origin of lines");
+  draw.add_option("--svg-text", options.svg_text,
+                  "lettering of SVG: outlines, or text, which needs the font to look right")
+      ->capture_default_str()
+      ->type_name("HOW");
   add_number(draw, "--dpi", options.dpi, {1, 1200}, "resolution of PNG")->type_name("N");
 }
 

@@ -17,6 +17,7 @@
 #include "app/view_plan.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
+#include "sheet/lettering.hpp"
 #include "sheet/standard_scale.hpp"
 #include "study/verify/verify.hpp"
 
@@ -44,6 +45,11 @@ void tell_of(Console& console, const std::vector<ViewResult>& results) {
                 " of ellipses; corners lie within " + format_rounded(all.deviation, 2) +
                 " mm of them, they rise over the lines that they replace by up to " + format_rounded(all.bulge, 2) +
                 " mm\n");
+}
+
+void warn_about(Console& console, const Sheet& sheet) {
+  for (const MissingCharacter& missing : missing_characters(sheet))
+    console.warn("the font has no glyph for '" + missing.character + "' (in the " + missing.role + ")");
 }
 
 void print_timings(Console& console, const Stopwatch& watch) {
@@ -106,12 +112,10 @@ FinishedSheet Run::draw_sheet(const World& whole, const CutSections& sections, c
   }
   FinishedSheet sheet = compose(whole, scene, views, plan, results, dimensions);
   for (const std::string& warning : sheet.warnings) console.warn(warning);
+  warn_about(console, sheet.sheet);
   watch.lap("sheet");
   return sheet;
 }
-
-// Circles are looked for on the surfaces of meshes.
-bool wants_surfaces(const SceneDescription& scene) { return !scene.dimensions.empty(); }
 
 // Says what was found on the way, and returns the exit code. On standard error, since a drawing may go to standard
 // output.
@@ -131,13 +135,16 @@ int draw(const DrawOptions& options) {
   const Progress progress(board, options.time_limit);
   const ThreadLimit threads(options.threads);
   const std::vector<Target> targets = targets_of(options);
+  const VectorOptions vector_options{
+      options.plain, options.dpi,
+      choose<SvgText>("--svg-text", options.svg_text, {{"outlines", SvgText::outlines}, {"text", SvgText::text}})};
   const Questions questions = parse_questions(options);
   const SceneDescription scene = describe(options);
   const std::vector<SheetOfViews> sheets = views_by_sheet(scene, plan_views(scene, options));
   watch.lap("prepare");
 
   Run run{options, scene, questions, console, progress, watch};
-  World world = read_models(scene.models, wants_surfaces(scene), run.report.meshes, console, progress);
+  World world = read_models(scene.models, run.report.meshes, console, progress);
   watch.lap("read");
   CutSections sections = cut_sections(world, scene, console);
   if (!sections.empty()) watch.lap("section");
@@ -147,7 +154,6 @@ int draw(const DrawOptions& options) {
   sections.clear();
 
   if (options.timings) run.report.seconds = watch.laps();
-  const VectorOptions vector_options{options.plain, options.dpi};
   const std::vector<FileBytes> files = encode_all(targets, finished, vector_options, run.report, progress);
   for (const FileBytes& file : files) write(file, progress);
   watch.lap("write");

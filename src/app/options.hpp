@@ -32,6 +32,7 @@ struct DrawOptions {
   bool plain = false;
   std::string arcs;  ///< tolerance, mm; empty: lines stay straight
   bool centre_lines = false;
+  std::string svg_text = "outlines";
   bool timings = false;
   std::vector<std::string> why;  ///< edges to explain
   std::string dump;              ///< table to print: "edges", "spans" or none

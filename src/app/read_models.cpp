@@ -39,8 +39,8 @@ void warn_about(Console& console, const MeshReport& report) {
 
 }  // namespace
 
-World read_models(const std::vector<ModelDescription>& models, bool keep_surfaces, std::vector<MeshReport>& reports,
-                  Console& console, Progress progress) {
+World read_models(const std::vector<ModelDescription>& models, std::vector<MeshReport>& reports, Console& console,
+                  Progress progress) {
   std::vector<Mat4> places;
   for (const ModelDescription& model : models) places.push_back(place_of(model));
   // A single model is read in one go: how far it is cannot be told.
@@ -57,7 +57,6 @@ World read_models(const std::vector<ModelDescription>& models, bool keep_surface
     warn_about(console, reports.back());
   }
   World world = make_world(std::move(placed));
-  if (keep_surfaces) return world;
   // The world has its points and triangles; half-edges would be a fifth of all memory. (OpenMesh keeps the room of what
   // is assigned to.)
   for (const std::shared_ptr<Mesh>& mesh : meshes) {

@@ -12,8 +12,8 @@
 namespace epura {
 
 /// Reads the models and puts them in their places; `reports` gets one more for each. Says on the console what was
-/// repaired. Unless `keep_surfaces`, the half-edge structures of its meshes are given up; edges and reports stay.
-World read_models(const std::vector<ModelDescription>& models, bool keep_surfaces, std::vector<MeshReport>& reports,
-                  Console& console, Progress progress);
+/// repaired. The half-edge structures of its meshes are given up; edges and reports stay.
+World read_models(const std::vector<ModelDescription>& models, std::vector<MeshReport>& reports, Console& console,
+                  Progress progress);
 
 }  // namespace epura

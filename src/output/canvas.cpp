@@ -13,8 +13,9 @@ namespace epura {
 
 Canvas enlarged_canvas(const Sheet& sheet) {
   Vec2 least(0, 0), most(sheet.width, sheet.height);
+  double tallest = 0;
   const auto add = [&](const Vec2& p) {
-    check(std::isfinite(p.x) && std::isfinite(p.y), "a stroke leads to infinity");
+    check(std::isfinite(p.x) && std::isfinite(p.y), "ink lies at infinity");
     least = glm::min(least, p);
     most = glm::max(most, p);
   };
@@ -28,10 +29,14 @@ Canvas enlarged_canvas(const Sheet& sheet) {
     for (const Fill& fill : layer.fills)
       for (const std::vector<Vec2>& ring : fill.rings)
         for (const Vec2& p : ring) add(p);
+    for (const Text& text : layer.texts) {
+      add(text.at);
+      tallest = std::max(tallest, text.height);
+    }
   }
   const Vec2 size = most - least;
-  // 2^31 / 2^8 units are the end of Cairo's numbers.
-  const double units = std::min(1000.0, 8e6 / std::max(size.x, size.y));
+  // 2^31 / 2^8 units are the end of Cairo's numbers, and FreeType's letters are less than 2^16 units high.
+  const double units = std::min({1000.0, 8e6 / std::max(size.x, size.y), 4e4 / tallest});
   return {units, {least.x, most.y}, glm::max(glm::ceil(size * units), Vec2(1, 1))};
 }
 

@@ -25,7 +25,7 @@ struct Canvas {
 };
 
 /// Holds the sheet and all ink: what lies wholly beside a surface would be dropped. 1000 units per millimetre, fewer
-/// where the ink is more than 8 m long.
+/// where the ink is more than 8 m long or letters are more than 40 mm high.
 Canvas enlarged_canvas(const Sheet& sheet);
 
 /// Frees with a function of Cairo's.

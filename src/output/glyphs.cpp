@@ -8,7 +8,6 @@
 #include <numbers>
 
 #include "base/error.hpp"
-#include "base/utf8.hpp"
 #include FT_FREETYPE_H
 #include <cairo-ft.h>
 
@@ -17,14 +16,6 @@ namespace epura {
 namespace {
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
-
-// Control characters have no glyph, and a text file of PostScript could not hold them.
-std::string printable(std::string_view text) {
-  std::string result;
-  for (const char32_t character : characters(text))
-    result += character < U' ' || character == 0x7F ? " " : utf8(character);
-  return result;
-}
 
 struct FontFile {
   FT_Library library = nullptr;
@@ -111,7 +102,7 @@ void write_texts(const Pen& pen, const Canvas& canvas, const Layer& layer, const
     along_base_line(cairo, canvas, text, lettering, [&] {
       cairo_set_font_size(cairo, text.height * lettering.em() * canvas.units);
       cairo_move_to(cairo, 0, 0);
-      cairo_show_text(cairo, printable(text.text).c_str());
+      cairo_show_text(cairo, written(text.text).c_str());
     });
   }
 }

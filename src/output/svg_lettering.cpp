@@ -6,12 +6,16 @@
 #include <string_view>
 
 #include "base/text.hpp"
+#include "base/utf8.hpp"
 #include "output/glyphs.hpp"
 #include "output/svg_paths.hpp"
 
 namespace epura {
 
 namespace {
+
+// Some 60 kB: libxml2, and what reads with it, refuses attributes of 10 MB.
+constexpr std::size_t letters_of_path = 100;
 
 void append_point(std::string& svg, const Vec2& point, double height) {
   append_millimetres(svg, point.x);
@@ -28,18 +32,35 @@ void append_area(std::string& svg, const Fill& fill, double height) {
   svg += "\" />\n";
 }
 
+// Straight pieces as lines, without the last one, which Z draws.
+void append_outline(std::string& svg, const GlyphOutline& outline, const auto& append) {
+  Vec2 at = outline.curves.back().end;
+  append('M', at);
+  for (const GlyphOutline::Curve& curve : outline.curves) {
+    const bool straight = glm::distance(curve.control, (at + curve.end) / 2.0) < 1e-9;
+    at = curve.end;
+    if (!straight) append('Q', curve.control);
+    if (!straight || &curve != &outline.curves.back()) append(straight ? 'L' : ' ', at);
+  }
+  svg += 'Z';
+}
+
 // Outlines in millimetres of the sheet.
 void append_outlines(std::string& svg, const Text& text, double height, const Lettering& lettering) {
   const double angle = text.angle * std::numbers::pi / 180;
-  const Vec2 start = start_of(text, lettering), along(std::cos(angle), std::sin(angle));
-  const auto place = [&](const Vec2& p) { return start + p.x * along + p.y * Vec2(-along.y, along.x); };
-  for (const GlyphOutline& outline : lettering.outlines(text.text, text.height)) {
-    append_point(svg += 'M', place(outline.curves.back().end), height);
-    for (const GlyphOutline::Curve& curve : outline.curves) {
-      append_point(svg += 'Q', place(curve.control), height);
-      append_point(svg += ' ', place(curve.end), height);
-    }
-    svg += 'Z';
+  const Vec2 along(std::cos(angle), std::sin(angle));
+  Vec2 start = start_of(text, lettering);
+  const auto append = [&](char command, const Vec2& p) {
+    append_point(svg += command, start + p.x * along + p.y * Vec2(-along.y, along.x), height);
+  };
+  const std::vector<char32_t> letters = characters(written(text.text));
+  for (std::size_t begin = 0; begin < letters.size(); begin += letters_of_path) {
+    std::string part;
+    for (std::size_t i = begin; i < std::min(begin + letters_of_path, letters.size()); ++i) part += utf8(letters[i]);
+    svg += "<path d=\"";
+    for (const GlyphOutline& outline : lettering.outlines(part, text.height)) append_outline(svg, outline, append);
+    svg += "\" />";
+    start += along * lettering.width(part, text.height);
   }
 }
 
@@ -47,12 +68,12 @@ void append_outlines(std::string& svg, const Text& text, double height, const Le
 std::string class_of(const Text& text) { return "text-" + text.role; }
 
 void append_outlined(std::string& svg, const Text& text, double height, const Lettering& lettering) {
-  svg += "<path";
+  svg += "<g";
   if (!text.role.empty()) append_attribute(svg, "class", class_of(text));
   append_attribute(svg, "aria-label", text.text);
-  svg += " d=\"";
+  svg += '>';
   append_outlines(svg, text, height, lettering);
-  svg += "\" />\n";
+  svg += "</g>\n";
 }
 
 void append_written(std::string& svg, const Text& text, double height, const Lettering& lettering) {
@@ -71,7 +92,7 @@ void append_written(std::string& svg, const Text& text, double height, const Let
     append_millimetres(svg += ' ', y);
     svg += ")\"";
   }
-  append_escaped(svg += '>', text.text);
+  append_escaped(svg += '>', written(text.text));
   svg += "</text>\n";
 }
 
@@ -83,7 +104,7 @@ std::string lettering_style(const Sheet& sheet) {
   if (any([](const Layer& layer) { return !layer.fills.empty(); }))
     rules += "\n.filled{fill:#000;stroke:none;fill-rule:evenodd}";
   if (any([](const Layer& layer) { return !layer.texts.empty(); }))
-    rules += "\n.lettering{fill:#000;stroke:none;font-family:osifont,'ISOCPEUR',sans-serif;white-space:pre}";
+    rules += "\n.lettering{fill:#000;stroke:none;font-family:osifont,'ISOCPEUR',sans-serif;font-kerning:none}";
   return rules;
 }
 
@@ -96,7 +117,7 @@ void append_fills(std::string& svg, const Layer& layer, double height) {
 
 void append_texts(std::string& svg, const Layer& layer, double height, const Lettering& lettering, SvgText how) {
   if (layer.texts.empty()) return;
-  svg += "<g class=\"lettering\">\n";
+  svg += how == SvgText::text ? "<g class=\"lettering\" xml:space=\"preserve\">\n" : "<g class=\"lettering\">\n";
   for (const Text& text : layer.texts) {
     if (how == SvgText::outlines) {
       append_outlined(svg, text, height, lettering);

@@ -15,7 +15,7 @@ std::string lettering_style(const Sheet& sheet);
 /// Appends a line for each area, in a group. `height` of the sheet in mm: SVG has y down.
 void append_fills(std::string& svg, const Layer& layer, double height);
 
-/// Appends a line for each text, in a group. What is an outline says its text as `aria-label`.
+/// Appends a line for each text, in a group. Outlines have their text as `aria-label`.
 void append_texts(std::string& svg, const Layer& layer, double height, const Lettering& lettering, SvgText how);
 
 }  // namespace epura

@@ -3,6 +3,8 @@
 #include <ft2build.h>
 
 #include <algorithm>
+#include <optional>
+#include <set>
 #include <unordered_map>
 #include <utility>
 
@@ -20,6 +22,15 @@ struct Glyph {
   double advance = 0;
   std::vector<GlyphOutline> outlines;
 };
+
+bool is_control(char32_t code) { return code < 0x20 || (code >= 0x7F && code < 0xA0); }
+
+// Unicode, Default_Ignorable_Code_Point, as far as lines of drawings may have them.
+bool is_invisible(char32_t code) {
+  const auto within = [code](char32_t first, char32_t last) { return code >= first && code <= last; };
+  return code == 0xAD || code == 0x34F || code == 0x61C || within(0x200B, 0x200F) || within(0x202A, 0x202E) ||
+         within(0x2060, 0x206F) || within(0xFE00, 0xFE0F) || code == 0xFEFF || within(0xE0000, 0xE0FFF);
+}
 
 Vec2 point_of(const FT_Vector& v) { return {static_cast<double>(v.x), static_cast<double>(v.y)}; }
 
@@ -63,6 +74,8 @@ Glyph load_glyph(FT_Face face, unsigned index) {
   const FT_Outline_Funcs functions{move_to, line_to, curve_to, cubic_to, 0, 0};
   FT_Outline_Decompose(&face->glyph->outline, &functions, &glyph.outlines);
   for (GlyphOutline& outline : glyph.outlines) close(outline);
+  // A point alone helps to hint a glyph.
+  std::erase_if(glyph.outlines, [](const GlyphOutline& outline) { return outline.curves.empty(); });
   return glyph;
 }
 
@@ -95,6 +108,13 @@ double height_of(const Glyph& glyph) {
 
 }  // namespace
 
+std::string written(std::string_view text) {
+  std::string line;
+  for (const char32_t character : characters(text))
+    if (!is_invisible(character)) line += is_control(character) ? " " : utf8(character);
+  return line;
+}
+
 Lettering::Lettering(const std::filesystem::path& file) {
   auto font = std::make_shared<Font>();
   font->file = file.empty() ? EPURA_FONT : file;
@@ -117,13 +137,13 @@ Lettering::Lettering(const std::filesystem::path& file) {
 
 double Lettering::width(std::string_view text, double height) const {
   double units = 0;
-  for (const char32_t character : characters(text)) units += font_->glyph(character).advance;
+  for (const char32_t character : characters(written(text))) units += font_->glyph(character).advance;
   return units * (height / font_->capital);
 }
 
 std::vector<std::string> Lettering::missing(std::string_view text) const {
   std::vector<std::string> found;
-  for (const char32_t character : characters(text)) {
+  for (const char32_t character : characters(written(text))) {
     if (font_->glyphs.contains(character)) continue;
     std::string letter = utf8(character);
     if (std::find(found.begin(), found.end(), letter) == found.end()) found.push_back(std::move(letter));
@@ -135,7 +155,7 @@ std::vector<GlyphOutline> Lettering::outlines(std::string_view text, double heig
   const double scale = height / font_->capital;
   std::vector<GlyphOutline> placed;
   double at = 0;
-  for (const char32_t character : characters(text)) {
+  for (const char32_t character : characters(written(text))) {
     const Glyph& glyph = font_->glyph(character);
     const auto place = [&](const Vec2& p) { return Vec2(at + p.x, p.y) * scale; };
     for (const GlyphOutline& outline : glyph.outlines) {
@@ -151,5 +171,19 @@ std::vector<GlyphOutline> Lettering::outlines(std::string_view text, double heig
 double Lettering::em() const { return font_->units_per_em / font_->capital; }
 
 const std::filesystem::path& Lettering::file() const { return font_->file; }
+
+std::vector<MissingCharacter> missing_characters(const Sheet& sheet) {
+  std::vector<MissingCharacter> all;
+  std::optional<Lettering> lettering;
+  std::set<std::string> seen;
+  for (const Layer& layer : sheet.layers) {
+    for (const Text& text : layer.texts) {
+      if (!lettering) lettering.emplace();
+      for (const std::string& character : lettering->missing(text.text))
+        if (seen.insert(character).second) all.push_back({character, text.role});
+    }
+  }
+  return all;
+}
 
 }  // namespace epura

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "base/vec.hpp"
+#include "sheet/sheet.hpp"
 
 namespace epura {
 
@@ -20,7 +20,12 @@ struct GlyphOutline {
   std::vector<Curve> curves;
 };
 
-/// Widths are those of the font's own units, without hinting and kerning: the same everywhere.
+/// What is written of a line of text: valid UTF-8 with spaces in place of control characters, without the characters
+/// that only steer the layout of others (U+200B, U+202E ...).
+std::string written(std::string_view text);
+
+/// Widths are those of the font's own units, without hinting and kerning: the same everywhere. All texts are taken as
+/// they are written. A box stands for a character that the font has not.
 class Lettering {
  public:
   /// Opens `file`, or the font of Debian's package fonts-osifont. Throws Error{input} when there is none.
@@ -44,5 +49,14 @@ class Lettering {
   struct Font;
   std::shared_ptr<const Font> font_;
 };
+
+/// A character of a sheet that the font cannot write.
+struct MissingCharacter {
+  std::string character;  ///< UTF-8
+  std::string role;       ///< of the first text that has it
+};
+
+/// Each such character once, in the order of the texts. Opens the font where there are texts.
+std::vector<MissingCharacter> missing_characters(const Sheet& sheet);
 
 }  // namespace epura

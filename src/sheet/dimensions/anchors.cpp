@@ -73,10 +73,14 @@ Vec3 place_of_vertex(const World& world, const std::array<int, 2>& vertex, const
   if (number < 0 || number >= count)
     refuse(where, "model " + std::to_string(model) + " has no vertex " + std::to_string(number),
            "its vertices count from 0 to " + std::to_string(count - 1));
-  const Placed& placed = world.models[std::size_t(model)];
-  // Not World::points, which lacks vertices that no triangle uses.
-  const auto& p = placed.mesh->point(number);
-  return placed.to_world * Vec4(p[0], p[1], p[2], 1);
+  const std::vector<MeshEdge>& edges = world.models[std::size_t(model)].mesh->edges;
+  const auto has_vertex = [number = number](const MeshEdge& edge) {
+    return edge.vertex[0] == number || edge.vertex[1] == number;
+  };
+  if (std::none_of(edges.begin(), edges.end(), has_vertex))
+    refuse(where, "vertex " + std::to_string(number) + " of model " + std::to_string(model) + " belongs to no face",
+           "choose a vertex that is drawn, or give a point");
+  return world.points[std::size_t(world.first_vertex[std::size_t(model)] + number)];
 }
 
 Vec3 place_of(const World& world, const Anchor& anchor, const std::string& where) {

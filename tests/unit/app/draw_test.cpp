@@ -132,6 +132,28 @@ TEST(Draw, ADrawingLargerThanTheSheetIsSaid) {
   EXPECT_TRUE(contains(run.err, "larger than the sheet")) << run.err;
 }
 
+TEST(Draw, WhatTheFontCannotWriteIsSaid) {
+  const Folder folder;
+  const Outcome run = epura(
+      {"draw", sample("bracket.obj"), "-o", "x.svg", "--frame", "full", "--title", "\xE6\xBC\xA2 x"}, folder / "");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_TRUE(contains(run.err, "the font has no glyph for '\xE6\xBC\xA2' (in the title)")) << run.err;
+}
+
+TEST(Draw, LetteringOfSvgIsOutlinesOrText) {
+  const Folder folder;
+  const auto draw = [&](const std::string& how) {
+    return epura({"draw", sample("bracket.obj"), "-o", "-", "--format", "svg", "--frame", "full", "--title", "Bracket",
+                  "--svg-text", how},
+                 folder / "");
+  };
+  EXPECT_TRUE(contains(draw("outlines").out, "aria-label=\"Bracket\""));
+  EXPECT_TRUE(contains(draw("text").out, ">Bracket</text>"));
+  const Outcome refused = draw("glyphs");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_TRUE(contains(refused.err, "--svg-text")) << refused.err;
+}
+
 TEST(Draw, CoordinatesNearTheEndOfTheDoublesAreDrawn) {
   const Folder folder;
   const std::string small = folder.file("small.obj", "v -1 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 -1\nf 1 2 3\nf 1 2 4\n");

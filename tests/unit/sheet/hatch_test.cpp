@@ -128,7 +128,7 @@ TEST(Hatch, SpacingGrowsWithTheFaceWithinLimits) {
 TEST(Hatch, ThinSectionsAreBlack) {
   const Layer layer = hatched(drawing_of({{0, 0, {rectangle(0, 0, 50, 0.8)}}, {0, 1, {rectangle(0, 5, 50, 15)}}}));
   ASSERT_EQ(layer.fills.size(), 1U);
-  EXPECT_EQ(layer.fills[0].rings, (std::vector{rectangle(0, 0, 50, 0.8)}));
+  EXPECT_EQ(layer.fills[0].rings, (std::vector<std::vector<Vec2>>{rectangle(0, 0, 50, 0.8)}));
   EXPECT_FALSE(layer.strokes.empty());
 }
 

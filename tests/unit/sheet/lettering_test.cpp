@@ -1,6 +1,8 @@
 #include "sheet/lettering.hpp"
 
+#include <ft2build.h>
 #include <gtest/gtest.h>
+#include FT_FREETYPE_H
 
 #include <algorithm>
 #include <cmath>
@@ -43,11 +45,32 @@ TEST(Lettering, WidthsAddUpAndScale) {
   EXPECT_NEAR(extent_of(lettering.outlines("HH", 5)).most.x - extent_of(lettering.outlines("H", 5)).most.x, step, 1e-9);
 }
 
-// ISO 3098 type B: lines are a tenth of the height wide. The foot of an I is a vertical bar.
-TEST(Lettering, LinesAreATenthOfTheHeight) {
+TEST(Lettering, WidthsAreTheFontsOwn) {
+  const Lettering lettering;
+  FT_Library library = nullptr;
+  FT_Face face = nullptr;
+  ASSERT_EQ(FT_Init_FreeType(&library), 0);
+  ASSERT_EQ(FT_New_Face(library, lettering.file().c_str(), 0, &face), 0);
+  const std::string text = "Wellenlager 0123 (2:1)";
+  double advance = 0;
+  for (const char c : text) {
+    ASSERT_EQ(FT_Load_Char(face, static_cast<FT_ULong>(c), FT_LOAD_NO_SCALE), 0);
+    advance += static_cast<double>(face->glyph->metrics.horiAdvance);
+  }
+  ASSERT_EQ(FT_Load_Char(face, 'H', FT_LOAD_NO_SCALE), 0);
+  const double capital = static_cast<double>(face->glyph->metrics.horiBearingY);
+  EXPECT_NEAR(lettering.width(text, 3.5), 3.5 * advance / capital, 1e-9);
+  EXPECT_NEAR(lettering.em(), face->units_per_EM / capital, 1e-12);
+  FT_Done_Face(face);
+  FT_Done_FreeType(library);
+}
+
+// ISO 3098 type B: lines are a tenth of the height wide, small letters seven tenths high. An I is a vertical bar.
+TEST(Lettering, LooksLikeIso3098) {
   const Lettering lettering;
   const Extent extent = extent_of(lettering.outlines("I", 10));
-  EXPECT_NEAR(extent.most.x - extent.least.x, 1, 0.25);
+  EXPECT_NEAR(extent.most.x - extent.least.x, 1, 0.02);
+  EXPECT_NEAR(extent_of(lettering.outlines("x", 10)).most.y, 7, 0.05);
 }
 
 TEST(Lettering, OutlinesAreClosedCurves) {
@@ -69,6 +92,25 @@ TEST(Lettering, KnowsWhatItCannotWrite) {
             (std::vector<std::string>{"\xE2\x98\x83"}));
   EXPECT_GT(lettering.width("\xE2\x98\x83", 3.5), 0);  // a box stands for it
   EXPECT_FALSE(lettering.missing(std::string("\0\xFF", 2)).empty());
+}
+
+TEST(Lettering, ControlCharactersAreSpacesAndInvisibleOnesNothing) {
+  const Lettering lettering;
+  EXPECT_EQ(written(std::string("a\0b\nc\x7F\xC2\x85", 8)), "a b c  ");
+  EXPECT_EQ(written("a\xE2\x80\xAE\xEF\xBB\xBF-\xFF"), "a-\xEF\xBF\xBD");
+  EXPECT_EQ(lettering.width(std::string("a\0b\n", 4), 5), lettering.width("a b ", 5));
+  EXPECT_EQ(lettering.width("a\xE2\x80\xAE", 5), lettering.width("a", 5));
+  EXPECT_TRUE(lettering.missing("\xE2\x80\xAE\x01").empty());
+}
+
+TEST(MissingCharacters, AreToldOnceWithTheirText) {
+  Sheet sheet{100, 100, "", {{"sheet/text", {"text", 0.35}, {}}}};
+  EXPECT_TRUE(missing_characters(sheet).empty());
+  for (const char* role : {"title", "label"}) sheet.layers[0].texts.push_back({"a\xE6\xBC\xA2", {}, 5, 0, {}, role});
+  const std::vector<MissingCharacter> missing = missing_characters(sheet);
+  ASSERT_EQ(missing.size(), 1u);
+  EXPECT_EQ(missing[0].character, "\xE6\xBC\xA2");
+  EXPECT_EQ(missing[0].role, "title");
 }
 
 TEST(Lettering, AMissingFontIsSaid) {

@@ -1,0 +1,183 @@
+// Texts of any kind: their place, and what they must not break.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <pugixml.hpp>
+
+#include "base/text.hpp"
+#include "folder.hpp"
+#include "output/write.hpp"
+#include "pdf_reader.hpp"
+#include "sheet/lettering.hpp"
+
+namespace epura {
+namespace {
+
+Sheet sheet_of(std::vector<Text> texts) {
+  return {297, 210, "texts", {{"sheet/grid", {"grid", 0.35}, {{{{5, 5}, {290, 5}}}}, {}, std::move(texts)}}};
+}
+
+// As the outlines of SVG end their pieces: mm, y up.
+std::vector<Vec2> ends_in(std::string_view path, double height) {
+  std::vector<Vec2> ends;
+  std::vector<double> numbers;
+  std::string number;
+  const auto end_number = [&] {
+    if (!number.empty()) numbers.push_back(parse_number(number).value());
+    number.clear();
+  };
+  const auto end_piece = [&] {
+    end_number();
+    if (numbers.size() >= 2) ends.emplace_back(numbers[numbers.size() - 2], height - numbers.back());
+    numbers.clear();
+  };
+  for (const char c : path) {
+    if (c == ' ') {
+      end_number();
+    } else if (c >= 'A') {
+      end_piece();
+    } else {
+      number += c;
+    }
+  }
+  end_piece();
+  return ends;
+}
+
+class TextAtAngle : public testing::TestWithParam<std::tuple<double, Align>> {};
+
+TEST_P(TextAtAngle, KeepsCoordinates) {
+  const auto [angle, align] = GetParam();
+  const Text text{"HZI \xC3\x98 8g", {150, 100}, 7, angle, align, "label"};
+  const std::string svg = to_svg(sheet_of({text}), {});
+  pugi::xml_document document;
+  ASSERT_TRUE(document.load_string(svg.c_str()));
+  const pugi::xml_node g = document.select_node("//g[@aria-label]").node();
+  EXPECT_EQ(std::string(g.attribute("class").value()), "text-label");
+  const std::vector<Vec2> read = ends_in(g.child("path").attribute("d").value(), 210);
+
+  const Lettering lettering;
+  const double radians = angle * std::atan(1) / 45, c = std::cos(radians), s = std::sin(radians);
+  const double before = lettering.width(text.text, 7) * (align == Align::left ? 0 : align == Align::middle ? 0.5 : 1);
+  const auto place = [&](const Vec2& p) {
+    return text.at + Vec2((p.x - before) * c - p.y * s, (p.x - before) * s + p.y * c);
+  };
+  std::size_t i = 0;
+  for (const GlyphOutline& outline : lettering.outlines(text.text, 7)) {
+    const Vec2 begin = place(outline.curves.back().end);
+    ASSERT_LT(i, read.size());
+    EXPECT_LT(glm::distance(read[i++], begin), 1e-5);
+    for (const GlyphOutline::Curve& curve : outline.curves) {
+      const bool left_to_z =
+          &curve == &outline.curves.back() && (i >= read.size() || glm::distance(read[i], begin) > 1e-5);
+      if (left_to_z) continue;
+      EXPECT_LT(glm::distance(read[i++], place(curve.end)), 1e-5);
+    }
+  }
+  EXPECT_EQ(i, read.size());
+}
+
+INSTANTIATE_TEST_SUITE_P(Angles, TextAtAngle,
+                         testing::Combine(testing::Values(0.0, 90.0, 30.0),
+                                          testing::Values(Align::left, Align::middle, Align::right)));
+
+class TextFiles : public testing::Test {
+ protected:
+  void write(const std::string& name, const std::string& bytes) const { write_file(folder_ / name, bytes); }
+  void expect_run(const std::string& command) const {
+    EXPECT_EQ(std::system(("cd '" + (folder_ / "").string() + "' && " + command).c_str()), 0) << command;
+  }
+  [[nodiscard]] std::string read(const std::string& name) const { return read_file(folder_ / name); }
+
+  test::Folder folder_;
+};
+
+// Widths of words are those that the sheet was laid out with, also where letters are too tall for FreeType at the usual
+// enlargement.
+TEST_F(TextFiles, PdfHasTheWidthsOfTheFont) {
+  for (const double height : {1.8, 20.0, 70.0}) {
+    write("a.pdf", to_pdf(sheet_of({{"HOME", {10, 20}, height}})));
+    expect_run("pdftotext -bbox a.pdf a.html");
+    const std::string words = read("a.html");
+    const auto value = [&](const std::string& name) {
+      const std::size_t begin = words.find(name + "=\"", words.find("<word")) + name.size() + 2;
+      return parse_number(words.substr(begin, words.find('"', begin) - begin)).value() * 25.4 / 72;
+    };
+    EXPECT_NEAR(value("xMin"), 10, 1e-3);
+    EXPECT_NEAR(value("xMax") - value("xMin"), Lettering().width("HOME", height), 1e-3 * height);
+  }
+}
+
+TEST_F(TextFiles, RolesMayHaveTheNamesOfLineStyles) {
+  for (const char* role : {"grid", "other"}) {
+    write(std::string(role) + ".svg", to_svg(sheet_of({{"Grid", {20, 100}, 20, 0, Align::left, role}}), {}));
+    expect_run(std::string("rsvg-convert -o ") + role + ".png " + role + ".svg");
+  }
+  EXPECT_EQ(read("grid.png"), read("other.png"));
+}
+
+std::string long_text() {
+  std::string text;
+  for (int i = 0; i < 1000; ++i) text += "Wellenlag ";
+  return text;
+}
+
+const std::vector<std::string>& hostile_texts() {
+  static const std::vector<std::string> texts{
+      std::string("a\0b\x01\x1b\n\t\x7f", 8),
+      "<script>&\"')( \\ ]]>-->",
+      "\xFF\xFE bad \xED\xA0\x80 \xEF\xBF\xBF",
+      "\xE2\x80\xAE\xD7\x90\xD7\x91 \xE2\x80\x8F",
+      "e\xCC\x81 A\xCC\x8A",
+      "\xF0\x9F\x98\x80 \xE6\xBC\xA2 \xC2\x85",
+      "",
+      " ",
+      long_text(),
+  };
+  return texts;
+}
+
+TEST_F(TextFiles, NothingBreaksThem) {
+  std::vector<Text> texts;
+  for (const std::string& text : hostile_texts())
+    texts.push_back({text, {20, 20}, 3.5, 0, Align::middle, text.substr(0, 50)});
+  texts.push_back({"no height", {20, 20}, 0});
+  const Sheet sheet = sheet_of(std::move(texts));
+  VectorOptions as_text;
+  as_text.text = SvgText::text;
+  for (const VectorOptions& options : {VectorOptions{}, as_text}) {
+    write("a.svg", to_svg(sheet, options));
+    expect_run("xmllint --noout a.svg");
+    expect_run("rsvg-convert -o a.png a.svg");
+    EXPECT_EQ(read("a.svg").find("<script"), std::string::npos);
+  }
+  const std::string bytes = to_pdf(sheet);
+  EXPECT_FALSE(PdfReader(bytes).has_trouble());
+  write("a.pdf", bytes);
+  expect_run("qpdf --check a.pdf >/dev/null");
+  expect_run("pdftotext a.pdf a.txt");
+  EXPECT_NE(read("a.txt").find("<script>&\"')( \\ ]]>-->"), std::string::npos);
+  for (const std::string& page : {to_ps(sheet), to_eps(sheet)}) {
+    EXPECT_TRUE(page.starts_with("%!PS-Adobe"));
+    EXPECT_EQ(page.find('\0'), std::string::npos);
+  }
+  EXPECT_FALSE(to_png(sheet, 50).empty());
+}
+
+TEST_F(TextFiles, LongOutlinesAreSeveralPathsOfWholeLetters) {
+  pugi::xml_document document;
+  ASSERT_TRUE(document.load_string(to_svg(sheet_of({{std::string(5000, '8'), {20, 20}, 3.5}}), {}).c_str()));
+  int paths = 0;
+  for (const pugi::xml_node path : document.select_node("//g[@aria-label]").node().children("path")) {
+    const std::string_view d = path.attribute("d").value();
+    EXPECT_LT(d.size(), 200'000u);
+    EXPECT_EQ(std::count(d.begin(), d.end(), 'Z') % 3, 0);  // an 8 has two holes
+    ++paths;
+  }
+  EXPECT_GT(paths, 10);
+}
+
+}  // namespace
+}  // namespace epura
