@@ -91,12 +91,15 @@ std::vector<Layer> cutting_plane_lines(const std::vector<ViewResult>& views, con
 }
 
 // A drawing that lacks lines may lack its ends: its overall dimensions are left out.
-std::vector<Layer> dimensions_of(const World& world, const ViewResult& view,
-                                 std::vector<DimensionDescription> dimensions, const LineWidths& widths,
-                                 double text_height) {
+void add_dimensions(FinishedSheet& finished, const World& world, const ViewResult& view,
+                    std::vector<DimensionDescription> dimensions, double line_width, double text_height) {
   if (view.partial) std::erase_if(dimensions, [](const auto& one) { return one.type.text == "overall"; });
-  if (dimensions.empty()) return {};
-  return {dimension_layer(world, view.drawing, dimensions, Lettering(), widths.narrow, text_height)};
+  if (dimensions.empty()) return;
+  Layer layer = dimension_layer(world, view.drawing, dimensions, Lettering(), line_width, text_height);
+  if (!on_paper(layer, {finished.sheet.width, finished.sheet.height}))
+    finished.warnings.push_back("dimensions of the view '" + view.drawing.name +
+                                "' reach beyond the paper\n  hint: use a smaller scale or a larger sheet");
+  finished.sheet.layers.push_back(std::move(layer));
 }
 
 std::vector<Layer> centre_layers(const ViewResult& view, const ViewWish& wish, const LineWidths& widths,
@@ -137,7 +140,7 @@ FinishedSheet compose(const World& world, const SceneDescription& scene, const S
     append(finished.sheet.layers, centre_layers(results[i], views.plans[i].wish, widths, lines));
     append(finished.sheet.layers, std::move(lines));
     keep_curves(results[i].drawing.chains);
-    append(finished.sheet.layers, dimensions_of(world, results[i], dimensions[i], widths, text_height));
+    add_dimensions(finished, world, results[i], dimensions[i], widths.narrow, text_height);
     partial = partial || results[i].partial;
     finished.drawings.push_back(std::move(results[i].drawing));
   }

@@ -20,12 +20,20 @@ const std::string& view_of(const DimensionDescription& dimension, const SceneDes
   return dimension.view.given() ? dimension.view.text : scene.views.front().name.text;
 }
 
+// A section may have cut off an end of the models: it shows their size only where no other view does.
+std::vector<NamedProjection> views_to_measure(std::span<const ViewDescription> views, std::span<const View> seen) {
+  std::vector<NamedProjection> whole, cut;
+  for (std::size_t i = 0; i < seen.size(); ++i)
+    (views[i].section.given() ? cut : whole).push_back({views[i].name.text, seen[i].projection});
+  whole.insert(whole.end(), cut.begin(), cut.end());
+  return whole;
+}
+
 }  // namespace
 
 DimensionsByView dimensions_by_view(const SceneDescription& scene, int sheet, std::span<const ViewDescription> views,
                                     std::span<const View> seen) {
-  std::vector<NamedProjection> projections;
-  for (std::size_t i = 0; i < seen.size(); ++i) projections.push_back({views[i].name.text, seen[i].projection});
+  const std::vector<NamedProjection> projections = views_to_measure(views, seen);
   const auto here = [&views](const std::string& name) {
     return std::find_if(views.begin(), views.end(), [&](const ViewDescription& v) { return v.name.text == name; });
   };

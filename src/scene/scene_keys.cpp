@@ -128,7 +128,7 @@ SceneKeys<DimensionWords> dimension_keys() {
                  "`linear`, `aligned`, `angular`, `radius`, `diameter` or `overall`", true),
       key<Words>("view", in_description(&Dimension::view), any_text(), "name of the view; the first one by default"),
       key<Words>("direction", in_description(&Dimension::direction), any_text(),
-                 "linear: `horizontal` or `vertical`; overall: `width`, `height` or `depth`"),
+                 "linear: `horizontal` or `vertical`; overall: `width`, `height` or `depth`, or all by default"),
       anchor_key("corner", "angular: where the legs meet"),
       anchor_key("from", "linear, aligned: one end; angular: end of a leg"),
       anchor_key("to", "linear, aligned: the other end; angular: end of the other leg"),

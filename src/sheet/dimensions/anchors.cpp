@@ -110,7 +110,7 @@ AnchoredDimension anchored(const World& world, Rims& rims, const DimensionDescri
   AnchoredDimension dimension{
       where, type, direction_of(description, type), {}, {}, description.offset, description.text.text};
   if (description.anchors.size() != rule.anchors)
-    refuse(where, "has " + std::to_string(description.anchors.size()) + " anchors",
+    refuse(where, "the number of its anchors is " + std::to_string(description.anchors.size()),
            std::string("the dimension '") + rule.name + "' wants " + rule.wants);
   expect_offset(dimension);
   for (const Anchor& anchor : description.anchors) dimension.points.push_back(place_of(world, anchor, where));

@@ -14,6 +14,7 @@ constexpr double cost_of_radius = 0.1;           // a millimetre
 constexpr double cost_outside = 3;               // of a text that stands outside the angle
 constexpr double arrows_inside = 3;              // lengths of arrows that two of them need
 constexpr double steepest = 0.5;                 // sine of the slope of a text that falls to the right
+constexpr double farthest_past = 1;              // radians of an arc past a leg
 constexpr double step_of_arc = std::numbers::pi / 90;
 
 // From one leg to the other, as angles on the paper.
@@ -76,8 +77,9 @@ PlacedDimension arc_dimension(const MeasuredAngle& angle, const std::string& tex
   const auto [corner, first, sweep] = sector_of(angle);
   const double turn = sweep < 0 ? -1 : 1;
   const bool outward = radius * std::abs(sweep) >= arrows_inside * look.arrow();
-  const double tail = (outward ? 0 : 2 * look.arrow() / radius) * turn;
-  const double lead = (look.arrow() + look.above() + look.width(text) / 2) / radius * turn;
+  const auto angle_of = [&](double length) { return std::min(length / radius, farthest_past) * turn; };
+  const double tail = outward ? 0 : angle_of(2 * look.arrow());
+  const double lead = angle_of(look.arrow() + look.above() + look.width(text) / 2);
   const double middle = place == 0 ? first + sweep / 2 : place > 0 ? first + sweep + lead : first - lead;
   PlacedDimension dimension;
   add_extension_lines(dimension, angle, radius, look);

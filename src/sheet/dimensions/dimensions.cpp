@@ -116,4 +116,11 @@ Layer dimension_layer(const World& world, const Drawing& drawing, std::span<cons
   return layer;
 }
 
+bool on_paper(const Layer& dimensions, const Vec2& size) {
+  return std::all_of(dimensions.strokes.begin(), dimensions.strokes.end(), [&size](const Stroke& stroke) {
+    return std::all_of(stroke.points.begin(), stroke.points.end(),
+                       [&size](const Vec2& p) { return p.x >= 0 && p.y >= 0 && p.x <= size.x && p.y <= size.y; });
+  });
+}
+
 }  // namespace epura

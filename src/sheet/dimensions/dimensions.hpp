@@ -20,4 +20,7 @@ namespace epura {
 Layer dimension_layer(const World& world, const Drawing& drawing, std::span<const DimensionDescription> dimensions,
                       const Lettering& lettering, double line_width, double text_height = 3.5);
 
+/// Whether all of it lies on a paper of this size, mm.
+bool on_paper(const Layer& dimensions, const Vec2& size);
+
 }  // namespace epura

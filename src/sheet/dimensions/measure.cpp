@@ -95,8 +95,7 @@ MeasuredDimension aligned(const AnchoredDimension& dimension, const Sight& sight
            "measure it in a view parallel to it");
   const Vec2 along = image / glm::length(image);
   MeasuredDimension measured = length_between(dimension, sight, along, length);
-  if (!sight.in_plane(d) || (on_axis && !sight.shows_an_axis()))
-    std::get<MeasuredLength>(measured.form).extension = extension_axis(sight, along);
+  if (!sight.in_plane(d)) std::get<MeasuredLength>(measured.form).extension = extension_axis(sight, along);
   return measured;
 }
 

@@ -13,7 +13,7 @@ constexpr double no_length = 1e-6;   // mm
 
 double span_of(const MeasuredLength& length) { return std::abs(glm::dot(length.to - length.from, length.along)); }
 
-// Where the extension lines through an anchor meets the dimension line.
+// Where the extension line through an anchor meets the dimension line.
 Vec2 foot_of(const MeasuredLength& length, const Vec2& anchor, double distance) {
   const Vec2 across = left_of(length.along);
   const double rest = distance - glm::dot(anchor - length.from, across);

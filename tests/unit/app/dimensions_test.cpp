@@ -1,0 +1,93 @@
+// Dimensions from the command line and from scene files, to the file.
+#include <gtest/gtest.h>
+
+#include <regex>
+
+#include "errors.hpp"
+#include "folder.hpp"
+#include "program.hpp"
+
+namespace epura::test {
+namespace {
+
+using Words = std::vector<std::string>;
+
+// The texts of a view's dimensions, each followed by a space.
+std::string dimensions_in(const std::string& svg, const std::string& view) {
+  const std::size_t begin = svg.find("inkscape:label=\"" + view + "/dimensions\"");
+  if (begin == std::string::npos) return {};
+  const std::string layer = svg.substr(begin, svg.find("inkscape:groupmode=\"layer\"", begin) - begin);
+  static const std::regex text("aria-label=\"([^\"]*)\"");
+  std::string texts;
+  for (std::sregex_iterator it(layer.begin(), layer.end(), text), end; it != end; ++it) texts += (*it)[1].str() + ' ';
+  return texts;
+}
+
+class DimensionsOfProgram : public testing::Test {
+ protected:
+  Folder folder;
+
+  std::string drawn(Words arguments) {
+    arguments.insert(arguments.begin(), "draw");
+    arguments.insert(arguments.end(), {"-o", "x.svg"});
+    const Outcome run = epura(arguments, folder / "");
+    EXPECT_EQ(run.code, 0) << run.err;
+    EXPECT_FALSE(contains(run.err, "beyond the paper")) << run.err;
+    return read_file(folder / "x.svg");
+  }
+  std::string refused(Words arguments) {
+    arguments.insert(arguments.begin(), "draw");
+    arguments.insert(arguments.end(), {"-o", "x.svg"});
+    const Outcome run = epura(arguments, folder / "");
+    EXPECT_EQ(run.code, 2) << run.err;
+    return run.err;
+  }
+};
+
+TEST_F(DimensionsOfProgram, OverallOnesEachOnceInTheClearestView) {
+  const std::string svg =
+      drawn({sample("bracket.obj"), "--views", "front,top,left,isometric", "--dimensions", "overall"});
+  EXPECT_EQ(dimensions_in(svg, "front"), "80 75 ");
+  EXPECT_EQ(dimensions_in(svg, "left"), "70 ");
+  EXPECT_EQ(dimensions_in(svg, "top"), "");
+  EXPECT_EQ(dimensions_in(svg, "isometric"), "");
+}
+
+TEST_F(DimensionsOfProgram, HaveRoomOnEverySheet) {
+  for (const char* sheet : {"A4", "A2", "none", "60x60"})
+    drawn({sample("shaft.obj"), "--projection", "front", "--dimensions", "overall", "--sheet", sheet});
+}
+
+TEST_F(DimensionsOfProgram, OfASceneFile) {
+  const std::string scene = folder.file("scene.toml", "[[model]]\nfile = \"" + sample("bracket.obj") +
+                                                          "\"\n"
+                                                          "[[view]]\nprojection = \"front\"\n"
+                                                          "[[dimension]]\ntype = \"overall\"\n"
+                                                          "[[dimension]]\ntype = \"linear\"\ndirection = \"vertical\"\n"
+                                                          "from = {point = [0, 0, 0]}\nto = {point = [0, 0, 10]}\n");
+  EXPECT_EQ(dimensions_in(drawn({scene}), "front"), "80 75 10 ");
+}
+
+TEST_F(DimensionsOfProgram, Refused) {
+  const std::string pictorial =
+      refused({sample("bracket.obj"), "--projection", "isometric", "--dimensions", "overall"});
+  EXPECT_TRUE(contains(pictorial, "--dimensions: no view shows the size of the models in true length")) << pictorial;
+  const std::string word = refused({sample("bracket.obj"), "--dimensions", "overal"});
+  EXPECT_TRUE(contains(word, "did you mean 'overall'?")) << word;
+  const std::string scene = folder.file("scene.toml", "[[model]]\nfile = \"" + sample("bracket.obj") +
+                                                          "\"\n[[dimension]]\ntype = \"overall\"\nview = \"fornt\"\n");
+  const std::string view = refused({scene, "--views", "front,top"});
+  EXPECT_TRUE(contains(view, "scene.toml:5")) << view;
+  EXPECT_TRUE(contains(view, "did you mean 'front'?")) << view;
+}
+
+TEST_F(DimensionsOfProgram, BeyondThePaperAreReported) {
+  const Outcome run = epura({"draw", sample("bracket.obj"), "--projection", "front", "--dimensions", "overall",
+                             "--sheet", "A4", "--scale", "2.7", "-o", "x.svg"},
+                            folder / "");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_TRUE(contains(run.err, "dimensions of the view 'front' reach beyond the paper")) << run.err;
+}
+
+}  // namespace
+}  // namespace epura::test
