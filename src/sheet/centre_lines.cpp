@@ -189,10 +189,10 @@ class Covers {
     for (const double angle : angles_) {
       const double a = offset_of(angle, from), b = offset_of(angle, to);
       if (std::abs(a - b) > apart_) continue;
-      const auto [low, high] = std::minmax(place_along(angle, from), place_along(angle, to));
+      const double s = place_along(angle, from), t = place_along(angle, to);
       for (auto i = by_line_.lower_bound({angle, std::max(a, b) - apart_, 0});
            i != by_line_.end() && std::get<0>(*i) == angle && std::get<1>(*i) <= std::min(a, b) + apart_; ++i)
-        taken_[std::get<2>(*i)].push_back({low, high});
+        taken_[std::get<2>(*i)].push_back({std::min(s, t), std::max(s, t)});
     }
   }
 
