@@ -53,7 +53,7 @@ struct Text {
   double height;     ///< of capitals, mm. ISO 3098
   double angle = 0;  ///< of the base line, degrees counterclockwise
   Align align = Align::left;
-  std::string role;  ///< class in SVG: "title", "dimension", "label" ...
+  std::string role{};  ///< class in SVG: "title", "dimension", "label" ...
 };
 
 struct Layer {

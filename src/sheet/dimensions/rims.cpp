@@ -21,7 +21,7 @@ double distance(const Vec3& point, const WorldCircle& circle) {
 }
 
 std::string text_of(const Vec3& p) {
-  return format_rounded(p.x, 6) + "," + format_rounded(p.y, 6) + "," + format_rounded(p.z, 6);
+  return format_fixed(p.x, 4) + "," + format_fixed(p.y, 4) + "," + format_fixed(p.z, 4);
 }
 
 }  // namespace

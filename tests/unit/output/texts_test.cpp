@@ -98,7 +98,8 @@ class TextFiles : public testing::Test {
 // enlargement.
 TEST_F(TextFiles, PdfHasTheWidthsOfTheFont) {
   for (const double height : {1.8, 20.0, 70.0}) {
-    write("a.pdf", to_pdf(sheet_of({{"HOME", {10, 20}, height}})));
+    const Sheet sheet = sheet_of({{"HOME", {10, 20}, height}});
+    write("a.pdf", to_pdf({&sheet}));
     expect_run("pdftotext -bbox a.pdf a.html");
     const std::string words = read("a.html");
     const auto value = [&](const std::string& name) {
@@ -153,13 +154,13 @@ TEST_F(TextFiles, NothingBreaksThem) {
     expect_run("rsvg-convert -o a.png a.svg");
     EXPECT_EQ(read("a.svg").find("<script"), std::string::npos);
   }
-  const std::string bytes = to_pdf(sheet);
+  const std::string bytes = to_pdf({&sheet});
   EXPECT_FALSE(PdfReader(bytes).has_trouble());
   write("a.pdf", bytes);
   expect_run("qpdf --check a.pdf >/dev/null");
   expect_run("pdftotext a.pdf a.txt");
   EXPECT_NE(read("a.txt").find("<script>&\"')( \\ ]]>-->"), std::string::npos);
-  for (const std::string& page : {to_ps(sheet), to_eps(sheet)}) {
+  for (const std::string& page : {to_ps({&sheet}), to_eps(sheet)}) {
     EXPECT_TRUE(page.starts_with("%!PS-Adobe"));
     EXPECT_EQ(page.find('\0'), std::string::npos);
   }
