@@ -298,8 +298,7 @@ std::vector<OccluderGrid::Content> OccluderGrid::contents_of_full_cells(const Co
   return parts;
 }
 
-void OccluderGrid::divide_cells(const Content& content, const CellLoad& load, int idle, int depth,
-                                Level& level) const {
+void OccluderGrid::divide_cells(const Content& content, const CellLoad& load, int idle, int depth, Level& level) const {
   std::vector<Content> parts = contents_of_full_cells(content, load, idle, level);
   level.children.resize(parts.size());
   parallel_for(parts.size(), 1, [&](std::size_t begin, std::size_t end) {

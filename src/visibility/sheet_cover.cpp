@@ -49,7 +49,8 @@ bool SheetCover::add(const ViewTriangle& triangle) {
 void SheetCover::close(int sheet, const ViewTriangle& triangle, int side, bool turns_left) {
   const int u = triangle.vertex[side], v = triangle.vertex[(side + 1) % 3];
   const bool left = turns_left == (u < v);
-  const std::uint64_t key = std::uint64_t{static_cast<std::uint32_t>(std::min(u, v))} << 32 | static_cast<std::uint32_t>(std::max(u, v));
+  const std::uint64_t key =
+      std::uint64_t{static_cast<std::uint32_t>(std::min(u, v))} << 32 | static_cast<std::uint32_t>(std::max(u, v));
   const auto [found, is_new] = open_.try_emplace(key, OpenSide{sheet, left});
   Sheet& own = sheets_[root(sheet)];
   if (is_new || found->second.left == left) {
