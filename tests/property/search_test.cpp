@@ -125,7 +125,7 @@ TEST(Search, EqualsBruteForceOnStacks) {
     const World world = world_of(stack(seed));
     expect_equal(draw(world, from_above()));
     expect_equal(draw(world, orthographic({0.1, -0.2, 1}), {.smooth = true}));
-    expect_equal(draw(world, perspective({2, 1, 12}, {1.5, 1.5, 0}, {-0.5, 0.5, -12}, {0, 1, 0})));
+    expect_equal(draw(world, perspective({2, 1, 12}, {1.5, 1.5, 0}, {0.5, -0.5, 12}, {0, 1, 0})));
   }
 }
 
