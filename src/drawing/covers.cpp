@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "base/parallel.hpp"
+#include "visibility/choose_grid.hpp"
 #include "visibility/line_cells.hpp"
 
 namespace epura {
@@ -19,6 +20,8 @@ namespace epura {
 namespace {
 
 constexpr std::size_t grain = 1024;
+constexpr double cells_for_piece = 0.5;
+constexpr double cuts_of_piece = 8;
 
 // The direction of a line without its sense: upwards, as an angle in [0, pi].
 struct Direction {
@@ -31,16 +34,22 @@ struct Direction {
   }
 };
 
-// Pieces by cell of the paper, within a cell by direction, each with the distance of its line from the cell's middle.
+// Directions that differ by less count as one. It is more than single precision loses.
+constexpr float one_direction = 1e-6F;
+
+// Pieces by cell of the paper, within a cell by direction, within a direction by the distance of their lines from the
+// cell's middle.
 class PieceGrid {
  public:
   PieceGrid(const std::vector<Piece>& pieces, double tolerance) : pieces_(pieces), tolerance_(tolerance), grid_{} {
-    Vec2 least(HUGE_VAL), most(-HUGE_VAL);
-    for (const Piece& p : pieces) {
-      least = glm::min(least, glm::min(p.from, p.to));
-      most = glm::max(most, glm::max(p.from, p.to));
-    }
-    grid_ = make_cell_grid(least, most, 0.5 * static_cast<double>(pieces.size()));
+    PageBox page{Vec2(HUGE_VAL), Vec2(-HUGE_VAL)};
+    for (const Piece& p : pieces)
+      page = {glm::min(page.least, glm::min(p.from, p.to)), glm::max(page.most, glm::max(p.from, p.to))};
+    const GridLimits limits{cells_for_piece * static_cast<double>(pieces.size()), 16 * tolerance, cuts_of_piece, 0};
+    Cuts lines;
+    const Vec2 size = glm::max(page.most - page.least, Vec2(limits.side));
+    for (const Piece& p : pieces) lines.add(glm::abs(p.to - p.from), size);
+    grid_ = choose_grid(page, lines, {}, limits);
     count();
     fill();
     sort();
@@ -57,28 +66,45 @@ class PieceGrid {
   template <class Visit>
   void near_pairs(std::size_t cell, float spread, const Visit& visit) const {
     constexpr float turn = std::numbers::pi_v<float>;
+    const float widest = spread + 2 * one_direction;
     const auto members = std::span(members_).subspan(first_[cell], first_[cell + 1] - first_[cell]);
-    for (std::size_t i = 0; i < members.size(); ++i) {
-      const Member& a = members[i];
-      for (std::size_t j = i + 1; j < members.size() && members[j].angle <= a.angle + spread; ++j)
-        if (near(members[j].angle - a.angle, members[j].offset - a.offset)) visit(a.piece, members[j].piece);
-      // Directions 0 and pi are neighbours, with the sides of the line exchanged.
-      for (std::size_t j = members.size() - 1; j > i && members[j].angle >= a.angle + turn - spread; --j)
-        if (near(a.angle + turn - members[j].angle, members[j].offset + a.offset)) visit(a.piece, members[j].piece);
+    for (std::size_t a = 0; a < members.size(); a = end_of_direction(members, a)) {
+      const auto own = members.subspan(a, end_of_direction(members, a) - a);
+      for (std::size_t i = 0; i < own.size(); ++i) visit_near(own[i], own.subspan(i + 1), 0, 1, visit);
+      for (std::size_t b = a + own.size(); b < members.size(); b = end_of_direction(members, b)) {
+        const auto others = members.subspan(b, end_of_direction(members, b) - b);
+        const float angle = others[0].angle - own[0].angle;
+        // Directions 0 and pi are neighbours, with the sides of the line exchanged.
+        if (angle <= widest)
+          for (const Member& member : own) visit_near(member, others, angle, 1, visit);
+        else if (angle >= turn - widest)
+          for (const Member& member : own) visit_near(member, others, turn - angle, -1, visit);
+      }
     }
   }
 
  private:
-  // Candidates need no more than single precision.
+  // Candidates need no more than single precision. `angle` is that of the first of those in one direction.
   struct Member {
     float angle, offset;
     int piece;
   };
 
-  // Lines that coincide somewhere in a cell are this close at its middle. The last term is for single precision.
-  [[nodiscard]] bool near(float angle, float distance) const {
-    const double reach = 4 * tolerance_ + grid_.side.x * (angle + 1e-6);
-    return std::abs(distance) <= static_cast<float>(reach);
+  static std::size_t end_of_direction(std::span<const Member> members, std::size_t begin) {
+    std::size_t end = begin + 1;
+    while (end < members.size() && members[end].angle == members[begin].angle) ++end;
+    return end;
+  }
+
+  // Those of one direction, in order of offset, whose lines may coincide with that of `a` somewhere in the cell.
+  template <class Visit>
+  void visit_near(const Member& a, std::span<const Member> others, float angle, float side, const Visit& visit) const {
+    const double radius = 0.5 * glm::length(grid_.side);
+    const auto reach = static_cast<float>(4 * tolerance_ + radius * (angle + 4 * one_direction));
+    const float offset = side * a.offset;
+    auto b = std::lower_bound(others.begin(), others.end(), offset - reach,
+                              [](const Member& m, float x) { return m.offset < x; });
+    for (; b != others.end() && b->offset <= offset + reach; ++b) visit(a.piece, b->piece);
   }
 
   template <class Visit>
@@ -122,9 +148,18 @@ class PieceGrid {
   void sort() {
     parallel_for(cells(), grain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t c = begin; c < end; ++c)
-        std::sort(members_.begin() + first_[c], members_.begin() + first_[c + 1],
-                  [](const Member& a, const Member& b) { return a.angle < b.angle; });
+        sort_cell(std::span(members_).subspan(first_[c], first_[c + 1] - first_[c]));
     });
+  }
+
+  static void sort_cell(std::span<Member> members) {
+    std::sort(members.begin(), members.end(), [](const Member& a, const Member& b) { return a.angle < b.angle; });
+    for (std::size_t begin = 0, end = 0; begin < members.size(); begin = end) {
+      const float angle = members[begin].angle;
+      for (; end < members.size() && members[end].angle - angle < one_direction; ++end) members[end].angle = angle;
+      std::sort(members.begin() + begin, members.begin() + end,
+                [](const Member& a, const Member& b) { return a.offset < b.offset; });
+    }
   }
 
   const std::vector<Piece>& pieces_;

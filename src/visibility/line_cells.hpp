@@ -21,9 +21,6 @@ struct CellGrid {
   [[nodiscard]] Vec2 middle(int cell) const { return origin + side * Vec2(cell % columns + 0.5, cell / columns + 0.5); }
 };
 
-/// Square cells for about `items` things spread over a box.
-CellGrid make_cell_grid(const Vec2& least, const Vec2& most, double items);
-
 /// The parameters (0 at a, 1 at b) between which a line runs through a strip from <= x <= to in one coordinate.
 inline std::array<double, 2> part_in_strip(double a, double b, double from, double to) {
   if (a == b) return {0, 1};

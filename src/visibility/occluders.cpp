@@ -4,10 +4,10 @@
 #include <atomic>
 #include <cmath>
 #include <numeric>
-#include <optional>
 #include <utility>
 
 #include "base/parallel.hpp"
+#include "visibility/sheet_cover.hpp"
 #include "visibility/triangle_cells.hpp"
 
 namespace epura {
@@ -21,17 +21,16 @@ constexpr double triangles_of_cell = 5;
 constexpr GridLimits page_limits{0x1p24, 0, 8, 128};
 // Cells in which more pairs of edge and triangle meet than this are divided, and their parts again.
 constexpr double most_pairs = 1 << 15;
-constexpr GridLimits cell_limits{1024, 0, 8, 128};
+constexpr GridLimits cell_limits{1024, 0, 8, 32};
 constexpr int deepest_level = 8;
 // Triangles that are looked at to choose a grid.
 constexpr std::size_t sample = 65536;
 
-// Division is idle where it leaves more than this part of the pairs. Once it may be (what lies in an L parts only at
-// the second time), but not twice in succession.
+// Division is idle where it leaves more than this part of the pairs. So it may be once (what lies in an L parts only at
+// the second time), and where very much is left, until cells have become as small as the L is wide.
 constexpr double worthwhile = 0.5;
-
-// Depths are computed to this part of their size.
-constexpr double depth_rounding = 0x1p-40;
+constexpr int most_idle = 1;
+constexpr double many_pairs = 1 << 22;
 
 // Cells are widened by this part of their side: stretches reach over their borders by rounding.
 constexpr double cell_slack = 0x1p-12;
@@ -70,6 +69,8 @@ Candidate::Candidate(double distance, int triangle)
 OccluderGrid::OccluderGrid(const View& view, const std::vector<DrawnEdge>& edges, const Contact& contact)
     : view_(view), edges_(edges), contact_(contact), front_(greatest_depth(view)), top_(make_level(whole_page(), 0)) {}
 
+Vec2 OccluderGrid::cover_slack(const CellGrid& grid) const { return 2 * margin() + cell_slack * grid.side; }
+
 Vec2 OccluderGrid::place(const Sightline& edge, double t) const {
   const PageVertex& p = view_.vertices[edge.p];
   const PageVertex& q = view_.vertices[edge.q];
@@ -97,7 +98,7 @@ Sightline OccluderGrid::sightline(const Piece& piece) const {
 }
 
 OccluderGrid::Content OccluderGrid::whole_page() const {
-  Content content{{}, {}, HUGE_VAL, false};
+  Content content{{}, {}, HUGE_VAL, 0};
   content.pieces.reserve(edges_.size());
   for (std::size_t e = 0; e < edges_.size(); ++e) content.pieces.push_back({static_cast<int>(e), 0, 1});
   content.triangles.resize(view_.triangles.size());
@@ -120,11 +121,12 @@ OccluderGrid::Level OccluderGrid::make_level(const Content& content, int depth) 
   Level level;
   level.grid = grid_for(content, depth);
   find_covers(content, level);
-  const CellLoad load = find_load(content, level);
+  CellLoad load = find_load(content, level);
   sort_into_cells(find_candidates(content, load, level), level);
+  if (cover_by_sheets(load, level)) load = find_load(content, level);
   for (int cell = 0; cell < level.grid.count(); ++cell) level.pairs += pairs_in(level, load, cell);
-  const bool idle = level.pairs > worthwhile * content.pairs;
-  if (idle && content.idle) return level;
+  const int idle = level.pairs > worthwhile * content.pairs ? content.idle + 1 : 0;
+  if (idle > most_idle && content.pairs < many_pairs) return level;
   if (depth < deepest_level) divide_cells(content, load, idle, depth, level);
   return level;
 }
@@ -151,29 +153,20 @@ CellGrid OccluderGrid::grid_for(const Content& content, int depth) const {
   return choose_grid(page, lines, areas, limits);
 }
 
-// A triangle that covers a cell hides there what lies deeper than its farthest place in the cell, and the contact
-// distance.
 void OccluderGrid::find_covers(const Content& content, Level& level) const {
   const CellGrid& grid = level.grid;
   level.cover.assign(static_cast<std::size_t>(grid.count()), -HUGE_VAL);
-  const Vec2 slack = 2 * margin() + cell_slack * grid.side;
+  const Vec2 slack = cover_slack(grid);
   parallel_for(content.triangles.size(), chunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const ViewTriangle& triangle = view_.triangles[content.triangles[i]];
       const TriangleOnGrid on_grid(grid, corners(triangle), slack);
       if (!on_grid.large()) continue;
-      const std::optional<Vec2> slope = slope_of(view_, triangle);
-      if (!slope) continue;
-      const PageVertex& corner = view_.vertices[triangle.vertex[0]];
-      const double steepness = std::abs(slope->x) + std::abs(slope->y);
-      const double rounding = depth_rounding * (view_.extent + std::abs(corner.depth));
-      const double behind = glm::dot(grid.side / 2.0 + slack, glm::abs(*slope)) * (1 + cell_slack) +
-                            contact_.touching * (1 + steepness) + rounding;
+      const CoverPlane plane(view_, triangle, grid.side / 2.0 + slack, contact_);
       on_grid.visit_rows([&](const RowOfCells& row) {
         for (int column = row.inner_from; column <= row.inner_to; ++column) {
           const int cell = grid.cell(column, row.row);
-          raise(level.cover[cell],
-                corner.depth + glm::dot(*slope, grid.middle(cell) - Vec2(corner.x, corner.y)) - behind);
+          raise(level.cover[cell], plane.depth(grid.middle(cell)));
         }
       });
     }
@@ -243,9 +236,44 @@ void OccluderGrid::sort_into_cells(std::vector<std::vector<Found>> parts, Level&
   });
 }
 
+// Cells with much in them are worth a look for sheets. Returns whether one was found, and drops what lies behind it.
+bool OccluderGrid::cover_by_sheets(const CellLoad& load, Level& level) const {
+  const CellGrid& grid = level.grid;
+  std::atomic<bool> any = false;
+  parallel_for(static_cast<std::size_t>(grid.count()), 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t cell = begin; cell < end; ++cell) {
+      const int number = static_cast<int>(cell);
+      if (pairs_in(level, load, number) <= most_pairs) continue;
+      SheetCover sheets(view_, {grid.middle(number), grid.side / 2.0 + cover_slack(grid)}, contact_);
+      for (std::size_t i = level.first[cell]; i < level.first[cell + 1]; ++i)
+        if (sheets.add(view_.triangles[level.candidates[i].triangle()])) break;
+      if (!(sheets.depth() > level.cover[cell])) continue;
+      level.cover[cell] = sheets.depth();
+      any = true;
+    }
+  });
+  if (any) drop_covered(level);
+  return any;
+}
+
+void OccluderGrid::drop_covered(Level& level) const {
+  auto kept = level.candidates.begin();
+  auto from = kept;
+  for (std::size_t cell = 0; cell + 1 < level.first.size(); ++cell) {
+    const auto to = level.candidates.begin() + static_cast<std::ptrdiff_t>(level.first[cell + 1]);
+    level.first[cell] = static_cast<std::size_t>(kept - level.candidates.begin());
+    const double reach = distance(level.cover[cell]);
+    const auto end = std::find_if(from, to, [&](const Candidate& candidate) { return candidate.distance() > reach; });
+    kept = std::copy(from, end, kept);
+    from = to;
+  }
+  level.first.back() = static_cast<std::size_t>(kept - level.candidates.begin());
+  level.candidates.erase(kept, level.candidates.end());
+}
+
 // What lies in the cells that are to be divided; they get their numbers in `level.child`.
 std::vector<OccluderGrid::Content> OccluderGrid::contents_of_full_cells(const Content& content, const CellLoad& load,
-                                                                        bool idle, Level& level) const {
+                                                                        int idle, Level& level) const {
   const CellGrid& grid = level.grid;
   std::vector<Content> parts;
   for (int cell = 0; cell < grid.count(); ++cell) {
@@ -270,8 +298,7 @@ std::vector<OccluderGrid::Content> OccluderGrid::contents_of_full_cells(const Co
   return parts;
 }
 
-void OccluderGrid::divide_cells(const Content& content, const CellLoad& load, bool idle, int depth,
-                                Level& level) const {
+void OccluderGrid::divide_cells(const Content& content, const CellLoad& load, int idle, int depth, Level& level) const {
   std::vector<Content> parts = contents_of_full_cells(content, load, idle, level);
   level.children.resize(parts.size());
   parallel_for(parts.size(), 1, [&](std::size_t begin, std::size_t end) {

@@ -80,7 +80,7 @@ class OccluderGrid {
     std::vector<Piece> pieces;
     std::vector<int> triangles;  ///< of the view
     double pairs;                ///< of edge and triangle that were to be tried without further division
-    bool idle;                   ///< the last division left nearly as many
+    int idle;                    ///< how many divisions in succession left nearly as many
   };
   struct CellLoad {
     std::vector<double> deepest;  ///< by cell: least depth of the pieces that cover does not hide
@@ -110,6 +110,7 @@ class OccluderGrid {
 
   // Vertices lie within a cell of the page grid of their place.
   [[nodiscard]] double margin() const { return 2 * view_.cell; }
+  [[nodiscard]] Vec2 cover_slack(const CellGrid& grid) const;
   [[nodiscard]] Vec2 place(const Sightline& edge, double t) const;
   [[nodiscard]] std::array<Vec2, 3> corners(const ViewTriangle& triangle) const;
   [[nodiscard]] double nearest(const ViewTriangle& triangle) const;
@@ -125,9 +126,11 @@ class OccluderGrid {
   [[nodiscard]] std::vector<std::vector<Found>> find_candidates(const Content& content, const CellLoad& load,
                                                                 Level& level) const;
   static void sort_into_cells(std::vector<std::vector<Found>> parts, Level& level);
-  [[nodiscard]] std::vector<Content> contents_of_full_cells(const Content& content, const CellLoad& load, bool idle,
+  bool cover_by_sheets(const CellLoad& load, Level& level) const;
+  void drop_covered(Level& level) const;
+  [[nodiscard]] std::vector<Content> contents_of_full_cells(const Content& content, const CellLoad& load, int idle,
                                                             Level& level) const;
-  void divide_cells(const Content& content, const CellLoad& load, bool idle, int depth, Level& level) const;
+  void divide_cells(const Content& content, const CellLoad& load, int idle, int depth, Level& level) const;
 
   const View& view_;
   const std::vector<DrawnEdge>& edges_;

@@ -98,5 +98,36 @@ TEST(Search, EqualsBruteForceOnAFineMesh) {
   expect_equal(draw(world_of(torus), orthographic({1, -2, 0.8}), {.smooth = true}));
 }
 
+// Uneven plates of several quadrilaterals over one another, so many that cells are divided and covered by sheets.
+Shape stack(unsigned seed) {
+  std::mt19937 random(seed);
+  const auto number = [&] { return static_cast<double>(random()) / 4294967296.0; };
+  constexpr int plates = 80, across = 3;
+  const double shift = std::pow(10, -1 - 5 * number()), bumps = random() % 2 == 0 ? 0 : number();
+  Shape shape;
+  for (int k = 0; k < plates; ++k) {
+    const int first = static_cast<int>(shape.points.size());
+    for (int i = 0; i <= across; ++i)
+      for (int j = 0; j <= across; ++j) shape.points.push_back({i + shift * k, j + shift * k, bumps * number() - k});
+    for (int i = 0; i < across; ++i)
+      for (int j = 0; j < across; ++j) {
+        const int corner = first + i * (across + 1) + j;
+        shape.faces.push_back({corner, corner + across + 1, corner + across + 2});
+        if (random() % 16 > 0) shape.faces.push_back({corner, corner + across + 2, corner + 1});  // else a hole
+      }
+  }
+  return shape;
+}
+
+TEST(Search, EqualsBruteForceOnStacks) {
+  for (unsigned seed = 1; seed <= 6; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const World world = world_of(stack(seed));
+    expect_equal(draw(world, from_above()));
+    expect_equal(draw(world, orthographic({0.1, -0.2, 1}), {.smooth = true}));
+    expect_equal(draw(world, perspective({2, 1, 12}, {1.5, 1.5, 0}, {0.5, -0.5, 12}, {0, 1, 0})));
+  }
+}
+
 }  // namespace
 }  // namespace epura::test

@@ -1,0 +1,71 @@
+// Whether triangles that meet along sides hide a whole cell together, though none of them covers it alone.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "view/view.hpp"
+#include "visibility/hiding_rule.hpp"
+
+namespace epura {
+
+/// A cell of the page, already widened by what rounding may move.
+struct CellBox {
+  Vec2 middle, half;
+};
+
+/// A triangle as the cover of cells of one size.
+class CoverPlane {
+ public:
+  /// `half` of the width and height of a cell, widened.
+  CoverPlane(const View& view, const ViewTriangle& triangle, const Vec2& half, const Contact& contact);
+
+  /// What lies deeper in the cell around a place is hidden wherever the triangle covers it: deeper than any place of
+  /// its plane there by more than contact and rounding. -infinity for a triangle that is a line on the page.
+  [[nodiscard]] double depth(const Vec2& middle) const { return depth_ + glm::dot(slope_, middle - corner_); }
+
+ private:
+  Vec2 corner_, slope_{0, 0};
+  double depth_ = -HUGE_VAL;
+};
+
+/// Grows connected sheets from triangles, added one by one. A sheet is whole when every side that may reach into the
+/// cell has triangles on both sides: as many triangles cover one place of the cell as another, and so at least one.
+class SheetCover {
+ public:
+  SheetCover(const View& view, const CellBox& cell, const Contact& contact)
+      : view_(view), cell_(cell), contact_(contact) {}
+
+  /// Whether this triangle, which has an area on the page grid, has made a sheet whole.
+  bool add(const ViewTriangle& triangle);
+
+  /// What lies deeper in the cell is hidden by the sheet that was made whole.
+  [[nodiscard]] double depth() const { return depth_; }
+
+ private:
+  struct Sheet {
+    int parent;    ///< another sheet that this one has become part of, or itself
+    int open = 0;  ///< sides that want a triangle on their other side
+    double depth;
+  };
+  struct OpenSide {
+    int sheet;
+    bool left;  ///< on which side of it, seen from its vertex with the lesser number, the triangle lies
+  };
+
+  [[nodiscard]] bool reaches_in(int u, int v) const;
+  [[nodiscard]] bool holds_middle(const ViewTriangle& triangle) const;
+  int root(int sheet);
+  void close(int sheet, const ViewTriangle& triangle, int side, bool turns_left);
+
+  const View& view_;
+  CellBox cell_;
+  Contact contact_;
+  std::vector<Sheet> sheets_;
+  std::unordered_map<std::uint64_t, OpenSide> open_;
+  double depth_ = -HUGE_VAL;
+};
+
+}  // namespace epura
