@@ -16,7 +16,11 @@ namespace epura {
 namespace {
 
 Sheet sheet_of(std::vector<Text> texts) {
-  return {297, 210, "texts", {{"sheet/grid", {"grid", 0.35}, {{{{5, 5}, {290, 5}}}}, {}, std::move(texts)}}};
+  Sheet sheet{297, 210, "texts", {}};
+  Layer& layer = sheet.layers.emplace_back(Layer{"sheet/grid", {"grid", 0.35}, {}});
+  layer.strokes.push_back({{{5, 5}, {290, 5}}});
+  layer.texts = std::move(texts);
+  return sheet;
 }
 
 // As the outlines of SVG end their pieces: mm, y up.

@@ -15,7 +15,8 @@ TurnedBox box_of(const Text& text) {
   const double angle = text.angle * std::numbers::pi / 180;
   const Vec2 along(std::cos(angle), std::sin(angle)), up(-along.y, along.x);
   EXPECT_EQ(text.align, Align::middle);
-  return {text.at + up * (text.height / 2), along, {Lettering().width(text.text, text.height) / 2, text.height / 2}};
+  static const Lettering lettering;
+  return {text.at + up * (text.height / 2), along, {lettering.width(text.text, text.height) / 2, text.height / 2}};
 }
 
 void expect_texts_apart(const Layer& layer) {
