@@ -24,7 +24,7 @@ constexpr double thin_width = 1;
 constexpr double nearest = 0.7;       // parts closer than this touch
 constexpr double shortest = 1e-3;     // mm of a hatching line that are seen
 constexpr double alike_degrees = 10;  // a hatching line so close to an outline looks like one
-constexpr double most_alike = 0.25;   // part of the outlines that may run so
+constexpr double most_alike = 0.3;    // part of the outlines that may run so, or across
 constexpr double least_ratio = 1.4;   // of two spacings that are told apart
 
 /// In order of preference; the factor is of the spacing. Where the first few do not tell a part from its neighbours by
@@ -218,7 +218,10 @@ double spacing_of(const Part& part) {
 
 Hatching hatching_of(const Part& part, const std::vector<Hatching>& neighbours) {
   const double spacing = spacing_of(part);
-  const auto suits = [&](const Variant& variant) { return share_along(part, variant.angle) <= most_alike; };
+  // At right angles to an outline hatching lines look like a pattern of their own.
+  const auto suits = [&](const Variant& variant) {
+    return share_along(part, variant.angle) + share_along(part, variant.angle + 90) <= most_alike;
+  };
   const auto differs_by_angle = [&](const Variant& variant) {
     return std::none_of(neighbours.begin(), neighbours.end(),
                         [&](const Hatching& there) { return there.angle == variant.angle; });

