@@ -172,8 +172,8 @@ int add_block_records(DxfWriter& dxf) {
 void add_blocks(DxfWriter& dxf, int model_space) {
   dxf.add(0, "SECTION");
   dxf.add(2, "BLOCKS");
+  int owner = model_space;  // handles follow each other
   for (const std::string_view name : blocks) {
-    const int owner = model_space + static_cast<int>(&name - blocks.data());
     dxf.begin("BLOCK", owner, "AcDbEntity");
     dxf.add(8, "0");
     dxf.add(100, "AcDbBlockBegin");
@@ -186,6 +186,7 @@ void add_blocks(DxfWriter& dxf, int model_space) {
     dxf.begin("ENDBLK", owner, "AcDbEntity");
     dxf.add(8, "0");
     dxf.add(100, "AcDbBlockEnd");
+    ++owner;
   }
   dxf.add(0, "ENDSEC");
 }

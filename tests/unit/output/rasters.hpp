@@ -49,13 +49,14 @@ inline Picture read_png(const std::filesystem::path& file) {
   return picture;
 }
 
-/// Share of pixels that differ by more than three quarters of black; 1 when the sizes do.
+/// Share of pixels that differ by more than three quarters of black; 1 when the sizes do. The outermost ones, which the
+/// sheet covers in part only, do not count.
 inline double difference(const Picture& a, const Picture& b) {
   // Sizes are rounded one way or the other.
   if (std::abs(a.width - b.width) > 1 || std::abs(a.height - b.height) > 1) return 1;
   double differing = 0;
-  for (int y = 0; y < std::min(a.height, b.height); ++y)
-    for (int x = 0; x < std::min(a.width, b.width); ++x) {
+  for (int y = 1; y < std::min(a.height, b.height) - 1; ++y)
+    for (int x = 1; x < std::min(a.width, b.width) - 1; ++x) {
       const auto shade = [&](const Picture& p) { return p.grey[static_cast<std::size_t>(y * p.width + x)]; };
       differing += std::abs(shade(a) - shade(b)) > 192 ? 1 : 0;
     }

@@ -19,7 +19,7 @@ inline pugi::xml_document parse_svg(const std::string& svg) {
   return document;
 }
 
-/// Reads the data of a path: M, L, l, h, v and Z, repeated without their letter where SVG allows it.
+/// Reads the data of a path: M, L, l, h, v, q (where it ends) and Z, repeated without their letter where SVG allows it.
 class SvgPathReader {
  public:
   SvgPathReader(std::string_view data, double height) : data_(data), height_(height) {}
@@ -27,7 +27,7 @@ class SvgPathReader {
   std::vector<Ink> lines() {
     std::vector<Ink> lines;
     for (char command = 0; skip_spaces(), !data_.empty();) {
-      const bool named = std::string_view("MLlhvZ").find(data_[0]) != std::string_view::npos;
+      const bool named = std::string_view("MLlhvqZ").find(data_[0]) != std::string_view::npos;
       if (named) command = take();
       if (command == 'M') lines.emplace_back();
       if (command == 'Z') {
@@ -55,6 +55,7 @@ class SvgPathReader {
 
   void step(char command) {
     const bool absolute = command == 'M' || command == 'L';
+    if (command == 'q') number(), number();  // the control point
     if (command != 'v') here_.x = number() + (absolute ? 0 : here_.x);
     if (command != 'h') here_.y = number() + (absolute ? 0 : here_.y);
   }

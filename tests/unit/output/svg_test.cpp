@@ -52,7 +52,7 @@ TEST(Svg, IsInMillimetres) {
   EXPECT_STREQ(svg.attribute("width").value(), "297mm");
   EXPECT_STREQ(svg.attribute("height").value(), "210.5mm");
   EXPECT_STREQ(svg.attribute("viewBox").value(), "0 0 297 210.5");
-  EXPECT_NE(std::string(svg.child("style").text().get()).find(".hidden{stroke-width:0.25;stroke-dasharray:3 .75}"),
+  EXPECT_NE(std::string(svg.child("style").text().get()).find(".hidden{stroke-width:.25;stroke-dasharray:3 .75}"),
             std::string::npos);
 }
 
@@ -139,7 +139,7 @@ TEST(Svg, PointsAndClosedLinesKeepTheirPlaceAmongManyOthers) {
   const auto document = parse_svg(to_svg(sheet, {}));
   std::size_t i = 0;
   for (const pugi::xml_node path : layers_of(document)[0].children("path")) {
-    const std::vector<Ink> ink = SvgPathReader(path.attribute("d").value(), 100).lines();
+    const std::vector<Ink> ink = ink_of(std::string_view(path.attribute("d").value()), 100);
     ASSERT_EQ(ink.size(), 1u) << i;
     EXPECT_LT(glm::distance(ink[0].points.front(), strokes[i].points.front()), tolerance) << i;
     EXPECT_LT(glm::distance(ink[0].points.back(), strokes[i].points.back()), tolerance) << i;
