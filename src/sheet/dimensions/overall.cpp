@@ -88,7 +88,9 @@ DimensionRoom dimension_room(std::span<const DimensionDescription> dimensions, c
     return needed > 0 ? needed + text_height : 0;
   };
   const int both_rows = (lines.horizontal + 1) / 2, both_columns = (lines.vertical + 1) / 2;
-  return {{room(both_columns), room(lines.below + both_rows)}, {room(lines.right + both_columns), room(both_rows)}};
+  // A height stands on the side that its ends are nearer to.
+  const double beside = room(lines.right + both_columns);
+  return {{beside, room(lines.below + both_rows)}, {beside, room(both_rows)}};
 }
 
 }  // namespace epura

@@ -100,7 +100,8 @@ TEST_F(Refusal, StandardOutputThatCannotBeWritten) {
 }
 
 TEST_F(Refusal, Formats) {
-  expect_refused({"draw", cube, "-o", "x.bmp"}, 2, {"x.bmp", "unknown format", "known: svg, pdf, ps, eps, png, json"});
+  expect_refused({"draw", cube, "-o", "x.bmp"}, 2,
+                 {"x.bmp", "unknown format", "known: svg, pdf, ps, eps, png, dxf, json"});
   expect_refused({"draw", cube, "-o", "x.svgg"}, 2, {"x.svgg", "did you mean 'svg'?"});
   expect_refused({"draw", cube, "-o", "x"}, 2, {"x", "no extension", "known: svg"});
   expect_refused({"draw", cube, "-o", "-"}, 2, {"--format"});

@@ -19,27 +19,28 @@ inline pugi::xml_document parse_svg(const std::string& svg) {
   return document;
 }
 
-/// Reads the data of a path: M, L, l, h, v, q (where it ends) and Z, repeated without their letter where SVG allows it.
+/// A piece of a path: its command, where it ends (y down) and its other numbers.
+struct SvgPiece {
+  char command;
+  Vec2 to;
+  std::vector<double> others;
+};
+
+/// Reads the data of a path: M, l, h, v, q, A and Z, repeated without their letter where SVG allows it.
 class SvgPathReader {
  public:
-  SvgPathReader(std::string_view data, double height) : data_(data), height_(height) {}
+  explicit SvgPathReader(std::string_view data) : data_(data) {}
 
-  std::vector<Ink> lines() {
-    std::vector<Ink> lines;
-    for (char command = 0; skip_spaces(), !data_.empty();) {
-      const bool named = std::string_view("MLlhvqZ").find(data_[0]) != std::string_view::npos;
+  std::vector<SvgPiece> pieces() {
+    std::vector<SvgPiece> pieces;
+    char command = 0;
+    for (skip_spaces(); !data_.empty(); skip_spaces()) {
+      const bool named = std::string_view("MlhvqAZ").find(data_[0]) != std::string_view::npos;
+      EXPECT_TRUE(named || (command != 'M' && command != 'Z' && command != 0)) << data_;
       if (named) command = take();
-      if (command == 'M') lines.emplace_back();
-      if (command == 'Z') {
-        lines.back().closed = true;
-        EXPECT_TRUE(named);
-        continue;
-      }
-      step(command);
-      if (command == 'M') command = 'L';
-      lines.back().points.emplace_back(here_.x, height_ - here_.y);
+      pieces.push_back(piece(command));
     }
-    return lines;
+    return pieces;
   }
 
  private:
@@ -53,11 +54,16 @@ class SvgPathReader {
     while (!data_.empty() && data_[0] == ' ') take();
   }
 
-  void step(char command) {
-    const bool absolute = command == 'M' || command == 'L';
-    if (command == 'q') number(), number();  // the control point
-    if (command != 'v') here_.x = number() + (absolute ? 0 : here_.x);
-    if (command != 'h') here_.y = number() + (absolute ? 0 : here_.y);
+  SvgPiece piece(char command) {
+    SvgPiece read{command, {}, {}};
+    for (int more = command == 'q' ? 2 : command == 'A' ? 5 : 0; more > 0; --more) read.others.push_back(number());
+    if (command == 'Z') here_ = start_;
+    if (command == 'M' || command == 'A') here_ = {0, 0};
+    if (command != 'v' && command != 'Z') here_.x += number();
+    if (command != 'h' && command != 'Z') here_.y += number();
+    if (command == 'M') start_ = here_;
+    read.to = here_;
+    return read;
   }
 
   double number() {
@@ -76,14 +82,27 @@ class SvgPathReader {
   }
 
   std::string_view data_;
-  double height_;
-  Vec2 here_{0, 0};
+  Vec2 here_{0, 0}, start_{0, 0};
 };
+
+/// The lines of a path without curves.
+inline std::vector<Ink> ink_of(std::string_view path, double height) {
+  std::vector<Ink> lines;
+  for (const SvgPiece& piece : SvgPathReader(path).pieces()) {
+    if (piece.command == 'M') lines.emplace_back();
+    if (piece.command == 'Z') {
+      lines.back().closed = true;
+    } else {
+      lines.back().points.emplace_back(piece.to.x, height - piece.to.y);
+    }
+  }
+  return lines;
+}
 
 inline std::vector<Ink> ink_of(const pugi::xml_node& layer, double height) {
   std::vector<Ink> lines;
   for (const pugi::xml_node path : layer.children("path"))
-    for (Ink& line : SvgPathReader(path.attribute("d").value(), height).lines()) lines.push_back(std::move(line));
+    for (Ink& line : ink_of(std::string_view(path.attribute("d").value()), height)) lines.push_back(std::move(line));
   return lines;
 }
 

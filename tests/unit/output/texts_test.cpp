@@ -34,7 +34,7 @@ TEST_P(TextAtAngle, KeepsCoordinates) {
   const pugi::xml_document document = parse_svg(to_svg(sheet_of({text}), {}));
   const pugi::xml_node g = document.select_node("//g[@aria-label]").node();
   EXPECT_STREQ(g.attribute("class").value(), "text-label");
-  const std::vector<Ink> read = SvgPathReader(g.child("path").attribute("d").value(), 210).lines();
+  const std::vector<Ink> read = ink_of(std::string_view(g.child("path").attribute("d").value()), 210);
 
   const Lettering lettering;
   const double radians = angle * std::atan(1) / 45, c = std::cos(radians), s = std::sin(radians);

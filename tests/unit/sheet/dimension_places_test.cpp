@@ -237,7 +237,7 @@ TEST(OverallDimensions, HaveTheRoomThatWasKeptFree) {
   const std::vector<DimensionDescription> dimensions{dimension("overall", {}, "width"),
                                                      dimension("overall", {}, "height")};
   const DimensionRoom room = dimension_room(dimensions, front, 3.5);
-  EXPECT_EQ(room.before.x, 0);
+  EXPECT_EQ(room.before.x, room.after.x);
   EXPECT_EQ(room.after.y, 0);
   for (const Stroke& stroke : layer_of(world, drawing, dimensions).strokes) {
     for (const Vec2& p : stroke.points) {
