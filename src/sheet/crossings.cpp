@@ -111,7 +111,7 @@ std::vector<double> Crossings::along(std::size_t chain, double apart) const {
     visit_cells(from, to, [&](int cell) {
       for (int i = first_[cell]; i < first_[cell + 1]; ++i) {
         const Line& line = lines_[lines_of_cells_[i]];
-        if (line.chain == chain) continue;
+        if (line.chain == chain || chains_[line.chain].kind == EdgeKind::smooth) continue;
         if (const auto at = meeting(from, to, line.from, line.to)) found.push_back(travelled + *at);
       }
     });

@@ -14,8 +14,8 @@ class Crossings {
  public:
   explicit Crossings(std::span<const Chain> chains);
 
-  /// Distances along a chain from its first point, ascending, at which another chain crosses it, touches it or ends on
-  /// it. Points nearer than `apart` mm count once.
+  /// Distances along a chain from its first point, ascending, at which another chain that is no tangent edge crosses
+  /// it, touches it or ends on it. Points nearer than `apart` mm count once.
   [[nodiscard]] std::vector<double> along(std::size_t chain, double apart) const;
 
   /// Whether a visible line that is no tangent edge runs through a point.

@@ -1,5 +1,5 @@
-// The drawings of tests/golden. What comes is left in golden/CASE.json in the folder of the test. ACCEPT=1 in the
-// environment makes it the expectation; with CI set that is refused.
+// The drawings of tests/golden. What comes is left as golden/CASE.json and .svg in the folder of the test. ACCEPT=1 in
+// the environment makes it the expectation; with CI set that is refused.
 #include "golden.hpp"
 
 #include <gtest/gtest.h>
@@ -29,27 +29,33 @@ std::string first_difference(const std::string& expected, const std::string& act
 
 class Golden : public testing::TestWithParam<std::string> {};
 
+bool accepts() {
+  const char* accept = std::getenv("ACCEPT");
+  return accept != nullptr && std::string_view(accept) == "1";
+}
+
+void expect_or_accept(const fs::path& expected, const fs::path& actual) {
+  if (accepts()) {
+    ASSERT_EQ(std::getenv("CI"), nullptr) << "expectations are accepted by people, not in CI";
+    return write_file(expected, read_file(actual));
+  }
+  ASSERT_TRUE(fs::exists(expected)) << "accept " << actual << " with ACCEPT=1";
+  const std::string difference = first_difference(read_file(expected), read_file(actual));
+  EXPECT_TRUE(difference.empty()) << "--- " << expected.string() << "\n+++ " << actual.string() << "\n" << difference;
+}
+
 TEST_P(Golden, Drawing) {
   const fs::path folder = golden_folder(GetParam());
-  const fs::path actual_path = fs::absolute("golden") / (GetParam() + ".json");
-  fs::create_directories(actual_path.parent_path());
+  const fs::path actual = fs::absolute("golden") / GetParam();
+  fs::create_directories(actual.parent_path());
 
   std::vector<std::string> arguments = golden_arguments(GetParam());
-  arguments.insert(arguments.end(), {"-o", actual_path.string()});
+  arguments.insert(arguments.end(), {"-o", actual.string() + ".json", "-o", actual.string() + ".svg"});
   const Outcome run = epura(arguments, root());
   ASSERT_EQ(run.code, 0) << run.err;
-  const std::string actual = read_file(actual_path);
-
-  const char* accept = std::getenv("ACCEPT");
-  if (accept != nullptr && std::string_view(accept) == "1") {
-    ASSERT_EQ(std::getenv("CI"), nullptr) << "expectations are accepted by people, not in CI";
-    return write_file(folder / "expected.json", actual);
-  }
-  ASSERT_TRUE(fs::exists(folder / "expected.json")) << "accept " << actual_path << " with ACCEPT=1";
-  const std::string difference = first_difference(read_file(folder / "expected.json"), actual);
-  EXPECT_TRUE(difference.empty()) << "--- " << (folder / "expected.json").string() << "\n+++ " << actual_path.string()
-                                  << "\n"
-                                  << difference;
+  expect_or_accept(folder / "expected.json", actual.string() + ".json");
+  // Sheets show more than the lines of their drawing.
+  if (fs::exists(folder / "expected.svg")) expect_or_accept(folder / "expected.svg", actual.string() + ".svg");
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, Golden, testing::ValuesIn(golden_cases()),
