@@ -87,8 +87,9 @@ std::vector<int> material_of(const World& world, int model, const CutMesh& cut, 
       if (other != body && there.is_around(here)) around.emplace_back(there.extent(), other);
     std::sort(around.begin(), around.end());
     if (around.empty() || negative[around.back().second] == negative[body]) continue;
-    const auto solid = std::find_if(around.begin(), around.end(),
-                                    [&](const auto& entry) { return negative[entry.second] != negative[body]; });
+    const auto solid = std::find_if(around.begin(), around.end(), [&, own = body](const auto& entry) {
+      return negative[entry.second] != negative[own];
+    });
     material[body] = solid->second;
   }
   return material;

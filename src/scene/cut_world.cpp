@@ -80,8 +80,10 @@ void ModelCut::take_faces_in_plane(const std::vector<int>& material, const std::
       triangles.push_back(corners);
     }
     if (triangles.empty()) continue;
-    const auto of_body = std::ranges::equal_range(cut.segments, body, {}, &CutSegment::body);
-    const std::vector<bool> inside = lie_inside(triangles, of_body, places(), frame);
+    const auto before = [](const CutSegment& segment, int number) { return segment.body < number; };
+    const auto first = std::lower_bound(cut.segments.begin(), cut.segments.end(), body, before);
+    const auto last = std::lower_bound(first, cut.segments.end(), body + 1, before);
+    const std::vector<bool> inside = lie_inside(triangles, {first, last}, places(), frame);
     for (std::size_t i = 0; i < triangles.size(); ++i)
       if (inside[i] || open_edge[body]) kept.emplace_back(by_body[body][i], body);
   }
