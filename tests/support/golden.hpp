@@ -1,5 +1,6 @@
 // The drawings that are kept as text: each folder of tests/golden has `arguments`, what follows `epura draw` with paths
-// from the root of the repository, and `expected.json`, what must come of it, to the byte; cases of whole sheets have `expected.svg`, too.
+// from the root of the repository, and `expected.json`, what must come of it, to the byte; cases of whole sheets have
+// `expected.svg`, too.
 #pragma once
 
 #include <algorithm>
