@@ -1,13 +1,11 @@
 #include "app/compose.hpp"
 
 #include <iterator>
-#include <map>
 #include <string>
 #include <utility>
 
+#include "app/annotation_layers.hpp"
 #include "sheet/centre_lines.hpp"
-#include "sheet/cutting_plane_line.hpp"
-#include "sheet/dimensions/dimensions.hpp"
 #include "sheet/hatch.hpp"
 #include "sheet/lettering.hpp"
 #include "sheet/partial_mark.hpp"
@@ -76,32 +74,6 @@ std::vector<const Drawing*> drawings_of(const std::vector<ViewResult>& views) {
   return drawings;
 }
 
-// Each section is marked in the first view of the whole that sees its plane edge-on.
-std::vector<Layer> cutting_plane_lines(const std::vector<ViewResult>& views, const LineWidths& widths) {
-  std::map<std::string, Layer> marks;
-  for (const ViewResult& cut : views)
-    for (const ViewResult& parent : views) {
-      if (!cut.section || parent.section || marks.contains(cut.section->name)) continue;
-      if (auto mark = cutting_plane_line(parent.drawing, *cut.section, widths))
-        marks.emplace(cut.section->name, std::move(*mark));
-    }
-  std::vector<Layer> layers;
-  for (auto& [name, layer] : marks) layers.push_back(std::move(layer));
-  return layers;
-}
-
-// A drawing that lacks lines may lack its ends: its overall dimensions are left out.
-void add_dimensions(FinishedSheet& finished, const World& world, const ViewResult& view,
-                    std::vector<DimensionDescription> dimensions, double line_width, double text_height) {
-  if (view.partial) std::erase_if(dimensions, [](const auto& one) { return one.type.text == "overall"; });
-  if (dimensions.empty()) return;
-  Layer layer = dimension_layer(world, view.drawing, dimensions, Lettering(), line_width, text_height);
-  if (!on_paper(layer, {finished.sheet.width, finished.sheet.height}))
-    finished.warnings.push_back("dimensions of the view '" + view.drawing.name +
-                                "' reach beyond the paper\n  hint: use a smaller scale or a larger sheet");
-  finished.sheet.layers.push_back(std::move(layer));
-}
-
 std::vector<Layer> centre_layers(const ViewResult& view, const ViewWish& wish, const LineWidths& widths,
                                  const std::vector<Layer>& lines) {
   if (!wish.centre_lines) return {};
@@ -117,7 +89,8 @@ void keep_curves(std::vector<Chain>& chains) {
 }  // namespace
 
 FinishedSheet compose(const World& world, const SceneDescription& scene, const SheetOfViews& views,
-                      const SheetPlan& plan, std::vector<ViewResult>& results, const DimensionsByView& dimensions) {
+                      const SheetPlan& plan, std::vector<ViewResult>& results,
+                      const std::vector<Annotations>& annotations) {
   const SheetDescription& sheet = scene.sheets[static_cast<std::size_t>(views.sheet)];
   const Paper& paper = plan.furniture.paper;
   SheetFurniture furniture = plan.furniture;
@@ -129,9 +102,8 @@ FinishedSheet compose(const World& world, const SceneDescription& scene, const S
       {},
       std::move(around.warnings)};
   const LineWidths widths = line_widths(paper);
-  const double text_height = dimension_text_height(paper, results.size());
+  AnnotationLayers beside = annotation_layers(world, plan, annotations, results, furniture.labels);
   const std::vector<Hatching> hatching = choose_hatching(drawings_of(results));
-  std::vector<Layer> marks = cutting_plane_lines(results, widths);
   bool partial = false;
   for (std::size_t i = 0; i < results.size(); ++i) {
     if (!results[i].drawing.cut_faces.empty())
@@ -140,11 +112,11 @@ FinishedSheet compose(const World& world, const SceneDescription& scene, const S
     append(finished.sheet.layers, centre_layers(results[i], views.plans[i].wish, widths, lines));
     append(finished.sheet.layers, std::move(lines));
     keep_curves(results[i].drawing.chains);
-    add_dimensions(finished, world, results[i], dimensions[i], widths.narrow, text_height);
     partial = partial || results[i].partial;
     finished.drawings.push_back(std::move(results[i].drawing));
   }
-  append(finished.sheet.layers, std::move(marks));
+  append(finished.sheet.layers, std::move(beside.layers));
+  std::move(beside.warnings.begin(), beside.warnings.end(), std::back_inserter(finished.warnings));
   if (partial) finished.sheet.layers.push_back(partial_mark(paper));
   return finished;
 }

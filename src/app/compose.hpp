@@ -4,10 +4,10 @@
 #include <span>
 #include <vector>
 
+#include "app/annotations.hpp"
 #include "app/layout.hpp"
 #include "app/pipeline.hpp"
 #include "app/targets.hpp"
-#include "app/view_dimensions.hpp"
 #include "app/view_plan.hpp"
 #include "scene/description.hpp"
 
@@ -15,6 +15,7 @@ namespace epura {
 
 /// The drawings of one sheet, in order of its views, with all that belongs to them, and what a sheet has around.
 FinishedSheet compose(const World& world, const SceneDescription& scene, const SheetOfViews& views,
-                      const SheetPlan& plan, std::vector<ViewResult>& results, const DimensionsByView& dimensions);
+                      const SheetPlan& plan, std::vector<ViewResult>& results,
+                      const std::vector<Annotations>& annotations);
 
 }  // namespace epura

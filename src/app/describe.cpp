@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "app/annotations.hpp"
 #include "app/choose.hpp"
-#include "app/view_dimensions.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "scene/cutting_plane.hpp"

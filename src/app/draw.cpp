@@ -91,8 +91,8 @@ FinishedSheet Run::draw_sheet(const World& whole, const CutSections& sections, c
     seen.push_back(look_at(world(i), views.plans[i], views.descriptions[i]));
   watch.lap("view");
 
-  const DimensionsByView dimensions = dimensions_by_view(scene, views.sheet, views.descriptions, seen);
-  const SheetPlan plan = plan_sheet(whole, scene, views.sheet, views.descriptions, seen, dimensions);
+  const std::vector<Annotations> annotations = annotate(scene, views.sheet, views.descriptions, seen, sections);
+  const SheetPlan plan = plan_sheet(whole, scene, views.sheet, views.descriptions, seen, annotations);
   if (plan.chosen) console.warn("the scale is " + ratio_text(plan.scale) + ", the largest of ISO 5455 that fits");
   std::vector<ViewResult> results;
   std::vector<ViewWish> wishes;
@@ -110,7 +110,7 @@ FinishedSheet Run::draw_sheet(const World& whole, const CutSections& sections, c
     if (result.partial) report.partial = result.partial;
     if (result.verification) report.verification = result.verification;
   }
-  FinishedSheet sheet = compose(whole, scene, views, plan, results, dimensions);
+  FinishedSheet sheet = compose(whole, scene, views, plan, results, annotations);
   for (const std::string& warning : sheet.warnings) console.warn(warning);
   warn_about(console, sheet.sheet);
   watch.lap("sheet");

@@ -6,6 +6,7 @@
 
 #include "app/choose.hpp"
 #include "sheet/arrangement.hpp"
+#include "sheet/cutting_plane_line.hpp"
 #include "sheet/dimensions/overall.hpp"
 #include "sheet/standard_scale.hpp"
 #include "view/paper_map.hpp"
@@ -33,13 +34,24 @@ Vec2 common_point(const World& world, const View& view) {
   return Vec2(p) / p.w;
 }
 
+// Dimensions stand outside the marks of sections.
+Room room_around(const Annotations& annotations, const Projection& projection, const LineWidths& widths) {
+  Room room = dimension_room(annotations.dimensions, projection, usual_text_height);
+  Vec2 marks(0, 0);
+  for (const CuttingPlane& plane : annotations.planes)
+    marks = glm::max(marks, cutting_plane_room(projection, plane, widths));
+  room.before += marks;
+  room.after += marks;
+  return room;
+}
+
 struct Views {
   std::vector<ViewToPlace> to_place;
   std::vector<Vec2> origins;  ///< what their boxes are measured from
 };
 
 Views views_to_place(const World& world, std::span<const ViewDescription> descriptions, std::span<const View> views,
-                     const DimensionsByView& dimensions) {
+                     const std::vector<Annotations>& annotations, const LineWidths& widths) {
   Views result;
   for (std::size_t i = 0; i < views.size(); ++i) {
     // One view alone needs nothing in common with others.
@@ -49,7 +61,7 @@ Views views_to_place(const World& world, std::span<const ViewDescription> descri
     const Given& scale = descriptions[i].scale;
     if (scale.given()) view.scale = parse_scale(scale.text, scale.where);
     view.at = descriptions[i].at;
-    const DimensionRoom room = dimension_room(dimensions[i], views[i].projection, usual_text_height);
+    const Room room = room_around(annotations[i], views[i].projection, widths);
     view.before = room.before;
     view.after = room.after;
     result.to_place.push_back(view);
@@ -66,23 +78,33 @@ struct Wishes {
   ProjectionAngle angle;
 };
 
-constexpr double clearance = 5;  // mm between the frame and ink
+// mm between the frame and ink. Centring marks reach 10 mm into the drawing area.
+double clearance_of(FrameKind frame) {
+  if (frame == FrameKind::none) return 0;
+  return frame == FrameKind::full ? 12 : 5;
+}
 
 Arrangement arranged_on(const std::string& size, const std::string& where, const Wishes& wishes,
                         std::span<const ViewToPlace> views) {
   const Paper paper = parse_paper(size, wishes.portrait, where);
   DrawingRoom room{wishes.frame == FrameKind::none ? paper : with_frame_margins(paper)};
-  if (wishes.frame != FrameKind::none) room.clearance = clearance;
+  room.clearance = clearance_of(wishes.frame);
   if (wishes.title_block) room.title_block = title_block_box(*wishes.title_block, room.paper);
   return arrange(views, wishes.scale, wishes.angle, room);
 }
 
-// "auto": the smallest paper on which the views have room at the scale that is given.
+bool is_sized_by_scale(const SheetDescription& sheet) { return to_lower(sheet.size.text) == "auto"; }
+
+std::string usual_size(const SheetDescription& sheet, std::size_t views) {
+  if (sheet.size.given() && !is_sized_by_scale(sheet)) return sheet.size.text;
+  return views > 1 ? "A3" : "A4";
+}
+
+// "auto": the smallest paper on which the views have room at the scale that is given. `size` is the usual one, and
+// becomes the one that is taken.
 Arrangement arranged(const SheetDescription& sheet, const Wishes& wishes, std::span<const ViewToPlace> views,
                      std::string& size) {
-  const bool by_size = to_lower(sheet.size.text) == "auto";
-  size = by_size || !sheet.size.given() ? (views.size() > 1 ? "A3" : "A4") : sheet.size.text;
-  if (!by_size || !wishes.scale.fixed) return arranged_on(size, sheet.size.where, wishes, views);
+  if (!is_sized_by_scale(sheet) || !wishes.scale.fixed) return arranged_on(size, sheet.size.where, wishes, views);
   for (const char* larger : {"A4", "A3", "A2", "A1"}) {
     Arrangement arrangement = arranged_on(size = larger, sheet.size.where, wishes, views);
     if (arrangement.inside) return arrangement;
@@ -122,12 +144,13 @@ double dimension_text_height(const Paper& paper, std::size_t views) {
 
 SheetPlan plan_sheet(const World& world, const SceneDescription& scene, int sheet,
                      std::span<const ViewDescription> descriptions, std::span<const View> views,
-                     const DimensionsByView& dimensions) {
+                     const std::vector<Annotations>& annotations) {
   Wishes wishes = wishes_of(scene, sheet, views.size());
-  const Views placing = views_to_place(world, descriptions, views, dimensions);
-  std::string size;
-  const Arrangement arrangement =
-      arranged(scene.sheets[static_cast<std::size_t>(sheet)], wishes, placing.to_place, size);
+  const SheetDescription& description = scene.sheets[static_cast<std::size_t>(sheet)];
+  std::string size = usual_size(description, views.size());
+  const LineWidths widths = line_widths(parse_paper(size, false, description.size.where));
+  const Views placing = views_to_place(world, descriptions, views, annotations, widths);
+  const Arrangement arrangement = arranged(description, wishes, placing.to_place, size);
   if (wishes.title_block) {
     wishes.title_block->scale = ratio_text(arrangement.scale);
     wishes.title_block->size = size;

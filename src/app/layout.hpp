@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "app/annotations.hpp"
 #include "app/pipeline.hpp"
-#include "app/view_dimensions.hpp"
 #include "scene/description.hpp"
 #include "sheet/paper.hpp"
 #include "sheet/projection_symbol.hpp"
@@ -26,10 +26,10 @@ struct SheetPlan {
 /// Height of the texts of dimensions, mm: 2.5 for several views on A4, 3.5 elsewhere. ISO 3098.
 double dimension_text_height(const Paper& paper, std::size_t views);
 
-/// Where the views of a sheet stand, with room for their dimensions; it is number `sheet` of the scene, counted from 0.
-/// Throws Error{input} for words that say nothing.
+/// Where the views of a sheet stand, with room for what is written beside them; it is number `sheet` of the scene,
+/// counted from 0. Throws Error{input} for words that say nothing.
 SheetPlan plan_sheet(const World& world, const SceneDescription& scene, int sheet,
                      std::span<const ViewDescription> descriptions, std::span<const View> views,
-                     const DimensionsByView& dimensions);
+                     const std::vector<Annotations>& annotations);
 
 }  // namespace epura

@@ -21,6 +21,12 @@ Mat4 place_of(const ModelDescription& model) {
   return place;
 }
 
+// Where a scene file names the model, an error of reading says where.
+std::shared_ptr<Mesh> read(const ModelDescription& model) {
+  const auto read_it = [](const std::string& file) { return std::make_shared<Mesh>(read_mesh(file)); };
+  return model.file.where == model.file.text ? read_it(model.file.text) : parse_given(model.file, read_it);
+}
+
 // A drawing of a damaged model must not look like one of a sound model.
 void warn_about(Console& console, const MeshReport& report) {
   const auto say = [&](int count, const std::string& one, const std::string& many) {
@@ -49,7 +55,7 @@ World read_models(const std::vector<ModelDescription>& models, std::vector<MeshR
   std::vector<Placed> placed;
   for (std::size_t i = 0; i < models.size(); ++i) {
     // What is not drawn keeps its number.
-    meshes.push_back(std::make_shared<Mesh>(models[i].drawn ? read_mesh(models[i].file.text) : Mesh()));
+    meshes.push_back(models[i].drawn ? read(models[i]) : std::make_shared<Mesh>());
     placed.push_back({meshes.back(), places[i]});
     progress.advance(1);
     if (!models[i].drawn) continue;

@@ -67,9 +67,10 @@ std::vector<PlannedView> plan_views(const SceneDescription& scene, const DrawOpt
   const auto find = [&folders](const ProjectionRequest& request) { return find_projection(request.name, folders); };
   std::vector<PlannedView> plans;
   for (const ViewDescription& view : scene.views) {
+    const ViewWish wish = wish_of(scene, view, options);
     const auto plan = [&](const std::string& text) -> PlannedView {
       const ProjectionRequest request = parse_request(text);
-      return {request, find(request), wish_of(scene, view, options)};
+      return {request, find(request), wish};
     };
     plans.push_back(parse_given(view.projection, plan));
   }
@@ -86,6 +87,10 @@ std::vector<SheetOfViews> views_by_sheet(const SceneDescription& scene, const st
       here.descriptions.push_back(scene.views[i]);
       here.plans.push_back(plans[i]);
     }
+    if (here.plans.empty())
+      throw Error(Trouble::input, scene.sheets[std::size_t(sheet)].where,
+                  "sheet " + std::to_string(sheet + 1) + " shows no view",
+                  "write 'sheet = " + std::to_string(sheet + 1) + "' into a [[view]], or take the sheet away");
   }
   return sheets;
 }

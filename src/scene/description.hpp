@@ -73,6 +73,7 @@ struct DimensionDescription {
 using TitleBlockFields = std::vector<std::pair<std::string, Given>>;
 
 struct SheetDescription {
+  std::string where;  ///< for errors; a [[sheet]] of a scene file
   Given size;         ///< A4 ... A0, WIDTHxHEIGHT, none
   Given orientation;  ///< landscape or portrait
   Given scale;        ///< fit, auto, 1:2 ...

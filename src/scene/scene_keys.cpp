@@ -195,7 +195,10 @@ void prepare(const SceneWords&, const TomlValue&, auto&) {}
 void prepare(const SceneWords&, const TomlValue& table, DimensionWords& words) {
   words.description.where = table.where;
 }
-void prepare(const SceneWords& words, const TomlValue&, SheetDescription& sheet) { sheet = words.every_sheet; }
+void prepare(const SceneWords& words, const TomlValue& table, SheetDescription& sheet) {
+  sheet = words.every_sheet;
+  sheet.where = table.where;
+}
 
 /// A key of the file under which stand several tables, or a single one: each is a part in the list that `parts` finds.
 template <class Part, class Parts>

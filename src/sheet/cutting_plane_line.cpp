@@ -25,6 +25,11 @@ Vec2 on_page(const Mat4& world_to_page, const Vec3& p) {
   return Vec2(page) / page.w;
 }
 
+// In the world: along the plane, and across the projectors.
+Vec3 along_trace(const Projection& projection, const CuttingPlane& plane) {
+  return glm::cross(glm::normalize(projection.projector), plane.normal);
+}
+
 /// The image of a plane seen edge-on.
 struct Trace {
   Vec2 point, along;
@@ -33,14 +38,11 @@ struct Trace {
 };
 
 std::optional<Trace> trace_of(const Drawing& parent, const CuttingPlane& plane) {
-  const Projection& projection = parent.projection;
-  if (projection.central) return std::nullopt;
-  const Vec3 to_viewer = glm::normalize(projection.projector);
-  if (std::abs(glm::dot(to_viewer, plane.normal)) > edge_on) return std::nullopt;
+  if (!sees_edge_on(parent.projection, plane)) return std::nullopt;
   const Mat4& map = parent.world_to_page;
   Trace trace{on_page(map, plane.point), Vec2(0), Vec2(0), HUGE_VAL, -HUGE_VAL};
   const auto direction = [&](const Vec3& v) { return Vec2(map * Vec4(v, 0)); };
-  trace.along = glm::normalize(direction(glm::cross(to_viewer, plane.normal)));
+  trace.along = glm::normalize(direction(along_trace(parent.projection, plane)));
   trace.seen = {-trace.along.y, trace.along.x};
   if (glm::dot(trace.seen, direction(plane.normal)) > 0) trace.seen = -trace.seen;
   for (const Segment& segment : parent.segments)
@@ -82,8 +84,15 @@ void add_end(Layer& layer, const Trace& trace, const Vec2& end, const Vec2& outw
 
 }  // namespace
 
-double cutting_plane_room(const LineWidths& widths) {
-  return (past_outline + wide_end / 2 + letter_gap + 1) * letter_widths * widths.narrow;
+bool sees_edge_on(const Projection& projection, const CuttingPlane& plane) {
+  return !projection.central && std::abs(glm::dot(glm::normalize(projection.projector), plane.normal)) <= edge_on;
+}
+
+Vec2 cutting_plane_room(const Projection& projection, const CuttingPlane& plane, const LineWidths& widths) {
+  const Vec3 trace = along_trace(projection, plane), p = projection.projector;
+  const Vec3 image = trace - glm::dot(trace, projection.n) / glm::dot(p, projection.n) * p;
+  const Vec2 along = glm::normalize(Vec2(glm::dot(image, projection.u), glm::dot(image, projection.v)));
+  return (past_outline + wide_end / 2 + letter_gap + 1) * letter_widths * widths.narrow * glm::abs(along);
 }
 
 std::optional<Layer> cutting_plane_line(const Drawing& parent, const CuttingPlane& plane, const LineWidths& widths) {

@@ -10,8 +10,11 @@
 
 namespace epura {
 
-/// How far the marks reach past the ink of a view, along the cutting plane, mm.
-double cutting_plane_room(const LineWidths& widths);
+/// Whether a parallel projection sees the plane as a line.
+bool sees_edge_on(const Projection& projection, const CuttingPlane& plane);
+
+/// How far the marks of a plane that is seen edge-on reach past the ink of a view: to either side, up and down, mm.
+Vec2 cutting_plane_room(const Projection& projection, const CuttingPlane& plane, const LineWidths& widths);
 
 /// Layer "VIEW/cutting-plane": a narrow long-dashed dotted line (ISO 128-2, type 04.1) across the ink of `parent` with
 /// wide ends (04.2) past its outline, arrows onto them in the direction in which the section is seen, and its name

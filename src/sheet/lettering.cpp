@@ -3,7 +3,7 @@
 #include <ft2build.h>
 
 #include <algorithm>
-#include <optional>
+#include <mutex>
 #include <set>
 #include <unordered_map>
 #include <utility>
@@ -81,16 +81,40 @@ Glyph load_glyph(FT_Face face, unsigned index) {
 
 }  // namespace
 
-struct Lettering::Font {
-  std::filesystem::path file;
-  double units_per_em = 0, capital = 0;  ///< height of an H in units
-  std::unordered_map<char32_t, Glyph> glyphs;
-  Glyph missing;
-
-  [[nodiscard]] const Glyph& glyph(char32_t character) const {
-    const auto found = glyphs.find(character);
-    return found != glyphs.end() ? found->second : missing;
+/// Glyphs are read when they are first asked for: a sheet has a few dozen of the font's fifteen hundred.
+class Lettering::Font {
+ public:
+  explicit Font(const std::filesystem::path& path) : file(path) {
+    check(FT_Init_FreeType(&library_) == 0, "FreeType begins");
+    FT_New_Face(library_, path.c_str(), 0, &face_);
   }
+  ~Font() { FT_Done_FreeType(library_); }  // the face with it
+  Font(const Font&) = delete;
+  Font& operator=(const Font&) = delete;
+
+  [[nodiscard]] bool is_open() const { return face_ != nullptr; }
+  [[nodiscard]] double units_per_em() const { return face_->units_per_EM; }
+  [[nodiscard]] bool has(char32_t character) const {
+    const std::lock_guard lock(reading_);
+    return FT_Get_Char_Index(face_, character) != 0;
+  }
+
+  /// The box that stands for a missing character where the font has not this one. May be asked from several threads.
+  [[nodiscard]] const Glyph& glyph(char32_t character) const {
+    const std::lock_guard lock(reading_);
+    const auto found = glyphs_.find(character);
+    if (found != glyphs_.end()) return found->second;
+    return glyphs_.emplace(character, load_glyph(face_, FT_Get_Char_Index(face_, character))).first->second;
+  }
+
+  const std::filesystem::path file;
+  double capital = 0;  ///< height of an H in units
+
+ private:
+  FT_Library library_ = nullptr;
+  FT_Face face_ = nullptr;
+  mutable std::mutex reading_;
+  mutable std::unordered_map<char32_t, Glyph> glyphs_;
 };
 
 namespace {
@@ -116,23 +140,11 @@ std::string written(std::string_view text) {
 }
 
 Lettering::Lettering(const std::filesystem::path& file) {
-  auto font = std::make_shared<Font>();
-  font->file = file.empty() ? EPURA_FONT : file;
-  FT_Library library = nullptr;
-  check(FT_Init_FreeType(&library) == 0, "FreeType begins");
-  const std::unique_ptr<std::remove_pointer_t<FT_Library>, decltype(&FT_Done_FreeType)> ends(library, FT_Done_FreeType);
-  FT_Face face = nullptr;
-  if (FT_New_Face(library, font->file.c_str(), 0, &face) != 0)
-    refuse(font->file, "the font of the lettering is not there");
-  font->units_per_em = face->units_per_EM;
-  font->missing = load_glyph(face, 0);
-  unsigned index = 0;
-  for (FT_ULong character = FT_Get_First_Char(face, &index); index != 0;
-       character = FT_Get_Next_Char(face, character, &index))
-    font->glyphs.emplace(static_cast<char32_t>(character), load_glyph(face, index));
+  const auto font = std::make_shared<Font>(file.empty() ? EPURA_FONT : file);
+  if (!font->is_open()) refuse(font->file, "the font of the lettering is not there");
   font->capital = height_of(font->glyph(U'H'));
-  if (!(font->capital > 0) || !(font->units_per_em > 0)) refuse(font->file, "is no font with outlines of letters");
-  font_ = std::move(font);
+  if (!(font->capital > 0) || !(font->units_per_em() > 0)) refuse(font->file, "is no font with outlines of letters");
+  font_ = font;
 }
 
 double Lettering::width(std::string_view text, double height) const {
@@ -144,7 +156,7 @@ double Lettering::width(std::string_view text, double height) const {
 std::vector<std::string> Lettering::missing(std::string_view text) const {
   std::vector<std::string> found;
   for (const char32_t character : characters(written(text))) {
-    if (font_->glyphs.contains(character)) continue;
+    if (font_->has(character)) continue;
     std::string letter = utf8(character);
     if (std::find(found.begin(), found.end(), letter) == found.end()) found.push_back(std::move(letter));
   }
@@ -168,7 +180,7 @@ std::vector<GlyphOutline> Lettering::outlines(std::string_view text, double heig
   return placed;
 }
 
-double Lettering::em() const { return font_->units_per_em / font_->capital; }
+double Lettering::em() const { return font_->units_per_em() / font_->capital; }
 
 const std::filesystem::path& Lettering::file() const { return font_->file; }
 

@@ -46,7 +46,7 @@ class Lettering {
   [[nodiscard]] const std::filesystem::path& file() const;
 
  private:
-  struct Font;
+  class Font;
   std::shared_ptr<const Font> font_;
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace epura {
 
@@ -22,6 +23,11 @@ Vec2 upright_half(const TurnedBox& box) { return {half_shadow(box, {1, 0}), half
 
 }  // namespace
 
+Rectangle around(const TurnedBox& box) {
+  const Vec2 half = upright_half(box);
+  return {box.centre - half, box.centre + half};
+}
+
 TurnedBox line_box(const Vec2& from, const Vec2& to) {
   const double length = glm::length(to - from);
   return {(from + to) * 0.5, length > 0 ? (to - from) / length : Vec2(1, 0), {length / 2, 0}};
@@ -33,6 +39,29 @@ bool overlap(const TurnedBox& a, const TurnedBox& b) {
   return std::none_of(lines.begin(), lines.end(), [&](const Vec2& line) {
     return std::abs(glm::dot(a.centre - b.centre, line)) >= half_shadow(a, line) + half_shadow(b, line) - border;
   });
+}
+
+TurnedBox box_of(const Text& text, const Lettering& lettering) {
+  const double width = lettering.width(text.text, text.height), angle = text.angle * std::numbers::pi / 180;
+  const double start = text.align == Align::left ? 0 : text.align == Align::middle ? -width / 2 : -width;
+  const Vec2 along(std::cos(angle), std::sin(angle));
+  const Vec2 half = Vec2(width, text.height) / 2.0;
+  return {text.at + (start + half.x) * along + half.y * left_of(along), along, half};
+}
+
+std::vector<TurnedBox> boxes_of(const Layer& layer, const Lettering& lettering) {
+  std::vector<TurnedBox> boxes;
+  for (const Stroke& stroke : layer.strokes)
+    for (std::size_t i = 1; i < stroke.points.size(); ++i)
+      boxes.push_back(line_box(stroke.points[i - 1], stroke.points[i]));
+  for (const Fill& fill : layer.fills)
+    for (const std::vector<Vec2>& ring : fill.rings) {
+      Rectangle box{ring.front(), ring.front()};
+      for (const Vec2& p : ring) box = united(box, {p, p});
+      boxes.push_back(turned_box(box));
+    }
+  for (const Text& text : layer.texts) boxes.push_back(box_of(text, lettering));
+  return boxes;
 }
 
 int overlaps(const TurnedBox& box, std::span<const TurnedBox> others) {

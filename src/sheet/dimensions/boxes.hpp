@@ -6,6 +6,9 @@
 
 #include "base/vec.hpp"
 #include "drawing/drawing.hpp"
+#include "sheet/lettering.hpp"
+#include "sheet/rectangle.hpp"
+#include "sheet/sheet.hpp"
 
 namespace epura {
 
@@ -16,10 +19,20 @@ struct TurnedBox {
   Vec2 half;   ///< half its size along and across
 };
 
+/// The upright rectangle around it.
+Rectangle around(const TurnedBox& box);
+
+inline TurnedBox turned_box(const Rectangle& box) { return {box.centre(), {1, 0}, box.size() / 2.0}; }
+
 TurnedBox line_box(const Vec2& from, const Vec2& to);
 
 /// Whether they have more than their borders in common.
 bool overlap(const TurnedBox& a, const TurnedBox& b);
+
+TurnedBox box_of(const Text& text, const Lettering& lettering);
+
+/// What the lines, areas and texts of a layer take.
+std::vector<TurnedBox> boxes_of(const Layer& layer, const Lettering& lettering);
 
 int overlaps(const TurnedBox& box, std::span<const TurnedBox> others);
 

@@ -24,7 +24,8 @@ constexpr double cost_of_ink = 0.3;  // a line of the drawing that a leader cros
 /// What stands on the paper already.
 struct Surroundings {
   const Drawing& drawing;
-  std::vector<TurnedBox> zones, texts, lines;
+  std::optional<Rectangle> paper;
+  std::vector<TurnedBox> zones, texts{}, lines{};
 
   void add(const PlacedDimension& dimension) {
     zones.insert(zones.end(), dimension.zones.begin(), dimension.zones.end());
@@ -32,11 +33,14 @@ struct Surroundings {
     lines.insert(lines.end(), dimension.lines.begin(), dimension.lines.end());
   }
 
+  [[nodiscard]] bool is_off_paper(const TurnedBox& zone) const { return paper && !paper->holds(around(zone)); }
+
   /// What the place of the dimension costs; no more is found out once that is beyond `most`.
   [[nodiscard]] double cost(const PlacedDimension& dimension, double most) const {
     double cost = cost_of_text * overlaps(dimension.text_box, lines);
     for (const TurnedBox& zone : dimension.zones)
-      cost += cost_of_zone * overlaps(zone, zones) + cost_of_crossing * overlaps(zone, lines);
+      cost += cost_of_zone * (overlaps(zone, zones) + (is_off_paper(zone) ? 1 : 0)) +
+              cost_of_crossing * overlaps(zone, lines);
     for (const TurnedBox& line : dimension.lines)
       cost += cost_of_text * overlaps(line, texts) + cost_of_crossing * overlaps(line, zones);
     if (cost < most && ink_in(dimension.text_box, drawing) > 0) cost += cost_of_text;
@@ -77,8 +81,8 @@ std::vector<std::size_t> order_of(const std::vector<MeasuredDimension>& dimensio
 }
 
 std::vector<PlacedDimension> place(const std::vector<MeasuredDimension>& dimensions, const Drawing& drawing,
-                                   const DimensionLook& look) {
-  Surroundings surroundings{drawing, {}, {}, {}};
+                                   const DimensionLook& look, const Neighbours& neighbours) {
+  Surroundings surroundings{drawing, neighbours.paper, neighbours.boxes};
   std::vector<PlacedDimension> placed(dimensions.size());
   for (const std::size_t i : order_of(dimensions)) {
     const auto ways = [&](const auto& form) { return ways_of(form, dimensions[i], drawing, look); };
@@ -101,14 +105,14 @@ void expect_letters(const std::string& text, const AnchoredDimension& dimension,
 }  // namespace
 
 Layer dimension_layer(const World& world, const Drawing& drawing, std::span<const DimensionDescription> dimensions,
-                      const Lettering& lettering, double line_width, double text_height) {
+                      const DimensionLook& look, const Neighbours& neighbours) {
   std::vector<MeasuredDimension> measured;
   for (const AnchoredDimension& dimension : find_anchors(world, dimensions)) {
-    measured.push_back(measure(drawing, dimension, diameter_sign(lettering)));
-    expect_letters(measured.back().text, dimension, lettering);
+    measured.push_back(measure(drawing, dimension, diameter_sign(look.lettering)));
+    expect_letters(measured.back().text, dimension, look.lettering);
   }
-  Layer layer{drawing.name + "/dimensions", {"dimension", line_width}, {}};
-  for (PlacedDimension& dimension : place(measured, drawing, {lettering, line_width, text_height})) {
+  Layer layer{drawing.name + "/dimensions", {"dimension", look.line}, {}};
+  for (PlacedDimension& dimension : place(measured, drawing, look, neighbours)) {
     std::move(dimension.strokes.begin(), dimension.strokes.end(), std::back_inserter(layer.strokes));
     std::move(dimension.arrows.begin(), dimension.arrows.end(), std::back_inserter(layer.fills));
     layer.texts.push_back(std::move(dimension.text));

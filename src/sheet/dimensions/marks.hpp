@@ -18,8 +18,8 @@ constexpr double dimension_step(double text_height) { return 4.5 + text_height; 
 /// Measures of dimensions, mm.
 struct DimensionLook {
   const Lettering& lettering;
-  double line;  ///< width of the narrow lines
-  double text;  ///< height of capitals
+  double line;        ///< width of the narrow lines
+  double text = 3.5;  ///< height of capitals
 
   [[nodiscard]] double arrow() const { return text; }          ///< its length; the tip has 20 degrees
   [[nodiscard]] double gap() const { return 8 * line; }        ///< between the outline and an extension line

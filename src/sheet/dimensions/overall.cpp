@@ -79,8 +79,8 @@ std::vector<DimensionDescription> overall_dimensions(const DimensionDescription&
   return dimensions;
 }
 
-DimensionRoom dimension_room(std::span<const DimensionDescription> dimensions, const Projection& projection,
-                             double text_height) {
+Room dimension_room(std::span<const DimensionDescription> dimensions, const Projection& projection,
+                    double text_height) {
   const Lines lines = lines_of(dimensions, projection);
   const auto room = [&](int count) {
     const double stepped = count > 0 ? first_dimension + (count - 1) * dimension_step(text_height) : 0;

@@ -23,14 +23,13 @@ std::vector<DimensionDescription> overall_dimensions(const DimensionDescription&
                                                      std::span<const NamedProjection> views);
 
 /// Millimetres of paper to be kept free around the ink of a view.
-struct DimensionRoom {
+struct Room {
   Vec2 before{0, 0};  ///< on the left and below
   Vec2 after{0, 0};   ///< on the right and above
 };
 
 /// What the dimensions of one view usually take, with texts `text_height` mm high. They are placed when there is a
 /// drawing: some may want more, many take less.
-DimensionRoom dimension_room(std::span<const DimensionDescription> dimensions, const Projection& projection,
-                             double text_height);
+Room dimension_room(std::span<const DimensionDescription> dimensions, const Projection& projection, double text_height);
 
 }  // namespace epura

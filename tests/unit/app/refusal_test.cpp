@@ -82,6 +82,21 @@ TEST_F(Refusal, WhatIsNoModelFile) {
   expect_draw_refused({cube, "missing.obj"}, {"missing.obj"});
 }
 
+TEST_F(Refusal, SceneFilesNameThePlaceOnce) {
+  const auto scene = [&](const std::string& text) {
+    return folder.file("s.toml", "[[model]]\nfile = '" + cube + "'\n" + text);
+  };
+  const std::string at = "epura: " + (folder / "s.toml").string();
+  expect_draw_refused({scene("[[view]]\nprojection = 'front'\nhidden = 'dotted'\n")},
+                      {at + ":5:10: 'dotted' is no style of hidden lines"});
+  expect_draw_refused({scene("[[view]]\nprojection = 'front'\n"), "--visibility", "exakt"},
+                      {"epura: --visibility: does not know 'exakt'"});
+  expect_draw_refused({folder.file("s.toml", "[[model]]\nfile = 'missing.obj'\n")},
+                      {at + ":2:8: " + (folder / "missing.obj").string() + ": cannot read", "check the path"});
+  expect_draw_refused({scene("[[sheet]]\n[[sheet]]\n[[view]]\nprojection = 'front'\n")},
+                      {at + ":4:1: sheet 2 shows no view", "sheet = 2"});
+}
+
 TEST_F(Refusal, TargetsThatCannotBeWritten) {
   std::filesystem::create_directory(folder / "folder.svg");
   expect_refused({"draw", cube, "-o", "folder.svg"}, 4, {"folder.svg", "directory"});

@@ -26,7 +26,8 @@ Drawing from_top() {
 
 TEST(CuttingPlaneLine, CrossesTheInkAndEndsPastIt) {
   const Drawing parent = from_top();
-  const auto layer = cutting_plane_line(parent, plane_at({0, 30, 0}, {0, -1, 0}), widths);
+  const CuttingPlane plane = plane_at({0, 30, 0}, {0, -1, 0});
+  const auto layer = cutting_plane_line(parent, plane, widths);
   ASSERT_TRUE(layer);
   EXPECT_EQ(layer->name, parent.name + "/cutting-plane");
   const double y = (parent.least.y + parent.most.y) / 2;
@@ -44,7 +45,7 @@ TEST(CuttingPlaneLine, CrossesTheInkAndEndsPastIt) {
     EXPECT_LT(text.at.y, y);  // on the side of the viewer
     EXPECT_TRUE(text.at.x < left || text.at.x > right);
     const double past = std::max(parent.least.x - text.at.x, text.at.x - parent.most.x) + text.height / 2;
-    EXPECT_NEAR(past, cutting_plane_room(widths), 1e-12);
+    EXPECT_NEAR(past, cutting_plane_room(parent.projection, plane, widths).x, 1e-12);
   }
   // Two wide ends and two arrow heads, whose tips come to the wide ends from below.
   ASSERT_EQ(layer->fills.size(), 4U);

@@ -188,6 +188,31 @@ TEST(DimensionPlaces, ManyCircles) {
   expect_no_line_through_a_text(layer, top);
 }
 
+bool reaches_into(const Layer& layer, const Rectangle& box) {
+  static const Lettering lettering;
+  const std::vector<TurnedBox> boxes = boxes_of(layer, lettering);
+  return overlaps(turned_box(box), boxes) > 0;
+}
+
+TEST(DimensionPlaces, AwayFromNeighboursAndOnThePaper) {
+  const World world = placed(box({0, 0, 0}, {60, 10, 40}));
+  const Drawing front = drawing_of(world, orthographic(from_front));  // (70, 80) to (130, 120)
+  const std::vector<DimensionDescription> width{dimension("overall", {}, "width")};
+  const auto layer = [&](const Neighbours& neighbours) {
+    return dimension_layer(world, front, width, {Lettering(), 0.25}, neighbours);
+  };
+  const Rectangle below{{60, 62}, {140, 75}}, above{{60, 125}, {140, 200}}, far_below{{60, 0}, {140, 20}};
+  EXPECT_TRUE(reaches_into(layer({}), below));
+  const Layer on_top = layer({{}, {turned_box(below)}});
+  EXPECT_FALSE(reaches_into(on_top, below));
+  // What is far enough away does not matter; what bars the other side leads past the first.
+  EXPECT_TRUE(reaches_into(layer({{}, {turned_box(far_below)}}), below));
+  const Layer past = layer({{}, {turned_box(below), turned_box(above)}});
+  EXPECT_LT(past.texts.front().at.y, below.least.y);
+  const Layer inside = layer({Rectangle{{0, 75}, {200, 200}}, {}});
+  EXPECT_GT(inside.texts.front().at.y, 120);
+}
+
 TEST(DimensionPlaces, ArcsKnowTheirCircles) {
   const World world = placed(wedge());
   const Drawing front = drawing_of(world, orthographic(from_front));
@@ -236,7 +261,7 @@ TEST(OverallDimensions, HaveTheRoomThatWasKeptFree) {
   const Drawing drawing = drawing_of(world, front);
   const std::vector<DimensionDescription> dimensions{dimension("overall", {}, "width"),
                                                      dimension("overall", {}, "height")};
-  const DimensionRoom room = dimension_room(dimensions, front, 3.5);
+  const Room room = dimension_room(dimensions, front, 3.5);
   EXPECT_EQ(room.before.x, room.after.x);
   EXPECT_EQ(room.after.y, 0);
   for (const Stroke& stroke : layer_of(world, drawing, dimensions).strokes) {

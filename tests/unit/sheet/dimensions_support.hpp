@@ -66,7 +66,7 @@ inline DimensionDescription dimension(const std::string& type, const std::vector
 }
 
 inline Layer layer_of(const World& world, const Drawing& drawing, const std::vector<DimensionDescription>& dimensions) {
-  return dimension_layer(world, drawing, dimensions, Lettering(), 0.25);
+  return dimension_layer(world, drawing, dimensions, {Lettering(), 0.25});
 }
 
 /// What is written at the only dimension.

@@ -1,4 +1,4 @@
-#include "app/view_dimensions.hpp"
+#include "app/annotations.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "sheet/cutting_plane_line.hpp"
 #include "sheet/dimensions/overall.hpp"
 
 namespace epura {
@@ -29,18 +30,15 @@ std::vector<NamedProjection> views_to_measure(std::span<const ViewDescription> v
   return whole;
 }
 
-}  // namespace
-
-DimensionsByView dimensions_by_view(const SceneDescription& scene, int sheet, std::span<const ViewDescription> views,
-                                    std::span<const View> seen) {
+void add_dimensions(std::vector<Annotations>& annotations, const SceneDescription& scene, int sheet,
+                    std::span<const ViewDescription> views, std::span<const View> seen) {
   const std::vector<NamedProjection> projections = views_to_measure(views, seen);
   const auto here = [&views](const std::string& name) {
     return std::find_if(views.begin(), views.end(), [&](const ViewDescription& v) { return v.name.text == name; });
   };
-  DimensionsByView dimensions(views.size());
   const auto add = [&](const DimensionDescription& dimension) {
     const auto view = here(view_of(dimension, scene));
-    if (view != views.end()) dimensions[std::size_t(view - views.begin())].push_back(dimension);
+    if (view != views.end()) annotations[std::size_t(view - views.begin())].dimensions.push_back(dimension);
   };
   for (const DimensionDescription& dimension : scene.dimensions) {
     if (!is_open(dimension)) {
@@ -49,7 +47,29 @@ DimensionsByView dimensions_by_view(const SceneDescription& scene, int sheet, st
       for (const DimensionDescription& one : overall_dimensions(dimension, projections)) add(one);
     }
   }
-  return dimensions;
+}
+
+void add_planes(std::vector<Annotations>& annotations, std::span<const ViewDescription> views,
+                std::span<const View> seen, const CutSections& sections) {
+  for (const auto& [name, section] : sections) {
+    const auto shows = [&name = name](const ViewDescription& view) { return view.section.text == name; };
+    if (std::none_of(views.begin(), views.end(), shows)) continue;
+    for (std::size_t i = 0; i < views.size(); ++i) {
+      if (views[i].section.given() || !sees_edge_on(seen[i].projection, section.plane)) continue;
+      annotations[i].planes.push_back(section.plane);
+      break;
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Annotations> annotate(const SceneDescription& scene, int sheet, std::span<const ViewDescription> views,
+                                  std::span<const View> seen, const CutSections& sections) {
+  std::vector<Annotations> annotations(views.size());
+  add_dimensions(annotations, scene, sheet, views, seen);
+  add_planes(annotations, views, seen, sections);
+  return annotations;
 }
 
 void expect_views_of_dimensions(const SceneDescription& scene) {

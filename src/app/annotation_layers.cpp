@@ -1,0 +1,87 @@
+#include "app/annotation_layers.hpp"
+
+#include <iterator>
+#include <map>
+#include <utility>
+
+#include "sheet/cutting_plane_line.hpp"
+#include "sheet/dimensions/dimensions.hpp"
+#include "sheet/frame.hpp"
+
+namespace epura {
+
+namespace {
+
+// A drawing that lacks lines may lack its ends: its overall dimensions are left out.
+std::vector<DimensionDescription> dimensions_of(const Annotations& annotations, const ViewResult& view) {
+  std::vector<DimensionDescription> dimensions = annotations.dimensions;
+  if (view.partial) std::erase_if(dimensions, [](const auto& one) { return one.type.text == "overall"; });
+  return dimensions;
+}
+
+// By the names of their sections.
+std::vector<Layer> marks_of(std::span<const Annotations> annotations, std::span<const ViewResult> views,
+                            const LineWidths& widths) {
+  std::map<std::string, Layer> by_name;
+  for (std::size_t i = 0; i < views.size(); ++i)
+    for (const CuttingPlane& plane : annotations[i].planes)
+      if (auto mark = cutting_plane_line(views[i].drawing, plane, widths))
+        by_name.emplace(plane.name, std::move(*mark));
+  std::vector<Layer> marks;
+  for (auto& [name, mark] : by_name) marks.push_back(std::move(mark));
+  return marks;
+}
+
+void add_boxes(std::vector<TurnedBox>& boxes, const Layer& layer, const Lettering& lettering) {
+  const std::vector<TurnedBox> more = boxes_of(layer, lettering);
+  boxes.insert(boxes.end(), more.begin(), more.end());
+}
+
+// What stands on the sheet beside all views.
+Neighbours neighbours_of(const SheetFurniture& furniture, const std::vector<Text>& labels,
+                         const std::vector<Layer>& marks, const Lettering& lettering) {
+  const Paper& paper = furniture.paper;
+  Neighbours neighbours;
+  neighbours.paper =
+      furniture.frame == FrameKind::none ? Rectangle{{0, 0}, {paper.width, paper.height}} : drawing_area(paper);
+  if (furniture.title_block)
+    if (const auto box = title_block_box(*furniture.title_block, paper)) neighbours.boxes.push_back(turned_box(*box));
+  for (const Text& label : labels) neighbours.boxes.push_back(box_of(label, lettering));
+  for (const Layer& mark : marks) add_boxes(neighbours.boxes, mark, lettering);
+  return neighbours;
+}
+
+Neighbours with_other_views(Neighbours neighbours, std::span<const ViewResult> views, std::size_t view) {
+  for (std::size_t i = 0; i < views.size(); ++i)
+    if (i != view) neighbours.boxes.push_back(turned_box({views[i].drawing.least, views[i].drawing.most}));
+  return neighbours;
+}
+
+}  // namespace
+
+AnnotationLayers annotation_layers(const World& world, const SheetPlan& plan, std::span<const Annotations> annotations,
+                                   std::span<const ViewResult> views, const std::vector<Text>& labels) {
+  const Paper& paper = plan.furniture.paper;
+  const LineWidths widths = line_widths(paper);
+  AnnotationLayers result;
+  std::vector<Layer> marks = marks_of(annotations, views, widths);
+  std::optional<Lettering> lettering;
+  Neighbours around;
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    const std::vector<DimensionDescription> dimensions = dimensions_of(annotations[i], views[i]);
+    if (dimensions.empty()) continue;
+    if (!lettering) around = neighbours_of(plan.furniture, labels, marks, lettering.emplace());
+    const DimensionLook look{*lettering, widths.narrow, dimension_text_height(paper, views.size())};
+    const Drawing& drawing = views[i].drawing;
+    Layer layer = dimension_layer(world, drawing, dimensions, look, with_other_views(around, views, i));
+    if (!on_paper(layer, {paper.width, paper.height}))
+      result.warnings.push_back("dimensions of the view '" + drawing.name +
+                                "' reach beyond the paper\n  hint: use a smaller scale or a larger sheet");
+    add_boxes(around.boxes, layer, *lettering);
+    result.layers.push_back(std::move(layer));
+  }
+  std::move(marks.begin(), marks.end(), std::back_inserter(result.layers));
+  return result;
+}
+
+}  // namespace epura

@@ -1,0 +1,24 @@
+// What is written beside the views of a sheet, each out of the way of what stands there.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "app/annotations.hpp"
+#include "app/layout.hpp"
+#include "app/pipeline.hpp"
+
+namespace epura {
+
+struct AnnotationLayers {
+  std::vector<Layer> layers;  ///< dimensions of each view that has some, then the marks of sections
+  std::vector<std::string> warnings;
+};
+
+/// `annotations` and `views` are by view; `labels` stand above them. Throws Error{input} for dimensions that cannot be
+/// drawn. Opens no font where there is nothing to write.
+AnnotationLayers annotation_layers(const World& world, const SheetPlan& plan, std::span<const Annotations> annotations,
+                                   std::span<const ViewResult> views, const std::vector<Text>& labels);
+
+}  // namespace epura

@@ -1,0 +1,28 @@
+// Dimensions and sections of a scene -> what is to be written beside each view of a sheet.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "app/sections.hpp"
+#include "scene/description.hpp"
+#include "view/view.hpp"
+
+namespace epura {
+
+struct Annotations {
+  std::vector<DimensionDescription> dimensions;
+  std::vector<CuttingPlane> planes;  ///< of sections that are marked in this view
+};
+
+/// By view of the sheet (from 0), `seen` and described by `views`. A dimension without a view belongs to the first one
+/// of the scene; overall ones without view and direction stand on the first sheet. A section that some view of the
+/// sheet shows is marked in the first view of the whole that sees its plane edge-on. Throws Error{input} for overall
+/// dimensions that no view shows.
+std::vector<Annotations> annotate(const SceneDescription& scene, int sheet, std::span<const ViewDescription> views,
+                                  std::span<const View> seen, const CutSections& sections);
+
+/// Throws Error{input} for dimensions in views that are not there.
+void expect_views_of_dimensions(const SceneDescription& scene);
+
+}  // namespace epura

@@ -1,0 +1,68 @@
+// Sheets with all that belongs to them: nothing stands over anything else.
+#include <gtest/gtest.h>
+
+#include <regex>
+#include <set>
+
+#include "errors.hpp"
+#include "folder.hpp"
+#include "program.hpp"
+
+namespace epura::test {
+namespace {
+
+class Sheets : public testing::Test {
+ protected:
+  Folder folder;
+
+  Outcome draw(const std::string& scene, const std::vector<std::string>& outputs) {
+    std::vector<std::string> arguments{"draw", folder.file("scene.toml", scene)};
+    for (const std::string& output : outputs) arguments.insert(arguments.end(), {"-o", output});
+    return epura(arguments, folder / "");
+  }
+  std::string model() const { return "[[model]]\nfile = '" + sample("bracket.obj") + "'\n"; }
+};
+
+// Places of the texts in a layer of an SVG whose texts are texts: y of their base lines.
+std::vector<double> heights_of(const std::string& svg, const std::string& layer) {
+  const std::size_t begin = svg.find("id=\"" + layer + "\"");
+  if (begin == std::string::npos) return {};
+  const std::string group = svg.substr(begin, svg.find("</g>\n</g>", begin) - begin);
+  static const std::regex place("<text[^>]* y=\"([-0-9.]+)\"");
+  std::vector<double> heights;
+  for (std::sregex_iterator it(group.begin(), group.end(), place), end; it != end; ++it)
+    heights.push_back(std::stod((*it)[1]));
+  return heights;
+}
+
+TEST_F(Sheets, DimensionsStandOutsideTheMarksOfSections) {
+  const std::string scene = model() +
+                            "[sheet]\nsize = 'A3'\n[[section]]\nname = 'A'\npoint = [40, 0, 0]\nnormal = [-1, 0, 0]\n"
+                            "[[view]]\nprojection = 'front'\n[[view]]\nprojection = 'left'\nsection = 'A'\n"
+                            "[[dimension]]\ntype = 'overall'\ndirection = 'width'\nview = 'front'\n";
+  folder.file("scene.toml", scene);
+  const Outcome run = epura({"draw", "scene.toml", "--svg-text", "text", "-o", "x.svg"}, folder / "");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const std::string svg = read_file(folder / "x.svg");
+  const std::vector<double> width = heights_of(svg, "front-dimensions"), marks = heights_of(svg, "front-cutting-plane");
+  ASSERT_EQ(width.size(), 1U);
+  ASSERT_EQ(marks.size(), 2U);
+  EXPECT_GT(width[0], std::max(marks[0], marks[1]) + 3.5);  // y points down; letters are 5 mm high
+}
+
+TEST_F(Sheets, ManyMakeOneFileOfPagesAndManyOfOnePage) {
+  const Outcome run = draw(model() +
+                               "[[sheet]]\nsize = 'A3'\n[[sheet]]\nsize = 'A4'\n[[view]]\nprojection = 'front'\n"
+                               "[[view]]\nprojection = 'top'\nsheet = 2\n",
+                           {"x.svg", "x.pdf", "x.json", "x.dxf", "x.png", "x.ps", "x.eps"});
+  ASSERT_EQ(run.code, 0) << run.err;
+  std::set<std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "")) files.insert(entry.path().filename());
+  EXPECT_EQ(files, (std::set<std::string>{"scene.toml", "x-1.svg", "x-2.svg", "x.pdf", "x-1.json", "x-2.json",
+                                          "x-1.dxf", "x-2.dxf", "x-1.png", "x-2.png", "x.ps", "x-1.eps", "x-2.eps"}));
+  EXPECT_TRUE(contains(read_file(folder / "x-1.svg"), "width=\"420mm\""));
+  EXPECT_TRUE(contains(read_file(folder / "x-2.svg"), "width=\"297mm\""));
+}
+
+}  // namespace
+}  // namespace epura::test
