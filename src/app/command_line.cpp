@@ -99,7 +99,7 @@ void define_view(CLI::App& draw, DrawOptions& options) {
 void define_lines(CLI::App& draw, DrawOptions& options) {
   add_word(draw, "--hidden", options.hidden, "STYLE", "dashed", "hidden lines: none, dashed or solid");
   add_word(draw, "--edges", options.edges, "KINDS", "contour,crease,boundary,intersection",
-           "which edges: contour crease boundary intersection smooth, with commas");
+           "which edges: contour crease boundary intersection tangent smooth, with commas");
   add_number(draw, "--crease-angle", options.crease_angle, {0, 180},
              "degrees between faces from which their edge is a crease")
       ->default_str("30")

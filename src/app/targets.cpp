@@ -52,8 +52,12 @@ std::string encode(Format format, std::span<const FinishedSheet> sheets, const V
 }  // namespace
 
 std::vector<Target> targets_of(const DrawOptions& options) {
+  const std::vector<std::string>& paths = options.outputs;
+  if (!options.format.empty() && std::find(paths.begin(), paths.end(), "-") == paths.end())
+    throw Error(Trouble::input, "--format", "is for standard output, and nothing is written there",
+                "write '-o -'; the format of a file is its extension");
   std::vector<Target> targets;
-  for (const std::string& path : options.outputs) {
+  for (const std::string& path : paths) {
     std::string extension = path == "-" ? options.format : std::filesystem::path(path).extension().string();
     if (extension.starts_with(".")) extension.erase(0, 1);
     const auto format = format_of(extension);

@@ -10,13 +10,15 @@ EdgeWishes edge_wishes(const ViewDescription& view) {
   EdgeWishes wishes;
   if (view.crease_angle) wishes.crease_angle = *view.crease_angle;
   if (!view.edges.given()) return wishes;
-  wishes = {false, false, false, false, false, wishes.crease_angle};
+  wishes = {
+      .contour = false, .boundary = false, .crease = false, .intersection = false, .crease_angle = wishes.crease_angle};
   for (const std::string_view part : split(view.edges.text, ',')) {
     const auto wish = choose<bool EdgeWishes::*>(view.edges.where, std::string(part),
                                                  {{"contour", &EdgeWishes::contour},
                                                   {"crease", &EdgeWishes::crease},
                                                   {"boundary", &EdgeWishes::boundary},
                                                   {"intersection", &EdgeWishes::intersection},
+                                                  {"tangent", &EdgeWishes::tangent},
                                                   {"smooth", &EdgeWishes::smooth}});
     wishes.*wish = true;
   }

@@ -11,7 +11,9 @@
 namespace epura {
 
 struct EdgeWishes {
-  bool contour = true, boundary = true, crease = true, intersection = true, smooth = false;
+  bool contour = true, boundary = true, crease = true, intersection = true;
+  bool tangent = false;      ///< as edges/tangent_edges.hpp says
+  bool smooth = false;       ///< all other edges of the mesh
   double crease_angle = 30;  ///< degrees between the faces' normals from which an edge is a crease
 };
 

@@ -14,6 +14,8 @@ std::string_view name_of(EdgeKind kind) {
       return "intersection";
     case EdgeKind::section:
       return "section";
+    case EdgeKind::tangent:
+      return "tangent";
     case EdgeKind::smooth:
       return "smooth";
   }

@@ -7,6 +7,7 @@
 
 #include "base/parallel.hpp"
 #include "edges/dihedral.hpp"
+#include "edges/tangent_edges.hpp"
 
 namespace epura {
 
@@ -23,7 +24,8 @@ struct Judge {
   EdgeSurroundings around;
   const View& view;
   const EdgeWishes& wishes;
-  const std::vector<char>& is_sliver;  ///< by triangle
+  const std::vector<char>& is_sliver;   ///< by triangle
+  const std::vector<char>& is_tangent;  ///< by edge; empty where nobody asks
   FoldLimit crease;
   double edge_on;  ///< cells from the line of an edge within which a corner is on it
 
@@ -72,6 +74,8 @@ struct Judge {
     // Inside a polygon nothing is folded: the file says it is one face.
     if (edge.diagonal) return std::nullopt;
     if (wishes.crease && folds_by(around, ends, *one.triangle, *two.triangle, crease)) return EdgeKind::crease;
+    if (!is_tangent.empty() && is_tangent[static_cast<std::size_t>(&edge - mesh().edges.data())] != 0)
+      return EdgeKind::tangent;
     return wish(EdgeKind::smooth);
   }
 
@@ -121,10 +125,13 @@ std::vector<std::optional<EdgeKind>> feature_edges(const World& world, const Vie
     for (std::size_t t = begin; t < end; ++t)
       is_sliver[t] = height_of(around, static_cast<int>(t)) <= around.sliver ? 1 : 0;
   });
+  const std::vector<char> is_tangent =
+      wishes.tangent ? tangent_edges(around, wishes.crease_angle - angle_rounding) : std::vector<char>();
   const Judge judge{around,
                     view,
                     wishes,
                     is_sliver,
+                    is_tangent,
                     FoldLimit(wishes.crease_angle - angle_rounding),
                     std::max(edge_on_cells, world.rounding * view.map.shrink * view.map.unit / view.cell)};
   const std::vector<MeshEdge>& edges = judge.mesh().edges;

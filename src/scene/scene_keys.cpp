@@ -104,7 +104,7 @@ SceneKeys<ViewDescription> view_keys() {
       key<View>("section", &View::section, any_text(), "name of the section that it shows"),
       key<View>("label", &View::label, any_text(), "written above it; `A-A` for section `A` by default"),
       key<View>("hidden", &View::hidden, any_text(), "hidden lines: `none`, `dashed` or `solid`"),
-      key<View>("edges", &View::edges, words(), "which: `contour crease boundary intersection smooth`"),
+      key<View>("edges", &View::edges, words(), "which: `contour crease boundary intersection tangent smooth`"),
       key<View>("crease_angle", &View::crease_angle, number_between(0, 180, "degrees"),
                 "between faces, from which their edge is a crease; 30 by default"),
       key<View>("near", &View::near, any_number(""), "leave out what is nearer to the viewer"),

@@ -98,7 +98,7 @@ bool Crossings::has_outline_at(const Vec2& point) const {
     for (int i = first_[cell]; i < first_[cell + 1] && !found; ++i) {
       const Line& line = lines_[lines_of_cells_[i]];
       const Chain& chain = chains_[line.chain];
-      found = chain.visible && chain.kind != EdgeKind::smooth && distance(point, line.from, line.to) < touching;
+      found = chain.visible && !is_within_surface(chain.kind) && distance(point, line.from, line.to) < touching;
     }
   });
   return found;
@@ -111,7 +111,7 @@ std::vector<double> Crossings::along(std::size_t chain, double apart) const {
     visit_cells(from, to, [&](int cell) {
       for (int i = first_[cell]; i < first_[cell + 1]; ++i) {
         const Line& line = lines_[lines_of_cells_[i]];
-        if (line.chain == chain || chains_[line.chain].kind == EdgeKind::smooth) continue;
+        if (line.chain == chain || is_within_surface(chains_[line.chain].kind)) continue;
         if (const auto at = meeting(from, to, line.from, line.to)) found.push_back(travelled + *at);
       }
     });

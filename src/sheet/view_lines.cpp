@@ -184,7 +184,7 @@ Place place_of(const Chain& chain, const ModelLook& look) {
   if (look.line == LineRole::neighbour) return neighbour;
   if (look.line == LineRole::narrow) return narrow;
   if (chain.kind == EdgeKind::section) return section;
-  return chain.kind == EdgeKind::smooth ? tangent_edges : visible;
+  return is_within_surface(chain.kind) ? tangent_edges : visible;
 }
 
 struct Looks {
@@ -199,7 +199,7 @@ void add_chain(Strokes& strokes, const Drawing& drawing, std::size_t number, con
                const LineWidths& widths, const Crossings& crossings) {
   const Chain& chain = drawing.chains[number];
   const ModelLook& look = looks(drawing, chain);
-  if (!chain.visible && (look.hidden == HiddenLines::none || chain.kind == EdgeKind::smooth)) return;
+  if (!chain.visible && (look.hidden == HiddenLines::none || is_within_surface(chain.kind))) return;
   const Place place = place_of(chain, look);
   std::vector<Stroke>& here = strokes[place];
   if (place == hidden_dashed) return add_dashed(here, drawing, number, widths.narrow, crossings);

@@ -46,9 +46,9 @@ std::string reason_for(const DrawnView& drawn_view, const Subject& subject, Edge
 std::string reason_not_drawn(const DrawnView& drawn_view, const Subject& subject) {
   if (const auto kind = kind_under(drawn_view, subject, drawn_view.wishes))
     return "a " + std::string(name_of(*kind)) + ", but outside of what is drawn";
-  const EdgeWishes all{true, true, true, true, true, drawn_view.wishes.crease_angle};
+  const EdgeWishes all{.smooth = true, .crease_angle = drawn_view.wishes.crease_angle};
   const auto kind = kind_under(drawn_view, subject, all);
-  if (kind == EdgeKind::smooth) return reason_for(drawn_view, subject, *kind);
+  if (kind && is_within_surface(*kind)) return reason_for(drawn_view, subject, *kind);
   if (kind) return std::string(name_of(*kind)) + " edges are not wanted; " + reason_for(drawn_view, subject, *kind);
   if (mesh_of(drawn_view, subject).edges[subject.mesh_edge].diagonal)
     return "a diagonal of " + names_of(faces_at(drawn_view, subject));

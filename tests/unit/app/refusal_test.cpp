@@ -120,6 +120,7 @@ TEST_F(Refusal, Formats) {
   expect_refused({"draw", cube, "-o", "x.svgg"}, 2, {"x.svgg", "did you mean 'svg'?"});
   expect_refused({"draw", cube, "-o", "x"}, 2, {"x", "no extension", "known: svg"});
   expect_refused({"draw", cube, "-o", "-"}, 2, {"--format"});
+  expect_refused({"draw", cube, "-o", "x.svg", "--format", "pdf"}, 2, {"--format", "standard output", "extension"});
   expect_refused({"draw", cube, "-o", "-", "--format", "jsn"}, 2, {"--format", "did you mean 'json'?"});
   expect_refused({"draw", cube, "-o", "x.svg", "-o", "y.pdf", "-o", "x.svg"}, 2, {"x.svg", "twice"});
   expect_refused({"draw", cube, "-o", "-", "-o", "-", "--format", "svg"}, 2, {"twice"});

@@ -1,0 +1,140 @@
+#include "edges/tangent_edges.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <span>
+#include <utility>
+
+#include "base/parallel.hpp"
+
+namespace epura {
+
+namespace {
+
+constexpr double flat = 0.05;            // degrees: coordinates are rounded
+constexpr double curvature_ratio = 2.5;  // a fillet begins with half a fold, which counts less than a whole one
+constexpr double parallel = 0.996;       // cosine of 5 degrees
+constexpr double no_fold = -1;           // of an edge that has not two triangles
+// Large faces are compared by their size alone, so that time stays in proportion to the number of edges.
+constexpr std::size_t most_sides = 64;
+
+std::array<int, 2> ends_of(const EdgeSurroundings& around, const MeshEdge& edge) {
+  const int first = around.world.first_vertex[around.model];
+  return {first + edge.vertex[0], first + edge.vertex[1]};
+}
+
+std::vector<double> folds_of(const EdgeSurroundings& around, const Mesh& mesh) {
+  std::vector<double> folds(mesh.edges.size(), no_fold);
+  parallel_for(folds.size(), 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t e = begin; e < end; ++e) {
+      const MeshEdge& edge = mesh.edges[e];
+      if (edge.count != 2) continue;
+      const auto triangles = mesh.triangles_of(edge);
+      folds[e] = edge.diagonal ? 0 : fold_angle(around, ends_of(around, edge), triangles[0], triangles[1]);
+    }
+  });
+  return folds;
+}
+
+/// Triangles that lie in one plane next to each other, and the edges around them.
+class Facets {
+ public:
+  Facets(const Mesh& mesh, const std::vector<double>& folds) : root_(mesh.polygon.size()) {
+    std::iota(root_.begin(), root_.end(), 0);
+    for (std::size_t e = 0; e < folds.size(); ++e)
+      if (folds[e] >= 0 && folds[e] <= flat) join(mesh.triangles_of(mesh.edges[e]));
+    for (std::size_t e = 0; e < folds.size(); ++e)
+      if (folds[e] == no_fold || folds[e] > flat)
+        for (const int triangle : mesh.triangles_of(mesh.edges[e]))
+          sides_.emplace_back(facet_of(triangle), static_cast<int>(e));
+    std::sort(sides_.begin(), sides_.end());
+  }
+
+  [[nodiscard]] int facet_of(int triangle) const {
+    while (root_[triangle] != triangle) triangle = root_[triangle];
+    return triangle;
+  }
+
+  /// Pairs of this facet and an edge around it.
+  [[nodiscard]] std::span<const std::pair<int, int>> sides(int facet) const {
+    const auto [begin, end] = std::equal_range(sides_.begin(), sides_.end(), std::pair(facet, 0),
+                                               [](const auto& a, const auto& b) { return a.first < b.first; });
+    return {begin, end};
+  }
+
+ private:
+  void join(std::span<const int> triangles) {
+    const int a = flattened(triangles[0]), b = flattened(triangles[1]);
+    root_[std::max(a, b)] = std::min(a, b);
+  }
+  int flattened(int triangle) {
+    while (root_[triangle] != triangle) triangle = root_[triangle] = root_[root_[triangle]];
+    return triangle;
+  }
+
+  std::vector<int> root_;
+  std::vector<std::pair<int, int>> sides_;
+};
+
+struct Judge {
+  const EdgeSurroundings& around;
+  const Mesh& mesh;
+  const std::vector<double>& folds;
+  const Facets& facets;
+  double crease_angle;
+
+  [[nodiscard]] bool is_smooth(std::size_t edge) const { return folds[edge] > flat && folds[edge] < crease_angle; }
+
+  // Degrees per length across the edge, on the side of the triangle; the fold goes on evenly where nothing else is
+  // known.
+  [[nodiscard]] double curvature(std::size_t edge, int triangle) const {
+    const std::array<int, 2> ends = ends_of(around, mesh.edges[edge]);
+    const Vec3 a = around.point(ends[0]), along = glm::normalize(around.point(ends[1]) - a);
+    const auto distance = [&](const Vec3& p) { return glm::length(glm::cross(p - a, along)); };
+    const auto sides = facets.sides(facets.facet_of(triangle));
+    if (sides.size() > most_sides) return folds[edge] / size_of(sides, a);
+    double extent = distance(around.point(around.apex(ends, triangle))), parallel_at = 0, fold = folds[edge];
+    for (const auto& [facet, side] : sides) {
+      const std::array<int, 2> far = ends_of(around, mesh.edges[std::size_t(side)]);
+      const Vec3 from = around.point(far[0]), to = around.point(far[1]);
+      const double nearer = std::min(distance(from), distance(to));
+      extent = std::max({extent, distance(from), distance(to)});
+      if (std::abs(glm::dot(to - from, along)) < parallel * glm::length(to - from) || nearer <= parallel_at) continue;
+      parallel_at = nearer;
+      fold = is_smooth(std::size_t(side)) ? (folds[edge] + folds[std::size_t(side)]) / 2 : folds[edge];
+    }
+    return fold / extent;
+  }
+
+  [[nodiscard]] double size_of(std::span<const std::pair<int, int>> sides, const Vec3& from) const {
+    double size = 0;
+    for (const auto& [facet, side] : sides)
+      for (const int v : ends_of(around, mesh.edges[std::size_t(side)]))
+        size = std::max(size, glm::length(around.point(v) - from));
+    return size / 2;
+  }
+
+  [[nodiscard]] bool is_tangent(std::size_t edge) const {
+    if (!is_smooth(edge)) return false;
+    const auto triangles = mesh.triangles_of(mesh.edges[edge]);
+    const double one = curvature(edge, triangles[0]), two = curvature(edge, triangles[1]);
+    return std::max(one, two) > curvature_ratio * std::min(one, two);
+  }
+};
+
+}  // namespace
+
+std::vector<char> tangent_edges(const EdgeSurroundings& around, double crease_angle) {
+  const Mesh& mesh = *around.world.models[around.model].mesh;
+  const std::vector<double> folds = folds_of(around, mesh);
+  const Facets facets(mesh, folds);
+  const Judge judge{around, mesh, folds, facets, crease_angle};
+  std::vector<char> tangent(mesh.edges.size());
+  parallel_for(tangent.size(), 4096, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t e = begin; e < end; ++e) tangent[e] = judge.is_tangent(e) ? 1 : 0;
+  });
+  return tangent;
+}
+
+}  // namespace epura
