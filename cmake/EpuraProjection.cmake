@@ -1,11 +1,14 @@
 # epura_add_projection(NAME source...): a projection plugin NAME.so, loadable by epura, in C++ or C.
-# In this tree and outside it the same function is used.
+# In this tree and outside it, after find_package(epura COMPONENTS plugin), the same function is used.
 include(GNUInstallDirs)
 
 function(epura_add_projection name)
   add_library(${name} MODULE ${ARGN})
-  target_compile_features(${name} PRIVATE cxx_std_20)
-  target_include_directories(${name} PRIVATE ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/../include)
+  target_link_libraries(${name} PRIVATE epura::plugin)
+  get_property(languages GLOBAL PROPERTY ENABLED_LANGUAGES)
+  if(CXX IN_LIST languages)
+    target_compile_features(${name} PRIVATE cxx_std_20)
+  endif()
   # Everything but the entry point stays inside.
   set_target_properties(${name} PROPERTIES PREFIX "" CXX_VISIBILITY_PRESET hidden C_VISIBILITY_PRESET hidden
                         VISIBILITY_INLINES_HIDDEN ON)

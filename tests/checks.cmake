@@ -4,3 +4,7 @@ add_test(NAME checks_can_fail COMMAND ${CMAKE_CURRENT_LIST_DIR}/checks_test.sh)
 add_test(NAME readme_runs COMMAND ${CMAKE_CURRENT_LIST_DIR}/readme.sh $<TARGET_FILE:epura>)
 add_test(NAME gallery_page_is_fresh
          COMMAND bash -c "diff <(samples/draw --gallery-page) samples/gallery.md" WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+# Whatever links to a sanitized library must be sanitized, too: strangers' projects are not.
+if(NOT EPURA_SANITIZE)
+  add_test(NAME sdk_works COMMAND ${CMAKE_CURRENT_LIST_DIR}/sdk.sh ${CMAKE_BINARY_DIR})
+endif()

@@ -194,19 +194,58 @@ std::vector<std::string> long_names(const CLI::App& app) {
   return names;
 }
 
+/// The innermost command that was named.
+const CLI::App& chosen(const CLI::App& app) {
+  const CLI::App* command = &app;
+  while (!command->get_subcommands().empty()) command = command->get_subcommands().back();
+  return *command;
+}
+
 // CLI11 says which arguments nobody took; this says what was perhaps meant.
 [[noreturn]] void refuse(const CLI::App& app, const CLI::ParseError& error) {
-  const CLI::App* command = &app;
-  for (const CLI::App* sub : app.get_subcommands()) command = sub;
+  const CLI::App* command = &chosen(app);
   for (const std::string& extra : command->remaining(true)) {
     if (extra.starts_with("-"))
       throw Error(Trouble::input, "", "there is no option '" + extra + "'", did_you_mean(extra, long_names(*command)));
-    const std::vector<std::string> commands{"draw", "plugins"};
+    const std::vector<std::string> commands{"draw", "plugins", "new-projection"};
     if (command == &app)
       throw Error(Trouble::input, "", "there is no command '" + extra + "'", did_you_mean(extra, commands));
   }
   throw Error(Trouble::input, "command line", error.what(),
               "see 'epura " + (command == &app ? "" : command->get_name() + " ") + "--help'");
+}
+
+CLI::App& define_draw(CLI::App& app, DrawOptions& options) {
+  CLI::App& draw = *app.add_subcommand("draw", "draw models");
+  define_inputs(draw, options);
+  define_outputs(draw, options);
+  define_view(draw, options);
+  define_lines(draw, options);
+  define_sheet(draw, options);
+  define_title_block(draw, options);
+  define_questions(draw, options);
+  define_run(draw, options);
+  return draw;
+}
+
+CLI::App& define_plugins(CLI::App& app, PluginsOptions& options) {
+  CLI::App& plugins = *app.add_subcommand("plugins", "list projections, show one, or check a library of them");
+  plugins.add_option("name", options.name, "projection to show: parameters, matrix, vanishing points")
+      ->type_name("NAME");
+  add_list(plugins, "--plugin-path", options.plugin_path, "more folders with projection plugins")->type_name("DIR");
+  return plugins;
+}
+
+CLI::App& define_check(CLI::App& plugins, CheckPluginOptions& options) {
+  CLI::App& check = *plugins.add_subcommand("check", "test a library of projections");
+  check.add_option("file", options.file, "the library, e.g. build/mine.so")->required()->type_name("FILE.so");
+  return check;
+}
+
+CLI::App& define_new_projection(CLI::App& app, NewProjectionOptions& options) {
+  CLI::App& command = *app.add_subcommand("new-projection", "begin a projection plugin: C++ source and CMake file");
+  command.add_option("name", options.name, "its name; a folder NAME is made")->required()->type_name("NAME");
+  return command;
 }
 
 }  // namespace
@@ -216,39 +255,32 @@ Command parse_command_line(int argc, char** argv) {
   app.set_version_flag("--version", "epura " EPURA_VERSION);
   app.require_subcommand(1);
   app.footer(
-      "'epura COMMAND --help' says more. Exit codes: 0 done, 1 found wrong (--verify), 2 wrong input, 3 plugin, 4 "
+      "'epura COMMAND --help' says more. Exit codes: 0 done, 1 found wrong (--verify, plugins check), 2 wrong input, 3 "
+      "plugin, 4 "
       "could "
       "not write, 5 partial drawing (--time-limit), 130 cancelled.");
 
   DrawOptions draw;
-  CLI::App* draw_command = app.add_subcommand("draw", "draw models");
-  define_inputs(*draw_command, draw);
-  define_outputs(*draw_command, draw);
-  define_view(*draw_command, draw);
-  define_lines(*draw_command, draw);
-  define_sheet(*draw_command, draw);
-  define_title_block(*draw_command, draw);
-  define_questions(*draw_command, draw);
-  define_run(*draw_command, draw);
-
   PluginsOptions plugins;
-  CLI::App* plugins_command = app.add_subcommand("plugins", "list projections, or show one");
-  plugins_command->add_option("name", plugins.name, "projection to show: parameters, matrix, vanishing points")
-      ->type_name("NAME");
-  add_list(*plugins_command, "--plugin-path", plugins.plugin_path, "more folders with projection plugins")
-      ->type_name("DIR");
+  CheckPluginOptions check;
+  NewProjectionOptions created;
+  const CLI::App& draw_command = define_draw(app, draw);
+  CLI::App& plugins_command = define_plugins(app, plugins);
+  const CLI::App& check_command = define_check(plugins_command, check);
+  const CLI::App& new_command = define_new_projection(app, created);
 
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
-    for (const CLI::App* sub : app.get_subcommands()) return Answer{sub->help()};
-    return Answer{app.help()};
+    return Answer{chosen(app).help()};
   } catch (const CLI::CallForVersion& version) {
     return Answer{std::string(version.what()) + "\n"};
   } catch (const CLI::ParseError& error) {
     refuse(app, error);
   }
-  if (draw_command->parsed()) return draw;
+  if (draw_command.parsed()) return draw;
+  if (check_command.parsed()) return check;
+  if (new_command.parsed()) return created;
   return plugins;
 }
 

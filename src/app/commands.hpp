@@ -5,10 +5,14 @@
 
 namespace epura {
 
+/// A drawing or a plugin was tested and is wrong.
+inline constexpr int found_wrong_exit_code = 1;
 /// The drawing was written, but --time-limit left edges out.
 inline constexpr int partial_exit_code = 5;
 
 int draw(const DrawOptions& options);
 int plugins(const PluginsOptions& options);
+int check_plugin(const CheckPluginOptions& options);
+int new_projection(const NewProjectionOptions& options);
 
 }  // namespace epura

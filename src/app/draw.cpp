@@ -122,7 +122,7 @@ FinishedSheet Run::draw_sheet(const World& whole, const CutSections& sections, c
 int conclude(Console& console, const Report& report) {
   if (report.verification) console.print(in_words(*report.verification));
   if (report.partial) warn_about(console, *report.partial);
-  if (report.verification && report.verification->wrong > 0) return 1;
+  if (report.verification && report.verification->wrong > 0) return found_wrong_exit_code;
   return report.partial ? partial_exit_code : 0;
 }
 

@@ -16,6 +16,8 @@ int run(int argc, char** argv) {
     return 0;
   }
   if (const auto* options = std::get_if<DrawOptions>(&command)) return draw(*options);
+  if (const auto* options = std::get_if<CheckPluginOptions>(&command)) return check_plugin(*options);
+  if (const auto* options = std::get_if<NewProjectionOptions>(&command)) return new_projection(*options);
   return plugins(std::get<PluginsOptions>(command));
 }
 

@@ -48,4 +48,12 @@ struct PluginsOptions {
   std::vector<std::filesystem::path> plugin_path;
 };
 
+struct CheckPluginOptions {
+  std::filesystem::path file;
+};
+
+struct NewProjectionOptions {
+  std::string name;
+};
+
 }  // namespace epura

@@ -1,0 +1,22 @@
+// Military projection: the plan keeps its true shape, turned on the page; heights stand straight up from it.
+#include <epura/projection_plugin.hpp>
+
+using namespace epura::plugin;
+
+struct MilitaryProjection {
+  static constexpr auto name = "military";
+  static constexpr auto family = "oblique";
+  static constexpr auto summary = "plan true and turned, heights true";
+  static constexpr auto reference = "ISO 5456-3, planometric projection";
+  static constexpr std::array parameters{
+      number("angle", "deg", "by how much the plan is turned clockwise", 45, 0, 90),
+      number("height", "1", "length on the page of a unit of height", 1, 0, 1),
+  };
+
+  static View project(const Scene& scene, double angle, double height) {
+    const double a = radians(angle);
+    const Vec3 up{-std::sin(a), std::cos(a), 0};
+    return {.point = scene.centre(), .normal = {0, 0, 1}, .up = up, .projector = Vec3{0, 0, 1} - height * up};
+  }
+};
+EPURA_PROJECTION(MilitaryProjection)

@@ -1,0 +1,52 @@
+#include "app/contained.hpp"
+
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+
+#include "base/error.hpp"
+
+namespace epura {
+
+namespace {
+
+[[noreturn]] void be_child(const std::function<int()>& work) {
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  const int code = work();
+  std::fflush(stdout);
+  ::_exit(code);  // the plugin's code at exit is not what is looked at
+}
+
+/// A pipe that ends when the child does, since nobody else holds its other end.
+bool ends_within(int pipe, std::chrono::seconds limit) {
+  pollfd event{pipe, POLLIN, 0};
+  return ::poll(&event, 1, static_cast<int>(std::chrono::milliseconds(limit).count())) > 0;
+}
+
+}  // namespace
+
+Contained run_contained(const std::function<int()>& work, std::chrono::seconds limit) {
+  std::fflush(stdout);
+  std::array<int, 2> ends{};
+  check(::pipe(ends.data()) == 0, "a pipe can be made");
+  const pid_t child = ::fork();
+  check(child >= 0, "a process can be made");
+  if (child == 0) be_child(work);
+  ::close(ends[1]);
+  const bool in_time = ends_within(ends[0], limit);
+  if (!in_time) ::kill(child, SIGKILL);
+  int status = 0;
+  check(::waitpid(child, &status, 0) == child, "a child can be waited for");
+  ::close(ends[0]);
+  if (!in_time) return {{}, "takes more than " + std::to_string(limit.count()) + " s"};
+  if (WIFEXITED(status)) return {WEXITSTATUS(status), {}};
+  return {{}, std::string("crashes (") + ::strsignal(WTERMSIG(status)) + ")"};
+}
+
+}  // namespace epura

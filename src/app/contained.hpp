@@ -1,0 +1,21 @@
+// Foreign code at arm's length.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace epura {
+
+/// How work in a process of its own ended.
+struct Contained {
+  std::optional<int> code;  ///< what it returned; nothing if it crashed or was ended
+  std::string trouble;      ///< otherwise: "crashes (Segmentation fault)", "takes more than 10 s"
+};
+
+/// Runs `work` in a child process, which is ended after `limit`; what it prints appears. To be called while the
+/// process has one thread.
+Contained run_contained(const std::function<int()>& work, std::chrono::seconds limit);
+
+}  // namespace epura

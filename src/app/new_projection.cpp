@@ -1,0 +1,66 @@
+// The beginning of a projection plugin: the sample plugin-military under another name.
+#include <cctype>
+#include <cstdio>
+#include <filesystem>
+
+#include "app/commands.hpp"
+#include "app/skeleton.hpp"
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "projection/loader.hpp"
+
+namespace epura {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr auto next_steps = R"(NAME/NAME.cpp
+NAME/CMakeLists.txt
+
+NAME draws military projections for now. To build, test and use it:
+  cmake -S NAME -B NAME/build && cmake --build NAME/build
+  epura plugins check NAME/build/NAME.so
+  epura draw MODEL --plugin-path NAME/build --projection NAME -o drawing.pdf
+)";
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+  return text;
+}
+
+/// "two-point" -> "TwoPoint". An identifier must not begin with a digit.
+std::string type_name(const std::string& name) {
+  std::string type = std::isdigit(static_cast<unsigned char>(name[0])) != 0 ? "P" : "";
+  bool begins = true;
+  for (const char c : name) {
+    if (c != '-') type += begins ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+    begins = c == '-';
+  }
+  return type;
+}
+
+std::string renamed(const char* skeleton, const std::string& name) {
+  return replaced(replaced(skeleton, "MilitaryProjection", type_name(name) + "Projection"), "military", name);
+}
+
+}  // namespace
+
+int new_projection(const NewProjectionOptions& options) {
+  const std::string& name = options.name;
+  if (!is_projection_name(name))
+    throw Error(Trouble::input, "'" + name + "'", "is no name of a projection", "lower case, digits and '-'");
+  const fs::path folder = name;
+  std::error_code error;
+  if (fs::exists(fs::symlink_status(folder, error)))
+    throw Error(Trouble::input, name, "exists already", "choose another name, or remove it");
+  if (!fs::create_directory(folder, error))
+    throw Error(Trouble::output, name, "no folder can be made: " + error.message());
+  write_file(folder / (name + ".cpp"), renamed(skeleton_source, name));
+  write_file(folder / "CMakeLists.txt", renamed(skeleton_build, name));
+  std::fputs(replaced(next_steps, "NAME", name).c_str(), stdout);
+  return 0;
+}
+
+}  // namespace epura

@@ -1,0 +1,42 @@
+// What a plugin answers to values, what may be wrong with the answer, and the projection that it is.
+#pragma once
+
+#include <epura/projection_abi.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/vec.hpp"
+#include "projection/catalogue.hpp"
+
+namespace epura {
+
+/// The values of a projection: for each row of its table one number, or the components of the vector; a choice is its
+/// place in the list. NaN: found from the model's box.
+using ParameterValues = std::vector<std::vector<double>>;
+
+/// Those that hold unless others are given.
+ParameterValues default_values(const ProjectionEntry& entry);
+
+struct PluginAnswer {
+  epura_view view;
+  std::optional<std::string> refusal;  ///< the sentence by which the plugin refuses the values; `view` is then nothing
+};
+
+/// Asks the plugin. `scene` is the box of everything. Throws Error{plugin} when an exception crosses the border.
+PluginAnswer ask_plugin(const ProjectionEntry& entry, const ParameterValues& values, const Box& scene);
+
+/// What keeps an answer from being a projection, each a sentence, or empty if nothing does. To be asked in this order:
+/// the latter two take it for granted that numbers are finite.
+std::string fault_of_numbers(const epura_view& view);  ///< one is not finite
+std::string fault_of_plane(const epura_view& view);    ///< plane, up and projectors depend on each other
+std::string fault_of_picture(const epura_view& view);  ///< scale, window and limits leave nothing to draw
+
+/// The first fault of the three.
+std::string fault_of(const epura_view& view);
+
+/// Of an answer without fault: all but its name and values.
+Projection projection_of(const epura_view& view);
+
+}  // namespace epura

@@ -1,0 +1,24 @@
+// Tests of a projection that know nothing but its table: for authors of plugins, and for the ones built here.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "projection/catalogue.hpp"
+
+namespace epura {
+
+enum class Verdict { passed, failed, skipped };
+
+struct CheckResult {
+  std::string name;  ///< one word
+  std::string what;  ///< what was looked at, as a sentence that should be true
+  Verdict verdict;   ///< skipped: an earlier check failed that this one builds on
+  std::string fault;
+};
+
+/// The checks in a fixed order. Calls foreign code some thousand times: with its defaults, with values of every
+/// parameter, at the ends of their ranges, and for models of all sizes.
+std::vector<CheckResult> check_projection(const ProjectionEntry& entry);
+
+}  // namespace epura

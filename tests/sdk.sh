@@ -1,0 +1,74 @@
+#!/usr/bin/env bash
+# What strangers build against an installed epura:  tests/sdk.sh BUILD
+# The build folder is installed into a scratch prefix; the samples are configured against it, drawn with and checked.
+set -uo pipefail
+build=$(realpath "$1")
+samples=$(realpath "$(dirname "$(realpath "$0")")/../samples")
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+unset EPURA_PLUGIN_PATH
+status=0
+
+complain() {
+  echo "sdk: $*" >&2
+  status=1
+}
+
+try() {  # command...
+  "$@" >"$scratch/log" 2>&1 || { complain "fails: $*"; cat "$scratch/log" >&2; return 1; }
+}
+
+# Moved after it was installed: nothing may remember where.
+cmake --install "$build" --prefix "$scratch/first" >"$scratch/log" || { cat "$scratch/log" >&2; exit 1; }
+mv "$scratch/first" "$scratch/prefix"
+epura=$scratch/prefix/bin/epura
+
+make_it() {  # folder build-folder [CMake option...]
+  local source=$1 to=$2
+  shift 2
+  try cmake -S "$source" -B "$to" -DCMAKE_PREFIX_PATH="$scratch/prefix" -DCMAKE_BUILD_TYPE=Debug "$@" &&
+    try cmake --build "$to"
+}
+
+draw() {  # folder-of-plugins projection svg
+  try "$epura" draw "$samples/models/bracket.obj" --plugin-path "$1" --projection "$2" -o "$3" && [ -s "$3" ]
+}
+
+# One compiler after the other: what they draw must have the same bytes.
+plugin() {  # folder projection
+  local compiler
+  for compiler in gcc clang; do
+    command -v $compiler >/dev/null || { echo "sdk: no $compiler" >&2; continue; }
+    local to=$scratch/$2-$compiler
+    make_it "$1" "$to" -DCMAKE_C_COMPILER=$compiler -DCMAKE_CXX_COMPILER=${compiler/gcc/g}++ &&
+      try "$epura" plugins check "$to/$2.so" && draw "$to" "$2" "$scratch/$2-$compiler.svg"
+  done
+  [ ! -f "$scratch/$2-clang.svg" ] || cmp "$scratch/$2-gcc.svg" "$scratch/$2-clang.svg" || complain "$2: compilers differ"
+}
+
+plugin "$samples/plugin-military" military
+plugin "$samples/plugin-c" worms-eye
+
+# The sample is the planometric projection, which is built in.
+draw "$scratch" planometric "$scratch/planometric.svg"
+sed 's/military/planometric/g' "$scratch/military-gcc.svg" | cmp - "$scratch/planometric.svg" ||
+  complain "the sample draws something else than the planometric projection"
+
+# Installed into the same prefix, a plugin is found by itself.
+try cmake --install "$scratch/military-gcc" --prefix "$scratch/prefix" &&
+  try "$epura" draw "$samples/models/bracket.obj" --projection military -o "$scratch/found.svg"
+
+# A new projection, begun by the program and built from where it was begun; never over another one.
+cd "$scratch" || exit 2
+if try "$epura" new-projection 3-quarters && make_it 3-quarters 3-quarters/build &&
+  try "$epura" plugins check 3-quarters/build/3-quarters.so && draw 3-quarters/build 3-quarters new.svg; then
+  echo mine >3-quarters/3-quarters.cpp
+  "$epura" new-projection 3-quarters >log 2>&1 && complain "a folder was overwritten"
+  grep -q 'exists already' log && [ "$(cat 3-quarters/3-quarters.cpp)" = mine ] || complain "no refusal: $(cat log)"
+fi
+
+# By hand, with the flags of pkg-config.
+flags=$(PKG_CONFIG_PATH=$(dirname "$(find "$scratch/prefix" -name epura.pc)") pkg-config --cflags epura)
+# shellcheck disable=SC2086
+try cc -shared -fPIC $flags "$samples/plugin-c/worms-eye.c" -o by-hand.so && try "$epura" plugins check by-hand.so
+exit $status
