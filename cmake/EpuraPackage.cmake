@@ -3,7 +3,7 @@ include(CMakePackageConfigHelpers)
 
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/epura)
 install(TARGETS epura RUNTIME)
-install(TARGETS epura_plugin EXPORT epura-targets)
+install(TARGETS epura_plugin epura_library EXPORT epura-targets)
 install(DIRECTORY include/epura DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(FILES docs/plugins.md docs/formats.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
@@ -14,6 +14,6 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/epura-config.cmake ${CMAKE_CURRENT_BIN
 install(EXPORT epura-targets NAMESPACE epura:: DESTINATION ${package})
 
 set(pkgconfig ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
-file(RELATIVE_PATH EPURA_PREFIX_FROM_PC /${pkgconfig} /)
+string(REGEX REPLACE "[^/]+" ".." EPURA_PREFIX_FROM_PC ${pkgconfig})
 configure_file(cmake/epura.pc.in epura.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/epura.pc DESTINATION ${pkgconfig})

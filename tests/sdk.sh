@@ -67,8 +67,29 @@ if try "$epura" new-projection 3-quarters && make_it 3-quarters 3-quarters/build
   grep -q 'exists already' log && [ "$(cat 3-quarters/3-quarters.cpp)" = mine ] || complain "no refusal: $(cat log)"
 fi
 
-# By hand, with the flags of pkg-config.
-flags=$(PKG_CONFIG_PATH=$(dirname "$(find "$scratch/prefix" -name epura.pc)") pkg-config --cflags epura)
-# shellcheck disable=SC2086
-try cc -shared -fPIC $flags "$samples/plugin-c/worms-eye.c" -o by-hand.so && try "$epura" plugins check by-hand.so
+# The library, from another program: the same drawing as the program makes.
+same_drawing() {  # program model
+  rm -f library.pdf
+  try "$1" "$samples/models/$2" library.pdf &&
+    try "$epura" draw "$samples/models/$2" --projection front --projection two-point --sheet A3 --hidden none \
+      -o program.pdf && { cmp library.pdf program.pdf || complain "$1, $2: library and program differ"; }
+}
+
+if make_it "$samples/library" library; then
+  same_drawing library/sheet bracket.obj
+  library/sheet missing.obj missing.pdf 2>log && complain "a missing model is no failure"
+  grep -q 'missing.obj' log || complain "a failure does not name its file: $(cat log)"
+fi
+
+# By hand, with the flags of pkg-config, and by the other compiler.
+PKG_CONFIG_PATH=$(dirname "$(find "$scratch/prefix" -name epura.pc)")
+export PKG_CONFIG_PATH
+read -ra flags < <(pkg-config --cflags epura)
+read -ra libraries < <(pkg-config --libs epura)
+compiler=c++
+command -v clang++ >/dev/null && compiler=clang++
+try cc -shared -fPIC "${flags[@]}" "$samples/plugin-c/worms-eye.c" -o by-hand.so &&
+  try "$epura" plugins check by-hand.so
+try $compiler -std=c++20 "${flags[@]}" "$samples/library/sheet.cpp" "${libraries[@]}" \
+  -Wl,-rpath,"$(pkg-config --variable=libdir epura)" -o by-hand && same_drawing ./by-hand gear.stl
 exit $status

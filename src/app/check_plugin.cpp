@@ -1,5 +1,4 @@
 // `epura plugins check`: what epura asks of every projection, for authors of plugins.
-#include <chrono>
 #include <cstdio>
 
 #include "app/commands.hpp"
@@ -11,9 +10,6 @@
 namespace epura {
 
 namespace {
-
-// For loading, and for all checks; those built in take some milliseconds.
-constexpr std::chrono::seconds patience(10);
 
 const char* word(Verdict verdict) {
   switch (verdict) {
@@ -31,12 +27,13 @@ const char* word(Verdict verdict) {
 int print_checks(const ProjectionEntry& entry) {
   int failed = 0;
   std::printf("%s (%s)\n", entry.name.c_str(), entry.family.c_str());
-  for (const CheckResult& result : check_projection(entry)) {
+  std::fflush(stdout);
+  check_projection(entry, [&](const CheckResult& result) {
     failed += result.verdict == Verdict::failed ? 1 : 0;
     std::printf("  %-11s %-8s %s\n", result.name.c_str(), word(result.verdict), result.what.c_str());
     if (!result.fault.empty()) std::printf("  %-20s %s\n", "", result.fault.c_str());
     std::fflush(stdout);  // a plugin that crashes in the next check does not take this away
-  }
+  });
   return failed;
 }
 
@@ -53,7 +50,7 @@ int check_plugin(const CheckPluginOptions& options) {
     return 0;
   };
   const std::string file = options.file.string();
-  const Contained loading = run_contained(try_to_load, patience);
+  const Contained loading = run_contained(try_to_load, options.time_limit);
   if (!loading.code) throw Error(Trouble::plugin, file, loading.trouble + " when it is loaded");
 
   std::vector<ProjectionEntry> entries;
@@ -68,7 +65,7 @@ int check_plugin(const CheckPluginOptions& options) {
         for (const ProjectionEntry& entry : entries) failed += print_checks(entry);
         return failed > 0 ? found_wrong_exit_code : 0;
       },
-      patience);
+      options.time_limit);
   if (!checks.code) std::printf("FAILED: %s %s\n", file.c_str(), checks.trouble.c_str());
   return checks.code.value_or(found_wrong_exit_code);
 }

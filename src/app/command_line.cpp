@@ -239,6 +239,9 @@ CLI::App& define_plugins(CLI::App& app, PluginsOptions& options) {
 CLI::App& define_check(CLI::App& plugins, CheckPluginOptions& options) {
   CLI::App& check = *plugins.add_subcommand("check", "test a library of projections");
   check.add_option("file", options.file, "the library, e.g. build/mine.so")->required()->type_name("FILE.so");
+  add_number(check, "--time-limit", options.time_limit, {0, 1e6},
+             "seconds for loading it, and again for the checks; those built in take some milliseconds")
+      ->type_name("S");
   return check;
 }
 

@@ -11,6 +11,7 @@
 #include <cstring>
 
 #include "base/error.hpp"
+#include "base/text.hpp"
 
 namespace epura {
 
@@ -24,14 +25,14 @@ namespace {
 }
 
 /// A pipe that ends when the child does, since nobody else holds its other end.
-bool ends_within(int pipe, std::chrono::seconds limit) {
+bool ends_within(int pipe, double seconds) {
   pollfd event{pipe, POLLIN, 0};
-  return ::poll(&event, 1, static_cast<int>(std::chrono::milliseconds(limit).count())) > 0;
+  return ::poll(&event, 1, static_cast<int>(1000 * seconds)) > 0;
 }
 
 }  // namespace
 
-Contained run_contained(const std::function<int()>& work, std::chrono::seconds limit) {
+Contained run_contained(const std::function<int()>& work, double seconds) {
   std::fflush(stdout);
   std::array<int, 2> ends{};
   check(::pipe(ends.data()) == 0, "a pipe can be made");
@@ -39,12 +40,12 @@ Contained run_contained(const std::function<int()>& work, std::chrono::seconds l
   check(child >= 0, "a process can be made");
   if (child == 0) be_child(work);
   ::close(ends[1]);
-  const bool in_time = ends_within(ends[0], limit);
+  const bool in_time = ends_within(ends[0], seconds);
   if (!in_time) ::kill(child, SIGKILL);
   int status = 0;
   check(::waitpid(child, &status, 0) == child, "a child can be waited for");
   ::close(ends[0]);
-  if (!in_time) return {{}, "takes more than " + std::to_string(limit.count()) + " s"};
+  if (!in_time) return {{}, "takes more than " + format_number(seconds) + " s"};
   if (WIFEXITED(status)) return {WEXITSTATUS(status), {}};
   return {{}, std::string("crashes (") + ::strsignal(WTERMSIG(status)) + ")"};
 }

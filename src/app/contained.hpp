@@ -1,7 +1,6 @@
 // Foreign code at arm's length.
 #pragma once
 
-#include <chrono>
 #include <functional>
 #include <optional>
 #include <string>
@@ -14,8 +13,8 @@ struct Contained {
   std::string trouble;      ///< otherwise: "crashes (Segmentation fault)", "takes more than 10 s"
 };
 
-/// Runs `work` in a child process, which is ended after `limit`; what it prints appears. To be called while the
-/// process has one thread.
-Contained run_contained(const std::function<int()>& work, std::chrono::seconds limit);
+/// Runs `work` in a child process, which is ended after so many `seconds`; what it prints appears. To be called while
+/// the process has one thread.
+Contained run_contained(const std::function<int()>& work, double seconds);
 
 }  // namespace epura

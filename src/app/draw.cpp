@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "app/choose.hpp"
-#include "app/commands.hpp"
 #include "app/compose.hpp"
-#include "app/console.hpp"
 #include "app/describe.hpp"
+#include "app/draw_files.hpp"
+#include "app/messages.hpp"
 #include "app/pipeline.hpp"
 #include "app/questions.hpp"
 #include "app/read_models.hpp"
@@ -25,45 +25,41 @@ namespace epura {
 
 namespace {
 
-void warn_about(Console& console, const ViewResult& result) {
+void warn_about(const Messages& messages, const ViewResult& result) {
   if (result.drawing.segments.empty() && !result.partial)
-    console.warn("nothing is drawn: no edge of the wanted kinds is visible");
+    messages.warn("nothing is drawn: no edge of the wanted kinds is visible");
 }
 
-void warn_about(Console& console, const Partial& partial) {
+void warn_about(const Messages& messages, const Partial& partial) {
   std::string sentence = "the drawing is partial: the time limit left out " + std::to_string(partial.undecided) +
                          " of " + std::to_string(partial.edges) + " edges";
   if (partial.searched < 1)
     sentence += " and " + format_fixed(100 * (1 - partial.searched), 1) + " % of the search for intersection lines";
-  console.warn(sentence + "\n  hint: give a longer --time-limit, or ask for less with --edges");
+  messages.warn(sentence + "\n  hint: give a longer --time-limit, or ask for less with --edges");
 }
 
-void tell_of(Console& console, const std::vector<ViewResult>& results) {
+void tell_of(const Messages& messages, const std::vector<ViewResult>& results) {
   CurveReport all;
   for (const ViewResult& result : results) all += result.curves;
-  console.print("arcs: " + std::to_string(all.circles) + " of circles, " + std::to_string(all.ellipses) +
-                " of ellipses; corners lie within " + format_rounded(all.deviation, 2) +
-                " mm of them, they rise over the lines that they replace by up to " + format_rounded(all.bulge, 2) +
-                " mm\n");
+  messages.print("arcs: " + std::to_string(all.circles) + " of circles, " + std::to_string(all.ellipses) +
+                 " of ellipses; corners lie within " + format_rounded(all.deviation, 2) +
+                 " mm of them, they rise over the lines that they replace by up to " + format_rounded(all.bulge, 2) +
+                 " mm\n");
 }
 
-void warn_about(Console& console, const Sheet& sheet) {
+void warn_about(const Messages& messages, const Sheet& sheet) {
   for (const MissingCharacter& missing : missing_characters(sheet))
-    console.warn("the font has no glyph for '" + missing.character + "' (in the " + missing.role + ")");
+    messages.warn("the font has no glyph for '" + missing.character + "' (in the " + missing.role + ")");
 }
 
-void print_timings(Console& console, const Stopwatch& watch) {
+void print_timings(const Messages& messages, const Stopwatch& watch) {
   std::string text;
   for (const auto& [stage, seconds] : watch.laps()) {
     std::array<char, 64> line{};
     std::snprintf(line.data(), line.size(), "%-12s %8s s\n", stage.c_str(), format_fixed(seconds, 4).c_str());
     text += line.data();
   }
-  console.print(text);
-}
-
-bool shows_progress(const DrawOptions& options) {
-  return choose<bool>("--progress", options.progress, {{"auto", is_terminal()}, {"always", true}, {"never", false}});
+  messages.print(text);
 }
 
 /// What a run needs from beginning to end.
@@ -71,7 +67,7 @@ struct Run {
   const DrawOptions& options;
   const SceneDescription& scene;
   const Questions& questions;
-  Console& console;
+  const Messages& messages;
   Progress progress;
   Stopwatch& watch;
   Report report{};
@@ -93,46 +89,34 @@ FinishedSheet Run::draw_sheet(const World& whole, const CutSections& sections, c
 
   const std::vector<Annotations> annotations = annotate(scene, views.sheet, views.descriptions, seen, sections);
   const SheetPlan plan = plan_sheet(whole, scene, views.sheet, views.descriptions, seen, annotations);
-  if (plan.chosen) console.warn("the scale is " + ratio_text(plan.scale) + ", the largest of ISO 5455 that fits");
+  if (plan.chosen) messages.warn("the scale is " + ratio_text(plan.scale) + ", the largest of ISO 5455 that fits");
   std::vector<ViewResult> results;
   std::vector<ViewWish> wishes;
   for (std::size_t i = 0; i < seen.size(); ++i) {
     wishes.push_back(views.plans[i].wish);
     results.push_back(
         draw_view(world(i), section(i), std::move(seen[i]), wishes[i], plan.places[i], report.plan, watch, progress));
-    warn_about(console, results.back());
+    warn_about(messages, results.back());
     answers += answer(questions, world(i), wishes[i], results.back());
     results.back().work = {};  // what follows takes its room
   }
-  if (!options.arcs.empty()) tell_of(console, results);
-  if (!plan.inside) console.warn("the drawing is larger than the sheet at this scale");
+  if (!options.arcs.empty()) tell_of(messages, results);
+  if (!plan.inside) messages.warn("the drawing is larger than the sheet at this scale");
   for (const ViewResult& result : results) {
     if (result.partial) report.partial = result.partial;
     if (result.verification) report.verification = result.verification;
   }
   FinishedSheet sheet = compose(whole, scene, views, plan, results, annotations);
-  for (const std::string& warning : sheet.warnings) console.warn(warning);
-  warn_about(console, sheet.sheet);
+  for (const std::string& warning : sheet.warnings) messages.warn(warning);
+  warn_about(messages, sheet.sheet);
   watch.lap("sheet");
   return sheet;
 }
 
-// Says what was found on the way, and returns the exit code. On standard error, since a drawing may go to standard
-// output.
-int conclude(Console& console, const Report& report) {
-  if (report.verification) console.print(in_words(*report.verification));
-  if (report.partial) warn_about(console, *report.partial);
-  if (report.verification && report.verification->wrong > 0) return found_wrong_exit_code;
-  return report.partial ? partial_exit_code : 0;
-}
-
 }  // namespace
 
-int draw(const DrawOptions& options) {
+DrawnFiles draw_files(const DrawOptions& options, const Messages& messages, Progress progress) {
   Stopwatch watch;
-  ProgressBoard board;
-  Console console(board, shows_progress(options));
-  const Progress progress(board, options.time_limit);
   const ThreadLimit threads(options.threads);
   const std::vector<Target> targets = targets_of(options);
   const VectorOptions vector_options{
@@ -143,10 +127,10 @@ int draw(const DrawOptions& options) {
   const std::vector<SheetOfViews> sheets = views_by_sheet(scene, plan_views(scene, options));
   watch.lap("prepare");
 
-  Run run{options, scene, questions, console, progress, watch};
-  World world = read_models(scene.models, run.report.meshes, console, progress);
+  Run run{options, scene, questions, messages, progress, watch};
+  World world = read_models(scene.models, run.report.meshes, messages, progress);
   watch.lap("read");
-  CutSections sections = cut_sections(world, scene, console);
+  CutSections sections = cut_sections(world, scene, messages);
   if (!sections.empty()) watch.lap("section");
   std::vector<FinishedSheet> finished;
   for (const SheetOfViews& sheet : sheets) finished.push_back(run.draw_sheet(world, sections, sheet));
@@ -155,12 +139,19 @@ int draw(const DrawOptions& options) {
 
   if (options.timings) run.report.seconds = watch.laps();
   const std::vector<FileBytes> files = encode_all(targets, finished, vector_options, run.report, progress);
-  for (const FileBytes& file : files) write(file, progress);
+  std::vector<std::string> paths;
+  for (const FileBytes& file : files) {
+    write(file, progress);
+    paths.push_back(file.path);
+  }
   watch.lap("write");
-  console.print("");  // the line of progress makes room
-  std::fputs(run.answers.c_str(), stdout);
-  if (options.timings) print_timings(console, watch);
-  return conclude(console, run.report);
+  return {std::move(paths), std::move(run.report), std::move(run.answers), watch};
+}
+
+void tell_the_end(const Messages& messages, const DrawOptions& options, const DrawnFiles& drawn) {
+  if (options.timings) print_timings(messages, drawn.watch);
+  if (drawn.report.verification) messages.print(in_words(*drawn.report.verification));
+  if (drawn.report.partial) warn_about(messages, *drawn.report.partial);
 }
 
 }  // namespace epura

@@ -50,6 +50,7 @@ struct PluginsOptions {
 
 struct CheckPluginOptions {
   std::filesystem::path file;
+  double time_limit = 10;  ///< seconds, for loading and again for the checks
 };
 
 struct NewProjectionOptions {

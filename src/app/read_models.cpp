@@ -28,9 +28,9 @@ std::shared_ptr<Mesh> read(const ModelDescription& model) {
 }
 
 // A drawing of a damaged model must not look like one of a sound model.
-void warn_about(Console& console, const MeshReport& report) {
+void warn_about(const Messages& messages, const MeshReport& report) {
   const auto say = [&](int count, const std::string& one, const std::string& many) {
-    if (count > 0) console.warn(report.name + ": " + std::to_string(count) + " " + (count == 1 ? one : many));
+    if (count > 0) messages.warn(report.name + ": " + std::to_string(count) + " " + (count == 1 ? one : many));
   };
   const auto say_left_out = [&](int faces, const std::string& what) {
     say(faces, "face left out: " + what, "faces left out: " + what);
@@ -40,13 +40,13 @@ void warn_about(Console& console, const MeshReport& report) {
   say_left_out(report.dropped_non_finite, "coordinates that are no finite numbers");
   say(report.non_manifold_edges, "edge has three or more faces and is drawn",
       "edges have three or more faces; each is drawn");
-  for (const std::string& note : report.notes) console.warn(report.name + ": " + note);
+  for (const std::string& note : report.notes) messages.warn(report.name + ": " + note);
 }
 
 }  // namespace
 
-World read_models(const std::vector<ModelDescription>& models, std::vector<MeshReport>& reports, Console& console,
-                  Progress progress) {
+World read_models(const std::vector<ModelDescription>& models, std::vector<MeshReport>& reports,
+                  const Messages& messages, Progress progress) {
   std::vector<Mat4> places;
   for (const ModelDescription& model : models) places.push_back(place_of(model));
   // A single model is read in one go: how far it is cannot be told.
@@ -60,7 +60,7 @@ World read_models(const std::vector<ModelDescription>& models, std::vector<MeshR
     progress.advance(1);
     if (!models[i].drawn) continue;
     reports.push_back(meshes.back()->report);
-    warn_about(console, reports.back());
+    warn_about(messages, reports.back());
   }
   World world = make_world(std::move(placed));
   // The world has its points and triangles; half-edges would be a fifth of all memory. (OpenMesh keeps the room of what

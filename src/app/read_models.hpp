@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "app/console.hpp"
+#include "app/messages.hpp"
 #include "base/progress.hpp"
 #include "mesh/mesh.hpp"
 #include "scene/description.hpp"
@@ -11,9 +11,9 @@
 
 namespace epura {
 
-/// Reads the models and puts them in their places; `reports` gets one more for each. Says on the console what was
+/// Reads the models and puts them in their places; `reports` gets one more for each. Says what was
 /// repaired. The half-edge structures of its meshes are given up; edges and reports stay.
-World read_models(const std::vector<ModelDescription>& models, std::vector<MeshReport>& reports, Console& console,
-                  Progress progress);
+World read_models(const std::vector<ModelDescription>& models, std::vector<MeshReport>& reports,
+                  const Messages& messages, Progress progress);
 
 }  // namespace epura

@@ -15,25 +15,25 @@ std::string in_words(const Vec3& p) {
 }
 
 // A body that should have been hatched must not look like one that is hollow.
-void warn_about(Console& console, const CutSection& section, const OpenBody& open) {
+void warn_about(const Messages& messages, const CutSection& section, const OpenBody& open) {
   const Mesh& mesh = *section.cut.world.models[open.model].mesh;
   const std::string body = mesh.report.bodies > 1 ? ": body " + std::to_string(open.body) : "";
-  console.warn(mesh.report.name + body + " is not closed, so its cut by section " + section.plane.name +
-               " is not hatched; " + (open.in_outline ? "the outline is" : "its surface is") + " open at " +
-               in_words(open.gap));
+  messages.warn(mesh.report.name + body + " is not closed, so its cut by section " + section.plane.name +
+                " is not hatched; " + (open.in_outline ? "the outline is" : "its surface is") + " open at " +
+                in_words(open.gap));
 }
 
-void warn_about(Console& console, const CutSection& section) {
+void warn_about(const Messages& messages, const CutSection& section) {
   const std::vector<OpenBody>& open = section.cut.open;
   const std::size_t named = std::min(most_named, open.size());
-  for (std::size_t i = 0; i < named; ++i) warn_about(console, section, open[i]);
+  for (std::size_t i = 0; i < named; ++i) warn_about(messages, section, open[i]);
   if (named < open.size())
-    console.warn("... and " + std::to_string(open.size() - named) + " more bodies are not closed and not hatched");
+    messages.warn("... and " + std::to_string(open.size() - named) + " more bodies are not closed and not hatched");
 }
 
 }  // namespace
 
-CutSections cut_sections(const World& world, const SceneDescription& scene, Console& console) {
+CutSections cut_sections(const World& world, const SceneDescription& scene, const Messages& messages) {
   CutSections sections;
   for (const SectionDescription& description : scene.sections) {
     const std::string& name = description.name.text;
@@ -41,7 +41,7 @@ CutSections cut_sections(const World& world, const SceneDescription& scene, Cons
     if (std::none_of(scene.views.begin(), scene.views.end(), shows)) continue;
     const CuttingPlane plane = make_cutting_plane(description);
     const CutSection& section = sections.try_emplace(name, CutSection{plane, cut_world(world, plane)}).first->second;
-    warn_about(console, section);
+    warn_about(messages, section);
   }
   return sections;
 }

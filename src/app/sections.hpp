@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "app/console.hpp"
+#include "app/messages.hpp"
 #include "scene/cut_world.hpp"
 #include "scene/description.hpp"
 
@@ -17,7 +17,7 @@ struct CutSection {
 
 /// By name, those that some view shows. Throws Error{input} for planes that cut nothing.
 using CutSections = std::map<std::string, CutSection>;
-CutSections cut_sections(const World& world, const SceneDescription& scene, Console& console);
+CutSections cut_sections(const World& world, const SceneDescription& scene, const Messages& messages);
 
 /// The section that a view shows; null where it shows the whole.
 const CutSection* section_of(const CutSections& sections, const ViewDescription& view);

@@ -15,9 +15,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where the plugins that came with this program lie: found from the program, so that both can be moved together.
-/// Empty if the system does not tell where the program is.
+/// Where the plugins that came with this program lie: found from the program, or from the library that holds this
+/// code, so that all can be moved together. Empty if the system does not tell where these are.
 fs::path own_folder() {
+  if (const fs::path library = own_library(); !library.empty()) return library.parent_path() / "epura/projections";
   std::error_code error;
   const fs::path prefix = fs::read_symlink("/proc/self/exe", error).parent_path().parent_path();
   if (prefix.empty()) return {};

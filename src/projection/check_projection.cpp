@@ -227,7 +227,8 @@ std::string fault_of_check(const Check& check, Subject& subject) {
 
 }  // namespace
 
-std::vector<CheckResult> check_projection(const ProjectionEntry& entry) {
+std::vector<CheckResult> check_projection(const ProjectionEntry& entry,
+                                          const std::function<void(const CheckResult&)>& tell) {
   Subject subject{entry};
   std::vector<CheckResult> results;
   bool has_ground = true;
@@ -235,6 +236,7 @@ std::vector<CheckResult> check_projection(const ProjectionEntry& entry) {
     const std::string fault = has_ground ? fault_of_check(check, subject) : "";
     const Verdict verdict = !has_ground ? Verdict::skipped : fault.empty() ? Verdict::passed : Verdict::failed;
     results.push_back({check.name, check.what, verdict, fault});
+    if (tell) tell(results.back());
     if (check.is_ground && verdict == Verdict::failed) has_ground = false;
   }
   return results;

@@ -1,6 +1,7 @@
 // Tests of a projection that know nothing but its table: for authors of plugins, and for the ones built here.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,10 @@ struct CheckResult {
   std::string fault;
 };
 
-/// The checks in a fixed order. Calls foreign code some thousand times: with its defaults, with values of every
-/// parameter, at the ends of their ranges, and for models of all sizes.
-std::vector<CheckResult> check_projection(const ProjectionEntry& entry);
+/// The checks in a fixed order; each result is told when it is there, for code that may crash in the next. Calls
+/// foreign code some thousand times: with its defaults, with values of every parameter, at the ends of their ranges,
+/// and for models of all sizes.
+std::vector<CheckResult> check_projection(const ProjectionEntry& entry,
+                                          const std::function<void(const CheckResult&)>& tell = {});
 
 }  // namespace epura

@@ -2,6 +2,7 @@
 
 #include <dlfcn.h>
 #include <epura/projection_abi.h>
+#include <link.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -138,6 +139,15 @@ ProjectionEntry entry_of(const epura_projection& row, std::size_t place, const s
 }
 
 }  // namespace
+
+std::filesystem::path own_library() {
+  Dl_info info{};
+  void* map = nullptr;
+  const int found = dladdr1(reinterpret_cast<const void*>(&own_library), &info, &map, RTLD_DL_LINKMAP);
+  if (found == 0 || map == nullptr) return {};
+  const char* name = static_cast<const link_map*>(map)->l_name;
+  return *name == 0 ? std::filesystem::path() : std::filesystem::absolute(name);  // the program has no name there
+}
 
 bool is_projection_name(std::string_view name) {
   return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {

@@ -30,6 +30,9 @@
 #ifndef INITIAL
 #define INITIAL 1
 #endif
+#ifndef POINT
+#define POINT 0
+#endif
 #ifndef NORMAL
 #define NORMAL -1
 #endif
@@ -56,8 +59,12 @@ static const epura_parameter parameters[] = {
     {sizeof(epura_parameter), EPURA_NUMBER, 1, "scale", "1", "enlargement", NULL, {INITIAL}, 0.5, 2},
 };
 
+static int calls;
+
 const char* project(const double* values, const epura_scene* scene, epura_view* view) {
   (void)values, (void)scene;
+  ++calls;
+  view->point[0] = POINT;
   view->normal[1] = NORMAL;
   view->up[1] = 1, view->up[2] = UP;
   view->projector[1] = PROJECTOR, view->projector[2] = 0.5;

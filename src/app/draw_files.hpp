@@ -1,0 +1,30 @@
+// One run from the options to the files: what the program does, and the library.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/messages.hpp"
+#include "app/options.hpp"
+#include "app/pipeline.hpp"
+#include "base/progress.hpp"
+#include "output/write.hpp"
+
+namespace epura {
+
+struct DrawnFiles {
+  std::vector<std::string> paths;  ///< that were written
+  Report report;
+  std::string answers;  ///< to --why and --dump
+  Stopwatch watch;
+
+  [[nodiscard]] bool is_wrong() const { return report.verification && report.verification->wrong > 0; }
+};
+
+/// Draws and writes all files. Throws Error.
+DrawnFiles draw_files(const DrawOptions& options, const Messages& messages, Progress progress);
+
+/// Says what --timings and --verify were to tell, and what --time-limit left out.
+void tell_the_end(const Messages& messages, const DrawOptions& options, const DrawnFiles& drawn);
+
+}  // namespace epura

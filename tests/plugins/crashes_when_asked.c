@@ -1,0 +1,5 @@
+/* Asking it ends the program. */
+#include <stdlib.h>
+
+#define SENTENCE (abort(), NULL)
+#include "plain.c"

@@ -1,0 +1,90 @@
+// `epura plugins check`, and plugins that hang or crash.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+#include "errors.hpp"
+#include "folder.hpp"
+#include "program.hpp"
+
+namespace epura::test {
+namespace {
+
+std::string built(const std::string& name) { return EPURA_TEST_PLUGINS "/" + name + ".so"; }
+std::string bad(const std::string& folder) { return EPURA_TEST_BAD_PLUGINS "/" + folder; }
+
+Outcome check(const std::string& file) {
+  const Folder folder;
+  return epura({"plugins", "check", file, "--time-limit", "1"}, folder / "");
+}
+
+TEST(CheckPlugin, PrintsATableOfWhatHolds) {
+  const Outcome run = check(built("two-point"));
+  EXPECT_EQ(run.code, 0) << run.out;
+  EXPECT_EQ(run.err, "");
+  EXPECT_TRUE(run.out.starts_with("two-point (perspective)\n  answers     passed   the defaults")) << run.out;
+  EXPECT_TRUE(contains(run.out, "\n  vanishing   passed   parallels meet"));
+  EXPECT_FALSE(contains(run.out, "FAILED"));
+}
+
+TEST(CheckPlugin, NamesWhatFails) {
+  const Outcome run = check(bad("ignores") + "/plain.so");
+  EXPECT_EQ(run.code, 1);
+  EXPECT_TRUE(contains(run.out, "\n  parameters  FAILED   each parameter matters\n")) << run.out;
+  EXPECT_TRUE(contains(run.out, "  scale changes nothing\n")) << run.out;
+  EXPECT_TRUE(contains(run.out, "\n  bounds      passed")) << run.out;
+}
+
+TEST(CheckPlugin, RefusesWhatCannotBeLoaded) {
+  const Folder folder;
+  const std::vector<std::pair<std::string, std::string>> refused{
+      {folder.file("junk.so", "this is no library"), "file too short"},
+      {(folder / "none.so").string(), "No such file"},
+      {bad("other-abi") + "/plain.so", "is built for plugin ABI 9, this program has 1"},
+      {bad("crashes") + "/plain.so", "crashes (Aborted) when it is loaded"},
+      {bad("hangs") + "/plain.so", "takes more than 1 s when it is loaded"}};
+  for (const auto& [file, reason] : refused) {
+    const Outcome run = check(file);
+    EXPECT_EQ(run.code, 3) << file;
+    EXPECT_EQ(run.out, "") << file;
+    EXPECT_TRUE(contains(run.err, file + ": ") && contains(run.err, reason)) << run.err;
+  }
+}
+
+TEST(CheckPlugin, OutlivesACrash) {
+  const Outcome run = check(bad("crashes-when-asked") + "/plain.so");
+  EXPECT_EQ(run.code, 1);
+  EXPECT_TRUE(run.out.starts_with("plain (test)\n")) << run.out;
+  EXPECT_TRUE(contains(run.out, "plain.so crashes (Aborted)")) << run.out;
+}
+
+TEST(HangingPlugin, IsLeftByCtrlC) {
+  const std::vector<std::vector<std::string>> commands{
+      {"plugins"}, {"plugins", "plain"}, {"draw", sample("bracket.obj"), "--projection", "plain", "-o", "x.svg"}};
+  for (std::vector<std::string> command : commands) {
+    const Folder folder;
+    command.insert(command.end(), {"--plugin-path", bad("hangs")});
+    Running run(command, folder / "");
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    const auto start = std::chrono::steady_clock::now();
+    run.signal(SIGINT);
+    EXPECT_EQ(run.wait().code, 130) << command[0];
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(2)) << command[0];
+    EXPECT_TRUE(folder.names().empty());
+  }
+}
+
+TEST(NewProjection, RefusesNamesThatAreNone) {
+  const Folder folder;
+  for (const char* name : {"Two Points", "../outside", "", "a_b"}) {
+    const Outcome run = epura({"new-projection", name}, folder / "");
+    EXPECT_EQ(run.code, 2) << name;
+    EXPECT_TRUE(contains(run.err, "is no name of a projection")) << run.err;
+  }
+  EXPECT_TRUE(folder.names().empty());
+}
+
+}  // namespace
+}  // namespace epura::test
