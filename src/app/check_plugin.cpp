@@ -37,28 +37,21 @@ int print_checks(const ProjectionEntry& entry) {
   return failed;
 }
 
+std::vector<ProjectionEntry> entries_of(const std::filesystem::path& file) {
+  try {
+    return read_plugin(file);
+  } catch (const Error& error) {
+    throw Error(Trouble::plugin, file.string(), error.what(), "docs/plugins.md tells what is expected");
+  }
+}
+
 }  // namespace
 
 int check_plugin(const CheckPluginOptions& options) {
-  const auto load = [&] { return read_plugin(options.file); };
-  const auto try_to_load = [&] {
-    try {
-      load();
-    } catch (const Error&) {
-      // Will be told below: now it is safe to load.
-    }
-    return 0;
-  };
   const std::string file = options.file.string();
-  const Contained loading = run_contained(try_to_load, options.time_limit);
-  if (!loading.code) throw Error(Trouble::plugin, file, loading.trouble + " when it is loaded");
-
-  std::vector<ProjectionEntry> entries;
-  try {
-    entries = load();
-  } catch (const Error& error) {
-    throw Error(Trouble::plugin, file, error.what(), "docs/plugins.md tells what is expected");
-  }
+  const std::string trouble = trouble_with_loading(options.file, options.time_limit);
+  if (!trouble.empty()) throw Error(Trouble::plugin, file, trouble);
+  const std::vector<ProjectionEntry> entries = entries_of(options.file);
   const Contained checks = run_contained(
       [&] {
         int failed = 0;

@@ -12,6 +12,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "projection/loader.hpp"
 
 namespace epura {
 
@@ -48,6 +49,19 @@ Contained run_contained(const std::function<int()>& work, double seconds) {
   if (!in_time) return {{}, "takes more than " + format_number(seconds) + " s"};
   if (WIFEXITED(status)) return {WEXITSTATUS(status), {}};
   return {{}, std::string("crashes (") + ::strsignal(WTERMSIG(status)) + ")"};
+}
+
+std::string trouble_with_loading(const std::filesystem::path& plugin, double seconds) {
+  const auto load = [&] {
+    try {
+      read_plugin(plugin);
+    } catch (const Error&) {
+      return 1;
+    }
+    return 0;
+  };
+  const Contained loading = run_contained(load, seconds);
+  return loading.code ? "" : loading.trouble + " when it is loaded";
 }
 
 }  // namespace epura

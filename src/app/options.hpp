@@ -48,9 +48,12 @@ struct PluginsOptions {
   std::vector<std::filesystem::path> plugin_path;
 };
 
+/// Seconds that a plugin may take to load where it is watched, and again for its checks.
+inline constexpr double plugin_seconds = 10;
+
 struct CheckPluginOptions {
   std::filesystem::path file;
-  double time_limit = 10;  ///< seconds, for loading and again for the checks
+  double time_limit = plugin_seconds;
 };
 
 struct NewProjectionOptions {

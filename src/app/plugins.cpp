@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include "app/commands.hpp"
+#include "app/contained.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "projection/catalogue.hpp"
@@ -81,7 +82,9 @@ void show(const ProjectionEntry& entry) {
 }
 
 int list(const std::vector<std::filesystem::path>& folders) {
-  const Catalogue catalogue = load_catalogue(folders);
+  // One that hangs or crashes must not hide the others.
+  const auto screening = [](const std::filesystem::path& file) { return trouble_with_loading(file, plugin_seconds); };
+  const Catalogue catalogue = load_catalogue(folders, screening);
   std::string family;
   for (const ProjectionEntry& entry : catalogue.entries) {
     if (entry.family != family) print((family.empty() ? "" : "\n") + entry.family);

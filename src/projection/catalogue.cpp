@@ -94,11 +94,16 @@ std::vector<fs::path> plugin_folders(const std::vector<fs::path>& extra) {
   return folders;
 }
 
-Catalogue load_catalogue(const std::vector<fs::path>& folders) {
+Catalogue load_catalogue(const std::vector<fs::path>& folders, const Screening& screening) {
   Catalogue catalogue;
   for (const fs::path& folder : folders)
-    for (const fs::path& library : libraries_in(folder, catalogue.bad))
-      for (ProjectionEntry& entry : read_or_note(library, catalogue.bad)) catalogue.entries.push_back(std::move(entry));
+    for (const fs::path& library : libraries_in(folder, catalogue.bad)) {
+      if (std::string reason = screening ? screening(library) : std::string(); !reason.empty())
+        catalogue.bad.push_back({library, std::move(reason)});
+      else
+        for (ProjectionEntry& entry : read_or_note(library, catalogue.bad))
+          catalogue.entries.push_back(std::move(entry));
+    }
   drop_duplicates(catalogue);
   std::sort(catalogue.entries.begin(), catalogue.entries.end(),
             [](const auto& a, const auto& b) { return std::tie(a.family, a.name) < std::tie(b.family, b.name); });

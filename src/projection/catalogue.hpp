@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -50,9 +51,12 @@ struct Catalogue {
 /// beside the program (../lib/epura/projections from the executable). Never the current folder unless it is named.
 std::vector<std::filesystem::path> plugin_folders(const std::vector<std::filesystem::path>& extra);
 
-/// Loads every plugin (*.so) in the folders. Of several projections with one name, the one in NAME.so is taken,
-/// otherwise the first; two in one folder are reported.
-Catalogue load_catalogue(const std::vector<std::filesystem::path>& folders);
+/// Says why a library must not be loaded here; nothing if it may.
+using Screening = std::function<std::string(const std::filesystem::path& library)>;
+
+/// Loads every plugin (*.so) in the folders, if `screening` lets it. Of several projections with one name, the one in
+/// NAME.so is taken, otherwise the first; two in one folder are reported.
+Catalogue load_catalogue(const std::vector<std::filesystem::path>& folders, const Screening& screening = {});
 
 /// Finds one projection, loading as few plugins as possible: NAME.so first, then the others until it is found.
 /// Throws Error{plugin} with "did you mean" when there is none, naming bad plugins that might have held it.

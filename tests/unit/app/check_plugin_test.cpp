@@ -60,9 +60,25 @@ TEST(CheckPlugin, OutlivesACrash) {
   EXPECT_TRUE(contains(run.out, "plain.so crashes (Aborted)")) << run.out;
 }
 
+TEST(CrashingPlugin, IsNamedInTheListAndHidesNoOther) {
+  const Folder folder;
+  const Outcome run = epura({"plugins", "--plugin-path", bad("crashes")}, folder / "");
+  EXPECT_EQ(run.code, 0);
+  EXPECT_TRUE(contains(run.err, "plain.so: crashes (Aborted) when it is loaded")) << run.err;
+  EXPECT_TRUE(contains(run.out, "isometric"));
+}
+
+TEST(PluginOfTheCurrentFolder, IsNotFound) {
+  const Outcome run =
+      epura({"draw", sample("bracket.obj"), "--projection", "plain", "-o", "-", "--format", "svg"}, bad("good"));
+  EXPECT_EQ(run.code, 3);
+  EXPECT_EQ(run.out, "");
+  EXPECT_TRUE(contains(run.err, "plain: no such projection")) << run.err;
+}
+
 TEST(HangingPlugin, IsLeftByCtrlC) {
   const std::vector<std::vector<std::string>> commands{
-      {"plugins"}, {"plugins", "plain"}, {"draw", sample("bracket.obj"), "--projection", "plain", "-o", "x.svg"}};
+      {"plugins", "plain"}, {"draw", sample("bracket.obj"), "--projection", "plain", "-o", "x.svg"}};
   for (std::vector<std::string> command : commands) {
     const Folder folder;
     command.insert(command.end(), {"--plugin-path", bad("hangs")});
