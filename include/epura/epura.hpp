@@ -28,7 +28,7 @@ struct Request {
 struct Result {
   std::vector<std::string> files;     ///< that were written, several for one output where it has several sheets
   std::vector<std::string> warnings;  ///< sentences: what was repaired in models, what is not as was wished
-  std::string report;                 ///< what `why`, `dump`, `verify` and `timings` were to tell
+  std::string report;                 ///< what `why`, `dump`, `verify`, `arcs` and `timings` tell
   bool is_partial = false;            ///< `time-limit` left edges out
   bool is_wrong = false;              ///< `verify` found a wrong point
 };
@@ -52,8 +52,9 @@ class EPURA_PUBLIC Failure : public std::runtime_error {
   std::string hint_;
 };
 
-/// Draws and writes. Takes all cores unless {"threads", "N"} says otherwise; prints nothing and touches no signal.
-/// Throws Failure; what was there under the name of an output then stays.
+/// Draws and writes. Takes all cores unless {"threads", "N"} says otherwise; prints nothing and touches no signal. One
+/// call at a time. Plugins are found beside the library, and as the program finds them.
+/// Throws Failure, and std::bad_alloc; what was there under the name of an output then stays.
 EPURA_PUBLIC Result draw(const Request& request);
 
 /// "0.1.0"

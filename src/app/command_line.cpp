@@ -258,10 +258,8 @@ Command parse_command_line(int argc, char** argv) {
   app.set_version_flag("--version", "epura " EPURA_VERSION);
   app.require_subcommand(1);
   app.footer(
-      "'epura COMMAND --help' says more. Exit codes: 0 done, 1 found wrong (--verify, plugins check), 2 wrong input, 3 "
-      "plugin, 4 "
-      "could "
-      "not write, 5 partial drawing (--time-limit), 130 cancelled.");
+      "'epura COMMAND --help' says more. Exit codes: 0 done, 1 found wrong (--verify, plugins check), "
+      "2 wrong input, 3 plugin, 4 could not write, 5 partial drawing (--time-limit), 130 cancelled.");
 
   DrawOptions draw;
   PluginsOptions plugins;

@@ -10,8 +10,8 @@ namespace epura {
 
 /// How work in a process of its own ended.
 struct Contained {
-  std::optional<int> code;  ///< what it returned; nothing if it crashed or was ended
-  std::string trouble;      ///< otherwise: "crashes (Segmentation fault)", "takes more than 10 s"
+  std::optional<int> code;  ///< what it returned; nothing if it did not come to that
+  std::string trouble;      ///< otherwise: "crashes (Aborted)", "ends the program", "takes more than 10 s"
 };
 
 /// Runs `work` in a child process, which is ended after so many `seconds`; what it prints appears. To be called while

@@ -58,7 +58,7 @@ Vec3 image_of(const Projection& p, const Vec3& x) {
   return Vec3(h) / h.w;
 }
 
-/// Twice the area between two directions, over their lengths; never NaN for finite ones.
+/// Sine of the angle between two directions; NaN if one of them is none.
 double bend(const Vec3& a, const Vec3& b) { return glm::length(glm::cross(glm::normalize(a), glm::normalize(b))); }
 
 std::string answers(Subject& subject) {

@@ -44,6 +44,7 @@ TEST(CheckPlugin, RefusesWhatCannotBeLoaded) {
       {(folder / "none.so").string(), "No such file"},
       {bad("other-abi") + "/plain.so", "is built for plugin ABI 9, this program has 1"},
       {bad("crashes") + "/plain.so", "crashes (Aborted) when it is loaded"},
+      {bad("exits") + "/plain.so", "ends the program when it is loaded"},
       {bad("hangs") + "/plain.so", "takes more than 1 s when it is loaded"}};
   for (const auto& [file, reason] : refused) {
     const Outcome run = check(file);
@@ -56,7 +57,7 @@ TEST(CheckPlugin, RefusesWhatCannotBeLoaded) {
 TEST(CheckPlugin, OutlivesACrash) {
   const Outcome run = check(bad("crashes-when-asked") + "/plain.so");
   EXPECT_EQ(run.code, 1);
-  EXPECT_TRUE(run.out.starts_with("plain (test)\n")) << run.out;
+  EXPECT_TRUE(run.out.starts_with("plain (test)\nFAILED: ")) << run.out;
   EXPECT_TRUE(contains(run.out, "plain.so crashes (Aborted)")) << run.out;
 }
 

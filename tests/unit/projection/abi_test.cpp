@@ -53,7 +53,7 @@ TEST(an_older_program, gets_no_more_of_the_view_than_it_knows) {
   epura_view view{};
   view.size = offsetof(epura_view, window);  // as if the window had been appended later
   view.window[0] = view.back = -7;
-  EXPECT_EQ(plugin::detail::project<Plan>(nullptr, &scene, &view), nullptr);
+  EXPECT_EQ(plugin::detail::list<Plan>()->projections[0].project(nullptr, &scene, &view), nullptr);
   EXPECT_EQ(view.size, offsetof(epura_view, window));
   EXPECT_EQ(view.normal[2], 1);
   EXPECT_EQ(view.scale, 1);
