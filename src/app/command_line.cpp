@@ -183,8 +183,30 @@ void define_questions(CLI::App& draw, DrawOptions& options) {
       ->type_name("TABLE");
   draw.add_flag("--verify", options.verify,
                 "test the drawing by an independent exact method; exit code 1 if it is wrong");
+  draw.add_flag("--explain", options.explain, "say how many digits each view can have: the condition of its map");
   add_number(draw, "--verify-samples", options.verify_samples, {1, 1e7}, "number of points at random for --verify")
       ->type_name("N");
+}
+
+void define_stability(CLI::App& stability, StabilityOptions& options) {
+  add_list(stability, "-o,--output", options.outputs,
+           "file to write, by extension: html json csv svg pdf; - for standard output")
+      ->type_name("FILE");
+  stability.add_option("--format", options.format, "format of '-'")->type_name("NAME");
+  add_word(stability, "--cases", options.cases, "IDS", "all", "only these, with commas: P1,V4,M23; shows every step");
+  add_number(stability, "--size", options.size, {0.01, 100}, "factor of the numbers of parts of large scenes")
+      ->type_name("F");
+  add_number(stability, "--threads", options.threads, {0, 1024}, "number of threads, 0 for all cores")->type_name("N");
+  stability.add_flag("--timings", options.timings, "say how long each case took");
+  stability.add_option("--progress", options.progress, "show how far it is: auto (on a terminal), always or never")
+      ->capture_default_str()
+      ->type_name("WHEN");
+}
+
+// The command that the arguments have led to: 'study stability' is one.
+const CLI::App& innermost(const CLI::App& app) {
+  const std::vector<CLI::App*> given = app.get_subcommands();
+  return given.empty() ? app : innermost(*given.front());
 }
 
 std::vector<std::string> long_names(const CLI::App& app) {
@@ -196,12 +218,11 @@ std::vector<std::string> long_names(const CLI::App& app) {
 
 // CLI11 says which arguments nobody took; this says what was perhaps meant.
 [[noreturn]] void refuse(const CLI::App& app, const CLI::ParseError& error) {
-  const CLI::App* command = &app;
-  for (const CLI::App* sub : app.get_subcommands()) command = sub;
+  const CLI::App* command = &innermost(app);
   for (const std::string& extra : command->remaining(true)) {
     if (extra.starts_with("-"))
       throw Error(Trouble::input, "", "there is no option '" + extra + "'", did_you_mean(extra, long_names(*command)));
-    const std::vector<std::string> commands{"draw", "plugins"};
+    const std::vector<std::string> commands{"draw", "study", "plugins"};
     if (command == &app)
       throw Error(Trouble::input, "", "there is no command '" + extra + "'", did_you_mean(extra, commands));
   }
@@ -231,6 +252,12 @@ Command parse_command_line(int argc, char** argv) {
   define_questions(*draw_command, draw);
   define_run(*draw_command, draw);
 
+  CLI::App* study_command = app.add_subcommand("study", "measure the program itself")->require_subcommand(1);
+  StabilityOptions stability;
+  CLI::App* stability_command =
+      study_command->add_subcommand("stability", "draw stiff and extreme cases, and say where arithmetics break");
+  define_stability(*stability_command, stability);
+
   PluginsOptions plugins;
   CLI::App* plugins_command = app.add_subcommand("plugins", "list projections, or show one");
   plugins_command->add_option("name", plugins.name, "projection to show: parameters, matrix, vanishing points")
@@ -241,14 +268,14 @@ Command parse_command_line(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
-    for (const CLI::App* sub : app.get_subcommands()) return Answer{sub->help()};
-    return Answer{app.help()};
+    return Answer{innermost(app).help()};
   } catch (const CLI::CallForVersion& version) {
     return Answer{std::string(version.what()) + "\n"};
   } catch (const CLI::ParseError& error) {
     refuse(app, error);
   }
   if (draw_command->parsed()) return draw;
+  if (stability_command->parsed()) return stability;
   return plugins;
 }
 

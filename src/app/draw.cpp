@@ -1,4 +1,5 @@
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <string>
 #include <utility>
@@ -20,6 +21,7 @@
 #include "sheet/lettering.hpp"
 #include "sheet/standard_scale.hpp"
 #include "study/verify/verify.hpp"
+#include "view/condition.hpp"
 
 namespace epura {
 
@@ -36,6 +38,20 @@ void warn_about(Console& console, const Partial& partial) {
   if (partial.searched < 1)
     sentence += " and " + format_fixed(100 * (1 - partial.searched), 1) + " % of the search for intersection lines";
   console.warn(sentence + "\n  hint: give a longer --time-limit, or ask for less with --edges");
+}
+
+// What the map of a view can keep is told where it is asked for, and where it is little.
+void tell_of(Console& console, const ViewCondition& view, bool asked) {
+  const Condition& condition = view.condition;
+  const std::string numbers = "condition " + format_rounded(condition.number, 2) + ", " +
+                              format_fixed(std::floor(condition.digits_left()), 0) + " digits left";
+  if (condition.digits_lost() >= too_many_lost_digits)
+    console.warn("view '" + view.name + "': its map keeps few digits (" + numbers + "), because " + condition.why +
+                 "\n  hint: rounding of the input moves lines by 1e-" +
+                 format_fixed(std::floor(condition.digits_left()), 0) +
+                 " of the drawing; move the model or the viewer");
+  else if (asked)
+    console.print("view '" + view.name + "': map: " + numbers + "\n");
 }
 
 void tell_of(Console& console, const std::vector<ViewResult>& results) {
@@ -90,6 +106,11 @@ FinishedSheet Run::draw_sheet(const World& whole, const CutSections& sections, c
   for (std::size_t i = 0; i < views.plans.size(); ++i)
     seen.push_back(look_at(world(i), views.plans[i], views.descriptions[i]));
   watch.lap("view");
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const ViewCondition view{views.plans[i].wish.name, condition_of(seen[i].projection, world(i).box)};
+    tell_of(console, view, options.explain);
+    if (options.explain) report.conditions.push_back(view);
+  }
 
   const std::vector<Annotations> annotations = annotate(scene, views.sheet, views.descriptions, seen, sections);
   const SheetPlan plan = plan_sheet(whole, scene, views.sheet, views.descriptions, seen, annotations);

@@ -155,14 +155,19 @@ void lay_out(View& view) {
 }  // namespace
 
 View make_view(const World& world, const Projection& projection, const ViewLimits& limits) {
+  const ViewMap map = make_view_map(projection, world.box);
+  std::vector<Mapped> mapped(world.points.size());
+  parallel_for(world.points.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) mapped[v] = map(world.points[v]);
+  });
+  return make_view(world, projection, limits, std::move(mapped));
+}
+
+View make_view(const World& world, const Projection& projection, const ViewLimits& limits, std::vector<Mapped> mapped) {
   View view;
   view.projection = projection;
   view.map = make_view_map(projection, world.box);
-  view.clipper.vertices.resize(world.points.size());
-  parallel_for(world.points.size(), grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) view.clipper.vertices[v] = view.map(world.points[v]);
-  });
-
+  view.clipper.vertices = std::move(mapped);
   const bool around = add_depth_planes(view, world, limits);
   choose_window(view, world, around);
   if (view.window_given) {
@@ -180,8 +185,10 @@ View make_view(const World& world, const Projection& projection, const ViewLimit
   return view;
 }
 
-int add_point(View& view, const Vec3& point) {
-  view.clipper.vertices.push_back(view.map(point));
+int add_point(View& view, const Vec3& point) { return add_point(view, view.map(point)); }
+
+int add_point(View& view, const Mapped& mapped) {
+  view.clipper.vertices.push_back(mapped);
   lay_out(view);
   return static_cast<int>(view.vertices.size()) - 1;
 }
