@@ -12,8 +12,9 @@ namespace epura {
 
 namespace {
 
-// Vertices nearer to the viewer than this part of the reference distance keep no digits in the division.
-constexpr double nearest_w = 0x1p-44;
+// Vertices nearer to the viewer than this part of the reference distance keep no digits in the division. Distances
+// measured from the centre of projection itself keep all; what is nearer yet has no finite place.
+constexpr double nearest_w = 0x1p-44, nearest_w_from_centre = 0x1p-100;
 // A viewer inside the scene sees everything around; without a window he is given a cone of vision of 120 degrees.
 const double cone_tangent = std::sqrt(3.0);
 // Triangles are cut at 1.5 times the window, so that their own cut edges lie outside the picture.
@@ -53,7 +54,8 @@ bool add_depth_planes(View& view, const World& world, const ViewLimits& limits) 
 
   const auto users = {&view.triangle_planes, &view.edge_planes};
   bool around = false;
-  if (p.central) around = add_plane(view, world, {0, 0, -nearest_w * view.map.depth_to_one, 1 - nearest_w}, users);
+  const double nearest = view.map.w_constant == 0 ? nearest_w_from_centre : nearest_w;
+  if (p.central) around = add_plane(view, world, {0, 0, -nearest * view.map.depth_to_one, 1 - nearest}, users);
   if (std::isfinite(front)) add_plane(view, world, depth_plane(view, front, 1), users);
   if (std::isfinite(back)) add_plane(view, world, depth_plane(view, back, -1), users);
   return around;

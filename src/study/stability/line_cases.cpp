@@ -64,7 +64,8 @@ Measured lying_in_a_plate(const Lab& lab, double slope) {
   const Shape tilted{
       {{-2, -1, -2 * slope}, {2, -1, 2 * slope}, {2, 1, 2 * slope}, {-2, 1, -2 * slope}}, {{0, 1, 2, 3}}, {}};
   const Vec3 from(-1, -0.3, -slope), to(1, 0.7, slope);
-  const HiddenLine line = lab.hidden_of_line(world_of({tilted, ground()}), from_above(), from, to);
+  const Shape below = ground().moved(0, 0, -4 * slope);
+  const HiddenLine line = lab.hidden_of_line(world_of({tilted, below}), from_above(), from, to);
   return {count("hidden pieces", 0, static_cast<double>(line.spans.size()))};
 }
 

@@ -38,7 +38,8 @@ Measured small_beside_large(const Lab& lab, double ratio) {
   const World world = world_of({box({0, 0, 0}, {1, 1, 1}), large});
   Projection p = orthographic(diagonal);
   p.window = Window{{-1, -1}, {1, 1}};
-  return lengths(lab.draw(world, {p}), 9 * r, 3 * r);
+  const Result result = lab.draw(world, {p});
+  return lengths(result, 9 * r, 3 * r);
 }
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();

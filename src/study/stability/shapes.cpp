@@ -113,14 +113,14 @@ Shape klein_bottle(int around, int across) {
   Shape bottle;
   for (int i = 0; i < around; ++i)
     for (int j = 0; j < across; ++j) {
-      const double u = 2 * M_PI * i / around, v = 2 * M_PI * j / across;
+      const double u = 2 * M_PI * i / around, v = 2 * M_PI * (j + 0.5) / across;
       const double out = std::cos(u / 2) * std::sin(v) - std::sin(u / 2) * std::sin(2 * v);
       const double up = std::sin(u / 2) * std::sin(v) + std::cos(u / 2) * std::sin(2 * v);
       bottle.points.push_back({(2 + out) * std::cos(u), (2 + out) * std::sin(u), up});
     }
   // Once around, v becomes -v.
   const auto at = [&](int i, int j) {
-    const int place = i == around ? (across - j % across) % across : j % across;
+    const int place = i == around ? across - 1 - j % across : j % across;
     return (i % around) * across + place;
   };
   for (int i = 0; i < around; ++i)

@@ -35,10 +35,12 @@ Measured moved_together(const Lab& lab, double exponent) {
   return measured;
 }
 
-// The plate is a line over the cube's front face and hides nothing of it: 4 edges and the plate's near edge.
+// The plate is a line over the cube's front face and hides nothing of it: 4 edges and the plate's near edge. The cube's
+// rear face, and the edges to it, lie behind its front face.
 Measured eye_in_the_plane_of_a_plate(const Lab& lab, double e) {
   const World world = world_of({plate(-1, 1, 1, 2, 0), box({-0.5, 4, -0.5}, {0.5, 5, 0.5})});
-  return lengths(lab.draw(world, {perspective({0, 0, e}, {0, 1, e}, {0, -1, 0}, {0, 0, 1})}), 3, 0);
+  return lengths(lab.draw(world, {perspective({0, 0, e}, {0, 1, e}, {0, -1, 0}, {0, 0, 1})}), 3,
+                 0.8 + 0.1 * std::sqrt(2.0));
 }
 
 // A square of side 1 four away on the page, and a plate below the eye that reaches to half as far. The plate's far edge
