@@ -187,9 +187,9 @@ View make_view(const World& world, const Projection& projection, const ViewLimit
   return view;
 }
 
-int add_point(View& view, const Vec3& point) { return add_point(view, view.map(point)); }
+int add_point(View& view, const Vec3& point) { return add_mapped_point(view, view.map(point)); }
 
-int add_point(View& view, const Mapped& mapped) {
+int add_mapped_point(View& view, const Mapped& mapped) {
   view.clipper.vertices.push_back(mapped);
   lay_out(view);
   return static_cast<int>(view.vertices.size()) - 1;

@@ -69,7 +69,7 @@ View make_view(const World& world, const Projection& projection, const ViewLimit
 
 /// A further point of space as a vertex.
 int add_point(View& view, const Vec3& point);
-int add_point(View& view, const Mapped& mapped);
+int add_mapped_point(View& view, const Mapped& mapped);
 
 /// What of the edge between two vertices is drawn.
 std::optional<ClippedEdge> clip_edge(View& view, int a, int b);

@@ -57,8 +57,8 @@ HiddenLine Lab::hidden_of_line(const World& world, const Projection& projection,
                                const Vec3& to) const {
   View view = view_by(world, {projection}, arithmetic);
   const std::vector<Mapped> ends = map_points({from, to}, {projection}, world.box, arithmetic);
-  const int a = add_point(view, ends[0]);
-  const int b = add_point(view, ends[1]);
+  const int a = add_mapped_point(view, ends[0]);
+  const int b = add_mapped_point(view, ends[1]);
   DrawnEdges drawn;
   drawn.edges.push_back({{a, b}, {0, 1}, EdgeKind::intersection, 0, -1, 0});
   drawn.crossings.push_back({{from, to}, {-1, -1}, 90});

@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "base/text.hpp"
+#include "sheet/fit_text.hpp"
 #include "sheet/furniture.hpp"
+#include "sheet/lettering.hpp"
 #include "study/stability/write.hpp"
 
 namespace epura::stability {
@@ -20,6 +22,7 @@ const std::array<LineStyle, arithmetics> curve_styles{
     {{"plot-float32", 0.25, {0.6, 1.2}}, {"plot-double", 0.25, {3, 1}}, {"plot-epura", 0.5}}};
 
 struct Plot {
+  Lettering lettering;
   Layer field{"field", {"plot-field", 0.18}, {}, {}, {}};
   Layer allowed{"allowed", {"plot-allowed", 0.13, {6, 1, 0.5, 1}}, {}, {}, {}};
   std::array<Layer, arithmetics> curves;
@@ -85,7 +88,11 @@ void add_field(Plot& plot, const Vec2& origin, const CaseReport& one, const Step
   if (axis.most() > axis.least())
     add_text(plot, format_rounded(axis.most(), 3), origin + Vec2(axis.place(axis.most()), below), Align::right);
   add_text(plot, one.parameter, origin + Vec2((field_least.x + field_most.x) / 2, below - 5), Align::middle);
-  add_text(plot, one.id + "  " + one.what, origin + Vec2(field_least.x, field_most.y + 3), Align::left, 3);
+  const FittedText title = fit_text(one.id + " " + one.what, field_most.x - field_least.x, 2.5, plot.lettering);
+  for (std::size_t i = 0; i < title.lines.size(); ++i) {
+    const double above = 2 + 1.6 * title.height * static_cast<double>(title.lines.size() - 1 - i);
+    add_text(plot, title.lines[i], origin + Vec2(field_least.x, field_most.y + above), Align::left, title.height);
+  }
 }
 
 // A filled square where it is right, a cross where it is not.
@@ -141,14 +148,14 @@ Sheet to_sheet(const CaseReport& report) {
 }
 
 Sheet to_sheet(const Report& report) {
-  constexpr std::size_t columns = 6;
+  const std::size_t columns = std::clamp<std::size_t>(report.size(), 1, 6);
   const std::size_t rows = std::max<std::size_t>(1, (report.size() + columns - 1) / columns);
   Plot plot;
   for (std::size_t i = 0; i < report.size(); ++i) {
     const Vec2 place(static_cast<double>(i % columns), static_cast<double>(rows - 1 - i / columns));
     add_plot(plot, place * plot_size, report[i]);
   }
-  return finished(std::move(plot), "study", Vec2(columns, static_cast<double>(rows)) * plot_size);
+  return finished(std::move(plot), "study", Vec2(static_cast<double>(columns), static_cast<double>(rows)) * plot_size);
 }
 
 }  // namespace epura::stability
