@@ -188,6 +188,17 @@ void define_questions(CLI::App& draw, DrawOptions& options) {
       ->type_name("N");
 }
 
+void define_draw(CLI::App& draw, DrawOptions& options) {
+  define_inputs(draw, options);
+  define_outputs(draw, options);
+  define_view(draw, options);
+  define_lines(draw, options);
+  define_sheet(draw, options);
+  define_title_block(draw, options);
+  define_questions(draw, options);
+  define_run(draw, options);
+}
+
 void define_stability(CLI::App& stability, StabilityOptions& options) {
   add_list(stability, "-o,--output", options.outputs,
            "file to write, by extension: html json csv svg pdf; - for standard output")
@@ -243,14 +254,7 @@ Command parse_command_line(int argc, char** argv) {
 
   DrawOptions draw;
   CLI::App* draw_command = app.add_subcommand("draw", "draw models");
-  define_inputs(*draw_command, draw);
-  define_outputs(*draw_command, draw);
-  define_view(*draw_command, draw);
-  define_lines(*draw_command, draw);
-  define_sheet(*draw_command, draw);
-  define_title_block(*draw_command, draw);
-  define_questions(*draw_command, draw);
-  define_run(*draw_command, draw);
+  define_draw(*draw_command, draw);
 
   CLI::App* study_command = app.add_subcommand("study", "measure the program itself")->require_subcommand(1);
   StabilityOptions stability;

@@ -94,7 +94,13 @@ struct Run {
   std::string answers{};
 
   FinishedSheet draw_sheet(const World& whole, const CutSections& sections, const SheetOfViews& views);
+  void tell_condition(const ViewCondition& view);
 };
+
+void Run::tell_condition(const ViewCondition& view) {
+  tell_of(console, view, options.explain);
+  if (options.explain) report.conditions.push_back(view);
+}
 
 FinishedSheet Run::draw_sheet(const World& whole, const CutSections& sections, const SheetOfViews& views) {
   progress.begin("mapping");
@@ -103,14 +109,11 @@ FinishedSheet Run::draw_sheet(const World& whole, const CutSections& sections, c
     return section(view) == nullptr ? whole : section(view)->cut.world;
   };
   std::vector<View> seen;
-  for (std::size_t i = 0; i < views.plans.size(); ++i)
+  for (std::size_t i = 0; i < views.plans.size(); ++i) {
     seen.push_back(look_at(world(i), views.plans[i], views.descriptions[i]));
-  watch.lap("view");
-  for (std::size_t i = 0; i < seen.size(); ++i) {
-    const ViewCondition view{views.plans[i].wish.name, condition_of(seen[i].projection, world(i).box)};
-    tell_of(console, view, options.explain);
-    if (options.explain) report.conditions.push_back(view);
+    tell_condition({views.plans[i].wish.name, condition_of(seen.back().projection, world(i).box)});
   }
+  watch.lap("view");
 
   const std::vector<Annotations> annotations = annotate(scene, views.sheet, views.descriptions, seen, sections);
   const SheetPlan plan = plan_sheet(whole, scene, views.sheet, views.descriptions, seen, annotations);

@@ -164,7 +164,7 @@ TEST(Meshes, LineThroughATJunction) {
   EXPECT_NEAR(spans[0][1], 0.75, 1e-9);
 }
 
-TEST(Meshes, ManySlivers) { expect_right(sliver_plate(lab, 20000), 1e-3); }
+TEST(Meshes, ManySlivers) { expect_right(sliver_plate(lab, 20000)); }
 
 TEST(Meshes, TrianglesWithoutAreaChangeNothing) {
   for (const int parts : {2, 3, 4}) {
@@ -228,9 +228,9 @@ TEST(Meshes, Zonotope) { expect_right(zonotope(lab, 24)); }
 
 TEST(Meshes, StackedCopiesAreOneLine) { expect_right(stacked_copies(lab, 300)); }
 
-TEST(Meshes, SphereInAStadium) { expect_right(sphere_in_a_stadium(lab, 64, 32, 1000), 1e-3); }
+TEST(Meshes, SphereInAStadium) { expect_right(sphere_in_a_stadium(lab, 64, 32, 1000)); }
 
-TEST(Meshes, Needles) { expect_right(needles(lab, 200)); }
+TEST(Meshes, Needles) { expect_right(needles(lab, 200), 1); }
 
 TEST(Meshes, PrismAtTheCreaseThreshold) {
   for (const int n : {12, 36}) {

@@ -1,6 +1,8 @@
 // The same drawing by three arithmetics, so that they can be compared: only the map from space to the page differs.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <string_view>
 #include <vector>
 

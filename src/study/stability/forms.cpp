@@ -243,7 +243,7 @@ Measured needles(const Lab& lab, int n) {
   // Before lines are merged: near its tip, the two sides of a needle are one line.
   const auto found = static_cast<double>(result.hidden.spans.size()), wanted = static_cast<double>(pieces);
   return {length("hidden", expected, hidden_before_merging(result), std::max(expected, result.extent())),
-          length("hidden pieces", wanted, found, std::max(wanted, 1.0), 1e-2)};
+          length("hidden pieces", wanted, found, std::max(wanted, 1.0), 1e-4)};
 }
 
 }  // namespace epura::stability

@@ -38,37 +38,40 @@ double height_of(double error) {
   return field_least.y + part * (field_most.y - field_least.y);
 }
 
-// Where steps stand: by their logarithms where they span more than a decade, zero a little before the least.
+// Where steps stand: by their logarithms where they span more than a decade, zero a little before the least; where some
+// are negative, one after the other.
 class StepAxis {
  public:
   explicit StepAxis(const std::vector<Row>& rows) {
-    least_ = HUGE_VAL, most_ = -HUGE_VAL;
-    for (const Row& row : rows)
-      if (row.step != 0) {
-        least_ = std::min(least_, row.step);
-        most_ = std::max(most_, row.step);
-      } else {
-        has_zero_ = true;
-      }
-    logarithmic_ = least_ > 0 && most_ > 20 * least_;
-    if (!logarithmic_ && has_zero_) least_ = std::min(least_, 0.0);
+    for (const Row& row : rows) steps_.push_back(row.step);
+    std::sort(steps_.begin(), steps_.end());
+    const bool has_zero = std::binary_search(steps_.begin(), steps_.end(), 0.0);
+    least_ = steps_[steps_.front() == 0 && steps_.size() > 1 ? 1 : 0];
+    logarithmic_ = least_ > 0 && steps_.back() > 20 * least_;
+    if (!logarithmic_) least_ = steps_.front();
+    begin_ = field_least.x + (logarithmic_ && has_zero ? 6 : 2);
   }
 
   [[nodiscard]] double place(double step) const {
-    const double begin = field_least.x + (logarithmic_ && has_zero_ ? 6 : 2), end = field_most.x - 2;
+    const double end = field_most.x - 2;
     if (logarithmic_ && step == 0) return field_least.x + 2;
-    if (!(most_ > least_)) return (begin + end) / 2;
-    const double part = logarithmic_
-                            ? (std::log10(step) - std::log10(least_)) / (std::log10(most_) - std::log10(least_))
-                            : (step - least_) / (most_ - least_);
-    return begin + part * (end - begin);
+    if (!(most() > least_)) return (begin_ + end) / 2;
+    return begin_ + part(step) * (end - begin_);
   }
   [[nodiscard]] double least() const { return least_; }
-  [[nodiscard]] double most() const { return most_; }
+  [[nodiscard]] double most() const { return steps_.back(); }
 
  private:
-  double least_, most_;
-  bool has_zero_ = false, logarithmic_ = false;
+  [[nodiscard]] double part(double step) const {
+    if (logarithmic_) return (std::log10(step) - std::log10(least_)) / (std::log10(most()) - std::log10(least_));
+    if (least_ >= 0) return (step - least_) / (most() - least_);
+    const auto before = std::lower_bound(steps_.begin(), steps_.end(), step) - steps_.begin();
+    return static_cast<double>(before) / static_cast<double>(steps_.size() - 1);
+  }
+
+  std::vector<double> steps_;  // ascending, at least one
+  double least_, begin_;
+  bool logarithmic_;
 };
 
 void add_text(Plot& plot, const std::string& text, const Vec2& at, Align align, double height = label_height) {

@@ -133,23 +133,15 @@ Measured multiplied_matrix(const Lab& lab, double factor) {
 }  // namespace
 
 std::vector<Case> projection_cases() {
+  const std::vector<double> near_and_far{1,   1e-1, 1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e1,
+                                         1e2, 1e4,  1e6,  1e7,  1e10, 1e12, 1e14,  1e16};
+  const std::vector<double> fields_of_view{50,   10,  1,   1e-1, 1e-2,  1e-3,   1e-4,   1e-5,
+                                           1e-6, 120, 170, 179,  179.9, 179.99, 179.999};
   const auto over = [](const Lab& lab, double d) { return from_the_axis(lab, 1 + d); };
   return {
-      {"P1",
-       "unit cube from its axis, the eye near the plane or far",
-       "eye over the plane",
-       {1, 1e-1, 1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e1, 1e2, 1e4, 1e6, 1e7, 1e10, 1e12, 1e14, 1e16},
-       over},
-      {"P2",
-       "unit cube from its axis by field of view",
-       "degrees",
-       {50, 10, 1, 1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 120, 170, 179, 179.9, 179.99, 179.999},
-       by_field_of_view},
-      {"P3",
-       "open box: back faces are seen",
-       "eye over the plane",
-       {1, 1e-1, 1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e1, 1e2, 1e4, 1e6, 1e10, 1e12, 1e14, 1e16},
-       open_box},
+      {"P1", "unit cube from its axis, the eye near or far", "eye over the plane", near_and_far, over},
+      {"P2", "unit cube from its axis by field of view", "degrees", fields_of_view, by_field_of_view},
+      {"P3", "open box: back faces are seen", "eye over the plane", near_and_far, open_box},
       {"P4",
        "room from inside",
        "half of the window",
