@@ -183,6 +183,7 @@ void define_questions(CLI::App& draw, DrawOptions& options) {
       ->type_name("TABLE");
   draw.add_flag("--verify", options.verify,
                 "test the drawing by an independent exact method; exit code 1 if it is wrong");
+  draw.add_flag("--explain", options.explain, "say how many digits each view can have: the condition of its map");
   add_number(draw, "--verify-samples", options.verify_samples, {1, 1e7}, "number of points at random for --verify")
       ->type_name("N");
 }
@@ -207,7 +208,7 @@ const CLI::App& chosen(const CLI::App& app) {
   for (const std::string& extra : command->remaining(true)) {
     if (extra.starts_with("-"))
       throw Error(Trouble::input, "", "there is no option '" + extra + "'", did_you_mean(extra, long_names(*command)));
-    const std::vector<std::string> commands{"draw", "plugins", "new-projection"};
+    const std::vector<std::string> commands{"draw", "study", "plugins", "new-projection"};
     if (command == &app)
       throw Error(Trouble::input, "", "there is no command '" + extra + "'", did_you_mean(extra, commands));
   }
@@ -226,6 +227,28 @@ CLI::App& define_draw(CLI::App& app, DrawOptions& options) {
   define_questions(draw, options);
   define_run(draw, options);
   return draw;
+}
+
+CLI::App& define_study(CLI::App& app) {
+  return *app.add_subcommand("study", "measure the program itself")->require_subcommand(1);
+}
+
+CLI::App& define_stability(CLI::App& study, StabilityOptions& options) {
+  CLI::App& stability =
+      *study.add_subcommand("stability", "draw stiff and extreme cases, and say where arithmetics break");
+  add_list(stability, "-o,--output", options.outputs,
+           "file to write, by extension: html json csv svg pdf; - for standard output")
+      ->type_name("FILE");
+  stability.add_option("--format", options.format, "format of '-'")->type_name("NAME");
+  add_word(stability, "--cases", options.cases, "IDS", "all", "only these, with commas: P1,V4,M23; shows every step");
+  add_number(stability, "--size", options.size, {0.01, 100}, "factor of the numbers of parts of large scenes")
+      ->type_name("F");
+  add_number(stability, "--threads", options.threads, {0, 1024}, "number of threads, 0 for all cores")->type_name("N");
+  stability.add_flag("--timings", options.timings, "say how long each case took");
+  stability.add_option("--progress", options.progress, "show how far it is: auto (on a terminal), always or never")
+      ->capture_default_str()
+      ->type_name("WHEN");
+  return stability;
 }
 
 CLI::App& define_plugins(CLI::App& app, PluginsOptions& options) {
@@ -262,10 +285,13 @@ Command parse_command_line(int argc, char** argv) {
       "2 wrong input, 3 plugin, 4 could not write, 5 partial drawing (--time-limit), 130 cancelled.");
 
   DrawOptions draw;
+  StabilityOptions stability;
   PluginsOptions plugins;
   CheckPluginOptions check;
   NewProjectionOptions created;
   const CLI::App& draw_command = define_draw(app, draw);
+  CLI::App& study_command = define_study(app);
+  const CLI::App& stability_command = define_stability(study_command, stability);
   CLI::App& plugins_command = define_plugins(app, plugins);
   const CLI::App& check_command = define_check(plugins_command, check);
   const CLI::App& new_command = define_new_projection(app, created);
@@ -280,6 +306,7 @@ Command parse_command_line(int argc, char** argv) {
     refuse(app, error);
   }
   if (draw_command.parsed()) return draw;
+  if (stability_command.parsed()) return stability;
   if (check_command.parsed()) return check;
   if (new_command.parsed()) return created;
   return plugins;

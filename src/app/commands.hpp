@@ -14,5 +14,6 @@ int draw(const DrawOptions& options);
 int plugins(const PluginsOptions& options);
 int check_plugin(const CheckPluginOptions& options);
 int new_projection(const NewProjectionOptions& options);
+int study_stability(const StabilityOptions& options);
 
 }  // namespace epura

@@ -1,4 +1,5 @@
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <string>
 #include <utility>
@@ -20,6 +21,7 @@
 #include "sheet/lettering.hpp"
 #include "sheet/standard_scale.hpp"
 #include "study/verify/verify.hpp"
+#include "view/condition.hpp"
 
 namespace epura {
 
@@ -36,6 +38,20 @@ void warn_about(const Messages& messages, const Partial& partial) {
   if (partial.searched < 1)
     sentence += " and " + format_fixed(100 * (1 - partial.searched), 1) + " % of the search for intersection lines";
   messages.warn(sentence + "\n  hint: give a longer --time-limit, or ask for less with --edges");
+}
+
+// What the map of a view can keep is told where it is asked for, and where it is little.
+void tell_of(const Messages& messages, const ViewCondition& view, bool asked) {
+  const Condition& condition = view.condition;
+  const std::string numbers = "condition " + format_rounded(condition.number, 2) + ", " +
+                              format_fixed(std::floor(condition.digits_left()), 0) + " digits left";
+  if (condition.digits_lost() >= too_many_lost_digits)
+    messages.warn("view '" + view.name + "': its map keeps few digits (" + numbers + "), because " + condition.why +
+                 "\n  hint: rounding of the input moves lines by 1e-" +
+                 format_fixed(std::floor(condition.digits_left()), 0) +
+                 " of the drawing; move the model or the viewer");
+  else if (asked)
+    messages.print("view '" + view.name + "': map: " + numbers + "\n");
 }
 
 void tell_of(const Messages& messages, const std::vector<ViewResult>& results) {
@@ -74,7 +90,13 @@ struct Run {
   std::string answers{};
 
   FinishedSheet draw_sheet(const World& whole, const CutSections& sections, const SheetOfViews& views);
+  void tell_condition(const ViewCondition& view);
 };
+
+void Run::tell_condition(const ViewCondition& view) {
+  tell_of(messages, view, options.explain);
+  if (options.explain) report.conditions.push_back(view);
+}
 
 FinishedSheet Run::draw_sheet(const World& whole, const CutSections& sections, const SheetOfViews& views) {
   progress.begin("mapping");
@@ -83,8 +105,10 @@ FinishedSheet Run::draw_sheet(const World& whole, const CutSections& sections, c
     return section(view) == nullptr ? whole : section(view)->cut.world;
   };
   std::vector<View> seen;
-  for (std::size_t i = 0; i < views.plans.size(); ++i)
+  for (std::size_t i = 0; i < views.plans.size(); ++i) {
     seen.push_back(look_at(world(i), views.plans[i], views.descriptions[i]));
+    tell_condition({views.plans[i].wish.name, condition_of(seen.back().projection, world(i).box)});
+  }
   watch.lap("view");
 
   const std::vector<Annotations> annotations = annotate(scene, views.sheet, views.descriptions, seen, sections);

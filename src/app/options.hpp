@@ -41,6 +41,17 @@ struct DrawOptions {
   std::optional<double> time_limit;  ///< seconds
   bool verify = false;
   int verify_samples = 2000;
+  bool explain = false;
+};
+
+struct StabilityOptions {
+  std::vector<std::string> outputs;  ///< "-" is standard output
+  std::string format;                ///< of "-"
+  std::string cases;                 ///< ids with commas; empty: all
+  double size = 1;                   ///< factor of the numbers of parts of large scenes
+  int threads = 0;
+  bool timings = false;
+  std::string progress = "auto";
 };
 
 struct PluginsOptions {

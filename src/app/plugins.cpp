@@ -7,6 +7,7 @@
 #include "base/text.hpp"
 #include "projection/catalogue.hpp"
 #include "projection/matrices.hpp"
+#include "view/condition.hpp"
 
 namespace epura {
 
@@ -79,6 +80,9 @@ void show(const ProjectionEntry& entry) {
   print(std::string("\n") + (projection.central ? "M_per" : "M_par") + " with the defaults, for the unit cube");
   print_matrix(plane_matrix(projection));
   print_vanishing_points(projection);
+  const Condition condition = condition_of(projection, box);
+  print("condition of the map: " + format_rounded(condition.number, 2) + ", " +
+        format_fixed(std::floor(condition.digits_left()), 0) + " digits left");
 }
 
 int list(const std::vector<std::filesystem::path>& folders) {

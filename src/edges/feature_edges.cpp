@@ -38,7 +38,20 @@ struct Judge {
   // Where the third corner of a triangle lies: 1 left of the edge on the page, -1 right, 0 on its line.
   [[nodiscard]] int side(const std::array<int, 2>& edge, int triangle) const {
     const int corner = around.apex(edge, triangle);
-    return view.triangle_planes.empty() ? side_on_grid(edge, corner) : side_in_space(edge, corner);
+    if (view.triangle_planes.empty()) return side_on_grid(edge, corner);
+    const bool before_viewer = is_before_viewer(edge[0]) && is_before_viewer(edge[1]) && is_before_viewer(corner);
+    return before_viewer ? side_on_page(edge, corner) : side_in_space(edge, corner);
+  }
+
+  // Far enough from the plane of the viewer for places on the page to keep their digits.
+  [[nodiscard]] bool is_before_viewer(int vertex) const { return view.clipper.vertices[vertex].w > 0x1p-20; }
+
+  // Without the grid, for corners that may lie beyond the window.
+  [[nodiscard]] int side_on_page(const std::array<int, 2>& edge, int corner) const {
+    const auto place = [this](int v) { return Vec2(view.vertices[v].x, view.vertices[v].y); };
+    const Vec2 along = place(edge[1]) - place(edge[0]), to = place(corner) - place(edge[0]);
+    const double area = along.x * to.y - along.y * to.x;
+    return std::abs(area) <= edge_on * view.cell * glm::length(along) ? 0 : area > 0 ? 1 : -1;
   }
 
   [[nodiscard]] int side_on_grid(const std::array<int, 2>& edge, int corner) const {

@@ -11,6 +11,7 @@
 #include "mesh/mesh.hpp"
 #include "output/verification.hpp"
 #include "sheet/sheet.hpp"
+#include "view/condition.hpp"
 
 namespace epura {
 
@@ -57,12 +58,19 @@ struct Partial {
   double searched = 1;                 ///< part of the search for intersection lines that was done, 0 to 1
 };
 
+/// How many digits a view can have.
+struct ViewCondition {
+  std::string name;  ///< of the view
+  Condition condition;
+};
+
 struct Report {
   std::vector<MeshReport> meshes;
   std::vector<PlanStep> plan;
   std::vector<std::pair<std::string, double>> seconds;  ///< empty unless asked for: outputs are byte-stable
   std::optional<Partial> partial;                       ///< nothing: the drawing is complete
   std::optional<Verification> verification;             ///< where it was asked for
+  std::vector<ViewCondition> conditions;                ///< by view, where they were asked for
 };
 
 /// Drawing JSON, schema 1 (docs/formats.md).

@@ -29,8 +29,11 @@ int Clipper::cut(int plane, int a, int b) {
   if (made) {
     const Mapped p = vertices[std::min(a, b)];
     const Mapped q = vertices[std::max(a, b)];
-    const double s = cut_parameter(plane, std::min(a, b), std::max(a, b));
-    vertices.push_back({p.x + s * (q.x - p.x), p.y + s * (q.y - p.y), p.z + s * (q.z - p.z), p.w + s * (q.w - p.w)});
+    // Weights, rather than a way from p to q: where both sides count with one sign, as distances do, no digits cancel.
+    const double at_p = planes_[plane](p), at_q = planes_[plane](q);
+    const double of_p = at_q / (at_q - at_p), of_q = at_p / (at_p - at_q);
+    vertices.push_back({of_p * p.x + of_q * q.x, of_p * p.y + of_q * q.y, of_p * p.z + of_q * q.z,  //
+                        of_p * p.w + of_q * q.w});
   }
   return place->second;
 }

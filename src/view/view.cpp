@@ -12,8 +12,9 @@ namespace epura {
 
 namespace {
 
-// Vertices nearer to the viewer than this part of the reference distance keep no digits in the division.
-constexpr double nearest_w = 0x1p-44;
+// Vertices nearer to the viewer than this part of the reference distance keep no digits in the division. Distances
+// measured from the centre of projection itself keep all; what is nearer yet has no finite place.
+constexpr double nearest_w = 0x1p-44, nearest_w_from_centre = 0x1p-100;
 // A viewer inside the scene sees everything around; without a window he is given a cone of vision of 120 degrees.
 const double cone_tangent = std::sqrt(3.0);
 // Triangles are cut at 1.5 times the window, so that their own cut edges lie outside the picture.
@@ -53,7 +54,8 @@ bool add_depth_planes(View& view, const World& world, const ViewLimits& limits) 
 
   const auto users = {&view.triangle_planes, &view.edge_planes};
   bool around = false;
-  if (p.central) around = add_plane(view, world, {0, 0, -nearest_w * view.map.depth_to_one, 1 - nearest_w}, users);
+  const double nearest = view.map.w_constant == 0 ? nearest_w_from_centre : nearest_w;
+  if (p.central) around = add_plane(view, world, {0, 0, -nearest * view.map.depth_to_one, 1 - nearest}, users);
   if (std::isfinite(front)) add_plane(view, world, depth_plane(view, front, 1), users);
   if (std::isfinite(back)) add_plane(view, world, depth_plane(view, back, -1), users);
   return around;
@@ -155,14 +157,19 @@ void lay_out(View& view) {
 }  // namespace
 
 View make_view(const World& world, const Projection& projection, const ViewLimits& limits) {
+  const ViewMap map = make_view_map(projection, world.box);
+  std::vector<Mapped> mapped(world.points.size());
+  parallel_for(world.points.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) mapped[v] = map(world.points[v]);
+  });
+  return make_view(world, projection, limits, std::move(mapped));
+}
+
+View make_view(const World& world, const Projection& projection, const ViewLimits& limits, std::vector<Mapped> mapped) {
   View view;
   view.projection = projection;
   view.map = make_view_map(projection, world.box);
-  view.clipper.vertices.resize(world.points.size());
-  parallel_for(world.points.size(), grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) view.clipper.vertices[v] = view.map(world.points[v]);
-  });
-
+  view.clipper.vertices = std::move(mapped);
   const bool around = add_depth_planes(view, world, limits);
   choose_window(view, world, around);
   if (view.window_given) {
@@ -180,8 +187,10 @@ View make_view(const World& world, const Projection& projection, const ViewLimit
   return view;
 }
 
-int add_point(View& view, const Vec3& point) {
-  view.clipper.vertices.push_back(view.map(point));
+int add_point(View& view, const Vec3& point) { return add_mapped_point(view, view.map(point)); }
+
+int add_mapped_point(View& view, const Mapped& mapped) {
+  view.clipper.vertices.push_back(mapped);
   lay_out(view);
   return static_cast<int>(view.vertices.size()) - 1;
 }

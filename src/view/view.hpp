@@ -63,8 +63,13 @@ struct View {
 /// Throws Error{input} when nothing of the world lies in front of the viewer and inside the window.
 View make_view(const World& world, const Projection& projection, const ViewLimits& limits);
 
+/// The same with the points of the world mapped by somebody else: finite, in the coordinates of
+/// make_view_map(projection, world.box).
+View make_view(const World& world, const Projection& projection, const ViewLimits& limits, std::vector<Mapped> mapped);
+
 /// A further point of space as a vertex.
 int add_point(View& view, const Vec3& point);
+int add_mapped_point(View& view, const Mapped& mapped);
 
 /// What of the edge between two vertices is drawn.
 std::optional<ClippedEdge> clip_edge(View& view, int a, int b);

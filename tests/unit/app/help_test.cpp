@@ -21,7 +21,7 @@ Outcome answer(const std::vector<std::string>& arguments) {
 }
 
 TEST(Help, IsThereForEverything) {
-  for (const char* word : {"draw", "plugins", "--help", "--version", "Exit codes"})
+  for (const char* word : {"draw", "study", "plugins", "--help", "--version", "Exit codes"})
     EXPECT_TRUE(contains(answer({"--help"}).out, word)) << word;
   EXPECT_TRUE(contains(answer({"plugins", "--help"}).out, "--plugin-path"));
   const std::string draw = answer({"draw", "--help"}).out;
@@ -30,7 +30,7 @@ TEST(Help, IsThereForEverything) {
         "--far",          "--transform",  "--unit",     "--up",         "--hidden",      "--edges",
         "--crease-angle", "--visibility", "--contact",  "--sheet",      "--portrait",    "--landscape",
         "--scale",        "--title",      "--plain",    "--dpi",        "--threads",     "--timings",
-        "--why",          "--dump",       "--progress", "--time-limit", "--svg-text"})
+        "--why",          "--dump",       "--progress", "--time-limit", "--svg-text",    "--explain"})
     EXPECT_TRUE(contains(draw, option)) << option;
   EXPECT_EQ(answer({"draw", "-h"}).out, draw);
 }

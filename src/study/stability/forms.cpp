@@ -1,50 +1,60 @@
-#include "forms.hpp"
-
-#include <gtest/gtest.h>
+#include "study/stability/forms.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <random>
 #include <set>
 
 #include "visibility/spans.hpp"
 
-namespace epura::test {
+namespace epura::stability {
 
-void expect_strips_over_strips(int n, int m, double width) {
+Measured one_span(const HiddenLine& line, double from, double to, double allowed) {
+  const std::array<double, 2> got = line.spans.empty() ? std::array<double, 2>{NAN, NAN} : line.spans.front();
+  return {count("hidden pieces", 1, static_cast<double>(line.spans.size())), length("from", from, got[0], 1, allowed),
+          length("to", to, got[1], 1, allowed)};
+}
+
+Measured lengths(const Result& result, double visible, double hidden, double allowed) {
+  const double scale = std::max(result.extent(), visible + hidden);
+  Measured measured{length("visible", visible, result.visible(), scale, allowed),
+                    length("hidden", hidden, result.hidden_length(), scale, allowed)};
+  for (Quantity& q : measured) q.rounding = 4 * result.condition.number * 0x1p-53;
+  return measured;
+}
+
+Measured strips_over_strips(const Lab& lab, int n, int m, double width) {
   Shape strips;
   for (int i = 0; i < n; ++i) strips.add(plate(i, 0, i + width, m, 1));
   for (int j = 0; j < m; ++j) strips.add(plate(-0.5, j + 0.2, n, j + 0.2 + width, 0));
-  const Result result = draw(world_of(strips), from_above());
+  const Result result = lab.draw(world_of(strips), {from_above()});
   const double crossings = 1.0 * n * m;
-  EXPECT_NEAR(result.hidden_length(), 2 * crossings * width, 1e-8 * crossings);
-  EXPECT_NEAR(result.visible(), 2 * n * (m + width) + 2 * m * (n + 0.5 + width) - 2 * crossings * width,
-              1e-8 * crossings);
-  EXPECT_EQ(result.pieces(false), 2 * n * m);
-  EXPECT_EQ(result.pieces(true), 4 * n + 2 * m * (n + 1) + 2 * m);
+  const double all = 2 * n * (m + width) + 2 * m * (n + 0.5 + width);
+  Measured measured = lengths(result, all - 2 * crossings * width, 2 * crossings * width);
+  measured.push_back(count("hidden pieces", 2 * crossings, result.pieces(false)));
+  measured.push_back(count("visible pieces", 4 * n + 2 * m * (n + 1) + 2 * m, result.pieces(true)));
+  return measured;
 }
 
-void expect_stack_of_plates(int n, double shift) {
+Measured stack_of_plates(const Lab& lab, int n, double shift) {
   Shape stack;
   for (int i = 0; i < n; ++i) stack.add(plate(-shift * i, -shift * i, 1 - shift * i, 1 - shift * i, i));
-  const Result result = draw(world_of(stack), from_above());
-  EXPECT_NEAR(result.visible(), 2 * n + 2 + 2 * shift * (n - 1), 4e-9 * n);
+  const Result result = lab.draw(world_of(stack), {from_above()});
+  const double visible = 2 * n + 2 + 2 * shift * (n - 1);
+  return {length("visible", visible, result.visible(), visible)};
 }
 
-void expect_sliver_plate_to_hide_one_piece(int n) {
+Measured sliver_plate(const Lab& lab, int n) {
   Shape strips;
   for (int i = 0; i <= n; ++i) {
     strips.points.push_back({static_cast<double>(i) / n, 0, 1});
     strips.points.push_back({static_cast<double>(i) / n, 1, 1});
     if (i > 0) strips.faces.push_back({2 * i - 2, 2 * i, 2 * i + 1, 2 * i - 1});
   }
-  const auto spans =
-      hidden_of_line(world_of({strips, plate(-1, -1, 2, 2, 0)}), from_above(), {-1, 0.3, 0.5}, {2, 0.6, 0.5});
-  ASSERT_EQ(spans.size(), 1U);
-  EXPECT_NEAR(spans[0][0], 1.0 / 3, 1e-9);
-  EXPECT_NEAR(spans[0][1], 2.0 / 3, 1e-9);
+  const World world = world_of({strips, plate(-1, -1, 2, 2, 0)});
+  return one_span(lab.hidden_of_line(world, from_above(), {-1, 0.3, 0.5}, {2, 0.6, 0.5}), 1.0 / 3, 2.0 / 3);
 }
 
 namespace {
@@ -86,73 +96,63 @@ struct OneSidedSplit {
   }
 };
 
-// The unit cube of 12 `cells` cells triangles.
-Shape fine_cube(int cells) {
-  Shape cube;
-  std::map<Point, int> places;
-  const auto corner = [&](const Point& p) {
-    const auto [place, made] = places.try_emplace(p, static_cast<int>(cube.points.size()));
-    if (made) cube.points.push_back(p);
-    return place->second;
-  };
-  for (int axis = 0; axis < 3; ++axis)
-    for (const double height : {0.0, 1.0})
-      for (int i = 0; i < cells; ++i)
-        for (int j = 0; j < cells; ++j) {
-          const auto at = [&](int di, int dj) {
-            Point p{};
-            p[axis] = height;
-            p[(axis + 1) % 3] = static_cast<double>(i + di) / cells;
-            p[(axis + 2) % 3] = static_cast<double>(j + dj) / cells;
-            return corner(p);
-          };
-          cube.faces.push_back({at(0, 0), at(1, 0), at(1, 1)});
-          cube.faces.push_back({at(0, 0), at(1, 1), at(0, 1)});
-        }
-  return cube;
-}
-
 }  // namespace
 
-void expect_triangles_without_area_to_change_nothing(int cells, int parts) {
+Measured triangles_without_area(const Lab& lab, int cells, int parts) {
   const Shape cube = fine_cube(cells);
   OneSidedSplit split{parts, {cube.points, {}, {}}, {}};
   for (const auto& triangle : cube.faces) split.split(triangle);
   const World world = world_of(split.shape);
-  ASSERT_EQ(world.models[0].mesh->report.open_edges, 0);
-  for (const Vec3& towards_viewer : {Vec3(3, -2, 1), Vec3(1, 1, 1)}) {
-    const Result plain = draw(world_of(triangulated_cube()), orthographic(towards_viewer));
-    const Result result = draw(world, orthographic(towards_viewer));
-    EXPECT_NEAR(result.visible(), plain.visible(), 1e-8);
-    EXPECT_NEAR(result.hidden_length(), plain.hidden_length(), 1e-8);
-  }
+  Measured measured{count("open edges", 0, world.models[0].mesh->report.open_edges)};
+  const Vec3 towards = glm::normalize(Vec3(3, -2, 1));
+  double all = 0;  // four edges along each axis, of which one is hidden
+  for (int axis = 0; axis < 3; ++axis) all += std::sqrt(1 - towards[axis] * towards[axis]);
+  const double r = std::sqrt(2.0 / 3.0);
+  for (const Quantity& q : lengths(lab.draw(world, {orthographic(towards)}), 3 * all, all)) measured.push_back(q);
+  for (const Quantity& q : lengths(lab.draw(world, {orthographic({1, 1, 1})}), 9 * r, 3 * r)) measured.push_back(q);
+  return measured;
 }
 
-void expect_fan_to_hide_chords(int n) {
-  Shape fan{{{0, 0, 1}}, {}, {}};
-  for (int i = 0; i < n; ++i) {
-    const double a = 2 * M_PI * i / n;
-    fan.points.push_back({std::cos(a), std::sin(a), 1});
-    fan.faces.push_back({0, i + 1, (i + 1) % n + 1});
+namespace {
+
+// Where the horizontal line at height y leaves a polygon around the origin: its least and greatest x.
+std::array<double, 2> chord(const std::vector<Point>& corners, double y) {
+  std::array<double, 2> ends{HUGE_VAL, -HUGE_VAL};
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const Point& a = corners[i];
+    const Point& b = corners[(i + 1) % corners.size()];
+    if ((a[1] < y && b[1] < y) || (a[1] > y && b[1] > y)) continue;
+    const double t = a[1] == b[1] ? 0 : (y - a[1]) / (b[1] - a[1]);
+    const double x = a[0] + t * (b[0] - a[0]);
+    ends = {std::min(ends[0], x), std::max(ends[1], x)};
   }
-  const World world = world_of({fan, plate(-2, -2, 2, 2, -1)});
-  for (const double c : {0.0, 0.25, 0.9}) {
-    const auto spans = hidden_of_line(world, from_above(), {-2, c, 0}, {2, c, 0});
-    ASSERT_EQ(spans.size(), 1U) << c;
-    EXPECT_NEAR(4 * (spans[0][1] - spans[0][0]), 2 * std::sqrt(1 - c * c), 1e-6) << c;
-  }
+  return ends;
 }
 
-void expect_stacked_copies_to_be_one_line(int n) {
+}  // namespace
+
+Measured fan_over_chords(const Lab& lab, int n) {
+  const Shape disk = fan(n);
+  const World world = world_of({disk, plate(-2, -2, 2, 2, -1)});
+  Measured measured;
+  for (const double c : {0.0, 0.25, 0.45}) {
+    const auto [left, right] = chord({disk.points.begin() + 1, disk.points.end()}, c);
+    const HiddenLine line = lab.hidden_of_line(world, from_above(), {-2, c, 0}, {2, c, 0});
+    for (const Quantity& q : one_span(line, (left + 2) / 4, (right + 2) / 4)) measured.push_back(q);
+  }
+  return measured;
+}
+
+Measured stacked_copies(const Lab& lab, int n) {
   Shape scene = plate(-1, -1, 2, 1, -2);
   for (int i = 0; i < n; ++i) {
     const double top = -static_cast<double>(i) / n, bottom = top - 0.5 / n;
     scene.add({{{0, 0, top}, {1, 0, top}, {1, 0, bottom}, {0, 0, bottom}}, {{0, 1, 2, 3}}, {}});
   }
-  const Result result = draw(world_of(scene), from_above());
-  EXPECT_EQ(result.pieces(true), 5);
-  EXPECT_NEAR(result.visible(), 10 + 1, 1e-8);
-  EXPECT_EQ(result.pieces(false), 0);
+  const Result result = lab.draw(world_of(scene), {from_above()});
+  Measured measured = lengths(result, 11, 0);
+  measured.push_back(count("visible pieces", 5, result.pieces(true)));
+  return measured;
 }
 
 namespace {
@@ -222,7 +222,7 @@ double hidden_before_merging(const Result& result) {
 
 }  // namespace
 
-void expect_needles(int n) {
+Measured needles(const Lab& lab, int n) {
   const std::vector<Flat> needles = random_needles(n);
   Shape shape;
   for (const Flat& needle : needles) {
@@ -230,19 +230,20 @@ void expect_needles(int n) {
     for (const Vec2& p : needle) shape.points.push_back({p.x, p.y, first / (3.0 * n)});
     shape.faces.push_back({first, first + 1, first + 2});
   }
-  double length = 0;
-  int pieces = 0;
-  const std::vector<Spans> expected = hidden_in_the_plane(needles);
-  for (std::size_t e = 0; e < expected.size(); ++e) {
+  double expected = 0;
+  std::size_t pieces = 0;
+  const std::vector<Spans> hidden = hidden_in_the_plane(needles);
+  for (std::size_t e = 0; e < hidden.size(); ++e) {
     const Flat& needle = needles[e / 3];
-    for (const auto& [from, to] : expected[e])
-      length += (to - from) * glm::distance(needle[e % 3], needle[(e + 1) % 3]);
-    pieces += static_cast<int>(expected[e].size());
+    for (const auto& [from, to] : hidden[e])
+      expected += (to - from) * glm::distance(needle[e % 3], needle[(e + 1) % 3]);
+    pieces += hidden[e].size();
   }
-  const Result result = draw(world_of(shape), from_above());
+  const Result result = lab.draw(world_of(shape), {from_above()});
   // Before lines are merged: near its tip, the two sides of a needle are one line.
-  EXPECT_NEAR(hidden_before_merging(result), length, 1e-6 * length);
-  EXPECT_NEAR(static_cast<double>(result.hidden.spans.size()), pieces, 1e-4 * pieces);
+  const auto found = static_cast<double>(result.hidden.spans.size()), wanted = static_cast<double>(pieces);
+  return {length("hidden", expected, hidden_before_merging(result), std::max(expected, result.extent())),
+          length("hidden pieces", wanted, found, std::max(wanted, 1.0), 1e-4)};
 }
 
-}  // namespace epura::test
+}  // namespace epura::stability

@@ -1,57 +1,57 @@
-#include <gtest/gtest.h>
-
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <random>
 
-#include "forms.hpp"
+#include "study/stability/forms.hpp"
 
-namespace epura::test {
+namespace epura::stability {
 
-Shape uv_sphere(int meridians, int bands) {
-  Shape sphere{{{0, 0, -1}}, {}, {}};
-  for (int j = 1; j < bands; ++j)
-    for (int i = 0; i < meridians; ++i) {
-      const double b = M_PI * j / bands - M_PI / 2, a = 2 * M_PI * i / meridians;
-      sphere.points.push_back({std::cos(b) * std::cos(a), std::cos(b) * std::sin(a), std::sin(b)});
+Measured sphere_along_its_axis(const Lab& lab, int meridians, int bands) {
+  const Result result = lab.draw(world_of(uv_sphere(meridians, bands)), {from_above()});
+  Measured measured = lengths(result, 2 * meridians * std::sin(M_PI / meridians), 0);
+  measured.push_back(count("chains", 1, static_cast<double>(result.drawing.chains.size())));
+  measured.push_back(count("closed chains", 1, !result.drawing.chains.empty() && result.drawing.chains[0].closed));
+  return measured;
+}
+
+namespace {
+
+double cross(const Vec2& a, const Vec2& b, const Vec2& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+// Andrew, Another efficient algorithm for convex hulls in two dimensions, Inf. Proc. Letters 9, 1979.
+double perimeter_of_hull(std::vector<Vec2> points) {
+  const auto before = [](const Vec2& a, const Vec2& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); };
+  std::sort(points.begin(), points.end(), before);
+  double perimeter = 0;
+  for (int side = 0; side < 2; ++side) {
+    std::vector<Vec2> chain;
+    for (const Vec2& p : points) {
+      while (chain.size() > 1 && cross(chain[chain.size() - 2], chain.back(), p) <= 0) chain.pop_back();
+      chain.push_back(p);
     }
-  const int top = static_cast<int>(sphere.points.size());
-  sphere.points.push_back({0, 0, 1});
-  const auto at = [&](int j, int i) { return 1 + (j - 1) * meridians + (i % meridians); };
-  for (int i = 0; i < meridians; ++i) {
-    sphere.faces.push_back({0, at(1, i + 1), at(1, i)});
-    for (int j = 1; j + 1 < bands; ++j)
-      sphere.faces.push_back({at(j, i), at(j, i + 1), at(j + 1, i + 1), at(j + 1, i)});
-    sphere.faces.push_back({at(bands - 1, i), at(bands - 1, i + 1), top});
+    for (std::size_t i = 1; i < chain.size(); ++i) perimeter += glm::distance(chain[i - 1], chain[i]);
+    std::reverse(points.begin(), points.end());
   }
-  return sphere;
+  return perimeter;
 }
 
-void expect_sphere_along_its_axis(int meridians, int bands) {
-  const Result result = draw(world_of(uv_sphere(meridians, bands)), from_above());
-  EXPECT_NEAR(result.visible(), 2 * meridians * std::sin(M_PI / meridians), 1e-8);
-  EXPECT_NEAR(result.hidden_length(), 0, 1e-12);
-  ASSERT_EQ(result.drawing.chains.size(), 1U);
-  EXPECT_TRUE(result.drawing.chains[0].closed);
-}
+}  // namespace
 
-void expect_sphere_from_anywhere(int meridians, int bands) {
-  const World world = world_of(uv_sphere(meridians, bands));
-  // The mesh contains a sphere that is smaller by half the square of half a diagonal; in the nearest view below that
-  // takes 1.8 times as much off the outline.
-  const double half_diagonal = M_PI / meridians + M_PI / (2.0 * bands);
-  const double lost = half_diagonal * half_diagonal;
-  const auto expect_circle = [&](const Result& result, double radius) {
-    EXPECT_NEAR(result.hidden_length(), 0, 1e-12);
-    EXPECT_LT(result.visible(), 2 * M_PI * radius * (1 + 1e-8));
-    EXPECT_GT(result.visible(), 2 * M_PI * radius * (1 - lost));
-  };
-  expect_circle(draw(world, orthographic({1, 0, 0})), 1);
+Measured sphere_from_anywhere(const Lab& lab, int meridians, int bands, double distance) {
+  const Shape sphere = uv_sphere(meridians, bands);
   const Vec3 towards = glm::normalize(Vec3(0.3, -0.8, 0.5));
-  expect_circle(draw(world, orthographic(towards)), 1);
-  for (const double distance : {1.5, 10.0})
-    expect_circle(draw(world, perspective(distance * towards, {0, 0, 0}, towards, {0, 0, 1})),
-                  distance / std::sqrt(distance * distance - 1));
+  const bool central = std::isfinite(distance);
+  const Projection p = central ? perspective(distance * towards, {0, 0, 0}, towards, {0, 0, 1}) : orthographic(towards);
+  std::vector<Vec2> corners;
+  for (const Point& point : sphere.points) {
+    const Vec3 x(point[0], point[1], point[2]);
+    const double grown = central ? 1 / (1 - glm::dot(p.n, x) / distance) : 1;
+    corners.push_back(grown * Vec2(glm::dot(p.u, x), glm::dot(p.v, x)));
+  }
+  return lengths(lab.draw(world_of(sphere), {p}), perimeter_of_hull(std::move(corners)), 0);
 }
 
 namespace {
@@ -90,16 +90,15 @@ Shape sum_of(const std::vector<Vec3>& segments) {
 
 }  // namespace
 
-void expect_zonotope(int zones) {
+Measured zonotope(const Lab& lab, int zones) {
   const std::vector<Vec3> segments = random_segments(zones);
   const Shape shape = sum_of(segments);
-  ASSERT_EQ(shape.points.size(), zones * (zones - 1) + 2);
   const Projection view = orthographic({0.3, -0.8, 0.5});
   double sum = 0;
   for (const Vec3& s : segments) sum += std::hypot(glm::dot(s, view.u), glm::dot(s, view.v));
-  const Result result = draw(world_of(shape), view, {.smooth = true});
-  EXPECT_NEAR(result.visible(), zones * sum, 1e-8 * zones * sum);
-  EXPECT_NEAR(result.hidden_length(), (zones - 2) * sum, 1e-8 * zones * sum);
+  Measured measured = lengths(lab.draw(world_of(shape), {view}, {.smooth = true}), zones * sum, (zones - 2) * sum);
+  measured.push_back(count("corners", zones * (zones - 1) + 2, static_cast<double>(shape.points.size())));
+  return measured;
 }
 
 namespace {
@@ -138,14 +137,15 @@ double visible_length(const Result& result, int model) {
 
 }  // namespace
 
-void expect_sphere_in_a_stadium(int meridians, int bands, double size) {
+Measured sphere_in_a_stadium(const Lab& lab, int meridians, int bands, double size) {
   Shape stadium;
   double sides = 0;
   for (const double half : add_stadium(stadium, size)) sides += 8 * half;
-  const Result result = draw(world_of({uv_sphere(meridians, bands), stadium}), from_above());
-  EXPECT_NEAR(visible_length(result, 0), 2 * meridians * std::sin(M_PI / meridians), 1e-9 * size * meridians);
-  EXPECT_NEAR(visible_length(result, 1), sides, 1e-9 * sides);
-  EXPECT_NEAR(result.hidden_length(), 0, 1e-12);
+  const Result result = lab.draw(world_of({uv_sphere(meridians, bands), stadium}), {from_above()});
+  const double outline = 2 * meridians * std::sin(M_PI / meridians);
+  return {length("of the sphere", outline, visible_length(result, 0), result.extent()),
+          length("of the stadium", sides, visible_length(result, 1), sides),
+          length("hidden", 0, result.hidden_length(), result.extent())};
 }
 
-}  // namespace epura::test
+}  // namespace epura::stability

@@ -1,0 +1,29 @@
+// The report of the study as text, CSV, JSON, HTML, and as a sheet of plots.
+#pragma once
+
+#include <string>
+
+#include "sheet/sheet.hpp"
+#include "study/stability/report.hpp"
+
+namespace epura::stability {
+
+/// A table of all cases with the steps at which each arithmetic breaks; with `rows` also every step.
+std::string to_text(const Report& report, bool rows);
+
+/// One line for each quantity of each step and arithmetic.
+std::string to_csv(const Report& report);
+
+/// docs/formats.md. Seconds only with `timings`: otherwise the same report gives the same bytes.
+std::string to_json(const Report& report, bool timings);
+
+/// One page with tables and plots, without other files.
+std::string to_html(const Report& report);
+
+/// Errors over the parameter, all cases on one sheet.
+Sheet to_sheet(const Report& report);
+
+/// One case alone.
+Sheet to_sheet(const CaseReport& report);
+
+}  // namespace epura::stability

@@ -1,0 +1,66 @@
+#include <cmath>
+
+#include "base/text.hpp"
+#include "output/json_text.hpp"
+#include "study/stability/write.hpp"
+
+namespace epura::stability {
+
+namespace {
+
+// JSON knows no infinity.
+std::string number(double value) { return std::isfinite(value) ? format_number(value) : "null"; }
+
+std::string number(const std::optional<double>& value) { return value ? format_number(*value) : "null"; }
+
+std::string word(std::string_view text) { return json_string(text); }
+
+std::string quantity_of(const Quantity& q) {
+  return "{\"name\": " + word(q.name) + ", \"expected\": " + number(q.expected) + ", \"got\": " + number(q.got) +
+         ", \"error\": " + number(q.error()) + ", \"allowed\": " + number(q.allowed) +
+         ", \"rounding\": " + number(q.rounding) + "}";
+}
+
+std::string outcome_of(const Outcome& outcome) {
+  std::string text = "{\"verdict\": " + word(name_of(outcome.verdict())) + ", \"error\": " + number(outcome.error());
+  if (!outcome.failure.empty()) text += ", \"failure\": " + word(outcome.failure);
+  text += ", \"quantities\": [";
+  for (const Quantity& q : outcome.measured) text += (&q == outcome.measured.data() ? "" : ", ") + quantity_of(q);
+  return text + "]}";
+}
+
+// {"float32": ..., "double": ..., "epura": ...}
+template <class Value>
+std::string by_arithmetic(const Value& value, const std::string& between) {
+  std::string text;
+  for (std::size_t a = 0; a < arithmetics; ++a)
+    text += (text.empty() ? "" : "," + between) + word(arithmetic_names[a]) + ": " + value(a);
+  return text;
+}
+
+std::string row_of(const Row& row) {
+  return "\n    {\"step\": " + number(row.step) + ",\n     " +
+         by_arithmetic([&](std::size_t a) { return outcome_of(row.outcomes[a]); }, "\n     ") + "}";
+}
+
+std::string case_of(const CaseReport& one, bool timings) {
+  const auto breaks = [&](std::size_t a) { return number(one.breaks_at(static_cast<Arithmetic>(a))); };
+  const auto verdict = [&](std::size_t a) { return word(name_of(one.verdict(static_cast<Arithmetic>(a)))); };
+  std::string text = "\n  {\"id\": " + word(one.id) + ", \"what\": " + word(one.what) +
+                     ", \"parameter\": " + word(one.parameter) + ",\n   \"breaks_at\": {" + by_arithmetic(breaks, " ") +
+                     "}, \"verdict\": {" + by_arithmetic(verdict, " ") + "},\n   ";
+  if (timings) text += "\"seconds\": " + number(one.seconds) + ", ";
+  text += "\"rows\": [";
+  for (const Row& row : one.rows) text += (&row == one.rows.data() ? "" : ",") + row_of(row);
+  return text + "]}";
+}
+
+}  // namespace
+
+std::string to_json(const Report& report, bool timings) {
+  std::string text = "{\"epura_stability\": 1, \"cases\": [";
+  for (const CaseReport& one : report) text += (&one == report.data() ? "" : ",") + case_of(one, timings);
+  return text + "]}\n";
+}
+
+}  // namespace epura::stability

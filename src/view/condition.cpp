@@ -1,0 +1,143 @@
+#include "view/condition.hpp"
+
+#include <array>
+#include <vector>
+
+#include "view/view_map.hpp"
+
+namespace epura {
+
+namespace {
+
+// The most that a dot product changes when the components of one factor change by a part of themselves.
+double reach(const Vec3& a, const Vec3& b) { return glm::dot(glm::abs(a), glm::abs(b)); }
+
+// A box with its projection in units near 1, so that nothing over- or underflows.
+struct Setting {
+  Projection p;
+  Vec3 size;                    // of the box
+  Vec3 most;                    // largest absolute coordinates in it
+  std::array<Vec3, 8> corners;  // of the box
+};
+
+Setting setting_of(const Projection& projection, const Box& scene) {
+  const double k = make_view_map(projection, scene).shrink;
+  Setting s{
+      projection, scene.most * k - scene.least * k, glm::max(glm::abs(scene.least), glm::abs(scene.most)) * k, {}};
+  s.p.point = projection.point * k;
+  if (projection.central) s.p.projector = projection.projector * k;
+  if (s.p.window) s.p.window = Window{s.p.window->least * k, s.p.window->most * k};
+  for (int i = 0; i < 8; ++i)
+    s.corners[i] = Vec3((i & 1) != 0 ? scene.most.x : scene.least.x, (i & 2) != 0 ? scene.most.y : scene.least.y,
+                        (i & 4) != 0 ? scene.most.z : scene.least.z) *
+                   k;
+  return s;
+}
+
+// What one cause adds to the condition number.
+struct Share {
+  double number;
+  const char* why;
+};
+
+double larger_side(const Window& window) {
+  const Vec2 size = window.most - window.least;
+  return std::max(size.x, size.y);
+}
+
+// A window stands where numbers of its own say, so the place of the whole drawing counts too.
+void add_window(const Setting& s, double size, std::vector<Share>& shares) {
+  if (!s.p.window) return;
+  const Vec2 far = glm::max(glm::abs(s.p.window->least), glm::abs(s.p.window->most));
+  const double point = std::max(reach(s.p.u, s.p.point), reach(s.p.v, s.p.point));
+  shares.push_back(
+      {(std::max(far.x, far.y) + point) / size, "the window is small for its distance from the plane's point"});
+}
+
+std::vector<Share> parallel_shares(const Setting& s) {
+  const Projection& p = s.p;
+  const double slope = glm::dot(p.n, p.projector);
+  double size = 0, coordinates = 0, direction = 0;
+  for (const Vec3& axis : {p.u, p.v}) {
+    const double tangent = glm::dot(axis, p.projector) / slope;
+    const Vec3 row = axis - tangent * p.n;
+    size = std::max(size, reach(row, s.size));
+    coordinates = std::max(coordinates, reach(row, s.most));
+    const double turned = (reach(axis, p.projector) + std::abs(tangent) * reach(p.n, p.projector)) / slope;
+    direction = std::max(direction, 2 * turned * reach(p.n, s.size) + reach(axis, s.size));
+  }
+  if (p.window) size = larger_side(*p.window);
+  std::vector<Share> shares{{coordinates / size, "the model is small for its distance from the origin"},
+                            {direction / size, "projectors run nearly along the plane of projection"}};
+  add_window(s, size, shares);
+  return shares;
+}
+
+// Distances along the normal from the centre of projection to the scene.
+struct Depths {
+  double nearest = HUGE_VAL, farthest = 0;
+};
+
+// Around a viewer who stands in the scene, distances begin at a sixteenth of its depth.
+Depths depths_of(const Setting& s) {
+  Depths depths;
+  for (const Vec3& corner : s.corners) {
+    const double w = glm::dot(s.p.n, s.p.projector - corner);
+    depths.nearest = std::min(depths.nearest, w);
+    depths.farthest = std::max(depths.farthest, w);
+  }
+  depths.farthest = std::max(depths.farthest, reach(s.p.n, s.size));
+  if (!(depths.nearest > 0)) depths.nearest = depths.farthest / 16;
+  return depths;
+}
+
+std::vector<Share> central_shares(const Setting& s) {
+  const Projection& p = s.p;
+  const Depths w = depths_of(s);
+  const double d = glm::dot(p.n, p.projector - p.point);
+  const Vec3 from_centre = glm::max(glm::abs(s.corners[0] - p.projector), glm::abs(s.corners[7] - p.projector));
+  double size = 0, beside = 0, coordinates = 0, centre = 0;
+  for (const Vec3& axis : {p.u, p.v}) {
+    double least = HUGE_VAL, most = -HUGE_VAL;
+    for (const Vec3& corner : s.corners) {
+      const double distance = std::max(glm::dot(p.n, p.projector - corner), w.nearest);
+      const double place = glm::dot(axis, corner - p.projector) / distance;
+      least = std::min(least, place);
+      most = std::max(most, place);
+    }
+    size = std::max(size, most - least);
+    beside = std::max({beside, std::abs(least), std::abs(most)});
+    coordinates = std::max(coordinates, reach(axis, s.most) / w.nearest);
+    centre = std::max(centre, reach(axis, p.projector) * (1 / w.nearest - 1 / w.farthest));
+  }
+  if (p.window) size = larger_side(*p.window) / d;
+  std::vector<Share> shares{
+      {(coordinates + beside * reach(p.n, s.most) / w.nearest) / size,
+       "the model is small for its distance from the origin"},
+      {(centre + beside * reach(p.n, p.projector) / w.nearest) / size, "the centre of projection is near to the model"},
+      {beside * (reach(p.n, p.projector) + reach(p.n, p.point)) / d / size,
+       "the centre of projection is near to the plane of projection"},
+      {beside * reach(p.n, from_centre) / w.nearest / size, "projectors run nearly along the plane of projection"}};
+  add_window(s, size * d, shares);
+  return shares;
+}
+
+}  // namespace
+
+Condition condition_of(const Projection& projection, const Box& scene) {
+  const Setting setting = setting_of(projection, scene);
+  const std::vector<Share> shares = projection.central ? central_shares(setting) : parallel_shares(setting);
+  Condition condition{0, {}};
+  double largest = 0;
+  for (const Share& share : shares) {
+    if (!std::isfinite(share.number)) continue;  // a single point has no size to compare with
+    condition.number += share.number;
+    if (share.number <= largest) continue;
+    largest = share.number;
+    condition.why = share.why;
+  }
+  condition.number = std::max(condition.number, 1.0);
+  return condition;
+}
+
+}  // namespace epura

@@ -1,0 +1,99 @@
+// `epura study stability`, and what `epura draw` says of the condition of its views.
+#include <gtest/gtest.h>
+
+#include "../output/json_reader.hpp"
+#include "errors.hpp"
+#include "folder.hpp"
+#include "program.hpp"
+
+namespace epura::test {
+namespace {
+
+using Words = std::vector<std::string>;
+
+Outcome study(const Words& options, const std::filesystem::path& folder) {
+  Words arguments{"study", "stability"};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  return epura(arguments, folder);
+}
+
+TEST(StabilityCommand, PrintsATableAndWritesFilesByTheirExtensions) {
+  const Folder folder;
+  const Outcome run = study(
+      {"--cases", "P12,M23", "-o", "x.html", "-o", "x.json", "-o", "x.csv", "-o", "x.svg", "-o", "x.pdf", "--timings"},
+      folder / "");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(folder.names(), (Words{"x.csv", "x.html", "x.json", "x.pdf", "x.svg"}));
+  EXPECT_TRUE(contains(run.out, "\nP12 ")) << run.out;
+  EXPECT_TRUE(contains(run.out, "\nM23 ")) << run.out;
+  EXPECT_TRUE(contains(run.err, "P12 ")) << "timings are told on standard error";
+  const Json json = JsonReader(read_file(folder / "x.json")).read();
+  ASSERT_EQ(json["cases"].items.size(), 2U);
+  EXPECT_EQ(json["cases"].items[0]["verdict"]["epura"].text, "right");
+  EXPECT_EQ(json["cases"].items[0]["verdict"]["float32"].text, "broken");
+}
+
+TEST(StabilityCommand, GivesTheSameBytesForAnyNumberOfThreads) {
+  const Folder folder;
+  const auto json = [&](const std::string& threads) {
+    return study({"--cases", "P1,V1,M8,M16,M29", "-o", "-", "--format", "json", "--threads", threads}, folder / "").out;
+  };
+  const std::string one = json("1");
+  EXPECT_TRUE(one.starts_with("{\"epura_stability\": 1"));
+  EXPECT_EQ(json("5"), one);
+}
+
+TEST(StabilityCommand, WrongUsageIsRefused) {
+  const Folder folder;
+  const auto refused = [&](const Words& options, const std::string& part) {
+    const Outcome run = study(options, folder / "");
+    EXPECT_EQ(run.code, 2);
+    EXPECT_TRUE(contains(run.err, part)) << run.err;
+  };
+  refused({"--cases", "P17"}, "--cases");
+  refused({"-o", "x.docx"}, "x.docx");
+  refused({"-o", "-"}, "--format");
+  refused({"--size", "0"}, "--size");
+  refused({"--sizes", "1"}, "did you mean '--size'?");
+  EXPECT_TRUE(folder.names().empty());
+  EXPECT_EQ(epura({"study"}, folder / "").code, 2);
+  EXPECT_TRUE(contains(epura({"study", "stability", "--help"}, folder / "").out, "--cases"));
+}
+
+// A cube of 2 at the origin.
+Outcome draw_cube(const Words& options) {
+  const Folder folder;
+  folder.file("cube.obj",
+              "v -1 -1 -1\nv 1 -1 -1\nv -1 1 -1\nv 1 1 -1\nv -1 -1 1\nv 1 -1 1\nv -1 1 1\nv 1 1 1\n"
+              "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n");
+  Words arguments{"draw", "cube.obj", "-o", "-", "--format", "json"};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  return epura(arguments, folder / "");
+}
+
+TEST(ConditionOfViews, IsToldWhereItIsAskedFor) {
+  const Outcome run = draw_cube({"--views", "front,isometric", "--explain"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(run.err, "view 'front': map: condition ")) << run.err;
+  EXPECT_TRUE(contains(run.err, " 15 digits left")) << run.err;
+  const Json json = JsonReader(run.out).read();
+  const Json& conditions = json["report"]["condition"];
+  ASSERT_EQ(conditions.items.size(), 2U);
+  EXPECT_EQ(conditions.items[1].keys(), "view number digits_left why");
+  EXPECT_GE(conditions.items[0]["number"].number(), 1);
+  EXPECT_GT(conditions.items[0]["digits_left"].number(), 14);
+  EXPECT_EQ(draw_cube({}).err, "");
+}
+
+TEST(ConditionOfViews, IsAWarningWhereEightDigitsAreLost) {
+  const Words far{"--transform", "translate:1e10,0,0"}, near{"--transform", "translate:1e6,0,0"};
+  const Outcome warned = draw_cube(far);
+  EXPECT_EQ(warned.code, 0);
+  EXPECT_TRUE(contains(warned.err, "keeps few digits")) << warned.err;
+  EXPECT_TRUE(contains(warned.err, "the model is small for its distance from the origin")) << warned.err;
+  EXPECT_TRUE(contains(warned.err, "hint: ")) << warned.err;
+  EXPECT_EQ(draw_cube(near).err, "");
+}
+
+}  // namespace
+}  // namespace epura::test

@@ -1,0 +1,151 @@
+// The stability study: its table is complete, its verdicts follow from its numbers, and epura is right.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+#include "../output/json_reader.hpp"
+#include "errors.hpp"
+#include "study/stability/exact_places.hpp"
+#include "study/stability/forms.hpp"
+#include "study/stability/write.hpp"
+
+namespace epura::stability {
+namespace {
+
+// The families of cases and how many each has.
+const std::vector<std::pair<char, int>> families{{'P', 16}, {'V', 13}, {'M', 30}};
+
+TEST(StabilityCases, AreAllThereInOrderWithEnoughSteps) {
+  const std::vector<Case> cases = all_cases();
+  std::size_t at = 0;
+  for (const auto& [family, last] : families)
+    for (int number = 1; number <= last; ++number, ++at) {
+      ASSERT_LT(at, cases.size());
+      EXPECT_EQ(cases[at].id, family + std::to_string(number));
+      EXPECT_GE(cases[at].steps.size(), 8U) << cases[at].id;
+      const std::set<double> different(cases[at].steps.begin(), cases[at].steps.end());
+      EXPECT_EQ(different.size(), cases[at].steps.size()) << cases[at].id;
+    }
+  EXPECT_EQ(at, cases.size());
+}
+
+TEST(StabilityCases, EpuraGetsThemRightAndOthersDoNot) {
+  const Report report = run(all_cases(), 0.1);
+  int single = 0, composed = 0;
+  for (const CaseReport& one : report) {
+    const auto step = one.breaks_at(Arithmetic::own);
+    EXPECT_NE(one.verdict(Arithmetic::own), Verdict::broken) << one.id << " at " << step.value_or(0);
+    single += one.verdict(Arithmetic::single) == Verdict::broken ? 1 : 0;
+    composed += one.verdict(Arithmetic::composed) == Verdict::broken ? 1 : 0;
+  }
+  EXPECT_GE(single, 10);
+  EXPECT_GE(composed, 2);
+}
+
+// One case of one quantity that is off by the step.
+Case off_by_the_step(double rounding) {
+  Case one{"P1", "planted", "error", {1e-9, 1e-7, 1e-5, 1e-3}, {}};
+  one.measure = [rounding](const Lab&, double step) {
+    return Measured{count("pieces", 3, 3), {"length", 2, 2 + 2 * step, 2, guaranteed_part, rounding}};
+  };
+  return one;
+}
+
+TEST(StabilityVerdicts, FollowFromErrors) {
+  const std::vector<Case> cases{off_by_the_step(0)};
+  const CaseReport found = run(cases, 1).front();
+  EXPECT_EQ(found.breaks_at(Arithmetic::own), 1e-5);
+  EXPECT_EQ(found.verdict(Arithmetic::own), Verdict::broken);
+  const Outcome& outcome = found.rows[2].outcomes[0];
+  EXPECT_EQ(outcome.worst()->name, "length");
+  EXPECT_NEAR(outcome.error(), 1e-5, 1e-12);
+}
+
+TEST(StabilityVerdicts, AreLimitedWhereTheRoundingOfTheInputExplainsTheError) {
+  const std::vector<Case> cases{off_by_the_step(1e-4)};
+  const CaseReport found = run(cases, 1).front();
+  EXPECT_EQ(found.rows[1].outcomes[2].verdict(), Verdict::right);
+  EXPECT_EQ(found.rows[2].outcomes[2].verdict(), Verdict::limited);
+  EXPECT_EQ(found.rows[3].outcomes[2].verdict(), Verdict::broken);
+}
+
+TEST(StabilityVerdicts, AreBrokenWhereNothingComesOut) {
+  Case one = off_by_the_step(0);
+  one.measure = [](const Lab& lab, double step) -> Measured {
+    if (lab.arithmetic == Arithmetic::single) throw Error(Trouble::input, "map", "nothing, \"really\"");
+    return {count("pieces", 0, step > 1e-4 ? std::numeric_limits<double>::quiet_NaN() : 0)};
+  };
+  const Report report = run(std::vector<Case>{one}, 1);
+  EXPECT_EQ(report[0].breaks_at(Arithmetic::single), 1e-9);
+  EXPECT_EQ(report[0].breaks_at(Arithmetic::own), 1e-3);
+  EXPECT_TRUE(test::contains(to_csv(report), "P1,1e-09,float32,,,,inf,,,broken,\"map: nothing, \"\"really\"\"\""));
+  EXPECT_TRUE(test::contains(to_json(report, false), "\"error\": null"));
+}
+
+// A planted error of one line in a drawing that is right without it.
+TEST(StabilityVerdicts, FindALineThatIsMissing) {
+  const std::vector<Case> cases = all_cases();
+  Result result = Lab().draw(world_of(box({0, 0, 0}, {1, 1, 1})), {orthographic({1, 1, 1})});
+  const double visible = result.visible(), hidden = result.hidden_length();
+  const auto verdict = [&] { return Outcome{lengths(result, visible, hidden), {}}.verdict(); };
+  EXPECT_EQ(verdict(), Verdict::right);
+  result.drawing.segments.back().visible = !result.drawing.segments.back().visible;
+  EXPECT_EQ(verdict(), Verdict::broken);
+}
+
+TEST(StabilityPlaces, AreFoundWrongByAsMuchAsTheyAreMoved) {
+  Result result = Lab().draw(world_of(box({0, 0, 0}, {1, 1, 1})), {orthographic({1, 2, 3})});
+  EXPECT_LT(places(result).error(), 1e-15);
+  result.view.vertices[5].x += 1e-3 * result.view.extent;
+  EXPECT_NEAR(places(result).error(), 1e-3, 1e-12);
+}
+
+struct Reports : ::testing::Test {
+  Report report = run(std::vector<Case>{all_cases().front(), all_cases().back()}, 0.1);
+};
+
+TEST_F(Reports, AgreeWithEachOther) {
+  const Json json = JsonReader(to_json(report, false)).read();
+  const std::string csv = to_csv(report), text = to_text(report, true), html = to_html(report);
+  ASSERT_EQ(json["cases"].items.size(), report.size());
+  for (std::size_t i = 0; i < report.size(); ++i) {
+    const Json& one = json["cases"].items[i];
+    EXPECT_EQ(one["id"].text, report[i].id);
+    EXPECT_EQ(one["rows"].items.size(), report[i].rows.size());
+    for (const std::string* other : {&csv, &text, &html}) EXPECT_TRUE(test::contains(*other, report[i].id));
+  }
+  std::size_t quantities = 0;
+  for (const CaseReport& one : report)
+    for (const Row& row : one.rows)
+      for (const Outcome& outcome : row.outcomes) quantities += std::max<std::size_t>(1, outcome.measured.size());
+  EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')), quantities + 1);
+}
+
+TEST_F(Reports, PlotEveryStepOfEveryArithmetic) {
+  const Sheet sheet = to_sheet(report.front());
+  std::size_t marks = 0;
+  for (const Layer& layer : sheet.layers) {
+    for (const Stroke& stroke : layer.strokes)
+      for (const Vec2& p : stroke.points)
+        EXPECT_TRUE(p.x >= 0 && p.x <= sheet.width && p.y >= 0 && p.y <= sheet.height) << layer.name;
+    marks += layer.fills.size();
+  }
+  std::size_t right = 0;
+  for (const Row& row : report.front().rows)
+    for (const Outcome& outcome : row.outcomes) right += outcome.verdict() == Verdict::right ? 1 : 0;
+  EXPECT_EQ(marks, right);
+}
+
+TEST_F(Reports, ThePageNeedsNothingElse) {
+  const std::string html = to_html(report);
+  for (const char* reference : {"src=", "<link", "<script", "@import", "url(", "<?xml"})
+    EXPECT_FALSE(test::contains(html, reference)) << reference;
+  std::size_t pictures = 0;
+  for (std::size_t at = html.find("<svg"); at != std::string::npos; at = html.find("<svg", at + 1)) ++pictures;
+  EXPECT_EQ(pictures, report.size());
+}
+
+}  // namespace
+}  // namespace epura::stability
