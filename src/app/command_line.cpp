@@ -166,6 +166,11 @@ void define_outputs(CLI::App& draw, DrawOptions& options) {
 void define_run(CLI::App& draw, DrawOptions& options) {
   add_number(draw, "--threads", options.threads, {0, 1024}, "number of threads, 0 for all cores")->type_name("N");
   draw.add_flag("--timings", options.timings, "say how long each stage took");
+  draw.add_option("--plan", options.plan,
+                  "certificates by which stages are left out: all, none, or some of clip intersections visibility "
+                  "hidden text, with commas; the drawing is the same")
+      ->capture_default_str()
+      ->type_name("NAMES");
   draw.add_option("--progress", options.progress, "show how far it is: auto (on a terminal), always or never")
       ->capture_default_str()
       ->type_name("WHEN");
@@ -187,6 +192,17 @@ void define_questions(CLI::App& draw, DrawOptions& options) {
       ->type_name("N");
 }
 
+void define_drawing(CLI::App& draw, DrawOptions& options) {
+  define_inputs(draw, options);
+  define_outputs(draw, options);
+  define_view(draw, options);
+  define_lines(draw, options);
+  define_sheet(draw, options);
+  define_title_block(draw, options);
+  define_questions(draw, options);
+  define_run(draw, options);
+}
+
 std::vector<std::string> long_names(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options())
@@ -201,7 +217,7 @@ std::vector<std::string> long_names(const CLI::App& app) {
   for (const std::string& extra : command->remaining(true)) {
     if (extra.starts_with("-"))
       throw Error(Trouble::input, "", "there is no option '" + extra + "'", did_you_mean(extra, long_names(*command)));
-    const std::vector<std::string> commands{"draw", "plugins"};
+    const std::vector<std::string> commands{"draw", "explain", "plugins"};
     if (command == &app)
       throw Error(Trouble::input, "", "there is no command '" + extra + "'", did_you_mean(extra, commands));
   }
@@ -222,14 +238,13 @@ Command parse_command_line(int argc, char** argv) {
 
   DrawOptions draw;
   CLI::App* draw_command = app.add_subcommand("draw", "draw models");
-  define_inputs(*draw_command, draw);
-  define_outputs(*draw_command, draw);
-  define_view(*draw_command, draw);
-  define_lines(*draw_command, draw);
-  define_sheet(*draw_command, draw);
-  define_title_block(*draw_command, draw);
-  define_questions(*draw_command, draw);
-  define_run(*draw_command, draw);
+  define_drawing(*draw_command, draw);
+
+  DrawOptions explain;
+  explain.explain = true;
+  CLI::App* explain_command = app.add_subcommand("explain", "tell which stages run, which are left out, and why");
+  define_drawing(*explain_command, explain);
+  explain_command->add_flag("--measure", explain.measure, "measure what is saved, by runs without each certificate");
 
   PluginsOptions plugins;
   CLI::App* plugins_command = app.add_subcommand("plugins", "list projections, or show one");
@@ -249,6 +264,7 @@ Command parse_command_line(int argc, char** argv) {
     refuse(app, error);
   }
   if (draw_command->parsed()) return draw;
+  if (explain_command->parsed()) return explain;
   return plugins;
 }
 

@@ -67,6 +67,7 @@ Console::~Console() {
 }
 
 void Console::print(std::string_view lines) {
+  if (muted_) return;
   const std::lock_guard lock(printing_);
   erase_line();
   put(lines);
@@ -103,6 +104,7 @@ void Console::cancel() {
   signalfd_siginfo signal{};
   check(::read(signals_, &signal, sizeof signal) == sizeof signal, "a signal can be read");
   std::unique_lock files(board_.ending(), patience);
+  muted_ = false;
   print("epura: cancelled\n");
   ::_exit(128 + static_cast<int>(signal.ssi_signo));
 }

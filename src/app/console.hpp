@@ -1,6 +1,7 @@
 // Standard error and the signals of a run: warnings, the progress line, and the end by Ctrl-C.
 #pragma once
 
+#include <atomic>
 #include <csignal>
 #include <cstddef>
 #include <mutex>
@@ -25,6 +26,8 @@ class Console {
   Console& operator=(const Console&) = delete;
   ~Console();
 
+  /// While muted, nothing is printed: for runs that repeat another.
+  void mute(bool muted) { muted_ = muted; }
   /// Prints whole lines, with the progress line out of the way.
   void print(std::string_view lines);
   /// Prints a sentence behind the program's name.
@@ -38,6 +41,7 @@ class Console {
 
   ProgressBoard& board_;
   const bool shows_progress_;
+  std::atomic<bool> muted_ = false;
   sigset_t old_mask_{};
   int signals_ = -1;  ///< descriptor that signals arrive at
   int end_ = -1;      ///< descriptor that tells the thread to end

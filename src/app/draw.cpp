@@ -9,7 +9,9 @@
 #include "app/compose.hpp"
 #include "app/console.hpp"
 #include "app/describe.hpp"
+#include "app/explain.hpp"
 #include "app/pipeline.hpp"
+#include "app/plan_steps.hpp"
 #include "app/questions.hpp"
 #include "app/read_models.hpp"
 #include "app/sections.hpp"
@@ -74,10 +76,12 @@ struct Run {
   Console& console;
   Progress progress;
   Stopwatch& watch;
+  LeaveOut leave_out;
   Report report{};
   std::string answers{};
 
   FinishedSheet draw_sheet(const World& whole, const CutSections& sections, const SheetOfViews& views);
+  std::vector<FinishedSheet> draw_sheets(const std::vector<SheetOfViews>& sheets);
 };
 
 FinishedSheet Run::draw_sheet(const World& whole, const CutSections& sections, const SheetOfViews& views) {
@@ -113,8 +117,42 @@ FinishedSheet Run::draw_sheet(const World& whole, const CutSections& sections, c
   FinishedSheet sheet = compose(whole, scene, views, plan, results, dimensions);
   for (const std::string& warning : sheet.warnings) console.warn(warning);
   warn_about(console, sheet.sheet);
+  report.plan.push_back(text_step(sheet.sheet, leave_out.text));
   watch.lap("sheet");
   return sheet;
+}
+
+std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& sheets) {
+  World world = read_models(scene.models, report.meshes, console, progress);
+  watch.lap("read");
+  const CutSections sections = cut_sections(world, scene, console);
+  if (!sections.empty()) watch.lap("section");
+  std::vector<FinishedSheet> finished;
+  for (const SheetOfViews& sheet : sheets) finished.push_back(draw_sheet(world, sections, sheet));
+  return finished;
+}
+
+// The whole run once more, from reading on, by other certificates.
+std::string draw_again(const DrawOptions& options, const SceneDescription& scene, std::vector<SheetOfViews> sheets,
+                       std::vector<Target> targets, const VectorOptions& vector_options, const LeaveOut& leave_out,
+                       Console& console) {
+  for (SheetOfViews& sheet : sheets)
+    for (PlannedView& view : sheet.plans) {
+      view.wish.leave_out = leave_out;
+      view.wish.verify.reset();
+    }
+  if (targets.empty()) targets.push_back({"explain.svg", Format::svg});
+  const Questions none;
+  Stopwatch watch;
+  Run run{options, scene, none, console, {}, watch, leave_out};
+  const std::vector<FinishedSheet> finished = run.draw_sheets(sheets);
+  std::string bytes;
+  for (const FileBytes& file : encode_all(targets, finished, vector_options, {}, {})) bytes += file.bytes;
+  return bytes;
+}
+
+void forget_times(std::vector<PlanStep>& plan) {
+  for (PlanStep& step : plan) step.times = {};
 }
 
 // Says what was found on the way, and returns the exit code. On standard error, since a drawing may go to standard
@@ -143,17 +181,24 @@ int draw(const DrawOptions& options) {
   const std::vector<SheetOfViews> sheets = views_by_sheet(scene, plan_views(scene, options));
   watch.lap("prepare");
 
-  Run run{options, scene, questions, console, progress, watch};
-  World world = read_models(scene.models, run.report.meshes, console, progress);
-  watch.lap("read");
-  CutSections sections = cut_sections(world, scene, console);
-  if (!sections.empty()) watch.lap("section");
-  std::vector<FinishedSheet> finished;
-  for (const SheetOfViews& sheet : sheets) finished.push_back(run.draw_sheet(world, sections, sheet));
-  world = {};  // what follows takes its room
-  sections.clear();
+  const LeaveOut leave_out = parse_leave_out(options.plan);
+  Run run{options, scene, questions, console, progress, watch, leave_out};
+  run.report.plan.push_back(plugins_step(sheets));
+  const std::vector<FinishedSheet> finished = run.draw_sheets(sheets);
+  run.report.plan.push_back(formats_step(targets));
+  estimate_savings(run.report.plan);
+  if (options.measure) {
+    const auto again = [&](const LeaveOut& other) {
+      return draw_again(options, scene, sheets, targets, vector_options, other, console);
+    };
+    console.mute(true);
+    measure_savings(run.report.plan, leave_out, again);
+    console.mute(false);
+  }
+  if (options.explain) run.answers += plan_table(run.report.plan);
 
   if (options.timings) run.report.seconds = watch.laps();
+  if (!options.timings && !options.measure) forget_times(run.report.plan);
   const std::vector<FileBytes> files = encode_all(targets, finished, vector_options, run.report, progress);
   for (const FileBytes& file : files) write(file, progress);
   watch.lap("write");
