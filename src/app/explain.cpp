@@ -88,18 +88,17 @@ std::string aligned(const std::vector<Row>& rows) {
 void estimate_savings(std::vector<PlanStep>& plan) {
   for (PlanStep& step : plan)
     for (const auto& [stage, seconds] : usual_seconds())
-      if (!step.run && step.stage == stage)
-        step.times.estimated = seconds * static_cast<double>(std::max(step.items_in, 1LL));
+      if (step.stage == stage && step.spared > 0) step.times.estimated = seconds * static_cast<double>(step.spared);
 }
 
 void measure_savings(std::vector<PlanStep>& plan, const LeaveOut& used, const DrawAgain& again) {
   const std::string expected = again(used);
-  for (const auto& [stage, certificate] : certificates()) {
-    const auto left_out = [&name = stage](const PlanStep& step) { return !step.run && step.stage == name; };
-    const auto step = std::find_if(plan.begin(), plan.end(), left_out);
-    if (step == plan.end() || !(used.*certificate)) continue;
+  for (const auto& entry : certificates()) {
+    const auto spares = [&](const PlanStep& step) { return step.stage == entry.first && step.spared > 0; };
+    const auto step = std::find_if(plan.begin(), plan.end(), spares);
+    if (step == plan.end()) continue;
     LeaveOut without = used;
-    without.*certificate = false;
+    without.*entry.second = false;
     step->times.measured = measured_saving(used, without, again, expected);
   }
 }

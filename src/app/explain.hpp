@@ -10,7 +10,7 @@
 
 namespace epura {
 
-/// What leaving out saved, by what an item of each stage usually takes. Stages that ran get nothing.
+/// What leaving out saved, by what an item of each stage usually takes.
 void estimate_savings(std::vector<PlanStep>& plan);
 
 /// Draws once more by other certificates; returns the bytes of the files, without their reports.

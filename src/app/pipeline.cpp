@@ -31,11 +31,15 @@ std::string why_not_clipped(const View& view) {
 PlanStep clip_step(const World& world, const View& view, const ViewWish& wish) {
   const bool cuts = !view.triangle_planes.empty();
   const bool run = cuts || (!wish.leave_out.clip && !view.idle_planes.empty());
-  return {"clip", run,
+  return {"clip",
+          run,
           cuts  ? "part of the model lies outside the view volume"
           : run ? "--plan wants it"
                 : why_not_clipped(view),
-          count_of(world.triangles.size()), count_of(view.triangles.size())};
+          count_of(world.triangles.size()),
+          count_of(view.triangles.size()),
+          {},
+          run ? 0 : count_of(world.triangles.size())};
 }
 
 // What is known of intersections before they are searched.
@@ -61,6 +65,7 @@ Suspects find_suspects(const World& world, const View& view, const ViewWish& wis
           return crossing_suspects(world, view.map.shrink, contact);
         });
   suspects.step.run = !suspects.triangles.empty();
+  if (wish.edges.intersection) suspects.step.spared = count_of(world.triangles.size() - suspects.triangles.size());
   suspects.step.why = why_searched(world, wish, suspects.triangles.size());
   return suspects;
 }
@@ -81,7 +86,10 @@ HiddenSpans hide(const World& world, const View& view, const DrawnEdges& drawn, 
   HiddenSpans hidden = nothing_hidden(drawn);
   const bool one_sheet = wish.remove_hidden && wish.leave_out.visibility &&
                          timed(step.times.certificate, [&] { return is_one_sheet(world, view, drawn); });
-  if (one_sheet) step.why = "the page shows the surface as one sheet";
+  if (one_sheet) {
+    step.why = "the page shows the surface as one sheet";
+    step.spared = step.items_in;
+  }
   if (wish.remove_hidden && !one_sheet) {
     step.run = true;
     step.why = wish.leave_out.visibility ? "exact" : "--plan wants it";
@@ -94,11 +102,15 @@ HiddenSpans hide(const World& world, const View& view, const DrawnEdges& drawn, 
 
 PlanStep hidden_step(const ViewWish& wish, const HiddenSpans& hidden) {
   const bool run = wish.keep_hidden() || !wish.leave_out.hidden;
-  return {"hidden", run,
+  return {"hidden",
+          run,
           wish.keep_hidden() ? "hidden lines are drawn"
           : run              ? "--plan wants it"
                              : "only visible lines are drawn",
-          count_of(hidden.spans.size()), run ? count_of(hidden.spans.size()) : 0};
+          count_of(hidden.spans.size()),
+          run ? count_of(hidden.spans.size()) : 0,
+          {},
+          run ? 0 : count_of(hidden.spans.size())};
 }
 
 PlanStep section_step(const CutSection& section) {

@@ -29,11 +29,15 @@ PlanStep text_step(const Sheet& sheet, bool leave_out) {
   long long texts = 0;
   for (const Layer& layer : sheet.layers) texts += static_cast<long long>(layer.texts.size());
   if (texts == 0 && !leave_out) Lettering();
-  return {"text", texts > 0 || !leave_out,
+  return {"text",
+          texts > 0 || !leave_out,
           texts > 0    ? "there are texts"
           : !leave_out ? "--plan wants it"
                        : "there are no texts: no font is opened",
-          texts, texts};
+          texts,
+          texts,
+          {},
+          texts == 0 && leave_out ? 1 : 0};
 }
 
 }  // namespace epura

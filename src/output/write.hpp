@@ -58,6 +58,7 @@ struct PlanStep {
   std::string why;  ///< it ran, or the certificate by which it was left out
   long long items_in = 0, items_out = 0;
   std::string view{};  ///< empty for what is done once
+  long long spared{};  ///< of the items that came in, those that a certificate left out
   PlanTimes times{};   ///< empty unless asked for: outputs are byte-stable
 };
 
