@@ -68,6 +68,7 @@ class ConvexityTest {
   }
 
   void run(std::vector<char>& candidates) {
+    if (std::count(candidates.begin(), candidates.end(), 1) == 0) return;
     for (std::size_t b = 0; b < found_.size(); ++b) found_[b].refuted = candidates[b] == 0 ? 1 : 0;
     test_edges([](std::size_t e) { return e % sample_step == 0; });
     for (Finding& body : found_)
