@@ -135,6 +135,28 @@ Scene city(int n) {
   return scene;
 }
 
+Scene crates(int n) {
+  Scene scene;
+  for (int k = 0; k < n * n * n; ++k) {
+    const double x = 10.0 * (k % n), y = 10.0 * (k / n % n), z = 10.0 * (k / n / n);
+    add_box(scene, {x, y, z}, {x + 6, y + 6, z + 6});
+  }
+  return scene;
+}
+
+// Steep enough for creases, not so steep that an isometric view hides any.
+Scene terrain(int triangles) {
+  Scene scene;
+  Random random;
+  const int n = static_cast<int>(std::sqrt(triangles / 2.0));
+  for (int j = 0; j <= n; ++j)
+    for (int i = 0; i <= n; ++i) scene.add(i, j, random.between(0, 0.4));
+  const auto at = [=](int i, int j) { return j * (n + 1) + i; };
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) scene.quad(at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1));
+  return scene;
+}
+
 }  // namespace
 
 void add_sphere(Scene& scene, int triangles) {
@@ -159,7 +181,9 @@ std::vector<Generator> usual_scenes() {
           {"tori", "sixteen tori through each other, about N triangles", tori},
           {"plate", "a plate of N x N cells, each with a through hole of 32 sides", plate},
           {"gears", "N^3 separate gears of 12 teeth with a bore, in three orientations", gears},
-          {"city", "N x N boxes of different heights on a ground plate", city}};
+          {"city", "N x N boxes of different heights on a ground plate", city},
+          {"crates", "N^3 boxes that stand apart", crates},
+          {"terrain", "a rough surface of about N triangles that hides nothing from above", terrain}};
 }
 
 }  // namespace epura::bench

@@ -166,6 +166,11 @@ void define_outputs(CLI::App& draw, DrawOptions& options) {
 void define_run(CLI::App& draw, DrawOptions& options) {
   add_number(draw, "--threads", options.threads, {0, 1024}, "number of threads, 0 for all cores")->type_name("N");
   draw.add_flag("--timings", options.timings, "say how long each stage took");
+  draw.add_option("--plan", options.plan,
+                  "certificates by which stages are left out: all, none, or some of clip intersections visibility "
+                  "hidden text, with commas; the drawing is the same")
+      ->capture_default_str()
+      ->type_name("NAMES");
   draw.add_option("--progress", options.progress, "show how far it is: auto (on a terminal), always or never")
       ->capture_default_str()
       ->type_name("WHEN");
@@ -183,7 +188,7 @@ void define_questions(CLI::App& draw, DrawOptions& options) {
       ->type_name("TABLE");
   draw.add_flag("--verify", options.verify,
                 "test the drawing by an independent exact method; exit code 1 if it is wrong");
-  draw.add_flag("--explain", options.explain, "say how many digits each view can have: the condition of its map");
+  draw.add_flag("--explain", options.explain, "tell which stages ran and why, and how many digits each view can have, as 'epura explain' does");
   add_number(draw, "--verify-samples", options.verify_samples, {1, 1e7}, "number of points at random for --verify")
       ->type_name("N");
 }
@@ -208,7 +213,7 @@ const CLI::App& chosen(const CLI::App& app) {
   for (const std::string& extra : command->remaining(true)) {
     if (extra.starts_with("-"))
       throw Error(Trouble::input, "", "there is no option '" + extra + "'", did_you_mean(extra, long_names(*command)));
-    const std::vector<std::string> commands{"draw", "study", "plugins", "new-projection"};
+    const std::vector<std::string> commands{"draw", "explain", "study", "plugins", "new-projection"};
     if (command == &app)
       throw Error(Trouble::input, "", "there is no command '" + extra + "'", did_you_mean(extra, commands));
   }
@@ -216,8 +221,7 @@ const CLI::App& chosen(const CLI::App& app) {
               "see 'epura " + (command == &app ? "" : command->get_name() + " ") + "--help'");
 }
 
-CLI::App& define_draw(CLI::App& app, DrawOptions& options) {
-  CLI::App& draw = *app.add_subcommand("draw", "draw models");
+void define_drawing(CLI::App& draw, DrawOptions& options) {
   define_inputs(draw, options);
   define_outputs(draw, options);
   define_view(draw, options);
@@ -226,7 +230,20 @@ CLI::App& define_draw(CLI::App& app, DrawOptions& options) {
   define_title_block(draw, options);
   define_questions(draw, options);
   define_run(draw, options);
+}
+
+CLI::App& define_draw(CLI::App& app, DrawOptions& options) {
+  CLI::App& draw = *app.add_subcommand("draw", "draw models");
+  define_drawing(draw, options);
   return draw;
+}
+
+CLI::App& define_explain(CLI::App& app, DrawOptions& options) {
+  CLI::App& explain =
+      *app.add_subcommand("explain", "draw, and tell which stages ran, which were left out, and why");
+  define_drawing(explain, options);
+  explain.add_flag("--measure", options.measure, "measure what is saved, by runs without each certificate");
+  return explain;
 }
 
 CLI::App& define_study(CLI::App& app) {
@@ -286,10 +303,13 @@ Command parse_command_line(int argc, char** argv) {
 
   DrawOptions draw;
   StabilityOptions stability;
+  DrawOptions explain;
+  explain.explain = true;
   PluginsOptions plugins;
   CheckPluginOptions check;
   NewProjectionOptions created;
   const CLI::App& draw_command = define_draw(app, draw);
+  const CLI::App& explain_command = define_explain(app, explain);
   CLI::App& study_command = define_study(app);
   const CLI::App& stability_command = define_stability(study_command, stability);
   CLI::App& plugins_command = define_plugins(app, plugins);
@@ -306,6 +326,7 @@ Command parse_command_line(int argc, char** argv) {
     refuse(app, error);
   }
   if (draw_command.parsed()) return draw;
+  if (explain_command.parsed()) return explain;
   if (stability_command.parsed()) return stability;
   if (check_command.parsed()) return check;
   if (new_command.parsed()) return created;

@@ -1,6 +1,3 @@
-#include <array>
-#include <cmath>
-#include <cstdio>
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,16 +6,18 @@
 #include "app/compose.hpp"
 #include "app/describe.hpp"
 #include "app/draw_files.hpp"
+#include "app/explain.hpp"
 #include "app/messages.hpp"
 #include "app/pipeline.hpp"
+#include "app/plan_steps.hpp"
 #include "app/questions.hpp"
 #include "app/read_models.hpp"
 #include "app/sections.hpp"
 #include "app/targets.hpp"
+#include "app/tell.hpp"
 #include "app/view_plan.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
-#include "sheet/lettering.hpp"
 #include "sheet/standard_scale.hpp"
 #include "study/verify/verify.hpp"
 #include "view/condition.hpp"
@@ -26,57 +25,6 @@
 namespace epura {
 
 namespace {
-
-void warn_about(const Messages& messages, const ViewResult& result) {
-  if (result.drawing.segments.empty() && !result.partial)
-    messages.warn("nothing is drawn: no edge of the wanted kinds is visible");
-}
-
-void warn_about(const Messages& messages, const Partial& partial) {
-  std::string sentence = "the drawing is partial: the time limit left out " + std::to_string(partial.undecided) +
-                         " of " + std::to_string(partial.edges) + " edges";
-  if (partial.searched < 1)
-    sentence += " and " + format_fixed(100 * (1 - partial.searched), 1) + " % of the search for intersection lines";
-  messages.warn(sentence + "\n  hint: give a longer --time-limit, or ask for less with --edges");
-}
-
-// What the map of a view can keep is told where it is asked for, and where it is little.
-void tell_of(const Messages& messages, const ViewCondition& view, bool asked) {
-  const Condition& condition = view.condition;
-  const std::string numbers = "condition " + format_rounded(condition.number, 2) + ", " +
-                              format_fixed(std::floor(condition.digits_left()), 0) + " digits left";
-  if (condition.digits_lost() >= too_many_lost_digits)
-    messages.warn("view '" + view.name + "': its map keeps few digits (" + numbers + "), because " + condition.why +
-                 "\n  hint: rounding of the input moves lines by 1e-" +
-                 format_fixed(std::floor(condition.digits_left()), 0) +
-                 " of the drawing; move the model or the viewer");
-  else if (asked)
-    messages.print("view '" + view.name + "': map: " + numbers + "\n");
-}
-
-void tell_of(const Messages& messages, const std::vector<ViewResult>& results) {
-  CurveReport all;
-  for (const ViewResult& result : results) all += result.curves;
-  messages.print("arcs: " + std::to_string(all.circles) + " of circles, " + std::to_string(all.ellipses) +
-                 " of ellipses; corners lie within " + format_rounded(all.deviation, 2) +
-                 " mm of them, they rise over the lines that they replace by up to " + format_rounded(all.bulge, 2) +
-                 " mm\n");
-}
-
-void warn_about(const Messages& messages, const Sheet& sheet) {
-  for (const MissingCharacter& missing : missing_characters(sheet))
-    messages.warn("the font has no glyph for '" + missing.character + "' (in the " + missing.role + ")");
-}
-
-void print_timings(const Messages& messages, const Stopwatch& watch) {
-  std::string text;
-  for (const auto& [stage, seconds] : watch.laps()) {
-    std::array<char, 64> line{};
-    std::snprintf(line.data(), line.size(), "%-12s %8s s\n", stage.c_str(), format_fixed(seconds, 4).c_str());
-    text += line.data();
-  }
-  messages.print(text);
-}
 
 /// What a run needs from beginning to end.
 struct Run {
@@ -86,16 +34,20 @@ struct Run {
   const Messages& messages;
   Progress progress;
   Stopwatch& watch;
+  LeaveOut leave_out;
   Report report{};
   std::string answers{};
 
   FinishedSheet draw_sheet(const World& whole, const CutSections& sections, const SheetOfViews& views);
   void tell_condition(const ViewCondition& view);
+  std::vector<FinishedSheet> draw_sheets(const std::vector<SheetOfViews>& sheets);
 };
 
 void Run::tell_condition(const ViewCondition& view) {
-  tell_of(messages, view, options.explain);
-  if (options.explain) report.conditions.push_back(view);
+  warn_about(messages, view);
+  if (!options.explain) return;
+  report.conditions.push_back(view);
+  answers += in_words(view);
 }
 
 FinishedSheet Run::draw_sheet(const World& whole, const CutSections& sections, const SheetOfViews& views) {
@@ -124,7 +76,7 @@ FinishedSheet Run::draw_sheet(const World& whole, const CutSections& sections, c
     answers += answer(questions, world(i), wishes[i], results.back());
     results.back().work = {};  // what follows takes its room
   }
-  if (!options.arcs.empty()) tell_of(messages, results);
+  if (!options.arcs.empty()) tell_of_curves(messages, results);
   if (!plan.inside) messages.warn("the drawing is larger than the sheet at this scale");
   for (const ViewResult& result : results) {
     if (result.partial) report.partial = result.partial;
@@ -133,8 +85,42 @@ FinishedSheet Run::draw_sheet(const World& whole, const CutSections& sections, c
   FinishedSheet sheet = compose(whole, scene, views, plan, results, annotations);
   for (const std::string& warning : sheet.warnings) messages.warn(warning);
   warn_about(messages, sheet.sheet);
+  report.plan.push_back(text_step(sheet.sheet, leave_out.text));
   watch.lap("sheet");
   return sheet;
+}
+
+std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& sheets) {
+  World world = read_models(scene.models, report.meshes, messages, progress);
+  watch.lap("read");
+  const CutSections sections = cut_sections(world, scene, messages);
+  if (!sections.empty()) watch.lap("section");
+  std::vector<FinishedSheet> finished;
+  for (const SheetOfViews& sheet : sheets) finished.push_back(draw_sheet(world, sections, sheet));
+  return finished;
+}
+
+// The whole run once more, from reading on, by other certificates.
+std::string draw_again(const DrawOptions& options, const SceneDescription& scene, std::vector<SheetOfViews> sheets,
+                       std::vector<Target> targets, const VectorOptions& vector_options, const LeaveOut& leave_out) {
+  for (SheetOfViews& sheet : sheets)
+    for (PlannedView& view : sheet.plans) {
+      view.wish.leave_out = leave_out;
+      view.wish.verify.reset();
+    }
+  if (targets.empty()) targets.push_back({"explain.svg", Format::svg});
+  const Questions none;
+  Stopwatch watch;
+  const Messages silent{[](const std::string&) {}, [](std::string_view) {}};
+  Run run{options, scene, none, silent, {}, watch, leave_out};
+  const std::vector<FinishedSheet> finished = run.draw_sheets(sheets);
+  std::string bytes;
+  for (const FileBytes& file : encode_all(targets, finished, vector_options, {}, {})) bytes += file.bytes;
+  return bytes;
+}
+
+void forget_times(std::vector<PlanStep>& plan) {
+  for (PlanStep& step : plan) step.times = {};
 }
 
 }  // namespace
@@ -151,17 +137,22 @@ DrawnFiles draw_files(const DrawOptions& options, const Messages& messages, Prog
   const std::vector<SheetOfViews> sheets = views_by_sheet(scene, plan_views(scene, options));
   watch.lap("prepare");
 
-  Run run{options, scene, questions, messages, progress, watch};
-  World world = read_models(scene.models, run.report.meshes, messages, progress);
-  watch.lap("read");
-  CutSections sections = cut_sections(world, scene, messages);
-  if (!sections.empty()) watch.lap("section");
-  std::vector<FinishedSheet> finished;
-  for (const SheetOfViews& sheet : sheets) finished.push_back(run.draw_sheet(world, sections, sheet));
-  world = {};  // what follows takes its room
-  sections.clear();
+  const LeaveOut leave_out = parse_leave_out(options.plan);
+  Run run{options, scene, questions, messages, progress, watch, leave_out};
+  run.report.plan.push_back(plugins_step(sheets));
+  const std::vector<FinishedSheet> finished = run.draw_sheets(sheets);
+  run.report.plan.push_back(formats_step(targets));
+  estimate_savings(run.report.plan);
+  if (options.measure) {
+    const auto again = [&](const LeaveOut& other) {
+      return draw_again(options, scene, sheets, targets, vector_options, other);
+    };
+    measure_savings(run.report.plan, leave_out, again);
+  }
+  if (options.explain) run.answers += plan_table(run.report.plan);
 
   if (options.timings) run.report.seconds = watch.laps();
+  if (!options.timings && !options.measure) forget_times(run.report.plan);
   const std::vector<FileBytes> files = encode_all(targets, finished, vector_options, run.report, progress);
   std::vector<std::string> paths;
   for (const FileBytes& file : files) {
@@ -173,7 +164,7 @@ DrawnFiles draw_files(const DrawOptions& options, const Messages& messages, Prog
 }
 
 void tell_the_end(const Messages& messages, const DrawOptions& options, const DrawnFiles& drawn) {
-  if (options.timings) print_timings(messages, drawn.watch);
+  if (options.timings) tell_timings(messages, drawn.watch);
   if (drawn.report.verification) messages.print(in_words(*drawn.report.verification));
   if (drawn.report.partial) warn_about(messages, *drawn.report.partial);
 }

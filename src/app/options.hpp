@@ -41,7 +41,9 @@ struct DrawOptions {
   std::optional<double> time_limit;  ///< seconds
   bool verify = false;
   int verify_samples = 2000;
-  bool explain = false;
+  std::string plan = "all";  ///< certificates that are used
+  bool explain = false;      ///< print the plan
+  bool measure = false;      ///< what certificates save, by runs without them
 };
 
 struct StabilityOptions {

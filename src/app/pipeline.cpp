@@ -4,7 +4,9 @@
 #include <utility>
 
 #include "drawing/cut_faces.hpp"
+#include "edges/suspects.hpp"
 #include "study/verify/verify.hpp"
+#include "visibility/one_sheet.hpp"
 
 namespace epura {
 
@@ -12,21 +14,103 @@ namespace {
 
 long long count_of(std::size_t n) { return static_cast<long long>(n); }
 
-PlanStep clip_step(const World& world, const View& view) {
-  const bool run = !view.triangle_planes.empty();
-  return {"clip", run,
-          run ? "part of the model lies outside the view volume" : "everything lies inside the view volume",
-          count_of(world.triangles.size()), count_of(view.triangles.size())};
+// What `compute` gives, and the seconds that it took.
+template <class Compute>
+auto timed(std::optional<double>& seconds, const Compute& compute) {
+  const auto start = std::chrono::steady_clock::now();
+  auto result = compute();
+  seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return result;
 }
 
-PlanStep intersection_step(const World& world, const EdgeWishes& wishes, const DrawnEdges& drawn) {
-  return {"intersections", wishes.intersection, wishes.intersection ? "wanted" : "not wanted",
-          count_of(world.triangles.size()), count_of(drawn.crossings.size())};
+std::string why_not_clipped(const View& view) {
+  if (view.idle_planes.empty()) return "a parallel view has no near plane, and no window or depth is given";
+  return "everything lies inside the view volume";
 }
 
-PlanStep visibility_step(bool run, const DrawnEdges& drawn, const HiddenSpans& hidden) {
-  return {"visibility", run, run ? "exact" : "a wireframe is wanted", count_of(drawn.edges.size()),
-          count_of(hidden.spans.size())};
+PlanStep clip_step(const World& world, const View& view, const ViewWish& wish) {
+  const bool cuts = !view.triangle_planes.empty();
+  const bool run = cuts || (!wish.leave_out.clip && !view.idle_planes.empty());
+  return {"clip",
+          run,
+          cuts  ? "part of the model lies outside the view volume"
+          : run ? "--plan wants it"
+                : why_not_clipped(view),
+          count_of(world.triangles.size()),
+          count_of(view.triangles.size()),
+          {},
+          run ? 0 : count_of(world.triangles.size())};
+}
+
+// What is known of intersections before they are searched.
+struct Suspects {
+  std::vector<int> triangles;
+  PlanStep step;
+};
+
+std::string why_searched(const World& world, const ViewWish& wish, std::size_t suspects) {
+  const std::string all = std::to_string(world.triangles.size());
+  if (!wish.edges.intersection) return "not wanted";
+  if (suspects == 0) return "all bodies are convex, and their boxes stand apart";
+  if (!wish.leave_out.intersections) return "--plan wants it";
+  if (suspects == world.triangles.size()) return "no convex body stands apart from all others";
+  return std::to_string(suspects) + " of " + all + " triangles; the others are of convex bodies that stand apart";
+}
+
+Suspects find_suspects(const World& world, const View& view, const ViewWish& wish, double contact) {
+  Suspects suspects{{}, {"intersections", false, "", count_of(world.triangles.size()), 0}};
+  if (wish.edges.intersection)
+    suspects.triangles =
+        !wish.leave_out.intersections ? all_triangles(world) : timed(suspects.step.times.certificate, [&] {
+          return crossing_suspects(world, view.map.shrink, contact);
+        });
+  suspects.step.run = !suspects.triangles.empty();
+  if (wish.edges.intersection) suspects.step.spared = count_of(world.triangles.size() - suspects.triangles.size());
+  suspects.step.why = why_searched(world, wish, suspects.triangles.size());
+  return suspects;
+}
+
+DrawnEdges find_edges(const World& world, View& view, const ViewWish& wish, std::vector<PlanStep>& plan,
+                      Progress progress) {
+  const double contact = contact_in_space(world, view, wish.contact);
+  Suspects suspects = find_suspects(world, view, wish, contact);
+  DrawnEdges drawn = find_drawn_edges(world, view, wish.edges, contact, suspects.triangles, progress);
+  suspects.step.items_out = count_of(drawn.crossings.size());
+  plan.push_back(std::move(suspects.step));
+  return drawn;
+}
+
+HiddenSpans hide(const World& world, const View& view, const DrawnEdges& drawn, const Contact& contact,
+                 const ViewWish& wish, std::vector<PlanStep>& plan, Progress progress) {
+  PlanStep step{"visibility", false, "a wireframe is wanted", count_of(drawn.edges.size()), 0};
+  HiddenSpans hidden = nothing_hidden(drawn);
+  const bool one_sheet = wish.remove_hidden && wish.leave_out.visibility &&
+                         timed(step.times.certificate, [&] { return is_one_sheet(world, view, drawn); });
+  if (one_sheet) {
+    step.why = "the page shows the surface as one sheet";
+    step.spared = step.items_in;
+  }
+  if (wish.remove_hidden && !one_sheet) {
+    step.run = true;
+    step.why = wish.leave_out.visibility ? "exact" : "--plan wants it";
+    hidden = timed(step.times.stage, [&] { return find_hidden(world, view, drawn, contact, progress); });
+  }
+  step.items_out = count_of(hidden.spans.size());
+  plan.push_back(std::move(step));
+  return hidden;
+}
+
+PlanStep hidden_step(const ViewWish& wish, const HiddenSpans& hidden) {
+  const bool run = wish.keep_hidden() || !wish.leave_out.hidden;
+  return {"hidden",
+          run,
+          wish.keep_hidden() ? "hidden lines are drawn"
+          : run              ? "--plan wants it"
+                             : "only visible lines are drawn",
+          count_of(hidden.spans.size()),
+          run ? count_of(hidden.spans.size()) : 0,
+          {},
+          run ? 0 : count_of(hidden.spans.size())};
 }
 
 PlanStep section_step(const CutSection& section) {
@@ -54,22 +138,24 @@ void Stopwatch::lap(const std::string& stage) {
 
 ViewResult draw_view(const World& world, const CutSection* section, View view, const ViewWish& wish,
                      const PlaceOnPage& place, std::vector<PlanStep>& plan, Stopwatch& watch, Progress progress) {
+  const auto first_step = static_cast<std::ptrdiff_t>(plan.size());
   if (section != nullptr) plan.push_back(section_step(*section));
-  plan.push_back(clip_step(world, view));
-  DrawnEdges drawn = find_drawn_edges(world, view, wish.edges, contact_in_space(world, view, wish.contact), progress);
-  plan.push_back(intersection_step(world, wish.edges, drawn));
+  plan.push_back(clip_step(world, view, wish));
+  DrawnEdges drawn = find_edges(world, view, wish, plan, progress);
   watch.lap("edges");
 
   const Contact contact = contact_of(world, view, wish.contact);
-  HiddenSpans hidden = wish.remove_hidden ? find_hidden(world, view, drawn, contact, progress) : nothing_hidden(drawn);
-  plan.push_back(visibility_step(wish.remove_hidden, drawn, hidden));
+  HiddenSpans hidden = hide(world, view, drawn, contact, wish, plan, progress);
+  plan.push_back(hidden_step(wish, hidden));
+  std::for_each(plan.begin() + first_step, plan.end(), [&](PlanStep& step) { step.view = wish.name; });
   const std::optional<Partial> partial = partial_of(drawn, hidden);
   keep_decided(drawn, hidden);
   watch.lap("visibility");
 
   progress.begin("drawing");
   const PaperMap paper = make_paper_map(view, place.scale, place.shift);
-  Drawing drawing = make_drawing(world, view, drawn, hidden, contact, paper, {wish.name, wish.keep_hidden()});
+  Drawing drawing =
+      make_drawing(world, view, drawn, hidden, contact, paper, {wish.name, wish.keep_hidden(), wish.leave_out.hidden});
   const CurveReport curves = wish.arcs ? find_curves(drawing.chains, *wish.arcs) : CurveReport{};
   if (section != nullptr) drawing.cut_faces = cut_faces_on_paper(section->cut.faces, section->plane, view, paper);
   watch.lap("drawing");

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/leave_out.hpp"
 #include "app/sections.hpp"
 #include "base/progress.hpp"
 #include "drawing/arcs.hpp"
@@ -33,6 +34,7 @@ struct ViewWish {
   std::optional<int> verify;      ///< by so many points at random
   std::optional<double> arcs;     ///< lines within so many mm of circles and ellipses become these
   bool centre_lines = false;
+  LeaveOut leave_out{};
 
   /// Whether the hidden lines of some model are drawn.
   [[nodiscard]] bool keep_hidden() const;

@@ -20,11 +20,11 @@ Questions parse_questions(const DrawOptions& options) {
   if (!options.dump.empty() && !questions.edge_table && !questions.span_table)
     throw Error(Trouble::input, "--dump", "does not know '" + options.dump + "'", did_you_mean(options.dump, tables));
 
-  const bool asked = !options.why.empty() || !options.dump.empty();
+  const bool asked = !options.why.empty() || !options.dump.empty() || options.explain;
   if (!asked && options.outputs.empty())
     throw Error(Trouble::input, "command line", "--output is required", "see 'epura draw --help'");
   if (asked && std::find(options.outputs.begin(), options.outputs.end(), "-") != options.outputs.end())
-    throw Error(Trouble::input, "--output -", "leaves no standard output to answer --why and --dump",
+    throw Error(Trouble::input, "--output -", "leaves no standard output to answer --why, --dump and explain",
                 "write the drawing to a file");
   return questions;
 }

@@ -56,6 +56,7 @@ ViewWish wish_of(const SceneDescription& scene, const ViewDescription& view, con
   wish.looks = looks_of(scene, view);
   wish.arcs = arc_tolerance(options.arcs);
   wish.centre_lines = options.centre_lines;
+  wish.leave_out = parse_leave_out(options.plan);
   if (options.verify && !wish.remove_hidden)
     throw Error(Trouble::input, "--verify", "has nothing to test in a wireframe", "leave out --visibility none");
   if (options.verify) wish.verify = options.verify_samples;
@@ -99,7 +100,8 @@ std::vector<SheetOfViews> views_by_sheet(const SceneDescription& scene, const st
 
 View look_at(const World& world, const PlannedView& plan, const ViewDescription& description) {
   const auto look = [&](const std::string&) {
-    return make_view(world, make_projection(plan.entry, plan.request, world.box), plan.wish.limits);
+    return make_view(world, make_projection(plan.entry, plan.request, world.box), plan.wish.limits,
+                     plan.wish.leave_out.clip ? Clipping::where_needed : Clipping::everywhere);
   };
   return parse_given(description.projection, look);
 }

@@ -132,8 +132,9 @@ Drawing make_drawing(const World& world, const View& view, const DrawnEdges& dra
   drawing.vanishing_points = vanishing_points_on_page(view, paper);
 
   const Coincidence limits = coincidence_on_paper(view, contact, paper);
-  std::vector<Piece> pieces = pieces_of(view, paper, drawn, hidden, wishes.hidden);
+  std::vector<Piece> pieces = pieces_of(view, paper, drawn, hidden, wishes.hidden || !wishes.leave_out);
   pieces = resolve_coincident(std::move(pieces), limits.tolerance, limits.least);
+  if (!wishes.hidden) std::erase_if(pieces, [](const Piece& piece) { return !piece.visible; });
   add_segments(world, view, drawn, pieces, drawing);
   pieces = {};  // chains take their room
   drawing.chains = chain_segments(drawing.segments, straight_mm);

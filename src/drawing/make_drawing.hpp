@@ -12,6 +12,8 @@ namespace epura {
 struct DrawingWishes {
   std::string name;    ///< of the view
   bool hidden = true;  ///< keep hidden lines
+  /// Those that are not kept are not made. They never had any influence: visible lines come first in rank.
+  bool leave_out = true;
 };
 
 /// The place at page parameter `s` of an edge, in mm.

@@ -5,6 +5,7 @@
 
 #include "edges/dihedral.hpp"
 #include "edges/feature_edges.hpp"
+#include "edges/suspects.hpp"
 
 namespace epura {
 
@@ -52,13 +53,18 @@ void add_intersections(const World& world, View& view, DrawnEdges& drawn) {
 
 DrawnEdges find_drawn_edges(const World& world, View& view, const EdgeWishes& wishes, double contact,
                             Progress progress) {
+  return find_drawn_edges(world, view, wishes, contact, all_triangles(world), progress);
+}
+
+DrawnEdges find_drawn_edges(const World& world, View& view, const EdgeWishes& wishes, double contact,
+                            const std::vector<int>& suspects, Progress progress) {
   progress.begin("finding edges");
   DrawnEdges drawn;
   for (int model = 0; model < static_cast<int>(world.models.size()); ++model)
     add_mesh_edges(world, view, model, wishes, drawn.edges);
   if (!wishes.intersection) return drawn;
   const double shrink = view.map.shrink;
-  auto [crossings, searched] = find_intersections(world, shrink, contact, progress.with_half_the_time());
+  auto [crossings, searched] = find_intersections(world, shrink, contact, suspects, progress.with_half_the_time());
   drawn.crossings = std::move(crossings);
   drawn.searched = searched;
   std::erase_if(drawn.crossings,

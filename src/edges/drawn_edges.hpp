@@ -37,4 +37,8 @@ struct DrawnEdges {
 DrawnEdges find_drawn_edges(const World& world, View& view, const EdgeWishes& wishes, double contact,
                             Progress progress = {});
 
+/// The same, with intersection lines only between triangles in `suspects` (suspects.hpp).
+DrawnEdges find_drawn_edges(const World& world, View& view, const EdgeWishes& wishes, double contact,
+                            const std::vector<int>& suspects, Progress progress = {});
+
 }  // namespace epura

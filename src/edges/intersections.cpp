@@ -20,11 +20,6 @@ namespace {
 // Planes that differ by less than this angle (radians) have no reliable line in common.
 constexpr double least_angle = 1e-9;
 
-bool boxes_overlap(const Box& a, const Box& b) {
-  return a.least.x <= b.most.x && b.least.x <= a.most.x && a.least.y <= b.most.y && b.least.y <= a.most.y &&
-         a.least.z <= b.most.z && b.least.z <= a.most.z;
-}
-
 // n . p = offset with a unit normal; a zero normal for a triangle so low that its normal is no direction.
 struct Plane {
   Vec3 normal;
@@ -37,21 +32,23 @@ struct Piece {
   std::array<Vec3, 2> ends;
 };
 
+Vec3 middle_of(const World& world, double shrink) { return world.box.centre() * shrink; }
+
 class Crossings {
  public:
   Crossings(const World& world, double shrink, double contact)
-      : world_(world), shrink_(shrink), contact_(contact), middle_(world.box.centre() * shrink) {
-    points_.resize(world.points.size());
-    parallel_for(points_.size(), 8192, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t v = begin; v < end; ++v) points_[v] = world.points[v] * shrink_ - middle_;
-    });
-  }
+      : world_(world),
+        shrink_(shrink),
+        contact_(contact),
+        middle_(middle_of(world, shrink)),
+        points_(shrunk_points(world, shrink)) {}
 
-  /// To be called before `cross`. Apart from the constructor, since the tree is built in between, which needs room.
-  void find_planes() {
+  /// Of the triangles that `cross` will be called for. Apart from the constructor, since the tree is built in between,
+  /// which needs room.
+  void find_planes(const std::vector<int>& triangles) {
     planes_.resize(world_.triangles.size());
-    parallel_for(planes_.size(), 8192, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t f = begin; f < end; ++f) planes_[f] = plane(static_cast<int>(f));
+    parallel_for(triangles.size(), 8192, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) planes_[triangles[i]] = plane(triangles[i]);
     });
   }
 
@@ -183,11 +180,27 @@ class Crossings {
 
 }  // namespace
 
-FaceCrossings find_intersections(const World& world, double shrink, double contact, Progress progress) {
+bool boxes_overlap(const Box& a, const Box& b) {
+  return a.least.x <= b.most.x && b.least.x <= a.most.x && a.least.y <= b.most.y && b.least.y <= a.most.y &&
+         a.least.z <= b.most.z && b.least.z <= a.most.z;
+}
+
+std::vector<Vec3> shrunk_points(const World& world, double shrink) {
+  const Vec3 middle = middle_of(world, shrink);
+  std::vector<Vec3> points(world.points.size());
+  parallel_for(points.size(), 8192, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) points[v] = world.points[v] * shrink - middle;
+  });
+  return points;
+}
+
+FaceCrossings find_intersections(const World& world, double shrink, double contact, const std::vector<int>& suspects,
+                                 Progress progress) {
+  if (suspects.empty()) return {{}, 1};
   if (progress.is_out_of_time()) return {{}, 0};
   Crossings crossings(world, shrink, contact);
-  const TriangleTree tree(world.triangles.size(), [&](int triangle) { return crossings.box(triangle); });
-  crossings.find_planes();
+  const TriangleTree tree(suspects.size(), [&](int i) { return crossings.box(suspects[i]); });
+  crossings.find_planes(suspects);
 
   const std::vector<TriangleTree::NodePair> tasks = tree.tasks(1024);
   progress.begin("finding intersections", tasks.size());
@@ -197,7 +210,7 @@ FaceCrossings find_intersections(const World& world, double shrink, double conta
     for (std::size_t task = begin; task < end && !progress.is_out_of_time(); ++task) {
       tree.search(tasks[task], [&](int a, int b) {
         if (progress.is_out_of_time()) return;
-        if (const auto crossing = crossings.cross(a, b)) found[task].push_back(*crossing);
+        if (const auto crossing = crossings.cross(suspects[a], suspects[b])) found[task].push_back(*crossing);
       });
       finished += progress.is_out_of_time() ? 0 : 1;
       progress.advance(1);

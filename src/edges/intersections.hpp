@@ -23,7 +23,14 @@ struct FaceCrossings {
 /// All crossings of two triangles without a common vertex, longer than `contact`, sorted by their triangles.
 /// Faces that only touch (a corner or an edge within `contact` of the other's plane) do not cross; an edge that lies
 /// in the other plane counts when its surface goes on to the other side. `shrink` is a power of two that brings the
-/// world's size near 1; `contact` is a length after shrinking.
-FaceCrossings find_intersections(const World& world, double shrink, double contact, Progress progress = {});
+/// world's size near 1; `contact` is a length after shrinking. Only triangles in `suspects` are searched, ascending.
+FaceCrossings find_intersections(const World& world, double shrink, double contact, const std::vector<int>& suspects,
+                                 Progress progress = {});
+
+/// The world's points as the search has them: shrunk and moved to the middle of their box.
+std::vector<Vec3> shrunk_points(const World& world, double shrink);
+
+/// Whether boxes have a place in common, touching included.
+bool boxes_overlap(const Box& a, const Box& b);
 
 }  // namespace epura

@@ -19,6 +19,9 @@ namespace epura {
 
 namespace {
 
+// Triangles for which a second thread is not worth waking.
+constexpr int most_alone = 8192;
+
 Vec3 place(const Points& points, int vertex) { return {points[vertex][0], points[vertex][1], points[vertex][2]}; }
 
 int count_non_finite(const Points& points) {
@@ -133,12 +136,18 @@ Mesh build_mesh(Soup soup, std::string name) {
   report.faces = count_faces(triangles);
   report.triangles = static_cast<int>(triangles.size());
   mesh.polygon = std::move(triangles.number);
-  parallel_both([&] { cut_surface(mesh, soup.points, triangles.corners, table); },
-                [&] {
-                  note_triangles_without_area(soup.points, triangles.corners, report);
-                  number_bodies(mesh, soup, table);
-                  count_edges(table, triangles.corners, mesh.body, report);
-                });
+  const auto make_surface = [&] { cut_surface(mesh, soup.points, triangles.corners, table); };
+  const auto make_report = [&] {
+    note_triangles_without_area(soup.points, triangles.corners, report);
+    number_bodies(mesh, soup, table);
+    count_edges(table, triangles.corners, mesh.body, report);
+  };
+  if (report.triangles > most_alone) {
+    parallel_both(make_surface, make_report);
+  } else {
+    make_surface();
+    make_report();
+  }
 
   for (int& halfedge : table.halfedges) halfedge /= 3;
   mesh.edges = std::move(table.edges);

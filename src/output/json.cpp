@@ -191,9 +191,18 @@ std::string mesh_of(const MeshReport& mesh) {
 }
 
 std::string step_of(const PlanStep& step) {
-  return "{\"stage\": " + json_string(step.stage) + ", \"run\": " + boolean(step.run) +
-         ", \"why\": " + json_string(step.why) + ", \"in\": " + number(step.items_in) +
-         ", \"out\": " + number(step.items_out) + "}";
+  std::string text = "{\"stage\": " + json_string(step.stage);
+  if (!step.view.empty()) text += ", \"view\": " + json_string(step.view);
+  text += ", \"run\": " + boolean(step.run) + ", \"why\": " + json_string(step.why) + ", \"in\": " + number(step.items_in) +
+          ", \"out\": " + number(step.items_out);
+  const auto add = [&text](std::string_view key, const std::optional<double>& seconds) {
+    if (seconds) text.append(", \"").append(key).append("\": ").append(number(*seconds));
+  };
+  add("certificate", step.times.certificate);
+  add("seconds", step.times.stage);
+  add("saved_estimated", step.times.estimated);
+  add("saved_measured", step.times.measured);
+  return text + "}";
 }
 
 std::string partial_of(const Partial& partial) {

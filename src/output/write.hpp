@@ -44,12 +44,23 @@ std::string to_png(const Sheet& sheet, double dpi);
 /// AutoCAD 2000 (AC1015), in millimetres.
 std::string to_dxf(const Sheet& sheet);
 
+/// What a stage took and what leaving it out saves, in seconds.
+struct PlanTimes {
+  std::optional<double> certificate;  ///< to find out whether it can be left out; nothing where that takes no time
+  std::optional<double> stage;        ///< where it ran and was timed
+  std::optional<double> estimated;    ///< saved, by what an item usually takes
+  std::optional<double> measured;     ///< saved, by runs with and without it
+};
+
 /// One stage of the plan, for the report.
 struct PlanStep {
   std::string stage;
   bool run;
-  std::string why;
+  std::string why;  ///< it ran, or the certificate by which it was left out
   long long items_in = 0, items_out = 0;
+  std::string view{};  ///< empty for what is done once
+  long long spared{};  ///< of the items that came in, those that a certificate left out
+  PlanTimes times{};   ///< empty unless asked for: outputs are byte-stable
 };
 
 /// What a time limit left undone.

@@ -22,12 +22,13 @@ constexpr double guard = 1.5;
 constexpr std::size_t grain = 8192;
 constexpr double grid_half = (1 << 30) - 2;
 
-// Adds the plane for `users`, unless it cuts nothing. Returns whether it cuts.
+// Adds the plane for `users`, or as idle where it cuts nothing. Returns whether it cuts.
 bool add_plane(View& view, const World& world, const ClipPlane& plane, std::initializer_list<std::vector<int>*> users) {
   const int number = view.clipper.add_plane(plane);
   const bool cuts = std::any_of(world.triangles.begin(), world.triangles.end(), [&](const auto& corners) {
     return std::any_of(corners.begin(), corners.end(), [&](int v) { return !view.clipper.inside(number, v); });
   });
+  if (!cuts) view.idle_planes.push_back(number);
   if (cuts)
     for (std::vector<int>* user : users) user->push_back(number);
   return cuts;
@@ -42,7 +43,7 @@ ClipPlane depth_plane(const View& view, double limit, double sign) {
 }
 
 // Returns whether something lies beside or behind the viewer.
-bool add_depth_planes(View& view, const World& world, const ViewLimits& limits) {
+bool add_depth_planes(View& view, const World& world, const ViewLimits& limits, Clipping clipping) {
   const Projection& p = view.projection;
   const double viewer = p.central ? glm::dot(p.n, p.projector - p.point) : 0;
   double front = p.front;
@@ -55,23 +56,28 @@ bool add_depth_planes(View& view, const World& world, const ViewLimits& limits) 
   const auto users = {&view.triangle_planes, &view.edge_planes};
   bool around = false;
   const double nearest = view.map.w_constant == 0 ? nearest_w_from_centre : nearest_w;
-  if (p.central) around = add_plane(view, world, {0, 0, -nearest * view.map.depth_to_one, 1 - nearest}, users);
+  // In a parallel view W is 1 everywhere.
+  if (p.central || clipping == Clipping::everywhere)
+    around = add_plane(view, world, {0, 0, -nearest * view.map.depth_to_one, 1 - nearest}, users);
   if (std::isfinite(front)) add_plane(view, world, depth_plane(view, front, 1), users);
   if (std::isfinite(back)) add_plane(view, world, depth_plane(view, back, -1), users);
   return around;
 }
 
-std::vector<ViewTriangle> clipped_triangles(View& view, const World& world) {
-  std::vector<ViewTriangle> triangles(view.triangle_planes.empty() ? world.triangles.size() : 0);
+std::vector<ViewTriangle> clipped_triangles(View& view, const World& world, Clipping clipping) {
+  // Idle planes first: of the world's own corners they take none, while clipping makes corners that are rounded.
+  std::vector<int> planes = clipping == Clipping::everywhere ? view.idle_planes : std::vector<int>();
+  planes.insert(planes.end(), view.triangle_planes.begin(), view.triangle_planes.end());
+  std::vector<ViewTriangle> triangles(planes.empty() ? world.triangles.size() : 0);
   parallel_for(triangles.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f) triangles[f] = {world.triangles[f], static_cast<int>(f)};
   });
-  if (view.triangle_planes.empty()) return triangles;
+  if (planes.empty()) return triangles;
   triangles.reserve(world.triangles.size());
   std::vector<std::array<int, 3>> pieces;
   for (std::size_t f = 0; f < world.triangles.size(); ++f) {
     pieces.clear();
-    view.clipper.clip_triangle(world.triangles[f], view.triangle_planes, pieces);
+    view.clipper.clip_triangle(world.triangles[f], planes, pieces);
     for (const auto& piece : pieces) triangles.push_back({piece, static_cast<int>(f)});
   }
   return triangles;
@@ -101,14 +107,14 @@ Window cone_of_vision(const View& view) {
   return {foot - reach, foot + reach};
 }
 
-void choose_window(View& view, const World& world, bool around) {
+void choose_window(View& view, const World& world, bool around, Clipping clipping) {
   if (const auto& given = view.projection.window) {
     const double unit = view.projection.scale * view.map.shrink;
     view.window = {given->least * unit - view.map.image, given->most * unit - view.map.image};
     view.window_given = true;
     return;
   }
-  view.window = box_of(view, clipped_triangles(view, world));
+  view.window = box_of(view, clipped_triangles(view, world, clipping));
   if (!around) return;
   const Window cone = cone_of_vision(view);
   view.window = {glm::max(view.window.least, cone.least), glm::min(view.window.most, cone.most)};
@@ -156,28 +162,29 @@ void lay_out(View& view) {
 
 }  // namespace
 
-View make_view(const World& world, const Projection& projection, const ViewLimits& limits) {
+View make_view(const World& world, const Projection& projection, const ViewLimits& limits, Clipping clipping) {
   const ViewMap map = make_view_map(projection, world.box);
   std::vector<Mapped> mapped(world.points.size());
   parallel_for(world.points.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) mapped[v] = map(world.points[v]);
   });
-  return make_view(world, projection, limits, std::move(mapped));
+  return make_view(world, projection, limits, std::move(mapped), clipping);
 }
 
-View make_view(const World& world, const Projection& projection, const ViewLimits& limits, std::vector<Mapped> mapped) {
+View make_view(const World& world, const Projection& projection, const ViewLimits& limits, std::vector<Mapped> mapped,
+               Clipping clipping) {
   View view;
   view.projection = projection;
   view.map = make_view_map(projection, world.box);
   view.clipper.vertices = std::move(mapped);
-  const bool around = add_depth_planes(view, world, limits);
-  choose_window(view, world, around);
+  const bool around = add_depth_planes(view, world, limits, clipping);
+  choose_window(view, world, around, clipping);
   if (view.window_given) {
     const Vec2 margin = (view.window.most - view.window.least) * ((guard - 1) / 2);
     add_window_planes(view, world, {view.window.least - margin, view.window.most + margin}, view.triangle_planes);
     add_window_planes(view, world, view.window, view.edge_planes);
   }
-  view.triangles = clipped_triangles(view, world);
+  view.triangles = clipped_triangles(view, world, clipping);
   if (view.triangles.empty())
     throw Error(Trouble::input, "projection '" + projection.name + "'",
                 "nothing of the model lies in front of the viewer and inside the window",

@@ -53,6 +53,7 @@ struct View {
   Clipper clipper;
   std::vector<int> triangle_planes;  ///< that cut something: depth, and 1.5 times the window
   std::vector<int> edge_planes;      ///< that cut something: depth, and the window itself
+  std::vector<int> idle_planes;      ///< that cut nothing; triangles are clipped by them under Clipping::everywhere
 
   // By vertex: first the world's in its numbering, then added points and what clipping made.
   std::vector<PageVertex> vertices;
@@ -60,12 +61,17 @@ struct View {
   std::vector<ViewTriangle> triangles;
 };
 
+/// By which planes triangles are clipped. A plane that has all corners of the world inside is certified to cut nothing.
+enum class Clipping { where_needed, everywhere };
+
 /// Throws Error{input} when nothing of the world lies in front of the viewer and inside the window.
-View make_view(const World& world, const Projection& projection, const ViewLimits& limits);
+View make_view(const World& world, const Projection& projection, const ViewLimits& limits,
+               Clipping clipping = Clipping::where_needed);
 
 /// The same with the points of the world mapped by somebody else: finite, in the coordinates of
 /// make_view_map(projection, world.box).
-View make_view(const World& world, const Projection& projection, const ViewLimits& limits, std::vector<Mapped> mapped);
+View make_view(const World& world, const Projection& projection, const ViewLimits& limits, std::vector<Mapped> mapped,
+               Clipping clipping = Clipping::where_needed);
 
 /// A further point of space as a vertex.
 int add_point(View& view, const Vec3& point);

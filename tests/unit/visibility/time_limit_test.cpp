@@ -3,6 +3,7 @@
 
 #include <numeric>
 
+#include "edges/suspects.hpp"
 #include "shapes.hpp"
 
 namespace epura::test {
@@ -77,10 +78,10 @@ TEST(TimeLimit, DecidedEdgesKeepTheirSpans) {
 TEST(TimeLimit, TheSearchForIntersectionsTellsHowFarItCame) {
   const World world = world_of({box({0, 0, 0}, {1, 1, 1}), box({0.5, 0.5, 0.5}, {2, 2, 2})});
   ProgressBoard board;
-  const FaceCrossings all = find_intersections(world, 1, 1e-9, Progress(board, 1000));
+  const FaceCrossings all = find_intersections(world, 1, 1e-9, all_triangles(world), Progress(board, 1000));
   EXPECT_EQ(all.searched, 1);
   EXPECT_FALSE(all.found.empty());
-  const FaceCrossings none = find_intersections(world, 1, 1e-9, Progress(board, 0));
+  const FaceCrossings none = find_intersections(world, 1, 1e-9, all_triangles(world), Progress(board, 0));
   EXPECT_EQ(none.searched, 0);
   EXPECT_TRUE(none.found.empty());
 }

@@ -1,0 +1,43 @@
+#include "app/plan_steps.hpp"
+
+#include <filesystem>
+#include <set>
+
+#include "sheet/lettering.hpp"
+
+namespace epura {
+
+PlanStep plugins_step(const std::vector<SheetOfViews>& sheets) {
+  std::set<std::filesystem::path> opened;
+  long long views = 0;
+  for (const SheetOfViews& sheet : sheets)
+    for (const PlannedView& view : sheet.plans) {
+      opened.insert(view.entry.plugin);
+      ++views;
+    }
+  return {"plugins", false, "only those that views name are opened", views, static_cast<long long>(opened.size())};
+}
+
+PlanStep formats_step(const std::vector<Target>& targets) {
+  std::set<Format> wanted;
+  for (const Target& target : targets) wanted.insert(target.format);
+  return {"formats", false, "only those of outputs are made", static_cast<long long>(format_names().size()),
+          static_cast<long long>(wanted.size())};
+}
+
+PlanStep text_step(const Sheet& sheet, bool leave_out) {
+  long long texts = 0;
+  for (const Layer& layer : sheet.layers) texts += static_cast<long long>(layer.texts.size());
+  if (texts == 0 && !leave_out) Lettering();
+  return {"text",
+          texts > 0 || !leave_out,
+          texts > 0    ? "there are texts"
+          : !leave_out ? "--plan wants it"
+                       : "there are no texts: no font is opened",
+          texts,
+          texts,
+          {},
+          texts == 0 && leave_out ? 1 : 0};
+}
+
+}  // namespace epura

@@ -1,0 +1,72 @@
+#include "app/tell.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "base/text.hpp"
+#include "sheet/lettering.hpp"
+#include "view/condition.hpp"
+
+namespace epura {
+
+namespace {
+
+std::string digits_left(const Condition& condition) { return format_fixed(std::floor(condition.digits_left()), 0); }
+
+std::string numbers_of(const Condition& condition) {
+  return "condition " + format_rounded(condition.number, 2) + ", " + digits_left(condition) + " digits left";
+}
+
+}  // namespace
+
+void warn_about(const Messages& messages, const ViewResult& result) {
+  if (result.drawing.segments.empty() && !result.partial)
+    messages.warn("nothing is drawn: no edge of the wanted kinds is visible");
+}
+
+void warn_about(const Messages& messages, const Partial& partial) {
+  std::string sentence = "the drawing is partial: the time limit left out " + std::to_string(partial.undecided) +
+                         " of " + std::to_string(partial.edges) + " edges";
+  if (partial.searched < 1)
+    sentence += " and " + format_fixed(100 * (1 - partial.searched), 1) + " % of the search for intersection lines";
+  messages.warn(sentence + "\n  hint: give a longer --time-limit, or ask for less with --edges");
+}
+
+void warn_about(const Messages& messages, const ViewCondition& view) {
+  const Condition& condition = view.condition;
+  if (condition.digits_lost() < too_many_lost_digits) return;
+  messages.warn("view '" + view.name + "': its map keeps few digits (" + numbers_of(condition) + "), because " +
+                condition.why + "\n  hint: rounding of the input moves lines by 1e-" + digits_left(condition) +
+                " of the drawing; move the model or the viewer");
+}
+
+std::string in_words(const ViewCondition& view) {
+  return "view '" + view.name + "': map: " + numbers_of(view.condition) + "\n";
+}
+
+void tell_of_curves(const Messages& messages, const std::vector<ViewResult>& results) {
+  CurveReport all;
+  for (const ViewResult& result : results) all += result.curves;
+  messages.print("arcs: " + std::to_string(all.circles) + " of circles, " + std::to_string(all.ellipses) +
+                 " of ellipses; corners lie within " + format_rounded(all.deviation, 2) +
+                 " mm of them, they rise over the lines that they replace by up to " + format_rounded(all.bulge, 2) +
+                 " mm\n");
+}
+
+void warn_about(const Messages& messages, const Sheet& sheet) {
+  for (const MissingCharacter& missing : missing_characters(sheet))
+    messages.warn("the font has no glyph for '" + missing.character + "' (in the " + missing.role + ")");
+}
+
+void tell_timings(const Messages& messages, const Stopwatch& watch) {
+  std::string text;
+  for (const auto& [stage, seconds] : watch.laps()) {
+    std::array<char, 64> line{};
+    std::snprintf(line.data(), line.size(), "%-12s %8s s\n", stage.c_str(), format_fixed(seconds, 4).c_str());
+    text += line.data();
+  }
+  messages.print(text);
+}
+
+}  // namespace epura

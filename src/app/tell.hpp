@@ -1,0 +1,29 @@
+// What a run has to say of its results, in words.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/messages.hpp"
+#include "app/pipeline.hpp"
+#include "output/write.hpp"
+#include "sheet/sheet.hpp"
+
+namespace epura {
+
+/// Warns of a view without lines.
+void warn_about(const Messages& messages, const ViewResult& result);
+void warn_about(const Messages& messages, const Partial& partial);
+/// Warns where the map of a view keeps few digits.
+void warn_about(const Messages& messages, const ViewCondition& view);
+/// Warns of characters that the font has not.
+void warn_about(const Messages& messages, const Sheet& sheet);
+
+/// A line of what the map of a view can keep.
+std::string in_words(const ViewCondition& view);
+
+/// Tells how many curves were found in the lines.
+void tell_of_curves(const Messages& messages, const std::vector<ViewResult>& results);
+void tell_timings(const Messages& messages, const Stopwatch& watch);
+
+}  // namespace epura

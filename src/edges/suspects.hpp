@@ -1,0 +1,23 @@
+// Which triangles may cross others at all: the rest need not be searched for intersection lines.
+#pragma once
+
+#include <vector>
+
+#include "scene/scene.hpp"
+
+namespace epura {
+
+/// Triangles of the world that may cross, ascending. With the others find_intersections finds nothing, to the last bit:
+///
+/// - The search takes two triangles as apart when no corner of one lies more than `contact` before the plane of the
+///   other. In a certified convex body (convex_bodies.hpp) that holds for any two.
+/// - It takes triangles as apart when their boxes are. So they are where those of their bodies are.
+///
+/// Left out are the triangles of convex bodies whose box meets that of no other body. `shrink` and `contact` are those
+/// of find_intersections.
+std::vector<int> crossing_suspects(const World& world, double shrink, double contact);
+
+/// Without any certificate: all triangles.
+std::vector<int> all_triangles(const World& world);
+
+}  // namespace epura

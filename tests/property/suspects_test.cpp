@@ -1,0 +1,96 @@
+// The search for intersection lines among suspects finds, to the last bit, what it finds among all triangles.
+#include "edges/suspects.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "edges/intersections.hpp"
+#include "shapes.hpp"
+
+namespace epura::test {
+namespace {
+
+class Bodies {
+ public:
+  explicit Bodies(unsigned seed) : random_(seed) {}
+
+  double number() { return static_cast<double>(random_()) / 4294967296.0; }
+
+  // Boxes, prisms and double pyramids, turned or not; a few are dented or open.
+  Shape body() {
+    Shape shape = random_() % 3 == 0 ? box({-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}) : round(3 + int(random_() % 40));
+    if (random_() % 6 == 0) shape.faces.pop_back();
+    if (random_() % 6 == 0) shape.points[random_() % shape.points.size()][2] *= 0.9;
+    if (random_() % 2 == 0) turn(shape);
+    const double size = std::pow(2.0, -static_cast<double>(random_() % 5));
+    const double steps = random_() % 2 == 0 ? 2 : 0;  // so that some touch
+    const auto place = [&] { return steps > 0 ? std::round(4 * steps * number()) / steps : 4 * number(); };
+    return shape.scaled(size).moved(place(), place(), place());
+  }
+
+ private:
+  Shape round(int sides) {
+    Shape shape;
+    const bool pointed = random_() % 2 == 0;
+    for (int i = 0; i < sides; ++i) {
+      const double a = 2 * M_PI * i / sides;
+      shape.points.push_back({std::cos(a) / 2, std::sin(a) / 2, pointed ? 0 : -0.5});
+      shape.points.push_back({std::cos(a) / 2, std::sin(a) / 2, 0.5});
+    }
+    const int below = static_cast<int>(shape.points.size());
+    shape.points.push_back({0, 0, -0.5});
+    shape.points.push_back({0, 0, 0.5});
+    for (int i = 0; i < sides; ++i) {
+      const int a = 2 * i, b = 2 * ((i + 1) % sides);
+      shape.faces.push_back({b, a, below});
+      shape.faces.push_back({a, b, b + 1, a + 1});
+      shape.faces.push_back({a + 1, b + 1, below + 1});
+    }
+    return shape;
+  }
+
+  void turn(Shape& shape) {
+    const double a = 6 * number(), b = 6 * number();
+    for (Point& p : shape.points) {
+      const auto [x, y, z] = p;
+      const double u = std::cos(a) * x - std::sin(a) * y, v = std::sin(a) * x + std::cos(a) * y;
+      p = {u, std::cos(b) * v - std::sin(b) * z, std::sin(b) * v + std::cos(b) * z};
+    }
+  }
+
+  std::mt19937 random_;
+};
+
+TEST(Suspects, HaveAllIntersections) {
+  int left_out = 0, crossings = 0;
+  for (unsigned seed = 1; seed <= 300; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Bodies bodies(seed);
+    std::vector<Shape> shapes;
+    const int count = 1 + static_cast<int>(12 * bodies.number());
+    for (int i = 0; i < count; ++i) shapes.push_back(bodies.body());
+    const World world = world_of(shapes);
+    for (const double contact : {0.0, 0x1p-40, 0x1p-29, 0x1p-20, 0x1p-8}) {
+      const std::vector<int> all = all_triangles(world);
+      const std::vector<int> suspects = crossing_suspects(world, 0x1p-2, contact);
+      const FaceCrossings expected = find_intersections(world, 0x1p-2, contact, all);
+      const FaceCrossings found = find_intersections(world, 0x1p-2, contact, suspects);
+      left_out += suspects.size() < all.size() ? 1 : 0;
+      crossings += static_cast<int>(expected.found.size());
+      EXPECT_EQ(found.searched, 1);
+      ASSERT_EQ(found.found.size(), expected.found.size());
+      for (std::size_t i = 0; i < expected.found.size(); ++i) {
+        ASSERT_EQ(found.found[i].triangles, expected.found[i].triangles);
+        ASSERT_EQ(found.found[i].ends, expected.found[i].ends);
+        ASSERT_EQ(found.found[i].angle, expected.found[i].angle);
+      }
+    }
+  }
+  EXPECT_GT(left_out, 300);
+  EXPECT_GT(crossings, 1000);
+}
+
+}  // namespace
+}  // namespace epura::test
