@@ -110,7 +110,9 @@ void define_lines(CLI::App& draw, DrawOptions& options) {
   draw.add_flag("--centre-lines", options.centre_lines, "draw centre lines and axes of circles of the models");
   add_word(draw, "--dimensions", options.dimensions, "WHICH", "",
            "overall: width, height and depth of the models, each in the clearest view");
-  draw.add_option("--visibility", options.visibility, "exact, or none for a wireframe")
+  draw.add_option("--visibility", options.visibility,
+                  "exact, none for a wireframe, or to compare with: exact:bits=24 float sampled:density=4 "
+                  "item-buffer:dpi=600")
       ->capture_default_str()
       ->type_name("METHOD");
   add_number(draw, "--contact", options.contact, {0, HUGE_VAL},

@@ -24,8 +24,9 @@ PlanStep intersection_step(const World& world, const EdgeWishes& wishes, const D
           count_of(world.triangles.size()), count_of(drawn.crossings.size())};
 }
 
-PlanStep visibility_step(bool run, const DrawnEdges& drawn, const HiddenSpans& hidden) {
-  return {"visibility", run, run ? "exact" : "a wireframe is wanted", count_of(drawn.edges.size()),
+PlanStep visibility_step(const Method& method, const DrawnEdges& drawn, const HiddenSpans& hidden) {
+  const bool run = method.way != Way::none;
+  return {"visibility", run, run ? text_of(method) : "a wireframe is wanted", count_of(drawn.edges.size()),
           count_of(hidden.spans.size())};
 }
 
@@ -61,14 +62,14 @@ ViewResult draw_view(const World& world, const CutSection* section, View view, c
   watch.lap("edges");
 
   const Contact contact = contact_of(world, view, wish.contact);
-  HiddenSpans hidden = wish.remove_hidden ? find_hidden(world, view, drawn, contact, progress) : nothing_hidden(drawn);
-  plan.push_back(visibility_step(wish.remove_hidden, drawn, hidden));
+  const PaperMap paper = make_paper_map(view, place.scale, place.shift);
+  HiddenSpans hidden = find_hidden(world, view, drawn, contact, wish.method, paper.scale, progress);
+  plan.push_back(visibility_step(wish.method, drawn, hidden));
   const std::optional<Partial> partial = partial_of(drawn, hidden);
   keep_decided(drawn, hidden);
   watch.lap("visibility");
 
   progress.begin("drawing");
-  const PaperMap paper = make_paper_map(view, place.scale, place.shift);
   Drawing drawing = make_drawing(world, view, drawn, hidden, contact, paper, {wish.name, wish.keep_hidden()});
   const CurveReport curves = wish.arcs ? find_curves(drawing.chains, *wish.arcs) : CurveReport{};
   if (section != nullptr) drawing.cut_faces = cut_faces_on_paper(section->cut.faces, section->plane, view, paper);

@@ -18,7 +18,7 @@
 #include "sheet/view_lines.hpp"
 #include "view/paper_map.hpp"
 #include "view/view.hpp"
-#include "visibility/visibility.hpp"
+#include "visibility/method.hpp"
 
 namespace epura {
 
@@ -28,7 +28,7 @@ struct ViewWish {
   ViewLimits limits;
   EdgeWishes edges;
   std::optional<double> contact;  ///< world length
-  bool remove_hidden = true;      ///< false: a wireframe
+  Method method;                  ///< by which hidden lines are found
   std::vector<ModelLook> looks;   ///< by model
   std::optional<int> verify;      ///< by so many points at random
   std::optional<double> arcs;     ///< lines within so many mm of circles and ellipses become these

@@ -52,12 +52,15 @@ ViewWish wish_of(const SceneDescription& scene, const ViewDescription& view, con
   wish.limits = {view.near, view.far};
   wish.edges = edge_wishes(view);
   wish.contact = options.contact;
-  wish.remove_hidden = choose<bool>("--visibility", options.visibility, {{"exact", true}, {"none", false}});
+  wish.method = parse_method(options.visibility, "--visibility");
   wish.looks = looks_of(scene, view);
   wish.arcs = arc_tolerance(options.arcs);
   wish.centre_lines = options.centre_lines;
-  if (options.verify && !wish.remove_hidden)
+  if (options.verify && wish.method.way == Way::none)
     throw Error(Trouble::input, "--verify", "has nothing to test in a wireframe", "leave out --visibility none");
+  if (options.time_limit && (wish.method.way == Way::sampled || wish.method.way == Way::item_buffer))
+    throw Error(Trouble::input, "--time-limit", "cannot stop " + name_of(wish.method.way) + " visibility",
+                "leave out --visibility");
   if (options.verify) wish.verify = options.verify_samples;
   return wish;
 }
