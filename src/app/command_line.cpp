@@ -189,6 +189,36 @@ void define_questions(CLI::App& draw, DrawOptions& options) {
       ->type_name("N");
 }
 
+void define_accuracy(CLI::App& accuracy, AccuracyOptions& options) {
+  accuracy.add_option("scenes", options.scenes, "scenes: model files or scene files, each for itself")
+      ->required()
+      ->type_name("SCENE...");
+  add_list(accuracy, "-o,--output", options.outputs, "file to write, by extension: html pdf csv json; may be repeated")
+      ->type_name("FILE")
+      ->required();
+  add_list(accuracy, "--projection", options.projections, "NAME[:key=value...] of models; each time one more view")
+      ->type_name("NAME")
+      ->default_str("isometric");
+  add_list(accuracy, "--plugin-path", options.plugin_path, "more folders with projection plugins")->type_name("DIR");
+  add_list(accuracy, "--visibility", options.methods, "method to measure, by default a choice of all; may be repeated")
+      ->type_name("METHOD");
+  add_number(accuracy, "--runs", options.runs, {1, 1000}, "timed runs of each method, in turns")->type_name("N");
+  add_number(accuracy, "--truth", options.pairs, {1, 1e9},
+             "pairs of edge and triangle looked at exactly; beyond, a random part of the edges is judged")
+      ->type_name("N");
+  accuracy.add_flag("!--no-maps", options.maps, "leave the projection maps out");
+  add_number(accuracy, "--threads", options.threads, {0, 1024}, "number of threads, 0 for all cores")->type_name("N");
+  accuracy.add_option("--progress", options.progress, "show how far it is: auto (on a terminal), always or never")
+      ->capture_default_str()
+      ->type_name("WHEN");
+}
+
+// The command that the arguments have led to: 'study accuracy' is one.
+const CLI::App& innermost(const CLI::App& app) {
+  const std::vector<CLI::App*> given = app.get_subcommands();
+  return given.empty() ? app : innermost(*given.front());
+}
+
 std::vector<std::string> long_names(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options())
@@ -198,12 +228,11 @@ std::vector<std::string> long_names(const CLI::App& app) {
 
 // CLI11 says which arguments nobody took; this says what was perhaps meant.
 [[noreturn]] void refuse(const CLI::App& app, const CLI::ParseError& error) {
-  const CLI::App* command = &app;
-  for (const CLI::App* sub : app.get_subcommands()) command = sub;
+  const CLI::App* command = &innermost(app);
   for (const std::string& extra : command->remaining(true)) {
     if (extra.starts_with("-"))
       throw Error(Trouble::input, "", "there is no option '" + extra + "'", did_you_mean(extra, long_names(*command)));
-    const std::vector<std::string> commands{"draw", "plugins"};
+    const std::vector<std::string> commands{"draw", "study", "plugins"};
     if (command == &app)
       throw Error(Trouble::input, "", "there is no command '" + extra + "'", did_you_mean(extra, commands));
   }
@@ -233,6 +262,12 @@ Command parse_command_line(int argc, char** argv) {
   define_questions(*draw_command, draw);
   define_run(*draw_command, draw);
 
+  CLI::App* study_command = app.add_subcommand("study", "measure the program itself")->require_subcommand(1);
+  AccuracyOptions accuracy;
+  CLI::App* accuracy_command =
+      study_command->add_subcommand("accuracy", "error against run time of all ways to find hidden lines");
+  define_accuracy(*accuracy_command, accuracy);
+
   PluginsOptions plugins;
   CLI::App* plugins_command = app.add_subcommand("plugins", "list projections, or show one");
   plugins_command->add_option("name", plugins.name, "projection to show: parameters, matrix, vanishing points")
@@ -243,14 +278,14 @@ Command parse_command_line(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
-    for (const CLI::App* sub : app.get_subcommands()) return Answer{sub->help()};
-    return Answer{app.help()};
+    return Answer{innermost(app).help()};
   } catch (const CLI::CallForVersion& version) {
     return Answer{std::string(version.what()) + "\n"};
   } catch (const CLI::ParseError& error) {
     refuse(app, error);
   }
   if (draw_command->parsed()) return draw;
+  if (accuracy_command->parsed()) return accuracy;
   return plugins;
 }
 

@@ -12,7 +12,7 @@ struct Answer {
   std::string text;
 };
 
-using Command = std::variant<Answer, DrawOptions, PluginsOptions>;
+using Command = std::variant<Answer, DrawOptions, AccuracyOptions, PluginsOptions>;
 
 /// Throws Error{input} for wrong usage.
 Command parse_command_line(int argc, char** argv);

@@ -10,5 +10,6 @@ inline constexpr int partial_exit_code = 5;
 
 int draw(const DrawOptions& options);
 int plugins(const PluginsOptions& options);
+int study_accuracy(const AccuracyOptions& options);
 
 }  // namespace epura

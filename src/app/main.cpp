@@ -16,6 +16,7 @@ int run(int argc, char** argv) {
     return 0;
   }
   if (const auto* options = std::get_if<DrawOptions>(&command)) return draw(*options);
+  if (const auto* options = std::get_if<AccuracyOptions>(&command)) return study_accuracy(*options);
   return plugins(std::get<PluginsOptions>(command));
 }
 

@@ -43,6 +43,19 @@ struct DrawOptions {
   int verify_samples = 2000;
 };
 
+struct AccuracyOptions {
+  std::vector<std::string> scenes;
+  std::vector<std::string> outputs;
+  std::vector<std::string> projections;  ///< of scenes that are models
+  std::vector<std::filesystem::path> plugin_path;
+  std::vector<std::string> methods;  ///< none: a choice of all
+  int runs = 5;
+  double pairs = 2e5;  ///< of edge and triangle, for the truth
+  bool maps = true;
+  int threads = 0;
+  std::string progress = "auto";
+};
+
 struct PluginsOptions {
   std::string name;  ///< empty: list all
   std::vector<std::filesystem::path> plugin_path;

@@ -1,0 +1,34 @@
+// Measurements as tables of texts: one table, of which CSV, JSON and HTML have the same numbers.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "study/accuracy/measure.hpp"
+
+namespace epura {
+
+struct Table {
+  struct Column {
+    std::string name;     ///< of CSV and JSON: E_max_mm
+    std::string meaning;  ///< a sentence
+    bool number = true;
+  };
+  std::vector<Column> columns;
+  std::vector<std::vector<std::string>> rows;
+};
+
+/// A row for each method at each knob.
+Table table_of(std::span<const ViewMeasurements> views);
+
+/// RFC 4180.
+std::string to_csv(const Table& table);
+/// A list of objects; numbers are numbers, and null where they are infinite or not known.
+std::string to_json_list(const Table& table);
+/// <table>
+std::string to_html(const Table& table);
+/// Text for HTML and XML.
+std::string escaped(const std::string& text);
+
+}  // namespace epura
