@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/annotations.hpp"
 #include "app/choose.hpp"
 #include "app/commands.hpp"
 #include "app/console.hpp"
@@ -12,6 +13,7 @@
 #include "app/pipeline.hpp"
 #include "app/read_models.hpp"
 #include "app/sections.hpp"
+#include "app/targets.hpp"
 #include "app/view_plan.hpp"
 #include "base/file.hpp"
 #include "base/parallel.hpp"
@@ -57,9 +59,18 @@ std::vector<ReportTarget> targets_of(const AccuracyOptions& options) {
                                                   {{"html", ReportFormat::html},
                                                    {"pdf", ReportFormat::pdf},
                                                    {"csv", ReportFormat::csv},
-                                                   {"json", ReportFormat::json}})});
+                                                   {"json", ReportFormat::json},
+                                                   {"svg", ReportFormat::svg},
+                                                   {"png", ReportFormat::png}})});
   }
   return targets;
+}
+
+// x-1.svg, x-2.svg where there are several, as draw names its sheets.
+void write_report(const ReportTarget& target, const AccuracyReport& report, Progress progress) {
+  const std::vector<std::string> files = to_files(report, target.format);
+  for (std::size_t i = 0; i < files.size(); ++i)
+    write_file(files.size() == 1 ? target.path : numbered(target.path, i + 1), files[i], progress);
 }
 
 std::vector<Method> methods_of(const AccuracyOptions& options) {
@@ -78,30 +89,47 @@ DrawOptions drawing_of(const std::string& scene, const AccuracyOptions& options)
   return drawing;
 }
 
+/// A scene with its words understood.
+struct StudiedScene {
+  std::string path;
+  SceneDescription description;
+  std::vector<SheetOfViews> sheets;
+};
+
+// A long run must not end in a typing error.
+std::vector<StudiedScene> scenes_of(const AccuracyOptions& options) {
+  std::vector<StudiedScene> scenes;
+  for (const std::string& path : options.scenes) {
+    if (!std::filesystem::exists(path)) read_file(path);  // says so
+    const DrawOptions drawing = drawing_of(path, options);
+    SceneDescription scene = describe(drawing);
+    std::vector<SheetOfViews> sheets = views_by_sheet(scene, plan_views(scene, drawing));
+    scenes.push_back({path, std::move(scene), std::move(sheets)});
+  }
+  return scenes;
+}
+
 /// Measures the views of one scene.
 class Study {
  public:
   Study(const AccuracyOptions& options, const std::vector<Method>& methods, Console& console, Progress progress)
       : options_(options), methods_(methods), console_(console), progress_(progress) {}
 
-  std::vector<ViewMeasurements> measure_scene(const std::string& path) {
-    const DrawOptions drawing = drawing_of(path, options_);
-    const SceneDescription scene = describe(drawing);
-    const std::vector<SheetOfViews> sheets = views_by_sheet(scene, plan_views(scene, drawing));
+  std::vector<ViewMeasurements> measure_scene(const StudiedScene& scene) {
     Stopwatch watch;
     std::vector<MeshReport> reports;
-    const World world = read_models(scene.models, reports, console_, progress_);
+    const World world = read_models(scene.description.models, reports, console_, progress_);
     watch.lap("read");
-    const CutSections sections = cut_sections(world, scene, console_);
+    const CutSections sections = cut_sections(world, scene.description, console_);
     std::vector<ViewMeasurements> measured;
-    for (const SheetOfViews& sheet : sheets) measure_sheet(path, scene, world, sections, sheet, measured);
+    for (const SheetOfViews& sheet : scene.sheets) measure_sheet(scene, world, sections, sheet, measured);
     for (ViewMeasurements& view : measured) view.read_seconds = watch.laps().front().second;
     return measured;
   }
 
  private:
-  void measure_sheet(const std::string& path, const SceneDescription& scene, const World& whole,
-                     const CutSections& sections, const SheetOfViews& sheet, std::vector<ViewMeasurements>& measured) {
+  void measure_sheet(const StudiedScene& scene, const World& whole, const CutSections& sections,
+                     const SheetOfViews& sheet, std::vector<ViewMeasurements>& measured) {
     const auto world = [&](std::size_t i) -> const World& {
       const CutSection* section = section_of(sections, sheet.descriptions[i]);
       return section == nullptr ? whole : section->cut.world;
@@ -110,16 +138,16 @@ class Study {
     for (std::size_t i = 0; i < sheet.plans.size(); ++i)
       views.push_back(look_at(world(i), sheet.plans[i], sheet.descriptions[i]));
     const std::vector<Annotations> annotations =
-        annotate(scene, sheet.sheet, sheet.descriptions, views, sections);
-    const SheetPlan plan = plan_sheet(whole, scene, sheet.sheet, sheet.descriptions, views, annotations);
+        annotate(scene.description, sheet.sheet, sheet.descriptions, views, sections);
+    const SheetPlan plan = plan_sheet(whole, scene.description, sheet.sheet, sheet.descriptions, views, annotations);
     for (std::size_t i = 0; i < views.size(); ++i) {
       const ViewWish& wish = sheet.plans[i].wish;
       const PaperMap paper = make_paper_map(views[i], plan.places[i].scale, plan.places[i].shift);
       const DrawnEdges drawn = find_drawn_edges(world(i), views[i], wish.edges,
                                                 contact_in_space(world(i), views[i], wish.contact), progress_);
       const StudiedView studied{
-          std::filesystem::path(path).stem().string(),  wish.name, world(i), views[i], wish.limits, drawn,
-          contact_of(world(i), views[i], wish.contact), paper};
+          std::filesystem::path(scene.path).stem().string(), wish.name, world(i), views[i], wish.limits, drawn,
+          contact_of(world(i), views[i], wish.contact),      paper};
       measured.push_back(measure_view(studied));
     }
   }
@@ -147,15 +175,16 @@ int study_accuracy(const AccuracyOptions& options) {
   const ThreadLimit threads(options.threads);
   const std::vector<ReportTarget> targets = targets_of(options);
   const std::vector<Method> methods = methods_of(options);
+  const std::vector<StudiedScene> scenes = scenes_of(options);
   Study study(options, methods, console, progress);
   AccuracyReport report;
-  for (const std::string& scene : options.scenes)
+  for (const StudiedScene& scene : scenes)
     for (ViewMeasurements& view : study.measure_scene(scene)) report.views.push_back(std::move(view));
   if (options.maps) {
     progress.begin("measuring maps");
     report.maps = measure_maps(options.runs);
   }
-  for (const ReportTarget& target : targets) write_file(target.path, to_bytes(report, target.format), progress);
+  for (const ReportTarget& target : targets) write_report(target, report, progress);
   console.print("");  // the line of progress makes room
   return 0;
 }

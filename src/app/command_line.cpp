@@ -115,6 +115,9 @@ void define_lines(CLI::App& draw, DrawOptions& options) {
                   "item-buffer:dpi=600")
       ->capture_default_str()
       ->type_name("METHOD");
+  add_number(draw, "--max-error", options.max_error, {1e-12, 1e6},
+             "find hidden lines by the cheapest method that shows no span longer than so many mm wrongly")
+      ->type_name("MM");
   add_number(draw, "--contact", options.contact, {0, HUGE_VAL},
              "length below which faces touch and hide nothing (by default found)")
       ->type_name("D");
@@ -189,11 +192,23 @@ void define_questions(CLI::App& draw, DrawOptions& options) {
       ->type_name("N");
 }
 
+void define_draw(CLI::App& draw, DrawOptions& options) {
+  define_inputs(draw, options);
+  define_outputs(draw, options);
+  define_view(draw, options);
+  define_lines(draw, options);
+  define_sheet(draw, options);
+  define_title_block(draw, options);
+  define_questions(draw, options);
+  define_run(draw, options);
+}
+
 void define_accuracy(CLI::App& accuracy, AccuracyOptions& options) {
   accuracy.add_option("scenes", options.scenes, "scenes: model files or scene files, each for itself")
       ->required()
       ->type_name("SCENE...");
-  add_list(accuracy, "-o,--output", options.outputs, "file to write, by extension: html pdf csv json; may be repeated")
+  add_list(accuracy, "-o,--output", options.outputs,
+           "file to write, by extension: html csv json pdf, or svg png for each diagram")
       ->type_name("FILE")
       ->required();
   add_list(accuracy, "--projection", options.projections, "NAME[:key=value...] of models; each time one more view")
@@ -253,14 +268,7 @@ Command parse_command_line(int argc, char** argv) {
 
   DrawOptions draw;
   CLI::App* draw_command = app.add_subcommand("draw", "draw models");
-  define_inputs(*draw_command, draw);
-  define_outputs(*draw_command, draw);
-  define_view(*draw_command, draw);
-  define_lines(*draw_command, draw);
-  define_sheet(*draw_command, draw);
-  define_title_block(*draw_command, draw);
-  define_questions(*draw_command, draw);
-  define_run(*draw_command, draw);
+  define_draw(*draw_command, draw);
 
   CLI::App* study_command = app.add_subcommand("study", "measure the program itself")->require_subcommand(1);
   AccuracyOptions accuracy;

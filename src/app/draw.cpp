@@ -28,6 +28,9 @@ namespace {
 void warn_about(Console& console, const ViewResult& result) {
   if (result.drawing.segments.empty() && !result.partial)
     console.warn("nothing is drawn: no edge of the wanted kinds is visible");
+  if (const MethodChoice& choice = result.choice; !choice.reason.empty())
+    console.print(result.drawing.name + ": hidden lines by " + text_of(choice.method) + ", since " + choice.reason +
+                  "; no span longer than " + format_rounded(choice.bound, 3) + " mm is wrong\n");
 }
 
 void warn_about(Console& console, const Partial& partial) {

@@ -26,6 +26,7 @@ struct DrawOptions {
   std::string dimensions;  ///< "overall"
   std::optional<double> crease_angle;
   std::string visibility = "exact";
+  std::optional<double> max_error;  ///< mm
   std::optional<double> near, far, contact;
   int decimals = 4;  ///< of millimetres in SVG
   double dpi = 300;

@@ -30,6 +30,11 @@ PlanStep visibility_step(const Method& method, const DrawnEdges& drawn, const Hi
           count_of(hidden.spans.size())};
 }
 
+MethodChoice choice_for(const ViewWish& wish, const View& view, const DrawnEdges& drawn, const PaperMap& paper) {
+  if (!wish.max_error) return {wish.method, 0, {}};
+  return choose_method(view, drawn, paper.scale, *wish.max_error);
+}
+
 PlanStep section_step(const CutSection& section) {
   return {"section", true, "the view shows section " + section.plane.name, count_of(section.cut.world.models.size()),
           count_of(section.cut.faces.size())};
@@ -63,8 +68,9 @@ ViewResult draw_view(const World& world, const CutSection* section, View view, c
 
   const Contact contact = contact_of(world, view, wish.contact);
   const PaperMap paper = make_paper_map(view, place.scale, place.shift);
-  HiddenSpans hidden = find_hidden(world, view, drawn, contact, wish.method, paper.scale, progress);
-  plan.push_back(visibility_step(wish.method, drawn, hidden));
+  MethodChoice choice = choice_for(wish, view, drawn, paper);
+  HiddenSpans hidden = find_hidden(world, view, drawn, contact, choice.method, paper.scale, progress);
+  plan.push_back(visibility_step(choice.method, drawn, hidden));
   const std::optional<Partial> partial = partial_of(drawn, hidden);
   keep_decided(drawn, hidden);
   watch.lap("visibility");
@@ -89,7 +95,8 @@ ViewResult draw_view(const World& world, const CutSection* section, View view, c
           std::move(verification),
           section != nullptr ? std::optional(section->plane) : std::nullopt,
           curves,
-          wish.centre_lines ? find_placed_circles(world, wish.edges.crease_angle) : std::vector<PlacedCircle>()};
+          wish.centre_lines ? find_placed_circles(world, wish.edges.crease_angle) : std::vector<PlacedCircle>(),
+          std::move(choice)};
 }
 
 }  // namespace epura

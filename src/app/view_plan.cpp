@@ -61,6 +61,12 @@ ViewWish wish_of(const SceneDescription& scene, const ViewDescription& view, con
   if (options.time_limit && (wish.method.way == Way::sampled || wish.method.way == Way::item_buffer))
     throw Error(Trouble::input, "--time-limit", "cannot stop " + name_of(wish.method.way) + " visibility",
                 "leave out --visibility");
+  if (options.max_error && wish.method != Method())
+    throw Error(Trouble::input, "--max-error", "chooses the method itself", "leave out --visibility");
+  if (options.max_error && (options.time_limit || options.verify))
+    throw Error(Trouble::input, "--max-error", "may choose a method that knows no --time-limit and no --verify",
+                "leave out one of them");
+  wish.max_error = options.max_error;
   if (options.verify) wish.verify = options.verify_samples;
   return wish;
 }

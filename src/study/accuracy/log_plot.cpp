@@ -11,7 +11,7 @@ namespace epura {
 
 namespace {
 
-constexpr double width = 180, height = 120;    // of the sheet, mm
+constexpr double width = 205, height = 120;    // of the sheet, mm
 constexpr Vec2 least(22, 18), most(140, 108);  // of the diagram
 constexpr double mark_size = 1.1;
 constexpr double small = 1.8, normal = 2.5, large = 3.5;  // heights of capitals, ISO 3098
@@ -64,6 +64,7 @@ class Plotter {
     draw_axes();
     draw_marks();
     for (std::size_t i = 0; i < plot_.curves.size(); ++i) draw_curve(i);
+    if (!plot_.note.empty()) texts_.push_back({plot_.note, {least.x, 3}, small, 0, Align::left, "note"});
     texts_.push_back({plot_.title, {least.x, most.y + 4}, large, 0, Align::left, "title"});
     const auto named = [&](const char* role) { return plot_.name + "/" + role; };
     sheet.layers.push_back({named("grid"), {"plot-grid", 0.09}, std::move(grid_)});

@@ -33,9 +33,10 @@ struct LogPlot {
   std::vector<PlotCurve> curves;
   std::vector<PlotMark> marks{};
   double least_y = 1e-10;  ///< what lies lower is drawn there
+  std::string note{};      ///< below
 };
 
-/// 180 x 120 mm. Curves are told apart by their marks and lines, which a key explains.
+/// 205 x 120 mm. Curves are told apart by their marks and lines, which a key explains.
 Sheet to_sheet(const LogPlot& plot);
 
 }  // namespace epura

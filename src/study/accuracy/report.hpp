@@ -1,4 +1,4 @@
-// The report of a study: diagrams and tables as HTML, PDF, CSV or JSON.
+// The report of a study: diagrams and tables as HTML, CSV or JSON, diagrams alone as PDF, SVG or PNG.
 #pragma once
 
 #include <string>
@@ -21,9 +21,9 @@ LogPlot diagram_of(const ViewMeasurements& view, std::size_t number);
 /// Error of the projection maps over the distance from the origin of the world.
 LogPlot diagram_of(const std::vector<MapMeasurement>& maps);
 
-enum class ReportFormat { html, pdf, csv, json };
+enum class ReportFormat { html, pdf, csv, json, svg, png };
 
-/// One file, with nothing to fetch from elsewhere.
-std::string to_bytes(const AccuracyReport& report, ReportFormat format);
+/// One file, with nothing to fetch from elsewhere; of SVG and PNG one for each diagram.
+std::vector<std::string> to_files(const AccuracyReport& report, ReportFormat format);
 
 }  // namespace epura

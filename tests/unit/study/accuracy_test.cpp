@@ -9,6 +9,7 @@
 #include "study/accuracy/measure.hpp"
 #include "study/accuracy/span_sets.hpp"
 #include "support.hpp"
+#include "visibility/choose_method.hpp"
 
 namespace epura::test {
 namespace {
@@ -180,6 +181,24 @@ TEST(Methods, GridBitsHalveTheError) {
     sums.push_back(errors_by(s, truth, ("exact:bits=" + std::to_string(bits)).c_str()).sum);
   }
   EXPECT_LT(sums.back(), 0.1 * sums.front());
+}
+
+TEST(ChosenMethods, KeepTheAllowedError) {
+  int sampled = 0;
+  for (const Projection& projection :
+       {orthographic({0.13, -0.21, 1}), perspective({5, -4, 6}, {0, 0, 0}, {5, -4, 6}, {0, 0, 1})}) {
+    const Scene s = scene(projection);
+    const std::vector<EdgeTruth> truth = truth_of(s.view(), {});
+    for (const double allowed : {0.01, 1.0, 10.0, 50.0, 100.0, 200.0, 500.0, 1000.0}) {
+      const MethodChoice choice = choose_method(s.view().view, s.view().drawn, mm, allowed);
+      const Errors errors = errors_of(s.view(), truth, contender(s.view(), choice.method).run());
+      EXPECT_LE(errors.longest, choice.bound) << text_of(choice.method);
+      EXPECT_LE(choice.bound, allowed);
+      sampled += choice.method.way == Way::sampled ? 1 : 0;
+    }
+  }
+  EXPECT_GT(sampled, 3) << "both methods are chosen";
+  EXPECT_LT(sampled, 13);
 }
 
 TEST(Measure, RanksAPlantedSlowMethodLast) {
