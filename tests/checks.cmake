@@ -4,3 +4,4 @@ add_test(NAME checks_can_fail COMMAND ${CMAKE_CURRENT_LIST_DIR}/checks_test.sh)
 add_test(NAME readme_runs COMMAND ${CMAKE_CURRENT_LIST_DIR}/readme.sh $<TARGET_FILE:epura>)
 add_test(NAME gallery_page_is_fresh
          COMMAND bash -c "diff <(samples/draw --gallery-page) samples/gallery.md" WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+add_test(NAME accuracy_page_is_fresh COMMAND ${CMAKE_CURRENT_LIST_DIR}/accuracy.sh $<TARGET_FILE:epura>)

@@ -41,7 +41,6 @@ const std::vector<std::string> usual_methods{"exact:bits=10",
                                              "item-buffer:dpi=300",
                                              "item-buffer:dpi=600",
                                              "item-buffer:dpi=1200",
-                                             "item-buffer:dpi=2400",
                                              "none"};
 
 struct ReportTarget {

@@ -95,7 +95,15 @@ std::vector<Sheet> sheets_of(const AccuracyReport& report) {
   return sheets;
 }
 
-std::string to_pdf(const std::vector<Sheet>& sheets) {
+// Diagrams, each followed by its table.
+std::string to_pdf(const AccuracyReport& report) {
+  std::vector<Sheet> sheets;
+  for (std::size_t i = 0; i < report.views.size(); ++i) {
+    const ViewMeasurements& view = report.views[i];
+    sheets.push_back(to_sheet(diagram_of(view, i)));
+    sheets.push_back(to_sheet(table_of(std::span(&view, 1)), view.scene + ", " + view.view));
+  }
+  if (!report.maps.empty()) sheets.push_back(to_sheet(diagram_of(report.maps)));
   Pages pages;
   for (const Sheet& sheet : sheets) pages.push_back(&sheet);
   return epura::to_pdf(pages);
@@ -150,7 +158,7 @@ std::vector<std::string> to_files(const AccuracyReport& report, ReportFormat for
     case ReportFormat::html:
       return {to_html(report)};
     case ReportFormat::pdf:
-      return {to_pdf(sheets_of(report))};
+      return {to_pdf(report)};
     case ReportFormat::csv:
       return {to_csv(table_of(report.views))};
     case ReportFormat::json:

@@ -1,4 +1,5 @@
-// The report of a study: diagrams and tables as HTML, CSV or JSON, diagrams alone as PDF, SVG or PNG.
+// The report of a study: diagrams and tables as HTML or PDF, tables as CSV or JSON, diagrams as
+// SVG or PNG.
 #pragma once
 
 #include <string>

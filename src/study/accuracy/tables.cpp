@@ -15,33 +15,34 @@ std::string number(double value) { return std::isfinite(value) ? format_rounded(
 std::string number(long long value) { return std::to_string(value); }
 
 std::vector<Table::Column> columns() {
-  return {{"scene", "what is drawn", false},
-          {"view", "how", false},
-          {"method", "by which hidden lines were found", false},
-          {"knob", "its setting", false},
-          {"E_max_mm", "longest misclassified span"},
-          {"E_sum_mm", "all misclassified spans together"},
-          {"E_ink_mm", "Hausdorff distance of the visible ink, both ways"},
-          {"end_mm", "farthest shift of an end of a visible span"},
+  constexpr bool text = false, number = true, printed = true;
+  return {{"scene", "what is drawn", text},
+          {"view", "how", text},
+          {"method", "by which hidden lines were found", text, printed},
+          {"knob", "its setting", text, printed},
+          {"E_max_mm", "longest misclassified span", number, printed},
+          {"E_sum_mm", "all misclassified spans together", number, printed},
+          {"E_ink_mm", "Hausdorff distance of the visible ink, both ways", number, printed},
+          {"end_mm", "farthest shift of an end of a visible span", number, printed},
           {"E_max", "the same four as parts of the drawing's longest side"},
           {"E_sum", ""},
           {"E_ink", ""},
           {"end", ""},
-          {"missed", "visible spans of which nothing is shown"},
-          {"phantom", "spans shown visible of which nothing is"},
-          {"cracks", "gaps in visible spans"},
-          {"wrong", "edges with a misclassified span"},
-          {"judged", "edges that were compared with the truth"},
+          {"missed", "visible spans of which nothing is shown", number, printed},
+          {"phantom", "spans shown visible of which nothing is", number, printed},
+          {"cracks", "gaps in visible spans", number, printed},
+          {"wrong", "edges with a misclassified span", number, printed},
+          {"judged", "edges that were compared with the truth", number, printed},
           {"edges", "all drawn edges"},
           {"at_most_wrong", "share of wrong edges: measured where all were judged, otherwise with 95 % confidence"},
           {"undecided", "share of the judged length about which the input does not tell"},
-          {"seconds", "median"},
+          {"seconds", "median", number, printed},
           {"fastest", "seconds"},
           {"slowest", "seconds"},
           {"runs", "in turns with the other methods"},
-          {"memory_MB", "by which the process grew at most"},
+          {"memory_MB", "by which the process grew at most", number, printed},
           {"read_seconds", "to read the models"},
-          {"front", "1: no other method is both faster and better"}};
+          {"front", "1: no other method is both faster and better", number, printed}};
 }
 
 std::vector<std::string> row_of(const ViewMeasurements& view, const Measurement& one) {
@@ -133,6 +134,27 @@ std::string to_json_list(const Table& table) {
     text += "}";
   }
   return "[" + text + "]";
+}
+
+Sheet to_sheet(const Table& table, const std::string& title) {
+  constexpr double margin = 10, text_column = 26, number_column = 17.5, row_height = 5, letters = 1.8;
+  Layer layer{"table", {"plot-text", 0.25}, {}, {}, {}};
+  const double height = 2 * margin + 12 + row_height * static_cast<double>(table.rows.size() + 1);
+  double x = margin;
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    const Table::Column& column = table.columns[i];
+    if (!column.printed) continue;
+    const double step = column.number ? number_column : text_column;
+    const double at = column.number ? x + step - 2 : x;
+    const Align align = column.number ? Align::right : Align::left;
+    double y = height - margin - 12;
+    layer.texts.push_back({column.name, {at, y}, letters, 0, align, "head"});
+    for (const auto& row : table.rows)
+      layer.texts.push_back({row[i], {at, y -= row_height}, letters, 0, align, "cell"});
+    x += step;
+  }
+  layer.texts.push_back({title, {margin, height - margin - 3.5}, 3.5, 0, Align::left, "title"});
+  return {x + margin, height, title, {std::move(layer)}};
 }
 
 std::string to_html(const Table& table) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "sheet/sheet.hpp"
 #include "study/accuracy/measure.hpp"
 
 namespace epura {
@@ -14,6 +15,7 @@ struct Table {
     std::string name;     ///< of CSV and JSON: E_max_mm
     std::string meaning;  ///< a sentence
     bool number = true;
+    bool printed = false;  ///< on pages, which are narrower
   };
   std::vector<Column> columns;
   std::vector<std::vector<std::string>> rows;
@@ -26,6 +28,8 @@ Table table_of(std::span<const ViewMeasurements> views);
 std::string to_csv(const Table& table);
 /// A list of objects; numbers are numbers, and null where they are infinite or not known.
 std::string to_json_list(const Table& table);
+/// A page with the columns that fit.
+Sheet to_sheet(const Table& table, const std::string& title);
 /// <table>
 std::string to_html(const Table& table);
 /// Text for HTML and XML.

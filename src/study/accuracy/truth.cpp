@@ -203,7 +203,7 @@ class Judge {
     const auto& corner = claim_.world.triangles[triangle];
     const int a = corner[side], b = corner[(side + 1) % 3];
     const auto [begin, end] = sides_.equal_range(side_key(a, b));
-    return std::none_of(begin, end, [&, a = a, b = b](const auto& found) {
+    return std::none_of(begin, end, [&](const auto& found) {
       const int other = found.second;
       if (other == triangle || claim_.contains(edge, other)) return false;
       const auto& c = claim_.world.triangles[other];
