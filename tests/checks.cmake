@@ -8,3 +8,4 @@ add_test(NAME gallery_page_is_fresh
 if(NOT EPURA_SANITIZE)
   add_test(NAME sdk_works COMMAND ${CMAKE_CURRENT_LIST_DIR}/sdk.sh ${CMAKE_BINARY_DIR})
 endif()
+add_test(NAME accuracy_page_is_fresh COMMAND ${CMAKE_CURRENT_LIST_DIR}/accuracy.sh $<TARGET_FILE:epura>)

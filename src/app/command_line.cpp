@@ -110,9 +110,14 @@ void define_lines(CLI::App& draw, DrawOptions& options) {
   draw.add_flag("--centre-lines", options.centre_lines, "draw centre lines and axes of circles of the models");
   add_word(draw, "--dimensions", options.dimensions, "WHICH", "",
            "overall: width, height and depth of the models, each in the clearest view");
-  draw.add_option("--visibility", options.visibility, "exact, or none for a wireframe")
+  draw.add_option("--visibility", options.visibility,
+                  "exact, none for a wireframe, or to compare with: exact:bits=24 float sampled:density=4 "
+                  "item-buffer:dpi=600")
       ->capture_default_str()
       ->type_name("METHOD");
+  add_number(draw, "--max-error", options.max_error, {1e-12, 1e6},
+             "find hidden lines by the cheapest method that shows no span longer than so many mm wrongly")
+      ->type_name("MM");
   add_number(draw, "--contact", options.contact, {0, HUGE_VAL},
              "length below which faces touch and hide nothing (by default found)")
       ->type_name("D");
@@ -268,6 +273,34 @@ CLI::App& define_stability(CLI::App& study, StabilityOptions& options) {
   return stability;
 }
 
+CLI::App& define_accuracy(CLI::App& study, AccuracyOptions& options) {
+  CLI::App& accuracy =
+      *study.add_subcommand("accuracy", "error against run time of all ways to find hidden lines");
+  accuracy.add_option("scenes", options.scenes, "scenes: model files or scene files, each for itself")
+      ->required()
+      ->type_name("SCENE...");
+  add_list(accuracy, "-o,--output", options.outputs,
+           "file to write, by extension: html csv json pdf, or svg png for each diagram")
+      ->type_name("FILE")
+      ->required();
+  add_list(accuracy, "--projection", options.projections, "NAME[:key=value...] of models; each time one more view")
+      ->type_name("NAME")
+      ->default_str("isometric");
+  add_list(accuracy, "--plugin-path", options.plugin_path, "more folders with projection plugins")->type_name("DIR");
+  add_list(accuracy, "--visibility", options.methods, "method to measure, by default a choice of all; may be repeated")
+      ->type_name("METHOD");
+  add_number(accuracy, "--runs", options.runs, {1, 1000}, "timed runs of each method, in turns")->type_name("N");
+  add_number(accuracy, "--truth", options.pairs, {1, 1e9},
+             "pairs of edge and triangle looked at exactly; beyond, a random part of the edges is judged")
+      ->type_name("N");
+  accuracy.add_flag("!--no-maps", options.maps, "leave the projection maps out");
+  add_number(accuracy, "--threads", options.threads, {0, 1024}, "number of threads, 0 for all cores")->type_name("N");
+  accuracy.add_option("--progress", options.progress, "show how far it is: auto (on a terminal), always or never")
+      ->capture_default_str()
+      ->type_name("WHEN");
+  return accuracy;
+}
+
 CLI::App& define_plugins(CLI::App& app, PluginsOptions& options) {
   CLI::App& plugins = *app.add_subcommand("plugins", "list projections, show one, or check a library of them");
   plugins.add_option("name", options.name, "projection to show: parameters, matrix, vanishing points")
@@ -305,12 +338,14 @@ Command parse_command_line(int argc, char** argv) {
   StabilityOptions stability;
   DrawOptions explain;
   explain.explain = true;
+  AccuracyOptions accuracy;
   PluginsOptions plugins;
   CheckPluginOptions check;
   NewProjectionOptions created;
   const CLI::App& draw_command = define_draw(app, draw);
   const CLI::App& explain_command = define_explain(app, explain);
   CLI::App& study_command = define_study(app);
+  const CLI::App& accuracy_command = define_accuracy(study_command, accuracy);
   const CLI::App& stability_command = define_stability(study_command, stability);
   CLI::App& plugins_command = define_plugins(app, plugins);
   const CLI::App& check_command = define_check(plugins_command, check);
@@ -327,6 +362,7 @@ Command parse_command_line(int argc, char** argv) {
   }
   if (draw_command.parsed()) return draw;
   if (explain_command.parsed()) return explain;
+  if (accuracy_command.parsed()) return accuracy;
   if (stability_command.parsed()) return stability;
   if (check_command.parsed()) return check;
   if (new_command.parsed()) return created;

@@ -15,5 +15,6 @@ int plugins(const PluginsOptions& options);
 int check_plugin(const CheckPluginOptions& options);
 int new_projection(const NewProjectionOptions& options);
 int study_stability(const StabilityOptions& options);
+int study_accuracy(const AccuracyOptions& options);
 
 }  // namespace epura

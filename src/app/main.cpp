@@ -19,6 +19,7 @@ int run(int argc, char** argv) {
   if (const auto* options = std::get_if<CheckPluginOptions>(&command)) return check_plugin(*options);
   if (const auto* options = std::get_if<NewProjectionOptions>(&command)) return new_projection(*options);
   if (const auto* options = std::get_if<StabilityOptions>(&command)) return study_stability(*options);
+  if (const auto* options = std::get_if<AccuracyOptions>(&command)) return study_accuracy(*options);
   return plugins(std::get<PluginsOptions>(command));
 }
 

@@ -26,6 +26,7 @@ struct DrawOptions {
   std::string dimensions;  ///< "overall"
   std::optional<double> crease_angle;
   std::string visibility = "exact";
+  std::optional<double> max_error;  ///< mm
   std::optional<double> near, far, contact;
   int decimals = 4;  ///< of millimetres in SVG
   double dpi = 300;
@@ -53,6 +54,19 @@ struct StabilityOptions {
   double size = 1;                   ///< factor of the numbers of parts of large scenes
   int threads = 0;
   bool timings = false;
+  std::string progress = "auto";
+};
+
+struct AccuracyOptions {
+  std::vector<std::string> scenes;
+  std::vector<std::string> outputs;
+  std::vector<std::string> projections;  ///< of scenes that are models
+  std::vector<std::filesystem::path> plugin_path;
+  std::vector<std::string> methods;  ///< none: a choice of all
+  int runs = 5;
+  double pairs = 2e5;  ///< of edge and triangle, for the truth
+  bool maps = true;
+  int threads = 0;
   std::string progress = "auto";
 };
 

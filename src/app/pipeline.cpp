@@ -81,19 +81,20 @@ DrawnEdges find_edges(const World& world, View& view, const ViewWish& wish, std:
 }
 
 HiddenSpans hide(const World& world, const View& view, const DrawnEdges& drawn, const Contact& contact,
-                 const ViewWish& wish, std::vector<PlanStep>& plan, Progress progress) {
+                 const ViewWish& wish, const Method& method, double scale, std::vector<PlanStep>& plan, Progress progress) {
   PlanStep step{"visibility", false, "a wireframe is wanted", count_of(drawn.edges.size()), 0};
   HiddenSpans hidden = nothing_hidden(drawn);
-  const bool one_sheet = wish.remove_hidden && wish.leave_out.visibility &&
+  const bool wanted = method.way != Way::none;
+  const bool one_sheet = wanted && wish.leave_out.visibility &&
                          timed(step.times.certificate, [&] { return is_one_sheet(world, view, drawn); });
   if (one_sheet) {
     step.why = "the page shows the surface as one sheet";
     step.spared = step.items_in;
   }
-  if (wish.remove_hidden && !one_sheet) {
+  if (wanted && !one_sheet) {
     step.run = true;
-    step.why = wish.leave_out.visibility ? "exact" : "--plan wants it";
-    hidden = timed(step.times.stage, [&] { return find_hidden(world, view, drawn, contact, progress); });
+    step.why = wish.leave_out.visibility ? text_of(method) : "--plan wants it";
+    hidden = timed(step.times.stage, [&] { return find_hidden(world, view, drawn, contact, method, scale, progress); });
   }
   step.items_out = count_of(hidden.spans.size());
   plan.push_back(std::move(step));
@@ -111,6 +112,11 @@ PlanStep hidden_step(const ViewWish& wish, const HiddenSpans& hidden) {
           run ? count_of(hidden.spans.size()) : 0,
           {},
           run ? 0 : count_of(hidden.spans.size())};
+}
+
+MethodChoice choice_for(const ViewWish& wish, const View& view, const DrawnEdges& drawn, const PaperMap& paper) {
+  if (!wish.max_error) return {wish.method, 0, {}};
+  return choose_method(view, drawn, paper.scale, *wish.max_error);
 }
 
 PlanStep section_step(const CutSection& section) {
@@ -145,7 +151,9 @@ ViewResult draw_view(const World& world, const CutSection* section, View view, c
   watch.lap("edges");
 
   const Contact contact = contact_of(world, view, wish.contact);
-  HiddenSpans hidden = hide(world, view, drawn, contact, wish, plan, progress);
+  const PaperMap paper = make_paper_map(view, place.scale, place.shift);
+  MethodChoice choice = choice_for(wish, view, drawn, paper);
+  HiddenSpans hidden = hide(world, view, drawn, contact, wish, choice.method, paper.scale, plan, progress);
   plan.push_back(hidden_step(wish, hidden));
   std::for_each(plan.begin() + first_step, plan.end(), [&](PlanStep& step) { step.view = wish.name; });
   const std::optional<Partial> partial = partial_of(drawn, hidden);
@@ -153,7 +161,6 @@ ViewResult draw_view(const World& world, const CutSection* section, View view, c
   watch.lap("visibility");
 
   progress.begin("drawing");
-  const PaperMap paper = make_paper_map(view, place.scale, place.shift);
   Drawing drawing =
       make_drawing(world, view, drawn, hidden, contact, paper, {wish.name, wish.keep_hidden(), wish.leave_out.hidden});
   const CurveReport curves = wish.arcs ? find_curves(drawing.chains, *wish.arcs) : CurveReport{};
@@ -174,7 +181,8 @@ ViewResult draw_view(const World& world, const CutSection* section, View view, c
           std::move(verification),
           section != nullptr ? std::optional(section->plane) : std::nullopt,
           curves,
-          wish.centre_lines ? find_placed_circles(world, wish.edges.crease_angle) : std::vector<PlacedCircle>()};
+          wish.centre_lines ? find_placed_circles(world, wish.edges.crease_angle) : std::vector<PlacedCircle>(),
+          std::move(choice)};
 }
 
 }  // namespace epura

@@ -19,7 +19,7 @@
 #include "sheet/view_lines.hpp"
 #include "view/paper_map.hpp"
 #include "view/view.hpp"
-#include "visibility/visibility.hpp"
+#include "visibility/choose_method.hpp"
 
 namespace epura {
 
@@ -28,11 +28,12 @@ struct ViewWish {
   std::string name;
   ViewLimits limits;
   EdgeWishes edges;
-  std::optional<double> contact;  ///< world length
-  bool remove_hidden = true;      ///< false: a wireframe
-  std::vector<ModelLook> looks;   ///< by model
-  std::optional<int> verify;      ///< by so many points at random
-  std::optional<double> arcs;     ///< lines within so many mm of circles and ellipses become these
+  std::optional<double> contact;    ///< world length
+  Method method;                    ///< by which hidden lines are found
+  std::optional<double> max_error;  ///< mm; instead, the cheapest method whose error is below
+  std::vector<ModelLook> looks;     ///< by model
+  std::optional<int> verify;        ///< by so many points at random
+  std::optional<double> arcs;       ///< lines within so many mm of circles and ellipses become these
   bool centre_lines = false;
   LeaveOut leave_out{};
 
@@ -57,6 +58,7 @@ struct ViewResult {
   std::optional<CuttingPlane> section;  ///< that the view shows
   CurveReport curves{};
   std::vector<PlacedCircle> circles{};  ///< for centre lines, where they are wanted
+  MethodChoice choice{};                ///< with a reason where an error was allowed
 };
 
 /// Seconds since the last call of `lap`, under a name.

@@ -14,12 +14,6 @@ namespace {
 
 bool has_pages(Format format) { return format == Format::pdf || format == Format::ps; }
 
-std::string numbered(const std::string& path, std::size_t number) {
-  const std::filesystem::path file(path);
-  return (file.parent_path() / (file.stem().string() + "-" + std::to_string(number))).string() +
-         file.extension().string();
-}
-
 Pages pages_of(std::span<const FinishedSheet> sheets) {
   Pages pages;
   for (const FinishedSheet& sheet : sheets) pages.push_back(&sheet.sheet);
@@ -50,6 +44,12 @@ std::string encode(Format format, std::span<const FinishedSheet> sheets, const V
 }
 
 }  // namespace
+
+std::string numbered(const std::string& path, std::size_t number) {
+  const std::filesystem::path file(path);
+  return (file.parent_path() / (file.stem().string() + "-" + std::to_string(number))).string() +
+         file.extension().string();
+}
 
 std::vector<Target> targets_of(const DrawOptions& options) {
   const std::vector<std::string>& paths = options.outputs;

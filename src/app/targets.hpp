@@ -28,6 +28,9 @@ struct FinishedSheet {
   std::vector<std::string> warnings{};  ///< what of it is not as was wished
 };
 
+/// x-2.svg for x.svg.
+std::string numbered(const std::string& path, std::size_t number);
+
 struct FileBytes {
   std::string path, bytes;
 };

@@ -23,6 +23,9 @@ std::string numbers_of(const Condition& condition) {
 void warn_about(const Messages& messages, const ViewResult& result) {
   if (result.drawing.segments.empty() && !result.partial)
     messages.warn("nothing is drawn: no edge of the wanted kinds is visible");
+  if (const MethodChoice& choice = result.choice; !choice.reason.empty())
+    messages.print(result.drawing.name + ": hidden lines by " + text_of(choice.method) + ", since " + choice.reason +
+                   "; no span longer than " + format_rounded(choice.bound, 3) + " mm is wrong\n");
 }
 
 void warn_about(const Messages& messages, const Partial& partial) {

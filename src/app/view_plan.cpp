@@ -52,13 +52,22 @@ ViewWish wish_of(const SceneDescription& scene, const ViewDescription& view, con
   wish.limits = {view.near, view.far};
   wish.edges = edge_wishes(view);
   wish.contact = options.contact;
-  wish.remove_hidden = choose<bool>("--visibility", options.visibility, {{"exact", true}, {"none", false}});
+  wish.method = parse_method(options.visibility, "--visibility");
   wish.looks = looks_of(scene, view);
   wish.arcs = arc_tolerance(options.arcs);
   wish.centre_lines = options.centre_lines;
   wish.leave_out = parse_leave_out(options.plan);
-  if (options.verify && !wish.remove_hidden)
+  if (options.verify && wish.method.way == Way::none)
     throw Error(Trouble::input, "--verify", "has nothing to test in a wireframe", "leave out --visibility none");
+  if (options.time_limit && (wish.method.way == Way::sampled || wish.method.way == Way::item_buffer))
+    throw Error(Trouble::input, "--time-limit", "cannot stop " + name_of(wish.method.way) + " visibility",
+                "leave out --visibility");
+  if (options.max_error && wish.method != Method())
+    throw Error(Trouble::input, "--max-error", "chooses the method itself", "leave out --visibility");
+  if (options.max_error && (options.time_limit || options.verify))
+    throw Error(Trouble::input, "--max-error", "may choose a method that knows no --time-limit and no --verify",
+                "leave out one of them");
+  wish.max_error = options.max_error;
   if (options.verify) wish.verify = options.verify_samples;
   return wish;
 }

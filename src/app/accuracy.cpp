@@ -1,0 +1,191 @@
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/annotations.hpp"
+#include "app/choose.hpp"
+#include "app/commands.hpp"
+#include "app/console.hpp"
+#include "app/describe.hpp"
+#include "app/layout.hpp"
+#include "app/pipeline.hpp"
+#include "app/read_models.hpp"
+#include "app/sections.hpp"
+#include "app/targets.hpp"
+#include "app/view_plan.hpp"
+#include "base/file.hpp"
+#include "base/parallel.hpp"
+#include "base/text.hpp"
+#include "study/accuracy/report.hpp"
+
+namespace epura {
+
+namespace {
+
+// From coarse to fine: the knobs of each method.
+const std::vector<std::string> usual_methods{"exact:bits=10",
+                                             "exact:bits=14",
+                                             "exact:bits=18",
+                                             "exact:bits=24",
+                                             "exact",
+                                             "float",
+                                             "sampled:density=0.1",
+                                             "sampled:density=0.5",
+                                             "sampled:density=2",
+                                             "sampled:density=10",
+                                             "sampled:density=50",
+                                             "item-buffer:dpi=75",
+                                             "item-buffer:dpi=150",
+                                             "item-buffer:dpi=300",
+                                             "item-buffer:dpi=600",
+                                             "item-buffer:dpi=1200",
+                                             "none"};
+
+struct ReportTarget {
+  std::string path;
+  ReportFormat format;
+};
+
+// Before any work is done.
+std::vector<ReportTarget> targets_of(const AccuracyOptions& options) {
+  std::vector<ReportTarget> targets;
+  for (const std::string& path : options.outputs) {
+    std::string extension = to_lower(std::filesystem::path(path).extension().string());
+    if (extension.starts_with(".")) extension.erase(0, 1);
+    targets.push_back({path, choose<ReportFormat>(path, extension,
+                                                  {{"html", ReportFormat::html},
+                                                   {"pdf", ReportFormat::pdf},
+                                                   {"csv", ReportFormat::csv},
+                                                   {"json", ReportFormat::json},
+                                                   {"svg", ReportFormat::svg},
+                                                   {"png", ReportFormat::png}})});
+  }
+  return targets;
+}
+
+// x-1.svg, x-2.svg where there are several, as draw names its sheets.
+void write_report(const ReportTarget& target, const AccuracyReport& report, Progress progress) {
+  const std::vector<std::string> files = to_files(report, target.format);
+  for (std::size_t i = 0; i < files.size(); ++i)
+    write_file(files.size() == 1 ? target.path : numbered(target.path, i + 1), files[i], progress);
+}
+
+std::vector<Method> methods_of(const AccuracyOptions& options) {
+  std::vector<Method> methods;
+  for (const std::string& text : options.methods.empty() ? usual_methods : options.methods)
+    methods.push_back(parse_method(text, "--visibility"));
+  return methods;
+}
+
+DrawOptions drawing_of(const std::string& scene, const AccuracyOptions& options) {
+  DrawOptions drawing;
+  drawing.models = {scene};
+  const bool is_model = to_lower(std::filesystem::path(scene).extension().string()) != ".toml";
+  if (is_model) drawing.projections = options.projections;
+  drawing.plugin_path = options.plugin_path;
+  return drawing;
+}
+
+/// A scene with its words understood.
+struct StudiedScene {
+  std::string path;
+  SceneDescription description;
+  std::vector<SheetOfViews> sheets;
+};
+
+// A long run must not end in a typing error.
+std::vector<StudiedScene> scenes_of(const AccuracyOptions& options) {
+  std::vector<StudiedScene> scenes;
+  for (const std::string& path : options.scenes) {
+    if (!std::filesystem::exists(path)) read_file(path);  // says so
+    const DrawOptions drawing = drawing_of(path, options);
+    SceneDescription scene = describe(drawing);
+    std::vector<SheetOfViews> sheets = views_by_sheet(scene, plan_views(scene, drawing));
+    scenes.push_back({path, std::move(scene), std::move(sheets)});
+  }
+  return scenes;
+}
+
+/// Measures the views of one scene.
+class Study {
+ public:
+  Study(const AccuracyOptions& options, const std::vector<Method>& methods, Console& console, Progress progress)
+      : options_(options), methods_(methods), console_(console), progress_(progress) {}
+
+  std::vector<ViewMeasurements> measure_scene(const StudiedScene& scene) {
+    Stopwatch watch;
+    std::vector<MeshReport> reports;
+    const World world = read_models(scene.description.models, reports, console_, progress_);
+    watch.lap("read");
+    const CutSections sections = cut_sections(world, scene.description, console_);
+    std::vector<ViewMeasurements> measured;
+    for (const SheetOfViews& sheet : scene.sheets) measure_sheet(scene, world, sections, sheet, measured);
+    for (ViewMeasurements& view : measured) view.read_seconds = watch.laps().front().second;
+    return measured;
+  }
+
+ private:
+  void measure_sheet(const StudiedScene& scene, const World& whole, const CutSections& sections,
+                     const SheetOfViews& sheet, std::vector<ViewMeasurements>& measured) {
+    const auto world = [&](std::size_t i) -> const World& {
+      const CutSection* section = section_of(sections, sheet.descriptions[i]);
+      return section == nullptr ? whole : section->cut.world;
+    };
+    std::vector<View> views;
+    for (std::size_t i = 0; i < sheet.plans.size(); ++i)
+      views.push_back(look_at(world(i), sheet.plans[i], sheet.descriptions[i]));
+    const std::vector<Annotations> annotations =
+        annotate(scene.description, sheet.sheet, sheet.descriptions, views, sections);
+    const SheetPlan plan = plan_sheet(whole, scene.description, sheet.sheet, sheet.descriptions, views, annotations);
+    for (std::size_t i = 0; i < views.size(); ++i) {
+      const ViewWish& wish = sheet.plans[i].wish;
+      const PaperMap paper = make_paper_map(views[i], plan.places[i].scale, plan.places[i].shift);
+      const DrawnEdges drawn = find_drawn_edges(world(i), views[i], wish.edges,
+                                                contact_in_space(world(i), views[i], wish.contact), progress_);
+      const StudiedView studied{
+          std::filesystem::path(scene.path).stem().string(), wish.name, world(i), views[i], wish.limits, drawn,
+          contact_of(world(i), views[i], wish.contact),      paper};
+      measured.push_back(measure_view(studied));
+    }
+  }
+
+  ViewMeasurements measure_view(const StudiedView& studied) {
+    progress_.begin("measuring " + studied.scene);
+    std::vector<Contender> contenders;
+    for (const Method& method : methods_) contenders.push_back(contender(studied, method));
+    return measure(studied, contenders, {options_.runs, {options_.pairs}});
+  }
+
+  const AccuracyOptions& options_;
+  const std::vector<Method>& methods_;
+  Console& console_;
+  Progress progress_;
+};
+
+}  // namespace
+
+int study_accuracy(const AccuracyOptions& options) {
+  ProgressBoard board;
+  Console console(board, choose<bool>("--progress", options.progress,
+                                      {{"auto", is_terminal()}, {"always", true}, {"never", false}}));
+  const Progress progress(board);
+  const ThreadLimit threads(options.threads);
+  const std::vector<ReportTarget> targets = targets_of(options);
+  const std::vector<Method> methods = methods_of(options);
+  const std::vector<StudiedScene> scenes = scenes_of(options);
+  Study study(options, methods, console, progress);
+  AccuracyReport report;
+  for (const StudiedScene& scene : scenes)
+    for (ViewMeasurements& view : study.measure_scene(scene)) report.views.push_back(std::move(view));
+  if (options.maps) {
+    progress.begin("measuring maps");
+    report.maps = measure_maps(options.runs);
+  }
+  for (const ReportTarget& target : targets) write_report(target, report, progress);
+  console.print("");  // the line of progress makes room
+  return 0;
+}
+
+}  // namespace epura

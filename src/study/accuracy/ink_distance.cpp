@@ -1,0 +1,113 @@
+#include "study/accuracy/ink_distance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+
+#include "visibility/line_cells.hpp"
+
+namespace epura {
+
+namespace {
+
+constexpr double precision = 1e-3;
+constexpr double negligible = 1e-9;  // mm; differences below are none
+
+double distance_to(const InkLine& line, const Vec2& p) {
+  const Vec2 along = line.to - line.from;
+  const double length2 = glm::dot(along, along);
+  const double s = length2 > 0 ? std::clamp(glm::dot(p - line.from, along) / length2, 0.0, 1.0) : 0;
+  return glm::distance(p, line.from + s * along);
+}
+
+/// Ink by cells of the paper.
+class InkGrid {
+ public:
+  explicit InkGrid(const std::vector<InkLine>& ink) : ink_(ink) {
+    Vec2 least(HUGE_VAL), most(-HUGE_VAL);
+    for (const InkLine& line : ink) {
+      least = glm::min(least, glm::min(line.from, line.to));
+      most = glm::max(most, glm::max(line.from, line.to));
+    }
+    const int side = std::clamp(static_cast<int>(std::sqrt(ink.size())), 1, 512);
+    const Vec2 size = glm::max(most - least, Vec2(1e-9 * std::max(1.0, glm::length(most) + glm::length(least))));
+    grid_ = {least, size / static_cast<double>(side), side, side};
+    fill();
+  }
+
+  struct Nearest {
+    double distance = HUGE_VAL;
+    InkLine line{};
+  };
+
+  /// Looks at rings of cells around the place, until no farther ring can hold anything nearer.
+  [[nodiscard]] Nearest nearest(const Vec2& place) const {
+    const int column = grid_.column(place.x), row = grid_.row(place.y);
+    Nearest nearest;
+    for (int ring = 0; ring <= std::max(grid_.columns, grid_.rows); ++ring) {
+      if (ring > 0 && (ring - 1) * std::min(grid_.side.x, grid_.side.y) > nearest.distance) break;
+      visit_ring(column, row, ring, [&](int cell) {
+        for (std::size_t i = first_[cell]; i < first_[cell + 1]; ++i) {
+          const InkLine& line = ink_[lines_[i]];
+          const double distance = distance_to(line, place);
+          if (distance < nearest.distance) nearest = {distance, line};
+        }
+      });
+    }
+    return nearest;
+  }
+
+ private:
+  template <class Visit>
+  void visit(const Visit& visit_one) const {
+    for (std::size_t i = 0; i < ink_.size(); ++i)
+      visit_cells(grid_, ink_[i].from, ink_[i].to, 0, [&](int cell, double, double) { visit_one(cell, i); });
+  }
+
+  void fill() {
+    first_.assign(static_cast<std::size_t>(grid_.count()) + 1, 0);
+    visit([&](int cell, std::size_t) { ++first_[cell + 1]; });
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    lines_.resize(first_.back());
+    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+    visit([&](int cell, std::size_t i) { lines_[next[cell]++] = i; });
+  }
+
+  template <class Visit>
+  void visit_ring(int column, int row, int ring, const Visit& visit_one) const {
+    for (int r = std::max(row - ring, 0); r <= std::min(row + ring, grid_.rows - 1); ++r) {
+      const bool whole = r == row - ring || r == row + ring;
+      for (int c = column - ring; c <= column + ring; c += whole || ring == 0 ? 1 : 2 * ring)
+        if (c >= 0 && c < grid_.columns) visit_one(grid_.cell(c, r));
+    }
+  }
+
+  const std::vector<InkLine>& ink_;
+  CellGrid grid_{};
+  std::vector<std::size_t> first_, lines_;
+};
+
+// Distance changes no faster than place, and the distance from one line of ink is greatest at an end of another line.
+double farthest(const InkGrid& grid, const InkLine& line, double known) {
+  const Vec2 middle = 0.5 * line.from + 0.5 * line.to;
+  const InkGrid::Nearest nearest = grid.nearest(middle);
+  const double best = std::max(known, nearest.distance);
+  const double from_ends = std::max(distance_to(nearest.line, line.from), distance_to(nearest.line, line.to));
+  const double from_middle = nearest.distance + 0.5 * glm::distance(line.from, line.to);
+  if (std::min(from_ends, from_middle) <= std::max(best * (1 + precision), negligible)) return best;
+  return farthest(grid, {middle, line.to}, farthest(grid, {line.from, middle}, best));
+}
+
+}  // namespace
+
+double farthest_from_ink(const std::vector<InkLine>& lines, const std::vector<InkLine>& ink) {
+  if (lines.empty()) return 0;
+  if (ink.empty()) return HUGE_VAL;
+  const InkGrid grid(ink);
+  double known = 0;
+  for (const InkLine& line : lines) known = farthest(grid, line, known);
+  return known;
+}
+
+}  // namespace epura

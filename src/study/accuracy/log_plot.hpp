@@ -1,0 +1,42 @@
+// Diagrams with two logarithmic axes, as sheets: every writer of sheets draws them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sheet/sheet.hpp"
+
+namespace epura {
+
+struct PlotPoint {
+  Vec2 at;            ///< both more than 0
+  std::string label;  ///< beside it; may be empty
+  bool full = false;  ///< its mark is filled
+};
+
+struct PlotCurve {
+  std::string name;
+  std::vector<PlotPoint> points;
+};
+
+/// A line across the diagram at one value.
+struct PlotMark {
+  std::string label;
+  double at;
+  bool vertical;  ///< at this x, otherwise at this y
+};
+
+struct LogPlot {
+  std::string name;  ///< of its layers: unique in a document
+  std::string title, x_axis, y_axis;
+  std::vector<PlotCurve> curves;
+  std::vector<PlotMark> marks{};
+  double least_y = 1e-10;  ///< what lies lower is drawn there
+  std::string note{};      ///< below
+};
+
+/// 205 x 120 mm. Curves are told apart by their marks and lines, which a key explains.
+Sheet to_sheet(const LogPlot& plot);
+
+}  // namespace epura

@@ -1,0 +1,25 @@
+// Error against run time of the projection maps alone, where the model lies ever farther from the origin of the world.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace epura {
+
+struct MapMeasurement {
+  std::string map;  ///< "M_per" (3.10) or "M_par" (3.20)
+  std::string way;  ///< "float matrix", "double matrix", "staged", "re-centred"
+  double offset;    ///< of a model of size 1 from the origin
+  double error;     ///< of places on the page relative to each other, against rationals; the greatest, in model sizes;
+                    ///< infinite where a vertex has no place any more
+  double seconds;   ///< per vertex, median
+};
+
+/// Over offsets 1, 10, ... 1e12:
+///   float matrix   the composed matrix, point and product in 32 bits
+///   double matrix  the composed matrix (view_matrix) in doubles
+///   staged         to the plane's point, into its axes, then along the projector
+///   re-centred     what views are drawn with (ViewMap): origin near the scene, in space and in the plane alike
+std::vector<MapMeasurement> measure_maps(int runs);
+
+}  // namespace epura

@@ -1,0 +1,38 @@
+// Measurements as tables of texts: one table, of which CSV, JSON and HTML have the same numbers.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sheet/sheet.hpp"
+#include "study/accuracy/measure.hpp"
+
+namespace epura {
+
+struct Table {
+  struct Column {
+    std::string name;     ///< of CSV and JSON: E_max_mm
+    std::string meaning;  ///< a sentence
+    bool number = true;
+    bool printed = false;  ///< on pages, which are narrower
+  };
+  std::vector<Column> columns;
+  std::vector<std::vector<std::string>> rows;
+};
+
+/// A row for each method at each knob.
+Table table_of(std::span<const ViewMeasurements> views);
+
+/// RFC 4180.
+std::string to_csv(const Table& table);
+/// A list of objects; numbers are numbers, and null where they are infinite or not known.
+std::string to_json_list(const Table& table);
+/// A page with the columns that fit.
+Sheet to_sheet(const Table& table, const std::string& title);
+/// <table>
+std::string to_html(const Table& table);
+/// Text for HTML and XML.
+std::string escaped(const std::string& text);
+
+}  // namespace epura

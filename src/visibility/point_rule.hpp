@@ -1,0 +1,30 @@
+// Whether a triangle hides a single point of an edge: the hiding rule in plain doubles, as methods that look at points
+// have it.
+#pragma once
+
+#include "visibility/hiding_rule.hpp"
+
+namespace epura {
+
+class PointRule {
+ public:
+  PointRule(const View& view, const Sightline& edge, const Contact& contact)
+      : view_(view), edge_(edge), contact_(contact) {}
+
+  [[nodiscard]] Vec2 place(double s) const;
+  [[nodiscard]] double depth(double s) const;
+
+  /// Whether the triangle, which is none of the edge's own, covers the point at page parameter `s` (its border does,
+  /// too) and lies before it by more than contact.
+  [[nodiscard]] bool hides(const ViewTriangle& triangle, double s) const;
+
+  /// Whether the plane of the triangle lies before that point by more than contact.
+  [[nodiscard]] bool lies_before(const ViewTriangle& triangle, double s) const;
+
+ private:
+  const View& view_;
+  Sightline edge_;
+  Contact contact_;
+};
+
+}  // namespace epura

@@ -1,0 +1,154 @@
+// epura study accuracy, and the choice by --max-error.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <regex>
+
+#include "base/file.hpp"
+#include "base/text.hpp"
+#include "program.hpp"
+#include "reading.hpp"
+
+namespace epura::test {
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+// Cells without commas and quotes.
+Rows rows_of_csv(const std::string& text) {
+  Rows rows;
+  for (const std::string_view line : split(text, '\n')) {
+    if (line.empty()) continue;
+    std::vector<std::string>& row = rows.emplace_back();
+    for (const std::string_view cell : split(line.substr(0, line.size() - 1), ',')) row.emplace_back(cell);
+  }
+  return rows;
+}
+
+// The rows of the first table.
+Rows rows_of_html(const std::string& text) {
+  Rows rows;
+  const std::string table = text.substr(text.find("<table>"), text.find("</table>") - text.find("<table>"));
+  const std::regex row("<tr>(.*?)</tr>"), cell("<t[dh][^>]*>([^<]*)</t[dh]>");
+  for (std::sregex_iterator r(table.begin(), table.end(), row), end; r != end; ++r) {
+    const std::string cells = (*r)[1];
+    std::vector<std::string>& found = rows.emplace_back();
+    for (std::sregex_iterator c(cells.begin(), cells.end(), cell); c != std::sregex_iterator(); ++c)
+      found.push_back((*c)[1]);
+  }
+  return rows;
+}
+
+std::size_t count(const std::string& text, const std::string& what) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++found;
+  return found;
+}
+
+class Accuracy : public testing::Test {
+ protected:
+  [[nodiscard]] Outcome study(std::vector<std::string> more) const {
+    std::vector<std::string> arguments{"study", "accuracy", sample("bracket.obj")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return epura(arguments, folder_ / "");
+  }
+  [[nodiscard]] std::string read(const char* name) const { return read_file(folder_ / name); }
+
+  Folder folder_;
+};
+
+TEST_F(Accuracy, EveryFormatHasTheSameNumbers) {
+  const Outcome outcome = study({"--visibility", "exact", "--visibility", "sampled:density=0.2", "--runs", "2", "-o",
+                                 "a.html", "-o", "a.csv", "-o", "a.json", "-o", "a.pdf"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  const Rows csv = rows_of_csv(read("a.csv"));
+  ASSERT_EQ(csv.size(), 3U);
+  EXPECT_EQ(rows_of_html(read("a.html")), csv);
+  const std::string json = read("a.json");
+  for (std::size_t row = 1; row < csv.size(); ++row)
+    for (std::size_t i = 4; i < csv[row].size(); ++i)
+      EXPECT_NE(json.find("\"" + csv[0][i] + "\": " + csv[row][i]), std::string::npos) << csv[0][i];
+  EXPECT_EQ(csv[1][2], "exact");
+  EXPECT_EQ(csv[1][4], "0") << "E_max of the exact method";
+  EXPECT_GT(parse_number(csv[2][4]), 0.05) << "of the sampled one";
+  EXPECT_TRUE(read("a.pdf").starts_with("%PDF"));
+}
+
+TEST_F(Accuracy, HtmlFetchesNothing) {
+  ASSERT_EQ(study({"--runs", "1", "--visibility", "exact", "-o", "a.html"}).code, 0);
+  const std::string html = read("a.html");
+  for (const char* link : {" src=", " href=", "@import", "url(", "<script", "<link"})
+    EXPECT_EQ(html.find(link), std::string::npos) << link;
+  EXPECT_EQ(count(html, "<svg"), 2U) << "of the view and of the maps";
+}
+
+TEST_F(Accuracy, ABrowserShowsTheReport) {
+  if (std::system("command -v chromium >/dev/null") != 0) GTEST_SKIP() << "chromium is not installed";
+  ASSERT_EQ(study({"--runs", "1", "--visibility", "float", "--visibility", "none", "-o", "a.html"}).code, 0);
+  const std::string command = "cd '" + (folder_ / "").string() +
+                              "' && HOME=$PWD timeout 120 chromium --headless --no-sandbox --disable-gpu --dump-dom "
+                              "file://$PWD/a.html >dom.html 2>chromium.log";
+  ASSERT_EQ(std::system(command.c_str()), 0) << read("chromium.log");
+  const std::string html = read("a.html"), dom = read("dom.html");
+  for (const char* element : {"<svg", "<tr>", "<td", "<path", "</table>"})
+    EXPECT_EQ(count(dom, element), count(html, element)) << element;
+  EXPECT_GT(count(dom, "<path"), 20U);
+}
+
+TEST_F(Accuracy, SaysWhatIsWrong) {
+  const auto refused = [&](const std::vector<std::string>& arguments, const char* reason) {
+    const Outcome outcome = study(arguments);
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.err.find(reason), std::string::npos) << outcome.err;
+  };
+  refused({"-o", "a.htm"}, "did you mean 'html'?");
+  refused({}, "--output is required");
+  refused({"-o", "a.csv", "--visibility", "samples"}, "did you mean 'sampled'?");
+  refused({"-o", "a.csv", "--runs", "0"}, "--runs: is 0");
+  refused({"-o", "a.csv", "missing.obj"}, "missing.obj");
+  refused({"-o", "a.csv", "--no-map"}, "did you mean '--no-maps'?");
+}
+
+TEST_F(Accuracy, ScenesWithSeveralViewsHaveARowForEach) {
+  const Outcome outcome = epura({"study", "accuracy", EPURA_TEST_SAMPLES "/scenes/bracket.toml", "--visibility",
+                                 "exact", "--runs", "1", "--truth", "1", "-o", "a.csv"},
+                                folder_ / "");
+  ASSERT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_GT(rows_of_csv(read("a.csv")).size(), 3U);
+}
+
+class MaxError : public testing::Test {
+ protected:
+  [[nodiscard]] Outcome draw(const char* allowed, std::vector<std::string> more = {}) const {
+    std::vector<std::string> arguments{"draw", sample("elbow.obj"), "--max-error", allowed, "-o", "x.svg"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return epura(arguments, folder_ / "");
+  }
+
+  Folder folder_;
+};
+
+TEST_F(MaxError, SaysWhichMethodAndWhy) {
+  const Outcome fine = draw("0.1"), coarse = draw("500");
+  EXPECT_EQ(fine.code, 0);
+  EXPECT_NE(fine.err.find("isometric: hidden lines by exact, since sampling would want"), std::string::npos)
+      << fine.err;
+  EXPECT_NE(coarse.err.find("isometric: hidden lines by sampled:density=0.004, since 1 points an edge are enough"),
+            std::string::npos)
+      << coarse.err;
+  EXPECT_NE(coarse.err.find("no span longer than 250 mm is wrong"), std::string::npos) << coarse.err;
+}
+
+TEST_F(MaxError, IsRefusedWhereItCannotBeKept) {
+  const auto refused = [](const Outcome& outcome, const char* reason) {
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.err.find(reason), std::string::npos) << outcome.err;
+  };
+  refused(draw("1e-7"), "no method guarantees that");
+  refused(draw("0.1", {"--visibility", "float"}), "leave out --visibility");
+  refused(draw("0.1", {"--verify"}), "leave out one of them");
+  refused(draw("0"), "--max-error: is 0");
+}
+
+}  // namespace
+}  // namespace epura::test

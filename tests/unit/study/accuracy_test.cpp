@@ -1,0 +1,247 @@
+// The truth knows what each method gets wrong; methods converge as theory says.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <thread>
+
+#include "study/accuracy/measure.hpp"
+#include "study/accuracy/span_sets.hpp"
+#include "support.hpp"
+#include "visibility/choose_method.hpp"
+
+namespace epura::test {
+namespace {
+
+constexpr double mm = 40;  // of paper per view unit
+
+struct Scene {
+  Studied studied;
+  ViewLimits limits{};
+
+  [[nodiscard]] StudiedView view() const {
+    return {"scene",         "view",       studied.result.world, studied.result.view, limits, studied.result.drawn,
+            studied.contact, {mm, Vec2(0)}};
+  }
+  [[nodiscard]] HiddenSpans by(const char* method) const { return contender(view(), parse_method(method, "")).run(); }
+};
+
+// Slabs of many sizes and turns before a comb of bars: ends of spans at all places, and short spans, too.
+Shape slabs() {
+  std::mt19937 random(7);
+  const auto number = [&random](double least, double most) {
+    return least + (most - least) * (static_cast<double>(random()) / 4294967296.0);
+  };
+  Shape shape;
+  for (int i = 0; i < 24; ++i) {
+    const double x = number(-3, 3), y = number(-3, 3), z = 0.5 + 0.03 * i, a = number(0, 3), size = number(0.02, 0.7);
+    const double c = size * std::cos(a), s = size * std::sin(a);
+    shape.add({{{x + c, y + s, z}, {x - s, y + c, z}, {x - c, y - s, z}, {x + s, y - c, z}}, {{0, 1, 2, 3}}, {}});
+  }
+  for (int i = -7; i <= 7; ++i) shape.add(box({-3, i * 0.41 - 0.05, -1 - 0.01 * i}, {3, i * 0.41 + 0.06, -0.5}));
+  return shape;
+}
+
+Scene scene(const Projection& projection = orthographic({0.13, -0.21, 1})) {
+  return {study(world_of(slabs()), projection)};
+}
+
+Errors errors_by(const Scene& scene, const std::vector<EdgeTruth>& truth, const char* method) {
+  return errors_of(scene.view(), truth, scene.by(method));
+}
+
+TEST(Truth, AgreesWithTheExactMethod) {
+  for (const Projection& projection : {orthographic({0.13, -0.21, 1}), from_above(), orthographic({1, -1, 1}),
+                                       perspective({5, -4, 6}, {0, 0, 0}, {5, -4, 6}, {0, 0, 1}),
+                                       perspective({0.4, 0.2, 1.9}, {0, 0, 0}, {0, 0, 1}, {0, 1, 0})}) {
+    const Scene s = scene(projection);
+    const std::vector<EdgeTruth> truth = truth_of(s.view(), {});
+    EXPECT_EQ(truth.size(), s.studied.result.drawn.edges.size());
+    const Errors errors = errors_of(s.view(), truth, s.studied.result.hidden);
+    EXPECT_EQ(errors.longest, 0);
+    EXPECT_EQ(errors.ink, 0);
+    EXPECT_EQ(errors.missed + errors.phantom + errors.cracks, 0);
+    EXPECT_GT(errors_of(s.view(), truth, nothing_hidden(s.studied.result.drawn)).sum, 100);
+  }
+}
+
+TEST(Truth, LeavesLittleUndecided) {
+  const Scene s = scene();
+  double undecided = 0, hidden = 0;
+  const std::vector<EdgeTruth> truth = truth_of(s.view(), {});
+  for (const EdgeTruth& edge : truth) {
+    for (const auto& [from, to] : without(edge.perhaps, edge.surely)) undecided += to - from;
+    for (const auto& [from, to] : edge.surely) hidden += to - from;
+  }
+  EXPECT_GT(hidden, 10);
+  EXPECT_LT(undecided, 1e-6 * static_cast<double>(truth.size()));
+}
+
+TEST(Truth, FindsAPlantedErrorWithItsLength) {
+  const Scene s = scene();
+  const std::vector<EdgeTruth> truth = truth_of(s.view(), {});
+  const Result& r = s.studied.result;
+  int planted = 0;
+  for (std::size_t e = 0; e < r.drawn.edges.size() && planted < 20; ++e) {
+    const Spans spans = hidden_parts(r.hidden, e);
+    if (spans.size() != 1 || spans[0][0] == 0 || spans[0][1] == 1) continue;
+    HiddenSpans wrong = r.hidden;
+    wrong.spans.erase(wrong.spans.begin() + static_cast<std::ptrdiff_t>(r.hidden.first[e]));
+    for (std::size_t i = e + 1; i < wrong.first.size(); ++i) --wrong.first[i];
+    const PageVertex& p = r.view.vertices[r.drawn.edges[e].vertex[0]];
+    const PageVertex& q = r.view.vertices[r.drawn.edges[e].vertex[1]];
+    const double length = (spans[0][1] - spans[0][0]) * std::hypot(p.x - q.x, p.y - q.y) * mm;
+    const Errors errors = errors_of(s.view(), truth, wrong);
+    EXPECT_NEAR(errors.longest, length, 1e-5);
+    EXPECT_NEAR(errors.sum, length, 1e-5);
+    EXPECT_EQ(errors.edges, 1);
+    ++planted;
+  }
+  EXPECT_GE(planted, 8);
+}
+
+TEST(Truth, OfManyEdgesASampleIsJudged) {
+  const Scene s = scene();
+  const std::vector<EdgeTruth> some = truth_of(s.view(), {.pairs = 1});
+  EXPECT_LT(some.size(), s.studied.result.drawn.edges.size());
+  EXPECT_GT(some.size(), 100U);
+  EXPECT_TRUE(std::is_sorted(some.begin(), some.end(), [](const auto& a, const auto& b) { return a.edge < b.edge; }));
+}
+
+// Slope of log error over log knob, by least squares.
+double slope(const std::vector<double>& knobs, const std::vector<double>& errors) {
+  double x = 0, y = 0, xx = 0, xy = 0;
+  const auto n = static_cast<double>(knobs.size());
+  for (std::size_t i = 0; i < knobs.size(); ++i) {
+    const double a = std::log(knobs[i]), b = std::log(errors[i]);
+    x += a;
+    y += b;
+    xx += a * a;
+    xy += a * b;
+  }
+  return (n * xy - x * y) / (n * xx - x * x);
+}
+
+struct Sweep {
+  std::vector<double> knobs, longest, sum, end_point;
+};
+
+Sweep sweep(const std::string& method, const std::string& rest, const std::vector<double>& knobs) {
+  const Scene s = scene();
+  const std::vector<EdgeTruth> truth = truth_of(s.view(), {});
+  Sweep result{knobs, {}, {}, {}};
+  for (const double knob : knobs) {
+    const Errors errors = errors_by(s, truth, (method + std::to_string(knob) + rest).c_str());
+    result.longest.push_back(errors.longest);
+    result.sum.push_back(errors.sum);
+    result.end_point.push_back(errors.end_point);
+  }
+  return result;
+}
+
+TEST(Methods, SampledConvergeWithTheDistanceOfPoints) {
+  const Sweep points = sweep("sampled:density=", ":halvings=0", {1, 1.5, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64});
+  EXPECT_NEAR(slope(points.knobs, points.longest), -1, 0.15) << "a maximum, which scatters more";
+  EXPECT_NEAR(slope(points.knobs, points.sum), -1, 0.1);
+  EXPECT_NEAR(slope(points.knobs, points.end_point), -1, 0.1);
+  for (std::size_t i = 0; i < points.knobs.size(); ++i)
+    EXPECT_LE(points.longest[i], 1 / points.knobs[i]) << "the bound";
+}
+
+TEST(Methods, BisectedChangesLeaveOnlyMissedSpans) {
+  const Sweep bisected = sweep("sampled:density=", "", {1, 2, 4, 8, 16});
+  const Sweep plain = sweep("sampled:density=", ":halvings=0", {1, 2, 4, 8, 16});
+  for (std::size_t i = 0; i < bisected.knobs.size(); ++i) {
+    EXPECT_LE(bisected.longest[i], 1 / bisected.knobs[i]) << "the bound";
+    EXPECT_LT(bisected.sum[i], 0.5 * plain.sum[i]);
+  }
+}
+
+TEST(Methods, HalvingsHalveTheError) {
+  const Scene s = scene();
+  const std::vector<EdgeTruth> truth = truth_of(s.view(), {});
+  const double none = errors_by(s, truth, "sampled:density=64:halvings=0").end_point;
+  const double five = errors_by(s, truth, "sampled:density=64:halvings=5").end_point;
+  EXPECT_NEAR(std::log2(none / five), 5, 0.7);
+}
+
+TEST(Methods, ItemBuffersConvergeWithTheSizeOfPixels) {
+  const Sweep pixels = sweep("item-buffer:dpi=", "", {50, 100, 200, 400, 800, 1600});
+  EXPECT_NEAR(slope(pixels.knobs, pixels.sum), -1, 0.15);
+  EXPECT_NEAR(slope(pixels.knobs, pixels.end_point), -1, 0.3);
+}
+
+TEST(Methods, GridBitsHalveTheError) {
+  const Scene s = scene();
+  const std::vector<EdgeTruth> truth = truth_of(s.view(), {});
+  std::vector<double> cells, sums;
+  for (const int bits : {8, 10, 12, 14}) {
+    cells.push_back(std::exp2(bits));
+    sums.push_back(errors_by(s, truth, ("exact:bits=" + std::to_string(bits)).c_str()).sum);
+  }
+  EXPECT_LT(sums.back(), 0.1 * sums.front());
+}
+
+TEST(ChosenMethods, KeepTheAllowedError) {
+  int sampled = 0;
+  for (const Projection& projection :
+       {orthographic({0.13, -0.21, 1}), perspective({5, -4, 6}, {0, 0, 0}, {5, -4, 6}, {0, 0, 1})}) {
+    const Scene s = scene(projection);
+    const std::vector<EdgeTruth> truth = truth_of(s.view(), {});
+    for (const double allowed : {0.01, 1.0, 10.0, 50.0, 100.0, 200.0, 500.0, 1000.0}) {
+      const MethodChoice choice = choose_method(s.view().view, s.view().drawn, mm, allowed);
+      const Errors errors = errors_of(s.view(), truth, contender(s.view(), choice.method).run());
+      EXPECT_LE(errors.longest, choice.bound) << text_of(choice.method);
+      EXPECT_LE(choice.bound, allowed);
+      sampled += choice.method.way == Way::sampled ? 1 : 0;
+    }
+  }
+  EXPECT_GT(sampled, 3) << "both methods are chosen";
+  EXPECT_LT(sampled, 13);
+}
+
+TEST(Measure, RanksAPlantedSlowMethodLast) {
+  const Scene s = scene();
+  const StudiedView view = s.view();
+  std::vector<Contender> contenders{contender(view, parse_method("exact", "")),
+                                    {"slow", "",
+                                     [&] {
+                                       std::this_thread::sleep_for(std::chrono::milliseconds(300));
+                                       return s.studied.result.hidden;
+                                     }},
+                                    contender(view, parse_method("none", ""))};
+  const ViewMeasurements found = measure(view, contenders, {.runs = 5});
+  ASSERT_EQ(found.methods.size(), 3U);
+  const auto slowest = std::max_element(found.methods.begin(), found.methods.end(),
+                                        [](const auto& a, const auto& b) { return a.median < b.median; });
+  EXPECT_EQ(slowest->method, "slow");
+  EXPECT_GE(slowest->median, 0.3);
+  EXPECT_EQ(slowest->seconds.size(), 5U);
+  EXPECT_FALSE(slowest->on_front) << "the exact method is as right, and faster";
+  EXPECT_TRUE(found.methods[0].on_front);
+  EXPECT_GT(found.methods[2].errors.longest, 1);
+}
+
+TEST(Measure, TellsMemory) {
+  const Scene s = scene();
+  const StudiedView view = s.view();
+  std::vector<Contender> contenders{{"hungry", "", [&] {
+                                       const std::vector<char> bytes(64 << 20, 1);
+                                       HiddenSpans found = s.studied.result.hidden;
+                                       if (bytes[12345] == 0) found = {};
+                                       return found;
+                                     }}};
+  const ViewMeasurements found = measure(view, contenders, {.runs = 5});
+  if (!found.methods[0].memory) GTEST_SKIP() << "this system does not tell the memory of a process";
+  EXPECT_GT(*found.methods[0].memory, 60e6);
+  EXPECT_LT(*found.methods[0].memory, 120e6);
+}
+
+TEST(Measure, Medians) {
+  EXPECT_EQ(median_of({3, 1, 2}), 2);
+  EXPECT_EQ(median_of({4, 1, 2, 3}), 2.5);
+}
+
+}  // namespace
+}  // namespace epura::test
