@@ -187,6 +187,46 @@ void define_questions(CLI::App& draw, DrawOptions& options) {
       ->type_name("N");
 }
 
+void define_draw(CLI::App& draw, DrawOptions& options) {
+  define_inputs(draw, options);
+  define_outputs(draw, options);
+  define_view(draw, options);
+  define_lines(draw, options);
+  define_sheet(draw, options);
+  define_title_block(draw, options);
+  define_questions(draw, options);
+  define_run(draw, options);
+}
+
+void define_plugins(CLI::App& plugins, PluginsOptions& options) {
+  plugins.add_option("name", options.name, "projection to show: parameters, matrix, vanishing points")
+      ->type_name("NAME");
+  add_list(plugins, "--plugin-path", options.plugin_path, "more folders with projection plugins")->type_name("DIR");
+}
+
+void define_compare(CLI::App& compare, CompareOptions& options) {
+  compare.add_option("before", options.before, "drawing to compare with: json svg pdf")->required()->type_name("A");
+  compare.add_option("after", options.after, "drawing that may differ from it")->required()->type_name("B");
+  add_number(compare, "--tolerance", options.tolerance, {0, 10}, "mm by which lines may lie beside each other")
+      ->type_name("MM");
+  add_word(compare, "--overlay", options.overlay, "FILE", "",
+           "picture of both, what differs in colour: svg, png, pdf or html");
+  add_word(compare, "--json", options.json, "FILE", "", "what differs, for programs; - for standard output");
+}
+
+void define_snapshot(CLI::App& snapshot, SnapshotOptions& options) {
+  snapshot
+      .add_option("folders", options.folders, "folders of cases: each has scene.toml and expected.json, .svg or .pdf")
+      ->required()
+      ->type_name("DIR...");
+  snapshot.add_flag("--accept", options.accept, "make what comes the expectation; refused where CI is set");
+  add_number(snapshot, "--tolerance", options.tolerance, {0, 10}, "mm, as of 'epura compare'")->type_name("MM");
+  add_word(snapshot, "--report", options.report, "FILE", "", "page with pictures of the cases: html");
+  add_word(snapshot, "--junit", options.junit, "FILE", "", "results for CI: JUnit XML");
+  add_number(snapshot, "--threads", options.threads, {0, 1024}, "cases at the same time, 0 for one a core")
+      ->type_name("N");
+}
+
 std::vector<std::string> long_names(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options())
@@ -201,7 +241,7 @@ std::vector<std::string> long_names(const CLI::App& app) {
   for (const std::string& extra : command->remaining(true)) {
     if (extra.starts_with("-"))
       throw Error(Trouble::input, "", "there is no option '" + extra + "'", did_you_mean(extra, long_names(*command)));
-    const std::vector<std::string> commands{"draw", "plugins"};
+    const std::vector<std::string> commands{"draw", "plugins", "compare", "snapshot"};
     if (command == &app)
       throw Error(Trouble::input, "", "there is no command '" + extra + "'", did_you_mean(extra, commands));
   }
@@ -216,27 +256,24 @@ Command parse_command_line(int argc, char** argv) {
   app.set_version_flag("--version", "epura " EPURA_VERSION);
   app.require_subcommand(1);
   app.footer(
-      "'epura COMMAND --help' says more. Exit codes: 0 done, 1 found wrong (--verify), 2 wrong input, 3 plugin, 4 "
-      "could "
-      "not write, 5 partial drawing (--time-limit), 130 cancelled.");
+      "'epura COMMAND --help' says more. Exit codes: 0 done, 1 differences (compare, snapshot) or found wrong "
+      "(--verify), 2 wrong input, 3 plugin, 4 could not write, 5 partial drawing (--time-limit), 130 cancelled.");
 
   DrawOptions draw;
   CLI::App* draw_command = app.add_subcommand("draw", "draw models");
-  define_inputs(*draw_command, draw);
-  define_outputs(*draw_command, draw);
-  define_view(*draw_command, draw);
-  define_lines(*draw_command, draw);
-  define_sheet(*draw_command, draw);
-  define_title_block(*draw_command, draw);
-  define_questions(*draw_command, draw);
-  define_run(*draw_command, draw);
+  define_draw(*draw_command, draw);
 
   PluginsOptions plugins;
   CLI::App* plugins_command = app.add_subcommand("plugins", "list projections, or show one");
-  plugins_command->add_option("name", plugins.name, "projection to show: parameters, matrix, vanishing points")
-      ->type_name("NAME");
-  add_list(*plugins_command, "--plugin-path", plugins.plugin_path, "more folders with projection plugins")
-      ->type_name("DIR");
+  define_plugins(*plugins_command, plugins);
+
+  CompareOptions compare;
+  CLI::App* compare_command = app.add_subcommand("compare", "tell what a person sees that differs in two drawings");
+  define_compare(*compare_command, compare);
+
+  SnapshotOptions snapshot;
+  CLI::App* snapshot_command = app.add_subcommand("snapshot", "draw cases and compare them with what is expected");
+  define_snapshot(*snapshot_command, snapshot);
 
   try {
     app.parse(argc, argv);
@@ -249,6 +286,8 @@ Command parse_command_line(int argc, char** argv) {
     refuse(app, error);
   }
   if (draw_command->parsed()) return draw;
+  if (compare_command->parsed()) return compare;
+  if (snapshot_command->parsed()) return snapshot;
   return plugins;
 }
 

@@ -12,7 +12,7 @@ struct Answer {
   std::string text;
 };
 
-using Command = std::variant<Answer, DrawOptions, PluginsOptions>;
+using Command = std::variant<Answer, DrawOptions, PluginsOptions, CompareOptions, SnapshotOptions>;
 
 /// Throws Error{input} for wrong usage.
 Command parse_command_line(int argc, char** argv);

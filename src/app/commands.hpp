@@ -10,5 +10,7 @@ inline constexpr int partial_exit_code = 5;
 
 int draw(const DrawOptions& options);
 int plugins(const PluginsOptions& options);
+int compare(const CompareOptions& options);
+int snapshot(const SnapshotOptions& options);
 
 }  // namespace epura

@@ -16,6 +16,8 @@ int run(int argc, char** argv) {
     return 0;
   }
   if (const auto* options = std::get_if<DrawOptions>(&command)) return draw(*options);
+  if (const auto* options = std::get_if<CompareOptions>(&command)) return compare(*options);
+  if (const auto* options = std::get_if<SnapshotOptions>(&command)) return snapshot(*options);
   return plugins(std::get<PluginsOptions>(command));
 }
 

@@ -7,8 +7,8 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
-#include "base/utf8.hpp"
 #include "output/in_order.hpp"
+#include "output/json_text.hpp"
 #include "output/write.hpp"
 
 namespace epura {
@@ -33,24 +33,6 @@ std::string number(int value) { return std::to_string(value); }
 std::string number(long long value) { return std::to_string(value); }
 
 std::string boolean(bool value) { return value ? "true" : "false"; }
-
-std::string quoted(std::string_view text) {
-  constexpr std::string_view digits = "0123456789abcdef";
-  std::string result = "\"";
-  for (const char c : valid_utf8(text)) {
-    if (c == '"' || c == '\\') {
-      result += '\\';
-      result += c;
-    } else if (static_cast<unsigned char>(c) < ' ') {
-      result += "\\u00";
-      result += digits[static_cast<std::size_t>(c) / 16];
-      result += digits[static_cast<std::size_t>(c) % 16];
-    } else {
-      result += c;
-    }
-  }
-  return result + '"';
-}
 
 // The items, each made into JSON by `write`, with `between` behind the commas.
 template <class Items, class Write>
@@ -151,7 +133,7 @@ std::string parameters_of(const Projection& projection) {
   std::string text;
   for (const auto& [name, values] : projection.values) {
     if (!text.empty()) text += ", ";
-    text += quoted(name) + ": " + (values.size() == 1 ? number(values[0]) : numbers(values));
+    text += json_text(name) + ": " + (values.size() == 1 ? number(values[0]) : numbers(values));
   }
   return "{" + text + "}";
 }
@@ -172,7 +154,7 @@ std::string cut_face_of(const CutFace& face) {
 void append_view(std::string& text, const Drawing& drawing, double main_scale) {
   const Projection& projection = drawing.projection;
   const auto vanishing_point = [](const std::optional<Vec2>& p) { return p ? point(*p) : "null"; };
-  text += "{\"name\": " + quoted(drawing.name) + ", \"projection\": " + quoted(projection.name) +
+  text += "{\"name\": " + json_text(drawing.name) + ", \"projection\": " + json_text(projection.name) +
           ", \"parameters\": " + parameters_of(projection) +
           (drawing.scale == main_scale ? "" : ", \"scale\": " + number(drawing.scale)) +
           ",\n   \"world_to_page\": " + matrix(drawing.world_to_page) + ",\n   \"viewer\": {\"" +
@@ -185,7 +167,7 @@ void append_view(std::string& text, const Drawing& drawing, double main_scale) {
 }
 
 std::string mesh_of(const MeshReport& mesh) {
-  std::string text = "{\"name\": " + quoted(mesh.name) + ", \"format\": " + quoted(mesh.format);
+  std::string text = "{\"name\": " + json_text(mesh.name) + ", \"format\": " + json_text(mesh.format);
   const auto add = [&text](std::string_view key, const std::string& value) {
     text.append(", \"").append(key).append("\": ").append(value);
   };
@@ -204,13 +186,14 @@ std::string mesh_of(const MeshReport& mesh) {
   add("weld_distance", number(mesh.weld_distance));
   add("single_precision", boolean(mesh.single_precision));
   add("resolution", number(mesh.resolution));
-  add("notes", list(mesh.notes, quoted));
+  add("notes", list(mesh.notes, json_text));
   return text + "}";
 }
 
 std::string step_of(const PlanStep& step) {
-  return "{\"stage\": " + quoted(step.stage) + ", \"run\": " + boolean(step.run) + ", \"why\": " + quoted(step.why) +
-         ", \"in\": " + number(step.items_in) + ", \"out\": " + number(step.items_out) + "}";
+  return "{\"stage\": " + json_text(step.stage) + ", \"run\": " + boolean(step.run) +
+         ", \"why\": " + json_text(step.why) + ", \"in\": " + number(step.items_in) +
+         ", \"out\": " + number(step.items_out) + "}";
 }
 
 std::string partial_of(const Partial& partial) {
@@ -221,7 +204,7 @@ std::string partial_of(const Partial& partial) {
 std::string facet_of(const FacetName& facet) { return numbers(std::array{facet.model, facet.face}); }
 
 std::string stratum_of(const Stratum& stratum) {
-  return "{\"visible\": " + boolean(stratum.visible) + ", \"kind\": " + quoted(name_of(stratum.kind)) +
+  return "{\"visible\": " + boolean(stratum.visible) + ", \"kind\": " + json_text(name_of(stratum.kind)) +
          ", \"least\": " + number(stratum.least) + ", \"length\": " + number(stratum.length) +
          ", \"samples\": " + number(stratum.samples) + ", \"undecided\": " + number(stratum.undecided) +
          ", \"wrong\": " + number(stratum.wrong) + "}";
@@ -229,7 +212,7 @@ std::string stratum_of(const Stratum& stratum) {
 
 std::string offence_of(const Offence& offence) {
   const bool has_edge = offence.edge[0] >= 0;
-  return "{\"what\": " + quoted(offence.what) + ", \"model\": " + number(offence.model) +
+  return "{\"what\": " + json_text(offence.what) + ", \"model\": " + number(offence.model) +
          ", \"edge\": " + (has_edge ? numbers(offence.edge) : "null") + ", \"t\": " + number(offence.t) +
          (has_edge ? "" : ", \"faces\": " + list(offence.facets, facet_of)) + ", \"page\": " + point(offence.page) +
          ", \"hider\": " + (offence.hider ? facet_of(*offence.hider) : "null") + "}";
@@ -249,7 +232,7 @@ std::string report_of(const Report& report) {
       "{\"meshes\": " + list(report.meshes, mesh_of, "\n   ") + ",\n  \"plan\": " + list(report.plan, step_of, "\n   ");
   std::string times;
   for (const auto& [stage, seconds] : report.seconds)
-    times += (times.empty() ? "" : ", ") + quoted(stage) + ": " + number(seconds);
+    times += (times.empty() ? "" : ", ") + json_text(stage) + ": " + number(seconds);
   if (!times.empty()) text += ",\n  \"time\": {" + times + "}";
   if (report.verification) text += ",\n  \"verify\": " + verification_of(*report.verification);
   return text + "}";

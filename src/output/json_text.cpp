@@ -1,0 +1,27 @@
+#include "output/json_text.hpp"
+
+#include <cstddef>
+
+#include "base/utf8.hpp"
+
+namespace epura {
+
+std::string json_text(std::string_view text) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string result = "\"";
+  for (const char c : valid_utf8(text)) {
+    if (c == '"' || c == '\\') {
+      result += '\\';
+      result += c;
+    } else if (static_cast<unsigned char>(c) < ' ') {
+      result += "\\u00";
+      result += digits[static_cast<std::size_t>(c) / 16];
+      result += digits[static_cast<std::size_t>(c) % 16];
+    } else {
+      result += c;
+    }
+  }
+  return result + '"';
+}
+
+}  // namespace epura

@@ -1,0 +1,28 @@
+#include "study/compare/read_pictures.hpp"
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/text.hpp"
+
+namespace epura {
+
+int number_of_name(std::vector<std::string>& names, const std::string& name) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found != names.end()) return static_cast<int>(found - names.begin());
+  names.push_back(name);
+  return static_cast<int>(names.size()) - 1;
+}
+
+PictureFile read_pictures(const std::filesystem::path& path) { return pictures_of(read_file(path), path); }
+
+PictureFile pictures_of(const std::string& bytes, const std::filesystem::path& path) {
+  const std::string extension = to_lower(path.extension().string()), where = path.string();
+  if (extension == ".json") return {true, true, {picture_of_json(bytes, where)}};
+  if (extension == ".svg") return {false, true, {picture_of_svg(bytes, where)}};
+  throw Error(Trouble::input, where, "is no drawing that can be compared",
+              "epura compares its .json, .svg and .pdf files");
+}
+
+}  // namespace epura
