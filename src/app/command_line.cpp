@@ -207,7 +207,7 @@ void define_plugins(CLI::App& plugins, PluginsOptions& options) {
 void define_compare(CLI::App& compare, CompareOptions& options) {
   compare.add_option("before", options.before, "drawing to compare with: json svg pdf")->required()->type_name("A");
   compare.add_option("after", options.after, "drawing that may differ from it")->required()->type_name("B");
-  add_number(compare, "--tolerance", options.tolerance, {0, 10}, "mm by which lines may lie beside each other")
+  add_number(compare, "--tolerance", options.tolerance, {1e-6, 10}, "mm by which lines may lie beside each other")
       ->type_name("MM");
   add_word(compare, "--overlay", options.overlay, "FILE", "",
            "picture of both, what differs in colour: svg, png, pdf or html");
@@ -220,7 +220,7 @@ void define_snapshot(CLI::App& snapshot, SnapshotOptions& options) {
       ->required()
       ->type_name("DIR...");
   snapshot.add_flag("--accept", options.accept, "make what comes the expectation; refused where CI is set");
-  add_number(snapshot, "--tolerance", options.tolerance, {0, 10}, "mm, as of 'epura compare'")->type_name("MM");
+  add_number(snapshot, "--tolerance", options.tolerance, {1e-6, 10}, "mm, as of 'epura compare'")->type_name("MM");
   add_word(snapshot, "--report", options.report, "FILE", "", "page with pictures of the cases: html");
   add_word(snapshot, "--junit", options.junit, "FILE", "", "results for CI: JUnit XML");
   add_number(snapshot, "--threads", options.threads, {0, 1024}, "cases at the same time, 0 for one a core")

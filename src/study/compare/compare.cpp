@@ -16,10 +16,12 @@ constexpr double same_size = 1e-3;  // of sheets, mm: points of PDF are rounded
 
 std::string in_words(const Vec2& size) { return format_fixed(size.x, 3) + " x " + format_fixed(size.y, 3) + " mm"; }
 
-// What there is of a page that only one drawing has is added or removed.
-const Picture& page_of(const PictureFile& file, std::size_t page) {
-  static const Picture none{Vec2(0, 0)};
-  return page < file.pages.size() ? file.pages[page] : none;
+// Of a page that only one drawing has, everything was added or removed. `any_dashes`: all patterns count as one.
+Picture page_of(const PictureFile& file, std::size_t page, bool any_dashes) {
+  Picture picture = page < file.pages.size() ? file.pages[page] : Picture{Vec2(0, 0)};
+  for (PictureLook& look : picture.looks)
+    if (any_dashes && !look.dashes.empty()) look.dashes = some_dashes;
+  return picture;
 }
 
 void compare_page(const Picture& before, const Picture& after, double tolerance, Comparison& comparison) {
@@ -64,9 +66,10 @@ Comparison compare(const PictureFile& before, const PictureFile& after, double t
     throw Error(Trouble::input, "compare", "drawing JSON has views without their sheet, and the other file has sheets",
                 "compare JSON with JSON, and SVG or PDF with SVG or PDF");
   Comparison comparison;
-  comparison.compares_texts = before.has_texts && after.has_texts;
+  const bool any_pdf = before.is_pdf || after.is_pdf;
+  comparison.compares_texts = !any_pdf;
   for (std::size_t i = 0; i < std::max(before.pages.size(), after.pages.size()); ++i)
-    compare_page(page_of(before, i), page_of(after, i), tolerance, comparison);
+    compare_page(page_of(before, i, any_pdf), page_of(after, i, any_pdf), tolerance, comparison);
   return comparison;
 }
 

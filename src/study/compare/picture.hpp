@@ -16,8 +16,11 @@ struct PictureLook {
   bool filled = false;           ///< the border of an area that is filled
   double width = 0;              ///< mm; 0 of areas
   std::vector<double> dashes{};  ///< mm: ink, gap, ink, gap ...; empty: continuous
-  std::string colour = "#000";
+  std::string colour = "#000000";
 };
+
+/// Stands for the dashes of a broken line whose pattern is not known.
+inline const std::vector<double> some_dashes = {3, 0.75};
 
 /// Numbers are places in the lists of the picture.
 struct PicturePiece {
@@ -45,8 +48,5 @@ struct Picture {
 
 /// The number of a name in a list, which grows where it has to.
 int number_of_name(std::vector<std::string>& names, const std::string& name);
-
-/// Curves become lines that stay within this of them, mm.
-inline constexpr double flatness = 1e-4;
 
 }  // namespace epura

@@ -15,14 +15,19 @@ int number_of_name(std::vector<std::string>& names, const std::string& name) {
   return static_cast<int>(names.size()) - 1;
 }
 
-PictureFile read_pictures(const std::filesystem::path& path) { return pictures_of(read_file(path), path); }
+PictureFile read_pictures(const std::filesystem::path& path) {
+  const std::vector<std::string> known = {".json", ".svg", ".pdf"};
+  if (std::find(known.begin(), known.end(), to_lower(path.extension().string())) == known.end())
+    throw Error(Trouble::input, path.string(), "is no drawing that can be compared",
+                "epura compares its .json, .svg and .pdf files");
+  return pictures_of(read_file(path), path);
+}
 
 PictureFile pictures_of(const std::string& bytes, const std::filesystem::path& path) {
   const std::string extension = to_lower(path.extension().string()), where = path.string();
-  if (extension == ".json") return {true, true, {picture_of_json(bytes, where)}};
-  if (extension == ".svg") return {false, true, {picture_of_svg(bytes, where)}};
-  throw Error(Trouble::input, where, "is no drawing that can be compared",
-              "epura compares its .json, .svg and .pdf files");
+  if (extension == ".json") return {true, false, {picture_of_json(bytes, where)}};
+  if (extension == ".svg") return {false, false, {picture_of_svg(bytes, where)}};
+  return {false, true, pictures_of_pdf(bytes, where)};
 }
 
 }  // namespace epura

@@ -11,15 +11,15 @@
 namespace epura {
 
 struct PictureFile {
-  bool is_json = false;   ///< views without their sheet: no frame, no texts, no hatching
-  bool has_texts = true;  ///< false: the texts of the format are not read
+  bool is_json = false;  ///< views without their sheet: no frame, no texts, no hatching
+  bool is_pdf = false;   ///< texts are not read, and of dashes only whether there are any
   std::vector<Picture> pages{};
 };
 
 /// Reads drawing JSON, SVG or PDF that epura wrote, by extension. Throws Error{input} for everything else.
 PictureFile read_pictures(const std::filesystem::path& path);
 
-/// The same of the bytes of a file of that name.
+/// The same of the bytes of a file of that name, which ends in .json, .svg or .pdf.
 PictureFile pictures_of(const std::string& bytes, const std::filesystem::path& path);
 
 /// Drawing JSON, schema 1. `where` names it in errors. Visible lines count as wide, hidden ones as dashed and narrow;
@@ -30,7 +30,7 @@ Picture picture_of_json(std::string_view bytes, const std::string& where);
 /// count.
 Picture picture_of_svg(std::string_view bytes, const std::string& where);
 
-/// The pages of a PDF file, without texts.
+/// The pages of a PDF file, without texts. Lines of a layer are broken if one of them has dashes.
 std::vector<Picture> pictures_of_pdf(const std::string& bytes, const std::string& where);
 
 }  // namespace epura

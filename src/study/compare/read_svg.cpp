@@ -23,7 +23,7 @@ constexpr int deepest = 100;  // groups in groups
 // What a group hands on to what is in it.
 struct Context {
   SvgStyle style{};
-  SvgMap map{};
+  AffineMap map{};
   std::string view{};   // label of the outermost layer
   std::string layer{};  // of the innermost one, or its class: the name of its lines
   bool visible = true;
@@ -174,16 +174,17 @@ class SvgReader {
     PictureLook look{context.layer, context.visible};
     const double scale = context.map.scale();
     const std::string_view width = context.style.of("stroke-width");
-    look.width = scale * (width.empty() ? 1 : parse_number(width).value_or(1));
+    const auto units = width.empty() ? 1 : parse_number(width);
+    if (!units) refuse("has a width of lines that is not understood: '" + std::string(width) + "'");
+    look.width = scale * *units;
     for (const double length : svg_numbers(context.style.of("stroke-dasharray"))) look.dashes.push_back(scale * length);
-    look.colour = context.style.of("stroke");
+    look.colour = svg_colour(context.style.of("stroke"));
     return number_of(look);
   }
 
   int area_look(const Context& context) {
     PictureLook look{context.layer + " area", true, true};
-    const std::string_view fill = context.style.of("fill");
-    if (!fill.empty()) look.colour = fill;
+    look.colour = svg_colour(context.style.of("fill"));
     return number_of(look);
   }
 

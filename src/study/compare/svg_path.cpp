@@ -1,24 +1,18 @@
 #include "study/compare/svg_path.hpp"
 
 #include <algorithm>
-#include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <string_view>
 
-#include "study/compare/picture.hpp"
+#include "study/compare/flatten.hpp"
 
 namespace epura {
 
 namespace {
-
-// How many equal parts a curve is cut into, whose chords would be off by `sagitta` if it were one: that falls with the
-// square of the number.
-int parts_for(double sagitta) {
-  return static_cast<int>(std::clamp(std::ceil(std::sqrt(sagitta / flatness)), 1.0, 10000.0));
-}
 
 class PathParser {
  public:
@@ -108,7 +102,7 @@ class PathParser {
   void quadratic(const Vec2& base) {
     const Vec2 from = here_, by = base + point(), to = base + point();
     path_.controls.push_back(by);
-    const int parts = parts_for(glm::length(from - 2.0 * by + to) / 4);
+    const int parts = parts_of_curve(glm::length(from - 2.0 * by + to) / 4);
     for (int i = 1; i <= parts; ++i) {
       const double t = double(i) / parts, s = 1 - t;
       line(i == parts ? to : s * s * from + 2 * s * t * by + t * t * to);
@@ -118,12 +112,8 @@ class PathParser {
   void cubic(const Vec2& base) {
     const Vec2 from = here_, a = base + point(), b = base + point(), to = base + point();
     path_.controls.insert(path_.controls.end(), {a, b});
-    const double bend = std::max(glm::length(from - 2.0 * a + b), glm::length(a - 2.0 * b + to));
-    const int parts = parts_for(bend * 0.75);
-    for (int i = 1; i <= parts; ++i) {
-      const double t = double(i) / parts, s = 1 - t;
-      line(i == parts ? to : s * s * s * from + 3 * s * s * t * a + 3 * s * t * t * b + t * t * t * to);
-    }
+    append_cubic(path_.lines.back().points, from, a, b, to);
+    here_ = to;
   }
 
   // SVG 1.1, F.6: out of the ends, the radii and which of four arcs is meant.
@@ -147,7 +137,7 @@ class PathParser {
     double sweep = std::atan2(-q.y - middle.y, -q.x - middle.x) - begin;
     if (clockwise && sweep < 0) sweep += 2 * std::numbers::pi;
     if (!clockwise && sweep > 0) sweep -= 2 * std::numbers::pi;
-    const int parts = parts_for(std::max(radii.x, radii.y) * sweep * sweep / 8);
+    const int parts = parts_of_curve(std::max(radii.x, radii.y) * sweep * sweep / 8);
     for (int i = 1; i <= parts; ++i) {
       const double angle = begin + sweep * i / parts;
       line(i == parts ? to : centre + radii.x * std::cos(angle) * u + radii.y * std::sin(angle) * v);

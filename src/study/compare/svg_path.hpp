@@ -16,7 +16,7 @@ struct SvgLine {
 };
 
 struct SvgPath {
-  std::vector<SvgLine> lines{};  ///< curves as lines within `flatness`
+  std::vector<SvgLine> lines{};  ///< curves as lines
   std::vector<Vec2> controls{};  ///< control points of Bezier curves
 };
 

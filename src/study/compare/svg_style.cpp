@@ -33,30 +33,24 @@ void read_declarations(std::string_view text, std::map<std::string, std::string,
   }
 }
 
-std::optional<SvgMap> map_of(std::string_view name, const std::vector<double>& n) {
-  if (name == "matrix" && n.size() == 6) return SvgMap{{n[0], n[1]}, {n[2], n[3]}, {n[4], n[5]}};
+std::optional<AffineMap> map_of(std::string_view name, const std::vector<double>& n) {
+  if (name == "matrix" && n.size() == 6) return AffineMap{{n[0], n[1]}, {n[2], n[3]}, {n[4], n[5]}};
   if (name == "translate" && !n.empty() && n.size() <= 2)
-    return SvgMap{{1, 0}, {0, 1}, {n[0], n.size() > 1 ? n[1] : 0}};
-  if (name == "scale" && !n.empty() && n.size() <= 2) return SvgMap{{n[0], 0}, {0, n.back()}, {0, 0}};
+    return AffineMap{{1, 0}, {0, 1}, {n[0], n.size() > 1 ? n[1] : 0}};
+  if (name == "scale" && !n.empty() && n.size() <= 2) return AffineMap{{n[0], 0}, {0, n.back()}, {0, 0}};
   if (name == "rotate" && (n.size() == 1 || n.size() == 3)) {
     const double angle = n[0] * std::numbers::pi / 180, c = std::cos(angle), s = std::sin(angle);
-    const SvgMap turn{{c, s}, {-s, c}, {0, 0}};
+    const AffineMap turn{{c, s}, {-s, c}, {0, 0}};
     const Vec2 centre = n.size() == 3 ? Vec2(n[1], n[2]) : Vec2(0, 0);
-    return SvgMap{turn.along, turn.across, centre - turn(centre)};
+    return AffineMap{turn.along, turn.across, centre - turn(centre)};
   }
   return std::nullopt;
 }
 
 }  // namespace
 
-SvgMap SvgMap::after(const SvgMap& inner) const {
-  return {(*this)(inner.along) - shift, (*this)(inner.across) - shift, (*this)(inner.shift)};
-}
-
-double SvgMap::scale() const { return std::sqrt(std::abs(along.x * across.y - along.y * across.x)); }
-
-std::optional<SvgMap> read_svg_transform(std::string_view text) {
-  SvgMap whole;
+std::optional<AffineMap> read_svg_transform(std::string_view text) {
+  AffineMap whole;
   for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
     const std::size_t open = text.find('('), close = text.find(')');
     if (open == std::string_view::npos || close == std::string_view::npos || close < open) return std::nullopt;
@@ -100,6 +94,13 @@ SvgStyle style_of(const pugi::xml_node& element, const SvgStyle& parent, const S
       for (const auto& [property, value] : rule->second) style.properties.insert_or_assign(property, value);
   read_declarations(element.attribute("style").value(), style.properties);
   return style;
+}
+
+std::string svg_colour(std::string_view text) {
+  const std::string colour = to_lower(text);
+  if (colour.empty() || colour == "black") return "#000000";
+  if (colour.size() != 4 || colour[0] != '#') return colour;
+  return {'#', colour[1], colour[1], colour[2], colour[2], colour[3], colour[3]};
 }
 
 std::vector<double> svg_numbers(std::string_view text) {

@@ -8,23 +8,12 @@
 #include <string_view>
 #include <vector>
 
-#include "base/vec.hpp"
+#include "study/compare/affine_map.hpp"
 
 namespace epura {
 
-/// x' = along * x + across * y + shift. SVG 1.1, 7.4.
-struct SvgMap {
-  Vec2 along{1, 0}, across{0, 1}, shift{0, 0};
-
-  [[nodiscard]] Vec2 operator()(const Vec2& p) const { return along * p.x + across * p.y + shift; }
-  /// First `inner`, then this.
-  [[nodiscard]] SvgMap after(const SvgMap& inner) const;
-  /// By how much it enlarges lengths, on average.
-  [[nodiscard]] double scale() const;
-};
-
 /// Of an attribute `transform`: matrix, translate, scale and rotate. Nothing for other text.
-std::optional<SvgMap> read_svg_transform(std::string_view text);
+std::optional<AffineMap> read_svg_transform(std::string_view text);
 
 /// Rules of one class each by the class; others do not count.
 using SvgRules = std::map<std::string, std::map<std::string, std::string, std::less<>>, std::less<>>;
@@ -43,6 +32,9 @@ struct SvgStyle {
 /// The style of an element in a parent of such a style. Attributes count less than rules, these less than `style`. An
 /// attribute stroke-dasharray inside dashed lines fits their dashes to a line, and leaves their style as it is.
 SvgStyle style_of(const pugi::xml_node& element, const SvgStyle& parent, const SvgRules& rules);
+
+/// "#1f7a3d", also of the short form and of nothing, which is black. Other words stay as they are.
+std::string svg_colour(std::string_view text);
 
 /// Numbers with spaces or commas between them; empty for "none" and what is no list of numbers.
 std::vector<double> svg_numbers(std::string_view text);

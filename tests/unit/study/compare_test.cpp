@@ -22,6 +22,34 @@ TEST(Compare, SaysTheSameOfWaysToWriteAFile) {
     EXPECT_EQ(changes(compare(as_svg(plate()), as_svg(plate(), options), 0.001)), "");
 }
 
+TEST(Compare, ReadsLinesAndAreasOfPdf) {
+  const auto as_pdf = [](const Sheet& sheet) {
+    return PictureFile{false, true, pictures_of_pdf(to_pdf({&sheet, &sheet}), "test.pdf")};
+  };
+  const PictureFile before = as_pdf(plate());
+  ASSERT_EQ(before.pages.size(), 2U);
+  Sheet edited = plate();
+  edited.layers[hidden].strokes.pop_back();
+  move(stroke(edited, visible, 1), {0, 1});
+  edited.layers[dimension].fills.clear();
+  edited.layers[dimension].texts.clear();
+  const Comparison comparison = compare(before, as_pdf(edited), 0.001);
+  EXPECT_FALSE(comparison.compares_texts);
+  const std::string of_page = "removed removed removed removed moved";
+  EXPECT_EQ(changes(comparison), of_page + " " + of_page) << in_words(comparison, 0.001);
+  EXPECT_EQ(comparison.differences.back().page, 2);
+  EXPECT_EQ(changes(compare(before, as_pdf(plate()), 0.001)), "");
+}
+
+TEST(Compare, SeesTheSameInSvgAndPdf) {
+  const Sheet sheet = plate();
+  const PictureFile pdf{false, true, pictures_of_pdf(to_pdf({&sheet}), "test.pdf")};
+  EXPECT_EQ(changes(compare(as_svg(sheet), pdf, 0.001)), "");
+  Sheet edited = plate();
+  edited.layers[hidden].strokes.pop_back();
+  EXPECT_EQ(changes(compare(as_svg(edited), pdf, 0.001)), "added");
+}
+
 TEST(Compare, TellsWhereALineIsMissingAndWhichEdgeItWas) {
   Sheet edited = plate();
   edited.layers[hidden].strokes.pop_back();
@@ -53,12 +81,14 @@ TEST(Compare, SeesWhatInkscapeMovedOrSwitchedOff) {
     std::string edited = svg;
     const std::string group = "<g id=\"front-hidden\"";
     edited.insert(edited.find(group) + group.size(), " " + attribute);
-    return changes(compare(as_svg(plate()), {false, true, {picture_of_svg(edited, "test.svg")}}, 0.001));
+    return changes(compare(as_svg(plate()), {false, false, {picture_of_svg(edited, "test.svg")}}, 0.001));
   };
   EXPECT_EQ(with("transform=\"translate(0,1)\""), "moved moved");
   EXPECT_EQ(with("transform=\"rotate(0) scale(1)\""), "");
   EXPECT_EQ(with("style=\"display:none\""), "removed removed");
   EXPECT_EQ(with("style=\"stroke-width:0.7\""), "restyled restyled");
+  EXPECT_EQ(with("style=\"stroke:#000000;stroke-dasharray:3,0.75\""), "");
+  EXPECT_EQ(with("style=\"stroke:#00f\""), "restyled restyled");
 }
 
 // The same for drawing JSON: one view of a triangle with a hidden line in it.
@@ -85,7 +115,7 @@ const std::vector<JsonLine> triangle = {{{10, 10}, {40, 10}, true, "contour", "[
                                         {{10, 40}, {10, 10}, true, "contour", "[2, 0]"},
                                         {{12, 12}, {20, 25}, false, "crease", "[3, 4]"}};
 
-PictureFile as_json(const std::string& json) { return {true, true, {picture_of_json(json, "test.json")}}; }
+PictureFile as_json(const std::string& json) { return {true, false, {picture_of_json(json, "test.json")}}; }
 
 std::string changes_of_json(const std::function<void(std::vector<JsonLine>&)>& edit) {
   std::vector<JsonLine> edited = triangle;

@@ -53,7 +53,7 @@ inline Sheet plate() {
 }
 
 inline PictureFile as_svg(const Sheet& sheet, const VectorOptions& options = {}) {
-  return {false, true, {picture_of_svg(to_svg(sheet, options), "test.svg")}};
+  return {false, false, {picture_of_svg(to_svg(sheet, options), "test.svg")}};
 }
 
 inline std::string changes(const Comparison& comparison) {
