@@ -10,7 +10,7 @@ install(FILES docs/plugins.md docs/formats.md DESTINATION ${CMAKE_INSTALL_DOCDIR
 configure_package_config_file(cmake/epura-config.cmake.in epura-config.cmake INSTALL_DESTINATION ${package})
 write_basic_package_version_file(epura-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/epura-config.cmake ${CMAKE_CURRENT_BINARY_DIR}/epura-config-version.cmake
-              cmake/EpuraProjection.cmake DESTINATION ${package})
+              cmake/EpuraProjection.cmake cmake/EpuraSnapshotTests.cmake DESTINATION ${package})
 install(EXPORT epura-targets NAMESPACE epura:: DESTINATION ${package})
 
 set(pkgconfig ${CMAKE_INSTALL_LIBDIR}/pkgconfig)

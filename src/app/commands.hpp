@@ -16,5 +16,7 @@ int check_plugin(const CheckPluginOptions& options);
 int new_projection(const NewProjectionOptions& options);
 int study_stability(const StabilityOptions& options);
 int study_accuracy(const AccuracyOptions& options);
+int compare(const CompareOptions& options);
+int snapshot(const SnapshotOptions& options);
 
 }  // namespace epura

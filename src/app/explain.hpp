@@ -17,8 +17,8 @@ void estimate_savings(std::vector<PlanStep>& plan);
 using DrawAgain = std::function<std::string(const LeaveOut&)>;
 
 /// What leaving out saved, by runs in turns with and without each certificate that left something out: the median of
-/// the differences in processor time. It is that of the whole run, and stands at the first step of the stage. All runs must give the same
-/// bytes.
+/// the differences in processor time. It is that of the whole run, and stands at the first step of the stage. All runs
+/// must give the same bytes.
 void measure_savings(std::vector<PlanStep>& plan, const LeaveOut& used, const DrawAgain& again);
 
 /// A line for each step: stage, view, run or left out, seconds of the certificate and of the stage, seconds saved as

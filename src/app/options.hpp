@@ -87,4 +87,18 @@ struct NewProjectionOptions {
   std::string name;
 };
 
+struct CompareOptions {
+  std::string before, after;  ///< files of drawings
+  double tolerance = 0.001;   ///< mm
+  std::string json, overlay;  ///< files to write; empty: none
+};
+
+struct SnapshotOptions {
+  std::vector<std::string> folders;  ///< with cases in them, or cases
+  bool accept = false;               ///< what comes is what is expected from now on
+  double tolerance = 0.001;          ///< mm
+  std::string report, junit;         ///< files to write; empty: none
+  int threads = 0;                   ///< cases at the same time
+};
+
 }  // namespace epura

@@ -81,7 +81,8 @@ DrawnEdges find_edges(const World& world, View& view, const ViewWish& wish, std:
 }
 
 HiddenSpans hide(const World& world, const View& view, const DrawnEdges& drawn, const Contact& contact,
-                 const ViewWish& wish, const Method& method, double scale, std::vector<PlanStep>& plan, Progress progress) {
+                 const ViewWish& wish, const Method& method, double scale, std::vector<PlanStep>& plan,
+                 Progress progress) {
   PlanStep step{"visibility", false, "a wireframe is wanted", count_of(drawn.edges.size()), 0};
   HiddenSpans hidden = nothing_hidden(drawn);
   const bool wanted = method.way != Way::none;

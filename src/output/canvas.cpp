@@ -95,6 +95,10 @@ void add_path(cairo_t* cairo, const Canvas& canvas, const Stroke& stroke) {
 
 }  // namespace
 
+void set_colour(const Pen& pen, const Colour& colour) {
+  cairo_set_source_rgb(pen.get(), colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
+}
+
 void draw(const Pen& pen, const Canvas& canvas, const LineStyle& style, const std::vector<const Stroke*>& strokes) {
   if (strokes.empty()) return;
   cairo_t* cairo = pen.get();

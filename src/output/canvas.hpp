@@ -47,6 +47,9 @@ Pen make_pen(const CairoSurface& surface);
 /// rounds each line's ends to find its box, which need not be fine.
 void begin_vector_file(const Pen& pen, const Canvas& canvas);
 
+/// For all that is drawn from now on.
+void set_colour(const Pen& pen, const Colour& colour);
+
 /// Draws strokes of one look in one go.
 void draw(const Pen& pen, const Canvas& canvas, const LineStyle& style, const std::vector<const Stroke*>& strokes);
 

@@ -193,8 +193,8 @@ std::string mesh_of(const MeshReport& mesh) {
 std::string step_of(const PlanStep& step) {
   std::string text = "{\"stage\": " + json_string(step.stage);
   if (!step.view.empty()) text += ", \"view\": " + json_string(step.view);
-  text += ", \"run\": " + boolean(step.run) + ", \"why\": " + json_string(step.why) + ", \"in\": " + number(step.items_in) +
-          ", \"out\": " + number(step.items_out);
+  text += ", \"run\": " + boolean(step.run) + ", \"why\": " + json_string(step.why) +
+          ", \"in\": " + number(step.items_in) + ", \"out\": " + number(step.items_out);
   const auto add = [&text](std::string_view key, const std::optional<double>& seconds) {
     if (seconds) text.append(", \"").append(key).append("\": ").append(number(*seconds));
   };

@@ -50,6 +50,7 @@ void draw_page(const CairoSurface& surface, const Sheet& sheet) {
   begin_vector_file(pen, canvas);
   const std::optional<Lettering> lettering = lettering_of(sheet);
   for (const Layer& layer : sheet.layers) {
+    set_colour(pen, layer.style.colour);
     draw_fills(pen, canvas, layer);
     draw(pen, canvas, layer);
     if (lettering) write_texts(pen, canvas, layer, *lettering);
@@ -109,9 +110,9 @@ std::string to_png(const Sheet& sheet, double dpi) {
     const Pen pen = make_pen(surface);
     cairo_set_source_rgb(pen.get(), 1, 1, 1);
     cairo_paint(pen.get());
-    cairo_set_source_rgb(pen.get(), 0, 0, 0);
     const std::optional<Lettering> lettering = lettering_of(sheet);
     for (const Layer& layer : sheet.layers) {
+      set_colour(pen, layer.style.colour);
       draw_fills(pen, canvas, layer);
       draw(pen, canvas, layer);
       if (lettering) fill_texts(pen, canvas, layer, *lettering);

@@ -33,6 +33,7 @@ std::string cairo_pdf(const Canvas& canvas, const Layer& layer, const std::optio
   {
     const Pen pen = make_pen(surface);
     begin_vector_file(pen, canvas);
+    set_colour(pen, layer.style.colour);
     draw_fills(pen, canvas, layer);
     draw(pen, canvas, layer);
     if (lettering) write_texts(pen, canvas, layer, *lettering);

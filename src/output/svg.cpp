@@ -108,6 +108,15 @@ void add_layers(pugi::xml_node svg, const std::vector<const Layer*>& layers, boo
   }
 }
 
+// "#1f7a3d"
+std::string hexadecimal(const Colour& colour) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  std::string text = "#";
+  for (const int part : {colour.red, colour.green, colour.blue})
+    for (const int digit : {part / 16, part % 16}) text += digits[static_cast<std::size_t>(digit)];
+  return text;
+}
+
 // One class a line style. It stands on the layers, so that a path's own dashes win over it.
 std::string style_sheet(const Sheet& sheet) {
   std::map<std::string, std::string> rules;
@@ -116,6 +125,7 @@ std::string style_sheet(const Sheet& sheet) {
     const std::string name = "." + identifier(layer.style.name);
     std::string rule = "stroke-width:" + millimetres(layer.style.width);
     if (layer.style.dashes.dash > 0) rule += ";stroke-dasharray:" + dash_array(layer.style.dashes);
+    if (layer.style.colour != Colour{}) rule += ";stroke:" + hexadecimal(layer.style.colour);
     const auto [place, added] = rules.emplace(name, rule);
     check(place->second == rule, "two line styles have one name");
     if (added) common += (common.empty() ? "" : ",") + name;
@@ -123,6 +133,19 @@ std::string style_sheet(const Sheet& sheet) {
   if (common.empty()) return {};
   std::string text = common + "{fill:none;stroke:#000;stroke-linecap:round;stroke-linejoin:round}";
   for (const auto& [name, rule] : rules) text += "\n" + name + "{" + rule + "}";
+  return text;
+}
+
+// Fills and letters of layers that are not black.
+std::string colours_of_areas(const Sheet& sheet) {
+  std::set<std::string> rules;
+  for (const Layer& layer : sheet.layers) {
+    if (layer.style.colour == Colour{} || (layer.fills.empty() && layer.texts.empty())) continue;
+    const std::string name = "." + identifier(layer.style.name);
+    rules.insert("\n" + name + " .filled," + name + " .lettering{fill:" + hexadecimal(layer.style.colour) + "}");
+  }
+  std::string text;
+  for (const std::string& rule : rules) text += rule;
   return text;
 }
 
@@ -141,7 +164,7 @@ pugi::xml_node add_head(pugi::xml_document& document, const Sheet& sheet) {
   pugi::xml_node view = svg.append_child("sodipodi:namedview");
   view.append_attribute("inkscape:document-units") = "mm";
   add_svg_metadata(svg, sheet);
-  svg.append_child("style").text() = (style_sheet(sheet) + lettering_style(sheet)).c_str();
+  svg.append_child("style").text() = (style_sheet(sheet) + lettering_style(sheet) + colours_of_areas(sheet)).c_str();
   return svg;
 }
 

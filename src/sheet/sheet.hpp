@@ -21,11 +21,19 @@ struct Dashes {
   bool operator==(const Dashes&) const = default;
 };
 
+/// Parts of 255. Engineering drawings are black; pictures about them need not be.
+struct Colour {
+  int red = 0, green = 0, blue = 0;
+
+  bool operator==(const Colour&) const = default;
+};
+
 /// How a layer's lines look. ISO 128-2; lengths in millimetres of paper.
 struct LineStyle {
   std::string name;  ///< class in SVG, such as "visible"
   double width;
   Dashes dashes{};
+  Colour colour{};  ///< of the fills and texts of the layer, too
 };
 
 /// One polyline in one go of the pen.

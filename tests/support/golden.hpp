@@ -1,6 +1,5 @@
-// The drawings that are kept as text: each folder of tests/golden has `arguments`, what follows `epura draw` with paths
-// from the root of the repository, and `expected.json`, what must come of it, to the byte; cases of whole sheets have
-// `expected.svg`, too.
+// The drawings that are kept as text: each folder of tests/golden is a case of `epura snapshot` (docs/formats.md) whose
+// expectations hold to the byte, drawn from the root of the repository.
 #pragma once
 
 #include <algorithm>
@@ -21,15 +20,16 @@ inline std::filesystem::path golden_folder(const std::string& name) {
 inline std::vector<std::string> golden_cases() {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(EPURA_TEST_GOLDEN))
-    if (std::filesystem::exists(entry.path() / "arguments")) names.push_back(entry.path().filename());
+    if (std::filesystem::exists(entry.path() / "expected.json")) names.push_back(entry.path().filename());
   std::sort(names.begin(), names.end());
   return names;
 }
 
 /// "draw" and the arguments of a case.
 inline std::vector<std::string> golden_arguments(const std::string& name) {
-  std::istringstream text(read_file(golden_folder(name) / "arguments"));
-  std::vector<std::string> words{"draw"};
+  std::vector<std::string> words{"draw", "tests/golden/" + name + "/scene.toml"};
+  const std::filesystem::path options = golden_folder(name) / "options";
+  std::istringstream text(std::filesystem::exists(options) ? read_file(options) : std::string());
   for (std::string word; text >> word;) words.push_back(word);
   return words;
 }

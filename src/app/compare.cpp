@@ -1,0 +1,61 @@
+// epura compare A B
+#include <cstdio>
+#include <filesystem>
+#include <string>
+
+#include "app/commands.hpp"
+#include "app/targets.hpp"
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/text.hpp"
+#include "study/compare/comparison.hpp"
+#include "study/compare/html_report.hpp"
+#include "study/compare/overlay.hpp"
+#include "study/compare/report_pictures.hpp"
+
+namespace epura {
+
+namespace {
+
+bool is_html(const std::string& path) {
+  const std::string extension = to_lower(std::filesystem::path(path).extension().string());
+  return extension == ".html" || extension == ".htm";
+}
+
+// Looked at before any work is done.
+std::vector<Target> overlay_targets(const std::string& path) {
+  if (path.empty() || is_html(path)) return {};
+  DrawOptions options;
+  options.outputs = {path};
+  std::vector<Target> targets = targets_of(options);
+  if (path == "-" || targets.front().format == Format::json)
+    throw Error(Trouble::input, "--overlay " + path, "is no picture", "name an .svg, .png or .html file");
+  return targets;
+}
+
+void write_overlay(const std::vector<Target>& targets, const Comparison& comparison) {
+  if (targets.empty()) return;
+  std::vector<FinishedSheet> sheets;
+  for (const PageComparison& page : comparison.pages) sheets.push_back({overlay_of(page)});
+  for (const FileBytes& file : encode_all(targets, sheets, {}, {}, {})) write(file, {});
+}
+
+}  // namespace
+
+int compare(const CompareOptions& options) {
+  const std::vector<Target> targets = overlay_targets(options.overlay);
+  const PictureFile before = read_pictures(options.before), after = read_pictures(options.after);
+  const Comparison comparison = compare(before, after, options.tolerance);
+  const std::string words = in_words(comparison, options.tolerance);
+  const bool same = comparison.differences.empty();
+  write_overlay(targets, comparison);
+  if (is_html(options.overlay))
+    write_file(options.overlay, html_report(options.before + " | " + options.after,
+                                            {reported_case(options.after, same, words, before, after, comparison)}));
+  if (!options.json.empty())
+    write({options.json, to_json(comparison, options.tolerance, options.before, options.after)}, {});
+  if (options.json != "-") std::fputs(words.c_str(), stdout);
+  return same ? 0 : 1;
+}
+
+}  // namespace epura

@@ -1,0 +1,104 @@
+#include "app/snapshot/cases.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "app/snapshot/run_epura.hpp"
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/text.hpp"
+#include "study/compare/comparison.hpp"
+#include "study/compare/report_pictures.hpp"
+
+namespace epura {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool is_case(const fs::path& folder) { return fs::is_regular_file(folder / "scene.toml"); }
+
+std::vector<std::string> words_of(const std::string& text) {
+  std::string blanks = text;
+  std::replace_if(
+      blanks.begin(), blanks.end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
+  std::vector<std::string> words;
+  for (const std::string_view word : split(blanks, ' '))
+    if (!word.empty()) words.emplace_back(word);
+  return words;
+}
+
+std::vector<fs::path> expectations(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const char* name : {"expected.json", "expected.svg", "expected.pdf"})
+    if (fs::exists(folder / name)) files.push_back(folder / name);
+  return files;
+}
+
+// Whether it was drawn.
+bool draw(const SnapshotCase& one, SnapshotResult& result) {
+  std::vector<std::string> arguments{"draw", (one.folder / "scene.toml").string()};
+  const fs::path options = one.folder / "options";
+  if (fs::exists(options))
+    for (std::string& word : words_of(read_file(options))) arguments.push_back(std::move(word));
+  const std::string format = result.expected.extension().string().substr(1);
+  arguments.insert(arguments.end(), {"--output", "-", "--format", format, "--progress", "never"});
+  ProgramRun run = run_epura(arguments);
+  result.actual = std::move(run.out);
+  if (run.code != 0) result.words = "exit code " + std::to_string(run.code) + "\n" + run.err;
+  return run.code == 0;
+}
+
+void compare_with_expectation(SnapshotResult& result, double tolerance, bool with_pictures) {
+  const PictureFile actual = pictures_of(result.actual, result.expected);
+  const bool exists = fs::exists(result.expected) && fs::file_size(result.expected) > 0;
+  const PictureFile expected = exists ? read_pictures(result.expected) : PictureFile{actual.is_json, actual.is_pdf, {}};
+  const Comparison comparison = compare(expected, actual, tolerance);
+  const bool same = comparison.differences.empty();
+  result.verdict = !exists ? Verdict::new_case : same ? Verdict::as_expected : Verdict::different;
+  result.words = exists ? in_words(comparison, tolerance) : "nothing is expected yet\n";
+  if (with_pictures && result.verdict != Verdict::as_expected)
+    result.pictures = reported_case(result.name, false, result.words, expected, actual, comparison);
+}
+
+}  // namespace
+
+std::vector<SnapshotCase> find_cases(const std::vector<std::string>& folders) {
+  std::vector<SnapshotCase> cases;
+  for (const std::string& name : folders) {
+    const fs::path folder = fs::path(name).lexically_normal();
+    if (!fs::is_directory(folder)) throw Error(Trouble::input, name, "is no folder");
+    const std::size_t before = cases.size();
+    const bool ends_in_slash = folder.filename().empty();
+    if (is_case(folder)) cases.push_back({(ends_in_slash ? folder.parent_path() : folder).filename().string(), folder});
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+      if (entry.is_directory() && is_case(entry.path()))
+        cases.push_back({entry.path().lexically_relative(folder).generic_string(), entry.path()});
+    if (cases.size() == before)
+      throw Error(Trouble::input, name, "has no case", "a case is a folder with scene.toml and expected.svg");
+    std::sort(cases.begin() + static_cast<std::ptrdiff_t>(before), cases.end(),
+              [](const SnapshotCase& a, const SnapshotCase& b) { return a.name < b.name; });
+  }
+  return cases;
+}
+
+std::vector<SnapshotResult> run_case(const SnapshotCase& one, double tolerance, bool with_pictures) {
+  std::vector<fs::path> files = expectations(one.folder);
+  if (files.empty()) files.push_back(one.folder / "expected.svg");
+  std::vector<SnapshotResult> results;
+  for (const fs::path& file : files) {
+    SnapshotResult& result = results.emplace_back();
+    result.name = one.name + "/" + file.filename().string();
+    result.expected = file;
+    try {
+      if (draw(one, result)) compare_with_expectation(result, tolerance, with_pictures);
+    } catch (const Error& error) {
+      result.words = std::string(error.what()) + "\n";
+    }
+    if (result.pictures.name.empty())
+      result.pictures = {result.name, result.verdict == Verdict::as_expected, result.words};
+  }
+  return results;
+}
+
+}  // namespace epura

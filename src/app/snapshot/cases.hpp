@@ -1,0 +1,39 @@
+// Snapshot cases: folders with a scene and the drawing that is expected of it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "study/compare/html_report.hpp"
+
+namespace epura {
+
+/// A folder with scene.toml, perhaps `options` (words for `epura draw`, with blanks between them), and expected.json,
+/// expected.svg or expected.pdf, or several of them.
+struct SnapshotCase {
+  std::string name;
+  std::filesystem::path folder;
+};
+
+/// The folders themselves, where they are cases, and all cases below them, sorted by path. A case below is named by its
+/// path from there. Throws Error{input} for a folder without any.
+std::vector<SnapshotCase> find_cases(const std::vector<std::string>& folders);
+
+enum class Verdict { as_expected, different, new_case, failed };
+
+/// A drawing that was made for a case, and the file that it should be like.
+struct SnapshotResult {
+  std::string name;  ///< "cube-isometric/expected.json"
+  std::filesystem::path expected;
+  Verdict verdict = Verdict::failed;
+  std::string words;     ///< what differs, or why nothing was drawn
+  std::string actual{};  ///< bytes of the drawing
+  ReportedCase pictures{};
+};
+
+/// Draws the case and compares each expectation; a case without any is drawn for expected.svg. `pictures` are made
+/// where `with_pictures` and something differs.
+std::vector<SnapshotResult> run_case(const SnapshotCase& one, double tolerance, bool with_pictures);
+
+}  // namespace epura

@@ -1,0 +1,17 @@
+// Runs of this program in processes of their own: one that crashes takes nothing else with it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace epura {
+
+struct ProgramRun {
+  int code = 0;  ///< exit code; 128 + number when a signal ended it
+  std::string out{}, err{};
+};
+
+/// Waits for the end. Throws Error{output} when no process can be made.
+ProgramRun run_epura(const std::vector<std::string>& arguments);
+
+}  // namespace epura

@@ -1,0 +1,91 @@
+// epura snapshot DIR
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/commands.hpp"
+#include "app/snapshot/cases.hpp"
+#include "app/snapshot/junit.hpp"
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/parallel.hpp"
+#include "base/text.hpp"
+
+namespace epura {
+
+namespace {
+
+std::vector<SnapshotResult> run_all(const std::vector<SnapshotCase>& cases, const SnapshotOptions& options) {
+  std::vector<std::vector<SnapshotResult>> found(cases.size());
+  parallel_for(cases.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) found[i] = run_case(cases[i], options.tolerance, !options.report.empty());
+  });
+  std::vector<SnapshotResult> results;
+  for (std::vector<SnapshotResult>& of_case : found)
+    for (SnapshotResult& result : of_case) results.push_back(std::move(result));
+  return results;
+}
+
+// The rest stands in the report.
+std::string first_lines(const std::string& text) {
+  constexpr std::size_t most = 10;
+  const std::vector<std::string_view> lines = split(text, '\n');
+  std::string indented;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (lines[i].empty()) continue;
+    if (i == most && lines.size() > most + 2) indented.append("  ...\n");
+    if (i < most || i + 2 >= lines.size()) indented.append("  ").append(lines[i]).append("\n");
+  }
+  return indented;
+}
+
+const char* name_of(Verdict verdict, bool accepted) {
+  if (accepted) return "accepted ";
+  switch (verdict) {
+    case Verdict::as_expected:
+      return "ok       ";
+    case Verdict::different:
+      return "DIFFERENT";
+    case Verdict::new_case:
+      return "NEW      ";
+    case Verdict::failed:
+      return "FAILED   ";
+  }
+  return "";
+}
+
+bool can_be_accepted(const SnapshotResult& result) {
+  return result.verdict == Verdict::different || result.verdict == Verdict::new_case;
+}
+
+}  // namespace
+
+int snapshot(const SnapshotOptions& options) {
+  if (options.accept && std::getenv("CI") != nullptr)
+    throw Error(Trouble::input, "--accept", "expectations are accepted by people, and CI is set in the environment",
+                "run it where you can look at the report, and commit what it writes");
+  const std::vector<SnapshotCase> cases = find_cases(options.folders);
+  const ThreadLimit threads(options.threads);
+  const std::vector<SnapshotResult> results = run_all(cases, options);
+  std::size_t good = 0;
+  std::string text;
+  std::vector<ReportedCase> pictures;
+  for (const SnapshotResult& result : results) {
+    const bool accepted = options.accept && can_be_accepted(result);
+    if (accepted) write_file(result.expected, result.actual);
+    if (accepted || result.verdict == Verdict::as_expected) ++good;
+    text += std::string(name_of(result.verdict, accepted)) + " " + result.name + "\n";
+    if (result.verdict != Verdict::as_expected) text += first_lines(result.words);
+    pictures.push_back(result.pictures);
+  }
+  if (!options.report.empty()) write_file(options.report, html_report("epura snapshot", pictures));
+  if (!options.junit.empty()) write_file(options.junit, junit_report(results));
+  text += std::to_string(good) + " of " + std::to_string(results.size()) + " as expected\n";
+  std::fputs(text.c_str(), stdout);
+  return good == results.size() ? 0 : 1;
+}
+
+}  // namespace epura

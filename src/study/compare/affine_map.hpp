@@ -1,0 +1,25 @@
+// Maps of the plane that keep parallel lines parallel.
+#pragma once
+
+#include <cmath>
+
+#include "base/vec.hpp"
+
+namespace epura {
+
+/// x' = along * x + across * y + shift. SVG 1.1, 7.4: matrix(along across shift); ISO 32000-1, 8.3.3: the same.
+struct AffineMap {
+  Vec2 along{1, 0}, across{0, 1}, shift{0, 0};
+
+  [[nodiscard]] Vec2 operator()(const Vec2& p) const { return along * p.x + across * p.y + shift; }
+
+  /// First `inner`, then this.
+  [[nodiscard]] AffineMap after(const AffineMap& inner) const {
+    return {(*this)(inner.along) - shift, (*this)(inner.across) - shift, (*this)(inner.shift)};
+  }
+
+  /// By how much it enlarges lengths, on average.
+  [[nodiscard]] double scale() const { return std::sqrt(std::abs(along.x * across.y - along.y * across.x)); }
+};
+
+}  // namespace epura

@@ -1,0 +1,20 @@
+// Pages for people who judge differences: old and new drawing beside what differs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace epura {
+
+/// One drawing, or one case of a suite. Pictures are whole SVG documents.
+struct ReportedCase {
+  std::string name;
+  bool good;
+  std::string words;                                          ///< what was found, in lines
+  std::vector<std::string> expected{}, overlays{}, actual{};  ///< by page; none where there is no drawing
+};
+
+/// A page of HTML that needs no other file: cases with differences first, those that are good as a list of names.
+std::string html_report(const std::string& title, const std::vector<ReportedCase>& cases);
+
+}  // namespace epura

@@ -1,0 +1,148 @@
+#include "study/compare/ink_parts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <tuple>
+
+#include "drawing/covers.hpp"
+#include "drawing/ink.hpp"
+
+namespace epura {
+
+namespace {
+
+// Lengths on paper, mm. Lines nearer than this lie on one another; what is shorter is not seen; a remainder of a
+// drawing that has it just above that length is no difference to one that has it just below.
+constexpr double same_place = 0.001, shortest = 0.002, least_reported = 0.004;
+// Overlaps count from here on: well below the shortest piece, which may be shifted along itself.
+constexpr double least_overlap = 0.0005;
+
+constexpr double same_length = 1e-3;  // of widths and dashes, mm: they are rounded in files
+
+bool same_dashes(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](double x, double y) { return std::abs(x - y) <= same_length; });
+}
+
+bool same_look(const PictureLook& a, const PictureLook& b) {
+  if (a.filled != b.filled || a.colour != b.colour) return false;
+  return a.filled ||
+         (a.visible == b.visible && std::abs(a.width - b.width) <= same_length && same_dashes(a.dashes, b.dashes));
+}
+
+// Wide before narrow, continuous before dashed: what is seen comes first.
+auto seen_first(const PictureLook& look) {
+  return std::tuple(look.filled, -look.width, !look.visible, look.dashes, look.colour, look.name);
+}
+
+std::vector<int> places_in(const std::vector<PictureLook>& table, const std::vector<PictureLook>& looks) {
+  std::vector<int> places;
+  for (const PictureLook& look : looks) {
+    const auto found =
+        std::find_if(table.begin(), table.end(), [&](const PictureLook& other) { return same_look(look, other); });
+    places.push_back(static_cast<int>(found - table.begin()));
+  }
+  return places;
+}
+
+// Upwards along the page, else to the right: the direction of drawing does not count.
+InkPart in_one_direction(InkPart part) {
+  if (std::tuple(part.from.x, part.from.y) > std::tuple(part.to.x, part.to.y)) std::swap(part.from, part.to);
+  return part;
+}
+
+auto by_look_and_place(const InkPart& p) { return std::tuple(p.look, p.from.x, p.from.y, p.to.x, p.to.y); }
+
+InkPart cut(const InkPart& part, double from, double to) {
+  const double length = length_of(part);
+  const Vec2 along = (part.to - part.from) / length;
+  InkPart result = part;
+  if (from > 0) result.from = part.from + from * along;
+  if (to < length) result.to = part.from + to * along;
+  return result;
+}
+
+// The overlaps of one part, joined where remainders between them do not count.
+void append_divided(const InkPart& part, std::span<const Cover> covers, double tolerance, DividedInk& divided) {
+  const double length = length_of(part);
+  if (covers.empty()) {
+    if (length > least_reported) divided.rest.push_back(part);
+    return;
+  }
+  const double least = std::max(tolerance, least_reported);
+  double done = 0, met = 0;  // what is met begins at `met`, and nothing is open before `done`
+  for (const Cover& cover : covers) {
+    if (cover.from - done > least) {
+      if (done > met) divided.met.push_back(cut(part, met, done));
+      divided.rest.push_back(cut(part, done, cover.from));
+      met = cover.from;
+    }
+    done = std::max(done, cover.to);
+  }
+  const bool ends_open = length - done > least;
+  divided.met.push_back(cut(part, met, ends_open ? done : length));
+  if (ends_open) divided.rest.push_back(cut(part, done, length));
+}
+
+}  // namespace
+
+double length_of(const InkPart& part) { return glm::distance(part.from, part.to); }
+
+CommonLooks common_looks(const Picture& before, const Picture& after) {
+  std::vector<PictureLook> all = before.looks;
+  all.insert(all.end(), after.looks.begin(), after.looks.end());
+  std::sort(all.begin(), all.end(),
+            [](const PictureLook& a, const PictureLook& b) { return seen_first(a) < seen_first(b); });
+  CommonLooks common;
+  for (const PictureLook& look : all)
+    if (std::none_of(common.looks.begin(), common.looks.end(),
+                     [&](const PictureLook& other) { return same_look(look, other); }))
+      common.looks.push_back(look);
+  common.of_before = places_in(common.looks, before.looks);
+  common.of_after = places_in(common.looks, after.looks);
+  return common;
+}
+
+std::vector<InkPart> seen_parts(const Picture& picture, const CommonLooks& table, const std::vector<int>& looks,
+                                bool filled) {
+  std::vector<InkPart> parts;
+  for (const PicturePiece& piece : picture.pieces) {
+    const int look = looks[static_cast<std::size_t>(piece.look)];
+    const InkPart part{piece.from, piece.to, look, piece.look, piece.view, piece.origin};
+    if (table.looks[static_cast<std::size_t>(look)].filled == filled && length_of(part) > shortest)
+      parts.push_back(in_one_direction(part));
+  }
+  std::stable_sort(parts.begin(), parts.end(),
+                   [](const InkPart& a, const InkPart& b) { return by_look_and_place(a) < by_look_and_place(b); });
+  std::vector<Piece> pieces;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    pieces.push_back({parts[i].from, parts[i].to, true, EdgeKind{}, static_cast<int>(i), {0, 0}});
+  std::vector<InkPart> seen;
+  for (const Piece& piece : resolve_coincident(std::move(pieces), same_place, shortest)) {
+    seen.push_back(parts[static_cast<std::size_t>(piece.edge)]);
+    seen.back().from = piece.from;
+    seen.back().to = piece.to;
+  }
+  return seen;
+}
+
+DividedInk divide(const std::vector<InkPart>& parts, const std::vector<InkPart>& others, double tolerance) {
+  // All of a side have one rank: they do not cover each other.
+  std::vector<Piece> pieces;
+  for (const InkPart& part : others) pieces.push_back({part.from, part.to, true, EdgeKind{}, 0, {0, 0}});
+  for (const InkPart& part : parts) pieces.push_back({part.from, part.to, false, EdgeKind{}, 0, {0, 0}});
+  const std::vector<Cover> covers = find_covers(pieces, tolerance, least_overlap);
+  DividedInk divided;
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const std::size_t first = next;
+    while (next < covers.size() && covers[next].piece == static_cast<int>(others.size() + i)) ++next;
+    append_divided(parts[i], std::span(covers).subspan(first, next - first), tolerance, divided);
+  }
+  return divided;
+}
+
+}  // namespace epura

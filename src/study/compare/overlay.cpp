@@ -1,0 +1,110 @@
+#include "study/compare/overlay.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <map>
+#include <string>
+
+namespace epura {
+
+namespace {
+
+constexpr double strip = 8;            // of the legend, mm
+constexpr double letters = 3.5;        // height of its capitals
+constexpr double column = 30;          // from word to word
+constexpr double border_width = 0.13;  // of areas, whose inside is not filled
+
+struct MarkStyle {
+  const char* name;
+  Colour colour;
+};
+
+// In order of painting, as `Mark` counts them.
+constexpr std::array<MarkStyle, 4> marks = {
+    {{"same", {160, 160, 160}}, {"changed", {225, 145, 0}}, {"removed", {205, 0, 0}}, {"added", {0, 140, 60}}}};
+
+Dashes dashes_of(const std::vector<double>& lengths) {
+  if (lengths.size() < 2) return {};
+  const double dot = lengths.size() > 3 ? lengths[2] : 0;
+  return {lengths[0], lengths[1], dot, static_cast<int>(lengths.size()) / 2 - 1};
+}
+
+// Lines of one colour and look, in one layer.
+class LookLayers {
+ public:
+  LookLayers(const MarkStyle& mark, Vec2 shift) : mark_(mark), shift_(shift) {}
+
+  void add_line(const Vec2& from, const Vec2& to, const PictureLook& look) {
+    const double width = look.filled ? border_width : look.width;
+    const Dashes dashes = dashes_of(look.dashes);
+    const bool is_short = glm::distance(from, to) < 2 * (dashes.dash + dashes.gap);
+    Stroke stroke{{from + shift_, to + shift_}};
+    if (!is_short) stroke.dashes = dashes;
+    layer({width, look.dashes}).strokes.push_back(std::move(stroke));
+  }
+
+  // Lettering in a box: as high as letters without descenders would be.
+  void add_text(const PictureText& text) {
+    const Vec2 size = text.most - text.least;
+    const bool upright = size.y > size.x && text.words.size() > 1;
+    Text line{text.words, text.least + shift_, std::max(upright ? size.x : size.y, 0.5)};
+    line.angle = upright ? 90 : 0;
+    if (upright) line.at.x += size.x;
+    layer({border_width, {}}).texts.push_back(std::move(line));
+  }
+
+  void add_legend(double x) {
+    Text word{mark_.name, {x, (strip - letters) / 2}, letters};
+    word.role = "legend";
+    layer({border_width, {}}).texts.push_back(std::move(word));
+  }
+
+  void append_to(std::vector<Layer>& layers) {
+    for (auto& [look, layer] : layers_) layers.push_back(std::move(layer));
+  }
+
+ private:
+  using LookKey = std::pair<double, std::vector<double>>;
+
+  Layer& layer(const LookKey& look) {
+    const auto [place, added] = layers_.try_emplace(look);
+    if (added) {
+      const std::string name = mark_.name + ("-" + std::to_string(layers_.size()));
+      place->second = {"comparison/" + name, {name, look.first, dashes_of(look.second), mark_.colour}, {}};
+    }
+    return place->second;
+  }
+
+  MarkStyle mark_;
+  Vec2 shift_;
+  std::map<LookKey, Layer> layers_{};
+};
+
+}  // namespace
+
+Sheet overlay_of(const PageComparison& page) {
+  Sheet sheet{std::max(page.size.x, column * double(marks.size())), page.size.y + strip, "comparison", {}};
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    LookLayers layers(marks[i], {0, strip});
+    for (const MarkedPiece& piece : page.pieces)
+      if (static_cast<std::size_t>(piece.mark) == i) layers.add_line(piece.from, piece.to, piece.look);
+    for (const MarkedText& text : page.texts)
+      if (static_cast<std::size_t>(text.mark) == i) layers.add_text(text.text);
+    layers.add_legend(5 + column * double(i));
+    layers.append_to(sheet.layers);
+  }
+  return sheet;
+}
+
+Sheet sheet_of(const Picture& picture) {
+  Sheet sheet{picture.size.x, picture.size.y, "drawing", {}};
+  LookLayers layers({"drawing", {}}, {0, 0});
+  for (const PicturePiece& piece : picture.pieces)
+    layers.add_line(piece.from, piece.to, picture.looks[static_cast<std::size_t>(piece.look)]);
+  for (const PictureText& text : picture.texts) layers.add_text(text);
+  layers.append_to(sheet.layers);
+  return sheet;
+}
+
+}  // namespace epura

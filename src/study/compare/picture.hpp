@@ -1,0 +1,52 @@
+// What a drawing looks like, whatever format it is kept in: straight pieces of lines, areas and texts. How lines are
+// chained, ordered and numbered is no part of it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/vec.hpp"
+
+namespace epura {
+
+/// How a line looks, or the border of a filled area.
+struct PictureLook {
+  std::string name{};            ///< for people: "visible", "hidden", "dimension" ...; no part of the look
+  bool visible = true;           ///< false: a hidden edge
+  bool filled = false;           ///< the border of an area that is filled
+  double width = 0;              ///< mm; 0 of areas
+  std::vector<double> dashes{};  ///< mm: ink, gap, ink, gap ...; empty: continuous
+  std::string colour = "#000000";
+};
+
+/// Stands for the dashes of a broken line whose pattern is not known.
+inline const std::vector<double> some_dashes = {3, 0.75};
+
+/// Numbers are places in the lists of the picture.
+struct PicturePiece {
+  Vec2 from, to;  ///< mm, y up from the lower left corner
+  int look;
+  int view;
+  int origin;  ///< -1 where the edges that are drawn are not known
+};
+
+struct PictureText {
+  std::string words;  ///< UTF-8
+  Vec2 least, most;   ///< box of the outlines of its letters with their control points, mm
+  int view;
+};
+
+/// One page.
+struct Picture {
+  Vec2 size;  ///< mm
+  std::vector<PictureLook> looks{};
+  std::vector<std::string> views{};
+  std::vector<std::string> origins{};  ///< edges of the model: "model:vertex-vertex", several with spaces
+  std::vector<PicturePiece> pieces{};
+  std::vector<PictureText> texts{};
+};
+
+/// The number of a name in a list, which grows where it has to.
+int number_of_name(std::vector<std::string>& names, const std::string& name);
+
+}  // namespace epura

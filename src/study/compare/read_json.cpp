@@ -1,0 +1,128 @@
+// Drawing JSON -> picture.
+#include <rapidjson/document.h>
+#include <rapidjson/error/en.h>
+
+#include <cmath>
+#include <optional>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "study/compare/read_pictures.hpp"
+
+namespace epura {
+
+namespace {
+
+// Numbers as they are written: rapidjson would not round all of them rightly.
+constexpr unsigned flags = rapidjson::kParseNumbersAsStringsFlag | rapidjson::kParseIterativeFlag;
+
+using Value = rapidjson::Value;
+
+std::optional<double> number_in(const Value& value) {
+  const auto read = value.IsString() ? parse_number(value.GetString()) : std::nullopt;
+  return read && std::isfinite(*read) ? read : std::nullopt;
+}
+
+// A value, and for errors the key that it stands under and the last list on the way to it.
+struct Place {
+  const Value& value;
+  const std::string& file;
+  const char* key = "the drawing";
+  const char* list = nullptr;
+  unsigned item = 0;
+
+  [[noreturn]] void refuse(const std::string& what) const {
+    const std::string in = list == nullptr ? "" : list + ("[" + std::to_string(item) + "]: ");
+    throw Error(Trouble::input, file, in + key + " " + what, "it has to be drawing JSON that epura wrote");
+  }
+  [[nodiscard]] bool has(const char* name) const { return value.IsObject() && value.HasMember(name); }
+  [[nodiscard]] Place at(const char* name) const {
+    if (!has(name)) refuse("has no '" + std::string(name) + "'");
+    return {value[name], file, name, list, item};
+  }
+  [[nodiscard]] Place at(unsigned i) const { return {value[i], file, key, key, i}; }
+  [[nodiscard]] unsigned items() const {
+    if (!value.IsArray()) refuse("is no list");
+    return value.Size();
+  }
+  [[nodiscard]] Vec2 point() const {
+    const bool pair = value.IsArray() && value.Size() == 2;
+    const auto x = pair ? number_in(value[0]) : std::nullopt, y = pair ? number_in(value[1]) : std::nullopt;
+    if (!x || !y) refuse("is no point");
+    return {*x, *y};
+  }
+  [[nodiscard]] std::string text() const {
+    if (!value.IsString()) refuse("is no text");
+    return value.GetString();
+  }
+  [[nodiscard]] bool boolean() const {
+    if (!value.IsBool()) refuse("is neither true nor false");
+    return value.GetBool();
+  }
+};
+
+// As sheets below A1 draw them.
+enum Look { visible, hidden, tangent, cut_face };
+
+std::vector<PictureLook> looks() {
+  return {{"visible", true, false, 0.5, {}},
+          {"hidden", false, false, 0.25, {3, 0.75}},
+          {"tangent", true, false, 0.25, {}},
+          {"cut face", true, true, 0, {}}};
+}
+
+// Empty for lines that are no edges of a file.
+std::string edge_of(const Place& segment) {
+  const Value& edge = segment.at("edge").value;
+  if (!edge.IsArray() || edge.Size() != 2 || !edge[0].IsString() || !edge[1].IsString()) return {};
+  return segment.at("model").text() + ":" + edge[0].GetString() + "-" + edge[1].GetString();
+}
+
+void add_segment(Picture& picture, const Place& segment, int view) {
+  const bool seen = segment.at("visible").boolean();
+  const Look look = !seen ? hidden : segment.at("kind").text() == "smooth" ? tangent : visible;
+  int origin = -1;
+  if (const std::string edge = edge_of(segment); !edge.empty()) {
+    origin = static_cast<int>(picture.origins.size());
+    picture.origins.push_back(edge);
+  }
+  picture.pieces.push_back({segment.at("from").point(), segment.at("to").point(), look, view, origin});
+}
+
+void add_ring(Picture& picture, const Place& ring, int view) {
+  const unsigned corners = ring.items();
+  for (unsigned i = 0; i < corners; ++i)
+    picture.pieces.push_back({ring.at(i).point(), ring.at((i + 1) % corners).point(), cut_face, view, -1});
+}
+
+void add_view(Picture& picture, const Place& view) {
+  const int number = static_cast<int>(picture.views.size());
+  picture.views.push_back(view.at("name").text());
+  const Place segments = view.at("segments");
+  for (unsigned i = 0; i < segments.items(); ++i) add_segment(picture, segments.at(i), number);
+  if (!view.has("cut_faces")) return;
+  const Place faces = view.at("cut_faces");
+  for (unsigned i = 0; i < faces.items(); ++i) {
+    const Place rings = faces.at(i).at("rings");
+    for (unsigned j = 0; j < rings.items(); ++j) add_ring(picture, rings.at(j), number);
+  }
+}
+
+}  // namespace
+
+Picture picture_of_json(std::string_view bytes, const std::string& where) {
+  rapidjson::Document document;
+  document.Parse<flags>(bytes.data(), bytes.size());
+  if (document.HasParseError())
+    throw Error(Trouble::input, where,
+                "is no JSON: " + std::string(rapidjson::GetParseError_En(document.GetParseError())) + " (byte " +
+                    std::to_string(document.GetErrorOffset()) + ")");
+  const Place root{document, where};
+  if (number_in(root.at("epura").value) != 1.0) root.refuse("has another schema than 1");
+  Picture picture{root.at("sheet").at("size").point(), looks()};
+  const Place views = root.at("views");
+  for (unsigned i = 0; i < views.items(); ++i) add_view(picture, views.at(i));
+  return picture;
+}
+
+}  // namespace epura

@@ -1,0 +1,165 @@
+// PDF -> pictures: lines and areas of the layers.
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/error.hpp"
+#include "study/compare/affine_map.hpp"
+#include "study/compare/flatten.hpp"
+#include "study/compare/pdf_content.hpp"
+#include "study/compare/read_pictures.hpp"
+
+namespace epura {
+
+namespace {
+
+constexpr double millimetres_per_point = 25.4 / 72;
+
+struct PenState {
+  AffineMap map{};
+  double width = 1;
+  bool dashed = false;
+};
+
+struct SubPath {
+  std::vector<Vec2> points;  // mm
+  bool closed = false;
+};
+
+class PdfReader {
+ public:
+  PdfReader(const PdfContent& page, const std::string& where)
+      : page_(page), where_(where), picture_{Vec2(page.width, page.height) * millimetres_per_point} {}
+
+  Picture read() {
+    PenState pen;
+    pen.map = {{millimetres_per_point, 0}, {0, millimetres_per_point}, {0, 0}};
+    std::string layer;
+    run(page_.operations, pen, [&](const PdfOperation& operation, const PenState& now) {
+      if (operation.name == "BDC" && operation.words.size() == 2) layer = name_of_layer(operation.words[1]);
+      if (operation.name == "Do") read_form(operation.words.at(0), layer, now);
+    });
+    return std::move(picture_);
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw Error(Trouble::input, where_, what, "epura compares PDF files that it wrote itself");
+  }
+
+  [[nodiscard]] std::string name_of_layer(const std::string& property) const {
+    const auto found = page_.layers.find(property);
+    if (found == page_.layers.end()) refuse("names a layer that is not there");
+    return found->second;
+  }
+
+  // VIEW/ROLE, with a number behind it where an earlier page has the same.
+  void read_form(const std::string& name, const std::string& layer, const PenState& pen) {
+    const auto form = page_.forms.find(name);
+    if (form == page_.forms.end()) refuse("draws something that is not there");
+    const std::size_t slash = layer.rfind('/');
+    view_ = number_of_name(picture_.views, slash == std::string::npos ? "" : layer.substr(0, slash));
+    role_ = layer.substr(slash == std::string::npos ? 0 : slash + 1);
+    role_ = role_.substr(0, role_.find(' '));
+    const std::size_t first = picture_.looks.size();
+    any_dashed_ = false;
+    run(form->second, pen, [&](const PdfOperation& operation, const PenState& now) {
+      if (operation.name == "Do") refuse("has pictures in its layers");
+      paint(operation.name, now);
+    });
+    for (std::size_t i = first; i < picture_.looks.size(); ++i)
+      if (any_dashed_ && !picture_.looks[i].filled) picture_.looks[i].dashes = some_dashes;
+  }
+
+  // Keeps the state of the pen and the path, and tells `tell` of every operation. ISO 32000-1, 8.4 and 8.5.
+  template <class Tell>
+  void run(const std::vector<PdfOperation>& operations, PenState pen, const Tell& tell) {
+    std::vector<PenState> stack;
+    for (const PdfOperation& operation : operations) {
+      const std::string& name = operation.name;
+      const std::vector<double>& n = operation.numbers;
+      if (name == "q") {
+        stack.push_back(pen);
+      } else if (name == "Q" && !stack.empty()) {
+        pen = stack.back();
+        stack.pop_back();
+      } else if (name == "cm" && n.size() == 6) {
+        pen.map = pen.map.after({{n[0], n[1]}, {n[2], n[3]}, {n[4], n[5]}});
+      } else if (name == "w" && n.size() == 1) {
+        pen.width = n[0];
+      } else if (name == "d") {
+        pen.dashed = n.size() > 1;  // the phase is a number, too
+      } else {
+        extend_path(operation, pen.map);
+      }
+      tell(operation, pen);
+    }
+  }
+
+  void extend_path(const PdfOperation& operation, const AffineMap& map) {
+    const std::vector<double>& n = operation.numbers;
+    const auto point = [&](std::size_t i) { return map({n[i], n[i + 1]}); };
+    const std::string& name = operation.name;
+    if (name == "m" && n.size() == 2) {
+      path_.push_back({{point(0)}});
+    } else if (name == "re" && n.size() == 4) {
+      const Vec2 at(n[0], n[1]), x(n[2], 0), y(0, n[3]);
+      path_.push_back({{map(at), map(at + x), map(at + x + y), map(at + y)}, true});
+    } else if (path_.empty()) {
+      return;
+    } else if (name == "l" && n.size() == 2) {
+      path_.back().points.push_back(point(0));
+    } else if (name == "c" && n.size() == 6) {
+      append_cubic(path_.back().points, path_.back().points.back(), point(0), point(2), point(4));
+    } else if (name == "h") {
+      path_.back().closed = true;
+    }
+  }
+
+  void paint(const std::string& name, const PenState& pen) {
+    if (name == "S" || name == "s")
+      add_path({role_, !role_.starts_with("hidden"), false, pen.width * pen.map.scale()}, pen.dashed);
+    if (name == "f" || name == "f*") add_path({role_ + " area", true, true}, false);
+    if (name == "S" || name == "s" || name == "f" || name == "f*" || name == "n") path_.clear();
+    if (name == "B" || name == "B*" || name == "b" || name == "b*" || name == "sh") refuse("paints in another way");
+  }
+
+  void add_path(const PictureLook& look, bool dashed) {
+    any_dashed_ = any_dashed_ || dashed;
+    int number = -1;
+    for (std::size_t i = 0; i < picture_.looks.size() && number < 0; ++i) {
+      const PictureLook& known = picture_.looks[i];
+      if (known.name == look.name && known.filled == look.filled && known.width == look.width &&
+          number_of_view_[i] == view_)
+        number = static_cast<int>(i);
+    }
+    if (number < 0) {
+      number = static_cast<int>(picture_.looks.size());
+      picture_.looks.push_back(look);
+      number_of_view_.push_back(view_);
+    }
+    for (const SubPath& line : path_)
+      for (std::size_t i = 0; i + (line.closed || look.filled ? 0 : 1) < line.points.size(); ++i)
+        picture_.pieces.push_back({line.points[i], line.points[(i + 1) % line.points.size()], number, view_, -1});
+  }
+
+  const PdfContent& page_;
+  const std::string& where_;
+  Picture picture_;
+  std::vector<SubPath> path_{};
+  std::vector<int> number_of_view_{};  // by look: dashes are found by layer
+  int view_ = 0;
+  std::string role_{};
+  bool any_dashed_ = false;
+};
+
+}  // namespace
+
+std::vector<Picture> pictures_of_pdf(const std::string& bytes, const std::string& where) {
+  std::vector<Picture> pictures;
+  for (const PdfContent& page : read_pdf_contents(bytes, where)) pictures.push_back(PdfReader(page, where).read());
+  return pictures;
+}
+
+}  // namespace epura

@@ -1,0 +1,33 @@
+#include "study/compare/read_pictures.hpp"
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/text.hpp"
+
+namespace epura {
+
+int number_of_name(std::vector<std::string>& names, const std::string& name) {
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found != names.end()) return static_cast<int>(found - names.begin());
+  names.push_back(name);
+  return static_cast<int>(names.size()) - 1;
+}
+
+PictureFile read_pictures(const std::filesystem::path& path) {
+  const std::vector<std::string> known = {".json", ".svg", ".pdf"};
+  if (std::find(known.begin(), known.end(), to_lower(path.extension().string())) == known.end())
+    throw Error(Trouble::input, path.string(), "is no drawing that can be compared",
+                "epura compares its .json, .svg and .pdf files");
+  return pictures_of(read_file(path), path);
+}
+
+PictureFile pictures_of(const std::string& bytes, const std::filesystem::path& path) {
+  const std::string extension = to_lower(path.extension().string()), where = path.string();
+  if (extension == ".json") return {true, false, {picture_of_json(bytes, where)}};
+  if (extension == ".svg") return {false, false, {picture_of_svg(bytes, where)}};
+  return {false, true, pictures_of_pdf(bytes, where)};
+}
+
+}  // namespace epura

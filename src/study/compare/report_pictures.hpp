@@ -1,0 +1,14 @@
+// A comparison as a case of a report, with its pictures.
+#pragma once
+
+#include <string>
+
+#include "study/compare/comparison.hpp"
+#include "study/compare/html_report.hpp"
+
+namespace epura {
+
+ReportedCase reported_case(const std::string& name, bool good, const std::string& words, const PictureFile& expected,
+                           const PictureFile& actual, const Comparison& comparison);
+
+}  // namespace epura

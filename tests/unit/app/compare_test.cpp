@@ -1,0 +1,82 @@
+// epura compare, as users run it.
+#include <gtest/gtest.h>
+
+#include "../output/json_reader.hpp"
+#include "errors.hpp"
+#include "folder.hpp"
+#include "program.hpp"
+
+namespace epura::test {
+namespace {
+
+// The bracket with and without its hidden lines.
+struct Drawn {
+  Folder folder;
+
+  Drawn() {
+    draw({"-o", "a.json", "-o", "a.svg"});
+    draw({"--hidden", "none", "-o", "b.json", "-o", "b.svg"});
+  }
+
+  void draw(std::vector<std::string> options) const {
+    options.insert(options.begin(), {"draw", sample("bracket.obj")});
+    ASSERT_EQ(epura(options, folder / "").code, 0);
+  }
+  [[nodiscard]] Outcome compare(std::vector<std::string> options) const {
+    options.insert(options.begin(), "compare");
+    return epura(options, folder / "");
+  }
+  [[nodiscard]] std::string read(const std::string& name) const { return read_file(folder / name); }
+};
+
+TEST(CompareCommand, ExitCodeTellsWhetherThereAreDifferences) {
+  const Drawn drawn;
+  for (const std::string extension : {".json", ".svg"}) {
+    const Outcome same = drawn.compare({"a" + extension, "a" + extension});
+    EXPECT_EQ(same.code, 0);
+    EXPECT_EQ(same.out, "no differences above 0.001 mm\n");
+    const Outcome different = drawn.compare({"a" + extension, "b" + extension});
+    EXPECT_EQ(different.code, 1);
+    EXPECT_TRUE(contains(different.out, "removed    isometric: hidden line")) << different.out;
+    EXPECT_TRUE(contains(different.out, "8 differences above 0.001 mm: 8 removed")) << different.out;
+    EXPECT_EQ(different.err, "");
+  }
+}
+
+TEST(CompareCommand, ChainingAndLetteringDoNotCount) {
+  const Drawn drawn;
+  drawn.draw({"--plain", "--svg-text", "text", "-o", "c.svg"});
+  EXPECT_EQ(drawn.compare({"a.svg", "c.svg"}).code, 0);
+}
+
+TEST(CompareCommand, WritesWhatDiffers) {
+  const Drawn drawn;
+  const Outcome run = drawn.compare({"a.svg", "b.svg", "--json", "-"});
+  const Json json = JsonReader(run.out).read();
+  EXPECT_EQ(json["counts"]["removed"].text, "8");
+  EXPECT_EQ(json["differences"].items.size(), 8U);
+  EXPECT_EQ(json["differences"].items[0]["of"].text, "line");
+  for (const std::string name : {"o.svg", "o.png", "o.html"})
+    EXPECT_EQ(drawn.compare({"a.svg", "b.svg", "--overlay", name}).code, 1);
+  EXPECT_TRUE(contains(drawn.read("o.svg"), "stroke:#cd0000"));
+  EXPECT_TRUE(drawn.read("o.png").starts_with("\x89PNG"));
+  EXPECT_TRUE(contains(drawn.read("o.html"), "data:image/svg+xml,"));
+  EXPECT_TRUE(contains(drawn.read("o.html"), "8 removed"));
+}
+
+TEST(CompareCommand, RefusesWhatItCannotCompare) {
+  const Drawn drawn;
+  const auto refused = [&](const std::vector<std::string>& options, const std::string& reason) {
+    const Outcome run = drawn.compare(options);
+    EXPECT_EQ(run.code, 2);
+    EXPECT_TRUE(contains(run.err, reason)) << run.err;
+  };
+  refused({"a.json", "a.svg"}, "drawing JSON has views without their sheet");
+  refused({"a.json", "none.json"}, "none.json");
+  refused({"a.json", "a.obj"}, "is no drawing that can be compared");
+  refused({"a.json", "b.json", "--overlay", "x.json"}, "is no picture");
+  refused({"a.json", "b.json", "--tolerance", "wide"}, "--tolerance");
+}
+
+}  // namespace
+}  // namespace epura::test

@@ -1,0 +1,151 @@
+// epura snapshot, as users run it.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <optional>
+
+#include "errors.hpp"
+#include "folder.hpp"
+#include "golden.hpp"
+#include "program.hpp"
+
+namespace epura::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Sets a variable of the environment, or takes it away, while it lives.
+class Variable {
+ public:
+  Variable(const char* name, const char* value) : name_(name) {
+    if (const char* old = std::getenv(name)) old_ = old;
+    set(value);
+  }
+  Variable(const Variable&) = delete;
+  Variable& operator=(const Variable&) = delete;
+  ~Variable() { set(old_ ? old_->c_str() : nullptr); }
+
+ private:
+  void set(const char* value) const {
+    if (value != nullptr) {
+      ::setenv(name_, value, 1);
+    } else {
+      ::unsetenv(name_);
+    }
+  }
+
+  const char* name_;
+  std::optional<std::string> old_;
+};
+
+/// Copies of golden cases, to be broken.
+struct Suite {
+  Folder folder;
+
+  explicit Suite(const std::vector<std::string>& cases) {
+    fs::create_directory(folder / "cases");
+    fs::copy(fs::path(EPURA_TEST_GOLDEN) / "models", folder / "cases/models");
+    for (const std::string& name : cases)
+      fs::copy(golden_folder(name), folder / "cases" / name, fs::copy_options::recursive);
+  }
+
+  [[nodiscard]] Outcome run(std::vector<std::string> options = {}) const {
+    options.insert(options.begin(), {"snapshot", "cases"});
+    return epura(options, folder / "");
+  }
+  [[nodiscard]] std::string read(const std::string& name) const { return read_file(folder / name); }
+  void write(const std::string& name, const std::string& text) const { write_file(folder / name, text); }
+
+  /// Takes the line that begins with `begin` out of a file.
+  void drop_line(const std::string& name, const std::string& begin) const {
+    std::string text = read(name);
+    const std::size_t from = text.find(begin);
+    ASSERT_NE(from, std::string::npos);
+    write(name, text.erase(from, text.find('\n', from) + 1 - from));
+  }
+};
+
+constexpr const char* edge_1_5 = "    {\"from\": [153.5, 64.1751709536137], \"to\": [153.5, 105]";
+
+TEST(SnapshotCommand, ReportsTheLineThatDiffers) {
+  const Suite suite({"cube-isometric", "cube-cavalier"});
+  suite.drop_line("cases/cube-isometric/expected.json", edge_1_5);
+  const Outcome run = suite.run({"--report", "r.html", "--junit", "r.xml"});
+  EXPECT_EQ(run.code, 1);
+  EXPECT_EQ(run.out,
+            "ok        cube-cavalier/expected.json\n"
+            "DIFFERENT cube-isometric/expected.json\n"
+            "  added      isometric: visible line, 40.825 mm, (153.5, 64.175) to (153.5, 105), edge 0:1-5\n"
+            "  1 difference above 0.001 mm: 1 added\n"
+            "1 of 2 as expected\n");
+  const std::string html = suite.read("r.html"), xml = suite.read("r.xml");
+  EXPECT_TRUE(contains(html, "added      isometric: visible line, 40.825 mm"));
+  EXPECT_TRUE(contains(html, "<figcaption>overlay</figcaption><img"));
+  EXPECT_TRUE(contains(xml, "tests=\"2\" failures=\"1\" errors=\"0\"")) << xml;
+  EXPECT_TRUE(contains(xml, "<failure message=\"added      isometric")) << xml;
+  EXPECT_TRUE(contains(xml, "name=\"cube-cavalier/expected.json\"/>")) << xml;
+}
+
+TEST(SnapshotCommand, AcceptsWhatDiffersAndWhatIsNew) {
+  const Variable no_ci("CI", nullptr);
+  const Suite suite({"cube-isometric", "cube-cavalier"});
+  const std::string old = suite.read("cases/cube-cavalier/expected.json");
+  suite.drop_line("cases/cube-isometric/expected.json", edge_1_5);
+  fs::create_directory(suite.folder / "cases/new");
+  suite.write("cases/new/scene.toml", "[[model]]\nfile = \"../models/cube.obj\"\n");
+  EXPECT_TRUE(contains(suite.run().out, "NEW       new/expected.svg"));
+  const Outcome run = suite.run({"--accept"});
+  EXPECT_EQ(run.code, 0) << run.out;
+  EXPECT_TRUE(contains(run.out, "accepted  cube-isometric/expected.json"));
+  EXPECT_TRUE(contains(run.out, "3 of 3 as expected"));
+  EXPECT_TRUE(contains(suite.read("cases/new/expected.svg"), "<svg"));
+  EXPECT_EQ(suite.read("cases/cube-cavalier/expected.json"), old);
+  EXPECT_EQ(suite.run().code, 0);
+}
+
+TEST(SnapshotCommand, AcceptsNothingInCi) {
+  const Variable ci("CI", "true");
+  const Suite suite({"cube-isometric"});
+  suite.drop_line("cases/cube-isometric/expected.json", edge_1_5);
+  const std::string before = suite.read("cases/cube-isometric/expected.json");
+  const Outcome run = suite.run({"--accept"});
+  EXPECT_EQ(run.code, 2);
+  EXPECT_TRUE(contains(run.err, "CI is set")) << run.err;
+  EXPECT_EQ(suite.read("cases/cube-isometric/expected.json"), before);
+}
+
+TEST(SnapshotCommand, TellsWhyACaseIsNotDrawn) {
+  const Suite suite({"cube-isometric", "cube-cavalier"});
+  suite.write("cases/cube-isometric/scene.toml", "[[model]]\nfile = \"missing.obj\"\n");
+  suite.write("cases/cube-cavalier/options", "--no-such-option\n");
+  const Outcome run = suite.run({"--junit", "r.xml"});
+  EXPECT_EQ(run.code, 1);
+  EXPECT_TRUE(contains(run.out, "FAILED    cube-cavalier/expected.json\n  exit code 2\n")) << run.out;
+  EXPECT_TRUE(contains(run.out, "there is no option '--no-such-option'")) << run.out;
+  EXPECT_TRUE(contains(run.out, "missing.obj")) << run.out;
+  EXPECT_TRUE(contains(suite.read("r.xml"), "failures=\"0\" errors=\"2\"")) << suite.read("r.xml");
+}
+
+TEST(SnapshotCommand, SaysTheSameForAnyNumberOfThreads) {
+  const Suite suite({"cube-isometric", "cube-cavalier", "house-one-point", "section-hollow"});
+  suite.drop_line("cases/cube-isometric/expected.json", edge_1_5);
+  const Outcome one = suite.run({"--threads", "1", "--report", "one.html"});
+  const Outcome many = suite.run({"--threads", "4", "--report", "many.html"});
+  EXPECT_EQ(one.out, many.out);
+  EXPECT_EQ(suite.read("one.html"), suite.read("many.html"));
+}
+
+TEST(SnapshotCommand, RefusesFoldersWithoutCases) {
+  const Suite suite({"cube-isometric"});
+  const auto refusal = [&](const std::string& folder) {
+    const Outcome run = epura({"snapshot", folder}, suite.folder / "");
+    EXPECT_EQ(run.code, 2);
+    return run.err;
+  };
+  EXPECT_TRUE(contains(refusal("cases/models"), "has no case"));
+  EXPECT_TRUE(contains(refusal("missing"), "is no folder"));
+  EXPECT_EQ(epura({"snapshot", "cases/cube-isometric"}, suite.folder / "").code, 0);
+}
+
+}  // namespace
+}  // namespace epura::test
