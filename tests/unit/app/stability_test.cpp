@@ -33,6 +33,13 @@ TEST(StabilityCommand, PrintsATableAndWritesFilesByTheirExtensions) {
   EXPECT_EQ(json["cases"].items[0]["verdict"]["float32"].text, "broken");
 }
 
+TEST(StabilityCommand, PrintsTheTableOfTheDocumentation) {
+  const Folder folder;
+  const Outcome run = study({}, folder / "");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(read_file(root() / "docs/numerics.md"), "$ epura study stability\n" + run.out + "```\n"));
+}
+
 TEST(StabilityCommand, GivesTheSameBytesForAnyNumberOfThreads) {
   const Folder folder;
   const auto json = [&](const std::string& threads) {
