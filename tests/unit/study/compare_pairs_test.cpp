@@ -172,6 +172,10 @@ const std::vector<Case> different_curves_and_looks = {
        s.layers[hidden].strokes.push_back(line({70, 50}, {100, 50}));
      }},
     {"LineWider", "restyled", [](Sheet& s) { s.layers[dimension].style.width = 0.35; }},
+    {"DashesOfOneLineInAContinuousStyle", "restyled",
+     [](Sheet& s) {
+       stroke(s, dimension, 0).dashes = {5, 0.75, 0.125, 1};
+     }},
     {"LineDashed", "restyled",
      [](Sheet& s) {
        s.layers[dimension].style.dashes = {6, 1.5};
