@@ -179,9 +179,12 @@ std::vector<InkPart> seen_parts(const Picture& picture, const CommonLooks& table
 }
 
 DividedInk divide(const std::vector<InkPart>& parts, const std::vector<InkPart>& others, double tolerance) {
-  DividedInk divided = divide_by(parts, others, tolerance, std::max(long_overlap * tolerance, least_overlap));
-  if (divided.rest.empty() || others.empty()) return divided;
-  DividedInk last = divide_by(divided.rest, those_near(others, divided.rest, tolerance), tolerance, least_overlap);
+  constexpr std::size_t few = 8;  // times fewer than the others, most of which are elsewhere then
+  const bool are_few = few * parts.size() < others.size() && !parts.empty();
+  const std::vector<InkPart> near = are_few ? those_near(others, parts, tolerance) : others;
+  DividedInk divided = divide_by(parts, near, tolerance, std::max(long_overlap * tolerance, least_overlap));
+  if (divided.rest.empty() || near.empty()) return divided;
+  DividedInk last = divide_by(divided.rest, those_near(near, divided.rest, tolerance), tolerance, least_overlap);
   divided.met.insert(divided.met.end(), last.met.begin(), last.met.end());
   divided.rest = std::move(last.rest);
   return divided;
