@@ -46,12 +46,22 @@ class Kind {
   }
 
   void take_same() {
+    const PartsByLook all_old = old_, all_new = new_;
     for (std::size_t i = 0; i < looks_; ++i) {
       DividedInk old_ones = divide(old_[i], new_[i], tolerance_), new_ones = divide(new_[i], old_[i], tolerance_);
       mark(new_ones.met, Mark::same);
       old_[i] = std::move(old_ones.rest);
       new_[i] = std::move(new_ones.rest);
     }
+    leave_out_covered(old_, all_old);
+    leave_out_covered(new_, all_new);
+  }
+
+  // What is so near to a wider line of its drawing may lie under it in the other one, by rounding alone.
+  void leave_out_covered(PartsByLook& parts, const PartsByLook& all) const {
+    for (std::size_t i = 0; i < looks_; ++i)
+      for (std::size_t wider = 0; wider < i && !parts[i].empty(); ++wider)
+        parts[i] = divide(parts[i], all[wider], tolerance_).rest;
   }
 
   void take_changed() {

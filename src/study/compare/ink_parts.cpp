@@ -1,24 +1,28 @@
 #include "study/compare/ink_parts.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <span>
 #include <tuple>
+#include <utility>
 
 #include "drawing/covers.hpp"
 #include "drawing/ink.hpp"
+#include "visibility/line_cells.hpp"
 
 namespace epura {
 
 namespace {
 
-// Lengths on paper, mm. Lines nearer than this lie on one another; what is shorter is not seen; a remainder of a
-// drawing that has it just above that length is no difference to one that has it just below.
-constexpr double same_place = 0.001, shortest = 0.002, least_reported = 0.004;
+// Lengths on paper, mm. Lines of one drawing that are nearer than this lie on one another; what is shorter is not seen;
+// a remainder of a drawing that has it just above that length is no difference to one that has it just below.
+constexpr double same_place = 0.0002, shortest = 0.002, least_reported = 0.004;
 // Overlaps count from here on: well below the shortest piece, which may be shifted along itself.
 constexpr double least_overlap = 0.0005;
+// Those of so many times the tolerance are looked for first: they are between lines of nearly one direction, which are
+// found fast.
+constexpr double long_overlap = 25;
 
 constexpr double same_length = 1e-3;  // of widths and dashes, mm: they are rounded in files
 
@@ -87,6 +91,51 @@ void append_divided(const InkPart& part, std::span<const Cover> covers, double t
   if (ends_open) divided.rest.push_back(cut(part, done, length));
 }
 
+DividedInk divide_by(const std::vector<InkPart>& parts, const std::vector<InkPart>& others, double tolerance,
+                     double least) {
+  // All of a side have one rank: they do not cover each other.
+  std::vector<Piece> pieces;
+  for (const InkPart& part : others) pieces.push_back({part.from, part.to, true, EdgeKind{}, 0, {0, 0}});
+  for (const InkPart& part : parts) pieces.push_back({part.from, part.to, false, EdgeKind{}, 0, {0, 0}});
+  const std::vector<Cover> covers = find_covers(pieces, tolerance, least);
+  DividedInk divided;
+  std::size_t next = static_cast<std::size_t>(
+      std::lower_bound(covers.begin(), covers.end(), Cover{static_cast<int>(others.size()), 0, 0}) - covers.begin());
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const std::size_t first = next;
+    while (next < covers.size() && covers[next].piece == static_cast<int>(others.size() + i)) ++next;
+    append_divided(parts[i], std::span(covers).subspan(first, next - first), tolerance, divided);
+  }
+  return divided;
+}
+
+// Of `others` those in a cell of the page that some of `parts` pass through.
+std::vector<InkPart> those_near(const std::vector<InkPart>& others, const std::vector<InkPart>& parts,
+                                double tolerance) {
+  constexpr int cells = 256;  // a side
+  Vec2 least(HUGE_VAL), most(-HUGE_VAL);
+  for (const InkPart& part : parts) {
+    least = glm::min(least, glm::min(part.from, part.to));
+    most = glm::max(most, glm::max(part.from, part.to));
+  }
+  least -= tolerance;
+  most += tolerance;
+  const CellGrid grid{least, (most - least) / double(cells), cells, cells};
+  std::vector<char> used(static_cast<std::size_t>(grid.count()));
+  const auto visit = [&](const InkPart& part, const auto& see) {
+    visit_cells(grid, part.from, part.to, tolerance,
+                [&](int cell, double, double) { see(used[static_cast<std::size_t>(cell)]); });
+  };
+  for (const InkPart& part : parts) visit(part, [](char& cell) { cell = 1; });
+  std::vector<InkPart> near;
+  for (const InkPart& part : others) {
+    bool meets = false;
+    visit(part, [&](char cell) { meets = meets || cell != 0; });
+    if (meets) near.push_back(part);
+  }
+  return near;
+}
+
 }  // namespace
 
 double length_of(const InkPart& part) { return glm::distance(part.from, part.to); }
@@ -130,18 +179,14 @@ std::vector<InkPart> seen_parts(const Picture& picture, const CommonLooks& table
 }
 
 DividedInk divide(const std::vector<InkPart>& parts, const std::vector<InkPart>& others, double tolerance) {
-  // All of a side have one rank: they do not cover each other.
-  std::vector<Piece> pieces;
-  for (const InkPart& part : others) pieces.push_back({part.from, part.to, true, EdgeKind{}, 0, {0, 0}});
-  for (const InkPart& part : parts) pieces.push_back({part.from, part.to, false, EdgeKind{}, 0, {0, 0}});
-  const std::vector<Cover> covers = find_covers(pieces, tolerance, least_overlap);
-  DividedInk divided;
-  std::size_t next = 0;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const std::size_t first = next;
-    while (next < covers.size() && covers[next].piece == static_cast<int>(others.size() + i)) ++next;
-    append_divided(parts[i], std::span(covers).subspan(first, next - first), tolerance, divided);
-  }
+  constexpr std::size_t few = 8;  // times fewer than the others, most of which are elsewhere then
+  const bool are_few = few * parts.size() < others.size() && !parts.empty();
+  const std::vector<InkPart> near = are_few ? those_near(others, parts, tolerance) : others;
+  DividedInk divided = divide_by(parts, near, tolerance, std::max(long_overlap * tolerance, least_overlap));
+  if (divided.rest.empty() || near.empty()) return divided;
+  DividedInk last = divide_by(divided.rest, those_near(near, divided.rest, tolerance), tolerance, least_overlap);
+  divided.met.insert(divided.met.end(), last.met.begin(), last.met.end());
+  divided.rest = std::move(last.rest);
   return divided;
 }
 

@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
+
+#include "sheet/lettering.hpp"
 
 namespace epura {
 
@@ -13,6 +17,7 @@ namespace {
 constexpr double strip = 8;            // of the legend, mm
 constexpr double letters = 3.5;        // height of its capitals
 constexpr double column = 30;          // from word to word
+constexpr double seen_width = 0.7;     // at least, of what differs
 constexpr double border_width = 0.13;  // of areas, whose inside is not filled
 
 struct MarkStyle {
@@ -33,10 +38,11 @@ Dashes dashes_of(const std::vector<double>& lengths) {
 // Lines of one colour and look, in one layer.
 class LookLayers {
  public:
-  LookLayers(const MarkStyle& mark, Vec2 shift) : mark_(mark), shift_(shift) {}
+  LookLayers(const MarkStyle& mark, Vec2 shift, double least_width)
+      : mark_(mark), shift_(shift), least_width_(least_width) {}
 
   void add_line(const Vec2& from, const Vec2& to, const PictureLook& look) {
-    const double width = look.filled ? border_width : look.width;
+    const double width = std::max(look.filled ? border_width : look.width, least_width_);
     const Dashes dashes = dashes_of(look.dashes);
     const bool is_short = glm::distance(from, to) < 2 * (dashes.dash + dashes.gap);
     Stroke stroke{{from + shift_, to + shift_}};
@@ -44,14 +50,24 @@ class LookLayers {
     layer({width, look.dashes}).strokes.push_back(std::move(stroke));
   }
 
-  // Lettering in a box: as high as letters without descenders would be.
+  // So that the letters fill their box; of the ways along the page and up it the one that has its proportions.
   void add_text(const PictureText& text) {
-    const Vec2 size = text.most - text.least;
-    const bool upright = size.y > size.x && text.words.size() > 1;
-    Text line{text.words, text.least + shift_, std::max(upright ? size.x : size.y, 0.5)};
-    line.angle = upright ? 90 : 0;
-    if (upright) line.at.x += size.x;
-    layer({border_width, {}}).texts.push_back(std::move(line));
+    if (!lettering_) lettering_.emplace();
+    Vec2 least(HUGE_VAL), most(-HUGE_VAL);
+    for (const GlyphOutline& glyph : lettering_->outlines(text.words, 1))
+      for (const GlyphOutline::Curve& curve : glyph.curves)
+        for (const Vec2& p : {curve.control, curve.end}) {
+          least = glm::min(least, p);
+          most = glm::max(most, p);
+        }
+    const Vec2 size = text.most - text.least, letters_size = most - least;
+    if (!(letters_size.x > 0 && letters_size.y > 0)) return;
+    const bool upright = std::abs(size.x * letters_size.x - size.y * letters_size.y) <
+                         std::abs(size.x * letters_size.y - size.y * letters_size.x);
+    const double height = (upright ? size.y : size.x) / letters_size.x;
+    const Vec2 corner = upright ? Vec2(-most.y, least.x) : least;
+    layer({border_width, {}})
+        .texts.push_back({text.words, text.least + shift_ - height * corner, height, upright ? 90.0 : 0.0});
   }
 
   void add_legend(double x) {
@@ -78,6 +94,8 @@ class LookLayers {
 
   MarkStyle mark_;
   Vec2 shift_;
+  double least_width_;
+  std::optional<Lettering> lettering_{};
   std::map<LookKey, Layer> layers_{};
 };
 
@@ -86,7 +104,7 @@ class LookLayers {
 Sheet overlay_of(const PageComparison& page) {
   Sheet sheet{std::max(page.size.x, column * double(marks.size())), page.size.y + strip, "comparison", {}};
   for (std::size_t i = 0; i < marks.size(); ++i) {
-    LookLayers layers(marks[i], {0, strip});
+    LookLayers layers(marks[i], {0, strip}, i == 0 ? 0 : seen_width);
     for (const MarkedPiece& piece : page.pieces)
       if (static_cast<std::size_t>(piece.mark) == i) layers.add_line(piece.from, piece.to, piece.look);
     for (const MarkedText& text : page.texts)
@@ -99,7 +117,7 @@ Sheet overlay_of(const PageComparison& page) {
 
 Sheet sheet_of(const Picture& picture) {
   Sheet sheet{picture.size.x, picture.size.y, "drawing", {}};
-  LookLayers layers({"drawing", {}}, {0, 0});
+  LookLayers layers({"drawing", {}}, {0, 0}, 0);
   for (const PicturePiece& piece : picture.pieces)
     layers.add_line(piece.from, piece.to, picture.looks[static_cast<std::size_t>(piece.look)]);
   for (const PictureText& text : picture.texts) layers.add_text(text);

@@ -17,6 +17,8 @@ struct PictureLook {
   double width = 0;              ///< mm; 0 of areas
   std::vector<double> dashes{};  ///< mm: ink, gap, ink, gap ...; empty: continuous
   std::string colour = "#000000";
+
+  bool operator==(const PictureLook&) const = default;
 };
 
 /// Stands for the dashes of a broken line whose pattern is not known.
@@ -48,5 +50,8 @@ struct Picture {
 
 /// The number of a name in a list, which grows where it has to.
 int number_of_name(std::vector<std::string>& names, const std::string& name);
+
+/// The same of a look with its name.
+int number_of_look(std::vector<PictureLook>& looks, const PictureLook& look);
 
 }  // namespace epura

@@ -1,4 +1,5 @@
 // PDF -> pictures: lines and areas of the layers.
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -27,6 +28,14 @@ struct SubPath {
   bool closed = false;
 };
 
+// The phase is a number, too.
+bool sets_dashes(const PdfOperation& operation) { return operation.name == "d" && operation.numbers.size() > 1; }
+
+// Layers whose lines are all of one broken style; the others have lines of several.
+bool has_broken_style(const std::string& role) {
+  return role.starts_with("hidden") || role == "centre" || role == "neighbour";
+}
+
 class PdfReader {
  public:
   PdfReader(const PdfContent& page, const std::string& where)
@@ -38,7 +47,7 @@ class PdfReader {
     std::string layer;
     run(page_.operations, pen, [&](const PdfOperation& operation, const PenState& now) {
       if (operation.name == "BDC" && operation.words.size() == 2) layer = name_of_layer(operation.words[1]);
-      if (operation.name == "Do") read_form(operation.words.at(0), layer, now);
+      if (operation.name == "Do" && operation.words.size() == 1) read_form(operation.words[0], layer, now);
     });
     return std::move(picture_);
   }
@@ -62,14 +71,11 @@ class PdfReader {
     view_ = number_of_name(picture_.views, slash == std::string::npos ? "" : layer.substr(0, slash));
     role_ = layer.substr(slash == std::string::npos ? 0 : slash + 1);
     role_ = role_.substr(0, role_.find(' '));
-    const std::size_t first = picture_.looks.size();
-    any_dashed_ = false;
+    broken_ = has_broken_style(role_) && std::any_of(form->second.begin(), form->second.end(), sets_dashes);
     run(form->second, pen, [&](const PdfOperation& operation, const PenState& now) {
       if (operation.name == "Do") refuse("has pictures in its layers");
       paint(operation.name, now);
     });
-    for (std::size_t i = first; i < picture_.looks.size(); ++i)
-      if (any_dashed_ && !picture_.looks[i].filled) picture_.looks[i].dashes = some_dashes;
   }
 
   // Keeps the state of the pen and the path, and tells `tell` of every operation. ISO 32000-1, 8.4 and 8.5.
@@ -89,7 +95,7 @@ class PdfReader {
       } else if (name == "w" && n.size() == 1) {
         pen.width = n[0];
       } else if (name == "d") {
-        pen.dashed = n.size() > 1;  // the phase is a number, too
+        pen.dashed = sets_dashes(operation);
       } else {
         extend_path(operation, pen.map);
       }
@@ -118,27 +124,18 @@ class PdfReader {
   }
 
   void paint(const std::string& name, const PenState& pen) {
-    if (name == "S" || name == "s")
-      add_path({role_, !role_.starts_with("hidden"), false, pen.width * pen.map.scale()}, pen.dashed);
-    if (name == "f" || name == "f*") add_path({role_ + " area", true, true}, false);
+    if (name == "S" || name == "s") {
+      const bool dashed = broken_ || pen.dashed;
+      add_path({role_, !role_.starts_with("hidden"), false, pen.width * pen.map.scale(),
+                dashed ? some_dashes : std::vector<double>()});
+    }
+    if (name == "f" || name == "f*") add_path({role_ + " area", true, true});
     if (name == "S" || name == "s" || name == "f" || name == "f*" || name == "n") path_.clear();
     if (name == "B" || name == "B*" || name == "b" || name == "b*" || name == "sh") refuse("paints in another way");
   }
 
-  void add_path(const PictureLook& look, bool dashed) {
-    any_dashed_ = any_dashed_ || dashed;
-    int number = -1;
-    for (std::size_t i = 0; i < picture_.looks.size() && number < 0; ++i) {
-      const PictureLook& known = picture_.looks[i];
-      if (known.name == look.name && known.filled == look.filled && known.width == look.width &&
-          number_of_view_[i] == view_)
-        number = static_cast<int>(i);
-    }
-    if (number < 0) {
-      number = static_cast<int>(picture_.looks.size());
-      picture_.looks.push_back(look);
-      number_of_view_.push_back(view_);
-    }
+  void add_path(const PictureLook& look) {
+    const int number = number_of_look(picture_.looks, look);
     for (const SubPath& line : path_)
       for (std::size_t i = 0; i + (line.closed || look.filled ? 0 : 1) < line.points.size(); ++i)
         picture_.pieces.push_back({line.points[i], line.points[(i + 1) % line.points.size()], number, view_, -1});
@@ -148,10 +145,9 @@ class PdfReader {
   const std::string& where_;
   Picture picture_;
   std::vector<SubPath> path_{};
-  std::vector<int> number_of_view_{};  // by look: dashes are found by layer
   int view_ = 0;
   std::string role_{};
-  bool any_dashed_ = false;
+  bool broken_ = false;  // all lines of the layer: those without dashes are short
 };
 
 }  // namespace

@@ -8,12 +8,21 @@
 
 namespace epura {
 
-int number_of_name(std::vector<std::string>& names, const std::string& name) {
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found != names.end()) return static_cast<int>(found - names.begin());
-  names.push_back(name);
-  return static_cast<int>(names.size()) - 1;
+namespace {
+
+template <class Item>
+int number_in(std::vector<Item>& items, const Item& item) {
+  const auto found = std::find(items.begin(), items.end(), item);
+  const auto number = found - items.begin();
+  if (found == items.end()) items.push_back(item);
+  return static_cast<int>(number);
 }
+
+}  // namespace
+
+int number_of_name(std::vector<std::string>& names, const std::string& name) { return number_in(names, name); }
+
+int number_of_look(std::vector<PictureLook>& looks, const PictureLook& look) { return number_in(looks, look); }
 
 PictureFile read_pictures(const std::filesystem::path& path) {
   const std::vector<std::string> known = {".json", ".svg", ".pdf"};

@@ -30,7 +30,8 @@ Picture picture_of_json(std::string_view bytes, const std::string& where);
 /// count.
 Picture picture_of_svg(std::string_view bytes, const std::string& where);
 
-/// The pages of a PDF file, without texts. Lines of a layer are broken if one of them has dashes.
+/// The pages of a PDF file, without texts. In layers of hidden and centre lines and of neighbouring
+/// parts all lines are broken: the short ones have no dashes.
 std::vector<Picture> pictures_of_pdf(const std::string& bytes, const std::string& where);
 
 }  // namespace epura

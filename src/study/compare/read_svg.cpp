@@ -158,18 +158,6 @@ class SvgReader {
     }
   }
 
-  // Each look once: the number of looks stays small.
-  int number_of(const PictureLook& look) {
-    for (std::size_t i = 0; i < picture_.looks.size(); ++i) {
-      const PictureLook& known = picture_.looks[i];
-      if (known.name == look.name && known.visible == look.visible && known.filled == look.filled &&
-          known.width == look.width && known.dashes == look.dashes && known.colour == look.colour)
-        return static_cast<int>(i);
-    }
-    picture_.looks.push_back(look);
-    return static_cast<int>(picture_.looks.size()) - 1;
-  }
-
   int line_look(const Context& context) {
     PictureLook look{context.layer, context.visible};
     const double scale = context.map.scale();
@@ -178,14 +166,17 @@ class SvgReader {
     if (!units) refuse("has a width of lines that is not understood: '" + std::string(width) + "'");
     look.width = scale * *units;
     for (const double length : svg_numbers(context.style.of("stroke-dasharray"))) look.dashes.push_back(scale * length);
+    // The first dash is the one that is fitted; ISO 128-2 has it 12 widths long, or 24 in lines with dots.
+    if (context.style.has_fitted_dashes && look.dashes.size() > 1)
+      look.dashes[0] = (look.dashes.size() == 2 ? 12 : 24) * look.width;
     look.colour = svg_colour(context.style.of("stroke"));
-    return number_of(look);
+    return number_of_look(picture_.looks, look);
   }
 
   int area_look(const Context& context) {
     PictureLook look{context.layer + " area", true, true};
     look.colour = svg_colour(context.style.of("fill"));
-    return number_of(look);
+    return number_of_look(picture_.looks, look);
   }
 
   void add_text(const std::string& words, const Context& context, const std::vector<Vec2>& outline) {

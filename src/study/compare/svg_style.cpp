@@ -93,6 +93,8 @@ SvgStyle style_of(const pugi::xml_node& element, const SvgStyle& parent, const S
     if (const auto rule = rules.find(name); rule != rules.end())
       for (const auto& [property, value] : rule->second) style.properties.insert_or_assign(property, value);
   read_declarations(element.attribute("style").value(), style.properties);
+  const pugi::xml_attribute dashes = element.attribute("stroke-dasharray");
+  style.has_fitted_dashes = dashes && style.of("stroke-dasharray") == dashes.value();
   return style;
 }
 

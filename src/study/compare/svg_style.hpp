@@ -27,6 +27,8 @@ struct SvgStyle {
   /// Empty where it is not set.
   [[nodiscard]] std::string_view of(std::string_view property) const;
   [[nodiscard]] bool is_shown() const { return of("display") != "none" && of("visibility") != "hidden"; }
+
+  bool has_fitted_dashes = false;  ///< they are those of one line, and no style
 };
 
 /// The style of an element in a parent of such a style. Attributes count less than rules, these less than `style`. An

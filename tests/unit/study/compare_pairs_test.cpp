@@ -104,6 +104,10 @@ const std::vector<Case> within_the_tolerance = {
        whole.curves[0].to += std::numbers::pi / 2;
      }},
     {"PolygonWithinTheTolerance", "", [](Sheet& s) { stroke(s, visible, 1).curves.clear(); }, 0.05},
+    {"HiddenBesideVisible", "",
+     [](Sheet& s) {
+       s.layers[hidden].strokes.push_back(line({20, 50.0007}, {60, 50.0007}));
+     }},
     {"EverythingMovedWithinTheTolerance", "",
      [](Sheet& s) {
        for (Layer& layer : s.layers)
@@ -120,6 +124,10 @@ const std::vector<Case> within_the_tolerance = {
 
 const std::vector<Case> different_lines = {
     {"LineRemoved", "removed", [](Sheet& s) { s.layers[hidden].strokes.pop_back(); }},
+    {"HiddenBesideVisibleAddedAboveTheTolerance", "added",
+     [](Sheet& s) {
+       s.layers[hidden].strokes.push_back(line({20, 50.01}, {60, 50.01}));
+     }},
     {"LineAdded", "added",
      [](Sheet& s) {
        s.layers[visible].strokes.push_back(line({30, 45}, {40, 47}));
@@ -172,6 +180,10 @@ const std::vector<Case> different_curves_and_looks = {
        s.layers[hidden].strokes.push_back(line({70, 50}, {100, 50}));
      }},
     {"LineWider", "restyled", [](Sheet& s) { s.layers[dimension].style.width = 0.35; }},
+    {"DashesOfOneLineInAContinuousStyle", "restyled",
+     [](Sheet& s) {
+       stroke(s, dimension, 0).dashes = {5, 0.75, 0.125, 1};
+     }},
     {"LineDashed", "restyled",
      [](Sheet& s) {
        s.layers[dimension].style.dashes = {6, 1.5};

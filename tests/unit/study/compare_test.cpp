@@ -41,11 +41,22 @@ TEST(Compare, ReadsLinesAndAreasOfPdf) {
   EXPECT_EQ(changes(compare(before, as_pdf(plate()), 0.001)), "");
 }
 
+TEST(Compare, TakesChainLinesOfOneTypeForTheSame) {
+  Sheet one = plate(), longer = plate();
+  stroke(one, dimension, 0).dashes = {5, 0.75, 0.125, 1};
+  stroke(longer, dimension, 0).dashes = {6.1, 0.75, 0.125, 1};
+  stroke(longer, dimension, 0).points[1].x += 2;
+  EXPECT_EQ(changes(compare(as_svg(one), as_svg(longer), 0.001)), "added");
+}
+
 TEST(Compare, SeesTheSameInSvgAndPdf) {
-  const Sheet sheet = plate();
+  Sheet sheet = plate();
+  sheet.layers[hidden].strokes.push_back(line({40, 64}, {41, 64}));  // short: continuous
+  sheet.layers[dimension].strokes.push_back(line({20, 100}, {60, 100}));
+  stroke(sheet, dimension, 1).dashes = {5, 0.75, 0.125, 1};
   const PictureFile pdf{false, true, pictures_of_pdf(to_pdf({&sheet}), "test.pdf")};
   EXPECT_EQ(changes(compare(as_svg(sheet), pdf, 0.001)), "");
-  Sheet edited = plate();
+  Sheet edited = sheet;
   edited.layers[hidden].strokes.pop_back();
   EXPECT_EQ(changes(compare(as_svg(edited), pdf, 0.001)), "added");
 }
