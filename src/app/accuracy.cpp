@@ -111,15 +111,15 @@ std::vector<StudiedScene> scenes_of(const AccuracyOptions& options) {
 /// Measures the views of one scene.
 class Study {
  public:
-  Study(const AccuracyOptions& options, const std::vector<Method>& methods, Console& console, Progress progress)
-      : options_(options), methods_(methods), console_(console), progress_(progress) {}
+  Study(const AccuracyOptions& options, const std::vector<Method>& methods, const Messages& messages, Progress progress)
+      : options_(options), methods_(methods), messages_(messages), progress_(progress) {}
 
   std::vector<ViewMeasurements> measure_scene(const StudiedScene& scene) {
     Stopwatch watch;
     std::vector<MeshReport> reports;
-    const World world = read_models(scene.description.models, reports, console_, progress_);
+    const World world = read_models(scene.description.models, reports, messages_, progress_);
     watch.lap("read");
-    const CutSections sections = cut_sections(world, scene.description, console_);
+    const CutSections sections = cut_sections(world, scene.description, messages_);
     std::vector<ViewMeasurements> measured;
     for (const SheetOfViews& sheet : scene.sheets) measure_sheet(scene, world, sections, sheet, measured);
     for (ViewMeasurements& view : measured) view.read_seconds = watch.laps().front().second;
@@ -160,7 +160,7 @@ class Study {
 
   const AccuracyOptions& options_;
   const std::vector<Method>& methods_;
-  Console& console_;
+  const Messages& messages_;
   Progress progress_;
 };
 
@@ -168,14 +168,14 @@ class Study {
 
 int study_accuracy(const AccuracyOptions& options) {
   ProgressBoard board;
-  Console console(board, choose<bool>("--progress", options.progress,
-                                      {{"auto", is_terminal()}, {"always", true}, {"never", false}}));
+  Console console(board, shows_progress(options.progress));
   const Progress progress(board);
   const ThreadLimit threads(options.threads);
   const std::vector<ReportTarget> targets = targets_of(options);
   const std::vector<Method> methods = methods_of(options);
   const std::vector<StudiedScene> scenes = scenes_of(options);
-  Study study(options, methods, console, progress);
+  const Messages messages = messages_to(console);
+  Study study(options, methods, messages, progress);
   AccuracyReport report;
   for (const StudiedScene& scene : scenes)
     for (ViewMeasurements& view : study.measure_scene(scene)) report.views.push_back(std::move(view));

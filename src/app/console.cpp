@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <cstdio>
 
+#include "app/choose.hpp"
 #include "app/progress_line.hpp"
 #include "base/error.hpp"
 
@@ -43,8 +44,6 @@ std::size_t terminal_width() {
 void put(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
 
 }  // namespace
-
-bool is_terminal() { return ::isatty(STDERR_FILENO) != 0; }
 
 Console::Console(ProgressBoard& board, bool shows_progress) : board_(board), shows_progress_(shows_progress) {
   // A thread waits for the signals, rather than a handler or a flag that the stages look at: it may take locks, and it
@@ -105,6 +104,16 @@ void Console::cancel() {
   std::unique_lock files(board_.ending(), patience);
   print("epura: cancelled\n");
   ::_exit(128 + static_cast<int>(signal.ssi_signo));
+}
+
+bool shows_progress(const std::string& when) {
+  const bool is_terminal = ::isatty(STDERR_FILENO) != 0;
+  return choose<bool>("--progress", when, {{"auto", is_terminal}, {"always", true}, {"never", false}});
+}
+
+Messages messages_to(Console& console) {
+  return {[&console](const std::string& sentence) { console.warn(sentence); },
+          [&console](std::string_view lines) { console.print(lines); }};
 }
 
 }  // namespace epura

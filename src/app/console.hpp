@@ -8,12 +8,10 @@
 #include <string_view>
 #include <thread>
 
+#include "app/messages.hpp"
 #include "base/progress.hpp"
 
 namespace epura {
-
-/// Whether standard error is a terminal.
-bool is_terminal();
 
 /// While it lives, SIGINT and SIGTERM end the process with the exit code 128 + number, at once and at any stage, and
 /// (if asked for) a line shows how far the run is. To be made before any thread: threads inherit which signals reach
@@ -45,5 +43,11 @@ class Console {
   std::size_t line_length_ = 0;  ///< of the line on the screen
   std::thread watcher_;
 };
+
+/// Whether progress is shown: what --progress says, "auto" (on a terminal), "always" or "never". Throws Error{input}.
+bool shows_progress(const std::string& when);
+
+/// Says what a run has to say on the console.
+Messages messages_to(Console& console);
 
 }  // namespace epura

@@ -1,27 +1,17 @@
 // `epura draw`: a run with the terminal around it.
 #include <cstdio>
 
-#include "app/choose.hpp"
 #include "app/commands.hpp"
 #include "app/console.hpp"
 #include "app/draw_files.hpp"
 
 namespace epura {
 
-namespace {
-
-bool shows_progress(const DrawOptions& options) {
-  return choose<bool>("--progress", options.progress, {{"auto", is_terminal()}, {"always", true}, {"never", false}});
-}
-
-}  // namespace
-
 // What is said goes to standard error, since a drawing may go to standard output.
 int draw(const DrawOptions& options) {
   ProgressBoard board;
-  Console console(board, shows_progress(options));
-  const Messages messages{[&](const std::string& sentence) { console.warn(sentence); },
-                          [&](std::string_view lines) { console.print(lines); }};
+  Console console(board, shows_progress(options.progress));
+  const Messages messages = messages_to(console);
   const DrawnFiles drawn = draw_files(options, messages, Progress(board, options.time_limit));
   console.print("");  // the line of progress makes room
   std::fputs(drawn.answers.c_str(), stdout);

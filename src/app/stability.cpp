@@ -78,8 +78,7 @@ void print_timings(Console& console, const stability::Report& report) {
 
 int study_stability(const StabilityOptions& options) {
   ProgressBoard board;
-  Console console(board, choose<bool>("--progress", options.progress,
-                                      {{"auto", is_terminal()}, {"always", true}, {"never", false}}));
+  Console console(board, shows_progress(options.progress));
   const Progress progress(board);
   const ThreadLimit threads(options.threads);
   const std::vector<ReportTarget> targets = targets_of(options);
