@@ -1,5 +1,7 @@
 #include "study/accuracy/exact_page.hpp"
 
+#include <algorithm>
+
 namespace epura {
 
 namespace {
@@ -43,7 +45,7 @@ ExactPoint ExactPage::place(const Triple<Exact>& point) const {
   const Triple<Exact> l = point - (centre_ ? *centre_ : point_);
   const Exact n = dot(n_, l);
   if (!centre_) return {page_ * dot(u_, l), page_ * dot(v_, l), depth_ * n};
-  const Exact ahead = -n;
+  const Exact ahead = std::max(Exact(-n), nearest_);  // ends that were clipped there are rounded
   return {page_ * dot(u_, l) / ahead, page_ * dot(v_, l) / ahead, depth_ / ahead};
 }
 

@@ -44,6 +44,13 @@ double undecided_share(const StudiedView& studied, const std::vector<EdgeTruth>&
   return all > 0 ? undecided / all : 0;
 }
 
+// What is counted where all edges are judged, a bound where some are.
+double share_of_wrong(const Errors& errors, bool all) {
+  const auto wrong = static_cast<int>(errors.edges), judged = static_cast<int>(errors.judged);
+  if (!all) return greatest_share(wrong, judged, confidence);
+  return judged > 0 ? static_cast<double>(wrong) / judged : 0;
+}
+
 }  // namespace
 
 Contender contender(const StudiedView& studied, const Method& method) {
@@ -86,10 +93,7 @@ ViewMeasurements measure(const StudiedView& studied, std::span<const Contender> 
     HiddenSpans found;
     one.memory = peak_memory_of([&] { found = contender.run(); });
     one.errors = errors_of(studied, truth, found);
-    one.at_most_wrong =
-        greatest_share(static_cast<int>(one.errors.edges), static_cast<int>(one.errors.judged), confidence);
-    if (truth.size() == studied.drawn.edges.size() && !truth.empty())
-      one.at_most_wrong = static_cast<double>(one.errors.edges) / static_cast<double>(one.errors.judged);
+    one.at_most_wrong = share_of_wrong(one.errors, truth.size() == studied.drawn.edges.size());
   }
   for (int run = 0; run < effort.runs; ++run)
     for (std::size_t i = 0; i < contenders.size(); ++i)
