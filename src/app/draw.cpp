@@ -119,6 +119,12 @@ std::string draw_again(const DrawOptions& options, const SceneDescription& scene
   return bytes;
 }
 
+// Files do not tell of formats: each is the same whatever others are made beside it.
+std::vector<PlanStep> with(std::vector<PlanStep> plan, PlanStep step) {
+  plan.push_back(std::move(step));
+  return plan;
+}
+
 void forget_times(std::vector<PlanStep>& plan) {
   for (PlanStep& step : plan) step.times = {};
 }
@@ -141,7 +147,6 @@ DrawnFiles draw_files(const DrawOptions& options, const Messages& messages, Prog
   Run run{options, scene, questions, messages, progress, watch, leave_out};
   run.report.plan.push_back(plugins_step(sheets));
   const std::vector<FinishedSheet> finished = run.draw_sheets(sheets);
-  run.report.plan.push_back(formats_step(targets));
   estimate_savings(run.report.plan);
   if (options.measure) {
     const auto again = [&](const LeaveOut& other) {
@@ -149,7 +154,7 @@ DrawnFiles draw_files(const DrawOptions& options, const Messages& messages, Prog
     };
     measure_savings(run.report.plan, leave_out, again);
   }
-  if (options.explain) run.answers += plan_table(run.report.plan);
+  if (options.explain) run.answers += plan_table(with(run.report.plan, formats_step(targets)));
 
   if (options.timings) run.report.seconds = watch.laps();
   if (!options.timings && !options.measure) forget_times(run.report.plan);
