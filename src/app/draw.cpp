@@ -39,16 +39,8 @@ struct Run {
   std::string answers{};
 
   FinishedSheet draw_sheet(const World& whole, const CutSections& sections, const SheetOfViews& views);
-  void tell_condition(const ViewCondition& view);
   std::vector<FinishedSheet> draw_sheets(const std::vector<SheetOfViews>& sheets);
 };
-
-void Run::tell_condition(const ViewCondition& view) {
-  warn_about(messages, view);
-  if (!options.explain) return;
-  report.conditions.push_back(view);
-  answers += in_words(view);
-}
 
 FinishedSheet Run::draw_sheet(const World& whole, const CutSections& sections, const SheetOfViews& views) {
   progress.begin("mapping");
@@ -59,7 +51,9 @@ FinishedSheet Run::draw_sheet(const World& whole, const CutSections& sections, c
   std::vector<View> seen;
   for (std::size_t i = 0; i < views.plans.size(); ++i) {
     seen.push_back(look_at(world(i), views.plans[i], views.descriptions[i]));
-    tell_condition({views.plans[i].wish.name, condition_of(seen.back().projection, world(i).box)});
+    const ViewCondition condition{views.plans[i].wish.name, condition_of(seen.back().projection, world(i).box)};
+    warn_about(messages, condition);
+    if (options.explain) report.conditions.push_back(condition);
   }
   watch.lap("view");
 
@@ -119,10 +113,13 @@ std::string draw_again(const DrawOptions& options, const SceneDescription& scene
   return bytes;
 }
 
-// Files do not tell of formats: each is the same whatever others are made beside it.
-std::vector<PlanStep> with(std::vector<PlanStep> plan, PlanStep step) {
-  plan.push_back(std::move(step));
-  return plan;
+// The formats of a run are told to people alone: what is in a file does not depend on the files beside it.
+std::string explanation(const Report& report, const PlanStep& formats) {
+  std::vector<PlanStep> plan = report.plan;
+  plan.push_back(formats);
+  std::string text = plan_table(plan);
+  for (const ViewCondition& view : report.conditions) text += in_words(view);
+  return text;
 }
 
 void forget_times(std::vector<PlanStep>& plan) {
@@ -154,7 +151,7 @@ DrawnFiles draw_files(const DrawOptions& options, const Messages& messages, Prog
     };
     measure_savings(run.report.plan, leave_out, again);
   }
-  if (options.explain) run.answers += plan_table(with(run.report.plan, formats_step(targets)));
+  if (options.explain) run.answers += explanation(run.report, formats_step(targets));
 
   if (options.timings) run.report.seconds = watch.laps();
   if (!options.timings && !options.measure) forget_times(run.report.plan);

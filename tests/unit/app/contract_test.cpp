@@ -122,7 +122,8 @@ class JsonDrawing {
   }
 
   void expect_segment(const Json& segment, const Mat4& world_to_page) const {
-    static const std::set<std::string> kinds{"contour", "crease", "boundary", "intersection", "section", "tangent", "smooth"};
+    static const std::set<std::string> kinds{"contour", "crease",  "boundary", "intersection",
+                                             "section", "tangent", "smooth"};
     EXPECT_TRUE(segment["visible"].type == 't' || segment["visible"].type == 'f');
     EXPECT_TRUE(kinds.contains(segment["kind"].text)) << segment["kind"].text;
     const auto t = vector<2>(segment["t"]);

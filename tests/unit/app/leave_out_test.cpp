@@ -121,7 +121,7 @@ TEST(Explain, LeavesSecondsOutOfFiles) {
   const Folder folder;
   write_file(folder / "cube.obj", cube());
   ASSERT_EQ(epura({"explain", "cube.obj", "-o", "x.json"}, folder / "").code, 0);
-  ASSERT_EQ(epura({"draw", "cube.obj", "-o", "y.json"}, folder / "").code, 0);
+  ASSERT_EQ(epura({"draw", "cube.obj", "--explain", "-o", "y.json"}, folder / "").code, 0);
   EXPECT_EQ(read_file(folder / "x.json"), read_file(folder / "y.json"));
 }
 

@@ -67,23 +67,28 @@ TEST(StabilityCommand, WrongUsageIsRefused) {
   EXPECT_TRUE(contains(epura({"study", "stability", "--help"}, folder / "").out, "--cases"));
 }
 
+struct DrawnCube : Outcome {
+  std::string json;
+};
+
 // A cube of 2 at the origin.
-Outcome draw_cube(const Words& options) {
+DrawnCube draw_cube(const Words& options) {
   const Folder folder;
   folder.file("cube.obj",
               "v -1 -1 -1\nv 1 -1 -1\nv -1 1 -1\nv 1 1 -1\nv -1 -1 1\nv 1 -1 1\nv -1 1 1\nv 1 1 1\n"
               "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n");
-  Words arguments{"draw", "cube.obj", "-o", "-", "--format", "json"};
+  Words arguments{"draw", "cube.obj", "-o", "x.json"};
   arguments.insert(arguments.end(), options.begin(), options.end());
-  return epura(arguments, folder / "");
+  const Outcome run = epura(arguments, folder / "");
+  return {run, run.code == 0 ? read_file(folder / "x.json") : ""};
 }
 
 TEST(ConditionOfViews, IsToldWhereItIsAskedFor) {
-  const Outcome run = draw_cube({"--views", "front,isometric", "--explain"});
+  const DrawnCube run = draw_cube({"--views", "front,isometric", "--explain"});
   EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_TRUE(contains(run.err, "view 'front': map: condition ")) << run.err;
-  EXPECT_TRUE(contains(run.err, " 15 digits left")) << run.err;
-  const Json json = JsonReader(run.out).read();
+  EXPECT_TRUE(contains(run.out, "view 'front': map: condition ")) << run.out;
+  EXPECT_TRUE(contains(run.out, " 15 digits left")) << run.out;
+  const Json json = JsonReader(run.json).read();
   const Json& conditions = json["report"]["condition"];
   ASSERT_EQ(conditions.items.size(), 2U);
   EXPECT_EQ(conditions.items[1].keys(), "view number digits_left why");
