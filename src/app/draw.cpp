@@ -38,9 +38,19 @@ struct Run {
   Report report{};
   std::string answers{};
 
+  void note(const ViewResult& result);
   FinishedSheet draw_sheet(const World& whole, const CutSections& sections, const SheetOfViews& views);
   std::vector<FinishedSheet> draw_sheets(const std::vector<SheetOfViews>& sheets);
 };
+
+// Of several views the report has all that time left out, and the test that found most wrong.
+void Run::note(const ViewResult& result) {
+  warn_about(messages, result);
+  if (result.partial) report.partial = report.partial ? *report.partial + *result.partial : *result.partial;
+  if (!result.verification) return;
+  if (!report.verification || report.verification->wrong < result.verification->wrong)
+    report.verification = result.verification;
+}
 
 FinishedSheet Run::draw_sheet(const World& whole, const CutSections& sections, const SheetOfViews& views) {
   progress.begin("mapping");
@@ -66,16 +76,12 @@ FinishedSheet Run::draw_sheet(const World& whole, const CutSections& sections, c
     wishes.push_back(views.plans[i].wish);
     results.push_back(
         draw_view(world(i), section(i), std::move(seen[i]), wishes[i], plan.places[i], report.plan, watch, progress));
-    warn_about(messages, results.back());
+    note(results.back());
     answers += answer(questions, world(i), wishes[i], results.back());
     results.back().work = {};  // what follows takes its room
   }
   if (!options.arcs.empty()) tell_of_curves(messages, results);
   if (!plan.inside) messages.warn("the drawing is larger than the sheet at this scale");
-  for (const ViewResult& result : results) {
-    if (result.partial) report.partial = result.partial;
-    if (result.verification) report.verification = result.verification;
-  }
   FinishedSheet sheet = compose(whole, scene, views, plan, results, annotations);
   for (const std::string& warning : sheet.warnings) messages.warn(warning);
   warn_about(messages, sheet.sheet);
@@ -167,7 +173,6 @@ DrawnFiles draw_files(const DrawOptions& options, const Messages& messages, Prog
 
 void tell_the_end(const Messages& messages, const DrawOptions& options, const DrawnFiles& drawn) {
   if (options.timings) tell_timings(messages, drawn.watch);
-  if (drawn.report.verification) messages.print(in_words(*drawn.report.verification));
   if (drawn.report.partial) warn_about(messages, *drawn.report.partial);
 }
 

@@ -130,6 +130,15 @@ std::optional<Partial> partial_of(const DrawnEdges& drawn, const HiddenSpans& hi
   return Partial{count_of(drawn.edges.size()), count_of(hidden.undecided.size()), drawn.searched};
 }
 
+std::optional<Verification> verify_view(const World& world, const View& view, const ViewWish& wish,
+                                        const DrawnEdges& drawn, const HiddenSpans& hidden, const Contact& contact,
+                                        const Drawing& drawing, double scale) {
+  if (!wish.verify) return std::nullopt;
+  const Tolerance tolerance{view.extent * scale, contact.touching * scale};
+  return verify({world, view.projection, wish.limits, drawn, hidden, drawing}, tolerance, *wish.verify,
+                wish.keep_hidden());
+}
+
 }  // namespace
 
 bool ViewWish::keep_hidden() const {
@@ -168,14 +177,9 @@ ViewResult draw_view(const World& world, const CutSection* section, View view, c
   if (section != nullptr) drawing.cut_faces = cut_faces_on_paper(section->cut.faces, section->plane, view, paper);
   watch.lap("drawing");
   drawing.scale = place.scale;
-  std::optional<Verification> verification;
-  if (wish.verify) {
-    progress.begin("verifying");
-    const Tolerance tolerance{view.extent * paper.scale, contact.touching * paper.scale};
-    verification = verify({world, view.projection, wish.limits, drawn, hidden, drawing}, tolerance, *wish.verify,
-                          wish.keep_hidden());
-    watch.lap("verify");
-  }
+  if (wish.verify) progress.begin("verifying");
+  auto verification = verify_view(world, view, wish, drawn, hidden, contact, drawing, paper.scale);
+  if (wish.verify) watch.lap("verify");
   return {{std::move(view), std::move(drawn), contact, std::move(hidden), paper},
           std::move(drawing),
           partial,

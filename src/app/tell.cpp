@@ -6,6 +6,7 @@
 
 #include "base/text.hpp"
 #include "sheet/lettering.hpp"
+#include "study/verify/verify.hpp"
 #include "view/condition.hpp"
 
 namespace epura {
@@ -23,6 +24,7 @@ std::string numbers_of(const Condition& condition) {
 void warn_about(const Messages& messages, const ViewResult& result) {
   if (result.drawing.segments.empty() && !result.partial)
     messages.warn("nothing is drawn: no edge of the wanted kinds is visible");
+  if (result.verification) messages.print(result.drawing.name + ": " + in_words(*result.verification));
   if (const MethodChoice& choice = result.choice; !choice.reason.empty())
     messages.print(result.drawing.name + ": hidden lines by " + text_of(choice.method) + ", since " + choice.reason +
                    "; no span longer than " + format_rounded(choice.bound, 3) + " mm is wrong\n");

@@ -1,6 +1,7 @@
 // Sheets -> the bytes of a file. Nothing is computed here but the encoding.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <string>
@@ -67,6 +68,11 @@ struct PlanStep {
 struct Partial {
   long long edges = 0, undecided = 0;  ///< undecided edges are not drawn
   double searched = 1;                 ///< part of the search for intersection lines that was done, 0 to 1
+
+  /// Of two views together.
+  Partial operator+(const Partial& other) const {
+    return {edges + other.edges, undecided + other.undecided, std::min(searched, other.searched)};
+  }
 };
 
 /// How many digits a view can have.
