@@ -61,8 +61,8 @@ inline constexpr double most_moved = 5;
 /// Lines are sets of points: how they are cut, chained, ordered and numbered does not count, and where several lie
 /// within the tolerance of one another, the widest is seen. A line is the same if one of the same look lies within
 /// `tolerance` mm of it over all its length; pieces shorter than 0.002 mm are not seen. What is only in one drawing has
-/// moved if the other has the same line within 5 mm, or has a line of the same edge. Throws Error{input} for JSON beside
-/// another format.
+/// moved if the other has the same line within 5 mm, or has a line of the same edge. Throws Error{input} for JSON
+/// beside another format.
 Comparison compare(const PictureFile& before, const PictureFile& after, double tolerance);
 
 /// One line for each difference, and a last line that counts them.
