@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "app/annotations.hpp"
-#include "app/choose.hpp"
 #include "app/commands.hpp"
 #include "app/console.hpp"
 #include "app/describe.hpp"
 #include "app/layout.hpp"
 #include "app/pipeline.hpp"
 #include "app/read_models.hpp"
+#include "app/report_targets.hpp"
 #include "app/sections.hpp"
 #include "app/targets.hpp"
 #include "app/view_plan.hpp"
@@ -43,30 +43,20 @@ const std::vector<std::string> usual_methods{"exact:bits=10",
                                              "item-buffer:dpi=1200",
                                              "none"};
 
-struct ReportTarget {
-  std::string path;
-  ReportFormat format;
-};
+using Targets = std::vector<ReportTarget<ReportFormat>>;
 
-// Before any work is done.
-std::vector<ReportTarget> targets_of(const AccuracyOptions& options) {
-  std::vector<ReportTarget> targets;
-  for (const std::string& path : options.outputs) {
-    std::string extension = to_lower(std::filesystem::path(path).extension().string());
-    if (extension.starts_with(".")) extension.erase(0, 1);
-    targets.push_back({path, choose<ReportFormat>(path, extension,
-                                                  {{"html", ReportFormat::html},
-                                                   {"pdf", ReportFormat::pdf},
-                                                   {"csv", ReportFormat::csv},
-                                                   {"json", ReportFormat::json},
-                                                   {"svg", ReportFormat::svg},
-                                                   {"png", ReportFormat::png}})});
-  }
-  return targets;
+Targets targets_of(const AccuracyOptions& options) {
+  return report_targets<ReportFormat>(options.outputs, "",
+                                      {{"html", ReportFormat::html},
+                                       {"pdf", ReportFormat::pdf},
+                                       {"csv", ReportFormat::csv},
+                                       {"json", ReportFormat::json},
+                                       {"svg", ReportFormat::svg},
+                                       {"png", ReportFormat::png}});
 }
 
 // x-1.svg, x-2.svg where there are several, as draw names its sheets.
-void write_report(const ReportTarget& target, const AccuracyReport& report, Progress progress) {
+void write_report(const ReportTarget<ReportFormat>& target, const AccuracyReport& report, Progress progress) {
   const std::vector<std::string> files = to_files(report, target.format);
   for (std::size_t i = 0; i < files.size(); ++i)
     write_file(files.size() == 1 ? target.path : numbered(target.path, i + 1), files[i], progress);
@@ -171,7 +161,7 @@ int study_accuracy(const AccuracyOptions& options) {
   Console console(board, shows_progress(options.progress));
   const Progress progress(board);
   const ThreadLimit threads(options.threads);
-  const std::vector<ReportTarget> targets = targets_of(options);
+  const Targets targets = targets_of(options);
   const std::vector<Method> methods = methods_of(options);
   const std::vector<StudiedScene> scenes = scenes_of(options);
   const Messages messages = messages_to(console);
@@ -183,7 +173,7 @@ int study_accuracy(const AccuracyOptions& options) {
     progress.begin("measuring maps");
     report.maps = measure_maps(options.runs);
   }
-  for (const ReportTarget& target : targets) write_report(target, report, progress);
+  for (const ReportTarget<ReportFormat>& target : targets) write_report(target, report, progress);
   console.print("");  // the line of progress makes room
   return 0;
 }

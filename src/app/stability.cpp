@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <iterator>
 #include <string>
 #include <vector>
@@ -8,6 +7,7 @@
 #include "app/choose.hpp"
 #include "app/commands.hpp"
 #include "app/console.hpp"
+#include "app/report_targets.hpp"
 #include "app/targets.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
@@ -20,26 +20,15 @@ namespace {
 
 enum class ReportFormat { html, json, csv, svg, pdf };
 
-struct ReportTarget {
-  std::string path;
-  ReportFormat format;
-};
+using Targets = std::vector<ReportTarget<ReportFormat>>;
 
-// Before any work is done.
-std::vector<ReportTarget> targets_of(const StabilityOptions& options) {
-  std::vector<ReportTarget> targets;
-  for (const std::string& path : options.outputs) {
-    std::string extension = path == "-" ? options.format : std::filesystem::path(path).extension().string();
-    if (extension.starts_with(".")) extension.erase(0, 1);
-    const std::string where = path == "-" ? "--output -, --format" : path;
-    targets.push_back({path, choose<ReportFormat>(where, to_lower(extension),
-                                                  {{"html", ReportFormat::html},
-                                                   {"json", ReportFormat::json},
-                                                   {"csv", ReportFormat::csv},
-                                                   {"svg", ReportFormat::svg},
-                                                   {"pdf", ReportFormat::pdf}})});
-  }
-  return targets;
+Targets targets_of(const StabilityOptions& options) {
+  return report_targets<ReportFormat>(options.outputs, options.format,
+                                      {{"html", ReportFormat::html},
+                                       {"json", ReportFormat::json},
+                                       {"csv", ReportFormat::csv},
+                                       {"svg", ReportFormat::svg},
+                                       {"pdf", ReportFormat::pdf}});
 }
 
 std::vector<stability::Case> chosen_cases(const std::string& ids) {
@@ -81,12 +70,12 @@ int study_stability(const StabilityOptions& options) {
   Console console(board, shows_progress(options.progress));
   const Progress progress(board);
   const ThreadLimit threads(options.threads);
-  const std::vector<ReportTarget> targets = targets_of(options);
+  const Targets targets = targets_of(options);
   const std::vector<stability::Case> cases = chosen_cases(options.cases);
   const stability::Report report = stability::run(cases, options.size, progress);
 
   bool to_stdout = false;
-  for (const ReportTarget& target : targets) {
+  for (const ReportTarget<ReportFormat>& target : targets) {
     write({target.path, encode(report, target.format, options.timings)}, progress);
     to_stdout = to_stdout || target.path == "-";
   }

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "base/text.hpp"
-#include "output/write.hpp"
+#include "output/html.hpp"
 #include "study/accuracy/tables.hpp"
 
 namespace epura {
@@ -48,12 +48,6 @@ Table table_of_maps(const std::vector<MapMeasurement>& maps) {
   return table;
 }
 
-// What stands before the first tag of a document of its own.
-std::string inline_svg(const LogPlot& plot) {
-  const std::string svg = to_svg(to_sheet(plot), {});
-  return svg.substr(svg.find("<svg"));
-}
-
 std::string facts_of(const ViewMeasurements& view) {
   const long long judged = view.methods.empty() ? 0 : view.methods.front().errors.judged;
   return "<p>" + std::to_string(view.triangles) + " triangles, " + std::to_string(view.edges) +
@@ -65,7 +59,7 @@ std::string meanings(const Table& table) {
   std::string text = "<h2>Columns</h2>\n<dl>\n";
   for (const Table::Column& column : table.columns)
     if (!column.meaning.empty())
-      text += "<dt>" + escaped(column.name) + "</dt><dd>" + escaped(column.meaning) + "</dd>\n";
+      text += "<dt>" + html_text(column.name) + "</dt><dd>" + html_text(column.meaning) + "</dd>\n";
   return text + "</dl>\n";
 }
 
@@ -73,13 +67,13 @@ std::string to_html(const AccuracyReport& report) {
   std::string text = head;
   for (std::size_t i = 0; i < report.views.size(); ++i) {
     const ViewMeasurements& view = report.views[i];
-    text += "<h2>" + escaped(view.scene) + ", " + escaped(view.view) + "</h2>\n" + facts_of(view);
-    text +=
-        inline_svg(diagram_of(view, i)) + "<div class=\"wide\">" + to_html(table_of(std::span(&view, 1))) + "</div>\n";
+    text += "<h2>" + html_text(view.scene) + ", " + html_text(view.view) + "</h2>\n" + facts_of(view);
+    text += inline_svg(to_sheet(diagram_of(view, i)), {}) + "<div class=\"wide\">" +
+            to_html(table_of(std::span(&view, 1))) + "</div>\n";
   }
   if (!report.maps.empty())
-    text += "<h2>Projection maps</h2>\n" + inline_svg(diagram_of(report.maps)) + "<details><summary>table</summary>\n" +
-            to_html(table_of_maps(report.maps)) + "</details>\n";
+    text += "<h2>Projection maps</h2>\n" + inline_svg(to_sheet(diagram_of(report.maps)), {}) +
+            "<details><summary>table</summary>\n" + to_html(table_of_maps(report.maps)) + "</details>\n";
   return text + meanings(table_of(report.views)) + "</body>\n</html>\n";
 }
 

@@ -4,6 +4,7 @@
 
 #include "base/text.hpp"
 #include "base/utf8.hpp"
+#include "output/html.hpp"
 
 namespace epura {
 
@@ -160,33 +161,16 @@ Sheet to_sheet(const Table& table, const std::string& title) {
 std::string to_html(const Table& table) {
   std::string text = "<table>\n<thead><tr>";
   for (const Table::Column& column : table.columns)
-    text += "<th title=\"" + escaped(column.meaning) + "\">" + escaped(column.name) + "</th>";
+    text += "<th title=\"" + html_text(column.meaning) + "\">" + html_text(column.name) + "</th>";
   text += "</tr></thead>\n<tbody>\n";
   for (const auto& row : table.rows)
     text += "<tr>" +
             joined(row, "",
                    [&](std::size_t i) {
-                     return (table.columns[i].number ? "<td class=\"n\">" : "<td>") + escaped(row[i]) + "</td>";
+                     return (table.columns[i].number ? "<td class=\"n\">" : "<td>") + html_text(row[i]) + "</td>";
                    }) +
             "</tr>\n";
   return text + "</tbody>\n</table>\n";
-}
-
-std::string escaped(const std::string& text) {
-  std::string safe;
-  for (const char c : valid_utf8(text)) {
-    if (c == '<')
-      safe += "&lt;";
-    else if (c == '>')
-      safe += "&gt;";
-    else if (c == '&')
-      safe += "&amp;";
-    else if (c == '"')
-      safe += "&quot;";
-    else
-      safe += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-  }
-  return safe;
 }
 
 }  // namespace epura

@@ -32,7 +32,4 @@ std::string to_json_list(const Table& table);
 Sheet to_sheet(const Table& table, const std::string& title);
 /// <table>
 std::string to_html(const Table& table);
-/// Text for HTML and XML.
-std::string escaped(const std::string& text);
-
 }  // namespace epura

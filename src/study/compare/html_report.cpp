@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "output/svg_paths.hpp"
+#include "output/html.hpp"
 
 namespace epura {
 
@@ -22,12 +22,6 @@ constexpr std::string_view head =
 constexpr std::string_view legend =
     "<p><span class=\"removed\">removed</span> · <span class=\"added\">added</span> · "
     "<span class=\"changed\">changed</span> · <span class=\"same\">same</span></p>\n";
-
-std::string escaped(std::string_view text) {
-  std::string html;
-  append_escaped(html, text);
-  return html;
-}
 
 // In an address of its own, so that the style sheets of several pictures do not mix. RFC 2397, RFC 3986.
 std::string image(std::string_view svg) {
@@ -52,7 +46,7 @@ void append_figure(std::string& html, const std::string& caption, const std::vec
 }
 
 void append_case(std::string& html, const ReportedCase& one) {
-  html += "<h2>" + escaped(one.name) + "</h2>\n<pre>" + escaped(one.words) + "</pre>\n";
+  html += "<h2>" + html_text(one.name) + "</h2>\n<pre>" + html_text(one.words) + "</pre>\n";
   const std::size_t pages = std::max({one.expected.size(), one.overlays.size(), one.actual.size()});
   for (std::size_t page = 0; page < pages; ++page) {
     html += "<div class=\"pictures\">\n";
@@ -70,14 +64,14 @@ std::string html_report(const std::string& title, const std::vector<ReportedCase
   std::size_t failed = 0;
   for (const ReportedCase& one : cases) {
     if (one.good) {
-      good += "<li>" + escaped(one.name) + "</li>\n";
+      good += "<li>" + html_text(one.name) + "</li>\n";
     } else {
       append_case(bad, one);
       ++failed;
     }
   }
   std::string html(head);
-  html += "<title>" + escaped(title) + "</title>\n</head>\n<body>\n<h1>" + escaped(title) + "</h1>\n<p>" +
+  html += "<title>" + html_text(title) + "</title>\n</head>\n<body>\n<h1>" + html_text(title) + "</h1>\n<p>" +
           std::to_string(cases.size() - failed) + " of " + std::to_string(cases.size()) + " are as expected.</p>\n";
   if (failed > 0) html += std::string(legend) + bad;
   if (!good.empty()) html += "<h2>As expected</h2>\n<ul>\n" + good + "</ul>\n";

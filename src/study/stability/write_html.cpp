@@ -1,5 +1,5 @@
 #include "base/text.hpp"
-#include "output/write.hpp"
+#include "output/html.hpp"
 #include "study/stability/write.hpp"
 
 namespace epura::stability {
@@ -18,23 +18,10 @@ table{border-collapse:collapse}td,th{padding:1px 8px;text-align:left;border-bott
 line with dots the error that is allowed.</p>
 )";
 
-std::string escaped(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '&')
-      result += "&amp;";
-    else if (c == '<')
-      result += "&lt;";
-    else
-      result += c;
-  }
-  return result;
-}
-
-std::string cell(std::string_view text) { return "<td>" + escaped(text) + "</td>"; }
+std::string cell(std::string_view text) { return "<td>" + html_text(text) + "</td>"; }
 
 std::string verdict_cell(const std::string& text, Verdict verdict) {
-  return "<td class=\"" + std::string(name_of(verdict)) + "\">" + escaped(text) + "</td>";
+  return "<td class=\"" + std::string(name_of(verdict)) + "\">" + html_text(text) + "</td>";
 }
 
 std::string summary(const Report& report) {
@@ -58,20 +45,15 @@ std::string row_of(const Row& row, std::size_t a) {
     text += cell(q->name) + cell(format_rounded(q->expected, 9)) + cell(format_rounded(q->got, 9)) +
             cell(format_rounded(q->error(), 3)) + cell(format_rounded(q->allowed, 3));
   else
-    text += "<td colspan=\"5\">" + escaped(outcome.failure) + "</td>";
+    text += "<td colspan=\"5\">" + html_text(outcome.failure) + "</td>";
   return text + verdict_cell(std::string(name_of(outcome.verdict())), outcome.verdict()) + "</tr>\n";
-}
-
-// The picture without its XML declaration, which has no place in a page.
-std::string picture_of(const CaseReport& one) {
-  const std::string svg = to_svg(to_sheet(one), {.plain = true, .decimals = 2, .text = SvgText::text});
-  return svg.substr(svg.find("<svg"));
 }
 
 std::string section_of(const CaseReport& one) {
   std::string text =
-      "<section id=\"" + one.id + "\"><h2>" + one.id + " " + escaped(one.what) + "</h2>\n" + picture_of(one) +
-      "<details><summary>by " + escaped(one.parameter) +
+      "<section id=\"" + one.id + "\"><h2>" + one.id + " " + html_text(one.what) + "</h2>\n" +
+      inline_svg(to_sheet(one), {.plain = true, .decimals = 2, .text = SvgText::text}) + "<details><summary>by " +
+      html_text(one.parameter) +
       "</summary><table><tr><th>step<th><th>worst quantity<th>expected<th>got<th>error<th>allowed<th></tr>\n";
   for (const Row& row : one.rows)
     for (std::size_t a = 0; a < arithmetics; ++a) text += row_of(row, a);

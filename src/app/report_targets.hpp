@@ -1,0 +1,33 @@
+// Files of reports, by the formats that their names tell.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/choose.hpp"
+#include "base/text.hpp"
+
+namespace epura {
+
+template <class Format>
+struct ReportTarget {
+  std::string path;  ///< "-" is standard output
+  Format format;
+};
+
+/// Found before any work is done. `dash_format` names that of "-". Throws Error{input} for formats that there are not.
+template <class Format>
+std::vector<ReportTarget<Format>> report_targets(const std::vector<std::string>& paths, const std::string& dash_format,
+                                                 const std::vector<std::pair<std::string, Format>>& formats) {
+  std::vector<ReportTarget<Format>> targets;
+  for (const std::string& path : paths) {
+    std::string name = path == "-" ? dash_format : std::filesystem::path(path).extension().string();
+    if (name.starts_with(".")) name.erase(0, 1);
+    targets.push_back({path, choose<Format>(path == "-" ? "--output -, --format" : path, to_lower(name), formats)});
+  }
+  return targets;
+}
+
+}  // namespace epura

@@ -1,0 +1,18 @@
+#include "output/html.hpp"
+
+#include "output/svg_paths.hpp"
+
+namespace epura {
+
+std::string html_text(std::string_view text) {
+  std::string html;
+  append_escaped(html, text);
+  return html;
+}
+
+std::string inline_svg(const Sheet& sheet, const VectorOptions& options) {
+  const std::string svg = to_svg(sheet, options);
+  return svg.substr(svg.find("<svg"));
+}
+
+}  // namespace epura

@@ -1,0 +1,17 @@
+// What pages of reports are made of.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "output/write.hpp"
+
+namespace epura {
+
+/// Text in which nothing can be taken for markup.
+std::string html_text(std::string_view text);
+
+/// A picture as an element of a page: an SVG without the declaration of a document of its own.
+std::string inline_svg(const Sheet& sheet, const VectorOptions& options);
+
+}  // namespace epura
