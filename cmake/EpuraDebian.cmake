@@ -23,25 +23,28 @@ set(CPACK_DEBIAN_EPURA_PACKAGE_NAME epura)
 set(CPACK_DEBIAN_EPURA_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_EPURA_PACKAGE_DEPENDS fonts-osifont)
 set(CPACK_DEBIAN_EPURA_DESCRIPTION
-"engineering drawings of 3D meshes
- Any projection, exact hidden lines, dimensions and sheets after ISO; reads
- OBJ, STL, PLY and OFF, writes SVG, PDF, PS, EPS, PNG, DXF and JSON.
- Projections are plugins.")
+"Any projection, exact hidden lines, dimensions and sheets after ISO; reads
+OBJ, STL, PLY and OFF, writes SVG, PDF, PS, EPS, PNG, DXF and JSON.
+Projections are plugins.")
 
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME ${library})
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "epura ${same_version}, fonts-osifont")
 set(CPACK_DEBIAN_LIBRARY_DESCRIPTION
-"engineering drawings of 3D meshes (library)
- What the program epura does, for other programs.")
+"What the program epura does, for other programs: the library.")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libepura-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${library} ${same_version}")
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION
-"engineering drawings of 3D meshes (development files)
- Headers, CMake and pkg-config files of the library, and of projection
- plugins for epura.")
+"Headers, CMake and pkg-config files of the library of epura, and of its
+projection plugins.")
+
+file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/debian/triggers "activate-noawait ldconfig\n")
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_BINARY_DIR}/debian/triggers)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+
+install(FILES cmake/debian/lintian-overrides DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides RENAME epura)
 
 # What policy wants of every package. Headers of these libraries are compiled into the program.
 set(licences ${CMAKE_CURRENT_BINARY_DIR}/debian/copyright)

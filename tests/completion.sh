@@ -38,7 +38,7 @@ in_bash() {  # line
 }
 
 # What stands in the line once the only candidate is taken.
-in_fish() { fish --no-config -c 'source (epura completion fish | psub); complete -C $argv[1]' "$1" | cut -f1 | paste -sd' '; }
+in_fish() { fish --no-config -c 'epura completion fish | source; complete -C $argv[1]' "$1" | cut -f1 | paste -sd' '; }
 
 try() {  # line, wanted by bash, wanted by fish (whole words)
   expect bash "$1" "$2" "$(in_bash "$1")"
@@ -47,7 +47,7 @@ try() {  # line, wanted by bash, wanted by fish (whole words)
 
 fish=$(command -v fish) || echo "completion: no fish" >&2
 try "epura dr" "draw"
-try "epura draw part.stl --crea" "--crease-angle"
+try "epura draw part.stl --crease" "--crease-angle"
 try "epura draw --hidden " "none dashed solid" "dashed none solid"
 try "epura draw --hidden=da" "dashed" "--hidden=dashed"
 try "epura draw --projection cab" "cabinet"

@@ -112,11 +112,10 @@ std::string projection(const ProjectionEntry& entry) {
 }
 
 std::string projections_section(const std::vector<ProjectionEntry>& projections) {
-  std::string text = section("PROJECTIONS") +
-                     paragraph(bold("--projection ") + italic("NAME[:key=value...]") +
-                               " takes one of these, found when this page was made, with their parameters. More come "
-                               "as plugins, and are told by " +
-                               bold("epura plugins") + ".");
+  std::string text = section("PROJECTIONS") + bold("--projection ") + italic("NAME[:key=value...]") +
+                     " takes one of these, found when this page was made, with their parameters. More come as plugins, "
+                     "and are told by " +
+                     bold("epura plugins") + ".\n";
   for (const ProjectionEntry& entry : projections) text += projection(entry);
   return text;
 }

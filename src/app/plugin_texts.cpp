@@ -22,9 +22,10 @@ std::string range_text(const Parameter& parameter) {
     for (const std::string& choice : parameter.choices) text += (text.empty() ? "" : "|") + choice;
     return text;
   }
-  const std::string kind = parameter.initial.size() == 1 ? "" : std::to_string(parameter.initial.size()) + " numbers ";
+  const std::string kind = parameter.initial.size() == 1 ? "" : std::to_string(parameter.initial.size()) + " numbers";
   const bool bounded = std::isfinite(parameter.least) || std::isfinite(parameter.most);
-  return kind + (bounded ? format_number(parameter.least) + ".." + format_number(parameter.most) : "");
+  if (!bounded) return kind;
+  return kind + (kind.empty() ? "" : " ") + format_number(parameter.least) + ".." + format_number(parameter.most);
 }
 
 }  // namespace

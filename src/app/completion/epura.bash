@@ -16,7 +16,7 @@ _epura() {
   asked=("${asked[@]/#\~\//$HOME/}")
   mapfile -t answer < <("${1/#\~\//$HOME/}" completion words -- "${asked[@]}" 2>/dev/null)
   COMPREPLY=()
-  case ${answer[0]} in
+  case ${answer[0]-} in
     :files) return ;;
     :folders) compopt -o dirnames +o default +o bashdefault 2>/dev/null; return ;;
   esac

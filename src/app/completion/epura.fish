@@ -2,10 +2,10 @@
 
 function __epura_words
     set -l before (commandline -opc)
-    set -l word (commandline -ct | string collect --allow-empty)
+    set -l word (commandline -ct)
     set -l answer ($before[1] completion words -- $before[2..-1] "$word" 2>/dev/null)
     set -l option (string match -r -- '^--[^=]*=' "$word")
-    set -l name (string replace -r -- '^--[^=]*=' '' "$word" | string collect --allow-empty)
+    set -l name (string replace -r -- '^--[^=]*=' '' "$word")
     switch "$answer[1]"
         case :files
             printf '%s\n' "$option"(__fish_complete_path "$name")

@@ -76,7 +76,7 @@ TEST(Manual, TextIsNeverTakenForAMacro) {
   int count = 0;
   for (std::string line; std::getline(page, line); ++count) {
     EXPECT_FALSE(line.starts_with('\'') || line.empty()) << count;
-    if (line.starts_with('.')) EXPECT_EQ(macros.count(line.substr(0, line.find(' '))), 1U) << line;
+    EXPECT_TRUE(!line.starts_with('.') || macros.count(line.substr(0, line.find(' '))) == 1) << line;
   }
   EXPECT_GE(count, 300);
 }
