@@ -13,7 +13,7 @@ build=build/deb
 cmake --preset deb >/dev/null
 cmake --build --preset deb
 rm -f $build/*.deb
-(cd $build && cpack >cpack.log) || { cat $build/cpack.log >&2; exit 1; }
+(cd $build && cpack >cpack.log 2>&1) || { cat $build/cpack.log >&2; exit 1; }
 # Of the tags that would be errors in Debian, none; there is no bug of Debian to close.
 lintian --fail-on error --suppress-tags initial-upload-closes-no-bugs $build/*.deb
 

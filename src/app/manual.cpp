@@ -1,6 +1,7 @@
 #include "app/manual.hpp"
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 
 #include "app/exit_codes.hpp"
