@@ -1,19 +1,46 @@
-# What `cmake --install` puts where; all of it may be moved together afterwards.
+# What `cmake --install` puts where; all of it may be moved together afterwards. What names no component is of the
+# program.
 include(CMakePackageConfigHelpers)
 
-set(package ${CMAKE_INSTALL_LIBDIR}/cmake/epura)
+option(EPURA_DEBIAN "make Debian packages with CPack" OFF)
+set(EPURA_ZSH_COMPLETIONS ${CMAKE_INSTALL_DATADIR}/zsh/site-functions CACHE STRING "where zsh looks for completions")
+
 install(TARGETS epura RUNTIME)
-install(TARGETS epura_plugin epura_library EXPORT epura-targets)
-install(DIRECTORY include/epura DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(FILES docs/plugins.md docs/formats.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES docs/plugins.md docs/formats.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+set(completion src/app/completion/epura)
+install(FILES ${completion}.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME epura)
+install(FILES ${completion}.zsh DESTINATION ${EPURA_ZSH_COMPLETIONS} RENAME _epura)
+install(FILES ${completion}.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+
+# The program writes its own manual page, about the projections of this project.
+set(page ${CMAKE_CURRENT_BINARY_DIR}/epura.1)
+set(compress)
+if(EPURA_DEBIAN)
+  set(compress "execute_process(COMMAND gzip -9nf \"${page}\" COMMAND_ERROR_IS_FATAL ANY)")
+endif()
+install(CODE "
+  execute_process(COMMAND \"${CMAKE_COMMAND}\" -E env --unset=EPURA_PLUGIN_PATH \"$<TARGET_FILE:epura>\" manual
+                  OUTPUT_FILE \"${page}\" COMMAND_ERROR_IS_FATAL ANY)
+  ${compress}")
+install(FILES ${page}$<$<BOOL:${EPURA_DEBIAN}>:.gz> DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+
+set(package ${CMAKE_INSTALL_LIBDIR}/cmake/epura)
+install(TARGETS epura_plugin epura_library EXPORT epura-targets
+        LIBRARY COMPONENT library NAMELINK_COMPONENT development)
+install(DIRECTORY include/epura DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
 
 configure_package_config_file(cmake/epura-config.cmake.in epura-config.cmake INSTALL_DESTINATION ${package})
 write_basic_package_version_file(epura-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/epura-config.cmake ${CMAKE_CURRENT_BINARY_DIR}/epura-config-version.cmake
-              cmake/EpuraProjection.cmake cmake/EpuraSnapshotTests.cmake DESTINATION ${package})
-install(EXPORT epura-targets NAMESPACE epura:: DESTINATION ${package})
+              cmake/EpuraProjection.cmake cmake/EpuraSnapshotTests.cmake
+        DESTINATION ${package} COMPONENT development)
+install(EXPORT epura-targets NAMESPACE epura:: DESTINATION ${package} COMPONENT development)
 
 set(pkgconfig ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 string(REGEX REPLACE "[^/]+" ".." EPURA_PREFIX_FROM_PC ${pkgconfig})
 configure_file(cmake/epura.pc.in epura.pc @ONLY)
-install(FILES ${CMAKE_CURRENT_BINARY_DIR}/epura.pc DESTINATION ${pkgconfig})
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/epura.pc DESTINATION ${pkgconfig} COMPONENT development)
+
+if(EPURA_DEBIAN)
+  include(EpuraDebian)
+endif()

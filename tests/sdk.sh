@@ -58,6 +58,14 @@ sed 's/military/planometric/g' "$scratch/military-gcc.svg" | cmp - "$scratch/pla
 try cmake --install "$scratch/military-gcc" --prefix "$scratch/prefix" &&
   try "$epura" draw "$samples/models/bracket.obj" --projection military -o "$scratch/found.svg"
 
+# What it says of itself is completed and stands in the manual, of the program as installed and of one asked now.
+"$epura" completion words -- draw --projection mil | grep '^military' >/dev/null || complain "military is not completed"
+"$epura" completion words -- draw --projection military: | grep '^military:[a-z]*=' >/dev/null ||
+  complain "parameters of military are not completed"
+"$epura" manual | grep fBmilitary >/dev/null || complain "the manual does not tell military"
+grep -q fBcabinet "$scratch/prefix/share/man/man1/epura.1" || complain "the installed manual tells no projection"
+"$epura" completion bash | cmp - "$scratch/prefix/share/bash-completion/completions/epura" || complain "bash: no script"
+
 # A new projection, begun by the program and built from where it was begun; never over another one.
 cd "$scratch" || exit 2
 if try "$epura" new-projection 3-quarters && make_it 3-quarters 3-quarters/build &&

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/define_commands.hpp"
+#include "app/exit_codes.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
 
@@ -46,16 +47,20 @@ const CLI::App& chosen(const CLI::App& app) {
               "see 'epura " + (command == &app ? "" : command->get_name() + " ") + "--help'");
 }
 
+std::string meanings_of_exit_codes() {
+  std::string text;
+  for (const ExitCode& exit : exit_codes)
+    text += (text.empty() ? "" : ", ") + std::to_string(exit.code) + " " + exit.meaning;
+  return text;
+}
+
 }  // namespace
 
 Command parse_command_line(int argc, char** argv) {
   CLI::App app("epura: 3D meshes to engineering drawings with hidden lines removed", "epura");
   app.set_version_flag("--version", "epura " EPURA_VERSION);
   app.require_subcommand(1);
-  app.footer(
-      "'epura COMMAND --help' says more. Exit codes: 0 done, 1 differences (compare, snapshot) or found wrong "
-      "(--verify, plugins check), 2 wrong input, 3 plugin, 4 could not write, 5 partial drawing (--time-limit), "
-      "130 cancelled.");
+  app.footer("'epura COMMAND --help' says more, and 'epura manual' all. Exit codes: " + meanings_of_exit_codes() + ".");
   const std::vector<DefinedCommand> commands = define_commands(app);
   try {
     app.parse(argc, argv);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/command_options.hpp"
+#include "app/define_answers.hpp"
 #include "app/define_draw.hpp"
 
 namespace epura {
@@ -126,6 +127,7 @@ std::vector<DefinedCommand> define_commands(CLI::App& program) {
       defined(study, "accuracy", "error against run time of all ways to find hidden lines", define_accuracy));
   commands.push_back(
       defined(study, "stability", "draw stiff and extreme cases, and say where arithmetics break", define_stability));
+  for (DefinedCommand& answer : define_answers(program)) commands.push_back(std::move(answer));
   return commands;
 }
 

@@ -2,7 +2,7 @@
 #include <cstdio>
 
 #include "app/commands.hpp"
-#include "app/contained.hpp"
+#include "app/plugin_texts.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "projection/catalogue.hpp"
@@ -18,30 +18,6 @@ void print(const std::string& line) { std::printf("%s\n", line.c_str()); }
 std::string padded(std::string text, std::size_t width) {
   text.resize(std::max(text.size() + 1, width), ' ');
   return text;
-}
-
-std::string numbers(const std::vector<double>& values) {
-  std::string text;
-  for (const double value : values) text += (text.empty() ? "" : ",") + format_number(value);
-  return text;
-}
-
-std::string initial_text(const Parameter& parameter) {
-  for (const double value : parameter.initial)
-    if (std::isnan(value)) return "from the model";
-  if (parameter.type == ParameterType::choice) return parameter.choices[static_cast<std::size_t>(parameter.initial[0])];
-  return numbers(parameter.initial);
-}
-
-std::string range_text(const Parameter& parameter) {
-  if (parameter.type == ParameterType::choice) {
-    std::string text;
-    for (const std::string& choice : parameter.choices) text += (text.empty() ? "" : "|") + choice;
-    return text;
-  }
-  const std::string kind = parameter.initial.size() == 1 ? "" : std::to_string(parameter.initial.size()) + " numbers ";
-  const bool bounded = std::isfinite(parameter.least) || std::isfinite(parameter.most);
-  return kind + (bounded ? format_number(parameter.least) + ".." + format_number(parameter.most) : "");
 }
 
 void print_matrix(const Mat4& matrix) {
@@ -70,8 +46,7 @@ void show(const ProjectionEntry& entry) {
   if (!entry.parameters.empty()) print("\nparameters (--projection " + entry.name + ":key=value)");
   for (const Parameter& p : entry.parameters) {
     print("  " + padded(p.name, 16) + p.help);
-    print("  " + padded("", 16) + "default " + initial_text(p) + (range_text(p).empty() ? "" : "; " + range_text(p)) +
-          (p.unit.empty() || p.unit == "1" ? "" : " [" + p.unit + "]"));
+    print("  " + padded("", 16) + values_text(p));
   }
   Box box;
   box.add(Vec3(0));
@@ -86,9 +61,7 @@ void show(const ProjectionEntry& entry) {
 }
 
 int list(const std::vector<std::filesystem::path>& folders) {
-  // One that hangs or crashes must not hide the others.
-  const auto screening = [](const std::filesystem::path& file) { return trouble_with_loading(file, plugin_seconds); };
-  const Catalogue catalogue = load_catalogue(folders, screening);
+  const Catalogue catalogue = load_watched(folders);
   std::string family;
   for (const ProjectionEntry& entry : catalogue.entries) {
     if (entry.family != family) print((family.empty() ? "" : "\n") + entry.family);

@@ -1,0 +1,64 @@
+# Debian packages, by CPack: epura (program, projections), its library, and what is needed to build against both.
+#   cmake --preset deb && cmake --build --preset deb && (cd build/deb && cpack)
+set(EPURA_MAINTAINER "The authors of epura <authors@epura.invalid>" CACHE STRING "field Maintainer of Debian packages")
+
+set(library libepura${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+set(same_version "(= ${PROJECT_VERSION})")
+set(CPACK_GENERATOR DEB)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_ALL epura library development)
+set(CPACK_PACKAGE_NAME epura)
+set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
+set(CPACK_PACKAGE_CONTACT ${EPURA_MAINTAINER})
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY ${PROJECT_DESCRIPTION})
+set(CPACK_PACKAGING_INSTALL_PREFIX ${CMAKE_INSTALL_PREFIX})
+set(CPACK_STRIP_FILES ON)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
+    OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+
+set(CPACK_DEBIAN_EPURA_PACKAGE_NAME epura)
+set(CPACK_DEBIAN_EPURA_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_EPURA_PACKAGE_DEPENDS fonts-osifont)
+set(CPACK_DEBIAN_EPURA_DESCRIPTION
+"Any projection, exact hidden lines, dimensions and sheets after ISO; reads
+OBJ, STL, PLY and OFF, writes SVG, PDF, PS, EPS, PNG, DXF and JSON.
+Projections are plugins.")
+
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME ${library})
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "epura ${same_version}, fonts-osifont")
+set(CPACK_DEBIAN_LIBRARY_DESCRIPTION
+"What the program epura does, for other programs: the library.")
+
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libepura-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${library} ${same_version}")
+set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION
+"Headers, CMake and pkg-config files of the library of epura, and of its
+projection plugins.")
+
+file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/debian/triggers "activate-noawait ldconfig\n")
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_BINARY_DIR}/debian/triggers)
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+
+install(FILES cmake/debian/lintian-overrides DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides RENAME epura)
+
+# What policy wants of every package. Headers of these libraries are compiled into the program.
+set(licences ${CMAKE_CURRENT_BINARY_DIR}/debian/copyright)
+configure_file(cmake/debian/copyright ${licences} COPYONLY)
+foreach(package libcli11-dev libglm-dev libopenmesh-dev libtomlplusplus-dev rapidjson-dev)
+  file(READ /usr/share/doc/${package}/copyright text)
+  file(APPEND ${licences} "\n-- ${package} --\n\n${text}")
+endforeach()
+string(TIMESTAMP EPURA_DATE "%a, %d %b %Y %H:%M:%S +0000" UTC)
+configure_file(cmake/debian/changelog.in ${CMAKE_CURRENT_BINARY_DIR}/debian/changelog @ONLY)
+execute_process(COMMAND gzip -9nf ${CMAKE_CURRENT_BINARY_DIR}/debian/changelog COMMAND_ERROR_IS_FATAL ANY)
+foreach(component epura library development)
+  string(TOUPPER ${component} upper)
+  install(FILES ${licences} ${CMAKE_CURRENT_BINARY_DIR}/debian/changelog.gz
+          DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${CPACK_DEBIAN_${upper}_PACKAGE_NAME} COMPONENT ${component})
+endforeach()
+include(CPack)

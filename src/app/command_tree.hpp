@@ -1,0 +1,36 @@
+// The commands of the program as plain values: what the manual and the completion of shells are made from.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+namespace epura {
+
+struct OptionDescription {
+  std::vector<std::string> names;  ///< "-o", "--output"; one without dashes is an argument, found by its place
+  std::string type;                ///< of the value as the help names it, "FILE"; empty for flags
+  std::string help;
+  std::string usual;        ///< value by default; empty if there is none to tell
+  bool takes_word = false;  ///< the next word is its value
+  bool is_required = false;
+
+  [[nodiscard]] bool is_argument() const { return !names.front().starts_with('-'); }
+
+  bool operator==(const OptionDescription&) const = default;
+};
+
+struct CommandDescription {
+  std::string name;  ///< one word
+  std::string help;
+  std::vector<OptionDescription> options;
+  std::vector<CommandDescription> commands;
+};
+
+/// What CLI11 knows of the command and those inside it; without what is hidden from the help.
+CommandDescription describe_command(const CLI::App& command);
+
+/// Arguments of the command after its name, as in a synopsis: "[OPTION...] MODEL...".
+std::string synopsis(const CommandDescription& command);
+
+}  // namespace epura

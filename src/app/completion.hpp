@@ -1,0 +1,23 @@
+// Completion in shells. Their scripts know nothing of the program: they ask it, so plugins of strangers complete as
+// well.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/command_tree.hpp"
+
+namespace epura {
+
+/// Shells that there is a script for.
+const std::vector<std::string>& shells();
+
+/// What the shell has to read. Throws Error{input} for others.
+std::string completion_script(const std::string& shell);
+
+/// What may stand at the last of `words`, which follow the name of the program: a line for each, with its help behind
+/// a tab. Words that end with ':', '=' or ',' are to be continued. The line ":files" or ":folders" stands for the names
+/// of those.
+std::string complete(const CommandDescription& program, const std::vector<std::string>& words);
+
+}  // namespace epura

@@ -1,0 +1,14 @@
+// Commands that tell of the program itself: the manual, and words for shells to complete.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <vector>
+
+#include "app/define_commands.hpp"
+
+namespace epura {
+
+/// Adds them to the program, which has to live as long as they.
+std::vector<DefinedCommand> define_answers(CLI::App& program);
+
+}  // namespace epura

@@ -1,0 +1,15 @@
+// The manual page, made from what the command line and the plugins say of themselves.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/command_tree.hpp"
+#include "projection/catalogue.hpp"
+
+namespace epura {
+
+/// The source of a page of section 1, by the macros of man(7).
+std::string manual_page(const CommandDescription& program, const std::vector<ProjectionEntry>& projections);
+
+}  // namespace epura

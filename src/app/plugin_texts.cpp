@@ -1,0 +1,51 @@
+#include "app/plugin_texts.hpp"
+
+#include <cmath>
+
+#include "app/contained.hpp"
+#include "app/options.hpp"
+#include "base/text.hpp"
+
+namespace epura {
+
+namespace {
+
+std::string numbers(const std::vector<double>& values) {
+  std::string text;
+  for (const double value : values) text += (text.empty() ? "" : ",") + format_number(value);
+  return text;
+}
+
+std::string range_text(const Parameter& parameter) {
+  if (parameter.type == ParameterType::choice) {
+    std::string text;
+    for (const std::string& choice : parameter.choices) text += (text.empty() ? "" : "|") + choice;
+    return text;
+  }
+  const std::string kind = parameter.initial.size() == 1 ? "" : std::to_string(parameter.initial.size()) + " numbers";
+  const bool bounded = std::isfinite(parameter.least) || std::isfinite(parameter.most);
+  if (!bounded) return kind;
+  return kind + (kind.empty() ? "" : " ") + format_number(parameter.least) + ".." + format_number(parameter.most);
+}
+
+}  // namespace
+
+Catalogue load_watched(const std::vector<std::filesystem::path>& folders) {
+  return load_catalogue(folders,
+                        [](const std::filesystem::path& file) { return trouble_with_loading(file, plugin_seconds); });
+}
+
+std::string usual_value(const Parameter& parameter) {
+  for (const double value : parameter.initial)
+    if (std::isnan(value)) return "";
+  if (parameter.type == ParameterType::choice) return parameter.choices[static_cast<std::size_t>(parameter.initial[0])];
+  return numbers(parameter.initial);
+}
+
+std::string values_text(const Parameter& parameter) {
+  const std::string usual = usual_value(parameter), range = range_text(parameter);
+  return "default " + (usual.empty() ? "from the model" : usual) + (range.empty() ? "" : "; " + range) +
+         (parameter.unit.empty() || parameter.unit == "1" ? "" : " [" + parameter.unit + "]");
+}
+
+}  // namespace epura

@@ -1,0 +1,67 @@
+#!/usr/bin/env bash
+# The Debian packages: built, looked at by lintian, installed into a Debian 12 with nothing else in it, used there, and
+# removed without a trace. Takes minutes and needs root, mmdebstrap and lintian.  tests/deb.sh [SYSTEM.tar]
+# A file that mmdebstrap made before (--variant=minbase --include=ca-certificates) saves most of them.
+set -euo pipefail
+cd "$(dirname "$(realpath "$0")")/.."
+for tool in mmdebstrap lintian dpkg-deb; do
+  command -v $tool >/dev/null || { echo "deb: skipped, for there is no $tool (apt-get install mmdebstrap lintian)" >&2; exit 0; }
+done
+[ "$(id -u)" -eq 0 ] || { echo "deb: skipped, for only root makes a fresh system" >&2; exit 0; }
+
+build=build/deb
+cmake --preset deb >/dev/null
+cmake --build --preset deb
+rm -f $build/*.deb
+(cd $build && cpack >cpack.log 2>&1) || { cat $build/cpack.log >&2; exit 1; }
+# Of the tags that would be errors in Debian, none; there is no bug of Debian to close.
+lintian --fail-on error --suppress-tags initial-upload-closes-no-bugs $build/*.deb
+
+scratch=$(mktemp -d)
+system=$scratch/system
+end() {
+  for part in proc dev; do if mountpoint -q "$system/$part"; then umount "$system/$part"; fi; done
+  rm -rf "$scratch"
+}
+trap end EXIT
+
+if [ $# -gt 0 ]; then
+  mkdir "$system"
+  tar -C "$system" -xf "$1"
+else
+  # With the sources and settings of apt on this machine, there as here.
+  settings=()
+  for file in /etc/apt/apt.conf.d/*; do settings+=(--aptopt="$file"); done
+  mmdebstrap --quiet --variant=minbase --include=ca-certificates "${settings[@]}" bookworm "$system" \
+    /etc/apt/sources.list.d/debian.sources
+fi
+mount --bind /proc "$system/proc"
+mount --bind /dev "$system/dev"
+cp $build/*.deb samples/models/bracket.obj "$system/tmp"
+
+inside() {
+  chroot "$system" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive "$@"
+}
+fail() { echo "deb: $*" >&2; exit 1; }
+traces() { inside find / -xdev -path /proc -prune -o -path /dev -prune -o -path /tmp -prune -o -iname '*epura*' -print; }
+
+inside apt-get -q update >"$scratch/log"
+inside sh -c 'apt-get -q install --yes --no-install-recommends /tmp/epura_*.deb' >"$scratch/log" 2>&1 ||
+  { cat "$scratch/log" >&2; fail "cannot be installed"; }
+inside epura draw /tmp/bracket.obj --views front,top,isometric --dimensions overall --title Bracket -o /tmp/bracket.pdf \
+  -o /tmp/bracket.svg
+[ "$(head -c 5 "$system/tmp/bracket.pdf")" = %PDF- ] || fail "the PDF is none"
+inside epura draw /tmp/bracket.obj --projection cabinet:angle=30 -o /tmp/cabinet.svg
+[ "$(inside epura plugins | grep -c '^  ')" -ge 22 ] || fail "projections are missing"
+inside bash -c 'source /usr/share/bash-completion/completions/epura; COMP_LINE="epura draw --projection cab" COMP_POINT=27
+  COMP_WORDS=(epura draw --projection cab) COMP_CWORD=3; _epura epura; [ "${COMPREPLY[*]}" = cabinet ]' || fail "no completion"
+zcat "$system/usr/share/man/man1/epura.1.gz" | grep cabinet >/dev/null || fail "the manual page does not know the projections"
+
+inside sh -c 'apt-get -q install --yes --no-install-recommends /tmp/libepura*.deb' >"$scratch/log" 2>&1 ||
+  { cat "$scratch/log" >&2; fail "the library cannot be installed"; }
+inside ldconfig -p | grep "libepura.so" >/dev/null || fail "the library is not found"
+
+inside apt-get -q purge --yes epura libepura-dev >"$scratch/log" 2>&1 || { cat "$scratch/log" >&2; fail "stays"; }
+left=$(traces)
+[ -z "$left" ] || fail "leaves behind: $left"
+echo "deb: $(cd $build && echo *.deb): installed, used and removed"

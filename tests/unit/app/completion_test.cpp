@@ -1,0 +1,136 @@
+// Completion: what the program answers to the scripts of the shells. tests/completion.sh runs those in their shells.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "errors.hpp"
+#include "folder.hpp"
+#include "program.hpp"
+
+namespace epura::test {
+namespace {
+
+using Words = std::vector<std::string>;
+
+std::string answer(const Words& words) {
+  Words arguments{"completion", "words", "--"};
+  arguments.insert(arguments.end(), words.begin(), words.end());
+  const Folder folder;
+  const Outcome run = epura(arguments, folder / "");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.err, "");
+  return run.out;
+}
+
+Words candidates(const Words& words) {
+  std::istringstream lines(answer(words));
+  Words found;
+  for (std::string line; std::getline(lines, line);) found.push_back(line.substr(0, line.find('\t')));
+  return found;
+}
+
+bool has(const Words& words, const std::string& word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+TEST(Completion, OfCommands) {
+  const Words all = candidates({""});
+  for (const char* name : {"draw", "explain", "compare", "snapshot", "plugins", "study", "manual", "completion"})
+    EXPECT_TRUE(has(all, name)) << name;
+  EXPECT_EQ(candidates({"dr"}), Words{"draw"});
+  EXPECT_EQ(candidates({"study", "acc"}), Words{"accuracy"});
+  EXPECT_EQ(candidates({"completion", ""}), (Words{"bash", "zsh", "fish"})) << "what scripts ask is hidden";
+}
+
+TEST(Completion, OfOptionsHasThoseOfTheHelp) {
+  const Folder folder;
+  for (const char* command : {"draw", "compare", "snapshot", "plugins"}) {
+    std::istringstream help(epura({command, "--help"}, folder / "").out);
+    const Words all = candidates({command, "--"});
+    EXPECT_GE(all.size(), 2U);
+    for (std::string word; help >> word;) {
+      const std::size_t option = word.find("--");
+      if (option == std::string::npos || word.size() < option + 3 || word.find('\'') != std::string::npos) continue;
+      const std::string name = word.substr(option, word.find_first_of("{[=,;:.)", option) - option);
+      EXPECT_TRUE(has(all, name) || std::string(command) != "draw") << command << " " << name;
+    }
+  }
+  EXPECT_EQ(candidates({"draw", "part.stl", "--crease"}), Words{"--crease-angle"});
+  EXPECT_TRUE(has(candidates({"draw", "-"}), "-o"));
+}
+
+TEST(Completion, TellsTheHelpBehindATab) {
+  EXPECT_TRUE(contains(answer({"draw", "--hid"}), "--hidden\thidden lines")) << answer({"draw", "--hid"});
+}
+
+TEST(Completion, OfFilesAndFoldersIsLeftToTheShell) {
+  EXPECT_EQ(answer({"draw", ""}), ":files\n");
+  EXPECT_EQ(answer({"draw", "part.stl", "oth"}), ":files\n");
+  EXPECT_EQ(answer({"draw", "-o", ""}), ":files\n");
+  EXPECT_EQ(answer({"draw", "--output=pa"}), ":files\n");
+  EXPECT_EQ(answer({"compare", "a.svg", ""}), ":files\n");
+  EXPECT_EQ(answer({"draw", "--plugin-path", ""}), ":folders\n");
+  EXPECT_EQ(answer({"snapshot", ""}), ":folders\n");
+  EXPECT_EQ(answer({"compare", "a.svg", "b.svg", ""}), "") << "it takes two";
+  EXPECT_EQ(answer({"draw", "--dpi", ""}), "") << "any number will do";
+}
+
+TEST(Completion, OfProjectionsAndTheirParametersAsksThePlugins) {
+  EXPECT_EQ(candidates({"draw", "--projection", "cab"}), Words{"cabinet"});
+  EXPECT_EQ(candidates({"draw", "--projection=cab"}), Words{"--projection=cabinet"});
+  EXPECT_EQ(candidates({"plugins", "two"}), Words{"two-point"});
+  EXPECT_EQ(candidates({"draw", "--views", "front,to"}), Words{"front,top"});
+  EXPECT_FALSE(has(candidates({"draw", "--views", "front,"}), "front,front"));
+  const Words keys = candidates({"draw", "--projection", "cabinet:"});
+  ASSERT_TRUE(has(keys, "cabinet:angle="));
+  EXPECT_EQ(candidates({"draw", "--projection", "cabinet:angle="}), Words{"cabinet:angle=45"});
+  EXPECT_EQ(candidates({"draw", "--projection", "cabinet:angle=30:"}).size(), keys.size() - 1);
+  EXPECT_EQ(answer({"draw", "--projection", "nothing:"}), "");
+}
+
+TEST(Completion, BehindTwoDashesAreArguments) {
+  EXPECT_EQ(answer({"draw", "--", "--pro"}), ":files\n");
+  EXPECT_EQ(answer({"draw", "--projection", "--"}), "") << "that is the value";
+}
+
+TEST(Completion, OddWordsDoNoHarm) {
+  for (const char* odd : {"{}", "[a,b]", "%%", "--", "---", "-", "=", ":", "--=", "--projection=", "\\", "\xff\xfe"}) {
+    answer({odd});
+    answer({odd, odd});
+    answer({"draw", odd, ""});
+    answer({"draw", "--projection", odd});
+  }
+  answer({});
+  answer({"draw", "--projection", std::string(100000, ':')});
+}
+
+TEST(Completion, WordsOfOptionsAreTaken) {
+  const Folder folder;
+  int tried = 0;
+  for (const char* option : {"--unit", "--up", "--hidden", "--edges", "--dimensions", "--visibility", "--sheet",
+                             "--scale", "--frame", "--svg-text", "--progress", "--dump", "--plan", "--format"})
+    for (const std::string& word : candidates({"draw", option, ""})) {
+      if (word.ends_with('=')) continue;
+      Words arguments{
+          "draw", sample("bracket.obj"), option, word, "-o", option == std::string("--format") ? "-" : "x.svg"};
+      if (word == "A0" || word == "auto") arguments.insert(arguments.end(), {"--sheet", "auto", "--scale", "1:1"});
+      if (option == std::string("--sheet") && word == "auto") arguments.resize(arguments.size() - 4);
+      const Outcome run = epura(arguments, folder / "");
+      EXPECT_FALSE(contains(run.err, "does not know")) << run.err;
+      EXPECT_TRUE(run.code == 0) << option << " " << word << ": " << run.err;
+      ++tried;
+    }
+  EXPECT_GE(tried, 50);
+}
+
+TEST(Completion, OfAShellThatHasNoScriptIsRefused) {
+  const Folder folder;
+  const Outcome run = epura({"completion", "tcsh"}, folder / "");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_TRUE(contains(run.err, "tcsh") && contains(run.err, "fish")) << run.err;
+  EXPECT_EQ(epura({"completion"}, folder / "").code, 2);
+}
+
+}  // namespace
+}  // namespace epura::test
