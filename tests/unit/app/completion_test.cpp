@@ -96,13 +96,12 @@ TEST(Completion, BehindTwoDashesAreArguments) {
 
 TEST(Completion, OddWordsDoNoHarm) {
   for (const char* odd : {"{}", "[a,b]", "%%", "--", "---", "-", "=", ":", "--=", "--projection=", "\\", "\xff\xfe"}) {
-    answer({odd});
     answer({odd, odd});
     answer({"draw", odd, ""});
     answer({"draw", "--projection", odd});
   }
   answer({});
-  answer({"draw", "--projection", std::string(100000, ':')});
+  answer({"draw", "--projection", std::string(20000, ':')});
 }
 
 TEST(Completion, WordsOfOptionsAreTaken) {
