@@ -96,13 +96,12 @@ TEST(Completion, BehindTwoDashesAreArguments) {
 
 TEST(Completion, OddWordsDoNoHarm) {
   for (const char* odd : {"{}", "[a,b]", "%%", "--", "---", "-", "=", ":", "--=", "--projection=", "\\", "\xff\xfe"}) {
-    answer({odd});
     answer({odd, odd});
     answer({"draw", odd, ""});
     answer({"draw", "--projection", odd});
   }
   answer({});
-  answer({"draw", "--projection", std::string(100000, ':')});
+  answer({"draw", "--projection", std::string(20000, ':')});
 }
 
 TEST(Completion, WordsOfOptionsAreTaken) {
@@ -114,8 +113,8 @@ TEST(Completion, WordsOfOptionsAreTaken) {
       if (word.ends_with('=')) continue;
       Words arguments{
           "draw", sample("bracket.obj"), option, word, "-o", option == std::string("--format") ? "-" : "x.svg"};
-      if (word == "A0" || word == "auto") arguments.insert(arguments.end(), {"--sheet", "auto", "--scale", "1:1"});
-      if (option == std::string("--sheet") && word == "auto") arguments.resize(arguments.size() - 4);
+      arguments.insert(arguments.end(), {"--projection", "front"});
+      if (option == std::string("--sheet") && word == "auto") arguments.insert(arguments.end(), {"--scale", "1:1"});
       const Outcome run = epura(arguments, folder / "");
       EXPECT_FALSE(contains(run.err, "does not know")) << run.err;
       EXPECT_TRUE(run.code == 0) << option << " " << word << ": " << run.err;
