@@ -44,10 +44,16 @@ inline Vec3 unit(Vec3 a) { return (1 / length(a)) * a; }
 
 constexpr double radians(double degrees) { return degrees / 180 * std::numbers::pi; }
 
+/// The same bits on every machine: the C library has several versions of its functions for doubles, by the instructions
+/// of the processor, but one of those for long doubles.
+inline double portable_sin(double angle) { return static_cast<double>(std::sin(static_cast<long double>(angle))); }
+inline double portable_cos(double angle) { return static_cast<double>(std::cos(static_cast<long double>(angle))); }
+inline double portable_tan(double angle) { return static_cast<double>(std::tan(static_cast<long double>(angle))); }
+
 /// Unit vector from the model to a viewer `azimuth` degrees to the right of the front and `elevation` above it.
 inline Vec3 towards_viewer(double azimuth, double elevation) {
   const double a = radians(azimuth), e = radians(elevation);
-  return {std::sin(a) * std::cos(e), -std::cos(a) * std::cos(e), std::sin(e)};
+  return {portable_sin(a) * portable_cos(e), -portable_cos(a) * portable_cos(e), portable_sin(e)};
 }
 
 /// The box of everything drawn.

@@ -17,10 +17,10 @@ struct Trimetric {
   // From azimuth A and elevation E the axes appear at tan x = tan A sin E and tan y = sin E / tan A.
   static View project(const Scene& scene, double x_angle, double y_angle, bool foreshortened) {
     if (x_angle + y_angle > 89) throw std::invalid_argument("x-angle and y-angle together must be 89 deg at most");
-    const double x = std::tan(radians(x_angle)), y = std::tan(radians(y_angle));
+    const double x = portable_tan(radians(x_angle)), y = portable_tan(radians(y_angle));
     const double sine = std::sqrt(x * y), cosine = std::sqrt(1 - x * y);
     const double azimuth = std::atan(std::sqrt(x / y));
-    return axonometric(scene, {std::sin(azimuth) * cosine, -std::cos(azimuth) * cosine, sine}, foreshortened);
+    return axonometric(scene, {portable_sin(azimuth) * cosine, -portable_cos(azimuth) * cosine, sine}, foreshortened);
   }
 };
 EPURA_PROJECTION(Trimetric)

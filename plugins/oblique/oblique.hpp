@@ -10,5 +10,5 @@ inline epura::plugin::View oblique(const epura::plugin::Scene& scene, double ang
   return {.point = scene.centre(),
           .normal = {0, -1, 0},
           .up = {0, 0, 1},
-          .projector = {ratio * std::cos(a), -1, ratio * std::sin(a)}};
+          .projector = {ratio * epura::plugin::portable_cos(a), -1, ratio * epura::plugin::portable_sin(a)}};
 }

@@ -26,7 +26,7 @@ struct LookAt {
     View view{.central = true, .point = ref, .normal = -line, .up = vup, .projector = eye, .window = window};
     if (fovy > 0) {
       if (window != std::array<double, 4>{}) throw std::invalid_argument("give fovy or window, not both");
-      const double v = length(line) * std::tan(radians(fovy) / 2), u = aspect * v;
+      const double v = length(line) * portable_tan(radians(fovy) / 2), u = aspect * v;
       view.window = {-u, -v, u, v};
     } else if (aspect != 1) {
       throw std::invalid_argument("aspect means nothing without fovy");

@@ -32,7 +32,7 @@ inline Vec3 sight(Vec3 eye, Vec3 reference) {
 
 /// At a quarter turn the plane would be parallel to a model axis, whose vanishing point is then lost.
 inline void require_turned(double azimuth) {
-  if (std::abs(std::sin(radians(2 * azimuth))) < std::sin(radians(2)))
+  if (std::abs(portable_sin(radians(2 * azimuth))) < portable_sin(radians(2)))
     throw std::invalid_argument(
         "azimuth must keep 1 deg away from 0, 90, 180 and 270 deg: there an axis lies in the plane");
 }

@@ -15,7 +15,7 @@ struct MilitaryProjection {
 
   static View project(const Scene& scene, double angle, double height) {
     const double a = radians(angle);
-    const Vec3 up{-std::sin(a), std::cos(a), 0};
+    const Vec3 up{-portable_sin(a), portable_cos(a), 0};
     return {.point = scene.centre(), .normal = {0, 0, 1}, .up = up, .projector = Vec3{0, 0, 1} - height * up};
   }
 };

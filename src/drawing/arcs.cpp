@@ -8,6 +8,7 @@
 #include "base/circle_fit.hpp"
 #include "base/curve_runs.hpp"
 #include "base/parallel.hpp"
+#include "base/portable_math.hpp"
 #include "drawing/conic_fit.hpp"
 
 namespace epura {
@@ -33,7 +34,7 @@ struct Fit {
 
 double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
-double angle_between(const Vec2& a, const Vec2& b) { return std::atan2(cross(a, b), glm::dot(a, b)); }
+double angle_between(const Vec2& a, const Vec2& b) { return portable_atan2(cross(a, b), glm::dot(a, b)); }
 
 /// All points of a closed chain, of an open one those between its ends: these may lie on a chord.
 struct Line {
@@ -106,7 +107,7 @@ std::optional<Fit> Line::fit(int first, int last) const {
 
 // Height of the curve over the chord of a step, which is largest in the direction of the longer half axis.
 double bulge_of(const Fit& fit) {
-  return std::max(glm::length(fit.ellipse.u), glm::length(fit.ellipse.v)) * (1 - std::cos(fit.longest_step / 2));
+  return std::max(glm::length(fit.ellipse.u), glm::length(fit.ellipse.v)) * (1 - portable_cos(fit.longest_step / 2));
 }
 
 // An end of an open chain is on the curve, or where a line becomes hidden or another covers it, on a chord.

@@ -7,6 +7,8 @@
 #include <glm/matrix.hpp>
 #include <vector>
 
+#include "base/portable_math.hpp"
+
 namespace epura {
 
 namespace {
@@ -76,8 +78,8 @@ std::optional<Ellipse> from_matrix(const Vec2& centre, const Mat2& matrix) {
   const double least = half_trace - radius, most = half_trace + radius;
   if (!(least > 0) || !std::isfinite(most)) return std::nullopt;
   // The direction of the larger eigenvalue is that of the shorter half axis.
-  const double angle = std::atan2(off, half_difference) / 2;
-  const Vec2 minor(std::cos(angle), std::sin(angle));
+  const double angle = portable_atan2(off, half_difference) / 2;
+  const Vec2 minor(portable_cos(angle), portable_sin(angle));
   return Ellipse{centre, Vec2(minor.y, -minor.x) / std::sqrt(least), minor / std::sqrt(most)};
 }
 

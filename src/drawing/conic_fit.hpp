@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "base/portable_math.hpp"
 #include "base/vec.hpp"
 
 namespace epura {
@@ -13,11 +14,11 @@ namespace epura {
 struct Ellipse {
   Vec2 centre, u, v;
 
-  [[nodiscard]] Vec2 at(double angle) const { return centre + std::cos(angle) * u + std::sin(angle) * v; }
+  [[nodiscard]] Vec2 at(double angle) const { return centre + portable_cos(angle) * u + portable_sin(angle) * v; }
   /// The angle whose ray from the centre goes through `p`.
   [[nodiscard]] double angle_of(const Vec2& p) const {
     const Vec2 d = p - centre;
-    return std::atan2(glm::dot(d, v) / glm::dot(v, v), glm::dot(d, u) / glm::dot(u, u));
+    return portable_atan2(glm::dot(d, v) / glm::dot(v, v), glm::dot(d, u) / glm::dot(u, u));
   }
   /// Distance of a point near the ellipse from it, to first order (Sampson).
   [[nodiscard]] double distance(const Vec2& p) const;

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "base/parallel.hpp"
+#include "base/portable_math.hpp"
 #include "visibility/choose_grid.hpp"
 #include "visibility/line_cells.hpp"
 
@@ -30,7 +31,7 @@ struct Direction {
 
   explicit Direction(const Piece& p) : along((p.to - p.from) / length_of(p)) {
     if (along.y < 0 || (along.y == 0 && along.x < 0)) along = -along;
-    angle = std::atan2(along.y, along.x);
+    angle = portable_atan2(along.y, along.x);
   }
 };
 

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <numbers>
 
+#include "base/portable_math.hpp"
+
 namespace epura {
 
 namespace {
@@ -16,14 +18,14 @@ const Vec2& at(const std::vector<Vec2>& points, int index) {
 
 double angle_of(const CurvePart& curve, const Vec2& p) {
   const Vec2 d = p - curve.centre;
-  return std::atan2(glm::dot(d, curve.v) / glm::dot(curve.v, curve.v),
-                    glm::dot(d, curve.u) / glm::dot(curve.u, curve.u));
+  return portable_atan2(glm::dot(d, curve.v) / glm::dot(curve.v, curve.v),
+                        glm::dot(d, curve.u) / glm::dot(curve.u, curve.u));
 }
 
 }  // namespace
 
 Vec2 place_on_curve(const CurvePart& curve, double angle) {
-  return curve.centre + std::cos(angle) * curve.u + std::sin(angle) * curve.v;
+  return curve.centre + portable_cos(angle) * curve.u + portable_sin(angle) * curve.v;
 }
 
 std::vector<double> corner_angles(const CurvePart& curve, const std::vector<Vec2>& points) {
@@ -47,7 +49,7 @@ double length_of_curve(const CurvePart& curve, double from, double to) {
   for (int i = 0; i < pieces; ++i)
     for (std::size_t k = 0; k < places.size(); ++k) {
       const double angle = from + (2 * i + 1 + places[k]) * half;
-      length += weights[k] * glm::length(std::cos(angle) * curve.v - std::sin(angle) * curve.u);
+      length += weights[k] * glm::length(portable_cos(angle) * curve.v - portable_sin(angle) * curve.u);
     }
   return length * std::abs(half);
 }

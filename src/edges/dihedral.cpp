@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/portable_math.hpp"
+
 namespace epura {
 
 namespace {
@@ -76,11 +78,11 @@ int EdgeSurroundings::apex(const std::array<int, 2>& edge, int triangle) const {
 
 double fold_angle(const EdgeSurroundings& around, const std::array<int, 2>& edge, int first, int second) {
   const auto [n1, n2] = normals_at(around, edge, first, second);
-  return std::atan2(glm::length(glm::cross(n1, n2)), glm::dot(n1, n2)) * (180 / std::numbers::pi);
+  return portable_atan2(glm::length(glm::cross(n1, n2)), glm::dot(n1, n2)) * (180 / std::numbers::pi);
 }
 
 FoldLimit::FoldLimit(double limit) : degrees(limit), squared_cosine(2) {
-  const double cosine = std::cos(limit * (std::numbers::pi / 180));
+  const double cosine = portable_cos(limit * (std::numbers::pi / 180));
   if (limit < 90) squared_cosine = cosine * cosine;
 }
 

@@ -10,6 +10,7 @@
 
 #include "base/circle_fit.hpp"
 #include "base/curve_runs.hpp"
+#include "base/portable_math.hpp"
 
 namespace epura {
 
@@ -28,7 +29,9 @@ struct Fit {
   double radius, deviation, tolerance;
 };
 
-double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)); }
+double angle_between(const Vec3& a, const Vec3& b) {
+  return portable_atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
 
 // Circles along one line of features.
 struct Line {
@@ -58,7 +61,7 @@ bool steps_of_circle(std::span<const Vec2> points, const Vec2& centre, bool whol
   double sweep = 0, longest = 0;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     const Vec2 a = points[i] - centre, b = points[i + 1] - centre;
-    const double angle = std::atan2(a.x * b.y - a.y * b.x, glm::dot(a, b));
+    const double angle = portable_atan2(a.x * b.y - a.y * b.x, glm::dot(a, b));
     if (!(angle > 0)) return false;
     sweep += angle;
     longest = std::max(longest, angle);

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/parallel.hpp"
+#include "base/portable_math.hpp"
 #include "base/vec.hpp"
 
 namespace epura {
@@ -63,7 +64,7 @@ bool is_feature(const PlacedMesh& placed, const MeshEdge& edge, std::span<const 
   const bool turned = runs_along(placed, edge, triangles[0]) == runs_along(placed, edge, triangles[1]);
   const Vec3 b = turned ? -normals[triangles[1]] : normals[triangles[1]];
   if (a == Vec3(0) || b == Vec3(0)) return false;
-  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) >= least_fold;
+  return portable_atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) >= least_fold;
 }
 
 // One end of an edge: 2 * edge + (0 or 1), the place in MeshEdge::vertex.
@@ -94,7 +95,7 @@ void Features::pair_up(std::span<const End> ends, double most_turn) {
   for (std::size_t i = 0; i < ends.size(); ++i)
     for (std::size_t j = i + 1; j < ends.size(); ++j) {
       const double straightness = -glm::dot(leaving(ends[i]), leaving(ends[j]));
-      if (straightness >= std::cos(most_turn)) pairs.emplace_back(-straightness, ends[i], ends[j]);
+      if (straightness >= portable_cos(most_turn)) pairs.emplace_back(-straightness, ends[i], ends[j]);
     }
   std::sort(pairs.begin(), pairs.end());
   for (const auto& [order, a, b] : pairs) {

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <utility>
 
+#include "base/portable_math.hpp"
+
 namespace epura {
 
 namespace {
@@ -15,7 +17,7 @@ double sweep_of(const World& world, int model, const MeshCircle& circle) {
   };
   double sweep = 0;
   for (std::size_t i = 1; i < circle.vertices.size(); ++i)
-    sweep += std::atan2(glm::length(glm::cross(spoke(i - 1), spoke(i))), glm::dot(spoke(i - 1), spoke(i)));
+    sweep += portable_atan2(glm::length(glm::cross(spoke(i - 1), spoke(i))), glm::dot(spoke(i - 1), spoke(i)));
   return sweep;
 }
 

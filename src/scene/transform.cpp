@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/portable_math.hpp"
 #include "base/text.hpp"
 
 namespace epura {
@@ -19,12 +20,12 @@ namespace {
               "steps: translate:X,Y,Z  rotate:x|y|z,DEGREES  scale:S or scale:X,Y,Z  matrix:16 numbers");
 }
 
-// Quarter turns are exact, so that a turned box stays a box.
+// Quarter turns are exact, without a negative zero, so that a turned box stays a box.
 Mat4 rotation(const Vec3& axis, double degrees) {
-  const double turned = std::remainder(degrees, 360.0);
-  if (std::remainder(turned, 90.0) != 0) return glm::rotate(Mat4(1.0), turned * std::numbers::pi / 180, axis);
-  const double c = turned == 0 ? 1 : std::abs(turned) == 180 ? -1 : 0;
-  const double s = turned == 90 ? 1 : turned == -90 ? -1 : 0;
+  const double turned = std::remainder(degrees, 360.0), radians = turned * std::numbers::pi / 180;
+  const bool quarters = std::remainder(turned, 90.0) == 0;
+  const double c = quarters ? std::round(portable_cos(radians)) + 0.0 : portable_cos(radians);
+  const double s = quarters ? std::round(portable_sin(radians)) + 0.0 : portable_sin(radians);
   Mat4 matrix(1.0);
   const int i = axis.x != 0 ? 1 : axis.y != 0 ? 2 : 0;
   const int j = (i + 1) % 3;

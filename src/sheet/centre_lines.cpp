@@ -12,6 +12,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/portable_math.hpp"
 #include "sheet/dash.hpp"
 
 namespace epura {
@@ -58,7 +59,7 @@ struct Piece {
   double from, to;
   bool centred = true;  ///< its middle is to have ink
 
-  [[nodiscard]] Vec2 direction() const { return {std::cos(angle), std::sin(angle)}; }
+  [[nodiscard]] Vec2 direction() const { return {portable_cos(angle), portable_sin(angle)}; }
   [[nodiscard]] Vec2 at(double s) const {
     const Vec2 d = direction();
     return s * d + offset * Vec2(-d.y, d.x);
@@ -67,14 +68,14 @@ struct Piece {
 
 // Angles from 0 to pi, those a little below pi as if below 0; rounded, so that lines in one direction share it.
 double angle_of_line(const Vec2& direction) {
-  double angle = std::atan2(direction.y, direction.x);
+  double angle = portable_atan2(direction.y, direction.x);
   if (angle < -same_direction) angle += std::numbers::pi;
   if (angle > std::numbers::pi - same_direction) angle -= std::numbers::pi;
   return std::round(angle * 1e9) / 1e9;
 }
 
-double offset_of(double angle, const Vec2& p) { return std::cos(angle) * p.y - std::sin(angle) * p.x; }
-double place_along(double angle, const Vec2& p) { return std::cos(angle) * p.x + std::sin(angle) * p.y; }
+double offset_of(double angle, const Vec2& p) { return portable_cos(angle) * p.y - portable_sin(angle) * p.x; }
+double place_along(double angle, const Vec2& p) { return portable_cos(angle) * p.x + portable_sin(angle) * p.y; }
 
 // A number for each value; values that are `apart` or nearer have the same.
 std::vector<int> classes_of(const std::vector<double>& values, double apart) {

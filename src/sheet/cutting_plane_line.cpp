@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/portable_math.hpp"
 #include "sheet/dash.hpp"
 
 namespace epura {
@@ -62,7 +63,7 @@ Fill wide_line(const Vec2& a, const Vec2& b, double width) {
 }
 
 Fill arrow_head(const Vec2& tip, const Vec2& pointing, double length) {
-  const Vec2 across = Vec2(-pointing.y, pointing.x) * (length * std::tan(head_half_angle * std::numbers::pi / 180));
+  const Vec2 across = Vec2(-pointing.y, pointing.x) * (length * portable_tan(head_half_angle * std::numbers::pi / 180));
   const Vec2 foot = tip - length * pointing;
   return {{{tip, foot + across, foot - across}}};
 }

@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "base/portable_math.hpp"
 #include "mesh/even_odd.hpp"
 
 namespace epura {
@@ -71,7 +72,7 @@ void add_line(const std::vector<Ring>& rings, const Vec2& along, double offset, 
 
 Vec2 direction(double degrees) {
   const double angle = degrees * std::numbers::pi / 180;
-  return {std::cos(angle), std::sin(angle)};
+  return {portable_cos(angle), portable_sin(angle)};
 }
 
 // Lines of all faces of a part in a view fall on one family, counted from the origin of the sheet.
@@ -199,7 +200,7 @@ std::vector<Part> parts_of(std::span<const Drawing* const> drawings) {
 // Which part of the outlines runs within `alike_degrees` of an angle.
 double share_along(const Part& part, double angle) {
   const Vec2 along = direction(angle);
-  const double sine = std::sin(alike_degrees * std::numbers::pi / 180);
+  const double sine = portable_sin(alike_degrees * std::numbers::pi / 180);
   double alike = 0, all = 0;
   for (const auto& [drawing, face] : part.faces)
     visit_sides(face->rings, [&](const Vec2& a, const Vec2& b) {

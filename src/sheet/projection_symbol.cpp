@@ -4,6 +4,7 @@
 #include <numbers>
 #include <vector>
 
+#include "base/portable_math.hpp"
 #include "sheet/dash.hpp"
 
 namespace epura {
@@ -21,7 +22,7 @@ Stroke circle(const Vec2& centre, double radius) {
   stroke.closed = true;
   for (int i = 0; i < corners_of_circle; ++i) {
     const double angle = 2 * std::numbers::pi * i / corners_of_circle;
-    stroke.points.push_back(centre + radius * Vec2(std::cos(angle), std::sin(angle)));
+    stroke.points.push_back(centre + radius * Vec2(portable_cos(angle), portable_sin(angle)));
   }
   stroke.curves = {{0, corners_of_circle, centre, {radius, 0}, {0, radius}, 0, 2 * std::numbers::pi}};
   return stroke;

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/portable_math.hpp"
 #include "sheet/dimensions/forms.hpp"
 
 namespace epura {
@@ -25,7 +26,7 @@ struct Sector {
 
 Sector sector_of(const MeasuredAngle& angle) {
   const auto& [a, b] = angle.legs;
-  return {angle.corner, std::atan2(a.y, a.x), std::atan2(glm::dot(left_of(a), b), glm::dot(a, b))};
+  return {angle.corner, portable_atan2(a.y, a.x), portable_atan2(glm::dot(left_of(a), b), glm::dot(a, b))};
 }
 
 // The arc from one angle to another, as a polyline that knows what it is.

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/portable_math.hpp"
+
 namespace epura {
 
 namespace {
@@ -44,7 +46,7 @@ bool overlap(const TurnedBox& a, const TurnedBox& b) {
 TurnedBox box_of(const Text& text, const Lettering& lettering) {
   const double width = lettering.width(text.text, text.height), angle = text.angle * std::numbers::pi / 180;
   const double start = text.align == Align::left ? 0 : text.align == Align::middle ? -width / 2 : -width;
-  const Vec2 along(std::cos(angle), std::sin(angle));
+  const Vec2 along(portable_cos(angle), portable_sin(angle));
   const Vec2 half = Vec2(width, text.height) / 2.0;
   return {text.at + (start + half.x) * along + half.y * left_of(along), along, half};
 }

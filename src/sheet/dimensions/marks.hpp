@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/portable_math.hpp"
 #include "base/vec.hpp"
 #include "sheet/dimensions/boxes.hpp"
 #include "sheet/lettering.hpp"
@@ -39,7 +40,7 @@ struct PlacedDimension {
 };
 
 inline Vec2 left_of(const Vec2& d) { return {-d.y, d.x}; }
-inline Vec2 turned_to(double angle) { return {std::cos(angle), std::sin(angle)}; }
+inline Vec2 turned_to(double angle) { return {portable_cos(angle), portable_sin(angle)}; }
 
 /// The one of two opposite directions in which a text is read, from the bottom or from the right.
 Vec2 reading_direction(const Vec2& along);

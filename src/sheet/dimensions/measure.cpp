@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/error.hpp"
+#include "base/portable_math.hpp"
 #include "base/text.hpp"
 
 namespace epura {
@@ -108,7 +109,7 @@ MeasuredDimension angular(const AnchoredDimension& dimension, const Sight& sight
              "measure it in a view along the axis of the angle");
     legs[i] = glm::normalize(leg);
   }
-  const double angle = std::atan2(glm::length(glm::cross(legs[0], legs[1])), glm::dot(legs[0], legs[1]));
+  const double angle = portable_atan2(glm::length(glm::cross(legs[0], legs[1])), glm::dot(legs[0], legs[1]));
   const double degrees = angle * 180 / std::numbers::pi;
   if (degrees < 0.005) refuse(dimension, "its legs lie on one line: the angle is zero", "choose other vertices");
   const Vec2 corner = sight.page(dimension.points[0]);
@@ -125,8 +126,8 @@ MeasuredCircle on_paper(const WorldCircle& circle, const Sight& sight, bool is_r
   measured.sweep = 0;
   for (const Vec3& vertex : circle.rim) {
     const Vec2 spoke = sight.page(vertex) - measured.centre;
-    if (before) measured.sweep += std::atan2(glm::dot(left_of(*before), spoke), glm::dot(*before, spoke));
-    if (!before) measured.first = std::atan2(spoke.y, spoke.x);
+    if (before) measured.sweep += portable_atan2(glm::dot(left_of(*before), spoke), glm::dot(*before, spoke));
+    if (!before) measured.first = portable_atan2(spoke.y, spoke.x);
     before = spoke;
   }
   return measured;

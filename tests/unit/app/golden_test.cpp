@@ -61,6 +61,36 @@ TEST_P(Golden, Drawing) {
 INSTANTIATE_TEST_SUITE_P(Cases, Golden, testing::ValuesIn(golden_cases()),
                          [](const auto& of) { return test_name(of.param); });
 
+// A run for which the C library takes no instructions that processors before 2013 lack.
+Outcome epura_on_an_old_processor(const std::vector<std::string>& arguments) {
+  ::setenv("GLIBC_TUNABLES", "glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4,-AVX2_Usable,-FMA_Usable", 1);
+  Outcome run = epura(arguments, root());
+  ::unsetenv("GLIBC_TUNABLES");
+  return run;
+}
+
+TEST_P(Golden, OnAnOldProcessor) {
+  const Folder folder;
+  const std::string actual = (folder / "drawing.json").string();
+  std::vector<std::string> arguments = golden_arguments(GetParam());
+  arguments.insert(arguments.end(), {"-o", actual});
+  const Outcome run = epura_on_an_old_processor(arguments);
+  ASSERT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(first_difference(read_file(golden_folder(GetParam()) / "expected.json"), read_file(actual)), "");
+}
+
+// The sines or cosines of these angles that glibc 2.36 computes with FMA and without differ in the last bit.
+TEST(OldProcessors, DrawTheSameAtAllAngles) {
+  std::vector<std::string> arguments{"draw", "tests/golden/models/cube.obj", "-o", "-", "--format", "json"};
+  for (const char* angle : {"21.72", "22.79", "26.2", "29.37", "30.69", "31.56", "47.56", "48", "67.84", "73.07"}) {
+    arguments.push_back(std::string("--projection=planometric:angle=") + angle);
+    arguments.push_back(std::string("--projection=cavalier:angle=") + angle);
+  }
+  const Outcome here = epura(arguments, root());
+  ASSERT_EQ(here.code, 0) << here.err;
+  EXPECT_EQ(first_difference(here.out, epura_on_an_old_processor(arguments).out), "");
+}
+
 TEST(GoldenDifference, IsTheFirstLineThatDiffers) {
   EXPECT_EQ(first_difference("a\nb\n", "a\nb\n"), "");
   EXPECT_EQ(first_difference("a\nb\nc\n", "a\nx\ny\n"), "@@ line 2 @@\n-b\n+x\n");

@@ -1,0 +1,17 @@
+// Sines and their kin with the same bits on every machine. The C library has several versions of them for doubles, by
+// the instructions of the processor (FMA), which differ in the last bit once in a thousand angles; of those for long
+// doubles it has one, and their results are rounded here.
+#pragma once
+
+#include <cmath>
+
+namespace epura {
+
+inline double portable_sin(double radians) { return static_cast<double>(std::sin(static_cast<long double>(radians))); }
+inline double portable_cos(double radians) { return static_cast<double>(std::cos(static_cast<long double>(radians))); }
+inline double portable_tan(double radians) { return static_cast<double>(std::tan(static_cast<long double>(radians))); }
+inline double portable_atan2(double y, double x) {
+  return static_cast<double>(std::atan2(static_cast<long double>(y), static_cast<long double>(x)));
+}
+
+}  // namespace epura
