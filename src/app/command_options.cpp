@@ -39,4 +39,14 @@ void add_choice(CLI::App& app, const std::string& option, std::string& value, co
       option, [&value, word] { value = word; }, help);
 }
 
+void add_threads(CLI::App& app, int& threads) {
+  add_number(app, "--threads", threads, {0, 1024}, "number of threads, 0 for all cores")->type_name("N");
+}
+
+void add_progress(CLI::App& app, std::string& progress) {
+  app.add_option("--progress", progress, "show how far it is: auto (on a terminal), always or never")
+      ->capture_default_str()
+      ->type_name("WHEN");
+}
+
 }  // namespace epura

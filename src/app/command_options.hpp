@@ -49,4 +49,8 @@ void add_word(CLI::App& app, const std::string& option, std::string& value, cons
 void add_choice(CLI::App& app, const std::string& option, std::string& value, const std::string& word,
                 const std::string& help);
 
+/// --threads and --progress of commands that compute for long.
+void add_threads(CLI::App& app, int& threads);
+void add_progress(CLI::App& app, std::string& progress);
+
 }  // namespace epura

@@ -20,11 +20,9 @@ void define_stability(CLI::App& stability, StabilityOptions& options) {
   add_word(stability, "--cases", options.cases, "IDS", "all", "only these, with commas: P1,V4,M23; shows every step");
   add_number(stability, "--size", options.size, {0.01, 100}, "factor of the numbers of parts of large scenes")
       ->type_name("F");
-  add_number(stability, "--threads", options.threads, {0, 1024}, "number of threads, 0 for all cores")->type_name("N");
+  add_threads(stability, options.threads);
   stability.add_flag("--timings", options.timings, "say how long each case took");
-  stability.add_option("--progress", options.progress, "show how far it is: auto (on a terminal), always or never")
-      ->capture_default_str()
-      ->type_name("WHEN");
+  add_progress(stability, options.progress);
 }
 
 void define_accuracy(CLI::App& accuracy, AccuracyOptions& options) {
@@ -46,10 +44,8 @@ void define_accuracy(CLI::App& accuracy, AccuracyOptions& options) {
              "pairs of edge and triangle looked at exactly; beyond, a random part of the edges is judged")
       ->type_name("N");
   accuracy.add_flag("!--no-maps", options.maps, "leave the projection maps out");
-  add_number(accuracy, "--threads", options.threads, {0, 1024}, "number of threads, 0 for all cores")->type_name("N");
-  accuracy.add_option("--progress", options.progress, "show how far it is: auto (on a terminal), always or never")
-      ->capture_default_str()
-      ->type_name("WHEN");
+  add_threads(accuracy, options.threads);
+  add_progress(accuracy, options.progress);
 }
 
 void define_compare(CLI::App& compare, CompareOptions& options) {

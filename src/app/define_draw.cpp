@@ -108,16 +108,14 @@ void define_outputs(CLI::App& draw, DrawOptions& options) {
 }
 
 void define_run(CLI::App& draw, DrawOptions& options) {
-  add_number(draw, "--threads", options.threads, {0, 1024}, "number of threads, 0 for all cores")->type_name("N");
+  add_threads(draw, options.threads);
   draw.add_flag("--timings", options.timings, "say how long each stage took");
   draw.add_option("--plan", options.plan,
                   "certificates by which stages are left out: all, none, or some of clip intersections visibility "
                   "hidden text, with commas; the drawing is the same")
       ->capture_default_str()
       ->type_name("NAMES");
-  draw.add_option("--progress", options.progress, "show how far it is: auto (on a terminal), always or never")
-      ->capture_default_str()
-      ->type_name("WHEN");
+  add_progress(draw, options.progress);
   add_number(draw, "--time-limit", options.time_limit, {0, HUGE_VAL},
              "seconds after which edges not decided yet are left out, longest first; marks the drawing PARTIAL")
       ->type_name("S");

@@ -85,7 +85,7 @@ int study_stability(const StabilityOptions& options) {
   const bool broken = std::any_of(report.begin(), report.end(), [](const stability::CaseReport& one) {
     return one.verdict(stability::Arithmetic::own) == stability::Verdict::broken;
   });
-  return broken ? 1 : 0;
+  return broken ? found_wrong_exit_code : 0;
 }
 
 }  // namespace epura
