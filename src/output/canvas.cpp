@@ -76,7 +76,15 @@ void set_dashes(cairo_t* cairo, const Stroke& stroke, double units) {
   cairo_set_dash(cairo, lengths.data(), static_cast<int>(lengths.size()), 0);
 }
 
-void add_path(cairo_t* cairo, const Canvas& canvas, const Stroke& stroke) {
+}  // namespace
+
+void set_colour(const Pen& pen, const Colour& colour) {
+  cairo_set_source_rgb(pen.get(), colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
+}
+
+void add_path(const Pen& pen, const Canvas& canvas, const Stroke& stroke) {
+  cairo_t* cairo = pen.get();
+  cairo_new_sub_path(cairo);
   const auto line = [&](const Vec2& point) {
     const Vec2 p = canvas.to_surface(point);
     cairo_line_to(cairo, p.x, p.y);
@@ -93,21 +101,12 @@ void add_path(cairo_t* cairo, const Canvas& canvas, const Stroke& stroke) {
   if (stroke.closed) cairo_close_path(cairo);
 }
 
-}  // namespace
-
-void set_colour(const Pen& pen, const Colour& colour) {
-  cairo_set_source_rgb(pen.get(), colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
-}
-
 void draw(const Pen& pen, const Canvas& canvas, const LineStyle& style, const std::vector<const Stroke*>& strokes) {
   if (strokes.empty()) return;
   cairo_t* cairo = pen.get();
   cairo_set_line_width(cairo, style.width * canvas.units);
   set_dashes(cairo, *strokes.front(), canvas.units);
-  for (const Stroke* stroke : strokes) {
-    cairo_new_sub_path(cairo);
-    add_path(cairo, canvas, *stroke);
-  }
+  for (const Stroke* stroke : strokes) add_path(pen, canvas, *stroke);
   cairo_stroke(cairo);
   require(cairo_status(cairo), "drawing");
 }

@@ -39,6 +39,8 @@ struct Free {
 using CairoSurface = std::unique_ptr<cairo_surface_t, Free<cairo_surface_destroy>>;
 using Pen = std::unique_ptr<cairo_t, Free<cairo_destroy>>;
 
+using CairoPath = std::unique_ptr<cairo_path_t, Free<cairo_path_destroy>>;
+
 /// Black, round ends and joins.
 Pen make_pen(const CairoSurface& surface);
 
@@ -49,6 +51,9 @@ void begin_vector_file(const Pen& pen, const Canvas& canvas);
 
 /// For all that is drawn from now on.
 void set_colour(const Pen& pen, const Colour& colour);
+
+/// Adds a stroke to the pen's path, as a part of its own.
+void add_path(const Pen& pen, const Canvas& canvas, const Stroke& stroke);
 
 /// Draws strokes of one look in one go.
 void draw(const Pen& pen, const Canvas& canvas, const LineStyle& style, const std::vector<const Stroke*>& strokes);

@@ -64,11 +64,10 @@ pugi::xml_node add_group(pugi::xml_node parent, const std::string& id, std::stri
 
 // What all lines of the layer share is said once. Layers of lines that are no edges have none of it.
 void add_origin(pugi::xml_node g, const Layer& layer) {
-  const auto is_edge = [](const Stroke& stroke) { return !stroke.kind.empty(); };
+  const auto is_edge = [](const Stroke& stroke) { return stroke.kind.has_value(); };
   if (std::none_of(layer.strokes.begin(), layer.strokes.end(), is_edge)) return;
   g.append_attribute("data-visible") = layer.style.name.starts_with("hidden") ? "0" : "1";
-  const std::string model = common_model(layer);
-  if (!model.empty()) g.append_attribute("data-model") = xml_text(model).c_str();
+  if (const auto model = common_model(layer)) g.append_attribute("data-model") = *model;
 }
 
 // Of VIEW/ROLE the view; empty where there is none.

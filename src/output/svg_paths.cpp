@@ -1,14 +1,11 @@
 #include "output/svg_paths.hpp"
 
-#include <cairo-svg.h>
-
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <map>
 #include <numbers>
-#include <pugixml.hpp>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -79,49 +76,35 @@ std::vector<Chunk> chunks_of(const std::vector<Part>& parts) {
   return chunks;
 }
 
-// The strokes as one path, as Cairo writes it. Dashes are attributes of their own and do not change it.
-std::string cairo_path(const Canvas& canvas, const LineStyle& style, Chunk chunk) {
-  std::string bytes;
-  const CairoSurface surface(cairo_svg_surface_create_for_stream(append_bytes, &bytes, canvas.size.x, canvas.size.y));
-  {
-    const Pen pen = make_pen(surface);
-    begin_vector_file(pen, canvas);
-    std::vector<const Stroke*> strokes;
-    for (const Part& part : chunk) strokes.push_back(part.stroke);
-    draw(pen, canvas, style, strokes);
-  }
-  finish(surface, "SVG");
-  pugi::xml_document drawn;
-  check(bool(drawn.load_buffer_inplace(bytes.data(), bytes.size())), "Cairo wrote no XML");
-  const pugi::xml_node without_ink = drawn.child("svg").child("g").child("path");
-  return without_ink.next_sibling("path").attribute("d").value();
+// The strokes as one path, with the numbers that Cairo draws. Dashes do not change it.
+CairoPath cairo_path(const Canvas& canvas, Chunk chunk) {
+  const CairoSurface surface(cairo_recording_surface_create(CAIRO_CONTENT_COLOR, nullptr));
+  const Pen pen = make_pen(surface);
+  for (const Part& part : chunk) add_path(pen, canvas, *part.stroke);
+  CairoPath path(cairo_copy_path(pen.get()));
+  require(path->status, "SVG");
+  return path;
 }
 
-// Reads "M x y L x y ... Z M x y ", in units of the surface.
+/// Steps through a path of Cairo's, in units of the surface.
 class PathReader {
  public:
-  explicit PathReader(std::string_view path) : path_(path) {}
+  explicit PathReader(const cairo_path_t& path) : rest_(path.data, static_cast<std::size_t>(path.num_data)) {}
 
-  [[nodiscard]] bool at(char command) const { return path_.starts_with(command); }
+  [[nodiscard]] bool at(cairo_path_data_type_t type) const {
+    return !rest_.empty() && rest_.front().header.type == type;
+  }
 
-  void skip_command() { path_.remove_prefix(std::min(path_.size(), std::size_t{2})); }
-
-  Vec2 point() {
-    const double x = number();
-    return {x, number()};
+  /// The last point of the step; the origin where it has none.
+  Vec2 step() {
+    const auto length = static_cast<std::size_t>(rest_.front().header.length);
+    const Vec2 end = length > 1 ? Vec2(rest_[length - 1].point.x, rest_[length - 1].point.y) : Vec2(0, 0);
+    rest_ = rest_.subspan(length);
+    return end;
   }
 
  private:
-  double number() {
-    double value = 0;
-    const auto [end, error] = std::from_chars(path_.data(), path_.data() + path_.size(), value);
-    check(error == std::errc{}, "Cairo wrote an SVG path in another form");
-    path_.remove_prefix(static_cast<std::size_t>(end - path_.data()));
-    path_.remove_prefix(std::min(path_.size(), std::size_t{1}));
-    return value;
-  }
-
-  std::string_view path_;
+  std::span<const cairo_path_data_t> rest_;
 };
 
 /// The path of one stroke in millimetres, y down.
@@ -134,7 +117,7 @@ class PathWriter {
 
  private:
   [[nodiscard]] Vec2 on_page(const Vec2& on_sheet) const { return {on_sheet.x, height_ - on_sheet.y}; }
-  Vec2 next(PathReader& reader) const { return on_page(canvas_.to_sheet(reader.point())); }
+  Vec2 next(PathReader& reader) const { return on_page(canvas_.to_sheet(reader.step())); }
   void append_arcs(const CurvePart& part);
 
   const Canvas& canvas_;
@@ -153,55 +136,55 @@ void PathWriter::append_arcs(const CurvePart& part) {
 }
 
 void PathWriter::append_stroke(PathReader& reader, const Stroke& stroke) {
-  check(reader.at('M'), "Cairo left a stroke out");
+  check(reader.at(CAIRO_PATH_MOVE_TO), "Cairo left a stroke out");
   Vec2 start;
-  for (; reader.at('M'); start = next(reader)) reader.skip_command();  // one more M stands behind a Z
+  while (reader.at(CAIRO_PATH_MOVE_TO)) start = next(reader);  // one more stands behind a path that is closed
   path_.move(start);
   std::size_t curve = 0;
-  while (reader.at('L') || reader.at('C')) {
-    if (reader.at('L')) {
-      reader.skip_command();
+  while (reader.at(CAIRO_PATH_LINE_TO) || reader.at(CAIRO_PATH_CURVE_TO)) {
+    if (reader.at(CAIRO_PATH_LINE_TO)) {
       path_.line(next(reader));
       continue;
     }
     check(curve < stroke.curves.size(), "Cairo drew a curve of its own");
     const CurvePart& part = stroke.curves[curve++];
     for (std::size_t pieces = bezier_pieces(part).size(); pieces > 0; --pieces) {
-      check(reader.at('C'), "Cairo left a piece of a curve out");
-      reader.skip_command();
-      for (int i = 0; i < 3; ++i) reader.point();
+      check(reader.at(CAIRO_PATH_CURVE_TO), "Cairo left a piece of a curve out");
+      reader.step();
     }
     append_arcs(part);
   }
-  if (!reader.at('Z')) return;
-  reader.skip_command();
+  if (!reader.at(CAIRO_PATH_CLOSE_PATH)) return;
+  reader.step();
   path_.close();
 }
 
-// "0:2-6 0:6-7": the number of the model, when all edges have one; otherwise empty.
-std::string_view model_of(std::string_view edges) {
-  const std::size_t colon = edges.find(':');
-  if (colon == std::string_view::npos) return {};
-  for (const std::string_view edge : split(edges, ' '))
-    if (!edge.starts_with(edges.substr(0, colon + 1))) return {};
-  return edges.substr(0, colon);
+// The model that has all edges; nothing where there are several, or no edges.
+std::optional<int> model_of(std::span<const ModelEdge> edges) {
+  if (edges.empty()) return std::nullopt;
+  const int model = edges.front().model;
+  const auto differs = [model](const ModelEdge& edge) { return edge.model != model; };
+  return std::any_of(edges.begin(), edges.end(), differs) ? std::nullopt : std::optional(model);
 }
 
 // What all lines of a layer have in common, and need not say.
 struct Common {
-  std::string dashes, model;
+  std::string dashes;
+  std::optional<int> model;
 };
 
-void append_origin(std::string& text, const Stroke& stroke, const std::string& common_model) {
-  if (!stroke.kind.empty()) append_attribute(text, "data-kind", stroke.kind);
+void append_origin(std::string& text, const Stroke& stroke, std::optional<int> common_model) {
+  if (stroke.kind) text.append(" data-kind=\"").append(name_of(*stroke.kind)) += '"';
   if (stroke.edges.empty()) return;
-  const std::string_view model = model_of(stroke.edges);
-  if (model.empty()) return append_attribute(text, "data-edge", stroke.edges);
-  if (common_model.empty()) append_attribute(text, "data-model", model);
-  std::string edges;
-  for (const std::string_view edge : split(stroke.edges, ' '))
-    edges.append(edges.empty() ? "" : " ").append(edge.substr(model.size() + 1));
-  append_attribute(text, "data-edge", edges);
+  const std::optional<int> model = model_of(stroke.edges);
+  if (model && !common_model) text.append(" data-model=\"").append(std::to_string(*model)) += '"';
+  text += " data-edge=\"";
+  for (const ModelEdge& edge : stroke.edges) {
+    if (&edge != &stroke.edges.front()) text += ' ';
+    if (!model) text.append(std::to_string(edge.model)) += ':';
+    text.append(std::to_string(edge.vertex[0])).append("-").append(std::to_string(edge.vertex[1]));
+  }
+  text += '"';
 }
 
 // All of a path but its lines.
@@ -272,24 +255,24 @@ void append_attribute(std::string& text, std::string_view name, std::string_view
   text += '"';
 }
 
-std::string common_model(const Layer& layer) {
-  std::string_view common;
+std::optional<int> common_model(const Layer& layer) {
+  std::optional<int> common;
   for (const Stroke& stroke : layer.strokes) {
     if (stroke.edges.empty()) continue;
-    const std::string_view model = model_of(stroke.edges);
-    if (model.empty() || (!common.empty() && model != common)) return {};
+    const std::optional<int> model = model_of(stroke.edges);
+    if (!model || (common && model != common)) return std::nullopt;
     common = model;
   }
-  return std::string(common);
+  return common;
 }
 
 std::string line_id(std::size_t number) { return "p" + std::to_string(number); }
 
 std::size_t most_bytes(const Layer& layer) {
-  constexpr std::size_t of_head = 100, of_point = 32;
+  constexpr std::size_t of_head = 100, of_edge = 24, of_point = 32;
   std::size_t bytes = 0;
   for (const Stroke& stroke : layer.strokes)
-    bytes += of_head + stroke.kind.size() + stroke.edges.size() + of_point * stroke.points.size();
+    bytes += of_head + of_edge * stroke.edges.size() + of_point * stroke.points.size();
   return bytes;
 }
 
@@ -304,8 +287,8 @@ void append_paths(std::string& text, const Layer& layer, const Canvas& canvas, c
   const std::vector<Chunk> chunks = chunks_of(parts);
   const auto write = [&](Chunk chunk) {
     std::string lines;
-    const std::string path = cairo_path(canvas, layer.style, chunk);
-    PathReader reader(path);
+    const CairoPath path = cairo_path(canvas, chunk);
+    PathReader reader(*path);
     for (const Part& part : chunk) {
       const bool first = &part == parts.data() || (&part)[-1].path != part.path;
       const bool last = &part == &parts.back() || (&part)[1].path != part.path;

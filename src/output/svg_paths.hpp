@@ -1,7 +1,8 @@
-// The <path> elements of an SVG layer: Cairo draws them, in pieces, and what it wrote is put into millimetres.
+// The <path> elements of an SVG layer: the paths that Cairo draws, put into millimetres.
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -17,8 +18,8 @@ void append_millimetres(std::string& text, double value);
 std::string dash_array(const Dashes& dashes);
 std::string dash_array(const Stroke& stroke);
 
-/// The number of the model that has all edges of the layer; empty when there are several, or no edges.
-std::string common_model(const Layer& layer);
+/// The model that has all edges of the layer; nothing when there are several, or no edges.
+std::optional<int> common_model(const Layer& layer);
 
 /// Text that XML can hold, which has no way to write control characters.
 std::string xml_text(std::string_view text);

@@ -1,10 +1,16 @@
 #include "sheet/crossings.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <optional>
 #include <utility>
+
+#include "base/parallel.hpp"
+#include "sheet/chain_lines.hpp"
+#include "visibility/choose_grid.hpp"
 
 namespace epura {
 
@@ -33,85 +39,86 @@ double distance(const Vec2& p, const Vec2& from, const Vec2& to) {
   return glm::distance(p, from + s * along);
 }
 
-template <class Visit>
-void visit_lines(const Chain& chain, const Visit& visit) {
-  const std::size_t lines = chain.points.size() - (chain.closed ? 0 : 1);
-  for (std::size_t i = 0; i < lines; ++i) visit(chain.points[i], chain.points[(i + 1) % chain.points.size()]);
+constexpr std::size_t grain = 1024;
+
+// At most one cell for each line, and not so many that lines would run through too many of them.
+template <class Lines>
+CellGrid grid_over(const Lines& lines) {
+  PageBox page{Vec2(HUGE_VAL), Vec2(-HUGE_VAL)};
+  for (const auto& line : lines)
+    page = {glm::min(page.least, glm::min(line.from, line.to)), glm::max(page.most, glm::max(line.from, line.to))};
+  const GridLimits limits{static_cast<double>(lines.size()), 1e-3, 8, 0};
+  const Vec2 size = glm::max(page.most - page.least, Vec2(limits.side));
+  Cuts cuts;
+  for (const auto& line : lines) cuts.add(glm::abs(line.to - line.from), size);
+  return choose_grid(page, cuts, {}, limits);
 }
 
 }  // namespace
 
-Crossings::Crossings(std::span<const Chain> chains) : chains_(chains) {
-  Vec2 most(-HUGE_VAL);
-  least_ = Vec2(HUGE_VAL);
-  for (std::size_t i = 0; i < chains.size(); ++i) {
-    visit_lines(chains[i], [&](const Vec2& from, const Vec2& to) {
-      lines_.push_back({from, to, i});
-      least_ = glm::min(least_, glm::min(from, to));
-      most = glm::max(most, glm::max(from, to));
+Crossings::Crossings(std::span<const Chain> chains, std::vector<std::size_t> asked)
+    : chains_(chains), asked_(std::move(asked)) {
+  if (asked_.empty()) return;
+  for (std::size_t i = 0; i < chains.size(); ++i)
+    if (!is_within_surface(chains[i].kind))
+      visit_lines(chains[i], [&](const Vec2& from, const Vec2& to) { lines_.push_back({from, to, i}); });
+  grid_ = grid_over(lines_);
+  fill(wanted_cells());
+}
+
+std::span<const int> Crossings::lines_in(int cell) const {
+  return std::span(lines_of_cells_).subspan(first_[cell], first_[cell + 1] - first_[cell]);
+}
+
+// Which cells are worth filling.
+std::vector<char> Crossings::wanted_cells() const {
+  std::vector<char> cells(static_cast<std::size_t>(grid_.count()), 0);
+  parallel_for(asked_.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      visit_lines(chains_[asked_[i]], [&](const Vec2& from, const Vec2& to) {
+        visit_cells(grid_, from, to, touching, [&](int cell, double, double) {
+          std::atomic_ref(cells[cell]).store(1, std::memory_order_relaxed);
+        });
+      });
+  });
+  return cells;
+}
+
+void Crossings::fill(const std::vector<char>& wanted) {
+  const auto each = [&](const auto& visit) {
+    parallel_for(lines_.size(), grain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        visit_cells(grid_, lines_[i].from, lines_[i].to, touching, [&](int cell, double, double) {
+          if (wanted[cell] != 0) visit(cell, static_cast<int>(i));
+        });
     });
-  }
-  if (lines_.empty()) return;
-  // About one cell for each line.
-  const Vec2 size = most - least_;
-  constexpr double most_cells = 2048;
-  side_ =
-      std::max({std::sqrt(size.x * size.y / double(lines_.size())), size.x / most_cells, size.y / most_cells, 1e-3});
-  columns_ = static_cast<int>(size.x / side_) + 1;
-  rows_ = static_cast<int>(size.y / side_) + 1;
-
-  first_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1, 0);
-  for (const Line& line : lines_) visit_cells(line.from, line.to, [&](int cell) { ++first_[cell + 1]; });
-  for (std::size_t cell = 1; cell < first_.size(); ++cell) first_[cell] += first_[cell - 1];
-  lines_of_cells_.resize(static_cast<std::size_t>(first_.back()));
-  std::vector<int> next(first_.begin(), first_.end() - 1);
-  for (std::size_t i = 0; i < lines_.size(); ++i)
-    visit_cells(lines_[i].from, lines_[i].to, [&](int cell) { lines_of_cells_[next[cell]++] = static_cast<int>(i); });
-}
-
-int Crossings::cell_of(double at, double least, int count) const {
-  return std::clamp(static_cast<int>(std::floor((at - least) / side_)), 0, count - 1);
-}
-
-template <class Visit>
-void Crossings::visit_cells(const Vec2& from, const Vec2& to, const Visit& visit) const {
-  const auto [left, right] = from.x < to.x ? std::pair(from, to) : std::pair(to, from);
-  const int last = cell_of(right.x, least_.x, columns_);
-  for (int column = cell_of(left.x, least_.x, columns_); column <= last; ++column) {
-    // The part of the line over this column, a little more.
-    const double begin = std::max(left.x, least_.x + (column - 0.001) * side_);
-    const double end = std::min(right.x, least_.x + (column + 1.001) * side_);
-    const double slope = right.x > left.x ? (right.y - left.y) / (right.x - left.x) : 0;
-    const bool steep = !(right.x > left.x) || !std::isfinite(slope);
-    const double y0 = steep ? left.y : left.y + (begin - left.x) * slope;
-    const double y1 = steep ? right.y : left.y + (end - left.x) * slope;
-    const double slack = 0.001 * side_;
-    const int top = cell_of(std::max(y0, y1) + slack, least_.y, rows_);
-    for (int row = cell_of(std::min(y0, y1) - slack, least_.y, rows_); row <= top; ++row)
-      visit(row * columns_ + column);
-  }
+  };
+  const auto count_up = [](std::size_t& n) { return std::atomic_ref(n).fetch_add(1, std::memory_order_relaxed); };
+  first_.assign(wanted.size() + 1, 0);
+  each([&](int cell, int) { count_up(first_[cell + 1]); });
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  lines_of_cells_.resize(first_.back());
+  std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+  each([&](int cell, int line) { lines_of_cells_[count_up(next[cell])] = line; });
 }
 
 bool Crossings::has_outline_at(const Vec2& point) const {
-  bool found = false;
-  visit_cells(point, point, [&](int cell) {
-    for (int i = first_[cell]; i < first_[cell + 1] && !found; ++i) {
-      const Line& line = lines_[lines_of_cells_[i]];
-      const Chain& chain = chains_[line.chain];
-      found = chain.visible && !is_within_surface(chain.kind) && distance(point, line.from, line.to) < touching;
-    }
+  const std::span<const int> lines = lines_in(grid_.cell(grid_.column(point.x), grid_.row(point.y)));
+  return std::any_of(lines.begin(), lines.end(), [&](int number) {
+    const Line& line = lines_[number];
+    return chains_[line.chain].visible && distance(point, line.from, line.to) < touching;
   });
-  return found;
 }
 
 std::vector<double> Crossings::along(std::size_t chain, double apart) const {
   std::vector<double> found;
+  if (!std::binary_search(asked_.begin(), asked_.end(), chain)) return found;
   double travelled = 0;
   visit_lines(chains_[chain], [&](const Vec2& from, const Vec2& to) {
-    visit_cells(from, to, [&](int cell) {
-      for (int i = first_[cell]; i < first_[cell + 1]; ++i) {
-        const Line& line = lines_[lines_of_cells_[i]];
-        if (line.chain == chain || is_within_surface(chains_[line.chain].kind)) continue;
+    visit_cells(grid_, from, to, touching, [&](int cell, double, double) {
+      for (const int number : lines_in(cell)) {
+        const Line& line = lines_[number];
+        if (line.chain == chain) continue;
         if (const auto at = meeting(from, to, line.from, line.to)) found.push_back(travelled + *at);
       }
     });

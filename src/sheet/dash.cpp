@@ -25,6 +25,8 @@ bool is_corner(const std::vector<Vec2>& points, int index, std::span<const Curve
   return glm::dot(in, out) < cosine * glm::length(in) * glm::length(out);
 }
 
+constexpr double shortest_dash = 8, longest_dash = 16, longest_ink = 32;  // widths
+
 bool inks_all(const Dashes& dashes, std::span<const double> crossings) {
   const double period = dashes.dash + dashes.gap, slack = 1e-9 * period;
   return std::all_of(crossings.begin(), crossings.end(),
@@ -33,7 +35,6 @@ bool inks_all(const Dashes& dashes, std::span<const double> crossings) {
 
 // Dashes of one length that have ink at all crossings, as near to the usual ones as can be.
 std::optional<Dashes> try_lengths(double length, double width, bool closed, std::span<const double> crossings) {
-  constexpr double shortest_dash = 8, longest_dash = 16;
   for (const double gap_widths : {3.0, 2.5, 3.5}) {
     const double gap = gap_widths * width, usual = dashed.dash * width + gap;
     const double dashes_more = closed ? 0 : 1;  // than gaps
@@ -104,7 +105,10 @@ FittedDashes fit_crossings(double length, double width, bool closed, std::span<c
   const Dashes usual = closed ? fit_closed(length, width) : fit_open(length, width);
   if (usual.dash == 0 || inks_all(usual, crossings)) return {usual};
   if (const auto dashes = try_lengths(length, width, closed, crossings)) return {*dashes};
-  return {{}, pattern_for(length, width, closed, crossings)};
+  std::vector<double> pattern = pattern_for(length, width, closed, crossings);
+  for (std::size_t dash = 0; dash < pattern.size(); dash += 2)
+    if (pattern[dash] > longest_ink * width) return {usual};
+  return {{}, std::move(pattern)};
 }
 
 std::vector<DashRun> cut_at_corners(const std::vector<Vec2>& points, bool closed, double shortest,

@@ -37,7 +37,8 @@ Dashes fit_closed(double length, double width, const DashType& type = dashed);
 Dashes fit_centred(double length, double width, const DashType& type);
 
 /// Dashed lines of type 02 that have ink at each of the `crossings`, ascending distances from their beginning: `dashes`
-/// with other lengths where these will do, otherwise a `pattern` for the whole line.
+/// with other lengths where these will do, otherwise a `pattern` for the whole line. Where that would have ink for
+/// nearly three dashes without a gap, crossings are not heeded: a hidden line must look dashed.
 struct FittedDashes {
   Dashes dashes{};
   std::vector<double> pattern{};

@@ -1,6 +1,8 @@
 // A sheet of paper with strokes, fills and texts on it: everything that a writer needs, nothing left to compute.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -36,14 +38,22 @@ struct LineStyle {
   Colour colour{};  ///< of the fills and texts of the layer, too
 };
 
+/// An edge of a model by the numbers of its vertices in the file, the lower first.
+struct ModelEdge {
+  int model;
+  std::array<int, 2> vertex;
+
+  bool operator==(const ModelEdge&) const = default;
+};
+
 /// One polyline in one go of the pen.
 struct Stroke {
   std::vector<Vec2> points;  ///< y up, origin at the lower left corner of the sheet
   bool closed = false;
   Dashes dashes{};                  ///< fitted to this stroke, so that it ends on dashes
   std::vector<double> pattern{};    ///< instead, where crossings want it: ink, gap, ink, gap ... for the whole stroke
-  std::string kind{};               ///< "contour", ...; several with spaces where a chain changes
-  std::string edges{};              ///< the model edges it draws: "model:v0-v1 ...", empty when it draws none
+  std::optional<EdgeKind> kind{};   ///< of what it draws; a frame has none
+  std::vector<ModelEdge> edges{};   ///< that it draws, in its order
   std::vector<CurvePart> curves{};  ///< parts of the points that are arcs, ascending and disjoint
 };
 

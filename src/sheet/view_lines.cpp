@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
+#include <numbers>
 #include <span>
 #include <utility>
 #include <vector>
@@ -14,30 +15,24 @@
 #include "drawing/curve_part.hpp"
 #include "sheet/crossings.hpp"
 #include "sheet/dash.hpp"
+#include "sheet/ink_density.hpp"
 
 namespace epura {
 
 namespace {
 
 constexpr double tangent_gap = 2;  // wide lines
+constexpr std::size_t chains_a_part = 4096;
 
-// What the segments say about a stroke: their kinds, each once, and the model edges, each run of one edge once.
-void add_origin(Stroke& stroke, const Drawing& drawing, std::span<const int> segments) {
-  std::vector<EdgeKind> kinds;
-  std::array<int, 3> previous{-1, -1, -1};
+// What the chain and its segments say about a stroke: their kind, and the model edges, each run of one edge once.
+void add_origin(Stroke& stroke, const Drawing& drawing, EdgeKind kind, std::span<const int> segments) {
+  stroke.kind = kind;
   for (const int index : segments) {
     const Segment& segment = drawing.segments[static_cast<std::size_t>(index)];
-    if (std::find(kinds.begin(), kinds.end(), segment.kind) == kinds.end()) kinds.push_back(segment.kind);
     if (segment.edge[0] < 0) continue;
     const auto [low, high] = std::minmax(segment.edge[0], segment.edge[1]);
-    const std::array edge{segment.model, low, high};
-    if (edge == std::exchange(previous, edge)) continue;
-    if (!stroke.edges.empty()) stroke.edges += ' ';
-    stroke.edges += std::to_string(segment.model) + ':' + std::to_string(low) + '-' + std::to_string(high);
-  }
-  for (const EdgeKind kind : kinds) {
-    if (!stroke.kind.empty()) stroke.kind += ' ';
-    stroke.kind += name_of(kind);
+    const ModelEdge edge{segment.model, {low, high}};
+    if (stroke.edges.empty() || edge != stroke.edges.back()) stroke.edges.push_back(edge);
   }
 }
 
@@ -46,7 +41,7 @@ Stroke continuous(const Drawing& drawing, const Chain& chain) {
   stroke.points = chain.points;
   stroke.closed = chain.closed;
   stroke.curves = chain.curves;
-  add_origin(stroke, drawing, chain.segments);
+  add_origin(stroke, drawing, chain.kind, chain.segments);
   return stroke;
 }
 
@@ -110,22 +105,23 @@ Stroke DashedChain::stroke(const DashRun& run) const {
       fit_crossings(length, width, stroke.closed, crossings_of_run(crossings, start, length, distances.back()));
   stroke.dashes = fitted.dashes;
   stroke.pattern = std::move(fitted.pattern);
-  add_origin(stroke, drawing, segments_of(chain, run));
+  add_origin(stroke, drawing, chain.kind, segments_of(chain, run));
   return stroke;
+}
+
+// Lines that are too short for two dashes stay continuous.
+bool is_dashed(const Chain& chain, double width) {
+  return chain.points.size() >= 2 && length_of(chain.points, chain.closed, chain.curves) >= dashed.shortest() * width;
 }
 
 void add_dashed(std::vector<Stroke>& strokes, const Drawing& drawing, std::size_t number, double width,
                 const Crossings& crossings) {
   const Chain& chain = drawing.chains[number];
-  const double shortest = dashed.shortest() * width;
+  if (!is_dashed(chain, width)) return strokes.push_back(continuous(drawing, chain));
   std::vector<double> distances = distances_along(chain.points, chain.closed, chain.curves);
-  if (chain.points.size() < 2 || distances.back() < shortest) {
-    strokes.push_back(continuous(drawing, chain));
-    return;
-  }
   std::vector<double> places = onto_curves(crossings.along(number, width), chain, distances);
   const DashedChain dashed_chain{drawing, chain, width, std::move(distances), std::move(places)};
-  for (const DashRun& run : cut_at_corners(chain.points, chain.closed, shortest, chain.curves))
+  for (const DashRun& run : cut_at_corners(chain.points, chain.closed, dashed.shortest() * width, chain.curves))
     strokes.push_back(dashed_chain.stroke(run));
 }
 
@@ -208,20 +204,43 @@ void add_chain(Strokes& strokes, const Drawing& drawing, std::size_t number, con
   here.push_back(continuous(drawing, chain));
 }
 
-// Most drawings need the places of crossings, those of visible lines alone do not.
-Crossings find_crossings(const Drawing& drawing, const Looks& looks) {
-  const bool wanted = std::any_of(drawing.chains.begin(), drawing.chains.end(), [&](const Chain& chain) {
-    const Place place = place_of(chain, looks(drawing, chain));
-    return place == hidden_dashed || place == tangent_edges;
+// Where lines lie so closely that any gap would meet one, dashes cannot heed them.
+std::vector<std::size_t> without_crowded(const std::vector<std::size_t>& chains, const Drawing& drawing, double width) {
+  if (chains.empty()) return chains;
+  const double least_gap = 2.5 * width, cell = 16 * width;
+  // Lines that run all ways cross another 2 / pi times as often as their density says (Buffon).
+  const double crowded = std::numbers::pi / 2 / least_gap;
+  const InkDensity density(drawing.chains, cell);
+  std::vector<char> keep(chains.size(), 0);
+  parallel_for(chains.size(), chains_a_part, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      keep[i] = static_cast<char>(density.along(drawing.chains[chains[i]]) < crowded);
   });
-  return Crossings(wanted ? std::span<const Chain>(drawing.chains) : std::span<const Chain>());
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < chains.size(); ++i)
+    if (keep[i] != 0) kept.push_back(chains[i]);
+  return kept;
+}
+
+// Lines that are dashed where others cross them, and lines that end short of others.
+std::vector<std::size_t> crossed_chains(const Drawing& drawing, const LineWidths& widths, const Looks& looks) {
+  std::vector<std::size_t> dashed, chains;
+  for (std::size_t i = 0; i < drawing.chains.size(); ++i) {
+    const Chain& chain = drawing.chains[i];
+    const Place place = place_of(chain, looks(drawing, chain));
+    if (place == hidden_dashed && is_dashed(chain, widths.narrow)) dashed.push_back(i);
+    if (place == tangent_edges) chains.push_back(i);
+  }
+  dashed = without_crowded(dashed, drawing, widths.narrow);
+  const auto middle = chains.insert(chains.end(), dashed.begin(), dashed.end());
+  std::inplace_merge(chains.begin(), middle, chains.end());
+  return chains;
 }
 
 // In order of the chains, in parts of so many.
 Strokes strokes_of(const Drawing& drawing, const LineWidths& widths, const Looks& looks) {
-  constexpr std::size_t chains_a_part = 4096;
   const std::size_t count = drawing.chains.size();
-  const Crossings crossings = find_crossings(drawing, looks);
+  const Crossings crossings(drawing.chains, crossed_chains(drawing, widths, looks));
   std::vector<Strokes> parts((count + chains_a_part - 1) / chains_a_part);
   parallel_for(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin * chains_a_part; i < std::min(end * chains_a_part, count); ++i)

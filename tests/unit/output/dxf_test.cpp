@@ -47,7 +47,7 @@ std::vector<Vec2> corners_of(const CurvePart& curve) {
 
 TEST(DxfCurves, AWholeCircleIsACircle) {
   const CurvePart curve{0, 24, {60, 70}, {0, 30}, {30, 0}, 1, 1 - 2 * pi};
-  Stroke stroke{corners_of(curve), true, {}, {}, "", "", {curve}};
+  Stroke stroke{corners_of(curve), true, {}, {}, {}, {}, {curve}};
   stroke.points.pop_back();
   const auto entities = entities_of(to_dxf(one_stroke(stroke)), "v-visible");
   ASSERT_EQ(entities.size(), 1u);
@@ -59,7 +59,7 @@ TEST(DxfCurves, AWholeCircleIsACircle) {
 TEST(DxfCurves, AnArcAloneRunsCounterclockwise) {
   const CurvePart curve{0, 12, {60, 70}, {30, 0}, {0, 30}, pi / 2, -pi / 4};
   const auto entities =
-      entities_of(to_dxf(one_stroke({corners_of(curve), false, {}, {}, "", "", {curve}})), "v-visible");
+      entities_of(to_dxf(one_stroke({corners_of(curve), false, {}, {}, {}, {}, {curve}})), "v-visible");
   ASSERT_EQ(entities.size(), 1u);
   EXPECT_EQ(entities[0].type, "ARC");
   EXPECT_NEAR(entities[0].number(50), -45, 1e-12);
@@ -77,7 +77,7 @@ TEST(DxfCurves, EllipsesOfAllDirectionsKeepTheirPlaces) {
   for (const auto& [u, v] : {std::pair{long_axis, short_axis}, {short_axis, long_axis}, {long_axis, -short_axis}}) {
     for (const auto& [from, to] : {std::pair{0.5, 2.5}, {2.5, 0.5}, {-1.0, 4.0}}) {
       const CurvePart curve{0, 12, {90, 100}, u, v, from, to};
-      const auto dxf = to_dxf(one_stroke({corners_of(curve), false, {}, {}, "", "", {curve}}));
+      const auto dxf = to_dxf(one_stroke({corners_of(curve), false, {}, {}, {}, {}, {curve}}));
       const auto entities = entities_of(dxf, "v-visible");
       ASSERT_EQ(entities.size(), 1u);
       const DxfRecord& ellipse = entities[0];
@@ -131,7 +131,7 @@ TEST(DxfCurves, ArcsAmongLinesAreBulges) {
 
 TEST(DxfCurves, EllipsesCutPolylines) {
   const CurvePart curve{1, 13, {60, 50}, {30, 0}, {0, 10}, pi / 2, -pi / 2};
-  Stroke stroke{{{20, 60}}, true, {}, {}, "", "", {curve}};
+  Stroke stroke{{{20, 60}}, true, {}, {}, {}, {}, {curve}};
   for (const Vec2& p : corners_of(curve)) stroke.points.push_back(p);
   stroke.points.emplace_back(20, 40);
   const auto entities = entities_of(to_dxf(one_stroke(stroke)), "v-visible");
@@ -218,7 +218,7 @@ TEST_F(Ezdxf, FindsNoFault) {
   if (std::system("/usr/bin/python3 -c 'import ezdxf' 2>/dev/null") != 0) GTEST_SKIP() << "no package python3-ezdxf";
   Sheet sheet = random_sheet(297, 210);
   const CurvePart curve{0, 24, {60, 50}, {30, 0}, {0, 10}, 0, 2 * pi};
-  Stroke ellipse{corners_of(curve), true, {}, {}, "", "", {curve}};
+  Stroke ellipse{corners_of(curve), true, {}, {}, {}, {}, {curve}};
   ellipse.points.pop_back();
   sheet.layers[1].strokes.push_back(ellipse);
   sheet.layers[1].fills.push_back({{{{80, 20}, {110, 20}, {95, 40}}, {{90, 24}, {100, 24}, {95, 30}}}});

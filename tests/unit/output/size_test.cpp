@@ -23,10 +23,10 @@ Sheet many_strokes() {
     const int lines = i % 2 == 0 ? 1 : 12;
     for (int k = 0; k <= lines; ++k) stroke.points.push_back(centre + 8.0 * Vec2(std::cos(k * 0.2), std::sin(k * 0.2)));
     if (i % 4 == 0) stroke.dashes = {2.5 + number(1), 0.75};
-    stroke.kind = i % 3 == 0 ? "contour" : "crease";
+    stroke.kind = i % 3 == 0 ? EdgeKind::contour : EdgeKind::crease;
     for (int k = 0; k < lines; ++k) {
-      const auto vertex = std::to_string(1000 + random() % 9000), next = std::to_string(1000 + random() % 9000);
-      stroke.edges += (k == 0 ? "0:" : " 0:") + vertex + "-" + next;
+      const auto vertex = static_cast<int>(1000 + random() % 9000), next = static_cast<int>(1000 + random() % 9000);
+      stroke.edges.push_back({0, {vertex, next}});
     }
     layer.strokes.push_back(stroke);
   }

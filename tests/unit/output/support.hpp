@@ -28,8 +28,8 @@ inline Sheet random_sheet(double width, double height, int strokes = 50) {
         stroke.points.emplace_back(coordinate(width), coordinate(height));
       stroke.closed = i % 4 == 3;
       if (layer.style.dashes.dash > 0) stroke.dashes.dash = 2.5 + i * 0.01, stroke.dashes.gap = 0.75;
-      stroke.kind = "crease";
-      stroke.edges = "0:" + std::to_string(i) + "-" + std::to_string(i + 1);
+      stroke.kind = EdgeKind::crease;
+      stroke.edges = {{0, {i, i + 1}}};
       layer.strokes.push_back(stroke);
     }
   }

@@ -68,11 +68,11 @@ TEST(ViewLines, DashedLinesAreCutAtCorners) {
     EXPECT_GT(stroke.dashes.dash, 2);
   }
   // Each piece names its own edges only.
-  EXPECT_EQ(strokes[0].edges, "0:4-5");
-  EXPECT_EQ(strokes[1].edges, "0:5-6");
-  EXPECT_EQ(strokes[0].kind, "crease");
+  EXPECT_EQ(strokes[0].edges, (std::vector<ModelEdge>{{0, {4, 5}}}));
+  EXPECT_EQ(strokes[1].edges, (std::vector<ModelEdge>{{0, {5, 6}}}));
+  EXPECT_EQ(strokes[0].kind, EdgeKind::crease);
   EXPECT_EQ(strokes[2].dashes.dash, 0);
-  EXPECT_EQ(strokes[2].edges, "0:6-7 0:7-8");
+  EXPECT_EQ(strokes[2].edges, (std::vector<ModelEdge>{{0, {6, 7}}, {0, {7, 8}}}));
 }
 
 TEST(ViewLines, HiddenLinesAsWished) {
@@ -88,14 +88,31 @@ TEST(ViewLines, HiddenLinesAsWished) {
   EXPECT_THROW(parse_hidden_lines("dotted"), Error);
 }
 
+// A hidden line through a field of others, `apart` mm from each other.
+Stroke hidden_through_field(double apart) {
+  Drawing drawing;
+  drawing.name = "front";
+  add_chain(drawing, {{0, 0}, {100, 0}}, false, false);
+  for (double x = apart; x < 100; x += apart) add_chain(drawing, {{x, -10}, {x, 10}}, false, true);
+  return view_layers(drawing, {0.5, 0.25}, {{LineRole::visible, HiddenLines::dashed}})[0].strokes[0];
+}
+
+// Whatever crosses it, a hidden line looks dashed.
+TEST(ViewLines, CrossingsAreHeededWhereTheyLeaveRoomForGaps) {
+  EXPECT_NE(hidden_through_field(10.6).dashes, fit_open(100, 0.25));
+  for (const double apart : {1.0, 0.5, 0.2, 0.1}) {
+    const Stroke stroke = hidden_through_field(apart);
+    EXPECT_TRUE(stroke.pattern.empty());
+    EXPECT_EQ(stroke.dashes, fit_open(100, 0.25)) << apart;
+  }
+}
+
 TEST(ViewLines, IntersectionLinesNameNoEdge) {
   Drawing drawing = example();
   drawing.segments[0].edge = {-1, -1};
-  drawing.segments[0].kind = EdgeKind::intersection;
   drawing.segments[2].edge = drawing.segments[1].edge;
   const std::vector<Layer> layers = view_layers(drawing, {0.5, 0.25}, {{LineRole::visible, HiddenLines::dashed}});
-  EXPECT_EQ(layers[1].strokes[0].edges, "0:1-2");
-  EXPECT_EQ(layers[1].strokes[0].kind, "intersection crease");
+  EXPECT_EQ(layers[1].strokes[0].edges, (std::vector<ModelEdge>{{0, {1, 2}}}));
 }
 
 TEST(ViewLines, ModelsHaveLooksOfTheirOwn) {

@@ -65,8 +65,11 @@ const std::vector<Case> same_lines = {
 };
 
 const std::vector<Case> same_looks = {
-    {"EdgesRenumbered", "", [](Sheet& s) { stroke(s, hidden, 0).edges = "7:8-9"; }},
-    {"AnotherKindOfEdge", "", [](Sheet& s) { stroke(s, hidden, 0).kind = "contour"; }},
+    {"EdgesRenumbered", "",
+     [](Sheet& s) {
+       stroke(s, hidden, 0).edges = {{7, {8, 9}}};
+     }},
+    {"AnotherKindOfEdge", "", [](Sheet& s) { stroke(s, hidden, 0).kind = EdgeKind::contour; }},
     {"DashesFittedOtherwise", "",
      [](Sheet& s) {
        stroke(s, hidden, 0).dashes = {3.1, 0.8};

@@ -26,9 +26,9 @@ inline Stroke circle(const Vec2& centre, double radius) {
   return stroke;
 }
 
-inline Stroke line(const Vec2& from, const Vec2& to, const std::string& edges = {}) {
+inline Stroke line(const Vec2& from, const Vec2& to, const std::vector<ModelEdge>& edges = {}) {
   Stroke stroke{{from, to}};
-  stroke.kind = "crease";
+  stroke.kind = EdgeKind::crease;
   stroke.edges = edges;
   return stroke;
 }
@@ -39,12 +39,12 @@ inline Sheet plate() {
                   {"front/visible", {"visible", 0.5}, {}},
                   {"front/dimension", {"dimension", 0.25}, {}},
                   {"sheet/text", {"text", 0.35}, {}}};
-  sheet.layers[hidden].strokes = {line({30, 60}, {90, 60}, "0:1-2"), line({30, 70}, {90, 70}, "0:3-4")};
+  sheet.layers[hidden].strokes = {line({30, 60}, {90, 60}, {{0, {1, 2}}}), line({30, 70}, {90, 70}, {{0, {3, 4}}})};
   for (Stroke& stroke : sheet.layers[hidden].strokes) stroke.dashes = {2.9, 0.75};
   Stroke outline{{{20, 40}, {100, 40}, {100, 90}, {20, 90}}, true};
-  outline.kind = "contour";
-  outline.edges = "0:10-11 0:11-12 0:12-13 0:13-10";
-  sheet.layers[visible].strokes = {outline, circle({60, 80}, 5), line({20, 50}, {100, 50}, "0:5-6")};
+  outline.kind = EdgeKind::contour;
+  outline.edges = {{0, {10, 11}}, {0, {11, 12}}, {0, {12, 13}}, {0, {10, 13}}};
+  sheet.layers[visible].strokes = {outline, circle({60, 80}, 5), line({20, 50}, {100, 50}, {{0, {5, 6}}})};
   sheet.layers[dimension].strokes = {line({20, 30}, {100, 30})};
   sheet.layers[dimension].fills = {{{{{20, 30}, {23.5, 29.4}, {23.5, 30.6}}}}};
   sheet.layers[dimension].texts = {{"80", {60, 31}, 3.5, 0, Align::middle}};

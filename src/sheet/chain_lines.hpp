@@ -1,0 +1,17 @@
+// The straight lines of a chain, its curves as chords.
+#pragma once
+
+#include <cstddef>
+
+#include "drawing/drawing.hpp"
+
+namespace epura {
+
+/// Calls visit(from, to) for one after the other.
+template <class Visit>
+void visit_lines(const Chain& chain, const Visit& visit) {
+  const std::size_t lines = chain.points.size() - (chain.closed ? 0 : 1);
+  for (std::size_t i = 0; i < lines; ++i) visit(chain.points[i], chain.points[(i + 1) % chain.points.size()]);
+}
+
+}  // namespace epura

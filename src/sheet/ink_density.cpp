@@ -1,0 +1,61 @@
+#include "sheet/ink_density.hpp"
+
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+
+#include "base/parallel.hpp"
+#include "sheet/chain_lines.hpp"
+
+namespace epura {
+
+namespace {
+
+constexpr double nanometres = 1e6;  // in a millimetre
+
+CellGrid grid_over(std::span<const Chain> chains, double side) {
+  Vec2 least(HUGE_VAL), most(-HUGE_VAL);
+  for (const Chain& chain : chains)
+    for (const Vec2& point : chain.points) {
+      least = glm::min(least, point);
+      most = glm::max(most, point);
+    }
+  if (!(least.x <= most.x)) return {Vec2(0), Vec2(side), 1, 1};
+  // Ink may lie far beside the paper.
+  constexpr double most_cells = 1024;
+  const Vec2 size = most - least;
+  const Vec2 sides = glm::max(Vec2(side), size / most_cells);
+  return {least, sides, static_cast<int>(size.x / sides.x) + 1, static_cast<int>(size.y / sides.y) + 1};
+}
+
+/// Calls visit(cell, length) for the part of each line of a chain in each cell.
+template <class Visit>
+void visit_parts(const CellGrid& grid, const Chain& chain, const Visit& visit) {
+  visit_lines(chain, [&](const Vec2& from, const Vec2& to) {
+    const double length = glm::distance(from, to);
+    visit_cells(grid, from, to, 0, [&](int cell, double s, double t) { visit(cell, (t - s) * length); });
+  });
+}
+
+}  // namespace
+
+InkDensity::InkDensity(std::span<const Chain> chains, double cell_side)
+    : grid_(grid_over(chains, cell_side)), ink_(static_cast<std::size_t>(grid_.count()), 0) {
+  parallel_for(chains.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      visit_parts(grid_, chains[i], [&](int cell, double length) {
+        std::atomic_ref(ink_[cell]).fetch_add(std::llround(length * nanometres), std::memory_order_relaxed);
+      });
+  });
+}
+
+double InkDensity::along(const Chain& chain) const {
+  double all = 0, inked = 0;
+  visit_parts(grid_, chain, [&](int cell, double length) {
+    all += length;
+    inked += length * static_cast<double>(ink_[cell]) / nanometres;
+  });
+  return all > 0 ? inked / (all * grid_.side.x * grid_.side.y) : 0;
+}
+
+}  // namespace epura

@@ -1,0 +1,26 @@
+// How closely the lines of a drawing lie.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "drawing/drawing.hpp"
+#include "visibility/line_cells.hpp"
+
+namespace epura {
+
+/// Millimetres of line on each square millimetre of paper, in cells of equal size.
+class InkDensity {
+ public:
+  InkDensity(std::span<const Chain> chains, double cell_side);
+
+  /// The mean along a chain.
+  [[nodiscard]] double along(const Chain& chain) const;
+
+ private:
+  CellGrid grid_;
+  std::vector<std::int64_t> ink_;  ///< by cell, nm: whole numbers add up to the same in any order
+};
+
+}  // namespace epura
