@@ -16,18 +16,31 @@ constexpr double straight_mm = 1e-6;
 
 std::vector<Piece> pieces_of(const View& view, const PaperMap& paper, const DrawnEdges& drawn,
                              const HiddenSpans& hidden, bool keep_hidden) {
-  std::vector<Piece> pieces;
-  for (std::size_t e = 0; e < drawn.edges.size(); ++e) {
+  const auto visit_drawn = [&](std::size_t e, const auto& visit) {
     hidden.visit_parts(e, [&](double from, double to, bool visible) {
-      if (!visible && !keep_hidden) return;
-      pieces.push_back({place_on_paper(view, paper, drawn.edges[e], from),
-                        place_on_paper(view, paper, drawn.edges[e], to),
-                        visible,
-                        drawn.edges[e].kind,
-                        static_cast<int>(e),
-                        {from, to}});
+      if (visible || keep_hidden) visit(from, to, visible);
     });
+  };
+  std::vector<std::size_t> first(drawn.edges.size() + 1, 0);  // piece, by edge
+  for (std::size_t e = 0; e < drawn.edges.size(); ++e) {
+    first[e + 1] = first[e];
+    visit_drawn(e, [&](double, double, bool) { ++first[e + 1]; });
   }
+  std::vector<Piece> pieces(first.back());
+  parallel_for(drawn.edges.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t e = begin; e < end; ++e) {
+      const DrawnEdge& edge = drawn.edges[e];
+      Piece* piece = pieces.data() + first[e];
+      visit_drawn(e, [&](double from, double to, bool visible) {
+        *piece++ = {place_on_paper(view, paper, edge, from),
+                    place_on_paper(view, paper, edge, to),
+                    visible,
+                    edge.kind,
+                    static_cast<int>(e),
+                    {from, to}};
+      });
+    }
+  });
   return pieces;
 }
 

@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "base/groups.hpp"
 #include "base/parallel.hpp"
 
 namespace epura {
@@ -51,20 +52,29 @@ void visit_same_hash(std::vector<int>& items, const KeyOf& key_of, const Visit& 
 template <class KeyOf, class Visit>
 void visit_same_keys(int count, const KeyOf& key_of, const Visit& visit) {
   constexpr std::size_t grain = 4096;
-  std::vector<HashedItem> hashed(static_cast<std::size_t>(count));
-  parallel_for(hashed.size(), grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) hashed[i] = {hash_of(key_of(static_cast<int>(i))), static_cast<int>(i)};
+  std::vector<std::uint64_t> hashes(static_cast<std::size_t>(count));
+  parallel_for(hashes.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) hashes[i] = hash_of(key_of(static_cast<int>(i)));
   });
-  parallel_sort(hashed.begin(), hashed.end());
-  parallel_for(hashed.size(), grain, [&](std::size_t begin, std::size_t end) {
+  // Few enough items in a group that they lie in the cache together, by the first bits of their hashes.
+  const std::size_t groups = std::bit_ceil(hashes.size() / 64 + 2);
+  const int shift = 64 - std::countr_zero(groups);
+  Groups<HashedItem> grouped(groups, [&](const auto& add) {
+    parallel_for(hashes.size(), grain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) add(hashes[i] >> shift, HashedItem{hashes[i], static_cast<int>(i)});
+    });
+  });
+  parallel_for(groups, 64, [&](std::size_t begin, std::size_t end) {
     std::vector<int> items;
-    // A run belongs to the range in which it begins.
-    while (begin > 0 && begin < end && hashed[begin].hash == hashed[begin - 1].hash) ++begin;
-    for (std::size_t i = begin; i < end;) {
-      const std::uint64_t hash = hashed[i].hash;
-      items.clear();
-      for (; i < hashed.size() && hashed[i].hash == hash; ++i) items.push_back(hashed[i].item);
-      if (items.size() > 1) visit_same_hash(items, key_of, visit);
+    for (std::size_t group = begin; group < end; ++group) {
+      const std::span<HashedItem> hashed = grouped[group];
+      std::sort(hashed.begin(), hashed.end());
+      for (std::size_t i = 0; i < hashed.size();) {
+        const std::uint64_t hash = hashed[i].hash;
+        items.clear();
+        for (; i < hashed.size() && hashed[i].hash == hash; ++i) items.push_back(hashed[i].item);
+        if (items.size() > 1) visit_same_hash(items, key_of, visit);
+      }
     }
   });
 }

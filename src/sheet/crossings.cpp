@@ -4,7 +4,6 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -66,10 +65,6 @@ Crossings::Crossings(std::span<const Chain> chains, std::vector<std::size_t> ask
   fill(wanted_cells());
 }
 
-std::span<const int> Crossings::lines_in(int cell) const {
-  return std::span(lines_of_cells_).subspan(first_[cell], first_[cell + 1] - first_[cell]);
-}
-
 // Which cells are worth filling.
 std::vector<char> Crossings::wanted_cells() const {
   std::vector<char> cells(static_cast<std::size_t>(grid_.count()), 0);
@@ -85,25 +80,19 @@ std::vector<char> Crossings::wanted_cells() const {
 }
 
 void Crossings::fill(const std::vector<char>& wanted) {
-  const auto each = [&](const auto& visit) {
+  lines_of_cells_ = Groups<int>(wanted.size(), [&](const auto& add) {
     parallel_for(lines_.size(), grain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
         visit_cells(grid_, lines_[i].from, lines_[i].to, touching, [&](int cell, double, double) {
-          if (wanted[cell] != 0) visit(cell, static_cast<int>(i));
+          if (wanted[cell] != 0) add(static_cast<std::size_t>(cell), static_cast<int>(i));
         });
     });
-  };
-  const auto count_up = [](std::size_t& n) { return std::atomic_ref(n).fetch_add(1, std::memory_order_relaxed); };
-  first_.assign(wanted.size() + 1, 0);
-  each([&](int cell, int) { count_up(first_[cell + 1]); });
-  std::partial_sum(first_.begin(), first_.end(), first_.begin());
-  lines_of_cells_.resize(first_.back());
-  std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-  each([&](int cell, int line) { lines_of_cells_[count_up(next[cell])] = line; });
+  });
 }
 
 bool Crossings::has_outline_at(const Vec2& point) const {
-  const std::span<const int> lines = lines_in(grid_.cell(grid_.column(point.x), grid_.row(point.y)));
+  const int cell = grid_.cell(grid_.column(point.x), grid_.row(point.y));
+  const std::span<const int> lines = lines_of_cells_[static_cast<std::size_t>(cell)];
   return std::any_of(lines.begin(), lines.end(), [&](int number) {
     const Line& line = lines_[number];
     return chains_[line.chain].visible && distance(point, line.from, line.to) < touching;
@@ -116,7 +105,7 @@ std::vector<double> Crossings::along(std::size_t chain, double apart) const {
   double travelled = 0;
   visit_lines(chains_[chain], [&](const Vec2& from, const Vec2& to) {
     visit_cells(grid_, from, to, touching, [&](int cell, double, double) {
-      for (const int number : lines_in(cell)) {
+      for (const int number : lines_of_cells_[static_cast<std::size_t>(cell)]) {
         const Line& line = lines_[number];
         if (line.chain == chain) continue;
         if (const auto at = meeting(from, to, line.from, line.to)) found.push_back(travelled + *at);

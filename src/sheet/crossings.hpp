@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/groups.hpp"
 #include "drawing/drawing.hpp"
 #include "visibility/line_cells.hpp"
 
@@ -28,7 +29,6 @@ class Crossings {
     Vec2 from, to;
     std::size_t chain;
   };
-  [[nodiscard]] std::span<const int> lines_in(int cell) const;
   [[nodiscard]] std::vector<char> wanted_cells() const;
   void fill(const std::vector<char>& wanted);
 
@@ -36,8 +36,7 @@ class Crossings {
   std::vector<std::size_t> asked_;
   CellGrid grid_{};
   std::vector<Line> lines_;
-  std::vector<std::size_t> first_;   ///< by cell, into lines_of_cells_
-  std::vector<int> lines_of_cells_;  ///< into lines_
+  Groups<int> lines_of_cells_;  ///< numbers of lines_
 };
 
 }  // namespace epura

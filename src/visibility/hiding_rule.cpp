@@ -56,12 +56,18 @@ GridCrossing cross_on_grid(const View& view, const Sightline& edge, int u, int v
   return denominator < 0 ? GridCrossing{-numerator, -denominator, slack} : GridCrossing{numerator, denominator, slack};
 }
 
+// A side of a triangle that the line of the edge crosses, its ends in order of their numbers.
+struct CrossedSide {
+  int u = 0, v = 0;
+  GridCrossing decided{};
+};
+
 // The crossing is decided on the grid and computed from the unrounded coordinates. Where those do not confirm it (lines
 // parallel within the grid cross anywhere, or nowhere), the grid's place is taken.
-Crossing cross_side(const View& view, const Sightline& edge, int a, int b) {
-  const PageVertex& u = view.vertices[std::min(a, b)];
-  const PageVertex& v = view.vertices[std::max(a, b)];
-  const GridCrossing decided = cross_on_grid(view, edge, std::min(a, b), std::max(a, b));
+Crossing place_crossing(const View& view, const Sightline& edge, const CrossedSide& crossed) {
+  const PageVertex& u = view.vertices[crossed.u];
+  const PageVertex& v = view.vertices[crossed.v];
+  const GridCrossing& decided = crossed.decided;
   const Vec2 p = place(view.vertices[edge.p]);
   const Vec2 along = place(view.vertices[edge.q]) - p;
   const Vec2 side = place(v) - place(u);
@@ -69,38 +75,36 @@ Crossing cross_side(const View& view, const Sightline& edge, int a, int b) {
   const auto on_side = [&](double t) { return glm::dot(p + t * along - place(u), side); };  // times length2
 
   const double computed = cross(place(u) - p, side) / cross(along, side);
-  const double slack = 2 * view.cell * std::sqrt(length2);
   const double s = on_side(computed);
-  const bool confirmed = decided.confirms(computed) && s >= -slack && s <= length2 + slack;
+  const auto is_near_side = [&] {
+    if (s >= 0 && s <= length2) return true;
+    const double slack = 2 * view.cell * std::sqrt(length2);
+    return s >= -slack && s <= length2 + slack;
+  };
+  const bool confirmed = decided.confirms(computed) && is_near_side();
   const double t = placed(confirmed ? computed : decided.t(), decided.numerator, decided.denominator);
   return {t, u.depth + std::clamp((t == computed ? s : on_side(t)) / length2, 0.0, 1.0) * (v.depth - u.depth)};
 }
 
-// Where the line of the edge enters and leaves the triangle; `left` says on which side of it the corners lie.
-std::array<Crossing, 2> crossings(const View& view, const Sightline& edge, const ViewTriangle& triangle,
-                                  const std::array<bool, 3>& left) {
-  std::array<Crossing, 2> in_out{};
+// The two sides that the line of the edge crosses; `left` says on which side of it the corners lie.
+std::array<CrossedSide, 2> crossed_sides(const View& view, const Sightline& edge, const ViewTriangle& triangle,
+                                         const std::array<bool, 3>& left) {
+  std::array<CrossedSide, 2> sides{};
   std::size_t count = 0;
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3;
-    if (left[i] != left[j]) in_out[count++] = cross_side(view, edge, triangle.vertex[i], triangle.vertex[j]);
+    if (left[i] == left[j]) continue;
+    const auto [u, v] = std::minmax(triangle.vertex[i], triangle.vertex[j]);
+    sides[count++] = {u, v, cross_on_grid(view, edge, u, v)};
   }
-  if (in_out[0].t > in_out[1].t) std::swap(in_out[0], in_out[1]);
-  return in_out;
+  return sides;
 }
 
-// Whether all corners lie before the foot of p, or all behind that of q: then so does all that the line crosses.
-bool lies_beyond_an_end(const View& view, const Sightline& edge, const ViewTriangle& triangle) {
-  const GridPoint& p = view.grid[edge.p];
-  const std::int64_t dx = std::int64_t{view.grid[edge.q].x} - p.x, dy = std::int64_t{view.grid[edge.q].y} - p.y;
-  const std::int64_t length2 = dx * dx + dy * dy;
-  int before = 0, behind = 0;
-  for (const int v : triangle.vertex) {
-    const std::int64_t along = dx * (std::int64_t{view.grid[v].x} - p.x) + dy * (std::int64_t{view.grid[v].y} - p.y);
-    before += static_cast<int>(along <= 0);
-    behind += static_cast<int>(along >= length2);
-  }
-  return before == 3 || behind == 3;
+// Whether both crossings lie before p, or both behind q.
+bool lie_beyond_an_end(const std::array<CrossedSide, 2>& sides) {
+  const GridCrossing& a = sides[0].decided;
+  const GridCrossing& b = sides[1].decided;
+  return (a.numerator <= 0 && b.numerator <= 0) || (a.numerator >= a.denominator && b.numerator >= b.denominator);
 }
 
 // The part of [from, to] where a difference that runs linearly exceeds the tolerance.
@@ -136,16 +140,18 @@ std::optional<std::array<double, 2>> hidden_part(const View& view, const Sightli
   for (int i = 0; i < 3; ++i)
     left[i] = epura::cross(view.grid[edge.p], view.grid[edge.q], view.grid[triangle.vertex[i]]) >= 0;
   if (left[0] == left[1] && left[1] == left[2]) return std::nullopt;
-  if (lies_beyond_an_end(view, edge, triangle)) return std::nullopt;
+  const std::array<CrossedSide, 2> sides = crossed_sides(view, edge, triangle, left);
+  if (lie_beyond_an_end(sides)) return std::nullopt;
 
-  const auto [in, out] = crossings(view, edge, triangle, left);
+  auto in = place_crossing(view, edge, sides[0]), out = place_crossing(view, edge, sides[1]);
+  if (in.t > out.t) std::swap(in, out);
   const double from = std::max(in.t, 0.0);
   const double to = std::min(out.t, 1.0);
   if (!(from < to)) return std::nullopt;
 
   const PageVertex& p = view.vertices[edge.p];
   const PageVertex& q = view.vertices[edge.q];
-  const auto in_front = [&, in = in, out = out](double t) {
+  const auto in_front = [&](double t) {
     const double of_triangle = in.depth + (out.depth - in.depth) * ((t - in.t) / (out.t - in.t));
     return of_triangle - (p.depth + t * (q.depth - p.depth));
   };

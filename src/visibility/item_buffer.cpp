@@ -214,13 +214,14 @@ class ItemBuffer {
     const PixelWalk& walk = walks_[piece.edge];
     const DrawnEdge& edge = drawn_.edges[piece.edge];
     const PointRule rule(view_, {edge.vertex[0], edge.vertex[1]}, contact_);
+    const OwnTriangles own(world_, drawn_, edge);
     for (int step = piece.first; step <= piece.last; ++step) {
       const auto [column, row] = walk.pixel(step);
       const int item = buffer.item(column % tile_side, row % tile_side);
       if (item < 0) continue;
       const ViewTriangle& triangle = view_.triangles[item];
-      hidden_[first_pixel_[piece.edge] + step] = static_cast<char>(rule.lies_before(triangle, walk.place(step)) &&
-                                                                   !is_own(world_, drawn_, edge, triangle.source));
+      hidden_[first_pixel_[piece.edge] + step] =
+          static_cast<char>(rule.lies_before(triangle, walk.place(step)) && !own.contain(triangle.source));
     }
   }
 

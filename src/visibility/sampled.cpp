@@ -24,11 +24,9 @@ class Lookup {
  public:
   Lookup(const World& world, const View& view, const DrawnEdges& drawn, const Contact& contact,
          const OccluderGrid& occluders, const DrawnEdge& edge)
-      : world_(world),
-        view_(view),
-        drawn_(drawn),
+      : view_(view),
         occluders_(occluders),
-        edge_(edge),
+        own_(world, drawn, edge),
         line_{edge.vertex[0], edge.vertex[1]},
         rule_(view, line_, contact) {
     occluders.along(line_, [&](const Stretch& stretch) { stretches_.push_back(stretch); });
@@ -43,7 +41,7 @@ class Lookup {
     for (const Candidate& candidate : stretch.candidates) {
       if (candidate.distance() > reach) return false;
       const ViewTriangle& triangle = view_.triangles[candidate.triangle()];
-      if (rule_.hides(triangle, s) && !is_own(world_, drawn_, edge_, triangle.source)) return true;
+      if (rule_.hides(triangle, s) && !own_.contain(triangle.source)) return true;
     }
     return false;
   }
@@ -59,11 +57,9 @@ class Lookup {
     return *stretch;
   }
 
-  const World& world_;
   const View& view_;
-  const DrawnEdges& drawn_;
   const OccluderGrid& occluders_;
-  const DrawnEdge& edge_;
+  OwnTriangles own_;
   Sightline line_;
   PointRule rule_;
   std::vector<Stretch> stretches_;

@@ -36,6 +36,7 @@ struct Hider {
   // so the union does not depend on cells or order.
   [[nodiscard]] Spans hidden_spans(const DrawnEdge& edge) const {
     const Sightline line{edge.vertex[0], edge.vertex[1]};
+    const OwnTriangles own(world, drawn, edge);
     std::array<int, 64> tried;  // lately, by the last bits of their numbers
     tried.fill(-1);
     Spans spans;
@@ -49,7 +50,7 @@ struct Hider {
         const int number = candidate.triangle();
         if (std::exchange(tried[number % tried.size()], number) == number) continue;
         const ViewTriangle& triangle = view.triangles[number];
-        if (is_own(world, drawn, edge, triangle.source)) continue;
+        if (own.contain(triangle.source)) continue;
         const auto part = hidden_part(view, line, triangle, contact);
         if (!part) continue;
         add_span(spans, *part);
@@ -115,14 +116,14 @@ double contact_in_space(const World& world, const View& view, std::optional<doub
   return std::max(contact_part * size_of(world, view), world.rounding * view.map.shrink);
 }
 
-bool is_own(const World& world, const DrawnEdges& drawn, const DrawnEdge& edge, int triangle) {
+OwnTriangles::OwnTriangles(const World& world, const DrawnEdges& drawn, const DrawnEdge& edge) {
   if (edge.crossing >= 0) {
-    const auto& pair = drawn.crossings[edge.crossing].triangles;
-    return triangle == pair[0] || triangle == pair[1];
+    numbers_ = drawn.crossings[edge.crossing].triangles;
+    return;
   }
   const Mesh& mesh = *world.models[edge.model].mesh;
-  const auto own = mesh.triangles_of(mesh.edges[edge.mesh_edge]);
-  return std::find(own.begin(), own.end(), triangle - world.first_triangle[edge.model]) != own.end();
+  numbers_ = mesh.triangles_of(mesh.edges[edge.mesh_edge]);
+  first_ = world.first_triangle[edge.model];
 }
 
 HiddenSpans find_hidden(const World& world, const View& view, const DrawnEdges& drawn, const Contact& contact,

@@ -1,8 +1,10 @@
 // Splits every drawn edge into visible and hidden spans.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "edges/drawn_edges.hpp"
@@ -40,8 +42,20 @@ Contact contact_of(const World& world, const View& view, std::optional<double> g
 /// The same tolerance as a length in the shrunk world (ViewMap::shrink), for faces that meet in space.
 double contact_in_space(const World& world, const View& view, std::optional<double> given);
 
-/// Whether a triangle of the world is one of those that meet in the edge: they never hide it.
-bool is_own(const World& world, const DrawnEdges& drawn, const DrawnEdge& edge, int triangle);
+/// The triangles that meet in an edge: they never hide it.
+class OwnTriangles {
+ public:
+  OwnTriangles(const World& world, const DrawnEdges& drawn, const DrawnEdge& edge);
+
+  /// Whether one of them is this triangle of the world.
+  [[nodiscard]] bool contain(int triangle) const {
+    return std::find(numbers_.begin(), numbers_.end(), triangle - first_) != numbers_.end();
+  }
+
+ private:
+  std::span<const int> numbers_;
+  int first_ = 0;  ///< is added to the numbers
+};
 
 /// Every edge against every triangle that meets it on the page. The result does not depend on the number of threads.
 /// Under a time limit the longest edges come first, and those that time does not suffice for stay undecided.

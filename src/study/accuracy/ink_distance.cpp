@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 
+#include "base/groups.hpp"
 #include "visibility/line_cells.hpp"
 
 namespace epura {
@@ -48,8 +48,8 @@ class InkGrid {
     for (int ring = 0; ring <= std::max(grid_.columns, grid_.rows); ++ring) {
       if (ring > 0 && (ring - 1) * std::min(grid_.side.x, grid_.side.y) > nearest.distance) break;
       visit_ring(column, row, ring, [&](int cell) {
-        for (std::size_t i = first_[cell]; i < first_[cell + 1]; ++i) {
-          const InkLine& line = ink_[lines_[i]];
+        for (const std::size_t i : lines_[static_cast<std::size_t>(cell)]) {
+          const InkLine& line = ink_[i];
           const double distance = distance_to(line, place);
           if (distance < nearest.distance) nearest = {distance, line};
         }
@@ -59,19 +59,12 @@ class InkGrid {
   }
 
  private:
-  template <class Visit>
-  void visit(const Visit& visit_one) const {
-    for (std::size_t i = 0; i < ink_.size(); ++i)
-      visit_cells(grid_, ink_[i].from, ink_[i].to, 0, [&](int cell, double, double) { visit_one(cell, i); });
-  }
-
   void fill() {
-    first_.assign(static_cast<std::size_t>(grid_.count()) + 1, 0);
-    visit([&](int cell, std::size_t) { ++first_[cell + 1]; });
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
-    lines_.resize(first_.back());
-    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-    visit([&](int cell, std::size_t i) { lines_[next[cell]++] = i; });
+    lines_ = Groups<std::size_t>(static_cast<std::size_t>(grid_.count()), [&](const auto& add) {
+      for (std::size_t i = 0; i < ink_.size(); ++i)
+        visit_cells(grid_, ink_[i].from, ink_[i].to, 0,
+                    [&](int cell, double, double) { add(static_cast<std::size_t>(cell), i); });
+    });
   }
 
   template <class Visit>
@@ -85,7 +78,7 @@ class InkGrid {
 
   const std::vector<InkLine>& ink_;
   CellGrid grid_{};
-  std::vector<std::size_t> first_, lines_;
+  Groups<std::size_t> lines_;  ///< of ink_, by cell
 };
 
 // Distance changes no faster than place, and the distance from one line of ink is greatest at an end of another line.

@@ -68,13 +68,14 @@ std::vector<Hider> find_hiders(const DrawnView& drawn_view, const TriangleBoxes&
   const Sightline line{edge.vertex[0], edge.vertex[1]};
   const auto ends = ends_of(drawn_view, drawn_subject(drawn_view, e));
 
+  const OwnTriangles own(drawn_view.world, drawn_view.drawn, edge);
   std::map<FaceName, Hider> found;
   boxes.meeting(box_of(view, edge.vertex), [&](int number) {
     const ViewTriangle& triangle = view.triangles[number];
     const auto& [i, j, k] = triangle.vertex;
     // Seen edge-on it hides nothing.
     if (cross(view.grid[i], view.grid[j], view.grid[k]) == 0) return;
-    if (is_own(drawn_view.world, drawn_view.drawn, edge, triangle.source)) return;
+    if (own.contain(triangle.source)) return;
     const auto part = hidden_part(view, line, triangle, drawn_view.contact);
     if (!part) return;
     const double t = parameter_in_space(view, edge, ((*part)[0] + (*part)[1]) / 2);

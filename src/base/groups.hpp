@@ -1,0 +1,44 @@
+// Items by group: the items of all groups in one array, one group after the other.
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <numeric>
+#include <span>
+#include <vector>
+
+namespace epura {
+
+/// Item needs a default value. Within a group items have no particular order: it changes from run to run.
+template <class Item>
+class Groups {
+ public:
+  Groups() = default;
+
+  /// `each(visit)` calls visit(group, item) for every item, on as many threads as it likes. It is called twice, and
+  /// does the same both times.
+  template <class Each>
+  Groups(std::size_t groups, const Each& each) : first_(groups + 1, 0) {
+    const auto count_up = [](std::size_t& n) { return std::atomic_ref(n).fetch_add(1, std::memory_order_relaxed); };
+    each([&](std::size_t group, const auto&...) { count_up(first_[group + 1]); });
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    items_.resize(first_.back());
+    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+    each([&](std::size_t group, const Item& item) { items_[count_up(next[group])] = item; });
+  }
+
+  /// The number of groups.
+  [[nodiscard]] std::size_t size() const { return first_.empty() ? 0 : first_.size() - 1; }
+  [[nodiscard]] std::span<const Item> operator[](std::size_t group) const {
+    return {items_.data() + first_[group], first_[group + 1] - first_[group]};
+  }
+  [[nodiscard]] std::span<Item> operator[](std::size_t group) {
+    return {items_.data() + first_[group], first_[group + 1] - first_[group]};
+  }
+
+ private:
+  std::vector<std::size_t> first_;  ///< by group, into items_
+  std::vector<Item> items_;
+};
+
+}  // namespace epura
