@@ -35,6 +35,7 @@ struct Run {
   Progress progress;
   Stopwatch& watch;
   LeaveOut leave_out;
+  bool keeps_drawings;  ///< beside the sheets
   Report report{};
   std::string answers{};
 
@@ -83,6 +84,7 @@ FinishedSheet Run::draw_sheet(const World& whole, const CutSections& sections, c
   if (!options.arcs.empty()) tell_of_curves(messages, results);
   if (!plan.inside) messages.warn("the drawing is larger than the sheet at this scale");
   FinishedSheet sheet = compose(whole, scene, views, plan, results, annotations);
+  if (!keeps_drawings) sheet.drawings = {};
   for (const std::string& warning : sheet.warnings) messages.warn(warning);
   warn_about(messages, sheet.sheet);
   report.plan.push_back(text_step(sheet.sheet, leave_out.text));
@@ -100,6 +102,12 @@ std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& she
   return finished;
 }
 
+// JSON alone has drawings in it, all other formats have sheets.
+bool want_drawings(const std::vector<Target>& targets) {
+  return std::any_of(targets.begin(), targets.end(),
+                     [](const Target& target) { return target.format == Format::json; });
+}
+
 // The whole run once more, from reading on, by other certificates.
 std::string draw_again(const DrawOptions& options, const SceneDescription& scene, std::vector<SheetOfViews> sheets,
                        std::vector<Target> targets, const VectorOptions& vector_options, const LeaveOut& leave_out) {
@@ -112,7 +120,7 @@ std::string draw_again(const DrawOptions& options, const SceneDescription& scene
   const Questions none;
   Stopwatch watch;
   const Messages silent{[](const std::string&) {}, [](std::string_view) {}};
-  Run run{options, scene, none, silent, {}, watch, leave_out};
+  Run run{options, scene, none, silent, {}, watch, leave_out, want_drawings(targets)};
   const std::vector<FinishedSheet> finished = run.draw_sheets(sheets);
   std::string bytes;
   for (const FileBytes& file : encode_all(targets, finished, vector_options, {}, {})) bytes += file.bytes;
@@ -147,7 +155,7 @@ DrawnFiles draw_files(const DrawOptions& options, const Messages& messages, Prog
   watch.lap("prepare");
 
   const LeaveOut leave_out = parse_leave_out(options.plan);
-  Run run{options, scene, questions, messages, progress, watch, leave_out};
+  Run run{options, scene, questions, messages, progress, watch, leave_out, want_drawings(targets)};
   run.report.plan.push_back(plugins_step(sheets));
   const std::vector<FinishedSheet> finished = run.draw_sheets(sheets);
   estimate_savings(run.report.plan);
