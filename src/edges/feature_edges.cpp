@@ -59,8 +59,11 @@ struct Judge {
     const GridPoint& a = view.grid[edge[0]];
     const GridPoint& b = view.grid[edge[1]];
     const double area = static_cast<double>(cross(a, b, view.grid[corner]));
-    const double length = std::hypot(static_cast<double>(b.x) - a.x, static_cast<double>(b.y) - a.y);
-    return std::abs(area) <= edge_on * length ? 0 : area > 0 ? 1 : -1;
+    const double dx = static_cast<double>(b.x) - a.x, dy = static_cast<double>(b.y) - a.y;
+    // The way along the axes is longer, and found without a root: nearly always it is enough.
+    const bool beside = std::abs(area) > edge_on * (std::abs(dx) + std::abs(dy));
+    if (!beside && std::abs(area) <= edge_on * std::hypot(dx, dy)) return 0;
+    return area > 0 ? 1 : -1;
   }
 
   // The same without division, for corners that may lie behind the viewer: the side of the plane through edge and eye.
