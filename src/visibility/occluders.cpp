@@ -1,12 +1,15 @@
 #include "visibility/occluders.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <utility>
 
 #include "base/parallel.hpp"
+#include "visibility/edge_hider.hpp"
 #include "visibility/sheet_cover.hpp"
 #include "visibility/triangle_cells.hpp"
 
@@ -31,6 +34,10 @@ constexpr std::size_t sample = 65536;
 constexpr double worthwhile = 0.5;
 constexpr int most_idle = 1;
 constexpr double many_pairs = 1 << 22;
+
+// A tree is good enough where most edges take so many tries or fewer, by a sample of them.
+constexpr int few_tries = 16;
+constexpr int sampled_edges = 24;
 
 // Cells are widened by this part of their side: stretches reach over their borders by rounding.
 constexpr double cell_slack = 0x1p-12;
@@ -126,8 +133,7 @@ OccluderGrid::Level OccluderGrid::make_level(const Content& content, int depth) 
   if (cover_by_sheets(load, level)) load = find_load(content, level);
   for (int cell = 0; cell < level.grid.count(); ++cell) level.pairs += pairs_in(level, load, cell);
   const int idle = level.pairs > worthwhile * content.pairs ? content.idle + 1 : 0;
-  if (idle > most_idle && content.pairs < many_pairs) return level;
-  if (depth < deepest_level) divide_cells(content, load, idle, depth, level);
+  relieve_full_cells(content, load, idle, depth, level);
   return level;
 }
 
@@ -271,15 +277,15 @@ void OccluderGrid::drop_covered(Level& level) const {
   level.candidates.erase(kept, level.candidates.end());
 }
 
-// What lies in the cells that are to be divided; they get their numbers in `level.child`.
+// What lies in the cells that are to be divided; they get their numbers in `level.full`.
 std::vector<OccluderGrid::Content> OccluderGrid::contents_of_full_cells(const Content& content, const CellLoad& load,
                                                                         int idle, Level& level) const {
   const CellGrid& grid = level.grid;
   std::vector<Content> parts;
   for (int cell = 0; cell < grid.count(); ++cell) {
     if (pairs_in(level, load, cell) <= most_pairs) continue;
-    level.child.resize(static_cast<std::size_t>(grid.count()), -1);
-    level.child[cell] = static_cast<int>(parts.size());
+    level.full.resize(static_cast<std::size_t>(grid.count()), -1);
+    level.full[cell] = static_cast<int>(parts.size());
     Content part{{}, {}, pairs_in(level, load, cell), idle};
     for (std::size_t i = level.first[cell]; i < level.first[cell + 1]; ++i)
       part.triangles.push_back(level.candidates[i].triangle());
@@ -291,33 +297,51 @@ std::vector<OccluderGrid::Content> OccluderGrid::contents_of_full_cells(const Co
     visit_cells(grid, place(line, piece.from), place(line, piece.to), margin(), [&](int cell, double s, double t) {
       const double from = piece.from + s * (piece.to - piece.from);
       const double to = piece.from + t * (piece.to - piece.from);
-      if (level.child[cell] >= 0 && !(depths(line, from, to)[1] < level.cover[cell]))
-        parts[level.child[cell]].pieces.push_back({piece.edge, from, to});
+      if (level.full[cell] >= 0 && !(depths(line, from, to)[1] < level.cover[cell]))
+        parts[level.full[cell]].pieces.push_back({piece.edge, from, to});
     });
   }
   return parts;
 }
 
-void OccluderGrid::divide_cells(const Content& content, const CellLoad& load, int idle, int depth, Level& level) const {
+// Whether most of some edges take few tries. They are tried in part, and on their own triangles, too: an estimate.
+bool OccluderGrid::leaves_few_tries(const CandidateTree& tree, const std::vector<Piece>& pieces) const {
+  int good = 0;
+  for (int k = 0; k < sampled_edges; ++k) {
+    const double part = std::fmod(k * std::numbers::phi, 1);  // out of step with the order of the edges
+    const Piece& piece = pieces[static_cast<std::size_t>(part * static_cast<double>(pieces.size()))];
+    EdgeHider hider(view_, contact_, *this, sightline(piece), OwnTriangles(), few_tries + 1);
+    hider.hide({piece.from, piece.to, -HUGE_VAL, {}, &tree});
+    good += hider.tries() <= few_tries ? 1 : 0;
+  }
+  return 2 * good > sampled_edges;
+}
+
+// Full cells get a tree where that leaves few tries; otherwise they are divided, if that saves work.
+void OccluderGrid::relieve_full_cells(const Content& content, const CellLoad& load, int idle, int depth,
+                                      Level& level) const {
+  const bool may_divide = depth < deepest_level && !(idle > most_idle && content.pairs < many_pairs);
   std::vector<Content> parts = contents_of_full_cells(content, load, idle, level);
+  std::vector<double> saved(parts.size(), 0);
   level.children.resize(parts.size());
+  level.trees.resize(parts.size());
   parallel_for(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t part = begin; part < end; ++part) {
-      const Content content_of_part = std::exchange(parts[part], {});
-      level.children[part] = make_level(content_of_part, depth + 1);
+    for (std::size_t i = begin; i < end; ++i) {
+      const Content part = std::exchange(parts[i], {});
+      level.trees[i] = CandidateTree(view_, part.triangles);
+      if (leaves_few_tries(level.trees[i], part.pieces)) {
+        saved[i] = std::max(0.0, part.pairs - few_tries * static_cast<double>(part.pieces.size()));
+        continue;
+      }
+      if (!may_divide) continue;
+      Level child = make_level(part, depth + 1);
+      if (!(child.pairs < part.pairs)) continue;
+      saved[i] = part.pairs - child.pairs;
+      level.children[i] = std::move(child);
+      level.trees[i] = {};
     }
   });
-  for (std::size_t cell = 0; cell < level.child.size(); ++cell) {
-    if (level.child[cell] < 0) continue;
-    Level& child = level.children[level.child[cell]];
-    const double saved = pairs_in(level, load, static_cast<int>(cell)) - child.pairs;
-    if (saved > 0) {
-      level.pairs -= saved;
-    } else {
-      child = {};
-      level.child[cell] = -1;
-    }
-  }
+  for (const double pairs : saved) level.pairs -= pairs;
 }
 
 }  // namespace epura

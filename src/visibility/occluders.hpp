@@ -8,6 +8,7 @@
 
 #include "edges/drawn_edges.hpp"
 #include "view/view.hpp"
+#include "visibility/candidate_tree.hpp"
 #include "visibility/choose_grid.hpp"
 #include "visibility/hiding_rule.hpp"
 #include "visibility/line_cells.hpp"
@@ -34,11 +35,12 @@ struct Stretch {
   double from, to;                        ///< page parameters
   double cover;                           ///< what lies deeper than this in the cell is hidden
   std::span<const Candidate> candidates;  ///< the nearest first
+  const CandidateTree* tree;              ///< of the same, where they are many
 };
 
 /// A uniform grid of cells over the drawn edges. A cell through which no edge runs has no candidates, nor has a cell
 /// those that lie behind all edges in it, or behind a triangle that covers it wholly. Cells that have too many of both
-/// are divided further.
+/// get a tree, or are divided further.
 class OccluderGrid {
  public:
   OccluderGrid(const View& view, const std::vector<DrawnEdge>& edges, const Contact& contact);
@@ -57,6 +59,9 @@ class OccluderGrid {
     return {least, most};
   }
 
+  /// Where an edge is at a page parameter: x, y and depth.
+  [[nodiscard]] Vec3 point(const Sightline& edge, double t) const { return {place(edge, t), depths(edge, t, t)[0]}; }
+
   /// Candidates at greater distances lie behind this depth.
   [[nodiscard]] double distance(double depth) const { return front_ - depth; }
 
@@ -67,8 +72,9 @@ class OccluderGrid {
     std::vector<std::size_t> first;     ///< by cell, into candidates
     std::vector<Candidate> candidates;  ///< by cell
     double pairs = 0;                   ///< of edge and triangle that are to be tried
-    std::vector<int> child;             ///< by cell: its place in `children`, or -1; empty without children
-    std::vector<Level> children;
+    std::vector<int> full;              ///< by cell: its place in `children` and `trees`, or -1; empty if all are
+    std::vector<Level> children;        ///< without cells where there is a tree
+    std::vector<CandidateTree> trees;
   };
   /// Part of a drawn edge.
   struct Piece {
@@ -97,14 +103,16 @@ class OccluderGrid {
     visit_cells(level.grid, place(edge, from), place(edge, to), margin(), [&](int cell, double s, double t) {
       const double begin = from + s * (to - from);
       const double end = from + t * (to - from);
-      const bool divided = !level.child.empty() && level.child[cell] >= 0;
+      const int full = level.full.empty() ? -1 : level.full[cell];
+      const bool divided = full >= 0 && level.trees[full].empty();
       if (divided && !(depths(edge, begin, end)[1] < level.cover[cell]))
-        along(level.children[level.child[cell]], edge, begin, end, visit);
+        along(level.children[full], edge, begin, end, visit);
       else
         visit(Stretch{begin,
                       end,
                       level.cover[cell],
-                      {level.candidates.data() + level.first[cell], level.first[cell + 1] - level.first[cell]}});
+                      {level.candidates.data() + level.first[cell], level.first[cell + 1] - level.first[cell]},
+                      full < 0 || divided ? nullptr : &level.trees[full]});
     });
   }
 
@@ -130,7 +138,8 @@ class OccluderGrid {
   void drop_covered(Level& level) const;
   [[nodiscard]] std::vector<Content> contents_of_full_cells(const Content& content, const CellLoad& load, int idle,
                                                             Level& level) const;
-  void divide_cells(const Content& content, const CellLoad& load, int idle, int depth, Level& level) const;
+  [[nodiscard]] bool leaves_few_tries(const CandidateTree& tree, const std::vector<Piece>& pieces) const;
+  void relieve_full_cells(const Content& content, const CellLoad& load, int idle, int depth, Level& level) const;
 
   const View& view_;
   const std::vector<DrawnEdge>& edges_;

@@ -23,6 +23,26 @@ bool covers(const Spans& spans, double from, double to) {
   return span != spans.end() && (*span)[0] <= from;
 }
 
+std::optional<std::array<double, 2>> open_part(const Spans& spans, double from, double to, double least,
+                                               double length) {
+  std::optional<std::array<double, 2>> open;
+  auto next = std::lower_bound(spans.begin(), spans.end(), from, [](const auto& s, double t) { return s[1] < t; });
+  double begin = next == spans.begin() ? 0 : (*(next - 1))[1];
+  bool held = next != spans.begin() && begin - (*(next - 1))[0] >= least;  // by a span that stays
+  while (begin < to) {
+    const bool last = next == spans.end();
+    const double end = last ? length : (*next)[0];
+    const bool holds = !last && (*next)[1] - (*next)[0] >= least;
+    const bool closes = end - begin < least && (held || holds);
+    const std::array part{std::max(begin, from), std::min(end, to)};
+    if (!closes && part[0] < part[1]) open = {open ? (*open)[0] : part[0], part[1]};
+    if (last) break;
+    held = holds;
+    begin = (*next++)[1];
+  }
+  return open;
+}
+
 void absorb_slivers(Spans& spans, double least) {
   if (spans.empty()) return;
   if (least >= 1) {

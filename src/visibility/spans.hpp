@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace epura {
@@ -13,6 +14,11 @@ void add_span(Spans& spans, const std::array<double, 2>& span);
 
 /// Whether one span holds all from `from` to `to`.
 bool covers(const Spans& spans, double from, double to);
+
+/// From the first place of [from, to] to the last that further spans may change, on a line from 0 to `length`. Gaps
+/// that absorb_slivers closes are left out: shorter than `least`, beside a span that is not.
+std::optional<std::array<double, 2>> open_part(const Spans& spans, double from, double to, double least,
+                                               double length = 1);
 
 /// Gaps shorter than `least` are closed, then spans shorter than `least` are dropped. An edge that is itself shorter is
 /// one span or none, by its greater part.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/parallel.hpp"
+#include "visibility/edge_hider.hpp"
 #include "visibility/occluders.hpp"
 #include "visibility/spans.hpp"
 
@@ -31,34 +32,11 @@ struct Hider {
   const OccluderGrid& occluders;
   const DrawnEdges& drawn;
 
-  // In every cell along the edge, what lies behind its cover is hidden; otherwise candidates are tried from the nearest
-  // on, until the stretch is hidden or the rest lies behind it. What a triangle hides is computed for the whole edge,
-  // so the union does not depend on cells or order.
   [[nodiscard]] Spans hidden_spans(const DrawnEdge& edge) const {
     const Sightline line{edge.vertex[0], edge.vertex[1]};
-    const OwnTriangles own(world, drawn, edge);
-    std::array<int, 64> tried;  // lately, by the last bits of their numbers
-    tried.fill(-1);
-    Spans spans;
-    occluders.along(line, [&](const Stretch& stretch) {
-      if (covers(spans, stretch.from, stretch.to)) return;
-      const auto [farthest, nearest] = occluders.depths(line, stretch.from, stretch.to);
-      if (nearest < stretch.cover) return add_span(spans, {stretch.from, stretch.to});
-      const double reach = occluders.distance(farthest);
-      for (const Candidate& candidate : stretch.candidates) {
-        if (candidate.distance() > reach) return;
-        const int number = candidate.triangle();
-        if (std::exchange(tried[number % tried.size()], number) == number) continue;
-        const ViewTriangle& triangle = view.triangles[number];
-        if (own.contain(triangle.source)) continue;
-        const auto part = hidden_part(view, line, triangle, contact);
-        if (!part) continue;
-        add_span(spans, *part);
-        if (covers(spans, stretch.from, stretch.to)) return;
-      }
-    });
-    absorb_slivers(spans, least_span(view, line));
-    return spans;
+    EdgeHider hider(view, contact, occluders, line, OwnTriangles(world, drawn, edge));
+    occluders.along(line, [&](const Stretch& stretch) { hider.hide(stretch); });
+    return std::move(hider).spans();
   }
 };
 

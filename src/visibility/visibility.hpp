@@ -45,6 +45,7 @@ double contact_in_space(const World& world, const View& view, std::optional<doub
 /// The triangles that meet in an edge: they never hide it.
 class OwnTriangles {
  public:
+  OwnTriangles() = default;  ///< none
   OwnTriangles(const World& world, const DrawnEdges& drawn, const DrawnEdge& edge);
 
   /// Whether one of them is this triangle of the world.

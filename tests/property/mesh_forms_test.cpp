@@ -153,6 +153,10 @@ TEST(Meshes, StripsOverStrips) { expect_right(strips_over_strips(lab, 20, 15, 0.
 
 TEST(Meshes, StackOfPlates) { expect_right(stack_of_plates(lab, 300, 1e-3)); }
 
+TEST(Meshes, PlatesAlongALine) {
+  for (const double shift : {1e-6, 1e-3}) expect_right(plates_along_a_line(lab, 300, shift));
+}
+
 TEST(Meshes, LineThroughATJunction) {
   // Three triangles, one side of the first split by a vertex of the others.
   const Shape junction{

@@ -1,8 +1,10 @@
 // Searching occluders by place and depth gives, to the last bit, what trying every triangle on every edge gives.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <numeric>
 #include <random>
 
 #include "base/text.hpp"
@@ -17,7 +19,8 @@ Spans by_brute_force(const Result& r, const DrawnEdge& edge, const Contact& cont
   Spans spans;
   for (const ViewTriangle& t : r.view.triangles) {
     const auto& [a, b, c] = t.vertex;
-    if (cross(r.view.grid[a], r.view.grid[b], r.view.grid[c]) == 0 || is_own(r.world, r.drawn, edge, t.source))
+    if (cross(r.view.grid[a], r.view.grid[b], r.view.grid[c]) == 0 ||
+        OwnTriangles(r.world, r.drawn, edge).contain(t.source))
       continue;
     if (const auto part = hidden_part(r.view, line, t, contact)) add_span(spans, *part);
   }
@@ -126,6 +129,37 @@ TEST(Search, EqualsBruteForceOnStacks) {
     expect_equal(draw(world, from_above()));
     expect_equal(draw(world, orthographic({0.1, -0.2, 1}), {.smooth = true}));
     expect_equal(draw(world, perspective({2, 1, 12}, {1.5, 1.5, 0}, {0.5, -0.5, 12}, {0, 1, 0})));
+  }
+}
+
+// So many plates that cells get trees, in any order of numbers.
+Shape slanted_stack(unsigned seed) {
+  std::mt19937 random(seed);
+  const auto number = [&] { return static_cast<double>(random()) / 4294967296.0; };
+  constexpr int plates = 200;
+  const double shift = std::pow(10, -7 + 4 * number()), wobble = random() % 2 == 0 ? 0 : shift * number();
+  std::vector<int> order(plates);
+  std::iota(order.begin(), order.end(), 0);
+  if (random() % 2 == 0) std::shuffle(order.begin(), order.end(), random);
+  Shape shape;
+  for (const int k : order) {
+    const double x = shift * k + wobble * number(), y = shift * k + wobble * number(), z = -shift * k;
+    if (random() % 16 == 0)
+      shape.add({{{x, y, z}, {x + 1, y, z}, {x + number(), y + number(), z + number()}}, {{0, 1, 2}}, {}});
+    else
+      shape.add(plate(x, y, x + 1, y + 1, z));
+  }
+  return shape;
+}
+
+TEST(Search, EqualsBruteForceOnSlantedStacks) {
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const World world = world_of(slanted_stack(seed));
+    expect_equal(draw(world, orthographic({1, -1, 1})));
+    expect_equal(draw(world, orthographic({1, 1, 1}), {.smooth = true}));
+    expect_equal(draw(world, orthographic({0.3, -0.8, 0.5})));
+    expect_equal(draw(world, perspective({2, -1, 3}, {0.5, 0.5, 0}, {1.5, -1.5, 3}, {0, 0, 1})));
   }
 }
 

@@ -14,6 +14,8 @@ TEST(FullSize, StripsOverStrips) { expect_right(strips_over_strips(lab, 1000, 10
 
 TEST(FullSize, StackOfPlates) { expect_right(stack_of_plates(lab, 100000, 1e-6)); }
 
+TEST(FullSize, PlatesAlongALine) { expect_right(plates_along_a_line(lab, 100000, 1e-6)); }
+
 TEST(FullSize, ManySlivers) { expect_right(sliver_plate(lab, 1000000)); }
 
 // 335 000 edges with 3 each.

@@ -46,6 +46,15 @@ Measured stack_of_plates(const Lab& lab, int n, double shift) {
   return {length("visible", visible, result.visible(), visible)};
 }
 
+Measured plates_along_a_line(const Lab& lab, int n, double shift) {
+  Shape stack;
+  for (int i = 0; i < n; ++i) stack.add(plate(shift * i, shift * i, 1 + shift * i, 1 + shift * i, -shift * i));
+  const Result result = lab.draw(world_of(stack), {orthographic({1, -1, 1})});
+  const double side = std::sqrt(2.0 / 3), step = shift * std::sqrt(8.0 / 3);
+  const double visible = (n + 3) * side + 2 * step * (n - 1);
+  return {length("visible", visible, result.visible(), visible)};
+}
+
 Measured sliver_plate(const Lab& lab, int n) {
   Shape strips;
   for (int i = 0; i <= n; ++i) {

@@ -20,6 +20,10 @@ Measured strips_over_strips(const Lab& lab, int n, int m, double width);
 /// `n` unit plates one below the other, each `shift` further along the diagonal of the page.
 Measured stack_of_plates(const Lab& lab, int n, double shift);
 
+/// `n` unit plates, each `shift` to the right, behind and below the last, seen isometrically: two sides of all of them
+/// fall on two lines of the page, along which a third one of each shows.
+Measured plates_along_a_line(const Lab& lab, int n, double shift);
+
 /// A unit plate of `n` strips hides one piece, of length 1, of a line under it.
 Measured sliver_plate(const Lab& lab, int n);
 

@@ -16,7 +16,11 @@ int many(const Lab& lab, double number, int least) {
 
 Measured strips(const Lab& lab, double n) { return strips_over_strips(lab, many(lab, n, 1), many(lab, n, 1), 0.3); }
 
-Measured plates(const Lab& lab, double n) { return stack_of_plates(lab, many(lab, n, 2), 1e-6); }
+Measured plates(const Lab& lab, double n) {
+  Measured measured = stack_of_plates(lab, many(lab, n, 2), 1e-6);
+  append(measured, plates_along_a_line(lab, many(lab, n, 2), 1e-6));
+  return measured;
+}
 
 Measured slivers(const Lab& lab, double n) { return sliver_plate(lab, many(lab, n, 1)); }
 

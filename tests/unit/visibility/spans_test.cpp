@@ -51,6 +51,45 @@ TEST(Spans, OneHasToCoverTheWhole) {
   EXPECT_FALSE(covers({}, 0, 0));
 }
 
+TEST(Spans, WhatIsOpenIsWhatFurtherOnesMayChange) {
+  const auto open = [](const Spans& spans, double from, double to) {
+    return open_part(spans, from, to, 0.001).value_or(std::array{-1.0, -1.0});
+  };
+  const std::array none{-1.0, -1.0};
+  EXPECT_EQ(open({}, 0.2, 0.4), (std::array{0.2, 0.4}));
+  EXPECT_EQ(open({{0.1, 0.4}, {0.5, 0.9}}, 0.2, 0.7), (std::array{0.4, 0.5}));
+  EXPECT_EQ(open({{0.1, 0.4}, {0.5, 0.9}}, 0.0, 1.0), (std::array{0.0, 1.0}));
+  EXPECT_EQ(open({{0.1, 0.4}, {0.5, 0.9}}, 0.15, 0.95), (std::array{0.4, 0.95}));
+  EXPECT_EQ(open({{0.1, 0.4}, {0.5, 0.9}}, 0.1, 0.4), none);
+  EXPECT_EQ(open({{0.1, 0.4}, {0.4005, 0.9}}, 0.2, 0.8), none) << "a sliver between two";
+  EXPECT_EQ(open({{0.0005, 0.9995}}, 0.0, 1.0), none) << "slivers at the ends";
+  EXPECT_EQ(open({{0.3995, 0.4}, {0.4005, 0.401}}, 0.3996, 0.4009), (std::array{0.4, 0.4005})) << "both may go";
+  EXPECT_EQ(open_part({{0.1, 2.9995}}, 1, 3, 0.001, 3), std::nullopt);
+}
+
+TEST(Spans, WhatIsNotOpenCanHoldMoreAndStaysTheSame) {
+  std::mt19937 random(2);
+  const auto part = [&](double longest) {
+    const double from = static_cast<double>(random() % 1000) / 1000;
+    return std::array{from, std::min(1.0, from + longest * static_cast<double>(1 + random() % 1000) / 1000)};
+  };
+  int closed = 0;
+  for (int round = 0; round < 20000; ++round) {
+    constexpr double least = 0.1;
+    Spans spans;
+    for (int i = 0; i < 6; ++i) add_span(spans, part(0.4));
+    const auto more = part(0.1);
+    if (open_part(spans, more[0], more[1], least)) continue;
+    ++closed;
+    Spans all = spans;
+    add_span(all, more);
+    absorb_slivers(spans, least);
+    absorb_slivers(all, least);
+    ASSERT_EQ(all, spans);
+  }
+  EXPECT_GT(closed, 1000);
+}
+
 Spans absorbed(Spans spans, double least) {
   absorb_slivers(spans, least);
   return spans;

@@ -1,0 +1,82 @@
+// Things in a given order, found by bounds of anything that is measured of them.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace epura {
+
+/// Least and greatest of each of several measures.
+template <std::size_t measures>
+using Bounds = std::array<std::array<double, 2>, measures>;
+
+/// Halves the things again and again in their order, which so stays that of visiting.
+template <std::size_t measures>
+class BoundsTree {
+ public:
+  BoundsTree() = default;
+
+  /// `bounds_of(i)` are those of thing i.
+  template <class BoundsOf>
+  BoundsTree(std::size_t count, const BoundsOf& bounds_of) : count_(count) {
+    if (count > 0) bound(0, 0, count, bounds_of);
+  }
+
+  /// Calls `visit(i)`, ascending, for all things that meet the wanted bounds, and for some others near them, until it
+  /// returns false. It may narrow the wanted bounds.
+  template <class Visit>
+  void visit(const Bounds<measures>& wanted, Visit visit) const {
+    if (count_ > 0) visit_below(0, 0, count_, wanted, visit);
+  }
+
+ private:
+  static constexpr std::size_t leaf = 8;  // so many things are not parted any more
+
+  static bool meet(const Bounds<measures>& a, const Bounds<measures>& b) {
+    for (std::size_t i = 0; i < measures; ++i)
+      if (a[i][0] > b[i][1] || a[i][1] < b[i][0]) return false;
+    return true;
+  }
+
+  // Nodes have the order of a heap.
+  template <class BoundsOf>
+  const Bounds<measures>& bound(std::size_t node, std::size_t begin, std::size_t end, const BoundsOf& bounds_of) {
+    Bounds<measures> all;
+    all.fill({HUGE_VAL, -HUGE_VAL});
+    const auto add = [&](const Bounds<measures>& other) {
+      for (std::size_t i = 0; i < measures; ++i)
+        all[i] = {std::min(all[i][0], other[i][0]), std::max(all[i][1], other[i][1])};
+    };
+    if (end - begin <= leaf) {
+      for (std::size_t i = begin; i < end; ++i) add(bounds_of(i));
+    } else {
+      const std::size_t middle = begin + (end - begin) / 2;
+      add(bound(2 * node + 1, begin, middle, bounds_of));
+      add(bound(2 * node + 2, middle, end, bounds_of));
+    }
+    if (nodes_.size() <= node) nodes_.resize(node + 1);
+    return nodes_[node] = all;
+  }
+
+  template <class Visit>
+  bool visit_below(std::size_t node, std::size_t begin, std::size_t end, const Bounds<measures>& wanted,
+                   Visit& visit) const {
+    if (!meet(nodes_[node], wanted)) return true;
+    if (end - begin <= leaf) {
+      while (begin < end && visit(begin)) ++begin;
+      return begin == end;
+    }
+    const std::size_t middle = begin + (end - begin) / 2;
+    return visit_below(2 * node + 1, begin, middle, wanted, visit) &&
+           visit_below(2 * node + 2, middle, end, wanted, visit);
+  }
+
+  std::size_t count_ = 0;
+  std::vector<Bounds<measures>> nodes_;
+};
+
+}  // namespace epura

@@ -1,0 +1,48 @@
+// What triangles hide of one edge, found by trying them on it.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <optional>
+
+#include "visibility/hiding_rule.hpp"
+#include "visibility/occluders.hpp"
+#include "visibility/spans.hpp"
+#include "visibility/visibility.hpp"
+
+namespace epura {
+
+/// What a triangle hides is computed for the whole edge, so the union does not depend on cells or order.
+class EdgeHider {
+ public:
+  /// With `most_tries`, a tree is given up after so many.
+  EdgeHider(const View& view, const Contact& contact, const OccluderGrid& occluders, const Sightline& line,
+            const OwnTriangles& own, int most_tries = std::numeric_limits<int>::max());
+
+  /// What lies behind the cover of the cell is hidden; otherwise candidates are tried until the stretch is hidden or
+  /// the rest lies behind it.
+  void hide(const Stretch& stretch);
+
+  /// What was hidden so far, without what is rounding.
+  [[nodiscard]] Spans spans() &&;
+
+  [[nodiscard]] int tries() const { return tries_; }
+
+ private:
+  [[nodiscard]] std::optional<std::array<double, 2>> open(const Stretch& stretch) const;
+  bool hide_by(int triangle);
+  void hide_by_list(const Stretch& stretch, double reach);
+  void hide_by_tree(const Stretch& stretch, const std::array<double, 2>& open_at_first);
+
+  const View& view_;
+  const Contact& contact_;
+  const OccluderGrid& occluders_;
+  Sightline line_;
+  OwnTriangles own_;
+  double least_;
+  std::array<int, 64> tried_;  ///< lately, by the last bits of their numbers
+  Spans spans_;
+  int most_tries_, tries_ = 0;
+};
+
+}  // namespace epura

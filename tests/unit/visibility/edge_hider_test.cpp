@@ -1,0 +1,41 @@
+#include "visibility/edge_hider.hpp"
+
+#include <gtest/gtest.h>
+
+#include "shapes.hpp"
+
+namespace epura::test {
+namespace {
+
+// Unit plates, each a millionth to the right, behind and below the last.
+World stack(int plates) {
+  Shape shape;
+  for (int i = 0; i < plates; ++i) {
+    const double shift = 1e-6 * i;
+    shape.add(plate(shift, shift, 1 + shift, 1 + shift, -shift));
+  }
+  return world_of(shape);
+}
+
+double tries_of_an_edge(const World& world, const Projection& projection) {
+  const Result r = draw(world, projection);
+  const OccluderGrid occluders(r.view, r.drawn.edges, r.contact);
+  long tries = 0;
+  for (const DrawnEdge& edge : r.drawn.edges) {
+    const Sightline line{edge.vertex[0], edge.vertex[1]};
+    EdgeHider hider(r.view, r.contact, occluders, line, OwnTriangles(r.world, r.drawn, edge));
+    occluders.along(line, [&](const Stretch& stretch) { hider.hide(stretch); });
+    tries += hider.tries();
+  }
+  return static_cast<double>(tries) / static_cast<double>(r.drawn.edges.size());
+}
+
+// Before half of the 2 * 4000 triangles lies the average edge.
+TEST(EdgeHider, TriesFewTrianglesOfAStackWhereverItIsSeenFrom) {
+  const World world = stack(4000);
+  for (const Vec3& towards_viewer : {Vec3(1, -1, 1), Vec3(1, 1, 1), Vec3(0.3, -0.8, 0.5), Vec3(0, 0, 1)})
+    EXPECT_LT(tries_of_an_edge(world, orthographic(towards_viewer, {0, 1, 0.1})), 100);
+}
+
+}  // namespace
+}  // namespace epura::test
