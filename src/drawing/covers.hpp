@@ -16,7 +16,9 @@ struct Cover {
   auto operator<=>(const Cover&) const = default;
 };
 
-/// Parts of at least `least` mm that lie within `tolerance` mm of a piece of higher rank, sorted. No piece is a point.
+/// Parts of at least `least` mm that lie within `tolerance` mm of a piece of higher rank, sorted. Where very many
+/// pieces lie on one line, parts are joined, and parts that only shorten gaps of less than `least` are left out. No
+/// piece is a point.
 std::vector<Cover> find_covers(const std::vector<Piece>& pieces, double tolerance, double least);
 
 }  // namespace epura

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <random>
 
+#include "visibility/spans.hpp"
+
 namespace epura::test {
 namespace {
 
@@ -57,6 +59,65 @@ TEST(Covers, AreThoseOfEveryPieceAgainstEveryOther) {
     const std::vector<Cover> expected = all_covers(pieces);
     EXPECT_GT(expected.size(), 300U);
     EXPECT_EQ(find_covers(pieces, tolerance, least), expected);
+  }
+}
+
+// Long and short pieces of two lines that cross, moved aside by a little more than the tolerance.
+std::vector<Piece> crowd(int count, unsigned seed) {
+  std::mt19937 random(seed);
+  const auto uniform = [&](double from, double to) {
+    return from + (to - from) * static_cast<double>(random()) / 4294967296.0;
+  };
+  std::vector<Piece> pieces;
+  for (int i = 0; i < count; ++i) {
+    const Vec2 along = random() % 2 == 0 ? Vec2(0.6, 0.8) : Vec2(1, 0);
+    const Vec2 start = uniform(-5, 5) * along + uniform(-1.5e-6, 1.5e-6) * Vec2(-along.y, along.x);
+    const double length = i % 4 == 0 ? std::pow(10, uniform(-5, 0)) : uniform(4, 6);
+    const Vec2 end = start + length * along + uniform(-1e-6, 1e-6) * Vec2(-along.y, along.x);
+    pieces.push_back({start, end, random() % 2 == 0, EdgeKind::crease, i, {0, 1}});
+  }
+  std::shuffle(pieces.begin(), pieces.end(), random);
+  return pieces;
+}
+
+// What covers leave of each piece, but for what is too short to be drawn.
+std::vector<Spans> rests(const std::vector<Piece>& pieces, const std::vector<Cover>& covers) {
+  std::vector<Spans> rests(pieces.size());
+  std::vector<double> end(pieces.size(), 0);
+  const auto add = [&](int piece, double from, double to) {
+    if (to - from >= least) rests[piece].push_back({from, to});
+  };
+  for (const Cover& cover : covers) {
+    add(cover.piece, end[cover.piece], cover.from);
+    end[cover.piece] = std::max(end[cover.piece], cover.to);
+  }
+  for (std::size_t i = 0; i < pieces.size(); ++i) add(static_cast<int>(i), end[i], length_of(pieces[i]));
+  return rests;
+}
+
+TEST(Covers, OfCrowdsLeaveWhatAllWould) {
+  for (unsigned seed = 0; seed < 2; ++seed) {
+    const std::vector<Piece> pieces = crowd(5000, seed);
+    const std::vector<Cover> all = all_covers(pieces), found = find_covers(pieces, tolerance, least);
+    EXPECT_LT(found.size(), all.size() / 4) << "no crowds";
+    EXPECT_EQ(rests(pieces, found), rests(pieces, all));
+  }
+}
+
+// Each goes a little farther than all before: there are as many pairs as the square of their number.
+TEST(Covers, OfARowAreFoundInAFewTries) {
+  std::vector<Piece> pieces;
+  const Vec2 along(0.6, 0.8), across(-0.8, 0.6);
+  for (int i = 0; i < 100000; ++i) {
+    const Vec2 start = 1e-4 * i * along + 1e-7 * (i * 7 % 10) * across;
+    pieces.push_back({start, start + 100.0 * along, false, EdgeKind::crease, i, {0, 1}});
+  }
+  const std::vector<Cover> covers = find_covers(pieces, tolerance, least);
+  ASSERT_EQ(covers.size(), pieces.size() - 1);
+  for (std::size_t i = 0; i < covers.size(); ++i) {
+    EXPECT_EQ(covers[i].piece, static_cast<int>(i) + 1);
+    EXPECT_NEAR(covers[i].from, 0, 1e-9);
+    EXPECT_NEAR(covers[i].to, 100 - 1e-4, 1e-9);
   }
 }
 
