@@ -3,7 +3,7 @@
 
 #include <array>
 #include <limits>
-#include <optional>
+#include <utility>
 
 #include "visibility/hiding_rule.hpp"
 #include "visibility/occluders.hpp"
@@ -29,17 +29,25 @@ class EdgeHider {
   [[nodiscard]] int tries() const { return tries_; }
 
  private:
-  [[nodiscard]] std::optional<std::array<double, 2>> open(const Stretch& stretch) const;
-  bool hide_by(int triangle);
-  void hide_by_list(const Stretch& stretch, double reach);
-  void hide_by_tree(const Stretch& stretch, const std::array<double, 2>& open_at_first);
+  // Whether a triangle hides something, and was not tried just now.
+  bool hide_by(int triangle) {
+    if (std::exchange(tried_[triangle % tried_.size()], triangle) == triangle) return false;
+    const ViewTriangle& tried = view_.triangles[triangle];
+    if (own_.contain(tried.source)) return false;
+    ++tries_;
+    const auto part = hidden_part(view_, line_, tried, contact_);
+    if (!part) return false;
+    add_span(spans_, *part);
+    return true;
+  }
+
+  void hide_by_tree(const Stretch& stretch);
 
   const View& view_;
   const Contact& contact_;
   const OccluderGrid& occluders_;
   Sightline line_;
   OwnTriangles own_;
-  double least_;
   std::array<int, 64> tried_;  ///< lately, by the last bits of their numbers
   Spans spans_;
   int most_tries_, tries_ = 0;
