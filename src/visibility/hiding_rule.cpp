@@ -145,8 +145,7 @@ std::optional<std::array<double, 2>> hidden_part(const View& view, const Sightli
 
   auto in = place_crossing(view, edge, sides[0]), out = place_crossing(view, edge, sides[1]);
   if (in.t > out.t) std::swap(in, out);
-  const double from = std::max(in.t, 0.0);
-  const double to = std::min(out.t, 1.0);
+  const double from = std::max(in.t, 0.0), to = std::min(out.t, 1.0);
   if (!(from < to)) return std::nullopt;
 
   const PageVertex& p = view.vertices[edge.p];
