@@ -1,7 +1,3 @@
-#if __has_include(<malloc.h>)
-#include <malloc.h>
-#endif
-
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -32,10 +28,6 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-#ifdef M_MMAP_THRESHOLD
-  // By itself glibc would keep freed arrays of up to 32 MB, and the stages need theirs one after the other.
-  mallopt(M_MMAP_THRESHOLD, 4 << 20);
-#endif
   try {
     const int code = run(argc, argv);
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)

@@ -1,10 +1,12 @@
 // Items by group: the items of all groups in one array, one group after the other.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <numeric>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace epura {
@@ -34,6 +36,21 @@ class Groups {
   }
   [[nodiscard]] std::span<Item> operator[](std::size_t group) {
     return {items_.data() + first_[group], first_[group + 1] - first_[group]};
+  }
+
+  /// Keeps the first count(group, items) items of each group.
+  template <class Count>
+  void shorten(const Count& count) {
+    std::size_t kept = 0;
+    for (std::size_t group = 0; group < size(); ++group) {
+      const auto items = std::as_const(*this)[group];
+      const auto rest = items.first(static_cast<std::size_t>(count(group, items)));
+      first_[group] = kept;
+      std::copy(rest.begin(), rest.end(), items_.begin() + kept);
+      kept += rest.size();
+    }
+    if (!first_.empty()) first_.back() = kept;
+    items_.resize(kept);
   }
 
  private:

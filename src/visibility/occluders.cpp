@@ -129,7 +129,7 @@ OccluderGrid::Level OccluderGrid::make_level(const Content& content, int depth) 
   level.grid = grid_for(content, depth);
   find_covers(content, level);
   CellLoad load = find_load(content, level);
-  sort_into_cells(find_candidates(content, load, level), level);
+  find_candidates(content, load, level);
   if (cover_by_sheets(load, level)) load = find_load(content, level);
   for (int cell = 0; cell < level.grid.count(); ++cell) level.pairs += pairs_in(level, load, cell);
   const int idle = level.pairs > worthwhile * content.pairs ? content.idle + 1 : 0;
@@ -138,7 +138,8 @@ OccluderGrid::Level OccluderGrid::make_level(const Content& content, int depth) 
 }
 
 double OccluderGrid::pairs_in(const Level& level, const CellLoad& load, int cell) {
-  return static_cast<double>(load.pieces[cell]) * static_cast<double>(level.first[cell + 1] - level.first[cell]);
+  return static_cast<double>(load.pieces[cell]) *
+         static_cast<double>(level.candidates[static_cast<std::size_t>(cell)].size());
 }
 
 CellGrid OccluderGrid::grid_for(const Content& content, int depth) const {
@@ -199,46 +200,30 @@ OccluderGrid::CellLoad OccluderGrid::find_load(const Content& content, const Lev
   return load;
 }
 
-std::vector<std::vector<OccluderGrid::Found>> OccluderGrid::find_candidates(const Content& content,
-                                                                            const CellLoad& load, Level& level) const {
+void OccluderGrid::find_candidates(const Content& content, const CellLoad& load, Level& level) const {
   const CellGrid& grid = level.grid;
   const Vec2 slack = margin() + cell_slack * grid.side;
-  const std::size_t count = content.triangles.size();
-  std::vector<std::vector<Found>> parts((count + chunk - 1) / chunk);
-  level.first.assign(static_cast<std::size_t>(grid.count()) + 1, 0);
-  parallel_for(parts.size(), 1, [&](std::size_t first, std::size_t last) {
-    for (std::size_t part = first; part < last; ++part)
-      for (std::size_t i = part * chunk; i < std::min((part + 1) * chunk, count); ++i) {
-        const int number = content.triangles[i];
-        const auto& [a, b, c] = view_.triangles[number].vertex;
-        if (cross(view_.grid[a], view_.grid[b], view_.grid[c]) == 0) continue;  // without area it hides nothing
-        const double closest = nearest(view_.triangles[number]);
-        const Candidate candidate(front_ - closest, number);
-        TriangleOnGrid(grid, corners(view_.triangles[number]), slack).visit_rows([&](const RowOfCells& row) {
-          for (int column = row.from; column <= row.to; ++column) {
-            const int cell = grid.cell(column, row.row);
-            if (!(closest > load.deepest[cell]) || closest < level.cover[cell]) continue;
-            parts[part].push_back({cell, candidate});
-            count_up(level.first[cell + 1]);
-          }
-        });
+  const auto add_cells = [&](int number, const auto& add) {
+    const auto& [a, b, c] = view_.triangles[number].vertex;
+    if (cross(view_.grid[a], view_.grid[b], view_.grid[c]) == 0) return;  // without area it hides nothing
+    const double closest = nearest(view_.triangles[number]);
+    const Candidate candidate(front_ - closest, number);
+    TriangleOnGrid(grid, corners(view_.triangles[number]), slack).visit_rows([&](const RowOfCells& row) {
+      for (int column = row.from; column <= row.to; ++column) {
+        const int cell = grid.cell(column, row.row);
+        if (closest > load.deepest[cell] && !(closest < level.cover[cell]))
+          add(static_cast<std::size_t>(cell), candidate);
       }
+    });
+  };
+  level.candidates = Groups<Candidate>(static_cast<std::size_t>(grid.count()), [&](const auto& add) {
+    parallel_for(content.triangles.size(), chunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) add_cells(content.triangles[i], add);
+    });
   });
-  return parts;
-}
-
-void OccluderGrid::sort_into_cells(std::vector<std::vector<Found>> parts, Level& level) {
-  std::partial_sum(level.first.begin(), level.first.end(), level.first.begin());
-  level.candidates.resize(level.first.back(), Candidate(0, 0));
-  std::vector<std::size_t> next(level.first.begin(), level.first.end() - 1);
-  parallel_for(parts.size(), 1, [&](std::size_t first, std::size_t last) {
-    for (std::size_t part = first; part < last; ++part)
-      for (const Found& found : std::exchange(parts[part], {}))
-        level.candidates[count_up(next[found.cell])] = found.candidate;
-  });
-  parallel_for(static_cast<std::size_t>(level.grid.count()), chunk, [&](std::size_t begin, std::size_t end) {
+  parallel_for(level.candidates.size(), chunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t cell = begin; cell < end; ++cell)
-      std::sort(level.candidates.begin() + level.first[cell], level.candidates.begin() + level.first[cell + 1]);
+      std::sort(level.candidates[cell].begin(), level.candidates[cell].end());
   });
 }
 
@@ -251,8 +236,8 @@ bool OccluderGrid::cover_by_sheets(const CellLoad& load, Level& level) const {
       const int number = static_cast<int>(cell);
       if (pairs_in(level, load, number) <= most_pairs) continue;
       SheetCover sheets(view_, {grid.middle(number), grid.side / 2.0 + cover_slack(grid)}, contact_);
-      for (std::size_t i = level.first[cell]; i < level.first[cell + 1]; ++i)
-        if (sheets.add(view_.triangles[level.candidates[i].triangle()])) break;
+      for (const Candidate& candidate : level.candidates[cell])
+        if (sheets.add(view_.triangles[candidate.triangle()])) break;
       if (!(sheets.depth() > level.cover[cell])) continue;
       level.cover[cell] = sheets.depth();
       any = true;
@@ -263,18 +248,11 @@ bool OccluderGrid::cover_by_sheets(const CellLoad& load, Level& level) const {
 }
 
 void OccluderGrid::drop_covered(Level& level) const {
-  auto kept = level.candidates.begin();
-  auto from = kept;
-  for (std::size_t cell = 0; cell + 1 < level.first.size(); ++cell) {
-    const auto to = level.candidates.begin() + static_cast<std::ptrdiff_t>(level.first[cell + 1]);
-    level.first[cell] = static_cast<std::size_t>(kept - level.candidates.begin());
+  level.candidates.shorten([&](std::size_t cell, std::span<const Candidate> candidates) {
     const double reach = distance(level.cover[cell]);
-    const auto end = std::find_if(from, to, [&](const Candidate& candidate) { return candidate.distance() > reach; });
-    kept = std::copy(from, end, kept);
-    from = to;
-  }
-  level.first.back() = static_cast<std::size_t>(kept - level.candidates.begin());
-  level.candidates.erase(kept, level.candidates.end());
+    const auto lies_behind = [&](const Candidate& candidate) { return candidate.distance() > reach; };
+    return std::find_if(candidates.begin(), candidates.end(), lies_behind) - candidates.begin();
+  });
 }
 
 // What lies in the cells that are to be divided; they get their numbers in `level.full`.
@@ -287,8 +265,8 @@ std::vector<OccluderGrid::Content> OccluderGrid::contents_of_full_cells(const Co
     level.full.resize(static_cast<std::size_t>(grid.count()), -1);
     level.full[cell] = static_cast<int>(parts.size());
     Content part{{}, {}, pairs_in(level, load, cell), idle};
-    for (std::size_t i = level.first[cell]; i < level.first[cell + 1]; ++i)
-      part.triangles.push_back(level.candidates[i].triangle());
+    for (const Candidate& candidate : level.candidates[static_cast<std::size_t>(cell)])
+      part.triangles.push_back(candidate.triangle());
     parts.push_back(std::move(part));
   }
   if (parts.empty()) return parts;

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/groups.hpp"
 #include "edges/drawn_edges.hpp"
 #include "view/view.hpp"
 #include "visibility/candidate_tree.hpp"
@@ -18,6 +19,7 @@ namespace epura {
 /// A triangle of the view that may hide something in a cell. They are ordered by distance.
 class Candidate {
  public:
+  Candidate() = default;
   /// `distance` behind the nearest place of the scene, not negative, is rounded down to 32 bits.
   Candidate(double distance, int triangle);
 
@@ -27,7 +29,7 @@ class Candidate {
 
  private:
   // The bits of floats that are not negative are ordered like them: one comparison of whole numbers sorts.
-  std::uint64_t key_;
+  std::uint64_t key_ = 0;
 };
 
 /// A part of an edge within one cell of the page, and what may hide it there.
@@ -68,12 +70,11 @@ class OccluderGrid {
  private:
   struct Level {
     CellGrid grid;
-    std::vector<double> cover;          ///< by cell
-    std::vector<std::size_t> first;     ///< by cell, into candidates
-    std::vector<Candidate> candidates;  ///< by cell
-    double pairs = 0;                   ///< of edge and triangle that are to be tried
-    std::vector<int> full;              ///< by cell: its place in `children` and `trees`, or -1; empty if all are
-    std::vector<Level> children;        ///< without cells where there is a tree
+    std::vector<double> cover;     ///< by cell
+    Groups<Candidate> candidates;  ///< by cell
+    double pairs = 0;              ///< of edge and triangle that are to be tried
+    std::vector<int> full;         ///< by cell: its place in `children` and `trees`, or -1; empty if all are
+    std::vector<Level> children;   ///< without cells where there is a tree
     std::vector<CandidateTree> trees;
   };
   /// Part of a drawn edge.
@@ -93,11 +94,6 @@ class OccluderGrid {
     std::vector<int> pieces;      ///< by cell: how many
   };
 
-  struct Found {
-    int cell;
-    Candidate candidate;
-  };
-
   template <class Visit>
   void along(const Level& level, const Sightline& edge, double from, double to, Visit& visit) const {
     visit_cells(level.grid, place(edge, from), place(edge, to), margin(), [&](int cell, double s, double t) {
@@ -108,10 +104,7 @@ class OccluderGrid {
       if (divided && !(depths(edge, begin, end)[1] < level.cover[cell]))
         along(level.children[full], edge, begin, end, visit);
       else
-        visit(Stretch{begin,
-                      end,
-                      level.cover[cell],
-                      {level.candidates.data() + level.first[cell], level.first[cell + 1] - level.first[cell]},
+        visit(Stretch{begin, end, level.cover[cell], level.candidates[static_cast<std::size_t>(cell)],
                       full < 0 || divided ? nullptr : &level.trees[full]});
     });
   }
@@ -131,9 +124,7 @@ class OccluderGrid {
   [[nodiscard]] static double pairs_in(const Level& level, const CellLoad& load, int cell);
   void find_covers(const Content& content, Level& level) const;
   [[nodiscard]] CellLoad find_load(const Content& content, const Level& level) const;
-  [[nodiscard]] std::vector<std::vector<Found>> find_candidates(const Content& content, const CellLoad& load,
-                                                                Level& level) const;
-  static void sort_into_cells(std::vector<std::vector<Found>> parts, Level& level);
+  void find_candidates(const Content& content, const CellLoad& load, Level& level) const;
   bool cover_by_sheets(const CellLoad& load, Level& level) const;
   void drop_covered(Level& level) const;
   [[nodiscard]] std::vector<Content> contents_of_full_cells(const Content& content, const CellLoad& load, int idle,

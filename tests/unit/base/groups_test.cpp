@@ -29,5 +29,17 @@ TEST(Groups, HoldEveryItemOnce) {
   EXPECT_EQ(Groups<int>().size(), 0u);
 }
 
+TEST(Groups, KeepWhatIsCounted) {
+  Groups<int> grouped(4, [](const auto& add) {
+    for (int i = 0; i < 12; ++i) add(static_cast<std::size_t>(i % 3), i);
+  });
+  grouped.shorten([](std::size_t group, std::span<const int> items) { return std::min(group, items.size()); });
+  const auto items = [&](std::size_t group) { return std::vector<int>(grouped[group].begin(), grouped[group].end()); };
+  EXPECT_EQ(items(0), (std::vector<int>{}));
+  EXPECT_EQ(items(1), (std::vector<int>{1}));
+  EXPECT_EQ(items(2), (std::vector<int>{2, 5}));
+  EXPECT_EQ(items(3), (std::vector<int>{}));
+}
+
 }  // namespace
 }  // namespace epura
