@@ -46,7 +46,7 @@ class Groups {
       const auto items = std::as_const(*this)[group];
       const auto rest = items.first(static_cast<std::size_t>(count(group, items)));
       first_[group] = kept;
-      std::copy(rest.begin(), rest.end(), items_.begin() + kept);
+      if (rest.data() != items_.data() + kept) std::copy(rest.begin(), rest.end(), items_.begin() + kept);
       kept += rest.size();
     }
     if (!first_.empty()) first_.back() = kept;

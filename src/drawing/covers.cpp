@@ -1,7 +1,6 @@
 #include "drawing/covers.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <mutex>
 #include <utility>

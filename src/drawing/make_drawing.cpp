@@ -149,7 +149,7 @@ Drawing make_drawing(const World& world, const View& view, const DrawnEdges& dra
   pieces = resolve_coincident(std::move(pieces), limits.tolerance, limits.least);
   if (!wishes.hidden) std::erase_if(pieces, [](const Piece& piece) { return !piece.visible; });
   add_segments(world, view, drawn, pieces, drawing);
-  pieces = {};  // chains take their room
+  pieces = std::vector<Piece>();  // chains take their room
   drawing.chains = chain_segments(drawing.segments, straight_mm);
 
   Vec2 most(-HUGE_VAL), low(HUGE_VAL);

@@ -1,5 +1,6 @@
 #include "drawing/piece_grid.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -89,6 +90,12 @@ std::size_t PieceGrid::end_of_direction(std::span<const Member> members, std::si
   return end;
 }
 
+std::size_t PieceGrid::first_from(std::span<const Member> members, float direction) {
+  const auto first = std::partition_point(members.begin(), members.end(),
+                                          [&](const Member& member) { return member.direction < direction; });
+  return static_cast<std::size_t>(first - members.begin());
+}
+
 // Those of one direction, in order of offset, whose lines may coincide with that of `a` somewhere in the cell.
 std::span<const PieceGrid::Member> PieceGrid::near(const Member& a, std::span<const Member> others, float turn,
                                                    float side) const {
@@ -114,11 +121,16 @@ bool PieceGrid::has_many_pairs(std::size_t cell) const {
 }
 
 void PieceGrid::find_crowds() {
+  std::vector<char> crowded(cells(), 0);
+  parallel_for(cells(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t cell = begin; cell < end; ++cell)
+      crowded[cell] = members_[cell].size() > crowd && has_many_pairs(cell) ? 1 : 0;
+  });
+  if (std::find(crowded.begin(), crowded.end(), 1) == crowded.end()) return;
+  crowded_ = std::move(crowded);
+  in_crowd_.resize(pieces_.size(), 0);
   for (std::size_t cell = 0; cell < cells(); ++cell) {
-    if (members_[cell].size() <= crowd || !has_many_pairs(cell)) continue;
-    crowded_.resize(cells(), 0);
-    in_crowd_.resize(pieces_.size(), 0);
-    crowded_[cell] = 1;
+    if (crowded_[cell] == 0) continue;
     for (const Member& member : members_[cell]) in_crowd_[member.piece] = 1;
   }
 }

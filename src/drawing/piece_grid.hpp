@@ -55,26 +55,35 @@ class PieceGrid {
   };
 
   static std::size_t end_of_direction(std::span<const Member> members, std::size_t begin);
+  // The first one that is turned so far or farther.
+  static std::size_t first_from(std::span<const Member> members, float direction);
 
   // Calls `visit(member, others, turn, side)` for each member and those of each direction near its own, until it
   // returns false.
   template <class Visit>
   void visit_directions(std::size_t cell, const Visit& visit) const {
     const std::span<const Member> members = members_[cell];
+    const float round = half_turn - widest_;
     for (std::size_t a = 0; a < members.size(); a = end_of_direction(members, a)) {
       const auto own = members.subspan(a, end_of_direction(members, a) - a);
       for (std::size_t i = 0; i < own.size(); ++i)
         if (!visit(own[i], own.subspan(i + 1), 0.0F, 1.0F)) return;
-      for (std::size_t b = a + own.size(); b < members.size(); b = end_of_direction(members, b)) {
-        const auto others = members.subspan(b, end_of_direction(members, b) - b);
-        const float turn = others[0].direction - own[0].direction;
-        // The first and the last directions are neighbours, with the sides of the line exchanged.
-        const bool round = turn >= half_turn - widest_;
-        if (!round && turn > widest_) continue;
-        for (const Member& member : own)
-          if (!visit(member, others, round ? half_turn - turn : turn, round ? -1.0F : 1.0F)) return;
-      }
+      const auto turn = [&](std::size_t b) { return members[b].direction - own[0].direction; };
+      std::size_t b = a + own.size();
+      for (; b < members.size() && turn(b) <= widest_ && turn(b) < round; b = end_of_direction(members, b))
+        if (!visit_each(own, members, b, turn(b), 1, visit)) return;
+      // The first and the last directions are neighbours, with the sides of the line exchanged.
+      b = std::max(b, first_from(members, own[0].direction + round));
+      for (; b < members.size(); b = end_of_direction(members, b))
+        if (!visit_each(own, members, b, half_turn - turn(b), -1, visit)) return;
     }
+  }
+
+  template <class Visit>
+  static bool visit_each(std::span<const Member> own, std::span<const Member> members, std::size_t begin, float turn,
+                         float side, const Visit& visit) {
+    const auto others = members.subspan(begin, end_of_direction(members, begin) - begin);
+    return std::all_of(own.begin(), own.end(), [&](const Member& member) { return visit(member, others, turn, side); });
   }
 
   [[nodiscard]] std::span<const Member> near(const Member& a, std::span<const Member> others, float turn,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 namespace epura {
@@ -18,7 +19,9 @@ Vec2 on_circle(const Vec2& d) { return Vec2(d.x * d.x - d.y * d.y, 2 * d.x * d.y
 
 PieceTree::PieceTree(const std::vector<Piece>& pieces, std::vector<int> members, double tolerance, double spread)
     : pieces_(&pieces), by_rank_(std::move(members)), tolerance_(tolerance), spread_(spread) {
-  std::sort(by_rank_.begin(), by_rank_.end(), [&](int a, int b) { return rank(pieces[b]) < rank(pieces[a]); });
+  // Pieces of one rank by their numbers: members come in any order.
+  const auto order_of = [&](int piece) { return std::tuple(rank(pieces[piece]), piece); };
+  std::sort(by_rank_.begin(), by_rank_.end(), [&](int a, int b) { return order_of(b) < order_of(a); });
   choose_normals();
   sort_by_direction();
   tree_ = {members_.size(), [&](std::size_t i) {

@@ -45,8 +45,8 @@ using CairoPath = std::unique_ptr<cairo_path_t, Free<cairo_path_destroy>>;
 Pen make_pen(const CairoSurface& surface);
 
 /// What keeps vector files of many strokes fast. Cairo unites the boxes of all strokes drawn so far, so the first one
-/// reaches over the whole surface, without ink: PDF and PostScript drop it, SVG has it as its first path. And Cairo
-/// rounds each line's ends to find its box, which need not be fine.
+/// reaches over the whole surface, without ink: PDF and PostScript drop it. And Cairo rounds each line's ends to find
+/// its box, which need not be fine.
 void begin_vector_file(const Pen& pen, const Canvas& canvas);
 
 /// For all that is drawn from now on.

@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "base/text.hpp"
 #include "base/utf8.hpp"
 #include "output/curve_pieces.hpp"
 #include "output/in_order.hpp"

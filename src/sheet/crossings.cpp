@@ -91,6 +91,7 @@ void Crossings::fill(const std::vector<char>& wanted) {
 }
 
 bool Crossings::has_outline_at(const Vec2& point) const {
+  if (asked_.empty()) return false;
   const int cell = grid_.cell(grid_.column(point.x), grid_.row(point.y));
   const std::span<const int> lines = lines_of_cells_[static_cast<std::size_t>(cell)];
   return std::any_of(lines.begin(), lines.end(), [&](int number) {

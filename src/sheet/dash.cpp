@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <utility>
 
 #include "drawing/curve_part.hpp"
 
@@ -106,8 +107,9 @@ FittedDashes fit_crossings(double length, double width, bool closed, std::span<c
   if (usual.dash == 0 || inks_all(usual, crossings)) return {usual};
   if (const auto dashes = try_lengths(length, width, closed, crossings)) return {*dashes};
   std::vector<double> pattern = pattern_for(length, width, closed, crossings);
-  for (std::size_t dash = 0; dash < pattern.size(); dash += 2)
-    if (pattern[dash] > longest_ink * width) return {usual};
+  double longest = closed ? pattern.front() + pattern[pattern.size() - 2] : 0;  // around the seam
+  for (std::size_t dash = 0; dash < pattern.size(); dash += 2) longest = std::max(longest, pattern[dash]);
+  if (longest > longest_ink * width) return {usual};
   return {{}, std::move(pattern)};
 }
 

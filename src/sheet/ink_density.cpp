@@ -25,7 +25,8 @@ CellGrid grid_over(std::span<const Chain> chains, double side) {
   constexpr double most_cells = 1024;
   const Vec2 size = most - least;
   const Vec2 sides = glm::max(Vec2(side), size / most_cells);
-  return {least, sides, static_cast<int>(size.x / sides.x) + 1, static_cast<int>(size.y / sides.y) + 1};
+  // Out of step with lines at round distances: what runs along a border counts on both sides of it.
+  return {least - 0.3 * sides, sides, static_cast<int>(size.x / sides.x) + 2, static_cast<int>(size.y / sides.y) + 2};
 }
 
 /// Calls visit(cell, length) for the part of each line of a chain in each cell.
@@ -42,10 +43,12 @@ void visit_parts(const CellGrid& grid, const Chain& chain, const Visit& visit) {
 InkDensity::InkDensity(std::span<const Chain> chains, double cell_side)
     : grid_(grid_over(chains, cell_side)), ink_(static_cast<std::size_t>(grid_.count()), 0) {
   parallel_for(chains.size(), 1024, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i)
+    for (std::size_t i = begin; i < end; ++i) {
+      if (is_within_surface(chains[i].kind)) continue;
       visit_parts(grid_, chains[i], [&](int cell, double length) {
         std::atomic_ref(ink_[cell]).fetch_add(std::llround(length * nanometres), std::memory_order_relaxed);
       });
+    }
   });
 }
 

@@ -10,7 +10,7 @@
 
 namespace epura {
 
-/// Millimetres of line on each square millimetre of paper, in cells of equal size.
+/// Millimetres of line, without tangent and smooth edges, on each square millimetre of paper, in cells of equal size.
 class InkDensity {
  public:
   InkDensity(std::span<const Chain> chains, double cell_side);

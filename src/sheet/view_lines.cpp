@@ -183,6 +183,10 @@ Place place_of(const Chain& chain, const ModelLook& look) {
   return is_within_surface(chain.kind) ? tangent_edges : visible;
 }
 
+bool is_drawn(const Chain& chain, const ModelLook& look) {
+  return chain.visible || (look.hidden != HiddenLines::none && !is_within_surface(chain.kind));
+}
+
 struct Looks {
   const std::vector<ModelLook>& by_model;
 
@@ -195,7 +199,7 @@ void add_chain(Strokes& strokes, const Drawing& drawing, std::size_t number, con
                const LineWidths& widths, const Crossings& crossings) {
   const Chain& chain = drawing.chains[number];
   const ModelLook& look = looks(drawing, chain);
-  if (!chain.visible && (look.hidden == HiddenLines::none || is_within_surface(chain.kind))) return;
+  if (!is_drawn(chain, look)) return;
   const Place place = place_of(chain, look);
   std::vector<Stroke>& here = strokes[place];
   if (place == hidden_dashed) return add_dashed(here, drawing, number, widths.narrow, crossings);
@@ -224,15 +228,17 @@ std::vector<std::size_t> without_crowded(const std::vector<std::size_t>& chains,
 
 // Lines that are dashed where others cross them, and lines that end short of others.
 std::vector<std::size_t> crossed_chains(const Drawing& drawing, const LineWidths& widths, const Looks& looks) {
-  std::vector<std::size_t> dashed, chains;
+  std::vector<std::size_t> with_dashes, chains;
   for (std::size_t i = 0; i < drawing.chains.size(); ++i) {
     const Chain& chain = drawing.chains[i];
-    const Place place = place_of(chain, looks(drawing, chain));
-    if (place == hidden_dashed && is_dashed(chain, widths.narrow)) dashed.push_back(i);
+    const ModelLook& look = looks(drawing, chain);
+    if (!is_drawn(chain, look)) continue;
+    const Place place = place_of(chain, look);
+    if (place == hidden_dashed && is_dashed(chain, widths.narrow)) with_dashes.push_back(i);
     if (place == tangent_edges) chains.push_back(i);
   }
-  dashed = without_crowded(dashed, drawing, widths.narrow);
-  const auto middle = chains.insert(chains.end(), dashed.begin(), dashed.end());
+  with_dashes = without_crowded(with_dashes, drawing, widths.narrow);
+  const auto middle = chains.insert(chains.end(), with_dashes.begin(), with_dashes.end());
   std::inplace_merge(chains.begin(), middle, chains.end());
   return chains;
 }

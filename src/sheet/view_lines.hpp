@@ -43,7 +43,8 @@ struct ModelLook {
 ///   VIEW/section    outlines of cut faces: wide, continuous
 ///   VIEW/visible    visible lines: wide, continuous
 /// The first and the last one are there also when they are empty, unless no model has hidden lines. Dashed lines have
-/// ink at their ends, at corners and where other lines cross them. Hidden edges between smooth faces are left out.
+/// ink at their ends, at corners and where other lines cross them, unless too many do. Hidden edges between smooth
+/// faces are left out.
 std::vector<Layer> view_layers(const Drawing& drawing, const LineWidths& widths, const std::vector<ModelLook>& looks);
 
 }  // namespace epura

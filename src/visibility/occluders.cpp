@@ -255,7 +255,7 @@ void OccluderGrid::drop_covered(Level& level) const {
   });
 }
 
-// What lies in the cells that are to be divided; they get their numbers in `level.full`.
+// What lies in the cells that have too much in them; they get their numbers in `level.full`.
 std::vector<OccluderGrid::Content> OccluderGrid::contents_of_full_cells(const Content& content, const CellLoad& load,
                                                                         int idle, Level& level) const {
   const CellGrid& grid = level.grid;

@@ -37,16 +37,31 @@ class Lookup {
     const Stretch& stretch = stretch_at(s);
     const double depth = occluders_.depths(line_, s, s)[0];
     if (depth < stretch.cover) return true;
+    if (stretch.tree != nullptr) return is_hidden_in(*stretch.tree, s);
     const double reach = occluders_.distance(depth);
     for (const Candidate& candidate : stretch.candidates) {
       if (candidate.distance() > reach) return false;
-      const ViewTriangle& triangle = view_.triangles[candidate.triangle()];
-      if (rule_.hides(triangle, s) && !own_.contain(triangle.source)) return true;
+      if (is_hidden_by(candidate.triangle(), s)) return true;
     }
     return false;
   }
 
  private:
+  [[nodiscard]] bool is_hidden_by(int number, double s) const {
+    const ViewTriangle& triangle = view_.triangles[number];
+    return rule_.hides(triangle, s) && !own_.contain(triangle.source);
+  }
+
+  [[nodiscard]] bool is_hidden_in(const CandidateTree& tree, double s) const {
+    const Vec3 point = occluders_.point(line_, s);
+    bool hidden = false;
+    tree.visit(tree.before(point, point), [&](int triangle) {
+      hidden = is_hidden_by(triangle, s);
+      return !hidden;
+    });
+    return hidden;
+  }
+
   // Stretches overlap by rounding, and there is one for every place.
   [[nodiscard]] const Stretch& stretch_at(double s) const {
     auto stretch = std::upper_bound(stretches_.begin(), stretches_.end(), s,
