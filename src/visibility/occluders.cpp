@@ -205,20 +205,26 @@ void OccluderGrid::find_candidates(const Content& content, const CellLoad& load,
   const Vec2 slack = margin() + cell_slack * grid.side;
   const auto add_cells = [&](int number, const auto& add) {
     const auto& [a, b, c] = view_.triangles[number].vertex;
-    if (cross(view_.grid[a], view_.grid[b], view_.grid[c]) == 0) return;  // without area it hides nothing
+    if (cross(view_.grid[a], view_.grid[b], view_.grid[c]) == 0) return false;  // without area it hides nothing
     const double closest = nearest(view_.triangles[number]);
     const Candidate candidate(front_ - closest, number);
+    bool any = false;
     TriangleOnGrid(grid, corners(view_.triangles[number]), slack).visit_rows([&](const RowOfCells& row) {
       for (int column = row.from; column <= row.to; ++column) {
         const int cell = grid.cell(column, row.row);
-        if (closest > load.deepest[cell] && !(closest < level.cover[cell]))
-          add(static_cast<std::size_t>(cell), candidate);
+        if (!(closest > load.deepest[cell]) || closest < level.cover[cell]) continue;
+        add(static_cast<std::size_t>(cell), candidate);
+        any = true;
       }
     });
+    return any;
   };
+  // Of smooth models, most triangles are candidates nowhere: the second time they are passed by.
+  std::vector<char> may_hide(content.triangles.size(), 1);
   level.candidates = Groups<Candidate>(static_cast<std::size_t>(grid.count()), [&](const auto& add) {
     parallel_for(content.triangles.size(), chunk, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) add_cells(content.triangles[i], add);
+      for (std::size_t i = begin; i < end; ++i)
+        if (may_hide[i] != 0) may_hide[i] = add_cells(content.triangles[i], add) ? 1 : 0;
     });
   });
   parallel_for(level.candidates.size(), chunk, [&](std::size_t begin, std::size_t end) {
