@@ -37,21 +37,11 @@ struct Direction {
 
 PieceGrid::PieceGrid(const std::vector<Piece>& pieces, double tolerance, float spread)
     : pieces_(pieces), tolerance_(tolerance), widest_(spread + 2 * one_direction) {
-  choose_grid();
+  grid_ =
+      grid_over_lines(pieces, {cells_for_piece * static_cast<double>(pieces.size()), 16 * tolerance, cuts_of_piece, 0});
   fill();
   find_crowds();
   plant_trees();
-}
-
-void PieceGrid::choose_grid() {
-  PageBox page{Vec2(HUGE_VAL), Vec2(-HUGE_VAL)};
-  for (const Piece& p : pieces_)
-    page = {glm::min(page.least, glm::min(p.from, p.to)), glm::max(page.most, glm::max(p.from, p.to))};
-  const GridLimits limits{cells_for_piece * static_cast<double>(pieces_.size()), 16 * tolerance_, cuts_of_piece, 0};
-  Cuts lines;
-  const Vec2 size = glm::max(page.most - page.least, Vec2(limits.side));
-  for (const Piece& p : pieces_) lines.add(glm::abs(p.to - p.from), size);
-  grid_ = epura::choose_grid(page, lines, {}, limits);
 }
 
 void PieceGrid::fill() {

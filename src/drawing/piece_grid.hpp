@@ -88,7 +88,6 @@ class PieceGrid {
 
   [[nodiscard]] std::span<const Member> near(const Member& a, std::span<const Member> others, float turn,
                                              float side) const;
-  void choose_grid();
   void fill();
   static void sort_cell(std::span<Member> members);
   [[nodiscard]] bool has_many_pairs(std::size_t cell) const;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <exception>
+#include <vector>
 
 #include "base/error.hpp"
 #include "output/curve_pieces.hpp"
@@ -101,18 +102,15 @@ void add_path(const Pen& pen, const Canvas& canvas, const Stroke& stroke) {
   if (stroke.closed) cairo_close_path(cairo);
 }
 
-void draw(const Pen& pen, const Canvas& canvas, const LineStyle& style, const std::vector<const Stroke*>& strokes) {
-  if (strokes.empty()) return;
-  cairo_t* cairo = pen.get();
-  cairo_set_line_width(cairo, style.width * canvas.units);
-  set_dashes(cairo, *strokes.front(), canvas.units);
-  for (const Stroke* stroke : strokes) add_path(pen, canvas, *stroke);
-  cairo_stroke(cairo);
-  require(cairo_status(cairo), "drawing");
-}
-
 void draw(const Pen& pen, const Canvas& canvas, const Layer& layer) {
-  for (const Stroke& stroke : layer.strokes) draw(pen, canvas, layer.style, {&stroke});
+  cairo_t* cairo = pen.get();
+  cairo_set_line_width(cairo, layer.style.width * canvas.units);
+  for (const Stroke& stroke : layer.strokes) {
+    set_dashes(cairo, stroke, canvas.units);
+    add_path(pen, canvas, stroke);
+    cairo_stroke(cairo);
+  }
+  require(cairo_status(cairo), "drawing");
 }
 
 cairo_status_t append_bytes(void* bytes, const unsigned char* data, unsigned length) {

@@ -8,7 +8,6 @@
 
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "sheet/sheet.hpp"
 
@@ -54,9 +53,6 @@ void set_colour(const Pen& pen, const Colour& colour);
 
 /// Adds a stroke to the pen's path, as a part of its own.
 void add_path(const Pen& pen, const Canvas& canvas, const Stroke& stroke);
-
-/// Draws strokes of one look in one go.
-void draw(const Pen& pen, const Canvas& canvas, const LineStyle& style, const std::vector<const Stroke*>& strokes);
 
 /// Draws every stroke of a layer for itself.
 void draw(const Pen& pen, const Canvas& canvas, const Layer& layer);

@@ -40,19 +40,6 @@ double distance(const Vec2& p, const Vec2& from, const Vec2& to) {
 
 constexpr std::size_t grain = 1024;
 
-// At most one cell for each line, and not so many that lines would run through too many of them.
-template <class Lines>
-CellGrid grid_over(const Lines& lines) {
-  PageBox page{Vec2(HUGE_VAL), Vec2(-HUGE_VAL)};
-  for (const auto& line : lines)
-    page = {glm::min(page.least, glm::min(line.from, line.to)), glm::max(page.most, glm::max(line.from, line.to))};
-  const GridLimits limits{static_cast<double>(lines.size()), 1e-3, 8, 0};
-  const Vec2 size = glm::max(page.most - page.least, Vec2(limits.side));
-  Cuts cuts;
-  for (const auto& line : lines) cuts.add(glm::abs(line.to - line.from), size);
-  return choose_grid(page, cuts, {}, limits);
-}
-
 }  // namespace
 
 Crossings::Crossings(std::span<const Chain> chains, std::vector<std::size_t> asked)
@@ -61,7 +48,8 @@ Crossings::Crossings(std::span<const Chain> chains, std::vector<std::size_t> ask
   for (std::size_t i = 0; i < chains.size(); ++i)
     if (!is_within_surface(chains[i].kind))
       visit_lines(chains[i], [&](const Vec2& from, const Vec2& to) { lines_.push_back({from, to, i}); });
-  grid_ = grid_over(lines_);
+  // At most one cell for each line, and not so many that lines would run through too many of them.
+  grid_ = grid_over_lines(lines_, {static_cast<double>(lines_.size()), 1e-3, 8, 0});
   fill(wanted_cells());
 }
 

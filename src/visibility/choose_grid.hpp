@@ -1,6 +1,7 @@
 // How finely, and in which proportion, a part of the page is divided into cells.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 
 #include "visibility/line_cells.hpp"
@@ -38,5 +39,17 @@ struct GridLimits {
 /// Cells are halved along the one or the other axis, whichever cuts fewer lines, as far as the limits allow: long
 /// parallel lines get long cells.
 CellGrid choose_grid(const PageBox& page, const Cuts& lines, const Cuts& areas, const GridLimits& limits);
+
+/// The same over lines that run from `from` to `to`.
+template <class Lines>
+CellGrid grid_over_lines(const Lines& lines, const GridLimits& limits) {
+  PageBox page{Vec2(HUGE_VAL), Vec2(-HUGE_VAL)};
+  for (const auto& line : lines)
+    page = {glm::min(page.least, glm::min(line.from, line.to)), glm::max(page.most, glm::max(line.from, line.to))};
+  const Vec2 size = glm::max(page.most - page.least, Vec2(limits.side));
+  Cuts cuts;
+  for (const auto& line : lines) cuts.add(glm::abs(line.to - line.from), size);
+  return choose_grid(page, cuts, {}, limits);
+}
 
 }  // namespace epura
