@@ -21,9 +21,10 @@ Mat4 place_of(const ModelDescription& model) {
   return place;
 }
 
-// Where a scene file names the model, an error of reading says where.
+// Where a scene file names the model, an error of reading says where. The mesh is made in place: make_shared would move
+// it, and moving a half-edge structure of OpenMesh copies it.
 std::shared_ptr<Mesh> read(const ModelDescription& model) {
-  const auto read_it = [](const std::string& file) { return std::make_shared<Mesh>(read_mesh(file)); };
+  const auto read_it = [](const std::string& file) { return std::shared_ptr<Mesh>(new Mesh(read_mesh(file))); };
   return model.file.where == model.file.text ? read_it(model.file.text) : parse_given(model.file, read_it);
 }
 

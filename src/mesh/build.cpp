@@ -45,12 +45,18 @@ Faces usable_faces(Soup& soup, MeshReport& report) {
   report.dropped_degenerate = drop_faces_without_three_corners(faces);
   if (report.non_finite_vertices > 0)
     report.dropped_non_finite = drop_faces_with_non_finite_corners(faces, soup.points);
-  report.dropped_duplicates = drop_duplicate_faces(faces, report.vertices);
   return faces;
 }
 
 EdgeTable edges_of(const Faces& triangles, const MeshReport& report) {
   return make_edge_table(triangles.corners, triangles.number, report.vertices);
+}
+
+/// Where all faces are triangles, their edges tell whether any are equal, which is seldom.
+void drop_equal_triangles(Faces& triangles, EdgeTable& table, MeshReport& report) {
+  if (!has_equal_triangles(table, triangles.corners)) return;
+  report.dropped_duplicates += drop_duplicate_faces(triangles, report.vertices);
+  table = edges_of(triangles, report);
 }
 
 /// Welds across cracks; then some triangles may have become equal.
@@ -61,8 +67,20 @@ void close_cracks(Points& points, Faces& triangles, EdgeTable& table, MeshReport
   report.weld_distance = mending.distance;
   renumber(points, triangles.corners, std::move(mending.representative));
   report.vertices = static_cast<int>(points.size());
-  report.dropped_duplicates += drop_duplicate_faces(triangles, report.vertices);
   table = edges_of(triangles, report);
+  drop_equal_triangles(triangles, table, report);
+}
+
+/// With their edges in `table`.
+Faces usable_triangles(Soup& soup, EdgeTable& table, MeshReport& report) {
+  Faces faces = usable_faces(soup, report);
+  const bool polygons = faces.corners.size() != 3 * faces.size();
+  if (polygons) report.dropped_duplicates = drop_duplicate_faces(faces, report.vertices);
+  Faces triangles = triangulate(std::move(faces), soup.points);
+  table = edges_of(triangles, report);
+  if (!polygons) drop_equal_triangles(triangles, table, report);
+  if (soup.corners_repeat_points) close_cracks(soup.points, triangles, table, report);
+  return triangles;
 }
 
 /// The triangles of a face follow each other.
@@ -129,9 +147,8 @@ Mesh build_mesh(Soup soup, std::string name) {
   report.vertices = static_cast<int>(soup.points.size());
   report.non_finite_vertices = count_non_finite(soup.points);
   if (soup.printed) report.resolution = decimal_resolution(soup.points);
-  Faces triangles = triangulate(usable_faces(soup, report), soup.points);
-  EdgeTable table = edges_of(triangles, report);
-  if (soup.corners_repeat_points) close_cracks(soup.points, triangles, table, report);
+  EdgeTable table;
+  Faces triangles = usable_triangles(soup, table, report);
 
   report.faces = count_faces(triangles);
   report.triangles = static_cast<int>(triangles.size());

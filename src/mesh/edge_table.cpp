@@ -1,7 +1,9 @@
 #include "mesh/edge_table.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 
 #include "base/parallel.hpp"
@@ -9,6 +11,8 @@
 namespace epura {
 
 namespace {
+
+constexpr std::size_t grain = 4096;
 
 /// A half-edge as its lower vertex sees it: the other vertex in the upper half, the half-edge in the lower one, so that
 /// one comparison sorts by both.
@@ -22,49 +26,81 @@ struct Buckets {
   std::vector<int> ends;  ///< of each vertex
   std::vector<Entry> entries;
 
+  [[nodiscard]] int begin_of(std::size_t vertex) const { return vertex == 0 ? 0 : ends[vertex - 1]; }
   [[nodiscard]] std::span<Entry> of(std::size_t vertex) {
-    return {entries.data() + (vertex == 0 ? 0 : ends[vertex - 1]), entries.data() + ends[vertex]};
+    return {entries.data() + begin_of(vertex), entries.data() + ends[vertex]};
   }
 };
 
 /// Counting sort by the lower vertex, then a sort within each of these short buckets.
-Buckets sorted_buckets(std::span<const int> corners, int vertex_count) {
-  Buckets buckets{.ends = std::vector<int>(static_cast<std::size_t>(vertex_count) + 1, 0),
-                  .entries = std::vector<Entry>(corners.size())};
+Buckets sorted_buckets(std::span<const int> corners, std::size_t vertex_count) {
+  Buckets buckets{.ends = std::vector<int>(vertex_count + 1, 0), .entries = std::vector<Entry>(corners.size())};
   const int count = static_cast<int>(corners.size());
   for (int h = 0; h < count; ++h) ++buckets.ends[std::min(corners[h], corners[next_in_triangle(h)]) + 1];
-  for (int v = 0; v < vertex_count; ++v) buckets.ends[v + 1] += buckets.ends[v];
+  std::partial_sum(buckets.ends.begin(), buckets.ends.end(), buckets.ends.begin());
   for (int h = 0; h < count; ++h) {
     const auto [low, high] = std::minmax({corners[h], corners[next_in_triangle(h)]});
     buckets.entries[buckets.ends[low]++] = make_entry(high, h);
   }
-  parallel_for(static_cast<std::size_t>(vertex_count), 4096, [&](std::size_t first, std::size_t last) {
-    for (std::size_t v = first; v < last; ++v) std::sort(buckets.of(v).begin(), buckets.of(v).end());
+  parallel_for(vertex_count, grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) std::sort(buckets.of(v).begin(), buckets.of(v).end());
   });
   return buckets;
+}
+
+int count_edges(std::span<const Entry> entries) {
+  int count = 0;
+  for (std::size_t i = 0; i < entries.size(); ++i)
+    count += i == 0 || other_of(entries[i]) != other_of(entries[i - 1]) ? 1 : 0;
+  return count;
 }
 
 }  // namespace
 
 EdgeTable make_edge_table(std::span<const int> corners, std::span<const int> polygon, int vertex_count) {
-  Buckets buckets = sorted_buckets(corners, vertex_count);
-  EdgeTable table;
-  table.edges.reserve(corners.size());  // twice what a closed surface needs, but pages are used as they are written
-  table.halfedges.reserve(corners.size());
-  for (int v = 0; v < vertex_count; ++v) {
-    int last = -1;
-    for (const Entry entry : buckets.of(static_cast<std::size_t>(v))) {
-      const int other = other_of(entry), halfedge = halfedge_of(entry);
-      if (std::exchange(last, other) != other)
-        table.edges.push_back({{v, other}, static_cast<int>(table.halfedges.size()), 0, /*diagonal=*/true});
-      MeshEdge& edge = table.edges.back();
-      table.halfedges.push_back(halfedge);
-      ++edge.count;
-      edge.diagonal = edge.diagonal && polygon[halfedge / 3] == polygon[table.halfedges[edge.first] / 3];
+  const auto vertices = static_cast<std::size_t>(vertex_count);
+  Buckets buckets = sorted_buckets(corners, vertices);
+  std::vector<int> first(vertices + 1, 0);  // number of the first edge of each vertex
+  parallel_for(vertices, grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) first[v + 1] = count_edges(buckets.of(v));
+  });
+  std::partial_sum(first.begin(), first.end(), first.begin());
+
+  EdgeTable table{std::vector<MeshEdge>(static_cast<std::size_t>(first.back())), std::vector<int>(corners.size())};
+  parallel_for(vertices, grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      int number = first[v] - 1;
+      int last = -1;
+      int at = buckets.begin_of(v);
+      for (const Entry entry : buckets.of(v)) {
+        const int other = other_of(entry), halfedge = halfedge_of(entry);
+        if (std::exchange(last, other) != other)
+          table.edges[++number] = {{static_cast<int>(v), other}, at, 0, /*diagonal=*/true};
+        MeshEdge& edge = table.edges[number];
+        table.halfedges[at++] = halfedge;
+        ++edge.count;
+        edge.diagonal = edge.diagonal && polygon[halfedge / 3] == polygon[table.halfedges[edge.first] / 3];
+      }
     }
-  }
+  });
   for (MeshEdge& edge : table.edges) edge.diagonal = edge.diagonal && edge.count > 1;
   return table;
+}
+
+bool has_equal_triangles(const EdgeTable& table, std::span<const int> corners) {
+  const auto apex = [&](int halfedge) { return corners[next_in_triangle(next_in_triangle(halfedge))]; };
+  std::atomic<bool> found = false;
+  parallel_for(table.edges.size(), grain, [&](std::size_t begin, std::size_t end) {
+    std::vector<int> apexes;
+    for (std::size_t e = begin; e < end; ++e) {
+      if (table.edges[e].count == 1) continue;
+      apexes.clear();
+      for (const int halfedge : table.halfedges_of(table.edges[e])) apexes.push_back(apex(halfedge));
+      if (apexes.size() > 2) std::sort(apexes.begin(), apexes.end());
+      if (std::adjacent_find(apexes.begin(), apexes.end()) != apexes.end()) found = true;
+    }
+  });
+  return found;
 }
 
 }  // namespace epura

@@ -22,6 +22,9 @@ struct EdgeTable {
 /// polygon only.
 EdgeTable make_edge_table(std::span<const int> corners, std::span<const int> polygon, int vertex_count);
 
+/// Whether two triangles have the same three vertices. Such have an edge in common.
+bool has_equal_triangles(const EdgeTable& table, std::span<const int> corners);
+
 inline int next_in_triangle(int halfedge) { return halfedge % 3 == 2 ? halfedge - 2 : halfedge + 1; }
 
 /// Whether exactly two triangles share the edge and run along it in opposite directions.
