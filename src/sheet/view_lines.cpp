@@ -243,6 +243,21 @@ std::vector<std::size_t> crossed_chains(const Drawing& drawing, const LineWidths
   return chains;
 }
 
+// Where there are many strokes, they are most of what a drawing needs: no room is taken twice.
+Strokes joined(std::vector<Strokes> parts) {
+  Strokes strokes;
+  for (std::size_t place = 0; place < places; ++place) {
+    std::size_t count = 0;
+    for (const Strokes& part : parts) count += part[place].size();
+    strokes[place].reserve(count);
+    for (Strokes& part : parts) {
+      std::vector<Stroke> moved = std::move(part[place]);
+      std::move(moved.begin(), moved.end(), std::back_inserter(strokes[place]));
+    }
+  }
+  return strokes;
+}
+
 // In order of the chains, in parts of so many.
 Strokes strokes_of(const Drawing& drawing, const LineWidths& widths, const Looks& looks) {
   const std::size_t count = drawing.chains.size();
@@ -252,11 +267,7 @@ Strokes strokes_of(const Drawing& drawing, const LineWidths& widths, const Looks
     for (std::size_t i = begin * chains_a_part; i < std::min(end * chains_a_part, count); ++i)
       add_chain(parts[i / chains_a_part], drawing, i, looks, widths, crossings);
   });
-  Strokes strokes;
-  for (Strokes& part : parts)
-    for (std::size_t place = 0; place < places; ++place)
-      std::move(part[place].begin(), part[place].end(), std::back_inserter(strokes[place]));
-  return strokes;
+  return joined(std::move(parts));
 }
 
 template <class Value>
