@@ -23,6 +23,18 @@ long_functions() {
        /;$/ && !/^ / { start = 0 }' "$@"
 }
 
+# Two types of one name in one namespace: the linker takes functions of either for both, and says nothing.
+repeated_types() {
+  awk 'FNR == 1 { space = ""; hidden = 0 }
+       /^namespace \{/ { hidden = 1 }
+       /^}  \/\/ namespace$/ { hidden = 0 }
+       /^namespace [a-z_:]+ \{/ { space = $2 }
+       /^(struct|class|enum|enum class) [A-Za-z]+ (: [^{]*)?\{/ && !hidden {
+         name = space "::" ($2 == "class" ? $3 : $2)
+         if (name in seen && seen[name] != FILENAME) print name ": " seen[name] ", " FILENAME
+         seen[name] = FILENAME }' "$@"
+}
+
 mapfile -t files < <(sources)
 if [ ${#files[@]} -eq 0 ]; then
   echo "style: no sources under $root" >&2
@@ -31,6 +43,7 @@ fi
 
 complain "files longer than 400 lines" "$(wc -l "${files[@]}" | awk '$1 > 400 && $2 != "total"')"
 complain "functions longer than 40 lines" "$(long_functions "${files[@]}")"
+complain "types of one name" "$(repeated_types "${files[@]}")"
 complain "headers without a guard" \
   "$(printf '%s\n' "${files[@]}" | grep -E '\.(hpp|h)$' | xargs -r grep -L -e '#pragma once' -e '#ifndef')"
 complain "paths of a machine" "$(grep -rInE '(^|[^A-Za-z0-9_.])/(home|work|root)/|\.\./shared' . \

@@ -84,32 +84,33 @@ std::string one_line(std::string text) {
 }
 
 /// Those that begin with `begin`, each behind `before`.
-std::string lines(const std::vector<Candidate>& candidates, const std::string& begin, const std::string& before = {}) {
+std::string lines(const std::vector<Suggestion>& suggestions, const std::string& begin,
+                  const std::string& before = {}) {
   std::string text;
-  for (const Candidate& candidate : candidates)
-    if (candidate.word.starts_with(begin)) text += before + candidate.word + "\t" + one_line(candidate.help) + "\n";
+  for (const Suggestion& suggestion : suggestions)
+    if (suggestion.word.starts_with(begin)) text += before + suggestion.word + "\t" + one_line(suggestion.help) + "\n";
   return text;
 }
 
 std::string values(const Place& place, const OptionDescription& option, const std::string& text,
                    const std::string& before = {}) {
-  const auto candidates = value_candidates(*place.command, option, text, plugin_folders(place.plugin_path));
-  if (!candidates.empty()) return lines(candidates, text, before);
+  const auto suggestions = value_suggestions(*place.command, option, text, plugin_folders(place.plugin_path));
+  if (!suggestions.empty()) return lines(suggestions, text, before);
   if (option.type.starts_with("DIR")) return ":folders\n";
   const bool is_file = option.type.starts_with("FILE") || (option.is_argument() && option.type != "NAME");
   return is_file ? ":files\n" : "";
 }
 
 std::string options(const CommandDescription& command, const std::string& begin) {
-  std::vector<Candidate> candidates;
+  std::vector<Suggestion> suggestions;
   for (const OptionDescription& option : command.options)
     for (const std::string& name : option.names)
-      if (!option.is_argument() && (name.starts_with("--") || begin == "-")) candidates.push_back({name, option.help});
-  return lines(candidates, begin);
+      if (!option.is_argument() && (name.starts_with("--") || begin == "-")) suggestions.push_back({name, option.help});
+  return lines(suggestions, begin);
 }
 
 std::string commands_and_argument(const Place& place, const std::string& text) {
-  std::vector<Candidate> commands;
+  std::vector<Suggestion> commands;
   if (place.arguments == 0)
     for (const CommandDescription& command : place.command->commands) commands.push_back({command.name, command.help});
   const OptionDescription* argument = next_argument(place);

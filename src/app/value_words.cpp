@@ -55,46 +55,46 @@ Words words_of(const CommandDescription& command, const std::string& option) {
 std::string before_last(const std::string& text, char separator) { return text.substr(0, text.rfind(separator) + 1); }
 
 /// The next word of a list with commas: those that are not in it yet.
-std::vector<Candidate> continue_list(const std::string& text, const std::vector<Candidate>& words) {
+std::vector<Suggestion> continue_list(const std::string& text, const std::vector<Suggestion>& words) {
   const std::string before = before_last(text, ',');
   const auto given = split(before, ',');
-  std::vector<Candidate> candidates;
-  for (const Candidate& candidate : words)
-    if (std::find(given.begin(), given.end(), candidate.word) == given.end())
-      candidates.push_back({before + candidate.word, candidate.help});
-  return candidates;
+  std::vector<Suggestion> suggestions;
+  for (const Suggestion& suggestion : words)
+    if (std::find(given.begin(), given.end(), suggestion.word) == given.end())
+      suggestions.push_back({before + suggestion.word, suggestion.help});
+  return suggestions;
 }
 
-std::vector<Candidate> projections(const Folders& folders) {
-  std::vector<Candidate> candidates;
-  for (const ProjectionEntry& entry : load_watched(folders).entries) candidates.push_back({entry.name, entry.summary});
-  return candidates;
+std::vector<Suggestion> projections(const Folders& folders) {
+  std::vector<Suggestion> suggestions;
+  for (const ProjectionEntry& entry : load_watched(folders).entries) suggestions.push_back({entry.name, entry.summary});
+  return suggestions;
 }
 
-std::vector<Candidate> values_of(const Parameter& parameter, const std::string& before) {
-  std::vector<Candidate> candidates;
-  for (const std::string& choice : parameter.choices) candidates.push_back({before + choice, parameter.help});
-  if (candidates.empty() && !usual_value(parameter).empty())
-    candidates.push_back({before + usual_value(parameter), values_text(parameter)});
-  return candidates;
+std::vector<Suggestion> values_of(const Parameter& parameter, const std::string& before) {
+  std::vector<Suggestion> suggestions;
+  for (const std::string& choice : parameter.choices) suggestions.push_back({before + choice, parameter.help});
+  if (suggestions.empty() && !usual_value(parameter).empty())
+    suggestions.push_back({before + usual_value(parameter), values_text(parameter)});
+  return suggestions;
 }
 
 /// Parameters that have no value yet, or the values of the one that waits for its.
-std::vector<Candidate> parameters(const ProjectionEntry& entry, const std::string& text) {
+std::vector<Suggestion> parameters(const ProjectionEntry& entry, const std::string& text) {
   const std::string before = before_last(text, ':');
   const std::string last = text.substr(before.size());
-  std::vector<Candidate> candidates;
+  std::vector<Suggestion> suggestions;
   for (const Parameter& parameter : entry.parameters) {
     const std::string key = parameter.name + "=";
     if (last.starts_with(key)) return values_of(parameter, before + key);
     if (before.find(":" + key) == std::string::npos)
-      candidates.push_back({before + key, parameter.help + "; " + values_text(parameter)});
+      suggestions.push_back({before + key, parameter.help + "; " + values_text(parameter)});
   }
-  return candidates;
+  return suggestions;
 }
 
 /// NAME[:key=value...]
-std::vector<Candidate> continue_request(const std::string& text, const Folders& folders) {
+std::vector<Suggestion> continue_request(const std::string& text, const Folders& folders) {
   const std::size_t colon = text.find(':');
   if (colon == std::string::npos) return projections(folders);
   try {
@@ -106,13 +106,13 @@ std::vector<Candidate> continue_request(const std::string& text, const Folders& 
 
 }  // namespace
 
-std::vector<Candidate> value_candidates(const CommandDescription& command, const OptionDescription& option,
-                                        const std::string& text, const Folders& folders) {
+std::vector<Suggestion> value_suggestions(const CommandDescription& command, const OptionDescription& option,
+                                          const std::string& text, const Folders& folders) {
   const std::string& name = option.names.back();
   if (name == "--projection") return continue_request(text, folders);
   if (name == "--views") return continue_list(text, projections(folders));
   if (name == "name" && command.name == "plugins") return projections(folders);
-  std::vector<Candidate> words;
+  std::vector<Suggestion> words;
   for (const std::string& word : words_of(command, name)) words.push_back({word, ""});
   return name == "--edges" || name == "--plan" ? continue_list(text, words) : words;
 }

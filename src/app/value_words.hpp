@@ -10,13 +10,13 @@
 namespace epura {
 
 /// A word that may stand where the cursor is. One that ends with ':', '=' or ',' is to be continued.
-struct Candidate {
+struct Suggestion {
   std::string word, help;
 };
 
-/// `text` is what the value begins with so far; candidates are whole values, some of which do not begin like it.
+/// `text` is what the value begins with so far; suggestions are whole values, some of which do not begin like it.
 /// Projections and their parameters are asked of the plugins in `folders`. Nothing where every text would do.
-std::vector<Candidate> value_candidates(const CommandDescription& command, const OptionDescription& option,
-                                        const std::string& text, const std::vector<std::filesystem::path>& folders);
+std::vector<Suggestion> value_suggestions(const CommandDescription& command, const OptionDescription& option,
+                                          const std::string& text, const std::vector<std::filesystem::path>& folders);
 
 }  // namespace epura

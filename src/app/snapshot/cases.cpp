@@ -55,9 +55,11 @@ void compare_with_expectation(SnapshotResult& result, double tolerance, bool wit
   const PictureFile expected = exists ? read_pictures(result.expected) : PictureFile{actual.is_json, actual.is_pdf, {}};
   const Comparison comparison = compare(expected, actual, tolerance);
   const bool same = comparison.differences.empty();
-  result.verdict = !exists ? Verdict::new_case : same ? Verdict::as_expected : Verdict::different;
+  result.verdict = !exists ? SnapshotVerdict::new_case
+                   : same  ? SnapshotVerdict::as_expected
+                           : SnapshotVerdict::different;
   result.words = exists ? in_words(comparison, tolerance) : "nothing is expected yet\n";
-  if (with_pictures && result.verdict != Verdict::as_expected)
+  if (with_pictures && result.verdict != SnapshotVerdict::as_expected)
     result.pictures = reported_case(result.name, false, result.words, expected, actual, comparison);
 }
 
@@ -96,7 +98,7 @@ std::vector<SnapshotResult> run_case(const SnapshotCase& one, double tolerance, 
       result.words = std::string(error.what()) + "\n";
     }
     if (result.pictures.name.empty())
-      result.pictures = {result.name, result.verdict == Verdict::as_expected, result.words};
+      result.pictures = {result.name, result.verdict == SnapshotVerdict::as_expected, result.words};
   }
   return results;
 }

@@ -20,13 +20,13 @@ struct SnapshotCase {
 /// path from there. Throws Error{input} for a folder without any.
 std::vector<SnapshotCase> find_cases(const std::vector<std::string>& folders);
 
-enum class Verdict { as_expected, different, new_case, failed };
+enum class SnapshotVerdict { as_expected, different, new_case, failed };
 
 /// A drawing that was made for a case, and the file that it should be like.
 struct SnapshotResult {
   std::string name;  ///< "cube-isometric/expected.json"
   std::filesystem::path expected;
-  Verdict verdict = Verdict::failed;
+  SnapshotVerdict verdict = SnapshotVerdict::failed;
   std::string words;     ///< what differs, or why nothing was drawn
   std::string actual{};  ///< bytes of the drawing
   ReportedCase pictures{};

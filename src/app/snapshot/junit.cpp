@@ -12,11 +12,11 @@ std::string first_line(const std::string& text) { return text.substr(0, text.fin
 
 void append_case(std::string& xml, const SnapshotResult& result) {
   append_attribute(xml += "  <testcase classname=\"epura.snapshot\"", "name", result.name);
-  if (result.verdict == Verdict::as_expected) {
+  if (result.verdict == SnapshotVerdict::as_expected) {
     xml += "/>\n";
     return;
   }
-  const std::string element = result.verdict == Verdict::failed ? "error" : "failure";
+  const std::string element = result.verdict == SnapshotVerdict::failed ? "error" : "failure";
   append_attribute(xml += ">\n    <" + element, "message", first_line(result.words));
   append_escaped(xml += ">", result.words);
   xml += "</" + element + ">\n  </testcase>\n";
@@ -29,10 +29,11 @@ std::string junit_report(const std::vector<SnapshotResult>& results) {
     return std::to_string(std::count_if(results.begin(), results.end(),
                                         [&](const SnapshotResult& result) { return wanted(result.verdict); }));
   };
-  std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"epura snapshot\" tests=\"" +
-                    std::to_string(results.size()) + "\" failures=\"" +
-                    count([](Verdict v) { return v == Verdict::different || v == Verdict::new_case; }) +
-                    "\" errors=\"" + count([](Verdict v) { return v == Verdict::failed; }) + "\">\n";
+  std::string xml =
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"epura snapshot\" tests=\"" +
+      std::to_string(results.size()) + "\" failures=\"" +
+      count([](SnapshotVerdict v) { return v == SnapshotVerdict::different || v == SnapshotVerdict::new_case; }) +
+      "\" errors=\"" + count([](SnapshotVerdict v) { return v == SnapshotVerdict::failed; }) + "\">\n";
   for (const SnapshotResult& result : results) append_case(xml, result);
   return xml + "</testsuite>\n";
 }

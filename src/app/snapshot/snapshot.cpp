@@ -42,23 +42,23 @@ std::string first_lines(const std::string& text) {
   return indented;
 }
 
-const char* name_of(Verdict verdict, bool accepted) {
+const char* name_of(SnapshotVerdict verdict, bool accepted) {
   if (accepted) return "accepted ";
   switch (verdict) {
-    case Verdict::as_expected:
+    case SnapshotVerdict::as_expected:
       return "ok       ";
-    case Verdict::different:
+    case SnapshotVerdict::different:
       return "DIFFERENT";
-    case Verdict::new_case:
+    case SnapshotVerdict::new_case:
       return "NEW      ";
-    case Verdict::failed:
+    case SnapshotVerdict::failed:
       return "FAILED   ";
   }
   return "";
 }
 
 bool can_be_accepted(const SnapshotResult& result) {
-  return result.verdict == Verdict::different || result.verdict == Verdict::new_case;
+  return result.verdict == SnapshotVerdict::different || result.verdict == SnapshotVerdict::new_case;
 }
 
 }  // namespace
@@ -76,9 +76,9 @@ int snapshot(const SnapshotOptions& options) {
   for (const SnapshotResult& result : results) {
     const bool accepted = options.accept && can_be_accepted(result);
     if (accepted) write_file(result.expected, result.actual);
-    if (accepted || result.verdict == Verdict::as_expected) ++good;
+    if (accepted || result.verdict == SnapshotVerdict::as_expected) ++good;
     text += std::string(name_of(result.verdict, accepted)) + " " + result.name + "\n";
-    if (result.verdict != Verdict::as_expected) text += first_lines(result.words);
+    if (result.verdict != SnapshotVerdict::as_expected) text += first_lines(result.words);
     pictures.push_back(result.pictures);
   }
   if (!options.report.empty()) write_file(options.report, html_report("epura snapshot", pictures));

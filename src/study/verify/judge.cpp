@@ -66,7 +66,7 @@ class Judge {
     for (const Probe& probe : probes) lookouts_.emplace_back(viewing_, tolerance, line_of(probe), probe.t);
   }
 
-  std::vector<Verdict> verdicts() {
+  std::vector<ProbeVerdict> verdicts() {
     const std::size_t count = claim_.world.triangles.size();
     std::vector<std::vector<Met>> met((count + chunk - 1) / chunk);
     parallel_for(met.size(), 1, [&](std::size_t first, std::size_t last) {
@@ -77,7 +77,7 @@ class Judge {
     std::vector<std::vector<Portion>> portions(probes_.size());
     for (std::vector<Met>& part : met)
       for (Met& one : part) portions[one.probe].push_back(std::move(one.portion));
-    std::vector<Verdict> verdicts(probes_.size());
+    std::vector<ProbeVerdict> verdicts(probes_.size());
     for (std::size_t i = 0; i < verdicts.size(); ++i) verdicts[i] = verdict_of(i, portions[i]);
     return verdicts;
   }
@@ -115,11 +115,11 @@ class Judge {
     });
   }
 
-  [[nodiscard]] Verdict verdict_of(std::size_t probe, const std::vector<Portion>& portions) const {
+  [[nodiscard]] ProbeVerdict verdict_of(std::size_t probe, const std::vector<Portion>& portions) const {
     if (portions.empty() && !doubted_[probe]) return {};
-    if (!settled_[probe] && !covered(claim_.world, portions)) return {Answer::undecided};
+    if (!settled_[probe] && !covered(claim_.world, portions)) return {ProbeAnswer::undecided};
     const auto nearest = std::ranges::min_element(portions, {}, &Portion::depth);
-    return {Answer::hidden, name_facets_ ? nearest->triangle : -1};
+    return {ProbeAnswer::hidden, name_facets_ ? nearest->triangle : -1};
   }
 
   const Claim& claim_;
@@ -135,8 +135,8 @@ class Judge {
 
 }  // namespace
 
-std::vector<Verdict> judge(const Claim& claim, const Tolerance& tolerance, std::span<const Probe> probes,
-                           bool name_facets) {
+std::vector<ProbeVerdict> judge(const Claim& claim, const Tolerance& tolerance, std::span<const Probe> probes,
+                                bool name_facets) {
   if (probes.empty()) return {};
   return Judge(claim, tolerance, probes, name_facets).verdicts();
 }

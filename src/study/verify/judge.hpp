@@ -18,15 +18,15 @@ struct Probe {
   double t;  ///< along the whole edge in space
 };
 
-enum class Answer { visible, hidden, undecided };
+enum class ProbeAnswer { visible, hidden, undecided };
 
-struct Verdict {
-  Answer answer = Answer::visible;
+struct ProbeVerdict {
+  ProbeAnswer answer = ProbeAnswer::visible;
   int facet = -1;  ///< the triangle that hides the point, the nearest before it; -1 where it was not asked for
 };
 
 /// One verdict for each probe. With `name_facets` nothing is left out that an answer does not need, which takes longer.
-std::vector<Verdict> judge(const Claim& claim, const Tolerance& tolerance, std::span<const Probe> probes,
-                           bool name_facets);
+std::vector<ProbeVerdict> judge(const Claim& claim, const Tolerance& tolerance, std::span<const Probe> probes,
+                                bool name_facets);
 
 }  // namespace epura

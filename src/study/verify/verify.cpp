@@ -19,8 +19,8 @@ constexpr int steps = 8;
 
 enum class Finding { right, undecided, misclassified, no_ink };
 
-bool contradicts(const TestedSpan& span, Answer answer) {
-  return answer != Answer::undecided && (answer == Answer::visible) != span.visible;
+bool contradicts(const TestedSpan& span, ProbeAnswer answer) {
+  return answer != ProbeAnswer::undecided && (answer == ProbeAnswer::visible) != span.visible;
 }
 
 class Verifier {
@@ -58,9 +58,9 @@ class Verifier {
   void judge_samples() {
     std::vector<Probe> probes;
     for (std::size_t i = 0; i < samples_.size(); ++i) probes.push_back(probe_of(i));
-    const std::vector<Verdict> verdicts = judge(claim_, tolerance_, probes, false);
+    const std::vector<ProbeVerdict> verdicts = judge(claim_, tolerance_, probes, false);
     for (std::size_t i = 0; i < samples_.size(); ++i) {
-      if (verdicts[i].answer == Answer::undecided) findings_[i] = Finding::undecided;
+      if (verdicts[i].answer == ProbeAnswer::undecided) findings_[i] = Finding::undecided;
       if (contradicts(span_of(i), verdicts[i].answer)) findings_[i] = Finding::misclassified;
     }
   }
@@ -75,9 +75,9 @@ class Verifier {
       for (int k = -2 * steps; k <= 2 * steps; ++k)
         probes.push_back(probe_at(population_, span_of(i).edge, std::clamp(beside(i, k), 0.0, 1.0)));
     }
-    const std::vector<Verdict> verdicts = judge(claim_, tolerance_, probes, true);
+    const std::vector<ProbeVerdict> verdicts = judge(claim_, tolerance_, probes, true);
     for (std::size_t i = 0; i < wrong.size(); ++i) {
-      const Verdict* middle = &verdicts[i * (4 * steps + 1) + 2 * steps];
+      const ProbeVerdict* middle = &verdicts[i * (4 * steps + 1) + 2 * steps];
       const auto is_wrong = [&](int k) {
         const double s = beside(wrong[i], k);
         const TestedSpan& span = span_of(wrong[i]);

@@ -31,7 +31,7 @@ class LetteredRasters : public Rasters {
 // Cairo moves the glyphs of the PDF to whole pixels, by half a pixel at most: no pixel turns from black to white.
 TEST_F(LetteredRasters, SvgAndPdfLookTheSame) {
   const Sheet sheet = lettered();
-  const Picture pdf = of_pdf(sheet, dpi);
+  const GreyPicture pdf = of_pdf(sheet, dpi);
   ASSERT_GT(pdf.width, 900);
   EXPECT_LT(difference(pdf, of_svg(sheet, dpi)), 1e-4);
   Sheet shifted = sheet;

@@ -34,14 +34,14 @@ inline bool is_installed(const std::string& program) {
 }
 
 /// Shades from 0, black, to 255.
-struct Picture {
+struct GreyPicture {
   int width = 0, height = 0;
   std::vector<int> grey;
 };
 
-inline Picture read_png(const std::filesystem::path& file) {
+inline GreyPicture read_png(const std::filesystem::path& file) {
   const CairoSurface image(cairo_image_surface_create_from_png(file.c_str()));
-  Picture picture{cairo_image_surface_get_width(image.get()), cairo_image_surface_get_height(image.get()), {}};
+  GreyPicture picture{cairo_image_surface_get_width(image.get()), cairo_image_surface_get_height(image.get()), {}};
   const unsigned char* rows = cairo_image_surface_get_data(image.get());
   for (int y = 0; y < picture.height; ++y)
     for (int x = 0; x < picture.width; ++x)
@@ -51,13 +51,13 @@ inline Picture read_png(const std::filesystem::path& file) {
 
 /// Share of pixels that differ by more than three quarters of black; 1 when the sizes do. The outermost ones, which the
 /// sheet covers in part only, do not count.
-inline double difference(const Picture& a, const Picture& b) {
+inline double difference(const GreyPicture& a, const GreyPicture& b) {
   // Sizes are rounded one way or the other.
   if (std::abs(a.width - b.width) > 1 || std::abs(a.height - b.height) > 1) return 1;
   double differing = 0;
   for (int y = 1; y < std::min(a.height, b.height) - 1; ++y)
     for (int x = 1; x < std::min(a.width, b.width) - 1; ++x) {
-      const auto shade = [&](const Picture& p) { return p.grey[static_cast<std::size_t>(y * p.width + x)]; };
+      const auto shade = [&](const GreyPicture& p) { return p.grey[static_cast<std::size_t>(y * p.width + x)]; };
       differing += std::abs(shade(a) - shade(b)) > 192 ? 1 : 0;
     }
   return differing / static_cast<double>(a.grey.size());
@@ -67,14 +67,14 @@ class Rasters : public testing::Test {
  protected:
   void write(const std::string& name, const std::string& bytes) const { folder_.file(name, bytes); }
   [[nodiscard]] std::string path(const std::string& name) const { return "'" + (folder_ / name).string() + "'"; }
-  [[nodiscard]] Picture picture(const std::string& name) const { return read_png(folder_ / name); }
+  [[nodiscard]] GreyPicture picture(const std::string& name) const { return read_png(folder_ / name); }
 
-  [[nodiscard]] Picture of_pdf(const Sheet& sheet, double dpi) const {
+  [[nodiscard]] GreyPicture of_pdf(const Sheet& sheet, double dpi) const {
     write("sheet.pdf", to_pdf({&sheet}));
     run("pdftocairo -png -r " + format_number(dpi) + " -singlefile " + path("sheet.pdf") + " " + path("pdf"));
     return picture("pdf.png");
   }
-  [[nodiscard]] Picture of_svg(const Sheet& sheet, double dpi) const {
+  [[nodiscard]] GreyPicture of_svg(const Sheet& sheet, double dpi) const {
     write("sheet.svg", to_svg(sheet, {}));
     const std::string resolution = format_number(dpi);
     run("rsvg-convert --background-color=white -d " + resolution + " -p " + resolution + " -o " + path("svg.png") +

@@ -29,7 +29,7 @@ class Rendered : public Rasters {
 constexpr double same = 1e-5, moved = 1e-2;
 
 TEST_F(Rendered, PdfAndSvgLookTheSame) {
-  const Picture svg = of_svg(sheet, dpi);
+  const GreyPicture svg = of_svg(sheet, dpi);
   ASSERT_EQ(svg.width, 1754);
   EXPECT_LT(difference(of_pdf(sheet, dpi), svg), same);
   EXPECT_GT(difference(of_pdf(shifted(), dpi), svg), moved);
@@ -37,7 +37,7 @@ TEST_F(Rendered, PdfAndSvgLookTheSame) {
 
 TEST_F(Rendered, BrowsersShowSvgTheSame) {
   if (!is_installed("chromium")) GTEST_SKIP() << "no chromium";
-  const Picture svg = of_svg(sheet, 96);
+  const GreyPicture svg = of_svg(sheet, 96);
   const auto in_browser = [&](const Sheet& shown) {
     write("shown.svg", to_svg(shown, {}));
     run("chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --force-device-scale-factor=1 "
