@@ -11,6 +11,8 @@ endif()
 # Contraction to fused multiply-add would make results depend on compiler and processor.
 add_compile_options(-ffp-contract=off -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+  # Functions of one file may call each other directly, as Clang lets them: no library replaces any.
+  add_compile_options(-fno-semantic-interposition)
   # GCC 12 sees overlapping copies in plain string concatenation (GCC bug 105651).
   add_compile_options($<$<COMPILE_LANGUAGE:CXX>:-Wno-restrict>)
 endif()
