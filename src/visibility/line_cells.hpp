@@ -14,11 +14,17 @@ struct CellGrid {
   Vec2 side;  ///< width and height of a cell
   int columns, rows;
 
-  [[nodiscard]] int column(double x) const;
-  [[nodiscard]] int row(double y) const;
+  [[nodiscard]] int column(double x) const { return clamped((x - origin.x) / side.x, columns); }
+  [[nodiscard]] int row(double y) const { return clamped((y - origin.y) / side.y, rows); }
   [[nodiscard]] int cell(int column, int row) const { return row * columns + column; }
   [[nodiscard]] int count() const { return columns * rows; }
   [[nodiscard]] Vec2 middle(int cell) const { return origin + side * Vec2(cell % columns + 0.5, cell / columns + 0.5); }
+
+ private:
+  static int clamped(double place, int count) {
+    if (!(place > 0)) return 0;
+    return place >= count - 1 ? count - 1 : static_cast<int>(place);
+  }
 };
 
 /// The parameters (0 at a, 1 at b) between which a line runs through a strip from <= x <= to in one coordinate.

@@ -69,10 +69,6 @@ double greatest_depth(const View& view) {
 
 }  // namespace
 
-Candidate::Candidate(double distance, int triangle)
-    : key_(std::uint64_t{std::bit_cast<std::uint32_t>(rounded_down(distance))} << 32 |
-           static_cast<std::uint32_t>(triangle)) {}
-
 OccluderGrid::OccluderGrid(const View& view, const std::vector<DrawnEdge>& edges, const Contact& contact)
     : view_(view), edges_(edges), contact_(contact), front_(greatest_depth(view)), top_(make_level(whole_page(), 0)) {}
 
@@ -168,7 +164,7 @@ void OccluderGrid::find_covers(const Content& content, Level& level) const {
     for (std::size_t i = begin; i < end; ++i) {
       const ViewTriangle& triangle = view_.triangles[content.triangles[i]];
       const TriangleOnGrid on_grid(grid, corners(triangle), slack);
-      if (!on_grid.large()) continue;
+      if (!on_grid.may_hold_cells()) continue;
       const CoverPlane plane(view_, triangle, grid.side / 2.0 + slack, contact_);
       on_grid.visit_rows([&](const RowOfCells& row) {
         for (int column = row.inner_from; column <= row.inner_to; ++column) {

@@ -21,7 +21,9 @@ class Candidate {
  public:
   Candidate() = default;
   /// `distance` behind the nearest place of the scene, not negative, is rounded down to 32 bits.
-  Candidate(double distance, int triangle);
+  Candidate(double distance, int triangle)
+      : key_(std::uint64_t{std::bit_cast<std::uint32_t>(rounded_down(distance))} << 32 |
+             static_cast<std::uint32_t>(triangle)) {}
 
   [[nodiscard]] float distance() const { return std::bit_cast<float>(static_cast<std::uint32_t>(key_ >> 32)); }
   [[nodiscard]] int triangle() const { return static_cast<int>(key_ & 0xffffffff); }

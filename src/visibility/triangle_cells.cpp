@@ -1,50 +1,9 @@
 #include "visibility/triangle_cells.hpp"
 
 #include <cstddef>
+#include <utility>
 
 namespace epura {
-
-namespace {
-
-struct Interval {
-  double from = HUGE_VAL, to = -HUGE_VAL;
-
-  void add(const Interval& other) {
-    from = std::min(from, other.from);
-    to = std::max(to, other.to);
-  }
-};
-
-// A triangle on one level line: where its border may cross, and what surely lies between.
-struct LevelCut {
-  Interval hull, inner;
-};
-
-// Where a side crosses the level y. Of a side that is nearly level itself, only its ends are known.
-Interval crossing(const Vec2& a, const Vec2& b, double y, double flat) {
-  if (std::abs(b.y - a.y) <= flat) return {std::min(a.x, b.x), std::max(a.x, b.x)};
-  const double x = a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x);
-  return {x, x};
-}
-
-LevelCut cut_level(const std::array<Vec2, 3>& corners, double y, double flat) {
-  std::array<Interval, 2> crossings;
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const Vec2& a = corners[i];
-    const Vec2& b = corners[(i + 1) % 3];
-    if ((a.y <= y) != (b.y <= y)) crossings[count++] = crossing(a, b, y, flat);
-  }
-  LevelCut cut;
-  if (count < 2) return cut;
-  if (crossings[0].from > crossings[1].from) std::swap(crossings[0], crossings[1]);
-  cut.inner = {crossings[0].to, crossings[1].from};
-  cut.hull = crossings[0];
-  cut.hull.add(crossings[1]);
-  return cut;
-}
-
-}  // namespace
 
 TriangleOnGrid::TriangleOnGrid(const CellGrid& grid, const std::array<Vec2, 3>& corners, const Vec2& slack)
     : grid_(grid), corners_(corners), slack_(slack) {
@@ -58,13 +17,46 @@ TriangleOnGrid::TriangleOnGrid(const CellGrid& grid, const std::array<Vec2, 3>& 
   right_ = beside ? left_ - 1 : grid.column(most.x);
   bottom_ = grid.row(least.y);
   top_ = beside ? bottom_ - 1 : grid.row(most.y);
+  if (large_) sides_ = {side_between(a, b), side_between(b, c), side_between(c, a)};
+}
+
+// A rectangle in a triangle takes at most half of its area.
+bool TriangleOnGrid::may_hold_cells() const {
+  const Vec2 u = corners_[1] - corners_[0], v = corners_[2] - corners_[0];
+  return large_ && std::abs(u.x * v.y - u.y * v.x) > 4 * grid_.side.x * grid_.side.y;
+}
+
+TriangleOnGrid::Side TriangleOnGrid::side_between(const Vec2& a, const Vec2& b) const {
+  const auto& [low, high] = a.y <= b.y ? std::pair(a, b) : std::pair(b, a);
+  const bool level = high.y - low.y <= slack_.y;
+  return {low, high, level ? HUGE_VAL : (high.x - low.x) / (high.y - low.y)};
+}
+
+// Of a side that is nearly level, only its ends are known.
+TriangleOnGrid::LevelCut TriangleOnGrid::cut_level(double y) const {
+  std::array<Interval, 2> crossings;
+  std::size_t count = 0;
+  for (const Side& side : sides_) {
+    if (!(side.low.y <= y && y < side.high.y)) continue;
+    const double x = side.low.x + (y - side.low.y) * side.slope;
+    crossings[count++] = side.slope == HUGE_VAL
+                             ? Interval{std::min(side.low.x, side.high.x), std::max(side.low.x, side.high.x)}
+                             : Interval{x, x};
+  }
+  LevelCut cut;
+  if (count < 2) return cut;
+  if (crossings[0].from > crossings[1].from) std::swap(crossings[0], crossings[1]);
+  cut.inner = {crossings[0].to, crossings[1].from};
+  cut.hull = crossings[0];
+  cut.hull.add(crossings[1]);
+  return cut;
 }
 
 RowOfCells TriangleOnGrid::cut_row(int row) const {
   const double bottom = grid_.origin.y + row * grid_.side.y - slack_.y;
   const double top = grid_.origin.y + (row + 1) * grid_.side.y + slack_.y;
-  const LevelCut lower = cut_level(corners_, bottom, slack_.y);
-  const LevelCut upper = cut_level(corners_, top, slack_.y);
+  const LevelCut lower = cut_level(bottom);
+  const LevelCut upper = cut_level(top);
   Interval touched = lower.hull;
   touched.add(upper.hull);
   for (const Vec2& corner : corners_)

@@ -25,7 +25,7 @@ class TriangleOnGrid {
   TriangleOnGrid(const CellGrid& grid, const std::array<Vec2, 3>& corners, const Vec2& slack);
 
   /// Whether a cell can lie inside at all.
-  [[nodiscard]] bool large() const { return large_; }
+  [[nodiscard]] bool may_hold_cells() const;
 
   /// Calls `visit(RowOfCells)` for every row of the grid that the triangle's box meets.
   template <class Visit>
@@ -34,12 +34,33 @@ class TriangleOnGrid {
   }
 
  private:
+  // A side from its lower end up.
+  struct Side {
+    Vec2 low, high;
+    double slope;  ///< of x over y; not finite where the side is nearly level
+  };
+  struct Interval {
+    double from = HUGE_VAL, to = -HUGE_VAL;
+
+    void add(const Interval& other) {
+      from = std::min(from, other.from);
+      to = std::max(to, other.to);
+    }
+  };
+  // The triangle on one level line: where its border may cross, and what surely lies between.
+  struct LevelCut {
+    Interval hull, inner;
+  };
+
+  [[nodiscard]] Side side_between(const Vec2& a, const Vec2& b) const;
+  [[nodiscard]] LevelCut cut_level(double y) const;
   [[nodiscard]] RowOfCells cut_row(int row) const;
 
   const CellGrid& grid_;
   std::array<Vec2, 3> corners_;
+  std::array<Side, 3> sides_;  ///< of a large triangle
   Vec2 slack_;
-  bool large_;
+  bool large_;                       ///< wider and higher than a cell
   int left_, right_, bottom_, top_;  ///< cells of its box; right < left where it lies beside the grid
 };
 
