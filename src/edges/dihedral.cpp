@@ -122,7 +122,7 @@ double height_of(const EdgeSurroundings& around, int triangle) {
 Beyond across_slivers(const EdgeSurroundings& around, const std::array<int, 2>& edge, int triangle) {
   const Vec3 middle = (around.point(edge[0]) + around.point(edge[1])) * 0.5;
   std::array<int, 2> entry = edge;
-  constexpr int longest_row = 16;  // of slivers side by side; more than that is no surface any more
+  constexpr int longest_row = 256;  // of slivers side by side; more than that is no surface any more
   for (int step = 0; step < longest_row && height_of(around, triangle) <= around.sliver; ++step) {
     const std::array<int, 3> corners = around.corners(triangle);
     const std::array<int, 2> exit = side_at(around, corners, entry, middle);
