@@ -75,6 +75,7 @@ TEST(TriangleCells, InnerCellsLieWhollyInside) {
       if (!cells.inner[cell]) continue;
       ++inner;
       ASSERT_TRUE(cells.touched[cell]) << round;
+      ASSERT_TRUE(TriangleOnGrid(grid, corners, Vec2(1e-6)).may_hold_cells()) << round;
       for (const Vec2& corner : {Vec2(-1, -1), Vec2(-1, 1), Vec2(1, -1), Vec2(1, 1)})
         ASSERT_TRUE(contains(corners, grid.middle(cell) + corner * (grid.side / 2.0))) << round << ", cell " << cell;
     }
@@ -87,6 +88,13 @@ TEST(TriangleCells, ACellThatIsWideAndLowLiesInsideToo) {
   const CellGrid grid{{0, 0}, {0.01, 1}, 100, 1};
   const Cells cells = cells_of(grid, {Vec2(-1, -1), Vec2(5, -1), Vec2(-1, 5)}, Vec2(1e-6));
   EXPECT_EQ(std::count(cells.inner.begin(), cells.inner.end(), 1), 100);
+}
+
+TEST(TriangleCells, ATriangleWithLessThanTwoCellsOfAreaHoldsNone) {
+  const CellGrid grid{{0, 0}, {1, 1}, 8, 8};
+  EXPECT_FALSE(TriangleOnGrid(grid, {Vec2(0, 0), Vec2(8, 7), Vec2(7, 6.2)}, Vec2(1e-6)).may_hold_cells());
+  EXPECT_FALSE(TriangleOnGrid(grid, {Vec2(0, 0), Vec2(1.9, 0), Vec2(0, 1.9)}, Vec2(1e-6)).may_hold_cells());
+  EXPECT_TRUE(TriangleOnGrid(grid, {Vec2(0, 0), Vec2(2.1, 0), Vec2(0, 2.1)}, Vec2(1e-6)).may_hold_cells());
 }
 
 TEST(TriangleCells, ATriangleBesideTheGridVisitsNothing) {
