@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <deque>
 #include <span>
 #include <utility>
 
@@ -49,7 +50,7 @@ Piece part_of(const Piece& piece, double from, double to) {
 }
 
 // What remains of a piece when parts of its length are taken away.
-void append_rest(const Piece& piece, std::span<const Cover> covers, double least, std::vector<Piece>& rest) {
+void append_rest(const Piece& piece, std::span<const Cover> covers, double least, std::deque<Piece>& rest) {
   double from = 0;
   for (const Cover& part : covers) {
     if (part.from - from >= least) rest.push_back(part_of(piece, from, part.from));
@@ -81,15 +82,18 @@ std::vector<Piece> resolve_coincident(std::vector<Piece> pieces, double toleranc
   const std::vector<Cover> covers = find_covers(pieces, tolerance, least);
   if (covers.empty()) return pieces;
 
-  std::vector<Piece> resolved;
-  resolved.reserve(pieces.size() + covers.size());
-  std::size_t next = 0;
+  // In place, since no more room than theirs may be left: what does not fit in front of the pieces to come waits.
+  std::deque<Piece> waiting;
+  std::size_t next = 0, kept = 0;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const std::size_t first = next;
     while (next < covers.size() && covers[next].piece == static_cast<int>(i)) ++next;
-    append_rest(pieces[i], std::span(covers).subspan(first, next - first), least, resolved);
+    append_rest(pieces[i], std::span(covers).subspan(first, next - first), least, waiting);
+    for (; !waiting.empty() && kept <= i; waiting.pop_front()) pieces[kept++] = waiting.front();
   }
-  return resolved;
+  pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(kept), pieces.end());
+  pieces.insert(pieces.end(), waiting.begin(), waiting.end());
+  return pieces;
 }
 
 }  // namespace epura

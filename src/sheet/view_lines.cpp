@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <iterator>
 #include <numbers>
 #include <span>
 #include <utility>
@@ -114,15 +113,22 @@ bool is_dashed(const Chain& chain, double width) {
   return chain.points.size() >= 2 && length_of(chain.points, chain.closed, chain.curves) >= dashed.shortest() * width;
 }
 
-void add_dashed(std::vector<Stroke>& strokes, const Drawing& drawing, std::size_t number, double width,
-                const Crossings& crossings) {
+std::vector<DashRun> dash_runs(const Chain& chain, double width) {
+  return cut_at_corners(chain.points, chain.closed, dashed.shortest() * width, chain.curves);
+}
+
+// A stroke for each run.
+void draw_dashed(Stroke* strokes, const Drawing& drawing, std::size_t number, double width,
+                 const Crossings& crossings) {
   const Chain& chain = drawing.chains[number];
-  if (!is_dashed(chain, width)) return strokes.push_back(continuous(drawing, chain));
+  if (!is_dashed(chain, width)) {
+    *strokes = continuous(drawing, chain);
+    return;
+  }
   std::vector<double> distances = distances_along(chain.points, chain.closed, chain.curves);
   std::vector<double> places = onto_curves(crossings.along(number, width), chain, distances);
   const DashedChain dashed_chain{drawing, chain, width, std::move(distances), std::move(places)};
-  for (const DashRun& run : cut_at_corners(chain.points, chain.closed, dashed.shortest() * width, chain.curves))
-    strokes.push_back(dashed_chain.stroke(run));
+  for (const DashRun& run : dash_runs(chain, width)) *strokes++ = dashed_chain.stroke(run);
 }
 
 // Lines of neighbouring parts, each fitted as a whole.
@@ -195,17 +201,19 @@ struct Looks {
   }
 };
 
-void add_chain(Strokes& strokes, const Drawing& drawing, std::size_t number, const Looks& looks,
-               const LineWidths& widths, const Crossings& crossings) {
+std::size_t count_strokes(const Chain& chain, const ModelLook& look, const LineWidths& widths) {
+  if (!is_drawn(chain, look)) return 0;
+  const bool runs = place_of(chain, look) == hidden_dashed && is_dashed(chain, widths.narrow);
+  return runs ? dash_runs(chain, widths.narrow).size() : 1;
+}
+
+void draw_chain(Stroke* strokes, Place place, const Drawing& drawing, std::size_t number, const LineWidths& widths,
+                const Crossings& crossings) {
   const Chain& chain = drawing.chains[number];
-  const ModelLook& look = looks(drawing, chain);
-  if (!is_drawn(chain, look)) return;
-  const Place place = place_of(chain, look);
-  std::vector<Stroke>& here = strokes[place];
-  if (place == hidden_dashed) return add_dashed(here, drawing, number, widths.narrow, crossings);
-  if (place == neighbour) return here.push_back(double_dotted(drawing, chain, widths.narrow));
-  if (place == tangent_edges) return here.push_back(tangent(drawing, chain, tangent_gap * widths.wide, crossings));
-  here.push_back(continuous(drawing, chain));
+  if (place == hidden_dashed) return draw_dashed(strokes, drawing, number, widths.narrow, crossings);
+  *strokes = place == neighbour       ? double_dotted(drawing, chain, widths.narrow)
+             : place == tangent_edges ? tangent(drawing, chain, tangent_gap * widths.wide, crossings)
+                                      : continuous(drawing, chain);
 }
 
 // Where lines lie so closely that any gap would meet one, dashes cannot heed them.
@@ -243,31 +251,26 @@ std::vector<std::size_t> crossed_chains(const Drawing& drawing, const LineWidths
   return chains;
 }
 
-// Where there are many strokes, they are most of what a drawing needs: no room is taken twice.
-Strokes joined(std::vector<Strokes> parts) {
-  Strokes strokes;
-  for (std::size_t place = 0; place < places; ++place) {
-    std::size_t count = 0;
-    for (const Strokes& part : parts) count += part[place].size();
-    strokes[place].reserve(count);
-    for (Strokes& part : parts) {
-      std::vector<Stroke> moved = std::move(part[place]);
-      std::move(moved.begin(), moved.end(), std::back_inserter(strokes[place]));
-    }
-  }
-  return strokes;
-}
-
-// In order of the chains, in parts of so many.
+// In order of the chains. Strokes are most of what a large drawing needs: they are counted first, and made in place.
 Strokes strokes_of(const Drawing& drawing, const LineWidths& widths, const Looks& looks) {
   const std::size_t count = drawing.chains.size();
   const Crossings crossings(drawing.chains, crossed_chains(drawing, widths, looks));
-  std::vector<Strokes> parts((count + chains_a_part - 1) / chains_a_part);
-  parallel_for(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin * chains_a_part; i < std::min(end * chains_a_part, count); ++i)
-      add_chain(parts[i / chains_a_part], drawing, i, looks, widths, crossings);
+  const auto place = [&](std::size_t i) { return place_of(drawing.chains[i], looks(drawing, drawing.chains[i])); };
+  std::vector<std::size_t> drawn(count);  // strokes of each chain
+  parallel_for(count, chains_a_part, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      drawn[i] = count_strokes(drawing.chains[i], looks(drawing, drawing.chains[i]), widths);
   });
-  return joined(std::move(parts));
+  std::vector<std::size_t> first(count);  // of them, in its place
+  std::array<std::size_t, places> all{};
+  for (std::size_t i = 0; i < count; ++i) first[i] = std::exchange(all[place(i)], all[place(i)] + drawn[i]);
+  Strokes strokes;
+  for (std::size_t p = 0; p < places; ++p) strokes[p].resize(all[p]);
+  parallel_for(count, chains_a_part, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (drawn[i] > 0) draw_chain(strokes[place(i)].data() + first[i], place(i), drawing, i, widths, crossings);
+  });
+  return strokes;
 }
 
 template <class Value>
