@@ -121,10 +121,6 @@ std::vector<DashRun> dash_runs(const Chain& chain, double width) {
 void draw_dashed(Stroke* strokes, const Drawing& drawing, std::size_t number, double width,
                  const Crossings& crossings) {
   const Chain& chain = drawing.chains[number];
-  if (!is_dashed(chain, width)) {
-    *strokes = continuous(drawing, chain);
-    return;
-  }
   std::vector<double> distances = distances_along(chain.points, chain.closed, chain.curves);
   std::vector<double> places = onto_curves(crossings.along(number, width), chain, distances);
   const DashedChain dashed_chain{drawing, chain, width, std::move(distances), std::move(places)};
@@ -201,19 +197,27 @@ struct Looks {
   }
 };
 
-std::size_t count_strokes(const Chain& chain, const ModelLook& look, const LineWidths& widths) {
-  if (!is_drawn(chain, look)) return 0;
-  const bool runs = place_of(chain, look) == hidden_dashed && is_dashed(chain, widths.narrow);
-  return runs ? dash_runs(chain, widths.narrow).size() : 1;
+/// How a chain is drawn.
+struct ChainPlan {
+  Place place;
+  bool in_dashes;
+  std::size_t strokes;  ///< 0: it is not drawn
+};
+
+ChainPlan plan_of(const Chain& chain, const ModelLook& look, const LineWidths& widths) {
+  const Place place = place_of(chain, look);
+  if (!is_drawn(chain, look)) return {place, false, 0};
+  if (place != hidden_dashed || !is_dashed(chain, widths.narrow)) return {place, false, 1};
+  return {place, true, dash_runs(chain, widths.narrow).size()};
 }
 
-void draw_chain(Stroke* strokes, Place place, const Drawing& drawing, std::size_t number, const LineWidths& widths,
-                const Crossings& crossings) {
+void draw_chain(Stroke* strokes, const ChainPlan& plan, const Drawing& drawing, std::size_t number,
+                const LineWidths& widths, const Crossings& crossings) {
   const Chain& chain = drawing.chains[number];
-  if (place == hidden_dashed) return draw_dashed(strokes, drawing, number, widths.narrow, crossings);
-  *strokes = place == neighbour       ? double_dotted(drawing, chain, widths.narrow)
-             : place == tangent_edges ? tangent(drawing, chain, tangent_gap * widths.wide, crossings)
-                                      : continuous(drawing, chain);
+  if (plan.in_dashes) return draw_dashed(strokes, drawing, number, widths.narrow, crossings);
+  *strokes = plan.place == neighbour       ? double_dotted(drawing, chain, widths.narrow)
+             : plan.place == tangent_edges ? tangent(drawing, chain, tangent_gap * widths.wide, crossings)
+                                           : continuous(drawing, chain);
 }
 
 // Where lines lie so closely that any gap would meet one, dashes cannot heed them.
@@ -235,15 +239,12 @@ std::vector<std::size_t> without_crowded(const std::vector<std::size_t>& chains,
 }
 
 // Lines that are dashed where others cross them, and lines that end short of others.
-std::vector<std::size_t> crossed_chains(const Drawing& drawing, const LineWidths& widths, const Looks& looks) {
+std::vector<std::size_t> crossed_chains(const Drawing& drawing, const LineWidths& widths,
+                                        const std::vector<ChainPlan>& plans) {
   std::vector<std::size_t> with_dashes, chains;
-  for (std::size_t i = 0; i < drawing.chains.size(); ++i) {
-    const Chain& chain = drawing.chains[i];
-    const ModelLook& look = looks(drawing, chain);
-    if (!is_drawn(chain, look)) continue;
-    const Place place = place_of(chain, look);
-    if (place == hidden_dashed && is_dashed(chain, widths.narrow)) with_dashes.push_back(i);
-    if (place == tangent_edges) chains.push_back(i);
+  for (std::size_t i = 0; i < plans.size(); ++i) {
+    if (plans[i].in_dashes) with_dashes.push_back(i);
+    if (plans[i].place == tangent_edges && plans[i].strokes > 0) chains.push_back(i);
   }
   with_dashes = without_crowded(with_dashes, drawing, widths.narrow);
   const auto middle = chains.insert(chains.end(), with_dashes.begin(), with_dashes.end());
@@ -254,21 +255,24 @@ std::vector<std::size_t> crossed_chains(const Drawing& drawing, const LineWidths
 // In order of the chains. Strokes are most of what a large drawing needs: they are counted first, and made in place.
 Strokes strokes_of(const Drawing& drawing, const LineWidths& widths, const Looks& looks) {
   const std::size_t count = drawing.chains.size();
-  const Crossings crossings(drawing.chains, crossed_chains(drawing, widths, looks));
-  const auto place = [&](std::size_t i) { return place_of(drawing.chains[i], looks(drawing, drawing.chains[i])); };
-  std::vector<std::size_t> drawn(count);  // strokes of each chain
+  std::vector<ChainPlan> plans(count);
   parallel_for(count, chains_a_part, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      drawn[i] = count_strokes(drawing.chains[i], looks(drawing, drawing.chains[i]), widths);
+      plans[i] = plan_of(drawing.chains[i], looks(drawing, drawing.chains[i]), widths);
   });
-  std::vector<std::size_t> first(count);  // of them, in its place
+  const Crossings crossings(drawing.chains, crossed_chains(drawing, widths, plans));
+  std::vector<std::size_t> first(count);  // stroke of each chain, in its place
   std::array<std::size_t, places> all{};
-  for (std::size_t i = 0; i < count; ++i) first[i] = std::exchange(all[place(i)], all[place(i)] + drawn[i]);
+  for (std::size_t i = 0; i < count; ++i) {
+    first[i] = all[plans[i].place];
+    all[plans[i].place] += plans[i].strokes;
+  }
   Strokes strokes;
-  for (std::size_t p = 0; p < places; ++p) strokes[p].resize(all[p]);
+  for (std::size_t place = 0; place < places; ++place) strokes[place].resize(all[place]);
   parallel_for(count, chains_a_part, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      if (drawn[i] > 0) draw_chain(strokes[place(i)].data() + first[i], place(i), drawing, i, widths, crossings);
+      if (plans[i].strokes > 0)
+        draw_chain(strokes[plans[i].place].data() + first[i], plans[i], drawing, i, widths, crossings);
   });
   return strokes;
 }
