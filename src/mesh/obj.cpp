@@ -1,9 +1,12 @@
 // Wavefront OBJ: v, f, o and g; the rest says nothing about surfaces.
-#include <algorithm>
-#include <array>
+#include <optional>
 #include <string>
 #include <unordered_map>
+#include <utility>
 
+#include "base/error.hpp"
+#include "base/parallel.hpp"
+#include "mesh/obj_part.hpp"
 #include "mesh/read.hpp"
 #include "mesh/text_cursor.hpp"
 
@@ -11,125 +14,163 @@ namespace epura {
 
 namespace {
 
-// Faces by the name last given. A name that comes again means the same group.
-class Groups {
- public:
-  void begin(std::string_view name) {
-    name_ = name.empty() ? "default" : name;
-    current_ = -1;
-  }
-  void add_face() {
-    // Numbered by the first face and not by the statement, so that names without faces do not count.
-    if (current_ < 0) {
-      const auto [entry, fresh] = numbers_.try_emplace(name_, static_cast<int>(names.size()));
-      if (fresh) names.push_back(name_);
-      current_ = entry->second;
-    }
-    of_face.push_back(current_);
-  }
+constexpr std::size_t part_bytes = 1 << 18;
 
+// Behind line ends; a line that goes on behind a backslash stays whole.
+std::vector<std::string_view> cut_in_parts(std::string_view text) {
+  std::vector<std::string_view> parts;
+  while (text.size() > part_bytes) {
+    const auto goes_on = [&](std::size_t end) { return text[end - (text[end - 1] == '\r' ? 2 : 1)] == '\\'; };
+    std::size_t end = text.find('\n', part_bytes);
+    while (end != std::string_view::npos && goes_on(end)) end = text.find('\n', end + 1);
+    if (end == std::string_view::npos) break;
+    parts.push_back(text.substr(0, end + 1));
+    text.remove_prefix(end + 1);
+  }
+  parts.push_back(text);
+  return parts;
+}
+
+/// None for a part with an error. What line that is on is not known yet.
+std::vector<std::optional<ObjPart>> read_parts(const std::vector<std::string_view>& texts) {
+  std::vector<std::optional<ObjPart>> parts(texts.size());
+  parallel_for(texts.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      try {
+        parts[i] = read_obj_part(texts[i], "", 1);
+      } catch (const Error&) {
+      }
+    }
+  });
+  return parts;
+}
+
+struct ObjBodies {
   std::vector<std::string> names;
   std::vector<int> of_face;
-
- private:
-  std::string name_ = "default";
-  int current_ = -1;
-  std::unordered_map<std::string, int> numbers_;
 };
 
-class ObjReader {
- public:
-  ObjReader(std::string_view bytes, std::string_view name) : text_(bytes, name), name_(name) {}
+/// Faces by the name last given. A name that comes again means the same body; one without faces means none.
+ObjBodies bodies_by(const std::vector<ObjNaming>& namings, std::size_t faces) {
+  ObjBodies bodies;
+  std::unordered_map<std::string_view, int> numbers;
+  const auto give = [&](std::string_view name, std::size_t end) {
+    if (end == bodies.of_face.size()) return;
+    if (name.empty()) name = "default";
+    const auto [entry, fresh] = numbers.try_emplace(name, static_cast<int>(bodies.names.size()));
+    if (fresh) bodies.names.emplace_back(name);
+    bodies.of_face.resize(end, entry->second);
+  };
+  std::string_view name;
+  for (const ObjNaming& next : namings) give(std::exchange(name, next.name), next.first_face);
+  give(name, faces);
+  return bodies;
+}
 
-  Soup read() {
-    soup_.format = "obj";
-    soup_.printed = true;
-    do statement(text_.word());
-    while (text_.next_line());
-    if (largest_ >= static_cast<long long>(soup_.points.size())) fail_out_of_range(largest_ + 1, largest_line_);
+/// Puts the parts of a file together, one after the other.
+class ObjJoiner {
+ public:
+  /// For all of `parts`.
+  ObjJoiner(std::string_view name, const std::vector<std::optional<ObjPart>>& parts) : name_(name) {
+    std::size_t points = 0, corners = 0, faces = 0;
+    for (const std::optional<ObjPart>& part : parts) {
+      if (!part) continue;
+      points += part->points.size();
+      corners += part->corners.size();
+      faces += part->face_ends.size();
+    }
+    soup_.points.reserve(points);
+    soup_.corners.reserve(corners);
+    soup_.face_ends.reserve(faces);
+  }
+
+  void add(ObjPart part) {
+    for (const ObjRelativeCorner& corner : part.relative) resolve(corner, part.corners);
+    if (part.largest > largest_) {
+      largest_ = part.largest;
+      largest_line_ = line(part.largest_line);
+    }
+    add_names(objects_, part.objects);
+    add_names(groups_, part.groups);
+    join(ignored_, part.ignored, lines_);
+    const std::size_t corners = soup_.corners.size();
+    for (const int end : part.face_ends)
+      soup_.face_ends.push_back(static_cast<int>(corners + static_cast<std::size_t>(end)));
+    soup_.points.insert(soup_.points.end(), part.points.begin(), part.points.end());
+    soup_.corners.insert(soup_.corners.end(), part.corners.begin(), part.corners.end());
+    lines_ += part.lines;
+  }
+
+  /// The number of the line that begins `behind` lines behind the parts added.
+  [[nodiscard]] std::size_t line(std::size_t behind = 0) const { return 1 + lines_ + behind; }
+
+  Soup finish() {
+    if (largest_ >= count()) fail_out_of_range(largest_ + 1, count(), largest_line_);
     take_bodies();
     note_ignored();
+    soup_.format = "obj";
+    soup_.printed = true;
     return std::move(soup_);
   }
 
  private:
-  void statement(std::string_view word) {
-    if (word.empty()) return;
-    if (word == "v") return vertex();
-    if (word == "f" || word == "fo") return face();
-    if (word == "o") return objects_.begin(text_.rest_of_line());
-    if (word == "g") return groups_.begin(text_.rest_of_line());
-    static constexpr std::array<std::string_view, 6> silent{"vn", "vt", "vp", "s", "usemtl", "mtllib"};
-    if (std::find(silent.begin(), silent.end(), word) == silent.end()) ignore(word);
+  [[nodiscard]] long long count() const { return static_cast<long long>(soup_.points.size()); }
+
+  void resolve(const ObjRelativeCorner& corner, std::vector<int>& corners) const {
+    const long long before = count() + static_cast<long long>(corner.vertices_before);
+    if (before + corner.number < 0) fail_out_of_range(corner.number, before, line(corner.line));
+    corners[corner.corner] = static_cast<int>(before + corner.number);
   }
 
-  void vertex() {
-    std::array<double, 3> point;
-    for (double& x : point) x = text_.number(text_.word());
-    soup_.points.push_back(point);
-  }
-
-  void face() {
-    for (std::string_view word = text_.word(); !word.empty(); word = text_.word()) corner(word);
-    soup_.end_face();
-    objects_.add_face();
-    groups_.add_face();
-  }
-
-  // "7", "7/1", "7//3", "7/1/3": only the vertex matters. Negative numbers count back from the last vertex.
-  void corner(std::string_view word) {
-    const long long number = text_.integer(word.substr(0, word.find('/')));
-    const auto count = static_cast<long long>(soup_.points.size());
-    if (number == 0) text_.fail("a face refers to vertex 0", "vertices are numbered from 1");
-    const long long index = number > 0 ? number - 1 : count + number;
-    if (index < 0) fail_out_of_range(number, text_.line());
-    if (index >= count && index > largest_) {  // legal if the vertex comes later
-      largest_ = index;
-      largest_line_ = text_.line();
-    }
-    soup_.corners.push_back(static_cast<int>(index));
-  }
-
-  [[noreturn]] void fail_out_of_range(long long number, std::size_t line) const {
+  [[noreturn]] void fail_out_of_range(long long number, long long count, std::size_t line) const {
     TextCursor("", name_, line)
-        .fail("a face refers to vertex " + std::to_string(number) + ", but there are " +
-              std::to_string(soup_.points.size()) + (number < 0 ? " before it" : ""));
+        .fail("a face refers to vertex " + std::to_string(number) + ", but there are " + std::to_string(count) +
+              (number < 0 ? " before it" : ""));
+  }
+
+  void add_names(std::vector<ObjNaming>& all, const std::vector<ObjNaming>& of_part) const {
+    for (const ObjNaming& naming : of_part) all.push_back({soup_.face_ends.size() + naming.first_face, naming.name});
   }
 
   void take_bodies() {
-    Groups& chosen = objects_.names.size() > 1 ? objects_ : groups_;
-    if (chosen.names.size() < 2) return;
-    soup_.face_body = std::move(chosen.of_face);
-    soup_.body_names = std::move(chosen.names);
-  }
-
-  void ignore(std::string_view word) {
-    const std::string keyword = quoted(word);
-    if (ignored_lines_++ == 0) ignored_line_ = text_.line();
-    const bool known = std::find(ignored_.begin(), ignored_.end(), keyword) != ignored_.end();
-    if (!known && ignored_.size() < 5) ignored_.push_back(keyword);
+    const std::size_t faces = soup_.face_ends.size();
+    ObjBodies bodies = bodies_by(objects_, faces);
+    if (bodies.names.size() < 2) bodies = bodies_by(groups_, faces);
+    if (bodies.names.size() < 2) return;
+    soup_.face_body = std::move(bodies.of_face);
+    soup_.body_names = std::move(bodies.names);
   }
 
   void note_ignored() {
-    if (ignored_lines_ == 0) return;
+    if (ignored_.lines == 0) return;
     std::string list;
-    for (const std::string& keyword : ignored_) list += (list.empty() ? "" : ", ") + keyword;
-    soup_.notes.push_back("ignored " + std::to_string(ignored_lines_) + " lines of other kinds (" + list +
-                          "), the first of them line " + std::to_string(ignored_line_));
+    for (const std::string& keyword : ignored_.keywords) list += (list.empty() ? "" : ", ") + keyword;
+    soup_.notes.push_back("ignored " + std::to_string(ignored_.lines) + " lines of other kinds (" + list +
+                          "), the first of them line " + std::to_string(1 + ignored_.first_line));
   }
 
-  TextCursor text_;
   std::string_view name_;
   Soup soup_;
-  Groups objects_, groups_;
-  long long largest_ = -1;        // the largest vertex that was not yet there when a face named it
-  std::size_t largest_line_ = 0;  // and where that was
-  std::vector<std::string> ignored_;
-  std::size_t ignored_lines_ = 0, ignored_line_ = 0;
+  std::vector<ObjNaming> objects_, groups_;
+  long long largest_ = -1;        // vertex that a face names
+  std::size_t largest_line_ = 0;  // and where it does so first
+  ObjIgnored ignored_;
+  std::size_t lines_ = 0;  // of the parts added
 };
 
 }  // namespace
 
-Soup read_obj(std::string_view bytes, std::string_view name) { return ObjReader(bytes, name).read(); }
+Soup read_obj(std::string_view bytes, std::string_view name) {
+  const std::vector<std::string_view> texts = cut_in_parts(bytes);
+  std::vector<std::optional<ObjPart>> parts = read_parts(texts);
+  ObjJoiner joiner(name, parts);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    // Read again where it begins, a part with an error says which line that is on.
+    if (!parts[i]) parts[i] = read_obj_part(texts[i], name, joiner.line());
+    joiner.add(std::move(*parts[i]));
+    parts[i].reset();
+  }
+  return joiner.finish();
+}
 
 }  // namespace epura

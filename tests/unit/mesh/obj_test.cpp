@@ -1,4 +1,5 @@
 // What would break if this were wrong: indices, so every face.
+#include "base/text.hpp"
 #include "support.hpp"
 
 namespace epura {
@@ -77,6 +78,78 @@ TEST(Obj, ErrorsNameTheLine) {
   EXPECT_EQ(error("v 0 0 0\nf 1 99999999999999999999 1\n"),
             "m.obj:2 | m.obj:2: '99999999999999999999' is not a whole number | ");
   EXPECT_EQ(error("v 0 0 0\nf /1 1 1\n"), "m.obj:2 | m.obj:2: a number is missing | ");
+}
+
+// Long enough to be read in several parts: every line that counts from the beginning of the file, or goes on behind a
+// backslash, once stands where a part ends.
+struct LongFile {
+  std::string text;
+  Soup soup;
+  std::size_t lines = 0;
+
+  void add(const std::string& line, const std::string& end = "\n") {
+    text += line + end;
+    ++lines;
+  }
+  void add_vertex() {
+    const int v = static_cast<int>(soup.points.size());
+    soup.points.push_back({v + 0.5, -v / 8.0, 1e-3 * v});
+    add("v " + format_number(v + 0.5) + " \\", v % 2 == 0 ? "\n" : "\r\n");
+    add(" " + format_number(-v / 8.0) + " " + format_number(1e-3 * v) + " # comment \\");
+  }
+  void add_face(int body) {
+    const int count = static_cast<int>(soup.points.size());
+    add("f -1 " + std::to_string(count - 1) + "/1 -3//2", "\r\n");
+    soup.corners.insert(soup.corners.end(), {count - 1, count - 2, count - 3});
+    soup.end_face();
+    soup.face_body.push_back(body);
+  }
+};
+
+LongFile make_long_file() {
+  LongFile file;
+  for (int i = 0; i < 3; ++i) file.add_vertex();
+  for (int i = 0; file.text.size() < 1'200'000; ++i) {
+    if (i % 100 == 0) file.add("g body " + std::to_string(i / 100 % 7));
+    file.add_vertex();
+    file.add_face(i / 100 % 7);
+  }
+  return file;
+}
+
+TEST(Obj, LongFilesAreReadAsIfInOne) {
+  const LongFile file = make_long_file();
+  const Soup soup = soup_of(file.text);
+  EXPECT_EQ(soup.points, file.soup.points);
+  EXPECT_EQ(soup.corners, file.soup.corners);
+  EXPECT_EQ(soup.face_ends, file.soup.face_ends);
+  EXPECT_EQ(soup.face_body, file.soup.face_body);
+  EXPECT_EQ(soup.body_names.size(), 7u);
+  EXPECT_TRUE(soup.notes.empty());
+}
+
+TEST(Obj, ErrorsNameTheLineOfLongFiles) {
+  const LongFile file = make_long_file();
+  const std::string count = std::to_string(file.soup.points.size()), line = std::to_string(file.lines + 1),
+                    next = std::to_string(file.lines + 2);
+  const auto error = [&](const std::string& end) { return error_of([&] { soup_of(file.text + end); }); };
+  EXPECT_EQ(error("v 1 2\n"), "m.obj:" + line + " | m.obj:" + line + ": a number is missing | ");
+  EXPECT_EQ(error("f 1 2 9000000\nf 1 2 3\n"),
+            "m.obj:" + line + " | m.obj:" + line + ": a face refers to vertex 9000000, but there are " + count + " | ");
+  EXPECT_EQ(error("\nf 1 2 -9000000\n"), "m.obj:" + next + " | m.obj:" + next +
+                                             ": a face refers to vertex -9000000, but there are " + count +
+                                             " before it | ");
+  EXPECT_EQ(soup_of(file.text + "\nl 1 2\n" + file.text + "p 1\nl 1\n").notes,
+            (std::vector<std::string>{"ignored 3 lines of other kinds ('l', 'p'), the first of them line " + next}));
+}
+
+// Nowhere to cut: every line goes on, or none ends with a line feed.
+TEST(Obj, LongFilesThatCannotBeCut) {
+  std::string continued = "f", lines;
+  for (int i = 0; i < 300'000; ++i) continued += " 1\\\n";
+  EXPECT_EQ(soup_of("v 0 0 0\n" + continued).corners.size(), 300'000u);
+  for (int i = 0; i < 100'000; ++i) lines += "f 1 1 1\r";
+  EXPECT_EQ(soup_of("v 0 0 0\r" + lines).face_ends.size(), 100'000u);
 }
 
 }  // namespace
