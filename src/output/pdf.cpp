@@ -6,7 +6,7 @@
 #include "output/canvas.hpp"
 #include "output/glyphs.hpp"
 #include "output/metadata.hpp"
-#include "output/pdf_layers.hpp"
+#include "output/pdf/library.hpp"
 #include "output/write.hpp"
 
 namespace epura {
@@ -70,7 +70,7 @@ std::string to_pdf(const Pages& sheets) {
   document.title = sheets.front()->title;
   document.author = fact_of(*sheets.front(), "author");
   document.subject = description_of(*sheets.front());
-  return join_pdf_layers(document);
+  return pdf_library().join_layers(document);
 }
 
 }  // namespace epura

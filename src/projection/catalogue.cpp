@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "base/error.hpp"
+#include "base/shared_library.hpp"
 #include "base/text.hpp"
 #include "projection/loader.hpp"
 
@@ -14,17 +15,6 @@ namespace epura {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Where the plugins that came with this program lie: found from the program, or from the library that holds this
-/// code, so that all can be moved together. Empty if the system does not tell where these are.
-fs::path own_folder() {
-  if (const fs::path library = own_library(); !library.empty()) return library.parent_path() / "epura/projections";
-  std::error_code error;
-  const fs::path prefix = fs::read_symlink("/proc/self/exe", error).parent_path().parent_path();
-  if (prefix.empty()) return {};
-  const fs::path installed = prefix / EPURA_LIBRARY_FOLDER / "epura/projections";
-  return fs::is_directory(installed, error) ? installed : prefix / "lib/epura/projections";
-}
 
 /// In order of their names, since the order in which a folder lists them is accidental.
 std::vector<fs::path> libraries_in(const fs::path& folder, std::vector<BadPlugin>& bad) {
@@ -90,7 +80,7 @@ std::vector<fs::path> plugin_folders(const std::vector<fs::path>& extra) {
   if (const char* path = std::getenv("EPURA_PLUGIN_PATH"))
     for (const std::string_view folder : split(path, ':'))
       if (!folder.empty()) folders.emplace_back(folder);
-  if (fs::path own = own_folder(); !own.empty()) folders.push_back(std::move(own));
+  if (const fs::path own = own_folder(); !own.empty()) folders.push_back(own / "projections");
   return folders;
 }
 

@@ -1,14 +1,13 @@
 #include "projection/loader.hpp"
 
-#include <dlfcn.h>
 #include <epura/projection_abi.h>
-#include <link.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <set>
 
 #include "base/error.hpp"
+#include "base/shared_library.hpp"
 #include "base/text.hpp"
 
 namespace epura {
@@ -26,19 +25,8 @@ void require(bool condition, const std::string& reason) {
 
 std::string number(std::size_t n) { return std::to_string(n); }
 
-/// dlerror() without the path, which whoever reports the error names anyway.
-std::string loading_error(const std::string& path) {
-  const char* text = dlerror();
-  std::string reason = text == nullptr ? "cannot be loaded" : text;
-  if (reason.starts_with(path + ": ")) reason.erase(0, path.size() + 2);
-  return reason;
-}
-
 epura_entry_point entry_point(const std::filesystem::path& path) {
-  const std::string file = path.string();
-  void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (library == nullptr) refuse(loading_error(file));
-  void* symbol = dlsym(library, EPURA_ENTRY_POINT);
+  void* symbol = find_symbol(load_library(path, Trouble::plugin), EPURA_ENTRY_POINT);
   require(symbol != nullptr, "is no projection plugin: it has no function " EPURA_ENTRY_POINT);
   return reinterpret_cast<epura_entry_point>(symbol);
 }
@@ -140,15 +128,6 @@ ProjectionEntry entry_of(const epura_projection& row, std::size_t place, const s
 
 }  // namespace
 
-std::filesystem::path own_library() {
-  Dl_info info{};
-  void* map = nullptr;
-  const int found = dladdr1(reinterpret_cast<const void*>(&own_library), &info, &map, RTLD_DL_LINKMAP);
-  if (found == 0 || map == nullptr) return {};
-  const char* name = static_cast<const link_map*>(map)->l_name;
-  return *name == 0 ? std::filesystem::path() : std::filesystem::absolute(name);  // the program has no name there
-}
-
 bool is_projection_name(std::string_view name) {
   return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
@@ -156,8 +135,7 @@ bool is_projection_name(std::string_view name) {
 }
 
 std::vector<ProjectionEntry> read_plugin(const std::filesystem::path& path) {
-  // dlopen searches the system's folders for a path without a slash.
-  const epura_projection_list& list = list_of(entry_point(std::filesystem::absolute(path)));
+  const epura_projection_list& list = list_of(entry_point(path));
   std::vector<ProjectionEntry> entries;
   std::set<std::string> names;
   for (std::size_t i = 0; i < list.count; ++i) {

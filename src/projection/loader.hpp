@@ -9,11 +9,8 @@
 namespace epura {
 
 /// What the library offers. A library is used whole or not at all: Error{plugin} says what is wrong with it, without
-/// its path. It stays loaded until the program ends, since unloading runs foreign code at an uncertain time.
+/// its path.
 std::vector<ProjectionEntry> read_plugin(const std::filesystem::path& path);
-
-/// The shared library that holds this code, absolute; empty if the program itself does.
-std::filesystem::path own_library();
 
 /// Lower case, digits and '-'.
 bool is_projection_name(std::string_view name);

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "output/pdf/library.hpp"
 #include "study/compare/affine_map.hpp"
 #include "study/compare/flatten.hpp"
-#include "study/compare/pdf_content.hpp"
 #include "study/compare/read_pictures.hpp"
 
 namespace epura {
@@ -154,7 +154,8 @@ class PdfReader {
 
 std::vector<Picture> pictures_of_pdf(const std::string& bytes, const std::string& where) {
   std::vector<Picture> pictures;
-  for (const PdfContent& page : read_pdf_contents(bytes, where)) pictures.push_back(PdfReader(page, where).read());
+  for (const PdfContent& page : pdf_library().read_contents(bytes, where))
+    pictures.push_back(PdfReader(page, where).read());
   return pictures;
 }
 

@@ -215,5 +215,26 @@ TEST_F(Refusal, AFullDiskLeavesTheOldDrawing) {
   EXPECT_EQ(folder.names(), (Names{"cube.obj", "err", "out.svg"}));
 }
 
+// Only PDF files need the library that writes them.
+TEST_F(Refusal, AnInstallationWithoutTheLibraryForPdf) {
+  const std::filesystem::path program = folder / "moved/bin/epura", library = folder / "moved/lib/epura";
+  std::filesystem::create_directories(program.parent_path());
+  std::filesystem::create_directories(library);
+  std::filesystem::copy_file(EPURA_TEST_PROGRAM, program);
+  std::filesystem::copy(EPURA_TEST_PLUGINS, library / "projections");
+  const std::string old = folder.file("out.pdf", "an earlier drawing");
+  const auto draw = [&](const std::string& output) {
+    const int status = std::system(("cd " + (folder / "").string() + " && env -u EPURA_PLUGIN_PATH " +
+                                    program.string() + " draw cube.obj -o " + output + " 2>err")
+                                       .c_str());
+    return WEXITSTATUS(status);
+  };
+  EXPECT_EQ(draw("out.svg"), 0);
+  EXPECT_EQ(draw("out.pdf"), 4);
+  EXPECT_EQ(read_file(old), "an earlier drawing");
+  EXPECT_TRUE(contains(read_file(folder / "err"), (library / "pdf-").string()));
+  EXPECT_TRUE(contains(read_file(folder / "err"), "install epura again"));
+}
+
 }  // namespace
 }  // namespace epura::test

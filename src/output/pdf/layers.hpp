@@ -1,5 +1,4 @@
-// Drawings of layers become layers of pages: all that is done with qpdf. (This pair of files is C++17, see
-// CMakeLists.txt.)
+// Drawings of layers become layers of pages.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-#include "output/pdf_layers.hpp"
+#include "output/pdf/layers.hpp"
 
 #include <cstddef>
 #include <memory>

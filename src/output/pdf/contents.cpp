@@ -1,4 +1,4 @@
-#include "study/compare/pdf_content.hpp"
+#include "output/pdf/contents.hpp"
 
 #include <charconv>
 #include <exception>

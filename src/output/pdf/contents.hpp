@@ -1,4 +1,4 @@
-// What stands in a PDF file that epura wrote, before it is understood. (C++17: the header of qpdf is included here.)
+// What stands in a PDF file that epura wrote, before it is understood.
 #pragma once
 
 #include <map>

@@ -1,0 +1,53 @@
+#include "base/shared_library.hpp"
+
+#include <dlfcn.h>
+#include <link.h>
+
+#include <string>
+
+namespace epura {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// dlerror() without the path, which whoever reports the error names anyway.
+std::string loading_error(const std::string& path) {
+  const char* text = dlerror();
+  std::string reason = text == nullptr ? "cannot be loaded" : text;
+  if (reason.starts_with(path + ": ")) reason.erase(0, path.size() + 2);
+  return reason;
+}
+
+/// The shared library that holds this code, absolute; empty if the program itself does.
+fs::path own_library() {
+  Dl_info info{};
+  void* map = nullptr;
+  const int found = dladdr1(reinterpret_cast<const void*>(&own_library), &info, &map, RTLD_DL_LINKMAP);
+  if (found == 0 || map == nullptr) return {};
+  const char* name = static_cast<const link_map*>(map)->l_name;
+  return *name == 0 ? fs::path() : fs::absolute(name);  // the program has no name there
+}
+
+}  // namespace
+
+void* load_library(const fs::path& path, Trouble trouble) {
+  // dlopen searches the system's folders for a path without a slash.
+  const std::string file = fs::absolute(path).string();
+  void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (library == nullptr) throw Error(trouble, "", loading_error(file));
+  return library;
+}
+
+void* find_symbol(void* library, const char* name) { return dlsym(library, name); }
+
+fs::path own_folder() {
+  if (const fs::path library = own_library(); !library.empty()) return library.parent_path() / "epura";
+  std::error_code error;
+  const fs::path prefix = fs::read_symlink("/proc/self/exe", error).parent_path().parent_path();
+  if (prefix.empty()) return {};
+  const fs::path installed = prefix / EPURA_LIBRARY_FOLDER / "epura";
+  return fs::is_directory(installed, error) ? installed : prefix / "lib/epura";
+}
+
+}  // namespace epura

@@ -1,0 +1,21 @@
+// Shared libraries that are loaded while the program runs, and where its own lie.
+#pragma once
+
+#include <filesystem>
+
+#include "base/error.hpp"
+
+namespace epura {
+
+/// It stays loaded until the program ends, since unloading runs foreign code at an uncertain time. Throws
+/// Error{trouble} that says why it cannot be loaded, without its path.
+void* load_library(const std::filesystem::path& path, Trouble trouble);
+
+/// The address of a symbol of a loaded library; null if it has none of that name.
+void* find_symbol(void* library, const char* name);
+
+/// What came with this program: its folder lib/epura, found from the program, or from the library that holds this code,
+/// so that all can be moved together. Empty if the system does not tell where these are.
+std::filesystem::path own_folder();
+
+}  // namespace epura

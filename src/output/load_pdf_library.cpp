@@ -1,0 +1,19 @@
+#include "base/error.hpp"
+#include "base/shared_library.hpp"
+#include "output/pdf/library.hpp"
+
+namespace epura {
+
+const PdfLibrary& pdf_library() {
+  const std::filesystem::path path = own_folder() / EPURA_PDF_LIBRARY;
+  try {
+    const void* library = find_symbol(load_library(path, Trouble::output), "epura_pdf_library");
+    if (library == nullptr) throw Error(Trouble::output, "", "is another library");
+    return *static_cast<const PdfLibrary*>(library);
+  } catch (const Error& error) {
+    throw Error(error.trouble(), path.string(), error.what(),
+                "it comes with epura, which needs it for PDF files: install epura again");
+  }
+}
+
+}  // namespace epura

@@ -1,0 +1,23 @@
+// All that is done with qpdf. It is a library of its own, loaded when a PDF file is first written or read: qpdf and the
+// ten libraries behind it would take two fifths of the time and a quarter of the memory of a small drawing.
+//
+// The files of this folder are C++17, see ../CMakeLists.txt.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "output/pdf/contents.hpp"
+#include "output/pdf/layers.hpp"
+
+namespace epura {
+
+struct PdfLibrary {
+  decltype(&join_pdf_layers) join_layers;
+  decltype(&read_pdf_contents) read_contents;
+};
+
+/// Throws Error{output} when it is not where it was installed.
+const PdfLibrary& pdf_library();
+
+}  // namespace epura
