@@ -56,22 +56,22 @@ void add_covers_in_crowd(const std::vector<Piece>& pieces, const PieceGrid& grid
   for (const auto& [from, to] : covered) covers.push_back({piece, from, to});
 }
 
-}  // namespace
+using Parts = std::vector<std::vector<Cover>>;
 
-std::vector<Cover> find_covers(const std::vector<Piece>& pieces, double tolerance, double least) {
-  std::vector<Cover> covers;
-  if (pieces.empty()) return covers;
+Parts covers_in_parts(const std::vector<Piece>& pieces, double tolerance, double least) {
   // Two lines that stay within the tolerance over `least` differ in direction by no more than this.
   const auto spread = static_cast<float>(std::min(2.5 * tolerance / least, 1.5));
   const PieceGrid grid(pieces, tolerance, spread);
   const Limits limits{tolerance, least};
+  Parts parts;
   std::mutex adding;
   const auto in_parallel = [&](std::size_t count, const auto& add) {
     parallel_for(count, grain, [&](std::size_t begin, std::size_t end) {
       std::vector<Cover> found;
       for (std::size_t i = begin; i < end; ++i) add(i, found);
+      found.shrink_to_fit();
       const std::lock_guard lock(adding);
-      covers.insert(covers.end(), found.begin(), found.end());
+      parts.push_back(std::move(found));
     });
   };
   in_parallel(grid.cells(), [&](std::size_t cell, std::vector<Cover>& found) {
@@ -81,6 +81,22 @@ std::vector<Cover> find_covers(const std::vector<Piece>& pieces, double toleranc
     const int number = static_cast<int>(piece);
     if (grid.is_in_crowd(number)) add_covers_in_crowd(pieces, grid, number, limits, found);
   });
+  return parts;
+}
+
+}  // namespace
+
+std::vector<Cover> find_covers(const std::vector<Piece>& pieces, double tolerance, double least) {
+  if (pieces.empty()) return {};
+  Parts parts = covers_in_parts(pieces, tolerance, least);
+  std::size_t count = 0;
+  for (const std::vector<Cover>& part : parts) count += part.size();
+  std::vector<Cover> covers;
+  covers.reserve(count);
+  for (std::vector<Cover>& part : parts) {
+    covers.insert(covers.end(), part.begin(), part.end());
+    part = std::vector<Cover>();  // so that covers are hardly ever there twice
+  }
   parallel_sort(covers.begin(), covers.end());
   return covers;
 }
