@@ -37,6 +37,7 @@ Character first_character(std::string_view text) {
 
 std::vector<char32_t> characters(std::string_view text) {
   std::vector<char32_t> found;
+  found.reserve(text.size());
   while (!text.empty()) {
     const Character character = first_character(text);
     found.push_back(character.code);
@@ -55,7 +56,12 @@ std::string utf8(char32_t character) {
 
 std::string valid_utf8(std::string_view text) {
   std::string valid;
-  for (const char32_t character : characters(text)) valid += utf8(character);
+  valid.reserve(text.size());
+  while (!text.empty()) {
+    const Character character = first_character(text);
+    valid += character.code == replacement ? utf8(replacement) : text.substr(0, character.length);
+    text.remove_prefix(character.length);
+  }
   return valid;
 }
 

@@ -77,6 +77,7 @@ std::vector<CurvePart> curves_between(std::span<const CurvePart> curves, const s
 std::vector<double> distances_along(const std::vector<Vec2>& points, bool closed, std::span<const CurvePart> curves) {
   const int count = static_cast<int>(points.size());
   std::vector<double> distances{0};
+  distances.reserve(points.size() + 1);
   const auto add = [&](double length) { distances.push_back(distances.back() + length); };
   const auto lines_to = [&](int last) {
     for (int i = static_cast<int>(distances.size()); i <= last; ++i)

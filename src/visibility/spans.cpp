@@ -51,19 +51,18 @@ void absorb_slivers(Spans& spans, double least) {
     spans = hidden > 0.5 ? Spans{{0.0, 1.0}} : Spans{};
     return;
   }
-  Spans joined;
+  std::size_t joined = 0;  // they take the places of those they are made of
   for (const auto& span : spans) {
-    if (!joined.empty() && span[0] - joined.back()[1] < least)
-      joined.back()[1] = span[1];
+    if (joined > 0 && span[0] - spans[joined - 1][1] < least)
+      spans[joined - 1][1] = span[1];
     else
-      joined.push_back(span);
+      spans[joined++] = span;
   }
-  std::erase_if(joined, [&](const auto& span) { return span[1] - span[0] < least; });
-  if (!joined.empty()) {
-    if (joined.front()[0] < least) joined.front()[0] = 0;
-    if (1 - joined.back()[1] < least) joined.back()[1] = 1;
-  }
-  spans = joined;
+  spans.resize(joined);
+  std::erase_if(spans, [&](const auto& span) { return span[1] - span[0] < least; });
+  if (spans.empty()) return;
+  if (spans.front()[0] < least) spans.front()[0] = 0;
+  if (1 - spans.back()[1] < least) spans.back()[1] = 1;
 }
 
 }  // namespace epura
