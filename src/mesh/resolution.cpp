@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
+
+#include "base/parallel.hpp"
 
 namespace epura {
 
@@ -13,6 +16,7 @@ namespace {
 constexpr int fewest_decimals = 5;
 constexpr int most_decimals = 9;
 constexpr std::size_t least_points = 100;
+constexpr std::size_t grain = 4096;
 constexpr std::array<double, most_decimals + 1> powers{1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
 
 bool is_multiple(double coordinate, int decimals) {
@@ -22,9 +26,14 @@ bool is_multiple(double coordinate, int decimals) {
 }
 
 bool all_multiples(const Points& points, int decimals) {
-  return std::all_of(points.begin(), points.end(), [&](const auto& p) {
-    return std::all_of(p.begin(), p.end(), [&](double c) { return is_multiple(c, decimals); });
+  std::atomic<bool> all = true;
+  parallel_for(points.size(), grain, [&](std::size_t begin, std::size_t end) {
+    const auto is_one = [&](const auto& p) {
+      return std::all_of(p.begin(), p.end(), [&](double c) { return is_multiple(c, decimals); });
+    };
+    if (!std::all_of(points.begin() + begin, points.begin() + end, is_one)) all = false;
   });
+  return all;
 }
 
 }  // namespace
