@@ -9,9 +9,11 @@
 #include <utility>
 #include <vector>
 
+#include "base/unset_vector.hpp"
+
 namespace epura {
 
-/// Item needs a default value. Within a group items have no particular order: it changes from run to run.
+/// Within a group items have no particular order: it changes from run to run.
 template <class Item>
 class Groups {
  public:
@@ -55,7 +57,7 @@ class Groups {
 
  private:
   std::vector<std::size_t> first_;  ///< by group, into items_
-  std::vector<Item> items_;
+  UnsetVector<Item> items_;
 };
 
 }  // namespace epura

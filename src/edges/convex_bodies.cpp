@@ -113,7 +113,7 @@ class ConvexityTest {
   template <class Choose>
   void test_edges(Choose choose) {
     for (int model = 0; model < static_cast<int>(world_.models.size()); ++model) {
-      const std::vector<MeshEdge>& edges = world_.models[model].mesh->edges;
+      const auto& edges = world_.models[model].mesh->edges;
       parallel_for(edges.size(), grain, [&](std::size_t begin, std::size_t end) {
         for (std::size_t e = begin; e < end; ++e)
           if (choose(e)) test_edge(model, edges[e]);

@@ -14,7 +14,7 @@ namespace {
 void add_mesh_edges(const World& world, View& view, int model, const EdgeWishes& wishes,
                     std::vector<DrawnEdge>& drawn) {
   const std::vector<std::optional<EdgeKind>> kinds = feature_edges(world, view, model, wishes);
-  const std::vector<MeshEdge>& edges = world.models[model].mesh->edges;
+  const auto& edges = world.models[model].mesh->edges;
   const int first = world.first_vertex[model];
   for (std::size_t e = 0; e < edges.size(); ++e) {
     if (!kinds[e]) continue;

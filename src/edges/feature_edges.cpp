@@ -151,7 +151,7 @@ std::vector<std::optional<EdgeKind>> feature_edges(const World& world, const Vie
                     is_tangent,
                     FoldLimit(wishes.crease_angle - angle_rounding),
                     std::max(edge_on_cells, world.rounding * view.map.shrink * view.map.unit / view.cell)};
-  const std::vector<MeshEdge>& edges = judge.mesh().edges;
+  const auto& edges = judge.mesh().edges;
   std::vector<std::optional<EdgeKind>> kinds(edges.size());
   parallel_for(edges.size(), 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e) kinds[e] = judge.judge(edges[e]);

@@ -174,8 +174,8 @@ class Crossings {
   const World& world_;
   double shrink_, contact_;
   Vec3 middle_;
-  std::vector<Vec3> points_;  ///< shrunk and moved to the middle
-  std::vector<Plane> planes_;
+  UnsetVector<Vec3> points_;  ///< shrunk and moved to the middle
+  UnsetVector<Plane> planes_;
 };
 
 }  // namespace
@@ -185,9 +185,9 @@ bool boxes_overlap(const Box& a, const Box& b) {
          a.least.z <= b.most.z && b.least.z <= a.most.z;
 }
 
-std::vector<Vec3> shrunk_points(const World& world, double shrink) {
+UnsetVector<Vec3> shrunk_points(const World& world, double shrink) {
   const Vec3 middle = middle_of(world, shrink);
-  std::vector<Vec3> points(world.points.size());
+  UnsetVector<Vec3> points(world.points.size());
   parallel_for(points.size(), 8192, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) points[v] = world.points[v] * shrink - middle;
   });

@@ -28,7 +28,7 @@ FaceCrossings find_intersections(const World& world, double shrink, double conta
                                  Progress progress = {});
 
 /// The world's points as the search has them: shrunk and moved to the middle of their box.
-std::vector<Vec3> shrunk_points(const World& world, double shrink);
+UnsetVector<Vec3> shrunk_points(const World& world, double shrink);
 
 /// Whether boxes have a place in common, touching included.
 bool boxes_overlap(const Box& a, const Box& b);

@@ -35,7 +35,7 @@ std::vector<char> lonely_bodies(const std::vector<Box>& boxes) {
 }  // namespace
 
 std::vector<int> crossing_suspects(const World& world, double shrink, double contact) {
-  const std::vector<Vec3> points = shrunk_points(world, shrink);
+  const UnsetVector<Vec3> points = shrunk_points(world, shrink);
   const BodyTable bodies = bodies_of(world, points);
   std::vector<char> apart = lonely_bodies(bodies.box);
   keep_convex(world, points, bodies, contact, apart);

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
-#include <utility>
+#include <tuple>
 
 #include "base/parallel.hpp"
 
@@ -11,6 +11,12 @@ namespace epura {
 namespace {
 
 constexpr std::size_t grain = 8192;
+
+/// Of a triangle on the curve.
+struct Place {
+  std::uint64_t code;
+  int triangle;
+};
 
 // The lower 21 bits, two zeros behind each.
 std::uint64_t spread(std::uint64_t x) {
@@ -26,19 +32,20 @@ std::uint64_t spread(std::uint64_t x) {
 
 TriangleTree::TriangleTree(std::size_t count, const std::function<Box(int)>& box_of) {
   if (count == 0) return;
-  std::vector<Bounds> bounds(count);
+  UnsetVector<Bounds> bounds(count);
   parallel_for(count, grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) bounds[i] = rounded_outwards(box_of(static_cast<int>(i)));
   });
-  leaves_.resize((count + width - 1) / width);
-  fill_leaves(order_along_curve(bounds), bounds);
+  const UnsetVector<int> order = order_along_curve(bounds);
+  leaves_.resize((count + width - 1) / width);  // not before: ordering takes as much room
+  fill_leaves(order, bounds);
   nodes_.resize(2 * leaves_.size() - 1);
   build(0, 0, static_cast<int>(leaves_.size()));
 }
 
 // By the places of the boxes' middles on a Morton curve: neighbours there are neighbours in space. One pass puts them
 // into buckets by the upper bits of their places; the buckets are sorted side by side.
-std::vector<int> TriangleTree::order_along_curve(const std::vector<Bounds>& bounds) {
+UnsetVector<int> TriangleTree::order_along_curve(const UnsetVector<Bounds>& bounds) {
   const auto middle = [&](std::size_t i) {
     return (Vec3(bounds[i].least[0], bounds[i].least[1], bounds[i].least[2]) +
             Vec3(bounds[i].most[0], bounds[i].most[1], bounds[i].most[2])) *
@@ -47,7 +54,7 @@ std::vector<int> TriangleTree::order_along_curve(const std::vector<Bounds>& boun
   Box all;
   for (std::size_t i = 0; i < bounds.size(); ++i) all.add(middle(i));
   const double cells = 0x1fffff / std::max({all.size().x, all.size().y, all.size().z, 1e-300});
-  std::vector<std::uint64_t> codes(bounds.size());  // 63 bits
+  UnsetVector<std::uint64_t> codes(bounds.size());  // 63 bits
   parallel_for(bounds.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Vec3 at = (middle(i) - all.least) * cells;
@@ -60,22 +67,25 @@ std::vector<int> TriangleTree::order_along_curve(const std::vector<Bounds>& boun
   std::vector<std::size_t> ends((1 << 15) + 1, 0);
   for (const std::uint64_t code : codes) ++ends[(code >> lower_bits) + 1];
   std::partial_sum(ends.begin(), ends.end(), ends.begin());
-  std::vector<std::pair<std::uint64_t, int>> places(codes.size());
+  UnsetVector<Place> places(codes.size());
   for (std::size_t i = 0; i < codes.size(); ++i)
     places[ends[codes[i] >> lower_bits]++] = {codes[i], static_cast<int>(i)};
-  std::vector<int> order(codes.size());
+  const auto by_place = [](const Place& a, const Place& b) {
+    return std::tie(a.code, a.triangle) < std::tie(b.code, b.triangle);
+  };
+  UnsetVector<int> order(codes.size());
   parallel_for(ends.size() - 1, 64, [&](std::size_t first, std::size_t last) {
     for (std::size_t b = first; b < last; ++b) {
       const std::size_t begin = b == 0 ? 0 : ends[b - 1];
-      std::sort(places.begin() + begin, places.begin() + ends[b]);
-      for (std::size_t i = begin; i < ends[b]; ++i) order[i] = places[i].second;
+      std::sort(places.begin() + begin, places.begin() + ends[b], by_place);
+      for (std::size_t i = begin; i < ends[b]; ++i) order[i] = places[i].triangle;
     }
   });
   return order;
 }
 
 TriangleTree::Bounds TriangleTree::rounded_outwards(const Box& box) {
-  Bounds bounds;
+  Bounds bounds{};
   for (int axis = 0; axis < 3; ++axis) {
     bounds.least[axis] = rounded_down(box.least[axis]);
     bounds.most[axis] = -rounded_down(-box.most[axis]);
@@ -83,13 +93,15 @@ TriangleTree::Bounds TriangleTree::rounded_outwards(const Box& box) {
   return bounds;
 }
 
-void TriangleTree::fill_leaves(const std::vector<int>& order, const std::vector<Bounds>& bounds) {
+// Places behind the last triangle meet nothing.
+void TriangleTree::fill_leaves(const UnsetVector<int>& order, const UnsetVector<Bounds>& bounds) {
+  constexpr Bounds nothing{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
   parallel_for(leaves_.size(), grain / width, [&](std::size_t begin, std::size_t end) {
     for (std::size_t l = begin; l < end; ++l)
       for (std::size_t i = 0; i < width; ++i) {
         const std::size_t at = l * width + i;
         leaves_[l].triangle[i] = at < order.size() ? order[at] : -1;
-        const Bounds box = at < order.size() ? bounds[order[at]] : Bounds{};
+        const Bounds box = at < order.size() ? bounds[order[at]] : nothing;
         for (std::size_t axis = 0; axis < 3; ++axis) {
           leaves_[l].least[axis][i] = box.least[axis];
           leaves_[l].most[axis][i] = box.most[axis];
@@ -99,7 +111,7 @@ void TriangleTree::fill_leaves(const std::vector<int>& order, const std::vector<
 }
 
 TriangleTree::Bounds TriangleTree::build(int node, int leaf, int leaves) {
-  Bounds bounds;
+  Bounds bounds{};
   nodes_[node] = {bounds, leaf, leaves};
   if (leaves == 1) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -107,7 +119,7 @@ TriangleTree::Bounds TriangleTree::build(int node, int leaf, int leaves) {
       bounds.most[axis] = *std::max_element(leaves_[leaf].most[axis].begin(), leaves_[leaf].most[axis].end());
     }
   } else {
-    Bounds left, right;
+    Bounds left{}, right{};
     const int half = leaves / 2;
     const auto build_left = [&] { left = build(node + 1, leaf, half); };
     const auto build_right = [&] { right = build(right_child(node), leaf + half, leaves - half); };

@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "base/unset_vector.hpp"
 #include "base/vec.hpp"
 
 namespace epura {
@@ -45,8 +46,7 @@ class TriangleTree {
   static constexpr float infinity = std::numeric_limits<float>::infinity();
 
   struct Bounds {
-    std::array<float, 3> least{infinity, infinity, infinity};
-    std::array<float, 3> most{-infinity, -infinity, -infinity};
+    std::array<float, 3> least, most;
 
     [[nodiscard]] bool meets(const Bounds& other) const {
       bool apart = false;
@@ -70,8 +70,8 @@ class TriangleTree {
 
   [[nodiscard]] int right_child(int node) const { return node + 2 * (nodes_[node].leaves / 2); }
   static Bounds rounded_outwards(const Box& box);
-  static std::vector<int> order_along_curve(const std::vector<Bounds>& bounds);
-  void fill_leaves(const std::vector<int>& order, const std::vector<Bounds>& bounds);
+  static UnsetVector<int> order_along_curve(const UnsetVector<Bounds>& bounds);
+  void fill_leaves(const UnsetVector<int>& order, const UnsetVector<Bounds>& bounds);
   Bounds build(int node, int leaf, int leaves);
   void split(const NodePair& pair, std::vector<NodePair>& parts) const;
 
@@ -92,8 +92,8 @@ class TriangleTree {
     }
   }
 
-  std::vector<Leaf> leaves_;
-  std::vector<Node> nodes_;
+  UnsetVector<Leaf> leaves_;
+  UnsetVector<Node> nodes_;
 };
 
 }  // namespace epura

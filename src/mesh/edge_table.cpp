@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/parallel.hpp"
+#include "base/unset_vector.hpp"
 
 namespace epura {
 
@@ -24,7 +25,7 @@ int halfedge_of(Entry entry) { return static_cast<int>(entry & 0xFFFFFFFF); }
 
 struct Buckets {
   std::vector<int> ends;  ///< of each vertex
-  std::vector<Entry> entries;
+  UnsetVector<Entry> entries;
 
   [[nodiscard]] int begin_of(std::size_t vertex) const { return vertex == 0 ? 0 : ends[vertex - 1]; }
   [[nodiscard]] std::span<Entry> of(std::size_t vertex) {
@@ -34,7 +35,7 @@ struct Buckets {
 
 /// Counting sort by the lower vertex, then a sort within each of these short buckets.
 Buckets sorted_buckets(std::span<const int> corners, std::size_t vertex_count) {
-  Buckets buckets{.ends = std::vector<int>(vertex_count + 1, 0), .entries = std::vector<Entry>(corners.size())};
+  Buckets buckets{.ends = std::vector<int>(vertex_count + 1, 0), .entries = UnsetVector<Entry>(corners.size())};
   const int count = static_cast<int>(corners.size());
   for (int h = 0; h < count; ++h) ++buckets.ends[std::min(corners[h], corners[next_in_triangle(h)]) + 1];
   std::partial_sum(buckets.ends.begin(), buckets.ends.end(), buckets.ends.begin());
@@ -66,7 +67,7 @@ EdgeTable make_edge_table(std::span<const int> corners, std::span<const int> pol
   });
   std::partial_sum(first.begin(), first.end(), first.begin());
 
-  EdgeTable table{std::vector<MeshEdge>(static_cast<std::size_t>(first.back())), std::vector<int>(corners.size())};
+  EdgeTable table{UnsetVector<MeshEdge>(static_cast<std::size_t>(first.back())), UnsetVector<int>(corners.size())};
   parallel_for(vertices, grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       int number = first[v] - 1;
@@ -75,7 +76,7 @@ EdgeTable make_edge_table(std::span<const int> corners, std::span<const int> pol
       for (const Entry entry : buckets.of(v)) {
         const int other = other_of(entry), halfedge = halfedge_of(entry);
         if (std::exchange(last, other) != other)
-          table.edges[++number] = {{static_cast<int>(v), other}, at, 0, /*diagonal=*/true};
+          table.edges[++number] = {{static_cast<int>(v), other}, at, 0, /*diagonal=*/true, CutEdge::none};
         MeshEdge& edge = table.edges[number];
         table.halfedges[at++] = halfedge;
         ++edge.count;

@@ -10,8 +10,8 @@ namespace epura {
 
 /// Half-edge 3t + k runs along triangle t from its corner k to the next one.
 struct EdgeTable {
-  std::vector<MeshEdge> edges;  ///< sorted by their vertices; `first` and `count` refer to `halfedges`
-  std::vector<int> halfedges;   ///< of each edge, ascending
+  UnsetVector<MeshEdge> edges;  ///< sorted by their vertices; `first` and `count` refer to `halfedges`
+  UnsetVector<int> halfedges;   ///< of each edge, ascending
 
   [[nodiscard]] std::span<const int> halfedges_of(const MeshEdge& edge) const {
     return {halfedges.data() + edge.first, static_cast<std::size_t>(edge.count)};

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "base/unset_vector.hpp"
 #include "mesh/surface.hpp"
 
 namespace epura {
@@ -30,7 +31,7 @@ struct MeshEdge {
   int first;      ///< where its triangles begin in Mesh::edge_triangles
   int count;      ///< how many triangles share it
   bool diagonal;  ///< runs inside a polygon of the file: a line only where it is a contour
-  CutEdge cut = CutEdge::none;
+  CutEdge cut;
 };
 
 /// A vertex that a cutting plane made.
@@ -74,8 +75,8 @@ struct Mesh {
   std::vector<int> polygon;    ///< triangle -> face number of the file
   std::vector<int> body;       ///< triangle -> body
   std::vector<std::string> body_names;  ///< empty for files without named groups
-  std::vector<MeshEdge> edges;          ///< sorted by their vertices
-  std::vector<int> edge_triangles;
+  UnsetVector<MeshEdge> edges;          ///< sorted by their vertices
+  UnsetVector<int> edge_triangles;
   std::vector<CutVertex> cut_vertices;  ///< of a mesh that was cut; they are numbered from `first_cut_vertex` on
   int first_cut_vertex = 0;
   MeshReport report;

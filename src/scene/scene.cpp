@@ -45,8 +45,7 @@ bool place_vertices(const Placed& model, std::span<Vec3> points) {
   parallel_for(points.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       const OpenMesh::VertexHandle vertex(static_cast<int>(v));
-      if (surface.is_isolated(vertex)) continue;
-      points[v] = place(model.to_world, surface.point(vertex));
+      points[v] = surface.is_isolated(vertex) ? Vec3(0) : place(model.to_world, surface.point(vertex));
       if (!finite(points[v])) all_finite = false;
     }
   });
@@ -66,7 +65,7 @@ void append(World& world, const Placed& model) {
   const int first_triangle = world.first_triangle.back();
   int vertices = 0;
   for (const int v : mesh.vertex_of) vertices = std::max(vertices, v + 1);
-  world.points.resize(static_cast<std::size_t>(first_vertex + vertices), Vec3(0));
+  world.points.resize(static_cast<std::size_t>(first_vertex + vertices));
   const std::span<Vec3> points(world.points.data() + first_vertex, static_cast<std::size_t>(vertices));
   if (!place_vertices(model, points))
     throw Error(Trouble::input, mesh.report.name, "the transform moves vertices out of the range of numbers",

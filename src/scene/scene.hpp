@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/unset_vector.hpp"
 #include "base/vec.hpp"
 #include "mesh/mesh.hpp"
 
@@ -19,8 +20,8 @@ struct Placed {
 /// All models in one numbering: vertex v of model m is number first_vertex[m] + v, triangles likewise.
 struct World {
   std::vector<Placed> models;
-  std::vector<Vec3> points;  ///< world coordinates; the origin for vertices that no triangle uses
-  std::vector<std::array<int, 3>> triangles;
+  UnsetVector<Vec3> points;  ///< world coordinates; the origin for vertices that no triangle uses
+  UnsetVector<std::array<int, 3>> triangles;
   std::vector<int> first_vertex, first_triangle;  ///< one more than there are models
   Box box;                                        ///< of all vertices that triangles use
   double rounding = 0;  ///< how far rounding in the files may have moved vertices; 0: coordinates mean what they say

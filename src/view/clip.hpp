@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "base/unset_vector.hpp"
 #include "view/view_map.hpp"
 
 namespace epura {
@@ -29,7 +30,7 @@ struct ClippedEdge {
 /// whoever asks: it is computed from the edge's ends in order of their numbers, so neighbours stay joined.
 class Clipper {
  public:
-  std::vector<Mapped> vertices;
+  UnsetVector<Mapped> vertices;
 
   /// Returns the number by which the plane is called below.
   int add_plane(const ClipPlane& plane);

@@ -64,11 +64,11 @@ bool add_depth_planes(View& view, const World& world, const ViewLimits& limits, 
   return around;
 }
 
-std::vector<ViewTriangle> clipped_triangles(View& view, const World& world, Clipping clipping) {
+UnsetVector<ViewTriangle> clipped_triangles(View& view, const World& world, Clipping clipping) {
   // Idle planes first: of the world's own corners they take none, while clipping makes corners that are rounded.
   std::vector<int> planes = clipping == Clipping::everywhere ? view.idle_planes : std::vector<int>();
   planes.insert(planes.end(), view.triangle_planes.begin(), view.triangle_planes.end());
-  std::vector<ViewTriangle> triangles(planes.empty() ? world.triangles.size() : 0);
+  UnsetVector<ViewTriangle> triangles(planes.empty() ? world.triangles.size() : 0);
   parallel_for(triangles.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f) triangles[f] = {world.triangles[f], static_cast<int>(f)};
   });
@@ -83,10 +83,10 @@ std::vector<ViewTriangle> clipped_triangles(View& view, const World& world, Clip
   return triangles;
 }
 
-Window box_of(const View& view, const std::vector<ViewTriangle>& triangles) {
+Window box_of(const View& view) {
   // Most vertices are corners of several triangles: each is divided once.
   std::vector<char> used(view.clipper.vertices.size(), 0);
-  for (const ViewTriangle& triangle : triangles)
+  for (const ViewTriangle& triangle : view.triangles)
     for (const int v : triangle.vertex) used[v] = 1;
   Window box{Vec2(HUGE_VAL), Vec2(-HUGE_VAL)};
   for (std::size_t v = 0; v < used.size(); ++v) {
@@ -114,7 +114,8 @@ void choose_window(View& view, const World& world, bool around, Clipping clippin
     view.window_given = true;
     return;
   }
-  view.window = box_of(view, clipped_triangles(view, world, clipping));
+  view.triangles = clipped_triangles(view, world, clipping);
+  view.window = box_of(view);
   if (!around) return;
   const Window cone = cone_of_vision(view);
   view.window = {glm::max(view.window.least, cone.least), glm::min(view.window.most, cone.most)};
@@ -164,14 +165,14 @@ void lay_out(View& view) {
 
 View make_view(const World& world, const Projection& projection, const ViewLimits& limits, Clipping clipping) {
   const ViewMap map = make_view_map(projection, world.box);
-  std::vector<Mapped> mapped(world.points.size());
+  UnsetVector<Mapped> mapped(world.points.size());
   parallel_for(world.points.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) mapped[v] = map(world.points[v]);
   });
   return make_view(world, projection, limits, std::move(mapped), clipping);
 }
 
-View make_view(const World& world, const Projection& projection, const ViewLimits& limits, std::vector<Mapped> mapped,
+View make_view(const World& world, const Projection& projection, const ViewLimits& limits, UnsetVector<Mapped> mapped,
                Clipping clipping) {
   View view;
   view.projection = projection;
@@ -183,8 +184,8 @@ View make_view(const World& world, const Projection& projection, const ViewLimit
     const Vec2 margin = (view.window.most - view.window.least) * ((guard - 1) / 2);
     add_window_planes(view, world, {view.window.least - margin, view.window.most + margin}, view.triangle_planes);
     add_window_planes(view, world, view.window, view.edge_planes);
+    view.triangles = clipped_triangles(view, world, clipping);
   }
-  view.triangles = clipped_triangles(view, world, clipping);
   if (view.triangles.empty())
     throw Error(Trouble::input, "projection '" + projection.name + "'",
                 "nothing of the model lies in front of the viewer and inside the window",

@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/unset_vector.hpp"
 #include "scene/scene.hpp"
 #include "view/clip.hpp"
 #include "view/view_map.hpp"
@@ -56,9 +57,9 @@ struct View {
   std::vector<int> idle_planes;      ///< that cut nothing; triangles are clipped by them under Clipping::everywhere
 
   // By vertex: first the world's in its numbering, then added points and what clipping made.
-  std::vector<PageVertex> vertices;
-  std::vector<GridPoint> grid;
-  std::vector<ViewTriangle> triangles;
+  UnsetVector<PageVertex> vertices;
+  UnsetVector<GridPoint> grid;
+  UnsetVector<ViewTriangle> triangles;
 };
 
 /// By which planes triangles are clipped. A plane that has all corners of the world inside is certified to cut nothing.
@@ -70,7 +71,7 @@ View make_view(const World& world, const Projection& projection, const ViewLimit
 
 /// The same with the points of the world mapped by somebody else: finite, in the coordinates of
 /// make_view_map(projection, world.box).
-View make_view(const World& world, const Projection& projection, const ViewLimits& limits, std::vector<Mapped> mapped,
+View make_view(const World& world, const Projection& projection, const ViewLimits& limits, UnsetVector<Mapped> mapped,
                Clipping clipping = Clipping::where_needed);
 
 /// A further point of space as a vertex.

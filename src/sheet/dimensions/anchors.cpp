@@ -73,7 +73,7 @@ Vec3 place_of_vertex(const World& world, const std::array<int, 2>& vertex, const
   if (number < 0 || number >= count)
     refuse(where, "model " + std::to_string(model) + " has no vertex " + std::to_string(number),
            "its vertices count from 0 to " + std::to_string(count - 1));
-  const std::vector<MeshEdge>& edges = world.models[std::size_t(model)].mesh->edges;
+  const auto& edges = world.models[std::size_t(model)].mesh->edges;
   const auto has_vertex = [number = number](const MeshEdge& edge) {
     return edge.vertex[0] == number || edge.vertex[1] == number;
   };

@@ -61,9 +61,9 @@ Matrix<F> composed_matrix(const Camera& camera, const ViewMap& map) {
 }
 
 template <class F>
-std::vector<Mapped> map_by_matrix(const std::vector<Vec3>& points, const Camera& camera, const ViewMap& map) {
+UnsetVector<Mapped> map_by_matrix(std::span<const Vec3> points, const Camera& camera, const ViewMap& map) {
   const Matrix<F> matrix = composed_matrix<F>(camera, map);
-  std::vector<Mapped> mapped;
+  UnsetVector<Mapped> mapped;
   mapped.reserve(points.size());
   for (const Vec3& point : points) {
     const Row<F> p = matrix * Row<F>(Vector<F>(point), F(1));
@@ -72,8 +72,8 @@ std::vector<Mapped> map_by_matrix(const std::vector<Vec3>& points, const Camera&
   return mapped;
 }
 
-std::vector<Mapped> map_by_own(const std::vector<Vec3>& points, const ViewMap& map) {
-  std::vector<Mapped> mapped;
+UnsetVector<Mapped> map_by_own(std::span<const Vec3> points, const ViewMap& map) {
+  UnsetVector<Mapped> mapped;
   mapped.reserve(points.size());
   for (const Vec3& point : points) mapped.push_back(map(point));
   return mapped;
@@ -89,7 +89,7 @@ bool is_sound(const Mapped& p) {
 
 }  // namespace
 
-std::vector<Mapped> map_points(const std::vector<Vec3>& points, const Camera& camera, const Box& scene,
+UnsetVector<Mapped> map_points(std::span<const Vec3> points, const Camera& camera, const Box& scene,
                                Arithmetic arithmetic) {
   const ViewMap map = make_view_map(camera.projection, scene);
   switch (arithmetic) {
@@ -105,7 +105,7 @@ std::vector<Mapped> map_points(const std::vector<Vec3>& points, const Camera& ca
 
 View view_by(const World& world, const Camera& camera, Arithmetic arithmetic) {
   if (arithmetic == Arithmetic::own) return make_view(world, camera.projection, camera.limits);
-  std::vector<Mapped> mapped = map_points(world.points, camera, world.box, arithmetic);
+  UnsetVector<Mapped> mapped = map_points(world.points, camera, world.box, arithmetic);
   if (!std::all_of(mapped.begin(), mapped.end(), is_sound))
     throw Error(Trouble::input, "map", "a point leaves the range of numbers");
   return make_view(world, camera.projection, camera.limits, std::move(mapped));

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -28,7 +29,7 @@ struct Camera {
 };
 
 /// Points of space by the arithmetic, in the coordinates of make_view_map(camera.projection, scene).
-std::vector<Mapped> map_points(const std::vector<Vec3>& points, const Camera& camera, const Box& scene,
+UnsetVector<Mapped> map_points(std::span<const Vec3> points, const Camera& camera, const Box& scene,
                                Arithmetic arithmetic);
 
 /// Throws Error{input} where a point leaves the range of the arithmetic, and as make_view does.

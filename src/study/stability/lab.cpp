@@ -1,5 +1,6 @@
 #include "study/stability/lab.hpp"
 
+#include <array>
 #include <memory>
 #include <utility>
 
@@ -56,7 +57,7 @@ Result Lab::draw(World world, const Camera& camera, const EdgeWishes& wishes) co
 HiddenLine Lab::hidden_of_line(const World& world, const Projection& projection, const Vec3& from,
                                const Vec3& to) const {
   View view = view_by(world, {projection}, arithmetic);
-  const std::vector<Mapped> ends = map_points({from, to}, {projection}, world.box, arithmetic);
+  const UnsetVector<Mapped> ends = map_points(std::array{from, to}, {projection}, world.box, arithmetic);
   const int a = add_mapped_point(view, ends[0]);
   const int b = add_mapped_point(view, ends[1]);
   DrawnEdges drawn;

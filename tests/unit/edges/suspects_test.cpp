@@ -114,7 +114,7 @@ TEST(Suspects, WithoutContactNothingIsCertain) {
 TEST(Suspects, ConvexBodiesLieBehindTheirPlanes) {
   for (const int sides : {3, 5, 17, 64, 1000}) {
     const World world = world_of(prism(sides));
-    const std::vector<Vec3> points = shrunk_points(world, 0.5);
+    const UnsetVector<Vec3> points = shrunk_points(world, 0.5);
     const BodyTable bodies = bodies_of(world, points);
     std::vector<char> convex(bodies.box.size(), 1);
     keep_convex(world, points, bodies, contact, convex);
