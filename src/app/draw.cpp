@@ -157,7 +157,7 @@ DrawnFiles draw_files(const DrawOptions& options, const Messages& messages, Prog
   const LeaveOut leave_out = parse_leave_out(options.plan);
   Run run{options, scene, questions, messages, progress, watch, leave_out, want_drawings(targets)};
   run.report.plan.push_back(plugins_step(sheets));
-  const std::vector<FinishedSheet> finished = run.draw_sheets(sheets);
+  std::vector<FinishedSheet> finished = run.draw_sheets(sheets);
   estimate_savings(run.report.plan);
   if (options.measure) {
     const auto again = [&](const LeaveOut& other) {
@@ -176,7 +176,7 @@ DrawnFiles draw_files(const DrawOptions& options, const Messages& messages, Prog
     paths.push_back(file.path);
   }
   watch.lap("write");
-  return {std::move(paths), std::move(run.report), std::move(run.answers), watch};
+  return {std::move(paths), std::move(run.report), std::move(run.answers), watch, std::move(finished)};
 }
 
 void tell_the_end(const Messages& messages, const DrawOptions& options, const DrawnFiles& drawn) {

@@ -7,6 +7,7 @@
 #include "app/messages.hpp"
 #include "app/options.hpp"
 #include "app/pipeline.hpp"
+#include "app/targets.hpp"
 #include "base/progress.hpp"
 #include "output/write.hpp"
 
@@ -17,6 +18,7 @@ struct DrawnFiles {
   Report report;
   std::string answers;  ///< to --why and --dump
   Stopwatch watch;
+  std::vector<FinishedSheet> sheets;  ///< that they show
 
   [[nodiscard]] bool is_wrong() const { return report.verification && report.verification->wrong > 0; }
 };
