@@ -95,6 +95,17 @@ TEST_F(Schedules, DoNotChangeAGrate) {
       {"draw", folder.file("grate.obj", grate(12)), "--edges", "contour,crease,boundary,intersection,smooth"});
 }
 
+// So long that it is read in parts.
+TEST_F(Schedules, DoNotChangeALongFile) {
+  const Folder folder;
+  std::string text;
+  for (const char c : grate(4)) {
+    text += c;
+    if (c == '\n') text += "#" + std::string(8000, '.') + "\n";
+  }
+  expect_same_under_all({"draw", folder.file("long.obj", text)});
+}
+
 TEST(ShuffledLoops, CutAndReorder) {
   std::set<std::vector<std::size_t>> orders;
   for (int schedule = 2; schedule <= schedules; schedule += 2) {
