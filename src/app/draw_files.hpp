@@ -18,7 +18,7 @@ struct DrawnFiles {
   Report report;
   std::string answers;  ///< to --why and --dump
   Stopwatch watch;
-  std::vector<FinishedSheet> sheets;  ///< that they show
+  std::vector<FinishedSheet> sheets;  ///< what the files show; theirs is most of the memory
 
   [[nodiscard]] bool is_wrong() const { return report.verification && report.verification->wrong > 0; }
 };

@@ -1,5 +1,5 @@
 // All that is done with qpdf. It is a library of its own, loaded when a PDF file is first written or read: qpdf and the
-// ten libraries behind it would take two fifths of the time and a quarter of the memory of a small drawing.
+// ten libraries behind it would take a third of the time and a quarter of the memory of a small drawing.
 //
 // The files of this folder are C++17, see ../CMakeLists.txt.
 #pragma once
