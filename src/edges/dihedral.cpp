@@ -12,38 +12,6 @@ namespace {
 
 std::array<int, 2> sorted(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
-// The side of the triangle on which `place` lies, `entry` left out.
-std::array<int, 2> side_at(const EdgeSurroundings& around, const std::array<int, 3>& corners,
-                           const std::array<int, 2>& entry, const Vec3& place) {
-  std::array<int, 2> best{};
-  double least = HUGE_VAL;
-  for (int i = 0; i < 3; ++i) {
-    const std::array<int, 2> side = sorted(corners[i], corners[(i + 1) % 3]);
-    if (side == entry) continue;
-    // The detour over `place` is zero on the side and grows away from it.
-    const Vec3 a = around.point(side[0]);
-    const Vec3 b = around.point(side[1]);
-    const double detour = glm::length(place - a) + glm::length(b - place) - glm::length(b - a);
-    if (detour < least) {
-      least = detour;
-      best = side;
-    }
-  }
-  return best;
-}
-
-// Normals of two triangles at their common edge, equal where one continues the other flatly.
-std::array<Vec3, 2> normals_at(const EdgeSurroundings& around, const std::array<int, 2>& edge, int first, int second) {
-  const Vec3 a = around.point(edge[0]);
-  const Vec3 along = around.point(edge[1]) - a;
-  return {glm::cross(along, around.point(around.apex(edge, first)) - a),
-          glm::cross(around.point(around.apex(edge, second)) - a, along)};
-}
-
-double length_of(const EdgeSurroundings& around, const std::array<int, 2>& side) {
-  return glm::length(around.point(side[1]) - around.point(side[0]));
-}
-
 }  // namespace
 
 const MeshEdge* find_edge(const EdgeSurroundings& around, const std::array<int, 2>& side) {
@@ -76,8 +44,19 @@ int EdgeSurroundings::apex(const std::array<int, 2>& edge, int triangle) const {
   return apex;
 }
 
+std::array<Vec3, 2> normals_at(const EdgeSurroundings& around, const std::array<int, 2>& edge, int first, int second) {
+  const Vec3 a = around.point(edge[0]);
+  const Vec3 along = around.point(edge[1]) - a;
+  return {glm::cross(along, around.point(around.apex(edge, first)) - a),
+          glm::cross(around.point(around.apex(edge, second)) - a, along)};
+}
+
 double fold_angle(const EdgeSurroundings& around, const std::array<int, 2>& edge, int first, int second) {
-  const auto [n1, n2] = normals_at(around, edge, first, second);
+  return fold_angle(normals_at(around, edge, first, second));
+}
+
+double fold_angle(const std::array<Vec3, 2>& normals) {
+  const auto& [n1, n2] = normals;
   return portable_atan2(glm::length(glm::cross(n1, n2)), glm::dot(n1, n2)) * (180 / std::numbers::pi);
 }
 
@@ -86,14 +65,13 @@ FoldLimit::FoldLimit(double limit) : degrees(limit), squared_cosine(2) {
   if (limit < 90) squared_cosine = cosine * cosine;
 }
 
-bool folds_by(const EdgeSurroundings& around, const std::array<int, 2>& edge, int first, int second,
-              const FoldLimit& limit) {
-  const auto [n1, n2] = normals_at(around, edge, first, second);
+bool folds_by(const std::array<Vec3, 2>& normals, const FoldLimit& limit) {
+  const auto& [n1, n2] = normals;
   const double product = glm::dot(n1, n2);
   // Plainly flatter than the limit, beyond all rounding.
   const double least = 1.0001 * limit.squared_cosine * glm::dot(n1, n1) * glm::dot(n2, n2);
   if (product > 0 && product * product > least) return false;
-  return fold_angle(around, edge, first, second) >= limit.degrees;
+  return fold_angle(normals) >= limit.degrees;
 }
 
 double turn_of_surface(const EdgeSurroundings& around, int triangle, double crease_angle) {
@@ -117,23 +95,6 @@ double height_of(const EdgeSurroundings& around, int triangle) {
   const Vec3 ac = around.point(c[2]) - around.point(c[0]);
   const double longest = std::max({glm::length(ab), glm::length(ac), glm::length(ac - ab)});
   return longest > 0 ? glm::length(glm::cross(ab, ac)) / longest : 0;
-}
-
-Beyond across_slivers(const EdgeSurroundings& around, const std::array<int, 2>& edge, int triangle) {
-  const Vec3 middle = (around.point(edge[0]) + around.point(edge[1])) * 0.5;
-  std::array<int, 2> entry = edge;
-  constexpr int longest_row = 256;  // of slivers side by side; more than that is no surface any more
-  for (int step = 0; step < longest_row && height_of(around, triangle) <= around.sliver; ++step) {
-    const std::array<int, 3> corners = around.corners(triangle);
-    const std::array<int, 2> exit = side_at(around, corners, entry, middle);
-    if (step == 0 && length_of(around, entry) >= length_of(around, exit)) return {std::nullopt, true};
-    const MeshEdge* next = find_edge(around, exit);
-    if (next == nullptr || next->count != 2) return {};
-    const auto faces = around.world.models[around.model].mesh->triangles_of(*next);
-    triangle = faces[0] == triangle ? faces[1] : faces[0];
-    entry = exit;
-  }
-  return {triangle, false};
 }
 
 }  // namespace epura

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <optional>
 
 #include "scene/scene.hpp"
 
@@ -13,7 +12,6 @@ struct EdgeSurroundings {
   const World& world;
   int model;
   double shrink;  ///< power of two that brings lengths near 1, so that products of them stay in range
-  double sliver;  ///< triangles lower than this (shrunk) have no reliable normal; folds are measured across them
 
   /// A corner of the model's triangle, as a vertex of the world.
   [[nodiscard]] std::array<int, 3> corners(int triangle) const {
@@ -28,8 +26,15 @@ struct EdgeSurroundings {
 /// The edge between two vertices of the world, the lower number first; null when the model has none there.
 const MeshEdge* find_edge(const EdgeSurroundings& around, const std::array<int, 2>& side);
 
+/// Normals of two triangles at their common edge, of any length, equal in direction where one continues the other
+/// flatly.
+std::array<Vec3, 2> normals_at(const EdgeSurroundings& around, const std::array<int, 2>& edge, int first, int second);
+
 /// Degrees by which the second triangle turns away from continuing the first one flatly: 0 flat, 180 folded back.
 double fold_angle(const EdgeSurroundings& around, const std::array<int, 2>& edge, int first, int second);
+
+/// The same of normals as normals_at gives them.
+double fold_angle(const std::array<Vec3, 2>& normals);
 
 /// An angle to compare folds with.
 struct FoldLimit {
@@ -40,8 +45,7 @@ struct FoldLimit {
 };
 
 /// Whether a fold is at least so large; most edges are told without an arc tangent.
-bool folds_by(const EdgeSurroundings& around, const std::array<int, 2>& edge, int first, int second,
-              const FoldLimit& limit);
+bool folds_by(const std::array<Vec3, 2>& normals, const FoldLimit& limit);
 
 /// The largest fold at the sides of a triangle that is below `crease_angle`: how far the surface that it approximates
 /// turns from one facet to the next. 0 for a facet of a plane.
@@ -49,14 +53,5 @@ double turn_of_surface(const EdgeSurroundings& around, int triangle, double crea
 
 /// The height of a triangle over its longest side.
 double height_of(const EdgeSurroundings& around, int triangle);
-
-/// A sliver (a triangle lower than `sliver`) has no normal of its own: the triangle that continues the surface
-/// behind it, found by leaving through the side on which the middle of the entry edge lies. `covered` means that the
-/// entry edge is the sliver's longest side: what there is to draw is drawn on the shorter ones.
-struct Beyond {
-  std::optional<int> triangle;
-  bool covered = false;
-};
-Beyond across_slivers(const EdgeSurroundings& around, const std::array<int, 2>& edge, int triangle);
 
 }  // namespace epura

@@ -1,19 +1,34 @@
 #include "edges/drawn_edges.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
 #include "edges/dihedral.hpp"
 #include "edges/feature_edges.hpp"
+#include "edges/slivers.hpp"
 #include "edges/suspects.hpp"
 
 namespace epura {
 
 namespace {
 
-void add_mesh_edges(const World& world, View& view, int model, const EdgeWishes& wishes,
-                    std::vector<DrawnEdge>& drawn) {
-  const std::vector<std::optional<EdgeKind>> kinds = feature_edges(world, view, model, wishes);
+// What meets in the edge, the slivers beside it among it; empty where there are none.
+std::vector<int> met_across_slivers(const EdgeSurroundings& around, const Slivers& slivers, const MeshEdge& edge) {
+  const auto triangles = around.world.models[around.model].mesh->triangles_of(edge);
+  if (std::none_of(triangles.begin(), triangles.end(), [&](int t) { return slivers.contain(t); })) return {};
+  const int first = around.world.first_vertex[around.model];
+  const std::array<int, 2> ends{first + edge.vertex[0], first + edge.vertex[1]};
+  std::vector<int> met;
+  for (const int t : triangles)
+    if (const auto beyond = slivers.across(ends, t, &met).triangle) met.push_back(*beyond);
+  return met;
+}
+
+void add_mesh_edges(const World& world, View& view, int model, const EdgeWishes& wishes, DrawnEdges& drawn) {
+  const EdgeSurroundings around{world, model, view.map.shrink};
+  const Slivers slivers(around, view);
+  const std::vector<std::optional<EdgeKind>> kinds = feature_edges(view, wishes, around, slivers);
   const auto& edges = world.models[model].mesh->edges;
   const int first = world.first_vertex[model];
   for (std::size_t e = 0; e < edges.size(); ++e) {
@@ -22,8 +37,10 @@ void add_mesh_edges(const World& world, View& view, int model, const EdgeWishes&
     if (!part) continue;
     const std::array<double, 2> from_to = world.models[model].mesh->origin_of(edges[e]).t;
     const auto in_file = [&](double t) { return t == 0 ? from_to[0] : from_to[0] + t * (from_to[1] - from_to[0]); };
-    drawn.push_back(
+    drawn.edges.push_back(
         {part->vertex, {in_file(part->t[0]), in_file(part->t[1])}, *kinds[e], model, static_cast<int>(e), -1});
+    std::vector<int> met = met_across_slivers(around, slivers, edges[e]);
+    if (!met.empty()) drawn.beside_slivers.push_back({model, static_cast<int>(e), std::move(met)});
   }
 }
 
@@ -33,7 +50,7 @@ bool is_tessellation(const World& world, double shrink, const FaceCrossing& cros
   double turn = 0;
   for (const int triangle : crossing.triangles) {
     const int model = world.model_of_triangle(triangle);
-    turn += turn_of_surface({world, model, shrink, 0}, triangle - world.first_triangle[model], crease_angle) / 2;
+    turn += turn_of_surface({world, model, shrink}, triangle - world.first_triangle[model], crease_angle) / 2;
   }
   return crossing.angle <= turn * 1.001;
 }
@@ -61,7 +78,7 @@ DrawnEdges find_drawn_edges(const World& world, View& view, const EdgeWishes& wi
   progress.begin("finding edges");
   DrawnEdges drawn;
   for (int model = 0; model < static_cast<int>(world.models.size()); ++model)
-    add_mesh_edges(world, view, model, wishes, drawn.edges);
+    add_mesh_edges(world, view, model, wishes, drawn);
   if (!wishes.intersection) return drawn;
   const double shrink = view.map.shrink;
   auto [crossings, searched] = find_intersections(world, shrink, contact, suspects, progress.with_half_the_time());

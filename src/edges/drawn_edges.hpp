@@ -27,8 +27,15 @@ struct DrawnEdge {
   int crossing;   ///< of an intersection line, in DrawnEdges::crossings; otherwise -1
 };
 
+/// The triangles of a model that meet in an edge beside slivers: those at the edge and what lies on their far sides.
+struct MetAcrossSlivers {
+  int model, mesh_edge;
+  std::vector<int> triangles;
+};
+
 struct DrawnEdges {
-  std::vector<DrawnEdge> edges;  ///< in order of model and mesh edge, then the intersection lines
+  std::vector<DrawnEdge> edges;                  ///< in order of model and mesh edge, then the intersection lines
+  std::vector<MetAcrossSlivers> beside_slivers;  ///< of edges that have slivers, in order of model and mesh edge
   std::vector<FaceCrossing> crossings;
   double searched = 1;  ///< part of the search for crossings that was done before time was over
 };

@@ -7,6 +7,7 @@
 
 #include "base/parallel.hpp"
 #include "edges/dihedral.hpp"
+#include "edges/slivers.hpp"
 #include "edges/tangent_edges.hpp"
 
 namespace epura {
@@ -15,23 +16,32 @@ namespace {
 
 // So that a threshold of 360/N takes all edges of an N-sided prism or none.
 constexpr double angle_rounding = 1e-6;
-// Corners this many cells from the line of an edge are on it: both ends and the corner were rounded to the grid.
-constexpr double edge_on_cells = 2;
-// Triangles lower than this part of the scene have no reliable normal.
-constexpr double sliver_part = 0x1p-40;
+// A triangle that leaves the plane of its neighbour by less than this part of the scene lies in it.
+constexpr double flatness = 0x1p-29;
+
+// The vector areas of the polygons of the file, by number: normals of polygons that may be bent (Newell). Empty where
+// all are triangles.
+std::vector<Vec3> mean_normals(const EdgeSurroundings& around) {
+  const Mesh& mesh = *around.world.models[around.model].mesh;
+  if (std::none_of(mesh.edges.begin(), mesh.edges.end(), [](const MeshEdge& e) { return e.diagonal; })) return {};
+  std::vector<Vec3> sums(static_cast<std::size_t>(*std::max_element(mesh.polygon.begin(), mesh.polygon.end())) + 1);
+  for (std::size_t t = 0; t < mesh.polygon.size(); ++t) {
+    const std::array<int, 3> c = around.corners(static_cast<int>(t));
+    const Vec3 a = around.point(c[0]);
+    sums[mesh.polygon[t]] += glm::cross(around.point(c[1]) - a, around.point(c[2]) - a);
+  }
+  return sums;
+}
 
 struct Judge {
   EdgeSurroundings around;
   const View& view;
   const EdgeWishes& wishes;
-  const std::vector<char>& is_sliver;   ///< by triangle
-  const std::vector<char>& is_tangent;  ///< by edge; empty where nobody asks
+  const Slivers& slivers;
+  const std::vector<char>& is_tangent;       ///< by edge; empty where nobody asks
+  const std::vector<Vec3>& polygon_normals;  ///< by number of the polygon
   FoldLimit crease;
   double edge_on;  ///< cells from the line of an edge within which a corner is on it
-
-  [[nodiscard]] Beyond beyond_slivers(const std::array<int, 2>& edge, int triangle) const {
-    return is_sliver[triangle] != 0 ? across_slivers(around, edge, triangle) : Beyond{triangle, false};
-  }
 
   [[nodiscard]] const Mesh& mesh() const { return *around.world.models[around.model].mesh; }
 
@@ -77,23 +87,62 @@ struct Judge {
     return std::abs(volume) <= rounding ? 0 : volume > 0 ? 1 : -1;
   }
 
+  // Whether the second triangle is folded back over the first, in its plane.
+  [[nodiscard]] bool is_folded_over(const std::array<int, 2>& edge, int first, int second) const {
+    const auto [n1, n2] = normals_at(around, edge, first, second);
+    if (!(glm::dot(n1, n2) < 0)) return false;
+    const double height = glm::length(n2) / glm::length(around.point(edge[1]) - around.point(edge[0]));
+    const double sine = glm::length(glm::cross(n1, n2)) / (glm::length(n1) * glm::length(n2));
+    return sine * height <= std::max(flatness, around.world.rounding * around.shrink);
+  }
+
+  // What continues the surface at an edge with a triangle that is folded over, where the next one is folded over back
+  // again: three layers in one plane, and no line.
+  [[nodiscard]] std::optional<int> behind_pleat(const std::array<int, 2>& edge, int triangle, int folded) const {
+    if (!is_folded_over(edge, triangle, folded)) return std::nullopt;
+    const auto exit = slivers.way_out(edge, folded);
+    if (!exit) return std::nullopt;
+    const auto& [side, next] = *exit;
+    const auto [n1, n2] = normals_at(around, edge, triangle, next);
+    if (!is_folded_over(side, next, folded) || !(glm::dot(n1, n2) > 0)) return std::nullopt;
+    return next;
+  }
+
   // Two triangles at an edge.
   [[nodiscard]] std::optional<EdgeKind> judge_pair(const MeshEdge& edge, const std::array<int, 2>& ends, int first,
                                                    int second) const {
-    const Beyond one = beyond_slivers(ends, first);
-    const Beyond two = beyond_slivers(ends, second);
+    const Beyond one = slivers.across(ends, first);
+    const Beyond two = slivers.across(ends, second);
     if (one.covered || two.covered) return std::nullopt;
     if (!one.triangle || !two.triangle) return wish(EdgeKind::boundary);
-    const int side_one = side(ends, *one.triangle);
-    const int side_two = side(ends, *two.triangle);
+    int a = *one.triangle, b = *two.triangle;
+    if (const auto next = behind_pleat(ends, a, b))
+      b = *next;
+    else if (const auto last = behind_pleat(ends, b, a))
+      a = *last;
+    const int side_one = side(ends, a);
+    const int side_two = side(ends, b);
     const bool contour = side_one == side_two ? side_one != 0 : side_one == 0 || side_two == 0;
     if (contour && wishes.contour) return EdgeKind::contour;
     // Inside a polygon nothing is folded: the file says it is one face.
     if (edge.diagonal) return std::nullopt;
-    if (wishes.crease && folds_by(around, ends, *one.triangle, *two.triangle, crease)) return EdgeKind::crease;
+    if (wishes.crease && folds_by(normals_of_faces(ends, a, b), crease)) return EdgeKind::crease;
     if (!is_tangent.empty() && is_tangent[static_cast<std::size_t>(&edge - mesh().edges.data())] != 0)
       return EdgeKind::tangent;
     return wish(EdgeKind::smooth);
+  }
+
+  // As normals_at, of the polygons that the triangles are parts of.
+  [[nodiscard]] std::array<Vec3, 2> normals_of_faces(const std::array<int, 2>& edge, int first, int second) const {
+    std::array<Vec3, 2> normals = normals_at(around, edge, first, second);
+    if (polygon_normals.empty()) return normals;
+    const std::array<int, 2> triangles{first, second};
+    for (int i = 0; i < 2; ++i) {
+      const Vec3& mean = polygon_normals[mesh().polygon[triangles[i]]];
+      const double turned = glm::dot(mean, normals[i]);
+      if (turned != 0) normals[i] = turned > 0 ? mean : -mean;
+    }
+    return normals;
   }
 
   [[nodiscard]] std::optional<EdgeKind> wish(EdgeKind kind) const {
@@ -136,21 +185,23 @@ struct Judge {
 
 std::vector<std::optional<EdgeKind>> feature_edges(const World& world, const View& view, int model,
                                                    const EdgeWishes& wishes) {
-  const EdgeSurroundings around{world, model, view.map.shrink, std::max(sliver_part, world.rounding * view.map.shrink)};
-  std::vector<char> is_sliver(world.models[model].mesh->polygon.size());
-  parallel_for(is_sliver.size(), 8192, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t t = begin; t < end; ++t)
-      is_sliver[t] = height_of(around, static_cast<int>(t)) <= around.sliver ? 1 : 0;
-  });
-  const std::vector<char> is_tangent =
-      wishes.tangent ? tangent_edges(around, wishes.crease_angle - angle_rounding) : std::vector<char>();
+  const EdgeSurroundings around{world, model, view.map.shrink};
+  return feature_edges(view, wishes, around, Slivers(around, view));
+}
+
+std::vector<std::optional<EdgeKind>> feature_edges(const View& view, const EdgeWishes& wishes,
+                                                   const EdgeSurroundings& around, const Slivers& slivers) {
+  const double crease_angle = wishes.crease_angle - angle_rounding;
+  const std::vector<char> is_tangent = wishes.tangent ? tangent_edges(around, crease_angle) : std::vector<char>();
+  const std::vector<Vec3> polygon_normals = mean_normals(around);
   const Judge judge{around,
                     view,
                     wishes,
-                    is_sliver,
+                    slivers,
                     is_tangent,
-                    FoldLimit(wishes.crease_angle - angle_rounding),
-                    std::max(edge_on_cells, world.rounding * view.map.shrink * view.map.unit / view.cell)};
+                    polygon_normals,
+                    FoldLimit(crease_angle),
+                    page_resolution(around.world, view) / view.cell};
   const auto& edges = judge.mesh().edges;
   std::vector<std::optional<EdgeKind>> kinds(edges.size());
   parallel_for(edges.size(), 4096, [&](std::size_t begin, std::size_t end) {

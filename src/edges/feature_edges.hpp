@@ -6,6 +6,7 @@
 
 #include "edges/drawn_edges.hpp"
 #include "edges/edge_kind.hpp"
+#include "edges/slivers.hpp"
 #include "view/view.hpp"
 
 namespace epura {
@@ -17,5 +18,9 @@ namespace epura {
 /// Outlines of cuts are always drawn.
 std::vector<std::optional<EdgeKind>> feature_edges(const World& world, const View& view, int model,
                                                    const EdgeWishes& wishes);
+
+/// The same where the model's slivers in the view are known.
+std::vector<std::optional<EdgeKind>> feature_edges(const View& view, const EdgeWishes& wishes,
+                                                   const EdgeSurroundings& around, const Slivers& slivers);
 
 }  // namespace epura

@@ -152,7 +152,7 @@ class Crossings {
 
   [[nodiscard]] bool goes_on_behind(int triangle, int a, int b, const Plane& plane) const {
     const int model = world_.model_of_triangle(triangle);
-    const MeshEdge* edge = find_edge({world_, model, shrink_, 0}, {std::min(a, b), std::max(a, b)});
+    const MeshEdge* edge = find_edge({world_, model, shrink_}, {std::min(a, b), std::max(a, b)});
     check(edge != nullptr, "the sides of a triangle are edges of its mesh");
     for (const int other : world_.models[model].mesh->triangles_of(*edge))
       for (const int v : world_.triangles[world_.first_triangle[model] + other])

@@ -59,14 +59,20 @@ void drop_equal_triangles(Faces& triangles, EdgeTable& table, MeshReport& report
   table = edges_of(triangles, report);
 }
 
-/// Welds across cracks; then some triangles may have become equal.
-void close_cracks(Points& points, Faces& triangles, EdgeTable& table, MeshReport& report) {
-  Mending mending = mend_cracks(points, triangles.corners, table);
+/// Welds across cracks, as at the seam of a surface of revolution, whose first and last points are cos and sin of 0 and
+/// of a full turn; then some triangles may have become equal. Vertices that the file numbers keep their numbers.
+void close_cracks(Soup& soup, Faces& triangles, EdgeTable& table, MeshReport& report) {
+  const bool single = soup.single_precision || soup.corners_repeat_points;  // text STL holds floats as a rule
+  Mending mending = mend_cracks(soup.points, triangles.corners, table, single ? 0x1p-23 : 0x1p-52);
   if (mending.joined == 0) return;
   report.welded_vertices += mending.joined;
   report.weld_distance = mending.distance;
-  renumber(points, triangles.corners, std::move(mending.representative));
-  report.vertices = static_cast<int>(points.size());
+  if (soup.corners_repeat_points) {
+    renumber(soup.points, triangles.corners, std::move(mending.representative));
+    report.vertices = static_cast<int>(soup.points.size());
+  } else {
+    for (int& corner : triangles.corners) corner = mending.representative[corner];
+  }
   table = edges_of(triangles, report);
   drop_equal_triangles(triangles, table, report);
 }
@@ -79,7 +85,7 @@ Faces usable_triangles(Soup& soup, EdgeTable& table, MeshReport& report) {
   Faces triangles = triangulate(std::move(faces), soup.points);
   table = edges_of(triangles, report);
   if (!polygons) drop_equal_triangles(triangles, table, report);
-  if (soup.corners_repeat_points) close_cracks(soup.points, triangles, table, report);
+  close_cracks(soup, triangles, table, report);
   return triangles;
 }
 

@@ -13,8 +13,8 @@ namespace epura {
 
 namespace {
 
-// A 32-bit coordinate is off by half a rounding; two that were computed in different ways, by some more.
-constexpr double roundings = 4 * 0x1p-23;
+// A coordinate is off by half a rounding; two that were computed in different ways, by some more.
+constexpr double roundings = 4;
 
 Vec3 place(const Points& points, int vertex) { return {points[vertex][0], points[vertex][1], points[vertex][2]}; }
 
@@ -132,8 +132,8 @@ class Clusters {
 
 }  // namespace
 
-Mending mend_cracks(const Points& points, std::span<const int> corners, const EdgeTable& table) {
-  const double tolerance = roundings * largest_coordinate(points, corners);
+Mending mend_cracks(const Points& points, std::span<const int> corners, const EdgeTable& table, double precision) {
+  const double tolerance = roundings * precision * largest_coordinate(points, corners);
   const std::vector<OpenEnd> ends = open_ends(points, table, tolerance);
   const std::vector<Pair> pairs = near_pairs(points, ends);
   if (pairs.empty()) return {};

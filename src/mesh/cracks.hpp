@@ -12,8 +12,9 @@ struct Mending {
   double distance = 0;              ///< largest distance to a representative
 };
 
-/// Joins ends of open edges that lie within a few roundings of 32-bit coordinates of each other, and much closer than
-/// their open edges are long; never two vertices with an edge between them. `corners` are those of the table.
-Mending mend_cracks(const Points& points, std::span<const int> corners, const EdgeTable& table);
+/// Joins ends of open edges that lie within a few roundings of each other, and much closer than their open edges are
+/// long; never two vertices with an edge between them. `corners` are those of the table; `precision` is the distance
+/// from 1 to the next number that the file can hold.
+Mending mend_cracks(const Points& points, std::span<const int> corners, const EdgeTable& table, double precision);
 
 }  // namespace epura

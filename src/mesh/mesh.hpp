@@ -65,7 +65,7 @@ struct MeshReport {
   int dropped_non_finite = 0;      ///< faces dropped for such a vertex
   double weld_distance = 0;        ///< largest distance over which corners were joined
   bool single_precision = false;   ///< the file stores 32-bit coordinates
-  double resolution = 0;           ///< decimals to which the file's coordinates are rounded, 10^-d; 0: all digits
+  double resolution = 0;           ///< place to which the file's coordinates are rounded, 10^-d; 0: all digits
   std::vector<std::string> notes;  ///< what else a user should know, a sentence each
 };
 

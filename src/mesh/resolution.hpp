@@ -1,4 +1,4 @@
-// The decimals to which a file's coordinates were rounded.
+// The place to which a file's coordinates were rounded when they were written as text.
 #pragma once
 
 #include "mesh/soup.hpp"
@@ -6,7 +6,9 @@
 namespace epura {
 
 /// 10^-d when all coordinates are multiples of it, with 5 to 9 decimals, and so many need the last one that they look
-/// rounded: a quarter of them, of a hundred points at least. Otherwise 0: the coordinates mean what they say.
+/// rounded: a quarter of them, of a hundred points at least. Where not the decimals but the digits are alike (5 to 8,
+/// as "%g" and "%e" write them), the last place of the largest coordinate. Otherwise 0: the coordinates mean what they
+/// say.
 double decimal_resolution(const Points& points);
 
 }  // namespace epura

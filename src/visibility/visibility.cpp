@@ -84,9 +84,13 @@ void put_in_order(const std::vector<Spans>& found, const std::vector<int>& order
 
 Contact contact_of(const World& world, const View& view, std::optional<double> given) {
   const double unit = view.map.unit;
-  const double joined = joined_part * view.extent;
-  if (given) return {std::max(*given * view.map.shrink * unit, joined), joined};
-  return {std::max(contact_cells * view.cell, world.rounding * view.map.shrink * unit), joined};
+  const double rounding = world.rounding * view.map.shrink * unit;
+  const double least = joined_part * view.extent;
+  if (given) {
+    const double touching = std::max(*given * view.map.shrink * unit, least);
+    return {touching, std::clamp(rounding, least, touching)};
+  }
+  return {std::max(contact_cells * view.cell, rounding), std::max(rounding, least)};
 }
 
 double contact_in_space(const World& world, const View& view, std::optional<double> given) {
@@ -100,7 +104,12 @@ OwnTriangles::OwnTriangles(const World& world, const DrawnEdges& drawn, const Dr
     return;
   }
   const Mesh& mesh = *world.models[edge.model].mesh;
-  numbers_ = mesh.triangles_of(mesh.edges[edge.mesh_edge]);
+  const auto met = std::lower_bound(
+      drawn.beside_slivers.begin(), drawn.beside_slivers.end(), std::pair(edge.model, edge.mesh_edge),
+      [](const MetAcrossSlivers& m, const auto& key) { return std::pair(m.model, m.mesh_edge) < key; });
+  const bool beside_slivers =
+      met != drawn.beside_slivers.end() && met->model == edge.model && met->mesh_edge == edge.mesh_edge;
+  numbers_ = beside_slivers ? std::span(met->triangles) : mesh.triangles_of(mesh.edges[edge.mesh_edge]);
   first_ = world.first_triangle[edge.model];
 }
 

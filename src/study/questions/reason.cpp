@@ -64,7 +64,7 @@ std::optional<double> angle_at(const DrawnView& drawn_view, const Subject& subje
   if (edge.count != 2) return std::nullopt;
   const auto both = mesh.triangles_of(edge);
   const int first = drawn_view.world.first_vertex[subject.model];
-  return fold_angle({drawn_view.world, subject.model, drawn_view.view.map.shrink, 0},
+  return fold_angle({drawn_view.world, subject.model, drawn_view.view.map.shrink},
                     {first + edge.vertex[0], first + edge.vertex[1]}, both[0], both[1]);
 }
 

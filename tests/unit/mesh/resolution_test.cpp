@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 
 namespace epura {
 namespace {
@@ -21,6 +23,30 @@ Points circle(int count, double radius, double unit) {
 TEST(Resolution, IsTheLastPlaceOfRoundedCoordinates) {
   EXPECT_DOUBLE_EQ(decimal_resolution(circle(200, 35, 1e-6)), 1e-6);
   EXPECT_DOUBLE_EQ(decimal_resolution(circle(200, 1e4, 1e-9)), 1e-9);
+}
+
+Points with_digits(Points points, int digits) {
+  for (auto& p : points)
+    for (double& c : p) {
+      char text[40];
+      std::snprintf(text, sizeof text, "%.*e", digits - 1, c);
+      c = std::strtod(text, nullptr);
+    }
+  return points;
+}
+
+TEST(Resolution, IsTheLastPlaceOfTheLargestCoordinateWhereDigitsAreAlike) {
+  Points points;
+  for (int i = 0; i < 200; ++i) points.push_back({35 * std::cos(i), 0.3 * std::sin(i), 0.001 * i});
+  EXPECT_DOUBLE_EQ(decimal_resolution(with_digits(points, 6)), 1e-4);
+  EXPECT_DOUBLE_EQ(decimal_resolution(with_digits(points, 5)), 1e-3);
+  EXPECT_EQ(decimal_resolution(with_digits(points, 12)), 0);
+  EXPECT_EQ(decimal_resolution(with_digits(points, 3)), 0) << "as likely chosen as rounded";
+}
+
+TEST(Resolution, OfFewDecimalsIsNoMatterOfDigits) {
+  // Of up to five digits, all multiples of a hundredth.
+  EXPECT_EQ(decimal_resolution(circle(200, 400, 1e-2)), 0);
 }
 
 TEST(Resolution, IsNothingForFullDoublesFewPointsOrRoundNumbers) {

@@ -1,0 +1,147 @@
+#include "edges/slivers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "base/parallel.hpp"
+
+namespace epura {
+
+namespace {
+
+// Products of coordinates of triangles lower than this part of the scene keep too few digits.
+constexpr double scene_rounding = 0x1p-40;
+// A normal is reliable where the height is so many times what rounding in the file may have moved corners by.
+constexpr double roundings = 4;
+// Triangles are slivers that are lower on the page than so many times its resolution, so that the page grid takes none
+// of the others for a line.
+constexpr double lowest_on_page = 2;
+// Those that are so many times as high in space are not: they are seen edge-on.
+constexpr double edge_on = 1024;
+constexpr int longest_row = 256;  // of slivers side by side; more than that is no surface any more
+
+std::array<int, 2> sorted(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
+
+double length_of(const EdgeSurroundings& around, const std::array<int, 2>& side) {
+  return glm::length(around.point(side[1]) - around.point(side[0]));
+}
+
+// The strict order of sides.
+auto rank(const EdgeSurroundings& around, const std::array<int, 2>& side) {
+  return std::tuple(length_of(around, side), side);
+}
+
+// Zero on the side, growing away from it.
+double detour(const EdgeSurroundings& around, const std::array<int, 2>& side, const Vec3& place) {
+  const Vec3 a = around.point(side[0]), b = around.point(side[1]);
+  return glm::length(place - a) + glm::length(b - place) - glm::length(b - a);
+}
+
+// The side of the triangle on which `place` lies, `entry` left out.
+std::array<int, 2> side_at(const EdgeSurroundings& around, const std::array<int, 3>& corners,
+                           const std::array<int, 2>& entry, const Vec3& place) {
+  std::array<int, 2> best{};
+  double least = HUGE_VAL;
+  for (int i = 0; i < 3; ++i) {
+    const std::array<int, 2> side = sorted(corners[i], corners[(i + 1) % 3]);
+    if (side == entry) continue;
+    const double way = detour(around, side, place);
+    if (way < least) {
+      least = way;
+      best = side;
+    }
+  }
+  return best;
+}
+
+Vec3 middle_of(const EdgeSurroundings& around, const std::array<int, 2>& edge) {
+  return (around.point(edge[0]) + around.point(edge[1])) * 0.5;
+}
+
+// The only other triangle at a side of one.
+std::optional<int> other_side(const EdgeSurroundings& around, const std::array<int, 2>& side, int triangle) {
+  const MeshEdge* edge = find_edge(around, side);
+  if (edge == nullptr || edge->count != 2) return std::nullopt;
+  const auto both = around.world.models[around.model].mesh->triangles_of(*edge);
+  return both[0] == triangle ? both[1] : both[0];
+}
+
+// Whether both ends of the edge lie on the side, but for `slack`.
+bool spans(const EdgeSurroundings& around, const std::array<int, 2>& side, const std::array<int, 2>& edge,
+           double slack) {
+  const Vec3 from = around.point(side[0]), along = around.point(side[1]) - from;
+  return std::all_of(edge.begin(), edge.end(), [&](int v) {
+    const Vec3 to = around.point(v) - from;
+    const double t = std::clamp(glm::dot(to, along) / glm::dot(along, along), 0.0, 1.0);
+    return glm::length(to - t * along) <= slack;
+  });
+}
+
+// Height over the longest side on the page; no number for a triangle that reaches behind the viewer.
+double height_on_page(const View& view, const std::array<int, 3>& corners) {
+  std::array<Vec2, 3> p{};
+  for (int i = 0; i < 3; ++i) {
+    if (!(view.clipper.vertices[corners[i]].w > 0)) return NAN;
+    p[i] = {view.vertices[corners[i]].x, view.vertices[corners[i]].y};
+  }
+  const Vec2 ab = p[1] - p[0], ac = p[2] - p[0];
+  const double longest = std::max({glm::length(ab), glm::length(ac), glm::length(ac - ab)});
+  return longest > 0 ? std::abs(ab.x * ac.y - ab.y * ac.x) / longest : 0;
+}
+
+double nearest_w(const View& view, const std::array<int, 3>& corners) {
+  return std::min(
+      {view.clipper.vertices[corners[0]].w, view.clipper.vertices[corners[1]].w, view.clipper.vertices[corners[2]].w});
+}
+
+}  // namespace
+
+Slivers::Slivers(const EdgeSurroundings& around, const View& view)
+    : around_(around), is_sliver_(around.world.models[around.model].mesh->polygon.size()) {
+  const double rounding = around.world.rounding * view.map.shrink;
+  const double lowest = std::max(scene_rounding, roundings * rounding);
+  const double on_page = lowest_on_page * page_resolution(around.world, view);
+  parallel_for(is_sliver_.size(), 8192, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      const std::array<int, 3> corners = around.corners(static_cast<int>(t));
+      const double height = height_of(around, static_cast<int>(t));
+      const double w = view.projection.central ? nearest_w(view, corners) : 1;
+      const bool low_on_page =
+          height * view.map.unit <= edge_on * on_page * w && height_on_page(view, corners) <= on_page;
+      is_sliver_[t] = height <= lowest || low_on_page ? 1 : 0;
+    }
+  });
+}
+
+Beyond Slivers::across(const std::array<int, 2>& edge, int triangle, std::vector<int>* passed) const {
+  const Vec3 middle = middle_of(around_, edge);
+  std::array<int, 2> entry = edge;
+  double reach = 0;
+  for (int step = 0; step < longest_row && contain(triangle); ++step) {
+    if (passed != nullptr) passed->push_back(triangle);
+    reach += 2 * height_of(around_, triangle);
+    const std::array<int, 2> exit = side_at(around_, around_.corners(triangle), entry, middle);
+    if (rank(around_, exit) < rank(around_, edge) && (step == 0 || spans(around_, exit, edge, reach)))
+      return {std::nullopt, true};
+    const auto next = other_side(around_, exit, triangle);
+    if (!next) return {};
+    triangle = *next;
+    entry = exit;
+  }
+  return {triangle, false};
+}
+
+std::optional<std::pair<std::array<int, 2>, int>> Slivers::way_out(const std::array<int, 2>& edge, int triangle) const {
+  const std::array<int, 2> exit = side_at(around_, around_.corners(triangle), edge, middle_of(around_, edge));
+  const auto next = other_side(around_, exit, triangle);
+  return next ? std::optional(std::pair(exit, *next)) : std::nullopt;
+}
+
+double page_resolution(const World& world, const View& view) {
+  // Both ends of a line and the point beside it were rounded to the grid.
+  constexpr double grid = 2;
+  return std::max(grid * view.cell, world.rounding * view.map.shrink * view.map.unit);
+}
+
+}  // namespace epura

@@ -1,0 +1,54 @@
+// Triangles too low to have a vote, and how a surface continues across them.
+//
+// Which way a sliver faces is decided by rounding: by that of the file, of doubles, or of the page grid. Edges beside
+// slivers are judged by the faces behind them, and of several that run on one line one is drawn. In a sliver the
+// longest side lies on the other two: those are drawn in its place. Of two sides that are equally long within the
+// height of the sliver (the sides of a needle, as at the pole of a surface of revolution) the shorter one is drawn. A
+// strict order of all sides keeps both rules from leaving out both.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "edges/dihedral.hpp"
+#include "view/view.hpp"
+
+namespace epura {
+
+/// Distances on the page up to which a point may be on either side of a line: the page grid or, where that is more,
+/// what rounding in the files may have moved (view units).
+double page_resolution(const World& world, const View& view);
+
+/// What continues a surface at an edge.
+struct Beyond {
+  std::optional<int> triangle;  ///< of the model; none where the surface ends
+  bool covered = false;         ///< another side of a sliver is drawn in place of the edge
+};
+
+/// The slivers of one model in one view.
+class Slivers {
+ public:
+  Slivers(const EdgeSurroundings& around, const View& view);
+  /// For tests: these and no others.
+  Slivers(const EdgeSurroundings& around, std::vector<char> slivers)
+      : around_(around), is_sliver_(std::move(slivers)) {}
+
+  [[nodiscard]] bool contain(int triangle) const { return is_sliver_[triangle] != 0; }
+
+  /// The first triangle from this one on, away from the edge, that is no sliver. Each sliver is left through the side
+  /// on which the middle of the edge lies. Triangles that are passed are added to `passed`.
+  [[nodiscard]] Beyond across(const std::array<int, 2>& edge, int triangle, std::vector<int>* passed = nullptr) const;
+
+  /// The other side of a triangle on which the middle of the edge lies, and the triangle behind it, if it is the only
+  /// one there.
+  [[nodiscard]] std::optional<std::pair<std::array<int, 2>, int>> way_out(const std::array<int, 2>& edge,
+                                                                          int triangle) const;
+
+ private:
+  EdgeSurroundings around_;
+  std::vector<char> is_sliver_;  ///< by triangle
+};
+
+}  // namespace epura
