@@ -17,8 +17,10 @@ constexpr double roundings = 4;
 // Triangles are slivers that are lower on the page than so many times its resolution, so that the page grid takes none
 // of the others for a line.
 constexpr double lowest_on_page = 2;
-// Those that are so many times as high in space are not: they are seen edge-on.
+// Those that are so many times as high in space, or no lower than this part of their length, are not: they are seen
+// edge-on.
 constexpr double edge_on = 1024;
+constexpr double slender = 1.0 / 64;
 constexpr int longest_row = 256;  // of slivers side by side; more than that is no surface any more
 
 std::array<int, 2> sorted(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
@@ -90,6 +92,11 @@ double height_on_page(const View& view, const std::array<int, 3>& corners) {
   return longest > 0 ? std::abs(ab.x * ac.y - ab.y * ac.x) / longest : 0;
 }
 
+double longest_side(const EdgeSurroundings& around, const std::array<int, 3>& corners) {
+  const auto& [a, b, c] = corners;
+  return std::max({length_of(around, {a, b}), length_of(around, {b, c}), length_of(around, {c, a})});
+}
+
 double nearest_w(const View& view, const std::array<int, 3>& corners) {
   return std::min(
       {view.clipper.vertices[corners[0]].w, view.clipper.vertices[corners[1]].w, view.clipper.vertices[corners[2]].w});
@@ -107,8 +114,9 @@ Slivers::Slivers(const EdgeSurroundings& around, const View& view)
       const std::array<int, 3> corners = around.corners(static_cast<int>(t));
       const double height = height_of(around, static_cast<int>(t));
       const double w = view.projection.central ? nearest_w(view, corners) : 1;
-      const bool low_on_page =
-          height * view.map.unit <= edge_on * on_page * w && height_on_page(view, corners) <= on_page;
+      const bool low_on_page = height * view.map.unit <= edge_on * on_page * w &&
+                               height <= slender * longest_side(around, corners) &&
+                               height_on_page(view, corners) <= on_page;
       is_sliver_[t] = height <= lowest || low_on_page ? 1 : 0;
     }
   });

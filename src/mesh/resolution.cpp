@@ -73,8 +73,8 @@ double decimals_of(const Points& points) {
   return 4 * needing >= 3 * points.size() ? 1 / powers[decimals] : 0;
 }
 
-// Of the last digit of the largest coordinate, where all have the same number of digits: smaller ones have more
-// decimals then.
+// Of the last digit of the largest coordinate that needs it, where all have the same number of digits: smaller ones have
+// more decimals then.
 double digits_of(const Points& points) {
   const auto all_have = [&](int digits) {
     return all_coordinates(points, [&](double c) { return has_digits(c, digits); });
@@ -82,12 +82,13 @@ double digits_of(const Points& points) {
   if (!all_have(most_digits)) return 0;
   int digits = most_digits;
   while (digits > fewest_digits && all_have(digits - 1)) --digits;
+  const auto needs_all = [&](double c) { return !has_digits(c, digits - 1); };
   double largest = 0;
   for (const auto& p : points)
-    for (const double c : p) largest = std::max(largest, std::abs(c));
+    for (const double c : p)
+      if (needs_all(c)) largest = std::max(largest, std::abs(c));
   if (largest == 0) return 0;
   const double last = power_of_ten(first_place(largest) - digits + 1);
-  const auto needs_all = [&](double c) { return !has_digits(c, digits - 1); };
   const auto is_finer = [&](double c) { return std::abs(c / last - std::nearbyint(c / last)) > 0x1p-10; };
   const bool rounded = 4 * count_coordinates(points, needs_all) >= 3 * points.size() &&
                        8 * count_coordinates(points, is_finer) >= 3 * points.size();

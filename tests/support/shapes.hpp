@@ -21,6 +21,7 @@ using stability::perspective;
 using stability::plate;
 using stability::Point;
 using stability::Result;
+using stability::revolved;
 using stability::Shape;
 using stability::triangulated_cube;
 using stability::world_of;

@@ -37,6 +37,9 @@ Measured fan_over_chords(const Lab& lab, int n);
 /// Along its axis a sphere is one closed chain: a regular polygon of `meridians` sides.
 Measured sphere_along_its_axis(const Lab& lab, int meridians, int bands);
 
+/// The outline of a convex surface without creases, all visible, is the convex hull of its corners on the page.
+Measured outline_of(const Lab& lab, const Shape& convex);
+
 /// From a centre at `distance` from its middle (infinite: in parallel) the outline of a sphere, all visible, is the
 /// convex hull of its corners on the page.
 Measured sphere_from_anywhere(const Lab& lab, int meridians, int bands, double distance);

@@ -40,6 +40,16 @@ double perimeter_of_hull(std::vector<Vec2> points) {
 
 }  // namespace
 
+Measured outline_of(const Lab& lab, const Shape& convex) {
+  const Projection p = orthographic({0.3, -0.8, 0.5});
+  std::vector<Vec2> corners;
+  for (const Point& point : convex.points) {
+    const Vec3 x(point[0], point[1], point[2]);
+    corners.emplace_back(glm::dot(p.u, x), glm::dot(p.v, x));
+  }
+  return lengths(lab.draw(world_of(convex), {p}), perimeter_of_hull(std::move(corners)), 0);
+}
+
 Measured sphere_from_anywhere(const Lab& lab, int meridians, int bands, double distance) {
   const Shape sphere = uv_sphere(meridians, bands);
   const Vec3 towards = glm::normalize(Vec3(0.3, -0.8, 0.5));

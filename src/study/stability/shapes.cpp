@@ -5,6 +5,7 @@
 #include <memory>
 #include <utility>
 
+#include "base/text.hpp"
 #include "mesh/build.hpp"
 
 namespace epura::stability {
@@ -168,9 +169,30 @@ Shape uv_sphere(int meridians, int bands) {
   return sphere;
 }
 
-Mesh mesh_of(const Shape& shape) {
+Shape revolved(const std::vector<std::array<double, 2>>& profile, int sides, bool seam) {
+  Shape shape;
+  const int columns = seam ? sides + 1 : sides;
+  for (const auto& [radius, z] : profile)
+    for (int i = 0; i < columns; ++i) {
+      const double a = 2 * M_PI * i / sides;
+      shape.points.push_back({radius * std::cos(a), radius * std::sin(a), z});
+    }
+  for (int row = 0; row + 1 < static_cast<int>(profile.size()); ++row)
+    for (int i = 0; i < sides; ++i) {
+      const int a = row * columns + i, b = row * columns + (i + 1) % columns;
+      shape.faces.push_back({a, b, b + columns, a + columns});
+    }
+  return shape;
+}
+
+Mesh mesh_of(const Shape& shape, int digits) {
   Soup soup;
   soup.points = shape.points;
+  if (digits > 0) {
+    soup.printed = true;
+    for (Point& p : soup.points)
+      for (double& c : p) c = *parse_number(format_rounded(c, digits));
+  }
   soup.face_body = shape.bodies;
   soup.format = "made";
   for (const auto& face : shape.faces) {

@@ -40,7 +40,12 @@ Shape sombrero(double half, int cells);
 /// A sphere of `meridians` and `bands`, the poles on the z axis. Quadrilaterals, but for the triangles at the poles.
 Shape uv_sphere(int meridians, int bands);
 
-Mesh mesh_of(const Shape& shape);
+/// A profile of radius and z turned about the z axis, in `sides` steps. Every radius becomes a ring of points from cos
+/// and sin, also at a pole; with `seam`, the points of a full turn are points of their own beside the first ones.
+Shape revolved(const std::vector<std::array<double, 2>>& profile, int sides, bool seam = false);
+
+/// `digits`: of a file that writes coordinates as text with so many digits; 0: as they are.
+Mesh mesh_of(const Shape& shape, int digits = 0);
 World world_of(const std::vector<Shape>& shapes);
 inline World world_of(const Shape& shape) { return world_of(std::vector<Shape>{shape}); }
 
