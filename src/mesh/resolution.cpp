@@ -73,8 +73,8 @@ double decimals_of(const Points& points) {
   return 4 * needing >= 3 * points.size() ? 1 / powers[decimals] : 0;
 }
 
-// Of the last digit of the largest coordinate that needs it, where all have the same number of digits: smaller ones have
-// more decimals then.
+// Of the last digit of the largest coordinate that needs it, where all have the same number of digits: smaller ones
+// have more decimals then.
 double digits_of(const Points& points) {
   const auto all_have = [&](int digits) {
     return all_coordinates(points, [&](double c) { return has_digits(c, digits); });

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/vec.hpp"
+#include "mesh/simple_rings.hpp"
 
 namespace epura {
 
@@ -128,7 +129,14 @@ Faces triangulate(Faces faces, const Points& points) {
   if (faces.corners.size() == 3 * faces.size()) return faces;  // no face has fewer than three corners
   Faces triangles;
   triangles.corners.reserve(3 * (faces.corners.size() - 2 * faces.size()));
-  for (std::size_t f = 0; f < faces.size(); ++f) add_triangles(triangles, faces.ring(f), faces.number[f], points);
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const auto ring = faces.ring(f);
+    if (!repeats_corner(ring)) {
+      add_triangles(triangles, ring, faces.number[f], points);
+      continue;
+    }
+    for (const auto& simple : simple_rings(ring, points)) add_triangles(triangles, simple, faces.number[f], points);
+  }
   return triangles;
 }
 

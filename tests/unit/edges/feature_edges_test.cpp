@@ -135,6 +135,50 @@ TEST(FeatureEdges, ASliverInARidgeLeavesOneRidge) {
   }
 }
 
+// A square whose one half needs a needle that is folded over in its plane: corner 4 lies before the diagonal 1, 3.
+Shape pleated_square(double overlap) {
+  return {{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {3.6 - overlap, 0.4 - overlap, 0}},
+          {{0, 1, 3}, {1, 4, 3}, {1, 2, 4}, {4, 2, 3}},
+          {}};
+}
+
+TEST(FeatureEdges, ANeedleFoldedOverInItsPlaneIsNoLine) {
+  for (const double overlap : {0.1, 1e-3, 1e-6, 1e-9})
+    for (const Projection& view : {from_above(), orthographic(corner)})
+      EXPECT_EQ(kinds(world_of(pleated_square(overlap)), view), (Kinds{{"boundary", 4}})) << overlap;
+}
+
+TEST(FeatureEdges, ASheetOfTwoLayersHasAnOutline) {
+  const Shape sheet{{{0, 0, 0}, {4, 0, 0}, {4, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}, {}};
+  EXPECT_EQ(kinds(world_of(sheet), from_above()), (Kinds{{"contour", 4}}));
+}
+
+TEST(FeatureEdges, BetweenBentPolygonsAreFoldsOfTheirMeanPlanes) {
+  // Two hexagons in one plane, but for the corners beside their common side: the triangles there fold by 53 degrees.
+  const Shape bent{{{0, 0, 0},
+                    {0, 1, 0},
+                    {-1, -1, 0.5},
+                    {-2, -1, 0},
+                    {-2, 2, 0},
+                    {-1, 2, 0.5},
+                    {1, 2, 0.5},
+                    {2, 2, 0},
+                    {2, -1, 0},
+                    {1, -1, 0.5}},
+                   {{0, 1, 5, 4, 3, 2}, {1, 0, 9, 8, 7, 6}},
+                   {}};
+  EXPECT_EQ(kinds(world_of(bent), from_above(), {.contour = false, .boundary = false}), Kinds{});
+  EXPECT_EQ(kinds(world_of(bent), from_above(), {.contour = false, .boundary = false, .crease_angle = 10}),
+            (Kinds{{"crease", 1}}));
+}
+
+TEST(FeatureEdges, APolygonThatNamesACornerTwiceHasNoDiagonals) {
+  const Shape loops{{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {6, 4, 0}, {6, 6, 0}}, {{0, 1, 2, 4, 5, 2, 3}}, {}};
+  EXPECT_EQ(kinds(world_of(loops), from_above()), (Kinds{{"boundary", 7}}));
+  const Shape spike{{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}}, {{0, 1, 2, 1, 3}}, {}};
+  EXPECT_EQ(kinds(world_of(spike), from_above()), (Kinds{{"boundary", 3}}));
+}
+
 TEST(FeatureEdges, BehindTheEyeSidesAreFoundWithoutDivision) {
   // The eye stands in a long box: the edges along the view run past it.
   const World world = world_of(box({-1, -5, -1}, {1, 5, 1}));
