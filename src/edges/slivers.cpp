@@ -12,8 +12,6 @@ namespace {
 
 // Products of coordinates of triangles lower than this part of the scene keep too few digits.
 constexpr double scene_rounding = 0x1p-40;
-// A normal is reliable where the height is so many times what rounding in the file may have moved corners by.
-constexpr double roundings = 4;
 // Triangles are slivers that are lower on the page than so many times its resolution, so that the page grid takes none
 // of the others for a line.
 constexpr double lowest_on_page = 2;
@@ -107,7 +105,7 @@ double nearest_w(const View& view, const std::array<int, 3>& corners) {
 Slivers::Slivers(const EdgeSurroundings& around, const View& view)
     : around_(around), is_sliver_(around.world.models[around.model].mesh->polygon.size()) {
   const double rounding = around.world.rounding * view.map.shrink;
-  const double lowest = std::max(scene_rounding, roundings * rounding);
+  const double lowest = std::max(scene_rounding, rounding);
   const double on_page = lowest_on_page * page_resolution(around.world, view);
   parallel_for(is_sliver_.size(), 8192, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {

@@ -124,6 +124,17 @@ World world_in(const Shape& shape, bool single_precision) {
   return make_world({{std::make_shared<const Mesh>(build_mesh(std::move(soup), "shape")), Mat4(1.0)}});
 }
 
+// Two halves of a square whose common border has a step of a needle, which both folds of 45 degrees make.
+TEST(Slivers, BetweenTwoOppositeCreasesAreNoStep) {
+  const double step = 0x1p-23;
+  const Shape square{{{0, -1, 0}, {0, 1, 0}, {-1, 0, 0}, {1, 0, 0}, {step, 0, step}},
+                     {{0, 1, 2}, {0, 4, 1}, {0, 3, 4}, {4, 3, 1}},
+                     {}};
+  const World world = world_in(square, true);
+  const View view = make_view(world, orthographic({1, -2, 3}), {});
+  for (const auto& kind : feature_edges(world, view, 0, {.boundary = false})) EXPECT_FALSE(kind);
+}
+
 struct PoleCase {
   std::string shape;
   bool triangles, single_precision;
