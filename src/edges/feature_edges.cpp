@@ -87,9 +87,9 @@ struct Judge {
     return std::abs(volume) <= rounding ? 0 : volume > 0 ? 1 : -1;
   }
 
-  // Whether the second triangle is folded back over the first, in its plane.
-  [[nodiscard]] bool is_folded_over(const std::array<int, 2>& edge, int first, int second) const {
-    const auto [n1, n2] = normals_at(around, edge, first, second);
+  // Whether the second triangle, of these normals at the edge, is folded back over the first in its plane.
+  [[nodiscard]] bool is_folded_over(const std::array<int, 2>& edge, const std::array<Vec3, 2>& normals) const {
+    const auto& [n1, n2] = normals;
     if (!(glm::dot(n1, n2) < 0)) return false;
     const double height = glm::length(n2) / glm::length(around.point(edge[1]) - around.point(edge[0]));
     const double sine = glm::length(glm::cross(n1, n2)) / (glm::length(n1) * glm::length(n2));
@@ -99,44 +99,56 @@ struct Judge {
   // What continues the surface at an edge with a triangle that is folded over, where the next one is folded over back
   // again: three layers in one plane, and no line.
   [[nodiscard]] std::optional<int> behind_pleat(const std::array<int, 2>& edge, int triangle, int folded) const {
-    if (!is_folded_over(edge, triangle, folded)) return std::nullopt;
+    if (!is_folded_over(edge, normals_at(around, edge, triangle, folded))) return std::nullopt;
     const auto exit = slivers.way_out(edge, folded);
     if (!exit) return std::nullopt;
     const auto& [side, next] = *exit;
     const auto [n1, n2] = normals_at(around, edge, triangle, next);
-    if (!is_folded_over(side, next, folded) || !(glm::dot(n1, n2) > 0)) return std::nullopt;
+    if (!is_folded_over(side, normals_at(around, side, next, folded)) || !(glm::dot(n1, n2) > 0)) return std::nullopt;
     return next;
+  }
+
+  // The triangles between which an edge is judged, with their normals there.
+  struct Pair {
+    int first, second;
+    std::array<Vec3, 2> normals;
+  };
+
+  [[nodiscard]] Pair pair_at(const std::array<int, 2>& ends, int first, int second) const {
+    const Pair plain{first, second, normals_at(around, ends, first, second)};
+    if (!(glm::dot(plain.normals[0], plain.normals[1]) < 0)) return plain;
+    if (const auto next = behind_pleat(ends, first, second))
+      return {first, *next, normals_at(around, ends, first, *next)};
+    if (const auto next = behind_pleat(ends, second, first))
+      return {*next, second, normals_at(around, ends, *next, second)};
+    return plain;
   }
 
   // Two triangles at an edge.
   [[nodiscard]] std::optional<EdgeKind> judge_pair(const MeshEdge& edge, const std::array<int, 2>& ends, int first,
                                                    int second) const {
-    const Beyond one = slivers.across(ends, first);
-    const Beyond two = slivers.across(ends, second);
+    const Beyond one = slivers.beyond(ends, first);
+    const Beyond two = slivers.beyond(ends, second);
     if (one.covered || two.covered) return std::nullopt;
     if (!one.triangle || !two.triangle) return wish(EdgeKind::boundary);
-    int a = *one.triangle, b = *two.triangle;
-    if (const auto next = behind_pleat(ends, a, b))
-      b = *next;
-    else if (const auto last = behind_pleat(ends, b, a))
-      a = *last;
-    const int side_one = side(ends, a);
-    const int side_two = side(ends, b);
+    const Pair pair = pair_at(ends, *one.triangle, *two.triangle);
+    const int side_one = side(ends, pair.first);
+    const int side_two = side(ends, pair.second);
     const bool contour = side_one == side_two ? side_one != 0 : side_one == 0 || side_two == 0;
     if (contour && wishes.contour) return EdgeKind::contour;
     // Inside a polygon nothing is folded: the file says it is one face.
     if (edge.diagonal) return std::nullopt;
-    if (wishes.crease && folds_by(normals_of_faces(ends, a, b), crease)) return EdgeKind::crease;
+    if (wishes.crease && folds_by(normals_of_faces(pair), crease)) return EdgeKind::crease;
     if (!is_tangent.empty() && is_tangent[static_cast<std::size_t>(&edge - mesh().edges.data())] != 0)
       return EdgeKind::tangent;
     return wish(EdgeKind::smooth);
   }
 
-  // As normals_at, of the polygons that the triangles are parts of.
-  [[nodiscard]] std::array<Vec3, 2> normals_of_faces(const std::array<int, 2>& edge, int first, int second) const {
-    std::array<Vec3, 2> normals = normals_at(around, edge, first, second);
+  // The normals of the polygons that the triangles are parts of, turned as those of the triangles.
+  [[nodiscard]] std::array<Vec3, 2> normals_of_faces(const Pair& pair) const {
+    std::array<Vec3, 2> normals = pair.normals;
     if (polygon_normals.empty()) return normals;
-    const std::array<int, 2> triangles{first, second};
+    const std::array<int, 2> triangles{pair.first, pair.second};
     for (int i = 0; i < 2; ++i) {
       const Vec3& mean = polygon_normals[mesh().polygon[triangles[i]]];
       const double turned = glm::dot(mean, normals[i]);

@@ -38,7 +38,11 @@ class Slivers {
   [[nodiscard]] bool contain(int triangle) const { return is_sliver_[triangle] != 0; }
 
   /// The first triangle from this one on, away from the edge, that is no sliver. Each sliver is left through the side
-  /// on which the middle of the edge lies. Triangles that are passed are added to `passed`.
+  /// on which the middle of the edge lies.
+  [[nodiscard]] Beyond beyond(const std::array<int, 2>& edge, int triangle) const {
+    return contain(triangle) ? across(edge, triangle) : Beyond{triangle, false};
+  }
+  /// The same; slivers that are passed are added to `passed`.
   [[nodiscard]] Beyond across(const std::array<int, 2>& edge, int triangle, std::vector<int>* passed = nullptr) const;
 
   /// The other side of a triangle on which the middle of the edge lies, and the triangle behind it, if it is the only
