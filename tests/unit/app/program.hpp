@@ -16,12 +16,16 @@ struct Outcome {
   std::string out, err;
 };
 
+/// Whether signals end a run, whatever the test inherited: shells in the background ignore Ctrl-C, and so do their
+/// children.
+enum class Interrupts { end, are_ignored };
+
 /// A run that goes on beside the test.
 class Running {
  public:
   /// As `epura` below, which waits for it.
   Running(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
-          const std::string& out_path = {});
+          const std::string& out_path = {}, Interrupts interrupts = Interrupts::end);
   Running(const Running&) = delete;
   Running& operator=(const Running&) = delete;
   ~Running();
