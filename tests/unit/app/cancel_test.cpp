@@ -78,7 +78,7 @@ TEST(Cancel, ErasesTheProgressLine) {
 }
 
 TEST(Cancel, SignalsThatTheParentIgnoresStayIgnored) {
-  Reading reading({}, Interrupts::are_ignored);
+  Reading reading({}, "trap '' INT");
   reading.run.signal(SIGINT);
   reading.give_model();
   const Outcome outcome = reading.run.wait();

@@ -16,16 +16,12 @@ struct Outcome {
   std::string out, err;
 };
 
-/// Whether signals end a run, whatever the test inherited: shells in the background ignore Ctrl-C, and so do their
-/// children.
-enum class Interrupts { end, are_ignored };
-
 /// A run that goes on beside the test.
 class Running {
  public:
   /// As `epura` below, which waits for it.
   Running(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
-          const std::string& out_path = {}, Interrupts interrupts = Interrupts::end);
+          const std::string& out_path = {}, const std::string& limits = {});
   Running(const Running&) = delete;
   Running& operator=(const Running&) = delete;
   ~Running();
@@ -44,8 +40,9 @@ class Running {
 
 /// Runs the program with `arguments` in `folder`; the environment is that of the test, without $EPURA_PLUGIN_PATH.
 /// Standard output goes into `out`, or to the file `out_path` if one is named.
+/// `limits` are commands of the shell before it: "ulimit -n 4".
 Outcome epura(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
-              const std::string& out_path = {});
+              const std::string& out_path = {}, const std::string& limits = {});
 
 /// The root of the repository.
 inline std::filesystem::path root() { return std::filesystem::path(EPURA_TEST_SAMPLES).parent_path(); }
