@@ -36,7 +36,9 @@ void warn_about(const Messages& messages, const MeshReport& report) {
   const auto say_left_out = [&](int faces, const std::string& what) {
     say(faces, "face left out: " + what, "faces left out: " + what);
   };
-  say_left_out(report.dropped_degenerate, "fewer than three distinct corners");
+  // Such a face bounds its only edge twice: leaving it out opens nothing.
+  if (are_many(report.dropped_degenerate, report.faces + report.dropped_degenerate))
+    say_left_out(report.dropped_degenerate, "fewer than three distinct corners");
   say_left_out(report.dropped_duplicates, "the corners of an earlier face");
   say_left_out(report.dropped_non_finite, "coordinates that are no finite numbers");
   say(report.non_manifold_edges, "edge has three or more faces and is drawn",

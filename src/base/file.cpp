@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -15,6 +16,8 @@ namespace epura {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr std::uintmax_t most_bytes_of_pipe = 1'000'000'000;
 
 // A file descriptor that closes itself.
 class Descriptor {
@@ -41,6 +44,13 @@ class Descriptor {
   if (number == ENOENT) hint = trouble == Trouble::input ? "check the path" : "make the folder first";
   if (number == EACCES || number == EROFS) hint = "check the permissions of the file and its folder";
   throw Error(trouble, path.string(), "cannot " + action + ": " + std::strerror(number), hint);
+}
+
+// Git keeps the bytes of such a file elsewhere.
+void refuse_pointer(const fs::path& path, std::string_view bytes) {
+  if (bytes.starts_with("version https://git-lfs.github.com/spec/"))
+    throw Error(Trouble::input, path.string(), "is a Git LFS pointer; the file that it stands for is not there",
+                "run git lfs pull");
 }
 
 bool write_all(int descriptor, std::string_view bytes) {
@@ -114,12 +124,21 @@ bool replace_by_named(const fs::path& target, std::string_view bytes, Progress p
 
 }  // namespace
 
-std::string read_file(const fs::path& path) {
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+std::string read_file(const fs::path& path, std::uintmax_t most_bytes) {
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY));
   if (file.number() < 0) fail(Trouble::input, path, "read", errno);
   struct stat status {};
   if (::fstat(file.number(), &status) != 0) fail(Trouble::input, path, "read", errno);
   if (S_ISDIR(status.st_mode)) throw Error(Trouble::input, path.string(), "is a directory, not a file");
+  if (!S_ISREG(status.st_mode) && !S_ISFIFO(status.st_mode))
+    throw Error(Trouble::input, path.string(), "is a device, not a file");
+  if (S_ISFIFO(status.st_mode)) most_bytes = std::min(most_bytes, most_bytes_of_pipe);
+  const auto expect_at_most = [&](std::uintmax_t size) {
+    if (size > most_bytes)
+      throw Error(Trouble::input, path.string(), "has more than " + std::to_string(most_bytes / 1'000'000) + " MB",
+                  "is it the right file?");
+  };
+  expect_at_most(static_cast<std::uintmax_t>(status.st_size));
 
   // One byte more than the size, so that the end of the file is seen without growing. A pipe says size 0.
   std::string bytes(static_cast<std::size_t>(status.st_size) + 1, '\0');
@@ -131,8 +150,10 @@ std::string read_file(const fs::path& path) {
     if (got < 0) fail(Trouble::input, path, "read", errno);
     if (got == 0) break;
     filled += static_cast<std::size_t>(got);
+    expect_at_most(filled);
   }
   bytes.resize(filled);
+  refuse_pointer(path, bytes);
   return bytes;
 }
 

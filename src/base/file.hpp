@@ -1,7 +1,9 @@
 // Whole files in and out. A reader of an output sees the old file or the new one, never half of one.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -9,8 +11,10 @@
 
 namespace epura {
 
-/// All bytes of a regular file (or of a pipe). Throws Error{input} naming the path and the reason.
-std::string read_file(const std::filesystem::path& path);
+/// All bytes of a regular file (or of a pipe, up to 1 GB: it may have no end). Throws Error{input} naming the path and
+/// the reason: also for devices, for what is longer than `most_bytes`, and for files that Git LFS keeps elsewhere.
+std::string read_file(const std::filesystem::path& path,
+                      std::uintmax_t most_bytes = std::numeric_limits<std::uintmax_t>::max());
 
 /// Writes beside the target, without a name where the file system can, and renames at the end. Throws Error{output};
 /// the old file then stays. A target that is no regular file (a device, a pipe) is written to directly.

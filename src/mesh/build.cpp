@@ -123,8 +123,9 @@ void note_triangles_without_area(const Points& points, std::span<const int> corn
     const Vec3 u = place(points, corners[h + 1]) - origin, v = place(points, corners[h + 2]) - origin;
     count += u.y * v.z == u.z * v.y && u.z * v.x == u.x * v.z && u.x * v.y == u.y * v.x;
   }
-  if (count > 0)
-    report.notes.push_back(std::to_string(count) + (count == 1 ? " triangle has" : " triangles have") + " no area");
+  if (count == 0) return;
+  auto& sentences = are_many(count, report.triangles) ? report.notes : report.remarks;
+  sentences.push_back(std::to_string(count) + (count == 1 ? " triangle has" : " triangles have") + " no area");
 }
 
 void number_bodies(Mesh& mesh, const Soup& soup, const EdgeTable& table) {

@@ -67,7 +67,13 @@ struct MeshReport {
   bool single_precision = false;   ///< the file stores 32-bit coordinates
   double resolution = 0;           ///< place to which the file's coordinates are rounded, 10^-d; 0: all digits
   std::vector<std::string> notes;  ///< what else a user should know, a sentence each
+
+  /// What changes no drawing, a sentence each.
+  std::vector<std::string> remarks{};
 };
+
+/// Whether more faces collapse than exporters and rounding account for: details of the model may be lost.
+constexpr bool are_many(int collapsed, int faces) { return collapsed > faces / 10; }
 
 struct Mesh {
   Surface surface;             ///< triangle f of the project is face handle f

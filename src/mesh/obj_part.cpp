@@ -43,11 +43,7 @@ class ObjPartReader {
       join(part_.ignored, {{quoted(word)}, 1, line()}, 0);
   }
 
-  void vertex() {
-    std::array<double, 3> point;
-    for (double& x : point) x = text_.number(text_.word());
-    part_.points.push_back(point);
-  }
+  void vertex() { part_.points.push_back(text_.point()); }
 
   void face() {
     for (std::string_view word = text_.word(); !word.empty(); word = text_.word()) corner(word);
@@ -56,7 +52,7 @@ class ObjPartReader {
 
   // "7", "7/1", "7//3", "7/1/3": only the vertex matters. It may come later.
   void corner(std::string_view word) {
-    const long long number = text_.integer(word.substr(0, word.find('/')));
+    const long long number = text_.integer(word.substr(0, word.find('/')), "the number of a vertex");
     if (number == 0) text_.fail("a face refers to vertex 0", "vertices are numbered from 1");
     if (number < 0) part_.relative.push_back({part_.corners.size(), part_.points.size(), number, line()});
     if (number - 1 > part_.largest) {

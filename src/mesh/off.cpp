@@ -1,6 +1,7 @@
 // Object File Format of Geomview: [ST][C][N]OFF, counts, one vertex a line, one face a line.
 // Format: http://www.geomview.org/docs/html/OFF.html
 #include "base/text.hpp"
+#include "mesh/off_keyword.hpp"
 #include "mesh/read.hpp"
 #include "mesh/text_cursor.hpp"
 
@@ -16,14 +17,15 @@ struct Counts {
 // The keyword may be missing; what stands before "OFF" says what else a vertex line holds behind its place.
 void read_keyword(TextCursor& text) {
   const TextCursor before = text;
-  const std::string_view keyword = text.word_of_any_line();
-  if (!keyword.ends_with("OFF")) {
-    if (keyword.empty() || !parse_integer(keyword)) text.fail("does not begin with 'OFF'");
+  const std::string_view word = text.word_of_any_line(), keyword = off_keyword(word);
+  if (keyword.empty()) {
+    if (word.empty() || !parse_integer(word)) text.fail("does not begin with 'OFF'");
     text = before;
     return;
   }
   if (keyword.find_first_of("4n") != std::string_view::npos)
     text.fail(quoted(keyword) + " has vertices of another dimension than three");
+  text.put_back(word.size() - keyword.size());
   const TextCursor behind = text;
   if (text.word() == "BINARY") text.fail("binary OFF is not read", "save it as text OFF or as PLY");
   text = behind;
@@ -32,13 +34,13 @@ void read_keyword(TextCursor& text) {
 Counts read_counts(TextCursor& text) {
   Counts counts{};
   for (long long* count : {&counts.vertices, &counts.faces}) {
-    *count = text.integer(text.word_of_any_line());
+    const std::string what = count == &counts.vertices ? "vertices" : "faces";
+    *count = text.integer(text.word_of_any_line(), "the number of " + what);
     // A vertex takes at least six bytes and a face two, so a wrong count cannot make us ask for all memory.
     const long long least_bytes = count == &counts.vertices ? 6 : 2;
     const auto most = static_cast<long long>(text.bytes_left() / least_bytes) + 1;
     if (*count < 0 || *count > most)
-      text.fail("the file cannot hold the " + std::to_string(*count) + (least_bytes == 6 ? " vertices" : " faces") +
-                " that its header announces");
+      text.fail("the file cannot hold the " + std::to_string(*count) + " " + what + " that its header announces");
   }
   // The number of edges, which nobody needs, follows here, alone on the next line, or not at all.
   if (!text.word().empty()) return counts;
@@ -59,7 +61,13 @@ std::string_view expect_word(TextCursor& text, const char* what, long long done,
 void read_vertices(TextCursor& text, Soup& soup, long long count) {
   soup.points.resize(static_cast<std::size_t>(count));
   for (long long v = 0; v < count; ++v) {
-    for (double& x : soup.points[static_cast<std::size_t>(v)]) x = text.number(expect_word(text, "vertex", v, count));
+    auto& point = soup.points[static_cast<std::size_t>(v)];
+    point[0] = text.number(expect_word(text, "vertex", v, count));
+    const TextCursor first_line = text;
+    for (const std::size_t axis : {1, 2}) point[axis] = text.number(expect_word(text, "vertex", v, count));
+    // A vertex may go on in the next line; but where that holds more, it is of the next vertex.
+    if (text.line() != first_line.line() && !text.word().empty())
+      first_line.fail("a coordinate of the vertex is missing");
     text.next_line();
   }
 }
@@ -85,6 +93,13 @@ void read_faces(TextCursor& text, Soup& soup, long long count) {
 }
 
 }  // namespace
+
+std::string_view off_keyword(std::string_view word) {
+  const std::string_view keyword = word.substr(0, word.find_first_of("0123456789", word.find("OFF")));
+  const bool known = keyword.size() <= 8 && keyword.ends_with("OFF") &&
+                     keyword.find_first_not_of("STCN4nOF") == std::string_view::npos;
+  return known ? keyword : std::string_view();
+}
 
 Soup read_off(std::string_view bytes, std::string_view name) {
   Soup soup;

@@ -47,6 +47,7 @@ class BinarySource {
     }
   }
 
+  void begin_property(const PlyProperty&) const {}
   void end_element() const {}
   [[nodiscard]] static std::size_t least_bytes(PlyType type) { return size_of(type); }
   [[nodiscard]] std::size_t bytes_left() const { return bytes_.size() - at_; }
@@ -77,19 +78,20 @@ class TextSource {
   TextSource(std::string_view text, std::string_view name, std::size_t first_line)
       : text_(text, name, first_line), name_(name) {}
 
+  void begin_property(const PlyProperty& property) { property_ = &property; }
+
   template <class Take>
   void numbers(PlyType, long long count, const Take& take) {
-    for (long long k = 0; k < count; ++k) {
-      const std::string_view word = text_.word_of_any_line();
-      if (word.empty()) text_.fail("the file ends too early");
-      take(text_.number(word));
-    }
+    for (long long k = 0; k < count; ++k) take(text_.number(next_word()));
   }
 
   void end_element() {
     const std::string_view word = text_.word();
+    if (!word.empty() && missing_ != nullptr) fail_short_row();
     if (!word.empty()) text_.fail(quoted(word) + " is more than this element has properties");
     text_.next_line();
+    row_line_ = 0;
+    missing_ = nullptr;
   }
   [[nodiscard]] static std::size_t least_bytes(PlyType) { return 1; }
   [[nodiscard]] std::size_t bytes_left() const { return text_.bytes_left(); }
@@ -99,8 +101,28 @@ class TextSource {
   }
 
  private:
+  // An element may go on in the next line; but where that holds more, or the file ends, its own line was too short.
+  std::string_view next_word() {
+    std::string_view word = text_.word();
+    if (word.empty()) {
+      if (row_line_ != 0 && missing_ == nullptr) missing_ = property_;
+      word = text_.word_of_any_line();
+      if (word.empty() && missing_ != nullptr) fail_short_row();
+      if (word.empty()) text_.fail("the file ends too early");
+    }
+    if (row_line_ == 0) row_line_ = text_.line();
+    return word;
+  }
+
+  [[noreturn]] void fail_short_row() const {
+    fail("the row ends too early: a number of '" + missing_->name + "' is missing", row_line_);
+  }
+
   TextCursor text_;
   std::string_view name_;
+  const PlyProperty* property_ = nullptr;  // that is read
+  const PlyProperty* missing_ = nullptr;   // the first one that the line where the element begins does not hold
+  std::size_t row_line_ = 0;               // that line; 0 before the element
 };
 
 template <class Source>
@@ -148,6 +170,7 @@ class PlyReader {
     for (long long row = 0; row < element.count; ++row) {
       for (std::size_t p = 0; p < element.properties.size(); ++p) {
         const PlyProperty& property = element.properties[p];
+        source_.begin_property(property);
         const long long count = property.count_type ? list_length(*property.count_type) : 1;
         source_.numbers(property.type, count, [&](double number) { take(p, number); });
         end(p);

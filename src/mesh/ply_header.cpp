@@ -50,7 +50,7 @@ PlyEncoding read_encoding(TextCursor& text) {
 
 PlyElement read_element(TextCursor& text) {
   PlyElement element{.name = std::string(text.word()), .count = 0, .line = text.line(), .properties = {}};
-  element.count = text.integer(text.word());
+  element.count = text.integer(text.word(), "the number of elements");
   if (element.count < 0) text.fail("there cannot be " + std::to_string(element.count) + " elements");
   return element;
 }

@@ -8,6 +8,7 @@
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "mesh/build.hpp"
+#include "mesh/off_keyword.hpp"
 #include "mesh/stl_kind.hpp"
 #include "mesh/text_cursor.hpp"
 #include "mesh/unicode.hpp"
@@ -32,8 +33,7 @@ const Format* format_named(std::string_view name) {
 const Format* format_of_content(std::string_view bytes) {
   const std::string_view first = TextCursor(bytes, "").word_of_any_line();
   if (first == "ply" && bytes.starts_with("ply")) return format_named("ply");
-  if (first.size() <= 8 && first.ends_with("OFF") && first.find_first_not_of("STCN4nOF") == std::string_view::npos)
-    return format_named("off");
+  if (!off_keyword(first).empty()) return format_named("off");
   return stl_kind(bytes) == StlKind::neither ? nullptr : format_named("stl");
 }
 

@@ -90,9 +90,7 @@ class TextReader {
 
   void vertex() {
     if (!in_facet_) text_.fail("a vertex outside of a facet");
-    std::array<double, 3> point;
-    for (double& x : point) x = text_.number(text_.word());
-    soup_.points.push_back(point);
+    soup_.points.push_back(text_.point());
   }
 
   void end_facet() {
@@ -113,8 +111,9 @@ class TextReader {
 StlKind stl_kind(std::string_view bytes) {
   if (bytes.size() >= header_bytes && bytes.size() == announced_bytes(bytes)) return StlKind::binary;
   TextCursor text(bytes, "");
-  if (to_lower(text.word_of_any_line().substr(0, 6)) != "solid") return StlKind::neither;
-  // Binary files may begin with this word, too; "facet" is then not far in text only.
+  const std::string first = to_lower(text.word_of_any_line().substr(0, 6));
+  if (first != "solid" && first != "facet") return StlKind::neither;
+  // Binary files may begin with "solid", too; "facet" is then not far in text only.
   const std::string_view beginning = bytes.substr(0, 65536);
   const auto holds = [&](std::string_view word) { return beginning.find(word) != std::string_view::npos; };
   const bool text_words = holds("facet") || holds("FACET") || holds("endsolid") || holds("ENDSOLID");

@@ -1,5 +1,9 @@
 #include "mesh/text_cursor.hpp"
 
+#include <algorithm>
+#include <limits>
+#include <optional>
+
 #include "base/error.hpp"
 #include "base/text.hpp"
 
@@ -8,6 +12,18 @@ namespace epura {
 namespace {
 
 bool is_blank(char c) { return static_cast<unsigned char>(c) <= ' '; }
+
+std::optional<double> windows_value(std::string_view word) {
+  const bool negative = word.starts_with('-');
+  if (negative || word.starts_with('+')) word.remove_prefix(1);
+  for (const std::string_view name : {"1.#INF", "1.#IND", "1.#QNAN", "1.#SNAN"}) {
+    // Zeros fill up the decimals that were asked for.
+    if (!word.starts_with(name) || word.find_first_not_of('0', name.size()) != std::string_view::npos) continue;
+    if (name != "1.#INF") return std::numeric_limits<double>::quiet_NaN();
+    return negative ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();
+  }
+  return std::nullopt;
+}
 
 }  // namespace
 
@@ -42,7 +58,11 @@ std::string_view TextCursor::word() {
     if (*at_ == '\\' && at_end_of_line(at_ + 1)) break;
     ++at_;
   }
-  return {begin, static_cast<std::size_t>(at_ - begin)};
+  if (at_ != end_ && *at_ == '#') {
+    const char* const behind = std::find_if(at_ + 1, end_, [](char c) { return is_blank(c) || c == '#'; });
+    if (windows_value({begin, behind})) at_ = behind;
+  }
+  return {begin, at_};
 }
 
 std::string_view TextCursor::word_of_any_line() {
@@ -70,19 +90,23 @@ bool TextCursor::next_line() {
   return at_ != end_;
 }
 
-double TextCursor::number(std::string_view word) const {
-  const auto value = parse_number(word);
-  if (value) return *value;
-  if (word.empty()) fail("a number is missing");
+double TextCursor::number(std::string_view word, std::string_view what) const {
+  if (const auto value = parse_number(word)) return *value;
+  if (const auto value = windows_value(word)) return *value;
+  if (word.empty()) fail(std::string(what) + " is missing");
   fail(quoted(word) + " is not a number that a double can hold",
        word.find(',') == std::string_view::npos ? "" : "numbers are written with a point and separated by blanks");
 }
 
-long long TextCursor::integer(std::string_view word) const {
-  const auto value = parse_integer(word);
-  if (value) return *value;
-  if (word.empty()) fail("a number is missing");
+long long TextCursor::integer(std::string_view word, std::string_view what) const {
+  if (const auto value = parse_integer(word)) return *value;
+  if (word.empty()) fail(std::string(what) + " is missing");
   fail(quoted(word) + " is not a whole number");
+}
+
+std::array<double, 3> TextCursor::point() {
+  const double x = number(word(), "the x coordinate"), y = number(word(), "the y coordinate");
+  return {x, y, number(word(), "the z coordinate")};
 }
 
 void TextCursor::fail(const std::string& reason, const std::string& hint) const {

@@ -1,8 +1,10 @@
 // The words of a text file, line by line, and where the reader stands when something is wrong.
 //
-// Lines end with LF, CR or CRLF; '#' begins a comment; a backslash at the end of a line continues it on the next.
+// Lines end with LF, CR or CRLF; '#' begins a comment; a backslash at the end of a line continues it on the next. Words
+// such as "-1.#IND" are whole: the C library of Windows wrote them for values that are no finite numbers.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -22,13 +24,18 @@ class TextCursor {
   std::string_view rest_of_line();
   /// Skips what is left of this line; false when no line follows.
   bool next_line();
+  /// The last `bytes` of the word read last are a word of their own, which comes next.
+  void put_back(std::size_t bytes) { at_ -= bytes; }
 
   [[nodiscard]] std::size_t line() const { return line_; }
   [[nodiscard]] std::size_t bytes_left() const { return static_cast<std::size_t>(end_ - at_); }
 
-  /// `word` as a number, or an error that names this line.
-  [[nodiscard]] double number(std::string_view word) const;
-  [[nodiscard]] long long integer(std::string_view word) const;
+  /// `word` as a number, or an error that names this line; of an empty word it says that `what` is missing. NaN and
+  /// infinity are numbers here.
+  [[nodiscard]] double number(std::string_view word, std::string_view what = "a number") const;
+  [[nodiscard]] long long integer(std::string_view word, std::string_view what = "a number") const;
+  /// The next three numbers of this line.
+  [[nodiscard]] std::array<double, 3> point();
   [[noreturn]] void fail(const std::string& reason, const std::string& hint = {}) const;
 
  private:

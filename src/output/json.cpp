@@ -186,7 +186,9 @@ std::string mesh_of(const MeshReport& mesh) {
   add("weld_distance", number(mesh.weld_distance));
   add("single_precision", boolean(mesh.single_precision));
   add("resolution", number(mesh.resolution));
-  add("notes", list(mesh.notes, json_string));
+  std::vector<std::string> notes = mesh.notes;
+  notes.insert(notes.end(), mesh.remarks.begin(), mesh.remarks.end());
+  add("notes", list(notes, json_string));
   return text + "}";
 }
 

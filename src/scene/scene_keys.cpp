@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "scene/title_fields.hpp"
+#include "scene/view_names.hpp"
 
 namespace epura {
 
@@ -215,7 +216,9 @@ SceneKey<SceneWords> parts_key(const std::string& name, const SceneKeys<Part>& k
 }
 
 void read_short_views(SceneWords& words, const TomlValue& value) {
-  for (const Given& projection : each_word(value)) words.description.views.emplace_back().projection = projection;
+  const std::vector<Given> projections = each_word(value);
+  expect_few_views(projections.size(), value.where);
+  for (const Given& projection : projections) words.description.views.emplace_back().projection = projection;
 }
 
 void read_every_sheet(SceneWords& words, const TomlValue& value) {

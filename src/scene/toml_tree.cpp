@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cstdint>
 #include <string_view>
-#include <system_error>
 
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/text.hpp"
+#include "scene/toml_keys.hpp"
 #include "scene/toml_library.hpp"
 
 namespace epura {
@@ -15,7 +15,7 @@ namespace epura {
 namespace {
 
 constexpr std::uintmax_t most_bytes = 2'000'000;
-constexpr std::ptrdiff_t most_dots = 100;
+constexpr std::size_t most_dots = 100;
 
 std::string place(const std::string& file, const toml::source_position& position) {
   return file + ":" + std::to_string(position.line) + ":" + std::to_string(position.column);
@@ -83,14 +83,9 @@ class Reader {
 
 // toml++ counts how deep values are nested, but not dotted keys; it would exhaust the stack.
 void refuse_deep_keys(std::string_view text, const std::string& file) {
-  int number = 0;
-  for (const std::string_view line : split(text, '\n')) {
-    ++number;
-    const bool comment = line.substr(std::min(line.find_first_not_of(" \t"), line.size())).starts_with('#');
-    if (!comment && std::count(line.begin(), line.end(), '.') > most_dots)
-      throw Error(Trouble::input, file + ":" + std::to_string(number), "has more than 100 dots in a line",
-                  "dots in a key nest tables; write a shorter line");
-  }
+  if (const auto line = line_of_deep_key(text, most_dots))
+    throw Error(Trouble::input, file + ":" + std::to_string(*line), "has more than 100 dots in a key",
+                "dots in a key nest tables; write a shorter key");
 }
 
 // Of "Error while parsing string: ...", without what only the library's users can change and without the line breaks
@@ -110,12 +105,7 @@ bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x
 
 TomlValue read_toml(const std::filesystem::path& path) {
   const std::string file = path.string();
-  std::error_code unknown;  // of a pipe
-  const std::uintmax_t size = std::filesystem::file_size(path, unknown);
-  const std::string text = !unknown && size > most_bytes ? std::string() : read_file(path);
-  if (std::max(unknown ? 0 : size, std::uintmax_t{text.size()}) > most_bytes)
-    throw Error(Trouble::input, file, "has more than " + std::to_string(most_bytes / 1'000'000) + " MB",
-                "is it a scene file?");
+  const std::string text = read_file(path, most_bytes);
   refuse_deep_keys(text, file);
   try {
     return {"", file, file, Reader(file).table(toml::parse(text))};

@@ -4,11 +4,21 @@
 #include <set>
 #include <string>
 
+#include "base/error.hpp"
 #include "base/text.hpp"
 
 namespace epura {
 
+void expect_few_views(std::size_t views, const std::string& where) {
+  constexpr std::size_t most = 1000;
+  if (views > most)
+    throw Error(Trouble::input, where,
+                "asks for " + std::to_string(views) + " views; one drawing has at most " + std::to_string(most),
+                "draw them in several runs");
+}
+
 void name_views(std::vector<ViewDescription>& views) {
+  if (!views.empty()) expect_few_views(views.size(), views.back().projection.where);
   std::set<std::string> taken;
   for (const ViewDescription& view : views)
     if (view.name.given()) taken.insert(view.name.text);

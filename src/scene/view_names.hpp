@@ -1,13 +1,19 @@
-// What views are called that have no name of their own.
+// How many views there may be, and what those are called that have no name of their own.
 #pragma once
 
+#include <cstddef>
+#include <string>
 #include <vector>
 
 #include "scene/description.hpp"
 
 namespace epura {
 
-/// Gives the name of its projection to each view without a name; numbered where another view has it: "front-2".
+/// Throws Error{input} for more than 1000 views, all of which `where` asks for.
+void expect_few_views(std::size_t views, const std::string& where);
+
+/// Gives the name of its projection to each view without a name; numbered where another view has it: "front-2". Throws
+/// Error{input} for more than 1000 views.
 void name_views(std::vector<ViewDescription>& views);
 
 }  // namespace epura

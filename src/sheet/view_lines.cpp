@@ -181,12 +181,12 @@ Place place_of(const Chain& chain, const ModelLook& look) {
   if (!chain.visible) return look.hidden == HiddenLines::solid ? hidden_solid : hidden_dashed;
   if (look.line == LineRole::neighbour) return neighbour;
   if (look.line == LineRole::narrow) return narrow;
-  if (chain.kind == EdgeKind::section) return section;
-  return is_within_surface(chain.kind) ? tangent_edges : visible;
+  const EdgeLine line = edge_line(chain.kind, true);
+  return line == EdgeLine::section ? section : line == EdgeLine::tangent ? tangent_edges : visible;
 }
 
 bool is_drawn(const Chain& chain, const ModelLook& look) {
-  return chain.visible || (look.hidden != HiddenLines::none && !is_within_surface(chain.kind));
+  return chain.visible || (look.hidden != HiddenLines::none && edge_line(chain.kind, false) != EdgeLine::none);
 }
 
 struct Looks {
@@ -301,6 +301,29 @@ LineWidths line_widths(const Paper& paper) {
   return {0.5, 0.25};
 }
 
+EdgeLine edge_line(EdgeKind kind, bool visible) {
+  if (!visible) return is_within_surface(kind) ? EdgeLine::none : EdgeLine::hidden;
+  if (kind == EdgeKind::section) return EdgeLine::section;
+  return is_within_surface(kind) ? EdgeLine::tangent : EdgeLine::visible;
+}
+
+LineStyle line_style(EdgeLine line, const LineWidths& widths) {
+  switch (line) {
+    case EdgeLine::none:
+      break;
+    case EdgeLine::hidden:
+      return {"hidden", widths.narrow, dashed.nominal(widths.narrow)};
+    case EdgeLine::tangent:
+      return {"tangent", widths.narrow};
+    case EdgeLine::section:
+      return {"section", widths.wide};
+    case EdgeLine::visible:
+      return {"visible", widths.wide};
+  }
+  check(false, "what is not drawn has no style");
+  return {};
+}
+
 std::vector<Layer> view_layers(const Drawing& drawing, const LineWidths& widths, const std::vector<ModelLook>& looks) {
   Strokes strokes = strokes_of(drawing, widths, {looks});
   const auto wants = [&](HiddenLines hidden) {
@@ -313,13 +336,13 @@ std::vector<Layer> view_layers(const Drawing& drawing, const LineWidths& widths,
   };
   const double narrow_line = widths.narrow;
   const bool both = wants(HiddenLines::dashed) && wants(HiddenLines::solid);
-  add(hidden_dashed, "hidden", {"hidden", narrow_line, dashed.nominal(narrow_line)}, wants(HiddenLines::dashed));
+  add(hidden_dashed, "hidden", line_style(EdgeLine::hidden, widths), wants(HiddenLines::dashed));
   add(hidden_solid, both ? "hidden-solid" : "hidden", {"hidden-solid", narrow_line}, wants(HiddenLines::solid));
   add(neighbour, "neighbour", {"neighbour", narrow_line, long_dash_double_dot.nominal(narrow_line)}, false);
   add(narrow, "narrow", {"narrow", narrow_line}, false);
-  add(tangent_edges, "tangent", {"tangent", narrow_line}, false);
-  add(section, "section", {"section", widths.wide}, false);
-  add(visible, "visible", {"visible", widths.wide}, true);
+  add(tangent_edges, "tangent", line_style(EdgeLine::tangent, widths), false);
+  add(section, "section", line_style(EdgeLine::section, widths), false);
+  add(visible, "visible", line_style(EdgeLine::visible, widths), true);
   return layers;
 }
 

@@ -30,6 +30,14 @@ struct LineWidths {
 };
 LineWidths line_widths(const Paper& paper);
 
+/// What an edge is on a sheet, where its model has no role of its own. Hidden edges between smooth faces are nothing.
+enum class EdgeLine { none, hidden, tangent, section, visible };
+
+EdgeLine edge_line(EdgeKind kind, bool visible);
+
+/// Of any but `none`.
+LineStyle line_style(EdgeLine line, const LineWidths& widths);
+
 /// How one model is drawn.
 struct ModelLook {
   LineRole line = LineRole::visible;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
 #include "app/snapshot/run_epura.hpp"
 #include "base/error.hpp"
@@ -63,6 +64,16 @@ void compare_with_expectation(SnapshotResult& result, double tolerance, bool wit
     result.pictures = reported_case(result.name, false, result.words, expected, actual, comparison);
 }
 
+// Others than regular files may have no end, or wait for one who never comes.
+void refuse_irregular_files(const fs::path& folder) {
+  constexpr std::uintmax_t most_option_bytes = 1'000'000;
+  for (const char* name : {"options", "expected.json", "expected.svg", "expected.pdf"})
+    if (fs::exists(folder / name) && !fs::is_regular_file(folder / name))
+      throw Error(Trouble::input, (folder / name).string(), "is no regular file");
+  if (fs::exists(folder / "options") && fs::file_size(folder / "options") > most_option_bytes)
+    throw Error(Trouble::input, (folder / "options").string(), "has more than 1 MB", "is it the right file?");
+}
+
 }  // namespace
 
 std::vector<SnapshotCase> find_cases(const std::vector<std::string>& folders) {
@@ -93,6 +104,7 @@ std::vector<SnapshotResult> run_case(const SnapshotCase& one, double tolerance, 
     result.name = one.name + "/" + file.filename().string();
     result.expected = file;
     try {
+      refuse_irregular_files(one.folder);
       if (draw(one, result)) compare_with_expectation(result, tolerance, with_pictures);
     } catch (const Error& error) {
       result.words = std::string(error.what()) + "\n";

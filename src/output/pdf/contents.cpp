@@ -6,6 +6,7 @@
 #include <qpdf/QPDFObjectHandle.hh>
 
 #include "base/error.hpp"
+#include "output/pdf/packing.hpp"
 
 namespace epura {
 
@@ -21,56 +22,26 @@ double number_of(Handle object) {
   return value;
 }
 
-class Operations : public Handle::ParserCallbacks {
- public:
-  void handleObject(Handle object) override {
-    if (object.isOperator()) {
-      next_.name = object.getOperatorValue();
-      all.push_back(std::move(next_));
-      next_ = {};
-    } else {
-      add(object);
-    }
-  }
-  void handleEOF() override {}
-
-  std::vector<PdfOperation> all;
-
- private:
-  void add(Handle object) {
-    if (object.isNumber()) next_.numbers.push_back(number_of(object));
-    if (object.isName()) next_.words.push_back(object.getName());
-    if (object.isArray())
-      for (int i = 0; i < object.getArrayNItems(); ++i) add(object.getArrayItem(i));
-  }
-
-  PdfOperation next_;
-};
-
-std::vector<PdfOperation> operations_of_page(Handle page) {
-  Operations operations;
-  page.parsePageContents(&operations);
-  return std::move(operations.all);
-}
-
-std::vector<PdfOperation> operations_of_form(Handle form) {
-  Operations operations;
-  form.parseAsContents(&operations);
-  return std::move(operations.all);
-}
-
-PdfContent content_of(Handle page) {
+PdfContent content_of(Handle page, UnpackRoom& room) {
   PdfContent content;
   Handle box = page.getKey("/MediaBox");
   content.width = number_of(box.getArrayItem(2)) - number_of(box.getArrayItem(0));
   content.height = number_of(box.getArrayItem(3)) - number_of(box.getArrayItem(1));
-  content.operations = operations_of_page(page);
+  content.page = room.unpack(page.getKey("/Contents"));
   Handle resources = page.getKey("/Resources");
   Handle layers = resources.getKey("/Properties"), forms = resources.getKey("/XObject");
   for (const std::string& name : layers.getKeys())
     content.layers[name] = layers.getKey(name).getKey("/Name").getUTF8Value();
-  for (const std::string& name : forms.getKeys()) content.forms[name] = operations_of_form(forms.getKey(name));
+  for (const std::string& name : forms.getKeys()) content.forms[name] = room.unpack(forms.getKey(name));
   return content;
+}
+
+void expect_ours(QPDF& pdf, const std::string& where) {
+  Handle information = pdf.getTrailer().getKey("/Info");
+  const bool ours = information.isDictionary() && information.getKey("/Producer").isString() &&
+                    information.getKey("/Producer").getUTF8Value() == "epura";
+  if (!ours)
+    throw Error(Trouble::input, where, "was not written by epura", "epura compares PDF files that it wrote itself");
 }
 
 }  // namespace
@@ -78,15 +49,19 @@ PdfContent content_of(Handle page) {
 std::vector<PdfContent> read_pdf_contents(const std::string& bytes, const std::string& where) {
   std::vector<PdfContent> pages;
   try {
+    check_packing(bytes, where);
     QPDF pdf;
     pdf.setSuppressWarnings(true);
+    pdf.setAttemptRecovery(false);  // it would guess where objects are
     pdf.processMemoryFile(where.c_str(), bytes.data(), bytes.size());
-    Handle information = pdf.getTrailer().getKey("/Info");
-    const bool ours = information.isDictionary() && information.getKey("/Producer").isString() &&
-                      information.getKey("/Producer").getUTF8Value() == "epura";
-    if (!ours)
-      throw Error(Trouble::input, where, "was not written by epura", "epura compares PDF files that it wrote itself");
-    for (Handle page : pdf.getAllPages()) pages.push_back(content_of(page));
+    check_object_streams(pdf, bytes.size(), where);
+    expect_ours(pdf, where);
+    UnpackRoom room(64'000'000 + 16 * bytes.size(), where);
+    for (Handle page : pdf.getRoot().getKey("/Pages").getKey("/Kids").getArrayAsVector()) {
+      if (page.hasKey("/Kids"))
+        throw Error(Trouble::input, where, "has pages in groups", "epura compares PDF files that it wrote itself");
+      pages.push_back(content_of(page, room));
+    }
   } catch (const Error&) {
     throw;
   } catch (const std::exception& trouble) {

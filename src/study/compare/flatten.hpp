@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/vec.hpp"
+#include "study/compare/picture_maker.hpp"
 
 namespace epura {
 
@@ -11,7 +12,12 @@ namespace epura {
 /// the square of the number. The parts stay within 0.0001 mm of it.
 int parts_of_curve(double sagitta);
 
-/// Appends points of a cubic Bezier curve, without its beginning. By value: `from` may be one of `points`.
-void append_cubic(std::vector<Vec2>& points, Vec2 from, Vec2 a, Vec2 b, Vec2 to);
+/// Points of a cubic Bezier curve, the first one too.
+struct CubicCurve {
+  Vec2 from, a, b, to;
+};
+
+/// Appends points of a curve, without its beginning, as far as there is room.
+void append_cubic(std::vector<Vec2>& points, const CubicCurve& curve, PieceRoom& room);
 
 }  // namespace epura

@@ -2,11 +2,16 @@
 #include <rapidjson/document.h>
 #include <rapidjson/error/en.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "sheet/paper.hpp"
+#include "sheet/view_lines.hpp"
+#include "study/compare/picture_maker.hpp"
 #include "study/compare/read_pictures.hpp"
 
 namespace epura {
@@ -61,14 +66,31 @@ struct Place {
   }
 };
 
-// As sheets below A1 draw them.
-enum Look { visible, hidden, tangent, cut_face };
+constexpr std::array drawn_lines = {EdgeLine::hidden, EdgeLine::tangent, EdgeLine::section, EdgeLine::visible};
+constexpr int cut_face = drawn_lines.size();  // the look behind those of lines
 
+int number_of(EdgeLine line) {
+  return static_cast<int>(std::find(drawn_lines.begin(), drawn_lines.end(), line) - drawn_lines.begin());
+}
+
+// As sheets below A1 draw them.
 std::vector<PictureLook> looks() {
-  return {{"visible", true, false, 0.5, {}},
-          {"hidden", false, false, 0.25, {3, 0.75}},
-          {"tangent", true, false, 0.25, {}},
-          {"cut face", true, true, 0, {}}};
+  std::vector<PictureLook> looks;
+  for (const EdgeLine line : drawn_lines) {
+    const LineStyle style = line_style(line, line_widths(Paper()));
+    PictureLook& look = looks.emplace_back(PictureLook{style.name, line != EdgeLine::hidden, false, style.width});
+    if (style.dashes.dash > 0) look.dashes = {style.dashes.dash, style.dashes.gap};
+  }
+  looks.push_back({"cut face", true, true});
+  return looks;
+}
+
+// Kinds that are not known yet look as most do.
+EdgeKind kind_named(const std::string& name) {
+  auto kind = EdgeKind::contour;
+  for (int i = 0; i <= static_cast<int>(EdgeKind::smooth); ++i)
+    if (name == name_of(static_cast<EdgeKind>(i))) kind = static_cast<EdgeKind>(i);
+  return kind;
 }
 
 // Empty for lines that are no edges of a file.
@@ -78,26 +100,22 @@ std::string edge_of(const Place& segment) {
   return segment.at("model").text() + ":" + edge[0].GetString() + "-" + edge[1].GetString();
 }
 
-void add_segment(Picture& picture, const Place& segment, int view) {
-  const bool seen = segment.at("visible").boolean();
-  const Look look = !seen ? hidden : segment.at("kind").text() == "smooth" ? tangent : visible;
+void add_segment(PictureMaker& picture, const Place& segment, int view) {
+  const EdgeLine line = edge_line(kind_named(segment.at("kind").text()), segment.at("visible").boolean());
+  if (line == EdgeLine::none) return;
   int origin = -1;
-  if (const std::string edge = edge_of(segment); !edge.empty()) {
-    origin = static_cast<int>(picture.origins.size());
-    picture.origins.push_back(edge);
-  }
-  picture.pieces.push_back({segment.at("from").point(), segment.at("to").point(), look, view, origin});
+  if (std::string edge = edge_of(segment); !edge.empty()) origin = picture.add_origins({std::move(edge)});
+  picture.add({segment.at("from").point(), segment.at("to").point(), number_of(line), view, origin});
 }
 
-void add_ring(Picture& picture, const Place& ring, int view) {
+void add_ring(PictureMaker& picture, const Place& ring, int view) {
   const unsigned corners = ring.items();
   for (unsigned i = 0; i < corners; ++i)
-    picture.pieces.push_back({ring.at(i).point(), ring.at((i + 1) % corners).point(), cut_face, view, -1});
+    picture.add({ring.at(i).point(), ring.at((i + 1) % corners).point(), cut_face, view, -1});
 }
 
-void add_view(Picture& picture, const Place& view) {
-  const int number = static_cast<int>(picture.views.size());
-  picture.views.push_back(view.at("name").text());
+void add_view(PictureMaker& picture, const Place& view) {
+  const int number = picture.view(view.at("name").text());
   const Place segments = view.at("segments");
   for (unsigned i = 0; i < segments.items(); ++i) add_segment(picture, segments.at(i), number);
   if (!view.has("cut_faces")) return;
@@ -119,10 +137,12 @@ Picture picture_of_json(std::string_view bytes, const std::string& where) {
                     std::to_string(document.GetErrorOffset()) + ")");
   const Place root{document, where};
   if (number_in(root.at("epura").value) != 1.0) root.refuse("has another schema than 1");
-  Picture picture{root.at("sheet").at("size").point(), looks()};
+  PictureMaker picture(where);
+  picture.set_size(root.at("sheet").at("size").point());
+  for (const PictureLook& look : looks()) picture.look(look);
   const Place views = root.at("views");
   for (unsigned i = 0; i < views.items(); ++i) add_view(picture, views.at(i));
-  return picture;
+  return picture.finish();
 }
 
 }  // namespace epura

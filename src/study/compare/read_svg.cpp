@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "sheet/lettering.hpp"
+#include "study/compare/picture_maker.hpp"
 #include "study/compare/read_pictures.hpp"
 #include "study/compare/svg_path.hpp"
 #include "study/compare/svg_style.hpp"
@@ -18,7 +19,9 @@ namespace epura {
 
 namespace {
 
-constexpr int deepest = 100;  // groups in groups
+constexpr int deepest = 100;                  // groups in groups
+constexpr std::size_t longest_text = 10'000;  // bytes
+constexpr std::size_t longest_model = 20;     // digits of its number
 
 // What a group hands on to what is in it.
 struct Context {
@@ -40,27 +43,29 @@ double number_in(const pugi::xml_attribute& attribute) { return parse_number(att
 
 class SvgReader {
  public:
-  explicit SvgReader(const std::string& where) : where_(where) {}
+  SvgReader(std::string_view bytes, const std::string& where)
+      : bytes_(bytes), where_(where), room_(bytes.size(), where), picture_(where) {}
 
-  Picture read(std::string_view bytes) {
+  Picture read() {
     pugi::xml_document document;
     const pugi::xml_parse_result result =
-        document.load_buffer(bytes.data(), bytes.size(), pugi::parse_default | pugi::parse_ws_pcdata_single);
+        document.load_buffer(bytes_.data(), bytes_.size(), pugi::parse_default | pugi::parse_ws_pcdata_single);
     if (!result)
       throw Error(Trouble::input, where_,
                   "is no XML: " + std::string(result.description()) + " (byte " + std::to_string(result.offset) + ")");
     const pugi::xml_node svg = document.child("svg");
     if (!svg) refuse("is no SVG");
-    picture_.size = {millimetres(svg.attribute("width").value()), millimetres(svg.attribute("height").value())};
+    const Vec2 size(millimetres(svg.attribute("width").value()), millimetres(svg.attribute("height").value()));
     const std::vector<double> box = svg_numbers(svg.attribute("viewBox").value());
-    if (!(picture_.size.x > 0 && picture_.size.y > 0) || box.size() != 4 || !(box[2] > 0 && box[3] > 0))
+    if (!(size.x > 0 && size.y > 0) || box.size() != 4 || !(box[2] > 0 && box[3] > 0))
       refuse("has no size in millimetres");
+    picture_.set_size(size);
     Context all;
-    all.map = {{picture_.size.x / box[2], 0}, {0, picture_.size.y / box[3]}, {0, 0}};
+    all.map = {{size.x / box[2], 0}, {0, size.y / box[3]}, {0, 0}};
     all.map.shift = -Vec2(box[0], box[1]) * Vec2(all.map.along.x, all.map.across.y);
     for (const pugi::xml_node style : svg.children("style")) rules_.merge(read_svg_rules(style.text().get()));
     for (const pugi::xml_node child : svg.children()) read_element(child, all);
-    return std::move(picture_);
+    return picture_.finish();
   }
 
  private:
@@ -104,19 +109,19 @@ class SvgReader {
 
   Vec2 on_page(const Context& context, const Vec2& p) const {
     const Vec2 at = context.map(p);
-    return {at.x, picture_.size.y - at.y};
+    return {at.x, picture_.size().y - at.y};
   }
 
-  [[nodiscard]] SvgPath path_of(const pugi::xml_node& element) const {
-    auto path = read_svg_path(element.attribute("d").value());
+  [[nodiscard]] SvgPath path_of(const pugi::xml_node& element, PieceRoom& room) const {
+    auto path = read_svg_path(element.attribute("d").value(), room);
     if (!path) refuse("has a path that is not understood: id '" + std::string(element.attribute("id").value()) + "'");
     return std::move(*path);
   }
 
   void read_path(const pugi::xml_node& element, const Context& context) {
-    const SvgPath path = path_of(element);
+    const SvgPath path = path_of(element, room_);
     const std::string_view stroke = context.style.of("stroke"), fill = context.style.of("fill");
-    const int view = number_of_name(picture_.views, context.view);
+    const int view = picture_.view(context.view);
     if (fill != "none") add_lines(path, context, area_look(context), view, -1, true);
     if (stroke.empty() || stroke == "none") return;
     const int look = line_look(context);
@@ -124,22 +129,19 @@ class SvgReader {
     std::size_t pieces = 0;
     for (const SvgLine& line : path.lines) pieces += line.points.size() - (line.closed ? 0 : 1);
     // One edge for each piece of the path, or all for all.
-    const int first = static_cast<int>(picture_.origins.size());
     const bool one_each = edges.size() == pieces;
     std::string all;
-    for (const std::string& edge : edges)
-      if (one_each)
-        picture_.origins.push_back(edge);
-      else
-        all += (all.empty() ? "" : " ") + edge;
-    if (!all.empty()) picture_.origins.push_back(all);
-    add_lines(path, context, look, view, edges.empty() ? -1 : first, false, one_each);
+    if (!one_each)
+      for (const std::string& edge : edges) all += (all.empty() ? "" : " ") + edge;
+    const int first = edges.empty() ? -1 : picture_.add_origins(one_each ? edges : std::vector{all});
+    add_lines(path, context, look, view, first, false, one_each);
   }
 
-  [[nodiscard]] static std::vector<std::string> edges_of(const pugi::xml_node& element, const Context& context) {
+  [[nodiscard]] std::vector<std::string> edges_of(const pugi::xml_node& element, const Context& context) const {
     std::vector<std::string> edges;
     const std::string_view list = element.attribute("data-edge").value();
     if (list.empty()) return edges;
+    if (context.model.size() > longest_model) refuse("has a model whose number is too long");
     for (const std::string_view edge : split(list, ' '))
       edges.push_back(edge.find(':') != std::string_view::npos ? std::string(edge)
                                                                : context.model + ":" + std::string(edge));
@@ -152,7 +154,7 @@ class SvgReader {
       const std::size_t count = line.points.size();
       for (std::size_t i = 0; i + (line.closed || areas ? 0 : 1) < count; ++i) {
         const Vec2 from = on_page(context, line.points[i]), to = on_page(context, line.points[(i + 1) % count]);
-        picture_.pieces.push_back({from, to, look, view, origin});
+        picture_.add({from, to, look, view, origin});
         if (one_each) ++origin;
       }
     }
@@ -170,28 +172,30 @@ class SvgReader {
     if (context.style.has_fitted_dashes && look.dashes.size() > 1)
       look.dashes[0] = (look.dashes.size() == 2 ? 12 : 24) * look.width;
     look.colour = svg_colour(context.style.of("stroke"));
-    return number_of_look(picture_.looks, look);
+    room_.take(look.dashes.size());
+    return picture_.look(look);
   }
 
   int area_look(const Context& context) {
     PictureLook look{context.layer + " area", true, true};
     look.colour = svg_colour(context.style.of("fill"));
-    return number_of_look(picture_.looks, look);
+    return picture_.look(look);
   }
 
   void add_text(const std::string& words, const Context& context, const std::vector<Vec2>& outline) {
-    PictureText text{written(words), Vec2(HUGE_VAL), Vec2(-HUGE_VAL), number_of_name(picture_.views, context.view)};
+    PictureText text{written(words), Vec2(HUGE_VAL), Vec2(-HUGE_VAL), picture_.view(context.view)};
     for (const Vec2& p : outline) {
       text.least = glm::min(text.least, on_page(context, p));
       text.most = glm::max(text.most, on_page(context, p));
     }
-    if (!outline.empty()) picture_.texts.push_back(text);  // blanks are not seen
+    if (!outline.empty()) picture_.add(text);  // blanks are not seen
   }
 
   void read_outlines(const pugi::xml_node& group, const Context& context, const std::string& words) {
     std::vector<Vec2> outline;
+    PieceRoom room = room_;  // only their box is kept
     for (const pugi::xml_node path : group.children("path")) {
-      const SvgPath read = path_of(path);
+      const SvgPath read = path_of(path, room);
       for (const SvgLine& line : read.lines) outline.insert(outline.end(), line.points.begin(), line.points.end());
       outline.insert(outline.end(), read.controls.begin(), read.controls.end());
     }
@@ -201,6 +205,7 @@ class SvgReader {
   // As the font of the project writes it.
   void read_text(const pugi::xml_node& element, const Context& context) {
     const std::string words = element.text().get();
+    if (words.size() > longest_text) refuse("has a text of more than " + std::to_string(longest_text) + " bytes");
     if (!lettering_) lettering_.emplace();
     const double height = parse_number(context.style.of("font-size")).value_or(NAN) / lettering_->em();
     const Vec2 at(number_in(element.attribute("x")), number_in(element.attribute("y")));
@@ -218,14 +223,16 @@ class SvgReader {
     add_text(words, context, outline);
   }
 
+  std::string_view bytes_;
   const std::string& where_;
   SvgRules rules_{};
   std::optional<Lettering> lettering_{};
-  Picture picture_{Vec2(0, 0)};
+  PieceRoom room_;
+  PictureMaker picture_;
 };
 
 }  // namespace
 
-Picture picture_of_svg(std::string_view bytes, const std::string& where) { return SvgReader(where).read(bytes); }
+Picture picture_of_svg(std::string_view bytes, const std::string& where) { return SvgReader(bytes, where).read(); }
 
 }  // namespace epura

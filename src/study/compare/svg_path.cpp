@@ -16,7 +16,7 @@ namespace {
 
 class PathParser {
  public:
-  explicit PathParser(std::string_view data) : data_(data) {}
+  PathParser(std::string_view data, PieceRoom& room) : data_(data), room_(room) {}
 
   std::optional<SvgPath> parse() {
     char command = 0;
@@ -83,11 +83,13 @@ class PathParser {
   }
 
   void move(const Vec2& to) {
+    room_.take(1);
     path_.lines.push_back({{to}});
     here_ = to;
   }
 
   void line(const Vec2& to) {
+    room_.take(1);
     path_.lines.back().points.push_back(to);
     here_ = to;
   }
@@ -112,7 +114,7 @@ class PathParser {
   void cubic(const Vec2& base) {
     const Vec2 from = here_, a = base + point(), b = base + point(), to = base + point();
     path_.controls.insert(path_.controls.end(), {a, b});
-    append_cubic(path_.lines.back().points, from, a, b, to);
+    append_cubic(path_.lines.back().points, {from, a, b, to}, room_);
     here_ = to;
   }
 
@@ -145,6 +147,7 @@ class PathParser {
   }
 
   std::string_view data_;
+  PieceRoom& room_;
   Vec2 here_{0, 0};
   bool good_ = true;
   SvgPath path_{};
@@ -152,6 +155,6 @@ class PathParser {
 
 }  // namespace
 
-std::optional<SvgPath> read_svg_path(std::string_view data) { return PathParser(data).parse(); }
+std::optional<SvgPath> read_svg_path(std::string_view data, PieceRoom& room) { return PathParser(data, room).parse(); }
 
 }  // namespace epura

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/vec.hpp"
+#include "study/compare/picture_maker.hpp"
 
 namespace epura {
 
@@ -21,6 +22,7 @@ struct SvgPath {
 };
 
 /// The commands M L H V C Q A Z and m l h v c q a z, y down. Nothing for text that is no such path.
-std::optional<SvgPath> read_svg_path(std::string_view data);
+/// Throws Error{input} where there is no room for all of it.
+std::optional<SvgPath> read_svg_path(std::string_view data, PieceRoom& room);
 
 }  // namespace epura

@@ -60,6 +60,14 @@ TEST(Cancel, EndsARunThatWaitsForTheReaderOfItsDrawing) {
   expect_ended(run, SIGINT);
 }
 
+// As under nohup, or in the background of a script.
+TEST(Cancel, IsTestedAlsoWhereTheTestsIgnoreIt) {
+  auto* const before = std::signal(SIGINT, SIG_IGN);
+  Reading reading;
+  std::signal(SIGINT, before);
+  expect_ended(reading.run, SIGINT);
+}
+
 TEST(Cancel, ErasesTheProgressLine) {
   Reading reading({"--progress", "always"});
   reading.wait_for_line();
@@ -70,9 +78,7 @@ TEST(Cancel, ErasesTheProgressLine) {
 }
 
 TEST(Cancel, SignalsThatTheParentIgnoresStayIgnored) {
-  auto* const old = std::signal(SIGINT, SIG_IGN);
-  Reading reading;
-  std::signal(SIGINT, old);
+  Reading reading({}, "trap '' INT");
   reading.run.signal(SIGINT);
   reading.give_model();
   const Outcome outcome = reading.run.wait();

@@ -126,6 +126,26 @@ TEST(Draw, WhatWasRepairedIsSaid) {
   EXPECT_TRUE(contains(run.err, model)) << run.err;
 }
 
+// Exporters of CAD leave some in every file.
+TEST(Draw, AFewFacesThatCollapseAreNoMatterForAWarning) {
+  const Folder folder;
+  std::string model;
+  for (int i = 0; i < 12; ++i)
+    model += "v " + std::to_string(i) + " 0 0\nv " + std::to_string(i) + " 0 1\nv " + std::to_string(i) + ".5 0 0\n";
+  for (int i = 0; i < 12; ++i)
+    model +=
+        "f " + std::to_string(3 * i + 1) + " " + std::to_string(3 * i + 2) + " " + std::to_string(3 * i + 3) + "\n";
+  const auto said = [&](const std::string& faces) {
+    const Outcome run =
+        epura({"draw", folder.file("m.obj", model + faces), "-o", "x.svg", "-o", "x.json"}, folder / "");
+    EXPECT_EQ(run.code, 0);
+    return run.err;
+  };
+  EXPECT_EQ(said("f 1 1 2\n"), "");
+  EXPECT_TRUE(contains(read_file(folder / "x.json"), "\"dropped_degenerate\": 1"));
+  EXPECT_TRUE(contains(said("f 1 1 2\nf 2 1 2\n"), "2 faces left out: fewer than three distinct corners"));
+}
+
 TEST(Draw, ADrawingLargerThanTheSheetIsSaid) {
   const Folder folder;
   const Outcome run = epura({"draw", sample("bracket.obj"), "-o", "x.svg", "--scale", "20:1"}, folder / "");

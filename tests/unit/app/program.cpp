@@ -31,11 +31,12 @@ std::vector<std::string> environment() {
 }  // namespace
 
 Running::Running(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
-                 const std::string& out_path)
+                 const std::string& out_path, const std::string& limits)
     : keeps_out_(out_path.empty()),
       out_(keeps_out_ ? (scratch_ / "out").string() : out_path),
       err_((scratch_ / "err").string()) {
   std::vector<std::string> words{EPURA_TEST_PROGRAM};
+  if (!limits.empty()) words.insert(words.begin(), {"/bin/sh", "-c", limits + R"(; exec "$0" "$@")"});
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<std::string> variables = environment();
 
@@ -45,8 +46,17 @@ Running::Running(const std::vector<std::string>& arguments, const std::filesyste
   posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out_.c_str(), O_WRONLY | O_CREAT, 0600);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err_.c_str(), O_WRONLY | O_CREAT, 0600);
   posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+  // Whatever the test inherited: shells in the background ignore Ctrl-C, and so do their children.
+  sigset_t ending;
+  sigemptyset(&ending);
+  for (const int number : {SIGINT, SIGTERM}) sigaddset(&ending, number);
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
+  posix_spawnattr_setsigdefault(&attributes, &ending);
   const int failed =
-      posix_spawn(&child_, words[0].c_str(), &actions, nullptr, pointers(words).data(), pointers(variables).data());
+      posix_spawn(&child_, words[0].c_str(), &actions, &attributes, pointers(words).data(), pointers(variables).data());
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   if (failed != 0) throw std::runtime_error("cannot run " + words[0]);
 }
@@ -69,8 +79,8 @@ Outcome Running::wait() {
 }
 
 Outcome epura(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
-              const std::string& out_path) {
-  return Running(arguments, folder, out_path).wait();
+              const std::string& out_path, const std::string& limits) {
+  return Running(arguments, folder, out_path, limits).wait();
 }
 
 }  // namespace epura::test

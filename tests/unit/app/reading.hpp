@@ -40,7 +40,8 @@ struct Reading {
   Running run;
   int pipe;
 
-  explicit Reading(const std::vector<std::string>& options = {}) : run(arguments(options), folder / "") {
+  explicit Reading(const std::vector<std::string>& options = {}, const std::string& limits = {})
+      : run(arguments(options), folder / "", {}, limits) {
     pipe = open_for_writing(model);
     EXPECT_GE(pipe, 0);
   }

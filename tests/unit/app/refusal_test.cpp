@@ -236,5 +236,23 @@ TEST_F(Refusal, AnInstallationWithoutTheLibraryForPdf) {
   EXPECT_TRUE(contains(read_file(folder / "err"), "install epura again"));
 }
 
+TEST_F(Refusal, DevicesInPlaceOfFiles) {
+  for (const char* name : {"z.obj", "z.toml", "z.svg", "z.json", "z.pdf"})
+    std::filesystem::create_symlink("/dev/zero", folder / name);
+  const Words said = {"is a device, not a file"};
+  for (const char* name : {"/dev/zero", "z.obj", "z.toml"}) expect_draw_refused({name}, said);
+  for (const char* name : {"z.svg", "z.json", "z.pdf"}) expect_refused({"compare", name, name}, 2, said);
+}
+
+TEST_F(Refusal, MoreViewsThanADrawingHas) {
+  std::string list = "front", scene = "[[model]]\nfile = 'cube.obj'\n";
+  for (int i = 0; i < 1000; ++i) list += ",top";
+  expect_option_refused({"--views", list}, {"--views", "asks for 1001 views; one drawing has at most 1000"});
+  for (int i = 0; i < 1200; ++i) scene += "[[view]]\nprojection='top'\n";
+  expect_draw_refused({folder.file("scene.toml", scene)}, {"scene.toml:2402:12", "asks for 1200 views"});
+  expect_draw_refused({folder.file("scene.toml", "views = '" + list + "'\n[[model]]\nfile = 'cube.obj'\n")},
+                      {"scene.toml:1:9", "asks for 1001 views"});
+}
+
 }  // namespace
 }  // namespace epura::test

@@ -1,5 +1,6 @@
 // epura snapshot, as users run it.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <cstdlib>
 #include <optional>
@@ -145,6 +146,17 @@ TEST(SnapshotCommand, RefusesFoldersWithoutCases) {
   EXPECT_TRUE(contains(refusal("cases/models"), "has no case"));
   EXPECT_TRUE(contains(refusal("missing"), "is no folder"));
   EXPECT_EQ(epura({"snapshot", "cases/cube-isometric"}, suite.folder / "").code, 0);
+}
+
+TEST(SnapshotCommand, DoesNotWaitForWhatIsNoRegularFile) {
+  for (const char* name : {"options", "expected.svg"}) {
+    const Suite suite({"cube-isometric"});
+    const fs::path pipe = suite.folder / "cases/cube-isometric" / name;
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    const Outcome run = suite.run();
+    EXPECT_NE(run.code, 0);
+    EXPECT_TRUE(contains(run.out + run.err, std::string(name) + ": is no regular file")) << run.out << run.err;
+  }
 }
 
 }  // namespace

@@ -31,6 +31,42 @@ TEST(Files, BytesComeBack) {
   EXPECT_EQ(folder.names(), Names{"a"});
 }
 
+TEST(Files, DevicesAreNoFiles) {
+  for (const char* path : {"/dev/zero", "/dev/null"})
+    EXPECT_TRUE(contains(error_of([&] { read_file(path); }).what(), "is a device, not a file"));
+}
+
+TEST(Files, MoreThanIsWantedIsNotRead) {
+  const Folder folder;
+  const std::string path = folder.file("a", std::string(3'000'000, 'a'));
+  EXPECT_EQ(read_file(path, 3'000'000).size(), 3'000'000U);
+  EXPECT_TRUE(contains(error_of([&] { read_file(path, 2'999'999); }).what(), "has more than 2 MB"));
+}
+
+TEST(Files, APipeWithoutEndIsRefused) {
+  const Folder folder;
+  const std::string path = folder / "pipe";
+  ASSERT_EQ(::mkfifo(path.c_str(), 0600), 0);
+  auto* const before = std::signal(SIGPIPE, SIG_IGN);
+  std::thread writer([&] {
+    std::ofstream pipe(path);
+    while (pipe) pipe << "endless\n";
+  });
+  EXPECT_TRUE(contains(error_of([&] { read_file(path, 5'000'000); }).what(), "has more than 5 MB"));
+  writer.join();
+  std::signal(SIGPIPE, before);
+}
+
+TEST(Files, APointerOfGitLfsIsNoFile) {
+  const Folder folder;
+  const std::string path =
+      folder.file("a.stl", "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12\n");
+  const Error error = error_of([&] { read_file(path); });
+  EXPECT_EQ(error.trouble(), Trouble::input);
+  EXPECT_TRUE(contains(error.what(), "Git LFS pointer")) << error.what();
+  EXPECT_EQ(error.hint(), "run git lfs pull");
+}
+
 TEST(Files, WhatCannotBeReadIsNamedWithTheReason) {
   const Folder folder;
   const Error missing = error_of([&] { read_file(folder / "none.obj"); });

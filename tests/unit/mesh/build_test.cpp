@@ -186,6 +186,19 @@ TEST(Build, ATriangleWithoutAreaKeepsItsNeighboursClosed) {
   EXPECT_EQ(mesh.report.triangles, 4);
   EXPECT_EQ(mesh.report.open_edges, 4);
   EXPECT_EQ(mesh.report.notes, (std::vector<std::string>{"1 triangle has no area"}));
+  EXPECT_TRUE(mesh.report.remarks.empty());
+}
+
+TEST(Build, AFewTrianglesWithoutAreaAreRemarkedOnly) {
+  // A strip of which one triangle of twelve has no area.
+  Points points;
+  std::vector<std::vector<int>> faces;
+  for (int i = 0; i < 14; ++i) points.push_back({i < 2 ? 0.0 : i, i % 2 * 1.0, 0});
+  points[2] = {0, 2, 0};
+  for (int i = 0; i < 12; ++i) faces.push_back({i, i + 1, i + 2});
+  const Mesh mesh = mesh_of(points, faces);
+  EXPECT_TRUE(mesh.report.notes.empty());
+  EXPECT_EQ(mesh.report.remarks, (std::vector<std::string>{"1 triangle has no area"}));
 }
 
 TEST(Build, ConcavePolygonsKeepTheirArea) {

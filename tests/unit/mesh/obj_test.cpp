@@ -1,4 +1,7 @@
 // What would break if this were wrong: indices, so every face.
+#include <cmath>
+#include <limits>
+
 #include "base/text.hpp"
 #include "support.hpp"
 
@@ -25,6 +28,17 @@ TEST(Obj, DoublesArriveExactly) {
   EXPECT_EQ(soup.points[0], (std::array{10000000.123456789, 1e-300, 0.1}));
   EXPECT_EQ(soup.points[1], (std::array{1500.0, -0.5, 4.9e-324}));
   EXPECT_EQ(soup.points[2], (std::array{1e308, -1e308, 1.000000001}));
+}
+
+TEST(Obj, ValuesThatAreNoNumbersAsWindowsWroteThem) {
+  const Soup soup = soup_of("v 1.#INF -1.#INF00 +1.#INF# c\nv 1.#IND -1.#IND000 1.#QNAN0\nv 1.#SNAN nan(ind) -nan\n");
+  ASSERT_EQ(soup.points.size(), 3U);
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(soup.points[0], (std::array{infinity, -infinity, infinity}));
+  for (const std::size_t v : {1, 2})
+    for (const double x : soup.points[v]) EXPECT_TRUE(std::isnan(x));
+  // Any other '#' begins a comment.
+  EXPECT_EQ(soup_of("v 3 2 1.#\nv 3 2 1.#INFO\nv 3 2 1#INF\n").points, (Points(3, {3, 2, 1})));
 }
 
 TEST(Obj, EveryLineEndAndContinuedLines) {
@@ -63,7 +77,9 @@ TEST(Obj, OtherStatementsAreNotedOnce) {
 
 TEST(Obj, ErrorsNameTheLine) {
   const auto error = [](const std::string& text) { return error_of([&] { soup_of(text); }); };
-  EXPECT_EQ(error("v 0 0 0\nv 1 2\n"), "m.obj:2 | m.obj:2: a number is missing | ");
+  EXPECT_EQ(error("v 0 0 0\nv 1 2\n"), "m.obj:2 | m.obj:2: the z coordinate is missing | ");
+  EXPECT_EQ(error("v 0 # 0 0\n"), "m.obj:1 | m.obj:1: the y coordinate is missing | ");
+  EXPECT_EQ(error("v\n"), "m.obj:1 | m.obj:1: the x coordinate is missing | ");
   EXPECT_EQ(error("v 1,5 0 0\n"),
             "m.obj:1 | m.obj:1: '1,5' is not a number that a double can hold | "
             "numbers are written with a point and separated by blanks");
@@ -77,7 +93,7 @@ TEST(Obj, ErrorsNameTheLine) {
   EXPECT_EQ(error("v 0 0 0\nf 1 x 1\n"), "m.obj:2 | m.obj:2: 'x' is not a whole number | ");
   EXPECT_EQ(error("v 0 0 0\nf 1 99999999999999999999 1\n"),
             "m.obj:2 | m.obj:2: '99999999999999999999' is not a whole number | ");
-  EXPECT_EQ(error("v 0 0 0\nf /1 1 1\n"), "m.obj:2 | m.obj:2: a number is missing | ");
+  EXPECT_EQ(error("v 0 0 0\nf /1 1 1\n"), "m.obj:2 | m.obj:2: the number of a vertex is missing | ");
 }
 
 // Long enough to be read in several parts: every line that counts from the beginning of the file, or goes on behind a
@@ -133,7 +149,7 @@ TEST(Obj, ErrorsNameTheLineOfLongFiles) {
   const std::string count = std::to_string(file.soup.points.size()), line = std::to_string(file.lines + 1),
                     next = std::to_string(file.lines + 2);
   const auto error = [&](const std::string& end) { return error_of([&] { soup_of(file.text + end); }); };
-  EXPECT_EQ(error("v 1 2\n"), "m.obj:" + line + " | m.obj:" + line + ": a number is missing | ");
+  EXPECT_EQ(error("v 1 2\n"), "m.obj:" + line + " | m.obj:" + line + ": the z coordinate is missing | ");
   EXPECT_EQ(error("f 1 2 9000000\nf 1 2 3\n"),
             "m.obj:" + line + " | m.obj:" + line + ": a face refers to vertex 9000000, but there are " + count + " | ");
   EXPECT_EQ(error("\nf 1 2 -9000000\n"), "m.obj:" + next + " | m.obj:" + next +

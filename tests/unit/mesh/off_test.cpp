@@ -10,7 +10,7 @@ Soup soup_of(std::string_view text) { return read_off(text, "m.off"); }
 
 TEST(Off, CountsAndCommentsAnywhere) {
   for (const std::string head : {"OFF\n3 1 0\n", "OFF 3 1 0\n", "OFF 3 1\n", "# c\n OFF # c\n# c\n3 # c\n1\n0\n",
-                                 "3 1 0\n", "OFF\r3 1 0\r", "OFF\n3 1\n0\n"}) {
+                                 "3 1 0\n", "OFF\r3 1 0\r", "OFF\n3 1\n0\n", "OFF3 1 0\n", "OFF3\n1\n0\n"}) {
     const Soup soup = soup_of(head + "0 0 0\n# c\n1 0 0 # c\n\n0 1\n0.1\n3 0 1\n2 # c\n");
     EXPECT_EQ(soup.points, (Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0.1}})) << head;
     EXPECT_EQ(soup.corners, (std::vector<int>{0, 1, 2})) << head;
@@ -18,9 +18,9 @@ TEST(Off, CountsAndCommentsAnywhere) {
 }
 
 TEST(Off, ColoursNormalsAndTexturesAreSkipped) {
-  for (const std::string keyword : {"COFF", "NOFF", "STOFF", "STCNOFF"}) {
+  for (const std::string keyword : {"COFF\n", "NOFF\n", "STOFF\n", "STCNOFF\n", "COFF"}) {
     const Soup soup =
-        soup_of(keyword + "\n3 2 0\n0 0 0 255 0 0 255\n1 0 0 0 255 0 255\n0 1 0 0 0 255 255\n3 0 1 2 1 0 0\n3 2 1 0\n");
+        soup_of(keyword + "3 2 0\n0 0 0 255 0 0 255\n1 0 0 0 255 0 255\n0 1 0 0 0 255 255\n3 0 1 2 1 0 0\n3 2 1 0\n");
     EXPECT_EQ(soup.points, (Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
     EXPECT_EQ(soup.face_ends, (std::vector<int>{3, 6}));
   }
@@ -33,6 +33,11 @@ TEST(Off, ErrorsNameTheLine) {
   EXPECT_EQ(error("hello\n"), "m.off:1 | m.off:1: does not begin with 'OFF' | ");
   EXPECT_EQ(error("OFF\n353535235358 6 0\n0 0 0\n"),
             "m.off:2 | m.off:2: the file cannot hold the 353535235358 vertices that its header announces | ");
+  EXPECT_EQ(error("OFFER\n"), "m.off:1 | m.off:1: does not begin with 'OFF' | ");
+  EXPECT_EQ(error("OFF3x 1 0\n"), "m.off:1 | m.off:1: '3x' is not a whole number | ");
+  EXPECT_EQ(error("OFF\n0\n"), "m.off:3 | m.off:3: the number of faces is missing | ");
+  EXPECT_EQ(error("OFF\n3 1 0\n0 0 0\n1 0\n0 1 0\n3 0 1 2\n"),
+            "m.off:4 | m.off:4: a coordinate of the vertex is missing | ");
   EXPECT_EQ(error("OFF\n1 -6 0\n0 0 0\n"),
             "m.off:2 | m.off:2: the file cannot hold the -6 faces that its header announces | ");
   EXPECT_EQ(error("OFF\n2 1 0\n0 0 0\n1 x 0\n"), "m.off:4 | m.off:4: 'x' is not a number that a double can hold | ");

@@ -110,7 +110,22 @@ TEST(Ply, TextErrorsNameTheLine) {
   EXPECT_EQ(error(head + "0 0 0\n1 0 0\n0 1 0\n3 0 1.5 2\n"),
             "m.ply:13 | m.ply:13: a face refers to a vertex whose number is no vertex | ");
   EXPECT_EQ(error(head + "0 0 0\n1 0 0\n0 1 0\n-3 0 1 2\n"), "m.ply:13 | m.ply:13: a list cannot have this length | ");
-  EXPECT_EQ(error(head + "0 0 0\n1 0 0\n0 1 0\n3 0 1\n"), "m.ply:14 | m.ply:14: the file ends too early | ");
+  EXPECT_EQ(error(head + "0 0 0\n1 0 0\n0 1 0\n# c\n"), "m.ply:14 | m.ply:14: the file ends too early | ");
+}
+
+TEST(Ply, AShortRowIsSaidWhereItStands) {
+  const std::string head = "ply\nformat ascii 1.0\n" + vertex_header + "property list uchar int marks\n" + face_header;
+  const auto error = [&](const std::string& rows) { return error_of([&] { soup_of(head + "end_header\n" + rows); }); };
+  const auto short_row = [](int line, const std::string& property) {
+    const std::string place = "m.ply:" + std::to_string(line);
+    return place + " | " + place + ": the row ends too early: a number of '" + property + "' is missing | ";
+  };
+  EXPECT_EQ(error("0 0 0 0\n1 0\n0 1 0 0\n3 0 1 2\n"), short_row(12, "z"));
+  EXPECT_EQ(error("0 0 0 0\n1 0 0 0\n\n0 1 0 2 7\n3 0 1 2\n"), short_row(14, "marks"));
+  EXPECT_EQ(error("0 0 0 0\n1 0 0 0\n0\n3 0 0 1 2\n"), short_row(13, "y"));
+  EXPECT_EQ(error("0 0 0 0\n1 0 0 0\n0 1 0 0\n3 0 1\n"), short_row(14, "vertex_indices"));
+  // An element may stand in several lines of its own.
+  EXPECT_EQ(error("0 0\n0 0\n1 0 0\n0\n0 1 0 0\n3\n0 1 2\n"), "");
 }
 
 TEST(Ply, HeaderErrorsNameTheLine) {

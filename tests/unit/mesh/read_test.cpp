@@ -67,6 +67,27 @@ TEST(ReadMesh, ContentWinsOverTheExtension) {
   expect_triangle(read_mesh(folder.file("m.OBJ", triangle_obj)), "obj");
 }
 
+TEST(ReadMesh, FormsThatAreSoundThoughUnusual) {
+  const Folder folder;
+  const std::string one_line = "OFF3 1 0" + triangle_off.substr(triangle_off.find("\n0 0 0"));
+  for (const char* name : {"m.off", "m.dat"}) expect_triangle(read_mesh(folder.file(name, one_line)), "off");
+  const std::string facets = triangle_stl.substr(triangle_stl.find("facet"), triangle_stl.find("endsolid") - 8);
+  for (const std::string& text : {facets, " \nFACET" + facets.substr(5), "# c\n" + facets})
+    for (const char* name : {"m.stl", "m.dat"}) expect_triangle(read_mesh(folder.file(name, text)), "stl");
+}
+
+TEST(ReadMesh, FacesThatCollapseOpenNothing) {
+  const Folder folder;
+  std::string cube = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n";
+  for (const auto& quad : test::cube_quads)
+    for (const int last : {2, 3})
+      cube += "f " + std::to_string(quad[0] + 1) + " " + std::to_string(quad[last - 1] + 1) + " " +
+              std::to_string(quad[last] + 1) + "\n";
+  const MeshReport report = read_mesh(folder.file("m.obj", cube + "f 1 1 2\nf 3 4 3 4\n")).report;
+  EXPECT_EQ(report.dropped_degenerate, 2);
+  EXPECT_EQ(report.open_edges + report.non_manifold_edges + report.misoriented_edges, 0);
+}
+
 TEST(ReadMesh, ErrorsNameTheFileAndTheReason) {
   const Folder folder;
   const auto error = [&](const std::string& name, const std::string& bytes) {

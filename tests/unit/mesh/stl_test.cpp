@@ -136,7 +136,7 @@ TEST(Stl, TextErrorsNameTheLine) {
   const auto error = [](const std::string& body) {
     return error_of([&] { read_stl("solid s\nfacet normal 0 0 1\n" + body, "m.stl"); });
   };
-  EXPECT_EQ(error("vertex 0 0\n"), "m.stl:3 | m.stl:3: a number is missing | ");
+  EXPECT_EQ(error("vertex 0 0\n"), "m.stl:3 | m.stl:3: the z coordinate is missing | ");
   EXPECT_EQ(error("vertex 0 0 zero\n"), "m.stl:3 | m.stl:3: 'zero' is not a number that a double can hold | ");
   EXPECT_EQ(error("vertex 0 0 0\nvertx 1 2 3"), "m.stl:4 | m.stl:4: 'vertx' does not belong into a text STL | ");
   EXPECT_EQ(error("vertex 0 0 0\n"), "m.stl:4 | m.stl:4: the file ends inside a facet | is the file complete?");

@@ -196,15 +196,41 @@ TEST(SceneRefusal, WhatIsNoToml) {
 TEST(SceneRefusal, WhatWouldExhaustMemoryOrStack) {
   std::string keys = "a";
   for (int i = 0; i < 500'000; ++i) keys += ".a";
-  const std::string hint = "dots in a key nest tables; write a shorter line";
+  const std::string hint = "dots in a key nest tables; write a shorter key";
   expect_refusals("", {
-                          {model + keys + " = 1", "3: has more than 100 dots in a line", hint},
-                          {"\n[" + keys + "]\n", "2: has more than 100 dots in a line", hint},
-                          {std::string(3'000'000, '['), " has more than 2 MB", "is it a scene file?"},
+                          {model + keys + " = 1", "3: has more than 100 dots in a key", hint},
+                          {"\n[" + keys + "]\n", "2: has more than 100 dots in a key", hint},
+                          {std::string(3'000'000, '['), " has more than 2 MB", "is it the right file?"},
                       });
+}
+
+// Behind all that may stand beside a key and hold dots or quotes itself.
+TEST(SceneRefusal, KeysWithManyDotsAnywhere) {
+  std::string keys = "a";
+  for (int i = 0; i < 200'000; ++i) keys += i % 2 == 0 ? ".a" : " . 'b'";
+  const auto refused = [](int line) { return std::to_string(line) + ": has more than 100 dots in a key"; };
+  const std::string hint = "dots in a key nest tables; write a shorter key";
+  expect_refusals(model, {{"name = 'a' # '\n" + keys + " = 1", refused(4), hint},
+                          {"name = \"\\\"\"\n" + keys + " = 1", refused(4), hint},
+                          {"name = \"\"\"\n\\\"\"\"\"\"\n" + keys + " = 1", refused(5), hint},
+                          {"name = '''\n'''''\n" + keys + " = 1", refused(5), hint},
+                          {"name = [[{b = '', " + keys + " = 1}]]", refused(3), hint},
+                          {"name = {" + keys + " = 1}", refused(3), hint}});
+}
+
+TEST(SceneFile, DotsThatNestNothingAreFine) {
   const Folder folder;
-  const std::string comment = "# " + std::string(1000, '.') + "\n";
-  EXPECT_EQ(read_scene_file(folder.file("scene.toml", comment + model)).models.size(), 1U);
+  const auto models = [&](const std::string& text) {
+    return read_scene_file(folder.file("scene.toml", text)).models.size();
+  };
+  std::string many = "model=[";
+  for (int i = 0; i < 200; ++i)
+    many += "{file=\"cube.obj\",transform=\"translate:" + std::to_string(i) + ".5,0.0,0\"},";
+  EXPECT_EQ(models(many + "]\nview=[{projection='front'}]\n"), 200U);
+  const std::string dots(1000, '.');
+  EXPECT_EQ(models("# " + dots + "\n" + model + "name = 'a' # " + dots), 1U);
+  EXPECT_EQ(models(model + "name = '" + dots + "'"), 1U);
+  EXPECT_EQ(models(model + "name = \"\"\"\\\n" + dots + "\"\"\""), 1U);
 }
 
 TEST(SceneRefusal, FilesThatAreNone) {

@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <functional>
+#include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "base/text.hpp"
 #include "errors.hpp"
 #include "plate.hpp"
+#include "sheet/paper.hpp"
+#include "sheet/view_lines.hpp"
 #include "study/compare/comparison.hpp"
 
 namespace epura::test {
@@ -155,11 +159,38 @@ TEST(CompareJson, TellsLinesApart) {
   EXPECT_EQ(changes_of_json([](Lines& l) { l.push_back({{50, 10}, {60, 10}, true}); }), "added");
   EXPECT_EQ(changes_of_json([](Lines& l) { l[3].visible = true; }), "visibility");
   EXPECT_EQ(changes_of_json([](Lines& l) { l[0].kind = "smooth"; }), "restyled");
+  EXPECT_EQ(changes_of_json([](Lines& l) { l[0].kind = "tangent"; }), "restyled");
+  EXPECT_EQ(changes_of_json([](Lines& l) { l[0].kind = "section"; }), "");
+  EXPECT_EQ(changes_of_json([](Lines& l) { l[3].kind = "tangent"; }), "removed");
   EXPECT_EQ(changes_of_json([](Lines& l) { l[3].from.x += 0.01; }), "moved");
   EXPECT_EQ(changes_of_json([](Lines& l) { l[0].to = {41, 10}; }), "added");
   const std::string face = R"(, "cut_faces": [{"model": 0, "body": 0, "rings": [[[10, 10], [40, 10], [10, 40]]]}])";
   EXPECT_EQ(changes(compare(as_json(json_of(triangle)), as_json(json_of(triangle, "front", face)), 0.001)),
             "added added added");
+}
+
+// A drawing of one line of a kind, as people see it on a sheet and as it is in JSON.
+TEST(CompareJson, SeesEdgesOfAllKindsAsSheetsDrawThem) {
+  for (int i = 0; i <= static_cast<int>(EdgeKind::smooth); ++i)
+    for (const bool seen : {true, false}) {
+      const auto kind = static_cast<EdgeKind>(i);
+      const std::vector<Vec2> points = {{10, 10}, {40, 10}};
+      Drawing drawing;
+      drawing.name = "front";
+      drawing.segments = {{points[0], points[1], seen, kind, 0, {0, 1}, -1, {0, 1}}};
+      drawing.chains = {{points, false, seen, kind, {0}}};
+      const Paper paper = parse_paper("A4", false);
+      Sheet sheet{paper.width, paper.height, "one", view_layers(drawing, line_widths(paper), {ModelLook()})};
+      const Picture drawn = picture_of_svg(to_svg(sheet, {}), "test.svg");
+      const Picture read = picture_of_json(to_json(sheet, 1, std::span(&drawing, 1), {}), "test.json");
+      const auto look_of = [](const Picture& picture) {
+        if (picture.pieces.empty()) return std::tuple(0.0, false, std::vector<double>());
+        const PictureLook& look = picture.looks[static_cast<std::size_t>(picture.pieces[0].look)];
+        return std::tuple(look.width, look.visible, look.dashes);
+      };
+      EXPECT_EQ(look_of(read), look_of(drawn)) << name_of(kind) << seen;
+      EXPECT_EQ(read.pieces.size(), drawn.pieces.size()) << name_of(kind) << seen;
+    }
 }
 
 TEST(CompareJson, RefusesWhatIsNoDrawing) {

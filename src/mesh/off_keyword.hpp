@@ -1,0 +1,12 @@
+// By what OFF files are known.
+#pragma once
+
+#include <string_view>
+
+namespace epura {
+
+/// The keyword that the first word of a file begins with, [ST][C][N][4][n]OFF; empty if there is none. Numbers may
+/// stand right behind it: "OFF8".
+std::string_view off_keyword(std::string_view word);
+
+}  // namespace epura

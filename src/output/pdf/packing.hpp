@@ -1,0 +1,40 @@
+// What streams of a PDF file unpack to, looked at before they are kept. Flate makes a thousand bytes of one, filters
+// can be chained, and a predictor asks for as much memory as it likes: a small file may mean more than there is memory
+// for.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <qpdf/QPDF.hh>
+#include <qpdf/QPDFObjectHandle.hh>
+#include <string>
+
+namespace epura {
+
+/// How many more bytes a file may unpack to.
+class UnpackRoom {
+ public:
+  UnpackRoom(std::size_t bytes, std::string where) : where_(std::move(where)), most_(bytes), left_(bytes) {}
+
+  /// The data of a stream. Throws Error{input} where there is no room for it, or it cannot be unpacked.
+  std::string unpack(QPDFObjectHandle stream);
+  /// The same of Flate data that begin at `at` of a file.
+  void measure(const std::string& file, std::size_t at);
+
+ private:
+  [[noreturn]] void refuse() const;
+
+  std::string where_;
+  std::size_t most_, left_;
+};
+
+/// Looks at the bytes of a whole file. Throws Error{input} unless its streams are packed as epura packs them: not at
+/// all or by Flate once, tables with predictors of short rows, and nothing encrypted; and unless its tables of objects
+/// are small, which qpdf reads before anything of the file can be asked for.
+void check_packing(const std::string& file, const std::string& where);
+
+/// Throws Error{input} unless the streams that hold objects are small. Of a file that has been opened and not asked
+/// yet.
+void check_object_streams(QPDF& pdf, std::size_t bytes, const std::string& where);
+
+}  // namespace epura

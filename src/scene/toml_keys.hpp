@@ -1,0 +1,13 @@
+// Keys of TOML that nest tables, before the library reads them.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+namespace epura {
+
+/// The line, from 1, of the first key with more than `most_dots` dots in it. Dots in strings and comments are none.
+std::optional<std::size_t> line_of_deep_key(std::string_view text, std::size_t most_dots);
+
+}  // namespace epura

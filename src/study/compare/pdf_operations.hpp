@@ -1,0 +1,21 @@
+// The content of a page or a layer of a PDF file, operation by operation.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace epura {
+
+/// An operator of a content stream with its operands. ISO 32000-1, 7.8.2.
+struct PdfOperation {
+  std::string_view name{};           ///< "l", "cm" ...
+  std::vector<double> numbers{};     ///< those in lists, too
+  std::vector<std::string> words{};  ///< names, with their slash
+};
+
+/// In their order; `take` sees each while it is called. Texts, dictionaries and comments are passed over.
+void for_each_operation(std::string_view content, const std::function<void(const PdfOperation&)>& take);
+
+}  // namespace epura
