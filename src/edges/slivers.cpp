@@ -11,7 +11,7 @@ namespace epura {
 namespace {
 
 // Products of coordinates of triangles lower than this part of the scene keep too few digits.
-constexpr double scene_rounding = 0x1p-40;
+constexpr double scene_rounding = 0x1p-48;
 // Triangles are slivers that are lower on the page than so many times its resolution, so that the page grid takes none
 // of the others for a line.
 constexpr double lowest_on_page = 2;
