@@ -61,7 +61,7 @@ void show(const ProjectionEntry& entry) {
 }
 
 int list(const std::vector<std::filesystem::path>& folders) {
-  const Catalogue catalogue = load_watched(folders);
+  const Catalogue catalogue = load_catalogue(folders);
   std::string family;
   for (const ProjectionEntry& entry : catalogue.entries) {
     if (entry.family != family) print((family.empty() ? "" : "\n") + entry.family);

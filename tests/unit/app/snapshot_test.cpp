@@ -1,42 +1,16 @@
 // epura snapshot, as users run it.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <optional>
-
 #include "errors.hpp"
 #include "folder.hpp"
 #include "golden.hpp"
 #include "program.hpp"
+#include "variable.hpp"
 
 namespace epura::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Sets a variable of the environment, or takes it away, while it lives.
-class Variable {
- public:
-  Variable(const char* name, const char* value) : name_(name) {
-    if (const char* old = std::getenv(name)) old_ = old;
-    set(value);
-  }
-  Variable(const Variable&) = delete;
-  Variable& operator=(const Variable&) = delete;
-  ~Variable() { set(old_ ? old_->c_str() : nullptr); }
-
- private:
-  void set(const char* value) const {
-    if (value != nullptr) {
-      ::setenv(name_, value, 1);
-    } else {
-      ::unsetenv(name_);
-    }
-  }
-
-  const char* name_;
-  std::optional<std::string> old_;
-};
 
 /// Copies of golden cases, to be broken.
 struct Suite {
