@@ -1,5 +1,6 @@
 #include <malloc.h>
 
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -33,6 +34,8 @@ int main(int argc, char** argv) {
   // All threads take from one heap, where what one of them has freed serves another: a tenth less memory. They wait
   // for each other there, which makes whole runs at most a few percent longer.
   mallopt(M_ARENA_MAX, 1);
+  // A file that may not grow further is refused as one on a full disk.
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     const int code = run(argc, argv);
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <utility>
 
 #include "base/error.hpp"
 #include "base/file.hpp"
@@ -45,10 +46,40 @@ std::string encode(Format format, std::span<const FinishedSheet> sheets, const V
 
 }  // namespace
 
-std::string numbered(const std::string& path, std::size_t number) {
+std::vector<std::string> one_for_each(const std::string& path, std::size_t sheets) {
+  if (sheets == 1) return {path};
   const std::filesystem::path file(path);
-  return (file.parent_path() / (file.stem().string() + "-" + std::to_string(number))).string() +
-         file.extension().string();
+  const std::string stem = (file.parent_path() / file.stem()).string() + "-";
+  std::vector<std::string> paths;
+  for (std::size_t i = 1; i <= sheets; ++i) paths.push_back(stem + std::to_string(i) + file.extension().string());
+  return paths;
+}
+
+std::vector<std::string> files_of(const Target& target, std::size_t sheets) {
+  return one_for_each(target.path, has_pages(target.format) || target.path == "-" ? 1 : sheets);
+}
+
+std::vector<std::string> files_of(const std::vector<Target>& targets, std::size_t sheets) {
+  std::vector<std::string> all;
+  for (const Target& target : targets)
+    for (std::string& file : files_of(target, sheets)) all.push_back(std::move(file));
+  return all;
+}
+
+void refuse_overwriting(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs) {
+  const auto refuse = [](const std::string& output, const std::string& reason) {
+    throw Error(Trouble::input, output, reason, "write to another file");
+  };
+  for (auto output = outputs.begin(); output != outputs.end(); ++output) {
+    const auto is_it = [&](const std::string& other) {
+      return *output == other || (*output != "-" && other != "-" && is_one_file(*output, other));
+    };
+    if (const auto input = std::find_if(inputs.begin(), inputs.end(), is_it); input != inputs.end())
+      refuse(*output, *input == *output ? "is an input, too" : "is the input " + *input + " by another name");
+    if (const auto earlier = std::find_if(outputs.begin(), output, is_it); earlier != output)
+      refuse(*output,
+             *earlier == *output ? "is named twice as output" : "is the output " + *earlier + " by another name");
+  }
 }
 
 std::vector<Target> targets_of(const DrawOptions& options) {
@@ -67,8 +98,6 @@ std::vector<Target> targets_of(const DrawOptions& options) {
       throw Error(Trouble::input, path,
                   extension.empty() ? "has no extension to tell the format" : "has an unknown format",
                   did_you_mean(extension, format_names()));
-    for (const Target& other : targets)
-      if (other.path == path) throw Error(Trouble::input, path, "is named twice as output");
     targets.push_back({path, *format});
   }
   return targets;
@@ -83,9 +112,9 @@ std::vector<FileBytes> encode_all(const std::vector<Target>& targets, std::span<
     if (one_each && target.path == "-")
       throw Error(Trouble::input, "--output -", "takes one sheet, and there are " + std::to_string(sheets.size()),
                   "write PDF, or to a file");
-    for (std::size_t i = 0; i < (one_each ? sheets.size() : 1); ++i)
-      files.push_back({one_each ? numbered(target.path, i + 1) : target.path,
-                       encode(target.format, one_each ? sheets.subspan(i, 1) : sheets, options, report)});
+    const std::vector<std::string> paths = files_of(target, sheets.size());
+    for (std::size_t i = 0; i < paths.size(); ++i)
+      files.push_back({paths[i], encode(target.format, one_each ? sheets.subspan(i, 1) : sheets, options, report)});
     progress.advance(1);
   }
   return files;

@@ -16,6 +16,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// As many as Linux follows.
+constexpr int most_links = 40;
+
 // A file descriptor that closes itself.
 class Descriptor {
  public:
@@ -114,6 +117,25 @@ bool replace_by_named(const fs::path& target, std::string_view bytes, Progress p
 
 }  // namespace
 
+fs::path end_of_links(const fs::path& path) {
+  fs::path end = path;
+  std::error_code error;
+  for (int links = 0; links < most_links && fs::is_symlink(end, error); ++links) {
+    const fs::path next = fs::read_symlink(end, error);
+    if (error) break;
+    end = end.parent_path() / next;
+  }
+  return end;
+}
+
+bool is_one_file(const fs::path& a, const fs::path& b) {
+  std::error_code error;
+  const fs::path end_a = end_of_links(a), end_b = end_of_links(b);
+  if (fs::exists(end_a, error) && fs::exists(end_b, error))
+    return fs::is_regular_file(end_a, error) && fs::equivalent(end_a, end_b, error);
+  return fs::weakly_canonical(fs::absolute(end_a), error) == fs::weakly_canonical(fs::absolute(end_b), error);
+}
+
 std::string read_file(const fs::path& path) {
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (file.number() < 0) fail(Trouble::input, path, "read", errno);
@@ -141,9 +163,8 @@ void write_file(const fs::path& path, std::string_view bytes, Progress progress)
   if (fs::is_directory(path, ignored)) throw Error(Trouble::output, path.string(), "is a directory, not a file");
   if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored)) return write_directly(path, bytes);
 
-  // A link is followed, so that it stays a link.
-  fs::path target = fs::is_symlink(path, ignored) ? fs::canonical(path, ignored) : path;
-  if (target.empty()) target = path;
+  const fs::path target = end_of_links(path);
+  if (fs::is_symlink(target, ignored)) fail(Trouble::output, path, "write", ELOOP);
   if (fs::exists(target, ignored) && ::access(target.c_str(), W_OK) != 0) fail(Trouble::output, path, "write", errno);
   if (!replace_by_nameless(target, bytes, progress) && !replace_by_named(target, bytes, progress))
     fail(Trouble::output, path, "write", errno);

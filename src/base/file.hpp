@@ -9,11 +9,19 @@
 
 namespace epura {
 
+/// Where something written to the path goes: the end of links that there are, also of those that lead to nothing yet.
+/// Links in a circle stay what they are.
+std::filesystem::path end_of_links(const std::filesystem::path& path);
+
+/// Whether two paths are one file, by whatever links and names; also one that is not there yet. Devices and pipes are no
+/// files in this sense: they may be written to twice.
+bool is_one_file(const std::filesystem::path& a, const std::filesystem::path& b);
+
 /// All bytes of a regular file (or of a pipe). Throws Error{input} naming the path and the reason.
 std::string read_file(const std::filesystem::path& path);
 
-/// Writes beside the target, without a name where the file system can, and renames at the end. Throws Error{output};
-/// the old file then stays. A target that is no regular file (a device, a pipe) is written to directly.
+/// Writes beside the target, without a name where the file system can, and renames at the end. Links stay links. Throws
+/// Error{output}; the old file then stays. A target that is no regular file (a device, a pipe) is written to directly.
 void write_file(const std::filesystem::path& path, std::string_view bytes, Progress progress = {});
 
 }  // namespace epura

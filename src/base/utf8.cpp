@@ -39,12 +39,12 @@ Character first_character(std::string_view text) {
 
 /// C0, DEL and C1 move the cursor and change colours; the others turn the direction of writing, so that a text seems to
 /// say something else.
-bool is_control(char32_t code) {
+bool steers_terminals(char32_t code) {
   return code < 0x20 || (code >= 0x7F && code < 0xA0) || code == 0x061C || code == 0x200E || code == 0x200F ||
          (code >= 0x2028 && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
 }
 
-bool is_blank(char32_t code) { return code == '\n' || code == '\t'; }
+bool ends_line_or_column(char32_t code) { return code == '\n' || code == '\t'; }
 
 }  // namespace
 
@@ -80,13 +80,14 @@ std::string valid_utf8(std::string_view text) {
 
 std::string printable(std::string_view text) {
   std::string shown;
-  for (const char32_t code : characters(text)) shown += utf8(is_control(code) && !is_blank(code) ? replacement : code);
+  for (const char32_t code : characters(text))
+    shown += utf8(steers_terminals(code) && !ends_line_or_column(code) ? replacement : code);
   return shown;
 }
 
 std::string one_line(std::string_view text) {
   std::string line = printable(text);
-  std::replace_if(line.begin(), line.end(), is_blank, ' ');
+  std::replace_if(line.begin(), line.end(), ends_line_or_column, ' ');
   return line;
 }
 

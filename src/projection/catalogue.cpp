@@ -84,6 +84,8 @@ std::optional<ProjectionEntry> entry_named(std::string_view name, const std::vec
 [[noreturn]] void throw_unknown(std::string_view name, const Catalogue& catalogue) {
   std::vector<std::string> names;
   for (const ProjectionEntry& entry : catalogue.entries) names.push_back(entry.name);
+  for (const BadPlugin& bad : catalogue.bad)
+    if (bad.path.stem() == name) throw Error(Trouble::plugin, bad.path.string(), bad.reason);
   std::string hint = names.empty() ? "no projections were found" : did_you_mean(name, names);
   for (const BadPlugin& bad : catalogue.bad) hint += ('\n' + bad.path.string()) + ": " + bad.reason;
   throw Error(Trouble::plugin, std::string(name), "no such projection", hint);

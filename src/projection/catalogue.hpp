@@ -62,7 +62,8 @@ std::vector<std::filesystem::path> plugin_folders(const std::vector<std::filesys
 Catalogue load_catalogue(const std::vector<std::filesystem::path>& folders);
 
 /// Finds one projection, reading as few plugins as possible: NAME.so first, then the others until it is found.
-/// Throws Error{plugin} with "did you mean" when there is none, naming bad plugins that might have held it.
+/// Throws Error{plugin} when there is none: what is wrong with NAME.so; otherwise "did you mean", and the bad plugins
+/// that might have held it.
 ProjectionEntry find_projection(std::string_view name, const std::vector<std::filesystem::path>& folders);
 
 /// NAME[:key=value]... -> name and assignments. Vectors have commas, choices are words. Throws Error{input}.

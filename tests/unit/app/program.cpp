@@ -31,11 +31,12 @@ std::vector<std::string> environment() {
 }  // namespace
 
 Running::Running(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
-                 const std::string& out_path)
+                 const std::string& out_path, const std::string& limits)
     : keeps_out_(out_path.empty()),
       out_(keeps_out_ ? (scratch_ / "out").string() : out_path),
       err_((scratch_ / "err").string()) {
   std::vector<std::string> words{EPURA_TEST_PROGRAM};
+  if (!limits.empty()) words.insert(words.begin(), {"/bin/sh", "-c", limits + R"(; exec "$0" "$@")"});
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<std::string> variables = environment();
 
@@ -69,8 +70,8 @@ Outcome Running::wait() {
 }
 
 Outcome epura(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
-              const std::string& out_path) {
-  return Running(arguments, folder, out_path).wait();
+              const std::string& out_path, const std::string& limits) {
+  return Running(arguments, folder, out_path, limits).wait();
 }
 
 }  // namespace epura::test

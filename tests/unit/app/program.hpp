@@ -21,7 +21,7 @@ class Running {
  public:
   /// As `epura` below, which waits for it.
   Running(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
-          const std::string& out_path = {});
+          const std::string& out_path = {}, const std::string& limits = {});
   Running(const Running&) = delete;
   Running& operator=(const Running&) = delete;
   ~Running();
@@ -40,8 +40,9 @@ class Running {
 
 /// Runs the program with `arguments` in `folder`; the environment is that of the test, without $EPURA_PLUGIN_PATH.
 /// Standard output goes into `out`, or to the file `out_path` if one is named.
+/// `limits` are commands of the shell before it: "ulimit -n 4".
 Outcome epura(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
-              const std::string& out_path = {});
+              const std::string& out_path = {}, const std::string& limits = {});
 
 /// The root of the repository.
 inline std::filesystem::path root() { return std::filesystem::path(EPURA_TEST_SAMPLES).parent_path(); }

@@ -52,7 +52,8 @@ TEST_P(refused_when_loaded, is_named_with_the_reason) {
 TEST_P(refused_when_loaded, is_named_when_it_is_looked_up) {
   const Error error = error_of([] { find_projection("plain", {bad(GetParam().folder)}); });
   EXPECT_EQ(error.trouble(), Trouble::plugin);
-  EXPECT_TRUE(contains(error.hint(), GetParam().reason)) << error.hint();
+  EXPECT_EQ(error.where(), (bad(GetParam().folder) / "plain.so").string());
+  EXPECT_TRUE(contains(error.what(), GetParam().reason)) << error.what();
 }
 
 class refused_when_asked : public testing::TestWithParam<Refusal> {};
