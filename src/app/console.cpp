@@ -17,6 +17,7 @@
 #include "app/choose.hpp"
 #include "app/progress_line.hpp"
 #include "base/error.hpp"
+#include "base/utf8.hpp"
 
 namespace epura {
 
@@ -79,7 +80,7 @@ Console::~Console() {
 void Console::print(std::string_view lines) {
   const std::lock_guard lock(printing_);
   erase_line();
-  put(lines);
+  put(printable(lines));
 }
 
 void Console::watch() {

@@ -8,6 +8,7 @@
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "base/error.hpp"
+#include "base/utf8.hpp"
 
 namespace {
 
@@ -42,8 +43,8 @@ int main(int argc, char** argv) {
       throw epura::Error(epura::Trouble::output, "standard output", "cannot be written");
     return code;
   } catch (const epura::Error& error) {
-    std::fprintf(stderr, "epura: %s\n", error.what());
-    if (!error.hint().empty()) std::fprintf(stderr, "  hint: %s\n", error.hint().c_str());
+    std::fprintf(stderr, "epura: %s\n", epura::printable(error.what()).c_str());
+    if (!error.hint().empty()) std::fprintf(stderr, "  hint: %s\n", epura::printable(error.hint()).c_str());
     return static_cast<int>(error.trouble());
   } catch (const std::bad_alloc&) {
     std::fputs("epura: not enough memory for this model\n", stderr);
