@@ -1,5 +1,4 @@
 // Drawing JSON -> picture.
-#include <rapidjson/document.h>
 #include <rapidjson/error/en.h>
 
 #include <cmath>
@@ -7,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "study/compare/json_document.hpp"
 #include "study/compare/read_pictures.hpp"
 
 namespace epura {
@@ -111,7 +111,7 @@ void add_view(Picture& picture, const Place& view) {
 }  // namespace
 
 Picture picture_of_json(std::string_view bytes, const std::string& where) {
-  rapidjson::Document document;
+  JsonDocument document;
   document.Parse<flags>(bytes.data(), bytes.size());
   if (document.HasParseError())
     throw Error(Trouble::input, where,
