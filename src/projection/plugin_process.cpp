@@ -244,11 +244,16 @@ std::vector<ProjectionEntry> PluginProcess::start() {
   std::array<int, 2> ends{-1, -1};
   const bool is_connected = ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) == 0;
   const pid_t child = is_connected ? ::fork() : -1;
-  if (child == 0) serve(path_, ends[1]);
-  const std::string reason = child < 0 ? std::strerror(errno) : "";
-  for (const int last : {ends[1], child < 0 ? ends[0] : -1})
-    if (last >= 0) ::close(last);
-  if (child < 0) refuse("cannot get a process of its own: " + reason);
+  if (child == 0) {
+    ::close(ends[0]);
+    serve(path_, ends[1]);
+  }
+  if (child < 0) {
+    const std::string reason = std::strerror(errno);
+    if (is_connected) ::close(ends[0]), ::close(ends[1]);
+    refuse("cannot get a process of its own: " + reason);
+  }
+  ::close(ends[1]);
   child_ = child;
   socket_ = ends[0];
   try {
