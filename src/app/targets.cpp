@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <utility>
 
 #include "base/error.hpp"
@@ -67,18 +68,21 @@ std::vector<std::string> files_of(const std::vector<Target>& targets, std::size_
 }
 
 void refuse_overwriting(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs) {
-  const auto refuse = [](const std::string& output, const std::string& reason) {
-    throw Error(Trouble::input, output, reason, "write to another file");
+  struct Taken {
+    std::string name, role;
   };
-  for (auto output = outputs.begin(); output != outputs.end(); ++output) {
-    const auto is_it = [&](const std::string& other) {
-      return *output == other || (*output != "-" && other != "-" && is_one_file(*output, other));
-    };
-    if (const auto input = std::find_if(inputs.begin(), inputs.end(), is_it); input != inputs.end())
-      refuse(*output, *input == *output ? "is an input, too" : "is the input " + *input + " by another name");
-    if (const auto earlier = std::find_if(outputs.begin(), output, is_it); earlier != output)
-      refuse(*output,
-             *earlier == *output ? "is named twice as output" : "is the output " + *earlier + " by another name");
+  std::map<std::string, Taken> taken;  // by what they are
+  for (const std::string& input : inputs) taken.insert({identity_of_file(input), {input, "input"}});
+  for (const std::string& output : outputs) {
+    const std::string identity = output == "-" ? output : identity_of_file(output);
+    if (identity.empty()) continue;
+    const auto [other, is_free] = taken.insert({identity, {output, "output"}});
+    const auto& [name, role] = other->second;
+    if (!is_free)
+      throw Error(Trouble::input, output,
+                  name != output ? "is the " + role + " " + name + " by another name"
+                                 : "is named twice, the other time as " + role,
+                  "write to another file");
   }
 }
 

@@ -128,12 +128,12 @@ fs::path end_of_links(const fs::path& path) {
   return end;
 }
 
-bool is_one_file(const fs::path& a, const fs::path& b) {
+std::string identity_of_file(const fs::path& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) == 0)
+    return S_ISREG(status.st_mode) ? std::to_string(status.st_dev) + ":" + std::to_string(status.st_ino) : "";
   std::error_code error;
-  const fs::path end_a = end_of_links(a), end_b = end_of_links(b);
-  if (fs::exists(end_a, error) && fs::exists(end_b, error))
-    return fs::is_regular_file(end_a, error) && fs::equivalent(end_a, end_b, error);
-  return fs::weakly_canonical(fs::absolute(end_a), error) == fs::weakly_canonical(fs::absolute(end_b), error);
+  return fs::weakly_canonical(fs::absolute(end_of_links(path)), error).string();
 }
 
 std::string read_file(const fs::path& path) {

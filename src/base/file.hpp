@@ -13,9 +13,9 @@ namespace epura {
 /// Links in a circle stay what they are.
 std::filesystem::path end_of_links(const std::filesystem::path& path);
 
-/// Whether two paths are one file, by whatever links and names; also one that is not there yet. Devices and pipes are
-/// no files in this sense: they may be written to twice.
-bool is_one_file(const std::filesystem::path& a, const std::filesystem::path& b);
+/// The same text for two paths exactly if they are one file, by whatever links and names; also of one that is not there
+/// yet. Empty for devices, pipes and folders: they may be written to twice, or not at all.
+std::string identity_of_file(const std::filesystem::path& path);
 
 /// All bytes of a regular file (or of a pipe). Throws Error{input} naming the path and the reason.
 std::string read_file(const std::filesystem::path& path);

@@ -51,7 +51,8 @@ TEST(Drawing, OverwritesNoInput) {
 
 TEST(Drawing, WritesNoFileTwice) {
   const Files files;
-  files.expect_refused({"draw", "cube.obj", "-o", "a.svg", "-o", "a.svg"}, "a.svg: is named twice as output");
+  files.expect_refused({"draw", "cube.obj", "-o", "a.svg", "-o", "a.svg"},
+                       "a.svg: is named twice, the other time as output");
   files.expect_refused({"draw", "cube.obj", "-o", "a.svg", "-o", "./a.svg"}, "is the output a.svg by another name");
   files.expect_refused({"draw", "cube.obj", "-o", "to-come.svg", "-o", "dangling.svg"},
                        "is the output to-come.svg by another name");

@@ -98,12 +98,11 @@ TEST(Files, OneFileIsKnownByAllItsNames) {
   fs::create_symlink("a", folder / "soft");
   fs::create_symlink("soft", folder / "softer");
   fs::create_symlink("new", folder / "to-come");
-  for (const char* name : {"a", "hard", "soft", "softer", "./a"}) EXPECT_TRUE(is_one_file(folder / "a", folder / name));
-  EXPECT_TRUE(is_one_file(folder / "new", folder / "to-come"));
-  EXPECT_TRUE(is_one_file(folder / "new", folder / "missing/../new"));
-  EXPECT_FALSE(is_one_file(folder / "a", folder / "b"));
-  EXPECT_FALSE(is_one_file(folder / "a", folder / "to-come"));
-  EXPECT_FALSE(is_one_file("/dev/null", "/dev/null"));
+  const auto identity = [&](const char* name) { return identity_of_file(folder / name); };
+  for (const char* name : {"hard", "soft", "softer", "./a"}) EXPECT_EQ(identity(name), identity("a")) << name;
+  for (const char* name : {"to-come", "missing/../new"}) EXPECT_EQ(identity(name), identity("new")) << name;
+  for (const char* name : {"b", "new", "to-come"}) EXPECT_NE(identity(name), identity("a")) << name;
+  for (const fs::path& none : {fs::path("/dev/null"), folder / ""}) EXPECT_EQ(identity_of_file(none), "");
 }
 
 TEST(Files, AReaderKeepsTheOldFile) {
