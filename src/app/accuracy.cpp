@@ -55,11 +55,12 @@ Targets targets_of(const AccuracyOptions& options) {
                                        {"png", ReportFormat::png}});
 }
 
-// x-1.svg, x-2.svg where there are several, as draw names its sheets.
-void write_report(const ReportTarget<ReportFormat>& target, const AccuracyReport& report, Progress progress) {
+void write_report(const ReportTarget<ReportFormat>& target, const AccuracyReport& report,
+                  const std::vector<std::string>& inputs, Progress progress) {
   const std::vector<std::string> files = to_files(report, target.format);
-  for (std::size_t i = 0; i < files.size(); ++i)
-    write_file(files.size() == 1 ? target.path : numbered(target.path, i + 1), files[i], progress);
+  const std::vector<std::string> paths = one_for_each(target.path, files.size());
+  refuse_overwriting(paths, inputs);
+  for (std::size_t i = 0; i < files.size(); ++i) write_file(paths[i], files[i], progress);
 }
 
 std::vector<Method> methods_of(const AccuracyOptions& options) {
@@ -96,6 +97,14 @@ std::vector<StudiedScene> scenes_of(const AccuracyOptions& options) {
     scenes.push_back({path, std::move(scene), std::move(sheets)});
   }
   return scenes;
+}
+
+std::vector<std::string> inputs_of(const std::vector<StudiedScene>& scenes, const AccuracyOptions& options) {
+  std::vector<std::string> files;
+  for (const StudiedScene& scene : scenes)
+    for (std::string& file : inputs_of(drawing_of(scene.path, options), scene.description))
+      files.push_back(std::move(file));
+  return files;
 }
 
 /// Measures the views of one scene.
@@ -164,6 +173,8 @@ int study_accuracy(const AccuracyOptions& options) {
   const Targets targets = targets_of(options);
   const std::vector<Method> methods = methods_of(options);
   const std::vector<StudiedScene> scenes = scenes_of(options);
+  const std::vector<std::string> inputs = inputs_of(scenes, options);
+  refuse_overwriting(options.outputs, inputs);
   const Messages messages = messages_to(console);
   Study study(options, methods, messages, progress);
   AccuracyReport report;
@@ -173,7 +184,7 @@ int study_accuracy(const AccuracyOptions& options) {
     progress.begin("measuring maps");
     report.maps = measure_maps(options.runs);
   }
-  for (const ReportTarget<ReportFormat>& target : targets) write_report(target, report, progress);
+  for (const ReportTarget<ReportFormat>& target : targets) write_report(target, report, inputs, progress);
   console.print("");  // the line of progress makes room
   return 0;
 }

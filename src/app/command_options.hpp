@@ -49,6 +49,21 @@ void add_word(CLI::App& app, const std::string& option, std::string& value, cons
 void add_choice(CLI::App& app, const std::string& option, std::string& value, const std::string& word,
                 const std::string& help);
 
+/// What an option has to do with: the look of a drawing, files that are read or written, code that is loaded, or the
+/// run and what it says. The help has a heading for each. In the hands of strangers only the first is harmless.
+enum class Nature { drawing, file, code, run };
+
+/// The options that are defined from here on are of this nature; those before any call are of none.
+void define_next(CLI::App& app, Nature nature);
+
+bool is_of(const CLI::Option& option, Nature nature);
+
+/// The innermost command that was named.
+const CLI::App& chosen_command(const CLI::App& app);
+
+/// CLI11 says which arguments nobody took; this says what was perhaps meant. Throws Error{input}.
+[[noreturn]] void refuse_wrong_use(const CLI::App& app, const CLI::ParseError& error);
+
 /// --threads and --progress of commands that compute for long.
 void add_threads(CLI::App& app, int& threads);
 void add_progress(CLI::App& app, std::string& progress);

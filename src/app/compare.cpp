@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "app/commands.hpp"
 #include "app/targets.hpp"
@@ -48,6 +49,10 @@ int compare(const CompareOptions& options) {
   const Comparison comparison = compare(before, after, options.tolerance);
   const std::string words = in_words(comparison, options.tolerance);
   const bool same = comparison.differences.empty();
+  std::vector<std::string> outputs = files_of(targets, comparison.pages.size());
+  for (const std::string& file : {options.json, is_html(options.overlay) ? options.overlay : ""})
+    if (!file.empty()) outputs.push_back(file);
+  refuse_overwriting(outputs, {options.before, options.after});
   write_overlay(targets, comparison);
   if (is_html(options.overlay))
     write_file(options.overlay, html_report(options.before + " | " + options.after,

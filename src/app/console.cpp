@@ -7,13 +7,17 @@
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
+#include <cstring>
+#include <system_error>
 
 #include "app/choose.hpp"
 #include "app/progress_line.hpp"
 #include "base/error.hpp"
+#include "base/utf8.hpp"
 
 namespace epura {
 
@@ -41,6 +45,10 @@ std::size_t terminal_width() {
   return known ? size.ws_col - 1U : 79U;
 }
 
+[[noreturn]] void refuse(const std::string& what, const std::string& remedy) {
+  throw Error(Trouble::input, "this process", what, remedy);
+}
+
 void put(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
 
 }  // namespace
@@ -51,9 +59,13 @@ Console::Console(ProgressBoard& board, bool shows_progress) : board_(board), sho
   const sigset_t signals = ending_signals();
   ::pthread_sigmask(SIG_BLOCK, &signals, &old_mask_);
   signals_ = ::signalfd(-1, &signals, SFD_CLOEXEC);
-  end_ = ::eventfd(0, EFD_CLOEXEC);
-  check(signals_ >= 0 && end_ >= 0, "descriptors for signals are there");
-  watcher_ = std::thread([this] { watch(); });
+  end_ = signals_ < 0 ? -1 : ::eventfd(0, EFD_CLOEXEC);
+  if (end_ < 0) refuse(std::string("cannot open a descriptor: ") + std::strerror(errno), "raise ulimit -n");
+  try {
+    watcher_ = std::thread([this] { watch(); });
+  } catch (const std::system_error& error) {
+    refuse(std::string("cannot begin a thread: ") + error.what(), "raise ulimit -v and ulimit -u");
+  }
 }
 
 Console::~Console() {
@@ -68,7 +80,7 @@ Console::~Console() {
 void Console::print(std::string_view lines) {
   const std::lock_guard lock(printing_);
   erase_line();
-  put(lines);
+  put(printable(lines));
 }
 
 void Console::watch() {

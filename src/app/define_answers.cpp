@@ -8,8 +8,8 @@
 #include "app/command_tree.hpp"
 #include "app/completion.hpp"
 #include "app/manual.hpp"
-#include "app/plugin_texts.hpp"
 #include "base/error.hpp"
+#include "projection/catalogue.hpp"
 
 namespace epura {
 
@@ -20,7 +20,7 @@ DefinedCommand define_manual(CLI::App& program) {
   const auto plugin_path = std::make_shared<std::vector<std::filesystem::path>>();
   add_list(*app, "--plugin-path", *plugin_path, "more folders with projection plugins")->type_name("DIR");
   return {app, [&program, plugin_path] {
-            return Answer{manual_page(describe_command(program), load_watched(plugin_folders(*plugin_path)).entries)};
+            return Answer{manual_page(describe_command(program), load_catalogue(plugin_folders(*plugin_path)).entries)};
           }};
 }
 

@@ -80,7 +80,7 @@ void define_plugins(CLI::App& plugins, PluginsOptions& options) {
 void define_check(CLI::App& check, CheckPluginOptions& options) {
   check.add_option("file", options.file, "the library, e.g. build/mine.so")->required()->type_name("FILE.so");
   add_number(check, "--time-limit", options.time_limit, {0, 1e6},
-             "seconds for loading it, and again for the checks; those built in take some milliseconds")
+             "seconds for loading it, and again for each answer; those built in take some milliseconds")
       ->type_name("S");
 }
 

@@ -10,10 +10,17 @@ namespace epura {
 
 namespace {
 
-void define_inputs(CLI::App& draw, DrawOptions& options) {
+void define_files(CLI::App& draw, DrawOptions& options) {
   draw.add_option("models", options.models, "model files: obj stl ply off; or one scene file: toml")
       ->required()
       ->type_name("MODEL...");
+  add_list(draw, "-o,--output", options.outputs,
+           "file to write, by extension: " + joined(format_names()) + "; - for standard output")
+      ->type_name("FILE");
+  draw.add_option("--format", options.format, "format of '-'")->type_name("NAME");
+}
+
+void define_places(CLI::App& draw, DrawOptions& options) {
   add_list(draw, "--transform", options.transforms,
            "where models stand, e.g. \"rotate:z,30 translate:0,0,5\"; once for all models, or once for each")
       ->type_name("STEPS");
@@ -27,7 +34,6 @@ void define_view(CLI::App& draw, DrawOptions& options) {
       ->type_name("NAME")
       ->default_str("isometric");
   add_word(draw, "--views", options.views, "NAMES", "", "several views on one sheet: front,top,left,isometric");
-  add_list(draw, "--plugin-path", options.plugin_path, "more folders with projection plugins")->type_name("DIR");
   add_word(
       draw, "--section", options.section, "POINT:NORMAL", "",
       "cut through the models, e.g. 0,0,10:0,-1,0; what lies on the side to which the normal points is taken away");
@@ -92,11 +98,7 @@ void define_title_block(CLI::App& draw, DrawOptions& options) {
   }
 }
 
-void define_outputs(CLI::App& draw, DrawOptions& options) {
-  add_list(draw, "-o,--output", options.outputs,
-           "file to write, by extension: " + joined(format_names()) + "; - for standard output")
-      ->type_name("FILE");
-  draw.add_option("--format", options.format, "format of '-'")->type_name("NAME");
+void define_formats(CLI::App& draw, DrawOptions& options) {
   draw.add_flag("--plain", options.plain, "SVG without the origin of lines");
   draw.add_option("--svg-text", options.svg_text,
                   "lettering of SVG: outlines, or text, which needs the font to look right")
@@ -139,12 +141,18 @@ void define_questions(CLI::App& draw, DrawOptions& options) {
 }  // namespace
 
 void define_drawing(CLI::App& draw, DrawOptions& options) {
-  define_inputs(draw, options);
-  define_outputs(draw, options);
+  define_next(draw, Nature::file);
+  define_files(draw, options);
+  define_next(draw, Nature::code);
+  add_list(draw, "--plugin-path", options.plugin_path, "more folders with projection plugins")->type_name("DIR");
+  define_next(draw, Nature::drawing);
+  define_places(draw, options);
   define_view(draw, options);
   define_lines(draw, options);
   define_sheet(draw, options);
   define_title_block(draw, options);
+  define_formats(draw, options);
+  define_next(draw, Nature::run);
   define_questions(draw, options);
   define_run(draw, options);
 }

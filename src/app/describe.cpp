@@ -128,4 +128,10 @@ SceneDescription describe(const DrawOptions& options) {
   return scene;
 }
 
+std::vector<std::string> inputs_of(const DrawOptions& options, const SceneDescription& scene) {
+  std::vector<std::string> files = options.models;
+  for (const ModelDescription& model : scene.models) files.push_back(model.file.text);
+  return files;
+}
+
 }  // namespace epura

@@ -1,6 +1,9 @@
 // Options, and the scene file that they may name -> what is to be drawn.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "app/options.hpp"
 #include "scene/description.hpp"
 
@@ -9,5 +12,8 @@ namespace epura {
 /// What an option says wins over what the scene file says. Every description has models, views and sheets.
 /// Throws Error{input} for a scene file beside models, and for options that a scene file leaves no room for.
 SceneDescription describe(const DrawOptions& options);
+
+/// The files that are read for it.
+std::vector<std::string> inputs_of(const DrawOptions& options, const SceneDescription& scene);
 
 }  // namespace epura

@@ -152,6 +152,7 @@ DrawnFiles draw_files(const DrawOptions& options, const Messages& messages, Prog
   const Questions questions = parse_questions(options);
   const SceneDescription scene = describe(options);
   const std::vector<SheetOfViews> sheets = views_by_sheet(scene, plan_views(scene, options));
+  refuse_overwriting(files_of(targets, sheets.size()), inputs_of(options, scene));
   watch.lap("prepare");
 
   const LeaveOut leave_out = parse_leave_out(options.plan);

@@ -1,5 +1,6 @@
 #include <malloc.h>
 
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
@@ -7,6 +8,7 @@
 #include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "base/error.hpp"
+#include "base/utf8.hpp"
 
 namespace {
 
@@ -33,14 +35,16 @@ int main(int argc, char** argv) {
   // All threads take from one heap, where what one of them has freed serves another: a tenth less memory. They wait
   // for each other there, which makes whole runs at most a few percent longer.
   mallopt(M_ARENA_MAX, 1);
+  // A file that may not grow further is refused as one on a full disk.
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     const int code = run(argc, argv);
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
       throw epura::Error(epura::Trouble::output, "standard output", "cannot be written");
     return code;
   } catch (const epura::Error& error) {
-    std::fprintf(stderr, "epura: %s\n", error.what());
-    if (!error.hint().empty()) std::fprintf(stderr, "  hint: %s\n", error.hint().c_str());
+    std::fprintf(stderr, "epura: %s\n", epura::printable(error.what()).c_str());
+    if (!error.hint().empty()) std::fprintf(stderr, "  hint: %s\n", epura::printable(error.hint()).c_str());
     return static_cast<int>(error.trouble());
   } catch (const std::bad_alloc&) {
     std::fputs("epura: not enough memory for this model\n", stderr);

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "projection/plugin_process.hpp"
+
 namespace epura {
 
 /// Empty texts are not given.
@@ -74,9 +76,6 @@ struct PluginsOptions {
   std::string name;  ///< empty: list all
   std::vector<std::filesystem::path> plugin_path;
 };
-
-/// Seconds that a plugin may take to load where it is watched, and again for its checks.
-inline constexpr double plugin_seconds = 10;
 
 struct CheckPluginOptions {
   std::filesystem::path file;

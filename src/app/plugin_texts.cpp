@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "app/contained.hpp"
-#include "app/options.hpp"
 #include "base/text.hpp"
 
 namespace epura {
@@ -29,11 +27,6 @@ std::string range_text(const Parameter& parameter) {
 }
 
 }  // namespace
-
-Catalogue load_watched(const std::vector<std::filesystem::path>& folders) {
-  return load_catalogue(folders,
-                        [](const std::filesystem::path& file) { return trouble_with_loading(file, plugin_seconds); });
-}
 
 std::string usual_value(const Parameter& parameter) {
   for (const double value : parameter.initial)

@@ -5,6 +5,7 @@
 #include "app/plugin_texts.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "base/utf8.hpp"
 #include "projection/catalogue.hpp"
 #include "projection/matrices.hpp"
 #include "view/condition.hpp"
@@ -13,7 +14,7 @@ namespace epura {
 
 namespace {
 
-void print(const std::string& line) { std::printf("%s\n", line.c_str()); }
+void print(const std::string& line) { std::printf("%s\n", printable(line).c_str()); }
 
 std::string padded(std::string text, std::size_t width) {
   text.resize(std::max(text.size() + 1, width), ' ');
@@ -61,7 +62,7 @@ void show(const ProjectionEntry& entry) {
 }
 
 int list(const std::vector<std::filesystem::path>& folders) {
-  const Catalogue catalogue = load_watched(folders);
+  const Catalogue catalogue = load_catalogue(folders);
   std::string family;
   for (const ProjectionEntry& entry : catalogue.entries) {
     if (entry.family != family) print((family.empty() ? "" : "\n") + entry.family);
@@ -69,7 +70,7 @@ int list(const std::vector<std::filesystem::path>& folders) {
     print("  " + padded(entry.name, 18) + entry.summary);
   }
   for (const BadPlugin& bad : catalogue.bad)
-    std::fprintf(stderr, "epura: %s: %s\n", bad.path.c_str(), bad.reason.c_str());
+    std::fprintf(stderr, "epura: %s: %s\n", printable(bad.path.string()).c_str(), bad.reason.c_str());
   if (!catalogue.entries.empty()) return 0;
   throw Error(Trouble::plugin, "plugins", "none found", "name their folder with --plugin-path or $EPURA_PLUGIN_PATH");
 }

@@ -71,6 +71,7 @@ int study_stability(const StabilityOptions& options) {
   const Progress progress(board);
   const ThreadLimit threads(options.threads);
   const Targets targets = targets_of(options);
+  refuse_overwriting(options.outputs, {});
   const std::vector<stability::Case> cases = chosen_cases(options.cases);
   const stability::Report report = stability::run(cases, options.size, progress);
 

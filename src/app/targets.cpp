@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <map>
+#include <utility>
 
 #include "base/error.hpp"
 #include "base/file.hpp"
@@ -45,10 +47,43 @@ std::string encode(Format format, std::span<const FinishedSheet> sheets, const V
 
 }  // namespace
 
-std::string numbered(const std::string& path, std::size_t number) {
+std::vector<std::string> one_for_each(const std::string& path, std::size_t sheets) {
+  if (sheets == 1) return {path};
   const std::filesystem::path file(path);
-  return (file.parent_path() / (file.stem().string() + "-" + std::to_string(number))).string() +
-         file.extension().string();
+  const std::string stem = (file.parent_path() / file.stem()).string() + "-";
+  std::vector<std::string> paths;
+  for (std::size_t i = 1; i <= sheets; ++i) paths.push_back(stem + std::to_string(i) + file.extension().string());
+  return paths;
+}
+
+std::vector<std::string> files_of(const Target& target, std::size_t sheets) {
+  return one_for_each(target.path, has_pages(target.format) || target.path == "-" ? 1 : sheets);
+}
+
+std::vector<std::string> files_of(const std::vector<Target>& targets, std::size_t sheets) {
+  std::vector<std::string> all;
+  for (const Target& target : targets)
+    for (std::string& file : files_of(target, sheets)) all.push_back(std::move(file));
+  return all;
+}
+
+void refuse_overwriting(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs) {
+  struct Taken {
+    std::string name, role;
+  };
+  std::map<std::string, Taken> taken;  // by what they are
+  for (const std::string& input : inputs) taken.insert({identity_of_file(input), {input, "input"}});
+  for (const std::string& output : outputs) {
+    const std::string identity = output == "-" ? output : identity_of_file(output);
+    if (identity.empty()) continue;
+    const auto [other, is_free] = taken.insert({identity, {output, "output"}});
+    const auto& [name, role] = other->second;
+    if (!is_free)
+      throw Error(Trouble::input, output,
+                  name != output ? "is the " + role + " " + name + " by another name"
+                                 : "is named twice, the other time as " + role,
+                  "write to another file");
+  }
 }
 
 std::vector<Target> targets_of(const DrawOptions& options) {
@@ -67,8 +102,6 @@ std::vector<Target> targets_of(const DrawOptions& options) {
       throw Error(Trouble::input, path,
                   extension.empty() ? "has no extension to tell the format" : "has an unknown format",
                   did_you_mean(extension, format_names()));
-    for (const Target& other : targets)
-      if (other.path == path) throw Error(Trouble::input, path, "is named twice as output");
     targets.push_back({path, *format});
   }
   return targets;
@@ -83,9 +116,9 @@ std::vector<FileBytes> encode_all(const std::vector<Target>& targets, std::span<
     if (one_each && target.path == "-")
       throw Error(Trouble::input, "--output -", "takes one sheet, and there are " + std::to_string(sheets.size()),
                   "write PDF, or to a file");
-    for (std::size_t i = 0; i < (one_each ? sheets.size() : 1); ++i)
-      files.push_back({one_each ? numbered(target.path, i + 1) : target.path,
-                       encode(target.format, one_each ? sheets.subspan(i, 1) : sheets, options, report)});
+    const std::vector<std::string> paths = files_of(target, sheets.size());
+    for (std::size_t i = 0; i < paths.size(); ++i)
+      files.push_back({paths[i], encode(target.format, one_each ? sheets.subspan(i, 1) : sheets, options, report)});
     progress.advance(1);
   }
   return files;

@@ -28,15 +28,23 @@ struct FinishedSheet {
   std::vector<std::string> warnings{};  ///< what of it is not as was wished
 };
 
-/// x-2.svg for x.svg.
-std::string numbered(const std::string& path, std::size_t number);
+/// The files that are written for so many `sheets` (or pages, or diagrams), one each: x-1.svg, x-2.svg for x.svg where
+/// there are several.
+std::vector<std::string> one_for_each(const std::string& path, std::size_t sheets);
+
+/// The same, where PDF and PostScript have one file for all sheets.
+std::vector<std::string> files_of(const Target& target, std::size_t sheets);
+std::vector<std::string> files_of(const std::vector<Target>& targets, std::size_t sheets);
+
+/// To be asked before anything is written: an output that is an input, by whatever name, would take from the user what
+/// it is made of; of two that are one file the first would be lost. Throws Error{input}.
+void refuse_overwriting(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs);
 
 struct FileBytes {
   std::string path, bytes;
 };
 
-/// PDF and PostScript have one file for all sheets, the other formats one for each: x-1.svg, x-2.svg where there are
-/// several.
+/// All files of all targets.
 std::vector<FileBytes> encode_all(const std::vector<Target>& targets, std::span<const FinishedSheet> sheets,
                                   const VectorOptions& options, const Report& report, Progress progress);
 

@@ -67,7 +67,8 @@ std::vector<Suggestion> continue_list(const std::string& text, const std::vector
 
 std::vector<Suggestion> projections(const Folders& folders) {
   std::vector<Suggestion> suggestions;
-  for (const ProjectionEntry& entry : load_watched(folders).entries) suggestions.push_back({entry.name, entry.summary});
+  for (const ProjectionEntry& entry : load_catalogue(folders).entries)
+    suggestions.push_back({entry.name, entry.summary});
   return suggestions;
 }
 

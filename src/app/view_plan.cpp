@@ -1,5 +1,7 @@
 #include "app/view_plan.hpp"
 
+#include <map>
+
 #include "app/choose.hpp"
 
 namespace epura {
@@ -76,13 +78,17 @@ ViewWish wish_of(const SceneDescription& scene, const ViewDescription& view, con
 
 std::vector<PlannedView> plan_views(const SceneDescription& scene, const DrawOptions& options) {
   const auto folders = plugin_folders(options.plugin_path);
-  const auto find = [&folders](const ProjectionRequest& request) { return find_projection(request.name, folders); };
+  std::map<std::string, ProjectionEntry> found;  // views of one projection ask one process
+  const auto find = [&](const std::string& name) {
+    const auto known = found.find(name);
+    return known != found.end() ? known->second : found.emplace(name, find_projection(name, folders)).first->second;
+  };
   std::vector<PlannedView> plans;
   for (const ViewDescription& view : scene.views) {
     const ViewWish wish = wish_of(scene, view, options);
     const auto plan = [&](const std::string& text) -> PlannedView {
       const ProjectionRequest request = parse_request(text);
-      return {request, find(request), wish};
+      return {request, find(request.name), wish};
     };
     plans.push_back(parse_given(view.projection, plan));
   }

@@ -18,6 +18,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::uintmax_t most_bytes_of_pipe = 1'000'000'000;
+// As many as Linux follows.
+constexpr int most_links = 40;
 
 // A file descriptor that closes itself.
 class Descriptor {
@@ -124,6 +126,25 @@ bool replace_by_named(const fs::path& target, std::string_view bytes, Progress p
 
 }  // namespace
 
+fs::path end_of_links(const fs::path& path) {
+  fs::path end = path;
+  std::error_code error;
+  for (int links = 0; links < most_links && fs::is_symlink(end, error); ++links) {
+    const fs::path next = fs::read_symlink(end, error);
+    if (error) break;
+    end = end.parent_path() / next;
+  }
+  return end;
+}
+
+std::string identity_of_file(const fs::path& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) == 0)
+    return S_ISREG(status.st_mode) ? std::to_string(status.st_dev) + ":" + std::to_string(status.st_ino) : "";
+  std::error_code error;
+  return fs::weakly_canonical(fs::absolute(end_of_links(path)), error).string();
+}
+
 std::string read_file(const fs::path& path, std::uintmax_t most_bytes) {
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY));
   if (file.number() < 0) fail(Trouble::input, path, "read", errno);
@@ -162,9 +183,8 @@ void write_file(const fs::path& path, std::string_view bytes, Progress progress)
   if (fs::is_directory(path, ignored)) throw Error(Trouble::output, path.string(), "is a directory, not a file");
   if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored)) return write_directly(path, bytes);
 
-  // A link is followed, so that it stays a link.
-  fs::path target = fs::is_symlink(path, ignored) ? fs::canonical(path, ignored) : path;
-  if (target.empty()) target = path;
+  const fs::path target = end_of_links(path);
+  if (fs::is_symlink(target, ignored)) fail(Trouble::output, path, "write", ELOOP);
   if (fs::exists(target, ignored) && ::access(target.c_str(), W_OK) != 0) fail(Trouble::output, path, "write", errno);
   if (!replace_by_nameless(target, bytes, progress) && !replace_by_named(target, bytes, progress))
     fail(Trouble::output, path, "write", errno);

@@ -5,24 +5,61 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 
+#include <latch>
+#include <system_error>
+#include <thread>
+#include <vector>
+
 namespace epura {
+
+namespace {
+
+std::size_t thread_limit() { return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism); }
+
+/// Where memory or processes are few, oneTBB ends the program from one of its own threads: the only time at which this
+/// can be found out is before.
+bool can_begin(std::size_t threads) {
+  std::latch all_there(1);
+  std::vector<std::thread> begun;
+  bool can = true;
+  try {
+    while (begun.size() < threads) begun.emplace_back([&] { all_there.wait(); });
+  } catch (const std::system_error&) {
+    can = false;
+  }
+  all_there.count_down();
+  for (std::thread& thread : begun) thread.join();
+  return can;
+}
+
+void for_alone(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body) {
+  // As small as oneTBB cuts them for one thread: between them, stages tell how far they are.
+  const std::size_t piece = std::max(grain, count / 16);
+  for (std::size_t begin = 0; begin < count; begin += piece) body(begin, std::min(begin + piece, count));
+}
+
+}  // namespace
 
 void parallel_for(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body) {
   if (count <= grain) {
     if (count > 0) body(0, count);
     return;
   }
+  if (thread_limit() == 1) return for_alone(count, grain, body);
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
                     [&](const tbb::blocked_range<std::size_t>& range) { body(range.begin(), range.end()); });
 }
 
 void parallel_both(const std::function<void()>& first, const std::function<void()>& second) {
-  tbb::parallel_invoke(first, second);
+  if (thread_limit() > 1) return tbb::parallel_invoke(first, second);
+  first();
+  second();
 }
 
 ThreadLimit::ThreadLimit(int threads) : control_(nullptr) {
-  if (threads > 0)
-    control_ = new tbb::global_control(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  std::size_t limit = threads > 0 ? static_cast<std::size_t>(threads) : thread_limit();
+  if (!can_begin(limit - 1)) limit = 1;
+  if (limit != thread_limit()) control_ = new tbb::global_control(tbb::global_control::max_allowed_parallelism, limit);
 }
 
 ThreadLimit::~ThreadLimit() { delete static_cast<tbb::global_control*>(control_); }

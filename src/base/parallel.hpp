@@ -23,7 +23,8 @@ void parallel_sort(Iterator begin, Iterator end) {
   std::inplace_merge(begin, middle, end);
 }
 
-/// Limits the number of threads while it lives; 0 means all cores.
+/// Limits the number of threads while it lives; 0 means all cores. Where so many cannot be begun, one does the work:
+/// the result is the same.
 class ThreadLimit {
  public:
   explicit ThreadLimit(int threads);

@@ -5,6 +5,8 @@
 
 #include <string>
 
+#include "base/kept_arithmetic.hpp"
+
 namespace epura {
 
 namespace fs = std::filesystem;
@@ -34,6 +36,7 @@ fs::path own_library() {
 void* load_library(const fs::path& path, Trouble trouble) {
   // dlopen searches the system's folders for a path without a slash.
   const std::string file = fs::absolute(path).string();
+  const KeptArithmetic arithmetic;
   void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library == nullptr) throw Error(trouble, "", loading_error(file));
   return library;

@@ -1,5 +1,6 @@
 #include "base/utf8.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -14,7 +15,10 @@ struct Character {
   char32_t code;
 };
 
-// What stands at the front of a text; one byte and U+FFFD when that is no character.
+// Unicode, 23.7: U+FDD0 to U+FDEF, and the last two of every plane. Neither XML nor Cairo takes all of them.
+bool is_noncharacter(char32_t code) { return (code >= 0xFDD0 && code <= 0xFDEF) || (code & 0xFFFE) == 0xFFFE; }
+
+// What stands at the front of a text: U+FFFD for a noncharacter, and for one byte that is part of nothing.
 Character first_character(std::string_view text) {
   constexpr Character invalid{1, replacement};
   const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
@@ -29,9 +33,18 @@ Character first_character(std::string_view text) {
   }
   const bool overlong = (length == 3 && code < 0x800) || (length == 4 && code < 0x10000);
   const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
-  if (overlong || surrogate || code > 0x10FFFF || code == 0xFFFE || code == 0xFFFF) return invalid;
-  return {length, code};
+  if (overlong || surrogate || code > 0x10FFFF) return invalid;
+  return {length, is_noncharacter(code) ? replacement : code};
 }
+
+/// C0, DEL and C1 move the cursor and change colours; the others turn the direction of writing, so that a text seems to
+/// say something else.
+bool steers_terminals(char32_t code) {
+  return code < 0x20 || (code >= 0x7F && code < 0xA0) || code == 0x061C || code == 0x200E || code == 0x200F ||
+         (code >= 0x2028 && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
+}
+
+bool ends_line_or_column(char32_t code) { return code == '\n' || code == '\t'; }
 
 }  // namespace
 
@@ -63,6 +76,19 @@ std::string valid_utf8(std::string_view text) {
     text.remove_prefix(character.length);
   }
   return valid;
+}
+
+std::string printable(std::string_view text) {
+  std::string shown;
+  for (const char32_t code : characters(text))
+    shown += utf8(steers_terminals(code) && !ends_line_or_column(code) ? replacement : code);
+  return shown;
+}
+
+std::string one_line(std::string_view text) {
+  std::string line = printable(text);
+  std::replace_if(line.begin(), line.end(), ends_line_or_column, ' ');
+  return line;
 }
 
 }  // namespace epura

@@ -7,11 +7,17 @@
 
 namespace epura {
 
-/// The text with every byte that is not part of a valid character replaced by U+FFFD. U+FFFE and U+FFFF, which XML
-/// forbids, count as invalid.
+/// The text with U+FFFD for every noncharacter, such as U+FFFF, and for every byte that is part of no character.
 std::string valid_utf8(std::string_view text);
 
-/// The characters of a text; U+FFFD for every byte that is not part of one.
+/// Text of strangers as it may be shown: valid UTF-8, and U+FFFD for what moves the cursor, changes colours or turns
+/// the direction of writing. Ends of lines and tabs stay.
+std::string printable(std::string_view text);
+
+/// The same, with blanks for ends of lines and tabs.
+std::string one_line(std::string_view text);
+
+/// The characters of a text, replaced in the same way.
 std::vector<char32_t> characters(std::string_view text);
 
 /// One character as UTF-8.

@@ -54,7 +54,11 @@ class ObjPartReader {
   void corner(std::string_view word) {
     const long long number = text_.integer(word.substr(0, word.find('/')), "the number of a vertex");
     if (number == 0) text_.fail("a face refers to vertex 0", "vertices are numbered from 1");
-    if (number < 0) part_.relative.push_back({part_.corners.size(), part_.points.size(), number, line()});
+    if (number < 0) {
+      part_.relative.push_back({part_.corners.size(), part_.points.size(), number, line()});
+      part_.corners.push_back(0);  // until the parts are joined
+      return;
+    }
     if (number - 1 > part_.largest) {
       part_.largest = number - 1;
       part_.largest_line = line();

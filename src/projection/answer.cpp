@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "base/kept_arithmetic.hpp"
 
 namespace epura {
 
@@ -29,9 +30,7 @@ ParameterValues default_values(const ProjectionEntry& entry) {
 }
 
 /// Limits and window are preset, so that a simple projection need not speak of them.
-PluginAnswer ask_plugin(const ProjectionEntry& entry, const ParameterValues& values, const Box& scene) {
-  std::vector<double> flat;
-  for (const std::vector<double>& value : values) flat.insert(flat.end(), value.begin(), value.end());
+PluginAnswer call_plugin(const epura_projection& definition, const std::vector<double>& values, const Box& scene) {
   const Box box = scene.empty() ? Box{Vec3(0), Vec3(0)} : scene;
   const epura_scene known{
       sizeof(epura_scene), {box.least.x, box.least.y, box.least.z}, {box.most.x, box.most.y, box.most.z}};
@@ -40,13 +39,25 @@ PluginAnswer ask_plugin(const ProjectionEntry& entry, const ParameterValues& val
   answer.view.scale = 1;
   answer.view.front = HUGE_VAL;
   answer.view.back = -HUGE_VAL;
-  const auto* definition = static_cast<const epura_projection*>(entry.definition);
+  const KeptArithmetic arithmetic;
   try {
-    if (const char* sentence = definition->project(flat.data(), &known, &answer.view)) answer.refusal = sentence;
+    if (const char* sentence = definition.project(values.data(), &known, &answer.view)) answer.refusal = sentence;
   } catch (...) {
-    throw Error(Trouble::plugin, entry.plugin.string(), "'" + entry.name + "' threw an exception across the border");
+    throw Error(Trouble::plugin, "", "threw an exception across the border");
   }
+  if (arithmetic.is_changed())
+    throw Error(Trouble::plugin, "", "leaves another rounding mode, or takes tiny numbers for zero");
   return answer;
+}
+
+PluginAnswer ask_plugin(const ProjectionEntry& entry, const ParameterValues& values, const Box& scene) {
+  std::vector<double> flat;
+  for (const std::vector<double>& value : values) flat.insert(flat.end(), value.begin(), value.end());
+  try {
+    return entry.ask(flat, scene);
+  } catch (const Error& error) {
+    throw Error(Trouble::plugin, entry.plugin.string(), "'" + entry.name + "' " + error.what());
+  }
 }
 
 std::string fault_of_numbers(const epura_view& view) {

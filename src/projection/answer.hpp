@@ -19,12 +19,17 @@ using ParameterValues = std::vector<std::vector<double>>;
 /// Those that hold unless others are given.
 ParameterValues default_values(const ProjectionEntry& entry);
 
+/// A plugin's answer to values.
 struct PluginAnswer {
   epura_view view;
   std::optional<std::string> refusal;  ///< the sentence by which the plugin refuses the values; `view` is then nothing
 };
 
-/// Asks the plugin. `scene` is the box of everything. Throws Error{plugin} when an exception crosses the border.
+/// Calls the plugin, here and now: an AskProjection for libraries that this process has loaded. An exception that
+/// crosses the border and arithmetic that is not what it was are errors.
+PluginAnswer call_plugin(const epura_projection& definition, const std::vector<double>& values, const Box& scene);
+
+/// Asks for a projection. `scene` is the box of everything. Throws Error{plugin} naming the library.
 PluginAnswer ask_plugin(const ProjectionEntry& entry, const ParameterValues& values, const Box& scene);
 
 /// What keeps an answer from being a projection, each a sentence, or empty if nothing does. To be asked in this order:

@@ -4,11 +4,13 @@
 #include <cstdlib>
 #include <optional>
 #include <tuple>
+#include <utility>
 
 #include "base/error.hpp"
 #include "base/shared_library.hpp"
 #include "base/text.hpp"
 #include "projection/loader.hpp"
+#include "projection/plugin_process.hpp"
 
 namespace epura {
 
@@ -29,9 +31,11 @@ std::vector<fs::path> libraries_in(const fs::path& folder, std::vector<BadPlugin
   return libraries;
 }
 
-std::vector<ProjectionEntry> read_or_note(const fs::path& path, std::vector<BadPlugin>& bad) {
+/// What is known to be bad is not tried again.
+std::vector<ProjectionEntry> read_or_note(const fs::path& path, Afterwards afterwards, std::vector<BadPlugin>& bad) {
+  if (std::any_of(bad.begin(), bad.end(), [&](const BadPlugin& known) { return known.path == path; })) return {};
   try {
-    return read_plugin(path);
+    return read_plugin_apart(path, afterwards);
   } catch (const Error& error) {
     bad.push_back({path, error.what()});
     return {};
@@ -59,6 +63,18 @@ void drop_duplicates(Catalogue& catalogue) {
   entries = std::move(kept);
 }
 
+Catalogue load_all(const std::vector<fs::path>& folders, std::vector<BadPlugin> known_as_bad) {
+  Catalogue catalogue{{}, std::move(known_as_bad)};
+  for (const fs::path& folder : folders)
+    for (const fs::path& library : libraries_in(folder, catalogue.bad))
+      for (ProjectionEntry& entry : read_or_note(library, Afterwards::rests, catalogue.bad))
+        catalogue.entries.push_back(std::move(entry));
+  drop_duplicates(catalogue);
+  std::sort(catalogue.entries.begin(), catalogue.entries.end(),
+            [](const auto& a, const auto& b) { return std::tie(a.family, a.name) < std::tie(b.family, b.name); });
+  return catalogue;
+}
+
 std::optional<ProjectionEntry> entry_named(std::string_view name, const std::vector<ProjectionEntry>& entries) {
   const auto found = std::find_if(entries.begin(), entries.end(), [&](const auto& e) { return e.name == name; });
   if (found == entries.end()) return std::nullopt;
@@ -68,6 +84,8 @@ std::optional<ProjectionEntry> entry_named(std::string_view name, const std::vec
 [[noreturn]] void throw_unknown(std::string_view name, const Catalogue& catalogue) {
   std::vector<std::string> names;
   for (const ProjectionEntry& entry : catalogue.entries) names.push_back(entry.name);
+  for (const BadPlugin& bad : catalogue.bad)
+    if (bad.path.stem() == name) throw Error(Trouble::plugin, bad.path.string(), bad.reason);
   std::string hint = names.empty() ? "no projections were found" : did_you_mean(name, names);
   for (const BadPlugin& bad : catalogue.bad) hint += ('\n' + bad.path.string()) + ": " + bad.reason;
   throw Error(Trouble::plugin, std::string(name), "no such projection", hint);
@@ -84,21 +102,7 @@ std::vector<fs::path> plugin_folders(const std::vector<fs::path>& extra) {
   return folders;
 }
 
-Catalogue load_catalogue(const std::vector<fs::path>& folders, const Screening& screening) {
-  Catalogue catalogue;
-  for (const fs::path& folder : folders)
-    for (const fs::path& library : libraries_in(folder, catalogue.bad)) {
-      if (std::string reason = screening ? screening(library) : std::string(); !reason.empty())
-        catalogue.bad.push_back({library, std::move(reason)});
-      else
-        for (ProjectionEntry& entry : read_or_note(library, catalogue.bad))
-          catalogue.entries.push_back(std::move(entry));
-    }
-  drop_duplicates(catalogue);
-  std::sort(catalogue.entries.begin(), catalogue.entries.end(),
-            [](const auto& a, const auto& b) { return std::tie(a.family, a.name) < std::tie(b.family, b.name); });
-  return catalogue;
-}
+Catalogue load_catalogue(const std::vector<fs::path>& folders) { return load_all(folders, {}); }
 
 ProjectionEntry find_projection(std::string_view name, const std::vector<fs::path>& folders) {
   std::vector<BadPlugin> bad;
@@ -107,9 +111,9 @@ ProjectionEntry find_projection(std::string_view name, const std::vector<fs::pat
     const fs::path library = folder / (std::string(name) + ".so");
     std::error_code error;
     if (!fs::is_regular_file(library, error)) continue;
-    if (auto entry = entry_named(name, read_or_note(library, bad))) return *std::move(entry);
+    if (auto entry = entry_named(name, read_or_note(library, Afterwards::waits, bad))) return *std::move(entry);
   }
-  const Catalogue catalogue = load_catalogue(folders);
+  const Catalogue catalogue = load_all(folders, std::move(bad));
   if (auto entry = entry_named(name, catalogue.entries)) return *std::move(entry);
   throw_unknown(name, catalogue);
 }

@@ -25,6 +25,12 @@ struct Parameter {
   double least, most;
 };
 
+struct PluginAnswer;
+
+/// Asks a projection of a plugin: with the components of all values in the order of its table, for the box of
+/// everything. Throws Error{plugin} without a place when that ends badly.
+using AskProjection = std::function<PluginAnswer(const std::vector<double>& values, const Box& scene)>;
+
 /// A projection that a plugin offers.
 struct ProjectionEntry {
   std::string name;
@@ -33,7 +39,7 @@ struct ProjectionEntry {
   std::string reference;
   std::vector<Parameter> parameters;
   std::filesystem::path plugin;  ///< the library it comes from
-  const void* definition;        ///< the plugin's epura_projection
+  AskProjection ask;
 };
 
 /// A library that could not be used, and why.
@@ -51,15 +57,13 @@ struct Catalogue {
 /// beside the program (../lib/epura/projections from the executable). Never the current folder unless it is named.
 std::vector<std::filesystem::path> plugin_folders(const std::vector<std::filesystem::path>& extra);
 
-/// Says why a library must not be loaded here; nothing if it may.
-using Screening = std::function<std::string(const std::filesystem::path& library)>;
+/// Reads every plugin (*.so) in the folders, each in a process of its own (projection/plugin_process.hpp). Of several
+/// projections with one name, the one in NAME.so is taken, otherwise the first; two in one folder are reported.
+Catalogue load_catalogue(const std::vector<std::filesystem::path>& folders);
 
-/// Loads every plugin (*.so) in the folders, if `screening` lets it. Of several projections with one name, the one in
-/// NAME.so is taken, otherwise the first; two in one folder are reported.
-Catalogue load_catalogue(const std::vector<std::filesystem::path>& folders, const Screening& screening = {});
-
-/// Finds one projection, loading as few plugins as possible: NAME.so first, then the others until it is found.
-/// Throws Error{plugin} with "did you mean" when there is none, naming bad plugins that might have held it.
+/// Finds one projection, reading as few plugins as possible: NAME.so first, then the others until it is found.
+/// Throws Error{plugin} when there is none: what is wrong with NAME.so; otherwise "did you mean", and the bad plugins
+/// that might have held it.
 ProjectionEntry find_projection(std::string_view name, const std::vector<std::filesystem::path>& folders);
 
 /// NAME[:key=value]... -> name and assignments. Vectors have commas, choices are words. Throws Error{input}.

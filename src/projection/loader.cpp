@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "base/shared_library.hpp"
 #include "base/text.hpp"
+#include "projection/answer.hpp"
 
 namespace epura {
 
@@ -117,13 +118,14 @@ ProjectionEntry entry_of(const epura_projection& row, std::size_t place, const s
   const std::string projection = std::string("projection '") + row.name + "'";
   require(row.family != nullptr && row.summary != nullptr, projection + " has no family or no summary");
   require(row.project != nullptr, projection + " has no function");
-  return {.name = row.name,
-          .family = row.family,
-          .summary = row.summary,
-          .reference = row.reference == nullptr ? "" : row.reference,
-          .parameters = parameters_of(row, projection),
-          .plugin = path,
-          .definition = &row};
+  return {
+      .name = row.name,
+      .family = row.family,
+      .summary = row.summary,
+      .reference = row.reference == nullptr ? "" : row.reference,
+      .parameters = parameters_of(row, projection),
+      .plugin = path,
+      .ask = [&row](const std::vector<double>& values, const Box& scene) { return call_plugin(row, values, scene); }};
 }
 
 }  // namespace

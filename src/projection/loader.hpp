@@ -1,4 +1,4 @@
-// One plugin: opens the library, checks everything it says, and copies its tables.
+// One plugin: opens the library in this process, checks everything it says, and copies its tables.
 #pragma once
 
 #include <filesystem>

@@ -51,6 +51,9 @@
 #ifndef FRONT
 #define FRONT HUGE_VAL
 #endif
+#ifndef SUMMARY
+#define SUMMARY "a slanted view"
+#endif
 #ifndef SENTENCE
 #define SENTENCE NULL
 #endif
@@ -75,7 +78,7 @@ const char* project(const double* values, const epura_scene* scene, epura_view* 
 }
 
 static const epura_projection projections[] = {
-    {ROW_SIZE, NAME, "test", "a slanted view", NULL, 1, parameters, FUNCTION},
+    {ROW_SIZE, NAME, "test", SUMMARY, NULL, 1, parameters, FUNCTION},
 };
 const epura_projection_list list = {ABI, LIST_SIZE, COUNT, projections};
 

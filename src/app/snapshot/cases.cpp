@@ -4,10 +4,10 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "app/snapshot/case_files.hpp"
 #include "app/snapshot/run_epura.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"
-#include "base/text.hpp"
 #include "study/compare/comparison.hpp"
 #include "study/compare/report_pictures.hpp"
 
@@ -19,16 +19,6 @@ namespace {
 
 bool is_case(const fs::path& folder) { return fs::is_regular_file(folder / "scene.toml"); }
 
-std::vector<std::string> words_of(const std::string& text) {
-  std::string blanks = text;
-  std::replace_if(
-      blanks.begin(), blanks.end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
-  std::vector<std::string> words;
-  for (const std::string_view word : split(blanks, ' '))
-    if (!word.empty()) words.emplace_back(word);
-  return words;
-}
-
 std::vector<fs::path> expectations(const fs::path& folder) {
   std::vector<fs::path> files;
   for (const char* name : {"expected.json", "expected.svg", "expected.pdf"})
@@ -38,10 +28,12 @@ std::vector<fs::path> expectations(const fs::path& folder) {
 
 // Whether it was drawn.
 bool draw(const SnapshotCase& one, SnapshotResult& result) {
+  refuse_links_outside(one);
   std::vector<std::string> arguments{"draw", (one.folder / "scene.toml").string()};
   const fs::path options = one.folder / "options";
   if (fs::exists(options))
-    for (std::string& word : words_of(read_file(options))) arguments.push_back(std::move(word));
+    for (std::string& word : drawing_options(read_file(options), options.string()))
+      arguments.push_back(std::move(word));
   const std::string format = result.expected.extension().string().substr(1);
   arguments.insert(arguments.end(), {"--output", "-", "--format", format, "--progress", "never"});
   ProgramRun run = run_epura(arguments);
@@ -81,12 +73,14 @@ std::vector<SnapshotCase> find_cases(const std::vector<std::string>& folders) {
   for (const std::string& name : folders) {
     const fs::path folder = fs::path(name).lexically_normal();
     if (!fs::is_directory(folder)) throw Error(Trouble::input, name, "is no folder");
+    const fs::path root = fs::canonical(folder);
     const std::size_t before = cases.size();
     const bool ends_in_slash = folder.filename().empty();
-    if (is_case(folder)) cases.push_back({(ends_in_slash ? folder.parent_path() : folder).filename().string(), folder});
+    if (is_case(folder))
+      cases.push_back({(ends_in_slash ? folder.parent_path() : folder).filename().string(), folder, root});
     for (const auto& entry : fs::recursive_directory_iterator(folder))
       if (entry.is_directory() && is_case(entry.path()))
-        cases.push_back({entry.path().lexically_relative(folder).generic_string(), entry.path()});
+        cases.push_back({entry.path().lexically_relative(folder).generic_string(), entry.path(), root});
     if (cases.size() == before)
       throw Error(Trouble::input, name, "has no case", "a case is a folder with scene.toml and expected.svg");
     std::sort(cases.begin() + static_cast<std::ptrdiff_t>(before), cases.end(),
@@ -107,7 +101,7 @@ std::vector<SnapshotResult> run_case(const SnapshotCase& one, double tolerance, 
       refuse_irregular_files(one.folder);
       if (draw(one, result)) compare_with_expectation(result, tolerance, with_pictures);
     } catch (const Error& error) {
-      result.words = std::string(error.what()) + "\n";
+      result.words = std::string(error.what()) + "\n" + (error.hint().empty() ? "" : "hint: " + error.hint() + "\n");
     }
     if (result.pictures.name.empty())
       result.pictures = {result.name, result.verdict == SnapshotVerdict::as_expected, result.words};

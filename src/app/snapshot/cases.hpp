@@ -14,6 +14,7 @@ namespace epura {
 struct SnapshotCase {
   std::string name;
   std::filesystem::path folder;
+  std::filesystem::path root;  ///< the folder that was named, without links: no link in it may lead out of it
 };
 
 /// The folders themselves, where they are cases, and all cases below them, sorted by path. A case below is named by its

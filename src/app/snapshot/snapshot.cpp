@@ -7,12 +7,15 @@
 #include <vector>
 
 #include "app/commands.hpp"
+#include "app/snapshot/case_files.hpp"
 #include "app/snapshot/cases.hpp"
 #include "app/snapshot/junit.hpp"
+#include "app/targets.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
+#include "base/utf8.hpp"
 
 namespace epura {
 
@@ -57,6 +60,25 @@ const char* name_of(SnapshotVerdict verdict, bool accepted) {
   return "";
 }
 
+std::vector<std::string> outputs_of(const SnapshotOptions& options) {
+  std::vector<std::string> files;
+  for (const std::string& file : {options.report, options.junit})
+    if (!file.empty()) files.push_back(file);
+  return files;
+}
+
+std::vector<std::string> inputs_of(const std::vector<SnapshotCase>& cases) {
+  std::vector<std::string> inputs;
+  for (const SnapshotCase& one : cases) {
+    try {
+      for (const std::filesystem::path& file : files_of(one)) inputs.push_back(file.string());
+    } catch (const Error&) {
+      inputs.push_back((one.folder / "scene.toml").string());  // that this is no scene, its result will say
+    }
+  }
+  return inputs;
+}
+
 bool can_be_accepted(const SnapshotResult& result) {
   return result.verdict == SnapshotVerdict::different || result.verdict == SnapshotVerdict::new_case;
 }
@@ -68,6 +90,7 @@ int snapshot(const SnapshotOptions& options) {
     throw Error(Trouble::input, "--accept", "expectations are accepted by people, and CI is set in the environment",
                 "run it where you can look at the report, and commit what it writes");
   const std::vector<SnapshotCase> cases = find_cases(options.folders);
+  refuse_overwriting(outputs_of(options), inputs_of(cases));
   const ThreadLimit threads(options.threads);
   const std::vector<SnapshotResult> results = run_all(cases, options);
   std::size_t good = 0;
@@ -84,7 +107,7 @@ int snapshot(const SnapshotOptions& options) {
   if (!options.report.empty()) write_file(options.report, html_report("epura snapshot", pictures));
   if (!options.junit.empty()) write_file(options.junit, junit_report(results));
   text += std::to_string(good) + " of " + std::to_string(results.size()) + " as expected\n";
-  std::fputs(text.c_str(), stdout);
+  std::fputs(printable(text).c_str(), stdout);
   return good == results.size() ? 0 : 1;
 }
 

@@ -1,5 +1,4 @@
 // Drawing JSON -> picture.
-#include <rapidjson/document.h>
 #include <rapidjson/error/en.h>
 
 #include <algorithm>
@@ -11,6 +10,7 @@
 #include "base/text.hpp"
 #include "sheet/paper.hpp"
 #include "sheet/view_lines.hpp"
+#include "study/compare/json_document.hpp"
 #include "study/compare/picture_maker.hpp"
 #include "study/compare/read_pictures.hpp"
 
@@ -129,7 +129,7 @@ void add_view(PictureMaker& picture, const Place& view) {
 }  // namespace
 
 Picture picture_of_json(std::string_view bytes, const std::string& where) {
-  rapidjson::Document document;
+  JsonDocument document;
   document.Parse<flags>(bytes.data(), bytes.size());
   if (document.HasParseError())
     throw Error(Trouble::input, where,

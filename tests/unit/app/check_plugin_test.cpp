@@ -54,11 +54,67 @@ TEST(CheckPlugin, RefusesWhatCannotBeLoaded) {
   }
 }
 
-TEST(CheckPlugin, OutlivesACrash) {
-  const Outcome run = check(bad("crashes-when-asked") + "/plain.so");
-  EXPECT_EQ(run.code, 1);
-  EXPECT_TRUE(run.out.starts_with("plain (test)\nFAILED: ")) << run.out;
-  EXPECT_TRUE(contains(run.out, "plain.so crashes (Aborted)")) << run.out;
+TEST(CheckPlugin, OutlivesWhatAPluginDoes) {
+  const std::vector<std::pair<std::string, std::string>> deeds{{"crashes-when-asked", "crashes (Aborted)"},
+                                                               {"exits-when-asked", "ends the program"},
+                                                               {"hangs-when-asked", "takes more than 1 s"},
+                                                               {"rounds-up", "leaves another rounding mode"}};
+  for (const auto& [folder, deed] : deeds) {
+    const Outcome run = check(bad(folder) + "/plain.so");
+    EXPECT_EQ(run.code, 1) << folder;
+    EXPECT_TRUE(run.out.starts_with("plain (test)\n  answers     FAILED ")) << run.out;
+    EXPECT_TRUE(contains(run.out, "plain.so: 'plain' " + deed)) << run.out;
+  }
+}
+
+TEST(CheckPlugin, DoesNotWaitForTheEndOfAPlugin) {
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_EQ(check(bad("hangs-at-its-end") + "/plain.so").code, 0);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
+}
+
+Outcome draw_by(const std::string& folder) {
+  const Folder here;
+  return epura({"draw", sample("bracket.obj"), "--projection", "plain", "--plugin-path", bad(folder), "-o", "-",
+                "--format", "svg"},
+               here / "");
+}
+
+TEST(DrawingByAPlugin, IsTheSameWhateverElseThePluginDoes) {
+  const Outcome good = draw_by("good");
+  ASSERT_EQ(good.code, 0) << good.err;
+  for (const char* folder : {"rounds-up-when-loaded", "hangs-at-its-end", "prints", "escapes"}) {
+    const Outcome run = draw_by(folder);
+    EXPECT_EQ(run.code, 0) << folder << run.err;
+    EXPECT_EQ(run.out, good.out) << folder;
+  }
+}
+
+TEST(DrawingByAPlugin, NeverEndsWellWithoutADrawing) {
+  for (const char* folder :
+       {"exits", "exits-when-asked", "crashes", "crashes-when-asked", "garbage-name", "rounds-up"}) {
+    const Outcome run = draw_by(folder);
+    EXPECT_EQ(run.code, 3) << folder;
+    EXPECT_EQ(run.out, "") << folder;
+    EXPECT_TRUE(contains(run.err, bad(folder) + "/plain.so: ")) << run.err;
+  }
+}
+
+TEST(WordsOfAPlugin, AreFitForTerminalsEverywhere) {
+  const Folder folder;
+  const std::vector<std::vector<std::string>> commands{
+      {"plugins", "--plugin-path", bad("escapes")},
+      {"plugins", "plain", "--plugin-path", bad("escapes")},
+      {"manual", "--plugin-path", bad("escapes")},
+      {"completion", "words", "--", "draw", "--plugin-path", bad("escapes"), "--projection", "pl"},
+      {"draw", sample("bracket.obj"), "--plugin-path", bad("escapes"), "--projection", "plain:scale=2", "-o", "x.svg"}};
+  for (const std::vector<std::string>& command : commands) {
+    const Outcome run = epura(command, folder / "");
+    const std::string said = run.out + run.err;
+    EXPECT_TRUE(contains(said, "[2Jb")) << command[0] << said;
+    EXPECT_EQ(said.find('\x1b'), std::string::npos) << command[0];
+    EXPECT_FALSE(contains(said, "\xC2\x9B") || contains(said, "\xE2\x80\xAE") || contains(said, "\nepura: e")) << said;
+  }
 }
 
 TEST(CrashingPlugin, IsNamedInTheListAndHidesNoOther) {

@@ -2,42 +2,16 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
-#include <cstdlib>
-#include <optional>
-
 #include "errors.hpp"
 #include "folder.hpp"
 #include "golden.hpp"
 #include "program.hpp"
+#include "variable.hpp"
 
 namespace epura::test {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// Sets a variable of the environment, or takes it away, while it lives.
-class Variable {
- public:
-  Variable(const char* name, const char* value) : name_(name) {
-    if (const char* old = std::getenv(name)) old_ = old;
-    set(value);
-  }
-  Variable(const Variable&) = delete;
-  Variable& operator=(const Variable&) = delete;
-  ~Variable() { set(old_ ? old_->c_str() : nullptr); }
-
- private:
-  void set(const char* value) const {
-    if (value != nullptr) {
-      ::setenv(name_, value, 1);
-    } else {
-      ::unsetenv(name_);
-    }
-  }
-
-  const char* name_;
-  std::optional<std::string> old_;
-};
 
 /// Copies of golden cases, to be broken.
 struct Suite {
@@ -121,10 +95,110 @@ TEST(SnapshotCommand, TellsWhyACaseIsNotDrawn) {
   suite.write("cases/cube-cavalier/options", "--no-such-option\n");
   const Outcome run = suite.run({"--junit", "r.xml"});
   EXPECT_EQ(run.code, 1);
-  EXPECT_TRUE(contains(run.out, "FAILED    cube-cavalier/expected.json\n  exit code 2\n")) << run.out;
-  EXPECT_TRUE(contains(run.out, "there is no option '--no-such-option'")) << run.out;
+  EXPECT_TRUE(contains(run.out, "FAILED    cube-cavalier/expected.json\n  there is no option '--no-such-option'\n"))
+      << run.out;
   EXPECT_TRUE(contains(run.out, "missing.obj")) << run.out;
   EXPECT_TRUE(contains(suite.read("r.xml"), "failures=\"0\" errors=\"2\"")) << suite.read("r.xml");
+}
+
+// One of each nature that is none of a drawing, and ways to say it.
+const std::vector<std::string>& options_of_strangers() {
+  static const std::vector<std::string> options{"-o ../outside.svg",  "-o../outside.svg",    "--output=../outside.svg",
+                                                "--plugin-path .",    "../../../secret.obj", "-- ../secret.obj",
+                                                "--title a -o b.svg", "--format pdf",        "--time-limit 1",
+                                                "--why @1,1",         "--dump spans",        "--verify --threads 3",
+                                                "--progress=always",  "--explain",           "--help"};
+  return options;
+}
+
+TEST(SnapshotOfAStranger, TakesOptionsOfTheDrawingAlone) {
+  const Suite suite({"cube-isometric"});
+  fs::copy(std::string(EPURA_TEST_BAD_PLUGINS) + "/mark/plain.so", suite.folder / "cases/cube-isometric/plain.so");
+  const Variable mark("EPURA_TEST_MARK", (suite.folder / "mark").c_str());
+  const auto names = suite.folder.names();
+  for (const std::string& options : options_of_strangers()) {
+    suite.write("cases/cube-isometric/options", options + "\n");
+    const Outcome run = suite.run();
+    EXPECT_EQ(run.code, 1) << options;
+    EXPECT_TRUE(contains(run.out, "FAILED    cube-isometric/expected.json\n")) << run.out;
+    EXPECT_TRUE(contains(run.out, "no option")) << run.out;
+    EXPECT_EQ(suite.folder.names(), names) << options;
+  }
+  suite.write("cases/cube-isometric/options", "--projection plain --plugin-path cases/cube-isometric");
+  EXPECT_EQ(suite.run().code, 1);
+  EXPECT_FALSE(fs::exists(suite.folder / "mark"));
+}
+
+TEST(SnapshotOfAStranger, MaySayEverythingOfTheDrawing) {
+  const Suite suite({"cube-isometric"});
+  suite.write("cases/cube-isometric/options", "--hidden none --sheet A3\n--title T --decimals 2\t--arcs --scale=1:1");
+  EXPECT_TRUE(contains(suite.run().out, "DIFFERENT cube-isometric/expected.json")) << suite.run().out;
+}
+
+/// Replaces a file by a link to a copy that lies outside.
+void lead_outside(const Suite& suite, const std::string& name) {
+  fs::copy(suite.folder / name, suite.folder / "outside");
+  fs::remove(suite.folder / name);
+  fs::create_symlink(suite.folder / "outside", suite.folder / name);
+}
+
+TEST(SnapshotOfAStranger, FollowsNoLinkThatLeadsOut) {
+  const Variable no_ci("CI", nullptr);
+  for (const char* name : {"cases/cube-isometric/scene.toml", "cases/cube-isometric/options",
+                           "cases/cube-isometric/expected.json", "cases/models/cube.obj"}) {
+    const Suite suite({"cube-isometric"});
+    suite.write("cases/cube-isometric/options", "--hidden none");
+    lead_outside(suite, name);
+    const std::string before = suite.read("outside");
+    const Outcome run = suite.run({"--accept"});
+    EXPECT_EQ(run.code, 1) << name;
+    EXPECT_TRUE(contains(run.out, fs::path(name).filename().string() + ": is a link that leads out of ")) << run.out;
+    EXPECT_EQ(suite.read("outside"), before) << name;
+  }
+}
+
+TEST(SnapshotOfAStranger, WritesNothingThroughLinksThatLeadOut) {
+  const Variable no_ci("CI", nullptr);
+  const Suite suite({"cube-isometric"});
+  fs::remove(suite.folder / "cases/cube-isometric/expected.json");
+  fs::create_symlink("../../outside.svg", suite.folder / "cases/cube-isometric/expected.svg");
+  EXPECT_EQ(suite.run({"--accept"}).code, 1);
+  EXPECT_FALSE(fs::exists(suite.folder / "outside.svg"));
+  fs::create_directory(suite.folder / "elsewhere");
+  fs::rename(suite.folder / "cases/cube-isometric", suite.folder / "elsewhere/case");
+  fs::create_symlink("../elsewhere/case", suite.folder / "cases/case");
+  EXPECT_TRUE(contains(suite.run().out, "cases/case: is a link that leads out of ")) << suite.run().out;
+}
+
+TEST(SnapshotOfAStranger, MayHaveLinksWithinItsFolder) {
+  const Suite suite({"cube-isometric"});
+  fs::rename(suite.folder / "cases/models/cube.obj", suite.folder / "cases/models/body.obj");
+  fs::create_symlink("body.obj", suite.folder / "cases/models/cube.obj");
+  fs::create_directory_symlink("cases", suite.folder / "link");
+  EXPECT_EQ(suite.run().code, 0) << suite.run().out;
+  EXPECT_EQ(epura({"snapshot", "link"}, suite.folder / "").code, 0);
+}
+
+TEST(SnapshotOfAStranger, SaysNothingThatTerminalsObey) {
+  const Suite suite({"cube-isometric"});
+  fs::rename(suite.folder / "cases/cube-isometric", suite.folder / "cases/\x1b[2Jcube");
+  const Outcome run = suite.run();
+  EXPECT_TRUE(contains(run.out, "ok        \xEF\xBF\xBD[2Jcube/expected.json")) << run.out;
+}
+
+TEST(SnapshotCommand, OverwritesNoFileOfACase) {
+  const Suite suite({"cube-isometric"});
+  fs::create_symlink("cases/models/cube.obj", suite.folder / "r.html");
+  for (const std::vector<std::string>& options :
+       {std::vector<std::string>{"--report", "cases/cube-isometric/scene.toml"},
+        {"--report", "r.html"},
+        {"--junit", "./cases/cube-isometric/../cube-isometric/expected.json"},
+        {"--report", "new", "--junit", "./new"}}) {
+    const Outcome run = suite.run(options);
+    EXPECT_EQ(run.code, 2) << run.out;
+    EXPECT_TRUE(contains(run.err, "write to another file")) << run.err;
+  }
+  EXPECT_EQ(suite.run().code, 0);
 }
 
 TEST(SnapshotCommand, SaysTheSameForAnyNumberOfThreads) {

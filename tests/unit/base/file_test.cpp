@@ -105,6 +105,42 @@ TEST(Files, ALinkStaysALink) {
   EXPECT_EQ(folder.names(), (Names{"link", "target"}));
 }
 
+TEST(Files, ALinkToNothingYetStaysALink) {
+  const Folder folder;
+  fs::create_directory(folder / "below");
+  fs::create_symlink("below/second", folder / "first");
+  fs::create_symlink("../target", folder / "below/second");
+  write_file(folder / "first", "new");
+  EXPECT_EQ(fs::read_symlink(folder / "first"), "below/second");
+  EXPECT_EQ(fs::read_symlink(folder / "below/second"), "../target");
+  EXPECT_EQ(read_file(folder / "target"), "new");
+}
+
+TEST(Files, LinksInACircleAreRefusedAndStay) {
+  const Folder folder;
+  fs::create_symlink("b", folder / "a");
+  fs::create_symlink("a", folder / "b");
+  const Error error = error_of([&] { write_file(folder / "a", "new"); });
+  EXPECT_EQ(error.trouble(), Trouble::output);
+  EXPECT_TRUE(contains(error.what(), "symbolic links")) << error.what();
+  EXPECT_TRUE(fs::is_symlink(folder / "a") && fs::is_symlink(folder / "b"));
+}
+
+TEST(Files, OneFileIsKnownByAllItsNames) {
+  const Folder folder;
+  write_file(folder / "a", "x");
+  write_file(folder / "b", "x");
+  fs::create_hard_link(folder / "a", folder / "hard");
+  fs::create_symlink("a", folder / "soft");
+  fs::create_symlink("soft", folder / "softer");
+  fs::create_symlink("new", folder / "to-come");
+  const auto identity = [&](const char* name) { return identity_of_file(folder / name); };
+  for (const char* name : {"hard", "soft", "softer", "./a"}) EXPECT_EQ(identity(name), identity("a")) << name;
+  for (const char* name : {"to-come", "missing/../new"}) EXPECT_EQ(identity(name), identity("new")) << name;
+  for (const char* name : {"b", "new", "to-come"}) EXPECT_NE(identity(name), identity("a")) << name;
+  for (const fs::path& none : {fs::path("/dev/null"), folder / ""}) EXPECT_EQ(identity_of_file(none), "");
+}
+
 TEST(Files, AReaderKeepsTheOldFile) {
   const Folder folder;
   write_file(folder / "a", "old");

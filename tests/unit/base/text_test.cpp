@@ -12,6 +12,8 @@
 #include <random>
 #include <stdexcept>
 
+#include "base/utf8.hpp"
+
 namespace epura::test {
 namespace {
 
@@ -175,6 +177,24 @@ TEST(Names, WithNothingInCommonNoneIsMeant) {
 TEST(Names, OfEquallyNearOnesTheFirstIsTaken) {
   const std::vector<std::string> names{"near", "dear", "fear"};
   EXPECT_EQ(nearest_name("rear", names), "near");
+}
+
+constexpr const char* u_fffd = "\xEF\xBF\xBD";
+
+TEST(Characters, ThatAreNoneAreReplacedOneByOne) {
+  for (const char32_t code : {0xFDD0, 0xFDEF, 0xFFFE, 0xFFFF, 0x1FFFE, 0x1FFFF, 0x10FFFE, 0x10FFFF}) {
+    EXPECT_EQ(valid_utf8("a" + utf8(code) + "b"), std::string("a") + u_fffd + "b") << unsigned(code);
+    EXPECT_EQ(characters(utf8(code)), std::vector<char32_t>{0xFFFD}) << unsigned(code);
+  }
+  for (const char32_t code : {0xFDCF, 0xFDF0, 0xFFFD, 0x10000, 0x1FFFD, 0x10FFFD})
+    EXPECT_EQ(valid_utf8(utf8(code)), utf8(code)) << unsigned(code);
+}
+
+TEST(Characters, ThatSteerTerminalsAreNotShown) {
+  EXPECT_EQ(printable("\x1b[31m\x07\x7f\xC2\x9B\xE2\x80\xAE\xE2\x81\xA6\xFF"),
+            std::string(u_fffd) + "[31m" + u_fffd + u_fffd + u_fffd + u_fffd + u_fffd + u_fffd);
+  EXPECT_EQ(printable("\xC3\xA4\n\tb"), "\xC3\xA4\n\tb");
+  EXPECT_EQ(one_line("\xC3\xA4\n\tb\r"), std::string("\xC3\xA4  b") + u_fffd);
 }
 
 }  // namespace

@@ -90,6 +90,10 @@ TEST(Obj, ErrorsNameTheLine) {
             "m.obj:3 | m.obj:3: a face refers to vertex 12, but there are 1 | ");
   EXPECT_EQ(error("v 0 0 0\nf -1 -2 -1\nv 0 0 0\n"),
             "m.obj:2 | m.obj:2: a face refers to vertex -2, but there are 1 before it | ");
+  EXPECT_EQ(error("v 0 0 0\nf 1 1 -9223372036854775808\n"),
+            "m.obj:2 | m.obj:2: a face refers to vertex -9223372036854775808, but there are 1 before it | ");
+  EXPECT_EQ(error("v 0 0 0\nf 1 1 9223372036854775807\n"),
+            "m.obj:2 | m.obj:2: a face refers to vertex 9223372036854775807, but there are 1 | ");
   EXPECT_EQ(error("v 0 0 0\nf 1 x 1\n"), "m.obj:2 | m.obj:2: 'x' is not a whole number | ");
   EXPECT_EQ(error("v 0 0 0\nf 1 99999999999999999999 1\n"),
             "m.obj:2 | m.obj:2: '99999999999999999999' is not a whole number | ");

@@ -1,11 +1,11 @@
 // Finding and loading plugins, naming bad ones, and reading requests.
-#include <dlfcn.h>
 #include <unistd.h>
 
 #include <cstdlib>
 
 #include "base/file.hpp"
 #include "support.hpp"
+#include "variable.hpp"
 
 namespace epura::test {
 namespace {
@@ -22,9 +22,6 @@ class with_folder : public testing::Test {
     folder = mkdtemp(pattern.data());
   }
   ~with_folder() override { fs::remove_all(folder); }
-  [[nodiscard]] bool is_open(const char* file) const {
-    return dlopen((folder / file).c_str(), RTLD_NOW | RTLD_NOLOAD) != nullptr;
-  }
   fs::path folder;
 };
 
@@ -55,7 +52,8 @@ TEST_P(refused_when_loaded, is_named_with_the_reason) {
 TEST_P(refused_when_loaded, is_named_when_it_is_looked_up) {
   const Error error = error_of([] { find_projection("plain", {bad(GetParam().folder)}); });
   EXPECT_EQ(error.trouble(), Trouble::plugin);
-  EXPECT_TRUE(contains(error.hint(), GetParam().reason)) << error.hint();
+  EXPECT_EQ(error.where(), (bad(GetParam().folder) / "plain.so").string());
+  EXPECT_TRUE(contains(error.what(), GetParam().reason)) << error.what();
 }
 
 class refused_when_asked : public testing::TestWithParam<Refusal> {};
@@ -178,10 +176,22 @@ TEST_F(with_folder, missing_folder_is_named) {
 
 TEST_F(with_folder, only_the_library_of_the_name_is_opened) {
   fs::copy(built("front"), folder / "front.so");
-  fs::copy(built("back"), folder / "back.so");
+  fs::copy(bad("mark") / "plain.so", folder / "mark.so");
+  const test::Variable mark("EPURA_TEST_MARK", (folder / "mark").c_str());
   EXPECT_EQ(find_projection("front", {folder}).name, "front");
-  EXPECT_TRUE(is_open("front.so"));
-  EXPECT_FALSE(is_open("back.so"));
+  EXPECT_FALSE(fs::exists(folder / "mark"));
+  EXPECT_EQ(find_projection("plain", {folder}).plugin, folder / "mark.so");
+  EXPECT_TRUE(fs::exists(folder / "mark"));
+}
+
+TEST_F(with_folder, a_library_cut_short_beside_good_ones_is_named_and_hides_none) {
+  fs::copy(built("front"), folder / "front.so");
+  const std::string whole = read_file(built("back"));
+  write_file(folder / "short.so", whole.substr(0, whole.size() / 2));
+  const Error error = error_of([&] { find_projection("fornt", {folder}); });
+  EXPECT_EQ(error.trouble(), Trouble::plugin);
+  EXPECT_TRUE(error.hint().starts_with("did you mean 'front'?\n" + (folder / "short.so").string() + ": "))
+      << error.hint();
 }
 
 TEST_F(with_folder, projection_in_a_library_of_another_name_is_found) {
@@ -200,7 +210,7 @@ TEST_F(with_folder, name_does_not_lead_out_of_it) {
   fs::create_directory(folder / "inside");
   fs::copy(built("front"), folder / "outside.so");
   EXPECT_EQ(error_of([&] { find_projection("../outside", {folder / "inside"}); }).trouble(), Trouble::plugin);
-  EXPECT_FALSE(is_open("outside.so"));
+  EXPECT_EQ(error_of([&] { find_projection("../outside", {folder / "inside"}); }).hint(), "no projections were found");
 }
 
 TEST(plugin_folders, are_those_given_then_the_environment_then_beside_the_program) {

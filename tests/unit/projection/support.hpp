@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <map>
 #include <string>
 
 #include "errors.hpp"
@@ -18,8 +19,10 @@ inline const std::vector<std::filesystem::path>& built_plugins() {
 }
 
 inline Projection make(const std::string& request, const Box& box) {
+  static std::map<std::string, ProjectionEntry> found;  // one process each, however often it is asked
   const ProjectionRequest parsed = parse_request(request);
-  return make_projection(find_projection(parsed.name, built_plugins()), parsed, box);
+  if (!found.contains(parsed.name)) found.emplace(parsed.name, find_projection(parsed.name, built_plugins()));
+  return make_projection(found.at(parsed.name), parsed, box);
 }
 
 /// Neither centred nor a cube.

@@ -1,0 +1,90 @@
+#include "app/snapshot/case_files.hpp"
+
+#include <algorithm>
+#include <system_error>
+
+#include "app/command_options.hpp"
+#include "app/define_draw.hpp"
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/text.hpp"
+#include "scene/scene_file.hpp"
+
+namespace epura {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Both without links.
+bool is_within(const fs::path& path, const fs::path& folder) {
+  return std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first == folder.end();
+}
+
+bool is_link_outside(const fs::path& path, const fs::path& root) {
+  std::error_code error;
+  return fs::is_symlink(path, error) && is_within(fs::weakly_canonical(path.parent_path()), root) &&
+         !is_within(fs::weakly_canonical(end_of_links(path)), root);
+}
+
+void refuse_link_outside(const fs::path& file, const fs::path& root) {
+  fs::path way;
+  for (const fs::path& step : fs::absolute(file)) {
+    way /= step;
+    if (is_link_outside(way, root))
+      throw Error(Trouble::input, way.string(), "is a link that leads out of " + root.string(),
+                  "put the file itself there");
+  }
+}
+
+std::vector<std::string> words_of(const std::string& text) {
+  std::string blanks = text;
+  std::replace_if(
+      blanks.begin(), blanks.end(), [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
+  std::vector<std::string> words;
+  for (const std::string_view word : split(blanks, ' '))
+    if (!word.empty()) words.emplace_back(word);
+  return words;
+}
+
+}  // namespace
+
+std::vector<fs::path> files_of(const SnapshotCase& one) {
+  std::vector<fs::path> files;
+  for (const char* name : {"scene.toml", "options", "expected.json", "expected.svg", "expected.pdf"})
+    files.push_back(one.folder / name);
+  for (const ModelDescription& model : read_scene_file(files.front()).models) files.emplace_back(model.file.text);
+  return files;
+}
+
+void refuse_links_outside(const SnapshotCase& one) {
+  refuse_link_outside(one.folder / "scene.toml", one.root);
+  for (const fs::path& file : files_of(one)) {
+    refuse_link_outside(file, one.root);
+    if (fs::exists(file) && !fs::is_regular_file(file)) throw Error(Trouble::input, file.string(), "is no file");
+  }
+}
+
+std::vector<std::string> drawing_options(const std::string& text, const std::string& file) {
+  CLI::App program("", "epura");
+  CLI::App& draw = *program.add_subcommand("draw");
+  DrawOptions options;
+  define_drawing(draw, options);
+  draw.get_option("models")->required(false);
+  draw.set_help_flag();
+  const std::vector<std::string> words = words_of(text);
+  std::vector<std::string> arguments(words.rbegin(), words.rend());  // CLI11 takes the last one first
+  arguments.emplace_back("draw");
+  try {
+    program.parse(std::move(arguments));
+  } catch (const CLI::ParseError& error) {
+    refuse_wrong_use(program, error);
+  }
+  for (const CLI::Option* option : draw.get_options())
+    if (option->count() > 0 && !is_of(*option, Nature::drawing))
+      throw Error(Trouble::input, file, "'" + option->get_name() + "' is no option of the drawing itself",
+                  "what is read, written, loaded and run is for those to say who run the case");
+  return words;
+}
+
+}  // namespace epura

@@ -1,0 +1,77 @@
+// Values as bytes, from one process of the program to another one.
+#pragma once
+
+#include <cstring>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "base/error.hpp"
+#include "base/utf8.hpp"
+
+namespace epura {
+
+template <class Value>
+concept Flat = std::is_trivially_copyable_v<Value>;
+
+class Packer {
+ public:
+  template <Flat Value>
+  void operator()(const Value& value) {
+    bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
+  }
+  void operator()(const std::string& text) {
+    (*this)(text.size());
+    bytes_ += text;
+  }
+  template <class Item>
+  void operator()(const std::vector<Item>& items) {
+    (*this)(items.size());
+    for (const Item& item : items) (*this)(item);
+  }
+  [[nodiscard]] const std::string& bytes() const { return bytes_; }
+
+ private:
+  std::string bytes_;
+};
+
+/// Takes values out in the order in which they were put in. Throws Error{plugin} where the bytes end too early: the
+/// other process may have been damaged.
+class Unpacker {
+ public:
+  explicit Unpacker(std::string_view bytes) : rest_(bytes) {}
+
+  template <Flat Value>
+  void operator()(Value& value) {
+    std::memcpy(&value, take(sizeof value).data(), sizeof value);
+  }
+  /// Made fit to be shown anywhere.
+  void operator()(std::string& text) { text = one_line(take(count(1))); }
+  template <class Item>
+  void operator()(std::vector<Item>& items) {
+    items.resize(count(Flat<Item> ? sizeof(Item) : sizeof(std::size_t)));
+    for (Item& item : items) (*this)(item);
+  }
+
+  /// How many items follow, of at least so many bytes each.
+  std::size_t count(std::size_t least_bytes) {
+    std::size_t count = 0;
+    (*this)(count);
+    if (count > rest_.size() / least_bytes) refuse();
+    return count;
+  }
+
+ private:
+  std::string_view take(std::size_t bytes) {
+    if (bytes > rest_.size()) refuse();
+    const std::string_view taken = rest_.substr(0, bytes);
+    rest_.remove_prefix(bytes);
+    return taken;
+  }
+  [[noreturn]] static void refuse() { throw Error(Trouble::plugin, "", "damages its process"); }
+
+  std::string_view rest_;
+};
+
+}  // namespace epura

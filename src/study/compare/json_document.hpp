@@ -1,0 +1,74 @@
+// A document of rapidjson whose parser keeps what is open in a stack of our own: that of version 1.1 adds to a null
+// pointer as long as it has no memory, which is undefined.
+#pragma once
+
+#include <rapidjson/document.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace epura {
+
+/// Stands for that stack among the types that rapidjson is given.
+struct JsonStackMemory : rapidjson::CrtAllocator {};
+
+}  // namespace epura
+
+/// The names are rapidjson's.
+template <>
+class rapidjson::internal::Stack<epura::JsonStackMemory> {
+ public:
+  Stack(epura::JsonStackMemory*, std::size_t capacity) : bytes_(std::max<std::size_t>(capacity, 1)) {}
+
+  template <class Item>
+  void Reserve(std::size_t count = 1) {
+    const std::size_t needed = filled_ + count * sizeof(Item);
+    if (needed > bytes_.size()) bytes_.resize(std::max(needed, 2 * bytes_.size()));
+  }
+  template <class Item>
+  Item* Push(std::size_t count = 1) {
+    Reserve<Item>(count);
+    return PushUnsafe<Item>(count);
+  }
+  template <class Item>
+  Item* PushUnsafe(std::size_t count = 1) {
+    Item* pushed = End<Item>();
+    filled_ += count * sizeof(Item);
+    return pushed;
+  }
+  template <class Item>
+  Item* Pop(std::size_t count) {
+    filled_ -= count * sizeof(Item);
+    return End<Item>();
+  }
+  template <class Item>
+  Item* Top() {
+    return End<Item>() - 1;
+  }
+  template <class Item>
+  Item* End() {
+    return reinterpret_cast<Item*>(bytes_.data() + filled_);
+  }
+  template <class Item>
+  Item* Bottom() {
+    return reinterpret_cast<Item*>(bytes_.data());
+  }
+  void Clear() { filled_ = 0; }
+  void ShrinkToFit() {}
+  [[nodiscard]] bool HasAllocator() const { return false; }
+  epura::JsonStackMemory& GetAllocator() { return memory_; }
+  [[nodiscard]] bool Empty() const { return filled_ == 0; }
+  [[nodiscard]] std::size_t GetSize() const { return filled_; }
+
+ private:
+  std::vector<char> bytes_;
+  std::size_t filled_ = 0;
+  epura::JsonStackMemory memory_{};
+};
+
+namespace epura {
+
+using JsonDocument = rapidjson::GenericDocument<rapidjson::UTF8<>, rapidjson::MemoryPoolAllocator<>, JsonStackMemory>;
+
+}  // namespace epura

@@ -1,0 +1,5 @@
+/* Prints where a drawing may go. */
+#include <stdio.h>
+
+#define SENTENCE (puts("noise"), fflush(stdout), NULL)
+#include "plain.c"

@@ -1,0 +1,5 @@
+/* Leaves another rounding mode behind. */
+#include <fenv.h>
+
+#define SENTENCE (fesetround(FE_UPWARD), NULL)
+#include "plain.c"

@@ -1,0 +1,148 @@
+// What plugins do that are neither good nor merely wrong, and what of it reaches this process.
+#include "projection/plugin_process.hpp"
+
+#include <cfenv>
+#include <chrono>
+
+#include "base/file.hpp"
+#include "projection/answer.hpp"
+#include "projection/loader.hpp"
+#include "projection/packing.hpp"
+#include "support.hpp"
+
+namespace epura::test {
+namespace {
+
+std::filesystem::path plain(const std::string& folder) {
+  return std::filesystem::path(EPURA_TEST_BAD_PLUGINS) / folder / "plain.so";
+}
+
+ProjectionEntry entry_of(const std::string& folder, Afterwards afterwards = Afterwards::waits) {
+  return read_plugin_apart(plain(folder), afterwards, 1).at(0);
+}
+
+Projection projection_of(const std::string& folder) {
+  return make_projection(entry_of(folder), {"plain", {}}, a_box());
+}
+
+struct Deed {
+  const char* folder;
+  const char* sentence;
+};
+void PrintTo(const Deed& deed, std::ostream* out) { *out << deed.folder; }
+
+class deed_when_loaded : public testing::TestWithParam<Deed> {};
+INSTANTIATE_TEST_SUITE_P(plugins, deed_when_loaded,
+                         testing::Values(Deed{"crashes", "crashes (Aborted) when it is loaded"},
+                                         Deed{"garbage-name", "crashes (Segmentation fault) when it is loaded"},
+                                         Deed{"exits", "ends the program when it is loaded"},
+                                         Deed{"hangs", "takes more than 1 s when it is loaded"}));
+
+TEST_P(deed_when_loaded, is_told) {
+  const Error error = error_of([] { entry_of(GetParam().folder); });
+  EXPECT_EQ(error.trouble(), Trouble::plugin);
+  EXPECT_STREQ(error.what(), GetParam().sentence);
+}
+
+class deed_when_asked : public testing::TestWithParam<Deed> {};
+INSTANTIATE_TEST_SUITE_P(plugins, deed_when_asked,
+                         testing::Values(Deed{"crashes-when-asked", "crashes (Aborted)"},
+                                         Deed{"exits-when-asked", "ends the program"},
+                                         Deed{"hangs-when-asked", "takes more than 1 s"},
+                                         Deed{"cuts-the-line", "ends the program"},
+                                         Deed{"crosses", "threw an exception across the border"},
+                                         Deed{"rounds-up", "leaves another rounding mode"}));
+
+TEST_P(deed_when_asked, is_told_with_the_library_and_the_name_each_time) {
+  const ProjectionEntry entry = entry_of(GetParam().folder);
+  for (int time = 0; time < 2; ++time) {
+    const Error error = error_of([&] { make_projection(entry, {"plain", {}}, a_box()); });
+    EXPECT_EQ(error.trouble(), Trouble::plugin);
+    EXPECT_TRUE(
+        std::string(error.what()).starts_with(plain(GetParam().folder).string() + ": 'plain' " + GetParam().sentence))
+        << error.what();
+  }
+}
+
+TEST(what_a_plugin_changes, stays_with_it) {
+  const Projection good = projection_of("good");
+  for (const char* folder : {"rounds-up-when-loaded", "hangs-at-its-end", "prints"}) {
+    SCOPED_TRACE(folder);
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_EQ(view_matrix(projection_of(folder)), view_matrix(good));
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(1));
+    EXPECT_EQ(std::fegetround(), FE_TONEAREST);
+  }
+}
+
+TEST(what_a_plugin_changes, is_mended_where_it_is_loaded) {
+  for (const char* folder : {"rounds-up-when-loaded", "rounds-up"}) {
+    const ProjectionEntry entry = read_plugin(plain(folder)).at(0);
+    EXPECT_EQ(std::fegetround(), FE_TONEAREST) << folder;
+    try {
+      ask_plugin(entry, default_values(entry), a_box());
+    } catch (const Error&) {
+      EXPECT_STREQ(folder, "rounds-up");
+    }
+    EXPECT_EQ(std::fegetround(), FE_TONEAREST) << folder;
+  }
+}
+
+TEST(what_a_plugin_says, is_fit_for_a_terminal) {
+  const std::string shown =
+      "a\xEF\xBF\xBD[2Jb\xEF\xBF\xBD"
+      "31mc\xEF\xBF\xBD"
+      "d epura: e\xEF\xBF\xBD";
+  const ProjectionEntry entry = entry_of("escapes");
+  EXPECT_EQ(entry.summary, shown);
+  const Error error = error_of([&] { make_projection(entry, parse_request("plain:scale=2"), a_box()); });
+  EXPECT_EQ(error.what(), "plain: " + shown);
+}
+
+/// Numbers of the processes that this thread has begun and that have not been waited for.
+std::string children() { return read_file("/proc/thread-self/children"); }
+
+TEST(a_plugin_process, lives_no_longer_than_its_entries) {
+  const std::string before = children();
+  {
+    const ProjectionEntry waiting = entry_of("good");
+    EXPECT_NE(children(), before);
+  }
+  EXPECT_EQ(children(), before);
+}
+
+TEST(a_plugin_process, that_rests_is_made_again_for_questions) {
+  const std::string before = children();
+  const ProjectionEntry resting = entry_of("good", Afterwards::rests);
+  EXPECT_EQ(children(), before);
+  EXPECT_EQ(make_projection(resting, parse_request("plain:scale=2"), a_box()).scale, 2);
+}
+
+TEST(packed_values, end_where_the_bytes_end) {
+  Packer pack;
+  pack(std::vector<std::string>{"a", "bc"}), pack(7.5);
+  for (std::size_t size = 0; size <= pack.bytes().size(); ++size) {
+    Unpacker unpack(std::string_view(pack.bytes()).substr(0, size));
+    std::vector<std::string> texts;
+    double number = 0;
+    const auto take_all = [&] { unpack(texts), unpack(number); };
+    if (size < pack.bytes().size()) {
+      EXPECT_STREQ(error_of(take_all).what(), "damages its process") << size;
+    } else {
+      take_all();
+      EXPECT_EQ(texts, (std::vector<std::string>{"a", "bc"}));
+      EXPECT_EQ(number, 7.5);
+    }
+  }
+}
+
+TEST(packed_values, are_not_believed_to_be_more_than_there_are) {
+  Packer pack;
+  pack(~std::size_t{0});
+  std::vector<double> numbers;
+  Unpacker unpack(pack.bytes());
+  EXPECT_STREQ(error_of([&] { unpack(numbers); }).what(), "damages its process");
+}
+
+}  // namespace
+}  // namespace epura::test
