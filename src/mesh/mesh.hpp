@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -69,6 +70,8 @@ struct MeshReport {
   std::vector<std::string> notes;  ///< what else a user should know, a sentence each
 };
 
+struct UncutMesh;
+
 struct Mesh {
   Surface surface;             ///< triangle f of the project is face handle f
   std::vector<int> vertex_of;  ///< surface vertex -> vertex number of the file; the identity for the first ones
@@ -79,6 +82,7 @@ struct Mesh {
   UnsetVector<int> edge_triangles;
   std::vector<CutVertex> cut_vertices;  ///< of a mesh that was cut; they are numbered from `first_cut_vertex` on
   int first_cut_vertex = 0;
+  std::shared_ptr<const UncutMesh> uncut;  ///< what a mesh that was cut is a part of; null for others
   MeshReport report;
 
   [[nodiscard]] std::span<const int> triangles_of(const MeshEdge& edge) const {
@@ -89,6 +93,12 @@ struct Mesh {
   [[nodiscard]] std::array<int, 3> corners(int triangle) const;
   /// The place of a vertex of the file. Vertices that no drawn face uses have one, too.
   [[nodiscard]] const OpenMesh::Vec3d& point(int vertex) const { return surface.point(OpenMesh::VertexHandle(vertex)); }
+};
+
+/// A mesh before a plane cut it; its surface may be gone by then.
+struct UncutMesh {
+  std::shared_ptr<const Mesh> mesh;
+  std::vector<std::array<int, 3>> corners;  ///< of its triangles, as vertex numbers of the file
 };
 
 }  // namespace epura
