@@ -59,13 +59,15 @@ class Knife {
     const std::uint64_t key = (static_cast<std::uint64_t>(a) << 32) | static_cast<std::uint32_t>(b);
     const auto [place, made] = made_.try_emplace(key, file_vertices_ + static_cast<int>(result_.points.size()));
     if (made) {
-      const double from = sides_.distance[first_ + a], to = sides_.distance[first_ + b];
-      const double t = from / (from - to);
+      // From the end behind the plane, so that the place does not depend on how vertices are numbered.
+      const bool forward = side(a) < 0;
+      const int behind = first_ + (forward ? a : b), before = first_ + (forward ? b : a);
+      const double t = sides_.distance[behind] / (sides_.distance[behind] - sides_.distance[before]);
       // Shrinking first: the difference of two large coordinates may be no double.
-      const Vec3 p = world_.points[first_ + a] * sides_.shrink;
-      const Vec3 q = world_.points[first_ + b] * sides_.shrink;
+      const Vec3 p = world_.points[behind] * sides_.shrink;
+      const Vec3 q = world_.points[before] * sides_.shrink;
       result_.points.push_back((p + t * (q - p)) / sides_.shrink);
-      result_.vertices.push_back({{a, b}, t});
+      result_.vertices.push_back({{a, b}, forward ? t : 1 - t});
     }
     return place->second;
   }
