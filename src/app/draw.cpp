@@ -62,8 +62,7 @@ FinishedSheet Run::draw_sheet(const World& whole, const CutSections& sections, c
   std::vector<View> seen;
   for (std::size_t i = 0; i < views.plans.size(); ++i) {
     seen.push_back(look_at(world(i), views.plans[i], views.descriptions[i]));
-    const World& drawn = world(i);
-    const Condition map = condition_of(seen.back().projection, drawn.box, drawn.one_rounding);
+    const Condition map = condition_of(seen.back().projection, world(i).box, world(i).one_rounding);
     const ViewCondition condition{views.plans[i].wish.name, map};
     warn_about(messages, condition);
     if (options.explain) report.conditions.push_back(condition);

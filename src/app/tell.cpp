@@ -16,8 +16,13 @@ namespace {
 
 std::string digits_left(const Condition& condition) { return format_fixed(std::floor(condition.digits_left()), 0); }
 
+std::string in_digits(const Condition& condition) {
+  const std::string number = digits_left(condition);
+  return number + (number == "1" ? " digit" : " digits");
+}
+
 std::string numbers_of(const Condition& condition) {
-  return "condition " + format_rounded(condition.number, 2) + ", " + digits_left(condition) + " digits left";
+  return "condition " + format_rounded(condition.number, 2) + ", " + in_digits(condition) + " left";
 }
 
 constexpr const char* more_digits =
@@ -56,7 +61,7 @@ void warn_about(const Messages& messages, const ViewCondition& view) {
   const Condition& condition = view.condition;
   if (condition.moved_by_files > std::pow(10, -fewest_digits_of_files))
     return messages.warn("view '" + view.name + "': coordinates in the files are rounded too coarsely for it (" +
-                         digits_left(condition) + " digits left): lines may be off by " +
+                         in_digits(condition) + " left): lines may be off by " +
                          format_rounded(condition.moved_by_files, 2) + " of the drawing\n  hint: " + more_digits);
   if (condition.digits_lost() < too_many_lost_digits) return;
   messages.warn("view '" + view.name + "': its map keeps few digits (" + numbers_of(condition) + "), because " +

@@ -20,16 +20,18 @@ constexpr std::size_t grain = 8192;
 
 double largest_component(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-// Of a placed model, in world lengths: of 32-bit floats by their size in the file, of decimals by the last place of
-// both of two vertices that should be equal.
-double rounding_of(const Placed& model, const Box& box) {
+double size_of(const Box& box) {
+  return std::max({largest_component(box.size()), largest_component(box.least), largest_component(box.most)});
+}
+
+// Of a placed model, in world lengths: of 32-bit floats by their size in the world or, where that is larger, in the
+// file; of decimals by the last place of both of two vertices that should be equal.
+double rounding_of(const Placed& model, const Box& box, const Box& in_file) {
   const Mat3 turn(model.to_world);
   const double stretch = std::max({glm::length(turn[0]), glm::length(turn[1]), glm::length(turn[2])});
   const double decimals = 2 * model.mesh->report.resolution * stretch;
   if (!model.mesh->report.single_precision) return decimals;
-  const double size =
-      std::max({largest_component(box.size()), largest_component(box.least), largest_component(box.most)});
-  return std::max(decimals, float_rounding * size * stretch);
+  return std::max(decimals, float_rounding * std::max(size_of(box), size_of(in_file) * stretch));
 }
 
 Vec3 one_rounding_of(const Placed& model, const Box& box) {
@@ -108,7 +110,7 @@ void append(World& world, const Placed& placed) {
   world.first_triangle.push_back(first_triangle + count);
   if (box.empty()) return;
   const Box in_file = box_in_file(placed, points.size(), box);
-  world.rounding = std::max(world.rounding, rounding_of(placed, in_file));
+  world.rounding = std::max(world.rounding, rounding_of(placed, box, in_file));
   world.one_rounding = glm::max(world.one_rounding, one_rounding_of(placed, in_file));
 }
 

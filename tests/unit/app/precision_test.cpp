@@ -16,12 +16,12 @@ constexpr int sides = 48;
 
 using Corner = std::array<double, 3>;
 
-// A drum of radius 5 and height 5, all of triangles.
+// A drum of radius 5 and height 5, all of triangles, cut off aslant.
 std::vector<std::array<Corner, 3>> drum(double offset) {
   std::vector<std::array<Corner, 3>> triangles;
   const auto corner = [&](int i, double radius, double z) {
     const double a = 2 * M_PI * i / sides;
-    return Corner{offset + radius * std::cos(a), offset + radius * std::sin(a), z};
+    return Corner{offset + radius * std::cos(a), offset + radius * std::sin(a), z + std::cos(a) / 7};
   };
   for (int i = 0; i < sides; ++i) {
     const Corner a = corner(i, 5, 0), b = corner(i + 1, 5, 0), c = corner(i + 1, 5, 5), d = corner(i, 5, 5);
@@ -79,7 +79,7 @@ TEST(Precision, FloatsFarFromTheOriginAreWarnedOf) {
 }
 
 TEST(Precision, FewDigitsFarFromTheOriginAreWarnedOf) {
-  EXPECT_TRUE(contains(draw("far.obj", obj(5e3, 6)).err, "digits left")) << "six digits";
+  EXPECT_TRUE(contains(draw("far.obj", obj(5e4, 6)).err, " left): lines may be off by "));
   EXPECT_EQ(draw("far.obj", obj(5e3, 17)).err, "");
   EXPECT_EQ(draw("near.obj", obj(0, 6)).err, "");
 }
