@@ -176,8 +176,7 @@ std::optional<std::array<double, 2>> hidden_part(const View& view, const Sightli
   const bool holds_p = std::find(own.begin(), own.end(), edge.p) != own.end();
   const bool holds_q = std::find(own.begin(), own.end(), edge.q) != own.end();
   if (!holds_p && !holds_q) {
-    const double at_from = in_front(from);
-    const double at_to = in_front(to);
+    const double at_from = in_front(from), at_to = in_front(to);
     if (!(at_from > 0) && !(at_to > 0)) return std::nullopt;
     return exceeding(from, to, at_from, at_to, contact.touching * steepness(slope_of(view, triangle)));
   }
@@ -188,9 +187,9 @@ std::optional<std::array<double, 2>> hidden_part(const View& view, const Sightli
   const PageVertex& corner = holds_p ? p : q;
   const PageVertex& end = holds_p ? q : p;
   const double part = holds_p ? to : 1 - from;
-  const double ahead = slope
-                           ? part * (rise_along(view, triangle, place(end) - place(corner)) + corner.depth - end.depth)
-                           : in_front(holds_p ? to : from);
+  const Vec2 way = place(end) - place(corner);
+  const double ahead =
+      slope ? part * (rise_along(view, triangle, way) + corner.depth - end.depth) : in_front(holds_p ? to : from);
   return ahead > contact.joined * steepness(slope) ? std::optional(std::array{from, to}) : std::nullopt;
 }
 
