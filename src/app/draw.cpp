@@ -62,7 +62,8 @@ FinishedSheet Run::draw_sheet(const World& whole, const CutSections& sections, c
   std::vector<View> seen;
   for (std::size_t i = 0; i < views.plans.size(); ++i) {
     seen.push_back(look_at(world(i), views.plans[i], views.descriptions[i]));
-    const ViewCondition condition{views.plans[i].wish.name, condition_of(seen.back().projection, world(i).box)};
+    const Condition map = condition_of(seen.back().projection, world(i).box, world(i).one_rounding);
+    const ViewCondition condition{views.plans[i].wish.name, map};
     warn_about(messages, condition);
     if (options.explain) report.conditions.push_back(condition);
   }
@@ -77,6 +78,7 @@ FinishedSheet Run::draw_sheet(const World& whole, const CutSections& sections, c
     wishes.push_back(views.plans[i].wish);
     results.push_back(
         draw_view(world(i), section(i), std::move(seen[i]), wishes[i], plan.places[i], report.plan, watch, progress));
+    warn_if_empty(messages, results.back(), wishes[i], world(i));
     note(results.back());
     answers += answer(questions, world(i), wishes[i], results.back());
     results.back().work = {};  // what follows takes its room

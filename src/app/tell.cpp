@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/error.hpp"
 #include "base/text.hpp"
 #include "sheet/lettering.hpp"
 #include "study/verify/verify.hpp"
@@ -15,15 +16,33 @@ namespace {
 
 std::string digits_left(const Condition& condition) { return format_fixed(std::floor(condition.digits_left()), 0); }
 
-std::string numbers_of(const Condition& condition) {
-  return "condition " + format_rounded(condition.number, 2) + ", " + digits_left(condition) + " digits left";
+std::string in_digits(const Condition& condition) {
+  const std::string number = digits_left(condition);
+  return number + (number == "1" ? " digit" : " digits");
 }
+
+std::string numbers_of(const Condition& condition) {
+  return "condition " + format_rounded(condition.number, 2) + ", " + in_digits(condition) + " left";
+}
+
+constexpr const char* more_digits =
+    "export the model nearer to the origin, or with more digits (64-bit PLY, OBJ with all decimals)";
 
 }  // namespace
 
+void warn_if_empty(const Messages& messages, const ViewResult& result, const ViewWish& wish, const World& world) {
+  if (!result.drawing.segments.empty() || result.partial) return;
+  if (!wish.edges.contour || !wish.edges.boundary || !wish.edges.crease)
+    return messages.warn("nothing is drawn: no edge of the wanted kinds is visible");
+  if (result.work.view.window_given) return messages.warn("nothing is drawn: no edge is visible in the window");
+  // Any face has an outline.
+  throw Error(Trouble::input, "view '" + wish.name + "'",
+              "nothing is drawn: no face is larger than what rounding of coordinates may have moved (" +
+                  format_rounded(world.rounding, 2) + ")",
+              more_digits);
+}
+
 void warn_about(const Messages& messages, const ViewResult& result) {
-  if (result.drawing.segments.empty() && !result.partial)
-    messages.warn("nothing is drawn: no edge of the wanted kinds is visible");
   if (result.verification) messages.print(result.drawing.name + ": " + in_words(*result.verification));
   if (const MethodChoice& choice = result.choice; !choice.reason.empty())
     messages.print(result.drawing.name + ": hidden lines by " + text_of(choice.method) + ", since " + choice.reason +
@@ -40,6 +59,10 @@ void warn_about(const Messages& messages, const Partial& partial) {
 
 void warn_about(const Messages& messages, const ViewCondition& view) {
   const Condition& condition = view.condition;
+  if (condition.moved_by_files > std::pow(10, -fewest_digits_of_files))
+    return messages.warn("view '" + view.name + "': coordinates in the files are rounded too coarsely for it (" +
+                         in_digits(condition) + " left): lines may be off by " +
+                         format_rounded(condition.moved_by_files, 2) + " of the drawing\n  hint: " + more_digits);
   if (condition.digits_lost() < too_many_lost_digits) return;
   messages.warn("view '" + view.name + "': its map keeps few digits (" + numbers_of(condition) + "), because " +
                 condition.why + "\n  hint: rounding of the input moves lines by 1e-" + digits_left(condition) +

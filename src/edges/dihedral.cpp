@@ -15,7 +15,7 @@ std::array<int, 2> sorted(int a, int b) { return {std::min(a, b), std::max(a, b)
 }  // namespace
 
 const MeshEdge* find_edge(const EdgeSurroundings& around, const std::array<int, 2>& side) {
-  const Mesh& mesh = *around.world.models[around.model].mesh;
+  const Mesh& mesh = around.mesh();
   const int first = around.world.first_vertex[around.model];
   const std::array<int, 2> key{side[0] - first, side[1] - first};
   const auto found = std::lower_bound(mesh.edges.begin(), mesh.edges.end(), key,
@@ -76,7 +76,7 @@ bool folds_by(const std::array<Vec3, 2>& normals, const FoldLimit& limit) {
 
 double turn_of_surface(const EdgeSurroundings& around, int triangle, double crease_angle) {
   const std::array<int, 3> corners = around.corners(triangle);
-  const Mesh& mesh = *around.world.models[around.model].mesh;
+  const Mesh& mesh = around.mesh();
   double turn = 0;
   for (int i = 0; i < 3; ++i) {
     const std::array<int, 2> side = sorted(corners[i], corners[(i + 1) % 3]);

@@ -12,10 +12,16 @@ struct EdgeSurroundings {
   const World& world;
   int model;
   double shrink;  ///< power of two that brings lengths near 1, so that products of them stay in range
+  /// The mesh before a plane cut it, to be judged in its place: edges and triangles below are of that then.
+  const UncutMesh* uncut = nullptr;
 
-  /// A corner of the model's triangle, as a vertex of the world.
+  [[nodiscard]] const Mesh& mesh() const { return uncut != nullptr ? *uncut->mesh : *world.models[model].mesh; }
+  /// The corners of a triangle, as vertices of the world.
   [[nodiscard]] std::array<int, 3> corners(int triangle) const {
-    return world.triangles[world.first_triangle[model] + triangle];
+    if (uncut == nullptr) return world.triangles[world.first_triangle[model] + triangle];
+    std::array<int, 3> corners = uncut->corners[triangle];
+    for (int& v : corners) v += world.first_vertex[model];
+    return corners;
   }
   [[nodiscard]] Vec3 point(int vertex) const { return world.points[vertex] * shrink; }
   /// The corner of a triangle that is not on the edge. Behind a sliver a triangle may share less than the whole edge

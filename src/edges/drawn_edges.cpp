@@ -28,7 +28,9 @@ std::vector<int> met_across_slivers(const EdgeSurroundings& around, const Sliver
 void add_mesh_edges(const World& world, View& view, int model, const EdgeWishes& wishes, DrawnEdges& drawn) {
   const EdgeSurroundings around{world, model, view.map.shrink};
   const Slivers slivers(around, view);
-  const std::vector<std::optional<EdgeKind>> kinds = feature_edges(view, wishes, around, slivers);
+  const bool is_cut = world.models[model].mesh->uncut != nullptr;
+  const std::vector<std::optional<EdgeKind>> kinds =
+      is_cut ? feature_edges(world, view, model, wishes) : feature_edges(view, wishes, around, slivers);
   const auto& edges = world.models[model].mesh->edges;
   const int first = world.first_vertex[model];
   for (std::size_t e = 0; e < edges.size(); ++e) {

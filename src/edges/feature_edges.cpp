@@ -22,7 +22,7 @@ constexpr double flatness = 0x1p-29;
 // The vector areas of the polygons of the file, by number: normals of polygons that may be bent (Newell). Empty where
 // all are triangles.
 std::vector<Vec3> mean_normals(const EdgeSurroundings& around) {
-  const Mesh& mesh = *around.world.models[around.model].mesh;
+  const Mesh& mesh = around.mesh();
   if (std::none_of(mesh.edges.begin(), mesh.edges.end(), [](const MeshEdge& e) { return e.diagonal; })) return {};
   std::vector<Vec3> sums(static_cast<std::size_t>(*std::max_element(mesh.polygon.begin(), mesh.polygon.end())) + 1);
   for (std::size_t t = 0; t < mesh.polygon.size(); ++t) {
@@ -43,12 +43,13 @@ struct Judge {
   FoldLimit crease;
   double edge_on;  ///< cells from the line of an edge within which a corner is on it
 
-  [[nodiscard]] const Mesh& mesh() const { return *around.world.models[around.model].mesh; }
+  [[nodiscard]] const Mesh& mesh() const { return around.mesh(); }
 
   // Where the third corner of a triangle lies: 1 left of the edge on the page, -1 right, 0 on its line.
   [[nodiscard]] int side(const std::array<int, 2>& edge, int triangle) const {
     const int corner = around.apex(edge, triangle);
-    if (view.triangle_planes.empty()) return side_on_grid(edge, corner);
+    // Corners that a plane took away may lie anywhere.
+    if (view.triangle_planes.empty() && around.uncut == nullptr) return side_on_grid(edge, corner);
     const bool before_viewer = is_before_viewer(edge[0]) && is_before_viewer(edge[1]) && is_before_viewer(corner);
     return before_viewer ? side_on_page(edge, corner) : side_in_space(edge, corner);
   }
@@ -172,11 +173,23 @@ struct Judge {
     return wish(EdgeKind::crease);
   }
 
-  [[nodiscard]] std::optional<EdgeKind> judge(const MeshEdge& edge) const {
+  // An edge of the mesh that is drawn. A cut leaves faces in their planes but may leave thin pieces of them, so what it
+  // left of an edge is judged by the whole faces.
+  [[nodiscard]] std::optional<EdgeKind> kind_of(const MeshEdge& edge) const {
     if (edge.cut == CutEdge::inside) return std::nullopt;
     if (edge.cut == CutEdge::outline) return EdgeKind::section;
+    if (around.uncut == nullptr) return judge(edge);
+    const EdgeOrigin origin = around.world.models[around.model].mesh->origin_of(edge);
+    return judge(*find_edge(around, in_world(origin.vertex)));
+  }
+
+  [[nodiscard]] std::array<int, 2> in_world(const std::array<int, 2>& vertex) const {
     const int first = around.world.first_vertex[around.model];
-    const std::array<int, 2> ends{first + edge.vertex[0], first + edge.vertex[1]};
+    return {first + vertex[0], first + vertex[1]};
+  }
+
+  [[nodiscard]] std::optional<EdgeKind> judge(const MeshEdge& edge) const {
+    const std::array<int, 2> ends = in_world(edge.vertex);
     const auto all = mesh().triangles_of(edge);
     if (all.size() == 2) return judge_pair(edge, ends, all[0], all[1]);
 
@@ -197,7 +210,7 @@ struct Judge {
 
 std::vector<std::optional<EdgeKind>> feature_edges(const World& world, const View& view, int model,
                                                    const EdgeWishes& wishes) {
-  const EdgeSurroundings around{world, model, view.map.shrink};
+  const EdgeSurroundings around{world, model, view.map.shrink, world.models[model].mesh->uncut.get()};
   return feature_edges(view, wishes, around, Slivers(around, view));
 }
 
@@ -214,10 +227,10 @@ std::vector<std::optional<EdgeKind>> feature_edges(const View& view, const EdgeW
                     polygon_normals,
                     FoldLimit(crease_angle),
                     page_resolution(around.world, view) / view.cell};
-  const auto& edges = judge.mesh().edges;
+  const auto& edges = around.world.models[around.model].mesh->edges;
   std::vector<std::optional<EdgeKind>> kinds(edges.size());
   parallel_for(edges.size(), 4096, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t e = begin; e < end; ++e) kinds[e] = judge.judge(edges[e]);
+    for (std::size_t e = begin; e < end; ++e) kinds[e] = judge.kind_of(edges[e]);
   });
   return kinds;
 }

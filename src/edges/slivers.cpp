@@ -63,7 +63,7 @@ Vec3 middle_of(const EdgeSurroundings& around, const std::array<int, 2>& edge) {
 std::optional<int> other_side(const EdgeSurroundings& around, const std::array<int, 2>& side, int triangle) {
   const MeshEdge* edge = find_edge(around, side);
   if (edge == nullptr || edge->count != 2) return std::nullopt;
-  const auto both = around.world.models[around.model].mesh->triangles_of(*edge);
+  const auto both = around.mesh().triangles_of(*edge);
   return both[0] == triangle ? both[1] : both[0];
 }
 
@@ -103,7 +103,7 @@ double nearest_w(const View& view, const std::array<int, 3>& corners) {
 }  // namespace
 
 Slivers::Slivers(const EdgeSurroundings& around, const View& view)
-    : around_(around), is_sliver_(around.world.models[around.model].mesh->polygon.size()) {
+    : around_(around), is_sliver_(around.mesh().polygon.size()) {
   const double rounding = around.world.rounding * view.map.shrink;
   const double lowest = std::max(scene_rounding, rounding);
   const double on_page = lowest_on_page * page_resolution(around.world, view);

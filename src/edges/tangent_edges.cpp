@@ -126,7 +126,7 @@ struct Judge {
 }  // namespace
 
 std::vector<char> tangent_edges(const EdgeSurroundings& around, double crease_angle) {
-  const Mesh& mesh = *around.world.models[around.model].mesh;
+  const Mesh& mesh = around.mesh();
   const std::vector<double> folds = folds_of(around, mesh);
   const Facets facets(mesh, folds);
   const Judge judge{around, mesh, folds, facets, crease_angle};

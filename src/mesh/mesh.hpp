@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -75,6 +76,8 @@ struct MeshReport {
 /// Whether more faces collapse than exporters and rounding account for: details of the model may be lost.
 constexpr bool are_many(int collapsed, int faces) { return collapsed > faces / 10; }
 
+struct UncutMesh;
+
 struct Mesh {
   Surface surface;             ///< triangle f of the project is face handle f
   std::vector<int> vertex_of;  ///< surface vertex -> vertex number of the file; the identity for the first ones
@@ -85,6 +88,7 @@ struct Mesh {
   UnsetVector<int> edge_triangles;
   std::vector<CutVertex> cut_vertices;  ///< of a mesh that was cut; they are numbered from `first_cut_vertex` on
   int first_cut_vertex = 0;
+  std::shared_ptr<const UncutMesh> uncut;  ///< what a mesh that was cut is a part of; null for others
   MeshReport report;
 
   [[nodiscard]] std::span<const int> triangles_of(const MeshEdge& edge) const {
@@ -95,6 +99,12 @@ struct Mesh {
   [[nodiscard]] std::array<int, 3> corners(int triangle) const;
   /// The place of a vertex of the file. Vertices that no drawn face uses have one, too.
   [[nodiscard]] const OpenMesh::Vec3d& point(int vertex) const { return surface.point(OpenMesh::VertexHandle(vertex)); }
+};
+
+/// A mesh before a plane cut it; its surface may be gone by then.
+struct UncutMesh {
+  std::shared_ptr<const Mesh> mesh;
+  std::vector<std::array<int, 3>> corners;  ///< of its triangles, as vertex numbers of the file
 };
 
 }  // namespace epura

@@ -54,6 +54,7 @@ class TextReader {
   Soup read() {
     // Programs write text STL from floats, whatever the number of digits.
     soup_.single_precision = true;
+    soup_.printed = true;
     for (std::string_view word = text_.word_of_any_line(); !word.empty(); word = text_.word_of_any_line())
       statement(to_lower(word), word);
     if (in_facet_) text_.fail("the file ends inside a facet", "is the file complete?");

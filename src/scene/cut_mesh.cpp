@@ -1,6 +1,7 @@
 #include "scene/cut_mesh.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <unordered_map>
@@ -59,13 +60,19 @@ class Knife {
     const std::uint64_t key = (static_cast<std::uint64_t>(a) << 32) | static_cast<std::uint32_t>(b);
     const auto [place, made] = made_.try_emplace(key, file_vertices_ + static_cast<int>(result_.points.size()));
     if (made) {
-      const double from = sides_.distance[first_ + a], to = sides_.distance[first_ + b];
-      const double t = from / (from - to);
+      // From the end that is first by its place, so that how vertices are numbered does not matter.
+      const auto place_of = [&](int v) {
+        const Vec3& p = world_.points[first_ + v];
+        return std::array{p.x, p.y, p.z};
+      };
+      const bool forward = place_of(a) < place_of(b);
+      const int from = first_ + (forward ? a : b), to = first_ + (forward ? b : a);
+      const auto part = [&](int u, int v) { return sides_.distance[u] / (sides_.distance[u] - sides_.distance[v]); };
       // Shrinking first: the difference of two large coordinates may be no double.
-      const Vec3 p = world_.points[first_ + a] * sides_.shrink;
-      const Vec3 q = world_.points[first_ + b] * sides_.shrink;
-      result_.points.push_back((p + t * (q - p)) / sides_.shrink);
-      result_.vertices.push_back({{a, b}, t});
+      const Vec3 p = world_.points[from] * sides_.shrink;
+      const Vec3 q = world_.points[to] * sides_.shrink;
+      result_.points.push_back((p + part(from, to) * (q - p)) / sides_.shrink);
+      result_.vertices.push_back({{a, b}, part(first_ + a, first_ + b)});
     }
     return place->second;
   }

@@ -42,6 +42,8 @@ struct ModelCut {
     }
   }
 
+  /// The model's triangles before the cut.
+  [[nodiscard]] std::vector<std::array<int, 3>> file_triangles() const;
   void close();
   void take_faces_in_plane(const std::vector<int>& material, const std::vector<std::optional<int>>& open_edge);
   void keep_triangle(int triangle, int body);
@@ -134,6 +136,14 @@ void ModelCut::add_face(int body, std::span<const CutSegment> segments) {
   }
 }
 
+std::vector<std::array<int, 3>> ModelCut::file_triangles() const {
+  const auto* const all = world.triangles.data();
+  std::vector<std::array<int, 3>> triangles(all + world.first_triangle[model], all + world.first_triangle[model + 1]);
+  for (std::array<int, 3>& corners : triangles)
+    for (int& v : corners) v -= world.first_vertex[model];
+  return triangles;
+}
+
 Mesh ModelCut::make_mesh() const {
   Mesh cut_away;
   cut_away.polygon = cut.polygon;
@@ -142,6 +152,7 @@ Mesh ModelCut::make_mesh() const {
   cut_away.report = mesh().report;
   cut_away.cut_vertices = cut.vertices;
   cut_away.first_cut_vertex = file_vertices();
+  cut_away.uncut = std::make_shared<const UncutMesh>(UncutMesh{world.models[model].mesh, file_triangles()});
   std::vector<int> corners;
   for (const auto& triangle : cut.triangles) corners.insert(corners.end(), triangle.begin(), triangle.end());
   EdgeTable table = make_edge_table(corners, cut.polygon, file_vertices() + static_cast<int>(cut.points.size()));
@@ -191,6 +202,7 @@ CutWorld cut_world(const World& world, const CuttingPlane& plane) {
   result.world.first_triangle = {0};
   result.world.box = world.box;
   result.world.rounding = world.rounding;
+  result.world.one_rounding = world.one_rounding;
   bool cuts = false;
   for (int model = 0; model < static_cast<int>(world.models.size()); ++model) {
     ModelCut cut{world, model, frame, cut_mesh(world, model, sides)};

@@ -15,20 +15,31 @@ namespace epura {
 namespace {
 
 constexpr double float_rounding = 0x1p-22;
+constexpr double half_last_place = 0x1p-24;  // of a 32-bit float, relative
 constexpr std::size_t grain = 8192;
 
 double largest_component(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-// Of a placed model, in world lengths: of 32-bit floats by their size, of decimals by the last place of both of two
-// vertices that should be equal.
-double rounding_of(const Placed& model, const Box& box) {
+double size_of(const Box& box) {
+  return std::max({largest_component(box.size()), largest_component(box.least), largest_component(box.most)});
+}
+
+// Of a placed model, in world lengths: of 32-bit floats by their size in the world or, where that is larger, in the
+// file; of decimals by the last place of both of two vertices that should be equal.
+double rounding_of(const Placed& model, const Box& box, const Box& in_file) {
   const Mat3 turn(model.to_world);
   const double stretch = std::max({glm::length(turn[0]), glm::length(turn[1]), glm::length(turn[2])});
   const double decimals = 2 * model.mesh->report.resolution * stretch;
   if (!model.mesh->report.single_precision) return decimals;
-  const double size =
-      std::max({largest_component(box.size()), largest_component(box.least), largest_component(box.most)});
-  return std::max(decimals, float_rounding * size);
+  return std::max(decimals, float_rounding * std::max(size_of(box), size_of(in_file) * stretch));
+}
+
+Vec3 one_rounding_of(const Placed& model, const Box& box) {
+  Vec3 half(model.mesh->report.resolution / 2);
+  if (model.mesh->report.single_precision)
+    half = glm::max(half, half_last_place * glm::max(glm::abs(box.least), glm::abs(box.most)));
+  const Mat3 turn(model.to_world);
+  return glm::abs(turn[0]) * half.x + glm::abs(turn[1]) * half.y + glm::abs(turn[2]) * half.z;
 }
 
 Vec3 place(const Mat4& to_world, const OpenMesh::Vec3d& p) {
@@ -52,25 +63,36 @@ bool place_vertices(const Placed& model, std::span<Vec3> points) {
   return all_finite;
 }
 
-Box box_of(const Surface& surface, std::span<const Vec3> points) {
+// Of the first `count` vertices of a surface, where `place(v)` has them.
+template <class Place>
+Box box_of(const Surface& surface, std::size_t count, const Place& place) {
   Box box;
-  for (std::size_t v = 0; v < points.size(); ++v)
-    if (!surface.is_isolated(OpenMesh::VertexHandle(static_cast<int>(v)))) box.add(points[v]);
+  for (std::size_t v = 0; v < count; ++v) {
+    const OpenMesh::VertexHandle vertex(static_cast<int>(v));
+    if (!surface.is_isolated(vertex)) box.add(place(vertex));
+  }
   return box;
 }
 
-void append(World& world, const Placed& model) {
-  const Mesh& mesh = *model.mesh;
+// As its file has it, where it stands; `box` as the world has it.
+Box box_in_file(const Placed& model, std::size_t vertices, const Box& box) {
+  if (model.to_world == Mat4(1.0)) return box;
+  const Surface& surface = model.mesh->surface;
+  return box_of(surface, vertices, [&](OpenMesh::VertexHandle v) { return place(Mat4(1.0), surface.point(v)); });
+}
+
+void append(World& world, const Placed& placed) {
+  const Mesh& mesh = *placed.mesh;
   const int first_vertex = world.first_vertex.back();
   const int first_triangle = world.first_triangle.back();
   int vertices = 0;
   for (const int v : mesh.vertex_of) vertices = std::max(vertices, v + 1);
   world.points.resize(static_cast<std::size_t>(first_vertex + vertices));
   const std::span<Vec3> points(world.points.data() + first_vertex, static_cast<std::size_t>(vertices));
-  if (!place_vertices(model, points))
+  if (!place_vertices(placed, points))
     throw Error(Trouble::input, mesh.report.name, "the transform moves vertices out of the range of numbers",
                 "use a smaller scale or translation");
-  const Box box = box_of(mesh.surface, points);
+  const Box box = box_of(mesh.surface, points.size(), [&](OpenMesh::VertexHandle v) { return points[v.idx()]; });
   if (!box.empty()) {
     world.box.add(box.least);
     world.box.add(box.most);
@@ -86,7 +108,10 @@ void append(World& world, const Placed& model) {
   });
   world.first_vertex.push_back(first_vertex + vertices);
   world.first_triangle.push_back(first_triangle + count);
-  world.rounding = std::max(world.rounding, rounding_of(model, box));
+  if (box.empty()) return;
+  const Box in_file = box_in_file(placed, points.size(), box);
+  world.rounding = std::max(world.rounding, rounding_of(placed, box, in_file));
+  world.one_rounding = glm::max(world.one_rounding, one_rounding_of(placed, in_file));
 }
 
 }  // namespace

@@ -24,7 +24,8 @@ struct World {
   UnsetVector<std::array<int, 3>> triangles;
   std::vector<int> first_vertex, first_triangle;  ///< one more than there are models
   Box box;                                        ///< of all vertices that triangles use
-  double rounding = 0;  ///< how far rounding in the files may have moved vertices; 0: coordinates mean what they say
+  double rounding = 0;   ///< how far rounding in the files may have moved vertices; 0: coordinates mean what they say
+  Vec3 one_rounding{0};  ///< the same by a single rounding of each coordinate, along the axes of the world
 
   [[nodiscard]] int model_of_triangle(int triangle) const;
 };

@@ -22,11 +22,11 @@ using Line = std::array<Vec2, 2>;
 constexpr double least_spacing = 1, most_spacing = 4;
 constexpr double spacings_a_side = 16;  // of a square
 constexpr double thin_width = 1;
-constexpr double nearest = 0.7;       // parts closer than this touch
-constexpr double shortest = 1e-3;     // mm of a hatching line that are seen
-constexpr double alike_degrees = 10;  // a hatching line so close to an outline looks like one
-constexpr double most_alike = 0.3;    // part of the outlines that may run so, or across
-constexpr double least_ratio = 1.4;   // of two spacings that are told apart
+constexpr double nearest = 0.7;            // parts closer than this touch
+constexpr double shortest = 1e-3;          // mm of a hatching line that are seen
+constexpr double alike_degrees = 10;       // a hatching line so close to an outline looks like one
+constexpr double most_alike = 0.3 + 1e-6;  // part of the outlines that may run so, or across; no share of n sides
+constexpr double least_ratio = 1.4;        // of two spacings that are told apart
 
 /// In order of preference; the factor is of the spacing. Where the first few do not tell a part from its neighbours by
 /// angle, spacing has to.
@@ -184,6 +184,28 @@ bool touch(const Part& one, const Part& two) {
   return false;
 }
 
+// What tells parts by their place on the sheet alone, whatever their numbers: the box around what is seen of them in
+// the first drawing, in thousandths of a millimetre, since equal places may differ by rounding; then all corners.
+using PlaceOnSheet = std::pair<std::array<double, 5>, std::vector<std::array<double, 2>>>;
+
+PlaceOnSheet place_of(const Part& part) {
+  constexpr double step = 1e-3;
+  const int first = part.faces.front().first;
+  Frame frame;
+  PlaceOnSheet place;
+  for (const auto& [drawing, face] : part.faces)
+    visit_sides(face->rings, [&](const Vec2& a, const Vec2&) {
+      if (drawing == first) frame.add(a);
+      place.second.push_back({a.x, a.y});
+    });
+  const auto steps = [&](double x) { return std::nearbyint(x / step); };
+  place.first = {static_cast<double>(first), steps(frame.least.x), steps(frame.least.y), steps(frame.most.x),
+                 steps(frame.most.y)};
+  std::sort(place.second.begin(), place.second.end());
+  return place;
+}
+
+// In an order that does not know how files number their bodies and faces.
 std::vector<Part> parts_of(std::span<const Drawing* const> drawings) {
   std::map<std::pair<int, int>, Part> parts;
   for (std::size_t d = 0; d < drawings.size(); ++d)
@@ -192,8 +214,11 @@ std::vector<Part> parts_of(std::span<const Drawing* const> drawings) {
       part.faces.emplace_back(static_cast<int>(d), &face);
       part.largest = std::max(part.largest, area_of(face));
     }
+  std::vector<std::pair<PlaceOnSheet, Part>> placed;
+  for (auto& [key, part] : parts) placed.emplace_back(place_of(part), std::move(part));
+  std::stable_sort(placed.begin(), placed.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<Part> list;
-  for (auto& [key, part] : parts) list.push_back(std::move(part));
+  for (auto& [place, part] : placed) list.push_back(std::move(part));
   return list;
 }
 
@@ -214,7 +239,8 @@ double share_along(const Part& part, double angle) {
 
 double spacing_of(const Part& part) {
   const double spacing = std::clamp(std::sqrt(part.largest) / spacings_a_side, least_spacing, most_spacing);
-  return std::round(spacing * 4) / 4;  // so that faces of about one size look alike
+  // So that faces of about one size look alike. Whole millimetres are no limits, lest rounding decide.
+  return std::round(spacing * 4 - 1e-6) / 4;
 }
 
 Hatching hatching_of(const Part& part, const std::vector<Hatching>& neighbours) {
@@ -253,6 +279,9 @@ std::vector<Hatching> choose_hatching(std::span<const Drawing* const> drawings) 
       if (touch(parts[p], parts[q])) neighbours.push_back(chosen[q]);
     chosen.push_back(hatching_of(parts[p], neighbours));
   }
+  std::sort(chosen.begin(), chosen.end(), [](const Hatching& a, const Hatching& b) {
+    return std::pair(a.model, a.body) < std::pair(b.model, b.body);
+  });
   return chosen;
 }
 

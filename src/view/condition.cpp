@@ -122,12 +122,15 @@ std::vector<Share> central_shares(const Setting& s) {
   return shares;
 }
 
+// That of the coordinates, in proportion to Setting::most, comes first.
+std::vector<Share> shares_of(const Setting& s) { return s.p.central ? central_shares(s) : parallel_shares(s); }
+
 }  // namespace
 
-Condition condition_of(const Projection& projection, const Box& scene) {
-  const Setting setting = setting_of(projection, scene);
-  const std::vector<Share> shares = projection.central ? central_shares(setting) : parallel_shares(setting);
-  Condition condition{0, {}};
+Condition condition_of(const Projection& projection, const Box& scene, const Vec3& one_rounding) {
+  Setting setting = setting_of(projection, scene);
+  const std::vector<Share> shares = shares_of(setting);
+  Condition condition{0, {}, 0};
   double largest = 0;
   for (const Share& share : shares) {
     if (!std::isfinite(share.number)) continue;  // a single point has no size to compare with
@@ -137,6 +140,9 @@ Condition condition_of(const Projection& projection, const Box& scene) {
     condition.why = share.why;
   }
   condition.number = std::max(condition.number, 1.0);
+  setting.most = one_rounding * make_view_map(projection, scene).shrink;
+  const double moved = shares_of(setting).front().number;
+  if (std::isfinite(moved)) condition.moved_by_files = moved;
   return condition;
 }
 

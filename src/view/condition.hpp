@@ -16,16 +16,23 @@ namespace epura {
 struct Condition {
   double number = 1;  ///< at least 1
   std::string why;    ///< what most of it comes from, as half a sentence
+  /// By which part of the drawing's size places move when coordinates are rounded as the files have them: to 32-bit
+  /// floats or to decimals. 0 where they are doubles.
+  double moved_by_files = 0;
 
   [[nodiscard]] double digits_lost() const { return std::log10(number); }
-  /// Of the 16 (15.95) that doubles have.
-  [[nodiscard]] double digits_left() const { return std::max(0.0, 53 * std::log10(2.0) - digits_lost()); }
+  /// Of the 16 (15.95) that doubles have, or of those that the files have.
+  [[nodiscard]] double digits_left() const {
+    return std::max(0.0, std::min(53 * std::log10(2.0) - digits_lost(), -std::log10(moved_by_files)));
+  }
 };
 
 /// From so many lost digits on, the drawing says so.
 inline constexpr double too_many_lost_digits = 8;
+/// So, too, where files leave fewer digits than this: that is when lines begin to move by what is seen.
+inline constexpr double fewest_digits_of_files = 4;
 
-/// `scene` is the box of everything that is drawn.
-Condition condition_of(const Projection& projection, const Box& scene);
+/// `scene` is the box of everything that is drawn; `one_rounding` what a rounding of its coordinates is (World).
+Condition condition_of(const Projection& projection, const Box& scene, const Vec3& one_rounding = Vec3(0));
 
 }  // namespace epura

@@ -117,6 +117,24 @@ std::optional<std::array<double, 2>> exceeding(double from, double to, double at
   return over_from > 0 ? std::array{from, root} : std::array{root, to};
 }
 
+// How depth changes along a way in the plane of a triangle: along its longest side and across it, since the slope of a
+// needle is uncertain across alone.
+double rise_along(const View& view, const ViewTriangle& triangle, const Vec2& way) {
+  std::array<const PageVertex*, 3> corners{};
+  for (int i = 0; i < 3; ++i) corners[i] = &view.vertices[triangle.vertex[i]];
+  const auto squared = [&](int i, int j) {
+    const Vec2 side = place(*corners[j]) - place(*corners[i]);
+    return glm::dot(side, side);
+  };
+  while (squared(0, 1) < std::max(squared(1, 2), squared(2, 0)))
+    std::rotate(corners.begin(), corners.begin() + 1, corners.end());
+  const auto& [a, b, c] = corners;
+  const Vec2 base = place(*b) - place(*a), other = place(*c) - place(*a);
+  const double along = (b->depth - a->depth) / glm::dot(base, base);
+  const double across = (c->depth - a->depth - along * glm::dot(base, other)) / cross(base, other);
+  return along * glm::dot(base, way) + across * cross(base, way);
+}
+
 }  // namespace
 
 std::optional<Vec2> slope_of(const View& view, const ViewTriangle& triangle) {
@@ -158,8 +176,7 @@ std::optional<std::array<double, 2>> hidden_part(const View& view, const Sightli
   const bool holds_p = std::find(own.begin(), own.end(), edge.p) != own.end();
   const bool holds_q = std::find(own.begin(), own.end(), edge.q) != own.end();
   if (!holds_p && !holds_q) {
-    const double at_from = in_front(from);
-    const double at_to = in_front(to);
+    const double at_from = in_front(from), at_to = in_front(to);
     if (!(at_from > 0) && !(at_to > 0)) return std::nullopt;
     return exceeding(from, to, at_from, at_to, contact.touching * steepness(slope_of(view, triangle)));
   }
@@ -170,8 +187,9 @@ std::optional<std::array<double, 2>> hidden_part(const View& view, const Sightli
   const PageVertex& corner = holds_p ? p : q;
   const PageVertex& end = holds_p ? q : p;
   const double part = holds_p ? to : 1 - from;
-  const double ahead = slope ? part * (glm::dot(*slope, place(end) - place(corner)) + corner.depth - end.depth)
-                             : in_front(holds_p ? to : from);
+  const Vec2 way = place(end) - place(corner);
+  const double ahead =
+      slope ? part * (rise_along(view, triangle, way) + corner.depth - end.depth) : in_front(holds_p ? to : from);
   return ahead > contact.joined * steepness(slope) ? std::optional(std::array{from, to}) : std::nullopt;
 }
 

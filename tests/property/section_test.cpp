@@ -3,6 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <numeric>
+#include <random>
+#include <string>
+#include <utility>
 
 #include "drawing/cut_faces.hpp"
 #include "shapes.hpp"
@@ -142,6 +147,108 @@ TEST(Section, FacesOnPaperAreSeenFromInFrontAndWithinTheWindow) {
   front.window = Window{{1, 1}, {3, 9}};
   View part = make_view(cut.world, front, {});
   EXPECT_NEAR(ring_area(cut_faces_on_paper(cut.faces, plane, part, {1, Vec2(0)}).at(0).rings.at(0)) * unit, 6, 1e-12);
+}
+
+// --- planes beside vertices
+
+Shape triangulated(const Shape& shape) {
+  Shape result{shape.points, {}, {}};
+  for (const auto& face : shape.faces)
+    for (std::size_t i = 2; i < face.size(); ++i) result.faces.push_back({face[0], face[i - 1], face[i]});
+  return result;
+}
+
+Shape prism(int sides) {
+  Shape shape;
+  std::vector<int> bottom, top;
+  for (int i = 0; i < sides; ++i) {
+    const double a = 2 * M_PI * i / sides;
+    for (const double z : {0.0, 3.0}) shape.points.push_back({std::cos(a), std::sin(a), z});
+    const int j = (i + 1) % sides;
+    shape.faces.push_back({2 * i, 2 * j, 2 * j + 1, 2 * i + 1});
+    bottom.insert(bottom.begin(), 2 * i);
+    top.push_back(2 * i + 1);
+  }
+  shape.faces.push_back(bottom);
+  shape.faces.push_back(top);
+  return shape;
+}
+
+Shape cube_with_a_bore(int sides) {
+  Shape shape;
+  for (int i = 0; i < sides; ++i) {
+    const double a = 2 * M_PI * (i + 0.5) / sides, c = std::cos(a), s = std::sin(a);
+    const double out = 1 / std::max(std::abs(c), std::abs(s));  // on the sides of the cube
+    for (const double z : {-1.0, 1.0})
+      for (const double radius : {0.5, out}) shape.points.push_back({radius * c, radius * s, z});
+  }
+  for (int i = 0; i < sides; ++i) {
+    const int k = 4 * i, l = 4 * ((i + 1) % sides);
+    shape.faces.push_back({k, k + 1, l + 1, l});
+    shape.faces.push_back({k + 2, l + 2, l + 3, k + 3});
+    shape.faces.push_back({k + 1, k + 3, l + 3, l + 1});
+    shape.faces.push_back({k, l, l + 2, k + 2});
+  }
+  return shape;
+}
+
+// Faces and corners in another order; coordinates as a file of 32-bit floats has them, or as they are.
+World numbered_anew(const Shape& shape, unsigned seed, bool floats) {
+  std::mt19937 random(seed);
+  std::vector<int> number(shape.points.size());
+  std::iota(number.begin(), number.end(), 0);
+  std::vector<std::vector<int>> faces = shape.faces;
+  if (seed != 0) {
+    std::shuffle(number.begin(), number.end(), random);
+    std::shuffle(faces.begin(), faces.end(), random);
+    for (auto& face : faces) std::rotate(face.begin(), face.begin() + random() % face.size(), face.end());
+  }
+  Soup soup;
+  soup.points = shape.points;
+  soup.single_precision = floats;
+  for (std::size_t v = 0; v < number.size(); ++v)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double x = shape.points[v][i];
+      soup.points[number[v]][i] = floats ? static_cast<double>(static_cast<float>(x)) : x;
+    }
+  for (const auto& face : faces) {
+    for (const int v : face) soup.corners.push_back(number[v]);
+    soup.end_face();
+  }
+  return make_world({{std::make_shared<const Mesh>(build_mesh(std::move(soup), "test"))}});
+}
+
+std::vector<Shape> shapes_to_cut() {
+  return {triangulated(prism(11)), triangulated(prism(48)), triangulated(stability::uv_sphere(16, 8)),
+          triangulated(cube_with_a_bore(16))};
+}
+
+// Planes along which no edge runs: what they leave changes steadily with their distance from the vertex.
+TEST(Section, BesideAVertexChangesSteadilyAndKnowsNoOrderOfFaces) {
+  const std::vector<Vec3> normals = {{0.21, -0.9, 0.37}, {-0.55, -0.62, 0.4}};
+  const Projection view = orthographic({1, -1, 1});
+  for (const Shape& shape : shapes_to_cut())
+    for (const bool floats : {false, true})
+      for (const std::size_t vertex : {std::size_t{1}, shape.points.size() / 2})
+        for (const Vec3& normal : normals) {
+          const World world = numbered_anew(shape, 0, floats), other = numbered_anew(shape, 7, floats);
+          const Vec3 at = world.points[static_cast<int>(vertex)];
+          const Result through = draw_cut(world, plane_at(at, normal), view);
+          for (const double distance : {1e-15, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 3e-7, 1e-6, 3e-6, 1e-5})
+            for (const double side : {-distance, distance}) {
+              const CuttingPlane plane = plane_at(at + side * glm::normalize(normal), normal);
+              const Result cut = draw_cut(world, plane, view), again = draw_cut(other, plane, view);
+              const double least = 1e-3 * through.extent();
+              const auto where = [&] {
+                return std::to_string(shape.faces.size()) + " faces, vertex " + std::to_string(vertex) + ", " +
+                       (floats ? "floats, " : "doubles, ") + std::to_string(std::log10(distance));
+              };
+              EXPECT_NEAR(cut.visible(), through.visible(), least) << where();
+              EXPECT_NEAR(cut.hidden_length(), through.hidden_length(), least) << where();
+              EXPECT_NEAR(again.visible(), cut.visible(), least) << where();
+              EXPECT_NEAR(again.hidden_length(), cut.hidden_length(), least) << where();
+            }
+        }
 }
 
 }  // namespace

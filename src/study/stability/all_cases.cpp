@@ -19,7 +19,7 @@ std::pair<std::size_t, long long> place_of(const std::string& id) {
 std::vector<Case> all_cases() {
   std::vector<Case> all;
   for (auto* family : {projection_cases, viewer_cases, alignment_cases, line_cases, body_cases, surface_cases,
-                       size_cases, number_cases, modeller_cases}) {
+                       size_cases, number_cases, modeller_cases, section_cases}) {
     std::vector<Case> cases = family();
     std::move(cases.begin(), cases.end(), std::back_inserter(all));
   }

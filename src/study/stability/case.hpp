@@ -1,4 +1,4 @@
-// The table of stiff and extreme cases: projections P1 to P16, alignments and views V1 to V13, meshes M1 to M36.
+// The table of stiff and extreme cases: projections P1 to P16, alignments and views V1 to V13, meshes M1 to M37.
 #pragma once
 
 #include <functional>
@@ -28,6 +28,7 @@ std::vector<Case> surface_cases();
 std::vector<Case> size_cases();      ///< meshes of many parts; `Lab::size` scales their numbers
 std::vector<Case> number_cases();    ///< meshes with coordinates out of the ordinary
 std::vector<Case> modeller_cases();  ///< meshes as modellers write them
+std::vector<Case> section_cases();   ///< meshes that a plane cuts
 
 /// All of them, in order of their ids.
 std::vector<Case> all_cases();

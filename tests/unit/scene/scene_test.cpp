@@ -76,5 +76,20 @@ TEST(Scene, TheLeastPreciseModelCounts) {
   EXPECT_EQ(make_world({{coarse, parse_transform("translate:7,0,0")}}).rounding, 8 * 0x1p-22);
 }
 
+// Moving a model to the origin gives no digits back that its file has not.
+TEST(Scene, RoundingIsThatOfTheFileWhereverTheModelStands) {
+  Mesh floats = mesh_of(triangulated_cube().moved(99, 0, 0));
+  floats.report.single_precision = true;
+  const auto shared = std::make_shared<const Mesh>(std::move(floats));
+  for (const char* steps : {"", "translate:-99,0,0", "translate:0,1e7,0"}) {
+    const World world = make_world({{shared, parse_transform(steps)}});
+    EXPECT_GE(world.rounding, 100 * 0x1p-22) << steps;
+    EXPECT_EQ(world.one_rounding, Vec3(100, 1, 1) * 0x1p-24) << steps;
+  }
+  const World turned = make_world({{shared, parse_transform("scale:10 rotate:z,90")}});
+  EXPECT_NEAR(turned.one_rounding.y, 1000 * 0x1p-24, 1e-12);
+  EXPECT_EQ(make_world({placed(triangulated_cube())}).one_rounding, Vec3(0));
+}
+
 }  // namespace
 }  // namespace epura::test

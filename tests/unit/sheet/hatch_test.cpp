@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
+#include <utility>
 
 namespace epura {
 namespace {
@@ -113,6 +116,47 @@ TEST(Hatch, OfTouchingPartsDiffersAndOfOnePartIsTheSame) {
   EXPECT_EQ(of_both.size(), 5U);
   EXPECT_EQ(of_both[1].angle, hatching[1].angle);
   EXPECT_EQ(of_both[1].spacing, hatching[1].spacing);
+}
+
+// The angle and spacing at each place, whatever number the body there has.
+std::map<double, std::pair<double, double>> by_place(const std::vector<CutFace>& faces) {
+  const std::vector<Hatching> hatching = choose(drawing_of(faces));
+  std::map<double, std::pair<double, double>> found;
+  for (const CutFace& face : faces)
+    for (const Hatching& h : hatching)
+      if (h.model == face.model && h.body == face.body)
+        found[face.rings[0][0].x + 1000 * face.rings[0][0].y] = {h.angle, h.spacing};
+  return found;
+}
+
+TEST(Hatch, DoesNotDependOnTheNumbersOfBodies) {
+  std::vector<CutFace> faces = {{0, 0, {rectangle(0, 0, 40, 40)}},
+                                {0, 1, {rectangle(40, 0, 80, 40)}},
+                                {0, 2, {rectangle(0, 40, 80, 80)}},
+                                {0, 3, {rectangle(80, 0, 85, 80)}},
+                                {0, 4, {rectangle(10, 10, 30, 30)}}};
+  const auto expected = by_place(faces);
+  ASSERT_EQ(expected.size(), faces.size());
+  std::vector<int> order{0, 1, 2, 3, 4};
+  do {
+    std::vector<CutFace> others = faces;
+    for (std::size_t i = 0; i < faces.size(); ++i) others[i].body = order[i];
+    EXPECT_EQ(by_place(others), expected);
+  } while (std::next_permutation(order.begin(), order.end()));
+}
+
+// Rounding of the places must not decide either: two parts of one height, one of them lower by less than is seen.
+TEST(Hatch, DoesNotDependOnRounding) {
+  const auto angles = [](double shift) {
+    const auto found = by_place({{0, 0, {rectangle(0, 0, 40, 40)}}, {0, 1, {rectangle(shift, 40, 40, 80)}}});
+    return std::pair(found.begin()->second.first, found.rbegin()->second.first);
+  };
+  EXPECT_EQ(angles(1e-13), angles(0));
+  EXPECT_EQ(angles(-1e-13), angles(0));
+  // The side of a square at which the spacing changes.
+  const auto spacing = [](double side) { return choose(drawing_of({{0, 0, {rectangle(0, 0, side, side)}}})).at(0); };
+  EXPECT_EQ(spacing(18).spacing, spacing(18 - 1e-13).spacing);
+  EXPECT_EQ(spacing(18).spacing, spacing(18 + 1e-13).spacing);
 }
 
 TEST(Hatch, SpacingGrowsWithTheFaceWithinLimits) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 #include "study/stability/lab.hpp"
@@ -43,6 +44,28 @@ std::vector<Place> places_of(const Projection& p, const Box& box, Changer change
     places.push_back({dot(axes[0], on_plane) - from[0], dot(axes[1], on_plane) - from[1]});
   }
   return places;
+}
+
+// The most by which a place moves, in parts of the drawing, when each coordinate is changed by up to `amount`.
+double measured_change(const Projection& p, const Box& box, double amount) {
+  const auto place = [&](const Vec3& x) {
+    const Vec3 ray = p.central ? p.projector - x : p.projector;
+    const Vec3 on_plane = x - p.point + glm::dot(p.n, p.point - x) / glm::dot(p.n, ray) * ray;
+    return Vec2(glm::dot(p.u, on_plane), glm::dot(p.v, on_plane));
+  };
+  double moved = 0;
+  Vec2 least(HUGE_VAL), most(-HUGE_VAL);
+  for (int i = 0; i < 64; ++i) {
+    const auto bit = [&](int k) { return (i >> k & 1) != 0; };
+    const Vec3 corner(bit(0) ? box.most.x : box.least.x, bit(1) ? box.most.y : box.least.y,
+                      bit(2) ? box.most.z : box.least.z);
+    const Vec3 change(bit(3) ? amount : -amount, bit(4) ? amount : -amount, bit(5) ? amount : -amount);
+    const Vec2 before = place(corner), after = place(corner + change);
+    least = glm::min(least, before);
+    most = glm::max(most, before);
+    moved = std::max({moved, std::abs(after.x - before.x), std::abs(after.y - before.y)});
+  }
+  return moved / std::max(most.x - least.x, most.y - least.y);
 }
 
 double measured_condition(const Projection& p, const Box& box) {
@@ -151,6 +174,23 @@ TEST(Condition, IsTheSameForScenesOfAnySizeAndDefinedForAPoint) {
     EXPECT_EQ(condition_of(orthographic({1, 2, 3}), {Vec3(s), Vec3(2 * s)}).number, plain.number) << k;
   }
   EXPECT_EQ(condition_of(orthographic({1, 2, 3}), {Vec3(5), Vec3(5)}).number, 1);
+}
+
+// What rounding to 32-bit floats does, against the most that is told: both are of the order of the last place.
+TEST(Condition, KnowsThePrecisionOfTheFiles) {
+  for (const double offset : {0.0, 1e2, 1e4, 1e6})
+    for (const Projection& p :
+         {orthographic({1, -1, 1}), perspective(Vec3(3, -4, 2) + offset, Vec3(offset), {3, -4, 2}, {0, 0, 1})}) {
+      const Box box{Vec3(offset + 0.1), Vec3(offset + 1.1)};
+      const Vec3 one_rounding = glm::abs(box.most) * 0x1p-24;
+      const Condition condition = condition_of(p, box, one_rounding);
+      EXPECT_EQ(condition.number, condition_of(p, box).number);
+      EXPECT_EQ(condition_of(p, box).moved_by_files, 0);
+      const double moved = measured_change(p, box, one_rounding.x);
+      EXPECT_GE(condition.moved_by_files, moved / 2) << offset;
+      EXPECT_LE(condition.moved_by_files, 30 * moved) << offset;
+      EXPECT_NEAR(condition.digits_left(), -std::log10(condition.moved_by_files), 1e-12);
+    }
 }
 
 }  // namespace

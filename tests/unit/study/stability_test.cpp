@@ -15,7 +15,7 @@ namespace epura::stability {
 namespace {
 
 // The families of cases and how many each has.
-const std::vector<std::pair<char, int>> families{{'P', 16}, {'V', 13}, {'M', 30}};
+const std::vector<std::pair<char, int>> families{{'P', 16}, {'V', 13}, {'M', 37}};
 
 TEST(StabilityCases, AreAllThereInOrderWithEnoughSteps) {
   const std::vector<Case> cases = all_cases();

@@ -1,0 +1,117 @@
+// Meshes: planes of section.
+#include <cmath>
+#include <vector>
+
+#include "scene/cut_world.hpp"
+#include "study/stability/case.hpp"
+#include "study/stability/forms.hpp"
+
+namespace epura::stability {
+
+namespace {
+
+struct Face {
+  std::vector<Vec3> ring;
+  Vec3 normal;  ///< outward
+};
+
+/// A side of a convex body, between two of its faces: seen where one of these is.
+struct Side {
+  Vec3 from, to;
+  Vec3 normal, other_normal;
+};
+
+struct ConvexBody {
+  std::vector<Face> faces;
+  std::vector<Side> sides;
+};
+
+ConvexBody prism(int corners, double height) {
+  const auto corner = [&](int i, double z) {
+    const double a = 2 * M_PI * (i % corners) / corners;
+    return Vec3(std::cos(a), std::sin(a), z);
+  };
+  ConvexBody body;
+  Face top{{}, {0, 0, 1}}, bottom{{}, {0, 0, -1}};
+  for (int i = 0; i < corners; ++i) {
+    top.ring.push_back(corner(i, height));
+    bottom.ring.push_back(corner(corners - i, 0));
+    const double middle = M_PI * (2 * i + 1) / corners, before = middle - 2 * M_PI / corners;
+    const Vec3 normal(std::cos(middle), std::sin(middle), 0), last(std::cos(before), std::sin(before), 0);
+    const std::vector<Vec3> ring{corner(i, 0), corner(i + 1, 0), corner(i + 1, height), corner(i, height)};
+    body.faces.push_back({ring, normal});
+    body.sides.push_back({ring[0], ring[1], normal, bottom.normal});
+    body.sides.push_back({ring[2], ring[3], normal, top.normal});
+    body.sides.push_back({ring[3], ring[0], normal, last});
+  }
+  body.faces.push_back(top);
+  body.faces.push_back(bottom);
+  return body;
+}
+
+// Each face as a fan of triangles around its first corner: the caps around one corner of the body.
+Shape fans_of(const ConvexBody& body) {
+  Shape shape;
+  for (const Face& face : body.faces) {
+    const int first = static_cast<int>(shape.points.size()), count = static_cast<int>(face.ring.size());
+    for (const Vec3& p : face.ring) shape.points.push_back({p.x, p.y, p.z});
+    for (int i = 2; i < count; ++i) shape.faces.push_back({first, first + i - 1, first + i});
+  }
+  return shape;
+}
+
+// The sides of what a plane leaves of a body.
+std::vector<Side> cut_sides(const ConvexBody& body, const CuttingPlane& plane) {
+  const auto distance = [&](const Vec3& p) { return glm::dot(plane.normal, p - plane.point); };
+  const auto meet = [&](const Vec3& a, const Vec3& b) {
+    return a + distance(a) / (distance(a) - distance(b)) * (b - a);
+  };
+  std::vector<Side> left;
+  for (Side side : body.sides) {
+    const double from = distance(side.from), to = distance(side.to);
+    if (from >= 0 && to >= 0) continue;
+    if (from > 0) side.from = meet(side.from, side.to);
+    if (to > 0) side.to = meet(side.from, side.to);
+    left.push_back(side);
+  }
+  for (const auto& [ring, normal] : body.faces) {
+    std::vector<Vec3> met;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vec3 &a = ring[i], &b = ring[(i + 1) % ring.size()];
+      if ((distance(a) < 0) != (distance(b) < 0)) met.push_back(meet(a, b));
+    }
+    if (met.size() == 2) left.push_back({met[0], met[1], normal, plane.normal});
+  }
+  return left;
+}
+
+// The plane passes a corner of a prism, and the hub of the fan that is its cap, at either side, and cuts that fan into
+// triangles as thin as it is near. No edge runs along it: all lengths change steadily with the distance.
+Measured cut_beside_a_vertex(const Lab& lab, double distance) {
+  const ConvexBody body = prism(11, 3);
+  const World world = world_of(fans_of(body));
+  const Vec3 viewer = glm::normalize(Vec3(1, -1, 1)), normal = glm::normalize(Vec3(0.21, -0.9, 0.37));
+  Measured measured;
+  for (const double side : {-distance, distance}) {
+    const CuttingPlane plane = make_cutting_plane({{"A", "study"}, Vec3(1, 0, 3) + side * normal, normal});
+    double seen = 0, hidden = 0;
+    for (const Side& edge : cut_sides(body, plane)) {
+      const bool is_seen = glm::dot(edge.normal, viewer) > 0 || glm::dot(edge.other_normal, viewer) > 0;
+      (is_seen ? seen : hidden) += glm::length(glm::cross(edge.to - edge.from, viewer));
+    }
+    append(measured, lengths(lab.draw(cut_world(world, plane).world, {orthographic(viewer)}), seen, hidden));
+  }
+  return measured;
+}
+
+}  // namespace
+
+std::vector<Case> section_cases() {
+  return {{"M37",
+           "prism cut beside a vertex",
+           "distance of the plane from the vertex",
+           {1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14, 1e-15, 0},
+           cut_beside_a_vertex}};
+}
+
+}  // namespace epura::stability
