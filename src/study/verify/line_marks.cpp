@@ -200,14 +200,18 @@ bool LineMarks::is_seen(double u, double depth) const {
   return !is_hidden_by(*left, u, depth) || !is_hidden_by(*right, u, depth);
 }
 
-// Whether two faces cross near a place, in front or hardly behind what is.
-bool LineMarks::faces_cross(double u, double reach) const {
+// Whether two faces cross or touch at a place, in front or hardly behind what is.
+bool LineMarks::faces_meet(double u, double reach) const {
   std::vector<std::array<double, 2>> depths;
-  for (const SlicePiece& piece : slice_.pieces)
-    if (piece.u[0] < u - reach && piece.u[1] > u + reach && is_seen(u, piece.depth_at(u)))
-      depths.push_back({piece.depth_at(u - reach), piece.depth_at(u + reach)});
+  for (const SlicePiece& piece : slice_.pieces) {
+    const double depth = piece.depth_at(u);
+    if (!(piece.u[0] < u && piece.u[1] > u) || !is_seen(u, depth)) continue;
+    const double touching = (clear_step * limits_.contact + reach) * (1 + std::abs(piece.slope()));
+    depths.push_back({depth - touching, depth + touching});
+  }
   std::ranges::sort(depths);
-  return !std::ranges::is_sorted(depths, {}, [](const std::array<double, 2>& both) { return both[1]; });
+  return std::ranges::adjacent_find(depths, [](const auto& low, const auto& high) { return low[1] >= high[0]; }) !=
+         depths.end();
 }
 
 bool LineMarks::allows(EdgeKind kind, double u, double reach) const {
@@ -222,7 +226,7 @@ bool LineMarks::allows(EdgeKind kind, double u, double reach) const {
     const FoldRule::Sheets sheets = rule_.sheets_at(slice_.crossings[i].edge);
     if (is_within_surface(kind) && !sheets.edge->diagonal && sheets.edge->cut != CutEdge::inside) return true;
   }
-  return kind == EdgeKind::intersection && faces_cross(u, reach);
+  return kind == EdgeKind::intersection && faces_meet(u, reach);
 }
 
 bool LineMarks::same_line(const std::array<int, 2>& first, const std::array<int, 2>& second, double u,

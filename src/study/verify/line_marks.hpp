@@ -32,7 +32,8 @@ class LineMarks {
 
   [[nodiscard]] std::vector<LineMark> asked() const;
   /// Whether there may be a line of some kind within `reach` mm of a place. The kind tells only whether a line lies
-  /// within a surface, where it may stand at any edge, and whether it is one between faces that hardly cross.
+  /// within a surface, where it may stand at any edge, and whether it may be one between faces that hardly cross, whose
+  /// place is uncertain.
   [[nodiscard]] bool allows(EdgeKind kind, double u, double reach) const;
   /// Whether two edges are the long sides of one needle that the line crosses: they stand for one line.
   [[nodiscard]] bool same_line(const std::array<int, 2>& first, const std::array<int, 2>& second, double u,
@@ -60,7 +61,7 @@ class LineMarks {
   [[nodiscard]] bool is_break(const Change& change) const;
   [[nodiscard]] bool is_hidden_by(const SeenPart& part, double u, double depth) const;
   [[nodiscard]] bool is_seen(double u, double depth) const;
-  [[nodiscard]] bool faces_cross(double u, double reach) const;
+  [[nodiscard]] bool faces_meet(double u, double reach) const;
   [[nodiscard]] bool is_vague(const Change& change) const;
   [[nodiscard]] std::vector<Change> changes(double from, double to) const;
   [[nodiscard]] std::array<int, 2> crossings_between(double from, double to) const;
