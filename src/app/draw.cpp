@@ -49,7 +49,8 @@ void Run::note(const ViewResult& result) {
   warn_about(messages, result);
   if (result.partial) report.partial = report.partial ? *report.partial + *result.partial : *result.partial;
   if (!result.verification) return;
-  if (!report.verification || report.verification->wrong < result.verification->wrong)
+  const auto wrong = [](const Verification& found) { return found.wrong + found.outline.wrong(); };
+  if (!report.verification || wrong(*report.verification) < wrong(*result.verification))
     report.verification = result.verification;
 }
 

@@ -20,7 +20,7 @@ struct DrawnFiles {
   Stopwatch watch;
   std::vector<FinishedSheet> sheets;  ///< what the files show; theirs is most of the memory
 
-  [[nodiscard]] bool is_wrong() const { return report.verification && report.verification->wrong > 0; }
+  [[nodiscard]] bool is_wrong() const { return report.verification && !report.verification->is_right(); }
 };
 
 /// Draws and writes all files. Throws Error.

@@ -5,6 +5,7 @@
 
 #include "drawing/cut_faces.hpp"
 #include "edges/suspects.hpp"
+#include "study/verify/outline.hpp"
 #include "study/verify/verify.hpp"
 #include "visibility/one_sheet.hpp"
 
@@ -132,11 +133,17 @@ std::optional<Partial> partial_of(const DrawnEdges& drawn, const HiddenSpans& hi
 
 std::optional<Verification> verify_view(const World& world, const View& view, const ViewWish& wish,
                                         const DrawnEdges& drawn, const HiddenSpans& hidden, const Contact& contact,
-                                        const Drawing& drawing, double scale) {
+                                        const Drawing& drawing, const PaperMap& paper, bool complete) {
   if (!wish.verify) return std::nullopt;
-  const Tolerance tolerance{view.extent * scale, contact.touching * scale};
-  return verify({world, view.projection, wish.limits, drawn, hidden, drawing}, tolerance, *wish.verify,
-                wish.keep_hidden());
+  const Tolerance tolerance{view.extent * paper.scale, contact.touching * paper.scale};
+  const Claim claim{world, view.projection, wish.limits, drawn, hidden, drawing};
+  Verification found = verify(claim, tolerance, *wish.verify, wish.keep_hidden());
+  // A window that is given cuts lines off; otherwise it is the box of what is seen, and lines lie on its border.
+  const double margin = view.window_given ? 0 : 0.01 * view.extent;
+  const auto place = [&](const Vec2& corner) { return paper.origin + paper.scale * (corner - view.middle); };
+  const Window window{place(view.window.least - margin), place(view.window.most + margin)};
+  found.outline = verify_outline(claim, tolerance, {wish.edges, *wish.verify, complete, window});
+  return found;
 }
 
 }  // namespace
@@ -178,7 +185,7 @@ ViewResult draw_view(const World& world, const CutSection* section, View view, c
   watch.lap("drawing");
   drawing.scale = place.scale;
   if (wish.verify) progress.begin("verifying");
-  auto verification = verify_view(world, view, wish, drawn, hidden, contact, drawing, paper.scale);
+  auto verification = verify_view(world, view, wish, drawn, hidden, contact, drawing, paper, !partial);
   if (wish.verify) watch.lap("verify");
   return {{std::move(view), std::move(drawn), contact, std::move(hidden), paper},
           std::move(drawing),

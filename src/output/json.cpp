@@ -229,13 +229,30 @@ std::string offence_of(const Offence& offence) {
          ", \"hider\": " + (offence.hider ? facet_of(*offence.hider) : "null") + "}";
 }
 
+std::string fault_of(const OutlineFault& fault) {
+  return "{\"what\": " + json_string(fault.what) + ", \"page\": " + point(fault.page) +
+         ", \"length\": " + number(fault.length) + ", \"model\": " + number(fault.model) +
+         ", \"edge\": " + (fault.edge[0] >= 0 ? numbers(fault.edge) : "null") +
+         ", \"facets\": " + list(fault.facets, facet_of) + "}";
+}
+
+std::string outline_of(const OutlineCheck& outline) {
+  return "{\"lines\": " + number(outline.lines) + ", \"asked\": " + number(outline.asked) +
+         ", \"missing\": " + number(outline.missing) + ", \"ink\": " + number(outline.ink) +
+         ", \"unfounded\": " + number(outline.unfounded) + ", \"doubled\": " + number(outline.doubled) +
+         ", \"undecided\": " + number(outline.undecided) + ", \"length\": " + number(outline.length) +
+         ", \"at_most\": " + number(outline.at_most) + ",\n    \"worst\": " + list(outline.worst, fault_of, "\n     ") +
+         "}";
+}
+
 std::string verification_of(const Verification& found) {
   return "{\"points\": " + number(found.points) + ", \"decided\": " + number(found.decided) +
          ", \"wrong\": " + number(found.wrong) + ", \"samples\": " + number(found.samples) +
          ", \"length\": " + number(found.length) + ", \"misclassified\": " + number(found.misclassified) +
          ", \"at_most\": " + number(found.at_most) + ", \"undecided\": " + number(found.undecided) +
          ", \"untested\": " + number(found.untested) + ",\n   \"strata\": " + list(found.strata, stratum_of, "\n    ") +
-         ",\n   \"worst\": " + list(found.worst, offence_of, "\n    ") + "}";
+         ",\n   \"worst\": " + list(found.worst, offence_of, "\n    ") +
+         ",\n   \"outline\": " + outline_of(found.outline) + "}";
 }
 
 std::string condition_of_view(const ViewCondition& view) {

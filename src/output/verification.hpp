@@ -38,6 +38,29 @@ struct Stratum {
   int undecided = 0, wrong = 0;  ///< of these
 };
 
+/// A line that is missing, or that should not be there.
+struct OutlineFault {
+  std::string what;               ///< "missing", "unfounded" or "doubled"
+  Vec2 page;                      ///< mm; a place of it
+  double length;                  ///< mm of the straight line through that place that are so
+  int model;                      ///< -1: none
+  std::array<int, 2> edge;        ///< vertex numbers of the file; {-1, -1} for none
+  std::vector<FacetName> facets;  ///< seen on both sides of a line that is missing
+};
+
+/// What lines at random across the page met: places where a line is asked for, and visible ink.
+struct OutlineCheck {
+  int lines = 0;
+  int asked = 0, missing = 0;               ///< places where the scene asks for a line; those without ink
+  int ink = 0, unfounded = 0, doubled = 0;  ///< places with ink; those that nothing asks for, and second lines
+  int undecided = 0;                        ///< wrong over too short a length
+  double length = 0;                        ///< mm for which one place stands
+  double at_most = 1;                       ///< share of all these that is wrong, with a confidence of 95 %, one-sided
+  std::vector<OutlineFault> worst;          ///< longest first, at most ten
+
+  [[nodiscard]] int wrong() const { return missing + unfounded + doubled; }
+};
+
 struct Verification {
   int samples = 0;             ///< points at random, on which the estimates rest
   int points = 0;              ///< all that were tested: also middles and both sides of ends of the spans met
@@ -49,6 +72,9 @@ struct Verification {
   double at_most = 1;          ///< the same with a confidence of 95 %, one-sided
   std::vector<Stratum> strata;
   std::vector<Offence> worst;  ///< longest spans first, at most ten
+  OutlineCheck outline;
+
+  [[nodiscard]] bool is_right() const { return wrong == 0 && outline.wrong() == 0; }
 };
 
 }  // namespace epura

@@ -11,6 +11,8 @@ namespace {
 constexpr double rounding_part = 0.1;
 // Depth per length on the page from which a triangle is a line there, whose depth over a point means little.
 constexpr double edge_on = 1e6;
+// Of the square's half side: how far corners may be moved by rounding, and the point against them.
+constexpr double lattice = 2;
 // Relative to the contact tolerance: what lies less before the point surely does not hide it, what lies more surely
 // does.
 constexpr double surely_touching = 0.75, surely_apart = 2;
@@ -113,7 +115,9 @@ std::optional<Portion> portion_of(const Piece3& piece, const Sight<N>& sight, co
   const std::optional<bool> seen = within_limits(sight, c, piece.moved);
   if (seen == false) return std::nullopt;
   const bool line = !(piece.steepness < edge_on);
-  const double touching = joined ? 0 : surely_touching * tolerance.contact * (line ? 1 : piece.steepness);
+  // Corners are rounded to the page's grid, which moves depth by as much as the triangle is steep.
+  const double joined_by = line ? 0 : -lattice * tolerance.sideways() * piece.steepness;
+  const double touching = joined ? joined_by : surely_touching * tolerance.contact * (line ? 1 : piece.steepness);
   if (depth.most + depth_error < touching) return std::nullopt;
   if (!seen || line || !(depth.least - depth_error > surely_apart * tolerance.contact * piece.steepness))
     return Portion{-1, false, depth.least, {}};

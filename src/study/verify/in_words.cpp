@@ -27,6 +27,32 @@ std::string reason_of(const Offence& offence) {
   return offence.hider ? name_of(*offence.hider) + " hides it" : "nothing hides it";
 }
 
+std::string what_of(const OutlineFault& fault) {
+  std::string text = fault.what == "missing"   ? "a line is missing"
+                     : fault.what == "doubled" ? "a line is drawn twice"
+                                               : "nothing asks for a line";
+  text += " at page " + format_fixed(fault.page.x, 3) + "," + format_fixed(fault.page.y, 3) + ", " +
+          millimetres(fault.length) + " long";
+  if (fault.edge[0] >= 0)
+    return text + ": model " + std::to_string(fault.model) + " edge " + std::to_string(fault.edge[0]) + "-" +
+           std::to_string(fault.edge[1]);
+  for (std::size_t i = 0; i < fault.facets.size(); ++i) text += (i == 0 ? ": " : " and ") + name_of(fault.facets[i]);
+  return text;
+}
+
+std::string in_words(const OutlineCheck& outline) {
+  const auto at = [&](int places) {
+    return std::to_string(places) + " (" + millimetres(places * outline.length) + ")";
+  };
+  std::string text = "outline: " + std::to_string(outline.lines) + " lines across the page meet " + at(outline.asked) +
+                     " places that ask for ink, " + at(outline.missing) + " without it; " + at(outline.ink) +
+                     " places with ink, " + at(outline.unfounded) + " unfounded, " + at(outline.doubled) +
+                     " doubled; " + std::to_string(outline.undecided) + " undecided; with 95 % confidence at most " +
+                     percent(outline.at_most) + " wrong\n";
+  for (const OutlineFault& fault : outline.worst) text += "wrong: " + what_of(fault) + "\n";
+  return text;
+}
+
 }  // namespace
 
 std::string in_words(const Verification& v) {
@@ -39,7 +65,7 @@ std::string in_words(const Verification& v) {
           "\n";
   for (const Offence& offence : v.worst)
     text += "wrong: " + place_of(offence) + " is " + offence.what + ", but " + reason_of(offence) + "\n";
-  return text;
+  return text + in_words(v.outline);
 }
 
 }  // namespace epura

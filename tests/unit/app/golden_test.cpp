@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "base/text.hpp"
+#include "errors.hpp"
 #include "program.hpp"
 
 namespace epura::test {
@@ -56,6 +57,15 @@ TEST_P(Golden, Drawing) {
   expect_or_accept(folder / "expected.json", actual.string() + ".json");
   // Sheets show more than the lines of their drawing.
   if (fs::exists(folder / "expected.svg")) expect_or_accept(folder / "expected.svg", actual.string() + ".svg");
+}
+
+TEST_P(Golden, IsFoundRight) {
+  const Folder folder;
+  std::vector<std::string> arguments = golden_arguments(GetParam());
+  arguments.insert(arguments.end(), {"--verify", "-o", (folder / "drawing.svg").string()});
+  const Outcome run = epura(arguments, root());
+  if (contains(run.err, "has nothing to test in a wireframe")) GTEST_SKIP();
+  EXPECT_EQ(run.code, 0) << run.err;
 }
 
 INSTANTIATE_TEST_SUITE_P(Cases, Golden, testing::ValuesIn(golden_cases()),

@@ -27,7 +27,14 @@ TEST(Verify, TheReportHoldsIt) {
   ASSERT_EQ(run.code, 0) << run.err;
   const Json json = JsonReader(run.out).read();
   const Json& found = json["report"]["verify"];
-  EXPECT_EQ(found.keys(), "points decided wrong samples length misclassified at_most undecided untested strata worst");
+  EXPECT_EQ(found.keys(),
+            "points decided wrong samples length misclassified at_most undecided untested strata worst outline");
+  const Json& outline = found["outline"];
+  EXPECT_EQ(outline.keys(), "lines asked missing ink unfounded doubled undecided length at_most worst");
+  EXPECT_GT(outline["asked"].number(), 150);
+  EXPECT_GT(outline["ink"].number(), 150);
+  EXPECT_LT(outline["at_most"].number(), 0.02);
+  EXPECT_TRUE(outline["worst"].items.empty());
   EXPECT_GE(found["samples"].number(), 300);
   EXPECT_GT(found["points"].number(), found["samples"].number());
   EXPECT_EQ(found["wrong"].number(), 0);
@@ -52,6 +59,37 @@ TEST(Verify, AWireframeIsRefused) {
   EXPECT_TRUE(contains(run.err, "--verify")) << run.err;
   EXPECT_TRUE(folder.names().empty());
 }
+
+// A picture of so few dots hides lines that are seen.
+TEST(Verify, AWrongDrawingEndsWithOne) {
+  const Folder folder;
+  const Outcome run = epura(
+      {"draw", sample("bracket.obj"), "--visibility", "item-buffer:dpi=20", "--verify", "-o", "x.json"}, folder / "");
+  EXPECT_EQ(run.code, 1) << run.err;
+  EXPECT_TRUE(contains(run.err, "wrong: a line is missing at page ")) << run.err;
+  const Json json = JsonReader(read_file(folder / "x.json")).read();
+  const Json& outline = json["report"]["verify"]["outline"];
+  EXPECT_GT(outline["missing"].number(), 0);
+  ASSERT_FALSE(outline["worst"].items.empty());
+  const Json& worst = outline["worst"].items[0];
+  EXPECT_EQ(worst.keys(), "what page length model edge facets");
+  EXPECT_GT(worst["length"].number(), 0);
+}
+
+class VerifySample : public testing::TestWithParam<const char*> {};
+
+TEST_P(VerifySample, HasItsOutline) {
+  const Folder folder;
+  for (const char* model : {"bearing.obj", "bracket.obj", "cylinders.obj", "elbow.obj", "flange.obj", "gear.stl",
+                            "house.obj", "shaft.obj", "sombrero.obj", "stairs.obj"}) {
+    const Outcome run =
+        epura({"draw", sample(model), "--projection", GetParam(), "--verify", "-o", "x.svg"}, folder / "");
+    EXPECT_TRUE(contains(run.err, " places that ask for ink, 0 (0 mm) without it")) << model << run.err;
+    EXPECT_TRUE(contains(run.err, " places with ink, 0 (0 mm) unfounded, 0 (0 mm) doubled")) << model << run.err;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Views, VerifySample, testing::Values("isometric", "top", "two-point", "cabinet"));
 
 }  // namespace
 }  // namespace epura::test

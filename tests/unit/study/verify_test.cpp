@@ -157,6 +157,31 @@ TEST(Verify, IntersectionLinesAreTested) {
   EXPECT_TRUE(std::ranges::any_of(found.strata, [](const Stratum& s) { return s.kind == EdgeKind::intersection; }));
 }
 
+// Of a part that was offset: faces lower than the page's grid is fine, edge to edge. On the grid one of them hides an
+// edge of the other, by next to nothing and right behind an outline.
+TEST(Verify, FacesLowerThanTheGridAreUndecided) {
+  Shape shape;
+  shape.points = {{4713.0378336873946, -20170.322832525089, 1785.1139170375754},
+                  {4729.3444743123946, -20170.322832525089, 1853.9479014125754},
+                  {4686.6095203273471, -19960.415935618701, 1502.1200885154587},
+                  {4688.5301281101529, -19960.763751881299, 1501.6838665626663},
+                  {4713.2814326205526, -19989.619513355032, 1642.8368983928633},
+                  {4715.2005382664029, -19989.974689381299, 1642.3999310157913},
+                  {4764.9807047811446, -20043.576738775089, 1902.4873301235129},
+                  {4797.0978594473399, -19696.260310546153, 1777.9593510640666},
+                  {4799.0203624851529, -19696.603595631299, 1777.5278607032913},
+                  {5332.6253365876155, -20170.236263638184, 5215.6644051301046},
+                  {5347.8978736875633, -20169.433518218815, 5349.21484375},
+                  {5348.60498046875, -20169.140625, 5349.21484375},
+                  {5348.60498046875, -20169.433518218815, 5349.9219505311867},
+                  {5347.9925240876155, -20110.341732388184, 5291.7625496613546},
+                  {5347.9918413788973, -20110.344369677317, 5291.759198907067},
+                  {5347.9921274251419, -20110.343274086503, 5291.7605908813957}};
+  shape.faces = {{7, 2, 4}, {5, 3, 8}, {1, 0, 6}, {9, 13, 15}, {9, 15, 14}, {11, 10, 12}};
+  const Verification found = verified(draw(world_of(shape), orthographic({1, -1, 1})));
+  EXPECT_EQ(found.wrong, 0) << in_words(found);
+}
+
 // Far from the origin doubles cannot tell where the rays pass, and rationals must.
 TEST(Verify, FarFromTheOriginRationalsDecide) {
   const Shape far = scene().scaled(1024).moved(0x1p+30, -0x1p+31, 0x1p+30);

@@ -1,0 +1,65 @@
+// What an edge of a mesh asks for by its shape in space, and how sure that is.
+//
+// Written anew from the definition of the kinds, with margins: nothing of the stage that chose the edges is used. A
+// needle, a triangle lower than the coordinates are precise, has no plane: who asks must pass it by (line_marks.hpp).
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "edges/drawn_edges.hpp"
+#include "scene/scene.hpp"
+
+namespace epura {
+
+/// Whether a line belongs to a place.
+enum class Need {
+  none,      ///< one would be wrong
+  possible,  ///< too near to a limit to say, or a matter of taste
+  asked      ///< it must be there
+};
+
+class FoldRule {
+ public:
+  /// `small` is the height of triangles that can hardly be seen, as a length of the world.
+  FoldRule(const World& world, const EdgeWishes& wishes, double small);
+
+  /// The triangles of one body that meet in an edge.
+  struct Sheets {
+    const MeshEdge* edge = nullptr;  ///< null: the mesh has no such edge
+    std::vector<std::vector<int>> bodies;
+  };
+  [[nodiscard]] Sheets sheets_at(const std::array<int, 2>& edge) const;
+
+  /// Two triangles on either side of an edge that meet there, or would but for needles between them.
+  [[nodiscard]] Need fold(const std::array<int, 2>& edge, int first, int second) const;
+  /// Two triangles that cross, with no edge in common.
+  [[nodiscard]] Need crossing(int first, int second, double contact) const;
+  /// An edge at which a surface ends before what lies behind it.
+  [[nodiscard]] Need outline(const std::array<int, 2>& edge) const;
+
+  /// How low triangles are that surely have no plane, that may have none, and that can hardly be seen.
+  enum class Needle { surely, perhaps, hardly_seen };
+  [[nodiscard]] bool is_needle(int triangle, Needle needle) const;
+  /// Over its longest side, as a length of the world.
+  [[nodiscard]] double height(int triangle) const { return shrunk_height(triangle) / shrink_; }
+  [[nodiscard]] const EdgeWishes& wishes() const { return wishes_; }
+
+ private:
+  // Brought near 1, so that products of lengths stay in range.
+  [[nodiscard]] Vec3 point(int vertex) const { return world_.points[vertex] * shrink_; }
+  [[nodiscard]] double shrunk_height(int triangle) const;
+  [[nodiscard]] Vec3 area(int triangle) const;
+  [[nodiscard]] double fold_angle(const std::array<int, 2>& edge, int first, int second) const;
+  [[nodiscard]] double doubt(int triangle) const;
+  [[nodiscard]] double bend(int triangle) const;
+  [[nodiscard]] double turn(int triangle) const;
+  [[nodiscard]] bool same_polygon(int first, int second) const;
+
+  const World& world_;
+  EdgeWishes wishes_;
+  double shrink_;
+  double precision_, small_;  ///< shrunk
+};
+
+}  // namespace epura
