@@ -163,5 +163,39 @@ TEST(Search, EqualsBruteForceOnSlantedStacks) {
   }
 }
 
+// Equal frames on one another, others across them, and copies in their places: so many that cells get piles.
+std::vector<Shape> equal_parts(unsigned seed) {
+  std::mt19937 random(seed);
+  Shape frame = box({0, 0, 0}, {4, 0.5, 0.2});
+  frame.add(Shape(frame).moved(0, 2, 0));
+  frame.add(box({1, -1, 0}, {1.5, 3, 0.2}));
+  std::vector<Shape> parts;
+  for (int i = 0; i < 60; ++i) {
+    const double step = random() % 4 == 0 ? 0 : 1;
+    parts.push_back(frame.moved(0, 0, 0.3 * step * i));
+    if (i % 3 == 0) parts.push_back(box({0.5, -2, 0.3 * i}, {3, 4, 0.3 * i + 0.1}));
+  }
+  return parts;
+}
+
+// The same, leaning: corners behind one another differ by rounding.
+std::vector<Shape> leaning(std::vector<Shape> parts, double angle) {
+  for (Shape& part : parts)
+    for (Point& p : part.points)
+      p = {p[0], std::cos(angle) * p[1] - std::sin(angle) * p[2], std::sin(angle) * p[1] + std::cos(angle) * p[2]};
+  return parts;
+}
+
+TEST(Search, EqualsBruteForceOnEqualParts) {
+  for (unsigned seed = 1; seed <= 2; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const World world = world_of(equal_parts(seed)), slanted = world_of(leaning(equal_parts(seed), 0.7));
+    expect_equal(draw(world, from_above()));
+    expect_equal(draw(world, orthographic({1, -1, 1})));
+    expect_equal(draw(world, perspective({2, 1, 40}, {2, 1, 0}, {0, 0, 1}, {0, 1, 0})));
+    expect_equal(draw(slanted, orthographic({0, -std::sin(0.7), std::cos(0.7)})));
+  }
+}
+
 }  // namespace
 }  // namespace epura::test
