@@ -104,12 +104,12 @@ TEST(Suspects, AreTwoOfAllCopies) {
   const std::vector<int> suspects = crossing_suspects(world, 0x1p-2, 0x1p-29);
   EXPECT_EQ(suspects.size(), 2U * 24);
   const auto places = [&](const std::vector<int>& triangles) {
-    std::set<std::array<double, 6>> places;
+    std::set<std::array<double, 6>> found;
     for (const FaceCrossing& crossing : find_intersections(world, 0x1p-2, 0x1p-29, triangles).found) {
       const auto& [a, b] = crossing.ends;
-      places.insert({a.x, a.y, a.z, b.x, b.y, b.z});
+      found.insert({a.x, a.y, a.z, b.x, b.y, b.z});
     }
-    return places;
+    return found;
   };
   EXPECT_EQ(places(suspects), places(all_triangles(world)));
   EXPECT_GE(places(suspects).size(), 6U);
