@@ -44,6 +44,26 @@ Scene stack(int n) {
   return scene;
 }
 
+Scene plates(int n) {
+  Scene scene;
+  for (int i = 0; i < n; ++i) add_box(scene, {0, 0, 0.5 * i}, {100, 60, 0.5 * i + 0.3});
+  return scene;
+}
+
+Scene soup(int n) {
+  Scene scene;
+  Random random;
+  for (int i = 0; i < n; ++i) {
+    int corner = 0;
+    for (int k = 0; k < 3; ++k) {
+      const double x = random.number(), y = random.number(), z = random.number();
+      corner = scene.add(x, y, z);
+    }
+    scene.triangles.push_back({corner - 2, corner - 1, corner});
+  }
+  return scene;
+}
+
 // From above, about every second pair crosses: N^2 pieces, half of them hidden.
 Scene needles(int n) {
   Scene scene;
@@ -112,6 +132,8 @@ std::vector<Generator> hard_scenes() {
   return {{"boxes", "N boxes at random, running into each other, some 44 behind one another", boxes},
           {"weave", "N strips over N strips: from above, N^2 crossings", weave},
           {"stack", "N square plates on one another, each shifted by a millionth of its side", stack},
+          {"plates", "N equal plates on one another, with gaps", plates},
+          {"soup", "N large triangles at random in a cube: each runs through a tenth of all others", soup},
           {"needles", "N long needles across each other", needles},
           {"stadium", "a sphere of about N triangles in a stadium 1000 times as large", stadium},
           {"slivers", "a plate of N slivers over a bar", slivers},

@@ -117,6 +117,12 @@ void add_gear(Scene& scene, const Point& middle, int axis) {
   }
 }
 
+Scene shaft(int n) {
+  Scene scene;
+  for (int i = 0; i < n; ++i) add_gear(scene, {0, 0, 3.0 * i}, 2);
+  return scene;
+}
+
 Scene gears(int n) {
   Scene scene;
   for (int k = 0; k < n; ++k)
@@ -180,6 +186,7 @@ std::vector<Generator> usual_scenes() {
           {"torus", "a torus of about N triangles", torus},
           {"tori", "sixteen tori through each other, about N triangles", tori},
           {"plate", "a plate of N x N cells, each with a through hole of 32 sides", plate},
+          {"shaft", "N equal gears behind one another on an upright axis", shaft},
           {"gears", "N^3 separate gears of 12 teeth with a bore, in three orientations", gears},
           {"city", "N x N boxes of different heights on a ground plate", city},
           {"crates", "N^3 boxes that stand apart", crates},

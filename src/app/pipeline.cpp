@@ -55,7 +55,8 @@ std::string why_searched(const World& world, const ViewWish& wish, std::size_t s
   if (suspects == 0) return "all bodies are convex, and their boxes stand apart";
   if (!wish.leave_out.intersections) return "--plan wants it";
   if (suspects == world.triangles.size()) return "no convex body stands apart from all others";
-  return std::to_string(suspects) + " of " + all + " triangles; the others are of convex bodies that stand apart";
+  return std::to_string(suspects) + " of " + all +
+         " triangles; the others are of convex bodies that stand apart, or copies";
 }
 
 Suspects find_suspects(const World& world, const View& view, const ViewWish& wish, double contact) {

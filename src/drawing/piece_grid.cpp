@@ -39,6 +39,7 @@ PieceGrid::PieceGrid(const std::vector<Piece>& pieces, double tolerance, float s
     : pieces_(pieces), tolerance_(tolerance), widest_(spread + 2 * one_direction) {
   grid_ =
       grid_over_lines(pieces, {cells_for_piece * static_cast<double>(pieces.size()), 16 * tolerance, cuts_of_piece, 0});
+  radius_ = 0.5 * glm::length(grid_.side);
   fill();
   find_crowds();
   plant_trees();
@@ -89,9 +90,12 @@ std::size_t PieceGrid::first_from(std::span<const Member> members, float directi
 // Those of one direction, in order of offset, whose lines may coincide with that of `a` somewhere in the cell.
 std::span<const PieceGrid::Member> PieceGrid::near(const Member& a, std::span<const Member> others, float turn,
                                                    float side) const {
-  const double radius = 0.5 * glm::length(grid_.side);
-  const auto reach = static_cast<float>(4 * tolerance_ + 2 * radius * (turn + 4 * one_direction));
+  const auto reach = static_cast<float>(4 * tolerance_ + 2 * radius_ * (turn + 4 * one_direction));
   const float offset = side * a.offset;
+  if (others.size() == 1) {  // nearly always, where lines run in all directions
+    const bool is_near = others[0].offset >= offset - reach && others[0].offset <= offset + reach;
+    return is_near ? others : others.first(0);
+  }
   const auto begin = std::lower_bound(others.begin(), others.end(), offset - reach,
                                       [](const Member& m, float x) { return m.offset < x; });
   const auto end =

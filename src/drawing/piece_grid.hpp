@@ -100,6 +100,7 @@ class PieceGrid {
   double tolerance_;
   float widest_;  ///< difference in direction
   CellGrid grid_{};
+  double radius_ = 0;  ///< of the circle around a cell
   Groups<Member> members_;
   std::vector<char> crowded_;   ///< by cell; empty if none is
   std::vector<char> in_crowd_;  ///< by piece

@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "edges/dihedral.hpp"
+#include "edges/flat_faces.hpp"
 #include "edges/triangle_tree.hpp"
 
 namespace epura {
@@ -50,6 +51,10 @@ class Crossings {
     parallel_for(triangles.size(), 8192, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) planes_[triangles[i]] = plane(triangles[i]);
     });
+  }
+
+  [[nodiscard]] std::vector<int> flat_faces_of(const std::vector<int>& triangles) const {
+    return flat_faces(world_, points_, contact_, triangles);
   }
 
   [[nodiscard]] Box box(int triangle) const {
@@ -199,7 +204,8 @@ FaceCrossings find_intersections(const World& world, double shrink, double conta
   if (suspects.empty()) return {{}, 1};
   if (progress.is_out_of_time()) return {{}, 0};
   Crossings crossings(world, shrink, contact);
-  const TriangleTree tree(suspects.size(), [&](int i) { return crossings.box(suspects[i]); });
+  const TriangleTree tree(
+      suspects.size(), [&](int i) { return crossings.box(suspects[i]); }, crossings.flat_faces_of(suspects));
   crossings.find_planes(suspects);
 
   const std::vector<TriangleTree::NodePair> tasks = tree.tasks(1024);

@@ -1,6 +1,11 @@
 #include "edges/suspects.hpp"
 
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <functional>
 #include <numeric>
+#include <utility>
 
 #include "base/parallel.hpp"
 #include "edges/convex_bodies.hpp"
@@ -11,25 +16,81 @@ namespace epura {
 
 namespace {
 
+std::array<double, 6> corners_of(const Box& box) {
+  return {box.least.x, box.least.y, box.least.z, box.most.x, box.most.y, box.most.z};
+}
+
+// Of each box the first body that has it, ascending; no other is lonely. A cut may take bodies away.
+std::vector<int> unlike_bodies(const std::vector<Box>& boxes, std::vector<char>& lonely) {
+  std::vector<int> there;
+  for (std::size_t b = 0; b < boxes.size(); ++b)
+    if (!boxes[b].empty()) there.push_back(static_cast<int>(b));
+  std::stable_sort(there.begin(), there.end(),
+                   [&](int a, int b) { return corners_of(boxes[a]) < corners_of(boxes[b]); });
+  std::vector<int> unlike;
+  for (const int body : there) {
+    if (unlike.empty() || corners_of(boxes[unlike.back()]) != corners_of(boxes[body]))
+      unlike.push_back(body);
+    else
+      lonely[body] = lonely[unlike.back()] = 0;
+  }
+  std::sort(unlike.begin(), unlike.end());
+  return unlike;
+}
+
 // Marks bodies whose box meets that of no other body.
 std::vector<char> lonely_bodies(const std::vector<Box>& boxes) {
   std::vector<char> lonely(boxes.size(), 1);
-  std::vector<int> there;  // a cut may take bodies away
-  for (std::size_t b = 0; b < boxes.size(); ++b)
-    if (!boxes[b].empty()) there.push_back(static_cast<int>(b));
+  const std::vector<int> there = unlike_bodies(boxes, lonely);
   if (there.size() < 2) return lonely;
   const TriangleTree tree(there.size(), [&](int i) { return boxes[there[i]]; });
   const auto tasks = tree.tasks(256);
-  std::vector<std::vector<int>> met(tasks.size());
+  const auto mark = [&](int body) { std::atomic_ref(lonely[body]).store(0, std::memory_order_relaxed); };
   parallel_for(tasks.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t task = begin; task < end; ++task)
       tree.search(tasks[task], [&](int i, int j) {
-        if (boxes_overlap(boxes[there[i]], boxes[there[j]])) met[task].insert(met[task].end(), {there[i], there[j]});
+        if (!boxes_overlap(boxes[there[i]], boxes[there[j]])) return;
+        mark(there[i]);
+        mark(there[j]);
       });
   });
-  for (const std::vector<int>& part : met)
-    for (const int body : part) lonely[body] = 0;
   return lonely;
+}
+
+using Corners = std::array<double, 9>;
+
+Corners corners_of(const World& world, int triangle) {
+  Corners corners{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3& p = world.points[world.triangles[triangle][i]];
+    for (std::size_t k = 0; k < 3; ++k) corners[3 * i + k] = p[static_cast<int>(k)];
+  }
+  return corners;
+}
+
+std::size_t hash_of(const Corners& corners) {
+  std::size_t hash = 0;
+  for (const double x : corners) hash = (hash ^ std::hash<double>()(x)) * 0x9e3779b97f4a7c15;
+  return hash;
+}
+
+// Parts in one place cross other parts there alike. Two stay, since a face crosses a copy where it does not cross its
+// own neighbour. What the others would add are copies of lines that come before them, and so are not drawn.
+void drop_third_copies(const World& world, std::vector<int>& triangles) {
+  if (world.models.size() < 3) return;  // no mesh has a triangle twice
+  std::vector<std::pair<std::size_t, int>> keys;
+  keys.reserve(triangles.size());
+  for (const int t : triangles) keys.emplace_back(hash_of(corners_of(world, t)), t);
+  parallel_sort(keys.begin(), keys.end());
+  std::vector<int> kept;
+  for (auto begin = keys.begin(); begin != keys.end();) {
+    const Corners first = corners_of(world, begin->second);
+    int copies = 0;
+    for (const std::size_t hash = begin->first; begin != keys.end() && begin->first == hash; ++begin)
+      if (corners_of(world, begin->second) != first || ++copies <= 2) kept.push_back(begin->second);
+  }
+  std::sort(kept.begin(), kept.end());
+  triangles = std::move(kept);
 }
 
 }  // namespace
@@ -42,6 +103,7 @@ std::vector<int> crossing_suspects(const World& world, double shrink, double con
   std::vector<int> suspects;
   for (int t = 0; t < static_cast<int>(world.triangles.size()); ++t)
     if (apart[bodies.of_triangle[t]] == 0) suspects.push_back(t);
+  drop_third_copies(world, suspects);
   return suspects;
 }
 

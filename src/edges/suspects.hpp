@@ -7,14 +7,16 @@
 
 namespace epura {
 
-/// Triangles of the world that may cross, ascending. With the others find_intersections finds nothing, to the last bit:
+/// Triangles of the world that may cross, ascending. With the others find_intersections finds nothing, to the last bit,
+/// or copies of lines that come before them and so are drawn in their place:
 ///
 /// - The search takes two triangles as apart when no corner of one lies more than `contact` before the plane of the
 ///   other. In a certified convex body (convex_bodies.hpp) that holds for any two.
 /// - It takes triangles as apart when their boxes are. So they are where those of their bodies are.
 ///
-/// Left out are the triangles of convex bodies whose box meets that of no other body. `shrink` and `contact` are those
-/// of find_intersections.
+/// Left out are the triangles of convex bodies whose box meets that of no other body, and of copies of a triangle in
+/// one place all but two: lines that only others would add are drawn already. `shrink` and `contact` are those of
+/// find_intersections.
 std::vector<int> crossing_suspects(const World& world, double shrink, double contact);
 
 /// Without any certificate: all triangles.

@@ -30,17 +30,19 @@ std::uint64_t spread(std::uint64_t x) {
 
 }  // namespace
 
-TriangleTree::TriangleTree(std::size_t count, const std::function<Box(int)>& box_of) {
+TriangleTree::TriangleTree(std::size_t count, const std::function<Box(int)>& box_of, const std::vector<int>& groups) {
   if (count == 0) return;
   UnsetVector<Bounds> bounds(count);
   parallel_for(count, grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) bounds[i] = rounded_outwards(box_of(static_cast<int>(i)));
   });
-  const UnsetVector<int> order = order_along_curve(bounds);
+  UnsetVector<int> order = order_along_curve(bounds);
+  if (!groups.empty())
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return groups[a] < groups[b]; });
   leaves_.resize((count + width - 1) / width);  // not before: ordering takes as much room
   fill_leaves(order, bounds);
   nodes_.resize(2 * leaves_.size() - 1);
-  build(0, 0, static_cast<int>(leaves_.size()));
+  build(0, 0, static_cast<int>(leaves_.size()), groups);
 }
 
 // By the places of the boxes' middles on a Morton curve: neighbours there are neighbours in space. One pass puts them
@@ -110,19 +112,29 @@ void TriangleTree::fill_leaves(const UnsetVector<int>& order, const UnsetVector<
   });
 }
 
-TriangleTree::Bounds TriangleTree::build(int node, int leaf, int leaves) {
-  Bounds bounds{};
-  nodes_[node] = {bounds, leaf, leaves};
+int TriangleTree::group_of_leaf(int leaf, const std::vector<int>& groups) const {
+  const auto& triangles = leaves_[leaf].triangle;
+  if (groups.empty()) return -1;
+  const int group = groups[triangles[0]];
+  const auto is_of_group = [&](int triangle) { return triangle < 0 || groups[triangle] == group; };
+  return std::all_of(triangles.begin(), triangles.end(), is_of_group) ? group : -1;
+}
+
+TriangleTree::Node TriangleTree::build(int node, int leaf, int leaves, const std::vector<int>& groups) {
+  Node built{{}, leaf, leaves, -1};
+  nodes_[node] = built;
+  Bounds& bounds = built.bounds;
   if (leaves == 1) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       bounds.least[axis] = *std::min_element(leaves_[leaf].least[axis].begin(), leaves_[leaf].least[axis].end());
       bounds.most[axis] = *std::max_element(leaves_[leaf].most[axis].begin(), leaves_[leaf].most[axis].end());
     }
+    built.group = group_of_leaf(leaf, groups);
   } else {
-    Bounds left{}, right{};
+    Node left{}, right{};
     const int half = leaves / 2;
-    const auto build_left = [&] { left = build(node + 1, leaf, half); };
-    const auto build_right = [&] { right = build(right_child(node), leaf + half, leaves - half); };
+    const auto build_left = [&] { left = build(node + 1, leaf, half, groups); };
+    const auto build_right = [&] { right = build(right_child(node), leaf + half, leaves - half, groups); };
     if (static_cast<std::size_t>(leaves) * width > grain) {
       parallel_both(build_left, build_right);
     } else {
@@ -130,19 +142,20 @@ TriangleTree::Bounds TriangleTree::build(int node, int leaf, int leaves) {
       build_right();
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      bounds.least[axis] = std::min(left.least[axis], right.least[axis]);
-      bounds.most[axis] = std::max(left.most[axis], right.most[axis]);
+      bounds.least[axis] = std::min(left.bounds.least[axis], right.bounds.least[axis]);
+      bounds.most[axis] = std::max(left.bounds.most[axis], right.bounds.most[axis]);
     }
+    if (left.group == right.group) built.group = left.group;
   }
-  nodes_[node].bounds = bounds;
-  return bounds;
+  return nodes_[node] = built;
 }
 
 // A node against itself: its children against themselves and each other. Two nodes: the larger one is opened.
 void TriangleTree::split(const NodePair& pair, std::vector<NodePair>& parts) const {
   const auto [a, b] = pair;
   const auto add = [&](int i, int j) {
-    if (nodes_[i].bounds.meets(nodes_[j].bounds)) parts.push_back({i, j});
+    const bool one_group = nodes_[i].group >= 0 && nodes_[i].group == nodes_[j].group;
+    if (!one_group && nodes_[i].bounds.meets(nodes_[j].bounds)) parts.push_back({i, j});
   };
   if (a == b) {
     add(a + 1, a + 1);

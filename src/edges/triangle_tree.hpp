@@ -17,8 +17,9 @@ namespace epura {
 /// bits: many boxes are tested at once, and the tree takes about 32 bytes a triangle.
 class TriangleTree {
  public:
-  /// `box_of(triangle)` for triangles 0 to count - 1; called from several threads.
-  TriangleTree(std::size_t count, const std::function<Box(int)>& box_of);
+  /// `box_of(triangle)` for triangles 0 to count - 1; called from several threads. Those of one group do not meet each
+  /// other; `groups` has one for each triangle, -1 for none, or is empty.
+  TriangleTree(std::size_t count, const std::function<Box(int)>& box_of, const std::vector<int>& groups = {});
 
   /// A task of the search for pairs: triangles below one node against those below another (or the same).
   using NodePair = std::array<int, 2>;
@@ -58,6 +59,7 @@ class TriangleTree {
   struct Node {
     Bounds bounds;
     int leaf, leaves;  ///< the first one and how many; the left child follows its parent
+    int group;         ///< of all triangles, or -1
   };
   struct Leaf {
     std::array<std::array<float, width>, 3> least, most;
@@ -72,7 +74,8 @@ class TriangleTree {
   static Bounds rounded_outwards(const Box& box);
   static UnsetVector<int> order_along_curve(const UnsetVector<Bounds>& bounds);
   void fill_leaves(const UnsetVector<int>& order, const UnsetVector<Bounds>& bounds);
-  Bounds build(int node, int leaf, int leaves);
+  [[nodiscard]] int group_of_leaf(int leaf, const std::vector<int>& groups) const;
+  Node build(int node, int leaf, int leaves, const std::vector<int>& groups);
   void split(const NodePair& pair, std::vector<NodePair>& parts) const;
 
   template <class Meet>

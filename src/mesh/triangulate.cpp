@@ -43,9 +43,55 @@ bool is_fan(const std::vector<Vec2>& p) {
   return true;
 }
 
+/// The corners that a polygon still has, by square cell.
+class CornerGrid {
+ public:
+  explicit CornerGrid(const std::vector<Vec2>& places) : p_(places), least_(places.front()) {
+    Vec2 most = least_;
+    for (const Vec2& p : places) {
+      least_ = glm::min(least_, p);
+      most = glm::max(most, p);
+    }
+    const Vec2 size = most - least_;
+    const double count = static_cast<double>(places.size());
+    side_ = std::max({std::sqrt(size.x * size.y / count), size.x / count, size.y / count});
+    columns_ = column(most.x) + 1;
+    cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(row(most.y) + 1));
+    for (int i = 0; i < static_cast<int>(places.size()); ++i) cell_of(i).push_back(i);
+  }
+
+  void remove(int corner) { std::erase(cell_of(corner), corner); }
+
+  /// Whether `is(corner)` for a corner in a box, and maybe for one near it.
+  template <class Is>
+  [[nodiscard]] bool any_in(const Vec2& least, const Vec2& most, const Is& is) const {
+    for (int y = row(least.y); y <= row(most.y); ++y)
+      for (int x = column(least.x); x <= column(most.x); ++x) {
+        const std::vector<int>& corners = cells_[cell(x, y)];
+        if (std::any_of(corners.begin(), corners.end(), is)) return true;
+      }
+    return false;
+  }
+
+ private:
+  [[nodiscard]] int column(double x) const { return side_ > 0 ? static_cast<int>((x - least_.x) / side_) : 0; }
+  [[nodiscard]] int row(double y) const { return side_ > 0 ? static_cast<int>((y - least_.y) / side_) : 0; }
+  [[nodiscard]] std::size_t cell(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x);
+  }
+  std::vector<int>& cell_of(int corner) { return cells_[cell(column(p_[corner].x), row(p_[corner].y))]; }
+
+  const std::vector<Vec2>& p_;
+  Vec2 least_;
+  double side_ = 0;
+  int columns_ = 1;
+  std::vector<std::vector<int>> cells_;
+};
+
 class EarClipper {
  public:
-  explicit EarClipper(const std::vector<Vec2>& places) : p_(places), next_(places.size()), previous_(places.size()) {
+  explicit EarClipper(const std::vector<Vec2>& places)
+      : p_(places), next_(places.size()), previous_(places.size()), corners_(places) {
     const int count = static_cast<int>(places.size());
     for (int i = 0; i < count; ++i) {
       next_[i] = i + 1 == count ? 0 : i + 1;
@@ -60,6 +106,7 @@ class EarClipper {
     for (std::size_t left = p_.size(); left > 2; --left) {
       at = choose(at, left);
       take(previous_[at], at, next_[at]);
+      corners_.remove(at);
       next_[previous_[at]] = next_[at];
       previous_[next_[at]] = previous_[at];
       at = next_[at];
@@ -85,13 +132,12 @@ class EarClipper {
     const int before = previous_[at], behind = next_[at];
     const Vec2 a = p_[before], b = p_[at], c = p_[behind];
     if (!(area(a, b, c) > 0) || !sees(before, c) || !sees(behind, a)) return false;
-    for (int other = next_[behind]; other != before; other = next_[other]) {
+    return !corners_.any_in(glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c)), [&](int other) {
       ++work_;
       const Vec2 q = p_[other];
-      if (q == a || q == b || q == c) continue;  // at bridges; `sees` has looked at what leaves from there
-      if (area(a, b, q) >= 0 && area(b, c, q) >= 0 && area(c, a, q) >= 0) return false;
-    }
-    return true;
+      if (q == a || q == b || q == c) return false;  // at bridges, too; `sees` has looked at what leaves from there
+      return area(a, b, q) >= 0 && area(b, c, q) >= 0 && area(c, a, q) >= 0;
+    });
   }
 
   /// Whether `target` lies strictly between the two edges of a corner, on the side of the polygon.
@@ -107,6 +153,7 @@ class EarClipper {
 
   const std::vector<Vec2>& p_;
   std::vector<int> next_, previous_;
+  CornerGrid corners_;
   long long work_ = 0;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <set>
 
 #include "base/error.hpp"
 #include "base/text.hpp"
@@ -147,12 +148,18 @@ void set_field(TitleBlockFields& fields, const std::string& name, const Given& t
 }
 
 void read_free_fields(TitleBlockFields& fields, const TomlValue& table) {
+  TitleBlockFields read;
+  std::set<std::string> names;
   for (const TomlValue& entry : table_of(table).values) {
     const auto same = [&entry](const TitleField& field) { return field.name == entry.key; };
     if (std::any_of(title_fields().begin(), title_fields().end(), same))
       throw Error(Trouble::input, entry.key_where, "'" + entry.key + "' is no free field", "put it into [title_block]");
-    set_field(fields, entry.key, field_text().read(entry));
+    names.insert(entry.key);
+    read.emplace_back(entry.key, field_text().read(entry));
   }
+  // As set_field would do, all at once: a table names no key twice.
+  std::erase_if(fields, [&names](const auto& field) { return names.contains(field.first); });
+  fields.insert(fields.end(), read.begin(), read.end());
 }
 
 SceneKeys<TitleBlockFields> title_block_keys() {

@@ -25,11 +25,19 @@ class BoundsTree {
     if (count > 0) bound(0, 0, count, bounds_of);
   }
 
+  [[nodiscard]] bool empty() const { return count_ == 0; }
+
   /// Calls `visit(i)`, ascending, for all things that meet the wanted bounds, and for some others near them, until it
   /// returns false. It may narrow the wanted bounds.
   template <class Visit>
   void visit(const Bounds<measures>& wanted, Visit visit) const {
-    if (count_ > 0) visit_below(0, 0, count_, wanted, visit);
+    visit_where([&](const Bounds<measures>& bounds) { return meet(bounds, wanted); }, visit);
+  }
+
+  /// The same for things within bounds of which `may_hold(bounds)` is true; that of all bounds around those, too.
+  template <class MayHold, class Visit>
+  void visit_where(const MayHold& may_hold, Visit visit) const {
+    if (count_ > 0) visit_below(0, 0, count_, may_hold, visit);
   }
 
  private:
@@ -61,17 +69,16 @@ class BoundsTree {
     return nodes_[node] = all;
   }
 
-  template <class Visit>
-  bool visit_below(std::size_t node, std::size_t begin, std::size_t end, const Bounds<measures>& wanted,
-                   Visit& visit) const {
-    if (!meet(nodes_[node], wanted)) return true;
+  template <class MayHold, class Visit>
+  bool visit_below(std::size_t node, std::size_t begin, std::size_t end, const MayHold& may_hold, Visit& visit) const {
+    if (!may_hold(nodes_[node])) return true;
     if (end - begin <= leaf) {
       while (begin < end && visit(begin)) ++begin;
       return begin == end;
     }
     const std::size_t middle = begin + (end - begin) / 2;
-    return visit_below(2 * node + 1, begin, middle, wanted, visit) &&
-           visit_below(2 * node + 2, middle, end, wanted, visit);
+    return visit_below(2 * node + 1, begin, middle, may_hold, visit) &&
+           visit_below(2 * node + 2, middle, end, may_hold, visit);
   }
 
   std::size_t count_ = 0;

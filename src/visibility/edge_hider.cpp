@@ -1,5 +1,7 @@
 #include "visibility/edge_hider.hpp"
 
+#include <algorithm>
+
 namespace epura {
 
 EdgeHider::EdgeHider(const View& view, const Contact& contact, const OccluderGrid& occluders, const Sightline& line,
@@ -25,6 +27,44 @@ Spans EdgeHider::spans() && {
   return std::move(spans_);
 }
 
+bool EdgeHider::hide_by(const Pile& pile) {
+  ++tries_;
+  if (!meets_on_grid(view_, line_, view_.triangles[pile.triangles().front()])) return false;
+  if (pile.is_exact()) return hide_by_exact(pile);
+  bool any = false;
+  for (const int triangle : pile.triangles()) {
+    any = hide_by(triangle) || any;
+    if (covers(spans_, 0, 1) || tries_ >= most_tries_) break;
+  }
+  return any;
+}
+
+bool EdgeHider::hide_by_exact(const Pile& pile) {
+  const auto overlap = overlap_of(view_, line_, view_.triangles[pile.triangles().front()]);
+  if (!overlap) return false;
+  bool any = false;
+  const auto go_on = [&](int triangle) {
+    any = hide_by(triangle) || any;
+    return !covers(spans_, overlap->from, overlap->to) && tries_ < most_tries_;
+  };
+  for (const int end : {line_.p, line_.q})
+    for (const int triangle : pile.around(end))
+      if (!go_on(triangle)) return any;
+  // The others must be nearer by more than contact at one end of the overlap; half of it is far more than rounding.
+  const auto may_hide = [&](const Pile::Depths& depths) {
+    const auto depth_of = [&](int corner) {
+      const auto& corners = pile.corners();
+      return depths[static_cast<std::size_t>(std::find(corners.begin(), corners.end(), corner) - corners.begin())][1];
+    };
+    const auto is_ahead = [&](double t) {
+      return overlap->depth(t, depth_of) - occluders_.depths(line_, t, t)[0] > contact_.touching / 2;
+    };
+    return is_ahead(overlap->from) || is_ahead(overlap->to);
+  };
+  pile.visit(may_hide, go_on);
+  return any;
+}
+
 void EdgeHider::hide_by_tree(const Stretch& stretch) {
   const double least = least_span(view_, line_);
   const auto open = [&] { return open_part(spans_, stretch.from, stretch.to, least); };
@@ -34,8 +74,8 @@ void EdgeHider::hide_by_tree(const Stretch& stretch) {
   auto rest = open();
   if (!rest) return;
   CandidateTree::Bounds wanted = before(*rest);
-  stretch.tree->visit(wanted, [&](int triangle) {
-    if (hide_by(triangle)) {
+  stretch.tree->visit(wanted, [&](const auto& thing) {
+    if (hide_by(thing)) {
       rest = open();
       if (!rest) return false;
       wanted = before(*rest);

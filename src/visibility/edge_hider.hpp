@@ -41,6 +41,9 @@ class EdgeHider {
     return true;
   }
 
+  // Whether one of the pile hides something.
+  bool hide_by(const Pile& pile);
+  bool hide_by_exact(const Pile& pile);
   void hide_by_tree(const Stretch& stretch);
 
   const View& view_;

@@ -15,12 +15,6 @@ constexpr double thinnest = 0x1p-40;
 // Contact is measured along the normal, hiding along the view. What a line covers is decided by depth alone.
 double steepness(const std::optional<Vec2>& slope) { return slope ? 1 + glm::length(*slope) : 1; }
 
-// Where the edge p, q crosses a side of a triangle.
-struct Crossing {
-  double t;      // on the edge
-  double depth;  // of the side there
-};
-
 double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
 Vec2 place(const PageVertex& v) { return {v.x, v.y}; }
@@ -64,7 +58,7 @@ struct CrossedSide {
 
 // The crossing is decided on the grid and computed from the unrounded coordinates. Where those do not confirm it (lines
 // parallel within the grid cross anywhere, or nowhere), the grid's place is taken.
-Crossing place_crossing(const View& view, const Sightline& edge, const CrossedSide& crossed) {
+SideCrossing place_crossing(const View& view, const Sightline& edge, const CrossedSide& crossed) {
   const PageVertex& u = view.vertices[crossed.u];
   const PageVertex& v = view.vertices[crossed.v];
   const GridCrossing& decided = crossed.decided;
@@ -83,7 +77,7 @@ Crossing place_crossing(const View& view, const Sightline& edge, const CrossedSi
   };
   const bool confirmed = decided.confirms(computed) && is_near_side();
   const double t = placed(confirmed ? computed : decided.t(), decided.numerator, decided.denominator);
-  return {t, u.depth + std::clamp((t == computed ? s : on_side(t)) / length2, 0.0, 1.0) * (v.depth - u.depth)};
+  return {t, std::clamp((t == computed ? s : on_side(t)) / length2, 0.0, 1.0), crossed.u, crossed.v};
 }
 
 // The two sides that the line of the edge crosses; `left` says on which side of it the corners lie.
@@ -105,6 +99,17 @@ bool lie_beyond_an_end(const std::array<CrossedSide, 2>& sides) {
   const GridCrossing& a = sides[0].decided;
   const GridCrossing& b = sides[1].decided;
   return (a.numerator <= 0 && b.numerator <= 0) || (a.numerator >= a.denominator && b.numerator >= b.denominator);
+}
+
+// The same, if the edge and the triangle meet as the grid decides.
+std::optional<std::array<CrossedSide, 2>> sides_over(const View& view, const Sightline& edge,
+                                                     const ViewTriangle& triangle) {
+  std::array<bool, 3> left{};
+  for (int i = 0; i < 3; ++i)
+    left[i] = epura::cross(view.grid[edge.p], view.grid[edge.q], view.grid[triangle.vertex[i]]) >= 0;
+  if (left[0] == left[1] && left[1] == left[2]) return std::nullopt;
+  const std::array<CrossedSide, 2> sides = crossed_sides(view, edge, triangle, left);
+  return lie_beyond_an_end(sides) ? std::nullopt : std::optional(sides);
 }
 
 // The part of [from, to] where a difference that runs linearly exceeds the tolerance.
@@ -152,25 +157,29 @@ double least_span(const View& view, const Sightline& edge) {
   return least_piece * view.extent / glm::distance(place(view.vertices[edge.p]), place(view.vertices[edge.q]));
 }
 
-std::optional<std::array<double, 2>> hidden_part(const View& view, const Sightline& edge, const ViewTriangle& triangle,
-                                                 const Contact& contact) {
-  std::array<bool, 3> left{};
-  for (int i = 0; i < 3; ++i)
-    left[i] = epura::cross(view.grid[edge.p], view.grid[edge.q], view.grid[triangle.vertex[i]]) >= 0;
-  if (left[0] == left[1] && left[1] == left[2]) return std::nullopt;
-  const std::array<CrossedSide, 2> sides = crossed_sides(view, edge, triangle, left);
-  if (lie_beyond_an_end(sides)) return std::nullopt;
+bool meets_on_grid(const View& view, const Sightline& edge, const ViewTriangle& triangle) {
+  return sides_over(view, edge, triangle).has_value();
+}
 
-  auto in = place_crossing(view, edge, sides[0]), out = place_crossing(view, edge, sides[1]);
+std::optional<Overlap> overlap_of(const View& view, const Sightline& edge, const ViewTriangle& triangle) {
+  const auto sides = sides_over(view, edge, triangle);
+  if (!sides) return std::nullopt;
+  auto in = place_crossing(view, edge, (*sides)[0]), out = place_crossing(view, edge, (*sides)[1]);
   if (in.t > out.t) std::swap(in, out);
   const double from = std::max(in.t, 0.0), to = std::min(out.t, 1.0);
   if (!(from < to)) return std::nullopt;
+  return Overlap{from, to, in, out};
+}
 
+std::optional<std::array<double, 2>> hidden_part(const View& view, const Sightline& edge, const ViewTriangle& triangle,
+                                                 const Contact& contact) {
+  const std::optional<Overlap> overlap = overlap_of(view, edge, triangle);
+  if (!overlap) return std::nullopt;
+  const double from = overlap->from, to = overlap->to;
   const PageVertex& p = view.vertices[edge.p];
   const PageVertex& q = view.vertices[edge.q];
   const auto in_front = [&](double t) {
-    const double of_triangle = in.depth + (out.depth - in.depth) * ((t - in.t) / (out.t - in.t));
-    return of_triangle - (p.depth + t * (q.depth - p.depth));
+    return overlap->depth(t, [&](int v) { return view.vertices[v].depth; }) - (p.depth + t * (q.depth - p.depth));
   };
   const auto& own = triangle.vertex;
   const bool holds_p = std::find(own.begin(), own.end(), edge.p) != own.end();

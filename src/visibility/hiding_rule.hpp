@@ -35,6 +35,35 @@ inline constexpr double least_piece = 1e-7;
 /// The same as a part of the edge's length on the page.
 double least_span(const View& view, const Sightline& edge);
 
+/// Where an edge crosses a side of a triangle.
+struct SideCrossing {
+  double t;  ///< page parameter of the edge
+  double s;  ///< the same of the side
+  int u, v;  ///< ends of the side
+};
+
+/// Where a triangle lies over an edge, or under it: page parameters of the edge, and the sides between which it runs.
+struct Overlap {
+  double from, to;
+  SideCrossing in, out;
+
+  /// Of the triangle where the edge is at t, when `depth_of(vertex)` are those of its corners.
+  template <class DepthOf>
+  [[nodiscard]] double depth(double t, const DepthOf& depth_of) const {
+    const auto on_side = [&](const SideCrossing& side) {
+      return depth_of(side.u) + side.s * (depth_of(side.v) - depth_of(side.u));
+    };
+    const double at_in = on_side(in), at_out = on_side(out);
+    return at_in + (at_out - at_in) * ((t - in.t) / (out.t - in.t));
+  }
+};
+
+/// Whether the triangle lies over the edge or under it, as the page grid decides.
+bool meets_on_grid(const View& view, const Sightline& edge, const ViewTriangle& triangle);
+
+/// Nothing where they do not meet.
+std::optional<Overlap> overlap_of(const View& view, const Sightline& edge, const ViewTriangle& triangle);
+
 /// Page parameters (0 at p, 1 at q) of the part that the triangle hides: where it covers the edge on the page and lies
 /// in front of it by more than contact. The caller has seen to it that the edge is none of the triangle's own.
 std::optional<std::array<double, 2>> hidden_part(const View& view, const Sightline& edge, const ViewTriangle& triangle,

@@ -52,11 +52,16 @@ class Lookup {
     return rule_.hides(triangle, s) && !own_.contain(triangle.source);
   }
 
+  [[nodiscard]] bool is_hidden_by(const Pile& pile, double s) const {
+    const auto hides = [&](int triangle) { return is_hidden_by(triangle, s); };
+    return std::any_of(pile.triangles().begin(), pile.triangles().end(), hides);
+  }
+
   [[nodiscard]] bool is_hidden_in(const CandidateTree& tree, double s) const {
     const Vec3 point = occluders_.point(line_, s);
     bool hidden = false;
-    tree.visit(tree.before(point, point), [&](int triangle) {
-      hidden = is_hidden_by(triangle, s);
+    tree.visit(tree.before(point, point), [&](const auto& thing) {
+      hidden = is_hidden_by(thing, s);
       return !hidden;
     });
     return hidden;

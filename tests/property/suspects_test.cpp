@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <random>
+#include <set>
 
 #include "edges/intersections.hpp"
 #include "shapes.hpp"
@@ -90,6 +91,28 @@ TEST(Suspects, HaveAllIntersections) {
   }
   EXPECT_GT(left_out, 300);
   EXPECT_GT(crossings, 1000);
+}
+
+// What a third copy crosses the first two cross in the same place.
+TEST(Suspects, AreTwoOfAllCopies) {
+  std::vector<Shape> shapes;
+  for (int i = 0; i < 5; ++i) {
+    shapes.push_back(box({0, 0, 0}, {2, 2, 2}));
+    shapes.push_back(box({1, 1, 1}, {3, 3, 3}));
+  }
+  const World world = world_of(shapes);
+  const std::vector<int> suspects = crossing_suspects(world, 0x1p-2, 0x1p-29);
+  EXPECT_EQ(suspects.size(), 2U * 24);
+  const auto places = [&](const std::vector<int>& triangles) {
+    std::set<std::array<double, 6>> found;
+    for (const FaceCrossing& crossing : find_intersections(world, 0x1p-2, 0x1p-29, triangles).found) {
+      const auto& [a, b] = crossing.ends;
+      found.insert({a.x, a.y, a.z, b.x, b.y, b.z});
+    }
+    return found;
+  };
+  EXPECT_EQ(places(suspects), places(all_triangles(world)));
+  EXPECT_GE(places(suspects).size(), 6U);
 }
 
 }  // namespace

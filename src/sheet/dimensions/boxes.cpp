@@ -66,11 +66,6 @@ std::vector<TurnedBox> boxes_of(const Layer& layer, const Lettering& lettering) 
   return boxes;
 }
 
-int overlaps(const TurnedBox& box, std::span<const TurnedBox> others) {
-  return static_cast<int>(
-      std::count_if(others.begin(), others.end(), [&box](const TurnedBox& other) { return overlap(box, other); }));
-}
-
 int ink_in(const TurnedBox& box, const Drawing& drawing) {
   const Vec2 half = upright_half(box);
   const Vec2 least = box.centre - half, most = box.centre + half;

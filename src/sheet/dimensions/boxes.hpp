@@ -1,7 +1,6 @@
 // What dimensions take of the paper, so that they keep out of each other's way.
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "base/vec.hpp"
@@ -33,8 +32,6 @@ TurnedBox box_of(const Text& text, const Lettering& lettering);
 
 /// What the lines, areas and texts of a layer take.
 std::vector<TurnedBox> boxes_of(const Layer& layer, const Lettering& lettering);
-
-int overlaps(const TurnedBox& box, std::span<const TurnedBox> others);
 
 /// How many lines of the drawing run through the box.
 int ink_in(const TurnedBox& box, const Drawing& drawing);

@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "sheet/dimensions/anchors.hpp"
+#include "sheet/dimensions/box_index.hpp"
 #include "sheet/dimensions/forms.hpp"
 #include "sheet/dimensions/measure.hpp"
 
@@ -25,24 +26,24 @@ constexpr double cost_of_ink = 0.3;  // a line of the drawing that a leader cros
 struct Surroundings {
   const Drawing& drawing;
   std::optional<Rectangle> paper;
-  std::vector<TurnedBox> zones, texts{}, lines{};
+  BoxIndex zones, texts{}, lines{};
 
   void add(const PlacedDimension& dimension) {
-    zones.insert(zones.end(), dimension.zones.begin(), dimension.zones.end());
-    texts.push_back(dimension.text_box);
-    lines.insert(lines.end(), dimension.lines.begin(), dimension.lines.end());
+    zones.add(dimension.zones);
+    texts.add({&dimension.text_box, 1});
+    lines.add(dimension.lines);
   }
 
   [[nodiscard]] bool is_off_paper(const TurnedBox& zone) const { return paper && !paper->holds(around(zone)); }
 
   /// What the place of the dimension costs; no more is found out once that is beyond `most`.
   [[nodiscard]] double cost(const PlacedDimension& dimension, double most) const {
-    double cost = cost_of_text * overlaps(dimension.text_box, lines);
+    double cost = cost_of_text * lines.overlaps(dimension.text_box);
     for (const TurnedBox& zone : dimension.zones)
-      cost += cost_of_zone * (overlaps(zone, zones) + (is_off_paper(zone) ? 1 : 0)) +
-              cost_of_crossing * overlaps(zone, lines);
+      cost += cost_of_zone * (zones.overlaps(zone) + (is_off_paper(zone) ? 1 : 0)) +
+              cost_of_crossing * lines.overlaps(zone);
     for (const TurnedBox& line : dimension.lines)
-      cost += cost_of_text * overlaps(line, texts) + cost_of_crossing * overlaps(line, zones);
+      cost += cost_of_text * texts.overlaps(line) + cost_of_crossing * zones.overlaps(line);
     if (cost < most && ink_in(dimension.text_box, drawing) > 0) cost += cost_of_text;
     if (cost < most)
       for (const TurnedBox& line : dimension.lines) cost += cost_of_ink * ink_in(line, drawing);
@@ -82,7 +83,7 @@ std::vector<std::size_t> order_of(const std::vector<MeasuredDimension>& dimensio
 
 std::vector<PlacedDimension> place(const std::vector<MeasuredDimension>& dimensions, const Drawing& drawing,
                                    const DimensionLook& look, const Neighbours& neighbours) {
-  Surroundings surroundings{drawing, neighbours.paper, neighbours.boxes};
+  Surroundings surroundings{drawing, neighbours.paper, BoxIndex(neighbours.boxes)};
   std::vector<PlacedDimension> placed(dimensions.size());
   for (const std::size_t i : order_of(dimensions)) {
     const auto ways = [&](const auto& form) { return ways_of(form, dimensions[i], drawing, look); };

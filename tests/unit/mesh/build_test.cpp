@@ -276,6 +276,30 @@ TEST(Build, PolygonsOfAnySizeAndMagnitude) {
   }
 }
 
+// Ears lie between long teeth only, and each triangle's box is as high as a tooth.
+TEST(Build, ALargeConcavePolygonHasNoFalseTriangle) {
+  const int teeth = 20000;
+  Points points{{-1, -1, 0}, {2.0 * teeth, -1, 0}};
+  std::vector<int> face{0, 1};
+  for (int i = 2 * teeth - 1; i >= 0; --i) {
+    face.push_back(static_cast<int>(points.size()));
+    points.push_back({1.0 * i, i % 2 == 0 ? 100.0 : 1.0, 0});
+  }
+  const Mesh mesh = mesh_of(points, {face});
+  ASSERT_EQ(mesh.report.triangles, 2 * teeth);
+  double sum = 0, twice = 0;
+  for (int t = 0; t < mesh.report.triangles; ++t) {
+    EXPECT_GT(area_z(mesh, t), 0);
+    sum += area_z(mesh, t);
+  }
+  for (std::size_t i = 0; i < face.size(); ++i) {
+    const auto& p = points[face[i]];
+    const auto& q = points[face[(i + 1) % face.size()]];
+    twice += p[0] * q[1] - p[1] * q[0];
+  }
+  EXPECT_EQ(sum, twice / 2);
+}
+
 TEST(Build, PolygonsThatCrossThemselvesKeepTheirCorners) {
   const Mesh bow_tie = mesh_of({{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2, 3}});
   expect_valid(bow_tie);

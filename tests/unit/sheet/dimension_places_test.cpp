@@ -5,7 +5,7 @@
 
 #include "dimensions_support.hpp"
 #include "errors.hpp"
-#include "sheet/dimensions/boxes.hpp"
+#include "sheet/dimensions/box_index.hpp"
 #include "sheet/dimensions/overall.hpp"
 
 namespace epura::test {
@@ -191,7 +191,7 @@ TEST(DimensionPlaces, ManyCircles) {
 bool reaches_into(const Layer& layer, const Rectangle& box) {
   static const Lettering lettering;
   const std::vector<TurnedBox> boxes = boxes_of(layer, lettering);
-  return overlaps(turned_box(box), boxes) > 0;
+  return BoxIndex(boxes).overlaps(turned_box(box)) > 0;
 }
 
 TEST(DimensionPlaces, AwayFromNeighboursAndOnThePaper) {

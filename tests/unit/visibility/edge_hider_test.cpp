@@ -37,5 +37,20 @@ TEST(EdgeHider, TriesFewTrianglesOfAStackWhereverItIsSeenFrom) {
     EXPECT_LT(tries_of_an_edge(world, orthographic(towards_viewer, {0, 1, 0.1})), 100);
 }
 
+// Of half of the plates, a side that falls on theirs is visible: each would be tried on all before it.
+TEST(EdgeHider, TriesFewTrianglesOfEqualPartsBehindOneAnother) {
+  Shape plates;
+  std::vector<Shape> copies;
+  for (int i = 0; i < 1000; ++i) {
+    plates.add(box({0, 0, 0.5 * i}, {100, 60, 0.5 * i + 0.3}));
+    copies.push_back(box({0, 0, 0}, {1, 2, 3}));
+  }
+  copies.resize(300);
+  EXPECT_LT(tries_of_an_edge(world_of(plates), from_above()), 20);
+  for (const Vec3& towards_viewer : {Vec3(1, -1, 1), Vec3(0.3, -0.8, 0.5), Vec3(0, 0, 1)})
+    EXPECT_LT(tries_of_an_edge(world_of(copies), orthographic(towards_viewer, {0, 1, 0.1})), 50);
+  EXPECT_LT(tries_of_an_edge(world_of(copies), perspective({3, -2, 9}, {0, 0, 0}, {3, -2, 9}, {0, 0, 1})), 50);
+}
+
 }  // namespace
 }  // namespace epura::test

@@ -1,0 +1,43 @@
+// Boxes found by their place, to count those that another box overlaps.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <span>
+#include <vector>
+
+#include "sheet/dimensions/boxes.hpp"
+
+namespace epura {
+
+/// Boxes by square cell of the paper. Equal ones are one with a number: dimensions between the same points take the
+/// same few places again and again.
+class BoxIndex {
+ public:
+  BoxIndex() = default;
+  explicit BoxIndex(std::span<const TurnedBox> boxes) { add(boxes); }
+
+  void add(std::span<const TurnedBox> boxes);
+
+  /// How many of them have more than their borders in common with the box.
+  [[nodiscard]] int overlaps(const TurnedBox& box) const;
+
+ private:
+  using Cell = std::array<int, 2>;
+  struct Entry {
+    TurnedBox box;
+    Vec2 least, most;  ///< of the upright rectangle around it
+    int count;
+  };
+
+  static Cell cell_at(const Vec2& place);
+  template <class Visit>
+  static void visit_cells(const Cell& least, const Cell& most, const Visit& visit);
+
+  std::vector<Entry> entries_;
+  std::map<std::array<double, 6>, std::size_t> known_;
+  std::map<Cell, std::vector<std::size_t>> cells_;
+};
+
+}  // namespace epura

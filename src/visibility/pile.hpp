@@ -1,0 +1,49 @@
+// Triangles that have the same corners on the page grid, as equal parts do that lie behind one another.
+#pragma once
+
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "view/view.hpp"
+#include "visibility/bounds_tree.hpp"
+
+namespace epura {
+
+/// Whether they cover an edge is decided once for all. Where corners are the same to the last bit, so is the part of an
+/// edge that is covered: nothing can be added to a triangle that hides all of it, and depth tells which may hide some.
+class Pile {
+ public:
+  /// Corners on the page grid, in the order of their numbers.
+  using Footprint = std::array<int, 6>;
+  static Footprint footprint(const View& view, int triangle);
+
+  /// Least and greatest depth of several triangles at each corner.
+  using Depths = Bounds<3>;
+
+  /// Of triangles with one footprint.
+  Pile(const View& view, std::vector<int> triangles);
+
+  /// The nearest first.
+  [[nodiscard]] const std::vector<int>& triangles() const { return triangles_; }
+  /// Whether corners are the same to the last bit.
+  [[nodiscard]] bool is_exact() const { return !tree_.empty(); }
+  /// The corners of the first triangle, in the order of Depths.
+  [[nodiscard]] const std::array<int, 3>& corners() const { return corners_; }
+  /// Those that have this vertex as a corner.
+  [[nodiscard]] std::vector<int> around(int vertex) const;
+
+  /// Calls `visit(triangle)` for those of whose depths `may_hide` is true, until it returns false.
+  template <class MayHide, class Visit>
+  void visit(const MayHide& may_hide, const Visit& visit) const {
+    tree_.visit_where(may_hide, [&](std::size_t i) { return visit(triangles_[i]); });
+  }
+
+ private:
+  std::vector<int> triangles_;
+  std::array<int, 3> corners_{};
+  std::vector<std::pair<int, int>> around_;  ///< vertex and triangle, ascending
+  BoundsTree<3> tree_;                       ///< empty where corners differ
+};
+
+}  // namespace epura

@@ -1,0 +1,47 @@
+#include "sheet/dimensions/box_index.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace epura::test {
+namespace {
+
+// Small and long boxes and lines in all directions, on the paper and far off it, some of them again and again.
+std::vector<TurnedBox> boxes(int count, unsigned seed) {
+  std::mt19937 random(seed);
+  const auto uniform = [&](double from, double to) {
+    return from + (to - from) * static_cast<double>(random()) / 4294967296.0;
+  };
+  std::vector<TurnedBox> boxes;
+  for (int i = 0; i < count; ++i) {
+    if (i > 0 && random() % 4 == 0) {
+      boxes.push_back(boxes[random() % boxes.size()]);
+      continue;
+    }
+    const double angle = random() % 2 == 0 ? 0 : uniform(-4, 4), reach = random() % 8 == 0 ? 1e5 : 200;
+    boxes.push_back({{uniform(-reach, reach), uniform(-reach, reach)},
+                     {std::cos(angle), std::sin(angle)},
+                     {std::pow(10, uniform(-1, 3)), random() % 3 == 0 ? 0 : uniform(0, 20)}});
+  }
+  return boxes;
+}
+
+TEST(BoxIndex, CountsWhatOverlapsAmongAll) {
+  const std::vector<TurnedBox> all = boxes(500, 1);
+  const BoxIndex index(all);
+  int most = 0;
+  for (const TurnedBox& box : boxes(300, 2)) {
+    const auto meets = [&](const TurnedBox& other) { return overlap(box, other); };
+    const auto expected = static_cast<int>(std::count_if(all.begin(), all.end(), meets));
+    EXPECT_EQ(index.overlaps(box), expected);
+    most = std::max(most, expected);
+  }
+  EXPECT_GT(most, 50);
+  EXPECT_EQ(BoxIndex().overlaps(all.front()), 0);
+}
+
+}  // namespace
+}  // namespace epura::test
