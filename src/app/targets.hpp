@@ -9,6 +9,7 @@
 #include "base/progress.hpp"
 #include "drawing/drawing.hpp"
 #include "output/write.hpp"
+#include "sheet/paper.hpp"
 
 namespace epura {
 
@@ -26,7 +27,11 @@ struct FinishedSheet {
   double scale = 1;                     ///< main scale, mm of paper per unit of the world
   std::vector<Drawing> drawings{};      ///< in order of the views; none where no target wants them
   std::vector<std::string> warnings{};  ///< what of it is not as was wished
+  Paper paper{};
 };
+
+/// Marks a sheet that lacks something since time was over in a stage; once more by another stage.
+void mark_partial(FinishedSheet& sheet, const std::string& stage);
 
 /// x-2.svg for x.svg.
 std::string numbered(const std::string& path, std::size_t number);
@@ -36,7 +41,7 @@ struct FileBytes {
 };
 
 /// PDF and PostScript have one file for all sheets, the other formats one for each: x-1.svg, x-2.svg where there are
-/// several.
+/// several. Throws OutOfTime.
 std::vector<FileBytes> encode_all(const std::vector<Target>& targets, std::span<const FinishedSheet> sheets,
                                   const VectorOptions& options, const Report& report, Progress progress);
 

@@ -6,6 +6,7 @@
 
 #include "app/messages.hpp"
 #include "app/pipeline.hpp"
+#include "base/error.hpp"
 #include "output/write.hpp"
 #include "sheet/sheet.hpp"
 
@@ -14,6 +15,8 @@ namespace epura {
 /// Warns of a view without lines.
 void warn_about(const Messages& messages, const ViewResult& result);
 void warn_about(const Messages& messages, const Partial& partial);
+/// What is said where the time limit leaves nothing to show.
+Error nothing_drawn(const std::string& stage);
 /// Warns where the map of a view keeps few digits.
 void warn_about(const Messages& messages, const ViewCondition& view);
 /// Warns of characters that the font has not.

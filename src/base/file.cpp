@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -15,6 +16,8 @@ namespace epura {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr std::size_t most_at_once = 1 << 24;  // bytes to read between two looks at the clock
 
 // A file descriptor that closes itself.
 class Descriptor {
@@ -114,7 +117,7 @@ bool replace_by_named(const fs::path& target, std::string_view bytes, Progress p
 
 }  // namespace
 
-std::string read_file(const fs::path& path) {
+std::string read_file(const fs::path& path, const Progress& progress) {
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (file.number() < 0) fail(Trouble::input, path, "read", errno);
   struct stat status {};
@@ -125,8 +128,9 @@ std::string read_file(const fs::path& path) {
   std::string bytes(static_cast<std::size_t>(status.st_size) + 1, '\0');
   std::size_t filled = 0;
   while (true) {
+    progress.expect_time();
     if (filled == bytes.size()) bytes.resize(2 * filled + 65536);
-    const ssize_t got = ::read(file.number(), bytes.data() + filled, bytes.size() - filled);
+    const ssize_t got = ::read(file.number(), bytes.data() + filled, std::min(bytes.size() - filled, most_at_once));
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) fail(Trouble::input, path, "read", errno);
     if (got == 0) break;

@@ -10,7 +10,8 @@
 namespace epura {
 
 /// All bytes of a regular file (or of a pipe). Throws Error{input} naming the path and the reason.
-std::string read_file(const std::filesystem::path& path);
+/// Throws OutOfTime.
+std::string read_file(const std::filesystem::path& path, const Progress& progress = {});
 
 /// Writes beside the target, without a name where the file system can, and renames at the end. Throws Error{output};
 /// the old file then stays. A target that is no regular file (a device, a pipe) is written to directly.

@@ -135,10 +135,10 @@ struct Judge {
 }  // namespace
 
 std::vector<std::optional<EdgeKind>> feature_edges(const World& world, const View& view, int model,
-                                                   const EdgeWishes& wishes) {
+                                                   const EdgeWishes& wishes, const Progress& progress) {
   const EdgeSurroundings around{world, model, view.map.shrink, std::max(sliver_part, world.rounding * view.map.shrink)};
   std::vector<char> is_sliver(world.models[model].mesh->polygon.size());
-  parallel_for(is_sliver.size(), 8192, [&](std::size_t begin, std::size_t end) {
+  parallel_for(is_sliver.size(), 8192, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t)
       is_sliver[t] = height_of(around, static_cast<int>(t)) <= around.sliver ? 1 : 0;
   });
@@ -153,8 +153,9 @@ std::vector<std::optional<EdgeKind>> feature_edges(const World& world, const Vie
                     std::max(edge_on_cells, world.rounding * view.map.shrink * view.map.unit / view.cell)};
   const auto& edges = judge.mesh().edges;
   std::vector<std::optional<EdgeKind>> kinds(edges.size());
-  parallel_for(edges.size(), 4096, [&](std::size_t begin, std::size_t end) {
+  parallel_for(edges.size(), 4096, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e) kinds[e] = judge.judge(edges[e]);
+    progress.advance(end - begin);
   });
   return kinds;
 }

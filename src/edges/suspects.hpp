@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/progress.hpp"
 #include "scene/scene.hpp"
 
 namespace epura {
@@ -14,8 +15,8 @@ namespace epura {
 /// - It takes triangles as apart when their boxes are. So they are where those of their bodies are.
 ///
 /// Left out are the triangles of convex bodies whose box meets that of no other body. `shrink` and `contact` are those
-/// of find_intersections.
-std::vector<int> crossing_suspects(const World& world, double shrink, double contact);
+/// of find_intersections. Throws OutOfTime.
+std::vector<int> crossing_suspects(const World& world, double shrink, double contact, const Progress& progress = {});
 
 /// Without any certificate: all triangles.
 std::vector<int> all_triangles(const World& world);

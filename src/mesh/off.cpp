@@ -56,15 +56,16 @@ std::string_view expect_word(TextCursor& text, const char* what, long long done,
   return word;
 }
 
-void read_vertices(TextCursor& text, Soup& soup, long long count) {
+void read_vertices(TextCursor& text, Soup& soup, long long count, Pace& pace) {
   soup.points.resize(static_cast<std::size_t>(count));
   for (long long v = 0; v < count; ++v) {
     for (double& x : soup.points[static_cast<std::size_t>(v)]) x = text.number(expect_word(text, "vertex", v, count));
     text.next_line();
+    pace.left(text.bytes_left());
   }
 }
 
-void read_faces(TextCursor& text, Soup& soup, long long count) {
+void read_faces(TextCursor& text, Soup& soup, long long count, Pace& pace) {
   soup.corners.reserve(static_cast<std::size_t>(3 * count));
   soup.face_ends.reserve(static_cast<std::size_t>(count));
   for (long long f = 0; f < count; ++f) {
@@ -81,20 +82,22 @@ void read_faces(TextCursor& text, Soup& soup, long long count) {
     }
     soup.end_face();
     text.next_line();
+    pace.left(text.bytes_left());
   }
 }
 
 }  // namespace
 
-Soup read_off(std::string_view bytes, std::string_view name) {
+Soup read_off(std::string_view bytes, std::string_view name, const Progress& progress) {
   Soup soup;
   soup.format = "off";
   soup.printed = true;
   TextCursor text(bytes, name);
   read_keyword(text);
   const Counts counts = read_counts(text);
-  read_vertices(text, soup, counts.vertices);
-  read_faces(text, soup, counts.faces);
+  Pace pace(progress, text.bytes_left());
+  read_vertices(text, soup, counts.vertices, pace);
+  read_faces(text, soup, counts.faces, pace);
   return soup;
 }
 
