@@ -37,7 +37,7 @@ struct Result {
 /// message names the place and the reason.
 class EPURA_PUBLIC Failure : public std::runtime_error {
  public:
-  /// The exit code that the program has for it.
+  /// The exit code that the program has for it. `time`: `time-limit` left nothing to show.
   enum class Kind { input = 2, plugin = 3, output = 4, time = 5 };
 
   Failure(Kind kind, const std::string& message, std::string hint)

@@ -1,6 +1,9 @@
 // How a run that has a time limit spends its time, and what it leaves undone.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
+
 #include "base/progress.hpp"
 #include "output/write.hpp"
 
@@ -14,7 +17,7 @@ struct Budget {
 
   /// For what is begun again with less to do, and has to come to an end.
   [[nodiscard]] Progress last() const {
-    constexpr double part = 0.1, seconds = 0.2;  // the end of the process takes another tenth of a second
+    constexpr double part = 0.1, seconds = 0.1;  // the end of the process takes some time, too
     return run.with_more_time(part * run.time_limit().value_or(0) + seconds);
   }
 
@@ -31,9 +34,9 @@ struct Budget {
   }
 };
 
-/// What is made again of fewer lines is made of the longest eighth of them.
-constexpr std::size_t fewer(std::size_t lines) { return lines / 8; }
 /// So few lines take no time worth the name.
 constexpr std::size_t few_lines = 64;
+/// What is made again of fewer lines is made of the longest eighth of them.
+constexpr std::size_t fewer(std::size_t lines) { return std::min(lines, std::max(lines / 8, few_lines)); }
 
 }  // namespace epura

@@ -45,7 +45,7 @@ std::size_t terminal_width() {
 }
 
 // A tenth and 0.3 s beyond the limit the process is to be gone.
-double last_second(double time_limit) { return 1.1 * time_limit + 0.25; }
+double last_second(double time_limit) { return 1.1 * time_limit + 0.2; }
 
 void put(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
 

@@ -173,6 +173,12 @@ std::vector<FileBytes> encode_in_time(const std::vector<Target>& targets, std::v
   return make_in_time(progress, Budget{progress, progress, report.partial}.last(), make, leave_out);
 }
 
+std::vector<std::string> paths_of(const std::vector<FileBytes>& files) {
+  std::vector<std::string> paths;
+  for (const FileBytes& file : files) paths.push_back(file.path);
+  return paths;
+}
+
 void forget_times(std::vector<PlanStep>& plan) {
   for (PlanStep& step : plan) step.times = {};
 }
@@ -213,14 +219,10 @@ DrawnFiles draw_within(const DrawOptions& options, const Messages& messages, Pro
   if (options.timings) run.report.seconds = watch.laps();
   if (!options.timings && !options.measure) forget_times(run.report.plan);
   const std::vector<FileBytes> files = encode_in_time(targets, finished, vector_options, run.report, progress);
-  std::vector<std::string> paths;
   progress.lift_limit();
-  for (const FileBytes& file : files) {
-    write(file, progress);
-    paths.push_back(file.path);
-  }
+  for (const FileBytes& file : files) write(file, progress);
   watch.lap("write");
-  return {std::move(paths), std::move(run.report), std::move(run.answers), watch, std::move(finished)};
+  return {paths_of(files), std::move(run.report), std::move(run.answers), watch, std::move(finished)};
 }
 
 }  // namespace

@@ -180,6 +180,7 @@ std::optional<Verification> verify_view(const World& world, const View& view, co
                                         const DrawnEdges& drawn, const HiddenSpans& hidden, const Contact& contact,
                                         const Drawing& drawing, double scale, const Progress& progress) {
   if (!wish.verify) return std::nullopt;
+  progress.begin("verifying");
   const Tolerance tolerance{view.extent * scale, contact.touching * scale};
   return verify({world, view.projection, wish.limits, drawn, hidden, drawing}, tolerance, *wish.verify,
                 wish.keep_hidden(), progress);
@@ -253,7 +254,6 @@ ViewResult draw_view(const World& world, const CutSection* section, View view, c
   watch.lap("drawing");
   drawing.scale = place.scale;
   auto verification = budget.or_nothing([&](const Progress& progress) {
-    if (wish.verify) progress.begin("verifying");
     return verify_view(world, view, wish, drawn, hidden, contact, drawing, paper.scale, progress);
   });
   if (wish.verify) watch.lap("verify");

@@ -39,7 +39,7 @@ bool draws_edges(const Layer& layer) {
 }  // namespace
 
 bool keep_longest_lines(std::span<FinishedSheet> sheets, Partial& partial) {
-  std::size_t left = 0;
+  std::size_t left = 0, layers = 0;
   for (FinishedSheet& sheet : sheets) {
     for (Layer& layer : sheet.sheet.layers) {
       if (!draws_edges(layer)) continue;
@@ -47,10 +47,11 @@ bool keep_longest_lines(std::span<FinishedSheet> sheets, Partial& partial) {
       keep_longest(layer.strokes, fewer(before));
       partial.undrawn += static_cast<long long>(before - layer.strokes.size());
       left += layer.strokes.size();
+      ++layers;
     }
     for (Drawing& drawing : sheet.drawings) keep_longest_chains(drawing, fewer(drawing.chains.size()));
   }
-  return left <= few_lines;
+  return left <= few_lines * layers;
 }
 
 }  // namespace epura

@@ -131,6 +131,7 @@ HiddenSpans find_hidden(const World& world, const View& view, const DrawnEdges& 
   put_in_order(found, order, hidden);
   for (std::size_t e = 0; e < count; ++e)
     if (decided[e] == 0) hidden.undecided.push_back(static_cast<int>(e));
+  if (count > 0 && hidden.undecided.size() == count) throw OutOfTime{"hiding lines"};
   return hidden;
 }
 

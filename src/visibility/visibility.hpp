@@ -60,7 +60,7 @@ class OwnTriangles {
 
 /// Every edge against every triangle that meets it on the page. The result does not depend on the number of threads.
 /// Under a time limit the longest edges come first, and those that time does not suffice for stay undecided; without
-/// time even to find out what may hide them, OutOfTime is thrown.
+/// time for a single one OutOfTime is thrown.
 HiddenSpans find_hidden(const World& world, const View& view, const DrawnEdges& drawn, const Contact& contact,
                         Progress progress = {});
 

@@ -72,8 +72,10 @@ class Judge {
     progress.begin("verifying", met.size());
     parallel_for(met.size(), 1, progress, [&](std::size_t first, std::size_t last) {
       for (std::size_t part = first; part < last; ++part)
-        for (std::size_t t = part * chunk; t < std::min((part + 1) * chunk, count); ++t)
+        for (std::size_t t = part * chunk; t < std::min((part + 1) * chunk, count); ++t) {
+          progress.expect_time();
           meet(static_cast<int>(t), met[part]);
+        }
       progress.advance(last - first);
     });
     std::vector<std::vector<Portion>> portions(probes_.size());
