@@ -29,7 +29,7 @@ struct Result {
   std::vector<std::string> files;     ///< that were written, several for one output where it has several sheets
   std::vector<std::string> warnings;  ///< sentences: what was repaired in models, what is not as was wished
   std::string report;                 ///< what `why`, `dump`, `verify`, `arcs` and `timings` tell
-  bool is_partial = false;            ///< `time-limit` left edges out
+  bool is_partial = false;            ///< `time-limit` left something out
   bool is_wrong = false;              ///< `verify` found a wrong point
 };
 
@@ -37,8 +37,8 @@ struct Result {
 /// message names the place and the reason.
 class EPURA_PUBLIC Failure : public std::runtime_error {
  public:
-  /// The exit code that the program has for it.
-  enum class Kind { input = 2, plugin = 3, output = 4 };
+  /// The exit code that the program has for it. `time`: `time-limit` left nothing to show.
+  enum class Kind { input = 2, plugin = 3, output = 4, time = 5 };
 
   Failure(Kind kind, const std::string& message, std::string hint)
       : std::runtime_error(message), kind_(kind), hint_(std::move(hint)) {}

@@ -15,7 +15,8 @@ namespace {
 // A drawing that lacks lines may lack its ends: its overall dimensions are left out.
 std::vector<DimensionDescription> dimensions_of(const Annotations& annotations, const ViewResult& view) {
   std::vector<DimensionDescription> dimensions = annotations.dimensions;
-  if (view.partial) std::erase_if(dimensions, [](const auto& one) { return one.type.text == "overall"; });
+  if (!view.partial.stages.empty())
+    std::erase_if(dimensions, [](const auto& one) { return one.type.text == "overall"; });
   return dimensions;
 }
 
@@ -60,7 +61,8 @@ Neighbours with_other_views(Neighbours neighbours, std::span<const ViewResult> v
 }  // namespace
 
 AnnotationLayers annotation_layers(const World& world, const SheetPlan& plan, std::span<const Annotations> annotations,
-                                   std::span<const ViewResult> views, const std::vector<Text>& labels) {
+                                   std::span<const ViewResult> views, const std::vector<Text>& labels,
+                                   const Budget& budget) {
   const Paper& paper = plan.furniture.paper;
   const LineWidths widths = line_widths(paper);
   AnnotationLayers result;
@@ -73,7 +75,12 @@ AnnotationLayers annotation_layers(const World& world, const SheetPlan& plan, st
     if (!lettering) around = neighbours_of(plan.furniture, labels, marks, lettering.emplace());
     const DimensionLook look{*lettering, widths.narrow, dimension_text_height(paper, views.size())};
     const Drawing& drawing = views[i].drawing;
-    Layer layer = dimension_layer(world, drawing, dimensions, look, with_other_views(around, views, i));
+    Layer layer = dimension_layer(world, drawing, dimensions, look, with_other_views(around, views, i),
+                                  budget.run.with_part_of_the_time(0.5));
+    if (const std::size_t left_out = dimensions.size() - layer.texts.size(); left_out > 0) {
+      budget.partial.add_stage("placing dimensions");
+      budget.partial.undrawn += static_cast<long long>(left_out);
+    }
     if (!on_paper(layer, {paper.width, paper.height}))
       result.warnings.push_back("dimensions of the view '" + drawing.name +
                                 "' reach beyond the paper\n  hint: use a smaller scale or a larger sheet");

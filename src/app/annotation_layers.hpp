@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/annotations.hpp"
+#include "app/budget.hpp"
 #include "app/layout.hpp"
 #include "app/pipeline.hpp"
 
@@ -19,6 +20,7 @@ struct AnnotationLayers {
 /// `annotations` and `views` are by view; `labels` stand above them. Throws Error{input} for dimensions that cannot be
 /// drawn. Opens no font where there is nothing to write.
 AnnotationLayers annotation_layers(const World& world, const SheetPlan& plan, std::span<const Annotations> annotations,
-                                   std::span<const ViewResult> views, const std::vector<Text>& labels);
+                                   std::span<const ViewResult> views, const std::vector<Text>& labels,
+                                   const Budget& budget);
 
 }  // namespace epura

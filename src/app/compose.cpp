@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "app/annotation_layers.hpp"
+#include "drawing/thin.hpp"
 #include "sheet/centre_lines.hpp"
 #include "sheet/hatch.hpp"
 #include "sheet/lettering.hpp"
-#include "sheet/partial_mark.hpp"
 #include "sheet/sheet_layers.hpp"
 #include "sheet/standard_scale.hpp"
 #include "sheet/view_labels.hpp"
@@ -75,9 +75,37 @@ std::vector<const Drawing*> drawings_of(const std::vector<ViewResult>& views) {
 }
 
 std::vector<Layer> centre_layers(const ViewResult& view, const ViewWish& wish, const LineWidths& widths,
-                                 const std::vector<Layer>& lines) {
+                                 const std::vector<Layer>& lines, const Progress& progress) {
   if (!wish.centre_lines) return {};
-  return {centre_lines(view.drawing, view.circles, widths, wish.looks, lines)};
+  progress.begin("drawing centre lines");
+  return {centre_lines(view.drawing, view.circles, widths, wish.looks, lines, progress)};
+}
+
+// One for each view; none for those without cut faces.
+std::vector<std::vector<Layer>> hatch_layers(const std::vector<ViewResult>& results, const LineWidths& widths,
+                                             const Progress& progress) {
+  std::size_t faces = 0;
+  for (const ViewResult& view : results) faces += view.drawing.cut_faces.size();
+  progress.begin("hatching", faces);
+  const std::vector<Hatching> hatching = choose_hatching(drawings_of(results), progress);
+  std::vector<std::vector<Layer>> layers(results.size());
+  for (std::size_t i = 0; i < results.size(); ++i)
+    if (!results[i].drawing.cut_faces.empty())
+      layers[i].push_back(hatch_layer(results[i].drawing, hatching, widths, progress));
+  return layers;
+}
+
+// Where there is no time for all lines, of the longest ones.
+std::vector<Layer> line_layers(Drawing& drawing, const LineWidths& widths, const std::vector<ModelLook>& looks,
+                               const Budget& budget) {
+  const auto make = [&](const Progress& progress) { return view_layers(drawing, widths, looks, progress); };
+  const auto leave_out = [&](const std::string& stage) {
+    budget.partial.add_stage(stage);
+    budget.partial.undrawn += static_cast<long long>(keep_longest_chains(drawing, fewer(drawing.chains.size())));
+    return drawing.chains.size() <= few_lines;
+  };
+  constexpr double part = 0.6;  // of the time that is left; the rest is for writing
+  return make_in_time(budget.run.with_part_of_the_time(part), budget.last(), make, leave_out);
 }
 
 // The sheet has the lines; JSON asks for their curves.
@@ -90,7 +118,7 @@ void keep_curves(std::vector<Chain>& chains) {
 
 FinishedSheet compose(const World& world, const SceneDescription& scene, const SheetOfViews& views,
                       const SheetPlan& plan, std::vector<ViewResult>& results,
-                      const std::vector<Annotations>& annotations) {
+                      const std::vector<Annotations>& annotations, const Budget& budget) {
   const SheetDescription& sheet = scene.sheets[static_cast<std::size_t>(views.sheet)];
   const Paper& paper = plan.furniture.paper;
   SheetFurniture furniture = plan.furniture;
@@ -100,24 +128,25 @@ FinishedSheet compose(const World& world, const SceneDescription& scene, const S
       {paper.width, paper.height, title_of(sheet), std::move(around.layers), frames_of(results), facts_of(sheet)},
       plan.scale,
       {},
-      std::move(around.warnings)};
+      std::move(around.warnings),
+      paper};
   const LineWidths widths = line_widths(paper);
-  AnnotationLayers beside = annotation_layers(world, plan, annotations, results, furniture.labels);
-  const std::vector<Hatching> hatching = choose_hatching(drawings_of(results));
-  bool partial = false;
+  AnnotationLayers beside = annotation_layers(world, plan, annotations, results, furniture.labels, budget);
+  auto hatching = budget.or_nothing([&](const Progress& p) { return hatch_layers(results, widths, p); });
+  hatching.resize(results.size());
   for (std::size_t i = 0; i < results.size(); ++i) {
-    if (!results[i].drawing.cut_faces.empty())
-      finished.sheet.layers.push_back(hatch_layer(results[i].drawing, hatching, widths));
-    std::vector<Layer> lines = view_layers(results[i].drawing, widths, views.plans[i].wish.looks);
-    append(finished.sheet.layers, centre_layers(results[i], views.plans[i].wish, widths, lines));
+    append(finished.sheet.layers, std::move(hatching[i]));
+    std::vector<Layer> lines = line_layers(results[i].drawing, widths, views.plans[i].wish.looks, budget);
+    append(finished.sheet.layers, budget.or_nothing([&](const Progress& progress) {
+      return centre_layers(results[i], views.plans[i].wish, widths, lines, progress);
+    }));
     append(finished.sheet.layers, std::move(lines));
-    keep_curves(results[i].drawing.chains);
-    partial = partial || results[i].partial;
+    // Without time for all that is to be written, chains tell which segments belong together.
+    if (!budget.run.is_limited()) keep_curves(results[i].drawing.chains);
     finished.drawings.push_back(std::move(results[i].drawing));
   }
   append(finished.sheet.layers, std::move(beside.layers));
   std::move(beside.warnings.begin(), beside.warnings.end(), std::back_inserter(finished.warnings));
-  if (partial) finished.sheet.layers.push_back(partial_mark(paper));
   return finished;
 }
 

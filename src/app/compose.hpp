@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/annotations.hpp"
+#include "app/budget.hpp"
 #include "app/layout.hpp"
 #include "app/pipeline.hpp"
 #include "app/targets.hpp"
@@ -14,8 +15,9 @@
 namespace epura {
 
 /// The drawings of one sheet, in order of its views, with all that belongs to them, and what a sheet has around.
+/// What there is no time for is left out, and noted in the budget.
 FinishedSheet compose(const World& world, const SceneDescription& scene, const SheetOfViews& views,
                       const SheetPlan& plan, std::vector<ViewResult>& results,
-                      const std::vector<Annotations>& annotations);
+                      const std::vector<Annotations>& annotations, const Budget& budget);
 
 }  // namespace epura

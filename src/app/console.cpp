@@ -6,9 +6,11 @@
 #include <sys/signalfd.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
@@ -16,6 +18,7 @@
 
 #include "app/choose.hpp"
 #include "app/progress_line.hpp"
+#include "app/tell.hpp"
 #include "base/error.hpp"
 #include "base/utf8.hpp"
 
@@ -24,7 +27,7 @@ namespace epura {
 namespace {
 
 // Runs shorter than the first wait show nothing.
-constexpr int first_wait_ms = 300, wait_ms = 100;
+constexpr int first_wait_ms = 300, next_wait_ms = 100;
 // How long a cancelled run may keep the process for the sake of its files.
 constexpr std::chrono::seconds patience(2);
 
@@ -48,12 +51,15 @@ std::size_t terminal_width() {
 [[noreturn]] void refuse(const std::string& what, const std::string& remedy) {
   throw Error(Trouble::input, "this process", what, remedy);
 }
+// A tenth and 0.3 s beyond the limit the process is to be gone.
+double last_second(double time_limit) { return 1.1 * time_limit + 0.2; }
 
 void put(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
 
 }  // namespace
 
-Console::Console(ProgressBoard& board, bool shows_progress) : board_(board), shows_progress_(shows_progress) {
+Console::Console(ProgressBoard& board, bool shows_progress, std::optional<double> time_limit)
+    : board_(board), shows_progress_(shows_progress), time_limit_(time_limit) {
   // A thread waits for the signals, rather than a handler or a flag that the stages look at: it may take locks, and it
   // ends the process even while a stage is deep in another library.
   const sigset_t signals = ending_signals();
@@ -85,14 +91,31 @@ void Console::print(std::string_view lines) {
 
 void Console::watch() {
   std::array<pollfd, 2> events{{{signals_, POLLIN, 0}, {end_, POLLIN, 0}}};
-  int wait = shows_progress_ ? first_wait_ms : -1;
-  while (true) {
-    const int happened = ::poll(events.data(), events.size(), wait);
+  for (bool is_first = true;; is_first = false) {
+    const int happened = ::poll(events.data(), events.size(), wait_ms(is_first));
     if (happened > 0 && events[0].revents != 0) cancel();
     if (happened > 0) return;
-    if (happened == 0) draw_line();
-    if (shows_progress_) wait = wait_ms;
+    if (happened == 0 && shows_progress_) draw_line();
+    give_up_when_over();
   }
+}
+
+int Console::wait_ms(bool is_first) const {
+  const int for_line = is_first ? first_wait_ms : next_wait_ms;
+  if (!time_limit_ || !board_.has_limit()) return shows_progress_ ? for_line : -1;
+  constexpr double longest = 1e6;
+  const double left = std::clamp(1000 * (last_second(*time_limit_) - board_.seconds()), 0.0, longest);
+  const int until_over = static_cast<int>(std::ceil(left));
+  return shows_progress_ ? std::min(for_line, until_over) : until_over;
+}
+
+// As if it were cancelled.
+void Console::give_up_when_over() {
+  if (!time_limit_ || !board_.has_limit() || board_.seconds() < last_second(*time_limit_)) return;
+  std::unique_lock files(board_.ending(), patience);
+  const Error error = nothing_drawn(board_.standing().stage);
+  print("epura: " + std::string(error.what()) + "\n  hint: " + error.hint() + "\n");
+  ::_exit(static_cast<int>(error.trouble()));
 }
 
 void Console::draw_line() {

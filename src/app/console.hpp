@@ -4,6 +4,7 @@
 #include <csignal>
 #include <cstddef>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <thread>
@@ -18,7 +19,9 @@ namespace epura {
 /// them.
 class Console {
  public:
-  Console(ProgressBoard& board, bool shows_progress);
+  /// A run with a time limit is ended when a stage that cannot be stopped, such as one in another library, has gone on
+  /// beyond it for longer than is promised.
+  Console(ProgressBoard& board, bool shows_progress, std::optional<double> time_limit = std::nullopt);
   Console(const Console&) = delete;
   Console& operator=(const Console&) = delete;
   ~Console();
@@ -32,10 +35,13 @@ class Console {
   void watch();
   void draw_line();
   void erase_line();
+  [[nodiscard]] int wait_ms(bool is_first) const;
+  void give_up_when_over();
   [[noreturn]] void cancel();
 
   ProgressBoard& board_;
   const bool shows_progress_;
+  const std::optional<double> time_limit_;
   sigset_t old_mask_{};
   int signals_ = -1;  ///< descriptor that signals arrive at
   int end_ = -1;      ///< descriptor that tells the thread to end

@@ -118,8 +118,10 @@ void define_run(CLI::App& draw, DrawOptions& options) {
       ->capture_default_str()
       ->type_name("NAMES");
   add_progress(draw, options.progress);
-  add_number(draw, "--time-limit", options.time_limit, {0, HUGE_VAL},
-             "seconds after which edges not decided yet are left out, longest first; marks the drawing PARTIAL")
+  add_number(
+      draw, "--time-limit", options.time_limit, {0, HUGE_VAL},
+      "seconds that a run may take: what there is no time for is left out, the longest edges come first; marks the "
+      "drawing PARTIAL")
       ->type_name("S");
 }
 

@@ -12,7 +12,7 @@ namespace epura {
 // What is said goes to standard error, since a drawing may go to standard output.
 int draw(const DrawOptions& options) {
   ProgressBoard board;
-  Console console(board, shows_progress(options.progress));
+  Console console(board, shows_progress(options.progress), options.time_limit);
   const Messages messages = messages_to(console);
   DrawnFiles drawn = draw_files(options, messages, Progress(board, options.time_limit));
   console.print("");  // the line of progress makes room
@@ -21,7 +21,7 @@ int draw(const DrawOptions& options) {
   // Never freed one by one: a million small pieces of memory go at once with the program.
   static_cast<void>(new std::vector<FinishedSheet>(std::move(drawn.sheets)));
   if (drawn.is_wrong()) return found_wrong_exit_code;
-  return drawn.report.partial ? partial_exit_code : 0;
+  return drawn.report.partial.stages.empty() ? 0 : partial_exit_code;
 }
 
 }  // namespace epura

@@ -23,7 +23,7 @@ struct DrawnFiles {
   [[nodiscard]] bool is_wrong() const { return report.verification && !report.verification->is_right(); }
 };
 
-/// Draws and writes all files. Throws Error.
+/// Draws and writes all files. Throws Error: Error{time} where time is over before there is a line to show.
 DrawnFiles draw_files(const DrawOptions& options, const Messages& messages, Progress progress);
 
 /// Says what --timings and --verify were to tell, and what --time-limit left out.

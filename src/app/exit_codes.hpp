@@ -16,7 +16,7 @@ inline constexpr std::array exit_codes{
     ExitCode{2, "wrong input"},
     ExitCode{3, "plugin"},
     ExitCode{4, "could not write"},
-    ExitCode{5, "partial drawing (--time-limit)"},
+    ExitCode{5, "partial drawing, or no time for any (--time-limit)"},
     ExitCode{130, "cancelled"}};
 
 }  // namespace epura

@@ -42,7 +42,7 @@ Result run(const Request& request) {
   result.files = drawn.paths;
   result.report += drawn.answers;
   tell_the_end(messages, options, drawn);
-  result.is_partial = drawn.report.partial.has_value();
+  result.is_partial = !drawn.report.partial.stages.empty();
   result.is_wrong = drawn.is_wrong();
   return result;
 }

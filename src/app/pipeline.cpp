@@ -49,6 +49,11 @@ struct Suspects {
   PlanStep step;
 };
 
+// For what may be spared of the search for crossings.
+constexpr double part_for_suspects = 0.25;
+// Of the time for lines; the rest is for drawing them.
+constexpr double part_for_hiding = 0.7;
+
 std::string why_searched(const World& world, const ViewWish& wish, std::size_t suspects) {
   const std::string all = std::to_string(world.triangles.size());
   if (!wish.edges.intersection) return "not wanted";
@@ -59,12 +64,13 @@ std::string why_searched(const World& world, const ViewWish& wish, std::size_t s
          " triangles; the others are of convex bodies that stand apart, or copies";
 }
 
-Suspects find_suspects(const World& world, const View& view, const ViewWish& wish, double contact) {
+Suspects find_suspects(const World& world, const View& view, const ViewWish& wish, double contact,
+                       const Progress& progress) {
   Suspects suspects{{}, {"intersections", false, "", count_of(world.triangles.size()), 0}};
   if (wish.edges.intersection)
     suspects.triangles =
         !wish.leave_out.intersections ? all_triangles(world) : timed(suspects.step.times.certificate, [&] {
-          return crossing_suspects(world, view.map.shrink, contact);
+          return crossing_suspects(world, view.map.shrink, contact, progress);
         });
   suspects.step.run = !suspects.triangles.empty();
   if (wish.edges.intersection) suspects.step.spared = count_of(world.triangles.size() - suspects.triangles.size());
@@ -72,19 +78,52 @@ Suspects find_suspects(const World& world, const View& view, const ViewWish& wis
   return suspects;
 }
 
+// Without time to find out which triangles may cross, all may.
+Suspects find_suspects_in_time(const World& world, const View& view, const ViewWish& wish, double contact,
+                               const Progress& progress) {
+  progress.begin("finding bodies that cross nothing");
+  try {
+    return find_suspects(world, view, wish, contact, progress.with_part_of_the_time(part_for_suspects));
+  } catch (const OutOfTime&) {
+    ViewWish all = wish;
+    all.leave_out.intersections = false;
+    Suspects suspects = find_suspects(world, view, all, contact, progress);
+    suspects.step.why = "there was no time to find what may be left out";
+    return suspects;
+  }
+}
+
+// None where there is not even time for those of the meshes.
 DrawnEdges find_edges(const World& world, View& view, const ViewWish& wish, std::vector<PlanStep>& plan,
-                      Progress progress) {
+                      const Budget& budget) {
   const double contact = contact_in_space(world, view, wish.contact);
-  Suspects suspects = find_suspects(world, view, wish, contact);
-  DrawnEdges drawn = find_drawn_edges(world, view, wish.edges, contact, suspects.triangles, progress);
+  Suspects suspects = find_suspects_in_time(world, view, wish, contact, budget.lines);
+  DrawnEdges drawn;
+  try {
+    drawn = find_drawn_edges(world, view, wish.edges, contact, suspects.triangles, budget.lines);
+    if (drawn.searched < 1) budget.partial.add_stage("finding intersections");
+    budget.partial.searched = drawn.searched;
+  } catch (const OutOfTime& cut) {
+    budget.partial.add_stage(cut.stage);
+  }
+  budget.partial.edges = count_of(drawn.edges.size());
   suspects.step.items_out = count_of(drawn.crossings.size());
   plan.push_back(std::move(suspects.step));
   return drawn;
 }
 
-HiddenSpans hide(const World& world, const View& view, const DrawnEdges& drawn, const Contact& contact,
-                 const ViewWish& wish, const Method& method, double scale, std::vector<PlanStep>& plan,
-                 Progress progress) {
+// All but the longest edges are left undecided. Says whether so few are left that they take no time.
+bool keep_longest(const View& view, DrawnEdges& drawn, HiddenSpans& hidden, const std::string& stage,
+                  Partial& partial) {
+  hidden.undecided = all_but_longest(view, drawn.edges, fewer(drawn.edges.size()));
+  partial.add_stage(stage);
+  partial.undecided += count_of(hidden.undecided.size());
+  keep_decided(drawn, hidden);
+  return drawn.edges.size() <= few_lines;
+}
+
+HiddenSpans hide(const World& world, const View& view, DrawnEdges& drawn, const Contact& contact, const ViewWish& wish,
+                 const Method& method, double scale, std::vector<PlanStep>& plan, const Budget& budget) {
   PlanStep step{"visibility", false, "a wireframe is wanted", count_of(drawn.edges.size()), 0};
   HiddenSpans hidden = nothing_hidden(drawn);
   const bool wanted = method.way != Way::none;
@@ -97,8 +136,20 @@ HiddenSpans hide(const World& world, const View& view, const DrawnEdges& drawn, 
   if (wanted && !one_sheet) {
     step.run = true;
     step.why = wish.leave_out.visibility ? text_of(method) : "--plan wants it";
-    hidden = timed(step.times.stage, [&] { return find_hidden(world, view, drawn, contact, method, scale, progress); });
+    const auto make = [&](const Progress& progress) {
+      return find_hidden(world, view, drawn, contact, method, scale, progress);
+    };
+    const auto leave_out = [&](const std::string& stage) {
+      hidden = nothing_hidden(drawn);
+      return keep_longest(view, drawn, hidden, stage, budget.partial);
+    };
+    hidden = timed(step.times.stage, [&] {
+      return make_in_time(budget.lines.with_part_of_the_time(part_for_hiding), budget.last(), make, leave_out);
+    });
   }
+  if (!hidden.undecided.empty()) budget.partial.add_stage("hiding lines");
+  budget.partial.undecided += count_of(hidden.undecided.size());
+  keep_decided(drawn, hidden);
   step.items_out = count_of(hidden.spans.size());
   plan.push_back(std::move(step));
   return hidden;
@@ -127,24 +178,52 @@ PlanStep section_step(const CutSection& section) {
           count_of(section.cut.faces.size())};
 }
 
-std::optional<Partial> partial_of(const DrawnEdges& drawn, const HiddenSpans& hidden) {
-  if (drawn.searched == 1 && hidden.undecided.empty()) return std::nullopt;
-  return Partial{count_of(drawn.edges.size()), count_of(hidden.undecided.size()), drawn.searched};
-}
-
 std::optional<Verification> verify_view(const World& world, const View& view, const ViewWish& wish,
                                         const DrawnEdges& drawn, const HiddenSpans& hidden, const Contact& contact,
-                                        const Drawing& drawing, const PaperMap& paper, bool complete) {
+                                        const Drawing& drawing, const PaperMap& paper, bool complete,
+                                        const Progress& progress) {
   if (!wish.verify) return std::nullopt;
+  progress.begin("verifying");
   const Tolerance tolerance{view.extent * paper.scale, contact.touching * paper.scale};
   const Claim claim{world, view.projection, wish.limits, drawn, hidden, drawing};
-  Verification found = verify(claim, tolerance, *wish.verify, wish.keep_hidden());
+  Verification found = verify(claim, tolerance, *wish.verify, wish.keep_hidden(), progress);
   // A window that is given cuts lines off; otherwise it is the box of what is seen, and lines lie on its border.
   const double margin = view.window_given ? 0 : 0.01 * view.extent;
   const auto place = [&](const Vec2& corner) { return paper.origin + paper.scale * (corner - view.middle); };
   const Window window{place(view.window.least - margin), place(view.window.most + margin)};
-  found.outline = verify_outline(claim, tolerance, {wish.edges, *wish.verify, complete, window});
+  found.outline = verify_outline(claim, tolerance, {wish.edges, *wish.verify, complete, window, progress});
   return found;
+}
+
+struct ViewInWork {
+  const World& world;
+  const View& view;
+  const ViewWish& wish;
+  DrawnEdges& drawn;
+  HiddenSpans& hidden;
+  const Contact& contact;
+  const PaperMap& paper;
+};
+
+struct DrawnLines {
+  Drawing drawing;
+  CurveReport curves;
+};
+
+// Where there is no time for all lines, of the longest edges.
+DrawnLines draw_lines(const ViewInWork& work, const Budget& budget) {
+  const ViewWish& wish = work.wish;
+  const auto make = [&](const Progress& progress) {
+    DrawnLines lines;
+    lines.drawing = make_drawing(work.world, work.view, work.drawn, work.hidden, work.contact, work.paper,
+                                 {wish.name, wish.keep_hidden(), wish.leave_out.hidden}, progress);
+    if (wish.arcs) lines.curves = find_curves(lines.drawing.chains, *wish.arcs, progress);
+    return lines;
+  };
+  const auto leave_out = [&](const std::string& stage) {
+    return keep_longest(work.view, work.drawn, work.hidden, stage, budget.partial);
+  };
+  return make_in_time(budget.lines, budget.last(), make, leave_out);
 }
 
 }  // namespace
@@ -161,40 +240,44 @@ void Stopwatch::lap(const std::string& stage) {
 }
 
 ViewResult draw_view(const World& world, const CutSection* section, View view, const ViewWish& wish,
-                     const PlaceOnPage& place, std::vector<PlanStep>& plan, Stopwatch& watch, Progress progress) {
+                     const PlaceOnPage& place, std::vector<PlanStep>& plan, Stopwatch& watch, const ViewTime& time) {
+  Partial partial;
+  const Budget budget{time.run, time.lines, partial};
   const auto first_step = static_cast<std::ptrdiff_t>(plan.size());
   if (section != nullptr) plan.push_back(section_step(*section));
   plan.push_back(clip_step(world, view, wish));
-  DrawnEdges drawn = find_edges(world, view, wish, plan, progress);
+  DrawnEdges drawn = find_edges(world, view, wish, plan, budget);
   watch.lap("edges");
 
   const Contact contact = contact_of(world, view, wish.contact);
   const PaperMap paper = make_paper_map(view, place.scale, place.shift);
   MethodChoice choice = choice_for(wish, view, drawn, paper);
-  HiddenSpans hidden = hide(world, view, drawn, contact, wish, choice.method, paper.scale, plan, progress);
+  HiddenSpans hidden = hide(world, view, drawn, contact, wish, choice.method, paper.scale, plan, budget);
   plan.push_back(hidden_step(wish, hidden));
   std::for_each(plan.begin() + first_step, plan.end(), [&](PlanStep& step) { step.view = wish.name; });
-  const std::optional<Partial> partial = partial_of(drawn, hidden);
-  keep_decided(drawn, hidden);
   watch.lap("visibility");
 
-  progress.begin("drawing");
-  Drawing drawing =
-      make_drawing(world, view, drawn, hidden, contact, paper, {wish.name, wish.keep_hidden(), wish.leave_out.hidden});
-  const CurveReport curves = wish.arcs ? find_curves(drawing.chains, *wish.arcs) : CurveReport{};
+  DrawnLines lines = draw_lines({world, view, wish, drawn, hidden, contact, paper}, budget);
+  Drawing& drawing = lines.drawing;
   if (section != nullptr) drawing.cut_faces = cut_faces_on_paper(section->cut.faces, section->plane, view, paper);
   watch.lap("drawing");
   drawing.scale = place.scale;
-  if (wish.verify) progress.begin("verifying");
-  auto verification = verify_view(world, view, wish, drawn, hidden, contact, drawing, paper, !partial);
+  auto verification = budget.or_nothing([&](const Progress& progress) {
+    return verify_view(world, view, wish, drawn, hidden, contact, drawing, paper, budget.partial.stages.empty(),
+                       progress);
+  });
   if (wish.verify) watch.lap("verify");
+  auto circles = budget.or_nothing([&](const Progress& progress) {
+    return wish.centre_lines ? find_placed_circles(world, wish.edges.crease_angle, progress)
+                             : std::vector<PlacedCircle>();
+  });
   return {{std::move(view), std::move(drawn), contact, std::move(hidden), paper},
           std::move(drawing),
-          partial,
+          std::move(partial),
           std::move(verification),
           section != nullptr ? std::optional(section->plane) : std::nullopt,
-          curves,
-          wish.centre_lines ? find_placed_circles(world, wish.edges.crease_angle) : std::vector<PlacedCircle>(),
+          lines.curves,
+          std::move(circles),
           std::move(choice)};
 }
 

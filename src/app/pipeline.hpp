@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/budget.hpp"
 #include "app/leave_out.hpp"
 #include "app/sections.hpp"
 #include "base/progress.hpp"
@@ -53,7 +54,7 @@ struct ViewWork {
 struct ViewResult {
   ViewWork work;  ///< large; of use only for questions about the drawing
   Drawing drawing;
-  std::optional<Partial> partial;  ///< what is left out because time was over
+  Partial partial;  ///< what is left out because time was over
   std::optional<Verification> verification;
   std::optional<CuttingPlane> section;  ///< that the view shows
   CurveReport curves{};
@@ -78,9 +79,16 @@ struct PlaceOnPage {
   Vec2 shift;
 };
 
+/// What there is of a view's time.
+struct ViewTime {
+  Progress run;    ///< all is to be done by then
+  Progress lines;  ///< the lines of this view are to be there by then
+};
+
 /// Draws one view, which stands on its sheet, and notes in `plan` and `watch` what was done. `world` is the cut one
 /// where the view shows a section.
 ViewResult draw_view(const World& world, const CutSection* section, View view, const ViewWish& wish,
-                     const PlaceOnPage& place, std::vector<PlanStep>& plan, Stopwatch& watch, Progress progress = {});
+                     const PlaceOnPage& place, std::vector<PlanStep>& plan, Stopwatch& watch,
+                     const ViewTime& time = {});
 
 }  // namespace epura

@@ -29,17 +29,22 @@ Questions parse_questions(const DrawOptions& options) {
   return questions;
 }
 
-std::string answer(const Questions& questions, const World& world, const ViewWish& wish, const ViewResult& result) {
+std::string answer(const Questions& questions, const World& world, const ViewWish& wish, const ViewResult& result,
+                   const Progress& progress) {
   const ViewWork& work = result.work;
   const DrawnView drawn_view{world,        work.view,  wish.edges,     work.drawn,        work.hidden,
                              work.contact, work.paper, result.drawing, wish.keep_hidden()};
   std::string text;
-  if (questions.edge_table) text += edge_table(drawn_view);
+  if (questions.edge_table) text += edge_table(drawn_view, progress);
   if (questions.why.empty() && !questions.span_table) return text;
   const TriangleBoxes boxes(work.view);
-  if (questions.span_table) text += span_table(drawn_view, boxes);
+  if (questions.span_table) text += span_table(drawn_view, boxes, progress);
+  progress.begin("answering");
   for (const EdgeQuestion& question : questions.why)
-    for (const Subject& subject : find_subjects(drawn_view, question)) text += explain(drawn_view, boxes, subject);
+    for (const Subject& subject : find_subjects(drawn_view, question)) {
+      progress.expect_time();
+      text += explain(drawn_view, boxes, subject);
+    }
   return text;
 }
 

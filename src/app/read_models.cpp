@@ -1,7 +1,9 @@
 #include "app/read_models.hpp"
 
+#include <filesystem>
 #include <memory>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "app/choose.hpp"
@@ -23,9 +25,22 @@ Mat4 place_of(const ModelDescription& model) {
 
 // Where a scene file names the model, an error of reading says where. The mesh is made in place: make_shared would move
 // it, and moving a half-edge structure of OpenMesh copies it.
-std::shared_ptr<Mesh> read(const ModelDescription& model) {
-  const auto read_it = [](const std::string& file) { return std::shared_ptr<Mesh>(new Mesh(read_mesh(file))); };
+std::shared_ptr<Mesh> read(const ModelDescription& model, const Progress& progress) {
+  const auto read_it = [&](const std::string& file) {
+    return std::shared_ptr<Mesh>(new Mesh(read_mesh(file, progress)));
+  };
   return model.file.where == model.file.text ? read_it(model.file.text) : parse_given(model.file, read_it);
+}
+
+// As read_mesh counts it; 0 where it is not known, as of a pipe.
+std::size_t work_of(const std::vector<ModelDescription>& models) {
+  std::size_t bytes = 0;
+  for (const ModelDescription& model : models) {
+    std::error_code trouble;
+    if (model.drawn) bytes += 2 * std::filesystem::file_size(model.file.text, trouble);
+    if (trouble) return 0;
+  }
+  return bytes;
 }
 
 // A drawing of a damaged model must not look like one of a sound model.
@@ -52,15 +67,13 @@ World read_models(const std::vector<ModelDescription>& models, std::vector<MeshR
                   const Messages& messages, Progress progress) {
   std::vector<Mat4> places;
   for (const ModelDescription& model : models) places.push_back(place_of(model));
-  // A single model is read in one go: how far it is cannot be told.
-  progress.begin("reading", models.size() > 1 ? models.size() : 0);
+  progress.begin("reading", work_of(models));
   std::vector<std::shared_ptr<Mesh>> meshes;
   std::vector<Placed> placed;
   for (std::size_t i = 0; i < models.size(); ++i) {
     // What is not drawn keeps its number.
-    meshes.push_back(models[i].drawn ? read(models[i]) : std::make_shared<Mesh>());
+    meshes.push_back(models[i].drawn ? read(models[i], progress) : std::make_shared<Mesh>());
     placed.push_back({meshes.back(), places[i]});
-    progress.advance(1);
     if (!models[i].drawn) continue;
     reports.push_back(meshes.back()->report);
     warn_about(messages, reports.back());

@@ -33,15 +33,19 @@ void warn_about(const Messages& messages, const CutSection& section) {
 
 }  // namespace
 
-CutSections cut_sections(const World& world, const SceneDescription& scene, const Messages& messages) {
+CutSections cut_sections(const World& world, const SceneDescription& scene, const Messages& messages,
+                         const Progress& progress) {
+  progress.begin("cutting sections", scene.sections.size());
   CutSections sections;
   for (const SectionDescription& description : scene.sections) {
     const std::string& name = description.name.text;
     const auto shows = [&](const ViewDescription& view) { return view.section.text == name; };
     if (std::none_of(scene.views.begin(), scene.views.end(), shows)) continue;
     const CuttingPlane plane = make_cutting_plane(description);
-    const CutSection& section = sections.try_emplace(name, CutSection{plane, cut_world(world, plane)}).first->second;
+    const CutSection& section =
+        sections.try_emplace(name, CutSection{plane, cut_world(world, plane, progress)}).first->second;
     warn_about(messages, section);
+    progress.advance(1);
   }
   return sections;
 }

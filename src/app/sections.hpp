@@ -17,7 +17,9 @@ struct CutSection {
 
 /// By name, those that some view shows. Throws Error{input} for planes that cut nothing.
 using CutSections = std::map<std::string, CutSection>;
-CutSections cut_sections(const World& world, const SceneDescription& scene, const Messages& messages);
+/// Throws OutOfTime.
+CutSections cut_sections(const World& world, const SceneDescription& scene, const Messages& messages,
+                         const Progress& progress = {});
 
 /// The section that a view shows; null where it shows the whole.
 const CutSection* section_of(const CutSections& sections, const ViewDescription& view);

@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/text.hpp"
+#include "sheet/partial_mark.hpp"
 
 namespace epura {
 
@@ -24,28 +25,41 @@ Pages pages_of(std::span<const FinishedSheet> sheets) {
 
 // One sheet for formats without pages.
 std::string encode(Format format, std::span<const FinishedSheet> sheets, const VectorOptions& options,
-                   const Report& report) {
+                   const Report& report, const Progress& progress) {
   const FinishedSheet& sheet = sheets.front();
   switch (format) {
     case Format::svg:
-      return to_svg(sheet.sheet, options);
+      return to_svg(sheet.sheet, options, progress);
     case Format::eps:
-      return to_eps(sheet.sheet);
+      return to_eps(sheet.sheet, progress);
     case Format::png:
-      return to_png(sheet.sheet, options.dpi);
+      return to_png(sheet.sheet, options.dpi, progress);
     case Format::dxf:
-      return to_dxf(sheet.sheet);
+      return to_dxf(sheet.sheet, progress);
     case Format::json:
-      return to_json(sheet.sheet, sheet.scale, sheet.drawings, report);
+      return to_json(sheet.sheet, sheet.scale, sheet.drawings, report, progress);
     case Format::pdf:
-      return to_pdf(pages_of(sheets));
+      return to_pdf(pages_of(sheets), progress);
     case Format::ps:
-      return to_ps(pages_of(sheets));
+      return to_ps(pages_of(sheets), progress);
   }
   return {};
 }
 
+std::size_t lines_of(std::span<const FinishedSheet> sheets) {
+  std::size_t lines = 0;
+  for (const FinishedSheet& sheet : sheets)
+    for (const Layer& layer : sheet.sheet.layers) lines += layer.strokes.size();
+  return lines;
+}
+
 }  // namespace
+
+void mark_partial(FinishedSheet& sheet, const std::string& stage) {
+  Layer mark = partial_mark(sheet.paper, stage);
+  std::erase_if(sheet.sheet.layers, [&](const Layer& layer) { return layer.name == mark.name; });
+  sheet.sheet.layers.push_back(std::move(mark));
+}
 
 std::vector<std::string> one_for_each(const std::string& path, std::size_t sheets) {
   if (sheets == 1) return {path};
@@ -109,7 +123,7 @@ std::vector<Target> targets_of(const DrawOptions& options) {
 
 std::vector<FileBytes> encode_all(const std::vector<Target>& targets, std::span<const FinishedSheet> sheets,
                                   const VectorOptions& options, const Report& report, Progress progress) {
-  progress.begin("writing", targets.size() > 1 ? targets.size() : 0);
+  progress.begin("writing", targets.size() * lines_of(sheets));
   std::vector<FileBytes> files;
   for (const Target& target : targets) {
     const bool one_each = sheets.size() > 1 && !has_pages(target.format);
@@ -118,8 +132,9 @@ std::vector<FileBytes> encode_all(const std::vector<Target>& targets, std::span<
                   "write PDF, or to a file");
     const std::vector<std::string> paths = files_of(target, sheets.size());
     for (std::size_t i = 0; i < paths.size(); ++i)
-      files.push_back({paths[i], encode(target.format, one_each ? sheets.subspan(i, 1) : sheets, options, report)});
-    progress.advance(1);
+      files.push_back(
+          {paths[i], encode(target.format, one_each ? sheets.subspan(i, 1) : sheets, options, report, progress)});
+    progress.expect_time();
   }
   return files;
 }

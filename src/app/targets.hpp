@@ -9,6 +9,7 @@
 #include "base/progress.hpp"
 #include "drawing/drawing.hpp"
 #include "output/write.hpp"
+#include "sheet/paper.hpp"
 
 namespace epura {
 
@@ -26,6 +27,7 @@ struct FinishedSheet {
   double scale = 1;                     ///< main scale, mm of paper per unit of the world
   std::vector<Drawing> drawings{};      ///< in order of the views; none where no target wants them
   std::vector<std::string> warnings{};  ///< what of it is not as was wished
+  Paper paper{};
 };
 
 /// The files that are written for so many `sheets` (or pages, or diagrams), one each: x-1.svg, x-2.svg for x.svg where
@@ -40,11 +42,14 @@ std::vector<std::string> files_of(const std::vector<Target>& targets, std::size_
 /// it is made of; of two that are one file the first would be lost. Throws Error{input}.
 void refuse_overwriting(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs);
 
+/// Marks a sheet that lacks something since time was over in a stage; once more by another stage.
+void mark_partial(FinishedSheet& sheet, const std::string& stage);
+
 struct FileBytes {
   std::string path, bytes;
 };
 
-/// All files of all targets.
+/// All files of all targets. Throws OutOfTime.
 std::vector<FileBytes> encode_all(const std::vector<Target>& targets, std::span<const FinishedSheet> sheets,
                                   const VectorOptions& options, const Report& report, Progress progress);
 

@@ -31,7 +31,7 @@ constexpr const char* more_digits =
 }  // namespace
 
 void warn_if_empty(const Messages& messages, const ViewResult& result, const ViewWish& wish, const World& world) {
-  if (!result.drawing.segments.empty() || result.partial) return;
+  if (!result.drawing.segments.empty() || !result.partial.stages.empty()) return;
   if (!wish.edges.contour || !wish.edges.boundary || !wish.edges.crease)
     return messages.warn("nothing is drawn: no edge of the wanted kinds is visible");
   if (result.work.view.window_given) return messages.warn("nothing is drawn: no edge is visible in the window");
@@ -50,11 +50,20 @@ void warn_about(const Messages& messages, const ViewResult& result) {
 }
 
 void warn_about(const Messages& messages, const Partial& partial) {
-  std::string sentence = "the drawing is partial: the time limit left out " + std::to_string(partial.undecided) +
-                         " of " + std::to_string(partial.edges) + " edges";
+  std::string sentence = "the drawing is partial: the time limit cut ";
+  for (const std::string& stage : partial.stages)
+    sentence += (&stage == &partial.stages.front() ? "'" : ", '") + stage + "'";
+  sentence += "; left out are " + std::to_string(partial.undecided) + " of " + std::to_string(partial.edges) + " edges";
   if (partial.searched < 1)
-    sentence += " and " + format_fixed(100 * (1 - partial.searched), 1) + " % of the search for intersection lines";
+    sentence += ", " + format_fixed(100 * (1 - partial.searched), 1) + " % of the search for intersection lines";
+  if (partial.undrawn > 0) sentence += ", " + std::to_string(partial.undrawn) + " lines and dimensions";
   messages.warn(sentence + "\n  hint: give a longer --time-limit, or ask for less with --edges");
+}
+
+Error nothing_drawn(const std::string& stage) {
+  return {Trouble::time, "--time-limit",
+          "time was over at '" + stage + "', before there was a drawing to show; nothing was written",
+          "give a longer --time-limit"};
 }
 
 void warn_about(const Messages& messages, const ViewCondition& view) {

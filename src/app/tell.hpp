@@ -6,6 +6,7 @@
 
 #include "app/messages.hpp"
 #include "app/pipeline.hpp"
+#include "base/error.hpp"
 #include "output/write.hpp"
 #include "sheet/sheet.hpp"
 
@@ -16,6 +17,8 @@ namespace epura {
 void warn_if_empty(const Messages& messages, const ViewResult& result, const ViewWish& wish, const World& world);
 void warn_about(const Messages& messages, const ViewResult& result);
 void warn_about(const Messages& messages, const Partial& partial);
+/// What is said where the time limit leaves nothing to show.
+Error nothing_drawn(const std::string& stage);
 /// Warns where the map of a view keeps few digits.
 void warn_about(const Messages& messages, const ViewCondition& view);
 /// Warns of characters that the font has not.

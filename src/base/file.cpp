@@ -20,6 +20,7 @@ namespace {
 constexpr std::uintmax_t most_bytes_of_pipe = 1'000'000'000;
 // As many as Linux follows.
 constexpr int most_links = 40;
+constexpr std::size_t most_at_once = 1 << 24;  // bytes to read between two looks at the clock
 
 // A file descriptor that closes itself.
 class Descriptor {
@@ -145,7 +146,7 @@ std::string identity_of_file(const fs::path& path) {
   return fs::weakly_canonical(fs::absolute(end_of_links(path)), error).string();
 }
 
-std::string read_file(const fs::path& path, std::uintmax_t most_bytes) {
+std::string read_file(const fs::path& path, const Progress& progress, std::uintmax_t most_bytes) {
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY));
   if (file.number() < 0) fail(Trouble::input, path, "read", errno);
   struct stat status {};
@@ -165,8 +166,9 @@ std::string read_file(const fs::path& path, std::uintmax_t most_bytes) {
   std::string bytes(static_cast<std::size_t>(status.st_size) + 1, '\0');
   std::size_t filled = 0;
   while (true) {
+    progress.expect_time();
     if (filled == bytes.size()) bytes.resize(2 * filled + 65536);
-    const ssize_t got = ::read(file.number(), bytes.data() + filled, bytes.size() - filled);
+    const ssize_t got = ::read(file.number(), bytes.data() + filled, std::min(bytes.size() - filled, most_at_once));
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) fail(Trouble::input, path, "read", errno);
     if (got == 0) break;

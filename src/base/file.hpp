@@ -21,7 +21,8 @@ std::string identity_of_file(const std::filesystem::path& path);
 
 /// All bytes of a regular file (or of a pipe, up to 1 GB: it may have no end). Throws Error{input} naming the path and
 /// the reason: also for devices, for what is longer than `most_bytes`, and for files that Git LFS keeps elsewhere.
-std::string read_file(const std::filesystem::path& path,
+/// Throws OutOfTime.
+std::string read_file(const std::filesystem::path& path, const Progress& progress = {},
                       std::uintmax_t most_bytes = std::numeric_limits<std::uintmax_t>::max());
 
 /// Writes beside the target, without a name where the file system can, and renames at the end. Links stay links. Throws

@@ -28,6 +28,6 @@ Standing ProgressBoard::standing() const {
   return {stage_, done_.load(std::memory_order_relaxed), work_, seconds_since(begun_)};
 }
 
-double ProgressBoard::seconds() const { return seconds_since(start_); }
+double ProgressBoard::seconds() const { return clock_ ? clock_() : seconds_since(start_); }
 
 }  // namespace epura

@@ -1,16 +1,24 @@
 // What a run tells while it works, and what it asks: how far it is, and whether its time is over. Stages take a
-// Progress; made from nothing, it does nothing.
+// Progress; made from nothing, it does nothing. A stage that time is over in either ends with what it has, where that
+// is right, or throws OutOfTime.
 #pragma once
 
 #include <atomic>
 #include <chrono>
 #include <cstddef>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace epura {
+
+/// Thrown in a stage of which a part is of no use. What comes of the run is decided by who started the stage.
+struct OutOfTime {
+  std::string stage;
+};
 
 /// How far a stage is.
 struct Standing {
@@ -25,12 +33,21 @@ std::optional<double> seconds_left(const Standing& standing);
 /// Where the stages of a run write and somebody else reads, on any threads.
 class ProgressBoard {
  public:
+  ProgressBoard() = default;
+  /// With a clock of its own, in seconds since the board was made, that any thread may ask: time strikes where a test
+  /// wants it to.
+  explicit ProgressBoard(std::function<double()> clock) : clock_(std::move(clock)) {}
+
   void begin(std::string_view stage, std::size_t work);
   void advance(std::size_t done) { done_.fetch_add(done, std::memory_order_relaxed); }
   [[nodiscard]] Standing standing() const;
 
   /// Since the board was made.
   [[nodiscard]] double seconds() const;
+
+  /// What is left to do is only to be written out: how long that takes is a matter of where it goes.
+  void lift_limit() { has_limit_ = false; }
+  [[nodiscard]] bool has_limit() const { return has_limit_; }
 
   /// Whoever ends the process from outside locks it first.
   [[nodiscard]] std::timed_mutex& ending() { return ending_; }
@@ -39,7 +56,9 @@ class ProgressBoard {
   using Clock = std::chrono::steady_clock;
 
   const Clock::time_point start_ = Clock::now();
+  std::function<double()> clock_;
   std::atomic<std::size_t> done_ = 0;
+  std::atomic<bool> has_limit_ = true;
   mutable std::mutex stage_mutex_;  // of the next three
   std::string stage_;
   std::size_t work_ = 0;
@@ -67,9 +86,26 @@ class Progress {
   /// Whether what is not decided yet is to be left out. Without a time limit it costs nothing, with one a look at the
   /// clock.
   [[nodiscard]] bool is_out_of_time() const { return is_limited() && board_->seconds() >= *time_limit_; }
-  /// For a stage that is to leave half of the time that is left to those behind it.
-  [[nodiscard]] Progress with_half_the_time() const {
-    return is_limited() ? Progress(*board_, (board_->seconds() + *time_limit_) / 2) : *this;
+  /// For stages of which a part is of no use. Throws OutOfTime.
+  void expect_time() const {
+    if (is_out_of_time()) throw OutOfTime{board_->standing().stage};
+  }
+  /// For a stage that is to leave the rest of the time that is left to those behind it.
+  [[nodiscard]] Progress with_part_of_the_time(double part) const {
+    if (!is_limited()) return *this;
+    const double now = board_->seconds();
+    return Progress(*board_, now + part * (*time_limit_ - now));
+  }
+  /// For what begins when the time is over and ends what was begun before.
+  [[nodiscard]] Progress with_more_time(double seconds) const {
+    return is_limited() ? Progress(*board_, *time_limit_ + seconds) : *this;
+  }
+  /// For what takes no time worth the name, and has to be done.
+  [[nodiscard]] Progress without_limit() const { return board_ == nullptr ? *this : Progress(*board_); }
+  [[nodiscard]] std::optional<double> time_limit() const { return time_limit_; }
+  /// What is left to do is only to be written out.
+  void lift_limit() const {
+    if (board_ != nullptr) board_->lift_limit();
   }
   /// While it lives, the run is not cancelled: for moments that would leave files behind.
   [[nodiscard]] std::unique_lock<std::timed_mutex> undisturbed() const {
@@ -81,5 +117,44 @@ class Progress {
   ProgressBoard* board_ = nullptr;
   std::optional<double> time_limit_;
 };
+
+/// For loops over very many small things: tells how far they are, and looks at the clock, once in a while.
+class Pace {
+ public:
+  /// `work` is what is to be done of the stage.
+  Pace(const Progress& progress, std::size_t work) : progress_(progress), left_(work) {}
+  Pace(const Pace&) = delete;
+  Pace& operator=(const Pace&) = delete;
+
+  /// So much is left to be done. Throws OutOfTime.
+  void left(std::size_t work) {
+    if (++calls_ % calls_a_look != 0) return;
+    progress_.advance(left_ - work);
+    left_ = work;
+    progress_.expect_time();
+  }
+
+ private:
+  static constexpr std::size_t calls_a_look = 1024;
+
+  const Progress& progress_;
+  std::size_t left_, calls_ = 0;
+};
+
+/// What `make(progress)` gives. Where time is over in it, `leave_out(stage)` takes most of what was to be made away,
+/// and it is made again, each time in half of the time that is left by `last`; without a limit, once `leave_out` says
+/// that next to nothing is left.
+template <class Make, class LeaveOut>
+auto make_in_time(const Progress& first, const Progress& last, const Make& make, const LeaveOut& leave_out) {
+  Progress progress = first;
+  while (true) {
+    try {
+      return make(progress);
+    } catch (const OutOfTime& cut) {
+      const bool is_little = leave_out(cut.stage);
+      progress = is_little ? last.without_limit() : last.with_part_of_the_time(0.5);
+    }
+  }
+}
 
 }  // namespace epura

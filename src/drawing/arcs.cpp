@@ -181,11 +181,13 @@ CurveReport& CurveReport::operator+=(const CurveReport& other) {
   return *this;
 }
 
-CurveReport find_curves(std::vector<Chain>& chains, double tolerance) {
+CurveReport find_curves(std::vector<Chain>& chains, double tolerance, const Progress& progress) {
+  progress.begin("finding arcs", chains.size());
   std::vector<CurveReport> reports(chains.size());
-  parallel_for(chains.size(), 64, [&](std::size_t begin, std::size_t end) {
+  parallel_for(chains.size(), 64, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       if (chains[i].points.size() > least_edges) reports[i] = find_in(chains[i], tolerance);
+    progress.advance(end - begin);
   });
   CurveReport all;
   for (const CurveReport& report : reports) all += report;

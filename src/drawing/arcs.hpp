@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/progress.hpp"
 #include "drawing/drawing.hpp"
 
 namespace epura {
@@ -20,7 +21,7 @@ struct CurveReport {
 /// ellipse. A circle in space is an ellipse on paper, its corners keep their angles: a run goes round one way in steps
 /// of at most 30 degrees of the curve's angle, so that polygons with fewer than twelve sides stay polygons; it has
 /// eight corners at least and turns by 30 degrees at least. The end of an open line that lies on a chord of the curve
-/// is moved onto it. A closed line begins where no curve runs on past its end.
-CurveReport find_curves(std::vector<Chain>& chains, double tolerance);
+/// is moved onto it. A closed line begins where no curve runs on past its end. Throws OutOfTime.
+CurveReport find_curves(std::vector<Chain>& chains, double tolerance, const Progress& progress = {});
 
 }  // namespace epura

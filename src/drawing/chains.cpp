@@ -53,14 +53,14 @@ void pair_up(const std::vector<Segment>& segments, std::span<const End> ends, st
   }
 }
 
-std::vector<End> find_partners(const std::vector<Segment>& segments) {
+std::vector<End> find_partners(const std::vector<Segment>& segments, const Progress& progress) {
   std::vector<End> partner(segments.size() * 2, none);
   const auto look_and_place = [&](End e) {
     const Segment& s = segments[segment_of(e)];
     const Vec2& p = place(segments, e);
     return std::array{s.visible ? 1.0 : 0.0, static_cast<double>(s.kind), static_cast<double>(s.model), p.x, p.y};
   };
-  visit_same_keys(static_cast<int>(partner.size()), look_and_place,
+  visit_same_keys(static_cast<int>(partner.size()), look_and_place, progress,
                   [&](std::span<const End> ends) { pair_up(segments, ends, partner); });
   return partner;
 }
@@ -107,12 +107,15 @@ Chain follow(const std::vector<Segment>& segments, const std::vector<End>& partn
 
 }  // namespace
 
-std::vector<Chain> chain_segments(const std::vector<Segment>& segments, double tolerance) {
-  const std::vector<End> partner = find_partners(segments);
+std::vector<Chain> chain_segments(const std::vector<Segment>& segments, double tolerance, const Progress& progress) {
+  const std::vector<End> partner = find_partners(segments, progress);
   std::vector<bool> used(segments.size(), false);
   std::vector<Chain> chains;
+  Pace pace(progress, segments.size());
+  std::size_t left = segments.size();
   const auto add = [&](End start, bool closed) {
     Chain chain = follow(segments, partner, start, used);
+    pace.left(left -= chain.segments.size());
     chain.closed = closed && chain.segments.size() > 2;
     if (chain.closed) chain.points.pop_back();
     straighten(chain.points, chain.closed, tolerance);

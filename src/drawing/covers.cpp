@@ -58,18 +58,23 @@ void add_covers_in_crowd(const std::vector<Piece>& pieces, const PieceGrid& grid
 
 using Parts = std::vector<std::vector<Cover>>;
 
-Parts covers_in_parts(const std::vector<Piece>& pieces, double tolerance, double least) {
+Parts covers_in_parts(const std::vector<Piece>& pieces, double tolerance, double least, const Progress& progress) {
   // Two lines that stay within the tolerance over `least` differ in direction by no more than this.
   const auto spread = static_cast<float>(std::min(2.5 * tolerance / least, 1.5));
-  const PieceGrid grid(pieces, tolerance, spread);
+  const PieceGrid grid(pieces, tolerance, spread, progress);
+  progress.begin("merging lines", grid.cells() + pieces.size());
   const Limits limits{tolerance, least};
   Parts parts;
   std::mutex adding;
   const auto in_parallel = [&](std::size_t count, const auto& add) {
     parallel_for(count, grain, [&](std::size_t begin, std::size_t end) {
       std::vector<Cover> found;
-      for (std::size_t i = begin; i < end; ++i) add(i, found);
+      for (std::size_t i = begin; i < end; ++i) {
+        progress.expect_time();
+        add(i, found);
+      }
       found.shrink_to_fit();
+      progress.advance(end - begin);
       const std::lock_guard lock(adding);
       parts.push_back(std::move(found));
     });
@@ -86,9 +91,10 @@ Parts covers_in_parts(const std::vector<Piece>& pieces, double tolerance, double
 
 }  // namespace
 
-std::vector<Cover> find_covers(const std::vector<Piece>& pieces, double tolerance, double least) {
+std::vector<Cover> find_covers(const std::vector<Piece>& pieces, double tolerance, double least,
+                               const Progress& progress) {
   if (pieces.empty()) return {};
-  Parts parts = covers_in_parts(pieces, tolerance, least);
+  Parts parts = covers_in_parts(pieces, tolerance, least, progress);
   std::size_t count = 0;
   for (const std::vector<Cover>& part : parts) count += part.size();
   std::vector<Cover> covers;

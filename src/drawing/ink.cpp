@@ -21,11 +21,11 @@ std::array<double, 4> place(const Piece& p) {
 }
 
 // Of pieces at exactly the same place, only the first in rank stays.
-void drop_copies(std::vector<Piece>& pieces) {
+void drop_copies(std::vector<Piece>& pieces, const Progress& progress) {
   std::vector<char> copy(pieces.size(), false);
   const auto place_of = [&](int i) { return place(pieces[i]); };
   const auto by_rank = [&](int a, int b) { return rank(pieces[a]) < rank(pieces[b]); };
-  visit_same_keys(static_cast<int>(pieces.size()), place_of, [&](std::span<const int> same) {
+  visit_same_keys(static_cast<int>(pieces.size()), place_of, progress, [&](std::span<const int> same) {
     for (const int i : same) copy[i] = true;
     copy[*std::min_element(same.begin(), same.end(), by_rank)] = false;
   });
@@ -75,11 +75,12 @@ std::array<double, 2> covered_part(const Ruler& line, Vec2 a, Vec2 b, double tol
   return {from, to};
 }
 
-std::vector<Piece> resolve_coincident(std::vector<Piece> pieces, double tolerance, double least) {
+std::vector<Piece> resolve_coincident(std::vector<Piece> pieces, double tolerance, double least,
+                                      const Progress& progress) {
   // Edges along the line of sight are points on the paper.
   std::erase_if(pieces, [&](const Piece& p) { return !(length_of(p) > tolerance); });
-  drop_copies(pieces);
-  const std::vector<Cover> covers = find_covers(pieces, tolerance, least);
+  drop_copies(pieces, progress);
+  const std::vector<Cover> covers = find_covers(pieces, tolerance, least, progress);
   if (covers.empty()) return pieces;
 
   // In place, since no more room than theirs may be left: what does not fit in front of the pieces to come waits.

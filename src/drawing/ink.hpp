@@ -6,6 +6,7 @@
 #include <tuple>
 #include <vector>
 
+#include "base/progress.hpp"
 #include "base/vec.hpp"
 #include "edges/edge_kind.hpp"
 
@@ -45,7 +46,9 @@ struct Ruler {
 std::array<double, 2> covered_part(const Ruler& line, Vec2 a, Vec2 b, double tolerance, double least);
 
 /// Removes from every piece what a piece of higher rank draws already: what lies within `tolerance` mm of it over at
-/// least `least` mm. Remainders shorter than `least` are dropped. Keeps the order; what is cut stays in place.
-std::vector<Piece> resolve_coincident(std::vector<Piece> pieces, double tolerance, double least);
+/// least `least` mm. Remainders shorter than `least` are dropped. Keeps the order; what is cut stays in place. Throws
+/// OutOfTime.
+std::vector<Piece> resolve_coincident(std::vector<Piece> pieces, double tolerance, double least,
+                                      const Progress& progress = {});
 
 }  // namespace epura

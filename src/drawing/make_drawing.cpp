@@ -15,7 +15,7 @@ constexpr double coincident_cells = 4;
 constexpr double straight_mm = 1e-6;
 
 std::vector<Piece> pieces_of(const View& view, const PaperMap& paper, const DrawnEdges& drawn,
-                             const HiddenSpans& hidden, bool keep_hidden) {
+                             const HiddenSpans& hidden, bool keep_hidden, const Progress& progress) {
   const auto visit_drawn = [&](std::size_t e, const auto& visit) {
     hidden.visit_parts(e, [&](double from, double to, bool visible) {
       if (visible || keep_hidden) visit(from, to, visible);
@@ -27,7 +27,7 @@ std::vector<Piece> pieces_of(const View& view, const PaperMap& paper, const Draw
     visit_drawn(e, [&](double, double, bool) { ++first[e + 1]; });
   }
   std::vector<Piece> pieces(first.back());
-  parallel_for(drawn.edges.size(), 1024, [&](std::size_t begin, std::size_t end) {
+  parallel_for(drawn.edges.size(), 1024, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e) {
       const DrawnEdge& edge = drawn.edges[e];
       Piece* piece = pieces.data() + first[e];
@@ -89,7 +89,7 @@ CrossingSegment crossing_segment(const World& world, const FaceCrossing& crossin
 }
 
 void add_segments(const World& world, const View& view, const DrawnEdges& drawn, const std::vector<Piece>& pieces,
-                  Drawing& drawing) {
+                  Drawing& drawing, const Progress& progress) {
   std::vector<int> crossing(pieces.size());  // how many of them come before
   int crossings = 0;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -98,7 +98,7 @@ void add_segments(const World& world, const View& view, const DrawnEdges& drawn,
   }
   drawing.segments.resize(pieces.size());
   drawing.crossings.resize(static_cast<std::size_t>(crossings));
-  parallel_for(pieces.size(), 1024, [&](std::size_t begin, std::size_t end) {
+  parallel_for(pieces.size(), 1024, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       Segment& segment = drawing.segments[i];
       segment = segment_of(world, view, drawn, pieces[i], crossing[i]);
@@ -137,7 +137,8 @@ Coincidence coincidence_on_paper(const View& view, const Contact& contact, const
 }
 
 Drawing make_drawing(const World& world, const View& view, const DrawnEdges& drawn, const HiddenSpans& hidden,
-                     const Contact& contact, const PaperMap& paper, const DrawingWishes& wishes) {
+                     const Contact& contact, const PaperMap& paper, const DrawingWishes& wishes,
+                     const Progress& progress) {
   Drawing drawing;
   drawing.name = wishes.name;
   drawing.projection = view.projection;
@@ -145,12 +146,14 @@ Drawing make_drawing(const World& world, const View& view, const DrawnEdges& dra
   drawing.vanishing_points = vanishing_points_on_page(view, paper);
 
   const Coincidence limits = coincidence_on_paper(view, contact, paper);
-  std::vector<Piece> pieces = pieces_of(view, paper, drawn, hidden, wishes.hidden || !wishes.leave_out);
-  pieces = resolve_coincident(std::move(pieces), limits.tolerance, limits.least);
+  progress.begin("merging lines");
+  std::vector<Piece> pieces = pieces_of(view, paper, drawn, hidden, wishes.hidden || !wishes.leave_out, progress);
+  pieces = resolve_coincident(std::move(pieces), limits.tolerance, limits.least, progress);
   if (!wishes.hidden) std::erase_if(pieces, [](const Piece& piece) { return !piece.visible; });
-  add_segments(world, view, drawn, pieces, drawing);
+  add_segments(world, view, drawn, pieces, drawing, progress);
   pieces = std::vector<Piece>();  // chains take their room
-  drawing.chains = chain_segments(drawing.segments, straight_mm);
+  progress.begin("joining lines", drawing.segments.size());
+  drawing.chains = chain_segments(drawing.segments, straight_mm, progress);
 
   Vec2 most(-HUGE_VAL), low(HUGE_VAL);
   for (const Segment& s : drawing.segments) {

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "base/progress.hpp"
 #include "drawing/drawing.hpp"
 #include "view/paper_map.hpp"
 #include "visibility/visibility.hpp"
@@ -28,7 +29,9 @@ struct Coincidence {
 };
 Coincidence coincidence_on_paper(const View& view, const Contact& contact, const PaperMap& paper);
 
+/// Throws OutOfTime.
 Drawing make_drawing(const World& world, const View& view, const DrawnEdges& drawn, const HiddenSpans& hidden,
-                     const Contact& contact, const PaperMap& paper, const DrawingWishes& wishes);
+                     const Contact& contact, const PaperMap& paper, const DrawingWishes& wishes,
+                     const Progress& progress = {});
 
 }  // namespace epura

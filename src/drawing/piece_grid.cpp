@@ -35,19 +35,19 @@ struct Direction {
 
 }  // namespace
 
-PieceGrid::PieceGrid(const std::vector<Piece>& pieces, double tolerance, float spread)
+PieceGrid::PieceGrid(const std::vector<Piece>& pieces, double tolerance, float spread, const Progress& progress)
     : pieces_(pieces), tolerance_(tolerance), widest_(spread + 2 * one_direction) {
   grid_ =
       grid_over_lines(pieces, {cells_for_piece * static_cast<double>(pieces.size()), 16 * tolerance, cuts_of_piece, 0});
   radius_ = 0.5 * glm::length(grid_.side);
-  fill();
-  find_crowds();
-  plant_trees();
+  fill(progress);
+  find_crowds(progress);
+  plant_trees(progress);
 }
 
-void PieceGrid::fill() {
+void PieceGrid::fill(const Progress& progress) {
   members_ = Groups<Member>(static_cast<std::size_t>(grid_.count()), [&](const auto& add) {
-    parallel_for(pieces_.size(), grain, [&](std::size_t begin, std::size_t end) {
+    parallel_for(pieces_.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         const Piece& piece = pieces_[i];
         const Direction direction(piece);
@@ -59,7 +59,7 @@ void PieceGrid::fill() {
       }
     });
   });
-  parallel_for(cells(), grain, [&](std::size_t begin, std::size_t end) {
+  parallel_for(cells(), grain, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t cell = begin; cell < end; ++cell) sort_cell(members_[cell]);
   });
 }
@@ -114,9 +114,9 @@ bool PieceGrid::has_many_pairs(std::size_t cell) const {
   return pairs > most;
 }
 
-void PieceGrid::find_crowds() {
+void PieceGrid::find_crowds(const Progress& progress) {
   std::vector<char> crowded(cells(), 0);
-  parallel_for(cells(), grain, [&](std::size_t begin, std::size_t end) {
+  parallel_for(cells(), grain, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t cell = begin; cell < end; ++cell)
       crowded[cell] = members_[cell].size() > crowd && has_many_pairs(cell) ? 1 : 0;
   });
@@ -130,7 +130,7 @@ void PieceGrid::find_crowds() {
 }
 
 // Wherever a piece of a crowd runs.
-void PieceGrid::plant_trees() {
+void PieceGrid::plant_trees(const Progress& progress) {
   if (crowded_.empty()) return;
   tree_of_.assign(cells(), -1);
   std::vector<std::size_t> planted;
@@ -141,7 +141,7 @@ void PieceGrid::plant_trees() {
     planted.push_back(cell);
   }
   trees_.resize(planted.size());
-  parallel_for(planted.size(), 1, [&](std::size_t begin, std::size_t end) {
+  parallel_for(planted.size(), 1, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       std::vector<int> members;
       for (const Member& member : members_[planted[i]]) members.push_back(member.piece);

@@ -16,8 +16,8 @@ namespace epura {
 /// cell's middle.
 class PieceGrid {
  public:
-  /// `spread` is by how much pieces that are near may differ in direction, radians.
-  PieceGrid(const std::vector<Piece>& pieces, double tolerance, float spread);
+  /// `spread` is by how much pieces that are near may differ in direction, radians. Throws OutOfTime.
+  PieceGrid(const std::vector<Piece>& pieces, double tolerance, float spread, const Progress& progress = {});
 
   [[nodiscard]] std::size_t cells() const { return members_.size(); }
 
@@ -88,11 +88,11 @@ class PieceGrid {
 
   [[nodiscard]] std::span<const Member> near(const Member& a, std::span<const Member> others, float turn,
                                              float side) const;
-  void fill();
+  void fill(const Progress& progress);
   static void sort_cell(std::span<Member> members);
   [[nodiscard]] bool has_many_pairs(std::size_t cell) const;
-  void find_crowds();
-  void plant_trees();
+  void find_crowds(const Progress& progress);
+  void plant_trees(const Progress& progress);
 
   static constexpr float half_turn = 2;  ///< in the measure of directions
 

@@ -48,23 +48,23 @@ void visit_same_hash(std::vector<int>& items, const KeyOf& key_of, const Visit& 
 }
 
 /// Calls `visit(items)` for the items of [0, count), ascending, that share their key with others. `key_of(item)` is an
-/// array of finite doubles. Several calls run at the same time, in no particular order.
+/// array of finite doubles. Several calls run at the same time, in no particular order. Throws OutOfTime.
 template <class KeyOf, class Visit>
-void visit_same_keys(int count, const KeyOf& key_of, const Visit& visit) {
+void visit_same_keys(int count, const KeyOf& key_of, const Progress& progress, const Visit& visit) {
   constexpr std::size_t grain = 4096;
   std::vector<std::uint64_t> hashes(static_cast<std::size_t>(count));
-  parallel_for(hashes.size(), grain, [&](std::size_t begin, std::size_t end) {
+  parallel_for(hashes.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) hashes[i] = hash_of(key_of(static_cast<int>(i)));
   });
   // Few enough items in a group that they lie in the cache together, by the first bits of their hashes.
   const std::size_t groups = std::bit_ceil(hashes.size() / 64 + 2);
   const int shift = 64 - std::countr_zero(groups);
   Groups<HashedItem> grouped(groups, [&](const auto& add) {
-    parallel_for(hashes.size(), grain, [&](std::size_t begin, std::size_t end) {
+    parallel_for(hashes.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) add(hashes[i] >> shift, HashedItem{hashes[i], static_cast<int>(i)});
     });
   });
-  parallel_for(groups, 64, [&](std::size_t begin, std::size_t end) {
+  parallel_for(groups, 64, progress, [&](std::size_t begin, std::size_t end) {
     std::vector<int> items;
     for (std::size_t group = begin; group < end; ++group) {
       const std::span<HashedItem> hashed = grouped[group];

@@ -1,9 +1,11 @@
 #include "edges/drawn_edges.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <utility>
 
+#include "base/parallel.hpp"
 #include "edges/dihedral.hpp"
 #include "edges/feature_edges.hpp"
 #include "edges/slivers.hpp"
@@ -12,6 +14,10 @@
 namespace epura {
 
 namespace {
+
+// Of the time that is left, for what finds crossings; the lines that they become take the rest.
+constexpr double part_for_search = 0.4;
+constexpr std::size_t crossings_a_look = 1024;
 
 // What meets in the edge, the slivers beside it among it; empty where there are none.
 std::vector<int> met_across_slivers(const EdgeSurroundings& around, const Slivers& slivers, const MeshEdge& edge) {
@@ -25,12 +31,13 @@ std::vector<int> met_across_slivers(const EdgeSurroundings& around, const Sliver
   return met;
 }
 
-void add_mesh_edges(const World& world, View& view, int model, const EdgeWishes& wishes, DrawnEdges& drawn) {
+void add_mesh_edges(const World& world, View& view, int model, const EdgeWishes& wishes, DrawnEdges& drawn,
+                    const Progress& progress) {
   const EdgeSurroundings around{world, model, view.map.shrink};
-  const Slivers slivers(around, view);
+  const Slivers slivers(around, view, progress);
   const bool is_cut = world.models[model].mesh->uncut != nullptr;
-  const std::vector<std::optional<EdgeKind>> kinds =
-      is_cut ? feature_edges(world, view, model, wishes) : feature_edges(view, wishes, around, slivers);
+  const std::vector<std::optional<EdgeKind>> kinds = is_cut ? feature_edges(world, view, model, wishes, progress)
+                                                            : feature_edges(view, wishes, around, slivers, progress);
   const auto& edges = world.models[model].mesh->edges;
   const int first = world.first_vertex[model];
   for (std::size_t e = 0; e < edges.size(); ++e) {
@@ -57,6 +64,26 @@ bool is_tessellation(const World& world, double shrink, const FaceCrossing& cros
   return crossing.angle <= turn * 1.001;
 }
 
+// Crossings that there is no time to judge count as not searched.
+void drop_tessellation(const World& world, double shrink, double crease_angle, DrawnEdges& drawn,
+                       const Progress& progress) {
+  enum : char { unjudged, real, of_tessellation };
+  std::vector<char> verdicts(drawn.crossings.size(), unjudged);
+  try {
+    parallel_for(verdicts.size(), crossings_a_look, progress, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        verdicts[i] = is_tessellation(world, shrink, drawn.crossings[i], crease_angle) ? of_tessellation : real;
+    });
+  } catch (const OutOfTime&) {
+    const auto judged = verdicts.size() - std::size_t(std::count(verdicts.begin(), verdicts.end(), unjudged));
+    drawn.searched *= static_cast<double>(judged) / static_cast<double>(verdicts.size());
+  }
+  std::vector<FaceCrossing> judged_real;
+  for (std::size_t i = 0; i < verdicts.size(); ++i)
+    if (verdicts[i] == real) judged_real.push_back(drawn.crossings[i]);
+  drawn.crossings = std::move(judged_real);
+}
+
 void add_intersections(const World& world, View& view, DrawnEdges& drawn) {
   for (std::size_t i = 0; i < drawn.crossings.size(); ++i) {
     const FaceCrossing& crossing = drawn.crossings[i];
@@ -77,17 +104,19 @@ DrawnEdges find_drawn_edges(const World& world, View& view, const EdgeWishes& wi
 
 DrawnEdges find_drawn_edges(const World& world, View& view, const EdgeWishes& wishes, double contact,
                             const std::vector<int>& suspects, Progress progress) {
-  progress.begin("finding edges");
+  std::size_t edges = 0;
+  for (const Placed& model : world.models) edges += model.mesh->edges.size();
+  progress.begin("finding edges", edges);
   DrawnEdges drawn;
   for (int model = 0; model < static_cast<int>(world.models.size()); ++model)
-    add_mesh_edges(world, view, model, wishes, drawn);
+    add_mesh_edges(world, view, model, wishes, drawn, progress);
   if (!wishes.intersection) return drawn;
   const double shrink = view.map.shrink;
-  auto [crossings, searched] = find_intersections(world, shrink, contact, suspects, progress.with_half_the_time());
+  auto [crossings, searched] =
+      find_intersections(world, shrink, contact, suspects, progress.with_part_of_the_time(part_for_search));
   drawn.crossings = std::move(crossings);
   drawn.searched = searched;
-  std::erase_if(drawn.crossings,
-                [&](const FaceCrossing& c) { return is_tessellation(world, shrink, c, wishes.crease_angle); });
+  drop_tessellation(world, shrink, wishes.crease_angle, drawn, progress.with_part_of_the_time(part_for_search));
   add_intersections(world, view, drawn);
   return drawn;
 }

@@ -40,7 +40,9 @@ struct DrawnEdges {
   double searched = 1;  ///< part of the search for crossings that was done before time was over
 };
 
-/// `contact` is the distance in the shrunk world (ViewMap::shrink) below which faces touch rather than cross.
+/// Without time for all crossings those that were found are there; without time for the edges of the meshes, OutOfTime
+/// is thrown. `contact` is the distance in the shrunk world (ViewMap::shrink) below which faces touch rather than
+/// cross.
 DrawnEdges find_drawn_edges(const World& world, View& view, const EdgeWishes& wishes, double contact,
                             Progress progress = {});
 

@@ -209,13 +209,14 @@ struct Judge {
 }  // namespace
 
 std::vector<std::optional<EdgeKind>> feature_edges(const World& world, const View& view, int model,
-                                                   const EdgeWishes& wishes) {
+                                                   const EdgeWishes& wishes, const Progress& progress) {
   const EdgeSurroundings around{world, model, view.map.shrink, world.models[model].mesh->uncut.get()};
-  return feature_edges(view, wishes, around, Slivers(around, view));
+  return feature_edges(view, wishes, around, Slivers(around, view, progress), progress);
 }
 
 std::vector<std::optional<EdgeKind>> feature_edges(const View& view, const EdgeWishes& wishes,
-                                                   const EdgeSurroundings& around, const Slivers& slivers) {
+                                                   const EdgeSurroundings& around, const Slivers& slivers,
+                                                   const Progress& progress) {
   const double crease_angle = wishes.crease_angle - angle_rounding;
   const std::vector<char> is_tangent = wishes.tangent ? tangent_edges(around, crease_angle) : std::vector<char>();
   const std::vector<Vec3> polygon_normals = mean_normals(around);
@@ -229,8 +230,9 @@ std::vector<std::optional<EdgeKind>> feature_edges(const View& view, const EdgeW
                     page_resolution(around.world, view) / view.cell};
   const auto& edges = around.world.models[around.model].mesh->edges;
   std::vector<std::optional<EdgeKind>> kinds(edges.size());
-  parallel_for(edges.size(), 4096, [&](std::size_t begin, std::size_t end) {
+  parallel_for(edges.size(), 4096, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e) kinds[e] = judge.kind_of(edges[e]);
+    progress.advance(end - begin);
   });
   return kinds;
 }

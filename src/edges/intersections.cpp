@@ -212,20 +212,23 @@ FaceCrossings find_intersections(const World& world, double shrink, double conta
   progress.begin("finding intersections", tasks.size());
   std::vector<std::vector<FaceCrossing>> found(tasks.size());
   std::atomic<std::size_t> finished = 0;
-  parallel_for(tasks.size(), 1, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t task = begin; task < end && !progress.is_out_of_time(); ++task) {
-      tree.search(tasks[task], [&](int a, int b) {
-        if (progress.is_out_of_time()) return;
-        if (const auto crossing = crossings.cross(suspects[a], suspects[b])) found[task].push_back(*crossing);
-      });
-      finished += progress.is_out_of_time() ? 0 : 1;
-      progress.advance(1);
-    }
-  });
+  const auto search = [&](std::size_t task) {
+    tree.search(tasks[task], [&](int a, int b) {
+      progress.expect_time();
+      if (const auto crossing = crossings.cross(suspects[a], suspects[b])) found[task].push_back(*crossing);
+    });
+    ++finished;
+    progress.advance(1);
+  };
+  try {
+    parallel_for(tasks.size(), 1, progress, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t task = begin; task < end; ++task) search(task);
+    });
+  } catch (const OutOfTime&) {  // what was found so far is right
+  }
   FaceCrossings all{{}, static_cast<double>(finished) / static_cast<double>(tasks.size())};
   for (const auto& part : found) all.found.insert(all.found.end(), part.begin(), part.end());
-  std::sort(all.found.begin(), all.found.end(),
-            [](const FaceCrossing& a, const FaceCrossing& b) { return a.triangles < b.triangles; });
+  parallel_sort(all.found.begin(), all.found.end());
   return all;
 }
 

@@ -13,6 +13,8 @@ struct FaceCrossing {
   std::array<Vec3, 2> ends;      ///< in the world
   std::array<int, 2> triangles;  ///< of the world, first < second
   double angle;                  ///< at which their planes cross, 0 to 90 degrees
+
+  bool operator<(const FaceCrossing& other) const { return triangles < other.triangles; }
 };
 
 struct FaceCrossings {

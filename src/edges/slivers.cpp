@@ -102,12 +102,12 @@ double nearest_w(const View& view, const std::array<int, 3>& corners) {
 
 }  // namespace
 
-Slivers::Slivers(const EdgeSurroundings& around, const View& view)
+Slivers::Slivers(const EdgeSurroundings& around, const View& view, const Progress& progress)
     : around_(around), is_sliver_(around.mesh().polygon.size()) {
   const double rounding = around.world.rounding * view.map.shrink;
   const double lowest = std::max(scene_rounding, rounding);
   const double on_page = lowest_on_page * page_resolution(around.world, view);
-  parallel_for(is_sliver_.size(), 8192, [&](std::size_t begin, std::size_t end) {
+  parallel_for(is_sliver_.size(), 8192, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
       const std::array<int, 3> corners = around.corners(static_cast<int>(t));
       const double height = height_of(around, static_cast<int>(t));

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/progress.hpp"
 #include "edges/dihedral.hpp"
 #include "view/view.hpp"
 
@@ -30,7 +31,7 @@ struct Beyond {
 /// The slivers of one model in one view.
 class Slivers {
  public:
-  Slivers(const EdgeSurroundings& around, const View& view);
+  Slivers(const EdgeSurroundings& around, const View& view, const Progress& progress = {});
   /// For tests: these and no others.
   Slivers(const EdgeSurroundings& around, std::vector<char> slivers)
       : around_(around), is_sliver_(std::move(slivers)) {}

@@ -39,7 +39,7 @@ std::vector<int> unlike_bodies(const std::vector<Box>& boxes, std::vector<char>&
 }
 
 // Marks bodies whose box meets that of no other body.
-std::vector<char> lonely_bodies(const std::vector<Box>& boxes) {
+std::vector<char> lonely_bodies(const std::vector<Box>& boxes, const Progress& progress) {
   std::vector<char> lonely(boxes.size(), 1);
   const std::vector<int> there = unlike_bodies(boxes, lonely);
   if (there.size() < 2) return lonely;
@@ -49,6 +49,7 @@ std::vector<char> lonely_bodies(const std::vector<Box>& boxes) {
   parallel_for(tasks.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t task = begin; task < end; ++task)
       tree.search(tasks[task], [&](int i, int j) {
+        progress.expect_time();
         if (!boxes_overlap(boxes[there[i]], boxes[there[j]])) return;
         mark(there[i]);
         mark(there[j]);
@@ -95,10 +96,12 @@ void drop_third_copies(const World& world, std::vector<int>& triangles) {
 
 }  // namespace
 
-std::vector<int> crossing_suspects(const World& world, double shrink, double contact) {
+std::vector<int> crossing_suspects(const World& world, double shrink, double contact, const Progress& progress) {
+  progress.expect_time();
   const UnsetVector<Vec3> points = shrunk_points(world, shrink);
   const BodyTable bodies = bodies_of(world, points);
-  std::vector<char> apart = lonely_bodies(bodies.box);
+  std::vector<char> apart = lonely_bodies(bodies.box, progress);
+  progress.expect_time();
   keep_convex(world, points, bodies, contact, apart);
   std::vector<int> suspects;
   for (int t = 0; t < static_cast<int>(world.triangles.size()); ++t)

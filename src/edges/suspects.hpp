@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/progress.hpp"
 #include "scene/scene.hpp"
 
 namespace epura {
@@ -16,8 +17,8 @@ namespace epura {
 ///
 /// Left out are the triangles of convex bodies whose box meets that of no other body, and of copies of a triangle in
 /// one place all but two: lines that only others would add are drawn already. `shrink` and `contact` are those of
-/// find_intersections.
-std::vector<int> crossing_suspects(const World& world, double shrink, double contact);
+/// find_intersections. Throws OutOfTime.
+std::vector<int> crossing_suspects(const World& world, double shrink, double contact, const Progress& progress = {});
 
 /// Without any certificate: all triangles.
 std::vector<int> all_triangles(const World& world);

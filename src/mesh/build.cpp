@@ -78,13 +78,16 @@ void close_cracks(Soup& soup, Faces& triangles, EdgeTable& table, MeshReport& re
 }
 
 /// With their edges in `table`.
-Faces usable_triangles(Soup& soup, EdgeTable& table, MeshReport& report) {
+Faces usable_triangles(Soup& soup, EdgeTable& table, MeshReport& report, const Progress& progress) {
   Faces faces = usable_faces(soup, report);
   const bool polygons = faces.corners.size() != 3 * faces.size();
   if (polygons) report.dropped_duplicates = drop_duplicate_faces(faces, report.vertices);
-  Faces triangles = triangulate(std::move(faces), soup.points);
+  progress.expect_time();
+  Faces triangles = triangulate(std::move(faces), soup.points, progress);
+  progress.expect_time();
   table = edges_of(triangles, report);
   if (!polygons) drop_equal_triangles(triangles, table, report);
+  progress.expect_time();
   close_cracks(soup, triangles, table, report);
   return triangles;
 }
@@ -142,7 +145,7 @@ void number_bodies(Mesh& mesh, const Soup& soup, const EdgeTable& table) {
 
 }  // namespace
 
-Mesh build_mesh(Soup soup, std::string name) {
+Mesh build_mesh(Soup soup, std::string name, const Progress& progress) {
   Mesh mesh;
   MeshReport& report = mesh.report;
   report.name = std::move(name);
@@ -150,13 +153,15 @@ Mesh build_mesh(Soup soup, std::string name) {
   report.single_precision = soup.single_precision;
   report.notes = std::move(soup.notes);
 
+  progress.expect_time();
   weld(soup, report);
   report.vertices = static_cast<int>(soup.points.size());
   report.non_finite_vertices = count_non_finite(soup.points);
   if (soup.printed) report.resolution = decimal_resolution(soup.points);
   EdgeTable table;
-  Faces triangles = usable_triangles(soup, table, report);
+  Faces triangles = usable_triangles(soup, table, report, progress);
 
+  progress.expect_time();
   report.faces = count_faces(triangles);
   report.triangles = static_cast<int>(triangles.size());
   mesh.polygon = std::move(triangles.number);

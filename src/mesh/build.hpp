@@ -3,12 +3,13 @@
 
 #include <string>
 
+#include "base/progress.hpp"
 #include "mesh/mesh.hpp"
 #include "mesh/soup.hpp"
 
 namespace epura {
 
-/// Never fails on imperfect data: what was dropped or found open stands in the report.
-Mesh build_mesh(Soup soup, std::string name);
+/// Never fails on imperfect data: what was dropped or found open stands in the report. Throws OutOfTime.
+Mesh build_mesh(Soup soup, std::string name, const Progress& progress = {});
 
 }  // namespace epura

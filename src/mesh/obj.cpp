@@ -32,14 +32,15 @@ std::vector<std::string_view> cut_in_parts(std::string_view text) {
 }
 
 /// None for a part with an error. What line that is on is not known yet.
-std::vector<std::optional<ObjPart>> read_parts(const std::vector<std::string_view>& texts) {
+std::vector<std::optional<ObjPart>> read_parts(const std::vector<std::string_view>& texts, const Progress& progress) {
   std::vector<std::optional<ObjPart>> parts(texts.size());
-  parallel_for(texts.size(), 1, [&](std::size_t begin, std::size_t end) {
+  parallel_for(texts.size(), 1, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       try {
         parts[i] = read_obj_part(texts[i], "", 1);
       } catch (const Error&) {
       }
+      progress.advance(texts[i].size());
     }
   });
   return parts;
@@ -160,11 +161,12 @@ class ObjJoiner {
 
 }  // namespace
 
-Soup read_obj(std::string_view bytes, std::string_view name) {
+Soup read_obj(std::string_view bytes, std::string_view name, const Progress& progress) {
   const std::vector<std::string_view> texts = cut_in_parts(bytes);
-  std::vector<std::optional<ObjPart>> parts = read_parts(texts);
+  std::vector<std::optional<ObjPart>> parts = read_parts(texts, progress);
   ObjJoiner joiner(name, parts);
   for (std::size_t i = 0; i < parts.size(); ++i) {
+    progress.expect_time();
     // Read again where it begins, a part with an error says which line that is on.
     if (!parts[i]) parts[i] = read_obj_part(texts[i], name, joiner.line());
     joiner.add(std::move(*parts[i]));

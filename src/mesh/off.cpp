@@ -58,7 +58,7 @@ std::string_view expect_word(TextCursor& text, const char* what, long long done,
   return word;
 }
 
-void read_vertices(TextCursor& text, Soup& soup, long long count) {
+void read_vertices(TextCursor& text, Soup& soup, long long count, Pace& pace) {
   soup.points.resize(static_cast<std::size_t>(count));
   for (long long v = 0; v < count; ++v) {
     auto& point = soup.points[static_cast<std::size_t>(v)];
@@ -69,10 +69,11 @@ void read_vertices(TextCursor& text, Soup& soup, long long count) {
     if (text.line() != first_line.line() && !text.word().empty())
       first_line.fail("a coordinate of the vertex is missing");
     text.next_line();
+    pace.left(text.bytes_left());
   }
 }
 
-void read_faces(TextCursor& text, Soup& soup, long long count) {
+void read_faces(TextCursor& text, Soup& soup, long long count, Pace& pace) {
   soup.corners.reserve(static_cast<std::size_t>(3 * count));
   soup.face_ends.reserve(static_cast<std::size_t>(count));
   for (long long f = 0; f < count; ++f) {
@@ -89,6 +90,7 @@ void read_faces(TextCursor& text, Soup& soup, long long count) {
     }
     soup.end_face();
     text.next_line();
+    pace.left(text.bytes_left());
   }
 }
 
@@ -101,15 +103,16 @@ std::string_view off_keyword(std::string_view word) {
   return known ? keyword : std::string_view();
 }
 
-Soup read_off(std::string_view bytes, std::string_view name) {
+Soup read_off(std::string_view bytes, std::string_view name, const Progress& progress) {
   Soup soup;
   soup.format = "off";
   soup.printed = true;
   TextCursor text(bytes, name);
   read_keyword(text);
   const Counts counts = read_counts(text);
-  read_vertices(text, soup, counts.vertices);
-  read_faces(text, soup, counts.faces);
+  Pace pace(progress, text.bytes_left());
+  read_vertices(text, soup, counts.vertices, pace);
+  read_faces(text, soup, counts.faces, pace);
   return soup;
 }
 

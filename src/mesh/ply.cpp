@@ -128,7 +128,10 @@ class TextSource {
 template <class Source>
 class PlyReader {
  public:
-  PlyReader(Source source, std::string_view name) : source_(source), name_(name) { soup_.format = "ply"; }
+  PlyReader(Source source, std::string_view name, const Progress& progress)
+      : source_(source), name_(name), pace_(progress, source.bytes_left()) {
+    soup_.format = "ply";
+  }
 
   Soup read(const std::vector<PlyElement>& elements) {
     for (const PlyElement& element : elements) {
@@ -176,6 +179,7 @@ class PlyReader {
         end(p);
       }
       source_.end_element();
+      pace_.left(source_.bytes_left());
     }
   }
 
@@ -265,6 +269,7 @@ class PlyReader {
 
   Source source_;
   std::string_view name_;
+  Pace pace_;
   Soup soup_;
   long long largest_ = -1;         // the largest vertex number of a face, checked when all vertices are known
   std::size_t largest_place_ = 0;  // and where that stands
@@ -272,17 +277,17 @@ class PlyReader {
 
 }  // namespace
 
-Soup read_ply(std::string_view bytes, std::string_view name) {
+Soup read_ply(std::string_view bytes, std::string_view name, const Progress& progress) {
   const PlyHeader header = read_ply_header(bytes, name);
   if (header.encoding == PlyEncoding::text) {
     const TextSource source(bytes.substr(header.data_offset), name, header.data_line);
-    Soup soup = PlyReader(source, name).read(header.elements);
+    Soup soup = PlyReader(source, name, progress).read(header.elements);
     soup.printed = true;
     return soup;
   }
   const std::endian order = header.encoding == PlyEncoding::big_endian ? std::endian::big : std::endian::little;
   const BinarySource source(bytes, header.data_offset, order, name);
-  return PlyReader(source, name).read(header.elements);
+  return PlyReader(source, name, progress).read(header.elements);
 }
 
 }  // namespace epura

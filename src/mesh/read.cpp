@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <climits>
+#include <utility>
 
 #include "base/error.hpp"
 #include "base/file.hpp"
@@ -19,7 +20,7 @@ namespace {
 
 struct Format {
   std::string_view name;  ///< also the extension
-  Soup (*read)(std::string_view, std::string_view);
+  Soup (*read)(std::string_view, std::string_view, const Progress&);
 };
 
 constexpr std::array<Format, 4> formats{{{"obj", read_obj}, {"stl", read_stl}, {"ply", read_ply}, {"off", read_off}}};
@@ -48,22 +49,27 @@ const Format& format_of(std::string_view bytes, std::string_view extension, cons
               "models are " + known);
 }
 
-Soup read_soup(const std::filesystem::path& path) {
+struct FileContent {
+  Soup soup;
+  std::size_t bytes;
+};
+
+FileContent read_soup(const std::filesystem::path& path, const Progress& progress) {
   const std::string name = path.string();
-  std::string bytes = read_file(path);
+  std::string bytes = read_file(path, progress);
   if (bytes.empty()) throw Error(Trouble::input, name, "is empty");
   if (stl_kind(bytes) != StlKind::binary) bytes = without_byte_order_mark(std::move(bytes));
 
   const std::string dotted = to_lower(path.extension().string());
   const std::string extension = dotted.empty() ? dotted : dotted.substr(1);
   const Format& format = format_of(bytes, extension, name);
-  Soup soup = format.read(bytes, name);
+  Soup soup = format.read(bytes, name, progress);
   // The half-edges, twice as many as corners at most, are numbered with int.
   if (soup.corners.size() > INT_MAX / 6 || soup.points.size() > INT_MAX)
     throw Error(Trouble::input, name, "has more corners than can be numbered", "split the model");
   if (format_named(extension) != nullptr && extension != soup.format)
     soup.notes.push_back("the file is named ." + extension + ", but holds " + soup.format);
-  return soup;
+  return {std::move(soup), bytes.size()};
 }
 
 [[noreturn]] void fail_without_triangles(const MeshReport& report) {
@@ -80,8 +86,10 @@ Soup read_soup(const std::filesystem::path& path) {
 
 }  // namespace
 
-Mesh read_mesh(const std::filesystem::path& path) {
-  Mesh mesh = build_mesh(read_soup(path), path.string());
+Mesh read_mesh(const std::filesystem::path& path, const Progress& progress) {
+  FileContent content = read_soup(path, progress);
+  Mesh mesh = build_mesh(std::move(content.soup), path.string(), progress);
+  progress.advance(content.bytes);
   if (mesh.report.triangles == 0) fail_without_triangles(mesh.report);
   return mesh;
 }

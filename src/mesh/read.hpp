@@ -4,19 +4,21 @@
 #include <filesystem>
 #include <string_view>
 
+#include "base/progress.hpp"
 #include "mesh/mesh.hpp"
 #include "mesh/soup.hpp"
 
 namespace epura {
 
 /// Reads OBJ, STL (text, binary), PLY (text, both byte orders) or OFF, by what the file holds and then by its
-/// extension. Coordinates arrive as the file's doubles. Throws Error{input} with path and line (text) or byte (binary).
-Mesh read_mesh(const std::filesystem::path& path);
+/// extension. Coordinates arrive as the file's doubles. Throws Error{input} with path and line (text) or byte (binary),
+/// and OutOfTime. Every byte of the file counts twice as progress: once it is read, and once the mesh is there.
+Mesh read_mesh(const std::filesystem::path& path, const Progress& progress = {});
 
 // One reader a format; `name` stands before the line or byte in errors.
-Soup read_obj(std::string_view bytes, std::string_view name);
-Soup read_stl(std::string_view bytes, std::string_view name);
-Soup read_ply(std::string_view bytes, std::string_view name);
-Soup read_off(std::string_view bytes, std::string_view name);
+Soup read_obj(std::string_view bytes, std::string_view name, const Progress& progress = {});
+Soup read_stl(std::string_view bytes, std::string_view name, const Progress& progress = {});
+Soup read_ply(std::string_view bytes, std::string_view name, const Progress& progress = {});
+Soup read_off(std::string_view bytes, std::string_view name, const Progress& progress = {});
 
 }  // namespace epura

@@ -19,7 +19,7 @@ std::uint64_t announced_bytes(std::string_view bytes) {
   return header_bytes + triangle_bytes * std::uint64_t{load<std::uint32_t>(bytes.data() + 80, std::endian::little)};
 }
 
-Soup read_binary(std::string_view bytes, std::string_view name) {
+Soup read_binary(std::string_view bytes, std::string_view name, const Progress& progress) {
   const auto fail = [&](std::size_t at, const std::string& reason) {
     throw Error(Trouble::input, std::string(name) + ": byte " + std::to_string(at), reason, "is the file complete?");
   };
@@ -36,7 +36,9 @@ Soup read_binary(std::string_view bytes, std::string_view name) {
                          " bytes behind the last triangle");
   soup.single_precision = true;
   soup.points.resize(3 * count);
+  Pace pace(progress, bytes.size());
   for (std::size_t corner = 0; corner < soup.points.size(); ++corner) {
+    pace.left(bytes.size() - corner / 3 * triangle_bytes);
     // A triangle is its normal, three corners and two bytes of attributes.
     const char* const from = bytes.data() + header_bytes + corner / 3 * triangle_bytes + 12 * (1 + corner % 3);
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -49,14 +51,17 @@ Soup read_binary(std::string_view bytes, std::string_view name) {
 
 class TextReader {
  public:
-  TextReader(std::string_view bytes, std::string_view name) : text_(bytes, name) {}
+  TextReader(std::string_view bytes, std::string_view name, const Progress& progress)
+      : text_(bytes, name), pace_(progress, bytes.size()) {}
 
   Soup read() {
     // Programs write text STL from floats, whatever the number of digits.
     soup_.single_precision = true;
     soup_.printed = true;
-    for (std::string_view word = text_.word_of_any_line(); !word.empty(); word = text_.word_of_any_line())
+    for (std::string_view word = text_.word_of_any_line(); !word.empty(); word = text_.word_of_any_line()) {
       statement(to_lower(word), word);
+      pace_.left(text_.bytes_left());
+    }
     if (in_facet_) text_.fail("the file ends inside a facet", "is the file complete?");
     if (soup_.body_names.size() < 2) {
       soup_.body_names.clear();
@@ -103,6 +108,7 @@ class TextReader {
   }
 
   TextCursor text_;
+  Pace pace_;
   Soup soup_;
   bool in_facet_ = false;
 };
@@ -121,8 +127,9 @@ StlKind stl_kind(std::string_view bytes) {
   return text_words || bytes.size() < header_bytes ? StlKind::text : StlKind::neither;
 }
 
-Soup read_stl(std::string_view bytes, std::string_view name) {
-  Soup soup = stl_kind(bytes) == StlKind::text ? TextReader(bytes, name).read() : read_binary(bytes, name);
+Soup read_stl(std::string_view bytes, std::string_view name, const Progress& progress) {
+  Soup soup =
+      stl_kind(bytes) == StlKind::text ? TextReader(bytes, name, progress).read() : read_binary(bytes, name, progress);
   soup.format = "stl";
   soup.corners_repeat_points = true;
   soup.corners.resize(soup.points.size());

@@ -13,6 +13,8 @@ namespace epura {
 
 namespace {
 
+constexpr std::size_t faces_a_look = 256;
+
 double area(Vec2 a, Vec2 b, Vec2 c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
 
 /// The ring's corners in a coordinate plane where its area is largest and positive.
@@ -172,11 +174,12 @@ void add_triangles(Faces& triangles, std::span<const int> ring, int number, cons
 
 }  // namespace
 
-Faces triangulate(Faces faces, const Points& points) {
+Faces triangulate(Faces faces, const Points& points, const Progress& progress) {
   if (faces.corners.size() == 3 * faces.size()) return faces;  // no face has fewer than three corners
   Faces triangles;
   triangles.corners.reserve(3 * (faces.corners.size() - 2 * faces.size()));
   for (std::size_t f = 0; f < faces.size(); ++f) {
+    if (f % faces_a_look == 0) progress.expect_time();
     const auto ring = faces.ring(f);
     if (!repeats_corner(ring)) {
       add_triangles(triangles, ring, faces.number[f], points);

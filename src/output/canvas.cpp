@@ -102,10 +102,12 @@ void add_path(const Pen& pen, const Canvas& canvas, const Stroke& stroke) {
   if (stroke.closed) cairo_close_path(cairo);
 }
 
-void draw(const Pen& pen, const Canvas& canvas, const Layer& layer) {
+void draw(const Pen& pen, const Canvas& canvas, const Layer& layer, const Progress& progress) {
   cairo_t* cairo = pen.get();
   cairo_set_line_width(cairo, layer.style.width * canvas.units);
   for (const Stroke& stroke : layer.strokes) {
+    progress.expect_time();
+    progress.advance(1);
     set_dashes(cairo, stroke, canvas.units);
     add_path(pen, canvas, stroke);
     cairo_stroke(cairo);

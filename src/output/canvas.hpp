@@ -9,6 +9,7 @@
 #include <memory>
 #include <string>
 
+#include "base/progress.hpp"
 #include "sheet/sheet.hpp"
 
 namespace epura {
@@ -54,8 +55,8 @@ void set_colour(const Pen& pen, const Colour& colour);
 /// Adds a stroke to the pen's path, as a part of its own.
 void add_path(const Pen& pen, const Canvas& canvas, const Stroke& stroke);
 
-/// Draws every stroke of a layer for itself.
-void draw(const Pen& pen, const Canvas& canvas, const Layer& layer);
+/// Draws every stroke of a layer for itself. Throws OutOfTime.
+void draw(const Pen& pen, const Canvas& canvas, const Layer& layer, const Progress& progress);
 
 /// For Cairo's streams: appends to the std::string `bytes`.
 cairo_status_t append_bytes(void* bytes, const unsigned char* data, unsigned length);

@@ -108,11 +108,13 @@ void add_text(DxfWriter& dxf, const Place& place, const Text& text) {
   dxf.add(100, "AcDbText");
 }
 
-void add_layer(DxfWriter& dxf, int model_space, const std::string& name, const Layer& layer) {
+void add_layer(DxfWriter& dxf, int model_space, const std::string& name, const Layer& layer, const Progress& progress) {
   const bool dashed = layer.style.dashes.dash > 0;
   for (const Fill& fill : layer.fills)
     if (!fill.rings.empty()) add_fill(dxf, {model_space, name, false, true}, fill);
   for (const Stroke& stroke : layer.strokes) {
+    progress.expect_time();
+    progress.advance(1);
     if (stroke.points.size() < 2) continue;
     const Place place{model_space, name, dashed, !(stroke.dashes.dash > 0) && stroke.pattern.empty()};
     for (const DxfShape& shape : dxf_shapes(stroke))
@@ -123,7 +125,7 @@ void add_layer(DxfWriter& dxf, int model_space, const std::string& name, const L
 
 }  // namespace
 
-std::string to_dxf(const Sheet& sheet) {
+std::string to_dxf(const Sheet& sheet, const Progress& progress) {
   std::vector<std::string> names;
   for (const Layer& layer : sheet.layers) names.push_back(layer.name);
   names = dxf_names(names, {"0"});
@@ -131,7 +133,7 @@ std::string to_dxf(const Sheet& sheet) {
   const int model_space = add_dxf_tables(dxf, sheet, names);
   dxf.add(0, "SECTION");
   dxf.add(2, "ENTITIES");
-  for (std::size_t i = 0; i < names.size(); ++i) add_layer(dxf, model_space, names[i], sheet.layers[i]);
+  for (std::size_t i = 0; i < names.size(); ++i) add_layer(dxf, model_space, names[i], sheet.layers[i], progress);
   dxf.add(0, "ENDSEC");
   add_dxf_objects(dxf);
   return dxf_header(sheet, dxf.handles()) + dxf.take();

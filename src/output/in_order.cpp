@@ -8,12 +8,13 @@
 
 namespace epura {
 
-void append_in_order(std::string& text, std::size_t count, const std::function<std::string(std::size_t)>& write) {
+void append_in_order(std::string& text, std::size_t count, const Progress& progress,
+                     const std::function<std::string(std::size_t)>& write) {
   constexpr std::size_t at_once = 16;
   std::vector<std::string> written(at_once);
   for (std::size_t done = 0; done < count; done += at_once) {
     const std::size_t more = std::min(at_once, count - done);
-    parallel_for(more, 1, [&](std::size_t begin, std::size_t end) {
+    parallel_for(more, 1, progress, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) written[i] = write(done + i);
     });
     for (std::size_t i = 0; i < more; ++i) text += std::exchange(written[i], {});

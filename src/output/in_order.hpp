@@ -5,9 +5,13 @@
 #include <functional>
 #include <string>
 
+#include "base/progress.hpp"
+
 namespace epura {
 
 /// Appends write(0), write(1) ... write(count - 1). Several are written at the same time, never many of them are kept.
-void append_in_order(std::string& text, std::size_t count, const std::function<std::string(std::size_t)>& write);
+/// Throws OutOfTime.
+void append_in_order(std::string& text, std::size_t count, const Progress& progress,
+                     const std::function<std::string(std::size_t)>& write);
 
 }  // namespace epura

@@ -96,12 +96,12 @@ void append_segment(std::string& text, const Drawing& drawing, const Segment& se
   text += '}';
 }
 
-void append_segments(std::string& text, const Drawing& drawing) {
+void append_segments(std::string& text, const Drawing& drawing, const Progress& progress) {
   const std::vector<Segment>& segments = drawing.segments;
   constexpr std::size_t at_once = 4096, most_bytes = 512;
   text.reserve(text.size() + most_bytes * segments.size());  // what is not touched costs nothing
   text += '[';
-  append_in_order(text, (segments.size() + at_once - 1) / at_once, [&](std::size_t part) {
+  append_in_order(text, (segments.size() + at_once - 1) / at_once, progress, [&](std::size_t part) {
     std::string lines;
     for (std::size_t i = part * at_once; i < std::min((part + 1) * at_once, segments.size()); ++i) {
       lines += i > 0 ? ",\n    " : "\n    ";
@@ -151,7 +151,7 @@ std::string cut_face_of(const CutFace& face) {
          ", \"rings\": " + list(face.rings, ring_of) + "}";
 }
 
-void append_view(std::string& text, const Drawing& drawing, double main_scale) {
+void append_view(std::string& text, const Drawing& drawing, double main_scale, const Progress& progress) {
   const Projection& projection = drawing.projection;
   const auto vanishing_point = [](const std::optional<Vec2>& p) { return p ? point(*p) : "null"; };
   text += "{\"name\": " + json_string(drawing.name) + ", \"projection\": " + json_string(projection.name) +
@@ -160,7 +160,7 @@ void append_view(std::string& text, const Drawing& drawing, double main_scale) {
           ",\n   \"world_to_page\": " + matrix(drawing.world_to_page) + ",\n   \"viewer\": {\"" +
           (projection.central ? "centre" : "direction") + "\": " + point(projection.projector) +
           "},\n   \"vanishing_points\": " + list(drawing.vanishing_points, vanishing_point) + ",\n   \"segments\": ";
-  append_segments(text, drawing);
+  append_segments(text, drawing, progress);
   append_curves(text, drawing);
   if (!drawing.cut_faces.empty()) text += ",\n   \"cut_faces\": " + list(drawing.cut_faces, cut_face_of, "\n    ");
   text += '}';
@@ -208,8 +208,9 @@ std::string step_of(const PlanStep& step) {
 }
 
 std::string partial_of(const Partial& partial) {
-  return "{\"reason\": \"time limit\", \"edges\": " + number(partial.edges) +
-         ", \"undecided\": " + number(partial.undecided) + ", \"searched\": " + number(partial.searched) + "}";
+  return "{\"reason\": \"time limit\", \"stages\": " + list(partial.stages, json_string) +
+         ", \"edges\": " + number(partial.edges) + ", \"undecided\": " + number(partial.undecided) +
+         ", \"searched\": " + number(partial.searched) + ", \"undrawn\": " + number(partial.undrawn) + "}";
 }
 
 std::string facet_of(const FacetName& facet) { return numbers(std::array{facet.model, facet.face}); }
@@ -275,15 +276,16 @@ std::string report_of(const Report& report) {
 
 }  // namespace
 
-std::string to_json(const Sheet& sheet, double scale, std::span<const Drawing> drawings, const Report& report) {
+std::string to_json(const Sheet& sheet, double scale, std::span<const Drawing> drawings, const Report& report,
+                    const Progress& progress) {
   std::string text =
       "{\"epura\": 1, \"unit\": \"mm\", \"sheet\": {\"size\": " + point(Vec2(sheet.width, sheet.height)) +
       ", \"scale\": " + number(scale) + "},";
-  if (report.partial) text += "\n \"partial\": " + partial_of(*report.partial) + ",";
+  if (!report.partial.stages.empty()) text += "\n \"partial\": " + partial_of(report.partial) + ",";
   text += "\n \"views\": [";
   for (const Drawing& drawing : drawings) {
     text += &drawing == drawings.data() ? "\n  " : ",\n  ";
-    append_view(text, drawing, scale);
+    append_view(text, drawing, scale, progress);
   }
   text += "],\n \"report\": " + report_of(report) + "}\n";
   return text;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "base/error.hpp"
 #include "base/text.hpp"
@@ -36,12 +37,24 @@ void replace_line(std::string& bytes, std::string_view key, const std::string& l
   bytes.replace(begin, bytes.find('\n', begin) + 1 - begin, line);
 }
 
+struct PngBytes {
+  std::string bytes;
+  const Progress& progress;
+};
+
+// For Cairo, which then stops.
+cairo_status_t append_in_time(void* png, const unsigned char* data, unsigned length) {
+  auto& written = *static_cast<PngBytes*>(png);
+  if (written.progress.is_out_of_time()) return CAIRO_STATUS_WRITE_ERROR;
+  return append_bytes(&written.bytes, data, length);
+}
+
 // Whole points, rounded up.
 Vec2 paper_size(const Sheet& sheet) {
   return glm::max(glm::ceil(Vec2(sheet.width, sheet.height) * points_per_millimetre), Vec2(1, 1));
 }
 
-void draw_page(const CairoSurface& surface, const Sheet& sheet) {
+void draw_page(const CairoSurface& surface, const Sheet& sheet, const Progress& progress) {
   const Vec2 whole = paper_size(sheet);
   cairo_ps_surface_set_size(surface.get(), whole.x, whole.y);
   // The lower left corners meet: PostScript measures from there.
@@ -52,12 +65,12 @@ void draw_page(const CairoSurface& surface, const Sheet& sheet) {
   for (const Layer& layer : sheet.layers) {
     set_colour(pen, layer.style.colour);
     draw_fills(pen, canvas, layer);
-    draw(pen, canvas, layer);
+    draw(pen, canvas, layer, progress);
     if (lettering) write_texts(pen, canvas, layer, *lettering);
   }
 }
 
-std::string postscript(const Pages& sheets, bool encapsulated) {
+std::string postscript(const Pages& sheets, bool encapsulated, const Progress& progress) {
   check(!sheets.empty(), "a PostScript file without pages");
   const Vec2 first = paper_size(*sheets.front());
   std::string bytes;
@@ -66,7 +79,7 @@ std::string postscript(const Pages& sheets, bool encapsulated) {
   cairo_ps_surface_dsc_comment(surface.get(), ("%%Title: " + comment_text(sheets.front()->title)).c_str());
   for (const Sheet* const& sheet : sheets) {
     if (&sheet != &sheets.front()) cairo_surface_show_page(surface.get());
-    draw_page(surface, *sheet);
+    draw_page(surface, *sheet, progress);
   }
   finish(surface, "PostScript");
   replace_line(bytes, "%%CreationDate:", "");
@@ -89,10 +102,10 @@ Vec2 pixels_of(const Sheet& sheet, double dpi) {
 
 }  // namespace
 
-std::string to_ps(const Pages& sheets) { return postscript(sheets, false); }
+std::string to_ps(const Pages& sheets, const Progress& progress) { return postscript(sheets, false, progress); }
 
-std::string to_eps(const Sheet& sheet) {
-  std::string bytes = postscript({&sheet}, true);
+std::string to_eps(const Sheet& sheet, const Progress& progress) {
+  std::string bytes = postscript({&sheet}, true, progress);
   // An EPS file is as large as its sheet: Cairo would leave the margins out.
   const Vec2 whole = paper_size(sheet), size = Vec2(sheet.width, sheet.height) * points_per_millimetre;
   replace_line(bytes, "%%BoundingBox:",
@@ -101,7 +114,7 @@ std::string to_eps(const Sheet& sheet) {
   return bytes;
 }
 
-std::string to_png(const Sheet& sheet, double dpi) {
+std::string to_png(const Sheet& sheet, double dpi, const Progress& progress) {
   const Vec2 pixels = pixels_of(sheet, dpi);
   const Canvas canvas{dpi / 25.4, {0, sheet.height}, pixels};
   const CairoSurface surface(
@@ -114,13 +127,15 @@ std::string to_png(const Sheet& sheet, double dpi) {
     for (const Layer& layer : sheet.layers) {
       set_colour(pen, layer.style.colour);
       draw_fills(pen, canvas, layer);
-      draw(pen, canvas, layer);
+      draw(pen, canvas, layer, progress);
       if (lettering) fill_texts(pen, canvas, layer, *lettering);
     }
   }
-  std::string bytes;
-  require(cairo_surface_write_to_png_stream(surface.get(), append_bytes, &bytes), "PNG");
-  return bytes;
+  PngBytes png{{}, progress};
+  const cairo_status_t status = cairo_surface_write_to_png_stream(surface.get(), append_in_time, &png);
+  progress.expect_time();
+  require(status, "PNG");
+  return std::move(png.bytes);
 }
 
 }  // namespace epura

@@ -27,7 +27,8 @@ std::string placement(const Canvas& canvas) {
   return scale + " 0 0 " + scale + " " + real(corner.x) + " " + real(corner.y);
 }
 
-std::string cairo_pdf(const Canvas& canvas, const Layer& layer, const std::optional<Lettering>& lettering) {
+std::string cairo_pdf(const Canvas& canvas, const Layer& layer, const std::optional<Lettering>& lettering,
+                      const Progress& progress) {
   std::string bytes;
   const CairoSurface surface(cairo_pdf_surface_create_for_stream(append_bytes, &bytes, canvas.size.x, canvas.size.y));
   {
@@ -35,7 +36,7 @@ std::string cairo_pdf(const Canvas& canvas, const Layer& layer, const std::optio
     begin_vector_file(pen, canvas);
     set_colour(pen, layer.style.colour);
     draw_fills(pen, canvas, layer);
-    draw(pen, canvas, layer);
+    draw(pen, canvas, layer, progress);
     if (lettering) write_texts(pen, canvas, layer, *lettering);
   }
   finish(surface, "PDF");
@@ -50,26 +51,28 @@ std::string view_of(const ViewFrame& frame) {
   return "/FitR " + real(least.x) + " " + real(least.y) + " " + real(most.x) + " " + real(most.y);
 }
 
-PdfPage page_of(const Sheet& sheet, std::size_t number) {
+PdfPage page_of(const Sheet& sheet, std::size_t number, const Progress& progress) {
   const Canvas canvas = enlarged_canvas(sheet);
   const Vec2 size = Vec2(sheet.width, sheet.height) * points_per_millimetre;
   const std::string title = "Sheet " + std::to_string(number) + (sheet.title.empty() ? "" : ": " + sheet.title);
   PdfPage page{{}, box(size), box(canvas.size), placement(canvas), {title, "/Fit"}, {}};
   const std::optional<Lettering> lettering = lettering_of(sheet);
-  for (const Layer& layer : sheet.layers) page.layers.push_back({layer.name, cairo_pdf(canvas, layer, lettering)});
+  for (const Layer& layer : sheet.layers)
+    page.layers.push_back({layer.name, cairo_pdf(canvas, layer, lettering, progress)});
   for (const ViewFrame& view : sheet.views) page.views.push_back({view.name, view_of(view)});
   return page;
 }
 
 }  // namespace
 
-std::string to_pdf(const Pages& sheets) {
+std::string to_pdf(const Pages& sheets, const Progress& progress) {
   check(!sheets.empty(), "a PDF file without pages");
   PdfDocument document;
-  for (std::size_t i = 0; i < sheets.size(); ++i) document.pages.push_back(page_of(*sheets[i], i + 1));
+  for (std::size_t i = 0; i < sheets.size(); ++i) document.pages.push_back(page_of(*sheets[i], i + 1, progress));
   document.title = sheets.front()->title;
   document.author = fact_of(*sheets.front(), "author");
   document.subject = description_of(*sheets.front());
+  progress.expect_time();
   return pdf_library().join_layers(document);
 }
 

@@ -183,7 +183,7 @@ std::string frame_of(const Sheet& sheet, const std::vector<const Layer*>& layers
 
 }  // namespace
 
-std::string to_svg(const Sheet& sheet, const VectorOptions& options) {
+std::string to_svg(const Sheet& sheet, const VectorOptions& options, const Progress& progress) {
   const std::vector<const Layer*> layers = by_view(sheet);
   const std::string frame = frame_of(sheet, layers, options.plain);
   const Canvas canvas = enlarged_canvas(sheet);
@@ -199,7 +199,7 @@ std::string to_svg(const Sheet& sheet, const VectorOptions& options) {
     const std::size_t here = frame.find(paths_here, copied);
     svg.append(frame, copied, here - copied);
     append_fills(svg, *layer, sheet.height);
-    append_paths(svg, *layer, canvas, {sheet.height, options.decimals, options.plain, lines});
+    append_paths(svg, *layer, canvas, {sheet.height, options.decimals, options.plain, lines}, progress);
     if (lettering) append_texts(svg, *layer, sheet.height, *lettering, options.text);
     copied = here + paths_here.size();
     lines += layer->strokes.size();

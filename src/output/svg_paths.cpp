@@ -280,7 +280,8 @@ bool has_ink(const Layer& layer) {
          std::any_of(layer.strokes.begin(), layer.strokes.end(), has_line);
 }
 
-void append_paths(std::string& text, const Layer& layer, const Canvas& canvas, const PathStyle& style) {
+void append_paths(std::string& text, const Layer& layer, const Canvas& canvas, const PathStyle& style,
+                  const Progress& progress) {
   const Common common{dash_array(layer.style.dashes), common_model(layer)};
   const std::vector<Part> parts = parts_of(layer, style.plain);
   const std::vector<Chunk> chunks = chunks_of(parts);
@@ -295,9 +296,10 @@ void append_paths(std::string& text, const Layer& layer, const Canvas& canvas, c
       PathWriter(lines, canvas, style).append_stroke(reader, *part.stroke);
       if (last) lines += "\"/>\n";
     }
+    progress.advance(chunk.size());
     return lines;
   };
-  append_in_order(text, chunks.size(), [&](std::size_t i) { return write(chunks[i]); });
+  append_in_order(text, chunks.size(), progress, [&](std::size_t i) { return write(chunks[i]); });
 }
 
 }  // namespace epura

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/progress.hpp"
 #include "output/canvas.hpp"
 #include "sheet/sheet.hpp"
 
@@ -45,6 +46,8 @@ struct PathStyle {
 std::string line_id(std::size_t number);
 
 /// Appends one line of text for each stroke; with PathStyle::plain, for each dash pattern.
-void append_paths(std::string& text, const Layer& layer, const Canvas& canvas, const PathStyle& style);
+/// Throws OutOfTime.
+void append_paths(std::string& text, const Layer& layer, const Canvas& canvas, const PathStyle& style,
+                  const Progress& progress);
 
 }  // namespace epura

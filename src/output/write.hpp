@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/progress.hpp"
 #include "drawing/drawing.hpp"
 #include "mesh/mesh.hpp"
 #include "output/verification.hpp"
@@ -36,14 +37,15 @@ struct VectorOptions {
 /// Sheets that become pages of one file, at least one.
 using Pages = std::vector<const Sheet*>;
 
-// The same sheet gives the same bytes, always: no clock, no counter, no locale.
-std::string to_svg(const Sheet& sheet, const VectorOptions& options);
-std::string to_pdf(const Pages& sheets);
-std::string to_ps(const Pages& sheets);
-std::string to_eps(const Sheet& sheet);
-std::string to_png(const Sheet& sheet, double dpi);
+// The same sheet gives the same bytes, always: no clock, no counter, no locale. A file is written as a whole, or
+// OutOfTime is thrown.
+std::string to_svg(const Sheet& sheet, const VectorOptions& options, const Progress& progress = {});
+std::string to_pdf(const Pages& sheets, const Progress& progress = {});
+std::string to_ps(const Pages& sheets, const Progress& progress = {});
+std::string to_eps(const Sheet& sheet, const Progress& progress = {});
+std::string to_png(const Sheet& sheet, double dpi, const Progress& progress = {});
 /// AutoCAD 2000 (AC1015), in millimetres.
-std::string to_dxf(const Sheet& sheet);
+std::string to_dxf(const Sheet& sheet, const Progress& progress = {});
 
 /// What a stage took and what leaving it out saves, in seconds.
 struct PlanTimes {
@@ -66,12 +68,21 @@ struct PlanStep {
 
 /// What a time limit left undone.
 struct Partial {
+  std::vector<std::string> stages{};   ///< that were cut, as progress names them; none: all is done
   long long edges = 0, undecided = 0;  ///< undecided edges are not drawn
   double searched = 1;                 ///< part of the search for intersection lines that was done, 0 to 1
+  long long undrawn = 0;               ///< lines of decided edges, and dimensions, that are not drawn
 
-  /// Of two views together.
-  Partial operator+(const Partial& other) const {
-    return {edges + other.edges, undecided + other.undecided, std::min(searched, other.searched)};
+  void add_stage(const std::string& stage) {
+    if (std::find(stages.begin(), stages.end(), stage) == stages.end()) stages.push_back(stage);
+  }
+  /// What of another view is left undone.
+  void add(const Partial& other) {
+    for (const std::string& stage : other.stages) add_stage(stage);
+    edges += other.edges;
+    undecided += other.undecided;
+    searched = std::min(searched, other.searched);
+    undrawn += other.undrawn;
   }
 };
 
@@ -85,12 +96,13 @@ struct Report {
   std::vector<MeshReport> meshes;
   std::vector<PlanStep> plan;
   std::vector<std::pair<std::string, double>> seconds;  ///< empty unless asked for: outputs are byte-stable
-  std::optional<Partial> partial;                       ///< nothing: the drawing is complete
+  Partial partial{};                                    ///< without stages: the drawing is complete
   std::optional<Verification> verification;             ///< where it was asked for
   std::vector<ViewCondition> conditions;                ///< by view, where they were asked for
 };
 
 /// Drawing JSON, schema 1 (docs/formats.md).
-std::string to_json(const Sheet& sheet, double scale, std::span<const Drawing> drawings, const Report& report);
+std::string to_json(const Sheet& sheet, double scale, std::span<const Drawing> drawings, const Report& report,
+                    const Progress& progress = {});
 
 }  // namespace epura

@@ -194,7 +194,7 @@ void append(World& world, const ModelCut& cut) {
 
 }  // namespace
 
-CutWorld cut_world(const World& world, const CuttingPlane& plane) {
+CutWorld cut_world(const World& world, const CuttingPlane& plane, const Progress& progress) {
   const Sides sides = find_sides(world, plane);
   const PlaneFrame frame(world, plane, sides.shrink);
   CutWorld result;
@@ -205,8 +205,11 @@ CutWorld cut_world(const World& world, const CuttingPlane& plane) {
   result.world.one_rounding = world.one_rounding;
   bool cuts = false;
   for (int model = 0; model < static_cast<int>(world.models.size()); ++model) {
+    progress.expect_time();
     ModelCut cut{world, model, frame, cut_mesh(world, model, sides)};
+    progress.expect_time();
     cut.close();
+    progress.expect_time();
     const int first = result.world.first_vertex.back();
     for (WorldCutFace& face : cut.faces) {
       for (auto& ring : face.rings)

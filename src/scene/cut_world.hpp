@@ -9,6 +9,7 @@
 
 #include <vector>
 
+#include "base/progress.hpp"
 #include "scene/cutting_plane.hpp"
 #include "scene/scene.hpp"
 
@@ -35,7 +36,7 @@ struct CutWorld {
   std::vector<OpenBody> open;       ///< likewise
 };
 
-/// Throws Error{input} when the plane cuts no body, or leaves nothing.
-CutWorld cut_world(const World& world, const CuttingPlane& plane);
+/// Throws Error{input} when the plane cuts no body, or leaves nothing; and OutOfTime.
+CutWorld cut_world(const World& world, const CuttingPlane& plane, const Progress& progress = {});
 
 }  // namespace epura

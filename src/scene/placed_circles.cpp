@@ -31,12 +31,16 @@ std::vector<MeshCircle> find_circles(const World& world, int model, double creas
                       crease_angle);
 }
 
-std::vector<PlacedCircle> find_placed_circles(const World& world, double crease_angle) {
+std::vector<PlacedCircle> find_placed_circles(const World& world, double crease_angle, const Progress& progress) {
+  progress.begin("finding circles", world.models.size());
   constexpr double half_turn = std::numbers::pi * (1 - 1e-6);
   std::vector<PlacedCircle> placed;
-  for (int model = 0; model < static_cast<int>(world.models.size()); ++model)
+  for (int model = 0; model < static_cast<int>(world.models.size()); ++model) {
+    progress.expect_time();
     for (MeshCircle& circle : find_circles(world, model, crease_angle))
       if (circle.whole || sweep_of(world, model, circle) >= half_turn) placed.push_back({model, std::move(circle)});
+    progress.advance(1);
+  }
   return placed;
 }
 

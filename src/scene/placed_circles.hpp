@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "base/progress.hpp"
 #include "mesh/circles.hpp"
 #include "scene/scene.hpp"
 
@@ -16,7 +17,9 @@ struct PlacedCircle {
   MeshCircle circle;  ///< in world coordinates; vertices are those of the model's file
 };
 
-/// Of all models what drawings give centre lines: whole circles, and arcs of half a turn or more.
-std::vector<PlacedCircle> find_placed_circles(const World& world, double crease_angle = 30);
+/// Of all models what drawings give centre lines: whole circles, and arcs of half a turn or more. Throws
+/// OutOfTime.
+std::vector<PlacedCircle> find_placed_circles(const World& world, double crease_angle = 30,
+                                              const Progress& progress = {});
 
 }  // namespace epura

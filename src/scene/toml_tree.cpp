@@ -105,7 +105,7 @@ bool is_control(char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x
 
 TomlValue read_toml(const std::filesystem::path& path) {
   const std::string file = path.string();
-  const std::string text = read_file(path, most_bytes);
+  const std::string text = read_file(path, {}, most_bytes);
   refuse_deep_keys(text, file);
   try {
     return {"", file, file, Reader(file).table(toml::parse(text))};

@@ -224,10 +224,12 @@ class Covers {
   std::set<double> angles_;
 };
 
-std::vector<Piece> uncovered(const std::vector<Piece>& pieces, std::span<const Layer> drawn, double apart) {
+std::vector<Piece> uncovered(const std::vector<Piece>& pieces, std::span<const Layer> drawn, double apart,
+                             const Progress& progress) {
   Covers covers(pieces, apart);
   for (const Layer& layer : drawn) {
     for (const Stroke& stroke : layer.strokes) {
+      progress.expect_time();
       const std::size_t lines = stroke.points.size() - (stroke.closed || stroke.points.empty() ? 0 : 1);
       for (std::size_t i = 0; i < lines; ++i)
         covers.add(stroke.points[i], stroke.points[(i + 1) % stroke.points.size()]);
@@ -274,7 +276,7 @@ std::vector<SeenCircle> seen_circles(const Drawing& drawing, std::span<const Pla
 }  // namespace
 
 Layer centre_lines(const Drawing& drawing, std::span<const PlacedCircle> circles, const LineWidths& widths,
-                   const std::vector<ModelLook>& looks, std::span<const Layer> drawn) {
+                   const std::vector<ModelLook>& looks, std::span<const Layer> drawn, const Progress& progress) {
   const double width = widths.narrow;
   Layer layer{drawing.name + "/centre", {"centre", width, long_dash_dot.nominal(width)}, {}};
   if (drawing.projection.central) return layer;
@@ -282,7 +284,7 @@ Layer centre_lines(const Drawing& drawing, std::span<const PlacedCircle> circles
   std::vector<Piece> pieces = axes(seen);
   for (const Piece& piece : crosses(seen)) pieces.push_back(piece);
   pieces = merged(pieces);
-  for (const Piece& piece : uncovered(pieces, drawn, width / 2)) {
+  for (const Piece& piece : uncovered(pieces, drawn, width / 2, progress)) {
     const double length = piece.to - piece.from;
     const Dashes dashes =
         piece.centred ? fit_centred(length, width, long_dash_dot) : fit_open(length, width, long_dash_dot);

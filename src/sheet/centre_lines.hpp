@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/progress.hpp"
 #include "drawing/drawing.hpp"
 #include "scene/placed_circles.hpp"
 #include "sheet/sheet.hpp"
@@ -17,8 +18,8 @@ namespace epura {
 /// ones counts. An axis is drawn where a circle is seen edge-on, and through two or more circles on it however they are
 /// seen: one line through all of them. All lines reach 3 mm beyond the outline; overlapping ones are one line. Where a
 /// line of `drawn`, the view's other layers, coincides with them it wins. Circles below 1 mm in diameter have no
-/// lines, nor have those that a model without hidden lines does not show.
+/// lines, nor have those that a model without hidden lines does not show. Throws OutOfTime.
 Layer centre_lines(const Drawing& drawing, std::span<const PlacedCircle> circles, const LineWidths& widths,
-                   const std::vector<ModelLook>& looks, std::span<const Layer> drawn);
+                   const std::vector<ModelLook>& looks, std::span<const Layer> drawn, const Progress& progress = {});
 
 }  // namespace epura

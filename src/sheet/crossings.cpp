@@ -42,7 +42,7 @@ constexpr std::size_t grain = 1024;
 
 }  // namespace
 
-Crossings::Crossings(std::span<const Chain> chains, std::vector<std::size_t> asked)
+Crossings::Crossings(std::span<const Chain> chains, std::vector<std::size_t> asked, const Progress& progress)
     : chains_(chains), asked_(std::move(asked)) {
   if (asked_.empty()) return;
   for (std::size_t i = 0; i < chains.size(); ++i)
@@ -50,13 +50,13 @@ Crossings::Crossings(std::span<const Chain> chains, std::vector<std::size_t> ask
       visit_lines(chains[i], [&](const Vec2& from, const Vec2& to) { lines_.push_back({from, to, i}); });
   // At most one cell for each line, and not so many that lines would run through too many of them.
   grid_ = grid_over_lines(lines_, {static_cast<double>(lines_.size()), 1e-3, 8, 0});
-  fill(wanted_cells());
+  fill(wanted_cells(progress), progress);
 }
 
 // Which cells are worth filling.
-std::vector<char> Crossings::wanted_cells() const {
+std::vector<char> Crossings::wanted_cells(const Progress& progress) const {
   std::vector<char> cells(static_cast<std::size_t>(grid_.count()), 0);
-  parallel_for(asked_.size(), grain, [&](std::size_t begin, std::size_t end) {
+  parallel_for(asked_.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       visit_lines(chains_[asked_[i]], [&](const Vec2& from, const Vec2& to) {
         visit_cells(grid_, from, to, touching, [&](int cell, double, double) {
@@ -67,9 +67,9 @@ std::vector<char> Crossings::wanted_cells() const {
   return cells;
 }
 
-void Crossings::fill(const std::vector<char>& wanted) {
+void Crossings::fill(const std::vector<char>& wanted, const Progress& progress) {
   lines_of_cells_ = Groups<int>(wanted.size(), [&](const auto& add) {
-    parallel_for(lines_.size(), grain, [&](std::size_t begin, std::size_t end) {
+    parallel_for(lines_.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
         visit_cells(grid_, lines_[i].from, lines_[i].to, touching, [&](int cell, double, double) {
           if (wanted[cell] != 0) add(static_cast<std::size_t>(cell), static_cast<int>(i));

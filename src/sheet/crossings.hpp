@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/groups.hpp"
+#include "base/progress.hpp"
 #include "drawing/drawing.hpp"
 #include "visibility/line_cells.hpp"
 
@@ -14,8 +15,8 @@ namespace epura {
 /// Looks for crossings among the lines of one drawing by means of a grid.
 class Crossings {
  public:
-  /// What crosses the chains `asked`, ascending. Others have no crossings.
-  Crossings(std::span<const Chain> chains, std::vector<std::size_t> asked);
+  /// What crosses the chains `asked`, ascending. Others have no crossings. Throws OutOfTime.
+  Crossings(std::span<const Chain> chains, std::vector<std::size_t> asked, const Progress& progress = {});
 
   /// Distances along a chain from its first point, ascending, at which another chain that is no tangent edge crosses
   /// it, touches it or ends on it. Points nearer than `apart` mm count once.
@@ -29,8 +30,8 @@ class Crossings {
     Vec2 from, to;
     std::size_t chain;
   };
-  [[nodiscard]] std::vector<char> wanted_cells() const;
-  void fill(const std::vector<char>& wanted);
+  [[nodiscard]] std::vector<char> wanted_cells(const Progress& progress) const;
+  void fill(const std::vector<char>& wanted, const Progress& progress);
 
   std::span<const Chain> chains_;
   std::vector<std::size_t> asked_;

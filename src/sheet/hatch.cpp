@@ -76,7 +76,7 @@ Vec2 direction(double degrees) {
 }
 
 // Lines of all faces of a part in a view fall on one family, counted from the origin of the sheet.
-std::vector<Line> lines_of(const CutFace& face, double degrees, double spacing) {
+std::vector<Line> lines_of(const CutFace& face, double degrees, double spacing, const Progress& progress) {
   const Vec2 along = direction(degrees), n(-along.y, along.x);
   double least = HUGE_VAL, most = -HUGE_VAL;
   visit_sides(face.rings, [&](const Vec2& a, const Vec2&) {
@@ -86,7 +86,7 @@ std::vector<Line> lines_of(const CutFace& face, double degrees, double spacing) 
   const double first = std::ceil(least / spacing);
   const double count = std::floor(most / spacing) - first + 1;
   std::vector<std::vector<Line>> found(count > 0 ? static_cast<std::size_t>(count) : 0);
-  parallel_for(found.size(), 16, [&](std::size_t begin, std::size_t end) {
+  parallel_for(found.size(), 16, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       add_line(face.rings, along, (first + static_cast<double>(i)) * spacing, found[i]);
   });
@@ -270,11 +270,12 @@ Hatching hatching_of(const Part& part, const std::vector<Hatching>& neighbours) 
 
 }  // namespace
 
-std::vector<Hatching> choose_hatching(std::span<const Drawing* const> drawings) {
+std::vector<Hatching> choose_hatching(std::span<const Drawing* const> drawings, const Progress& progress) {
   const std::vector<Part> parts = parts_of(drawings);
   std::vector<Hatching> chosen;
   for (std::size_t p = 0; p < parts.size(); ++p) {
     std::vector<Hatching> neighbours;
+    progress.expect_time();
     for (std::size_t q = 0; q < p; ++q)
       if (touch(parts[p], parts[q])) neighbours.push_back(chosen[q]);
     chosen.push_back(hatching_of(parts[p], neighbours));
@@ -285,17 +286,21 @@ std::vector<Hatching> choose_hatching(std::span<const Drawing* const> drawings) 
   return chosen;
 }
 
-Layer hatch_layer(const Drawing& drawing, std::span<const Hatching> hatching, const LineWidths& widths) {
+Layer hatch_layer(const Drawing& drawing, std::span<const Hatching> hatching, const LineWidths& widths,
+                  const Progress& progress) {
   Layer layer{drawing.name + "/hatch", {"hatch", widths.narrow}, {}};
   for (const CutFace& face : drawing.cut_faces) {
     const auto found = std::find_if(hatching.begin(), hatching.end(),
                                     [&](const Hatching& h) { return h.model == face.model && h.body == face.body; });
     check(found != hatching.end(), "every part that is cut has a hatching");
+    progress.expect_time();
+    progress.advance(1);
     if (is_thin(face)) {
       layer.fills.push_back({face.rings});
       continue;
     }
-    for (const Line& line : lines_of(face, found->angle, found->spacing)) layer.strokes.push_back({{line[0], line[1]}});
+    for (const Line& line : lines_of(face, found->angle, found->spacing, progress))
+      layer.strokes.push_back({{line[0], line[1]}});
   }
   return layer;
 }

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/progress.hpp"
 #include "drawing/drawing.hpp"
 #include "sheet/sheet.hpp"
 #include "sheet/view_lines.hpp"
@@ -20,10 +21,12 @@ struct Hatching {
 
 /// A hatching for each part that is cut, sorted by model and body. Spacing grows with the largest cut face, from 1 to
 /// 4 mm. Lines do not run along the part's own outlines nor straight across, and parts whose cut faces come closer than
-/// 0.7 mm differ by angle or spacing.
-std::vector<Hatching> choose_hatching(std::span<const Drawing* const> drawings);
+/// 0.7 mm differ by angle or spacing. Throws OutOfTime.
+std::vector<Hatching> choose_hatching(std::span<const Drawing* const> drawings, const Progress& progress = {});
 
 /// Layer "VIEW/hatch". Hatching lines end at the outlines; faces that are less than 1 mm wide on average are fills.
-Layer hatch_layer(const Drawing& drawing, std::span<const Hatching> hatching, const LineWidths& widths);
+/// Throws OutOfTime.
+Layer hatch_layer(const Drawing& drawing, std::span<const Hatching> hatching, const LineWidths& widths,
+                  const Progress& progress = {});
 
 }  // namespace epura

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/progress.hpp"
 #include "drawing/drawing.hpp"
 #include "visibility/line_cells.hpp"
 
@@ -13,7 +14,8 @@ namespace epura {
 /// Millimetres of line, without tangent and smooth edges, on each square millimetre of paper, in cells of equal size.
 class InkDensity {
  public:
-  InkDensity(std::span<const Chain> chains, double cell_side);
+  /// Throws OutOfTime.
+  InkDensity(std::span<const Chain> chains, double cell_side, const Progress& progress = {});
 
   /// The mean along a chain.
   [[nodiscard]] double along(const Chain& chain) const;

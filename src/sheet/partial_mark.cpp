@@ -1,7 +1,11 @@
 #include "sheet/partial_mark.hpp"
 
 #include <algorithm>
+#include <array>
 #include <vector>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
 
 namespace epura {
 
@@ -10,14 +14,49 @@ namespace {
 using Letter = std::vector<std::vector<Vec2>>;
 
 // On a grid 4 wide and 6 high, after the vertical lettering of ISO 3098.
-std::vector<Letter> letters_of_partial() {
-  const Letter p{{{0, 0}, {0, 6}, {3, 6}, {4, 5}, {4, 4}, {3, 3}, {0, 3}}};
-  const Letter a{{{0, 0}, {2, 6}, {4, 0}}, {{0.6, 1.8}, {3.4, 1.8}}};
-  const Letter r{p[0], {{2, 3}, {4, 0}}};
-  const Letter t{{{2, 0}, {2, 6}}, {{0, 6}, {4, 6}}};
-  const Letter i{{{2, 0}, {2, 6}}};
-  const Letter l{{{0, 6}, {0, 0}, {4, 0}}};
-  return {p, a, r, t, i, a, l};
+std::array<Letter, 26> alphabet() {
+  const std::vector<Vec2> c{{4, 5}, {3, 6}, {1, 6}, {0, 5}, {0, 1}, {1, 0}, {3, 0}, {4, 1}};
+  const std::vector<Vec2> p{{0, 0}, {0, 6}, {3, 6}, {4, 5}, {4, 4}, {3, 3}, {0, 3}};
+  const std::vector<Vec2> o{{1, 0}, {0, 1}, {0, 5}, {1, 6}, {3, 6}, {4, 5}, {4, 1}, {3, 0}, {1, 0}};
+  return {{{{{0, 0}, {2, 6}, {4, 0}}, {{0.6, 1.8}, {3.4, 1.8}}},
+           {{{0, 3}, {3, 3}, {4, 4}, {4, 5}, {3, 6}, {0, 6}, {0, 0}, {3, 0}, {4, 1}, {4, 2}, {3, 3}}},
+           {c},
+           {{{0, 0}, {0, 6}, {2, 6}, {4, 4}, {4, 2}, {2, 0}, {0, 0}}},
+           {{{4, 6}, {0, 6}, {0, 0}, {4, 0}}, {{0, 3}, {3, 3}}},
+           {{{4, 6}, {0, 6}, {0, 0}}, {{0, 3}, {3, 3}}},
+           {c, {{4, 1}, {4, 3}, {2, 3}}},
+           {{{0, 0}, {0, 6}}, {{4, 0}, {4, 6}}, {{0, 3}, {4, 3}}},
+           {{{2, 0}, {2, 6}}},
+           {{{4, 6}, {4, 1}, {3, 0}, {1, 0}, {0, 1}}},
+           {{{0, 0}, {0, 6}}, {{4, 6}, {0, 2}}, {{1.5, 3.5}, {4, 0}}},
+           {{{0, 6}, {0, 0}, {4, 0}}},
+           {{{0, 0}, {0, 6}, {2, 2}, {4, 6}, {4, 0}}},
+           {{{0, 0}, {0, 6}, {4, 0}, {4, 6}}},
+           {o},
+           {p},
+           {o, {{2, 2}, {4, 0}}},
+           {p, {{2, 3}, {4, 0}}},
+           {{{4, 5}, {3, 6}, {1, 6}, {0, 5}, {0, 4}, {1, 3}, {3, 3}, {4, 2}, {4, 1}, {3, 0}, {1, 0}, {0, 1}}},
+           {{{2, 0}, {2, 6}}, {{0, 6}, {4, 6}}},
+           {{{0, 6}, {0, 1}, {1, 0}, {3, 0}, {4, 1}, {4, 6}}},
+           {{{0, 6}, {2, 0}, {4, 6}}},
+           {{{0, 6}, {1, 0}, {2, 4}, {3, 0}, {4, 6}}},
+           {{{0, 0}, {4, 6}}, {{0, 6}, {4, 0}}},
+           {{{2, 0}, {2, 3}, {0, 6}}, {{2, 3}, {4, 6}}},
+           {{{0, 6}, {4, 6}, {0, 0}, {4, 0}}}}};
+}
+
+// One for each character; none for a blank.
+std::vector<Letter> letters_of(const std::string& text) {
+  const std::array<Letter, 26> all = alphabet();
+  std::vector<Letter> letters;
+  for (const char c : text) {
+    check(c == ' ' || c == ':' || (c >= 'a' && c <= 'z'), "the mark of partial drawings has letters and blanks");
+    if (c == ' ') letters.emplace_back();
+    if (c == ':') letters.push_back({{{2, 1}, {2, 1.5}}, {{2, 4}, {2, 4.5}}});
+    if (c >= 'a' && c <= 'z') letters.push_back(all[static_cast<std::size_t>(c - 'a')]);
+  }
+  return letters;
 }
 
 constexpr double letter_height = 6, letter_step = 6;
@@ -26,15 +65,15 @@ constexpr double line_per_height = 0.1;
 
 }  // namespace
 
-Layer partial_mark(const Paper& paper) {
-  const std::vector<Letter> word = letters_of_partial();
-  const double word_width = letter_step * static_cast<double>(word.size());
-  const double unit = std::min(height_in_margin * paper.other / letter_height, paper.width / word_width);
-  const Vec2 start(std::min(paper.left, paper.width - unit * word_width),
+Layer partial_mark(const Paper& paper, const std::string& stage) {
+  const std::vector<Letter> letters = letters_of("partial: " + to_lower(stage));
+  const double width = letter_step * static_cast<double>(letters.size());
+  const double unit = std::min(height_in_margin * paper.other / letter_height, paper.width / width);
+  const Vec2 start(std::min(paper.left, paper.width - unit * width),
                    paper.height - paper.other / 2 - unit * letter_height / 2);
   Layer layer{"sheet/partial", {"partial", line_per_height * letter_height * unit}, {}};
-  for (std::size_t i = 0; i < word.size(); ++i)
-    for (const std::vector<Vec2>& line : word[i]) {
+  for (std::size_t i = 0; i < letters.size(); ++i)
+    for (const std::vector<Vec2>& line : letters[i]) {
       Stroke stroke;
       for (const Vec2& p : line)
         stroke.points.push_back(start + unit * (p + Vec2(static_cast<double>(i) * letter_step, 0)));

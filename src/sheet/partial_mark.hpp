@@ -1,13 +1,16 @@
-// The word that marks a drawing which lacks lines.
+// The words that mark a drawing which lacks something.
 #pragma once
+
+#include <string>
 
 #include "sheet/paper.hpp"
 #include "sheet/sheet.hpp"
 
 namespace epura {
 
-/// "PARTIAL" in the upper margin of the paper, at its left: the layer "sheet/partial". The letters are strokes, so that
-/// no font is needed; they are as high as 6/10 of the margin, smaller where the paper is too narrow for them.
-Layer partial_mark(const Paper& paper);
+/// "PARTIAL: HIDING LINES" for the stage that was cut, of letters and blanks, in the upper margin of the paper, at its
+/// left: the layer "sheet/partial". The letters are strokes, so that no font is needed; they are as high as 6/10 of the
+/// margin, smaller where the paper is too narrow for them.
+Layer partial_mark(const Paper& paper, const std::string& stage);
 
 }  // namespace epura

@@ -21,7 +21,7 @@ namespace epura {
 namespace {
 
 constexpr double tangent_gap = 2;  // wide lines
-constexpr std::size_t chains_a_part = 4096;
+constexpr std::size_t chains_a_part = 1024;
 
 // What the chain and its segments say about a stroke: their kind, and the model edges, each run of one edge once.
 void add_origin(Stroke& stroke, const Drawing& drawing, EdgeKind kind, std::span<const int> segments) {
@@ -221,14 +221,15 @@ void draw_chain(Stroke* strokes, const ChainPlan& plan, const Drawing& drawing, 
 }
 
 // Where lines lie so closely that any gap would meet one, dashes cannot heed them.
-std::vector<std::size_t> without_crowded(const std::vector<std::size_t>& chains, const Drawing& drawing, double width) {
+std::vector<std::size_t> without_crowded(const std::vector<std::size_t>& chains, const Drawing& drawing, double width,
+                                         const Progress& progress) {
   if (chains.empty()) return chains;
   const double least_gap = 2.5 * width, cell = 16 * width;
   // Lines that run all ways cross another 2 / pi times as often as their density says (Buffon).
   const double crowded = std::numbers::pi / 2 / least_gap;
-  const InkDensity density(drawing.chains, cell);
+  const InkDensity density(drawing.chains, cell, progress);
   std::vector<char> keep(chains.size(), 0);
-  parallel_for(chains.size(), chains_a_part, [&](std::size_t begin, std::size_t end) {
+  parallel_for(chains.size(), chains_a_part, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       keep[i] = static_cast<char>(density.along(drawing.chains[chains[i]]) < crowded);
   });
@@ -240,27 +241,27 @@ std::vector<std::size_t> without_crowded(const std::vector<std::size_t>& chains,
 
 // Lines that are dashed where others cross them, and lines that end short of others.
 std::vector<std::size_t> crossed_chains(const Drawing& drawing, const LineWidths& widths,
-                                        const std::vector<ChainPlan>& plans) {
+                                        const std::vector<ChainPlan>& plans, const Progress& progress) {
   std::vector<std::size_t> with_dashes, chains;
   for (std::size_t i = 0; i < plans.size(); ++i) {
     if (plans[i].in_dashes) with_dashes.push_back(i);
     if (plans[i].place == tangent_edges && plans[i].strokes > 0) chains.push_back(i);
   }
-  with_dashes = without_crowded(with_dashes, drawing, widths.narrow);
+  with_dashes = without_crowded(with_dashes, drawing, widths.narrow, progress);
   const auto middle = chains.insert(chains.end(), with_dashes.begin(), with_dashes.end());
   std::inplace_merge(chains.begin(), middle, chains.end());
   return chains;
 }
 
 // In order of the chains. Strokes are most of what a large drawing needs: they are counted first, and made in place.
-Strokes strokes_of(const Drawing& drawing, const LineWidths& widths, const Looks& looks) {
+Strokes strokes_of(const Drawing& drawing, const LineWidths& widths, const Looks& looks, const Progress& progress) {
   const std::size_t count = drawing.chains.size();
   std::vector<ChainPlan> plans(count);
-  parallel_for(count, chains_a_part, [&](std::size_t begin, std::size_t end) {
+  parallel_for(count, chains_a_part, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       plans[i] = plan_of(drawing.chains[i], looks(drawing, drawing.chains[i]), widths);
   });
-  const Crossings crossings(drawing.chains, crossed_chains(drawing, widths, plans));
+  const Crossings crossings(drawing.chains, crossed_chains(drawing, widths, plans, progress), progress);
   std::vector<std::size_t> first(count);  // stroke of each chain, in its place
   std::array<std::size_t, places> all{};
   for (std::size_t i = 0; i < count; ++i) {
@@ -269,10 +270,11 @@ Strokes strokes_of(const Drawing& drawing, const LineWidths& widths, const Looks
   }
   Strokes strokes;
   for (std::size_t place = 0; place < places; ++place) strokes[place].resize(all[place]);
-  parallel_for(count, chains_a_part, [&](std::size_t begin, std::size_t end) {
+  parallel_for(count, chains_a_part, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       if (plans[i].strokes > 0)
         draw_chain(strokes[plans[i].place].data() + first[i], plans[i], drawing, i, widths, crossings);
+    progress.advance(end - begin);
   });
   return strokes;
 }
@@ -324,8 +326,10 @@ LineStyle line_style(EdgeLine line, const LineWidths& widths) {
   return {};
 }
 
-std::vector<Layer> view_layers(const Drawing& drawing, const LineWidths& widths, const std::vector<ModelLook>& looks) {
-  Strokes strokes = strokes_of(drawing, widths, {looks});
+std::vector<Layer> view_layers(const Drawing& drawing, const LineWidths& widths, const std::vector<ModelLook>& looks,
+                               const Progress& progress) {
+  progress.begin("fitting dashes", drawing.chains.size());
+  Strokes strokes = strokes_of(drawing, widths, {looks}, progress);
   const auto wants = [&](HiddenLines hidden) {
     return std::any_of(looks.begin(), looks.end(), [&](const ModelLook& look) { return look.hidden == hidden; });
   };

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/progress.hpp"
 #include "drawing/drawing.hpp"
 #include "sheet/paper.hpp"
 #include "sheet/sheet.hpp"
@@ -53,6 +54,7 @@ struct ModelLook {
 /// The first and the last one are there also when they are empty, unless no model has hidden lines. Dashed lines have
 /// ink at their ends, at corners and where other lines cross them, unless too many do. Hidden edges between smooth
 /// faces are left out.
-std::vector<Layer> view_layers(const Drawing& drawing, const LineWidths& widths, const std::vector<ModelLook>& looks);
+std::vector<Layer> view_layers(const Drawing& drawing, const LineWidths& widths, const std::vector<ModelLook>& looks,
+                               const Progress& progress = {});
 
 }  // namespace epura

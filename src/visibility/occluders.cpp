@@ -69,8 +69,14 @@ double greatest_depth(const View& view) {
 
 }  // namespace
 
-OccluderGrid::OccluderGrid(const View& view, const std::vector<DrawnEdge>& edges, const Contact& contact)
-    : view_(view), edges_(edges), contact_(contact), front_(greatest_depth(view)), top_(make_level(whole_page(), 0)) {}
+OccluderGrid::OccluderGrid(const View& view, const std::vector<DrawnEdge>& edges, const Contact& contact,
+                           const Progress& progress)
+    : view_(view),
+      edges_(edges),
+      contact_(contact),
+      progress_(progress),
+      front_(greatest_depth(view)),
+      top_(make_level(whole_page(), 0)) {}
 
 Vec2 OccluderGrid::cover_slack(const CellGrid& grid) const { return 2 * margin() + cell_slack * grid.side; }
 
@@ -122,6 +128,7 @@ PageBox OccluderGrid::box_of(const std::vector<Piece>& pieces) const {
 
 OccluderGrid::Level OccluderGrid::make_level(const Content& content, int depth) const {
   Level level;
+  progress_.expect_time();
   level.grid = grid_for(content, depth);
   find_covers(content, level);
   CellLoad load = find_load(content, level);
@@ -160,7 +167,7 @@ void OccluderGrid::find_covers(const Content& content, Level& level) const {
   const CellGrid& grid = level.grid;
   level.cover.assign(static_cast<std::size_t>(grid.count()), -HUGE_VAL);
   const Vec2 slack = cover_slack(grid);
-  parallel_for(content.triangles.size(), chunk, [&](std::size_t begin, std::size_t end) {
+  parallel_for(content.triangles.size(), chunk, progress_, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const ViewTriangle& triangle = view_.triangles[content.triangles[i]];
       const TriangleOnGrid on_grid(grid, corners(triangle), slack);
@@ -179,7 +186,7 @@ void OccluderGrid::find_covers(const Content& content, Level& level) const {
 OccluderGrid::CellLoad OccluderGrid::find_load(const Content& content, const Level& level) const {
   const auto count = static_cast<std::size_t>(level.grid.count());
   CellLoad load{std::vector<double>(count, HUGE_VAL), std::vector<int>(count, 0)};
-  parallel_for(content.pieces.size(), chunk, [&](std::size_t begin, std::size_t end) {
+  parallel_for(content.pieces.size(), chunk, progress_, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Piece& piece = content.pieces[i];
       const Sightline line = sightline(piece);
@@ -218,12 +225,12 @@ void OccluderGrid::find_candidates(const Content& content, const CellLoad& load,
   // Of smooth models, most triangles are candidates nowhere: the second time they are passed by.
   std::vector<char> may_hide(content.triangles.size(), 1);
   level.candidates = Groups<Candidate>(static_cast<std::size_t>(grid.count()), [&](const auto& add) {
-    parallel_for(content.triangles.size(), chunk, [&](std::size_t begin, std::size_t end) {
+    parallel_for(content.triangles.size(), chunk, progress_, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
         if (may_hide[i] != 0) may_hide[i] = add_cells(content.triangles[i], add) ? 1 : 0;
     });
   });
-  parallel_for(level.candidates.size(), chunk, [&](std::size_t begin, std::size_t end) {
+  parallel_for(level.candidates.size(), chunk, progress_, [&](std::size_t begin, std::size_t end) {
     for (std::size_t cell = begin; cell < end; ++cell)
       std::sort(level.candidates[cell].begin(), level.candidates[cell].end());
   });
@@ -233,7 +240,7 @@ void OccluderGrid::find_candidates(const Content& content, const CellLoad& load,
 bool OccluderGrid::cover_by_sheets(const CellLoad& load, Level& level) const {
   const CellGrid& grid = level.grid;
   std::atomic<bool> any = false;
-  parallel_for(static_cast<std::size_t>(grid.count()), 64, [&](std::size_t begin, std::size_t end) {
+  parallel_for(static_cast<std::size_t>(grid.count()), 64, progress_, [&](std::size_t begin, std::size_t end) {
     for (std::size_t cell = begin; cell < end; ++cell) {
       const int number = static_cast<int>(cell);
       if (pairs_in(level, load, number) <= most_pairs) continue;
@@ -305,7 +312,7 @@ void OccluderGrid::relieve_full_cells(const Content& content, const CellLoad& lo
   std::vector<double> saved(parts.size(), 0);
   level.children.resize(parts.size());
   level.trees.resize(parts.size());
-  parallel_for(parts.size(), 1, [&](std::size_t begin, std::size_t end) {
+  parallel_for(parts.size(), 1, progress_, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Content part = std::exchange(parts[i], {});
       level.trees[i] = CandidateTree(view_, part.triangles);

@@ -47,7 +47,9 @@ struct Stretch {
 /// get a tree, or are divided further.
 class OccluderGrid {
  public:
-  OccluderGrid(const View& view, const std::vector<DrawnEdge>& edges, const Contact& contact);
+  /// Throws OutOfTime.
+  OccluderGrid(const View& view, const std::vector<DrawnEdge>& edges, const Contact& contact,
+               const Progress& progress = {});
 
   /// Calls `visit(Stretch)` for the cells along an edge; together the stretches cover the whole edge.
   template <class Visit>
@@ -137,6 +139,7 @@ class OccluderGrid {
   const View& view_;
   const std::vector<DrawnEdge>& edges_;
   Contact contact_;
+  Progress progress_;
   double front_;  ///< greatest depth of all
   Level top_;
 };

@@ -42,11 +42,9 @@ struct Hider {
 
 constexpr std::size_t chunk = 256;
 
-// The order in which edges are decided. It matters only where time may be over before the last.
-std::vector<int> work_order(const View& view, const std::vector<DrawnEdge>& edges, Progress progress) {
+std::vector<int> longest_first(const View& view, const std::vector<DrawnEdge>& edges) {
   std::vector<int> order(edges.size());
   std::iota(order.begin(), order.end(), 0);
-  if (!progress.is_limited()) return order;
   std::vector<double> length(edges.size());
   for (std::size_t e = 0; e < edges.size(); ++e) {
     const PageVertex& p = view.vertices[edges[e].vertex[0]];
@@ -57,11 +55,12 @@ std::vector<int> work_order(const View& view, const std::vector<DrawnEdge>& edge
   return order;
 }
 
-HiddenSpans nothing_decided(const DrawnEdges& drawn) {
-  HiddenSpans hidden = nothing_hidden(drawn);
-  hidden.undecided.resize(drawn.edges.size());
-  std::iota(hidden.undecided.begin(), hidden.undecided.end(), 0);
-  return hidden;
+// The order in which edges are decided. It matters only where time may be over before the last.
+std::vector<int> work_order(const View& view, const std::vector<DrawnEdge>& edges, Progress progress) {
+  if (progress.is_limited()) return longest_first(view, edges);
+  std::vector<int> order(edges.size());
+  std::iota(order.begin(), order.end(), 0);
+  return order;
 }
 
 // What was found in the order of work, put into the order of the edges. `hidden.first` holds the number of spans of
@@ -116,9 +115,9 @@ OwnTriangles::OwnTriangles(const World& world, const DrawnEdges& drawn, const Dr
 HiddenSpans find_hidden(const World& world, const View& view, const DrawnEdges& drawn, const Contact& contact,
                         Progress progress) {
   const std::size_t count = drawn.edges.size();
+  progress.begin("finding what may hide lines");
+  const OccluderGrid occluders(view, drawn.edges, contact, progress);
   progress.begin("hiding lines", count);
-  if (progress.is_out_of_time()) return nothing_decided(drawn);
-  const OccluderGrid occluders(view, drawn.edges, contact);
   const Hider hider{world, view, contact, occluders, drawn};
   const std::vector<int> order = work_order(view, drawn.edges, progress);
   HiddenSpans hidden = nothing_hidden(drawn);
@@ -141,12 +140,13 @@ HiddenSpans find_hidden(const World& world, const View& view, const DrawnEdges& 
   put_in_order(found, order, hidden);
   for (std::size_t e = 0; e < count; ++e)
     if (decided[e] == 0) hidden.undecided.push_back(static_cast<int>(e));
+  if (count > 0 && hidden.undecided.size() == count) throw OutOfTime{"hiding lines"};
   return hidden;
 }
 
 void keep_decided(DrawnEdges& drawn, HiddenSpans& hidden) {
   if (hidden.undecided.empty()) return;
-  std::size_t kept = 0;
+  std::size_t kept = 0, spans = 0;
   auto next = hidden.undecided.begin();
   for (std::size_t e = 0; e < drawn.edges.size(); ++e) {
     if (next != hidden.undecided.end() && static_cast<std::size_t>(*next) == e) {
@@ -154,11 +154,20 @@ void keep_decided(DrawnEdges& drawn, HiddenSpans& hidden) {
       continue;
     }
     drawn.edges[kept] = drawn.edges[e];
-    hidden.first[++kept] = hidden.first[e + 1];
+    for (std::size_t i = hidden.first[e]; i < hidden.first[e + 1]; ++i) hidden.spans[spans++] = hidden.spans[i];
+    hidden.first[++kept] = spans;
   }
   drawn.edges.resize(kept);
   hidden.first.resize(kept + 1);
+  hidden.spans.resize(spans);
   hidden.undecided.clear();
+}
+
+std::vector<int> all_but_longest(const View& view, const std::vector<DrawnEdge>& edges, std::size_t count) {
+  std::vector<int> order = longest_first(view, edges);
+  order.erase(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(std::min(count, order.size())));
+  std::sort(order.begin(), order.end());
+  return order;
 }
 
 HiddenSpans nothing_hidden(const DrawnEdges& drawn) {

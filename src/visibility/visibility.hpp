@@ -59,12 +59,16 @@ class OwnTriangles {
 };
 
 /// Every edge against every triangle that meets it on the page. The result does not depend on the number of threads.
-/// Under a time limit the longest edges come first, and those that time does not suffice for stay undecided.
+/// Under a time limit the longest edges come first, and those that time does not suffice for stay undecided; without
+/// time for a single one OutOfTime is thrown.
 HiddenSpans find_hidden(const World& world, const View& view, const DrawnEdges& drawn, const Contact& contact,
                         Progress progress = {});
 
 /// Takes the undecided edges out of both: what is drawn then is right.
 void keep_decided(DrawnEdges& drawn, HiddenSpans& hidden);
+
+/// All edges but the `count` longest ones on the page, ascending.
+std::vector<int> all_but_longest(const View& view, const std::vector<DrawnEdge>& edges, std::size_t count);
 
 /// Nothing is hidden: a wireframe.
 HiddenSpans nothing_hidden(const DrawnEdges& drawn);

@@ -124,10 +124,14 @@ AnchoredDimension anchored(const World& world, Rims& rims, const DimensionDescri
 
 }  // namespace
 
-std::vector<AnchoredDimension> find_anchors(const World& world, std::span<const DimensionDescription> dimensions) {
+std::vector<AnchoredDimension> find_anchors(const World& world, std::span<const DimensionDescription> dimensions,
+                                            const Progress& progress) {
   Rims rims(world);
   std::vector<AnchoredDimension> anchored_ones;
-  for (const DimensionDescription& dimension : dimensions) anchored_ones.push_back(anchored(world, rims, dimension));
+  for (const DimensionDescription& dimension : dimensions) {
+    if (progress.is_out_of_time()) break;
+    anchored_ones.push_back(anchored(world, rims, dimension));
+  }
   return anchored_ones;
 }
 

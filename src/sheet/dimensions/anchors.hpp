@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/progress.hpp"
 #include "base/vec.hpp"
 #include "scene/description.hpp"
 #include "scene/scene.hpp"
@@ -35,8 +36,10 @@ struct AnchoredDimension {
   std::string text;  ///< "<>" stands for the measured value
 };
 
-/// In their order. Throws Error{input} that names where the dimension was asked for: for words that mean nothing,
-/// vertices that are not there, anchors that coincide, and anchors on no circle where one is wanted.
-std::vector<AnchoredDimension> find_anchors(const World& world, std::span<const DimensionDescription> dimensions);
+/// In their order; those that there is no time for are left out. Throws Error{input} that names where the dimension was
+/// asked for: for words that mean nothing, vertices that are not there, anchors that coincide, and anchors on no circle
+/// where one is wanted.
+std::vector<AnchoredDimension> find_anchors(const World& world, std::span<const DimensionDescription> dimensions,
+                                            const Progress& progress = {});
 
 }  // namespace epura

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <numeric>
+#include <optional>
 #include <tuple>
 
 #include "base/error.hpp"
@@ -81,14 +82,17 @@ std::vector<std::size_t> order_of(const std::vector<MeasuredDimension>& dimensio
   return order;
 }
 
-std::vector<PlacedDimension> place(const std::vector<MeasuredDimension>& dimensions, const Drawing& drawing,
-                                   const DimensionLook& look, const Neighbours& neighbours) {
+std::vector<std::optional<PlacedDimension>> place(const std::vector<MeasuredDimension>& dimensions,
+                                                  const Drawing& drawing, const DimensionLook& look,
+                                                  const Neighbours& neighbours, const Progress& progress) {
   Surroundings surroundings{drawing, neighbours.paper, BoxIndex(neighbours.boxes)};
-  std::vector<PlacedDimension> placed(dimensions.size());
+  std::vector<std::optional<PlacedDimension>> placed(dimensions.size());
   for (const std::size_t i : order_of(dimensions)) {
+    if (progress.is_out_of_time()) break;
     const auto ways = [&](const auto& form) { return ways_of(form, dimensions[i], drawing, look); };
     placed[i] = best_of(std::visit(ways, dimensions[i].form), surroundings);
-    surroundings.add(placed[i]);
+    surroundings.add(*placed[i]);
+    progress.advance(1);
   }
   return placed;
 }
@@ -106,17 +110,19 @@ void expect_letters(const std::string& text, const AnchoredDimension& dimension,
 }  // namespace
 
 Layer dimension_layer(const World& world, const Drawing& drawing, std::span<const DimensionDescription> dimensions,
-                      const DimensionLook& look, const Neighbours& neighbours) {
+                      const DimensionLook& look, const Neighbours& neighbours, const Progress& progress) {
+  progress.begin("placing dimensions", dimensions.size());
   std::vector<MeasuredDimension> measured;
-  for (const AnchoredDimension& dimension : find_anchors(world, dimensions)) {
+  for (const AnchoredDimension& dimension : find_anchors(world, dimensions, progress.with_part_of_the_time(0.5))) {
     measured.push_back(measure(drawing, dimension, diameter_sign(look.lettering)));
     expect_letters(measured.back().text, dimension, look.lettering);
   }
   Layer layer{drawing.name + "/dimensions", {"dimension", look.line}, {}};
-  for (PlacedDimension& dimension : place(measured, drawing, look, neighbours)) {
-    std::move(dimension.strokes.begin(), dimension.strokes.end(), std::back_inserter(layer.strokes));
-    std::move(dimension.arrows.begin(), dimension.arrows.end(), std::back_inserter(layer.fills));
-    layer.texts.push_back(std::move(dimension.text));
+  for (auto& dimension : place(measured, drawing, look, neighbours, progress)) {
+    if (!dimension) continue;
+    std::move(dimension->strokes.begin(), dimension->strokes.end(), std::back_inserter(layer.strokes));
+    std::move(dimension->arrows.begin(), dimension->arrows.end(), std::back_inserter(layer.fills));
+    layer.texts.push_back(std::move(dimension->text));
   }
   return layer;
 }

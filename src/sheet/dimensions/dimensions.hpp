@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/progress.hpp"
 #include "drawing/drawing.hpp"
 #include "scene/description.hpp"
 #include "scene/scene.hpp"
@@ -23,9 +24,10 @@ struct Neighbours {
 /// Layer "VIEW/dimensions" of a drawing that is in its place: narrow lines, filled arrows, and texts. Values are the
 /// true measures in the world. Dimensions stand outside the outline, small ones inside large ones, and keep out of each
 /// other's way and that of their neighbours where they can; an offset is obeyed.
+/// Each has one text; those that there is no time for are left out.
 /// Throws Error{input}: see sheet/dimensions/anchors.hpp and measure.hpp; and for characters that the font lacks.
 Layer dimension_layer(const World& world, const Drawing& drawing, std::span<const DimensionDescription> dimensions,
-                      const DimensionLook& look, const Neighbours& neighbours = {});
+                      const DimensionLook& look, const Neighbours& neighbours = {}, const Progress& progress = {});
 
 /// Whether all of it lies on a paper of this size, mm.
 bool on_paper(const Layer& dimensions, const Vec2& size);

@@ -60,10 +60,15 @@ std::string rows_of_spans(const DrawnView& drawn_view, const TriangleBoxes& boxe
 }
 
 template <class Rows>
-std::string table(const std::string& header, std::size_t count, Rows rows) {
+std::string table(const std::string& header, std::size_t count, const Progress& progress, Rows rows) {
   std::vector<std::string> parts(count);
-  parallel_for(count, grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t e = begin; e < end; ++e) parts[e] = rows(e);
+  progress.begin("answering", count);
+  parallel_for(count, grain, progress, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t e = begin; e < end; ++e) {
+      progress.expect_time();
+      parts[e] = rows(e);
+    }
+    progress.advance(end - begin);
   });
   std::string text = header;
   for (const std::string& part : parts) text += part;
@@ -72,14 +77,15 @@ std::string table(const std::string& header, std::size_t count, Rows rows) {
 
 }  // namespace
 
-std::string edge_table(const DrawnView& drawn_view) {
-  return table("edge\tkind\tangle\tfaces\tx0\ty0\tx1\ty1\tlength\n", drawn_view.drawn.edges.size(),
+std::string edge_table(const DrawnView& drawn_view, const Progress& progress) {
+  return table("edge\tkind\tangle\tfaces\tx0\ty0\tx1\ty1\tlength\n", drawn_view.drawn.edges.size(), progress,
                [&](std::size_t e) { return row_of_edge(drawn_view, e); });
 }
 
-std::string span_table(const DrawnView& drawn_view, const TriangleBoxes& boxes) {
+std::string span_table(const DrawnView& drawn_view, const TriangleBoxes& boxes, const Progress& progress) {
   return table("edge\tkind\tx0\ty0\tx1\ty1\tt0\tt1\tvisibility\thiders\tnearest\tahead\n",
-               drawn_view.drawn.edges.size(), [&](std::size_t e) { return rows_of_spans(drawn_view, boxes, e); });
+               drawn_view.drawn.edges.size(), progress,
+               [&](std::size_t e) { return rows_of_spans(drawn_view, boxes, e); });
 }
 
 }  // namespace epura

@@ -66,19 +66,26 @@ class Judge {
     for (const Probe& probe : probes) lookouts_.emplace_back(viewing_, tolerance, line_of(probe), probe.t);
   }
 
-  std::vector<ProbeVerdict> verdicts() {
+  std::vector<ProbeVerdict> verdicts(const Progress& progress) {
     const std::size_t count = claim_.world.triangles.size();
     std::vector<std::vector<Met>> met((count + chunk - 1) / chunk);
-    parallel_for(met.size(), 1, [&](std::size_t first, std::size_t last) {
+    progress.begin("verifying", met.size());
+    parallel_for(met.size(), 1, progress, [&](std::size_t first, std::size_t last) {
       for (std::size_t part = first; part < last; ++part)
-        for (std::size_t t = part * chunk; t < std::min((part + 1) * chunk, count); ++t)
+        for (std::size_t t = part * chunk; t < std::min((part + 1) * chunk, count); ++t) {
+          progress.expect_time();
           meet(static_cast<int>(t), met[part]);
+        }
+      progress.advance(last - first);
     });
     std::vector<std::vector<Portion>> portions(probes_.size());
     for (std::vector<Met>& part : met)
       for (Met& one : part) portions[one.probe].push_back(std::move(one.portion));
     std::vector<ProbeVerdict> verdicts(probes_.size());
-    for (std::size_t i = 0; i < verdicts.size(); ++i) verdicts[i] = verdict_of(i, portions[i]);
+    for (std::size_t i = 0; i < verdicts.size(); ++i) {
+      progress.expect_time();
+      verdicts[i] = verdict_of(i, portions[i]);
+    }
     return verdicts;
   }
 
@@ -136,9 +143,9 @@ class Judge {
 }  // namespace
 
 std::vector<ProbeVerdict> judge(const Claim& claim, const Tolerance& tolerance, std::span<const Probe> probes,
-                                bool name_facets) {
+                                bool name_facets, const Progress& progress) {
   if (probes.empty()) return {};
-  return Judge(claim, tolerance, probes, name_facets).verdicts();
+  return Judge(claim, tolerance, probes, name_facets).verdicts(progress);
 }
 
 }  // namespace epura

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "base/progress.hpp"
 #include "study/verify/claim.hpp"
 #include "study/verify/cover.hpp"
 
@@ -26,7 +27,8 @@ struct ProbeVerdict {
 };
 
 /// One verdict for each probe. With `name_facets` nothing is left out that an answer does not need, which takes longer.
+/// Throws OutOfTime.
 std::vector<ProbeVerdict> judge(const Claim& claim, const Tolerance& tolerance, std::span<const Probe> probes,
-                                bool name_facets);
+                                bool name_facets, const Progress& progress = {});
 
 }  // namespace epura

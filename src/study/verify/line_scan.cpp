@@ -143,10 +143,11 @@ void LineScan::find_doubled(const LineMarks& marks, std::vector<InkCrossing>& in
 
 // Calls `through(shape, meet)` for all triangles and segments, and judges the lines that were met.
 template <class Through>
-std::vector<LineFindings> LineScan::scan(const std::vector<ScanLine>& lines, const Through& through) const {
+std::vector<LineFindings> LineScan::scan(const std::vector<ScanLine>& lines, const Through& through,
+                                         const Progress& progress) const {
   const auto gather = [&](std::size_t count, const auto& visit) {
     std::vector<std::vector<std::pair<int, int>>> pairs((count + chunk - 1) / chunk);
-    parallel_for(pairs.size(), 1, [&](std::size_t first, std::size_t last) {
+    parallel_for(pairs.size(), 1, progress, [&](std::size_t first, std::size_t last) {
       for (std::size_t part = first; part < last; ++part)
         for (std::size_t i = part * chunk; i < std::min((part + 1) * chunk, count); ++i)
           visit(static_cast<int>(i), [&](int line) { pairs[part].emplace_back(line, static_cast<int>(i)); });
@@ -161,33 +162,37 @@ std::vector<LineFindings> LineScan::scan(const std::vector<ScanLine>& lines, con
     if (claim_.drawing.segments[number].visible) through(segment(number), meet);
   });
   std::vector<LineFindings> findings(lines.size());
-  parallel_for(lines.size(), 1, [&](std::size_t first, std::size_t last) {
+  parallel_for(lines.size(), 1, progress, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) findings[i] = judge(lines[i], triangles.of(i), segments.of(i));
   });
   return findings;
 }
 
-std::vector<LineFindings> LineScan::along(const LineBundle& bundle) const {
-  return scan(bundle.lines(), [&](PageShape shape, const auto& meet) { bundle.through(shape, meet); });
+std::vector<LineFindings> LineScan::along(const LineBundle& bundle, const Progress& progress) const {
+  return scan(
+      bundle.lines(), [&](PageShape shape, const auto& meet) { bundle.through(shape, meet); }, progress);
 }
 
-std::vector<LineFindings> LineScan::along(const std::vector<ScanLine>& lines) const {
+std::vector<LineFindings> LineScan::along(const std::vector<ScanLine>& lines, const Progress& progress) const {
   std::vector<Extent> extents;
   for (const ScanLine& line : lines) {
     const Vec2 half = line.reach * glm::abs(line.along);
     extents.push_back({line.middle - half, line.middle + half, 0, 0});
   }
   const ProbeGrid grid(extents);
-  return scan(lines, [&](PageShape shape, const auto& meet) {
-    Extent extent{Vec2(HUGE_VAL), Vec2(-HUGE_VAL), 0, 0};
-    for (const Vec2& point : shape) {
-      extent.least = glm::min(extent.least, point);
-      extent.most = glm::max(extent.most, point);
-    }
-    grid.overlapping(extent, [&](int line) {
-      if (lies_on_both_sides(lines[line], shape)) meet(line);
-    });
-  });
+  return scan(
+      lines,
+      [&](PageShape shape, const auto& meet) {
+        Extent extent{Vec2(HUGE_VAL), Vec2(-HUGE_VAL), 0, 0};
+        for (const Vec2& point : shape) {
+          extent.least = glm::min(extent.least, point);
+          extent.most = glm::max(extent.most, point);
+        }
+        grid.overlapping(extent, [&](int line) {
+          if (lies_on_both_sides(lines[line], shape)) meet(line);
+        });
+      },
+      progress);
 }
 
 }  // namespace epura

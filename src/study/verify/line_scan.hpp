@@ -35,10 +35,10 @@ class LineScan {
   LineScan(const Claim& claim, const ScanScene& scene, const FoldRule& rule, const MarkLimits& limits,
            const ScanWindow& window);
 
-  /// For each line of a bundle.
-  [[nodiscard]] std::vector<LineFindings> along(const LineBundle& bundle) const;
-  /// For each of many short lines.
-  [[nodiscard]] std::vector<LineFindings> along(const std::vector<ScanLine>& lines) const;
+  /// For each line of a bundle. Throws OutOfTime.
+  [[nodiscard]] std::vector<LineFindings> along(const LineBundle& bundle, const Progress& progress) const;
+  /// For each of many short lines. Throws OutOfTime.
+  [[nodiscard]] std::vector<LineFindings> along(const std::vector<ScanLine>& lines, const Progress& progress) const;
 
   /// The visible ink, mm from ScanScene::origin.
   [[nodiscard]] std::array<Vec2, 2> segment(int number) const;
@@ -48,7 +48,8 @@ class LineScan {
 
  private:
   template <class Through>
-  [[nodiscard]] std::vector<LineFindings> scan(const std::vector<ScanLine>& lines, const Through& through) const;
+  [[nodiscard]] std::vector<LineFindings> scan(const std::vector<ScanLine>& lines, const Through& through,
+                                               const Progress& progress) const;
   [[nodiscard]] LineFindings judge(const ScanLine& line, std::span<const int> triangles,
                                    std::span<const int> segments) const;
   void find_doubled(const LineMarks& marks, std::vector<InkCrossing>& ink) const;

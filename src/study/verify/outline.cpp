@@ -96,7 +96,7 @@ class Outline {
     for (int i = 0; i < directions; ++i) {
       const LineBundle bundle(window_, (i + 0.3) * std::numbers::pi / directions, distance, i + 1);
       check_.lines += static_cast<int>(bundle.lines().size());
-      for (const LineFindings& findings : scan_.along(bundle)) note(findings);
+      for (const LineFindings& findings : scan_.along(bundle, wishes_.progress)) note(findings);
     }
     look_for_ink();
   }
@@ -196,7 +196,7 @@ class Outline {
         const Vec2 way = glm::normalize(suspect.ends[1] - suspect.ends[0]);
         lines.push_back({suspect.place + step.at * way, {-way.y, way.x}, 4 * reach_});
       }
-      const std::vector<LineFindings> findings = scan_.along(lines);
+      const std::vector<LineFindings> findings = scan_.along(lines, wishes_.progress);
       const std::vector<char> lack = lacking(findings);
       for (std::size_t i = 0; i < some.size(); ++i)
         wrong.push_back(suspects_[some[i].suspect].kind == Kind::missing

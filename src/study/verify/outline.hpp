@@ -10,6 +10,7 @@
 
 #include <optional>
 
+#include "base/progress.hpp"
 #include "output/verification.hpp"
 #include "projection/projection.hpp"
 #include "study/verify/claim.hpp"
@@ -22,8 +23,10 @@ struct OutlineWishes {
   int samples;                     ///< about as many places with ink are met
   bool complete = true;            ///< nothing was left out for want of time
   std::optional<Window> window{};  ///< of the page, mm, outside of which nothing is drawn
+  Progress progress{};
 };
 
+/// Throws OutOfTime.
 OutlineCheck verify_outline(const Claim& claim, const Tolerance& tolerance, const OutlineWishes& wishes);
 
 }  // namespace epura

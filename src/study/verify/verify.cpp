@@ -25,10 +25,11 @@ bool contradicts(const TestedSpan& span, ProbeAnswer answer) {
 
 class Verifier {
  public:
-  Verifier(const Claim& claim, const Tolerance& tolerance, bool hidden_drawn)
+  Verifier(const Claim& claim, const Tolerance& tolerance, bool hidden_drawn, const Progress& progress)
       : claim_(claim),
         tolerance_(tolerance),
         hidden_drawn_(hidden_drawn),
+        progress_(progress),
         viewing_(viewing_of(claim)),
         reference_(reference_of(claim)),
         frame_(sight_from(viewing_, reference_), 0),
@@ -40,6 +41,7 @@ class Verifier {
     facets_.assign(samples_.size(), -1);
     judge_samples();
     measure_wrong_stretches();
+    progress_.expect_time();
     look_for_ink();
     return tally();
   }
@@ -58,7 +60,7 @@ class Verifier {
   void judge_samples() {
     std::vector<Probe> probes;
     for (std::size_t i = 0; i < samples_.size(); ++i) probes.push_back(probe_of(i));
-    const std::vector<ProbeVerdict> verdicts = judge(claim_, tolerance_, probes, false);
+    const std::vector<ProbeVerdict> verdicts = judge(claim_, tolerance_, probes, false, progress_);
     for (std::size_t i = 0; i < samples_.size(); ++i) {
       if (verdicts[i].answer == ProbeAnswer::undecided) findings_[i] = Finding::undecided;
       if (contradicts(span_of(i), verdicts[i].answer)) findings_[i] = Finding::misclassified;
@@ -75,7 +77,7 @@ class Verifier {
       for (int k = -2 * steps; k <= 2 * steps; ++k)
         probes.push_back(probe_at(population_, span_of(i).edge, std::clamp(beside(i, k), 0.0, 1.0)));
     }
-    const std::vector<ProbeVerdict> verdicts = judge(claim_, tolerance_, probes, true);
+    const std::vector<ProbeVerdict> verdicts = judge(claim_, tolerance_, probes, true, progress_);
     for (std::size_t i = 0; i < wrong.size(); ++i) {
       const ProbeVerdict* middle = &verdicts[i * (4 * steps + 1) + 2 * steps];
       const auto is_wrong = [&](int k) {
@@ -212,6 +214,7 @@ class Verifier {
   const Claim& claim_;
   const Tolerance& tolerance_;
   bool hidden_drawn_;
+  const Progress& progress_;
   Viewing viewing_;
   Triple<Bounded> reference_;
   PageFrame frame_;
@@ -223,9 +226,10 @@ class Verifier {
 
 }  // namespace
 
-Verification verify(const Claim& claim, const Tolerance& tolerance, int samples, bool hidden_drawn) {
+Verification verify(const Claim& claim, const Tolerance& tolerance, int samples, bool hidden_drawn,
+                    const Progress& progress) {
   if (claim.drawn.edges.empty()) return {};
-  return Verifier(claim, tolerance, hidden_drawn).run(samples);
+  return Verifier(claim, tolerance, hidden_drawn, progress).run(samples);
 }
 
 }  // namespace epura

@@ -11,6 +11,7 @@
 // Clopper and Pearson for X of N. What is undecided is no part of that claim: its share is reported beside it.
 #pragma once
 
+#include "base/progress.hpp"
 #include "output/verification.hpp"
 #include "study/verify/claim.hpp"
 #include "study/verify/cover.hpp"
@@ -18,8 +19,9 @@
 namespace epura {
 
 /// `samples` points at random. Takes the drawing at its word in nothing but its units. Hidden lines are looked for in
-/// the drawing if `hidden_drawn`.
-Verification verify(const Claim& claim, const Tolerance& tolerance, int samples, bool hidden_drawn);
+/// the drawing if `hidden_drawn`. Throws OutOfTime.
+Verification verify(const Claim& claim, const Tolerance& tolerance, int samples, bool hidden_drawn,
+                    const Progress& progress = {});
 
 /// What was found, in sentences: one a line.
 std::string in_words(const Verification& verification);

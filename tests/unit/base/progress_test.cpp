@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <string>
 #include <thread>
 #include <vector>
+
+#include "base/parallel.hpp"
 
 namespace epura::test {
 namespace {
@@ -14,7 +18,8 @@ TEST(Progress, MadeFromNothingDoesNothing) {
   progress.advance(3);
   EXPECT_FALSE(progress.is_limited());
   EXPECT_FALSE(progress.is_out_of_time());
-  EXPECT_FALSE(progress.with_half_the_time().is_limited());
+  EXPECT_FALSE(progress.with_part_of_the_time(0.5).is_limited());
+  EXPECT_NO_THROW(progress.expect_time());
   EXPECT_FALSE(progress.undisturbed().owns_lock());
 }
 
@@ -59,16 +64,79 @@ TEST(Progress, TimeIsOverOnceTheLimitIsReached) {
   EXPECT_TRUE(progress.is_out_of_time());
 }
 
-TEST(Progress, HalfTheTimeIsOverEarlier) {
+TEST(Progress, APartOfTheTimeIsOverEarlier) {
+  double now = 10;
+  ProgressBoard board([&] { return now; });
+  const Progress progress(board, 20);
+  const Progress part = progress.with_part_of_the_time(0.25);
+  const Progress more = progress.with_more_time(5);
+  now = 12.4;
+  EXPECT_FALSE(part.is_out_of_time());
+  now = 12.5;
+  EXPECT_TRUE(part.is_out_of_time());
+  EXPECT_FALSE(progress.is_out_of_time());
+  now = 24;
+  EXPECT_TRUE(progress.is_out_of_time());
+  EXPECT_FALSE(more.is_out_of_time());
+  EXPECT_FALSE(progress.without_limit().is_out_of_time());
+}
+
+TEST(Progress, OutOfTimeNamesTheStage) {
   ProgressBoard board;
-  const Progress whole(board, 1000);
-  const Progress half = whole.with_half_the_time();
-  EXPECT_TRUE(half.is_limited());
-  EXPECT_FALSE(half.is_out_of_time());
-  const Progress soon(board, board.seconds() + 0.2);
-  const Progress sooner = soon.with_half_the_time();
-  std::this_thread::sleep_for(std::chrono::milliseconds(101));
-  EXPECT_TRUE(sooner.is_out_of_time());
+  const Progress progress(board, 0);
+  progress.begin("sawing");
+  try {
+    progress.expect_time();
+    FAIL();
+  } catch (const OutOfTime& cut) {
+    EXPECT_EQ(cut.stage, "sawing");
+  }
+}
+
+TEST(Progress, LoopsLookAtTheClockBeforeEveryPiece) {
+  std::atomic<int> looks = 0;
+  ProgressBoard board([&] { return ++looks <= 5 ? 0.0 : 1.0; });
+  const ThreadLimit alone(1);
+  std::size_t done = 0;
+  const auto count = [&](std::size_t begin, std::size_t end) { done += end - begin; };
+  EXPECT_THROW(parallel_for(1000, 10, Progress(board, 1), count), OutOfTime);
+  EXPECT_LE(done, 50U);
+  EXPECT_GT(done, 0U);
+  parallel_for(1000, 10, Progress(), count);
+  EXPECT_GE(done, 1000U);
+}
+
+TEST(Progress, APaceLooksAtTheClockOnceInAWhile) {
+  int looks = 0;
+  ProgressBoard board([&] { return ++looks <= 3 ? 0.0 : 1.0; });
+  const Progress progress(board, 1);
+  progress.begin("walking", 10000);
+  Pace pace(progress, 10000);
+  std::size_t left = 10000;
+  EXPECT_THROW(while (left > 0) pace.left(--left), OutOfTime);
+  EXPECT_EQ(left, 10000U - 4 * 1024);
+  EXPECT_EQ(board.standing().done, 4 * 1024U);
+}
+
+TEST(Progress, WhatDoesNotFitIsMadeOfLess) {
+  double now = 0;
+  ProgressBoard board([&] { return now; });
+  int work = 64;
+  const auto make = [&](const Progress& progress) {
+    for (int i = 0; i < work; ++i) {
+      progress.expect_time();
+      now += 1;
+    }
+    return work;
+  };
+  std::vector<int> left;
+  const auto leave_out = [&](const std::string&) {
+    left.push_back(work /= 8);
+    return work < 2;
+  };
+  const Progress progress(board, 32);
+  EXPECT_EQ(make_in_time(progress, progress.with_more_time(4), make, leave_out), 1) << "8 do not fit into 2";
+  EXPECT_EQ(left, (std::vector<int>{8, 1}));
 }
 
 TEST(Progress, UndisturbedKeepsOthersFromEndingTheRun) {

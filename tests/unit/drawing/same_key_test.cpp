@@ -22,7 +22,7 @@ TEST(SameKeys, AreThoseThatAMapFinds) {
   std::mutex adding;
   Groups found;
   visit_same_keys(
-      50000, [&](int i) { return keys[i]; },
+      50000, [&](int i) { return keys[i]; }, Progress(),
       [&](std::span<const int> items) {
         const std::lock_guard lock(adding);
         found.emplace_back(items.begin(), items.end());
@@ -38,6 +38,7 @@ TEST(SameKeys, ZerosAreEqual) {
       [](int i) {
         return std::array{i == 1 ? -0.0 : 0.0, i == 2 ? 1.0 : 0.0};
       },
+      Progress(),
       [&](std::span<const int> items) {
         EXPECT_EQ(std::vector<int>(items.begin(), items.end()), (std::vector<int>{0, 1}));
         ++found;

@@ -105,14 +105,16 @@ TEST(Json, SegmentsStandOnLinesOfTheirOwn) {
 
 TEST(Json, PartialDrawingsSayWhatIsMissing) {
   Report report;
-  report.partial = Partial{500, 123, 0.75};
+  report.partial = {{"hiding lines", "writing"}, 500, 123, 0.75, 7};
   const Json json = parse(to_json({1, 1, "", {}}, 1, {}, report));
   EXPECT_EQ(json.keys(), "epura unit sheet partial views report");
-  EXPECT_EQ(json["partial"].keys(), "reason edges undecided searched");
+  EXPECT_EQ(json["partial"].keys(), "reason stages edges undecided searched undrawn");
   EXPECT_EQ(json["partial"]["reason"].text, "time limit");
   EXPECT_EQ(json["partial"]["edges"].number(), 500);
   EXPECT_EQ(json["partial"]["undecided"].number(), 123);
   EXPECT_EQ(json["partial"]["searched"].number(), 0.75);
+  EXPECT_EQ(json["partial"]["stages"].items.at(1).text, "writing");
+  EXPECT_EQ(json["partial"]["undrawn"].number(), 7);
 }
 
 TEST(Json, TimesStandThereOnlyWhenAskedFor) {

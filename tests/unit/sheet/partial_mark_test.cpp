@@ -18,15 +18,16 @@ void expect_inside(const Layer& layer, const Vec2& least, const Vec2& most) {
 TEST(PartialMark, StandsInTheUpperMargin) {
   for (const char* size : {"A4", "A0", "100x100"}) {
     const Paper paper = parse_paper(size, false);
-    const Layer mark = partial_mark(paper);
+    const Layer mark = partial_mark(paper, "hiding lines");
     EXPECT_EQ(mark.name, "sheet/partial");
-    EXPECT_EQ(mark.strokes.size(), 1U + 2 + 2 + 2 + 1 + 2 + 1) << "P A R T I A L";
+    EXPECT_EQ(mark.strokes.size(), 1U + 2 + 2 + 2 + 1 + 2 + 1 + 2 + 3 + 1 + 1 + 1 + 1 + 2 + 1 + 1 + 1 + 2 + 1)
+        << "P A R T I A L : H I D I N G L I N E S";
     expect_inside(mark, {0, paper.height - paper.other}, {paper.width, paper.height});
   }
 }
 
 TEST(PartialMark, OnA4IsSixMillimetresHigh) {
-  const Layer mark = partial_mark(parse_paper("A4", false));
+  const Layer mark = partial_mark(parse_paper("A4", false), "writing");
   EXPECT_EQ(mark.strokes[0].points.front(), Vec2(20, 202));
   EXPECT_EQ(mark.strokes[0].points[1], Vec2(20, 208));
 }
@@ -35,7 +36,7 @@ TEST(PartialMark, ShrinksToNarrowPaper) {
   Paper paper;
   paper.width = 10;
   paper.height = 300;
-  expect_inside(partial_mark(paper), {-0.1, 295}, {10, 300});
+  expect_inside(partial_mark(paper, "drawing centre lines"), {-0.1, 295}, {10, 300});
 }
 
 }  // namespace

@@ -1,7 +1,8 @@
 // What stays undecided when time is over is left out; what is decided is as without a limit.
 #include <gtest/gtest.h>
 
-#include <numeric>
+#include <cmath>
+#include <set>
 
 #include "edges/suspects.hpp"
 #include "shapes.hpp"
@@ -30,12 +31,25 @@ TEST(TimeLimit, WithTimeEnoughNothingChanges) {
   EXPECT_EQ(limited.spans, r.hidden.spans);
 }
 
-TEST(TimeLimit, WithoutTimeNothingIsDecided) {
+TEST(TimeLimit, WithoutTimeForTheGridNothingIsDecided) { EXPECT_THROW(hidden_within(row_of_boxes(), 0), OutOfTime); }
+
+TEST(TimeLimit, TheLongestEdgesAreKept) {
   const Result r = row_of_boxes();
-  const HiddenSpans limited = hidden_within(r, 0);
-  std::vector<int> all(r.drawn.edges.size());
-  std::iota(all.begin(), all.end(), 0);
-  EXPECT_EQ(limited.undecided, all);
+  const auto length = [&](int e) {
+    const PageVertex& p = r.view.vertices[r.drawn.edges[e].vertex[0]];
+    const PageVertex& q = r.view.vertices[r.drawn.edges[e].vertex[1]];
+    return std::hypot(q.x - p.x, q.y - p.y);
+  };
+  const std::vector<int> rest = all_but_longest(r.view, r.drawn.edges, 100);
+  ASSERT_EQ(rest.size(), r.drawn.edges.size() - 100);
+  std::set<int> kept;
+  for (int e = 0; e < static_cast<int>(r.drawn.edges.size()); ++e) kept.insert(e);
+  for (const int e : rest) kept.erase(e);
+  double shortest = HUGE_VAL, longest = 0;
+  for (const int e : kept) shortest = std::min(shortest, length(e));
+  for (const int e : rest) longest = std::max(longest, length(e));
+  EXPECT_GE(shortest, longest);
+  EXPECT_EQ(all_but_longest(r.view, r.drawn.edges, r.drawn.edges.size() + 1), std::vector<int>());
 }
 
 TEST(TimeLimit, TheBoardSeesEveryEdge) {
@@ -50,15 +64,8 @@ TEST(TimeLimit, DecidedEdgesKeepTheirSpans) {
   const Result r = row_of_boxes();
   DrawnEdges drawn = r.drawn;
   HiddenSpans hidden = r.hidden;
-  // As if every third edge had not been reached: it has no spans.
-  hidden.spans.clear();
-  for (std::size_t e = 0; e < drawn.edges.size(); ++e) {
-    if (e % 3 == 0)
-      hidden.undecided.push_back(static_cast<int>(e));
-    else
-      for (std::size_t i = r.hidden.first[e]; i < r.hidden.first[e + 1]; ++i) hidden.spans.push_back(r.hidden.spans[i]);
-    hidden.first[e + 1] = hidden.spans.size();
-  }
+  // As if every third edge had to be left out: its spans go with it.
+  for (std::size_t e = 0; e < drawn.edges.size(); e += 3) hidden.undecided.push_back(static_cast<int>(e));
   keep_decided(drawn, hidden);
   EXPECT_TRUE(hidden.undecided.empty());
   ASSERT_EQ(hidden.first.size(), drawn.edges.size() + 1);

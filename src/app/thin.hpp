@@ -1,0 +1,14 @@
+// Finished sheets with fewer lines, for want of time to write all of them.
+#pragma once
+
+#include <span>
+
+#include "app/targets.hpp"
+
+namespace epura {
+
+/// Keeps the longest lines of the views, on the sheets and beside them, and notes in `partial` how many go. Says
+/// whether so few are left that they take no time.
+bool keep_longest_lines(std::span<FinishedSheet> sheets, Partial& partial);
+
+}  // namespace epura

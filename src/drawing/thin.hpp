@@ -1,0 +1,13 @@
+// A drawing of fewer lines, for want of time.
+#pragma once
+
+#include <cstddef>
+
+#include "drawing/drawing.hpp"
+
+namespace epura {
+
+/// Keeps the `count` longest chains and the segments that are in them, in their order. Returns how many segments go.
+std::size_t keep_longest_chains(Drawing& drawing, std::size_t count);
+
+}  // namespace epura

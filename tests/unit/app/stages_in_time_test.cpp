@@ -1,0 +1,183 @@
+// Time is over in each stage in turn, by a clock that strikes there: what is drawn then is marked and right, and no
+// stage goes on for long without a look at the clock.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <mutex>
+#include <set>
+
+#include "../output/json_reader.hpp"
+#include "app/command_line.hpp"
+#include "app/draw_files.hpp"
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/text.hpp"
+#include "errors.hpp"
+#include "long_model.hpp"
+#include "program.hpp"
+
+namespace epura::test {
+namespace {
+
+constexpr double limit = 1;  // seconds
+
+struct Drawn {
+  std::vector<std::string> stages;  ///< that were cut
+  std::string error;                ///< what ended it
+  Trouble trouble{};
+  std::map<std::string, int> looks;  ///< at the clock, by stage
+};
+
+// The clock stands still until the stage that is to be cut looks at it; then the limit is reached.
+Drawn draw_struck_at(const std::string& stage, std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), {"epura", "draw"});
+  std::vector<char*> pointers;
+  for (std::string& argument : arguments) pointers.push_back(argument.data());
+  const Command command = parse_command_line(static_cast<int>(pointers.size()), pointers.data());
+  Drawn run;
+  std::mutex mutex;
+  bool struck = false;
+  ProgressBoard board([&] {
+    const std::string now = board.standing().stage;
+    const std::lock_guard lock(mutex);
+    ++run.looks[now];
+    struck = struck || now == stage;
+    return struck ? limit : 0;
+  });
+  const Messages silent{[](const std::string&) {}, [](std::string_view) {}};
+  try {
+    run.stages = draw_files(std::get<DrawOptions>(command), silent, Progress(board, limit)).report.partial.stages;
+  } catch (const Error& error) {
+    run.error = error.what();
+    run.trouble = error.trouble();
+  }
+  return run;
+}
+
+std::set<std::string> segments_of(const std::string& json) {
+  std::set<std::string> lines;
+  for (std::string_view line : split(json, '\n'))
+    if (line.starts_with("    {\"from\"")) lines.emplace(line.substr(0, line.find("}", line.find("\"t\""))));
+  return lines;
+}
+
+class BeforeAnyLine : public testing::TestWithParam<const char*> {};
+
+TEST_P(BeforeAnyLine, NothingIsWrittenAndTheStageIsNamed) {
+  const Folder folder;
+  const std::string old = folder.file("x.svg", "old");
+  const Drawn run = draw_struck_at(
+      GetParam(), {(root() / "samples/scenes/bracket.toml").string(), "-o", old, "-o", (folder / "x.json").string()});
+  EXPECT_EQ(run.trouble, Trouble::time);
+  EXPECT_TRUE(contains(run.error, "'" + std::string(GetParam()) + "'")) << run.error;
+  EXPECT_TRUE(contains(run.error, "nothing was written")) << run.error;
+  EXPECT_EQ(folder.names().size(), 1U);
+  EXPECT_EQ(read_file(old), "old");
+}
+
+INSTANTIATE_TEST_SUITE_P(Stages, BeforeAnyLine,
+                         testing::Values("reading", "cutting sections", "mapping", "finding edges"));
+
+class StageOfLines : public testing::TestWithParam<const char*> {};
+
+TEST_P(StageOfLines, WhatIsShownIsAPartOfTheWholeDrawing) {
+  const Folder folder;
+  const std::string model = folder.file("tangle.obj", tangle(400));
+  const std::string json = (folder / "x.json").string(), svg = (folder / "x.svg").string();
+  const std::vector<std::string> arguments{model, "-o", json, "-o", svg, "--arcs"};
+  EXPECT_EQ(draw_struck_at("", arguments).stages, std::vector<std::string>());
+  const std::set<std::string> whole = segments_of(read_file(json));
+  const std::string whole_svg = read_file(svg);
+  EXPECT_FALSE(contains(whole_svg, "sheet-partial"));
+
+  const Drawn run = draw_struck_at(GetParam(), arguments);
+  EXPECT_EQ(run.error, "");
+  ASSERT_FALSE(run.stages.empty());
+  EXPECT_EQ(run.stages.front(), GetParam());
+  EXPECT_TRUE(contains(read_file(svg), "id=\"sheet-partial\""));
+  EXPECT_LT(read_file(svg).size(), whole_svg.size());
+  EXPECT_EQ(JsonReader(read_file(json)).read()["partial"]["stages"].items.at(0).text, GetParam());
+  const std::set<std::string> shown = segments_of(read_file(json));
+  EXPECT_FALSE(shown.empty());
+  EXPECT_LT(shown.size(), whole.size());
+  for (const std::string& segment : shown) EXPECT_TRUE(whole.contains(segment)) << segment;
+}
+
+INSTANTIATE_TEST_SUITE_P(Stages, StageOfLines,
+                         testing::Values("finding intersections", "finding what may hide lines", "hiding lines",
+                                         "merging lines", "joining lines", "finding arcs", "fitting dashes",
+                                         "writing"));
+
+class StageBesideLines : public testing::TestWithParam<const char*> {};
+
+// Hatching, dimensions, tests and answers that there is no time for are left out; no line is.
+TEST_P(StageBesideLines, IsLeftOut) {
+  const Folder folder;
+  const std::string json = (folder / "x.json").string(), pdf = (folder / "x.pdf").string();
+  const Drawn run = draw_struck_at(GetParam(), {(root() / "samples/scenes/bracket.toml").string(), "-o", json, "-o",
+                                                pdf, "--centre-lines", "--verify", "--dump", "edges"});
+  EXPECT_EQ(run.error, "");
+  ASSERT_FALSE(run.stages.empty());
+  EXPECT_EQ(run.stages.front(), GetParam());
+  EXPECT_FALSE(segments_of(read_file(json)).empty());
+  EXPECT_TRUE(read_file(pdf).starts_with("%PDF"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Stages, StageBesideLines,
+                         testing::Values("verifying", "finding circles", "answering", "placing dimensions", "hatching",
+                                         "drawing centre lines"));
+
+TEST(StagesInTime, EveryFormatIsWholeWhenWritingIsCut) {
+  const Folder folder;
+  const std::string model = folder.file("tangle.obj", tangle(200));
+  for (const char* name : {"x.svg", "x.pdf", "x.ps", "x.eps", "x.png", "x.dxf"}) {
+    const std::string path = (folder / name).string();
+    draw_struck_at("", {model, "-o", path, "--dpi", "50"});
+    const std::size_t whole = read_file(path).size();
+    const Drawn run = draw_struck_at("writing", {model, "-o", path, "--dpi", "50"});
+    EXPECT_EQ(run.stages, std::vector<std::string>{"writing"}) << name;
+    EXPECT_NE(read_file(path).size(), whole) << name;
+    EXPECT_GT(read_file(path).size(), 1000U) << name;
+  }
+}
+
+// Four times the triangles: at least twice the looks, where a stage looks once for each of its pieces.
+TEST(StagesInTime, BetweenTwoLooksLiesABoundedAmountOfWork) {
+  const Folder folder;
+  const auto looks = [&](int triangles) {
+    const std::string model = folder.file("tangle.obj", tangle(triangles));
+    return draw_struck_at("", {model, "-o", (folder / "x.json").string(), "-o", (folder / "x.svg").string(), "--arcs",
+                               "--dump", "edges"})
+        .looks;
+  };
+  const std::map<std::string, int> few = looks(200), many = looks(800);
+  for (const char* stage : {"finding intersections", "hiding lines", "merging lines", "joining lines", "finding arcs",
+                            "fitting dashes", "answering", "writing"})
+    EXPECT_GE(many.at(stage), 2 * few.at(stage)) << stage;
+}
+
+TEST(StagesInTime, ReadingLooksAtTheClockAlongTheFile) {
+  const Folder folder;
+  std::string stl = "solid s\n", ply = "ply\nformat ascii 1.0\nelement vertex 60000\n", off = "OFF\n60000 20000 0\n";
+  ply += "property double x\nproperty double y\nproperty double z\nelement face 20000\n";
+  ply += "property list uchar int vertex_indices\nend_header\n";
+  std::string vertices, faces;
+  for (int f = 0; f < 20000; ++f) {
+    const std::string at = std::to_string(f);
+    stl += "facet normal 0 0 1\nouter loop\nvertex " + at + " 0 0\nvertex " + at + " 1 0\nvertex 0 0 " + at +
+           "\nendloop\nendfacet\n";
+    vertices += at + " 0 0\n" + at + " 1 0\n0 0 " + at + "\n";
+    faces += "3 " + std::to_string(3 * f) + " " + std::to_string(3 * f + 1) + " " + std::to_string(3 * f + 2) + "\n";
+  }
+  const std::map<std::string, std::string> files{
+      {"m.stl", stl + "endsolid\n"}, {"m.ply", ply + vertices + faces}, {"m.off", off + vertices + faces}};
+  for (const auto& [name, text] : files) {
+    const std::string model = folder.file(name, text);
+    const Drawn run = draw_struck_at("", {model, "-o", (folder / "x.svg").string(), "--edges", "contour"});
+    EXPECT_EQ(run.error, "");
+    EXPECT_GE(run.looks.at("reading"), 60) << name;
+  }
+}
+
+}  // namespace
+}  // namespace epura::test
