@@ -140,12 +140,20 @@ HiddenSpans hide(const World& world, const View& view, DrawnEdges& drawn, const 
       return find_hidden(world, view, drawn, contact, method, scale, progress);
     };
     const auto leave_out = [&](const std::string& stage) {
+      if (drawn.edges.size() <= few_lines) throw OutOfTime{stage};  // faces take the time: fewer lines will not help
       hidden = nothing_hidden(drawn);
-      return keep_longest(view, drawn, hidden, stage, budget.partial);
+      keep_longest(view, drawn, hidden, stage, budget.partial);
+      return false;
     };
-    hidden = timed(step.times.stage, [&] {
-      return make_in_time(budget.lines.with_part_of_the_time(part_for_hiding), budget.last(), make, leave_out);
-    });
+    try {
+      hidden = timed(step.times.stage, [&] {
+        return make_in_time(budget.lines.with_part_of_the_time(part_for_hiding), budget.last(), make, leave_out);
+      });
+    } catch (const OutOfTime& cut) {
+      budget.partial.add_stage(cut.stage);
+      hidden = nothing_hidden(drawn);
+      hidden.undecided = all_but_longest(view, drawn.edges, 0);
+    }
   }
   if (!hidden.undecided.empty()) budget.partial.add_stage("hiding lines");
   budget.partial.undecided += count_of(hidden.undecided.size());

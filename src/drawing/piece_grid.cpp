@@ -47,9 +47,10 @@ PieceGrid::PieceGrid(const std::vector<Piece>& pieces, double tolerance, float s
 
 void PieceGrid::fill(const Progress& progress) {
   members_ = Groups<Member>(static_cast<std::size_t>(grid_.count()), [&](const auto& add) {
-    parallel_for(pieces_.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
+    parallel_for(pieces_.size(), grain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         const Piece& piece = pieces_[i];
+        progress.expect_time();
         const Direction direction(piece);
         visit_cells(grid_, piece.from, piece.to, tolerance_, [&](int cell, double, double) {
           const Vec2 d = piece.from - grid_.middle(cell);
@@ -59,8 +60,11 @@ void PieceGrid::fill(const Progress& progress) {
       }
     });
   });
-  parallel_for(cells(), grain, progress, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t cell = begin; cell < end; ++cell) sort_cell(members_[cell]);
+  parallel_for(cells(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t cell = begin; cell < end; ++cell) {
+      progress.expect_time();
+      sort_cell(members_[cell]);
+    }
   });
 }
 
@@ -116,9 +120,11 @@ bool PieceGrid::has_many_pairs(std::size_t cell) const {
 
 void PieceGrid::find_crowds(const Progress& progress) {
   std::vector<char> crowded(cells(), 0);
-  parallel_for(cells(), grain, progress, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t cell = begin; cell < end; ++cell)
+  parallel_for(cells(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t cell = begin; cell < end; ++cell) {
+      progress.expect_time();
       crowded[cell] = members_[cell].size() > crowd && has_many_pairs(cell) ? 1 : 0;
+    }
   });
   if (std::find(crowded.begin(), crowded.end(), 1) == crowded.end()) return;
   crowded_ = std::move(crowded);

@@ -167,8 +167,9 @@ void OccluderGrid::find_covers(const Content& content, Level& level) const {
   const CellGrid& grid = level.grid;
   level.cover.assign(static_cast<std::size_t>(grid.count()), -HUGE_VAL);
   const Vec2 slack = cover_slack(grid);
-  parallel_for(content.triangles.size(), chunk, progress_, [&](std::size_t begin, std::size_t end) {
+  parallel_for(content.triangles.size(), chunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
+      progress_.expect_time();  // a large one lies over very many cells
       const ViewTriangle& triangle = view_.triangles[content.triangles[i]];
       const TriangleOnGrid on_grid(grid, corners(triangle), slack);
       if (!on_grid.may_hold_cells()) continue;
@@ -186,8 +187,9 @@ void OccluderGrid::find_covers(const Content& content, Level& level) const {
 OccluderGrid::CellLoad OccluderGrid::find_load(const Content& content, const Level& level) const {
   const auto count = static_cast<std::size_t>(level.grid.count());
   CellLoad load{std::vector<double>(count, HUGE_VAL), std::vector<int>(count, 0)};
-  parallel_for(content.pieces.size(), chunk, progress_, [&](std::size_t begin, std::size_t end) {
+  parallel_for(content.pieces.size(), chunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
+      progress_.expect_time();
       const Piece& piece = content.pieces[i];
       const Sightline line = sightline(piece);
       visit_cells(level.grid, place(line, piece.from), place(line, piece.to), margin(),
@@ -225,14 +227,18 @@ void OccluderGrid::find_candidates(const Content& content, const CellLoad& load,
   // Of smooth models, most triangles are candidates nowhere: the second time they are passed by.
   std::vector<char> may_hide(content.triangles.size(), 1);
   level.candidates = Groups<Candidate>(static_cast<std::size_t>(grid.count()), [&](const auto& add) {
-    parallel_for(content.triangles.size(), chunk, progress_, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
+    parallel_for(content.triangles.size(), chunk, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        progress_.expect_time();
         if (may_hide[i] != 0) may_hide[i] = add_cells(content.triangles[i], add) ? 1 : 0;
+      }
     });
   });
-  parallel_for(level.candidates.size(), chunk, progress_, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t cell = begin; cell < end; ++cell)
+  parallel_for(level.candidates.size(), chunk, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t cell = begin; cell < end; ++cell) {
+      progress_.expect_time();
       std::sort(level.candidates[cell].begin(), level.candidates[cell].end());
+    }
   });
 }
 
@@ -240,10 +246,11 @@ void OccluderGrid::find_candidates(const Content& content, const CellLoad& load,
 bool OccluderGrid::cover_by_sheets(const CellLoad& load, Level& level) const {
   const CellGrid& grid = level.grid;
   std::atomic<bool> any = false;
-  parallel_for(static_cast<std::size_t>(grid.count()), 64, progress_, [&](std::size_t begin, std::size_t end) {
+  parallel_for(static_cast<std::size_t>(grid.count()), 64, [&](std::size_t begin, std::size_t end) {
     for (std::size_t cell = begin; cell < end; ++cell) {
       const int number = static_cast<int>(cell);
       if (pairs_in(level, load, number) <= most_pairs) continue;
+      progress_.expect_time();
       SheetCover sheets(view_, {grid.middle(number), grid.side / 2.0 + cover_slack(grid)}, contact_);
       for (const Candidate& candidate : level.candidates[cell])
         if (sheets.add(view_.triangles[candidate.triangle()])) break;
@@ -280,6 +287,7 @@ std::vector<OccluderGrid::Content> OccluderGrid::contents_of_full_cells(const Co
   }
   if (parts.empty()) return parts;
   for (const Piece& piece : content.pieces) {
+    progress_.expect_time();
     const Sightline line = sightline(piece);
     visit_cells(grid, place(line, piece.from), place(line, piece.to), margin(), [&](int cell, double s, double t) {
       const double from = piece.from + s * (piece.to - piece.from);
