@@ -39,8 +39,8 @@ TEST(Files, DevicesAreNoFiles) {
 TEST(Files, MoreThanIsWantedIsNotRead) {
   const Folder folder;
   const std::string path = folder.file("a", std::string(3'000'000, 'a'));
-  EXPECT_EQ(read_file(path, 3'000'000).size(), 3'000'000U);
-  EXPECT_TRUE(contains(error_of([&] { read_file(path, 2'999'999); }).what(), "has more than 2 MB"));
+  EXPECT_EQ(read_file(path, {}, 3'000'000).size(), 3'000'000U);
+  EXPECT_TRUE(contains(error_of([&] { read_file(path, {}, 2'999'999); }).what(), "has more than 2 MB"));
 }
 
 TEST(Files, APipeWithoutEndIsRefused) {
@@ -52,7 +52,7 @@ TEST(Files, APipeWithoutEndIsRefused) {
     std::ofstream pipe(path);
     while (pipe) pipe << "endless\n";
   });
-  EXPECT_TRUE(contains(error_of([&] { read_file(path, 5'000'000); }).what(), "has more than 5 MB"));
+  EXPECT_TRUE(contains(error_of([&] { read_file(path, {}, 5'000'000); }).what(), "has more than 5 MB"));
   writer.join();
   std::signal(SIGPIPE, before);
 }
