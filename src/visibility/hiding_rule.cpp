@@ -32,8 +32,10 @@ struct GridCrossing {
   double slack;  // how far rounding to the grid may have moved the numerator
 
   [[nodiscard]] double t() const { return static_cast<double>(numerator) / static_cast<double>(denominator); }
+  // Far beyond an end of the edge, the denominator's rounding counts as many times.
   [[nodiscard]] bool confirms(double other) const {
-    return std::abs(other * static_cast<double>(denominator) - static_cast<double>(numerator)) <= slack;
+    return std::abs(other * static_cast<double>(denominator) - static_cast<double>(numerator)) <=
+           slack * std::max(1.0, std::abs(other));
   }
 };
 

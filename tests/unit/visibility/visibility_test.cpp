@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "shapes.hpp"
 
@@ -99,6 +100,20 @@ TEST(Contact, OfSinglePrecisionModelsIsTheirRounding) {
   EXPECT_EQ(contact_of(world, view, std::nullopt).touching, 0x1p-22 * view.map.shrink);
   EXPECT_LT(fine, 0x1p-25 * view.map.shrink);
   EXPECT_EQ(contact_in_space(world, view, std::nullopt), 0x1p-22 * view.map.shrink);
+}
+
+// Their lines cross its sides many lengths away, nearly in parallel.
+TEST(Hidden, ShortLinesInALargeFaceAreNotHidden) {
+  const World world =
+      world_of(Shape{{{-13.497063, 58.462204, 0}, {0, 900, 0}, {-394.534032, 808.914642, 0}}, {{0, 1, 2}}, {}});
+  std::mt19937 random(1);
+  const auto any = [&](double from, double to) { return from + (to - from) * static_cast<double>(random()) / 0x1p32; };
+  for (int i = 0; i < 2000; ++i) {
+    const double a = any(0, 0.8), b = any(0, 0.8 - a), angle = any(0, 2 * M_PI), length = std::pow(10, any(-3, 1));
+    const Vec3 from(-13.497063 + a * 13.497063 - b * 381.036969, 58.462204 + a * 841.537796 + b * 750.452438, 0);
+    const Vec3 to = from + length * Vec3(std::cos(angle), std::sin(angle), 0);
+    EXPECT_EQ(hidden_of_line(world, orthographic({1, -1, 1}), from, to), Spans()) << i;
+  }
 }
 
 }  // namespace
