@@ -186,23 +186,6 @@ PlanStep section_step(const CutSection& section) {
           count_of(section.cut.faces.size())};
 }
 
-std::optional<Verification> verify_view(const World& world, const View& view, const ViewWish& wish,
-                                        const DrawnEdges& drawn, const HiddenSpans& hidden, const Contact& contact,
-                                        const Drawing& drawing, const PaperMap& paper, bool complete,
-                                        const Progress& progress) {
-  if (!wish.verify) return std::nullopt;
-  progress.begin("verifying");
-  const Tolerance tolerance{view.extent * paper.scale, contact.touching * paper.scale};
-  const Claim claim{world, view.projection, wish.limits, drawn, hidden, drawing};
-  Verification found = verify(claim, tolerance, *wish.verify, wish.keep_hidden(), progress);
-  // A window that is given cuts lines off; otherwise it is the box of what is seen, and lines lie on its border.
-  const double margin = view.window_given ? 0 : 0.01 * view.extent;
-  const auto place = [&](const Vec2& corner) { return paper.origin + paper.scale * (corner - view.middle); };
-  const Window window{place(view.window.least - margin), place(view.window.most + margin)};
-  found.outline = verify_outline(claim, tolerance, {wish.edges, *wish.verify, complete, window, progress});
-  return found;
-}
-
 struct ViewInWork {
   const World& world;
   const View& view;
@@ -212,6 +195,24 @@ struct ViewInWork {
   const Contact& contact;
   const PaperMap& paper;
 };
+
+std::optional<Verification> verify_view(const ViewInWork& work, const Drawing& drawing, bool complete,
+                                        const Progress& progress) {
+  const auto& [world, view, wish, drawn, hidden, contact, paper] = work;
+  if (!wish.verify) return std::nullopt;
+  progress.begin("verifying");
+  const Tolerance tolerance{view.extent * paper.scale, contact.touching * paper.scale};
+  const Claim claim{world, view.projection, wish.limits, drawn, hidden, drawing};
+  Verification found = verify(claim, tolerance, *wish.verify, wish.keep_hidden(), progress);
+  // A window that is given cuts lines off; otherwise it is the box of what is seen, and lines lie on its border.
+  const double margin = view.window_given ? 0 : 0.01 * view.extent;
+  const auto place = [&on_paper = paper, &seen = view](const Vec2& corner) {
+    return on_paper.origin + on_paper.scale * (corner - seen.middle);
+  };
+  const Window window{place(view.window.least - margin), place(view.window.most + margin)};
+  found.outline = verify_outline(claim, tolerance, {wish.edges, *wish.verify, complete, window, progress});
+  return found;
+}
 
 struct DrawnLines {
   Drawing drawing;
@@ -265,15 +266,14 @@ ViewResult draw_view(const World& world, const CutSection* section, View view, c
   std::for_each(plan.begin() + first_step, plan.end(), [&](PlanStep& step) { step.view = wish.name; });
   watch.lap("visibility");
 
-  DrawnLines lines = draw_lines({world, view, wish, drawn, hidden, contact, paper}, budget);
+  const ViewInWork work{world, view, wish, drawn, hidden, contact, paper};
+  DrawnLines lines = draw_lines(work, budget);
   Drawing& drawing = lines.drawing;
   if (section != nullptr) drawing.cut_faces = cut_faces_on_paper(section->cut.faces, section->plane, view, paper);
   watch.lap("drawing");
   drawing.scale = place.scale;
-  auto verification = budget.or_nothing([&](const Progress& progress) {
-    return verify_view(world, view, wish, drawn, hidden, contact, drawing, paper, budget.partial.stages.empty(),
-                       progress);
-  });
+  auto verification = budget.or_nothing(
+      [&](const Progress& progress) { return verify_view(work, drawing, partial.stages.empty(), progress); });
   if (wish.verify) watch.lap("verify");
   auto circles = budget.or_nothing([&](const Progress& progress) {
     return wish.centre_lines ? find_placed_circles(world, wish.edges.crease_angle, progress)
