@@ -108,8 +108,7 @@ Sightline OccluderGrid::sightline(const Piece& piece) const {
 
 OccluderGrid::Content OccluderGrid::whole_page() const {
   Content content{{}, copies_.others(), HUGE_VAL, 0};
-  content.pieces.reserve(edges_.size());
-  for (std::size_t e = 0; e < edges_.size(); ++e) content.pieces.push_back({static_cast<int>(e), 0, 1});
+  for (const int e : copies_.other_edges(view_, edges_, progress_)) content.pieces.push_back({e, 0, 1});
   return content;
 }
 

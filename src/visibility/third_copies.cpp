@@ -18,6 +18,14 @@ std::array<double, 10> key_of(const View& view, int triangle) {
   return {u.x, u.y, u.depth, v.x, v.y, v.depth, w.x, w.y, w.depth, static_cast<double>(order)};
 }
 
+std::vector<int> unmarked(const std::vector<char>& marks) {
+  std::vector<int> numbers;
+  numbers.reserve(marks.size());
+  for (std::size_t i = 0; i < marks.size(); ++i)
+    if (marks[i] == 0) numbers.push_back(static_cast<int>(i));
+  return numbers;
+}
+
 }  // namespace
 
 ThirdCopies::ThirdCopies(const World& world, const View& view, const Progress& progress)
@@ -33,12 +41,16 @@ ThirdCopies::ThirdCopies(const World& world, const View& view, const Progress& p
   });
 }
 
-std::vector<int> ThirdCopies::others() const {
-  std::vector<int> others;
-  others.reserve(is_third_.size());
-  for (std::size_t t = 0; t < is_third_.size(); ++t)
-    if (is_third_[t] == 0) others.push_back(static_cast<int>(t));
-  return others;
+std::vector<int> ThirdCopies::others() const { return unmarked(is_third_); }
+
+std::vector<int> ThirdCopies::other_edges(const View& view, const std::vector<DrawnEdge>& edges,
+                                          const Progress& progress) const {
+  if (at_.size() == 0) return unmarked(std::vector<char>(edges.size(), 0));
+  const auto key = [&](int e) {
+    const PageVertex &p = view.vertices[edges[e].vertex[0]], &q = view.vertices[edges[e].vertex[1]];
+    return std::array{p.x, p.y, p.depth, q.x, q.y, q.depth};
+  };
+  return unmarked(mark_third_copies(static_cast<int>(edges.size()), key, progress));
 }
 
 }  // namespace epura

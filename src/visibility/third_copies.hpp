@@ -6,6 +6,7 @@
 
 #include "base/groups.hpp"
 #include "base/progress.hpp"
+#include "edges/drawn_edges.hpp"
 #include "scene/scene.hpp"
 #include "view/view.hpp"
 
@@ -21,6 +22,10 @@ class ThirdCopies {
 
   /// Of the view, ascending: all triangles but those.
   [[nodiscard]] std::vector<int> others() const;
+
+  /// The same of edges, which run through the same cells as their copies. Throws OutOfTime.
+  [[nodiscard]] std::vector<int> other_edges(const View& view, const std::vector<DrawnEdge>& edges,
+                                             const Progress& progress) const;
 
   /// Those that have this vertex of the view as a corner, ascending.
   [[nodiscard]] std::span<const int> around(int vertex) const {

@@ -35,6 +35,7 @@ TEST(ThirdCopies, AreFoundAroundTheirCorners) {
   const Result r = draw(world_of(std::vector<Shape>(4, box({0, 0, 0}, {1, 2, 3}))), from_above());
   const ThirdCopies copies(r.world, r.view, {});
   EXPECT_EQ(copies.others().size(), 2U * 12);
+  EXPECT_EQ(copies.other_edges(r.view, r.drawn.edges, {}).size(), r.drawn.edges.size() / 2);
   for (int v = 0; v < 4 * 8; ++v) {
     std::vector<int> expected;
     for (int t = 2 * 12; t < 4 * 12; ++t) {
