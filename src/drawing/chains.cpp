@@ -8,7 +8,7 @@
 #include <tuple>
 #include <utility>
 
-#include "drawing/same_key.hpp"
+#include "base/same_key.hpp"
 
 namespace epura {
 

@@ -7,8 +7,8 @@
 #include <span>
 #include <utility>
 
+#include "base/same_key.hpp"
 #include "drawing/covers.hpp"
-#include "drawing/same_key.hpp"
 
 namespace epura {
 

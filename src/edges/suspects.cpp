@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <functional>
 #include <numeric>
 #include <utility>
 
 #include "base/parallel.hpp"
+#include "base/same_key.hpp"
 #include "edges/convex_bodies.hpp"
 #include "edges/intersections.hpp"
 #include "edges/triangle_tree.hpp"
@@ -69,29 +69,16 @@ Corners corners_of(const World& world, int triangle) {
   return corners;
 }
 
-std::size_t hash_of(const Corners& corners) {
-  std::size_t hash = 0;
-  for (const double x : corners) hash = (hash ^ std::hash<double>()(x)) * 0x9e3779b97f4a7c15;
-  return hash;
-}
-
 // Parts in one place cross other parts there alike. Two stay, since a face crosses a copy where it does not cross its
 // own neighbour. What the others would add are copies of lines that come before them, and so are not drawn.
-void drop_third_copies(const World& world, std::vector<int>& triangles) {
+void drop_third_copies(const World& world, const Progress& progress, std::vector<int>& triangles) {
   if (world.models.size() < 3) return;  // no mesh has a triangle twice
-  std::vector<std::pair<std::size_t, int>> keys;
-  keys.reserve(triangles.size());
-  for (const int t : triangles) keys.emplace_back(hash_of(corners_of(world, t)), t);
-  parallel_sort(keys.begin(), keys.end());
-  std::vector<int> kept;
-  for (auto begin = keys.begin(); begin != keys.end();) {
-    const Corners first = corners_of(world, begin->second);
-    int copies = 0;
-    for (const std::size_t hash = begin->first; begin != keys.end() && begin->first == hash; ++begin)
-      if (corners_of(world, begin->second) != first || ++copies <= 2) kept.push_back(begin->second);
-  }
-  std::sort(kept.begin(), kept.end());
-  triangles = std::move(kept);
+  const std::vector<char> is_third = mark_third_copies(
+      static_cast<int>(triangles.size()), [&](int i) { return corners_of(world, triangles[i]); }, progress);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    if (is_third[i] == 0) triangles[kept++] = triangles[i];
+  triangles.resize(kept);
 }
 
 }  // namespace
@@ -106,7 +93,7 @@ std::vector<int> crossing_suspects(const World& world, double shrink, double con
   std::vector<int> suspects;
   for (int t = 0; t < static_cast<int>(world.triangles.size()); ++t)
     if (apart[bodies.of_triangle[t]] == 0) suspects.push_back(t);
-  drop_third_copies(world, suspects);
+  drop_third_copies(world, progress, suspects);
   return suspects;
 }
 

@@ -8,6 +8,8 @@ EdgeHider::EdgeHider(const View& view, const Contact& contact, const OccluderGri
                      const OwnTriangles& own, int most_tries)
     : view_(view), contact_(contact), occluders_(occluders), line_(line), own_(own), most_tries_(most_tries) {
   tried_.fill(-1);
+  for (const int end : {line.p, line.q})
+    for (const int triangle : occluders.copies_around(end)) hide_by(triangle);
 }
 
 void EdgeHider::hide(const Stretch& stretch) {

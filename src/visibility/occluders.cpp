@@ -5,7 +5,6 @@
 #include <atomic>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <utility>
 
 #include "base/parallel.hpp"
@@ -69,13 +68,14 @@ double greatest_depth(const View& view) {
 
 }  // namespace
 
-OccluderGrid::OccluderGrid(const View& view, const std::vector<DrawnEdge>& edges, const Contact& contact,
-                           const Progress& progress)
+OccluderGrid::OccluderGrid(const World& world, const View& view, const std::vector<DrawnEdge>& edges,
+                           const Contact& contact, const Progress& progress)
     : view_(view),
       edges_(edges),
       contact_(contact),
       progress_(progress),
       front_(greatest_depth(view)),
+      copies_(world, view, progress),
       top_(make_level(whole_page(), 0)) {}
 
 Vec2 OccluderGrid::cover_slack(const CellGrid& grid) const { return 2 * margin() + cell_slack * grid.side; }
@@ -107,11 +107,8 @@ Sightline OccluderGrid::sightline(const Piece& piece) const {
 }
 
 OccluderGrid::Content OccluderGrid::whole_page() const {
-  Content content{{}, {}, HUGE_VAL, 0};
-  content.pieces.reserve(edges_.size());
-  for (std::size_t e = 0; e < edges_.size(); ++e) content.pieces.push_back({static_cast<int>(e), 0, 1});
-  content.triangles.resize(view_.triangles.size());
-  std::iota(content.triangles.begin(), content.triangles.end(), 0);
+  Content content{{}, copies_.others(), HUGE_VAL, 0};
+  for (const int e : copies_.other_edges(view_, edges_, progress_)) content.pieces.push_back({e, 0, 1});
   return content;
 }
 

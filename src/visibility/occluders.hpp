@@ -13,6 +13,7 @@
 #include "visibility/choose_grid.hpp"
 #include "visibility/hiding_rule.hpp"
 #include "visibility/line_cells.hpp"
+#include "visibility/third_copies.hpp"
 
 namespace epura {
 
@@ -48,7 +49,7 @@ struct Stretch {
 class OccluderGrid {
  public:
   /// Throws OutOfTime.
-  OccluderGrid(const View& view, const std::vector<DrawnEdge>& edges, const Contact& contact,
+  OccluderGrid(const World& world, const View& view, const std::vector<DrawnEdge>& edges, const Contact& contact,
                const Progress& progress = {});
 
   /// Calls `visit(Stretch)` for the cells along an edge; together the stretches cover the whole edge.
@@ -56,6 +57,9 @@ class OccluderGrid {
   void along(const Sightline& edge, Visit visit) const {
     along(top_, edge, 0, 1, visit);
   }
+
+  /// What may hide an edge that begins or ends at this vertex, too, but is no candidate anywhere.
+  [[nodiscard]] std::span<const int> copies_around(int vertex) const { return copies_.around(vertex); }
 
   /// Least and greatest depth of an edge between two page parameters.
   [[nodiscard]] std::array<double, 2> depths(const Sightline& edge, double from, double to) const {
@@ -141,6 +145,7 @@ class OccluderGrid {
   Contact contact_;
   Progress progress_;
   double front_;  ///< greatest depth of all
+  ThirdCopies copies_;
   Level top_;
 };
 

@@ -34,6 +34,9 @@ class Lookup {
   }
 
   [[nodiscard]] bool is_hidden(double s) const {
+    for (const int end : {line_.p, line_.q})
+      for (const int triangle : occluders_.copies_around(end))
+        if (is_hidden_by(triangle, s)) return true;
     const Stretch& stretch = stretch_at(s);
     const double depth = occluders_.depths(line_, s, s)[0];
     if (depth < stretch.cover) return true;
@@ -136,7 +139,7 @@ HiddenSpans find_hidden_by_samples(const World& world, const View& view, const D
                                    const Contact& contact, const Sampling& sampling, Progress progress) {
   require_few_points(view, drawn, sampling.density);
   progress.begin("hiding lines", drawn.edges.size());
-  const OccluderGrid occluders(view, drawn.edges, contact);
+  const OccluderGrid occluders(world, view, drawn.edges, contact);
   std::vector<Spans> found(drawn.edges.size());
   parallel_for(drawn.edges.size(), chunk, [&](std::size_t first, std::size_t last) {
     for (std::size_t e = first; e < last; ++e) {

@@ -116,7 +116,7 @@ HiddenSpans find_hidden(const World& world, const View& view, const DrawnEdges& 
                         Progress progress) {
   const std::size_t count = drawn.edges.size();
   progress.begin("finding what may hide lines");
-  const OccluderGrid occluders(view, drawn.edges, contact, progress);
+  const OccluderGrid occluders(world, view, drawn.edges, contact, progress);
   progress.begin("hiding lines", count);
   const Hider hider{world, view, contact, occluders, drawn};
   const std::vector<int> order = work_order(view, drawn.edges, progress);

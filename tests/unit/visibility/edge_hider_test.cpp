@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "shapes.hpp"
 
 namespace epura::test {
@@ -19,7 +21,7 @@ World stack(int plates) {
 
 double tries_of_an_edge(const World& world, const Projection& projection) {
   const Result r = draw(world, projection);
-  const OccluderGrid occluders(r.view, r.drawn.edges, r.contact);
+  const OccluderGrid occluders(r.world, r.view, r.drawn.edges, r.contact);
   long tries = 0;
   for (const DrawnEdge& edge : r.drawn.edges) {
     const Sightline line{edge.vertex[0], edge.vertex[1]};
@@ -50,6 +52,21 @@ TEST(EdgeHider, TriesFewTrianglesOfEqualPartsBehindOneAnother) {
   for (const Vec3& towards_viewer : {Vec3(1, -1, 1), Vec3(0.3, -0.8, 0.5), Vec3(0, 0, 1)})
     EXPECT_LT(tries_of_an_edge(world_of(copies), orthographic(towards_viewer, {0, 1, 0.1})), 50);
   EXPECT_LT(tries_of_an_edge(world_of(copies), perspective({3, -2, 9}, {0, 0, 0}, {3, -2, 9}, {0, 0, 1})), 50);
+}
+
+TEST(EdgeHider, HasNoMoreCandidatesOfManyCopiesThanOfTwo) {
+  const auto most_candidates = [](int copies) {
+    const World world = world_of(std::vector<Shape>(static_cast<std::size_t>(copies), box({0, 0, 0}, {1, 2, 3})));
+    const Result r = draw(world, orthographic({0.3, -0.8, 0.5}));
+    const OccluderGrid occluders(r.world, r.view, r.drawn.edges, r.contact);
+    std::size_t most = 0;
+    for (const DrawnEdge& edge : r.drawn.edges)
+      occluders.along({edge.vertex[0], edge.vertex[1]},
+                      [&](const Stretch& stretch) { most = std::max(most, stretch.candidates.size()); });
+    return most;
+  };
+  EXPECT_GT(most_candidates(2), 0);
+  EXPECT_LE(most_candidates(300), 2 * 12);
 }
 
 }  // namespace

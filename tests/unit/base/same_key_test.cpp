@@ -1,4 +1,4 @@
-#include "drawing/same_key.hpp"
+#include "base/same_key.hpp"
 
 #include <gtest/gtest.h>
 
@@ -55,6 +55,13 @@ TEST(SameKeys, OfOneHashAreToldApart) {
                                                         : 0.0}; },
       [&](std::span<const int> same) { found.emplace_back(same.begin(), same.end()); });
   EXPECT_EQ(found, (Groups{{1, 3, 5}, {0, 2, 4}}));
+}
+
+TEST(SameKeys, ThirdCopiesHaveTwoBeforeThem) {
+  const std::vector<double> keys{1, 2, 1, 2, 1, 3, 1};
+  EXPECT_EQ(mark_third_copies(
+                7, [&](int i) { return std::array{keys[i]}; }, Progress()),
+            (std::vector<char>{0, 0, 0, 0, 1, 0, 1}));
 }
 
 }  // namespace

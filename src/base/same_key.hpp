@@ -79,4 +79,14 @@ void visit_same_keys(int count, const KeyOf& key_of, const Progress& progress, c
   });
 }
 
+/// By item of [0, count): whether two before it have its key. Throws OutOfTime.
+template <class KeyOf>
+std::vector<char> mark_third_copies(int count, const KeyOf& key_of, const Progress& progress) {
+  std::vector<char> is_third(static_cast<std::size_t>(count), 0);
+  visit_same_keys(count, key_of, progress, [&](std::span<const int> same) {
+    for (const int item : same.subspan(2)) is_third[item] = 1;
+  });
+  return is_third;
+}
+
 }  // namespace epura
