@@ -78,6 +78,63 @@ Scene needles(int n) {
   return scene;
 }
 
+// From one hub in all directions: at the hub all of them meet.
+Scene burst(int n) {
+  Scene scene;
+  Random random;
+  const int hub = scene.add(0, 0, 0);
+  for (int i = 0; i < n; ++i) {
+    const double height = random.between(-1, 1), angle = random.between(0, turn),
+                 level = std::sqrt(1 - height * height);
+    const Point tip{100 * level * std::cos(angle), 100 * level * std::sin(angle), 100 * height};
+    const int first = scene.add(tip[0], tip[1], tip[2]);
+    scene.add(tip[0] + 0.002, tip[1], tip[2]);
+    scene.triangles.push_back({hub, first, first + 1});
+  }
+  return scene;
+}
+
+// Triangles without area in space, with rounding for area on the page.
+Scene line(int n) {
+  Scene scene;
+  const int end = scene.add(0, 0, 0);
+  for (int i = 0; i <= n; ++i) scene.add(1 + 99.0 * i / n, 0, 0);
+  for (int i = 0; i < n; ++i) scene.triangles.push_back({end, end + 1 + i, end + 2 + i});
+  scene.add(50, 50, 0);
+  scene.triangles.push_back({end, end + n + 1, end + n + 2});
+  return scene;
+}
+
+constexpr int around = 49, across = 8;  // of a knot
+
+// A tube of radius 4 along a trefoil, turned around its axis.
+void add_knot(Scene& scene, double turned) {
+  const auto middle = [turned](double u) {
+    const double radius = 30 + 10 * std::cos(3 * u), angle = 2 * u + turned;
+    return Point{radius * std::cos(angle), radius * std::sin(angle), 10 * std::sin(3 * u)};
+  };
+  const int first = static_cast<int>(scene.points.size());
+  for (int i = 0; i < around; ++i) {
+    const double u = turn * i / around;
+    const Point at = middle(u);
+    const double angle = 2 * u + turned;
+    for (int j = 0; j < across; ++j) {
+      const double outwards = 4 * std::cos(turn * j / across), up = 4 * std::sin(turn * j / across);
+      scene.add(at[0] + outwards * std::cos(angle), at[1] + outwards * std::sin(angle), at[2] + up);
+    }
+  }
+  const auto corner = [first](int i, int j) { return first + i % around * across + j % across; };
+  for (int i = 0; i < around; ++i)
+    for (int j = 0; j < across; ++j) scene.quad(corner(i, j), corner(i, j + 1), corner(i + 1, j + 1), corner(i + 1, j));
+}
+
+// Each crosses all others nearly everywhere.
+Scene knots(int n) {
+  Scene scene;
+  for (int i = 0; i < n; ++i) add_knot(scene, 1e-4 * i);
+  return scene;
+}
+
 // All detail in a thousandth of the page.
 Scene stadium(int triangles) {
   constexpr int sides = 64, tiers = 8;
@@ -135,6 +192,9 @@ std::vector<Generator> hard_scenes() {
           {"plates", "N equal plates on one another, with gaps", plates},
           {"soup", "N large triangles at random in a cube: each runs through a tenth of all others", soup},
           {"needles", "N long needles across each other", needles},
+          {"burst", "N long needles from one hub in all directions", burst},
+          {"line", "N triangles without area on one line", line},
+          {"knots", "N trefoils of 784 triangles in one another, each turned by a ten-thousandth", knots},
           {"stadium", "a sphere of about N triangles in a stadium 1000 times as large", stadium},
           {"slivers", "a plate of N slivers over a bar", slivers},
           {"fan", "a disk of N triangles around one vertex, over a bar", fan}};

@@ -21,7 +21,7 @@ namespace {
 // Planes that differ by less than this angle (radians) have no reliable line in common.
 constexpr double least_angle = 1e-9;
 
-// n . p = offset with a unit normal; a zero normal for a triangle so low that its normal is no direction.
+// n . p = offset with a unit normal; a zero normal for a low triangle.
 struct Plane {
   Vec3 normal;
   double offset;
@@ -89,12 +89,9 @@ class Crossings {
   [[nodiscard]] Plane plane(int triangle) const {
     const auto& c = world_.triangles[triangle];
     const Vec3 a = point(c[0]);
-    const Vec3 ab = point(c[1]) - a;
-    const Vec3 ac = point(c[2]) - a;
-    const Vec3 normal = glm::cross(ab, ac);
+    if (is_low(a, point(c[1]), point(c[2]), contact_)) return {Vec3(0), 0};
+    const Vec3 normal = glm::cross(point(c[1]) - a, point(c[2]) - a);
     const double area = glm::length(normal);
-    const double longest = std::max({glm::length(ab), glm::length(ac), glm::length(ac - ab)});
-    if (!(area > contact_ * longest)) return {Vec3(0), 0};
     return {normal / area, glm::dot(normal / area, a)};
   }
 
@@ -184,6 +181,13 @@ class Crossings {
 };
 
 }  // namespace
+
+bool is_low(const Vec3& a, const Vec3& b, const Vec3& c, double contact) {
+  const Vec3 ab = b - a, ac = c - a;
+  const double area = glm::length(glm::cross(ab, ac));
+  const double longest = std::max({glm::length(ab), glm::length(ac), glm::length(ac - ab)});
+  return !(area > contact * longest);
+}
 
 bool boxes_overlap(const Box& a, const Box& b) {
   return a.least.x <= b.most.x && b.least.x <= a.most.x && a.least.y <= b.most.y && b.least.y <= a.most.y &&

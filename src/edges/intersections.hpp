@@ -32,6 +32,10 @@ FaceCrossings find_intersections(const World& world, double shrink, double conta
 /// The world's points as the search has them: shrunk and moved to the middle of their box.
 UnsetVector<Vec3> shrunk_points(const World& world, double shrink);
 
+/// Whether a triangle (its corners after shrinking) is so low that its normal is no direction. Such a one crosses
+/// nothing.
+bool is_low(const Vec3& a, const Vec3& b, const Vec3& c, double contact);
+
 /// Whether boxes have a place in common, touching included.
 bool boxes_overlap(const Box& a, const Box& b);
 

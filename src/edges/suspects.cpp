@@ -90,9 +90,16 @@ std::vector<int> crossing_suspects(const World& world, double shrink, double con
   std::vector<char> apart = lonely_bodies(bodies.box, progress);
   progress.expect_time();
   keep_convex(world, points, bodies, contact, apart);
+  std::vector<char> may_cross(world.triangles.size());
+  parallel_for(may_cross.size(), 8192, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      const auto& [a, b, c] = world.triangles[t];
+      may_cross[t] = apart[bodies.of_triangle[t]] == 0 && !is_low(points[a], points[b], points[c], contact) ? 1 : 0;
+    }
+  });
   std::vector<int> suspects;
-  for (int t = 0; t < static_cast<int>(world.triangles.size()); ++t)
-    if (apart[bodies.of_triangle[t]] == 0) suspects.push_back(t);
+  for (std::size_t t = 0; t < may_cross.size(); ++t)
+    if (may_cross[t] != 0) suspects.push_back(static_cast<int>(t));
   drop_third_copies(world, progress, suspects);
   return suspects;
 }

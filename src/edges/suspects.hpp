@@ -14,10 +14,11 @@ namespace epura {
 /// - The search takes two triangles as apart when no corner of one lies more than `contact` before the plane of the
 ///   other. In a certified convex body (convex_bodies.hpp) that holds for any two.
 /// - It takes triangles as apart when their boxes are. So they are where those of their bodies are.
+/// - Low triangles (is_low) have no plane to be crossed in.
 ///
-/// Left out are the triangles of convex bodies whose box meets that of no other body, and of copies of a triangle in
-/// one place all but two: lines that only others would add are drawn already. `shrink` and `contact` are those of
-/// find_intersections. Throws OutOfTime.
+/// Left out are low triangles, those of convex bodies whose box meets that of no other body, and of copies of a
+/// triangle in one place all but two: lines that only others would add are drawn already. `shrink` and `contact` are
+/// those of find_intersections. Throws OutOfTime.
 std::vector<int> crossing_suspects(const World& world, double shrink, double contact, const Progress& progress = {});
 
 /// Without any certificate: all triangles.

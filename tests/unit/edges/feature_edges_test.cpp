@@ -179,6 +179,25 @@ TEST(FeatureEdges, APolygonThatNamesACornerTwiceHasNoDiagonals) {
   EXPECT_EQ(kinds(world_of(spike), from_above()), (Kinds{{"boundary", 3}}));
 }
 
+// A polygon in a tilted plane, its outline a circle with 40 waves.
+Shape wavy_face(int corners) {
+  Shape face;
+  face.faces.emplace_back();
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * std::numbers::pi * i / corners, radius = 50 + 5 * std::sin(40 * angle);
+    const double x = radius * std::cos(angle), y = radius * std::sin(angle);
+    face.points.push_back({x, y, 0.3 * x + 0.7 * y});
+    face.faces.back().push_back(i);
+  }
+  return face;
+}
+
+TEST(FeatureEdges, AFlatFaceOfVeryManyCornersHasItsBoundaryOnly) {
+  // Its ears are thinner than the page grid, so that corners of neighbours may seem to lie on one side.
+  constexpr int corners = 30000;
+  EXPECT_EQ(kinds(world_of(wavy_face(corners)), orthographic(corner)), (Kinds{{"boundary", corners}}));
+}
+
 TEST(FeatureEdges, BehindTheEyeSidesAreFoundWithoutDivision) {
   // The eye stands in a long box: the edges along the view run past it.
   const World world = world_of(box({-1, -5, -1}, {1, 5, 1}));

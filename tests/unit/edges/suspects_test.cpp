@@ -107,6 +107,17 @@ TEST(Suspects, AreBodiesThatRunTwiceAroundTheirMiddle) {
   EXPECT_FALSE(find_intersections(world, 1, contact, all_triangles(world)).found.empty());
 }
 
+TEST(Suspects, AreNotTrianglesTooLowForAPlane) {
+  // Needles side by side in one line: the boxes of all of them meet.
+  constexpr int needles = 100;
+  Shape fan{{{0, 0, 0}, {0, 1, 1}, {1, 0, 1}}, {{0, 1, 2}}, {}};
+  for (int i = 0; i <= needles; ++i) fan.points.push_back({1 + 1.0 * i / needles, 2 + 2.0 * i / needles, 0});
+  for (int i = 0; i < needles; ++i) fan.faces.push_back({0, i + 3, i + 4});
+  const World world = world_of(fan);
+  EXPECT_EQ(crossing_suspects(world, 0x1p-3, contact), std::vector<int>{0});
+  EXPECT_TRUE(find_intersections(world, 0x1p-3, contact, all_triangles(world)).found.empty());
+}
+
 TEST(Suspects, WithoutContactNothingIsCertain) {
   EXPECT_EQ(crossing_suspects(world_of(box({0, 0, 0}, {1, 1, 1})), 1, 0).size(), 12U);
 }
