@@ -194,8 +194,8 @@ PlaceOnSheet place_of(const Part& part) {
   Frame frame;
   PlaceOnSheet place;
   for (const auto& [drawing, face] : part.faces)
-    visit_sides(face->rings, [&](const Vec2& a, const Vec2&) {
-      if (drawing == first) frame.add(a);
+    visit_sides(face->rings, [&, is_first = drawing == first](const Vec2& a, const Vec2&) {
+      if (is_first) frame.add(a);
       place.second.push_back({a.x, a.y});
     });
   const auto steps = [&](double x) { return std::nearbyint(x / step); };
