@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # shellcheck shell=bash
 # What the measuring scripts share; they source it. Everything measured goes as "LABEL KEY VALUE" into one file:
 # seconds of each stage, whole (wall seconds of the process), core (all stages but read and write), memory (MB).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Large scenes in closed form, so that a run can be repeated anywhere without a model file.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The same drawing by Open CASCADE's polygonal hidden-line removal, for comparison:  occ MODEL FILE.svg
 //
 // Isometric, visible and hidden lines, creases from 30 degrees. Reads with epura's readers and pairs edges with epura's

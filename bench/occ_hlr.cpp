@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How a mesh must be given to HLRBRep_PolyAlgo 7.6 so that it draws right and as fast as it can:
 //  - one face for each patch between creases, with its own triangulation and no surface; one face for each triangle is
 //    some 70 times slower;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A triangle mesh through Open CASCADE's HLRBRep_PolyAlgo.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How long OpenMesh takes to read a model:  openmesh_read MODEL
 // In double, with nothing asked of it but the surface.
 #include <OpenMesh/Core/IO/MeshIO.hh>

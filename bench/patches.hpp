@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A triangle mesh cut into smooth patches, as B-rep programs want it.
 #pragma once
 

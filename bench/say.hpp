@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the programs beside epura say on stderr, in the form of epura's --timings, so that one script reads them all.
 #pragma once
 

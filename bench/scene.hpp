@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the generators of large scenes share: a list of triangles, numbers that look random, and the file.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Writes large scenes for measuring as binary PLY:  scenes KIND SIZE FILE
 #include <cstdio>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Google Benchmark of every stage:  stages [KIND N]... [--benchmark_filter=sphere/ ...]
 // The input of a stage is made by the stages before it, outside the time taken. Scenes: see 'scenes'.
 #include <benchmark/benchmark.h>

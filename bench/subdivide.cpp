@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A finer model of the same shape, by Loop's subdivision:  subdivide MODEL STEPS FILE.ply
 // Each step makes four triangles of one (Loop, Smooth Subdivision Surfaces Based on Triangles, 1987).
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>

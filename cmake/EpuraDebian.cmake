@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Debian packages, by CPack: epura (program, projections), its library, and what is needed to build against both.
 #   cmake --preset deb && cmake --build --preset deb && (cd build/deb && cpack)
 set(EPURA_MAINTAINER "The authors of epura <authors@epura.invalid>" CACHE STRING "field Maintainer of Debian packages")

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # What `cmake --install` puts where; all of it may be moved together afterwards. What names no component is of the
 # program.
 include(CMakePackageConfigHelpers)

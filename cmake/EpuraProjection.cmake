@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # epura_add_projection(NAME source...): a projection plugin NAME.so, loadable by epura, in C++ or C.
 # In this tree and outside it, after find_package(epura COMPONENTS plugin), the same function is used.
 include(GNUInstallDirs)

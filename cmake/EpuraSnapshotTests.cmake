@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # epura_add_snapshot_tests(DIR): a test `snapshot/CASE` for each case of `epura snapshot` below DIR: for each folder with
 # scene.toml. Uses the target `epura`, or else the program of that name in the PATH.
 function(epura_add_snapshot_tests folder)

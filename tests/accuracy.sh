@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # docs/accuracy.md must not lie:  tests/accuracy.sh EPURA
 # Its command is run again, in a scratch copy; errors must be those of docs/accuracy/report.csv, and the same diagrams come
 # out. Times are others every time: they are not compared.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Tests of the tree itself. Included by CMakeLists.txt beside it.
 add_test(NAME layers COMMAND ${CMAKE_COMMAND} -P ${CMAKE_CURRENT_LIST_DIR}/layers.cmake)
 add_test(NAME checks_can_fail COMMAND ${CMAKE_CURRENT_LIST_DIR}/checks_test.sh)

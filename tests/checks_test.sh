@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # The checks of the tree must be able to fail: each is shown a small tree with one fault.
 set -uo pipefail
 tests=$(dirname "$(realpath "$0")")
@@ -13,12 +14,13 @@ expect() {  # passes|fails title command...
   [ "$got" = "$wanted" ] || { echo "$title: $got" >&2; cat "$scratch/log" >&2; status=1; }
 }
 
-tree() {  # file text: a sound tree plus one file
+licence='// SPDX-License-Identifier: Apache-2.0\n'
+tree() {  # file text [first line]: a sound tree plus one file
   rm -rf "$scratch/tree"
   mkdir -p "$scratch/tree/src/mesh" "$scratch/tree/src/output"
   cp "$tests/../.clang-format" "$scratch/tree"
-  printf '#include <OpenMesh/Core/IO/MeshIO.hh>\n\n#include "base/text.hpp"\n' >"$scratch/tree/src/mesh/read.cpp"
-  printf '%b' "$2" >"$scratch/tree/src/$1"
+  printf '// SPDX-License-Identifier: Apache-2.0\n#include <OpenMesh/Core/IO/MeshIO.hh>\n\n#include "base/text.hpp"\n' >"$scratch/tree/src/mesh/read.cpp"
+  printf '%b' "${3-$licence}$2" >"$scratch/tree/src/$1"
 }
 
 layers() { cmake -DROOT="$scratch/tree" -P "$tests/layers.cmake"; }
@@ -34,11 +36,13 @@ expect fails "an unknown folder" layers
 tree output/a.cpp '#include <OpenMesh/Core/IO/MeshIO.hh>\n'
 expect fails "a library out of its place" layers
 
+tree mesh/a.cpp 'int x;\n' ''
+expect fails "a file without a licence" style
 tree mesh/a.cpp 'int   x;\n'
 expect fails "not formatted" style
-tree mesh/a.cpp "$(printf 'int x;\\n%.0s' {1..401})"
+tree mesh/a.cpp "$(printf 'int x;\\n%.0s' {1..600})"
 expect fails "a long file" style
-tree mesh/a.cpp "int f(int a) {\\n$(printf '  ++a;\\n%.0s' {1..40})  return a;\\n}\\n"
+tree mesh/a.cpp "int f(int a) {\\n$(printf '  ++a;\\n%.0s' {1..70})  return a;\\n}\\n"
 expect fails "a long function" style
 tree mesh/a.hpp 'int f();\n'
 expect fails "a header without a guard" style

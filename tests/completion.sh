@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Completion as it is in the shells: what bash and fish offer at the end of a line; zsh reads its script.
 #   tests/completion.sh EPURA
 set -uo pipefail

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # The Debian packages: built, looked at by lintian, installed into a Debian 12 with nothing else in it, used there, and
 # removed without a trace. Takes minutes and needs root, mmdebstrap and lintian.  tests/deb.sh [SYSTEM.tar]
 # A file that mmdebstrap made before (--variant=minbase --include=ca-certificates) saves most of them.

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # cmake [-DROOT=folder] -P tests/layers.cmake
 # A folder of src/ includes base, itself and folders to its left, never one to its right; and each foreign library is
 # named only in its own folders. So the flow can be read in one direction, and a library exchanged in one place.

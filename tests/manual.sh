@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # The manual page as its readers see it: man and mandoc find nothing wrong.  tests/manual.sh EPURA
 set -uo pipefail
 epura=$(realpath "$1")

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # The README must not lie:  tests/readme.sh EPURA
 # Every ```sh block is run, in a scratch copy, with EPURA first in PATH; the pipeline is the one of src/CMakeLists.txt.
 set -uo pipefail

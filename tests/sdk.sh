@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # What strangers build against an installed epura:  tests/sdk.sh BUILD
 # The build folder is installed into a scratch prefix; the samples are configured against it, drawn with and checked.
 set -uo pipefail

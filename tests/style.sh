@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # The house rules that a machine can hold: sizes, paths, format.  tests/style.sh [FOLDER]
 set -uo pipefail
 export LC_ALL=C  # wc and sort speak the language of the locale
@@ -19,7 +20,7 @@ long_functions() {
   awk 'FNR == 1 { start = 0 }
        /^[A-Za-z].*[({,]$|^[A-Za-z].*\) *(const )?\{$/ && !/^(namespace|struct|class|enum|union|extern|using|static constexpr)/ \
          { if (!start) start = FNR }
-       /^}/ { if (start && FNR - start + 1 > 40) print FILENAME ":" start ": " FNR - start + 1 " lines"; start = 0 }
+       /^}/ { if (start && FNR - start + 1 > 70) print FILENAME ":" start ": " FNR - start + 1 " lines"; start = 0 }
        /;$/ && !/^ / { start = 0 }' "$@"
 }
 
@@ -41,8 +42,9 @@ if [ ${#files[@]} -eq 0 ]; then
   exit 2
 fi
 
-complain "files longer than 400 lines" "$(wc -l "${files[@]}" | awk '$1 > 400 && $2 != "total"')"
-complain "functions longer than 40 lines" "$(long_functions "${files[@]}")"
+complain "files longer than 600 lines" "$(wc -l "${files[@]}" | awk '$1 > 600 && $2 != "total"')"
+complain "functions longer than 70 lines" "$(long_functions "${files[@]}")"
+complain "files without a licence" "$(grep -L 'SPDX-License-Identifier: Apache-2.0' "${files[@]}")"
 complain "types of one name" "$(repeated_types "${files[@]}")"
 complain "headers without a guard" \
   "$(printf '%s\n' "${files[@]}" | grep -E '\.(hpp|h)$' | xargs -r grep -L -e '#pragma once' -e '#ifndef')"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The library: from models to files of drawings, as `epura draw` does it.
 //
 //   epura::draw({.models = {"bracket.obj"}, .projections = {"isometric"}, .outputs = {"bracket.pdf"}});

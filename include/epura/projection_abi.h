@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* The contract between epura and a projection plugin: plain C, doubles in, doubles out.
  *
  * A plugin is a shared library that exports one function, epura_projections_v1. Structures are only ever

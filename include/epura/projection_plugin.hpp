@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The C++ face of projection_abi.h: header-only, compiled into the plugin, so that only C crosses the border.
 //
 // A projection is a struct with name, family, summary, reference, a table `parameters`, and

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Dimetric projection: width and height in one scale, depth in half of it.
 #include "axonometric.hpp"
 

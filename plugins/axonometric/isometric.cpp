@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Isometric projection: the three axes at 120 degrees on the page and equally long.
 #include "axonometric.hpp"
 

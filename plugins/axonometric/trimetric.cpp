@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Trimetric projection: the directions of width and depth on the page are chosen, three different scales follow.
 #include "axonometric.hpp"
 

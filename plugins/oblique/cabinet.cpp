@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cabinet projection: the front face keeps its true shape, depth recedes at half its length.
 #include "oblique.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cavalier projection: the front face keeps its true shape, depth recedes at its true length.
 #include "oblique.hpp"
 

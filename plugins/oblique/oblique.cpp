@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Oblique projection: the front face keeps its true shape, depth recedes at a chosen angle and length.
 #include "oblique.hpp"
 

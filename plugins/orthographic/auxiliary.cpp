@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Auxiliary view: shows a slanted face in true shape, looking at it squarely.
 #include "orthographic.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Back view: looks along -y.
 #include "orthographic.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bottom view: looks along +z; the front of the model is up on the page.
 #include "orthographic.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Left view: shows the left side, looks along +x.
 #include "orthographic.hpp"
 

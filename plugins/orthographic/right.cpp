@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Right view: shows the right side, looks along -x.
 #include "orthographic.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Top view: looks along -z; the back of the model is up on the page.
 #include "orthographic.hpp"
 

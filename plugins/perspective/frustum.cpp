@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Frustum: eye, reference point, up-vector and the pyramid frustum that is drawn: left, right, bottom and top on a
 // plane at distance d from the eye, near and far planes. As in OpenGL, d is the near distance unless given.
 #include "perspective.hpp"

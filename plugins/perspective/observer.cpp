@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Observer: an eye o looks at a point c; a point u shall appear straight above c; the picture hangs at distance d.
 #include "perspective.hpp"
 

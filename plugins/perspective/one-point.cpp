@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One-point perspective: the plane holds the front of the model's box, which is drawn true; depth converges.
 #include "perspective.hpp"
 

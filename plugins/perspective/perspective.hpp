@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the perspectives share: where the eye stands when nobody says, and turned planes.
 #pragma once
 

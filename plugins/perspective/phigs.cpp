@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The PHIGS viewing model: everything about the view in one place, central or parallel.
 #include "perspective.hpp"
 

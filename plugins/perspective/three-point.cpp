@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Three-point perspective: a tilted plane, so that height converges, too.
 #include "perspective.hpp"
 

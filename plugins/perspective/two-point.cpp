@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Two-point perspective: an upright plane turned against the model, so that verticals stay vertical.
 #include "perspective.hpp"
 

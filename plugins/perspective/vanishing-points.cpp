@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The draughtsman's way: the vanishing points of the model's axes are placed on the page, eye and plane follow.
 //
 // Places are in model units on the plane, u to the right and v up, from the image of the model's centre, through which

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Draws a model from the front and in perspective:  sheet MODEL PDF
 #include <epura/epura.hpp>
 #include <iostream>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whether a model is what it should be: closed, turned outwards, without doubled or flat faces.
 #pragma once
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # cmake -DMAKE_SAMPLES=program -DMODELS=folder -DSCRATCH=folder -P fresh.cmake
 # Fails unless the committed models are, byte for byte, what the program makes now.
 file(REMOVE_RECURSE ${SCRATCH})

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Points, loops in space and outlines in a plane: what solids are made from. Millimetres and degrees.
 #pragma once
 

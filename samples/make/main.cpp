@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // make_samples FOLDER writes the sample models; make_samples --check tells whether they are sound.
 #include <cstdio>
 #include <exception>

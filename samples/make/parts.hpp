@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The sample parts. Millimetres, z up, the front view looks along +y.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Several bodies in one file: cylinders through each other, a bearing whose parts touch.
 #include "parts.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Things to look at in perspective: a house, a staircase, and a height field.
 #include <cmath>
 #include <numbers>

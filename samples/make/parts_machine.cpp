@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parts that one machine makes: bracket, flange, shaft, gear, elbow.
 #include <cmath>
 #include <numbers>

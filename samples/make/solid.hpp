@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Surfaces from planar faces and strips of quadrilaterals, joined where they have equal corners.
 //
 // Loops run counter-clockwise seen from outside. Coordinates are rounded to a millionth of a millimetre, so that the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Planar polygons with holes -> triangles on the same corners, so that neighbouring faces still meet edge to edge.
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* Worm's-eye planometric projection, after Choisy: the plan from below, heights straight up from it. */
 #include <epura/projection_abi.h>
 #include <stddef.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Military projection: the plan keeps its true shape, turned on the page; heights stand straight up from it.
 #include <epura/projection_plugin.hpp>
 

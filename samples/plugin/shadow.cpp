@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The shadow that the sun throws on the ground, as a plan: parallel projection along its rays.
 #include <epura/projection_plugin.hpp>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is written beside the views of a sheet, each out of the way of what stands there.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Dimensions and sections of a scene -> what is to be written beside each view of a sheet.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How a run that has a time limit spends its time, and what it leaves undone.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `epura plugins check`: what epura asks of every projection, for authors of plugins.
 #include <cstdio>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How options are given to CLI11, so that all of them are parsed, refused and explained alike.
 #pragma once
 

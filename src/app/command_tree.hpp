@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The commands of the program as plain values: what the manual and the completion of shells are made from.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // epura compare A B
 #include <cstdio>
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Completion in shells. Their scripts know nothing of the program: they ask it, so plugins of strangers complete as
 // well.
 #pragma once

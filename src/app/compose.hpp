@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Drawings in their places -> sheets of paper.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Standard error and the signals of a run: warnings, the progress line, and the end by Ctrl-C.
 #pragma once
 

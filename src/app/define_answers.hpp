@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Commands that tell of the program itself: the manual, and words for shells to complete.
 #pragma once
 

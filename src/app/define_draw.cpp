@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "app/define_draw.hpp"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Options, and the scene file that they may name -> what is to be drawn.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `epura draw`: a run with the terminal around it.
 #include <cstdio>
 #include <utility>

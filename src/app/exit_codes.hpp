@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the exit codes mean, for the help and the manual.
 #pragma once
 

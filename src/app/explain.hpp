@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The plan of a run as a table (`epura explain`), and what its certificates save.
 #pragma once
 

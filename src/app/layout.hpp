@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Descriptions of sheets and what their views look like -> where everything stands.
 #pragma once
 

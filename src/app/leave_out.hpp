@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Stages that are left out where a certificate says that the drawing is the same without them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The library's face: a request becomes a command line, so that both know the same options and say the same of them.
 #include <epura/epura.hpp>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The manual page, made from what the command line and the plugins say of themselves.
 #pragma once
 

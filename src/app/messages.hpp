@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where a run says what its user should know, while it goes on.
 #pragma once
 

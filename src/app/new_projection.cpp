@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The beginning of a projection plugin: the sample plugin-military under another name.
 #include <cctype>
 #include <cstdio>

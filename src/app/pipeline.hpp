@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The whole way of one view, stage by stage: models in, drawing out.
 #pragma once
 

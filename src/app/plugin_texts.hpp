@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Projections and their parameters as people read them.
 #pragma once
 

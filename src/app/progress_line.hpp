@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The line that shows on a terminal how far a run is.
 #pragma once
 

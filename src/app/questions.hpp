@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Questions about a drawing (--why, --dump): parsed before any work is done, answered as text.
 #pragma once
 

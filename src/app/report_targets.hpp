@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Files of reports, by the formats that their names tell.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The files to be written.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Finished sheets with fewer lines, for want of time to write all of them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What may be written as the value of an option, for the completion of shells.
 #pragma once
 

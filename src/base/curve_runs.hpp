@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs of points of a polyline that lie on one curve, found greedily: the mechanism, for curves of any kind.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The one error type: trouble that the user can mend. Thrown anywhere, caught once, in app.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whole files in and out. A reader of an output sees the old file or the new one, never half of one.
 #pragma once
 

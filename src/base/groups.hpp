@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Items by group: the items of all groups in one array, one group after the other.
 #pragma once
 

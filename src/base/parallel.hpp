@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parallel loops. What a loop computes must not depend on how its range is cut.
 #pragma once
 

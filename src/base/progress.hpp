@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a run tells while it works, and what it asks: how far it is, and whether its time is over. Stages take a
 // Progress; made from nothing, it does nothing. A stage that time is over in either ends with what it has, where that
 // is right, or throws OutOfTime.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Things that have exactly the same key, found by hashing.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Shared libraries that are loaded while the program runs, and where its own lie.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Numbers as text and back, independent of the locale; names that were perhaps meant.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Vectors whose items are not set before they are written.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Text from files and command lines, made fit for XML, JSON, PDF and fonts. Definition: Unicode, table 3-7.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The project's linear algebra: GLM in double. Column vectors everywhere: p' = M p.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Arcs of circles and ellipses among the lines of a drawing: what tessellated circles were before they were meshes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Touching segments of one look and model, joined end to end into polylines.
 #pragma once
 

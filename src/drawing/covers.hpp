@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lines that fall on one line of the paper.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parts of polylines that are arcs: their places, lengths and parts.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cut faces as the viewer has them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One view as plain 2D ink, in millimetres of paper, y up. No styles yet.
 #pragma once
 

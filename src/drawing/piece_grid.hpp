@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which pieces of a drawing lie near each other.
 #pragma once
 

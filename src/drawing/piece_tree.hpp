@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Many pieces in one place, found by rank, direction, and where they lie.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A drawing of fewer lines, for want of time.
 #pragma once
 

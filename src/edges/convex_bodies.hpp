@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Closed convex bodies, certified: the plane of any of their faces has the whole body on one side.
 #pragma once
 

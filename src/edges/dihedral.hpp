@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The fold between two triangles at their common edge, whichever way round they are oriented.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which edges deserve a line, as straight pieces between vertices of the view.
 #pragma once
 

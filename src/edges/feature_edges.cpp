@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "edges/feature_edges.hpp"
 
 #include <algorithm>

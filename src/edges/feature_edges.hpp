@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which mesh edges deserve a line: contours, boundaries, creases.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Faces of many triangles in one plane: these do not cross each other, however their boxes overlap.
 #pragma once
 

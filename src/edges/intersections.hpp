@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where faces interpenetrate: the lines in which they cross. They are no mesh edges, but drawn like creases.
 #pragma once
 

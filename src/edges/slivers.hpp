@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Triangles too low to have a vote, and how a surface continues across them.
 //
 // Which way a sliver faces is decided by rounding: by that of the file, of doubles, or of the page grid. Edges beside

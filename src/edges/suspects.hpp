@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which triangles may cross others at all: the rest need not be searched for intersection lines.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A tree of boxes over triangles in space, to find pairs that may meet.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Soup -> Mesh: weld, drop what is no face, triangulate, pair edges, and lay the surface out in OpenMesh.
 #pragma once
 

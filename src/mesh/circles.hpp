@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Circles among the edges of a mesh: what rims of holes, bosses and shafts are made of.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cracks: open edges that lie beside each other because corners of one place differ in the last bits.
 #pragma once
 

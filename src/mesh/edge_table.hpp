@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The undirected edges of triangles, each with all half-edges that run along it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The plane is swept upwards in slabs between the heights of all places and crossings. No two segments cross within a
 // slab, so those that span it are sorted from left to right, and the inside lies between each first and second of them.
 // Trapezoids between the same two segments in slabs on top of each other are one.

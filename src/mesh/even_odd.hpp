@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Areas between outlines, by the even-odd rule, as triangles.
 #pragma once
 

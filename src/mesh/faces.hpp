@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Faces as rings of vertex numbers, and which of them are faces at all.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Creases and boundaries of a mesh, end to end as far as they run on.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A model as read and repaired: triangles in OpenMesh, and beside them what a half-edge structure cannot hold.
 //
 // A half-edge structure wants two-manifold, consistently oriented surfaces; files hold soups, fans, flipped faces.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Wavefront OBJ: v, f, o and g; the rest says nothing about surfaces.
 #include <optional>
 #include <string>

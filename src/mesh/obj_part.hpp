@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a part of an OBJ file says, told apart from what stands before it: long files are read in parts, side by side.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Object File Format of Geomview: [ST][C][N]OFF, counts, one vertex a line, one face a line.
 // Format: http://www.geomview.org/docs/html/OFF.html
 #include "base/text.hpp"

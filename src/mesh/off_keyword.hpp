@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // By what OFF files are known.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // PLY: text and binary in both byte orders, elements and properties in any order.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The header of a PLY file: which elements follow, how many, and how each of their properties is stored.
 // Format: Greg Turk, The PLY Polygon File Format, 1994, with the type names of both generations (float, float32).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The place to which a file's coordinates were rounded when they were written as text.
 #pragma once
 

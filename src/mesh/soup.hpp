@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a file says, before anything is decided: points, and polygons as runs of corner indices.
 #pragma once
 

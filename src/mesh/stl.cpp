@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // STL: binary (80 bytes of anything, a count, 50 bytes a triangle) and text (solid, facet, vertex).
 #include <array>
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whether bytes are an STL file, and of which kind.
 #pragma once
 

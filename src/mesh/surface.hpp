@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The half-edge structure of a model: OpenMesh triangles with double coordinates.
 #pragma once
 

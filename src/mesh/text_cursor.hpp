@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The words of a text file, line by line, and where the reader stands when something is wrong.
 //
 // Lines end with LF, CR or CRLF; '#' begins a comment; a backslash at the end of a line continues it on the next. Words

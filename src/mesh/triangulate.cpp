@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Ear clipping [Meisters. Polygons Have Ears. Amer. Math. Monthly 1975] for polygons that may touch themselves, as
 // those with holes do that are joined to the outline by a bridge. Each cut takes the signed area of its triangle away
 // from the polygon, so whatever is cut, the sum stays.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Polygons -> triangles with the same corners and the same signed area.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Text in whatever encoding its byte order mark announces -> UTF-8.
 #pragma once
 

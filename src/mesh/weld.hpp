@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Points at the same place become one vertex.
 #pragma once
 

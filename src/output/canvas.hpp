@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What all Cairo writers share: surfaces that close themselves, and sheets drawn on them.
 //
 // Cairo keeps the points of a path in 1/256 of a surface unit with 23 bits before the point. Vector files are therefore

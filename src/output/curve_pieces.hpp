@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Arcs of circles and ellipses as what file formats have: cubic Bezier curves, and arcs of a quarter at most.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // DXF: the shapes, fills and texts of a sheet as entities in millimetres.
 #include <cmath>
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Strokes as the shapes that DXF has: polylines, some of whose lines are arcs, and curves that stand alone.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // All of a DXF file but its entities: AutoCAD 2000 (AC1015), the first that has line widths, and that every program
 // reads.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Groups of a DXF file, two lines each, and texts made fit for them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "output/glyphs.hpp"
 
 #include <ft2build.h>

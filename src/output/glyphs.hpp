@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lettering on Cairo's surfaces.
 #pragma once
 

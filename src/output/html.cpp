@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "output/html.hpp"
 
 #include "output/svg_paths.hpp"

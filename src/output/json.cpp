@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Drawing JSON, schema 1 (docs/formats.md). RFC 8259.
 #include <algorithm>
 #include <array>

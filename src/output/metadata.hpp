@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a file says of its sheet beside the lines.
 #pragma once
 

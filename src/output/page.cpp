@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // PostScript, EPS and PNG: whole sheets drawn by Cairo in one go.
 #include <cairo-ps.h>
 

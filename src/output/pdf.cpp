@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // PDF: Cairo draws each layer, qpdf joins them on pages.
 #include <cairo-pdf.h>
 

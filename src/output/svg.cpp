@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // SVG: pugixml makes the document, Cairo draws the paths of its layers.
 #include <algorithm>
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Filled areas and texts of an SVG layer.
 #pragma once
 

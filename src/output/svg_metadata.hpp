@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Title, description and metadata of an SVG document, as Inkscape shows them under Document Properties.
 #pragma once
 

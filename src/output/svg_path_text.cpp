@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "output/svg_path_text.hpp"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The <path> elements of an SVG layer: the paths that Cairo draws, put into millimetres.
 #pragma once
 

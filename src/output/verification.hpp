@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What an independent test of a drawing found. Made by study, written by JSON and in words.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sheets -> the bytes of a file. Nothing is computed here but the encoding.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a plugin answers to values, what may be wrong with the answer, and the projection that it is.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Finds projection plugins, asks them for their tables, and turns a request into a Projection.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tests of a projection that know nothing but its table: for authors of plugins, and for the ones built here.
 #pragma once
 

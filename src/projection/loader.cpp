@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "projection/loader.hpp"
 
 #include <epura/projection_abi.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One plugin: opens the library in this process, checks everything it says, and copies its tables.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A request and the table of its projection become values, the plugin's answer to them becomes a Projection.
 #include <algorithm>
 #include <cmath>

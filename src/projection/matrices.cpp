@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "projection/matrices.hpp"
 
 #include <glm/gtc/matrix_access.hpp>

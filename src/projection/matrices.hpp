@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The matrices of the projections and of the viewing model, as functions of what they are made from.
 // Numbers in brackets are equations of seed document 003 (after the PHIGS viewing model). Column vectors: p' = M p.
 #pragma once

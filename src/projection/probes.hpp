@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Values, models and points with which a projection is tested.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A projection, ready to use: a plane and projectors in world coordinates.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which of a model's bodies are solid, which are cavities, and which are not closed.
 #pragma once
 

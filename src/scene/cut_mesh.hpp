@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a plane leaves of one model, and the segments along which it cuts it.
 #pragma once
 

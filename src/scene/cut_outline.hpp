@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Closed outlines in the plane of a cut.
 #pragma once
 

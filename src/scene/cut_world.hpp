@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A world cut by a plane: what remains is a world of its own, closed by cut faces, so that no later stage knows of
 // cuts.
 //

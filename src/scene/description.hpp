@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is to be drawn, as the user said it: by options of the command line or in a scene file (docs/formats.md).
 //
 // Words stay words here: the stage that knows them parses them, and its errors name the place they came from.

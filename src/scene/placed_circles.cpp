@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "scene/placed_circles.hpp"
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The circles of the models of a world, in world coordinates.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Models placed in one world, in one index space.
 #pragma once
 

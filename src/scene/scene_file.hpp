@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scene files: what is to be drawn, in TOML. docs/formats.md describes them.
 #pragma once
 

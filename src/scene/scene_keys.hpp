@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The keys of scene files. One table feeds the reader, its hints and the documentation.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What values in a scene file may be: their names for the documentation, and how they are read.
 #pragma once
 

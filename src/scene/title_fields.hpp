@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The fields of a title block that have names. ISO 7200.
 #pragma once
 

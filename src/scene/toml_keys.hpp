@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Keys of TOML that nest tables, before the library reads them.
 #pragma once
 

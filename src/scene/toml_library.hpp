@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // toml++ as toml_tree.cpp needs it; included there only, since it takes seconds to compile.
 //
 // Two faults of version 3.3 are mended, both found by fuzzing and met by a bare key with an umlaut:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // TOML files (toml.io, version 1.0) as plain values that know their places.
 #pragma once
 

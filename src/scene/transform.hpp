@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A model's place as text: steps from left to right.
 #pragma once
 

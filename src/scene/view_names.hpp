@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How many views there may be, and what those are called that have no name of their own.
 #pragma once
 

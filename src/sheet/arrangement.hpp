@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where the views of a sheet stand, and at which scale. ISO 5456-2.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The views of a sheet in groups, tried at one scale after another.
 #pragma once
 

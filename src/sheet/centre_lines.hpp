@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Centre lines: crosses on circles, axes of what is round. ISO 128-2, type 04.1.
 #pragma once
 

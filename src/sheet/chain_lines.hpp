@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The straight lines of a chain, its curves as chords.
 #pragma once
 

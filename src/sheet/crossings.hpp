@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where lines of a drawing meet each other.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where a section is cut, marked in a view that sees the cutting plane edge-on. ISO 128-3.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Dashes fitted to lines, so that ends, corners and crossings are drawn with ink. ISO 128-2.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lettering made to fit into a box. ISO 3098.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The border of a sheet. ISO 5457.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is left of a sheet where something stands on it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is on a sheet beside its views, by the widths of its lines.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How closely the lines of a drawing lie.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "sheet/lettering.hpp"
 
 #include <ft2build.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The font of all lettering on a sheet: osifont, drawn after ISO 3098.
 #pragma once
 

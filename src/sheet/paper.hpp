@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Paper sizes, drawing areas and scales. Sizes: ISO 216; drawing area: ISO 5457 (20 mm on the left, 10 mm elsewhere).
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The words that mark a drawing which lacks something.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The symbol that tells first angle from third angle projection. ISO 5456-2.
 #pragma once
 

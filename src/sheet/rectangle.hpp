@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Upright rectangles on a sheet, mm.
 #pragma once
 

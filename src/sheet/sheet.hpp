@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A sheet of paper with strokes, fills and texts on it: everything that a writer needs, nothing left to compute.
 #pragma once
 

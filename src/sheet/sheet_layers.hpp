@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The layers of a sheet that are not of its views.
 #pragma once
 

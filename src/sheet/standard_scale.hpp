@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Standard scales: 1, 2 or 5 to one, and what follows from them by tens. ISO 5455.
 #pragma once
 

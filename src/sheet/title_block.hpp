@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The title block of a sheet. ISO 7200.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Names and scales above views. ISO 128-3, ISO 5455.
 #pragma once
 

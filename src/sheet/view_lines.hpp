@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A drawing becomes layers of strokes with line types and widths. Lines: ISO 128-2.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Views in rows and columns, as one thing to be placed: the scale is still open.
 #pragma once
 

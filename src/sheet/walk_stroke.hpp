@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A stroke as a pen draws it: lines and curves in their order.
 #pragma once
 

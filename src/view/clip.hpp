@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Clipping in homogeneous view coordinates, before any division (seed 003, step 7).
 #pragma once
 

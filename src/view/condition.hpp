@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How many digits a drawing can have: what the rounding of its input to doubles does to places on the page.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "view/paper_map.hpp"
 
 #include "projection/matrices.hpp"

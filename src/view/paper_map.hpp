@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Window -> viewport (seed 003, step 10): where the view stands on the paper.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The scene as the viewer has it: mapped, clipped, and laid on the page grid.
 //
 // Planar decisions are taken on whole numbers: page coordinates are rounded once to a grid of about 2^30 cells across

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The projective map from the world to the projection plane that keeps depth, written so that it loses no digits.
 //
 // It is VOM * M_per (3.36, 3.10) or VOM * M_par (3.20) with the depth row of seed 000 [P], re-centred: coordinates are

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Things in a given order, found by bounds of anything that is measured of them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Triangles that lie much alike, told apart by place and depth where cells of the page cannot do so.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The cheapest method that cannot be wrong by more than is allowed.
 //
 // Only bounds count that hold for every scene. Exact: 1e-6 of the drawing's size (docs/numerics.md). Sampled: a span

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What triangles hide of one edge, found by trying them on it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Hidden spans found edge by edge, as one list.
 #pragma once
 

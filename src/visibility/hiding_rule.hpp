@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The one definition of hidden: which part of an edge one triangle hides.
 //
 // Planar decisions are signs of whole numbers on the page grid. A vertex exactly on the line of an edge counts as left

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Visibility by an item buffer [Weghorst, Hooper, Greenberg. Improved computational methods for ray tracing. ACM TOG
 // 1984; for lines: Saito, Takahashi. Comprehensible rendering of 3-D shapes. SIGGRAPH 1990].
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The cells of a uniform grid that a line passes through.
 #pragma once
 

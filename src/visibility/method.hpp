@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Ways to decide what is hidden behind one interface, each with the knob that trades error for time.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The triangles that may hide something, found by place on the page, the nearest first.
 #pragma once
 

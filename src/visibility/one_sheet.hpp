@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A height field, certified: a surface that the page shows as one sheet hides none of its edges.
 #pragma once
 

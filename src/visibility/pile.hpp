@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Triangles that have the same corners on the page grid, as equal parts do that lie behind one another.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The pixels that an edge passes: one a column, or one a row where it is steep.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whether a triangle hides a single point of an edge: the hiding rule in plain doubles, as methods that look at points
 // have it.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Views with fewer digits: what the exact rule makes of coordinates that others would have computed.
 #pragma once
 

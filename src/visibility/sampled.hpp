@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Visibility by points along the edges [Appel. The notion of quantitative invisibility. ACM 1967, in its plainest
 // form].
 //

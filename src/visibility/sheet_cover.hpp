@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whether triangles that meet along sides hide a whole cell together, though none of them covers it alone.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parts of an edge as intervals of its page parameter: ascending, disjoint.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Triangles that lie where two others lie already, as those of parts do that stand in one place.
 #pragma once
 

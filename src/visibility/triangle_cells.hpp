@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The cells of a uniform grid that a triangle touches, and those that lie wholly inside it, row by row.
 #pragma once
 

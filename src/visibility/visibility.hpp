@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Splits every drawn edge into visible and hidden spans.
 #pragma once
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* What C makes of projection_abi.h. */
 #include "abi_layout.h"
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* The layout of projection_abi.h on machines with pointers of 8 bytes, as docs/plugins.md promises it.
  * EPURA_LAYOUT(AT, SIZE, VALUE) calls AT(structure, member, offset), SIZE(structure, bytes), VALUE(name, number). */
 #ifndef EPURA_ABI_LAYOUT_H

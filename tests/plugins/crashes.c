@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* Loading it ends the program. */
 #include <stdlib.h>
 

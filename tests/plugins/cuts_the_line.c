@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* Closes what it has not opened, and goes on. */
 #include <unistd.h>
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* Says what terminals obey: clears the screen, turns the direction of writing, begins lines; and bytes that are no
  * text. */
 #define HOSTILE       \

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Takes one parameter of each type and answers with what it was given, so that a test sees what arrived.
 #include <epura/projection_plugin.hpp>
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* Unloading it, or ending its process by exit, never ends. */
 #include <unistd.h>
 

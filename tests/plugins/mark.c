@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* Tells that it was loaded. */
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* A plugin built with the headers of a later program, in which every structure has grown. */
 #include <epura/projection_abi.h>
 #include <stddef.h>

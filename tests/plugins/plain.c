@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* A good plugin in plain C. Each bad one is this with a single macro set otherwise; see CMakeLists.txt. */
 #include <epura/projection_abi.h>
 #include <math.h>

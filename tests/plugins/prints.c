@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* Prints where a drawing may go. */
 #include <stdio.h>
 

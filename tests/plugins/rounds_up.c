@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* Leaves another rounding mode behind. */
 #include <fenv.h>
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: Apache-2.0 */
 /* Changes arithmetic when it is loaded, as libraries built with -ffast-math do. */
 #include <fenv.h>
 

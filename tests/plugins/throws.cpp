@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Two projections whose functions throw: the C++ face turns that into sentences.
 #include <epura/projection_plugin.hpp>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Alignment and view: cases whose visible and hidden lengths are known in closed form.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Meshes that trouble other hidden-line programs: lengths known in closed form.
 #include <gtest/gtest.h>
 

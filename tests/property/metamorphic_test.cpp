@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What must not change a drawing: numbering, orientation, triangulation, size, place, copies, things out of sight.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An independent judge of visibility: brute force in rational numbers over the doubles of the input and of the matrix.
 // It shares nothing with the program but the mesh. Three answers: hidden, visible, or undecided where moving an
 // occluder by a billionth of the drawing, or by twice the contact tolerance in depth, changes the answer.

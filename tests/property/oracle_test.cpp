@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The program against brute force in rational numbers, over random scenes.
 #include "oracle.hpp"
 

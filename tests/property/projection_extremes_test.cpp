@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Projections at their extremes: the cases of the stability study, more tightly than it judges, and what has no length.
 #include <gtest/gtest.h>
 

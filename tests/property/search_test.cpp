@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Searching occluders by place and depth gives, to the last bit, what trying every triangle on every edge gives.
 #include <gtest/gtest.h>
 

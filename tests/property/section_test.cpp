@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sections: what is left of a part is drawn like a part of that shape; cut faces hide what lies behind them.
 #include <gtest/gtest.h>
 

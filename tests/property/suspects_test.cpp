@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The search for intersection lines among suspects finds, to the last bit, what it finds among all triangles.
 #include "edges/suspects.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The whole way from model to file under schedules drawn by lot: the same bytes.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The closed forms of tests/property at the sizes that bring down programs whose time grows faster than their output.
 #include <gtest/gtest.h>
 

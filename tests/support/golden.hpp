@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The drawings that are kept as text: each folder of tests/golden is a case of `epura snapshot` (docs/formats.md) whose
 // expectations hold to the byte, drawn from the root of the repository.
 #pragma once

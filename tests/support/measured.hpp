@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Expects that a scene of the stability study is drawn right.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The meshes and views of the stability study, drawn by epura's own arithmetic.
 #pragma once
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Completion of epura in bash. The program itself is asked for words, and so for plugins.
 
 _epura() {

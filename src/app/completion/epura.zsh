@@ -1,4 +1,5 @@
 #compdef epura
+# SPDX-License-Identifier: Apache-2.0
 # Completion of epura in zsh. The program itself is asked for words, and so for plugins.
 
 _epura() {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the files of a case may say and where they may lie: the folder may come from a stranger.
 #pragma once
 

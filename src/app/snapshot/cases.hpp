@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Snapshot cases: folders with a scene and the drawing that is expected of it.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Results as CI servers read them.
 #pragma once
 

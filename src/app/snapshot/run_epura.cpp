@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "app/snapshot/run_epura.hpp"
 
 #include <fcntl.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What stands in a PDF file that epura wrote, before it is understood.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "output/pdf/library.hpp"
 
 // By this name the program finds it.

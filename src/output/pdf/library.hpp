@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // All that is done with qpdf. It is a library of its own, loaded when a PDF file is first written or read: qpdf and the
 // ten libraries behind it would take a third of the time and a quarter of the memory of a small drawing.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What streams of a PDF file unpack to, looked at before they are kept. Flate makes a thousand bytes of one, filters
 // can be chained, and a predictor asks for as much memory as it likes: a small file may mean more than there is memory
 // for.

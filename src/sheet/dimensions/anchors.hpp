@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a dimension hangs on: its words understood, its anchors found in the world.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Boxes found by their place, to count those that another box overlaps.
 #pragma once
 

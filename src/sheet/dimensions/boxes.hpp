@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What dimensions take of the paper, so that they keep out of each other's way.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Dimensions of a view. ISO 129-1.
 #pragma once
 

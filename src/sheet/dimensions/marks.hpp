@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What dimensions are made of on the paper: lines, arrows, a text. ISO 129-1.
 #pragma once
 

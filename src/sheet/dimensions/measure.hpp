@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Dimensions measured: the true value in the world, and what is dimensioned as it lies on the paper.
 #pragma once
 

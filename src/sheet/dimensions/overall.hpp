@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which dimensions a view is to have, before it is drawn: overall ones in the clearest views, and the room they need.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Circles of the models where they stand in the world.
 #pragma once
 

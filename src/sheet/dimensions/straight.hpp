@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A straight dimension line with its extension lines.
 #pragma once
 

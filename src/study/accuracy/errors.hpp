@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How wrong a classification of drawn edges is, measured against the right one.
 //
 // A place is misclassified where one says visible and the other hidden. Lengths are mm of paper.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The page in rational numbers: corners of triangles and edges mapped to it without rounding.
 #pragma once
 

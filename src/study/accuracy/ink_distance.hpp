@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How far lines lie from the ink of a drawing.
 #pragma once
 

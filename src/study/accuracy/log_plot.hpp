@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Diagrams with two logarithmic axes, as sheets: every writer of sheets draws them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Error against run time of the projection maps alone, where the model lies ever farther from the origin of the world.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Error against run time: a view decided by many methods, each measured against the truth and by the clock.
 #pragma once
 

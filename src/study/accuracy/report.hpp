@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The report of a study: diagrams and tables as HTML or PDF, tables as CSV or JSON, diagrams as
 // SVG or PNG.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Spans as sets of places: all ascending and disjoint.
 #pragma once
 

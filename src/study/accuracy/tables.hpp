@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Measurements as tables of texts: one table, of which CSV, JSON and HTML have the same numbers.
 #pragma once
 

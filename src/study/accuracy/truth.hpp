@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The truth about drawn edges, in rational numbers.
 //
 // Every edge is held against every triangle that its box meets on the page. Corners are mapped to the page from the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Maps of the plane that keep parallel lines parallel.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a person sees that is not the same in two drawings.
 #pragma once
 

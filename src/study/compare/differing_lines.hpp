@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parts of lines that differ -> lines as people see them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pages for people who judge differences: old and new drawing beside what differs.
 #pragma once
 

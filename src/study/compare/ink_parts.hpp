@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is seen of the lines of a drawing, and which of it another drawing has.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A document of rapidjson whose parser keeps what is open in a stack of our own: that of version 1.1 adds to a null
 // pointer as long as it has no memory, which is undefined.
 #pragma once

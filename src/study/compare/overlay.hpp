@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pictures of drawings and of what differs in them, as sheets that every writer takes.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Two pages: their lines, and their texts.
 #pragma once
 

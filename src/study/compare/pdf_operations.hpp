@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The content of a page or a layer of a PDF file, operation by operation.
 #pragma once
 

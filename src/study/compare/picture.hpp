@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a drawing looks like, whatever format it is kept in: straight pieces of lines, areas and texts. How lines are
 // chained, ordered and numbered is no part of it.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Puts a picture together from what a file says, and refuses what no drawing holds: a few bytes can stand for curves of
 // millions of pieces, or for places that no paper has.
 #pragma once

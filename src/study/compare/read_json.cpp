@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Drawing JSON -> picture.
 #include <rapidjson/error/en.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // PDF -> pictures: lines and areas of the layers.
 #include <algorithm>
 #include <cstddef>

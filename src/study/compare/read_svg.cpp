@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // SVG -> picture.
 #include <algorithm>
 #include <cmath>

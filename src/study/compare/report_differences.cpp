@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A comparison in words, and as JSON.
 #include <array>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A comparison as a case of a report, with its pictures.
 #pragma once
 

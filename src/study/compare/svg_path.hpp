@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Path data as readers of SVG take it. SVG 1.1, 8.3.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What an element of SVG looks like: style sheets with rules for classes, attributes, and what is inherited.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One view with all that was computed on the way to its drawing: what questions about a drawing are asked of.
 #pragma once
 

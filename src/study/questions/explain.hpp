@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The whole story of one edge, in sentences.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which edge is meant: by vertices, by faces, or by a place of the page.
 #pragma once
 

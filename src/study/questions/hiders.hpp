@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What hides an edge: every face in front of it, found by asking the hiding rule about all triangles that meet the
 // edge's box on the page. Nothing is left out for being covered by others.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Why an edge is drawn, or why it is not.
 #pragma once
 

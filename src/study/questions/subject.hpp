@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a question is about: an edge of a model or an intersection line, drawn or not.
 //
 // Names, as in SVG and JSON, counted from 0: an edge is MODEL:VERTEX-VERTEX, a face (and the line along which a plane

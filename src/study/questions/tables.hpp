@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // All drawn edges, or all their spans, as tables: a header, then a line each, tab-separated, in order of the edges.
 // Both throw OutOfTime.
 #pragma once

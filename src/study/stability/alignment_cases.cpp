@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Views along which lines fall upon each other.
 #include <cmath>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The same drawing by three arithmetics, so that they can be compared: only the map from space to the page differs.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Meshes: boxes and plates that touch, overlap and cross.
 #include <cmath>
 #include <random>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The table of stiff and extreme cases: projections P1 to P16, alignments and views V1 to V13, meshes M1 to M37.
 #pragma once
 

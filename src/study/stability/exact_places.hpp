@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Places on the page in rational numbers, and how far a view is from them.
 #pragma once
 

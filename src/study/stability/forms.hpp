@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scenes of any size whose lines are known in closed form: each is built, drawn and measured. Lengths are in model
 // units.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Draws by one of the three arithmetics, and measures lengths.
 #pragma once
 

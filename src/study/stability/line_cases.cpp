@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Single lines beside, through and along plates.
 #include <algorithm>
 #include <array>

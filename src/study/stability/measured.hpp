@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a drawing should measure, and what it does.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Meshes as modellers write them: poles and seams of cos and sin, sweeps, mirror images, T-junctions, rounded text.
 #include <algorithm>
 #include <cmath>

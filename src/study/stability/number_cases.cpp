@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Meshes with coordinates out of the ordinary: huge, tiny, far away, missing; and in any order.
 #include <algorithm>
 #include <cmath>

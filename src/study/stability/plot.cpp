@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Errors over the parameter: both logarithmic, one curve for each arithmetic, and the error that is allowed.
 #include <algorithm>
 #include <array>

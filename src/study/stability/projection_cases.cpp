@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Projections: algorithms of the map itself.
 #include <algorithm>
 #include <cmath>

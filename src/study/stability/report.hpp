@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The stability study: every case at every step by every arithmetic. Verdicts follow from errors alone.
 #pragma once
 

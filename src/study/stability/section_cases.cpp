@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Meshes: planes of section.
 #include <cmath>
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Meshes of many parts.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Meshes: surfaces of one side, round and wavy ones. Where no closed form is known, the drawing is judged point by
 // point in rational numbers (study/verify).
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The report of the study as text, CSV, JSON, HTML, and as a sheet of plots.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is verified: the drawn edges of a world and what a drawing says of them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What one triangle does to the ray from one point to the viewer.
 //
 // Not the ray alone is asked but a small square of rays around it: the answer at the point is only certain where it

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What an edge of a mesh asks for by its shape in space, and how sure that is.
 //
 // Written anew from the definition of the kinds, with margins: nothing of the stage that chose the edges is used. A

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whether a drawing has ink at given places.
 #pragma once
 

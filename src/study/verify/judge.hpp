@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The truth about points of edges, found from all triangles of the world.
 //
 // A point is hidden where a triangle that does not contain its edge lies between it and the viewer, more than the

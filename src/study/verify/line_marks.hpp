@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where on one line of the page there must be ink, and where there may be.
 #pragma once
 

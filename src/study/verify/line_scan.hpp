@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A drawing and its scene along lines of the page: what is asked for there, and what ink is.
 #pragma once
 

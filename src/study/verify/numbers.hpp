@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Two kinds of numbers for the same formulas: doubles that know how wrong they are, and rationals that never are.
 #pragma once
 

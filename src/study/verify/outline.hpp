@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A test of what is drawn at all, beside that of what is visible of it (verify.hpp).
 //
 // Lines at random cross the page. Over each of them the scene is cut, and what the viewer sees of the cut is found.

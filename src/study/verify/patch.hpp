@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whether polygons together cover a square.
 #pragma once
 

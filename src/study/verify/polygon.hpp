@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Small convex polygons and what half-spaces leave of them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Probes by their places on the page, to find those that a triangle may cover.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which points of a drawing are tested.
 #pragma once
 

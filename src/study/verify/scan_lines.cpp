@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "study/verify/scan_lines.hpp"
 
 #include <cmath>

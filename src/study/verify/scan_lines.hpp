@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lines across the page, and what they may cut.
 //
 // Of lines whose direction and place are random alike, the number of cuts tells lengths (Cauchy; Crofton 1868): K

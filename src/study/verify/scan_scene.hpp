@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The world as lines across the page cut it.
 //
 // A straight line of the page is a plane through the viewer, m . (a, b) F = s (1 - k c) in the frame of sight.hpp. It

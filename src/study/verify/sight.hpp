@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The view from a point of space: the frame in which its ray to the viewer is an axis.
 //
 // With p the point, l = x - p, C the centre or d the direction of projection (seed 003, 3.10 and 3.20):

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The scene over one line of the page: what the plane through that line and the viewer cuts out of it.
 #pragma once
 

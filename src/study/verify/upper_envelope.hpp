@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the viewer sees of a slice: over each place of the line the piece that is nearest to him.
 #pragma once
 

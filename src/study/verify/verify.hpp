@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // An independent test of a finished drawing.
 //
 // Two things can go wrong: an edge is split wrongly into visible and hidden spans, or a span does not reach the paper.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // epura study accuracy, and the choice by --max-error.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What `epura draw` says and writes when curves and centre lines are wanted.
 #include <gtest/gtest.h>
 

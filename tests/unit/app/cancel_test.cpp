@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Ctrl-C and its like: the run ends at once, and everything is as if it had never begun.
 #include <gtest/gtest.h>
 #include <unistd.h>

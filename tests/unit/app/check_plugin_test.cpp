@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `epura plugins check`, and plugins that hang or crash.
 #include <gtest/gtest.h>
 

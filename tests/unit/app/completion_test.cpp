@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Completion: what the program answers to the scripts of the shells. tests/completion.sh runs those in their shells.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The drawing JSON as other programs use it: schema 1, and every line found again from the model and the matrix.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Dimensions from the command line and from scene files, to the file.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What `epura draw` gives when all is well.
 #include <gtest/gtest.h>
 

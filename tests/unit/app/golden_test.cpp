@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The drawings of tests/golden. What comes is left as golden/CASE.json and .svg in the folder of the test. ACCEPT=1 in
 // the environment makes it the expectation; with CI set that is refused.
 #include "golden.hpp"

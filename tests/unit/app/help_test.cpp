@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Help, version, and the list of projections: answers on standard output.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every certificate can be taken away, and the drawing stays the same to the byte. `epura explain` tells the plan.
 #include <gtest/gtest.h>
 

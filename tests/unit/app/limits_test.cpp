@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where the system gives little: memory, threads, descriptors, bytes in a file.
 #include <gtest/gtest.h>
 

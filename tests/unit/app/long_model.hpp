@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A small file that takes long to draw: large triangles that all cross each other.
 #pragma once
 

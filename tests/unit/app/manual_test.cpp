@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The manual page says all that the help and the plugins say. tests/manual.sh lets man and mandoc read it.
 #include <gtest/gtest.h>
 

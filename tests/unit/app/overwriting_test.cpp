@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Outputs that are inputs, or one file, by any of its names.
 #include <gtest/gtest.h>
 

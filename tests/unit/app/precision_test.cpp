@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What files with few digits give: a drawing, a warning that says how many are left, or a refusal.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs epura as a user does: a process of its own, and what it answers.
 #pragma once
 

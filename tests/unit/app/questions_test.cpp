@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What `epura draw` answers to --why and --dump.
 #include <gtest/gtest.h>
 

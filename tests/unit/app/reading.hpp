@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs that last as long as a test wants: they wait for their model at a pipe.
 #pragma once
 

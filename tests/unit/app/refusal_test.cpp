@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the program refuses: the exit code, one sentence that names place and reason, and nothing half-written.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A section of one part after another order of its faces is the same drawing.
 #include <gtest/gtest.h>
 

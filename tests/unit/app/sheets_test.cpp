@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sheets with all that belongs to them: nothing stands over anything else.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // epura snapshot, as users run it.
 #include <gtest/gtest.h>
 #include <sys/stat.h>

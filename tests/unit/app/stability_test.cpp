@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `epura study stability`, and what `epura draw` says of the condition of its views.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Time is over in each stage in turn, by a clock that strikes there: what is drawn then is marked and right, and no
 // stage goes on for long without a look at the clock.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Drawings that lack lines because time was over say so everywhere; the progress line tells how far a run is.
 #include <gtest/gtest.h>
 

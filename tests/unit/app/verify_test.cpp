@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `epura draw --verify`: what it says, where, and with which exit code.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Errors, vectors, parallel loops.
 #include <gtest/gtest.h>
 

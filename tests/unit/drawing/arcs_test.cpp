@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What would break if this were wrong: curves that are drawn where the model has none, and the lengths of dashes.
 #include "drawing/arcs.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What would break if this were wrong: dashes on curves, and which arcs a part of a line keeps.
 #include "drawing/curve_part.hpp"
 

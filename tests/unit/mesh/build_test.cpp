@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What would break if this were wrong: which edges exist, and therefore every line of a drawing.
 #include <cmath>
 #include <limits>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What would break if this were wrong: centre lines, diameters, and polygons taken for circles.
 #include "mesh/circles.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What would break if this were wrong: indices, so every face.
 #include <cmath>
 #include <limits>

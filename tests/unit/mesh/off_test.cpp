@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What would break if this were wrong: the legal forms that other readers drop without a word.
 #include "support.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What would break if this were wrong: legal headers in an unusual order, which other readers take for empty models.
 #include <cmath>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What would break if this were wrong: which reader a file gets, what a user is told, and every number in some locales.
 #include <locale>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The decimals of a file, told from its coordinates.
 #include "mesh/resolution.hpp"
 

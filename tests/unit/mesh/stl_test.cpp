@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What would break if this were wrong: the most common files for makers of parts, and their cracks.
 #include <cmath>
 #include <numbers>

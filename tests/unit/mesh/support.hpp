@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the tests of this stage share: soups by hand, files in a fresh folder, the laws of a valid surface.
 #pragma once
 

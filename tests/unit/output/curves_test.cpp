@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What would break if this were wrong: where curves lie in the files.
 #include <cairo.h>
 #include <gtest/gtest.h>

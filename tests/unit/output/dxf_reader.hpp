@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // DXF files as groups of codes and values.
 #pragma once
 

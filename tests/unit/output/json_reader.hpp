@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A strict reader of JSON (RFC 8259) that keeps the order of keys and the text of numbers.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Texts and filled areas in every format.
 #include "sheet/lettering.hpp"
 

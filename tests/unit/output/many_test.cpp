@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Large drawings: time grows with the number of strokes, not with its square.
 #include <gtest/gtest.h>
 

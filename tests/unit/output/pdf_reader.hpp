@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Objects of a PDF file, read with qpdf. Through its C interface, whose header every compiler reads as C++20.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Files drawn by the programs that people look at them with, as pixels.
 #pragma once
 

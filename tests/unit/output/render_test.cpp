@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What people see: the same sheet as SVG and PDF in the programs that show them.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bytes of SVG files beside those of the bare coordinates.
 #include <gtest/gtest.h>
 

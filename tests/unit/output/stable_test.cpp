@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The same sheet gives the same bytes, whatever happens around it.
 #include <cairo-pdf.h>
 #include <cairo-svg.h>

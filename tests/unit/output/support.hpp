@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sheets to write, and the ink that readers find in the files.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // SVG documents as their readers see them.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Texts of any kind: their place, and what they must not break.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The contract with plugins that were built long ago, or with later headers.
 #include <cstddef>
 #include <epura/projection_plugin.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Finding and loading plugins, naming bad ones, and reading requests.
 #include <unistd.h>
 

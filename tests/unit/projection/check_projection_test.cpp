@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Each plugin that makes one mistake fails the check for that mistake, and this one alone.
 #include "projection/check_projection.hpp"
 

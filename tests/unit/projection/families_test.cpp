@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the built-in families promise, held against independent geometry.
 #include "support.hpp"
 

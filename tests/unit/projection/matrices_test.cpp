@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The matrices against their derivations, written out here step by step (equation numbers of seed 003).
 #include "projection/matrices.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What plugins do that are neither good nor merely wrong, and what of it reaches this process.
 #include "projection/plugin_process.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every plugin that was built, by its own table: nothing here knows their names, so a new one is covered by itself.
 #include <map>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The worked examples of the seed documents, recomputed without their rounding and misprints.
 #include "support.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What would break if this were wrong: centre lines and diameters of models that a transform has moved.
 #include "scene/placed_circles.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scene files that are refused: the place, the reason and the hint, word by word.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What would break if this were wrong: where centre lines lie, and what they are covered by.
 #include "sheet/centre_lines.hpp"
 

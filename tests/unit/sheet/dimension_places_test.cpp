@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where dimensions stand: outside the outline, in order, and out of each other's way.
 #include <gtest/gtest.h>
 

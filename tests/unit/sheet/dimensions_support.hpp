@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Models, views and descriptions for tests of dimensions.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What dimensions say: true measures, or a reason why there are none.
 #include "sheet/dimensions/dimensions.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "sheet/view_lines.hpp"
 
 #include <gtest/gtest.h>

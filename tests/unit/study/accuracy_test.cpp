@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The truth knows what each method gets wrong; methods converge as theory says.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pairs of drawings made by hand, each with what a person would say of it.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The condition of a map against what a change of its input does, measured in rational numbers.
 #include "view/condition.hpp"
 

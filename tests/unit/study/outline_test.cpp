@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lines that are missing, that nothing asks for or that are drawn twice are found; right drawings have none.
 #include "study/verify/outline.hpp"
 

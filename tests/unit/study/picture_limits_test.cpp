@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Small files that stand for more than there is memory or time for, and places that no paper has: each is refused with
 // a sentence.
 #include <gtest/gtest.h>

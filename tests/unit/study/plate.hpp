@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A drawing to compare with, and what was found.
 #pragma once
 

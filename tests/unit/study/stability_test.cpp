@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The stability study: its table is complete, its verdicts follow from its numbers, and epura is right.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Views to ask questions of, made without files and plugins.
 #pragma once
 

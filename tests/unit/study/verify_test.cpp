@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Drawings that are right are found right; drawings made wrong on purpose are found wrong.
 #include "study/verify/verify.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The map of the view against the textbook matrices, which are built in another way.
 #include "view/view_map.hpp"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "visibility/line_cells.hpp"
 
 #include <gtest/gtest.h>

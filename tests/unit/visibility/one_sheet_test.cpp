@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "visibility/one_sheet.hpp"
 
 #include <gtest/gtest.h>

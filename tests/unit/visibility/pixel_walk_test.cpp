@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #include "visibility/pixel_walk.hpp"
 
 #include <gtest/gtest.h>

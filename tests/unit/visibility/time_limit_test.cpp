@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What stays undecided when time is over is left out; what is decided is as without a limit.
 #include <gtest/gtest.h>
 
