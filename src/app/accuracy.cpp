@@ -65,9 +65,9 @@ void write_report(const ReportTarget<ReportFormat>& target, const AccuracyReport
 }
 
 std::vector<Method> methods_of(const AccuracyOptions& options) {
+  if (!options.methods.empty()) return options.methods;
   std::vector<Method> methods;
-  for (const std::string& text : options.methods.empty() ? usual_methods : options.methods)
-    methods.push_back(parse_method(text, "--visibility"));
+  for (const std::string& text : usual_methods) methods.push_back(parse_method(text, "--visibility"));
   return methods;
 }
 

@@ -17,7 +17,7 @@ namespace {
 std::vector<DimensionDescription> dimensions_of(const Annotations& annotations, const ViewResult& view) {
   std::vector<DimensionDescription> dimensions = annotations.dimensions;
   if (!view.partial.stages.empty())
-    std::erase_if(dimensions, [](const auto& one) { return one.type.text == "overall"; });
+    std::erase_if(dimensions, [](const auto& one) { return one.type.value == DimensionType::overall; });
   return dimensions;
 }
 

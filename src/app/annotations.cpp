@@ -15,18 +15,18 @@ namespace epura {
 namespace {
 
 bool is_open(const DimensionDescription& dimension) {
-  return dimension.type.text == "overall" && !dimension.direction.given();
+  return dimension.type.value == DimensionType::overall && !dimension.direction.given();
 }
 
 const std::string& view_of(const DimensionDescription& dimension, const SceneDescription& scene) {
-  return dimension.view.given() ? dimension.view.text : scene.views.front().name.text;
+  return dimension.view.given() ? *dimension.view : *scene.views.front().name;
 }
 
 // A section may have cut off an end of the models: it shows their size only where no other view does.
 std::vector<NamedProjection> views_to_measure(std::span<const ViewDescription> views, std::span<const View> seen) {
   std::vector<NamedProjection> whole, cut;
   for (std::size_t i = 0; i < seen.size(); ++i)
-    (views[i].section.given() ? cut : whole).push_back({views[i].name.text, seen[i].projection});
+    (views[i].section.given() ? cut : whole).push_back({*views[i].name, seen[i].projection});
   whole.insert(whole.end(), cut.begin(), cut.end());
   return whole;
 }
@@ -35,7 +35,7 @@ void add_dimensions(std::vector<Annotations>& annotations, const SceneDescriptio
                     std::span<const ViewDescription> views, std::span<const View> seen) {
   const std::vector<NamedProjection> projections = views_to_measure(views, seen);
   const auto here = [&views](const std::string& name) {
-    return std::find_if(views.begin(), views.end(), [&](const ViewDescription& v) { return v.name.text == name; });
+    return std::find_if(views.begin(), views.end(), [&](const ViewDescription& v) { return *v.name == name; });
   };
   const auto add = [&](const DimensionDescription& dimension) {
     const auto view = here(view_of(dimension, scene));
@@ -44,7 +44,7 @@ void add_dimensions(std::vector<Annotations>& annotations, const SceneDescriptio
   for (const DimensionDescription& dimension : scene.dimensions) {
     if (!is_open(dimension)) {
       add(dimension);
-    } else if (dimension.view.given() ? here(dimension.view.text) != views.end() : sheet == 0) {
+    } else if (dimension.view.given() ? here(*dimension.view) != views.end() : sheet == 0) {
       for (const DimensionDescription& one : overall_dimensions(dimension, projections)) add(one);
     }
   }
@@ -53,7 +53,7 @@ void add_dimensions(std::vector<Annotations>& annotations, const SceneDescriptio
 void add_planes(std::vector<Annotations>& annotations, std::span<const ViewDescription> views,
                 std::span<const View> seen, const CutSections& sections) {
   for (const auto& [name, section] : sections) {
-    const auto shows = [&name = name](const ViewDescription& view) { return view.section.text == name; };
+    const auto shows = [&name = name](const ViewDescription& view) { return view.section.value == name; };
     if (std::none_of(views.begin(), views.end(), shows)) continue;
     for (std::size_t i = 0; i < views.size(); ++i) {
       if (views[i].section.given() || !sees_edge_on(seen[i].projection, section.plane)) continue;
@@ -75,11 +75,11 @@ std::vector<Annotations> annotate(const SceneDescription& scene, int sheet, std:
 
 void expect_views_of_dimensions(const SceneDescription& scene) {
   std::vector<std::string> names;
-  for (const ViewDescription& view : scene.views) names.push_back(view.name.text);
+  for (const ViewDescription& view : scene.views) names.push_back(*view.name);
   for (const DimensionDescription& dimension : scene.dimensions)
-    if (dimension.view.given() && std::count(names.begin(), names.end(), dimension.view.text) == 0)
-      throw Error(Trouble::input, dimension.view.where, "there is no view '" + dimension.view.text + "'",
-                  did_you_mean(dimension.view.text, names));
+    if (dimension.view.given() && std::count(names.begin(), names.end(), *dimension.view) == 0)
+      throw Error(Trouble::input, dimension.view.where, "there is no view '" + *dimension.view + "'",
+                  did_you_mean(*dimension.view, names));
 }
 
 }  // namespace epura

@@ -21,23 +21,18 @@ Value choose(const std::string& where, const std::string& word,
     if (name == word) return value;
     names.push_back(name);
   }
-  throw Error(Trouble::input, where, "does not know '" + word + "'", did_you_mean(word, names));
+  throw Error(Trouble::input, where, "unknown value '" + word + "'", did_you_mean(word, names));
 }
 
-/// The same; the first choice where no word is given.
-template <class Value>
-Value choose(const Given& given, const std::vector<std::pair<std::string, Value>>& choices) {
-  return given.given() ? choose(given.where, given.text, choices) : choices.front().second;
-}
-
-/// What `parse` makes of the text. An error in a scene file names the place there first; an option names itself.
-template <class Parse>
-auto parse_given(const Given& given, const Parse& parse) {
+/// What `use` makes of the value. An error over one in a scene file names the place there first; an option names
+/// itself.
+template <class Value, class Use>
+auto at_place(const Located<Value>& located, const Use& use) {
   try {
-    return parse(given.text);
+    return use(*located);
   } catch (const Error& error) {
-    if (given.where.starts_with("--")) throw;
-    throw Error(error.trouble(), given.where, error.what(), error.hint());
+    if (located.where.starts_with("--")) throw;
+    throw Error(error.trouble(), located.where, error.what(), error.hint());
   }
 }
 

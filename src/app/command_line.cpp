@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/command_options.hpp"
+#include "app/command_line_options.hpp"
 #include "app/define_commands.hpp"
 #include "app/exit_codes.hpp"
 #include "base/error.hpp"

@@ -1,103 +1,138 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/command_options.hpp"
 
-#include "base/error.hpp"
+#include <filesystem>
+
+#include "app/draw_options.hpp"
+#include "base/text.hpp"
 
 namespace epura {
 
 namespace {
 
-std::string heading_of(Nature nature) {
-  switch (nature) {
-    case Nature::drawing:
-      return "Drawing";
-    case Nature::file:
-      return "Files";
-    case Nature::code:
-      return "Plugins";
-    case Nature::run:
-      return "Run";
-  }
-  return "";
+ValueKind<std::filesystem::path> path_of_file(const std::string& placeholder) {
+  return {file_name(placeholder).form,
+          [](const TomlValue& value) { return std::filesystem::path(std::get<std::string>(value.content)); }};
 }
 
-std::string text_of(const Range& range) {
-  if (std::isinf(range.most)) return format_number(range.least) + " or more";
-  return format_number(range.least) + " to " + format_number(range.most);
-}
-
-std::vector<std::string> long_names(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CLI::Option* option : app.get_options())
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-  return names;
-}
-
-std::vector<std::string> names_of_commands(const CLI::App& app) {
-  std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
-  return names;
+template <class Command>
+Option<Command> tolerance_option(double Command::*tolerance, const std::string& help) {
+  return option<Command>({.flag = "--tolerance", .help = help, .usual = "0.001"}, tolerance,
+                         number_between(1e-6, 10, "mm").shown_as("MM"));
 }
 
 }  // namespace
 
-std::string joined(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : " ") + name;
-  return text;
+Options<StabilityOptions> stability_options() {
+  using Study = StabilityOptions;
+  return {
+      option<Study>({.flag = "-o,--output",
+                     .help = "file to write, by extension: html json csv svg pdf; - for standard output",
+                     .repeatable = true},
+                    &Study::outputs, file_name("FILE")),
+      option<Study>({.flag = "--format", .help = "format of '-'"}, &Study::format,
+                    any_text().shown_as("NAME").such_as({"html", "json", "csv", "svg", "pdf"})),
+      option<Study>({.flag = "--cases", .help = "only these, with commas: P1,V4,M23; shows every step", .usual = "all"},
+                    &Study::cases, any_text().shown_as("IDS")),
+      option<Study>({.flag = "--size", .help = "factor of the numbers of parts of large scenes", .usual = "1"},
+                    &Study::size, number_between(0.01, 100, "").shown_as("F")),
+      threads_option(&Study::threads),
+      option<Study>({.flag = "--timings", .help = "say how long each case took"}, &Study::timings, truth()),
+      progress_option(&Study::progress),
+  };
 }
 
-double number_of(const std::string& option, const std::string& text, const Range& range, bool whole) {
-  const auto number = parse_number(text);
-  if (!number || !std::isfinite(*number) || (whole && *number != std::floor(*number)))
-    throw Error(Trouble::input, option, "'" + text + "' is no " + (whole ? "whole number" : "number"));
-  if (*number < range.least || *number > range.most)
-    throw Error(Trouble::input, option, "is " + text + ", allowed is " + text_of(range));
-  return *number;
+Options<AccuracyOptions> accuracy_options() {
+  using Study = AccuracyOptions;
+  return {
+      option<Study>({.flag = "scenes",
+                     .help = "scenes: model files or scene files, each for itself",
+                     .required = true,
+                     .repeatable = true},
+                    &Study::scenes, file_name("SCENE...")),
+      option<Study>({.flag = "-o,--output",
+                     .help = "file to write, by extension: html csv json pdf, or svg png for each diagram",
+                     .required = true,
+                     .repeatable = true},
+                    &Study::outputs, file_name("FILE")),
+      projections_option("NAME[:key=value...] of models; each time one more view", &Study::projections),
+      plugin_path_option(&Study::plugin_path),
+      option<Study>({.flag = "--visibility",
+                     .help = "method to measure, by default a choice of all; may be repeated",
+                     .repeatable = true},
+                    &Study::methods, visibility_method()),
+      option<Study>({.flag = "--runs", .help = "timed runs of each method, in turns", .usual = "5"}, &Study::runs,
+                    whole_number(1, 1000)),
+      option<Study>(
+          {.flag = "--truth",
+           .help = "pairs of edge and triangle looked at exactly; beyond, a random part of the edges is judged",
+           .usual = "2e+05"},
+          &Study::pairs, number_between(1, 1e9, "").shown_as("N")),
+      {{.flag = "--no-maps", .help = "leave the projection maps out"},
+       [](Study& study, const TomlValue&) { study.maps = false; }},
+      threads_option(&Study::threads),
+      progress_option(&Study::progress),
+  };
 }
 
-void add_word(CLI::App& app, const std::string& option, std::string& value, const std::string& type,
-              const std::string& usual, const std::string& help) {
-  app.add_option(option, value, help)->type_name(type)->default_str(usual);
+Options<CompareOptions> compare_options() {
+  using Compare = CompareOptions;
+  return {
+      option<Compare>({.flag = "before", .help = "drawing to compare with: json svg pdf", .required = true},
+                      &Compare::before, file_name("A")),
+      option<Compare>({.flag = "after", .help = "drawing that may differ from it", .required = true}, &Compare::after,
+                      file_name("B")),
+      tolerance_option(&Compare::tolerance, "mm by which lines may lie beside each other"),
+      option<Compare>({.flag = "--overlay", .help = "picture of both, what differs in colour: svg, png, pdf or html"},
+                      &Compare::overlay, file_name("FILE")),
+      option<Compare>({.flag = "--json", .help = "what differs, for programs; - for standard output"}, &Compare::json,
+                      file_name("FILE")),
+  };
 }
 
-void add_choice(CLI::App& app, const std::string& option, std::string& value, const std::string& word,
-                const std::string& help) {
-  app.add_flag_callback(
-      option, [&value, word] { value = word; }, help);
+Options<SnapshotOptions> snapshot_options() {
+  using Snapshot = SnapshotOptions;
+  return {
+      option<Snapshot>({.flag = "folders",
+                        .help = "folders of cases: each has scene.toml and expected.json, .svg or .pdf",
+                        .required = true,
+                        .repeatable = true},
+                       &Snapshot::folders, file_name("DIR...").completed_by(Completion::folders)),
+      option<Snapshot>({.flag = "--accept", .help = "make what comes the expectation; refused where CI is set"},
+                       &Snapshot::accept, truth()),
+      tolerance_option(&Snapshot::tolerance, "mm, as of 'epura compare'"),
+      option<Snapshot>({.flag = "--report", .help = "page with pictures of the cases: html"}, &Snapshot::report,
+                       file_name("FILE")),
+      option<Snapshot>({.flag = "--junit", .help = "results for CI: JUnit XML"}, &Snapshot::junit, file_name("FILE")),
+      option<Snapshot>({.flag = "--threads", .help = "cases at the same time, 0 for one a core", .usual = "0"},
+                       &Snapshot::threads, whole_number(0, 1024)),
+  };
 }
 
-void add_threads(CLI::App& app, int& threads) {
-  add_number(app, "--threads", threads, {0, 1024}, "number of threads, 0 for all cores")->type_name("N");
+Options<PluginsOptions> plugins_options() {
+  using Plugins = PluginsOptions;
+  return {
+      option<Plugins>({.flag = "name", .help = "projection to show: parameters, matrix, vanishing points"},
+                      &Plugins::name, any_text().shown_as("NAME").completed_by(Completion::projections)),
+      plugin_path_option(&Plugins::plugin_path),
+  };
 }
 
-void add_progress(CLI::App& app, std::string& progress) {
-  app.add_option("--progress", progress, "show how far it is: auto (on a terminal), always or never")
-      ->capture_default_str()
-      ->type_name("WHEN");
+Options<CheckPluginOptions> check_plugin_options() {
+  using Check = CheckPluginOptions;
+  return {
+      option<Check>({.flag = "file", .help = "the library, e.g. build/mine.so", .required = true}, &Check::file,
+                    path_of_file("FILE.so")),
+      option<Check>({.flag = "--time-limit",
+                     .help = "seconds for loading it, and again for each answer; those built in take some milliseconds",
+                     .usual = format_number(plugin_seconds)},
+                    &Check::time_limit, number_between(0, 1e6, "s").shown_as("S")),
+  };
 }
 
-const CLI::App& chosen_command(const CLI::App& app) {
-  const CLI::App* command = &app;
-  while (!command->get_subcommands().empty()) command = command->get_subcommands().back();
-  return *command;
+Options<NewProjectionOptions> new_projection_options() {
+  return {option<NewProjectionOptions>({.flag = "name", .help = "its name; a folder NAME is made", .required = true},
+                                       &NewProjectionOptions::name, field_text().shown_as("NAME"))};
 }
-
-void refuse_wrong_use(const CLI::App& app, const CLI::ParseError& error) {
-  const CLI::App* command = &chosen_command(app);
-  for (const std::string& extra : command->remaining(true)) {
-    if (extra.starts_with("-"))
-      throw Error(Trouble::input, "", "there is no option '" + extra + "'", did_you_mean(extra, long_names(*command)));
-    if (command == &app)
-      throw Error(Trouble::input, "", "there is no command '" + extra + "'",
-                  did_you_mean(extra, names_of_commands(app)));
-  }
-  throw Error(Trouble::input, "command line", error.what(),
-              "see 'epura " + (command == &app ? "" : command->get_name() + " ") + "--help'");
-}
-
-void define_next(CLI::App& app, Nature nature) { app.option_defaults()->group(heading_of(nature)); }
-
-bool is_of(const CLI::Option& option, Nature nature) { return option.get_group() == heading_of(nature); }
 
 }  // namespace epura

@@ -18,14 +18,23 @@ OptionDescription describe_option(const CLI::Option& option) {
   return described;
 }
 
+void add_form(OptionDescription& described, const std::vector<OptionInfo>& table) {
+  for (const OptionInfo& info : table)
+    if (info.flag.substr(info.flag.rfind(',') + 1) == described.names.back()) described.form = info.form;
+}
+
 }  // namespace
 
-CommandDescription describe_command(const CLI::App& command) {
+CommandDescription describe_command(const CLI::App& command, const OptionTables& tables) {
   CommandDescription described{command.get_name(), command.get_description(), {}, {}};
-  for (const CLI::Option* option : command.get_options())
-    if (!option->get_group().empty()) described.options.push_back(describe_option(*option));
+  const auto table = tables.find(&command);
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->get_group().empty()) continue;
+    described.options.push_back(describe_option(*option));
+    if (table != tables.end()) add_form(described.options.back(), table->second);
+  }
   for (const CLI::App* inner : command.get_subcommands({}))
-    if (!inner->get_group().empty()) described.commands.push_back(describe_command(*inner));
+    if (!inner->get_group().empty()) described.commands.push_back(describe_command(*inner, tables));
   return described;
 }
 

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "app/command_line_options.hpp"
+
 namespace epura {
 
 struct OptionDescription {
@@ -15,10 +17,12 @@ struct OptionDescription {
   std::string usual;        ///< value by default; empty if there is none to tell
   bool takes_word = false;  ///< the next word is its value
   bool is_required = false;
+  ValueForm form{};  ///< of its value, for completion
 
   [[nodiscard]] bool is_argument() const { return !names.front().starts_with('-'); }
 
-  bool operator==(const OptionDescription&) const = default;
+  /// Whether the manual says the same of both.
+  bool operator==(const OptionDescription& other) const { return names == other.names && help == other.help; }
 };
 
 struct CommandDescription {
@@ -28,8 +32,8 @@ struct CommandDescription {
   std::vector<CommandDescription> commands;
 };
 
-/// What CLI11 knows of the command and those inside it; without what is hidden from the help.
-CommandDescription describe_command(const CLI::App& command);
+/// The command and those inside it; without what is hidden from the help.
+CommandDescription describe_command(const CLI::App& command, const OptionTables& tables);
 
 /// Arguments of the command after its name, as in a synopsis: "[OPTION...] MODEL...".
 std::string synopsis(const CommandDescription& command);

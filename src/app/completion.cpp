@@ -95,11 +95,11 @@ std::string lines(const std::vector<Suggestion>& suggestions, const std::string&
 
 std::string values(const Place& place, const OptionDescription& option, const std::string& text,
                    const std::string& before = {}) {
-  const auto suggestions = value_suggestions(*place.command, option, text, plugin_folders(place.plugin_path));
+  const ValueForm& form = option.form;
+  const auto suggestions = value_suggestions(form, text, plugin_folders(place.plugin_path));
   if (!suggestions.empty()) return lines(suggestions, text, before);
-  if (option.type.starts_with("DIR")) return ":folders\n";
-  const bool is_file = option.type.starts_with("FILE") || (option.is_argument() && option.type != "NAME");
-  return is_file ? ":files\n" : "";
+  if (form.completion == Completion::folders) return ":folders\n";
+  return form.completion == Completion::files ? ":files\n" : "";
 }
 
 std::string options(const CommandDescription& command, const std::string& begin) {

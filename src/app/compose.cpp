@@ -21,7 +21,7 @@ namespace {
 
 std::string title_of(const SheetDescription& sheet) {
   for (const auto& [name, text] : sheet.title_block)
-    if (name == "title") return text.text;
+    if (name == "title") return *text;
   return {};
 }
 
@@ -36,8 +36,8 @@ std::vector<Text> labels_of(const SheetPlan& plan, std::span<const ViewDescripti
   for (std::size_t i = 0; i < views.size(); ++i) {
     const ViewDescription& view = descriptions[i];
     const Drawing& drawing = views[i].drawing;
-    std::string name = view.label.text;
-    if (name.empty() && view.section.given() && views.size() > 1) name = view.section.text + "-" + view.section.text;
+    std::string name = view.label.value_or("");
+    if (name.empty() && view.section.given() && views.size() > 1) name = *view.section + "-" + *view.section;
     const auto scale = drawing.projection.central ? std::nullopt : std::optional(drawing.scale);
     const std::string label = view_label(name, scale, plan.scale);
     if (!label.empty()) labels.push_back(label_above(label, {drawing.least, drawing.most}));
@@ -59,7 +59,7 @@ std::vector<ViewFrame> frames_of(const std::vector<ViewResult>& views) {
 std::vector<std::pair<std::string, std::string>> facts_of(const SheetDescription& sheet) {
   std::vector<std::pair<std::string, std::string>> facts;
   for (const auto& [name, text] : sheet.title_block)
-    if (name != "title" && text.given()) facts.emplace_back(name == "creator" ? "author" : name, text.text);
+    if (name != "title" && !text->empty()) facts.emplace_back(name == "creator" ? "author" : name, *text);
   return facts;
 }
 

@@ -17,7 +17,6 @@
 #include <cstring>
 #include <system_error>
 
-#include "app/choose.hpp"
 #include "app/progress_line.hpp"
 #include "app/tell.hpp"
 #include "base/error.hpp"
@@ -142,9 +141,8 @@ void Console::cancel() {
   ::_exit(128 + static_cast<int>(signal.ssi_signo));
 }
 
-bool shows_progress(const std::string& when) {
-  const bool is_terminal = ::isatty(STDERR_FILENO) != 0;
-  return choose<bool>("--progress", when, {{"auto", is_terminal}, {"always", true}, {"never", false}});
+bool shows_progress(ShowProgress when) {
+  return when == ShowProgress::always || (when == ShowProgress::automatic && ::isatty(STDERR_FILENO) != 0);
 }
 
 Messages messages_to(Console& console) {

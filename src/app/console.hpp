@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "app/messages.hpp"
+#include "app/options.hpp"
 #include "base/progress.hpp"
 
 namespace epura {
@@ -51,8 +52,8 @@ class Console {
   std::thread watcher_;
 };
 
-/// Whether progress is shown: what --progress says, "auto" (on a terminal), "always" or "never". Throws Error{input}.
-bool shows_progress(const std::string& when);
+/// Whether the line of progress is shown; `automatic`: on a terminal.
+bool shows_progress(ShowProgress when);
 
 /// Says what a run has to say on the console.
 Messages messages_to(Console& console);

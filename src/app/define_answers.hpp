@@ -9,7 +9,7 @@
 
 namespace epura {
 
-/// Adds them to the program, which has to live as long as they.
-std::vector<DefinedCommand> define_answers(CLI::App& program);
+/// Adds them to the program, which has to live as long as they, and to its commands.
+void define_answers(CLI::App& program, std::vector<DefinedCommand>& commands);
 
 }  // namespace epura

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/command_line.hpp"
+#include "scene/option.hpp"
 
 namespace epura {
 
@@ -14,6 +15,7 @@ namespace epura {
 struct DefinedCommand {
   const CLI::App* app;
   std::function<Command()> command;
+  std::vector<OptionInfo> options;
 };
 
 /// Adds them to the program in the order of its help.

@@ -5,10 +5,9 @@
 #include <filesystem>
 
 #include "app/annotations.hpp"
-#include "app/choose.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
-#include "scene/cutting_plane.hpp"
+#include "scene/part_options.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/view_names.hpp"
 
@@ -20,34 +19,23 @@ bool is_scene_file(const std::string& path) {
   return to_lower(std::filesystem::path(path).extension().string()) == ".toml";
 }
 
-void set(Given& value, const std::string& option, const std::string& text) {
-  if (!text.empty()) value = {text, option};
-}
-
 // The n-th transform belongs to the n-th model; a single one to all.
 std::vector<ModelDescription> models_of(const DrawOptions& options) {
   const std::size_t transforms = options.transforms.size();
   if (transforms > 1 && transforms != options.models.size())
     throw Error(Trouble::input, "--transform", "is given neither once nor once for each model");
-  std::vector<ModelDescription> models(options.models.size());
+  std::vector<ModelDescription> models(options.models.size(), options.model);
   for (std::size_t i = 0; i < models.size(); ++i) {
     models[i].file = {options.models[i], options.models[i]};
-    set(models[i].unit, "--unit", options.unit);
-    set(models[i].up, "--up", options.up);
-    if (transforms > 0) set(models[i].transform, "--transform", options.transforms[transforms == 1 ? 0 : i]);
+    if (transforms > 0) models[i].transform = options.transforms[transforms == 1 ? 0 : i];
   }
   return models;
 }
 
 std::vector<ViewDescription> views_of(const DrawOptions& options) {
   std::vector<ViewDescription> views;
-  const auto add = [&views](const std::string& option, std::string_view projection) {
-    if (projection.empty()) throw Error(Trouble::input, option, "names no projection", "'epura plugins' lists them");
-    views.emplace_back().projection = {std::string(projection), option};
-  };
-  if (!options.views.empty())
-    for (const std::string_view name : split(options.views, ',')) add("--views", name);
-  for (const std::string& projection : options.projections) add("--projection", projection);
+  for (const auto& projection : options.views) views.emplace_back().projection = projection;
+  for (const auto& projection : options.projections) views.emplace_back().projection = projection;
   return views;
 }
 
@@ -56,7 +44,7 @@ SceneDescription described_by_file(const DrawOptions& options) {
   if (options.models.size() > 1)
     throw Error(Trouble::input, file, "is a scene file and stands beside other models",
                 "name the models in the scene file, or leave it out");
-  if (!options.transforms.empty() || !options.unit.empty() || !options.up.empty())
+  if (!options.transforms.empty() || options.model.unit.given() || options.model.up.given())
     throw Error(Trouble::input, file, "--transform, --unit and --up are for models that the command line names",
                 "say it in the [[model]] of the scene file");
   SceneDescription scene = read_scene_file(file);
@@ -68,40 +56,18 @@ SceneDescription described_by_file(const DrawOptions& options) {
   return scene;
 }
 
-void cut_by_option(SceneDescription& scene, const std::string& text) {
-  const std::string option = "--section";
+void cut_by_option(SceneDescription& scene, const Located<SectionDescription>& section) {
   if (scene.views.size() > 1 || !scene.sections.empty())
-    throw Error(Trouble::input, option, "is for a single view and a scene without sections of its own",
+    throw Error(Trouble::input, section.where, "is for a single view and a scene without sections of its own",
                 "write a [[section]] into the scene file and name it in the [[view]] that shows it");
-  scene.sections.push_back(parse_section(text, option));
-  scene.views.front().section = scene.sections.front().name;
+  scene.sections.push_back(*section);
+  scene.views.front().section = section->name;
 }
 
-void overrule(ViewDescription& view, const DrawOptions& options) {
-  set(view.hidden, "--hidden", options.hidden);
-  set(view.edges, "--edges", options.edges);
-  if (options.crease_angle) view.crease_angle = options.crease_angle;
-  if (options.near) view.near = options.near;
-  if (options.far) view.far = options.far;
-}
-
-void overrule(SheetDescription& sheet, const DrawOptions& options) {
-  set(sheet.size, "--sheet", options.sheet);
-  set(sheet.orientation, "--" + options.orientation, options.orientation);
-  set(sheet.scale, "--scale", options.scale);
-  set(sheet.angle, "--" + options.angle + "-angle", options.angle);
-  set(sheet.frame, "--frame", options.frame);
-  for (const auto& [name, text] : options.title_block) {
-    std::erase_if(sheet.title_block, [&name = name](const auto& field) { return field.first == name; });
-    sheet.title_block.emplace_back(name, Given{text, "--title-block"});
-  }
-}
-
-void add_dimensions(SceneDescription& scene, const std::string& which) {
-  const std::string option = "--dimensions";
+void add_dimensions(SceneDescription& scene, const std::string& option) {
   DimensionDescription& dimension = scene.dimensions.emplace_back();
   dimension.where = option;
-  dimension.type = {choose<std::string>(option, which, {{"overall", "overall"}}), option};
+  dimension.type = {DimensionType::overall, option};
 }
 
 }  // namespace
@@ -114,24 +80,27 @@ SceneDescription describe(const DrawOptions& options) {
     scene.models = models_of(options);
     scene.views = views_of(options);
   }
-  if (scene.views.empty()) scene.views.emplace_back().projection = {"isometric", "--projection"};
+  if (scene.views.empty()) scene.views.emplace_back().projection = {ProjectionRequest{"isometric"}, "--projection"};
   int sheets = 1;
   for (ViewDescription& view : scene.views) {
-    overrule(view, options);
-    sheets = std::max(sheets, view.sheet);
+    overrule(view, options.view, view_options());
+    sheets = std::max(sheets, view.sheet.value_or(1));
   }
-  if (!options.section.empty()) cut_by_option(scene, options.section);
+  if (options.section.given()) cut_by_option(scene, options.section);
   name_views(scene.views);
   if (scene.sheets.size() < std::size_t(sheets)) scene.sheets.resize(std::size_t(sheets));
-  for (SheetDescription& sheet : scene.sheets) overrule(sheet, options);
-  if (!options.dimensions.empty()) add_dimensions(scene, options.dimensions);
+  for (SheetDescription& sheet : scene.sheets) {
+    overrule(sheet, options.sheet, sheet_options());
+    overrule(sheet.title_block, options.sheet.title_block, title_block_options());
+  }
+  if (options.dimensions.given()) add_dimensions(scene, options.dimensions.where);
   expect_views_of_dimensions(scene);
   return scene;
 }
 
 std::vector<std::string> inputs_of(const DrawOptions& options, const SceneDescription& scene) {
   std::vector<std::string> files = options.models;
-  for (const ModelDescription& model : scene.models) files.push_back(model.file.text);
+  for (const ModelDescription& model : scene.models) files.push_back(*model.file);
   return files;
 }
 

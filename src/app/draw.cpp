@@ -4,7 +4,6 @@
 #include <utility>
 #include <vector>
 
-#include "app/choose.hpp"
 #include "app/compose.hpp"
 #include "app/describe.hpp"
 #include "app/draw_files.hpp"
@@ -108,7 +107,7 @@ FinishedSheet Run::draw_sheet(const World& whole, const CutSections& sections, c
         [&](const Progress& until) { return answer(questions, world(i), wish, results.back(), until); });
     results.back().work = {};  // what follows takes its room
   }
-  if (!options.arcs.empty()) tell_of_curves(messages, results);
+  if (options.arcs) tell_of_curves(messages, results);
   if (!plan.inside) messages.warn("the drawing is larger than the sheet at this scale");
   FinishedSheet sheet = compose(whole, scene, views, plan, results, annotations, budget);
   if (!partial.stages.empty()) mark_partial(sheet, partial.stages.front());
@@ -139,7 +138,7 @@ bool want_drawings(const std::vector<Target>& targets) {
 
 // The whole run once more, from reading on, by other certificates.
 std::string draw_again(const DrawOptions& options, const SceneDescription& scene, std::vector<SheetOfViews> sheets,
-                       std::vector<Target> targets, const VectorOptions& vector_options, const LeaveOut& leave_out) {
+                       std::vector<Target> targets, const LeaveOut& leave_out) {
   for (SheetOfViews& sheet : sheets)
     for (PlannedView& view : sheet.plans) {
       view.wish.leave_out = leave_out;
@@ -152,7 +151,7 @@ std::string draw_again(const DrawOptions& options, const SceneDescription& scene
   Run run{options, scene, none, silent, {}, watch, leave_out, want_drawings(targets), scene.views.size()};
   const std::vector<FinishedSheet> finished = run.draw_sheets(sheets);
   std::string bytes;
-  for (const FileBytes& file : encode_all(targets, finished, vector_options, {}, {})) bytes += file.bytes;
+  for (const FileBytes& file : encode_all(targets, finished, options.vector, {}, {})) bytes += file.bytes;
   return bytes;
 }
 
@@ -195,9 +194,6 @@ DrawnFiles draw_within(const DrawOptions& options, const Messages& messages, Pro
   Stopwatch watch;
   const ThreadLimit threads(options.threads);
   const std::vector<Target> targets = targets_of(options);
-  const VectorOptions vector_options{
-      options.plain, options.dpi, options.decimals,
-      choose<SvgText>("--svg-text", options.svg_text, {{"outlines", SvgText::outlines}, {"text", SvgText::text}})};
   const Questions questions = parse_questions(options);
   if (options.measure && options.time_limit)
     throw Error(Trouble::input, "--measure", "draws several times, and knows no --time-limit", "leave out one of them");
@@ -206,7 +202,7 @@ DrawnFiles draw_within(const DrawOptions& options, const Messages& messages, Pro
   refuse_overwriting(files_of(targets, sheets.size()), inputs_of(options, scene));
   watch.lap("prepare");
 
-  const LeaveOut leave_out = parse_leave_out(options.plan);
+  const LeaveOut& leave_out = options.plan;
   Run run{options, scene, questions, messages, progress, watch, leave_out, want_drawings(targets), scene.views.size()};
   run.report.plan.push_back(plugins_step(sheets));
   std::vector<FinishedSheet> finished = run.draw_sheets(sheets);
@@ -214,16 +210,14 @@ DrawnFiles draw_within(const DrawOptions& options, const Messages& messages, Pro
   if (!run.report.partial.stages.empty() && !run.has_lines) throw OutOfTime{run.report.partial.stages.front()};
   estimate_savings(run.report.plan);
   if (options.measure) {
-    const auto again = [&](const LeaveOut& other) {
-      return draw_again(options, scene, sheets, targets, vector_options, other);
-    };
+    const auto again = [&](const LeaveOut& other) { return draw_again(options, scene, sheets, targets, other); };
     measure_savings(run.report.plan, leave_out, again);
   }
   if (options.explain) run.answers += explanation(run.report, formats_step(targets));
 
   if (options.timings) run.report.seconds = watch.laps();
   if (!options.timings && !options.measure) forget_times(run.report.plan);
-  const std::vector<FileBytes> files = encode_in_time(targets, finished, vector_options, run.report, progress);
+  const std::vector<FileBytes> files = encode_in_time(targets, finished, options.vector, run.report, progress);
   progress.lift_limit();
   for (const FileBytes& file : files) write(file, progress);
   watch.lap("write");

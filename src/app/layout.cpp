@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "app/choose.hpp"
+#include "base/text.hpp"
 #include "sheet/arrangement.hpp"
 #include "sheet/cutting_plane_line.hpp"
 #include "sheet/dimensions/overall.hpp"
@@ -23,9 +23,8 @@ FrameKind frame_of(const SheetDescription& sheet, std::size_t views) {
   const bool has_fields = std::any_of(sheet.title_block.begin(), sheet.title_block.end(),
                                       [](const auto& field) { return field.first != "title"; });
   const FrameKind usual = has_fields || views > 1 ? FrameKind::full : FrameKind::none;
-  return choose<FrameKind>(
-      sheet.frame,
-      {{"auto", usual}, {"none", FrameKind::none}, {"plain", FrameKind::plain}, {"full", FrameKind::full}});
+  const FrameKind frame = sheet.frame.value_or(FrameKind::automatic);
+  return frame == FrameKind::automatic ? usual : frame;
 }
 
 // Where a point that all views share, the middle of the world, lies in the plane of a view.
@@ -59,9 +58,8 @@ Views views_to_place(const World& world, std::span<const ViewDescription> descri
     const Vec2 origin = views.size() > 1 ? common_point(world, views[i]) : Vec2(0, 0);
     const Window box = drawn_box(views[i]);
     ViewToPlace view{view_place(views[i].projection.name), {box.least - origin, box.most - origin}};
-    const Given& scale = descriptions[i].scale;
-    if (scale.given()) view.scale = parse_scale(scale.text, scale.where);
-    view.at = descriptions[i].at;
+    view.scale = descriptions[i].scale.value_or({}).fixed;
+    view.at = descriptions[i].at.value;
     const Room room = room_around(annotations[i], views[i].projection, widths);
     view.before = room.before;
     view.after = room.after;
@@ -72,7 +70,7 @@ Views views_to_place(const World& world, std::span<const ViewDescription> descri
 }
 
 struct Wishes {
-  ScaleWish scale;
+  ScaleChoice scale;
   bool portrait;
   FrameKind frame;
   std::optional<TitleBlock> title_block;
@@ -85,39 +83,49 @@ double clearance_of(FrameKind frame) {
   return frame == FrameKind::full ? 12 : 5;
 }
 
-Arrangement arranged_on(const std::string& size, const std::string& where, const Wishes& wishes,
-                        std::span<const ViewToPlace> views) {
-  const Paper paper = parse_paper(size, wishes.portrait, where);
+Arrangement arranged_on(const PaperChoice& size, const Wishes& wishes, std::span<const ViewToPlace> views) {
+  const Paper paper = make_paper(size, wishes.portrait);
   DrawingRoom room{wishes.frame == FrameKind::none ? paper : with_frame_margins(paper)};
   room.clearance = clearance_of(wishes.frame);
   if (wishes.title_block) room.title_block = title_block_box(*wishes.title_block, room.paper);
   return arrange(views, wishes.scale, wishes.angle, room);
 }
 
-bool is_sized_by_scale(const SheetDescription& sheet) { return to_lower(sheet.size.text) == "auto"; }
+bool is_sized_by_scale(const SheetDescription& sheet) {
+  return sheet.size.value_or({}).kind == PaperChoice::Kind::automatic;
+}
 
-std::string usual_size(const SheetDescription& sheet, std::size_t views) {
-  if (sheet.size.given() && !is_sized_by_scale(sheet)) return sheet.size.text;
-  return views > 1 ? "A3" : "A4";
+PaperChoice iso_size(int number) { return {PaperChoice::Kind::iso, number, {0, 0}}; }
+
+PaperChoice usual_size(const SheetDescription& sheet, std::size_t views) {
+  if (sheet.size.given() && !is_sized_by_scale(sheet)) return *sheet.size;
+  return iso_size(views > 1 ? 3 : 4);
 }
 
 // "auto": the smallest paper on which the views have room at the scale that is given. `size` is the usual one, and
 // becomes the one that is taken.
 Arrangement arranged(const SheetDescription& sheet, const Wishes& wishes, std::span<const ViewToPlace> views,
-                     std::string& size) {
-  if (!is_sized_by_scale(sheet) || !wishes.scale.fixed) return arranged_on(size, sheet.size.where, wishes, views);
-  for (const char* larger : {"A4", "A3", "A2", "A1"}) {
-    Arrangement arrangement = arranged_on(size = larger, sheet.size.where, wishes, views);
+                     PaperChoice& size) {
+  if (!is_sized_by_scale(sheet) || !wishes.scale.fixed) return arranged_on(size, wishes, views);
+  for (const int larger : {4, 3, 2, 1}) {
+    Arrangement arrangement = arranged_on(size = iso_size(larger), wishes, views);
     if (arrangement.inside) return arrangement;
   }
-  return arranged_on(size = "A0", sheet.size.where, wishes, views);
+  return arranged_on(size = iso_size(0), wishes, views);
+}
+
+// For the title block: "A3", "300x200".
+std::string size_text(const PaperChoice& size) {
+  if (size.kind == PaperChoice::Kind::iso) return "A" + std::to_string(size.number);
+  if (size.kind == PaperChoice::Kind::custom) return format_number(size.size[0]) + "x" + format_number(size.size[1]);
+  return "none";
 }
 
 // Scale and size of paper are filled in when they are known.
 TitleBlock title_block_of(const SceneDescription& scene, int sheet) {
   TitleBlock block;
   for (const auto& [name, text] : scene.sheets[static_cast<std::size_t>(sheet)].title_block)
-    block.fields.emplace_back(name, text.text);
+    block.fields.emplace_back(name, *text);
   block.sheet = sheet + 1;
   block.sheets = static_cast<int>(scene.sheets.size());
   return block;
@@ -127,11 +135,9 @@ Wishes wishes_of(const SceneDescription& scene, int number, std::size_t views) {
   const SheetDescription& sheet = scene.sheets[static_cast<std::size_t>(number)];
   Wishes wishes{};
   wishes.frame = frame_of(sheet, views);
-  wishes.portrait = choose<bool>(sheet.orientation, {{"landscape", false}, {"portrait", true}});
-  wishes.angle =
-      choose<ProjectionAngle>(sheet.angle, {{"first", ProjectionAngle::first}, {"third", ProjectionAngle::third}});
-  const std::string usual_scale = wishes.frame == FrameKind::full ? "auto" : "fit";
-  wishes.scale = parse_scale_wish(sheet.scale.given() ? sheet.scale.text : usual_scale, sheet.scale.where);
+  wishes.portrait = sheet.orientation.value_or(Orientation::landscape) == Orientation::portrait;
+  wishes.angle = sheet.angle.value_or(ProjectionAngle::first);
+  wishes.scale = sheet.scale.value_or({.fixed = {}, .standard = wishes.frame == FrameKind::full});
   if (wishes.frame == FrameKind::full) wishes.title_block = title_block_of(scene, number);
   return wishes;
 }
@@ -148,13 +154,13 @@ SheetPlan plan_sheet(const World& world, const SceneDescription& scene, int shee
                      const std::vector<Annotations>& annotations) {
   Wishes wishes = wishes_of(scene, sheet, views.size());
   const SheetDescription& description = scene.sheets[static_cast<std::size_t>(sheet)];
-  std::string size = usual_size(description, views.size());
-  const LineWidths widths = line_widths(parse_paper(size, false, description.size.where));
+  PaperChoice size = usual_size(description, views.size());
+  const LineWidths widths = line_widths(make_paper(size, false));
   const Views placing = views_to_place(world, descriptions, views, annotations, widths);
   const Arrangement arrangement = arranged(description, wishes, placing.to_place, size);
   if (wishes.title_block) {
     wishes.title_block->scale = ratio_text(arrangement.scale);
-    wishes.title_block->size = size;
+    wishes.title_block->size = size_text(size);
     if (views.size() > 1) wishes.title_block->angle = wishes.angle;
   }
   SheetPlan plan{{arrangement.paper, wishes.frame, std::move(wishes.title_block)},

@@ -1,53 +1,70 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the command line asks for, as text and plain values.
+// What the command line asks for, as plain values. The tables in draw_options.cpp and command_options.cpp say how each
+// is called and what it may be.
 #pragma once
 
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "app/leave_out.hpp"
+#include "output/write.hpp"
 #include "projection/plugin_process.hpp"
+#include "scene/description.hpp"
+#include "study/questions/find_subjects.hpp"
+#include "visibility/method.hpp"
 
 namespace epura {
 
-/// Empty texts are not given.
+enum class ShowProgress { automatic, always, never };
+template <>
+struct Words<ShowProgress> {
+  static constexpr std::array list{"auto", "always", "never"};
+};
+
+enum class EdgeTable { edges, spans };
+template <>
+struct Words<EdgeTable> {
+  static constexpr std::array list{"edges", "spans"};
+};
+
+enum class AutomaticDimensions { overall };
+template <>
+struct Words<AutomaticDimensions> {
+  static constexpr std::array list{"overall"};
+};
+
 struct DrawOptions {
   std::vector<std::string> models;   ///< or one scene file
   std::vector<std::string> outputs;  ///< "-" is standard output
   std::string format;                ///< of "-"
-  std::vector<std::string> projections;
-  std::string views;  ///< names of projections with commas, arranged on the sheet
+  std::vector<Located<ProjectionRequest>> projections, views;
   std::vector<std::filesystem::path> plugin_path;
-  std::vector<std::string> transforms;
-  std::string unit, up;
-  std::string section;  ///< POINT:NORMAL
-  std::string sheet, orientation, scale, angle, frame;
-  std::vector<std::pair<std::string, std::string>> title_block;  ///< fields of ISO 7200 and what is written in them
-  std::string hidden, edges;
-  std::string dimensions;  ///< "overall"
-  std::optional<double> crease_angle;
-  std::string visibility = "exact";
+  std::vector<Located<Mat4>> transforms;
+  // These win over what a scene file says.
+  ModelDescription model;
+  ViewDescription view;
+  SheetDescription sheet;
+  Located<SectionDescription> section;
+  Located<AutomaticDimensions> dimensions;
+  Method method;
   std::optional<double> max_error;  ///< mm
-  std::optional<double> near, far, contact;
-  int decimals = 4;  ///< of millimetres in SVG
-  double dpi = 300;
-  int threads = 0;
-  bool plain = false;
-  std::string arcs;  ///< tolerance, mm; empty: lines stay straight
+  std::optional<double> contact;
+  VectorOptions vector;
+  std::optional<double> arcs;  ///< tolerance, mm; nothing: lines stay straight
   bool centre_lines = false;
-  std::string svg_text = "outlines";
+  std::vector<EdgeQuestion> why;  ///< edges to explain
+  std::optional<EdgeTable> dump;
+  int threads = 0;
   bool timings = false;
-  std::vector<std::string> why;  ///< edges to explain
-  std::string dump;              ///< table to print: "edges", "spans" or none
-  std::string progress = "auto";
+  ShowProgress progress = ShowProgress::automatic;
   std::optional<double> time_limit;  ///< seconds
   bool verify = false;
   int verify_samples = 2000;
-  std::string plan = "all";  ///< certificates that are used
-  bool explain = false;      ///< print the plan
-  bool measure = false;      ///< what certificates save, by runs without them
+  LeaveOut plan;         ///< certificates that are used
+  bool explain = false;  ///< print the plan
+  bool measure = false;  ///< what certificates save, by runs without them
 };
 
 struct StabilityOptions {
@@ -57,20 +74,20 @@ struct StabilityOptions {
   double size = 1;                   ///< factor of the numbers of parts of large scenes
   int threads = 0;
   bool timings = false;
-  std::string progress = "auto";
+  ShowProgress progress = ShowProgress::automatic;
 };
 
 struct AccuracyOptions {
   std::vector<std::string> scenes;
   std::vector<std::string> outputs;
-  std::vector<std::string> projections;  ///< of scenes that are models
+  std::vector<Located<ProjectionRequest>> projections;  ///< of scenes that are models
   std::vector<std::filesystem::path> plugin_path;
-  std::vector<std::string> methods;  ///< none: a choice of all
+  std::vector<Method> methods;  ///< none: a choice of all
   int runs = 5;
   double pairs = 2e5;  ///< of edge and triangle, for the truth
   bool maps = true;
   int threads = 0;
-  std::string progress = "auto";
+  ShowProgress progress = ShowProgress::automatic;
 };
 
 struct PluginsOptions {

@@ -13,15 +13,8 @@
 namespace epura {
 
 Questions parse_questions(const DrawOptions& options) {
-  const std::vector<std::string> tables{"edges", "spans"};
-  Questions questions;
-  for (const std::string& edge : options.why) questions.why.push_back(parse_edge_question(edge));
-  questions.edge_table = options.dump == tables[0];
-  questions.span_table = options.dump == tables[1];
-  if (!options.dump.empty() && !questions.edge_table && !questions.span_table)
-    throw Error(Trouble::input, "--dump", "does not know '" + options.dump + "'", did_you_mean(options.dump, tables));
-
-  const bool asked = !options.why.empty() || !options.dump.empty() || options.explain;
+  const Questions questions{options.why, options.dump == EdgeTable::edges, options.dump == EdgeTable::spans};
+  const bool asked = !options.why.empty() || options.dump || options.explain;
   if (!asked && options.outputs.empty())
     throw Error(Trouble::input, "command line", "--output is required", "see 'epura draw --help'");
   if (asked && std::find(options.outputs.begin(), options.outputs.end(), "-") != options.outputs.end())

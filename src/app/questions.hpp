@@ -17,7 +17,7 @@ struct Questions {
   bool span_table = false;
 };
 
-/// Throws Error{input} for wrong questions, and where neither a question nor an output is given.
+/// Throws Error{input} where neither a question nor an output is given.
 Questions parse_questions(const DrawOptions& options);
 
 /// The answers as text. Throws Error{input} when an edge that was asked for does not exist.

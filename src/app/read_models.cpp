@@ -16,11 +16,12 @@ namespace epura {
 
 namespace {
 
+bool is_drawn(const ModelDescription& model) { return model.drawn.value_or(true); }
+
 Mat4 place_of(const ModelDescription& model) {
-  const double unit = choose<double>(model.unit, {{"mm", 1}, {"in", 25.4}, {"m", 1000}});
-  Mat4 place = parse_transform("scale:" + format_number(unit));
-  if (choose<bool>(model.up, {{"z", false}, {"y", true}})) place = y_up_to_z_up() * place;
-  if (model.transform.given()) place = parse_given(model.transform, parse_transform) * place;
+  Mat4 place = parse_transform("scale:" + format_number(millimetres(model.unit.value_or(Unit::mm))));
+  if (model.up.value_or(UpAxis::z) == UpAxis::y) place = y_up_to_z_up() * place;
+  if (model.transform.given()) place = *model.transform * place;
   return place;
 }
 
@@ -30,7 +31,7 @@ std::shared_ptr<Mesh> read(const ModelDescription& model, const Progress& progre
   const auto read_it = [&](const std::string& file) {
     return std::shared_ptr<Mesh>(new Mesh(read_mesh(file, progress)));
   };
-  return model.file.where == model.file.text ? read_it(model.file.text) : parse_given(model.file, read_it);
+  return model.file.where == *model.file ? read_it(*model.file) : at_place(model.file, read_it);
 }
 
 // As read_mesh counts it; 0 where it is not known, as of a pipe.
@@ -38,7 +39,7 @@ std::size_t work_of(const std::vector<ModelDescription>& models) {
   std::size_t bytes = 0;
   for (const ModelDescription& model : models) {
     std::error_code trouble;
-    if (model.drawn) bytes += 2 * std::filesystem::file_size(model.file.text, trouble);
+    if (is_drawn(model)) bytes += 2 * std::filesystem::file_size(*model.file, trouble);
     if (trouble) return 0;
   }
   return bytes;
@@ -73,9 +74,9 @@ World read_models(const std::vector<ModelDescription>& models, std::vector<MeshR
   std::vector<Placed> placed;
   for (std::size_t i = 0; i < models.size(); ++i) {
     // What is not drawn keeps its number.
-    meshes.push_back(models[i].drawn ? read(models[i], progress) : std::make_shared<Mesh>());
+    meshes.push_back(is_drawn(models[i]) ? read(models[i], progress) : std::make_shared<Mesh>());
     placed.push_back({meshes.back(), places[i]});
-    if (!models[i].drawn) continue;
+    if (!is_drawn(models[i])) continue;
     reports.push_back(meshes.back()->report);
     warn_about(messages, reports.back());
   }

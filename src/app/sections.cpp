@@ -39,8 +39,8 @@ CutSections cut_sections(const World& world, const SceneDescription& scene, cons
   progress.begin("cutting sections", scene.sections.size());
   CutSections sections;
   for (const SectionDescription& description : scene.sections) {
-    const std::string& name = description.name.text;
-    const auto shows = [&](const ViewDescription& view) { return view.section.text == name; };
+    const std::string& name = *description.name;
+    const auto shows = [&](const ViewDescription& view) { return view.section.value == name; };
     if (std::none_of(scene.views.begin(), scene.views.end(), shows)) continue;
     const CuttingPlane plane = make_cutting_plane(description);
     const CutSection& section =
@@ -52,7 +52,7 @@ CutSections cut_sections(const World& world, const SceneDescription& scene, cons
 }
 
 const CutSection* section_of(const CutSections& sections, const ViewDescription& view) {
-  const auto found = sections.find(view.section.text);
+  const auto found = sections.find(view.section.value_or(""));
   return found == sections.end() ? nullptr : &found->second;
 }
 

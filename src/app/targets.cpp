@@ -111,12 +111,11 @@ std::vector<Target> targets_of(const DrawOptions& options) {
     std::string extension = path == "-" ? options.format : std::filesystem::path(path).extension().string();
     if (extension.starts_with(".")) extension.erase(0, 1);
     const auto format = format_of(extension);
-    if (!format && path == "-")
-      throw Error(Trouble::input, "--output -", "wants --format", did_you_mean(extension, format_names()));
+    if (!format && path == "-") throw Error(Trouble::input, "--output -", "wants --format", format_hint(extension));
     if (!format)
       throw Error(Trouble::input, path,
                   extension.empty() ? "has no extension to tell the format" : "has an unknown format",
-                  did_you_mean(extension, format_names()));
+                  format_hint(extension));
     targets.push_back({path, *format});
   }
   return targets;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "app/command_tree.hpp"
+#include "scene/scene_values.hpp"
 
 namespace epura {
 
@@ -17,7 +17,7 @@ struct Suggestion {
 
 /// `text` is what the value begins with so far; suggestions are whole values, some of which do not begin like it.
 /// Projections and their parameters are asked of the plugins in `folders`. Nothing where every text would do.
-std::vector<Suggestion> value_suggestions(const CommandDescription& command, const OptionDescription& option,
-                                          const std::string& text, const std::vector<std::filesystem::path>& folders);
+std::vector<Suggestion> value_suggestions(const ValueForm& form, const std::string& text,
+                                          const std::vector<std::filesystem::path>& folders);
 
 }  // namespace epura

@@ -10,21 +10,14 @@ namespace epura {
 namespace {
 
 EdgeWishes edge_wishes(const ViewDescription& view) {
-  EdgeWishes wishes;
-  if (view.crease_angle) wishes.crease_angle = *view.crease_angle;
-  if (!view.edges.given()) return wishes;
-  wishes = {
-      .contour = false, .boundary = false, .crease = false, .intersection = false, .crease_angle = wishes.crease_angle};
-  for (const std::string_view part : split(view.edges.text, ',')) {
-    const auto wish = choose<bool EdgeWishes::*>(view.edges.where, std::string(part),
-                                                 {{"contour", &EdgeWishes::contour},
-                                                  {"crease", &EdgeWishes::crease},
-                                                  {"boundary", &EdgeWishes::boundary},
-                                                  {"intersection", &EdgeWishes::intersection},
-                                                  {"tangent", &EdgeWishes::tangent},
-                                                  {"smooth", &EdgeWishes::smooth}});
-    wishes.*wish = true;
-  }
+  const EdgeKinds kinds = view.edges.value_or({});
+  EdgeWishes wishes{.contour = kinds.contour,
+                    .boundary = kinds.boundary,
+                    .crease = kinds.crease,
+                    .intersection = kinds.intersection,
+                    .tangent = kinds.tangent,
+                    .smooth = kinds.smooth};
+  wishes.crease_angle = view.crease_angle.value_or(wishes.crease_angle);
   return wishes;
 }
 
@@ -32,34 +25,23 @@ EdgeWishes edge_wishes(const ViewDescription& view) {
 std::vector<ModelLook> looks_of(const SceneDescription& scene, const ViewDescription& view) {
   std::vector<ModelLook> looks;
   for (const ModelDescription& model : scene.models) {
-    ModelLook& look = looks.emplace_back();
-    if (view.hidden.given()) look.hidden = parse_hidden_lines(view.hidden.text, view.hidden.where);
-    if (model.hidden.given()) look.hidden = parse_hidden_lines(model.hidden.text, model.hidden.where);
-    if (model.line.given()) look.line = parse_line_role(model.line.text, model.line.where);
+    const ModelLook usual;
+    looks.push_back({model.line.value_or(usual.line), model.hidden.value_or(view.hidden.value_or(usual.hidden))});
   }
   return looks;
 }
 
-std::optional<double> arc_tolerance(const std::string& text) {
-  if (text.empty()) return std::nullopt;
-  const auto tolerance = parse_number(text);
-  if (!tolerance || !(*tolerance > 0 && *tolerance <= 1))
-    throw Error(Trouble::input, "--arcs", "'" + text + "' is no tolerance",
-                "more than 0 and at most 1 mm are possible");
-  return tolerance;
-}
-
 ViewWish wish_of(const SceneDescription& scene, const ViewDescription& view, const DrawOptions& options) {
   ViewWish wish;
-  wish.name = view.name.text;
-  wish.limits = {view.near, view.far};
+  wish.name = *view.name;
+  wish.limits = {view.near.value, view.far.value};
   wish.edges = edge_wishes(view);
   wish.contact = options.contact;
-  wish.method = parse_method(options.visibility, "--visibility");
+  wish.method = options.method;
   wish.looks = looks_of(scene, view);
-  wish.arcs = arc_tolerance(options.arcs);
+  wish.arcs = options.arcs;
   wish.centre_lines = options.centre_lines;
-  wish.leave_out = parse_leave_out(options.plan);
+  wish.leave_out = options.plan;
   if (options.verify && wish.method.way == Way::none)
     throw Error(Trouble::input, "--verify", "has nothing to test in a wireframe", "leave out --visibility none");
   if (options.time_limit && (wish.method.way == Way::sampled || wish.method.way == Way::item_buffer))
@@ -87,11 +69,10 @@ std::vector<PlannedView> plan_views(const SceneDescription& scene, const DrawOpt
   std::vector<PlannedView> plans;
   for (const ViewDescription& view : scene.views) {
     const ViewWish wish = wish_of(scene, view, options);
-    const auto plan = [&](const std::string& text) -> PlannedView {
-      const ProjectionRequest request = parse_request(text);
+    const auto plan = [&](const ProjectionRequest& request) -> PlannedView {
       return {request, find(request.name), wish};
     };
-    plans.push_back(parse_given(view.projection, plan));
+    plans.push_back(at_place(view.projection, plan));
   }
   return plans;
 }
@@ -102,7 +83,7 @@ std::vector<SheetOfViews> views_by_sheet(const SceneDescription& scene, const st
     SheetOfViews& here = sheets.emplace_back();
     here.sheet = sheet;
     for (std::size_t i = 0; i < scene.views.size(); ++i) {
-      if (scene.views[i].sheet != sheet + 1) continue;
+      if (scene.views[i].sheet.value_or(1) != sheet + 1) continue;
       here.descriptions.push_back(scene.views[i]);
       here.plans.push_back(plans[i]);
     }
@@ -115,11 +96,11 @@ std::vector<SheetOfViews> views_by_sheet(const SceneDescription& scene, const st
 }
 
 View look_at(const World& world, const PlannedView& plan, const ViewDescription& description) {
-  const auto look = [&](const std::string&) {
+  const auto look = [&](const ProjectionRequest&) {
     return make_view(world, make_projection(plan.entry, plan.request, world.box), plan.wish.limits,
                      plan.wish.leave_out.clip ? Clipping::where_needed : Clipping::everywhere);
   };
-  return parse_given(description.projection, look);
+  return at_place(description.projection, look);
 }
 
 }  // namespace epura

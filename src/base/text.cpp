@@ -153,8 +153,19 @@ std::optional<std::string> nearest_name(std::string_view name, std::span<const s
 
 std::string did_you_mean(std::string_view name, std::span<const std::string> candidates) {
   if (const auto nearest = nearest_name(name, candidates)) return "did you mean '" + *nearest + "'?";
+  constexpr std::size_t most_listed = 24, few = 3;
+  std::vector<std::string> listed(candidates.begin(), candidates.end());
+  const bool all = listed.size() <= most_listed;
+  if (!all) {
+    const std::string lower = to_lower(name);
+    std::stable_sort(listed.begin(), listed.end(), [&lower](const std::string& a, const std::string& b) {
+      return edit_distance(lower, to_lower(a)) < edit_distance(lower, to_lower(b));
+    });
+    listed.resize(few);
+  }
   std::string list;
-  for (const std::string& candidate : candidates) list += (list.empty() ? "known: " : ", ") + candidate;
+  for (const std::string& candidate : listed)
+    list += (!list.empty() ? ", " : all ? "known: " : "the nearest are: ") + candidate;
   return list;
 }
 

@@ -39,7 +39,7 @@ std::string to_lower(std::string_view text);
 /// The candidate closest to `name` by edit distance, if it is close enough to have been meant.
 std::optional<std::string> nearest_name(std::string_view name, std::span<const std::string> candidates);
 
-/// "did you mean 'x'?" or the list of candidates, for the hint of an error.
+/// "did you mean 'x'?", or the list of candidates, of very many the three nearest; for the hint of an error.
 std::string did_you_mean(std::string_view name, std::span<const std::string> candidates);
 
 }  // namespace epura

@@ -19,4 +19,14 @@ std::optional<Format> format_of(std::string_view extension) {
   return static_cast<Format>(found - names.begin());
 }
 
+std::string format_hint(std::string_view extension) {
+  // What people mean by formats that are not written.
+  static const std::vector<std::pair<std::string, std::string>> meant = {
+      {"dwg", "dxf"},  {"jpg", "png"},  {"jpeg", "png"}, {"gif", "png"}, {"bmp", "png"},  {"tif", "png"},
+      {"tiff", "png"}, {"webp", "png"}, {"emf", "svg"},  {"wmf", "svg"}, {"svgz", "svg"}, {"ai", "pdf"}};
+  for (const auto& [other, name] : meant)
+    if (to_lower(extension) == other) return "write " + name + " instead, which programs for " + other + " read";
+  return did_you_mean(extension, format_names());
+}
+
 }  // namespace epura

@@ -13,6 +13,7 @@
 #include "drawing/drawing.hpp"
 #include "mesh/mesh.hpp"
 #include "output/verification.hpp"
+#include "scene/choices.hpp"
 #include "sheet/sheet.hpp"
 #include "view/condition.hpp"
 
@@ -22,11 +23,17 @@ enum class Format { svg, pdf, ps, eps, png, dxf, json };
 
 /// By file extension, in any case; nothing when unknown.
 std::optional<Format> format_of(std::string_view extension);
+/// What to write instead of a format that is unknown.
+std::string format_hint(std::string_view extension);
 /// All extensions, for help and hints.
 const std::vector<std::string>& format_names();
 
 /// How an SVG file has its texts: as outlines, which look the same everywhere, or as text, which can be edited.
 enum class SvgText { outlines, text };
+template <>
+struct Words<SvgText> {
+  static constexpr std::array list{"outlines", "text"};
+};
 
 struct VectorOptions {
   bool plain = false;  ///< leave the origin of lines out

@@ -92,6 +92,12 @@ std::optional<ProjectionEntry> entry_named(std::string_view name, const std::vec
   throw Error(Trouble::plugin, std::string(name), "no such projection", hint);
 }
 
+// Short names for what people ask for most.
+std::string_view full_name(std::string_view name) {
+  if (name == "iso") return "isometric";
+  return name == "perspective" ? "two-point" : name;
+}
+
 }  // namespace
 
 std::vector<fs::path> plugin_folders(const std::vector<fs::path>& extra) {
@@ -114,6 +120,7 @@ ProjectionEntry find_projection(std::string_view name, const std::vector<fs::pat
     if (!fs::is_regular_file(library, error)) continue;
     if (auto entry = entry_named(name, read_or_note(library, Afterwards::waits, bad))) return *std::move(entry);
   }
+  if (const std::string_view full = full_name(name); full != name) return find_projection(full, folders);
   const Catalogue catalogue = load_all(folders, std::move(bad));
   if (auto entry = entry_named(name, catalogue.entries)) return *std::move(entry);
   throw_unknown(name, catalogue);

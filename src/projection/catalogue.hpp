@@ -10,6 +10,7 @@
 
 #include "base/vec.hpp"
 #include "projection/projection.hpp"
+#include "scene/choices.hpp"
 
 namespace epura {
 
@@ -62,17 +63,11 @@ std::vector<std::filesystem::path> plugin_folders(const std::vector<std::filesys
 /// projections with one name, the one in NAME.so is taken, otherwise the first; two in one folder are reported.
 Catalogue load_catalogue(const std::vector<std::filesystem::path>& folders);
 
-/// Finds one projection, reading as few plugins as possible: NAME.so first, then the others until it is found.
+/// Finds one projection, reading as few plugins as possible: NAME.so first, then the others until it is found. "iso" is
+/// isometric, and "perspective" two-point, where no NAME.so is called so.
 /// Throws Error{plugin} when there is none: what is wrong with NAME.so; otherwise "did you mean", and the bad plugins
 /// that might have held it.
 ProjectionEntry find_projection(std::string_view name, const std::vector<std::filesystem::path>& folders);
-
-/// NAME[:key=value]... -> name and assignments. Vectors have commas, choices are words. Throws Error{input}.
-struct ProjectionRequest {
-  std::string name;
-  std::vector<std::pair<std::string, std::string>> assignments;
-};
-ProjectionRequest parse_request(std::string_view text);
 
 /// Checks the values against the table, calls the plugin and checks its answer. `scene` is the box of everything.
 /// Throws Error{input} for wrong values, and for values to which the answer is no projection; Error{plugin} if already

@@ -72,23 +72,6 @@ ParameterValues values_of(const ProjectionEntry& entry, const ProjectionRequest&
 
 }  // namespace
 
-ProjectionRequest parse_request(std::string_view text) {
-  const std::vector<std::string_view> parts = split(text, ':');
-  const std::string where(text);
-  ProjectionRequest request{std::string(parts[0]), {}};
-  if (request.name.empty()) refuse_value(where, "a projection has a name", "NAME[:key=value]...");
-  for (std::size_t i = 1; i < parts.size(); ++i) {
-    const std::size_t equals = parts[i].find('=');
-    if (equals == std::string_view::npos || equals == 0)
-      refuse_value(where, std::string("'").append(parts[i]) + "' is no key=value", "NAME[:key=value]...");
-    const std::string key(parts[i].substr(0, equals));
-    for (const auto& [earlier, value] : request.assignments)
-      if (earlier == key) refuse_value(request.name + ":" + key, "is given twice");
-    request.assignments.emplace_back(key, parts[i].substr(equals + 1));
-  }
-  return request;
-}
-
 Projection make_projection(const ProjectionEntry& entry, const ProjectionRequest& request, const Box& scene) {
   const ParameterValues values = values_of(entry, request);
   const PluginAnswer answer = ask_plugin(entry, values, scene);

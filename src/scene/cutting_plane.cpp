@@ -32,7 +32,7 @@ CuttingPlane make_cutting_plane(const SectionDescription& section) {
   Vec3 axis(0);
   axis[size.x <= size.y && size.x <= size.z ? 0 : size.y <= size.z ? 1 : 2] = 1;
   const Vec3 right = glm::normalize(glm::cross(axis, normal));
-  return {section.point, normal, right, glm::cross(normal, right), section.name.text, where};
+  return {section.point, normal, right, glm::cross(normal, right), *section.name, where};
 }
 
 SectionDescription parse_section(std::string_view text, const std::string& where) {

@@ -31,7 +31,7 @@ ModelNumbers numbers_of(const std::vector<ModelDescription>& models) {
   ModelNumbers numbers;
   for (int i = 0; i < static_cast<int>(models.size()); ++i) {
     const ModelDescription& model = models[std::size_t(i)];
-    numbers[model.name.given() ? model.name.text : fs::path(model.file.text).stem().string()].push_back(i);
+    numbers[model.name.value_or(fs::path(*model.file).stem().string())].push_back(i);
   }
   return numbers;
 }
@@ -41,47 +41,34 @@ template <class Part>
 Names names_of(const std::vector<Part>& parts, const std::string& what) {
   Names names;
   for (const Part& part : parts)
-    if (part.name.given() && !names.insert(part.name.text).second)
-      refuse(part.name.where, "'" + part.name.text + "' is the name of an earlier " + what, "names are for one each");
+    if (part.name.given() && !names.insert(*part.name).second)
+      refuse(part.name.where, "'" + *part.name + "' is the name of an earlier " + what, "names are for one each");
   return names;
 }
 
-void refuse_unknown(const Given& name, const Names& names, const std::string& what) {
-  if (!name.given() || names.contains(name.text)) return;
+void refuse_unknown(const LocatedText& name, const Names& names, const std::string& what) {
+  if (!name.given() || names.contains(*name)) return;
   const std::vector<std::string> known(names.begin(), names.end());
-  refuse(name.where, "there is no " + what + " '" + name.text + "'",
-         known.empty() ? "there is no [[" + what + "]] at all" : did_you_mean(name.text, known));
+  refuse(name.where, "there is no " + what + " '" + *name + "'",
+         known.empty() ? "there is no [[" + what + "]] at all" : did_you_mean(*name, known));
 }
 
 void check_views(const SceneDescription& scene, const Names& sections) {
   const std::size_t sheets = scene.sheets.size();
   for (const ViewDescription& view : scene.views) {
     refuse_unknown(view.section, sections, "section");
-    if (std::size_t(view.sheet) > sheets)
-      refuse(view.projection.where,
-             "the view is for sheet " + std::to_string(view.sheet) + " of " + std::to_string(sheets),
+    if (const int sheet = view.sheet.value_or(1); std::size_t(sheet) > sheets)
+      refuse(view.projection.where, "the view is for sheet " + std::to_string(sheet) + " of " + std::to_string(sheets),
              "add a [[sheet]]");
   }
 }
 
-struct DimensionType {
-  std::string name;
-  std::vector<std::string> anchors;  ///< keys, in the order of DimensionDescription::anchors
-};
-
-const DimensionType& type_of(const Given& type) {
-  static const std::array<DimensionType, 6> types = {{{"linear", {"from", "to"}},
-                                                      {"aligned", {"from", "to"}},
-                                                      {"angular", {"corner", "from", "to"}},
-                                                      {"radius", {"at"}},
-                                                      {"diameter", {"at"}},
-                                                      {"overall", {}}}};
-  std::vector<std::string> names;
-  for (const DimensionType& known : types) {
-    if (known.name == type.text) return known;
-    names.push_back(known.name);
-  }
-  refuse(type.where, "does not know '" + type.text + "'", did_you_mean(type.text, names));
+/// Keys of the anchors that a dimension has, in the order of DimensionDescription::anchors.
+const std::vector<std::string>& anchor_keys(DimensionType type) {
+  // In order of DimensionType.
+  static const std::array<std::vector<std::string>, 6> keys = {
+      {{"from", "to"}, {"from", "to"}, {"corner", "from", "to"}, {"at"}, {"at"}, {}}};
+  return keys[static_cast<std::size_t>(type)];
 }
 
 // The number of the model that an anchor names.
@@ -113,26 +100,27 @@ struct Subjects {
 Anchor anchor_of(const AnchorWords& words, const Subjects& subjects) {
   if (words.point) return *words.point;
   const int model = model_of(words, subjects.numbers, static_cast<int>(subjects.models.size()));
-  if (!subjects.models[std::size_t(model)].drawn)
+  if (!subjects.models[std::size_t(model)].drawn.value_or(true))
     refuse(words.where, "the model is not drawn and has no vertices", "give the place as {point = [x, y, z]}");
   return std::array<int, 2>{model, words.vertex};
 }
 
 DimensionDescription dimension_of(const DimensionWords& words, const Subjects& subjects) {
   DimensionDescription dimension = words.description;
-  const DimensionType& type = type_of(dimension.type);
-  for (const std::string& key : type.anchors) {
+  const std::string type(word_of(*dimension.type));
+  const std::vector<std::string>& keys = anchor_keys(*dimension.type);
+  for (const std::string& key : keys) {
     const auto found = std::find_if(words.anchors.begin(), words.anchors.end(),
                                     [&key](const auto& anchor) { return anchor.first == key; });
     if (found == words.anchors.end())
-      refuse(dimension.where, "a dimension of type '" + type.name + "' lacks '" + key + "'",
+      refuse(dimension.where, "a dimension of type '" + type + "' lacks '" + key + "'",
              "[model, vertex] or {point = [x, y, z]}");
     dimension.anchors.push_back(anchor_of(found->second, subjects));
   }
   for (const auto& [key, anchor] : words.anchors)
-    if (std::find(type.anchors.begin(), type.anchors.end(), key) == type.anchors.end())
-      refuse(anchor.where, "a dimension of type '" + type.name + "' has no '" + key + "'",
-             type.anchors.empty() ? "it has no anchors" : did_you_mean(key, type.anchors));
+    if (std::find(keys.begin(), keys.end(), key) == keys.end())
+      refuse(anchor.where, "a dimension of type '" + type + "' has no '" + key + "'",
+             keys.empty() ? "it has no anchors" : did_you_mean(key, keys));
   // Views of the command line are not known yet.
   if (!subjects.views.empty()) refuse_unknown(dimension.view, subjects.views, "view");
   return dimension;
@@ -140,7 +128,7 @@ DimensionDescription dimension_of(const DimensionWords& words, const Subjects& s
 
 // A file's path, as seen from the folder of the scene file.
 void find_files(std::vector<ModelDescription>& models, const fs::path& folder) {
-  for (ModelDescription& model : models) model.file.text = (folder / model.file.text).string();
+  for (ModelDescription& model : models) model.file.value = (folder / *model.file).string();
 }
 
 }  // namespace

@@ -14,35 +14,19 @@ namespace epura {
 
 namespace {
 
-/// One key of the section that describes a Part.
-template <class Part>
-struct SceneKey {
-  std::string name;
-  std::string value;  ///< kind of its values
-  std::string help;
-  std::function<void(Part&, const TomlValue&)> read;
-  bool required = false;
-};
-
-template <class Part>
-using SceneKeys = std::vector<SceneKey<Part>>;
-
 constexpr const char* table_kind = "table";
-
-/// A key whose value goes to `member` of the part, or to what `member` as a function finds in the part.
-template <class Part, class Member, class Value>
-SceneKey<Part> key(const std::string& name, Member member, const ValueKind<Value>& kind, const std::string& help,
-                   bool required = false) {
-  const auto read = [member, kind](Part& part, const TomlValue& value) {
-    std::invoke(member, part) = kind.read(value);
-  };
-  return {name, kind.name + (required ? "; required" : ""), help, read, required};
-}
 
 // What words have in their description.
 template <class Member>
 auto in_description(Member member) {
   return [member](auto& words) -> auto& { return words.description.*member; };
+}
+
+/// A key under which stands a table, or several.
+template <class Part>
+Option<Part> table_option(const std::string& key, const std::string& help,
+                          std::function<void(Part&, const TomlValue&)> read) {
+  return {{.key = key, .form = {table_kind}, .help = help}, std::move(read)};
 }
 
 // A key of the whole file is often written where it belongs to the last section.
@@ -51,9 +35,9 @@ std::string hint_for(const std::string& key, const std::vector<std::string>& kno
 }
 
 template <class Part>
-void read_entries(Part& part, const TomlValue& table, const SceneKeys<Part>& keys, const std::string& section) {
+void read_entries(Part& part, const TomlValue& table, const Options<Part>& keys, const std::string& section) {
   std::vector<std::string> names;
-  for (const auto& known : keys) names.push_back(known.name);
+  for (const auto& known : keys) names.push_back(known.key);
   const std::vector<TomlValue>& entries = table_of(table).values;
   for (const TomlValue& entry : entries)
     if (std::find(names.begin(), names.end(), entry.key) == names.end())
@@ -61,91 +45,12 @@ void read_entries(Part& part, const TomlValue& table, const SceneKeys<Part>& key
                   hint_for(entry.key, names));
   for (const auto& known : keys) {
     const auto entry = std::find_if(entries.begin(), entries.end(),
-                                    [&known](const TomlValue& candidate) { return candidate.key == known.name; });
+                                    [&known](const TomlValue& candidate) { return candidate.key == known.key; });
     if (entry != entries.end())
       known.read(part, *entry);
     else if (known.required)
-      throw Error(Trouble::input, table.where, section + " lacks '" + known.name + "'", known.help);
+      throw Error(Trouble::input, table.where, section + " lacks '" + known.key + "'", known.help);
   }
-}
-
-SceneKeys<ModelDescription> model_keys() {
-  using Model = ModelDescription;
-  return {
-      key<Model>("file", &Model::file, any_text(), "obj, stl, ply or off; a relative path starts at the scene file",
-                 true),
-      key<Model>("name", &Model::name, any_text(), "for dimensions; by default the name of the file without extension"),
-      key<Model>("unit", &Model::unit, any_text(), "of the file: `mm` (default), `in` or `m`"),
-      key<Model>("up", &Model::up, any_text(), "axis that points up in the file: `z` (default) or `y`"),
-      key<Model>("transform", &Model::transform, any_text(),
-                 "steps as of `--transform`: `rotate:z,30 translate:0,0,5`"),
-      key<Model>("line", &Model::line, any_text(), "its visible lines: `visible` (default), `narrow`, or `neighbour`"),
-      key<Model>("hidden", &Model::hidden, any_text(), "its hidden lines, as in a view"),
-      key<Model>("drawn", &Model::drawn, truth(), "`false` leaves it out; the others keep their numbers"),
-  };
-}
-
-SceneKeys<SectionDescription> section_keys() {
-  using Section = SectionDescription;
-  return {
-      key<Section>("name", &Section::name, any_text(), "by which views call it, such as `A`", true),
-      key<Section>("point", &Section::point, triple_of_numbers(""), "of the plane; the origin by default"),
-      key<Section>("normal", &Section::normal, direction(), "to the side that is taken away; `[0, -1, 0]` by default"),
-  };
-}
-
-SceneKeys<ViewDescription> view_keys() {
-  using View = ViewDescription;
-  return {
-      key<View>("projection", &View::projection, projection_text(),
-                "`NAME[:key=value...]`, or `{name = NAME, key = value}`", true),
-      key<View>("name", &View::name, any_text(), "of its layers, and for dimensions; the projection's by default"),
-      key<View>("scale", &View::scale, any_text(), "such as `2:1`; the sheet's by default"),
-      key<View>("at", &View::at, pair_of_numbers("mm"),
-                "middle of the view, from the lower left corner of the sheet; arranged by default"),
-      key<View>("sheet", &View::sheet, whole_number(1), "which one of several, from 1"),
-      key<View>("section", &View::section, any_text(), "name of the section that it shows"),
-      key<View>("label", &View::label, any_text(), "written above it; `A-A` for section `A` by default"),
-      key<View>("hidden", &View::hidden, any_text(), "hidden lines: `none`, `dashed` or `solid`"),
-      key<View>("edges", &View::edges, words(), "which: `contour crease boundary intersection tangent smooth`"),
-      key<View>("crease_angle", &View::crease_angle, number_between(0, 180, "degrees"),
-                "between faces, from which their edge is a crease; 30 by default"),
-      key<View>("near", &View::near, any_number(""), "leave out what is nearer to the viewer"),
-      key<View>("far", &View::far, any_number(""), "leave out what is farther from the viewer"),
-  };
-}
-
-SceneKey<DimensionWords> anchor_key(const std::string& name, const std::string& help) {
-  const ValueKind<AnchorWords> kind = anchor();
-  const auto read = [name, kind](DimensionWords& words, const TomlValue& value) {
-    words.anchors.emplace_back(name, kind.read(value));
-  };
-  return {name, kind.name, help, read};
-}
-
-SceneKeys<DimensionWords> dimension_keys() {
-  using Words = DimensionWords;
-  using Dimension = DimensionDescription;
-  return {
-      key<Words>("type", in_description(&Dimension::type), any_text(),
-                 "`linear`, `aligned`, `angular`, `radius`, `diameter` or `overall`", true),
-      key<Words>("view", in_description(&Dimension::view), any_text(), "name of the view; the first one by default"),
-      key<Words>("direction", in_description(&Dimension::direction), any_text(),
-                 "linear: `horizontal` or `vertical`; overall: `width`, `height` or `depth`, or all by default"),
-      anchor_key("corner", "angular: where the legs meet"),
-      anchor_key("from", "linear, aligned: one end; angular: end of a leg"),
-      anchor_key("to", "linear, aligned: the other end; angular: end of the other leg"),
-      anchor_key("at", "radius, diameter: a vertex on the circle"),
-      key<Words>("offset", in_description(&Dimension::offset), any_number("mm"),
-                 "of the dimension line from the anchors, on paper; its sign gives the side"),
-      key<Words>("text", in_description(&Dimension::text), any_text(),
-                 "instead of the measured value, for which `<>` stands"),
-  };
-}
-
-void set_field(TitleBlockFields& fields, const std::string& name, const Given& text) {
-  std::erase_if(fields, [&name](const auto& field) { return field.first == name; });
-  fields.emplace_back(name, text);
 }
 
 void read_free_fields(TitleBlockFields& fields, const TomlValue& table) {
@@ -156,45 +61,28 @@ void read_free_fields(TitleBlockFields& fields, const TomlValue& table) {
     if (std::any_of(title_fields().begin(), title_fields().end(), same))
       throw Error(Trouble::input, entry.key_where, "'" + entry.key + "' is no free field", "put it into [title_block]");
     names.insert(entry.key);
-    read.emplace_back(entry.key, field_text().read(entry));
+    read.emplace_back(entry.key, LocatedText{field_text().read(entry), entry.where});
   }
   // As set_field would do, all at once: a table names no key twice.
   std::erase_if(fields, [&names](const auto& field) { return names.contains(field.first); });
   fields.insert(fields.end(), read.begin(), read.end());
 }
 
-SceneKeys<TitleBlockFields> title_block_keys() {
-  SceneKeys<TitleBlockFields> keys;
-  const ValueKind<Given> kind = field_text();
-  for (const TitleField& field : title_fields())
-    keys.push_back({field.name, kind.name, field.help,
-                    [name = field.name, kind](TitleBlockFields& fields, const TomlValue& value) {
-                      set_field(fields, name, kind.read(value));
-                    }});
-  keys.push_back({"free", table_kind, "more fields, of any name", read_free_fields});
+Options<TitleBlockFields> title_block_keys() {
+  Options<TitleBlockFields> keys = title_block_options();
+  keys.push_back(table_option<TitleBlockFields>("free", "more fields, of any name", read_free_fields));
   return keys;
 }
 
-SceneKeys<SheetDescription> shared_sheet_keys() {
-  using Sheet = SheetDescription;
-  return {
-      key<Sheet>("size", &Sheet::size, any_text(), "`A4` to `A0`, `WIDTHxHEIGHT` in mm, `none`, or `auto`"),
-      key<Sheet>("orientation", &Sheet::orientation, any_text(), "`landscape` or `portrait`"),
-      key<Sheet>("scale", &Sheet::scale, any_text(), "`fit`, `auto`, or such as `1:2`"),
-      key<Sheet>("angle", &Sheet::angle, any_text(), "projection method: `first` or `third` angle"),
-      key<Sheet>("frame", &Sheet::frame, any_text(), "`auto`, `none`, `plain` or `full`"),
-  };
+Options<SheetDescription> own_sheet_keys() {
+  return {table_option<SheetDescription>(
+      "title_block", "as `[title_block]`, for this sheet alone", [](SheetDescription& sheet, const TomlValue& value) {
+        read_entries(sheet.title_block, value, title_block_keys(), "[sheet.title_block]");
+      })};
 }
 
-SceneKeys<SheetDescription> own_sheet_keys() {
-  const auto read = [](SheetDescription& sheet, const TomlValue& value) {
-    read_entries(sheet.title_block, value, title_block_keys(), "[sheet.title_block]");
-  };
-  return {{"title_block", table_kind, "as `[title_block]`, for this sheet alone", read}};
-}
-
-SceneKeys<SheetDescription> sheet_keys() {
-  SceneKeys<SheetDescription> keys = shared_sheet_keys();
+Options<SheetDescription> sheet_keys() {
+  Options<SheetDescription> keys = sheet_options();
   for (const auto& key : own_sheet_keys()) keys.push_back(key);
   return keys;
 }
@@ -211,7 +99,7 @@ void prepare(const SceneWords& words, const TomlValue& table, SheetDescription& 
 
 /// A key of the file under which stand several tables, or a single one: each is a part in the list that `parts` finds.
 template <class Part, class Parts>
-SceneKey<SceneWords> parts_key(const std::string& name, const SceneKeys<Part>& keys, Parts parts) {
+Option<SceneWords> parts_key(const std::string& name, const Options<Part>& keys, Parts parts) {
   const auto read = [name, keys, parts](SceneWords& words, const TomlValue& value) {
     for (const TomlValue* table : tables_of(value)) {
       Part part{};
@@ -220,17 +108,22 @@ SceneKey<SceneWords> parts_key(const std::string& name, const SceneKeys<Part>& k
       parts(words).push_back(std::move(part));
     }
   };
-  return {name, table_kind, "", read};
+  return table_option<SceneWords>(name, "", read);
 }
 
 void read_short_views(SceneWords& words, const TomlValue& value) {
-  const std::vector<Given> projections = each_word(value);
+  const std::vector<LocatedText> projections = each_word(value);
   expect_few_views(projections.size(), value.where);
-  for (const Given& projection : projections) words.description.views.emplace_back().projection = projection;
+  for (const LocatedText& projection : projections) {
+    TomlValue one = value;
+    one.content = *projection;
+    one.where = projection.where;
+    words.description.views.emplace_back().projection = {projection_request().read(one), one.where};
+  }
 }
 
 void read_every_sheet(SceneWords& words, const TomlValue& value) {
-  read_entries(words.every_sheet, value, shared_sheet_keys(), "[all_sheets]");
+  read_entries(words.every_sheet, value, sheet_options(), "[all_sheets]");
 }
 
 void read_title_block(SceneWords& words, const TomlValue& value) {
@@ -238,23 +131,36 @@ void read_title_block(SceneWords& words, const TomlValue& value) {
 }
 
 // In the order of reading: what all sheets share stands before the sheets.
-SceneKeys<SceneWords> scene_keys() {
+Options<SceneWords> scene_keys() {
   return {
-      {"views", words().name, "projections: short for a `[[view]]` of each", read_short_views},
-      parts_key("model", model_keys(), in_description(&SceneDescription::models)),
-      parts_key("section", section_keys(), in_description(&SceneDescription::sections)),
-      parts_key("view", view_keys(), in_description(&SceneDescription::views)),
-      parts_key("dimension", dimension_keys(), std::mem_fn(&SceneWords::dimensions)),
-      {"all_sheets", table_kind, "", read_every_sheet},
-      {"title_block", table_kind, "", read_title_block},
+      {{.key = "views", .form = {"list of texts"}, .help = "projections: short for a `[[view]]` of each"},
+       read_short_views},
+      parts_key("model", model_options(), in_description(&SceneDescription::models)),
+      parts_key("section", section_options(), in_description(&SceneDescription::sections)),
+      parts_key("view", view_options(), in_description(&SceneDescription::views)),
+      parts_key("dimension", dimension_options(), std::mem_fn(&SceneWords::dimensions)),
+      table_option<SceneWords>("all_sheets", "", read_every_sheet),
+      table_option<SceneWords>("title_block", "", read_title_block),
       parts_key("sheet", sheet_keys(), in_description(&SceneDescription::sheets)),
   };
 }
 
+std::string in_code(const std::vector<std::string>& words) {
+  std::vector<std::string> quoted;
+  for (const std::string& word : words) quoted.push_back("`" + word + "`");
+  return words_as_text(quoted);
+}
+
 template <class Part>
-void append_rows(std::string& table, const std::string& section, const SceneKeys<Part>& keys) {
-  for (const auto& key : keys)
-    if (!key.help.empty()) table += "| " + section + " | `" + key.name + "` | " + key.value + " | " + key.help + " |\n";
+void append_rows(std::string& table, const std::string& section, const Options<Part>& keys) {
+  for (const OptionInfo& key : keys) {
+    if (key.help.empty()) continue;
+    const std::string value = !key.form.is_closed ? key.form.name
+                              : key.form.is_list  ? "list of " + in_code(key.form.words)
+                                                  : in_code(key.form.words);
+    table += "| " + section + " | `" + key.key + "` | " + value + (key.required ? "; required" : "") + " | " +
+             key.usual + " | " + key.help + " |\n";
+  }
 }
 
 }  // namespace
@@ -266,13 +172,13 @@ SceneWords read_scene_words(const TomlValue& file) {
 }
 
 std::string describe_scene_keys() {
-  std::string table = "| section | key | value | meaning |\n|---|---|---|---|\n";
+  std::string table = "| section | key | value | default | meaning |\n|---|---|---|---|---|\n";
   append_rows(table, "", scene_keys());
-  append_rows(table, "`[[model]]`", model_keys());
-  append_rows(table, "`[[view]]`", view_keys());
-  append_rows(table, "`[[section]]`", section_keys());
-  append_rows(table, "`[[dimension]]`", dimension_keys());
-  append_rows(table, "`[all_sheets]`, `[[sheet]]`", shared_sheet_keys());
+  append_rows(table, "`[[model]]`", model_options());
+  append_rows(table, "`[[view]]`", view_options());
+  append_rows(table, "`[[section]]`", section_options());
+  append_rows(table, "`[[dimension]]`", dimension_options());
+  append_rows(table, "`[all_sheets]`, `[[sheet]]`", sheet_options());
   append_rows(table, "`[[sheet]]`", own_sheet_keys());
   append_rows(table, "`[title_block]`", title_block_keys());
   return table;

@@ -7,15 +7,9 @@
 #include <vector>
 
 #include "scene/description.hpp"
-#include "scene/scene_values.hpp"
+#include "scene/part_options.hpp"
 
 namespace epura {
-
-/// A dimension whose anchors stand under their keys and do not know their models yet.
-struct DimensionWords {
-  DimensionDescription description;
-  std::vector<std::pair<std::string, AnchorWords>> anchors;
-};
 
 /// What a scene file says, before its parts are brought together.
 struct SceneWords {
@@ -27,7 +21,7 @@ struct SceneWords {
 /// Throws Error{input} for unknown keys, missing keys and values that are not what the key takes.
 SceneWords read_scene_words(const TomlValue& file);
 
-/// A table in Markdown with the keys of all sections: section, key, value, meaning.
+/// A table in Markdown with the keys of all sections: section, key, value, default, meaning.
 std::string describe_scene_keys();
 
 }  // namespace epura

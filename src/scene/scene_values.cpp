@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "scene/transform.hpp"
 
 namespace epura {
 
@@ -30,6 +31,11 @@ std::string kind_name() {
   refuse(value, "is " + found + ", " + wanted + " is wanted", loose ? "put it in quotes" : "");
 }
 
+// What stands on the command line, if the value does.
+const std::string* option_text(const TomlValue& value) {
+  return value.is_option ? std::get_if<std::string>(&value.content) : nullptr;
+}
+
 template <class Content>
 const Content& content_of(const TomlValue& value) {
   const auto* content = std::get_if<Content>(&value.content);
@@ -37,40 +43,45 @@ const Content& content_of(const TomlValue& value) {
   return *content;
 }
 
-Given checked_text(const TomlValue& value) {
+std::string checked_text(const TomlValue& value) {
   const auto& text = content_of<std::string>(value);
   if (std::any_of(text.begin(), text.end(), is_control))
     refuse(value, "has a line break or another control character", "write it on one line");
-  return {text, value.where};
-}
-
-Given read_text(const TomlValue& value) {
-  Given text = checked_text(value);
-  if (!text.given()) refuse(value, "is empty", "leave it out, or say something");
   return text;
 }
 
-Given read_field(const TomlValue& value) {
+std::string read_field(const TomlValue& value) {
   const auto* date = std::get_if<TomlDate>(&value.content);
-  return date != nullptr ? Given{date->text, value.where} : checked_text(value);
+  return date != nullptr ? date->text : checked_text(value);
+}
+
+double option_number(const TomlValue& value, const std::string& text, bool whole) {
+  const auto number = parse_number(text);
+  if (!number || !std::isfinite(*number) || (whole && *number != std::floor(*number)))
+    refuse(value, "'" + text + "' is no " + (whole ? "whole number" : "number"));
+  return *number;
 }
 
 double read_number(const TomlValue& value) {
+  if (const std::string* text = option_text(value)) return option_number(value, *text, false);
   const double number = content_of<double>(value);
   if (!std::isfinite(number)) refuse(value, "is no finite number");
   return number;
 }
+
+bool read_truth(const TomlValue& value) { return option_text(value) != nullptr || content_of<bool>(value); }
 
 [[noreturn]] void refuse_range(const TomlValue& value, double number, double least, double most) {
   const std::string range = std::isfinite(most) ? " to " + format_number(most) : " or more";
   refuse(value, "is " + format_number(number) + ", allowed is " + format_number(least) + range);
 }
 
-int read_whole(const TomlValue& value, int least) {
-  constexpr int most = std::numeric_limits<int>::max();
-  const double number = read_number(value);
+int read_whole(const TomlValue& value, int least, int most = std::numeric_limits<int>::max()) {
+  const std::string* text = option_text(value);
+  const double number = text != nullptr ? option_number(value, *text, true) : read_number(value);
   if (number != std::floor(number)) refuse(value, "is " + format_number(number) + ", a whole number is wanted");
-  if (number < least) refuse_range(value, number, least, HUGE_VAL);
+  const bool open = most == std::numeric_limits<int>::max();
+  if (number < least) refuse_range(value, number, least, open ? HUGE_VAL : most);
   if (number > most) refuse_range(value, number, least, most);
   return static_cast<int>(number);
 }
@@ -93,16 +104,10 @@ Vec3 read_direction(const TomlValue& value) {
   return vector;
 }
 
-std::string joined(const std::vector<Given>& parts) {
-  std::string text;
-  for (const Given& part : parts) text += (text.empty() ? "" : ",") + part.text;
-  return text;
-}
-
 // A value of a projection's parameter, as on the command line.
 std::string read_parameter(const TomlValue& value) {
   if (const auto* flag = std::get_if<bool>(&value.content)) return *flag ? "true" : "false";
-  if (std::holds_alternative<std::string>(value.content)) return read_text(value).text;
+  if (std::holds_alternative<std::string>(value.content)) return read_text(value);
   if (!std::holds_alternative<TomlList>(value.content)) return format_number(read_number(value));
   std::string text;
   for (const TomlValue& element : std::get<TomlList>(value.content).values)
@@ -110,18 +115,43 @@ std::string read_parameter(const TomlValue& value) {
   return text;
 }
 
-Given read_projection(const TomlValue& value) {
+// What `parse` makes of a text. Where it names the text, an error in a scene file names the place there first.
+template <class Parse>
+auto parsed(const TomlValue& value, const Parse& parse) {
+  const std::string text = read_text(value);
+  try {
+    return parse(text);
+  } catch (const Error& error) {
+    if (value.is_option) throw;
+    throw Error(error.trouble(), value.where, error.what(), error.hint());
+  }
+}
+
+ProjectionRequest read_projection(const TomlValue& value) {
   const auto* table = std::get_if<TomlTable>(&value.content);
-  if (table == nullptr) return read_text(value);
-  std::string name, parameters;
+  if (table == nullptr) return parsed(value, parse_request);
+  ProjectionRequest request;
   for (const TomlValue& entry : table->values) {
     if (entry.key == "name")
-      name = read_text(entry).text;
+      request.name = read_text(entry);
     else
-      parameters += ":" + entry.key + "=" + read_parameter(entry);
+      request.assignments.emplace_back(entry.key, read_parameter(entry));
   }
-  if (name.empty()) refuse(value, "lacks 'name'", "{name = \"look-at\", eye = [4, -9, 5]}");
-  return {name + parameters, value.where};
+  if (request.name.empty()) refuse(value, "lacks 'name'", "{name = \"look-at\", eye = [4, -9, 5]}");
+  return request;
+}
+
+EdgeKinds read_edge_kinds(const TomlValue& value) {
+  std::vector<std::string> words;
+  for (const auto& [word, member] : edge_kind_words) words.emplace_back(word);
+  EdgeKinds chosen{false, false, false, false, false, false};
+  for (const LocatedText& one : each_word(value)) {
+    TomlValue word = value;
+    word.content = *one;
+    word.where = one.where;
+    chosen.*edge_kind_words[read_word(word, words)].second = true;
+  }
+  return chosen;
 }
 
 AnchorWords read_vertex(const TomlValue& value, const std::vector<TomlValue>& elements) {
@@ -130,7 +160,7 @@ AnchorWords read_vertex(const TomlValue& value, const std::vector<TomlValue>& el
            "a point of the world is {point = [x, y, z]}");
   AnchorWords anchor{value.where, {}, read_whole(elements[1], 0), {}};
   if (std::holds_alternative<std::string>(elements[0].content))
-    anchor.model = read_text(elements[0]).text;
+    anchor.model = read_text(elements[0]);
   else
     anchor.model = read_whole(elements[0], 0);
   return anchor;
@@ -152,26 +182,56 @@ std::string with_unit(const std::string& name, const std::string& unit) {
 }  // namespace
 
 void refuse(const TomlValue& value, const std::string& reason, const std::string& hint) {
-  throw Error(Trouble::input, value.where, "'" + value.key + "' " + reason, hint);
+  throw Error(Trouble::input, value.where, value.is_option ? reason : "'" + value.key + "' " + reason, hint);
 }
 
-ValueKind<Given> any_text() { return {"text", read_text}; }
+TomlValue value_of_option(const std::string& flag, const std::string& text) { return {"", flag, flag, text, true}; }
 
-ValueKind<Given> field_text() { return {"text or date", read_field}; }
-
-ValueKind<Given> words() {
-  return {"list of texts", [](const TomlValue& value) -> Given { return {joined(each_word(value)), value.where}; }};
+std::string read_text(const TomlValue& value) {
+  const std::string text = checked_text(value);
+  if (text.empty()) refuse(value, "is empty", "leave it out, or say something");
+  return text;
 }
 
-ValueKind<Given> projection_text() { return {"text or table", read_projection}; }
+std::size_t read_word(const TomlValue& value, const std::vector<std::string>& words) {
+  const std::string word = read_text(value);
+  const auto found = std::find(words.begin(), words.end(), to_lower(word));
+  if (found == words.end())
+    throw Error(Trouble::input, value.where,
+                (value.is_option ? "" : "'" + value.key + "': ") + "unknown value '" + word + "'",
+                did_you_mean(word, words));
+  return static_cast<std::size_t>(found - words.begin());
+}
 
-ValueKind<bool> truth() { return {"true or false", content_of<bool>}; }
+std::string words_as_text(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
+  return text;
+}
+
+ValueKind<std::string> any_text() { return {{"text", "TEXT"}, read_text}; }
+
+ValueKind<std::string> field_text() { return {{"text or date", "TEXT"}, read_field}; }
+
+ValueKind<ProjectionRequest> projection_request() {
+  ValueForm form{"text or table", "NAME"};
+  form.completion = Completion::projection;
+  return {form, read_projection};
+}
+
+ValueKind<bool> truth() { return {{"true or false"}, read_truth}; }
 
 ValueKind<int> whole_number(int least) {
-  return {"whole number", [least](const TomlValue& value) { return read_whole(value, least); }};
+  return {{"whole number", "N"}, [least](const TomlValue& value) { return read_whole(value, least); }};
 }
 
-ValueKind<double> any_number(const std::string& unit) { return {with_unit("number", unit), read_number}; }
+ValueKind<int> whole_number(int least, int most) {
+  return {{"whole number, " + std::to_string(least) + " to " + std::to_string(most), "N"},
+          [least, most](const TomlValue& value) { return read_whole(value, least, most); }};
+}
+
+ValueKind<double> any_number(const std::string& unit) { return {{with_unit("number", unit), "D"}, read_number}; }
 
 ValueKind<double> number_between(double least, double most, const std::string& unit) {
   const auto read = [least, most](const TomlValue& value) {
@@ -179,28 +239,60 @@ ValueKind<double> number_between(double least, double most, const std::string& u
     if (number < least || number > most) refuse_range(value, number, least, most);
     return number;
   };
-  return {with_unit(format_number(least) + " to " + format_number(most), unit), read};
+  return {{with_unit(format_number(least) + (std::isinf(most) ? " or more" : " to " + format_number(most)), unit), "D"},
+          read};
 }
 
-ValueKind<Vec2> pair_of_numbers(const std::string& unit) { return {with_unit("[x, y]", unit), read_vector<Vec2>}; }
+ValueKind<Vec2> pair_of_numbers(const std::string& unit) {
+  return {{with_unit("[x, y]", unit), "X,Y"}, read_vector<Vec2>};
+}
 
-ValueKind<Vec3> triple_of_numbers(const std::string& unit) { return {with_unit("[x, y, z]", unit), read_vector<Vec3>}; }
+ValueKind<Vec3> triple_of_numbers(const std::string& unit) {
+  return {{with_unit("[x, y, z]", unit), "X,Y,Z"}, read_vector<Vec3>};
+}
 
-ValueKind<Vec3> direction() { return {"[x, y, z]", read_direction}; }
+ValueKind<Vec3> direction() { return {{"[x, y, z]", "X,Y,Z"}, read_direction}; }
 
-ValueKind<AnchorWords> anchor() { return {"anchor", read_anchor}; }
+ValueKind<Mat4> transform_steps() {
+  return {{"text", "STEPS"}, [](const TomlValue& value) { return parsed(value, parse_transform); }};
+}
 
-std::vector<Given> each_word(const TomlValue& value) {
-  std::vector<Given> texts;
+ValueKind<ScaleChoice> scale_choice() {
+  const std::vector<std::string> usual{"fit", "auto", "1:1", "1:2", "1:5", "1:10", "2:1", "5:1", "10:1"};
+  return {{"text", "SCALE", usual}, [](const TomlValue& value) { return parse_scale(read_text(value), value.where); }};
+}
+
+ValueKind<PaperChoice> paper_choice() {
+  return {{"text", "SIZE", {"A4", "A3", "A2", "A1", "A0", "none", "auto"}},
+          [](const TomlValue& value) { return parse_paper_size(read_text(value), value.where); }};
+}
+
+ValueKind<EdgeKinds> edge_kinds() {
+  ValueForm form{"list of texts", "KINDS"};
+  for (const auto& [word, member] : edge_kind_words) form.words.emplace_back(word);
+  form.is_closed = form.is_list = true;
+  return {std::move(form), read_edge_kinds};
+}
+
+ValueKind<AnchorWords> anchor() { return {{"anchor", "ANCHOR"}, read_anchor}; }
+
+std::vector<LocatedText> each_word(const TomlValue& value) {
+  std::vector<LocatedText> texts;
   if (std::holds_alternative<std::string>(value.content)) {
-    const Given text = read_text(value);
-    for (const std::string_view word : split(text.text, ',')) texts.push_back({std::string(word), text.where});
+    const std::string text = checked_text(value);
+    for (std::string_view word : split(text, ',')) {
+      while (word.starts_with(' ')) word.remove_prefix(1);
+      while (word.ends_with(' ')) word.remove_suffix(1);
+      texts.push_back({std::string(word), value.where});
+    }
   } else {
-    for (const TomlValue& element : content_of<TomlList>(value).values) texts.push_back(read_text(element));
+    for (const TomlValue& element : content_of<TomlList>(value).values)
+      texts.push_back({read_text(element), element.where});
   }
-  const auto given = [](const Given& text) { return text.given(); };
-  if (texts.empty() || !std::all_of(texts.begin(), texts.end(), given))
-    refuse(value, texts.empty() ? "is empty" : "has an empty word", "leave it out, or say something");
+  if (texts.empty() || (texts.size() == 1 && texts[0]->empty()))
+    refuse(value, "is empty", "leave it out, or say something");
+  if (std::any_of(texts.begin(), texts.end(), [](const LocatedText& text) { return text->empty(); }))
+    refuse(value, "has an empty word", "leave it out, or say something");
   return texts;
 }
 

@@ -17,12 +17,46 @@ namespace epura {
 /// Throws Error{input} at the value: "scene.toml:12:9: 'at' " + reason.
 [[noreturn]] void refuse(const TomlValue& value, const std::string& reason, const std::string& hint = {});
 
-/// A kind of values: `name` as the documentation calls it. `read` throws Error{input} for values of other kinds.
+/// Where words for the completion of shells come from, beside those that a form lists.
+enum class Completion { words, files, folders, projection, projections };
+
+/// What a value looks like, for help, documentation and completion.
+struct ValueForm {
+  std::string name{};                ///< in documentation: "text", "0 to 180, degrees"
+  std::string placeholder{};         ///< on the command line: "DEG"; empty: a switch, which takes no value
+  std::vector<std::string> words{};  ///< that it may be
+  bool is_closed = false;            ///< it may be no other
+  bool is_list = false;              ///< of words, with commas
+  Completion completion = Completion::words;
+  std::string implied{};  ///< value of the option alone: --arcs; another one follows "="
+};
+
+/// A kind of values. `read` throws Error{input} for values of other kinds.
 template <class Value>
 struct ValueKind {
-  std::string name;
+  ValueForm form;
   std::function<Value(const TomlValue&)> read;
+
+  [[nodiscard]] ValueKind shown_as(const std::string& placeholder) const {
+    ValueKind kind = *this;
+    kind.form.placeholder = placeholder;
+    return kind;
+  }
+  /// With words that it often is.
+  [[nodiscard]] ValueKind such_as(std::vector<std::string> words) const {
+    ValueKind kind = *this;
+    kind.form.words = std::move(words);
+    return kind;
+  }
+  [[nodiscard]] ValueKind completed_by(Completion completion) const {
+    ValueKind kind = *this;
+    kind.form.completion = completion;
+    return kind;
+  }
 };
+
+/// What a command line says of an option.
+TomlValue value_of_option(const std::string& flag, const std::string& text);
 
 /// An anchor of a dimension whose model is not looked up yet.
 struct AnchorWords {
@@ -33,21 +67,39 @@ struct AnchorWords {
 };
 
 // Texts have one line without control characters, and are not empty where nothing else is said.
-ValueKind<Given> any_text();
-ValueKind<Given> field_text();       ///< may be empty, or a date: 2026-11-21
-ValueKind<Given> words();            ///< a list of texts, or a text with commas; the latter in either case
-ValueKind<Given> projection_text();  ///< NAME[:key=value...], from such a text or a table {name = NAME, key = value}
+ValueKind<std::string> any_text();
+ValueKind<std::string> field_text();                ///< may be empty, or a date: 2026-11-21
+ValueKind<ProjectionRequest> projection_request();  ///< from a text, or a table {name = NAME, key = value}
 ValueKind<bool> truth();
 ValueKind<int> whole_number(int least);
+ValueKind<int> whole_number(int least, int most);
 ValueKind<double> any_number(const std::string& unit);
 ValueKind<double> number_between(double least, double most, const std::string& unit);
 ValueKind<Vec2> pair_of_numbers(const std::string& unit);
 ValueKind<Vec3> triple_of_numbers(const std::string& unit);
-ValueKind<Vec3> direction();      ///< three numbers, not all zero
+ValueKind<Vec3> direction();        ///< three numbers, not all zero
+ValueKind<Mat4> transform_steps();  ///< as scene/transform.hpp says
+ValueKind<ScaleChoice> scale_choice();
+ValueKind<PaperChoice> paper_choice();
+ValueKind<EdgeKinds> edge_kinds();
 ValueKind<AnchorWords> anchor();  ///< [model, vertex] or {point = [x, y, z]}
 
-/// The texts of words(), each with its place.
-std::vector<Given> each_word(const TomlValue& value);
+/// One of the words of an enum.
+std::size_t read_word(const TomlValue& value, const std::vector<std::string>& words);
+std::string words_as_text(const std::vector<std::string>& words);
+template <class Enum>
+ValueKind<Enum> choice() {
+  const std::vector<std::string> words(Words<Enum>::list.begin(), Words<Enum>::list.end());
+  ValueForm form{words_as_text(words), "WORD", words, true};
+  return {std::move(form), [words](const TomlValue& value) { return static_cast<Enum>(read_word(value, words)); }};
+}
+
+/// The text itself.
+std::string read_text(const TomlValue& value);
+
+/// The words of a list, which on the command line and in a text have commas between them; blanks around them do not
+/// count.
+std::vector<LocatedText> each_word(const TomlValue& value);
 
 /// A table with entries of any name.
 const TomlTable& table_of(const TomlValue& value);

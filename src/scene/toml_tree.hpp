@@ -35,6 +35,7 @@ struct TomlValue {
   std::string where;      ///< "scene.toml:12:9": file as given, line and column in characters, both from 1
   std::string key_where;  ///< the same of the key
   TomlContent content;
+  bool is_option = false;  ///< a text of the command line, where numbers and lists are texts, too; `where` is its name
 };
 
 /// Whether it is a line break, a tab, an escape or another control character of ASCII.

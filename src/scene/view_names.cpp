@@ -22,16 +22,16 @@ void name_views(std::vector<ViewDescription>& views) {
   if (!views.empty()) expect_few_views(views.size(), views.back().projection.where);
   std::set<std::string> taken;
   for (const ViewDescription& view : views)
-    if (view.name.given()) taken.insert(view.name.text);
+    if (view.name.given()) taken.insert(*view.name);
   std::map<std::string, int> numbers;
   for (ViewDescription& view : views) {
     if (view.name.given()) continue;
-    const std::string projection(split(view.projection.text, ':').front());
+    const std::string& projection = view.projection->name;
     int& number = numbers[projection];
     do {
       ++number;
-      view.name.text = number == 1 ? projection : projection + "-" + std::to_string(number);
-    } while (!taken.insert(view.name.text).second);
+      view.name.value = number == 1 ? projection : projection + "-" + std::to_string(number);
+    } while (!taken.insert(*view.name).second);
   }
 }
 

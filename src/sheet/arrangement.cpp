@@ -68,7 +68,7 @@ std::optional<Found> at_free_scale(const Arranger& arranger, bool standard, doub
 
 struct Question {
   std::span<const ViewToPlace> views;
-  ScaleWish wish;
+  ScaleChoice wish;
   ProjectionAngle angle;
   DrawingRoom room;
 };
@@ -137,7 +137,7 @@ Arrangement on_paper(const Question& question) {
 // Arranged on A4, or on a larger sheet of that shape where the scale is given; then the paper is cut.
 Arrangement on_cut_paper(Question question) {
   const Paper margins = question.room.paper;
-  Paper trial = parse_paper("A4", false);
+  Paper trial = make_paper({}, false);
   question.room.title_block.reset();
   auto found = find_on(question, trial);
   for (; !found && question.wish.fixed && trial.width < 2 * longest_side; trial.width *= 2, trial.height *= 2)
@@ -183,12 +183,7 @@ ViewPlace view_place(std::string_view projection) {
   return projection == "auxiliary" ? ViewPlace::other : ViewPlace::pictorial;
 }
 
-ScaleWish parse_scale_wish(std::string_view text, const std::string& where) {
-  if (to_lower(text) == "auto") return {std::nullopt, true};
-  return {parse_scale(text, where), false};
-}
-
-Arrangement arrange(std::span<const ViewToPlace> views, const ScaleWish& wish, ProjectionAngle angle,
+Arrangement arrange(std::span<const ViewToPlace> views, const ScaleChoice& wish, ProjectionAngle angle,
                     const DrawingRoom& room) {
   Question question{views, wish, angle, room};
   std::vector<ViewToPlace> single;

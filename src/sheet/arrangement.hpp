@@ -23,15 +23,6 @@ enum class ViewPlace { front, back, left, right, top, bottom, pictorial, other }
 /// By the name of the projection: "front" ... "bottom" and "auxiliary" (other); all else is pictorial.
 ViewPlace view_place(std::string_view projection);
 
-/// The scale of a sheet: millimetres of paper per unit of the model, or as large as fits.
-struct ScaleWish {
-  std::optional<double> fixed{};
-  bool standard = false;  ///< not fixed: the largest standard scale that fits. ISO 5455
-};
-
-/// What parse_scale takes, or "auto" for a standard scale. Throws Error{input}.
-ScaleWish parse_scale_wish(std::string_view text, const std::string& where = "--scale");
-
 /// A view that is to be placed. Windows of one world have a common origin.
 struct ViewToPlace {
   ViewPlace place = ViewPlace::other;
@@ -64,7 +55,7 @@ struct Arrangement {
 /// front view, there or not; a second view with the same place is an `other` one, and so is one with its own scale. The
 /// others stand in the largest part of the sheet that is left. Each group is centred in its room. One view alone stands
 /// as place_ink says. `views` has at least one. Throws Error{input} beyond `longest_side`.
-Arrangement arrange(std::span<const ViewToPlace> views, const ScaleWish& wish, ProjectionAngle angle,
+Arrangement arrange(std::span<const ViewToPlace> views, const ScaleChoice& wish, ProjectionAngle angle,
                     const DrawingRoom& room);
 
 }  // namespace epura

@@ -4,16 +4,11 @@
 
 #include <optional>
 
+#include "scene/choices.hpp"
 #include "sheet/furniture.hpp"
 #include "sheet/paper.hpp"
 
 namespace epura {
-
-enum class FrameKind {
-  none,
-  plain,  ///< the frame of the drawing area only
-  full,   ///< and centring marks, grid references, trimming marks, and the designation of the size
-};
 
 /// The paper with the margins that a frame wants, 20 mm on the left and 10 mm elsewhere, if it is not smaller than A5;
 /// smaller sheets keep their margins.

@@ -18,24 +18,6 @@ namespace {
 constexpr std::array<std::array<double, 2>, 5> a_sizes = {
     {{1189, 841}, {841, 594}, {594, 420}, {420, 297}, {297, 210}}};
 
-[[noreturn]] void refuse_paper(std::string_view text, const std::string& where) {
-  throw Error(Trouble::input, where, "'" + std::string(text) + "' is no paper size",
-              "write none, A0 to A4, or width x height in mm such as 300x200");
-}
-
-Paper custom_paper(std::string_view text, const std::string& where) {
-  const auto parts = split(text, 'x');
-  if (parts.size() != 2) refuse_paper(text, where);
-  const auto width = parse_number(parts[0]), height = parse_number(parts[1]);
-  if (!width || !height) refuse_paper(text, where);
-  const auto usable = [](double side) { return side >= 1 && side <= longest_side; };
-  if (!usable(*width) || !usable(*height))
-    throw Error(Trouble::input, where, "'" + std::string(text) + "' is no usable paper size",
-                "sides may be 1 to " + format_number(longest_side) + " mm long");
-  const double margin = std::min(5.0, std::min(*width, *height) / 10);
-  return {*width, *height, margin, margin};
-}
-
 Vec2 area(const Paper& paper) { return {paper.width - paper.left - paper.other, paper.height - 2 * paper.other}; }
 
 // The largest factor that brings `ink` into `room`. A point fits at any factor: it keeps its size.
@@ -46,26 +28,22 @@ double fitting_scale(const Vec2& ink, const Vec2& room) {
 
 }  // namespace
 
-Paper parse_paper(std::string_view text, bool portrait, const std::string& where) {
-  const std::string lower = to_lower(text);
-  if (lower == "none") return {};
-  if (lower.size() == 2 && lower[0] == 'a' && lower[1] >= '0' && lower[1] <= '4') {
-    const auto& [longer, shorter] = a_sizes[static_cast<std::size_t>(lower[1] - '0')];
-    return portrait ? Paper{shorter, longer, 20, 10} : Paper{longer, shorter, 20, 10};
+Paper make_paper(const PaperChoice& size, bool portrait) {
+  switch (size.kind) {
+    case PaperChoice::Kind::iso: {
+      const auto& [longer, shorter] = a_sizes[static_cast<std::size_t>(size.number)];
+      return portrait ? Paper{shorter, longer, 20, 10} : Paper{longer, shorter, 20, 10};
+    }
+    case PaperChoice::Kind::custom: {
+      const auto [width, height] = size.size;
+      const double margin = std::min(5.0, std::min(width, height) / 10);
+      return {width, height, margin, margin};
+    }
+    case PaperChoice::Kind::none:
+    case PaperChoice::Kind::automatic:
+      break;
   }
-  return custom_paper(lower, where);
-}
-
-std::optional<double> parse_scale(std::string_view text, const std::string& where) {
-  if (to_lower(text) == "fit") return std::nullopt;
-  const auto parts = split(text, ':');
-  const auto paper = parse_number(parts[0]);
-  const auto model = parts.size() == 2 ? parse_number(parts[1]) : std::optional<double>(1);
-  const double scale = paper && model && parts.size() <= 2 ? *paper / *model : 0;
-  if (!std::isfinite(scale) || !(scale > 0) || !(*paper > 0) || std::isinf(*model))
-    throw Error(Trouble::input, where, "'" + std::string(text) + "' is no scale",
-                "write fit, paper:model such as 1:2 or 5:1, or a number above 0");
-  return scale;
+  return {};
 }
 
 std::string paper_name(const Paper& paper) {
@@ -90,7 +68,7 @@ void check_drawing_size(const Vec2& size) {
 
 Placement place_ink(const Vec2& least, const Vec2& most, std::optional<double> scale, const Paper& paper) {
   const bool cut = paper.width == 0;
-  const Vec2 room = area(cut ? parse_paper("A4", false) : paper);
+  const Vec2 room = area(cut ? make_paper({}, false) : paper);
   const Vec2 ink = most - least;
   Placement placement{paper, scale ? *scale : fitting_scale(ink, room), {0, 0}, true};
   const Vec2 size = ink * placement.scale;

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "base/vec.hpp"
+#include "scene/choices.hpp"
 #include "sheet/rectangle.hpp"
 
 namespace epura {
@@ -20,18 +21,14 @@ struct Paper {
 /// No side of a paper and no drawing may be longer: 100 m.
 inline constexpr double longest_side = 100'000;
 
-/// "none", "A4" ... "A0" or "WxH" in mm. A sizes lie on their side unless `portrait`. Throws Error{input} that names
-/// `where` the text comes from.
-Paper parse_paper(std::string_view text, bool portrait, const std::string& where = "--sheet");
+/// A sizes lie on their side unless `portrait`. An automatic size is none.
+Paper make_paper(const PaperChoice& size, bool portrait);
 
 /// "A3" for a sheet of that size, however it lies; otherwise "300x200"; empty for paper that is cut to the drawing.
 std::string paper_name(const Paper& paper);
 
 /// The paper within its margins.
 Rectangle drawing_area(const Paper& paper);
-
-/// "1:2", "2:1" or "0.5" as millimetres of paper per unit of the model; nothing for "fit". Throws Error{input}.
-std::optional<double> parse_scale(std::string_view text, const std::string& where = "--scale");
 
 /// Where a drawing goes: page = scale * plane + shift.
 struct Placement {

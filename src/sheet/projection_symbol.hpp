@@ -2,13 +2,10 @@
 // The symbol that tells first angle from third angle projection. ISO 5456-2.
 #pragma once
 
+#include "scene/choices.hpp"
 #include "sheet/furniture.hpp"
 
 namespace epura {
-
-/// In first angle projection each view stands on the side away from which it is seen: the view from above below the
-/// front view. In third angle projection it stands on the side from which it is seen.
-enum class ProjectionAngle { first, third };
 
 /// A truncated cone, and beside it the view of its small end: two circles. `height` is that of the lettering around it:
 /// the diameter of the small end; the large end is twice that, as is the cone's length. The small end points to the

@@ -280,24 +280,7 @@ Strokes strokes_of(const Drawing& drawing, const LineWidths& widths, const Looks
   return strokes;
 }
 
-template <class Value>
-Value parse_word(std::string_view text, const std::string& where, const std::vector<std::string>& names,
-                 const std::string& what) {
-  const auto found = std::find(names.begin(), names.end(), to_lower(text));
-  if (found == names.end())
-    throw Error(Trouble::input, where, "'" + std::string(text) + "' is no " + what, did_you_mean(text, names));
-  return static_cast<Value>(found - names.begin());
-}
-
 }  // namespace
-
-HiddenLines parse_hidden_lines(std::string_view text, const std::string& where) {
-  return parse_word<HiddenLines>(text, where, {"none", "dashed", "solid"}, "style of hidden lines");
-}
-
-LineRole parse_line_role(std::string_view text, const std::string& where) {
-  return parse_word<LineRole>(text, where, {"visible", "narrow", "neighbour"}, "role of lines");
-}
 
 LineWidths line_widths(const Paper& paper) {
   if (paper.width * paper.height >= 841.0 * 594.0) return {0.7, 0.35};

@@ -9,22 +9,11 @@
 
 #include "base/progress.hpp"
 #include "drawing/drawing.hpp"
+#include "scene/choices.hpp"
 #include "sheet/paper.hpp"
 #include "sheet/sheet.hpp"
 
 namespace epura {
-
-enum class HiddenLines { none, dashed, solid };
-
-/// "none", "dashed" or "solid". Throws Error{input}.
-HiddenLines parse_hidden_lines(std::string_view text, const std::string& where = "--hidden");
-
-/// What the visible lines of a model are: of the part itself (wide, continuous), of one that stays in the background
-/// (narrow, continuous), or of a neighbouring part (narrow, long-dashed double-dotted; type 05.1).
-enum class LineRole { visible, narrow, neighbour };
-
-/// "visible", "narrow" or "neighbour". Throws Error{input}.
-LineRole parse_line_role(std::string_view text, const std::string& where);
 
 /// Widths of lines on a sheet, mm: 0.7 and 0.35 from A1 on, 0.5 and 0.25 below.
 struct LineWidths {

@@ -48,7 +48,7 @@ Way way_of(std::string_view name, const std::string& where) {
     if (known == name) return way;
     names.push_back(known);
   }
-  throw Error(Trouble::input, where, "does not know '" + std::string(name) + "'", did_you_mean(name, names));
+  throw Error(Trouble::input, where, "unknown value '" + std::string(name) + "'", did_you_mean(name, names));
 }
 
 void turn(Method& method, std::string_view assignment, const std::string& where) {

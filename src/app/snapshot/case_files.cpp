@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <system_error>
 
-#include "app/command_options.hpp"
-#include "app/define_draw.hpp"
+#include "app/command_line_options.hpp"
+#include "app/draw_options.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/text.hpp"
@@ -54,7 +54,7 @@ std::vector<fs::path> files_of(const SnapshotCase& one) {
   std::vector<fs::path> files;
   for (const char* name : {"scene.toml", "options", "expected.json", "expected.svg", "expected.pdf"})
     files.push_back(one.folder / name);
-  for (const ModelDescription& model : read_scene_file(files.front()).models) files.emplace_back(model.file.text);
+  for (const ModelDescription& model : read_scene_file(files.front()).models) files.emplace_back(*model.file);
   return files;
 }
 
@@ -69,8 +69,8 @@ void refuse_links_outside(const SnapshotCase& one) {
 std::vector<std::string> drawing_options(const std::string& text, const std::string& file) {
   CLI::App program("", "epura");
   CLI::App& draw = *program.add_subcommand("draw");
-  DrawOptions options;
-  define_drawing(draw, options);
+  const Options<DrawOptions> options = draw_options();
+  for (const OptionInfo& option : options) define(draw, option);
   draw.get_option("models")->required(false);
   draw.set_help_flag();
   const std::vector<std::string> words = words_of(text);
@@ -81,9 +81,9 @@ std::vector<std::string> drawing_options(const std::string& text, const std::str
   } catch (const CLI::ParseError& error) {
     refuse_wrong_use(program, error);
   }
-  for (const CLI::Option* option : draw.get_options())
-    if (option->count() > 0 && !is_of(*option, Nature::drawing))
-      throw Error(Trouble::input, file, "'" + option->get_name() + "' is no option of the drawing itself",
+  for (const OptionInfo& option : options)
+    if (option.nature != Nature::drawing && !given_values(draw, option).empty())
+      throw Error(Trouble::input, file, "'" + option.flag + "' is no option of the drawing itself",
                   "what is read, written, loaded and run is for those to say who run the case");
   return words;
 }

@@ -17,52 +17,39 @@ constexpr double same_place = 1e-9;  // of the size of the world
 constexpr double farthest = 10'000;  // mm of paper
 
 struct TypeRule {
-  const char* name;
   std::size_t anchors;
   const char* wants;
 };
 
 // In order of DimensionType.
-constexpr std::array<TypeRule, 6> type_rules{{{"linear", 2, "its two ends"},
-                                              {"aligned", 2, "its two ends"},
-                                              {"angular", 3, "the corner and an end of each leg"},
-                                              {"radius", 1, "a vertex on the circle"},
-                                              {"diameter", 1, "a vertex on the circle"},
-                                              {"overall", 0, "no anchors"}}};
-constexpr std::array<const char*, 6> direction_names{"none", "horizontal", "vertical", "width", "height", "depth"};
+constexpr std::array<TypeRule, 6> type_rules{{{2, "its two ends"},
+                                              {2, "its two ends"},
+                                              {3, "the corner and an end of each leg"},
+                                              {1, "a vertex on the circle"},
+                                              {1, "a vertex on the circle"},
+                                              {0, "no anchors"}}};
 
 [[noreturn]] void refuse(const std::string& where, const std::string& what, const std::string& hint = {}) {
   throw Error(Trouble::input, where, what, hint);
 }
 
-// The number of a word among those from `first` to before `last`.
-int number_of(const Given& given, const std::string& where, const std::string& what,
-              const std::vector<std::string>& names) {
-  const auto found = std::find(names.begin(), names.end(), given.text);
-  if (given.given() && found != names.end()) return static_cast<int>(found - names.begin());
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-  if (!given.given()) refuse(where, "the dimension has no " + what, "give one of " + list);
-  refuse(given.where, "'" + given.text + "' is no " + what + " of a dimension", did_you_mean(given.text, names));
-}
+bool is_on_paper(DimensionDirection direction) { return direction <= DimensionDirection::vertical; }
 
-DimensionType type_of(const DimensionDescription& dimension) {
-  std::vector<std::string> names;
-  for (const TypeRule& rule : type_rules) names.emplace_back(rule.name);
-  return static_cast<DimensionType>(number_of(dimension.type, dimension.where, "type", names));
-}
-
-DimensionDirection direction_of(const DimensionDescription& dimension, DimensionType type) {
-  const bool linear = type == DimensionType::linear;
-  if (!linear && type != DimensionType::overall) {
-    if (dimension.direction.given())
-      refuse(dimension.direction.where, "only linear and overall dimensions have a direction");
-    return DimensionDirection::none;
+std::optional<DimensionDirection> direction_of(const DimensionDescription& dimension) {
+  const bool linear = *dimension.type == DimensionType::linear;
+  const Located<DimensionDirection>& direction = dimension.direction;
+  if (!linear && *dimension.type != DimensionType::overall) {
+    if (direction.given()) refuse(direction.where, "only linear and overall dimensions have a direction");
+    return std::nullopt;
   }
-  const int first = static_cast<int>(linear ? DimensionDirection::horizontal : DimensionDirection::width);
-  const int end = linear ? static_cast<int>(DimensionDirection::width) : static_cast<int>(direction_names.size());
-  const std::vector<std::string> names(direction_names.begin() + first, direction_names.begin() + end);
-  return static_cast<DimensionDirection>(first + number_of(dimension.direction, dimension.where, "direction", names));
+  const std::string known = linear ? "horizontal, vertical" : "width, height, depth";
+  if (!direction.given()) refuse(dimension.where, "the dimension has no direction", "give one of " + known);
+  if (is_on_paper(*direction) != linear)
+    refuse(direction.where,
+           "'" + std::string(word_of(*direction)) + "' is no direction of " + (linear ? "a linear" : "an overall") +
+               " dimension",
+           "known: " + known);
+  return *direction;
 }
 
 Vec3 place_of_vertex(const World& world, const std::array<int, 2>& vertex, const std::string& where) {
@@ -106,13 +93,14 @@ void expect_offset(const AnchoredDimension& dimension) {
 
 AnchoredDimension anchored(const World& world, Rims& rims, const DimensionDescription& description) {
   const std::string& where = description.where;
-  const DimensionType type = type_of(description);
+  if (!description.type.given()) refuse(where, "the dimension has no type");
+  const DimensionType type = *description.type;
   const TypeRule& rule = type_rules[std::size_t(type)];
   AnchoredDimension dimension{
-      where, type, direction_of(description, type), {}, {}, description.offset, description.text.text};
+      where, type, direction_of(description), {}, {}, description.offset.value, description.text.value_or("")};
   if (description.anchors.size() != rule.anchors)
     refuse(where, "the number of its anchors is " + std::to_string(description.anchors.size()),
-           std::string("the dimension '") + rule.name + "' wants " + rule.wants);
+           "the dimension '" + std::string(word_of(type)) + "' wants " + rule.wants);
   expect_offset(dimension);
   for (const Anchor& anchor : description.anchors) dimension.points.push_back(place_of(world, anchor, where));
   for (std::size_t i = 1; i < dimension.points.size(); ++i)

@@ -14,11 +14,6 @@
 
 namespace epura {
 
-enum class DimensionType { linear, aligned, angular, radius, diameter, overall };
-
-/// Of linear dimensions on the paper, of overall ones in the world: along x, z and y.
-enum class DimensionDirection { none, horizontal, vertical, width, height, depth };
-
 /// A circle or an arc in the world.
 struct WorldCircle {
   Vec3 centre, axis;  ///< the axis has length 1
@@ -30,16 +25,16 @@ struct WorldCircle {
 struct AnchoredDimension {
   std::string where;  ///< for errors
   DimensionType type;
-  DimensionDirection direction;
-  std::vector<Vec3> points;          ///< two ends; angular: the corner, then the ends of its legs
-  std::vector<WorldCircle> circles;  ///< radius, diameter: all that pass through the anchor, at least one
+  std::optional<DimensionDirection> direction;  ///< of linear and overall ones
+  std::vector<Vec3> points;                     ///< two ends; angular: the corner, then the ends of its legs
+  std::vector<WorldCircle> circles;             ///< radius, diameter: all that pass through the anchor, at least one
   std::optional<double> offset;
   std::string text;  ///< "<>" stands for the measured value
 };
 
 /// In their order; those that there is no time for are left out. Throws Error{input} that names where the dimension was
-/// asked for: for words that mean nothing, vertices that are not there, anchors that coincide, and anchors on no circle
-/// where one is wanted.
+/// asked for: for a direction that its type lacks or wants, vertices that are not there, anchors that coincide, and
+/// anchors on no circle where one is wanted.
 std::vector<AnchoredDimension> find_anchors(const World& world, std::span<const DimensionDescription> dimensions,
                                             const Progress& progress = {});
 

@@ -13,14 +13,15 @@ namespace epura {
 namespace {
 
 struct Extent {
-  const char* direction;
+  DimensionDirection direction;
   Vec3 along;
   std::array<Vec3, 4> seen_from;  // clearest first
 };
 
-const std::array<Extent, 3> extents{{{"width", {1, 0, 0}, {{{0, -1, 0}, {0, 0, 1}, {0, 1, 0}, {0, 0, -1}}}},
-                                     {"height", {0, 0, 1}, {{{0, -1, 0}, {-1, 0, 0}, {1, 0, 0}, {0, 1, 0}}}},
-                                     {"depth", {0, 1, 0}, {{{-1, 0, 0}, {1, 0, 0}, {0, 0, 1}, {0, 0, -1}}}}}};
+const std::array<Extent, 3> extents{
+    {{DimensionDirection::width, {1, 0, 0}, {{{0, -1, 0}, {0, 0, 1}, {0, 1, 0}, {0, 0, -1}}}},
+     {DimensionDirection::height, {0, 0, 1}, {{{0, -1, 0}, {-1, 0, 0}, {1, 0, 0}, {0, 1, 0}}}},
+     {DimensionDirection::depth, {0, 1, 0}, {{{-1, 0, 0}, {1, 0, 0}, {0, 0, 1}, {0, 0, -1}}}}}};
 
 constexpr double same_direction = 1e-6;
 
@@ -46,17 +47,17 @@ struct Lines {
 Lines lines_of(std::span<const DimensionDescription> dimensions, const Projection& projection) {
   Lines lines;
   for (const DimensionDescription& dimension : dimensions) {
-    const std::string& direction = dimension.direction.text;
+    const std::optional<DimensionDirection>& direction = dimension.direction.value;
     const auto extent = std::find_if(extents.begin(), extents.end(),
                                      [&direction](const Extent& e) { return e.direction == direction; });
-    if (dimension.offset) {
+    if (dimension.offset.given()) {
       lines.farthest = std::max(lines.farthest, std::abs(*dimension.offset));
     } else if (extent != extents.end()) {
       const bool upright = std::abs(glm::dot(extent->along, projection.v)) > 0.5;
       ++(upright ? lines.right : lines.below);
     } else {
-      lines.horizontal += direction == "vertical" ? 0 : 1;
-      lines.vertical += direction == "horizontal" ? 0 : 1;
+      lines.horizontal += direction == DimensionDirection::vertical ? 0 : 1;
+      lines.vertical += direction == DimensionDirection::horizontal ? 0 : 1;
     }
   }
   return lines;
@@ -68,7 +69,7 @@ std::vector<DimensionDescription> overall_dimensions(const DimensionDescription&
                                                      std::span<const NamedProjection> views) {
   std::vector<DimensionDescription> dimensions;
   for (const Extent& extent : extents) {
-    const NamedProjection* view = clearest(views, extent, overall.view.text);
+    const NamedProjection* view = clearest(views, extent, overall.view.value_or(""));
     if (view == nullptr) continue;
     DimensionDescription& dimension = dimensions.emplace_back(overall);
     dimension.view = {view->name, overall.where};

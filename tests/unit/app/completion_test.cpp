@@ -117,7 +117,7 @@ TEST(Completion, WordsOfOptionsAreTaken) {
       arguments.insert(arguments.end(), {"--projection", "front"});
       if (option == std::string("--sheet") && word == "auto") arguments.insert(arguments.end(), {"--scale", "1:1"});
       const Outcome run = epura(arguments, folder / "");
-      EXPECT_FALSE(contains(run.err, "does not know")) << run.err;
+      EXPECT_FALSE(contains(run.err, "unknown value")) << run.err;
       EXPECT_TRUE(run.code == 0) << option << " " << word << ": " << run.err;
       ++tried;
     }
@@ -128,7 +128,7 @@ TEST(Completion, OfAShellThatHasNoScriptIsRefused) {
   const Folder folder;
   const Outcome run = epura({"completion", "tcsh"}, folder / "");
   EXPECT_EQ(run.code, 2);
-  EXPECT_TRUE(contains(run.err, "does not know 'tcsh'") && contains(run.err, "did you mean 'bash'")) << run.err;
+  EXPECT_TRUE(contains(run.err, "unknown value 'tcsh'") && contains(run.err, "did you mean 'bash'")) << run.err;
   EXPECT_EQ(epura({"completion"}, folder / "").code, 2);
 }
 

@@ -6,6 +6,7 @@
 #include "errors.hpp"
 #include "folder.hpp"
 #include "scene/scene_keys.hpp"
+#include "scene/transform.hpp"
 
 namespace epura::test {
 namespace {
@@ -30,14 +31,14 @@ std::string documentation() { return read_file(EPURA_TEST_SAMPLES "/../docs/form
 std::string field(const SheetDescription& sheet, const std::string& name) {
   std::string texts;
   for (const auto& [key, text] : sheet.title_block)
-    if (key == name) texts += text.text + ";";
+    if (key == name) texts += *text + ";";
   return texts;
 }
 
 TEST(SceneFile, AModelIsEnough) {
   const SceneDescription scene = scene_of(model);
   ASSERT_EQ(scene.models.size(), 1U);
-  EXPECT_TRUE(scene.models[0].drawn);
+  EXPECT_FALSE(scene.models[0].drawn.given());
   EXPECT_FALSE(scene.models[0].unit.given());
   EXPECT_TRUE(scene.views.empty());
   EXPECT_TRUE(scene.sections.empty());
@@ -45,11 +46,11 @@ TEST(SceneFile, AModelIsEnough) {
   EXPECT_EQ(scene.sheets.size(), 1U);
 }
 
-TEST(SceneFile, WordsStayWordsAndKnowTheirPlace) {
+TEST(SceneFile, ValuesKnowTheirPlace) {
   const Folder folder;
-  const std::string path = folder.file("scene.toml", "[[model]]\nfile = \"a.obj\"\n  unit =  'furlong'  # why not\n");
+  const std::string path = folder.file("scene.toml", "[[model]]\nfile = \"a.obj\"\n  unit =  'IN'  # why not\n");
   const ModelDescription read = read_scene_file(path).models.at(0);
-  EXPECT_EQ(read.unit.text, "furlong");
+  EXPECT_EQ(*read.unit, Unit::in);
   EXPECT_EQ(read.unit.where, path + ":3:11");
 }
 
@@ -57,8 +58,8 @@ TEST(SceneFile, ModelsAreFoundFromItsFolder) {
   const Folder folder;
   const std::string path = folder.file("scene.toml", "model = [{file = 'sub/a.obj'}, {file = '/b.stl'}]");
   const SceneDescription scene = read_scene_file(path);
-  EXPECT_EQ(scene.models.at(0).file.text, (folder / "sub/a.obj").string());
-  EXPECT_EQ(scene.models.at(1).file.text, "/b.stl");
+  EXPECT_EQ(*scene.models.at(0).file, (folder / "sub/a.obj").string());
+  EXPECT_EQ(*scene.models.at(1).file, "/b.stl");
 }
 
 TEST(SceneFile, AllKeysOfAModel) {
@@ -66,13 +67,13 @@ TEST(SceneFile, AllKeysOfAModel) {
                                          "name = 'plate'\nunit = 'in'\nup = 'y'\ntransform = 'scale:2'\n"
                                          "line = 'narrow'\nhidden = 'none'\ndrawn = false")
                                     .models.at(0);
-  EXPECT_EQ(read.name.text, "plate");
-  EXPECT_EQ(read.unit.text, "in");
-  EXPECT_EQ(read.up.text, "y");
-  EXPECT_EQ(read.transform.text, "scale:2");
-  EXPECT_EQ(read.line.text, "narrow");
-  EXPECT_EQ(read.hidden.text, "none");
-  EXPECT_FALSE(read.drawn);
+  EXPECT_EQ(*read.name, "plate");
+  EXPECT_EQ(*read.unit, Unit::in);
+  EXPECT_EQ(*read.up, UpAxis::y);
+  EXPECT_EQ(*read.transform, parse_transform("scale:2"));
+  EXPECT_EQ(*read.line, LineRole::narrow);
+  EXPECT_EQ(*read.hidden, HiddenLines::none);
+  EXPECT_FALSE(*read.drawn);
 }
 
 TEST(SceneFile, AllKeysOfAView) {
@@ -81,25 +82,25 @@ TEST(SceneFile, AllKeysOfAView) {
       "name = 'cut'\nscale = '2:1'\nhidden = 'none'\nedges = ['contour', 'smooth']\nsection = 'A'\n"
       "label = 'cut A'\ncrease_angle = 20\nnear = -1\nfar = 1e3\nat = [100, 50.5]\nsheet = 2\n");
   const ViewDescription& read = scene.views.at(0);
-  EXPECT_EQ(read.projection.text, "front");
-  EXPECT_EQ(read.name.text, "cut");
-  EXPECT_EQ(read.scale.text, "2:1");
-  EXPECT_EQ(read.hidden.text, "none");
-  EXPECT_EQ(read.edges.text, "contour,smooth");
-  EXPECT_EQ(read.section.text, "A");
-  EXPECT_EQ(read.label.text, "cut A");
-  EXPECT_EQ(read.crease_angle, 20);
-  EXPECT_EQ(read.near, -1);
-  EXPECT_EQ(read.far, 1000);
-  EXPECT_EQ(read.at, Vec2(100, 50.5));
-  EXPECT_EQ(read.sheet, 2);
+  EXPECT_EQ(read.projection->text(), "front");
+  EXPECT_EQ(*read.name, "cut");
+  EXPECT_EQ(read.scale->fixed, 2);
+  EXPECT_EQ(*read.hidden, HiddenLines::none);
+  EXPECT_EQ(*read.edges, (EdgeKinds{true, false, false, false, false, true}));
+  EXPECT_EQ(*read.section, "A");
+  EXPECT_EQ(*read.label, "cut A");
+  EXPECT_EQ(*read.crease_angle, 20);
+  EXPECT_EQ(*read.near, -1);
+  EXPECT_EQ(*read.far, 1000);
+  EXPECT_EQ(*read.at, Vec2(100, 50.5));
+  EXPECT_EQ(*read.sheet, 2);
   EXPECT_EQ(scene.sections.at(0).point, Vec3(1, 2.5, 3));
   EXPECT_EQ(scene.sections.at(0).normal, Vec3(0, 0, 1));
 }
 
 TEST(SceneFile, AProjectionIsATextOrATable) {
   const auto projection = [](const std::string& value) {
-    return scene_of(model + "[[view]]\nprojection = " + value).views.at(0).projection.text;
+    return scene_of(model + "[[view]]\nprojection = " + value).views.at(0).projection->text();
   };
   EXPECT_EQ(projection("'look-at:eye=4,-9,5'"), "look-at:eye=4,-9,5");
   EXPECT_EQ(projection("{name = 'look-at', eye = [4, -9, 5.5], fovy = 4e1}"), "look-at:eye=4,-9,5.5:fovy=40");
@@ -109,18 +110,18 @@ TEST(SceneFile, AProjectionIsATextOrATable) {
 TEST(SceneFile, ViewsHaveAShortForm) {
   const SceneDescription scene = scene_of("views = ['front', 'top', 'look-at:eye=4,-9,5']\n" + model + view);
   ASSERT_EQ(scene.views.size(), 4U);
-  EXPECT_EQ(scene.views[1].projection.text, "top");
+  EXPECT_EQ(scene.views[1].projection->text(), "top");
   EXPECT_TRUE(scene.views[1].projection.where.ends_with("scene.toml:1:19"));
-  EXPECT_EQ(scene.views[2].projection.text, "look-at:eye=4,-9,5");
-  EXPECT_EQ(scene.views[2].name.text, "look-at");
-  EXPECT_EQ(scene.views[3].name.text, "front-2");
-  EXPECT_EQ(scene_of("views = 'front,top'\n" + model).views.at(1).projection.text, "top");
+  EXPECT_EQ(scene.views[2].projection->text(), "look-at:eye=4,-9,5");
+  EXPECT_EQ(*scene.views[2].name, "look-at");
+  EXPECT_EQ(*scene.views[3].name, "front-2");
+  EXPECT_EQ(scene_of("views = 'front,top'\n" + model).views.at(1).projection->text(), "top");
 }
 
 TEST(SceneFile, AGivenNameComesBeforeOneOfAProjection) {
   const SceneDescription scene = scene_of(model + view + "[[view]]\nprojection = 'top'\nname = 'front'\n");
-  EXPECT_EQ(scene.views.at(0).name.text, "front-2");
-  EXPECT_EQ(scene.views.at(1).name.text, "front");
+  EXPECT_EQ(*scene.views.at(0).name, "front-2");
+  EXPECT_EQ(*scene.views.at(1).name, "front");
 }
 
 TEST(SceneFile, AnchorsAreVerticesOrPoints) {
@@ -135,12 +136,12 @@ TEST(SceneFile, AnchorsAreVerticesOrPoints) {
   const DimensionDescription& angle = scene.dimensions[0];
   const auto vertex = [](int number, int of_model) { return Anchor(std::array<int, 2>{of_model, number}); };
   EXPECT_EQ(angle.anchors, (std::vector<Anchor>{vertex(0, 0), vertex(7, 2), vertex(9, 2)}));
-  EXPECT_EQ(angle.view.text, "front");
-  EXPECT_EQ(angle.offset, -12);
-  EXPECT_EQ(angle.text.text, "<> max.");
+  EXPECT_EQ(*angle.view, "front");
+  EXPECT_EQ(*angle.offset, -12);
+  EXPECT_EQ(*angle.text, "<> max.");
   EXPECT_TRUE(angle.where.ends_with("scene.toml:10:1"));
   EXPECT_EQ(scene.dimensions[1].anchors, (std::vector<Anchor>{Vec3(1, 2, 3.5), vertex(4, 1)}));
-  EXPECT_EQ(scene.dimensions[1].direction.text, "vertical");
+  EXPECT_EQ(*scene.dimensions[1].direction, DimensionDirection::vertical);
   EXPECT_EQ(scene.dimensions[2].anchors, (std::vector<Anchor>{vertex(5, 0)}));
   EXPECT_TRUE(scene.dimensions[3].anchors.empty());
 }
@@ -152,15 +153,15 @@ TEST(SceneFile, SheetsShareWhatIsSaidForAll) {
       "[title_block]\ntitle = 'One'\nnumber = '7'\ndate = 2026-11-21\n[title_block.free]\n'Surface finish' = 'Ra 3.2'");
   ASSERT_EQ(scene.sheets.size(), 2U);
   for (const SheetDescription& sheet : scene.sheets) {
-    EXPECT_EQ(sheet.size.text, "A2");
-    EXPECT_EQ(sheet.angle.text, "third");
-    EXPECT_EQ(sheet.orientation.text, "portrait");
+    EXPECT_EQ(sheet.size->number, 2);
+    EXPECT_EQ(*sheet.angle, ProjectionAngle::third);
+    EXPECT_EQ(*sheet.orientation, Orientation::portrait);
     EXPECT_EQ(field(sheet, "date"), "2026-11-21;");
     EXPECT_EQ(field(sheet, "Surface finish"), "Ra 3.2;");
   }
-  EXPECT_EQ(scene.sheets[0].scale.text, "1:2");
-  EXPECT_EQ(scene.sheets[1].scale.text, "1:5");
-  EXPECT_EQ(scene.sheets[1].frame.text, "none");
+  EXPECT_EQ(scene.sheets[0].scale->fixed, 0.5);
+  EXPECT_EQ(scene.sheets[1].scale->fixed, 0.2);
+  EXPECT_EQ(*scene.sheets[1].frame, FrameKind::none);
   EXPECT_EQ(field(scene.sheets[0], "title"), "One;");
   EXPECT_EQ(field(scene.sheets[1], "title"), "Two;");
   EXPECT_EQ(field(scene.sheets[1], "number"), ";");
@@ -169,7 +170,7 @@ TEST(SceneFile, SheetsShareWhatIsSaidForAll) {
 TEST(SceneFile, ASingleSheetMayBeATable) {
   const SceneDescription scene = scene_of(model + "[sheet]\nsize = 'A3'\n");
   ASSERT_EQ(scene.sheets.size(), 1U);
-  EXPECT_EQ(scene.sheets[0].size.text, "A3");
+  EXPECT_EQ(scene.sheets[0].size->number, 3);
   EXPECT_EQ(field(scene_of(model + "[title_block]\ntitle = 'One'\n").sheets.at(0), "title"), "One;");
 }
 
@@ -197,7 +198,7 @@ TEST(SceneFile, SamplesFindTheirModels) {
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(EPURA_TEST_SAMPLES "/scenes"))
     for (const ModelDescription& read : read_scene_file(entry.path()).models) {
-      EXPECT_TRUE(std::filesystem::exists(read.file.text)) << read.file.text;
+      EXPECT_TRUE(std::filesystem::exists(*read.file)) << *read.file;
       ++count;
     }
   EXPECT_GT(count, 0);

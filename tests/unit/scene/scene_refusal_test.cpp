@@ -154,7 +154,7 @@ TEST(SceneRefusal, Anchors) {
   expect_refusals(
       view + "[[dimension]]\n",
       {
-          {"type = 'diametre'", "6:8: does not know 'diametre'", "did you mean 'diameter'?"},
+          {"type = 'diametre'", "6:8: 'type': unknown value 'diametre'", "did you mean 'diameter'?"},
           {"type = 'radius'\nfrom = [0, 1]", "5:1: a dimension of type 'radius' lacks 'at'", anchors},
           {"type = 'overall'\nat = [0, 1]", "7:6: a dimension of type 'overall' has no 'at'", "it has no anchors"},
       });

@@ -40,7 +40,7 @@ std::vector<ViewToPlace> views_of_box(const std::vector<ViewPlace>& places) {
 }
 
 DrawingRoom a3() {
-  const Paper paper = parse_paper("A3", false);
+  const Paper paper = make_paper(parse_paper_size("A3", "--sheet"), false);
   return {paper, Rectangle{{230, 10}, {410, 50}}, 5, 20};
 }
 
@@ -88,7 +88,7 @@ TEST(Arrangement, ThirdAngleShowsFromAboveAboveAndFromTheLeftAtTheLeft) {
 // Without a title block the sheet is symmetrical, and so are the two ways to arrange.
 TEST(Arrangement, FirstAndThirdAngleAreMirrorArrangements) {
   const auto views = views_of_box({front, left, right, top, bottom});
-  const DrawingRoom room{parse_paper("A3", false)};
+  const DrawingRoom room{make_paper(parse_paper_size("A3", "--sheet"), false)};
   const auto first = arrange(views, {}, ProjectionAngle::first, room);
   const auto third = arrange(views, {}, ProjectionAngle::third, room);
   ASSERT_EQ(first.scale, third.scale);
@@ -175,7 +175,7 @@ TEST(Arrangement, ViewsWithTheirOwnScaleKeepIt) {
 }
 
 TEST(Arrangement, CutsPaperToSeveralViews) {
-  const DrawingRoom room{parse_paper("none", false)};
+  const DrawingRoom room{make_paper(parse_paper_size("none", "--sheet"), false)};
   for (const double scale : {0.01, 1.0, 50.0}) {
     const auto made = arrange(views_of_box({front, left, top, pictorial}), {scale}, ProjectionAngle::first, room);
     EXPECT_TRUE(made.inside);
@@ -194,7 +194,7 @@ TEST(Arrangement, CutsPaperToSeveralViews) {
 TEST(Arrangement, OneViewAloneStandsAsItAlwaysDid) {
   for (const std::string size : {"none", "A3", "60x40"})
     for (const std::optional<double> scale : {std::optional<double>(), std::optional<double>(0.37)}) {
-      const Paper paper = parse_paper(size, false);
+      const Paper paper = make_paper(parse_paper_size(size, "--sheet"), false);
       const Placement placed = place_ink({-3.1, 0.2}, {17.3, 4.4}, scale, paper);
       ViewToPlace view;
       view.box = {{-3.1, 0.2}, {17.3, 4.4}};
@@ -244,7 +244,7 @@ TEST(ArrangementProperty, AllIsInsideApartAndAligned) {
       views.push_back(view);
     }
     const std::array<std::string, 5> sizes = {"A4", "A3", "A1", "300x200", "200x500"};
-    DrawingRoom room{parse_paper(sizes[static_cast<std::size_t>(up_to(5))], false)};
+    DrawingRoom room{make_paper(parse_paper_size(sizes[static_cast<std::size_t>(up_to(5))], "--sheet"), false)};
     if (up_to(2) == 0) room.clearance = 5;
     if (up_to(3) > 0)
       room.title_block = {{room.paper.width - room.paper.other - 120, room.paper.other},

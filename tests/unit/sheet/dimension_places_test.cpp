@@ -74,7 +74,7 @@ TEST(DimensionPlaces, SmallInsideLarge) {
   std::vector<DimensionDescription> dimensions{dimension("overall", {}, "width")};
   for (const int v : {9, 1, 17}) dimensions.push_back(dimension("linear", {0, v}, "horizontal"));
   for (DimensionDescription& one : dimensions)
-    if (one.type.text == "linear") one.anchors[0] = Vec3(0, 0, 0);
+    if (*one.type == DimensionType::linear) one.anchors[0] = Vec3(0, 0, 0);
   const Layer layer = layer_of(world, front, dimensions);
   std::vector<std::pair<double, double>> lines;  // span and distance from the outline
   for (std::size_t i = 0; i < dimensions.size(); ++i) {
@@ -129,7 +129,7 @@ TEST(DimensionPlaces, AnOffsetIsObeyed) {
   const Drawing front = drawing_of(world, orthographic(from_front));
   const auto page = [&](int v) { return Vec2(front.world_to_page * Vec4(world.points[std::size_t(v)], 1)); };
   const auto tip_of = [&](DimensionDescription one, double offset) {
-    one.offset = offset;
+    one.offset = {offset, ""};
     return tips(layer_of(world, front, {one}))[0];
   };
   const DimensionDescription width = dimension("linear", {0, 2}, "horizontal");
@@ -150,7 +150,7 @@ TEST(DimensionPlaces, LeadersOfAnOffset) {
   const Drawing top = drawing_of(world, from_above());
   DimensionDescription radius = dimension("radius", {0});
   for (const double offset : {12.0, -12.0}) {
-    radius.offset = offset;
+    radius.offset = {offset, ""};
     const std::vector<Vec2> leader = layer_of(world, top, {radius}).strokes[0].points;
     EXPECT_NEAR(glm::length(leader[0] - Vec2(100, 100)), 20, 1e-6);
     EXPECT_NEAR(glm::length(leader[1] - Vec2(100, 100)), 20 + offset, 1e-6);
@@ -235,7 +235,8 @@ NamedProjection view(const std::string& name, const Vec3& viewer, const Vec3& up
 
 std::string in_words(const std::vector<DimensionDescription>& dimensions) {
   std::string text;
-  for (const DimensionDescription& one : dimensions) text += one.direction.text + ' ' + one.view.text + ' ';
+  for (const DimensionDescription& one : dimensions)
+    text += std::string(word_of(*one.direction)) + ' ' + *one.view + ' ';
   return text;
 }
 

@@ -56,12 +56,19 @@ inline Drawing drawing_of(const World& world, const Projection& projection, doub
   return make_drawing(world, view, drawn, hidden, contact, make_paper_map(view, scale, {100, 100}), {"view", true});
 }
 
+template <class Enum>
+Located<Enum> located_word(const std::string& word, const std::string& where) {
+  for (std::size_t i = 0; i < Words<Enum>::list.size(); ++i)
+    if (Words<Enum>::list[i] == word) return {static_cast<Enum>(i), where};
+  return {{}, where};
+}
+
 inline DimensionDescription dimension(const std::string& type, const std::vector<int>& vertices,
                                       const std::string& direction = "") {
   DimensionDescription description;
   description.where = "scene.toml:7";
-  description.type = {type, "scene.toml:8:8"};
-  description.direction = {direction, "scene.toml:9:13"};
+  description.type = located_word<DimensionType>(type, "scene.toml:8:8");
+  description.direction = located_word<DimensionDirection>(direction, "scene.toml:9:13");
   for (const int v : vertices) description.anchors.emplace_back(std::array{0, v});
   return description;
 }

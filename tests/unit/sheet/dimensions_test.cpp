@@ -171,15 +171,14 @@ TEST(Dimensions, RefusedForWhatTheViewShows) {
 TEST(Dimensions, RefusedForWhatTheySay) {
   const World world = placed(wedge());
   DimensionDescription far_off = dimension("linear", {0, 1}, "horizontal"), flat = dimension("angular", {0, 1, 2});
-  far_off.offset = 1e300;
-  flat.offset = 0;
+  far_off.offset = {1e300, ""};
+  flat.offset = {0, ""};
   DimensionDescription nowhere = dimension("aligned", {0});
   nowhere.anchors.emplace_back(Vec3(0, HUGE_VAL, 0));
   DimensionDescription other_model = dimension("aligned", {0});
   other_model.anchors.emplace_back(std::array{3, 0});
   expect_refusals(world, drawing_of(world, orthographic(from_front)),
-                  {{dimension("length", {0, 1}), "'length' is no type"},
-                   {dimension("", {0, 1}), "has no type"},
+                  {{dimension("", {0, 1}), "has no type"},
                    {dimension("linear", {0, 1}), "has no direction"},
                    {dimension("linear", {0, 1}, "width"), "'width' is no direction"},
                    {dimension("aligned", {0, 1}, "horizontal"), "only linear and overall"},

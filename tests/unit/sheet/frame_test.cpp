@@ -13,7 +13,9 @@
 namespace epura {
 namespace {
 
-Paper paper(const std::string& size, bool portrait = false) { return with_frame_margins(parse_paper(size, portrait)); }
+Paper paper(const std::string& size, bool portrait = false) {
+  return with_frame_margins(make_paper(parse_paper_size(size, "--sheet"), portrait));
+}
 
 Furniture full(const Paper& paper) { return frame(paper, FrameKind::full, std::nullopt); }
 
@@ -115,7 +117,7 @@ TEST(Frame, SmallSheetsHaveAPlainOne) {
     const Furniture all = full(small);
     EXPECT_EQ(all.wide.size(), 1U) << size;
     EXPECT_TRUE(all.medium.empty() && all.texts.empty() && all.fills.empty());
-    EXPECT_EQ(small.left, parse_paper(size, false).left);
+    EXPECT_EQ(small.left, make_paper(parse_paper_size(size, "--sheet"), false).left);
   }
   EXPECT_TRUE(frame(paper("A3"), FrameKind::none, {}).wide.empty());
   EXPECT_EQ(frame(paper("A3"), FrameKind::plain, {}).wide.size(), 1U);

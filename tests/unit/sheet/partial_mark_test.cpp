@@ -18,7 +18,7 @@ void expect_inside(const Layer& layer, const Vec2& least, const Vec2& most) {
 
 TEST(PartialMark, StandsInTheUpperMargin) {
   for (const char* size : {"A4", "A0", "100x100"}) {
-    const Paper paper = parse_paper(size, false);
+    const Paper paper = make_paper(parse_paper_size(size, "--sheet"), false);
     const Layer mark = partial_mark(paper, "hiding lines");
     EXPECT_EQ(mark.name, "sheet/partial");
     EXPECT_EQ(mark.strokes.size(), 1U + 2 + 2 + 2 + 1 + 2 + 1 + 2 + 3 + 1 + 1 + 1 + 1 + 2 + 1 + 1 + 1 + 2 + 1)
@@ -28,7 +28,7 @@ TEST(PartialMark, StandsInTheUpperMargin) {
 }
 
 TEST(PartialMark, OnA4IsSixMillimetresHigh) {
-  const Layer mark = partial_mark(parse_paper("A4", false), "writing");
+  const Layer mark = partial_mark(make_paper(parse_paper_size("A4", "--sheet"), false), "writing");
   EXPECT_EQ(mark.strokes[0].points.front(), Vec2(20, 202));
   EXPECT_EQ(mark.strokes[0].points[1], Vec2(20, 208));
 }

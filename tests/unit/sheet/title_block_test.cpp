@@ -22,7 +22,9 @@ const Lettering& lettering() {
   return font;
 }
 
-Paper paper(const std::string& size, bool portrait = false) { return with_frame_margins(parse_paper(size, portrait)); }
+Paper paper(const std::string& size, bool portrait = false) {
+  return with_frame_margins(make_paper(parse_paper_size(size, "--sheet"), portrait));
+}
 
 std::vector<std::string> values(const DrawnTitleBlock& block) {
   std::vector<std::string> texts;

@@ -49,10 +49,10 @@ TEST(ViewLines, HiddenLinesLieUnderVisibleOnes) {
 
 TEST(ViewLines, LargeSheetsHaveWiderLines) {
   for (const char* size : {"A0", "A1"}) {
-    EXPECT_EQ(line_widths(parse_paper(size, true)).wide, 0.7);
-    EXPECT_EQ(line_widths(parse_paper(size, true)).narrow, 0.35);
+    EXPECT_EQ(line_widths(make_paper(parse_paper_size(size, "--sheet"), true)).wide, 0.7);
+    EXPECT_EQ(line_widths(make_paper(parse_paper_size(size, "--sheet"), true)).narrow, 0.35);
   }
-  EXPECT_EQ(line_widths(parse_paper("A2", false)).wide, 0.5);
+  EXPECT_EQ(line_widths(make_paper(parse_paper_size("A2", "--sheet"), false)).wide, 0.5);
 }
 
 TEST(ViewLines, DashedLinesAreCutAtCorners) {
@@ -85,8 +85,6 @@ TEST(ViewLines, HiddenLinesAsWished) {
   EXPECT_EQ(solid[0].style.width, 0.25);
   ASSERT_EQ(solid[0].strokes.size(), 2u);
   EXPECT_EQ(solid[0].strokes[0].points.size(), 3u);
-  EXPECT_EQ(parse_hidden_lines("solid"), HiddenLines::solid);
-  EXPECT_THROW(parse_hidden_lines("dotted"), Error);
 }
 
 // A hidden line through a field of others, `apart` mm from each other.
@@ -128,8 +126,6 @@ TEST(ViewLines, ModelsHaveLooksOfTheirOwn) {
   EXPECT_EQ(layers[1].style.dashes, long_dash_double_dot.nominal(0.25));
   EXPECT_EQ(layers[1].strokes[0].dashes.dots, 2);
   EXPECT_EQ(layers[2].strokes.size(), 1u);
-  EXPECT_EQ(parse_line_role("narrow", "here"), LineRole::narrow);
-  EXPECT_THROW(parse_line_role("wide", "here"), Error);
 }
 
 TEST(ViewLines, TangentEdgesAreNarrowAndShortOfOutlines) {

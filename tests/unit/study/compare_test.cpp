@@ -180,7 +180,7 @@ TEST(CompareJson, SeesEdgesOfAllKindsAsSheetsDrawThem) {
       drawing.name = "front";
       drawing.segments = {{points[0], points[1], seen, kind, 0, {0, 1}, -1, {0, 1}}};
       drawing.chains = {{points, false, seen, kind, {0}}};
-      const Paper paper = parse_paper("A4", false);
+      const Paper paper = make_paper(parse_paper_size("A4", "--sheet"), false);
       Sheet sheet{paper.width, paper.height, "one", view_layers(drawing, line_widths(paper), {ModelLook()})};
       const Picture drawn = picture_of_svg(to_svg(sheet, {}), "test.svg");
       const Picture read = picture_of_json(to_json(sheet, 1, std::span(&drawing, 1), {}), "test.json");

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/command_line_options.hpp"
+
+#include <utility>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+
+namespace epura {
+
+namespace {
+
+std::string heading_of(Nature nature) {
+  switch (nature) {
+    case Nature::drawing:
+      return "Drawing";
+    case Nature::file:
+      return "Files";
+    case Nature::code:
+      return "Plugins";
+    case Nature::run:
+      return "Run";
+  }
+  return "";
+}
+
+std::vector<std::string> long_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options())
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  return names;
+}
+
+std::vector<std::string> names_of_commands(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  return names;
+}
+
+// "-o,--output" by its long name.
+std::string name_of(const OptionInfo& option) { return option.flag.substr(option.flag.rfind(',') + 1); }
+
+bool is_argument(const OptionInfo& option) { return !option.flag.starts_with('-'); }
+
+CLI::Option* add(CLI::App& app, const OptionInfo& option) {
+  const ValueForm& form = option.form;
+  if (form.placeholder.empty()) return app.add_flag(option.flag)->description(option.meaning());
+  if (!form.implied.empty())
+    return app.add_flag(option.flag + "{" + form.implied + "}")
+        ->description(option.meaning())
+        ->type_name("[=" + form.placeholder + "]");
+  CLI::Option* added = app.add_option(
+                              option.flag, [](const CLI::results_t&) { return true; }, option.meaning())
+                           ->type_name(form.placeholder);
+  if (!option.repeatable && is_argument(option)) return added;
+  if (!option.repeatable) return added->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  // An option takes one value each time: what follows may be a model.
+  return added->expected(1, -1)->allow_extra_args(is_argument(option));
+}
+
+// "--dimensions -o x.pdf" lacks a value.
+void refuse_option_as_value(const CLI::App& app, const std::string& name, const std::string& text) {
+  if (text.size() > 1 && text.starts_with('-') && app.get_option_no_throw(text) != nullptr)
+    throw Error(Trouble::input, name, "wants a value, and '" + text + "' is an option", "write " + name + "=VALUE");
+}
+
+}  // namespace
+
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : " ") + name;
+  return text;
+}
+
+void define(CLI::App& app, const OptionInfo& option) {
+  const std::string heading = heading_of(option.nature);
+  for (const Switch& one : option.switches) app.add_flag(one.flag)->description(one.help)->group(heading);
+  if (option.flag.empty()) return;
+  CLI::Option* added = add(app, option)->group(heading)->required(option.required);
+  if (!option.usual.empty()) added->default_str(option.usual);
+}
+
+std::vector<TomlValue> given_values(const CLI::App& app, const OptionInfo& option) {
+  std::vector<TomlValue> values;
+  for (const Switch& one : option.switches)
+    if (app.count(one.flag) > 0) values.push_back(value_of_option(one.flag, one.word));
+  if (option.flag.empty() || app.count(name_of(option)) == 0) return values;
+  const std::string name = name_of(option);
+  const std::vector<std::string> texts = app.get_option(name)->results();
+  for (std::size_t i = option.repeatable ? 0 : texts.size() - 1; i < texts.size(); ++i) {
+    if (!is_argument(option)) refuse_option_as_value(app, name, texts[i]);
+    values.push_back(value_of_option(name, texts[i]));
+  }
+  return values;
+}
+
+const CLI::App& chosen_command(const CLI::App& app) {
+  const CLI::App* command = &app;
+  while (!command->get_subcommands().empty()) command = command->get_subcommands().back();
+  return *command;
+}
+
+void refuse_wrong_use(const CLI::App& app, const CLI::ParseError& error) {
+  const CLI::App* command = &chosen_command(app);
+  for (const std::string& extra : command->remaining(true)) {
+    if (extra.starts_with("-"))
+      throw Error(Trouble::input, "", "there is no option '" + extra + "'", did_you_mean(extra, long_names(*command)));
+    if (command == &app)
+      throw Error(Trouble::input, "", "there is no command '" + extra + "'",
+                  did_you_mean(extra, names_of_commands(app)));
+  }
+  throw Error(Trouble::input, "command line", error.what(),
+              "see 'epura " + (command == &app ? "" : command->get_name() + " ") + "--help'");
+}
+
+}  // namespace epura

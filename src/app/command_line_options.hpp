@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tables of options on the command line: CLI11 learns of them, and what it found is read by them.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "scene/option.hpp"
+
+namespace epura {
+
+/// Words with spaces between them.
+std::string joined(const std::vector<std::string>& words);
+
+void define(CLI::App& app, const OptionInfo& option);
+
+/// What the command line gives it, in order; of an option that is not repeatable the last value alone. Throws
+/// Error{input} where another option stands in the place of a value.
+std::vector<TomlValue> given_values(const CLI::App& app, const OptionInfo& option);
+
+/// To be called when `app` is parsed. Throws Error{input}.
+template <class Part>
+void read_options(const CLI::App& app, const Options<Part>& options, Part& part) {
+  for (const Option<Part>& option : options)
+    for (const TomlValue& value : given_values(app, option)) option.read(part, value);
+}
+
+/// The options of each command.
+using OptionTables = std::map<const CLI::App*, std::vector<OptionInfo>>;
+
+/// The innermost command that was named.
+const CLI::App& chosen_command(const CLI::App& app);
+
+/// CLI11 says which arguments nobody took; this says what was perhaps meant. Throws Error{input}.
+[[noreturn]] void refuse_wrong_use(const CLI::App& app, const CLI::ParseError& error);
+
+}  // namespace epura

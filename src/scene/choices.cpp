@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/choices.hpp"
+
+#include <cmath>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+
+namespace epura {
+
+namespace {
+
+constexpr double longest_side = 100'000;  // mm
+
+PaperChoice custom_size(std::string_view text, const std::string& where) {
+  const auto parts = split(text, 'x');
+  const auto width = parts.size() == 2 ? parse_number(parts[0]) : std::nullopt;
+  const auto height = parts.size() == 2 ? parse_number(parts[1]) : std::nullopt;
+  if (!width || !height)
+    throw Error(Trouble::input, where, "'" + std::string(text) + "' is no paper size",
+                "write none, A0 to A4, or width x height in mm such as 300x200");
+  const auto usable = [](double side) { return side >= 1 && side <= longest_side; };
+  if (!usable(*width) || !usable(*height))
+    throw Error(Trouble::input, where, "'" + std::string(text) + "' is no usable paper size",
+                "sides may be 1 to " + format_number(longest_side) + " mm long");
+  return {PaperChoice::Kind::custom, 0, {*width, *height}};
+}
+
+}  // namespace
+
+double millimetres(Unit unit) {
+  constexpr std::array<double, 3> lengths{1, 25.4, 1000};
+  return lengths[static_cast<std::size_t>(unit)];
+}
+
+std::string ProjectionRequest::text() const {
+  std::string all = name;
+  for (const auto& [key, value] : assignments) all += ":" + key + "=" + value;
+  return all;
+}
+
+ScaleChoice parse_scale(std::string_view text, const std::string& where) {
+  const std::string lower = to_lower(text);
+  if (lower == "fit") return {};
+  if (lower == "auto") return {std::nullopt, true};
+  const auto parts = split(text, ':');
+  const auto paper = parse_number(parts[0]);
+  const auto model = parts.size() == 2 ? parse_number(parts[1]) : std::optional<double>(1);
+  const double scale = paper && model && parts.size() <= 2 ? *paper / *model : 0;
+  if (!std::isfinite(scale) || !(scale > 0) || !(*paper > 0) || std::isinf(*model))
+    throw Error(Trouble::input, where, "'" + std::string(text) + "' is no scale",
+                "write fit, auto, paper:model such as 1:2 or 5:1, or a number above 0");
+  return {scale, false};
+}
+
+PaperChoice parse_paper_size(std::string_view text, const std::string& where) {
+  const std::string lower = to_lower(text);
+  if (lower == "none") return {PaperChoice::Kind::none, 0, {0, 0}};
+  if (lower == "auto") return {PaperChoice::Kind::automatic, 0, {0, 0}};
+  if (lower.size() == 2 && lower[0] == 'a' && lower[1] >= '0' && lower[1] <= '4')
+    return {PaperChoice::Kind::iso, lower[1] - '0', {0, 0}};
+  return custom_size(lower, where);
+}
+
+ProjectionRequest parse_request(std::string_view text) {
+  const auto refuse = [](const std::string& where, const std::string& reason, const std::string& hint = {}) {
+    throw Error(Trouble::input, where, reason, hint);
+  };
+  const std::vector<std::string_view> parts = split(text, ':');
+  const std::string where(text);
+  ProjectionRequest request{std::string(parts[0]), {}};
+  if (request.name.empty()) refuse(where, "a projection has a name", "NAME[:key=value]...");
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    const std::size_t equals = parts[i].find('=');
+    if (equals == std::string_view::npos || equals == 0)
+      refuse(where, std::string("'").append(parts[i]) + "' is no key=value", "NAME[:key=value]...");
+    const std::string key(parts[i].substr(0, equals));
+    for (const auto& [earlier, value] : request.assignments)
+      if (earlier == key) refuse(request.name + ":" + key, "is given twice");
+    request.assignments.emplace_back(key, parts[i].substr(equals + 1));
+  }
+  return request;
+}
+
+}  // namespace epura

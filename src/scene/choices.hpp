@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+// What users choose among: enums with their words, and values that are more than a number.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/vec.hpp"
+
+namespace epura {
+
+/// The words for the values of an enum, in the order of its enumerators. One specialisation stands beside each enum.
+template <class Enum>
+struct Words;
+
+template <class Enum>
+std::string_view word_of(Enum value) {
+  return Words<Enum>::list[static_cast<std::size_t>(value)];
+}
+
+/// Unit of length of a model file.
+enum class Unit { mm, in, m };
+template <>
+struct Words<Unit> {
+  static constexpr std::array list{"mm", "in", "m"};
+};
+double millimetres(Unit unit);
+
+/// Axis that points up in a model file.
+enum class UpAxis { z, y };
+template <>
+struct Words<UpAxis> {
+  static constexpr std::array list{"z", "y"};
+};
+
+enum class HiddenLines { none, dashed, solid };
+template <>
+struct Words<HiddenLines> {
+  static constexpr std::array list{"none", "dashed", "solid"};
+};
+
+/// What the visible lines of a model are: of the part itself (wide, continuous), of one that stays in the background
+/// (narrow, continuous), or of a neighbouring part (narrow, long-dashed double-dotted; ISO 128-2, type 05.1).
+enum class LineRole { visible, narrow, neighbour };
+template <>
+struct Words<LineRole> {
+  static constexpr std::array list{"visible", "narrow", "neighbour"};
+};
+
+/// Which edges of a model are drawn.
+struct EdgeKinds {
+  bool contour = true, crease = true, boundary = true, intersection = true;
+  bool tangent = false;  ///< between a flat face and a curved one that goes on from it (edges/tangent_edges.hpp)
+  bool smooth = false;   ///< all other edges of the mesh
+
+  bool operator==(const EdgeKinds&) const = default;
+};
+inline constexpr std::array<std::pair<const char*, bool EdgeKinds::*>, 6> edge_kind_words{
+    {{"contour", &EdgeKinds::contour},
+     {"crease", &EdgeKinds::crease},
+     {"boundary", &EdgeKinds::boundary},
+     {"intersection", &EdgeKinds::intersection},
+     {"tangent", &EdgeKinds::tangent},
+     {"smooth", &EdgeKinds::smooth}}};
+
+enum class Orientation { landscape, portrait };
+template <>
+struct Words<Orientation> {
+  static constexpr std::array list{"landscape", "portrait"};
+};
+
+/// Where views stand: ISO 5456-2 (first angle) or ASME Y14.3 (third angle).
+enum class ProjectionAngle { first, third };
+template <>
+struct Words<ProjectionAngle> {
+  static constexpr std::array list{"first", "third"};
+};
+
+/// What surrounds a drawing. `automatic`: full for several views, and where a field of the title block other than the
+/// title is given.
+enum class FrameKind { automatic, none, plain, full };
+template <>
+struct Words<FrameKind> {
+  static constexpr std::array list{"auto", "none", "plain", "full"};
+};
+
+enum class DimensionType { linear, aligned, angular, radius, diameter, overall };
+template <>
+struct Words<DimensionType> {
+  static constexpr std::array list{"linear", "aligned", "angular", "radius", "diameter", "overall"};
+};
+
+/// Of linear dimensions on paper, of overall ones in the world: along x, z and y.
+enum class DimensionDirection { horizontal, vertical, width, height, depth };
+template <>
+struct Words<DimensionDirection> {
+  static constexpr std::array list{"horizontal", "vertical", "width", "height", "depth"};
+};
+
+/// Millimetres of paper per unit of the model. Without a fixed one: as large as fits, or the largest standard scale
+/// that fits (ISO 5455).
+struct ScaleChoice {
+  std::optional<double> fixed{};
+  bool standard = false;
+
+  bool operator==(const ScaleChoice&) const = default;
+};
+
+/// A size of paper.
+struct PaperChoice {
+  enum class Kind { iso, custom, none, automatic };
+  Kind kind = Kind::iso;
+  int number = 4;                    ///< iso: of A0 to A4
+  std::array<double, 2> size{0, 0};  ///< custom: width and height, mm
+
+  bool operator==(const PaperChoice&) const = default;
+};
+
+/// A projection by its name, and values of its parameters as texts: the plugin's table says what they may be.
+struct ProjectionRequest {
+  std::string name;
+  std::vector<std::pair<std::string, std::string>> assignments{};
+
+  /// NAME[:key=value]...
+  [[nodiscard]] std::string text() const;
+};
+
+// Throw Error{input} that names `where` the text comes from.
+ScaleChoice parse_scale(std::string_view text, const std::string& where);       ///< fit, auto, 1:2, 0.5
+PaperChoice parse_paper_size(std::string_view text, const std::string& where);  ///< A4 to A0, 300x200, none, auto
+ProjectionRequest parse_request(std::string_view text);                         ///< NAME[:key=value]...; names the text
+
+}  // namespace epura

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/part_options.hpp"
+
+#include <algorithm>
+
+#include "scene/title_fields.hpp"
+
+namespace epura {
+
+namespace {
+
+// What words have in their description.
+template <class Member>
+auto in_description(Member member) {
+  return [member](auto& words) -> auto& { return words.description.*member; };
+}
+
+Option<DimensionWords> anchor_option(const std::string& key, const std::string& help) {
+  const ValueKind<AnchorWords> kind = anchor();
+  return {{.key = key, .form = kind.form, .help = help},
+          [key, read = kind.read](DimensionWords& words, const TomlValue& value) {
+            words.anchors.emplace_back(key, read(value));
+          }};
+}
+
+// One view has no choice of a scale of its own.
+ValueKind<ScaleChoice> scale_of_a_view() {
+  const auto read = [](const TomlValue& value) {
+    const ScaleChoice scale = scale_choice().read(value);
+    if (scale.standard) refuse(value, "is 'auto', which a sheet alone can have", "write fit, or a scale such as 1:2");
+    return scale;
+  };
+  return {scale_choice().form, read};
+}
+
+}  // namespace
+
+std::string OptionInfo::meaning() const {
+  if (!form.is_closed) return help;
+  return help + ": " + words_as_text(form.words) + (form.is_list ? ", several with commas" : "");
+}
+
+Options<ModelDescription> model_options() {
+  using Model = ModelDescription;
+  return {
+      option<Model>(
+          {.key = "file", .help = "obj, stl, ply or off; a relative path starts at the scene file", .required = true},
+          &Model::file, any_text()),
+      option<Model>({.key = "name", .help = "for dimensions; by default the name of the file without extension"},
+                    &Model::name, any_text()),
+      option<Model>({.key = "unit", .flag = "--unit", .help = "unit of length of the file", .usual = "mm"},
+                    &Model::unit, choice<Unit>().shown_as("UNIT")),
+      option<Model>({.key = "up", .flag = "--up", .help = "axis that points up in the file", .usual = "z"}, &Model::up,
+                    choice<UpAxis>().shown_as("AXIS")),
+      option<Model>({.key = "transform", .help = "steps as of `--transform`: `rotate:z,30 translate:0,0,5`"},
+                    &Model::transform, transform_steps()),
+      option<Model>({.key = "line", .help = "what its visible lines are", .usual = "visible"}, &Model::line,
+                    choice<LineRole>()),
+      option<Model>({.key = "hidden", .help = "its hidden lines", .usual = "as in the view"}, &Model::hidden,
+                    choice<HiddenLines>()),
+      option<Model>({.key = "drawn", .help = "`false` leaves it out; the others keep their numbers"}, &Model::drawn,
+                    truth()),
+  };
+}
+
+Options<SectionDescription> section_options() {
+  using Section = SectionDescription;
+  return {
+      option<Section>({.key = "name", .help = "by which views call it, such as `A`", .required = true}, &Section::name,
+                      any_text()),
+      option<Section>({.key = "point", .help = "of the plane", .usual = "[0, 0, 0]"}, &Section::point,
+                      triple_of_numbers("")),
+      option<Section>({.key = "normal", .help = "to the side that is taken away", .usual = "[0, -1, 0]"},
+                      &Section::normal, direction()),
+  };
+}
+
+Options<ViewDescription> view_options() {
+  using View = ViewDescription;
+  return {
+      option<View>(
+          {.key = "projection", .help = "`NAME[:key=value...]`, or `{name = NAME, key = value}`", .required = true},
+          &View::projection, projection_request()),
+      option<View>({.key = "name", .help = "of its layers, and for dimensions", .usual = "the projection's"},
+                   &View::name, any_text()),
+      option<View>({.key = "scale", .help = "such as `2:1`", .usual = "the sheet's"}, &View::scale, scale_of_a_view()),
+      option<View>(
+          {.key = "at", .help = "middle of the view, from the lower left corner of the sheet", .usual = "arranged"},
+          &View::at, pair_of_numbers("mm")),
+      option<View>({.key = "sheet", .help = "which one of several, from 1", .usual = "1"}, &View::sheet,
+                   whole_number(1)),
+      option<View>({.key = "section", .help = "name of the section that it shows"}, &View::section, any_text()),
+      option<View>({.key = "label", .help = "written above it", .usual = "`A-A` for section `A`"}, &View::label,
+                   any_text()),
+      option<View>({.key = "hidden", .flag = "--hidden", .help = "hidden lines", .usual = "dashed"}, &View::hidden,
+                   choice<HiddenLines>().shown_as("STYLE")),
+      option<View>({.key = "edges",
+                    .flag = "--edges",
+                    .help = "which edges are drawn",
+                    .usual = "contour,crease,boundary,intersection"},
+                   &View::edges, edge_kinds()),
+      option<View>({.key = "crease_angle",
+                    .flag = "--crease-angle",
+                    .help = "degrees between faces from which their edge is a crease",
+                    .usual = "30"},
+                   &View::crease_angle, number_between(0, 180, "degrees").shown_as("DEG")),
+      option<View>({.key = "near", .flag = "--near", .help = "leave out what is nearer to the viewer"}, &View::near,
+                   any_number("")),
+      option<View>({.key = "far", .flag = "--far", .help = "leave out what is farther from the viewer"}, &View::far,
+                   any_number("")),
+  };
+}
+
+Options<DimensionWords> dimension_options() {
+  using Words = DimensionWords;
+  using Dimension = DimensionDescription;
+  return {
+      option<Words>({.key = "type", .help = "what it measures", .required = true}, in_description(&Dimension::type),
+                    choice<DimensionType>()),
+      option<Words>({.key = "view", .help = "name of the view", .usual = "the first one"},
+                    in_description(&Dimension::view), any_text()),
+      option<Words>({.key = "direction",
+                     .help = "linear: horizontal or vertical; overall: width, height or depth, or all of them"},
+                    in_description(&Dimension::direction), choice<DimensionDirection>()),
+      anchor_option("corner", "angular: where the legs meet"),
+      anchor_option("from", "linear, aligned: one end; angular: end of a leg"),
+      anchor_option("to", "linear, aligned: the other end; angular: end of the other leg"),
+      anchor_option("at", "radius, diameter: a vertex on the circle"),
+      option<Words>(
+          {.key = "offset", .help = "of the dimension line from the anchors, on paper; its sign gives the side"},
+          in_description(&Dimension::offset), any_number("mm")),
+      option<Words>({.key = "text", .help = "instead of the measured value, for which `<>` stands"},
+                    in_description(&Dimension::text), any_text()),
+  };
+}
+
+Options<SheetDescription> sheet_options() {
+  using Sheet = SheetDescription;
+  return {
+      option<Sheet>({.key = "size",
+                     .flag = "--sheet",
+                     .help = "A4 to A0, WIDTHxHEIGHT in mm, none, or auto for the smallest of A4 to A0 that takes the "
+                             "scale",
+                     .usual = "A4; A3 for several views"},
+                    &Sheet::size, paper_choice()),
+      option<Sheet>({.key = "orientation",
+                     .help = "how the sheet lies",
+                     .usual = "landscape",
+                     .switches = {{"--portrait", "portrait", "the sheet stands upright"},
+                                  {"--landscape", "landscape", "the sheet lies on its side"}}},
+                    &Sheet::orientation, choice<Orientation>()),
+      option<Sheet>({.key = "scale",
+                     .flag = "--scale",
+                     .help = "1:2, 5:1, ..., auto for the largest of ISO 5455 that fits, or fit for as large as fits",
+                     .usual = "fit; auto for several views"},
+                    &Sheet::scale, scale_choice()),
+      option<Sheet>({.key = "angle",
+                     .help = "projection method: where views stand",
+                     .usual = "first",
+                     .switches = {{"--first-angle", "first", "views stand as in ISO 5456-2 (default)"},
+                                  {"--third-angle", "third", "views stand as in ASME Y14.3"}}},
+                    &Sheet::angle, choice<ProjectionAngle>()),
+      option<Sheet>(
+          {.key = "frame",
+           .flag = "--frame",
+           .help = "frame of the sheet; full has centring marks, grid and title block, and is what auto takes "
+                   "for several views and where a field of the title block other than the title is given",
+           .usual = "auto"},
+          &Sheet::frame, choice<FrameKind>().shown_as("KIND")),
+  };
+}
+
+void set_field(TitleBlockFields& fields, const std::string& name, const LocatedText& text) {
+  std::erase_if(fields, [&name](const auto& field) { return field.first == name; });
+  fields.emplace_back(name, text);
+}
+
+Options<TitleBlockFields> title_block_options() {
+  Options<TitleBlockFields> options;
+  const ValueKind<std::string> kind = field_text();
+  for (const TitleField& field : title_fields()) {
+    std::string flag = "--" + field.name;
+    std::replace(flag.begin(), flag.end(), '_', '-');
+    options.push_back({{.key = field.name, .flag = flag, .form = kind.form, .help = field.help},
+                       [name = field.name, read = kind.read](TitleBlockFields& fields, const TomlValue& value) {
+                         set_field(fields, name, {read(value), value.where});
+                       },
+                       [name = field.name](TitleBlockFields& fields, const TitleBlockFields& others) {
+                         for (const auto& [other, text] : others)
+                           if (other == name) set_field(fields, name, text);
+                       }});
+  }
+  return options;
+}
+
+}  // namespace epura

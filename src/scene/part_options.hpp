@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// The options of the parts of a scene, each with all that is said of it. docs/formats.md is made from these tables.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scene/option.hpp"
+
+namespace epura {
+
+/// A dimension whose anchors stand under their keys and do not know their models yet.
+struct DimensionWords {
+  DimensionDescription description;
+  std::vector<std::pair<std::string, AnchorWords>> anchors;
+};
+
+Options<ModelDescription> model_options();
+Options<SectionDescription> section_options();
+Options<ViewDescription> view_options();
+Options<DimensionWords> dimension_options();
+Options<SheetDescription> sheet_options();
+Options<TitleBlockFields> title_block_options();
+
+/// Takes over what `other` was given.
+template <class Part>
+void overrule(Part& part, const Part& other, const Options<Part>& options) {
+  for (const Option<Part>& one : options)
+    if (one.overrule) one.overrule(part, other);
+}
+
+/// One field alone has this name.
+void set_field(TitleBlockFields& fields, const std::string& name, const LocatedText& text);
+
+}  // namespace epura
