@@ -5,20 +5,20 @@
 #include <string>
 #include <vector>
 
-#include "app/annotations.hpp"
 #include "app/commands.hpp"
 #include "app/console.hpp"
 #include "app/describe.hpp"
-#include "app/layout.hpp"
-#include "app/pipeline.hpp"
-#include "app/read_models.hpp"
 #include "app/report_targets.hpp"
-#include "app/sections.hpp"
 #include "app/targets.hpp"
-#include "app/view_plan.hpp"
 #include "base/file.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
+#include "pipeline/annotations.hpp"
+#include "pipeline/draw_view.hpp"
+#include "pipeline/layout.hpp"
+#include "pipeline/read_models.hpp"
+#include "pipeline/sections.hpp"
+#include "pipeline/view_plan.hpp"
 #include "study/accuracy/report.hpp"
 
 namespace epura {
@@ -76,7 +76,7 @@ DrawOptions drawing_of(const std::string& scene, const AccuracyOptions& options)
   drawing.models = {scene};
   const bool is_model = to_lower(std::filesystem::path(scene).extension().string()) != ".toml";
   if (is_model) drawing.projections = options.projections;
-  drawing.plugin_path = options.plugin_path;
+  drawing.run.plugin_path = options.plugin_path;
   return drawing;
 }
 
@@ -94,7 +94,7 @@ std::vector<StudiedScene> scenes_of(const AccuracyOptions& options) {
     if (!std::filesystem::exists(path)) read_file(path);  // says so
     const DrawOptions drawing = drawing_of(path, options);
     SceneDescription scene = describe(drawing);
-    std::vector<SheetOfViews> sheets = views_by_sheet(scene, plan_views(scene, drawing));
+    std::vector<SheetOfViews> sheets = views_by_sheet(scene, plan_views(scene, drawing.run));
     scenes.push_back({path, std::move(scene), std::move(sheets)});
   }
   return scenes;

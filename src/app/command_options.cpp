@@ -36,7 +36,7 @@ Options<StabilityOptions> stability_options() {
                     &Study::cases, any_text().shown_as("IDS")),
       option<Study>({.flag = "--size", .help = "factor of the numbers of parts of large scenes", .usual = "1"},
                     &Study::size, number_between(0.01, 100, "").shown_as("F")),
-      threads_option(&Study::threads),
+      threads_option<Study>(&Study::threads),
       option<Study>({.flag = "--timings", .help = "say how long each case took"}, &Study::timings, truth()),
       progress_option(&Study::progress),
   };
@@ -56,7 +56,7 @@ Options<AccuracyOptions> accuracy_options() {
                      .repeatable = true},
                     &Study::outputs, file_name("FILE")),
       projections_option("NAME[:key=value...] of models; each time one more view", &Study::projections),
-      plugin_path_option(&Study::plugin_path),
+      plugin_path_option<Study>(&Study::plugin_path),
       option<Study>({.flag = "--visibility",
                      .help = "method to measure, by default a choice of all; may be repeated",
                      .repeatable = true},
@@ -70,7 +70,7 @@ Options<AccuracyOptions> accuracy_options() {
           &Study::pairs, number_between(1, 1e9, "").shown_as("N")),
       {{.flag = "--no-maps", .help = "leave the projection maps out"},
        [](Study& study, const TomlValue&) { study.maps = false; }},
-      threads_option(&Study::threads),
+      threads_option<Study>(&Study::threads),
       progress_option(&Study::progress),
   };
 }
@@ -114,7 +114,7 @@ Options<PluginsOptions> plugins_options() {
   return {
       option<Plugins>({.flag = "name", .help = "projection to show: parameters, matrix, vanishing points"},
                       &Plugins::name, any_text().shown_as("NAME").completed_by(Completion::projections)),
-      plugin_path_option(&Plugins::plugin_path),
+      plugin_path_option<Plugins>(&Plugins::plugin_path),
   };
 }
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/choose.hpp"
 #include "app/completion_scripts.hpp"
 #include "app/value_words.hpp"
+#include "pipeline/choose.hpp"
 #include "projection/catalogue.hpp"
 
 namespace epura {

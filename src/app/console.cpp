@@ -18,9 +18,9 @@
 #include <system_error>
 
 #include "app/progress_line.hpp"
-#include "app/tell.hpp"
 #include "base/error.hpp"
 #include "base/utf8.hpp"
+#include "pipeline/tell.hpp"
 
 namespace epura {
 

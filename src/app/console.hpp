@@ -10,9 +10,9 @@
 #include <string_view>
 #include <thread>
 
-#include "app/messages.hpp"
 #include "app/options.hpp"
 #include "base/progress.hpp"
+#include "pipeline/messages.hpp"
 
 namespace epura {
 

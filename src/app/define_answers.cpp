@@ -52,7 +52,8 @@ void define_answers(CLI::App& program, std::vector<DefinedCommand>& commands) {
 
   CLI::App* manual = program.add_subcommand("manual", "print the manual page; to read it: epura manual | man -l -");
   commands.push_back(answering<ManualOptions>(
-      manual, {plugin_path_option(&ManualOptions::plugin_path)}, [describe](const ManualOptions& options) {
+      manual, {plugin_path_option<ManualOptions>(&ManualOptions::plugin_path)},
+      [describe](const ManualOptions& options) {
         return manual_page(describe(), load_catalogue(plugin_folders(options.plugin_path)).entries);
       }));
 

@@ -31,7 +31,7 @@ DefinedCommand defined(CLI::App& parent, const std::string& name, const std::str
 
 std::vector<DefinedCommand> define_commands(CLI::App& program) {
   DrawOptions explaining;
-  explaining.explain = true;
+  explaining.run.explain = true;
   std::vector<DefinedCommand> commands{
       defined(program, "draw", "draw models", draw_options()),
       defined(program, "explain", "draw, and tell which stages ran, which were left out, and why", explain_options(),

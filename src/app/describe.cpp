@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/annotations.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "pipeline/annotations.hpp"
 #include "scene/part_options.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/view_names.hpp"

@@ -13,9 +13,9 @@ namespace epura {
 // What is said goes to standard error, since a drawing may go to standard output.
 int draw(const DrawOptions& options) {
   ProgressBoard board;
-  Console console(board, shows_progress(options.progress), options.time_limit);
+  Console console(board, shows_progress(options.progress), options.run.time_limit);
   const Messages messages = messages_to(console);
-  DrawnFiles drawn = draw_files(options, messages, Progress(board, options.time_limit));
+  DrawnFiles drawn = draw_files(options, messages, Progress(board, options.run.time_limit));
   console.print("");  // the line of progress makes room
   std::fputs(drawn.answers.c_str(), stdout);
   tell_the_end(messages, options, drawn);

@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "app/messages.hpp"
 #include "app/options.hpp"
-#include "app/pipeline.hpp"
 #include "app/targets.hpp"
 #include "base/progress.hpp"
 #include "output/write.hpp"
+#include "pipeline/draw_view.hpp"
+#include "pipeline/messages.hpp"
 
 namespace epura {
 

@@ -15,6 +15,12 @@ namespace {
 
 using Draw = DrawOptions;
 
+// What a member of the run's options is in those of the command.
+template <class Member>
+auto run(Member member) {
+  return [member](auto& draw) -> auto& { return draw.run.*member; };
+}
+
 ValueKind<SectionDescription> cutting_plane() {
   return {{"text", "POINT:NORMAL"},
           [](const TomlValue& value) { return parse_section(read_text(value), value.where); }};
@@ -65,7 +71,7 @@ Options<Draw> file_options() {
                    &Draw::outputs, file_name("FILE")),
       option<Draw>({.flag = "--format", .help = "format of '-'", .nature = Nature::file}, &Draw::format,
                    any_text().shown_as("NAME").such_as(format_names())),
-      plugin_path_option(&Draw::plugin_path),
+      plugin_path_option<Draw>(run(&RunOptions::plugin_path)),
       option<Draw>(
           {.flag = "--transform",
            .help = "where models stand, e.g. \"rotate:z,30 translate:0,0,5\"; once for all models, or once for "
@@ -89,22 +95,22 @@ Options<Draw> picture_options() {
                    &Draw::section, cutting_plane()),
       option<Draw>({.flag = "--arcs",
                     .help = "draw circles, ellipses and their arcs as such, through corners within so many mm"},
-                   &Draw::arcs, curve_tolerance()),
+                   run(&RunOptions::arcs), curve_tolerance()),
       option<Draw>({.flag = "--centre-lines", .help = "draw centre lines and axes of circles of the models"},
-                   &Draw::centre_lines, truth()),
+                   run(&RunOptions::centre_lines), truth()),
       option<Draw>({.flag = "--dimensions", .help = "width, height and depth of the models, each in the clearest view"},
                    &Draw::dimensions, choice<AutomaticDimensions>().shown_as("WHICH")),
       option<Draw>({.flag = "--visibility",
                     .help = "exact, none for a wireframe, or to compare with: exact:bits=24 float sampled:density=4 "
                             "item-buffer:dpi=600",
                     .usual = "exact"},
-                   &Draw::method, visibility_method()),
+                   run(&RunOptions::method), visibility_method()),
       option<Draw>(
           {.flag = "--max-error",
            .help = "find hidden lines by the cheapest method that shows no span longer than so many mm wrongly"},
-          &Draw::max_error, number_between(1e-12, 1e6, "mm").shown_as("MM")),
+          run(&RunOptions::max_error), number_between(1e-12, 1e6, "mm").shown_as("MM")),
       option<Draw>({.flag = "--contact", .help = "length below which faces touch and hide nothing", .usual = "found"},
-                   &Draw::contact, number_between(0, HUGE_VAL, "")),
+                   run(&RunOptions::contact), number_between(0, HUGE_VAL, "")),
   };
 }
 
@@ -132,30 +138,30 @@ Options<Draw> question_options() {
                             "nearest to a place of the page",
                     .nature = Nature::run,
                     .repeatable = true},
-                   &Draw::why, edge_question()),
+                   run(&RunOptions::why), edge_question()),
       option<Draw>(
           {.flag = "--dump", .help = "print a table of all drawn edges, or of their spans", .nature = Nature::run},
-          &Draw::dump, choice<EdgeTable>().shown_as("TABLE")),
+          run(&RunOptions::dump), choice<EdgeTable>().shown_as("TABLE")),
       option<Draw>({.flag = "--verify",
                     .help = "test the drawing by an independent exact method; exit code 1 if it is wrong",
                     .nature = Nature::run},
-                   &Draw::verify, truth()),
+                   run(&RunOptions::verify), truth()),
       option<Draw>({.flag = "--verify-samples",
                     .help = "number of points at random for --verify",
                     .usual = "2000",
                     .nature = Nature::run},
-                   &Draw::verify_samples, whole_number(1, 10'000'000)),
+                   run(&RunOptions::verify_samples), whole_number(1, 10'000'000)),
       option<Draw>({.flag = "--explain",
                     .help = "tell which stages ran and why, and how many digits each view can have, as 'epura explain' "
                             "does",
                     .nature = Nature::run},
-                   &Draw::explain, truth()),
+                   run(&RunOptions::explain), truth()),
   };
 }
 
 Options<Draw> run_options() {
   return {
-      threads_option(&Draw::threads),
+      threads_option<Draw>(run(&RunOptions::threads)),
       option<Draw>({.flag = "--timings", .help = "say how long each stage took", .nature = Nature::run}, &Draw::timings,
                    truth()),
       option<Draw>({.flag = "--plan",
@@ -163,14 +169,14 @@ Options<Draw> run_options() {
                             "visibility hidden text, with commas; the drawing is the same",
                     .usual = "all",
                     .nature = Nature::run},
-                   &Draw::plan, certificate_names()),
+                   run(&RunOptions::plan), certificate_names()),
       progress_option(&Draw::progress),
       option<Draw>(
           {.flag = "--time-limit",
            .help = "seconds that a run may take: what there is no time for is left out, the longest edges come "
                    "first; marks the drawing PARTIAL",
            .nature = Nature::run},
-          &Draw::time_limit, number_between(0, HUGE_VAL, "s").shown_as("S")),
+          run(&RunOptions::time_limit), number_between(0, HUGE_VAL, "s").shown_as("S")),
   };
 }
 

@@ -13,8 +13,8 @@ Options<DrawOptions> draw_options();
 Options<DrawOptions> explain_options();
 
 // Rows that several commands have.
-template <class Command>
-Option<Command> threads_option(int Command::*threads) {
+template <class Command, class Member>
+Option<Command> threads_option(Member threads) {
   return option<Command>(
       {.flag = "--threads", .help = "number of threads, 0 for all cores", .usual = "0", .nature = Nature::run}, threads,
       whole_number(0, 1024));
@@ -29,14 +29,16 @@ Option<Command> progress_option(ShowProgress Command::*progress) {
                          progress, choice<ShowProgress>().shown_as("WHEN"));
 }
 
-template <class Command>
-Option<Command> plugin_path_option(std::vector<std::filesystem::path> Command::*folders) {
+template <class Command, class Member>
+Option<Command> plugin_path_option(Member folders) {
   return {{.flag = "--plugin-path",
            .form = any_text().shown_as("DIR").completed_by(Completion::folders).form,
            .help = "more folders with projection plugins",
            .nature = Nature::code,
            .repeatable = true},
-          [folders](Command& command, const TomlValue& value) { (command.*folders).emplace_back(read_text(value)); }};
+          [folders](Command& command, const TomlValue& value) {
+            std::invoke(folders, command).emplace_back(read_text(value));
+          }};
 }
 
 template <class Command>

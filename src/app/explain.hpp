@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "app/leave_out.hpp"
 #include "output/write.hpp"
+#include "pipeline/leave_out.hpp"
 
 namespace epura {
 

@@ -39,7 +39,7 @@ Result run(const Request& request) {
                           [&](std::string_view lines) { result.report += lines; }};
   const DrawOptions options = options_of(request);
   ProgressBoard board;
-  const DrawnFiles drawn = draw_files(options, messages, Progress(board, options.time_limit));
+  const DrawnFiles drawn = draw_files(options, messages, Progress(board, options.run.time_limit));
   result.files = drawn.paths;
   result.report += drawn.answers;
   tell_the_end(messages, options, drawn);

@@ -8,11 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "app/leave_out.hpp"
 #include "output/write.hpp"
+#include "pipeline/options.hpp"
 #include "projection/plugin_process.hpp"
 #include "scene/description.hpp"
-#include "study/questions/find_subjects.hpp"
 #include "visibility/method.hpp"
 
 namespace epura {
@@ -21,12 +20,6 @@ enum class ShowProgress { automatic, always, never };
 template <>
 struct Words<ShowProgress> {
   static constexpr std::array list{"auto", "always", "never"};
-};
-
-enum class EdgeTable { edges, spans };
-template <>
-struct Words<EdgeTable> {
-  static constexpr std::array list{"edges", "spans"};
 };
 
 enum class AutomaticDimensions { overall };
@@ -40,7 +33,6 @@ struct DrawOptions {
   std::vector<std::string> outputs;  ///< "-" is standard output
   std::string format;                ///< of "-"
   std::vector<Located<ProjectionRequest>> projections, views;
-  std::vector<std::filesystem::path> plugin_path;
   std::vector<Located<Mat4>> transforms;
   // These win over what a scene file says.
   ModelDescription model;
@@ -48,22 +40,10 @@ struct DrawOptions {
   SheetDescription sheet;
   Located<SectionDescription> section;
   Located<AutomaticDimensions> dimensions;
-  Method method;
-  std::optional<double> max_error;  ///< mm
-  std::optional<double> contact;
   VectorOptions vector;
-  std::optional<double> arcs;  ///< tolerance, mm; nothing: lines stay straight
-  bool centre_lines = false;
-  std::vector<EdgeQuestion> why;  ///< edges to explain
-  std::optional<EdgeTable> dump;
-  int threads = 0;
+  RunOptions run;
   bool timings = false;
   ShowProgress progress = ShowProgress::automatic;
-  std::optional<double> time_limit;  ///< seconds
-  bool verify = false;
-  int verify_samples = 2000;
-  LeaveOut plan;         ///< certificates that are used
-  bool explain = false;  ///< print the plan
   bool measure = false;  ///< what certificates save, by runs without them
 };
 

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "app/choose.hpp"
 #include "base/text.hpp"
+#include "pipeline/choose.hpp"
 
 namespace epura {
 

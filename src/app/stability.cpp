@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "app/choose.hpp"
 #include "app/commands.hpp"
 #include "app/console.hpp"
 #include "app/report_targets.hpp"
@@ -13,6 +12,7 @@
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "output/write.hpp"
+#include "pipeline/choose.hpp"
 #include "study/stability/write.hpp"
 
 namespace epura {

@@ -10,7 +10,6 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/text.hpp"
-#include "sheet/partial_mark.hpp"
 
 namespace epura {
 
@@ -55,12 +54,6 @@ std::size_t lines_of(std::span<const FinishedSheet> sheets) {
 }
 
 }  // namespace
-
-void mark_partial(FinishedSheet& sheet, const std::string& stage) {
-  Layer mark = partial_mark(sheet.paper, stage);
-  std::erase_if(sheet.sheet.layers, [&](const Layer& layer) { return layer.name == mark.name; });
-  sheet.sheet.layers.push_back(std::move(mark));
-}
 
 std::vector<std::string> one_for_each(const std::string& path, std::size_t sheets) {
   if (sheets == 1) return {path};

@@ -8,9 +8,8 @@
 
 #include "app/options.hpp"
 #include "base/progress.hpp"
-#include "drawing/drawing.hpp"
 #include "output/write.hpp"
-#include "sheet/paper.hpp"
+#include "pipeline/finished_sheet.hpp"
 
 namespace epura {
 
@@ -21,15 +20,6 @@ struct Target {
 
 /// Formats are settled before any work is done: a long run must not end in a typing error. Throws Error{input}.
 std::vector<Target> targets_of(const DrawOptions& options);
-
-/// A sheet, and what JSON says of it beside.
-struct FinishedSheet {
-  Sheet sheet;
-  double scale = 1;                     ///< main scale, mm of paper per unit of the world
-  std::vector<Drawing> drawings{};      ///< in order of the views; none where no target wants them
-  std::vector<std::string> warnings{};  ///< what of it is not as was wished
-  Paper paper{};
-};
 
 /// The files that are written for so many `sheets` (or pages, or diagrams), one each: x-1.svg, x-2.svg for x.svg where
 /// there are several.
@@ -42,9 +32,6 @@ std::vector<std::string> files_of(const std::vector<Target>& targets, std::size_
 /// To be asked before anything is written: an output that is an input, by whatever name, would take from the user what
 /// it is made of; of two that are one file the first would be lost. Throws Error{input}.
 void refuse_overwriting(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs);
-
-/// Marks a sheet that lacks something since time was over in a stage; once more by another stage.
-void mark_partial(FinishedSheet& sheet, const std::string& stage);
 
 struct FileBytes {
   std::string path, bytes;

@@ -2,13 +2,10 @@
 // Why an edge is drawn.
 #pragma once
 
-#include <cstdint>
+#include <epura/choices.hpp>
 #include <string_view>
 
 namespace epura {
-
-/// In order of priority where several fall on one line of the page.
-enum class EdgeKind : std::uint8_t { contour, boundary, crease, intersection, section, tangent, smooth };
 
 /// Whether the edge lies inside of a surface that goes on across it: such lines are drawn narrow.
 constexpr bool is_within_surface(EdgeKind kind) { return kind >= EdgeKind::tangent; }

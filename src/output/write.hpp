@@ -28,8 +28,6 @@ std::string format_hint(std::string_view extension);
 /// All extensions, for help and hints.
 const std::vector<std::string>& format_names();
 
-/// How an SVG file has its texts: as outlines, which look the same everywhere, or as text, which can be edited.
-enum class SvgText { outlines, text };
 template <>
 struct Words<SvgText> {
   static constexpr std::array list{"outlines", "text"};

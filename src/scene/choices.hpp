@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <epura/choices.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -23,43 +24,28 @@ std::string_view word_of(Enum value) {
   return Words<Enum>::list[static_cast<std::size_t>(value)];
 }
 
-/// Unit of length of a model file.
-enum class Unit { mm, in, m };
 template <>
 struct Words<Unit> {
   static constexpr std::array list{"mm", "in", "m"};
 };
+/// The length of one unit.
 double millimetres(Unit unit);
 
-/// Axis that points up in a model file.
-enum class UpAxis { z, y };
 template <>
 struct Words<UpAxis> {
   static constexpr std::array list{"z", "y"};
 };
 
-enum class HiddenLines { none, dashed, solid };
 template <>
 struct Words<HiddenLines> {
   static constexpr std::array list{"none", "dashed", "solid"};
 };
 
-/// What the visible lines of a model are: of the part itself (wide, continuous), of one that stays in the background
-/// (narrow, continuous), or of a neighbouring part (narrow, long-dashed double-dotted; ISO 128-2, type 05.1).
-enum class LineRole { visible, narrow, neighbour };
 template <>
 struct Words<LineRole> {
   static constexpr std::array list{"visible", "narrow", "neighbour"};
 };
 
-/// Which edges of a model are drawn.
-struct EdgeKinds {
-  bool contour = true, crease = true, boundary = true, intersection = true;
-  bool tangent = false;  ///< between a flat face and a curved one that goes on from it (edges/tangent_edges.hpp)
-  bool smooth = false;   ///< all other edges of the mesh
-
-  bool operator==(const EdgeKinds&) const = default;
-};
 inline constexpr std::array<std::pair<const char*, bool EdgeKinds::*>, 6> edge_kind_words{
     {{"contour", &EdgeKinds::contour},
      {"crease", &EdgeKinds::crease},
@@ -68,35 +54,26 @@ inline constexpr std::array<std::pair<const char*, bool EdgeKinds::*>, 6> edge_k
      {"tangent", &EdgeKinds::tangent},
      {"smooth", &EdgeKinds::smooth}}};
 
-enum class Orientation { landscape, portrait };
 template <>
 struct Words<Orientation> {
   static constexpr std::array list{"landscape", "portrait"};
 };
 
-/// Where views stand: ISO 5456-2 (first angle) or ASME Y14.3 (third angle).
-enum class ProjectionAngle { first, third };
 template <>
 struct Words<ProjectionAngle> {
   static constexpr std::array list{"first", "third"};
 };
 
-/// What surrounds a drawing. `automatic`: full for several views, and where a field of the title block other than the
-/// title is given.
-enum class FrameKind { automatic, none, plain, full };
 template <>
 struct Words<FrameKind> {
   static constexpr std::array list{"auto", "none", "plain", "full"};
 };
 
-enum class DimensionType { linear, aligned, angular, radius, diameter, overall };
 template <>
 struct Words<DimensionType> {
   static constexpr std::array list{"linear", "aligned", "angular", "radius", "diameter", "overall"};
 };
 
-/// Of linear dimensions on paper, of overall ones in the world: along x, z and y.
-enum class DimensionDirection { horizontal, vertical, width, height, depth };
 template <>
 struct Words<DimensionDirection> {
   static constexpr std::array list{"horizontal", "vertical", "width", "height", "depth"};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/thin.hpp"
+#include "pipeline/thin.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "app/budget.hpp"
 #include "drawing/curve_part.hpp"
 #include "drawing/thin.hpp"
+#include "pipeline/budget.hpp"
 
 namespace epura {
 

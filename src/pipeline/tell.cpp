@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/tell.hpp"
+#include "pipeline/tell.hpp"
 
 #include <array>
 #include <cmath>

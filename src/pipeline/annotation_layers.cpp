@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/annotation_layers.hpp"
+#include "pipeline/annotation_layers.hpp"
 
 #include <iterator>
 #include <map>

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "app/annotations.hpp"
-#include "app/budget.hpp"
-#include "app/layout.hpp"
-#include "app/pipeline.hpp"
+#include "pipeline/annotations.hpp"
+#include "pipeline/budget.hpp"
+#include "pipeline/draw_view.hpp"
+#include "pipeline/layout.hpp"
 
 namespace epura {
 

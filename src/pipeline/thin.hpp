@@ -4,7 +4,8 @@
 
 #include <span>
 
-#include "app/targets.hpp"
+#include "output/write.hpp"
+#include "pipeline/finished_sheet.hpp"
 
 namespace epura {
 

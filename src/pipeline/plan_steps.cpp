@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/plan_steps.hpp"
+#include "pipeline/plan_steps.hpp"
 
 #include <filesystem>
 #include <set>
@@ -17,13 +17,6 @@ PlanStep plugins_step(const std::vector<SheetOfViews>& sheets) {
       ++views;
     }
   return {"plugins", false, "only those that views name are opened", views, static_cast<long long>(opened.size())};
-}
-
-PlanStep formats_step(const std::vector<Target>& targets) {
-  std::set<Format> wanted;
-  for (const Target& target : targets) wanted.insert(target.format);
-  return {"formats", false, "only those of outputs are made", static_cast<long long>(format_names().size()),
-          static_cast<long long>(wanted.size())};
 }
 
 PlanStep text_step(const Sheet& sheet, bool leave_out) {

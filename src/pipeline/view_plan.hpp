@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "app/options.hpp"
-#include "app/pipeline.hpp"
+#include "pipeline/draw_view.hpp"
+#include "pipeline/options.hpp"
 #include "projection/catalogue.hpp"
 #include "scene/description.hpp"
 
@@ -19,7 +19,7 @@ struct PlannedView {
 };
 
 /// Throws Error{input}, or Error{plugin} for projections that are not there.
-std::vector<PlannedView> plan_views(const SceneDescription& scene, const DrawOptions& options);
+std::vector<PlannedView> plan_views(const SceneDescription& scene, const RunOptions& options);
 
 /// One of the sheets, and which of the scene's views stand on it.
 struct SheetOfViews {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/view_plan.hpp"
+#include "pipeline/view_plan.hpp"
 
 #include <map>
 
-#include "app/choose.hpp"
+#include "pipeline/choose.hpp"
 
 namespace epura {
 
@@ -31,7 +31,7 @@ std::vector<ModelLook> looks_of(const SceneDescription& scene, const ViewDescrip
   return looks;
 }
 
-ViewWish wish_of(const SceneDescription& scene, const ViewDescription& view, const DrawOptions& options) {
+ViewWish wish_of(const SceneDescription& scene, const ViewDescription& view, const RunOptions& options) {
   ViewWish wish;
   wish.name = *view.name;
   wish.limits = {view.near.value, view.far.value};
@@ -59,7 +59,7 @@ ViewWish wish_of(const SceneDescription& scene, const ViewDescription& view, con
 
 }  // namespace
 
-std::vector<PlannedView> plan_views(const SceneDescription& scene, const DrawOptions& options) {
+std::vector<PlannedView> plan_views(const SceneDescription& scene, const RunOptions& options) {
   const auto folders = plugin_folders(options.plugin_path);
   std::map<std::string, ProjectionEntry> found;  // views of one projection ask one process
   const auto find = [&](const std::string& name) {

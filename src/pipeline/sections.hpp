@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "app/messages.hpp"
+#include "pipeline/messages.hpp"
 #include "scene/cut_world.hpp"
 #include "scene/description.hpp"
 

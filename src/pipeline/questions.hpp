@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "app/options.hpp"
-#include "app/pipeline.hpp"
+#include "pipeline/draw_view.hpp"
+#include "pipeline/options.hpp"
 #include "study/questions/find_subjects.hpp"
 
 namespace epura {
@@ -17,8 +17,7 @@ struct Questions {
   bool span_table = false;
 };
 
-/// Throws Error{input} where neither a question nor an output is given.
-Questions parse_questions(const DrawOptions& options);
+Questions questions_of(const RunOptions& options);
 
 /// The answers as text. Throws Error{input} when an edge that was asked for does not exist.
 std::string answer(const Questions& questions, const World& world, const ViewWish& wish, const ViewResult& result,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/pipeline.hpp"
+#include "pipeline/draw_view.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -4,17 +4,14 @@
 
 #include <vector>
 
-#include "app/targets.hpp"
-#include "app/view_plan.hpp"
 #include "output/write.hpp"
+#include "pipeline/view_plan.hpp"
 #include "sheet/sheet.hpp"
 
 namespace epura {
 
 /// Views in, plugins opened out.
 PlanStep plugins_step(const std::vector<SheetOfViews>& sheets);
-/// Formats that there are in, those that are made out.
-PlanStep formats_step(const std::vector<Target>& targets);
 /// Texts in and out. Without texts no font is opened, unless `leave_out` is false.
 PlanStep text_step(const Sheet& sheet, bool leave_out);
 

@@ -7,15 +7,15 @@
 #include <string>
 #include <vector>
 
-#include "app/budget.hpp"
-#include "app/leave_out.hpp"
-#include "app/sections.hpp"
 #include "base/progress.hpp"
 #include "drawing/arcs.hpp"
 #include "drawing/drawing.hpp"
 #include "drawing/make_drawing.hpp"
 #include "edges/drawn_edges.hpp"
 #include "output/write.hpp"
+#include "pipeline/budget.hpp"
+#include "pipeline/leave_out.hpp"
+#include "pipeline/sections.hpp"
 #include "scene/placed_circles.hpp"
 #include "scene/scene.hpp"
 #include "sheet/view_lines.hpp"

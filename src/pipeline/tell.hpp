@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "app/messages.hpp"
-#include "app/pipeline.hpp"
 #include "base/error.hpp"
 #include "output/write.hpp"
+#include "pipeline/draw_view.hpp"
+#include "pipeline/messages.hpp"
 #include "sheet/sheet.hpp"
 
 namespace epura {

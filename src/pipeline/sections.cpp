@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/sections.hpp"
+#include "pipeline/sections.hpp"
 
 #include <algorithm>
 

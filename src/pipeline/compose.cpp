@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/compose.hpp"
+#include "pipeline/compose.hpp"
 
 #include <iterator>
 #include <string>
 #include <utility>
 
-#include "app/annotation_layers.hpp"
 #include "drawing/thin.hpp"
+#include "pipeline/annotation_layers.hpp"
 #include "sheet/centre_lines.hpp"
 #include "sheet/hatch.hpp"
 #include "sheet/lettering.hpp"

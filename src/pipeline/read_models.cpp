@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/read_models.hpp"
+#include "pipeline/read_models.hpp"
 
 #include <filesystem>
 #include <memory>
@@ -7,9 +7,9 @@
 #include <system_error>
 #include <utility>
 
-#include "app/choose.hpp"
 #include "base/text.hpp"
 #include "mesh/read.hpp"
+#include "pipeline/choose.hpp"
 #include "scene/transform.hpp"
 
 namespace epura {

@@ -5,12 +5,12 @@
 #include <span>
 #include <vector>
 
-#include "app/annotations.hpp"
-#include "app/budget.hpp"
-#include "app/layout.hpp"
-#include "app/pipeline.hpp"
-#include "app/targets.hpp"
-#include "app/view_plan.hpp"
+#include "pipeline/annotations.hpp"
+#include "pipeline/budget.hpp"
+#include "pipeline/draw_view.hpp"
+#include "pipeline/finished_sheet.hpp"
+#include "pipeline/layout.hpp"
+#include "pipeline/view_plan.hpp"
 #include "scene/description.hpp"
 
 namespace epura {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/leave_out.hpp"
+#include "pipeline/leave_out.hpp"
 
-#include "app/choose.hpp"
+#include "pipeline/choose.hpp"
 
 namespace epura {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "app/annotations.hpp"
-#include "app/pipeline.hpp"
+#include "pipeline/annotations.hpp"
+#include "pipeline/draw_view.hpp"
 #include "scene/description.hpp"
 #include "sheet/paper.hpp"
 #include "sheet/projection_symbol.hpp"

@@ -1,26 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/questions.hpp"
+#include "pipeline/questions.hpp"
 
-#include <algorithm>
 #include <string>
 
-#include "base/error.hpp"
-#include "base/text.hpp"
 #include "study/questions/drawn_view.hpp"
 #include "study/questions/explain.hpp"
 #include "study/questions/tables.hpp"
 
 namespace epura {
 
-Questions parse_questions(const DrawOptions& options) {
-  const Questions questions{options.why, options.dump == EdgeTable::edges, options.dump == EdgeTable::spans};
-  const bool asked = !options.why.empty() || options.dump || options.explain;
-  if (!asked && options.outputs.empty())
-    throw Error(Trouble::input, "command line", "--output is required", "see 'epura draw --help'");
-  if (asked && std::find(options.outputs.begin(), options.outputs.end(), "-") != options.outputs.end())
-    throw Error(Trouble::input, "--output -", "leaves no standard output to answer --why, --dump and explain",
-                "write the drawing to a file");
-  return questions;
+Questions questions_of(const RunOptions& options) {
+  return {options.why, options.dump == EdgeTable::edges, options.dump == EdgeTable::spans};
 }
 
 std::string answer(const Questions& questions, const World& world, const ViewWish& wish, const ViewResult& result,

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "app/sections.hpp"
+#include "pipeline/sections.hpp"
 #include "scene/description.hpp"
 #include "view/view.hpp"
 

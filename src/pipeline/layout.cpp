@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/layout.hpp"
+#include "pipeline/layout.hpp"
 
 #include <algorithm>
 #include <optional>

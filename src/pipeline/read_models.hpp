@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "app/messages.hpp"
 #include "base/progress.hpp"
 #include "mesh/mesh.hpp"
+#include "pipeline/messages.hpp"
 #include "scene/description.hpp"
 #include "scene/scene.hpp"
 

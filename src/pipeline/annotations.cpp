@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/annotations.hpp"
+#include "pipeline/annotations.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/draw_scene.hpp"
+
+#include <functional>
+#include <utility>
+
+#include "base/parallel.hpp"
+#include "pipeline/annotations.hpp"
+#include "pipeline/compose.hpp"
+#include "pipeline/plan_steps.hpp"
+#include "pipeline/questions.hpp"
+#include "pipeline/read_models.hpp"
+#include "pipeline/sections.hpp"
+#include "pipeline/tell.hpp"
+#include "pipeline/view_plan.hpp"
+#include "sheet/standard_scale.hpp"
+#include "study/verify/verify.hpp"
+#include "view/condition.hpp"
+
+namespace epura {
+
+namespace {
+
+using WorldOfView = std::function<const World&(std::size_t)>;
+
+/// What a run needs from beginning to end.
+struct Run {
+  const SceneDescription& scene;
+  const RunOptions& options;
+  const Messages& messages;
+  Progress progress;
+  Stopwatch& watch;
+  std::size_t views_left;  ///< to be drawn
+  Report report{};
+  bool has_lines = false;
+  std::string answers{};
+
+  void note(const ViewResult& result);
+  ViewTime time_of_next_view();
+  std::vector<View> map_views(const WorldOfView& world, const SheetOfViews& views);
+  FinishedSheet draw_sheet(const World& whole, const CutSections& sections, const SheetOfViews& views);
+  std::vector<FinishedSheet> draw_sheets(const std::vector<SheetOfViews>& sheets);
+};
+
+// Of several views the report has all that time left out, and the test that found most wrong.
+void Run::note(const ViewResult& result) {
+  warn_about(messages, result);
+  has_lines = has_lines || !result.drawing.segments.empty();
+  if (!result.verification) return;
+  const auto wrong = [](const Verification& found) { return found.wrong + found.outline.wrong(); };
+  if (!report.verification || wrong(*report.verification) < wrong(*result.verification))
+    report.verification = result.verification;
+}
+
+// The sheet and the files take what views leave.
+ViewTime Run::time_of_next_view() {
+  constexpr double views_for_the_rest = 0.25;
+  return {progress, progress.with_part_of_the_time(1 / (static_cast<double>(views_left--) + views_for_the_rest))};
+}
+
+std::vector<View> Run::map_views(const WorldOfView& world, const SheetOfViews& views) {
+  progress.begin("mapping", views.plans.size());
+  std::vector<View> seen;
+  for (std::size_t i = 0; i < views.plans.size(); ++i) {
+    progress.expect_time();
+    seen.push_back(look_at(world(i), views.plans[i], views.descriptions[i]));
+    const Condition map = condition_of(seen.back().projection, world(i).box, world(i).one_rounding);
+    const ViewCondition condition{views.plans[i].wish.name, map};
+    warn_about(messages, condition);
+    if (options.explain) report.conditions.push_back(condition);
+    progress.advance(1);
+  }
+  watch.lap("view");
+  return seen;
+}
+
+FinishedSheet Run::draw_sheet(const World& whole, const CutSections& sections, const SheetOfViews& views) {
+  const auto section = [&](std::size_t view) { return section_of(sections, views.descriptions[view]); };
+  const auto world = [&](std::size_t view) -> const World& {
+    return section(view) == nullptr ? whole : section(view)->cut.world;
+  };
+  std::vector<View> seen = map_views(world, views);
+  const std::vector<Annotations> annotations = annotate(scene, views.sheet, views.descriptions, seen, sections);
+  const SheetPlan plan = plan_sheet(whole, scene, views.sheet, views.descriptions, seen, annotations);
+  if (plan.chosen) messages.warn("the scale is " + ratio_text(plan.scale) + ", the largest of ISO 5455 that fits");
+  std::vector<ViewResult> results;
+  Partial partial;
+  const Budget budget{progress, progress, partial};
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const ViewWish& wish = views.plans[i].wish;
+    results.push_back(draw_view(world(i), section(i), std::move(seen[i]), wish, plan.places[i], report.plan, watch,
+                                time_of_next_view()));
+    warn_if_empty(messages, results.back(), wish, world(i));
+    note(results.back());
+    partial.add(results.back().partial);
+    answers += budget.or_nothing(
+        [&](const Progress& until) { return answer(questions_of(options), world(i), wish, results.back(), until); });
+    results.back().work = {};  // what follows takes its room
+  }
+  if (options.arcs) tell_of_curves(messages, results);
+  if (!plan.inside) messages.warn("the drawing is larger than the sheet at this scale");
+  FinishedSheet sheet = compose(whole, scene, views, plan, results, annotations, budget);
+  if (!partial.stages.empty()) mark_partial(sheet, partial.stages.front());
+  report.partial.add(partial);
+  if (!options.keeps_drawings) sheet.drawings = {};
+  for (const std::string& warning : sheet.warnings) messages.warn(warning);
+  warn_about(messages, sheet.sheet);
+  report.plan.push_back(text_step(sheet.sheet, options.plan.text));
+  watch.lap("sheet");
+  return sheet;
+}
+
+std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& sheets) {
+  World world = read_models(scene.models, report.meshes, messages, progress);
+  watch.lap("read");
+  const CutSections sections = cut_sections(world, scene, messages, progress);
+  if (!sections.empty()) watch.lap("section");
+  std::vector<FinishedSheet> finished;
+  for (const SheetOfViews& sheet : sheets) finished.push_back(draw_sheet(world, sections, sheet));
+  return finished;
+}
+
+}  // namespace
+
+DrawnScene draw_scene(const SceneDescription& scene, const RunOptions& options, const RunContext& context) {
+  const ThreadLimit threads(options.threads);
+  const std::vector<SheetOfViews> sheets = views_by_sheet(scene, plan_views(scene, options));
+  context.watch.lap("prepare");
+  Run run{scene, options, context.messages, context.progress, context.watch, scene.views.size()};
+  run.report.plan.push_back(plugins_step(sheets));
+  std::vector<FinishedSheet> finished = run.draw_sheets(sheets);
+  // An empty sheet is no drawing.
+  if (!run.report.partial.stages.empty() && !run.has_lines) throw OutOfTime{run.report.partial.stages.front()};
+  return {std::move(finished), std::move(run.report), std::move(run.answers)};
+}
+
+}  // namespace epura

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// One run from a scene to its sheets: what the program does, and the library.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/progress.hpp"
+#include "output/write.hpp"
+#include "pipeline/draw_view.hpp"
+#include "pipeline/finished_sheet.hpp"
+#include "pipeline/messages.hpp"
+#include "pipeline/options.hpp"
+#include "scene/description.hpp"
+
+namespace epura {
+
+/// What a run has to do with the world around it.
+struct RunContext {
+  const Messages& messages;
+  Progress progress{};
+  Stopwatch& watch;
+};
+
+struct DrawnScene {
+  std::vector<FinishedSheet> sheets;  ///< most of the memory
+  Report report;
+  std::string answers;  ///< to RunOptions::why and dump
+};
+
+/// Reads the models and draws all views. The scene has models, named views and sheets. Several threads may draw at
+/// once. Throws Error; OutOfTime where time is over before there is a line to show.
+DrawnScene draw_scene(const SceneDescription& scene, const RunOptions& options, const RunContext& context);
+
+}  // namespace epura

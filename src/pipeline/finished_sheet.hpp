@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a run ends with: sheets that are to be written.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "drawing/drawing.hpp"
+#include "sheet/paper.hpp"
+#include "sheet/sheet.hpp"
+
+namespace epura {
+
+/// A sheet, and what JSON says of it beside.
+struct FinishedSheet {
+  Sheet sheet;
+  double scale = 1;                     ///< main scale, mm of paper per unit of the world
+  std::vector<Drawing> drawings{};      ///< in order of the views; none where no target wants them
+  std::vector<std::string> warnings{};  ///< what of it is not as was wished
+  Paper paper{};
+};
+
+/// Marks a sheet that lacks something since time was over in a stage; once more by another stage.
+void mark_partial(FinishedSheet& sheet, const std::string& stage);
+
+}  // namespace epura

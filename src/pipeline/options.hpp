@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// How a scene is drawn, beside what its parts say.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "pipeline/leave_out.hpp"
+#include "scene/choices.hpp"
+#include "study/questions/find_subjects.hpp"
+#include "visibility/method.hpp"
+
+namespace epura {
+
+enum class EdgeTable { edges, spans };
+template <>
+struct Words<EdgeTable> {
+  static constexpr std::array list{"edges", "spans"};
+};
+
+struct RunOptions {
+  std::vector<std::filesystem::path> plugin_path;  ///< more folders with projection plugins
+  Method method;                                   ///< by which hidden lines are found
+  std::optional<double> max_error;                 ///< mm
+  std::optional<double> contact;                   ///< world length
+  std::optional<double> arcs;                      ///< tolerance, mm; nothing: lines stay straight
+  bool centre_lines = false;
+  std::vector<EdgeQuestion> why;  ///< edges to explain
+  std::optional<EdgeTable> dump;
+  int threads = 0;                   ///< 0: all cores
+  std::optional<double> time_limit;  ///< seconds
+  bool verify = false;
+  int verify_samples = 2000;
+  LeaveOut plan;                ///< certificates that are used
+  bool explain = false;         ///< print the plan
+  bool keeps_drawings = false;  ///< beside the sheets
+};
+
+}  // namespace epura
