@@ -125,8 +125,19 @@ std::optional<std::array<double, 2>> exceeding(double from, double to, double at
   return over_from > 0 ? std::array{from, root} : std::array{root, to};
 }
 
-// How depth changes along a way in the plane of a triangle: along its longest side and across it, since the slope of a
-// needle is uncertain across alone.
+}  // namespace
+
+std::optional<Vec2> slope_of(const View& view, const ViewTriangle& triangle) {
+  const PageVertex& a = view.vertices[triangle.vertex[0]];
+  const PageVertex& b = view.vertices[triangle.vertex[1]];
+  const PageVertex& c = view.vertices[triangle.vertex[2]];
+  const double bx = b.x - a.x, by = b.y - a.y, bz = b.depth - a.depth;
+  const double cx = c.x - a.x, cy = c.y - a.y, cz = c.depth - a.depth;
+  const double area = bx * cy - by * cx;
+  if (std::abs(area) <= thinnest * std::max(bx * bx + by * by, cx * cx + cy * cy)) return std::nullopt;
+  return Vec2(bz * cy - by * cz, bx * cz - bz * cx) / area;
+}
+
 double rise_along(const View& view, const ViewTriangle& triangle, const Vec2& way) {
   std::array<const PageVertex*, 3> corners{};
   for (int i = 0; i < 3; ++i) corners[i] = &view.vertices[triangle.vertex[i]];
@@ -141,19 +152,6 @@ double rise_along(const View& view, const ViewTriangle& triangle, const Vec2& wa
   const double along = (b->depth - a->depth) / glm::dot(base, base);
   const double across = (c->depth - a->depth - along * glm::dot(base, other)) / cross(base, other);
   return along * glm::dot(base, way) + across * cross(base, way);
-}
-
-}  // namespace
-
-std::optional<Vec2> slope_of(const View& view, const ViewTriangle& triangle) {
-  const PageVertex& a = view.vertices[triangle.vertex[0]];
-  const PageVertex& b = view.vertices[triangle.vertex[1]];
-  const PageVertex& c = view.vertices[triangle.vertex[2]];
-  const double bx = b.x - a.x, by = b.y - a.y, bz = b.depth - a.depth;
-  const double cx = c.x - a.x, cy = c.y - a.y, cz = c.depth - a.depth;
-  const double area = bx * cy - by * cx;
-  if (std::abs(area) <= thinnest * std::max(bx * bx + by * by, cx * cx + cy * cy)) return std::nullopt;
-  return Vec2(bz * cy - by * cz, bx * cz - bz * cx) / area;
 }
 
 double least_span(const View& view, const Sightline& edge) {
