@@ -17,6 +17,7 @@
 #include <cstring>
 #include <system_error>
 
+#include "app/budget.hpp"
 #include "app/choose.hpp"
 #include "app/progress_line.hpp"
 #include "app/tell.hpp"
@@ -52,9 +53,6 @@ std::size_t terminal_width() {
 [[noreturn]] void refuse(const std::string& what, const std::string& remedy) {
   throw Error(Trouble::input, "this process", what, remedy);
 }
-// A tenth and 0.3 s beyond the limit the process is to be gone.
-double last_second(double time_limit) { return 1.1 * time_limit + 0.2; }
-
 void put(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
 
 }  // namespace
