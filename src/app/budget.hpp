@@ -11,11 +11,11 @@
 namespace epura {
 
 /// By when a run whose time is over has made what it began again, in seconds.
-constexpr double last_line(double time_limit) { return 1.05 * time_limit; }
-/// By when its process is ended from outside. The 0.3 s that are promised beyond it are for the system: the program is
-/// loaded before the clock begins, and its threads and memory go after the last line. On a busy machine a gigabyte
-/// takes a quarter of a second.
-constexpr double last_second(double time_limit) { return 1.1 * time_limit; }
+constexpr double last_line(double limit) { return std::max(1.05 * limit, limit + 0.05); }
+/// By when its process is ended from outside. The rest of what is promised, a tenth and 0.3 s, is for the system: the
+/// program is loaded before the clock begins, and its threads and memory go after the last line. On a busy machine a
+/// gigabyte takes a quarter of a second.
+constexpr double last_second(double limit) { return std::max(1.1 * limit, limit + 0.15); }
 
 /// Of a view or of a whole run.
 struct Budget {

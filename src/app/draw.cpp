@@ -193,6 +193,7 @@ namespace {
 
 DrawnFiles draw_within(const DrawOptions& options, const Messages& messages, Progress progress) {
   Stopwatch watch;
+  progress.begin("preparing");
   const ThreadLimit threads(options.threads);
   const std::vector<Target> targets = targets_of(options);
   const VectorOptions vector_options{
