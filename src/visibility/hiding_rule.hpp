@@ -25,6 +25,9 @@ struct Contact {
 /// The gradient of depth over the page. A triangle that is a line there has none.
 std::optional<Vec2> slope_of(const View& view, const ViewTriangle& triangle);
 
+/// Contact is measured along the normal of a triangle, hiding along the view: by so much more.
+double steepness_of(const View& view, const ViewTriangle& triangle);
+
 /// An edge on the page, between two vertices of the view.
 struct Sightline {
   int p, q;  ///< vertices of the view
