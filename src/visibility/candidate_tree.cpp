@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -56,8 +57,7 @@ CandidateTree::CandidateTree(const View& view, std::vector<int> triangles, const
   choose_directions(view, triangles);
   note_corners(view, triangles);
   make_piles(view, std::move(triangles));
-  sort(view);
-  tree_ = {things_.size(), [&](std::size_t i) { return bounds_of_thing(view, things_[i]); }};
+  make_tree(view);
 }
 
 // A vertex that many triangles have becomes the hub.
@@ -171,15 +171,19 @@ CandidateTree::Bounds CandidateTree::bounds_of_thing(const View& view, int thing
   return all;
 }
 
-void CandidateTree::sort(const View& view) {
-  std::vector<std::tuple<double, double, int>> keys;
-  keys.reserve(things_.size());
-  for (const int thing : things_) {
-    const Bounds bounds = bounds_of_thing(view, thing);
-    keys.emplace_back(bounds[turn][0], bounds[height][1], thing);
-  }
-  std::sort(keys.begin(), keys.end());
-  for (std::size_t i = 0; i < keys.size(); ++i) things_[i] = std::get<int>(keys[i]);
+void CandidateTree::make_tree(const View& view) {
+  std::vector<Bounds> bounds;
+  bounds.reserve(things_.size());
+  for (const int thing : things_) bounds.push_back(bounds_of_thing(view, thing));
+  std::vector<std::size_t> order(things_.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto key = [&](std::size_t i) { return std::tuple(bounds[i][turn][0], bounds[i][height][1], things_[i]); };
+  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return key(i) < key(j); });
+  std::vector<int> sorted;
+  sorted.reserve(order.size());
+  for (const std::size_t i : order) sorted.push_back(things_[i]);
+  things_ = std::move(sorted);
+  tree_ = {things_.size(), [&](std::size_t i) { return bounds[order[i]]; }};
 }
 
 }  // namespace epura

@@ -97,7 +97,7 @@ class CandidateTree {
   void make_piles(const View& view, std::vector<int> triangles);
   [[nodiscard]] Bounds bounds_of(const View& view, int triangle) const;
   [[nodiscard]] Bounds bounds_of_thing(const View& view, int thing) const;
-  void sort(const View& view);
+  void make_tree(const View& view);
 
   std::vector<int> things_;  ///< triangles, or ~numbers of piles
   std::vector<Pile> piles_;
