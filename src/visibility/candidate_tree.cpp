@@ -23,7 +23,7 @@ constexpr double depth_rounding = 0x1p-40;
 
 constexpr std::size_t least_pile = 8;
 constexpr std::size_t least_at_hub = 16;
-constexpr std::size_t part_at_hub = 4;  // every fourth triangle, at least
+constexpr std::size_t part_at_hub = 2;  // every second triangle, at least
 
 Vec3 point(const View& view, int vertex) {
   const PageVertex& v = view.vertices[vertex];
