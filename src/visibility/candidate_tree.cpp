@@ -15,8 +15,8 @@ namespace {
 
 // What a triangle hides lies within so many cells of the page grid of it.
 constexpr double slack_cells = 8;
-// The place of which the depth is compared with that of an edge lies within so many cells of the edge, for crossings
-// that the grid places on it: a crossing lies within 2 cells of the side, and rounding moves lines by 0.7 each.
+// The place of the triangle whose depth is compared with that of an edge lies within so many cells of the edge: the
+// crossings of sides lie within 2 cells of them, and rounding moves edge and side by 0.7 each.
 constexpr double depth_cells = 3;
 // Depths are computed to this part of their size.
 constexpr double depth_rounding = 0x1p-40;
