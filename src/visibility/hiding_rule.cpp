@@ -13,7 +13,7 @@ namespace {
 // Triangles lower than this part of their length on the page are lines there.
 constexpr double thinnest = 0x1p-40;
 
-// Contact is measured along the normal, hiding along the view. What a line covers is decided by depth alone.
+// What a line covers is decided by depth alone.
 double steepness(const std::optional<Vec2>& slope) { return slope ? 1 + glm::length(*slope) : 1; }
 
 double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
@@ -154,6 +154,8 @@ double rise_along(const View& view, const ViewTriangle& triangle, const Vec2& wa
   return along * glm::dot(base, way) + across * cross(base, way);
 }
 
+double steepness_of(const View& view, const ViewTriangle& triangle) { return steepness(slope_of(view, triangle)); }
+
 double least_span(const View& view, const Sightline& edge) {
   return least_piece * view.extent / glm::distance(place(view.vertices[edge.p]), place(view.vertices[edge.q]));
 }
@@ -188,7 +190,7 @@ std::optional<std::array<double, 2>> hidden_part(const View& view, const Sightli
   if (!holds_p && !holds_q) {
     const double at_from = in_front(from), at_to = in_front(to);
     if (!(at_from > 0) && !(at_to > 0)) return std::nullopt;
-    return exceeding(from, to, at_from, at_to, contact.touching * steepness(slope_of(view, triangle)));
+    return exceeding(from, to, at_from, at_to, contact.touching * steepness_of(view, triangle));
   }
 
   // At a common corner the difference is zero by definition; the other end decides for the whole. It is measured in the
