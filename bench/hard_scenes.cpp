@@ -106,7 +106,21 @@ Scene line(int n) {
   return scene;
 }
 
-constexpr int around = 49, across = 8;  // of a knot
+// In one plane none hides another, though every second pair crosses.
+Scene across(int n) {
+  Scene scene;
+  Random random;
+  for (int i = 0; i < n; ++i) {
+    const double left = random.between(0, 100), right = random.between(0, 100);
+    const int tip = scene.add(0, left, 0);
+    scene.add(100, right, 0);
+    scene.add(100, right + 0.01, 0);
+    scene.triangles.push_back({tip, tip + 1, tip + 2});
+  }
+  return scene;
+}
+
+constexpr int along_knot = 49, around_knot = 8;  // points
 
 // A tube of radius 4 along a trefoil, turned around its axis.
 void add_knot(Scene& scene, double turned) {
@@ -115,18 +129,19 @@ void add_knot(Scene& scene, double turned) {
     return Point{radius * std::cos(angle), radius * std::sin(angle), 10 * std::sin(3 * u)};
   };
   const int first = static_cast<int>(scene.points.size());
-  for (int i = 0; i < around; ++i) {
-    const double u = turn * i / around;
+  for (int i = 0; i < along_knot; ++i) {
+    const double u = turn * i / along_knot;
     const Point at = middle(u);
     const double angle = 2 * u + turned;
-    for (int j = 0; j < across; ++j) {
-      const double outwards = 4 * std::cos(turn * j / across), up = 4 * std::sin(turn * j / across);
+    for (int j = 0; j < around_knot; ++j) {
+      const double outwards = 4 * std::cos(turn * j / around_knot), up = 4 * std::sin(turn * j / around_knot);
       scene.add(at[0] + outwards * std::cos(angle), at[1] + outwards * std::sin(angle), at[2] + up);
     }
   }
-  const auto corner = [first](int i, int j) { return first + i % around * across + j % across; };
-  for (int i = 0; i < around; ++i)
-    for (int j = 0; j < across; ++j) scene.quad(corner(i, j), corner(i, j + 1), corner(i + 1, j + 1), corner(i + 1, j));
+  const auto corner = [first](int i, int j) { return first + i % along_knot * around_knot + j % around_knot; };
+  for (int i = 0; i < along_knot; ++i)
+    for (int j = 0; j < around_knot; ++j)
+      scene.quad(corner(i, j), corner(i, j + 1), corner(i + 1, j + 1), corner(i + 1, j));
 }
 
 // Each crosses all others nearly everywhere.
@@ -194,6 +209,7 @@ std::vector<Generator> hard_scenes() {
           {"soup", "N large triangles at random in a cube: each runs through a tenth of all others", soup},
           {"needles", "N long needles across each other", needles},
           {"burst", "N long needles from one hub in all directions", burst},
+          {"across", "N long needles across each other in one plane", across},
           {"line", "N triangles without area on one line", line},
           {"knots", "N trefoils of 784 triangles in one another, each turned by a ten-thousandth", knots},
           {"stadium", "a sphere of about N triangles in a stadium 1000 times as large", stadium},

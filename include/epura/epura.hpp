@@ -55,7 +55,7 @@ class EPURA_PUBLIC Failure : public std::runtime_error {
 
 /// Draws and writes. Takes all cores unless {"threads", "N"} says otherwise; prints nothing and touches no signal. One
 /// call at a time. Plugins are found beside the library, and as the program finds them; they run in processes of their
-/// own, which end with the call.
+/// own, which end with the call. These are forked when no other thread is loading a library: see docs/plugins.md.
 /// Throws Failure, and std::bad_alloc; what was there under the name of an output then stays.
 EPURA_PUBLIC Result draw(const Request& request);
 

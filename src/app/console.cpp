@@ -20,6 +20,7 @@
 #include "app/progress_line.hpp"
 #include "base/error.hpp"
 #include "base/utf8.hpp"
+#include "pipeline/budget.hpp"
 #include "pipeline/tell.hpp"
 
 namespace epura {
@@ -51,9 +52,6 @@ std::size_t terminal_width() {
 [[noreturn]] void refuse(const std::string& what, const std::string& remedy) {
   throw Error(Trouble::input, "this process", what, remedy);
 }
-// A tenth and 0.3 s beyond the limit the process is to be gone.
-double last_second(double time_limit) { return 1.1 * time_limit + 0.2; }
-
 void put(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
 
 }  // namespace

@@ -92,6 +92,7 @@ void forget_times(std::vector<PlanStep>& plan) {
 
 DrawnFiles draw_within(const DrawOptions& options, const Messages& messages, Progress progress) {
   Stopwatch watch;
+  progress.begin("preparing");
   const ThreadLimit threads(options.run.threads);
   const std::vector<Target> targets = targets_of(options);
   expect_outputs(options);

@@ -45,6 +45,11 @@ void* load_library(const fs::path& path, Trouble trouble) {
 
 void* find_symbol(void* library, const char* name) { return dlsym(library, name); }
 
+void wait_for_other_loads() {
+  Dl_info info{};  // of no interest: the call takes the loader's lock, which it keeps until a library is there
+  dladdr(reinterpret_cast<const void*>(&wait_for_other_loads), &info);
+}
+
 fs::path own_folder() {
   if (const fs::path library = own_library(); !library.empty()) return library.parent_path() / "epura";
   std::error_code error;

@@ -22,8 +22,8 @@ constexpr double least_turn = 30 * degree;
 constexpr double much_better = 5;
 constexpr double most_step = 30.001 * degree;
 constexpr double least_radius_in_tolerances = 10;
-constexpr double least_radius = 0.05, least_length = 0.1;  // mm: no line is narrower
-constexpr double most_radius = 1e5;                        // mm
+constexpr double least_radius = 0.05;  // mm: no line is narrower
+constexpr double most_radius = 1e5;    // mm
 
 struct Fit {
   Ellipse ellipse;

@@ -34,11 +34,13 @@ std::vector<int> met_across_slivers(const EdgeSurroundings& around, const Sliver
 
 void add_mesh_edges(const World& world, View& view, int model, const EdgeWishes& wishes, DrawnEdges& drawn,
                     const Progress& progress) {
-  const EdgeSurroundings around{world, model, view.map.shrink};
-  const Slivers slivers(around, view, progress);
-  const bool is_cut = world.models[model].mesh->uncut != nullptr;
-  const std::vector<std::optional<EdgeKind>> kinds = is_cut ? feature_edges(world, view, model, wishes, progress)
-                                                            : feature_edges(view, wishes, around, slivers, progress);
+  const UncutMesh* uncut = world.models[model].mesh->uncut.get();
+  const EdgeSurroundings around{world, model, view.map.shrink}, whole{world, model, view.map.shrink, uncut};
+  const Slivers of_whole(whole, view, progress);
+  const std::vector<std::optional<EdgeKind>> kinds = feature_edges(view, wishes, whole, of_whole, progress);
+  // Edges are judged by whole faces; what meets in them are the pieces that a cut left.
+  const Slivers of_pieces(around, SliverRule(around, view));
+  const Slivers& slivers = uncut == nullptr ? of_whole : of_pieces;
   const auto& edges = world.models[model].mesh->edges;
   const int first = world.first_vertex[model];
   for (std::size_t e = 0; e < edges.size(); ++e) {

@@ -102,11 +102,10 @@ struct Judge {
   // again: three layers in one plane, and no line.
   [[nodiscard]] std::optional<int> behind_pleat(const std::array<int, 2>& edge, int triangle, int folded) const {
     if (!is_folded_over(edge, normals_at(around, edge, triangle, folded))) return std::nullopt;
-    const auto exit = slivers.way_out(edge, folded);
-    if (!exit) return std::nullopt;
-    const auto& [side, next] = *exit;
-    const auto [n1, n2] = normals_at(around, edge, triangle, next);
-    if (!is_folded_over(side, normals_at(around, side, next, folded)) || !(glm::dot(n1, n2) > 0)) return std::nullopt;
+    const auto [side, next] = slivers.way_out(edge, folded);
+    if (!next) return std::nullopt;
+    const auto [n1, n2] = normals_at(around, edge, triangle, *next);
+    if (!is_folded_over(side, normals_at(around, side, *next, folded)) || !(glm::dot(n1, n2) > 0)) return std::nullopt;
     return next;
   }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
+#include <utility>
 
 namespace epura {
 
@@ -11,49 +13,130 @@ namespace {
 
 // Pairs within smaller faces are few.
 constexpr std::size_t least_triangles = 256;
+// Two neighbours are taken as parts of one where the corners of one lie so near to the plane of the other.
+constexpr double join_contacts = 4;
 
-Vec3 normal_of(const World& world, std::span<const Vec3> points, int triangle) {
-  const auto& [a, b, c] = world.triangles[triangle];
-  return glm::cross(points[b] - points[a], points[c] - points[a]);
-}
+/// Triangles in sets that grow together.
+class Regions {
+ public:
+  explicit Regions(std::size_t triangles) : parent_(triangles) { std::iota(parent_.begin(), parent_.end(), 0); }
 
-bool is_flat(const World& world, std::span<const Vec3> points, double contact, std::span<const int> face) {
-  const auto size = [&](int t) { return glm::length(normal_of(world, points, t)); };
-  const int largest = *std::max_element(face.begin(), face.end(), [&](int a, int b) { return size(a) < size(b); });
-  if (!(size(largest) > 0)) return false;
-  const Vec3 normal = normal_of(world, points, largest) / size(largest);
-  const Vec3& origin = points[world.triangles[largest][0]];
-  return std::all_of(face.begin(), face.end(), [&](int t) {
-    const auto& corners = world.triangles[t];
+  int root(int i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(int i, int j) {
+    i = root(i);
+    j = root(j);
+    parent_[std::max(i, j)] = std::min(i, j);
+  }
+
+ private:
+  std::vector<int> parent_;
+};
+
+class FlatFaces {
+ public:
+  FlatFaces(const World& world, std::span<const Vec3> points, double contact, const std::vector<int>& triangles)
+      : world_(world), points_(points), contact_(contact), triangles_(triangles), regions_(triangles.size()) {}
+
+  std::vector<int> find() {
+    auto begin = triangles_.begin();
+    for (std::size_t model = 0; model < world_.models.size(); ++model) {
+      const int behind = world_.first_triangle[model] + static_cast<int>(world_.models[model].mesh->polygon.size());
+      const auto end = std::lower_bound(begin, triangles_.end(), behind);
+      if (static_cast<std::size_t>(end - begin) >= least_triangles)
+        join_neighbours(model, begin - triangles_.begin(), end - begin);
+      begin = end;
+    }
+    return numbered();
+  }
+
+ private:
+  // Doubled and square to the triangle.
+  [[nodiscard]] Vec3 area_of(int triangle) const {
+    const auto& [a, b, c] = world_.triangles[triangle];
+    return glm::cross(points_[b] - points_[a], points_[c] - points_[a]);
+  }
+
+  // That of the larger one, whose own corners are rounded, too.
+  [[nodiscard]] bool lie_in_one_plane(int a, int b) const {
+    Vec3 normal = area_of(a);
+    const Vec3 other = area_of(b);
+    if (glm::dot(normal, normal) < glm::dot(other, other)) {
+      std::swap(a, b);
+      normal = other;
+    }
+    const Vec3& origin = points_[world_.triangles[a][0]];
+    const double most = join_contacts * contact_ * glm::length(normal);
+    const auto& corners = world_.triangles[b];
     return std::all_of(corners.begin(), corners.end(),
-                       [&](int v) { return std::abs(glm::dot(normal, points[v] - origin)) <= contact; });
-  });
-}
+                       [&](int v) { return std::abs(glm::dot(normal, points_[v] - origin)) <= most; });
+  }
+
+  // `count` triangles of the model from the given place of the list on.
+  void join_neighbours(std::size_t model, std::ptrdiff_t first, std::ptrdiff_t count) {
+    const Mesh& mesh = *world_.models[model].mesh;
+    std::vector<int> place(mesh.polygon.size(), -1);
+    for (std::ptrdiff_t i = first; i < first + count; ++i)
+      place[triangles_[i] - world_.first_triangle[model]] = static_cast<int>(i);
+    for (const MeshEdge& edge : mesh.edges) {
+      const auto both = mesh.triangles_of(edge);
+      if (both.size() != 2 || place[both[0]] < 0 || place[both[1]] < 0) continue;
+      const int a = place[both[0]], b = place[both[1]];
+      if (lie_in_one_plane(triangles_[a], triangles_[b])) regions_.join(a, b);
+    }
+  }
+
+  // The plane of the sum of their areas: that of one alone is uncertain, of needles more so.
+  [[nodiscard]] bool is_flat(std::span<const int> region) const {
+    Vec3 normal(0);
+    for (const int i : region) {
+      const Vec3 area = area_of(triangles_[i]);
+      normal += glm::dot(area, normal) < 0 ? -area : area;
+    }
+    double least = HUGE_VAL, most = -HUGE_VAL;
+    for (const int i : region)
+      for (const int v : world_.triangles[triangles_[i]]) {
+        const double height = glm::dot(normal, points_[v]);
+        least = std::min(least, height);
+        most = std::max(most, height);
+      }
+    return most - least <= 2 * contact_ * glm::length(normal);
+  }
+
+  std::vector<int> numbered() {
+    std::vector<std::pair<int, int>> by_region;  // root and place in the list
+    for (int i = 0; i < static_cast<int>(triangles_.size()); ++i)
+      if (const int root = regions_.root(i); root != i) by_region.emplace_back(root, i);
+    std::sort(by_region.begin(), by_region.end());
+    std::vector<int> faces;
+    int count = 0;
+    for (auto begin = by_region.begin(); begin != by_region.end();) {
+      std::vector<int> region{begin->first};
+      for (const int root = begin->first; begin != by_region.end() && begin->first == root; ++begin)
+        region.push_back(begin->second);
+      if (region.size() < least_triangles || !is_flat(region)) continue;
+      faces.resize(triangles_.size(), -1);
+      for (const int i : region) faces[i] = count;
+      ++count;
+    }
+    return faces;
+  }
+
+  const World& world_;
+  std::span<const Vec3> points_;
+  double contact_;
+  const std::vector<int>& triangles_;
+  Regions regions_;
+};
 
 }  // namespace
 
 std::vector<int> flat_faces(const World& world, std::span<const Vec3> points, double contact,
                             const std::vector<int>& triangles) {
-  std::vector<int> faces;
-  int count = 0;
-  std::size_t begin = 0;
-  for (std::size_t model = 0; model < world.models.size(); ++model) {
-    const std::vector<int>& polygon = world.models[model].mesh->polygon;
-    const int first = world.first_triangle[model], behind = first + static_cast<int>(polygon.size());
-    while (begin < triangles.size() && triangles[begin] < behind) {
-      const int number = polygon[triangles[begin] - first];
-      std::size_t end = begin + 1;
-      while (end < triangles.size() && triangles[end] < behind && polygon[triangles[end] - first] == number) ++end;
-      const std::span<const int> face = std::span(triangles).subspan(begin, end - begin);
-      if (face.size() >= least_triangles && is_flat(world, points, contact, face)) {
-        faces.resize(triangles.size(), -1);
-        std::fill(faces.begin() + static_cast<std::ptrdiff_t>(begin), faces.begin() + static_cast<std::ptrdiff_t>(end),
-                  count++);
-      }
-      begin = end;
-    }
-  }
-  return faces;
+  if (triangles.size() < least_triangles) return {};
+  return FlatFaces(world, points, contact, triangles).find();
 }
 
 }  // namespace epura

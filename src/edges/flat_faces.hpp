@@ -10,8 +10,8 @@
 namespace epura {
 
 /// For each of the triangles, which ascend, the number of the large flat face that it is part of, or -1; empty if there
-/// is no such face. The corners of one lie within `contact` of a plane. `points` are the world's, where `contact` is
-/// measured.
+/// is no such face. Its triangles hang together by their sides, and their corners lie within `contact` of a plane.
+/// `points` are the world's, where `contact` is measured.
 std::vector<int> flat_faces(const World& world, std::span<const Vec3> points, double contact,
                             const std::vector<int>& triangles);
 

@@ -68,6 +68,12 @@ std::optional<int> other_side(const EdgeSurroundings& around, const std::array<i
   return both[0] == triangle ? both[1] : both[0];
 }
 
+// The way out of a triangle that was entered through `entry`: where `place` lies.
+Exit exit_at(const EdgeSurroundings& around, const std::array<int, 2>& entry, int triangle, const Vec3& place) {
+  const std::array<int, 2> side = side_at(around, around.corners(triangle), entry, place);
+  return {side, other_side(around, side, triangle)};
+}
+
 // Whether both ends of the edge lie on the side, but for `slack`.
 bool spans(const EdgeSurroundings& around, const std::array<int, 2>& side, const std::array<int, 2>& edge,
            double slack) {
@@ -103,21 +109,26 @@ double nearest_w(const View& view, const std::array<int, 3>& corners) {
 
 }  // namespace
 
+SliverRule::SliverRule(const EdgeSurroundings& around, const View& view)
+    : around_(around),
+      view_(&view),
+      lowest_(std::max(scene_rounding, around.world.rounding * view.map.shrink)),
+      on_page_(lowest_on_page * page_resolution(around.world, view)) {}
+
+bool SliverRule::holds_for(int triangle) const {
+  const std::array<int, 3> corners = around_.corners(triangle);
+  const double height = height_of(around_, triangle);
+  if (height <= lowest_) return true;
+  const double w = view_->projection.central ? nearest_w(*view_, corners) : 1;
+  return height * view_->map.unit <= edge_on * on_page_ * w && height <= slender * longest_side(around_, corners) &&
+         height_on_page(*view_, corners) <= on_page_;
+}
+
 Slivers::Slivers(const EdgeSurroundings& around, const View& view, const Progress& progress)
     : around_(around), is_sliver_(around.mesh().polygon.size()) {
-  const double rounding = around.world.rounding * view.map.shrink;
-  const double lowest = std::max(scene_rounding, rounding);
-  const double on_page = lowest_on_page * page_resolution(around.world, view);
+  const SliverRule rule(around, view);
   parallel_for(is_sliver_.size(), 8192, progress, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t t = begin; t < end; ++t) {
-      const std::array<int, 3> corners = around.corners(static_cast<int>(t));
-      const double height = height_of(around, static_cast<int>(t));
-      const double w = view.projection.central ? nearest_w(view, corners) : 1;
-      const bool low_on_page = height * view.map.unit <= edge_on * on_page * w &&
-                               height <= slender * longest_side(around, corners) &&
-                               height_on_page(view, corners) <= on_page;
-      is_sliver_[t] = height <= lowest || low_on_page ? 1 : 0;
-    }
+    for (std::size_t t = begin; t < end; ++t) is_sliver_[t] = rule.holds_for(static_cast<int>(t)) ? 1 : 0;
   });
 }
 
@@ -128,21 +139,18 @@ Beyond Slivers::across(const std::array<int, 2>& edge, int triangle, std::vector
   for (int step = 0; step < longest_row && contain(triangle); ++step) {
     if (passed != nullptr) passed->push_back(triangle);
     reach += 2 * height_of(around_, triangle);
-    const std::array<int, 2> exit = side_at(around_, around_.corners(triangle), entry, middle);
-    if (rank(around_, exit) < rank(around_, edge) && (step == 0 || spans(around_, exit, edge, reach)))
+    const Exit exit = exit_at(around_, entry, triangle, middle);
+    if (rank(around_, exit.side) < rank(around_, edge) && (step == 0 || spans(around_, exit.side, edge, reach)))
       return {std::nullopt, true};
-    const auto next = other_side(around_, exit, triangle);
-    if (!next) return {};
-    triangle = *next;
-    entry = exit;
+    if (!exit.next) return {};
+    triangle = *exit.next;
+    entry = exit.side;
   }
   return {triangle, false};
 }
 
-std::optional<std::pair<std::array<int, 2>, int>> Slivers::way_out(const std::array<int, 2>& edge, int triangle) const {
-  const std::array<int, 2> exit = side_at(around_, around_.corners(triangle), edge, middle_of(around_, edge));
-  const auto next = other_side(around_, exit, triangle);
-  return next ? std::optional(std::pair(exit, *next)) : std::nullopt;
+Exit Slivers::way_out(const std::array<int, 2>& edge, int triangle) const {
+  return exit_at(around_, edge, triangle, middle_of(around_, edge));
 }
 
 double page_resolution(const World& world, const View& view) {

@@ -29,15 +29,39 @@ struct Beyond {
   bool covered = false;         ///< another side of a sliver is drawn in place of the edge
 };
 
+/// The way out of a triangle.
+struct Exit {
+  std::array<int, 2> side;
+  std::optional<int> next;  ///< the triangle behind it, if it is the only one there
+};
+
+/// Which triangles of a model are slivers in a view.
+class SliverRule {
+ public:
+  SliverRule(const EdgeSurroundings& around, const View& view);
+
+  [[nodiscard]] bool holds_for(int triangle) const;
+
+ private:
+  EdgeSurroundings around_;
+  const View* view_;
+  double lowest_, on_page_;
+};
+
 /// The slivers of one model in one view.
 class Slivers {
  public:
+  /// For few questions: each triangle is looked at when it is asked about. The view is to outlive them.
+  Slivers(const EdgeSurroundings& around, const SliverRule& rule) : around_(around), rule_(rule) {}
+  /// For many: all are looked at beforehand. Throws OutOfTime.
   Slivers(const EdgeSurroundings& around, const View& view, const Progress& progress = {});
   /// For tests: these and no others.
   Slivers(const EdgeSurroundings& around, std::vector<char> slivers)
       : around_(around), is_sliver_(std::move(slivers)) {}
 
-  [[nodiscard]] bool contain(int triangle) const { return is_sliver_[triangle] != 0; }
+  [[nodiscard]] bool contain(int triangle) const {
+    return rule_ ? rule_->holds_for(triangle) : is_sliver_[triangle] != 0;
+  }
 
   /// The first triangle from this one on, away from the edge, that is no sliver. Each sliver is left through the side
   /// on which the middle of the edge lies.
@@ -47,14 +71,13 @@ class Slivers {
   /// The same; slivers that are passed are added to `passed`.
   [[nodiscard]] Beyond across(const std::array<int, 2>& edge, int triangle, std::vector<int>* passed = nullptr) const;
 
-  /// The other side of a triangle on which the middle of the edge lies, and the triangle behind it, if it is the only
-  /// one there.
-  [[nodiscard]] std::optional<std::pair<std::array<int, 2>, int>> way_out(const std::array<int, 2>& edge,
-                                                                          int triangle) const;
+  /// The other side of a triangle on which the middle of the edge lies.
+  [[nodiscard]] Exit way_out(const std::array<int, 2>& edge, int triangle) const;
 
  private:
   EdgeSurroundings around_;
-  std::vector<char> is_sliver_;  ///< by triangle
+  std::optional<SliverRule> rule_;
+  std::vector<char> is_sliver_;  ///< by triangle; where there is no rule
 };
 
 }  // namespace epura

@@ -51,10 +51,10 @@ class TriangleTree {
     std::array<float, 3> least, most;
 
     [[nodiscard]] bool meets(const Bounds& other) const {
-      bool apart = false;
+      int apart = 0;  // without branches
       for (std::size_t axis = 0; axis < 3; ++axis)
-        apart |= (least[axis] > other.most[axis]) | (other.least[axis] > most[axis]);
-      return !apart;
+        apart |= int{least[axis] > other.most[axis]} | int{other.least[axis] > most[axis]};
+      return apart == 0;
     }
   };
   struct Node {

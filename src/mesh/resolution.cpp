@@ -6,8 +6,11 @@
 #include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <string>
+#include <vector>
 
 #include "base/parallel.hpp"
+#include "base/text.hpp"
 
 namespace epura {
 
@@ -49,12 +52,24 @@ bool all_multiples(const Points& points, int decimals) {
   return all_coordinates(points, [&](double c) { return is_multiple(c, decimals); });
 }
 
-double power_of_ten(int exponent) { return std::pow(10.0, exponent); }
+// The double next to 10^exponent, which the C library's powers and logarithms miss on some processors; 0 below all
+// doubles.
+double power_of_ten(int exponent) {
+  constexpr int least = -323, most = 308;
+  static const std::vector<double> all = [] {
+    std::vector<double> powers_of_ten;
+    for (int e = least; e <= most; ++e) powers_of_ten.push_back(*parse_number("1e" + std::to_string(e)));
+    return powers_of_ten;
+  }();
+  if (exponent < least) return 0;
+  return exponent > most ? HUGE_VAL : all[static_cast<std::size_t>(exponent - least)];
+}
 
 // The exponent of the first digit.
 int first_place(double coordinate) {
-  int place = static_cast<int>(std::floor(std::log10(std::abs(coordinate))));
-  // The logarithm is rounded.
+  constexpr double log10_of_2 = 0.30102999566398120;
+  int place = static_cast<int>(std::floor(std::ilogb(coordinate) * log10_of_2));
+  // That was the exponent of the power of two below.
   if (std::abs(coordinate) >= power_of_ten(place + 1)) ++place;
   return place;
 }

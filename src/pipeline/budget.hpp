@@ -10,6 +10,13 @@
 
 namespace epura {
 
+/// By when a run whose time is over has made what it began again, in seconds.
+constexpr double last_line(double limit) { return std::max(1.05 * limit, limit + 0.05); }
+/// By when its process is ended from outside. The rest of what is promised, a tenth and 0.3 s, is for the system: the
+/// program is loaded before the clock begins, and its threads and memory go after the last line. On a busy machine a
+/// gigabyte takes a quarter of a second.
+constexpr double last_second(double limit) { return std::max(1.1 * limit, limit + 0.15); }
+
 /// Of a view or of a whole run.
 struct Budget {
   Progress run;      ///< all is to be done by then
@@ -18,8 +25,8 @@ struct Budget {
 
   /// For what is begun again with less to do, and has to come to an end.
   [[nodiscard]] Progress last() const {
-    constexpr double part = 0.1, seconds = 0.1;  // the end of the process takes some time, too
-    return run.with_more_time(part * run.time_limit().value_or(0) + seconds);
+    const double limit = run.time_limit().value_or(0);
+    return run.with_more_time(last_line(limit) - limit);
   }
 
   /// What `make(progress)` gives, which may take half of the time that is left. Where that does not suffice, it is left

@@ -137,11 +137,17 @@ HiddenSpans hide(const World& world, const View& view, DrawnEdges& drawn, const 
   if (wanted && !one_sheet) {
     step.run = true;
     step.why = wish.leave_out.visibility ? text_of(method) : "--plan wants it";
+    const bool can_be_direct = method == Method();
+    int cuts = 0;
+    // After two tries in vain it is faces that take the time, and ever fewer lines do not help.
+    const auto is_direct = [&] { return can_be_direct && cuts == 2; };
     const auto make = [&](const Progress& progress) {
-      return find_hidden(world, view, drawn, contact, method, scale, progress);
+      return is_direct() ? find_hidden_directly(world, view, drawn, contact, progress)
+                         : find_hidden(world, view, drawn, contact, method, scale, progress);
     };
     const auto leave_out = [&](const std::string& stage) {
-      if (drawn.edges.size() <= few_lines) throw OutOfTime{stage};  // faces take the time: fewer lines will not help
+      if (is_direct() || (!can_be_direct && drawn.edges.size() <= few_lines)) throw OutOfTime{stage};
+      ++cuts;
       hidden = nothing_hidden(drawn);
       keep_longest(view, drawn, hidden, stage, budget.partial);
       return false;

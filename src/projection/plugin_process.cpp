@@ -21,6 +21,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/shared_library.hpp"
 #include "base/text.hpp"
 #include "projection/answer.hpp"
 #include "projection/loader.hpp"
@@ -242,6 +243,7 @@ class PluginProcess {
 std::vector<ProjectionEntry> PluginProcess::start() {
   end();
   std::fflush(stdout);
+  wait_for_other_loads();
   std::array<int, 2> ends{-1, -1};
   const bool is_connected = ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) == 0;
   const pid_t child = is_connected ? ::fork() : -1;

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <numeric>
+#include <tuple>
 #include <utility>
-
-#include "visibility/hiding_rule.hpp"
 
 namespace epura {
 
@@ -15,15 +15,33 @@ namespace {
 
 // What a triangle hides lies within so many cells of the page grid of it.
 constexpr double slack_cells = 8;
+// The place of the triangle whose depth is compared with that of an edge lies within so many cells of the edge: the
+// crossings of sides lie within 2 cells of them, and rounding moves edge and side by 0.7 each.
+constexpr double depth_cells = 3;
 // Depths are computed to this part of their size.
 constexpr double depth_rounding = 0x1p-40;
 
-constexpr std::size_t first_of_depth = 3;
 constexpr std::size_t least_pile = 8;
+constexpr std::size_t least_at_hub = 16;
+constexpr std::size_t part_at_hub = 2;  // every second triangle, at least
 
 Vec3 point(const View& view, int vertex) {
   const PageVertex& v = view.vertices[vertex];
   return {v.x, v.y, v.depth};
+}
+
+// Over the flattest plane through the longest side on the page.
+Vec3 over_longest_side(const View& view, const std::vector<int>& triangles) {
+  Vec3 longest(0);
+  const auto length2 = [](const Vec3& side) { return side.x * side.x + side.y * side.y; };
+  for (const int triangle : triangles) {
+    const auto& corners = view.triangles[triangle].vertex;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3 side = point(view, corners[(i + 1) % 3]) - point(view, corners[i]);
+      if (length2(side) > length2(longest)) longest = side;
+    }
+  }
+  return length2(longest) > 0 ? Vec3(Vec2(longest) * (-longest.z / length2(longest)), 1) : Vec3(0, 0, 1);
 }
 
 std::int64_t area(const View& view, int triangle) {
@@ -33,12 +51,40 @@ std::int64_t area(const View& view, int triangle) {
 
 }  // namespace
 
-CandidateTree::CandidateTree(const View& view, std::vector<int> triangles) {
+CandidateTree::CandidateTree(const View& view, std::vector<int> triangles, const Contact& contact)
+    : touching_(contact.touching) {
   if (triangles.empty()) return;
   choose_directions(view, triangles);
+  note_corners(view, triangles);
   make_piles(view, std::move(triangles));
-  sort(view);
-  tree_ = {things_.size(), [&](std::size_t i) { return bounds_of_thing(view, things_[i]); }};
+  make_tree(view);
+}
+
+// A vertex that many triangles have becomes the hub.
+void CandidateTree::note_corners(const View& view, const std::vector<int>& triangles) {
+  joined_.reserve(3 * triangles.size());
+  for (const int triangle : triangles)
+    for (const int vertex : view.triangles[triangle].vertex) joined_.emplace_back(vertex, triangle);
+  std::sort(joined_.begin(), joined_.end());
+  std::size_t most = 0;
+  int hub = -1;
+  for (auto begin = joined_.begin(); begin != joined_.end();) {
+    const auto end =
+        std::find_if(begin, joined_.end(), [&](const auto& corner) { return corner.first != begin->first; });
+    if (const auto count = static_cast<std::size_t>(end - begin); count > most) {
+      most = count;
+      hub = begin->first;
+    }
+    begin = end;
+  }
+  if (most < least_at_hub || most * part_at_hub < triangles.size()) return;
+  hub_ = SeenFrom(view, view.grid[hub]);
+  std::erase_if(joined_, [&](const auto& corner) { return hub_->is_at(view.grid[corner.first]); });
+}
+
+std::span<const std::pair<int, int>> CandidateTree::joined_at(int vertex) const {
+  const auto begin = std::lower_bound(joined_.begin(), joined_.end(), std::pair(vertex, -1));
+  return {begin, std::find_if(begin, joined_.end(), [&](const auto& corner) { return corner.first != vertex; })};
 }
 
 // Of few triangles with one footprint, each is tried alone.
@@ -69,36 +115,47 @@ void CandidateTree::choose_directions(const View& view, const std::vector<int>& 
     directions_[i] = length > 0 ? Vec3(-side.y, side.x, 0) / length : Vec3(0);
   }
   const Vec2 slope = slope_of(view, largest).value_or(Vec2(0));
-  directions_[first_of_depth] = {-slope.x, -slope.y, 1};
-  directions_[first_of_depth + 1] = {0, 0, 1};
+  directions_[height] = {-slope.x, -slope.y, 1};
+  directions_[depth] = over_longest_side(view, triangles);
 
   double deepest = 0;
   for (const int t : triangles)
     for (const int v : view.triangles[t].vertex) deepest = std::max(deepest, std::abs(view.vertices[v].depth));
-  for (std::size_t i = 0; i < directions_.size(); ++i) {
+  for (std::size_t i = 0; i < directions; ++i) {
     const Vec3& d = directions_[i];
-    slack_[i] = slack_cells * view.cell * (std::hypot(d.x, d.y) + d.z) + depth_rounding * d.z * deepest;
+    const double cells = i < height ? slack_cells : depth_cells;
+    slack_[i] = cells * view.cell * std::hypot(d.x, d.y) + depth_rounding * d.z * deepest;
   }
 }
 
-CandidateTree::Bounds CandidateTree::before(const Vec3& a, const Vec3& b) const {
+CandidateTree::Bounds CandidateTree::before(const View& view, const Sightline& edge,
+                                            const std::array<Vec3, 2>& places) const {
   Bounds bounds;
-  for (std::size_t i = 0; i < bounds.size(); ++i) {
-    const auto [low, high] = std::minmax({glm::dot(directions_[i], a), glm::dot(directions_[i], b)});
-    bounds[i] = {low - slack_[i], i < first_of_depth ? high + slack_[i] : HUGE_VAL};
+  for (std::size_t i = 0; i < directions; ++i) {
+    const auto [low, high] = std::minmax({glm::dot(directions_[i], places[0]), glm::dot(directions_[i], places[1])});
+    bounds[i] = {low - slack_[i], i < height ? high + slack_[i] : HUGE_VAL};
   }
+  if (!hub_)
+    bounds[turn] = all_around;
+  else if (hub_->is_at(view.grid[edge.p]) || hub_->is_at(view.grid[edge.q]))
+    bounds[turn] = hub_->of_edge(view, edge);
+  else
+    bounds[turn] = hub_->of_line(Vec2(places[0]), Vec2(places[1]));
   return bounds;
 }
 
+// What lies less than contact before an edge ends behind it.
 CandidateTree::Bounds CandidateTree::bounds_of(const View& view, int triangle) const {
   const auto& [u, v, w] = view.triangles[triangle].vertex;
   const Vec3 a = point(view, u), b = point(view, v), c = point(view, w);
+  const double forgiven = touching_ * steepness_of(view, view.triangles[triangle]);
   Bounds bounds;
-  for (std::size_t i = 0; i < bounds.size(); ++i) {
+  for (std::size_t i = 0; i < directions; ++i) {
     const Vec3& d = directions_[i];
     const auto [low, high] = std::minmax({glm::dot(d, a), glm::dot(d, b), glm::dot(d, c)});
-    bounds[i] = {low, high};
+    bounds[i] = {low, i < height ? high : high - forgiven};
   }
+  bounds[turn] = hub_ ? hub_->of_triangle(view, view.triangles[triangle]) : all_around;
   return bounds;
 }
 
@@ -114,12 +171,19 @@ CandidateTree::Bounds CandidateTree::bounds_of_thing(const View& view, int thing
   return all;
 }
 
-void CandidateTree::sort(const View& view) {
-  std::vector<std::pair<double, int>> keys(things_.size());
-  for (std::size_t i = 0; i < keys.size(); ++i)
-    keys[i] = {bounds_of_thing(view, things_[i])[first_of_depth][1], things_[i]};
-  std::sort(keys.begin(), keys.end());
-  for (std::size_t i = 0; i < keys.size(); ++i) things_[i] = keys[i].second;
+void CandidateTree::make_tree(const View& view) {
+  std::vector<Bounds> bounds;
+  bounds.reserve(things_.size());
+  for (const int thing : things_) bounds.push_back(bounds_of_thing(view, thing));
+  std::vector<std::size_t> order(things_.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto key = [&](std::size_t i) { return std::tuple(bounds[i][turn][0], bounds[i][height][1], things_[i]); };
+  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return key(i) < key(j); });
+  std::vector<int> sorted;
+  sorted.reserve(order.size());
+  for (const std::size_t i : order) sorted.push_back(things_[i]);
+  things_ = std::move(sorted);
+  tree_ = {things_.size(), [&](std::size_t i) { return bounds[order[i]]; }};
 }
 
 }  // namespace epura

@@ -50,10 +50,7 @@ bool EdgeHider::hide_by_exact(const Pile& pile) {
     any = hide_by(triangle) || any;
     return !covers(spans_, overlap->from, overlap->to) && tries_ < most_tries_;
   };
-  for (const int end : {line_.p, line_.q})
-    for (const int triangle : pile.around(end))
-      if (!go_on(triangle)) return any;
-  // The others must be nearer by more than contact at one end of the overlap; half of it is far more than rounding.
+  // They must be nearer by more than contact at one end of the overlap; half of it is far more than rounding.
   const auto may_hide = [&](const Pile::Depths& depths) {
     const auto depth_of = [&](int corner) {
       const auto& corners = pile.corners();
@@ -72,8 +69,9 @@ void EdgeHider::hide_by_tree(const Stretch& stretch) {
   const double least = least_span(view_, line_);
   const auto open = [&] { return open_part(spans_, stretch.from, stretch.to, least); };
   const auto before = [&](const std::array<double, 2>& part) {
-    return stretch.tree->before(occluders_.point(line_, part[0]), occluders_.point(line_, part[1]));
+    return stretch.tree->before(view_, line_, {occluders_.point(line_, part[0]), occluders_.point(line_, part[1])});
   };
+  stretch.tree->visit_joined(view_, line_, [&](int triangle) { hide_by(triangle); });
   auto rest = open();
   if (!rest) return;
   CandidateTree::Bounds wanted = before(*rest);

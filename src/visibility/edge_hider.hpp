@@ -34,10 +34,9 @@ class EdgeHider {
   bool hide_by(int triangle) {
     if (std::exchange(tried_[triangle % tried_.size()], triangle) == triangle) return false;
     const ViewTriangle& tried = view_.triangles[triangle];
-    if (own_.contain(tried.source)) return false;
     ++tries_;
     const auto part = hidden_part(view_, line_, tried, contact_);
-    if (!part) return false;
+    if (!part || own_.contain(tried.source)) return false;  // last: beside slivers its own are many
     add_span(spans_, *part);
     return true;
   }

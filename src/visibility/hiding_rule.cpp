@@ -13,7 +13,7 @@ namespace {
 // Triangles lower than this part of their length on the page are lines there.
 constexpr double thinnest = 0x1p-40;
 
-// Contact is measured along the normal, hiding along the view. What a line covers is decided by depth alone.
+// What a line covers is decided by depth alone.
 double steepness(const std::optional<Vec2>& slope) { return slope ? 1 + glm::length(*slope) : 1; }
 
 double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
@@ -125,8 +125,19 @@ std::optional<std::array<double, 2>> exceeding(double from, double to, double at
   return over_from > 0 ? std::array{from, root} : std::array{root, to};
 }
 
-// How depth changes along a way in the plane of a triangle: along its longest side and across it, since the slope of a
-// needle is uncertain across alone.
+}  // namespace
+
+std::optional<Vec2> slope_of(const View& view, const ViewTriangle& triangle) {
+  const PageVertex& a = view.vertices[triangle.vertex[0]];
+  const PageVertex& b = view.vertices[triangle.vertex[1]];
+  const PageVertex& c = view.vertices[triangle.vertex[2]];
+  const double bx = b.x - a.x, by = b.y - a.y, bz = b.depth - a.depth;
+  const double cx = c.x - a.x, cy = c.y - a.y, cz = c.depth - a.depth;
+  const double area = bx * cy - by * cx;
+  if (std::abs(area) <= thinnest * std::max(bx * bx + by * by, cx * cx + cy * cy)) return std::nullopt;
+  return Vec2(bz * cy - by * cz, bx * cz - bz * cx) / area;
+}
+
 double rise_along(const View& view, const ViewTriangle& triangle, const Vec2& way) {
   std::array<const PageVertex*, 3> corners{};
   for (int i = 0; i < 3; ++i) corners[i] = &view.vertices[triangle.vertex[i]];
@@ -143,18 +154,7 @@ double rise_along(const View& view, const ViewTriangle& triangle, const Vec2& wa
   return along * glm::dot(base, way) + across * cross(base, way);
 }
 
-}  // namespace
-
-std::optional<Vec2> slope_of(const View& view, const ViewTriangle& triangle) {
-  const PageVertex& a = view.vertices[triangle.vertex[0]];
-  const PageVertex& b = view.vertices[triangle.vertex[1]];
-  const PageVertex& c = view.vertices[triangle.vertex[2]];
-  const double bx = b.x - a.x, by = b.y - a.y, bz = b.depth - a.depth;
-  const double cx = c.x - a.x, cy = c.y - a.y, cz = c.depth - a.depth;
-  const double area = bx * cy - by * cx;
-  if (std::abs(area) <= thinnest * std::max(bx * bx + by * by, cx * cx + cy * cy)) return std::nullopt;
-  return Vec2(bz * cy - by * cz, bx * cz - bz * cx) / area;
-}
+double steepness_of(const View& view, const ViewTriangle& triangle) { return steepness(slope_of(view, triangle)); }
 
 double least_span(const View& view, const Sightline& edge) {
   return least_piece * view.extent / glm::distance(place(view.vertices[edge.p]), place(view.vertices[edge.q]));
@@ -190,7 +190,7 @@ std::optional<std::array<double, 2>> hidden_part(const View& view, const Sightli
   if (!holds_p && !holds_q) {
     const double at_from = in_front(from), at_to = in_front(to);
     if (!(at_from > 0) && !(at_to > 0)) return std::nullopt;
-    return exceeding(from, to, at_from, at_to, contact.touching * steepness(slope_of(view, triangle)));
+    return exceeding(from, to, at_from, at_to, contact.touching * steepness_of(view, triangle));
   }
 
   // At a common corner the difference is zero by definition; the other end decides for the whole. It is measured in the

@@ -25,6 +25,13 @@ struct Contact {
 /// The gradient of depth over the page. A triangle that is a line there has none.
 std::optional<Vec2> slope_of(const View& view, const ViewTriangle& triangle);
 
+/// How depth changes along a way in the plane of a triangle that has a slope: along its longest side and across it,
+/// since the slope of a needle is uncertain across alone.
+double rise_along(const View& view, const ViewTriangle& triangle, const Vec2& way);
+
+/// Contact is measured along the normal of a triangle, hiding along the view: by so much more.
+double steepness_of(const View& view, const ViewTriangle& triangle);
+
 /// An edge on the page, between two vertices of the view.
 struct Sightline {
   int p, q;  ///< vertices of the view

@@ -321,7 +321,7 @@ void OccluderGrid::relieve_full_cells(const Content& content, const CellLoad& lo
   parallel_for(parts.size(), 1, progress_, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Content part = std::exchange(parts[i], {});
-      level.trees[i] = CandidateTree(view_, part.triangles);
+      level.trees[i] = CandidateTree(view_, part.triangles, contact_);
       if (leaves_few_tries(level.trees[i], part.pieces)) {
         saved[i] = std::max(0.0, part.pairs - few_tries * static_cast<double>(part.pieces.size()));
         continue;

@@ -34,11 +34,11 @@ Pile::Pile(const View& view, std::vector<int> triangles) : triangles_(std::move(
   std::sort(triangles_.begin(), triangles_.end(),
             [&](int a, int b) { return std::pair(-nearest(a), a) < std::pair(-nearest(b), b); });
   corners_ = sorted_corners(view, triangles_.front());
-  const auto lies_as_first = [&](int triangle) { return lie_alike(view, sorted_corners(view, triangle), corners_); };
-  if (!std::all_of(triangles_.begin(), triangles_.end(), lies_as_first)) return;
   for (const int triangle : triangles_)
     for (const int corner : sorted_corners(view, triangle)) around_.emplace_back(corner, triangle);
   std::sort(around_.begin(), around_.end());
+  const auto lies_as_first = [&](int triangle) { return lie_alike(view, sorted_corners(view, triangle), corners_); };
+  if (!std::all_of(triangles_.begin(), triangles_.end(), lies_as_first)) return;
   tree_ = {triangles_.size(), [&](std::size_t i) {
              const std::array<int, 3> corners = sorted_corners(view, triangles_[i]);
              Depths depths;

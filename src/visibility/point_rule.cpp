@@ -46,11 +46,17 @@ bool PointRule::lies_before(const ViewTriangle& triangle, double s) const {
   const auto& own = triangle.vertex;
   const bool holds_p = std::find(own.begin(), own.end(), edge_.p) != own.end();
   const bool holds_q = std::find(own.begin(), own.end(), edge_.q) != own.end();
-  const PageVertex& corner = view_.vertices[holds_p ? edge_.p : holds_q ? edge_.q : own[0]];
-  const double ahead = glm::dot(*slope, place(s) - place_of(corner)) + corner.depth - depth(s);
   const double steepness = 1 + glm::length(*slope);
-  // From a common corner on the difference grows from zero, and what is forgiven with it.
-  if (holds_p || holds_q) return ahead > contact_.joined * steepness * (holds_p ? s : 1 - s);
+  if (holds_p || holds_q) {
+    // From a common corner on the difference grows from zero, and what is forgiven with it: the other end decides. Near
+    // the corner, the difference of two places would be mostly rounding.
+    const PageVertex& corner = view_.vertices[holds_p ? edge_.p : edge_.q];
+    const PageVertex& end = view_.vertices[holds_p ? edge_.q : edge_.p];
+    const double ahead = rise_along(view_, triangle, place_of(end) - place_of(corner)) + corner.depth - end.depth;
+    return ahead > contact_.joined * steepness;
+  }
+  const PageVertex& corner = view_.vertices[own[0]];
+  const double ahead = glm::dot(*slope, place(s) - place_of(corner)) + corner.depth - depth(s);
   return ahead > contact_.touching * steepness;
 }
 

@@ -64,7 +64,9 @@ class Lookup {
   [[nodiscard]] bool is_hidden_in(const CandidateTree& tree, double s) const {
     const Vec3 point = occluders_.point(line_, s);
     bool hidden = false;
-    tree.visit(tree.before(point, point), [&](const auto& thing) {
+    tree.visit_joined(view_, line_, [&](int triangle) { hidden = hidden || is_hidden_by(triangle, s); });
+    if (hidden) return true;
+    tree.visit(tree.before(view_, line_, {point, point}), [&](const auto& thing) {
       hidden = is_hidden_by(thing, s);
       return !hidden;
     });

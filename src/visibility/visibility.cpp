@@ -80,6 +80,50 @@ void put_in_order(const std::vector<Spans>& found, const std::vector<int>& order
   }
 }
 
+// Decides edges by `spans_of(edge)`; with a time limit the longest ones first, while there is time.
+template <class SpansOf>
+HiddenSpans decide(const View& view, const DrawnEdges& drawn, const SpansOf& spans_of, const Progress& progress) {
+  const std::size_t count = drawn.edges.size();
+  progress.begin("hiding lines", count);
+  const std::vector<int> order = work_order(view, drawn.edges, progress);
+  HiddenSpans hidden = nothing_hidden(drawn);
+  std::vector<Spans> found((count + chunk - 1) / chunk);
+  std::vector<char> decided(count, 0);
+  std::atomic<std::size_t> next = 0;
+  parallel_for(found.size(), 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t turn = first; turn < last; ++turn) {
+      const std::size_t part = next++;  // in order, whichever turn a thread has taken
+      const std::size_t end = std::min((part + 1) * chunk, count);
+      for (std::size_t i = part * chunk; i < end && !progress.is_out_of_time(); ++i) {
+        const Spans spans = spans_of(drawn.edges[order[i]]);
+        hidden.first[order[i] + 1] = spans.size();
+        found[part].insert(found[part].end(), spans.begin(), spans.end());
+        decided[order[i]] = 1;
+      }
+      progress.advance(end - part * chunk);
+    }
+  });
+  put_in_order(found, order, hidden);
+  for (std::size_t e = 0; e < count; ++e)
+    if (decided[e] == 0) hidden.undecided.push_back(static_cast<int>(e));
+  if (count > 0 && hidden.undecided.size() == count) throw OutOfTime{"hiding lines"};
+  return hidden;
+}
+
+// What all triangles hide.
+Spans hidden_by_all(const View& view, const Contact& contact, const Sightline& line, const OwnTriangles& own) {
+  Spans spans;
+  for (const ViewTriangle& triangle : view.triangles) {
+    const auto& [a, b, c] = triangle.vertex;
+    // Seen edge-on it hides nothing.
+    if (cross(view.grid[a], view.grid[b], view.grid[c]) == 0 || own.contain(triangle.source)) continue;
+    if (const auto part = hidden_part(view, line, triangle, contact)) add_span(spans, *part);
+    if (covers(spans, 0, 1)) break;
+  }
+  absorb_slivers(spans, least_span(view, line));
+  return spans;
+}
+
 }  // namespace
 
 Contact contact_of(const World& world, const View& view, std::optional<double> given) {
@@ -115,34 +159,19 @@ OwnTriangles::OwnTriangles(const World& world, const DrawnEdges& drawn, const Dr
 
 HiddenSpans find_hidden(const World& world, const View& view, const DrawnEdges& drawn, const Contact& contact,
                         Progress progress) {
-  const std::size_t count = drawn.edges.size();
   progress.begin("finding what may hide lines");
   const OccluderGrid occluders(world, view, drawn.edges, contact, progress);
-  progress.begin("hiding lines", count);
   const Hider hider{world, view, contact, occluders, drawn};
-  const std::vector<int> order = work_order(view, drawn.edges, progress);
-  HiddenSpans hidden = nothing_hidden(drawn);
-  std::vector<Spans> found((count + chunk - 1) / chunk);
-  std::vector<char> decided(count, 0);
-  std::atomic<std::size_t> next = 0;
-  parallel_for(found.size(), 1, [&](std::size_t first, std::size_t last) {
-    for (std::size_t turn = first; turn < last; ++turn) {
-      const std::size_t part = next++;  // in order, whichever turn a thread has taken
-      const std::size_t end = std::min((part + 1) * chunk, count);
-      for (std::size_t i = part * chunk; i < end && !progress.is_out_of_time(); ++i) {
-        const Spans spans = hider.hidden_spans(drawn.edges[order[i]]);
-        hidden.first[order[i] + 1] = spans.size();
-        found[part].insert(found[part].end(), spans.begin(), spans.end());
-        decided[order[i]] = 1;
-      }
-      progress.advance(end - part * chunk);
-    }
-  });
-  put_in_order(found, order, hidden);
-  for (std::size_t e = 0; e < count; ++e)
-    if (decided[e] == 0) hidden.undecided.push_back(static_cast<int>(e));
-  if (count > 0 && hidden.undecided.size() == count) throw OutOfTime{"hiding lines"};
-  return hidden;
+  return decide(
+      view, drawn, [&](const DrawnEdge& edge) { return hider.hidden_spans(edge); }, progress);
+}
+
+HiddenSpans find_hidden_directly(const World& world, const View& view, const DrawnEdges& drawn, const Contact& contact,
+                                 Progress progress) {
+  const auto spans_of = [&](const DrawnEdge& edge) {
+    return hidden_by_all(view, contact, {edge.vertex[0], edge.vertex[1]}, OwnTriangles(world, drawn, edge));
+  };
+  return decide(view, drawn, spans_of, progress);
 }
 
 void keep_decided(DrawnEdges& drawn, HiddenSpans& hidden) {

@@ -65,6 +65,11 @@ class OwnTriangles {
 HiddenSpans find_hidden(const World& world, const View& view, const DrawnEdges& drawn, const Contact& contact,
                         Progress progress = {});
 
+/// The same, to the last bit, without a search for what may hide an edge: every triangle is tried. For the longest of
+/// few edges where the search itself takes too long.
+HiddenSpans find_hidden_directly(const World& world, const View& view, const DrawnEdges& drawn, const Contact& contact,
+                                 Progress progress = {});
+
 /// Takes the undecided edges out of both: what is drawn then is right.
 void keep_decided(DrawnEdges& drawn, HiddenSpans& hidden);
 

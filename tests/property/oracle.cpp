@@ -217,4 +217,26 @@ Verdict judge(const Result& r) {
   return verdict;
 }
 
+PointTruth truth_of_point(const std::array<PageVertex, 3>& triangle, const std::array<PageVertex, 2>& edge, double s) {
+  const auto exact = [](const PageVertex& v) { return ExactPoint{Number(v.x), Number(v.y), Number(v.depth)}; };
+  const ExactPoint p = exact(edge[0]), q = exact(edge[1]);
+  const Number part(s);
+  const ExactPoint point{p.x + part * (q.x - p.x), p.y + part * (q.y - p.y), p.z + part * (q.z - p.z)};
+  const std::array<ExactPoint, 3> corners{exact(triangle[0]), exact(triangle[1]), exact(triangle[2])};
+  const Number area = cross(corners[0], corners[1], corners[2]);
+  double inside = HUGE_VAL;
+  Number ahead = -point.z, slope_x = 0, slope_y = 0;
+  for (int i = 0; i < 3; ++i) {
+    const ExactPoint& a = corners[i];
+    const ExactPoint& b = corners[(i + 1) % 3];
+    const Number& opposite = corners[(i + 2) % 3].z;
+    const Number turn = cross(a, b, point);
+    inside = std::min(inside, turn.get_d() * sgn(area) / distance(a, b));
+    ahead += turn / area * opposite;
+    slope_x += (a.y - b.y) / area * opposite;
+    slope_y += (b.x - a.x) / area * opposite;
+  }
+  return {inside, ahead.get_d(), 1 + std::hypot(slope_x.get_d(), slope_y.get_d())};
+}
+
 }  // namespace epura::test

@@ -4,6 +4,7 @@
 // occluder by a billionth of the drawing, or by twice the contact tolerance in depth, changes the answer.
 #pragma once
 
+#include <array>
 #include <string>
 
 #include "shapes.hpp"
@@ -19,5 +20,14 @@ struct Verdict {
 };
 
 Verdict judge(const Result& result);
+
+/// A triangle and a point of an edge, exactly as their places on the page say.
+struct PointTruth {
+  double inside;     ///< how far the point lies from the nearest side; negative outside
+  double ahead;      ///< how far the plane of the triangle lies before it
+  double steepness;  ///< of that plane, 1 square to the view
+};
+
+PointTruth truth_of_point(const std::array<PageVertex, 3>& triangle, const std::array<PageVertex, 2>& edge, double s);
 
 }  // namespace epura::test

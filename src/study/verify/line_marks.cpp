@@ -31,9 +31,9 @@ std::vector<LineMarks::Change> LineMarks::changes(double from, double to) const 
   const auto first = std::ranges::lower_bound(seen_, from, {}, &SeenPart::to);
   for (auto part = first; part != seen_.end() && part->from <= to; ++part) {
     const bool joined = part != seen_.begin() && std::prev(part)->to == part->from;
-    const bool goes_on = std::next(part) != seen_.end() && std::next(part)->from == part->to;
+    const bool continued = std::next(part) != seen_.end() && std::next(part)->from == part->to;
     if (part->from >= from) list.push_back({part->from, joined ? std::prev(part)->piece : -1, part->piece});
-    if (!goes_on && part->to <= to) list.push_back({part->to, part->piece, -1});
+    if (!continued && part->to <= to) list.push_back({part->to, part->piece, -1});
   }
   return list;
 }

@@ -3,6 +3,8 @@
 // stage goes on for long without a look at the clock.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <functional>
 #include <map>
 #include <mutex>
 #include <set>
@@ -29,21 +31,20 @@ struct Drawn {
   std::map<std::string, int> looks;  ///< at the clock, by stage
 };
 
-// The clock stands still until the stage that is to be cut looks at it; then the limit is reached.
-Drawn draw_struck_at(const std::string& stage, std::vector<std::string> arguments) {
+// Seconds at a look at the clock, of which this is the n-th one in a stage, from 1 on.
+using Clock = std::function<double(const std::string& stage, int look)>;
+
+Drawn draw_by(const Clock& clock, std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), {"epura", "draw"});
   std::vector<char*> pointers;
   for (std::string& argument : arguments) pointers.push_back(argument.data());
   const Command command = parse_command_line(static_cast<int>(pointers.size()), pointers.data());
   Drawn run;
   std::mutex mutex;
-  bool struck = false;
   ProgressBoard board([&] {
     const std::string now = board.standing().stage;
     const std::lock_guard lock(mutex);
-    ++run.looks[now];
-    struck = struck || now == stage;
-    return struck ? limit : 0;
+    return clock(now, ++run.looks[now]);
   });
   const Messages silent{[](const std::string&) {}, [](std::string_view) {}};
   try {
@@ -53,6 +54,16 @@ Drawn draw_struck_at(const std::string& stage, std::vector<std::string> argument
     run.trouble = error.trouble();
   }
   return run;
+}
+
+// The clock stands still until the stage that is to be cut looks at it; then the limit is reached.
+Drawn draw_struck_at(const std::string& stage, std::vector<std::string> arguments) {
+  bool struck = false;
+  const auto clock = [&](const std::string& now, int) {
+    struck = struck || now == stage;
+    return struck ? limit : 0;
+  };
+  return draw_by(clock, std::move(arguments));
 }
 
 std::set<std::string> segments_of(const std::string& json) {
@@ -108,6 +119,27 @@ INSTANTIATE_TEST_SUITE_P(Stages, StageOfLines,
                          testing::Values("finding intersections", "finding what may hide lines", "hiding lines",
                                          "merging lines", "joining lines", "finding arcs", "fitting dashes",
                                          "writing"));
+
+// Each look takes so long that the search is over time again with fewer lines.
+TEST(StagesInTime, WithoutTimeForTheSearchTheLongestLinesAreTriedOnAllFaces) {
+  const Folder folder;
+  const std::string model = folder.file("tangle.obj", tangle(400)), json = (folder / "x.json").string();
+  const std::vector<std::string> arguments{model, "-o", json};
+  draw_struck_at("", arguments);
+  const std::set<std::string> whole = segments_of(read_file(json));
+  double now = 0;
+  const auto clock = [&](const std::string& stage, int) {
+    if (stage == "finding what may hide lines") now = std::min(now + 0.3, 0.95);
+    return now;
+  };
+  const Drawn run = draw_by(clock, arguments);
+  EXPECT_EQ(run.error, "");
+  ASSERT_FALSE(run.stages.empty());
+  EXPECT_EQ(run.stages.front(), "finding what may hide lines");
+  const std::set<std::string> shown = segments_of(read_file(json));
+  EXPECT_FALSE(shown.empty());
+  for (const std::string& segment : shown) EXPECT_TRUE(whole.contains(segment)) << segment;
+}
 
 class StageBesideLines : public testing::TestWithParam<const char*> {};
 

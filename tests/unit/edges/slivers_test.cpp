@@ -77,6 +77,9 @@ TEST(Slivers, AreTrianglesLowerThanThePageGridUnlessSeenEdgeOn) {
   const Slivers slivers({world, 0, view.map.shrink}, view);
   for (int t = 0; t < 12; ++t) EXPECT_FALSE(slivers.contain(t)) << t;
   EXPECT_TRUE(slivers.contain(12));
+  const EdgeSurroundings around{world, 0, view.map.shrink};
+  const Slivers when_asked(around, SliverRule(around, view));
+  for (int t = 0; t <= 12; ++t) EXPECT_EQ(when_asked.contain(t), slivers.contain(t)) << t;
 }
 
 // Every quadrilateral as two triangles.

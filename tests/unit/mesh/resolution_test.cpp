@@ -7,6 +7,9 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <string>
+
+#include "base/text.hpp"
 
 namespace epura {
 namespace {
@@ -43,6 +46,22 @@ TEST(Resolution, IsTheLastPlaceOfTheLargestCoordinateWhereDigitsAreAlike) {
   EXPECT_DOUBLE_EQ(decimal_resolution(with_digits(points, 5)), 1e-3);
   EXPECT_EQ(decimal_resolution(with_digits(points, 12)), 0);
   EXPECT_EQ(decimal_resolution(with_digits(points, 3)), 0) << "as likely chosen as rounded";
+}
+
+// To the last bit: it is written into files.
+TEST(Resolution, IsADecimalNumber) {
+  for (int place = -300; place <= 290; ++place) {
+    Points points;
+    for (int i = 0; i < 200; ++i) {
+      // Five digits each, the largest coordinate with the last one at 10^place.
+      const auto number = [&](int digits, int shift) {
+        return *parse_number(std::to_string(digits) + "e" + std::to_string(place - shift));
+      };
+      points.push_back({number(10001 + 439 * i, 0), number(10007 + 431 * i, 1), number(10003 + 433 * i, 2)});
+    }
+    const int last = place >= -7 && place <= -3 ? place - 2 : place;  // of decimals, where they are 5 to 9
+    EXPECT_EQ(decimal_resolution(points), *parse_number("1e" + std::to_string(last))) << place;
+  }
 }
 
 TEST(Resolution, OfFewDecimalsIsNoMatterOfDigits) {

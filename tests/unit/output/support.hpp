@@ -21,7 +21,7 @@ inline Sheet random_sheet(double width, double height, int strokes = 50) {
   Sheet sheet{width,
               height,
               "random",
-              {{"a view/hidden", {"hidden", 0.25, 3, 0.75}, {}}, {"a view/visible", {"visible", 0.5}, {}}}};
+              {{"a view/hidden", {"hidden", 0.25, {3, 0.75}}, {}}, {"a view/visible", {"visible", 0.5}, {}}}};
   for (Layer& layer : sheet.layers) {
     for (int i = 0; i < strokes; ++i) {
       Stroke stroke;

@@ -2,10 +2,18 @@
 // What plugins do that are neither good nor merely wrong, and what of it reaches this process.
 #include "projection/plugin_process.hpp"
 
+#include <poll.h>
+#include <unistd.h>
+
+#include <array>
 #include <cfenv>
 #include <chrono>
+#include <cstdlib>
+#include <string>
+#include <thread>
 
 #include "base/file.hpp"
+#include "base/shared_library.hpp"
 #include "projection/answer.hpp"
 #include "projection/loader.hpp"
 #include "projection/packing.hpp"
@@ -117,6 +125,21 @@ TEST(a_plugin_process, that_rests_is_made_again_for_questions) {
   const ProjectionEntry resting = entry_of("good", Afterwards::rests);
   EXPECT_EQ(children(), before);
   EXPECT_EQ(make_projection(resting, parse_request("plain:scale=2"), a_box()).scale, 2);
+}
+
+// A process that is forked in the meantime may hang in the loader.
+TEST(a_plugin_process, begins_when_no_other_thread_is_loading) {
+  std::array<int, 2> ends{};
+  ASSERT_EQ(::pipe(ends.data()), 0);
+  ::setenv("EPURA_TEST_PIPE", std::to_string(ends[1]).c_str(), 1);
+  std::thread other([] { load_library(plain("tells-its-loading"), Trouble::plugin); });
+  char byte = 0;
+  EXPECT_EQ(::read(ends[0], &byte, 1), 1);
+  entry_of("good");
+  pollfd is_loaded{ends[0], POLLIN, 0};
+  EXPECT_EQ(::poll(&is_loaded, 1, 0), 1);
+  other.join();
+  ::close(ends[0]), ::close(ends[1]);
 }
 
 TEST(packed_values, end_where_the_bytes_end) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <random>
 
 #include "shapes.hpp"
 
@@ -53,6 +54,42 @@ TEST(EdgeHider, TriesFewTrianglesOfEqualPartsBehindOneAnother) {
   for (const Vec3& towards_viewer : {Vec3(1, -1, 1), Vec3(0.3, -0.8, 0.5), Vec3(0, 0, 1)})
     EXPECT_LT(tries_of_an_edge(world_of(copies), orthographic(towards_viewer, {0, 1, 0.1})), 50);
   EXPECT_LT(tries_of_an_edge(world_of(copies), perspective({3, -2, 9}, {0, 0, 0}, {3, -2, 9}, {0, 0, 1})), 50);
+}
+
+constexpr int many = 4000;
+
+// At the hub all of them meet.
+TEST(EdgeHider, TriesFewNeedlesOfOneHub) {
+  std::mt19937 random(1);
+  const auto number = [&] { return static_cast<double>(random()) / 4294967296.0 - 0.5; };
+  Shape burst{{{0, 0, 0}}, {}, {}};
+  for (int i = 0; i < many; ++i) {
+    const double x = number(), y = number(), z = number();
+    burst.points.insert(burst.points.end(), {{x, y, z}, {x + 1e-5, y, z}});
+    burst.faces.push_back({0, 2 * i + 1, 2 * i + 2});
+  }
+  EXPECT_LT(tries_of_an_edge(world_of(burst), orthographic({1, -1, 1})), many / 16);
+}
+
+TEST(EdgeHider, TriesFewTrianglesOnOneLine) {
+  Shape line{{{0, 0, 0}, {100, 0, 0}, {50, 50, 0}, {1, 0, 0}}, {{0, 1, 2}}, {}};
+  for (int i = 1; i <= many; ++i) {
+    line.points.push_back({1 + 99.0 * i / many, 0, 0});
+    line.faces.push_back({0, i + 2, i + 3});
+  }
+  EXPECT_LT(tries_of_an_edge(world_of(line), orthographic({1, -1, 1})), many / 64);
+}
+
+TEST(EdgeHider, TriesFewTrianglesOfOnePlane) {
+  std::mt19937 random(1);
+  const auto number = [&] { return static_cast<double>(random()) / 4294967296.0; };
+  Shape across;
+  for (int i = 0; i < many / 4; ++i) {
+    const double from = number(), to = number();
+    across.points.insert(across.points.end(), {{0, from, 0}, {1, to, 0}, {1, to + 1e-4, 0}});
+    across.faces.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  EXPECT_LT(tries_of_an_edge(world_of(across), orthographic({1, -1, 1})), many / 32);
 }
 
 TEST(EdgeHider, HasNoMoreCandidatesOfManyCopiesThanOfTwo) {

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Directions on the page, around a place where many triangles meet.
+#pragma once
+
+#include <array>
+#include <numbers>
+
+#include "view/view.hpp"
+#include "visibility/hiding_rule.hpp"
+
+namespace epura {
+
+/// Directions from a first to a second, counterclockwise, in radians: the first from -pi to pi.
+using Turn = std::array<double, 2>;
+
+constexpr Turn all_around{-std::numbers::pi, std::numbers::pi};
+
+inline bool turns_meet(const Turn& a, const Turn& b) {
+  constexpr double once = 2 * std::numbers::pi;
+  for (const double around : {0.0, once, -once})
+    if (a[0] <= b[1] + around && b[0] + around <= a[1]) return true;
+  return false;
+}
+
+/// In which directions things lie from a place of the page grid. A triangle with a corner there lies over an edge that
+/// begins there only if its directions hold that of the edge; all others only if directions meet that are as far apart
+/// as rounding moves things.
+class SeenFrom {
+ public:
+  SeenFrom(const View& view, const GridPoint& place);
+
+  [[nodiscard]] bool is_at(const GridPoint& point) const { return point.x == place_.x && point.y == place_.y; }
+  [[nodiscard]] Turn of_triangle(const View& view, const ViewTriangle& triangle) const;
+  /// Of an edge that begins or ends here.
+  [[nodiscard]] Turn of_edge(const View& view, const Sightline& edge) const;
+  /// Of a line between two places of the page.
+  [[nodiscard]] Turn of_line(const Vec2& a, const Vec2& b) const;
+
+ private:
+  [[nodiscard]] Vec2 way_to(const GridPoint& point) const;
+
+  GridPoint place_;
+  double cell_;
+};
+
+}  // namespace epura
