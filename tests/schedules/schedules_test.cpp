@@ -29,8 +29,8 @@ Files draw_under(int schedule, std::vector<std::string> words) {
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
   auto options = std::get<DrawOptions>(parse_command_line(static_cast<int>(argv.size()), argv.data()));
-  options.plugin_path.emplace_back(EPURA_TEST_PLUGINS);
-  options.threads = schedule;
+  options.run.plugin_path.emplace_back(EPURA_TEST_PLUGINS);
+  options.run.threads = schedule;
   EXPECT_EQ(draw(options), 0);
   return {read_file(folder / "out.json"), read_file(folder / "out.svg")};
 }
