@@ -16,7 +16,7 @@ namespace {
 constexpr double tolerance = 1e-6;
 constexpr double least = 8e-6;
 
-// Every piece against every other.
+// Every piece against every other. Where two cover the same of a piece, they are one cover.
 std::vector<Cover> all_covers(const std::vector<Piece>& pieces) {
   std::vector<Cover> covers;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -28,6 +28,7 @@ std::vector<Cover> all_covers(const std::vector<Piece>& pieces) {
     }
   }
   std::sort(covers.begin(), covers.end());
+  covers.erase(std::unique(covers.begin(), covers.end()), covers.end());
   return covers;
 }
 
