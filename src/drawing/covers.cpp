@@ -65,7 +65,7 @@ class CoverSearch {
   // `work` is told to be done.
   void add_covers(Strands strands, std::size_t work, std::vector<Cover>& found) const {
     progress_.expect_time();
-    auto parts = divide(strands, tolerance_);
+    auto parts = divide(strands, tolerance_, directions_.go_along());
     if (!parts) {
       progress_.advance(work);
       return is_crowd(strands) ? add_covers_in_crowd(strands, found) : add_covers_of_pairs(strands, found);
@@ -84,13 +84,15 @@ class CoverSearch {
     found.insert(found.end(), others.begin(), others.end());
   }
 
-  void add_covers_of_pairs(const Strands& strands, std::vector<Cover>& found) const {
-    for (std::size_t i = 0; i < strands.size(); ++i)
-      for (std::size_t j = i + 1; j < strands.size(); ++j) {
-        const Strand &a = strands[i], &b = strands[j];
-        if ((a.is_guest && b.is_guest) || !begin_together(a, b) || !are_near(a, b)) continue;
-        const bool is_a_lower = rank(pieces_[b.piece]) < rank(pieces_[a.piece]);
-        add_cover(is_a_lower ? a.piece : b.piece, is_a_lower ? b.piece : a.piece, found);
+  // Each that begins here, as few do, with all others.
+  void add_covers_of_pairs(Strands& strands, std::vector<Cover>& found) const {
+    const auto can_begin = [&](const Strand& s) { return s.begins || (s.ends && !directions_.go_along()); };
+    const auto rest = std::partition(strands.begin(), strands.end(), can_begin);
+    for (auto a = strands.begin(); a != rest; ++a)
+      for (auto b = a + 1; b != strands.end(); ++b) {
+        if ((a->is_guest && b->is_guest) || !begin_together(*a, *b) || !are_near(*a, *b)) continue;
+        const bool is_a_lower = rank(pieces_[b->piece]) < rank(pieces_[a->piece]);
+        add_cover(is_a_lower ? a->piece : b->piece, is_a_lower ? b->piece : a->piece, found);
       }
   }
 

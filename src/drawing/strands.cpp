@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <span>
 
 #include "base/parallel.hpp"
 
@@ -54,23 +55,41 @@ Load load_of(const Strands& strands) {
   return load;
 }
 
-/// Where strands are parted: at a place on an axis, with a margin to either side.
+/// What strands are parted by: where they lie, or how high they leave the cell at one of its sides. What two have in
+/// common and begins in the cell goes on as far as both do: if both leave by one side, they lie on one another there.
+enum class Measure { x, y, on_the_left, on_the_right };
+
+/// Where strands are parted: at a place of a measure, with a margin to either side.
 struct Cut {
-  int axis;
-  double at, margin;
+  Measure by;
+  double margin;
+  double side;  ///< x of the left or the right side
+  double at = 0;
   Load below{}, above{};
 
   [[nodiscard]] double work() const { return below.work() + above.work(); }
+  [[nodiscard]] int axis() const { return by == Measure::x ? 0 : 1; }
+  [[nodiscard]] bool is_by_place() const { return by == Measure::x || by == Measure::y; }
+
+  /// Infinite for those that do not go as far as the side.
+  [[nodiscard]] std::array<double, 2> range(const Strand& s) const {
+    constexpr std::array<double, 2> all{-HUGE_VAL, HUGE_VAL};
+    if (by == Measure::on_the_left) return s.begins || s.from.x > side + margin ? all : std::array{s.from.y, s.from.y};
+    if (by == Measure::on_the_right) return s.ends || s.to.x < side - margin ? all : std::array{s.to.y, s.to.y};
+    return {std::min(s.from[axis()], s.to[axis()]), std::max(s.from[axis()], s.to[axis()])};
+  }
 
   [[nodiscard]] bool has_below(double x) const { return x <= at + margin; }
   [[nodiscard]] bool has_above(double x) const { return x >= at - margin; }
 
   void count(const Strand& s) {
-    const double from = s.from[axis], to = s.to[axis];
-    below.strands += std::size_t{has_below(std::min(from, to))};
-    above.strands += std::size_t{has_above(std::max(from, to))};
-    below.ends += std::size_t{s.begins && has_below(from)} + std::size_t{s.ends && has_below(to)};
-    above.ends += std::size_t{s.begins && has_above(from)} + std::size_t{s.ends && has_above(to)};
+    const auto [low, high] = range(s);
+    const std::array ends = is_by_place() ? std::array{s.from[axis()], s.to[axis()]} : std::array{low, low};
+    const std::array tops = is_by_place() ? ends : std::array{high, high};
+    below.strands += std::size_t{has_below(low)};
+    above.strands += std::size_t{has_above(high)};
+    below.ends += std::size_t{s.begins && has_below(ends[0])} + std::size_t{s.ends && has_below(ends[1])};
+    above.ends += std::size_t{s.begins && has_above(tops[0])} + std::size_t{s.ends && has_above(tops[1])};
   }
 
   // Without what lies beyond the margin. One end at most does.
@@ -78,47 +97,57 @@ struct Cut {
     const double border = is_below ? at + margin : at - margin;
     const auto lies_beyond = [&](double x) { return is_below ? x > border : x < border; };
     Strand part = s;
-    const bool is_from = lies_beyond(s.from[axis]);
-    if (!is_from && !lies_beyond(s.to[axis])) return part;
+    const bool is_from = lies_beyond(s.from[axis()]);
+    if (!is_by_place() || (!is_from && !lies_beyond(s.to[axis()]))) return part;
     Vec2& end = is_from ? part.from : part.to;
-    end = s.from + (border - s.from[axis]) / (s.to[axis] - s.from[axis]) * (s.to - s.from);
-    end[axis] = border;
+    end = s.from + (border - s.from[axis()]) / (s.to[axis()] - s.from[axis()]) * (s.to - s.from);
+    end[axis()] = border;
     (is_from ? part.begins : part.ends) = false;
     return part;
   }
 };
 
-// Between two ends, near the middle of all. Some of them stand for all.
-std::optional<double> place_of_cut(const Strands& strands, int axis, double margin) {
-  constexpr std::size_t most_samples = 8;
+// Between two ends, or two places where strands leave, near the middle of all. Some of them stand for all.
+std::optional<double> place_of_cut(const Strands& strands, const Cut& cut) {
+  constexpr std::size_t most_samples = 16;
   const std::size_t step = strands.size() / most_samples + 1;
   std::array<double, 2 * most_samples> samples{};
   std::size_t count = 0;
   for (std::size_t i = 0; i < strands.size(); i += step) {
-    if (strands[i].begins) samples[count++] = strands[i].from[axis];
-    if (strands[i].ends) samples[count++] = strands[i].to[axis];
+    const Strand& s = strands[i];
+    if (cut.is_by_place()) {
+      if (s.begins) samples[count++] = s.from[cut.axis()];
+      if (s.ends) samples[count++] = s.to[cut.axis()];
+    } else if (const double y = cut.range(s)[0]; y > -HUGE_VAL)
+      samples[count++] = y;
   }
   std::sort(samples.begin(), samples.begin() + count);
   std::optional<double> best;
   std::size_t distance = count;
   for (std::size_t i = 1; i < count; ++i) {
     const std::size_t from_middle = std::max(i, count / 2) - std::min(i, count / 2);
-    if (samples[i] - samples[i - 1] <= 4 * margin || from_middle >= distance) continue;
+    if (samples[i] - samples[i - 1] <= 4 * cut.margin || from_middle >= distance) continue;
     best = (samples[i - 1] + samples[i]) / 2;
     distance = from_middle;
   }
   return best;
 }
 
-// The one that leaves less work, if it is little enough.
-std::optional<Cut> best_cut(const Strands& strands, double margin, double work) {
+// The one that leaves the least work, if it is little enough.
+std::optional<Cut> best_cut(const Strands& strands, std::span<const Measure> measures, double margin, double work) {
+  double left = HUGE_VAL, right = -HUGE_VAL;
+  for (const Strand& s : strands) {
+    left = std::min(left, s.from.x);
+    right = std::max(right, s.to.x);
+  }
   std::optional<Cut> best;
-  for (const int axis : {0, 1}) {
-    const auto at = place_of_cut(strands, axis, margin);
+  for (const Measure by : measures) {
+    Cut cut{by, margin, by == Measure::on_the_left ? left : right};
+    const auto at = place_of_cut(strands, cut);
     if (!at) continue;
-    Cut cut{axis, *at, margin};
+    cut.at = *at;
     for (const Strand& s : strands) cut.count(s);
-    if (cut.work() <= worth_dividing * (best ? best->work() : work)) best = cut;
+    if (cut.work() <= (best ? best->work() : worth_dividing * work)) best = cut;
   }
   return best;
 }
@@ -128,8 +157,9 @@ std::pair<Strands, Strands> parts_of(const Strands& strands, const Cut& cut) {
   parts.first.reserve(cut.below.strands);
   parts.second.reserve(cut.above.strands);
   for (const Strand& s : strands) {
-    if (cut.has_below(std::min(s.from[cut.axis], s.to[cut.axis]))) parts.first.push_back(cut.part_of(s, true));
-    if (cut.has_above(std::max(s.from[cut.axis], s.to[cut.axis]))) parts.second.push_back(cut.part_of(s, false));
+    const auto [low, high] = cut.range(s);
+    if (cut.has_below(low)) parts.first.push_back(cut.part_of(s, true));
+    if (cut.has_above(high)) parts.second.push_back(cut.part_of(s, false));
   }
   return parts;
 }
@@ -147,14 +177,18 @@ Strands along_longest(const Strands& strands) {
 
 }  // namespace
 
-std::optional<std::pair<Strands, Strands>> divide(const Strands& strands, double tolerance) {
+std::optional<std::pair<Strands, Strands>> divide(const Strands& strands, double tolerance, bool go_along) {
   const Load load = load_of(strands);
   if (load.strands <= few_strands || load.ends <= few_ends) return std::nullopt;
   const double margin = 2 * tolerance;
-  if (const auto cut = best_cut(strands, margin, load.work())) return parts_of(strands, *cut);
+  constexpr std::array places{Measure::x, Measure::y};
+  constexpr std::array sides{Measure::on_the_left, Measure::on_the_right};
+  if (const auto cut = best_cut(strands, places, margin, load.work())) return parts_of(strands, *cut);
   if (load.strands <= many_strands) return std::nullopt;
+  if (go_along)
+    if (const auto cut = best_cut(strands, sides, margin, load.work())) return parts_of(strands, *cut);
   const Strands others = along_longest(strands);
-  if (const auto cut = best_cut(others, margin, load.work())) return parts_of(others, *cut);
+  if (const auto cut = best_cut(others, places, margin, load.work())) return parts_of(others, *cut);
   return std::nullopt;
 }
 
@@ -191,6 +225,7 @@ Strands DirectionClasses::strands(std::size_t number) const {
   strands.reserve(own.size() + guests.size());
   const auto add = [&](int piece, bool is_guest) {
     strands.push_back(turned({pieces_[piece].from, pieces_[piece].to, piece, true, true, is_guest}, along));
+    strands.back().ends = !go_along();
   };
   for (const int piece : own) add(piece, false);
   for (const int piece : guests) add(piece, true);

@@ -23,15 +23,16 @@ namespace epura {
 struct Strand {
   Vec2 from, to;  ///< from.x <= to.x
   int piece;
-  bool begins, ends;  ///< whether `from` and `to` are ends of the piece
-  bool is_guest;      ///< of the next class of directions, where pairs of such pieces are found
+  /// Whether `from` and `to` are ends of the piece that count: where all go along x, an overlap begins with a `from`.
+  bool begins, ends;
+  bool is_guest;  ///< of the next class of directions, where pairs of such pieces are found
 };
 
 using Strands = std::vector<Strand>;
 
 /// The strands of two cells instead of one; nothing where that would save too little. What lies within twice the
-/// tolerance of both is in both.
-std::optional<std::pair<Strands, Strands>> divide(const Strands& strands, double tolerance);
+/// tolerance of both is in both. `go_along`: that of their class.
+std::optional<std::pair<Strands, Strands>> divide(const Strands& strands, double tolerance, bool go_along);
 
 /// Pieces by direction.
 class DirectionClasses {

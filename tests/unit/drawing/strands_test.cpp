@@ -31,7 +31,7 @@ std::vector<Piece> lines_at_random(int count) {
 
 template <class Visit>
 void visit_divided(const Strands& strands, const Visit& visit) {
-  if (const auto parts = divide(strands, tolerance)) {
+  if (const auto parts = divide(strands, tolerance, true)) {
     visit_divided(parts->first, visit);
     visit_divided(parts->second, visit);
   } else
