@@ -16,7 +16,7 @@ namespace epura {
 namespace {
 
 // A cell that cannot be divided and where so many strands end is a crowd: much of it lies on one line.
-constexpr std::ptrdiff_t crowd = 256;
+constexpr std::ptrdiff_t crowd = 128;
 
 bool is_crowd(const Strands& strands) {
   return std::count_if(strands.begin(), strands.end(), [](const Strand& s) { return s.begins || s.ends; }) > crowd;
