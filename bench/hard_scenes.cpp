@@ -95,6 +95,13 @@ Scene burst(int n) {
   return scene;
 }
 
+// 2563 needles make 11 211 triangles.
+Scene pins(int n) {
+  Scene scene = burst(n);
+  add_sphere(scene, static_cast<int>(std::lround(3.548 * n)));
+  return scene;
+}
+
 // Triangles without area in space, with rounding for area on the page.
 Scene line(int n) {
   Scene scene;
@@ -210,6 +217,7 @@ std::vector<Generator> hard_scenes() {
           {"needles", "N long needles across each other", needles},
           {"burst", "N long needles from one hub in all directions", burst},
           {"across", "N long needles across each other in one plane", across},
+          {"pins", "N needles from the middle of a sphere of 3.5 N triangles to its surface", pins},
           {"line", "N triangles without area on one line", line},
           {"knots", "N trefoils of 784 triangles in one another, each turned by a ten-thousandth", knots},
           {"stadium", "a sphere of about N triangles in a stadium 1000 times as large", stadium},

@@ -3,108 +3,178 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <mutex>
+#include <iterator>
 #include <utility>
 
 #include "base/parallel.hpp"
-#include "drawing/piece_grid.hpp"
+#include "drawing/piece_tree.hpp"
+#include "drawing/strands.hpp"
 #include "visibility/spans.hpp"
 
 namespace epura {
 
 namespace {
 
-constexpr std::size_t grain = 1024;
+// A cell that cannot be divided and where so many strands end is a crowd: much of it lies on one line.
+constexpr std::ptrdiff_t crowd = 128;
 
-struct Limits {
-  double tolerance, least;
-};
-
-// Every pair in a cell is tried. Of pieces in crowds, it is not this that finds the covers.
-void add_covers_of_pairs(const std::vector<Piece>& pieces, const PieceGrid& grid, std::size_t cell,
-                         const Limits& limits, std::vector<Cover>& covers) {
-  grid.near_pairs(cell, [&](int a, int b) {
-    if (rank(pieces[a]) < rank(pieces[b])) std::swap(a, b);
-    if (grid.is_in_crowd(a) || !(rank(pieces[b]) < rank(pieces[a]))) return;
-    const Ruler line(pieces[a].from, pieces[a].to);
-    const auto [from, to] = covered_part(line, pieces[b].from, pieces[b].to, limits.tolerance, limits.least);
-    // Pairs meet in several cells. The one where the cover begins counts.
-    if (to > from && grid.cell_of(line.from + from * line.along) == cell) covers.push_back({a, from, to});
-  });
+bool is_crowd(const Strands& strands) {
+  return std::count_if(strands.begin(), strands.end(), [](const Strand& s) { return s.begins || s.ends; }) > crowd;
 }
 
-// In a crowd a piece is covered bit by bit, until nothing is left to be covered.
-void add_covers_in_crowd(const std::vector<Piece>& pieces, const PieceGrid& grid, int piece, const Limits& limits,
-                         std::vector<Cover>& covers) {
-  const Ruler line(pieces[piece].from, pieces[piece].to);
-  Spans covered;
-  grid.visit_trees(piece, [&](const PieceTree& tree, double begin, double end) {
-    const auto open = [&] {
-      return open_part(covered, begin * line.length, end * line.length, limits.least, line.length);
-    };
+// Larger cells are searched on several threads.
+constexpr std::size_t alone = 4096;
+
+class CoverSearch {
+ public:
+  CoverSearch(const std::vector<Piece>& pieces, double tolerance, double least, const Progress& progress)
+      : pieces_(pieces),
+        tolerance_(tolerance),
+        least_(least),
+        // Two lines that stay within the tolerance over `least` differ in direction by no more than this.
+        spread_(std::min(2.5 * tolerance / least, 1.5)),
+        progress_(progress),
+        directions_(pieces, spread_, progress) {}
+
+  std::vector<Cover> find() const {
+    progress_.begin("merging lines", pieces_.size());
+    std::vector<std::vector<Cover>> found(directions_.size());
+    parallel_for(directions_.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        Strands strands = directions_.strands(i);
+        const auto own = std::count_if(strands.begin(), strands.end(), [](const Strand& s) { return !s.is_guest; });
+        add_covers(std::move(strands), static_cast<std::size_t>(own), found[i]);
+      }
+    });
+    return joined(found);
+  }
+
+ private:
+  static std::vector<Cover> joined(std::vector<std::vector<Cover>>& parts) {
+    std::size_t count = 0;
+    for (const std::vector<Cover>& part : parts) count += part.size();
+    std::vector<Cover> all;
+    all.reserve(count);
+    for (std::vector<Cover>& part : parts) {
+      all.insert(all.end(), part.begin(), part.end());
+      part = std::vector<Cover>();  // so that covers are hardly ever there twice
+    }
+    return all;
+  }
+
+  // `work` is told to be done.
+  void add_covers(Strands strands, std::size_t work, std::vector<Cover>& found) const {
+    progress_.expect_time();
+    auto parts = divide(strands, tolerance_, directions_.go_along());
+    if (!parts) {
+      progress_.advance(work);
+      return is_crowd(strands) ? add_covers_in_crowd(strands, found) : add_covers_of_pairs(strands, found);
+    }
+    const bool is_large = strands.size() > alone;
+    strands = Strands();  // so that they are hardly ever there twice
+    Strands &one = parts->first, &other = parts->second;
+    const std::size_t first = work * one.size() / (one.size() + other.size());
+    if (!is_large) {
+      add_covers(std::move(one), first, found);
+      return add_covers(std::move(other), work - first, found);
+    }
+    std::vector<Cover> others;
+    parallel_both([&] { add_covers(std::move(one), first, found); },
+                  [&] { add_covers(std::move(other), work - first, others); });
+    found.insert(found.end(), others.begin(), others.end());
+  }
+
+  // Each that begins here, as few do, with all others.
+  void add_covers_of_pairs(Strands& strands, std::vector<Cover>& found) const {
+    const auto can_begin = [&](const Strand& s) { return s.begins || (s.ends && !directions_.go_along()); };
+    const auto rest = std::partition(strands.begin(), strands.end(), can_begin);
+    for (auto a = strands.begin(); a != rest; ++a)
+      for (auto b = a + 1; b != strands.end(); ++b) {
+        if ((a->is_guest && b->is_guest) || !begin_together(*a, *b) || !are_near(*a, *b)) continue;
+        const bool is_a_lower = rank(pieces_[b->piece]) < rank(pieces_[a->piece]);
+        add_cover(is_a_lower ? a->piece : b->piece, is_a_lower ? b->piece : a->piece, found);
+      }
+  }
+
+  // Whether what they have in common begins in the cell: where pairs meet in several cells, that one counts.
+  [[nodiscard]] bool begin_together(const Strand& a, const Strand& b) const {
+    if (!directions_.go_along()) return a.begins || a.ends || b.begins || b.ends;
+    const double margin = 2 * tolerance_, ahead = a.from.x - b.from.x;
+    return (a.begins && ahead >= -margin) || (b.begins && ahead <= margin);
+  }
+
+  [[nodiscard]] bool are_near(const Strand& a, const Strand& b) const {
+    const double margin = 2 * tolerance_;
+    const auto [a_low, a_high] = std::minmax(a.from.y, a.to.y);
+    const auto [b_low, b_high] = std::minmax(b.from.y, b.to.y);
+    if (a.from.x > b.to.x + margin || b.from.x > a.to.x + margin || a_low > b_high + margin || b_low > a_high + margin)
+      return false;
+    if (!directions_.go_along()) return true;
+    // Where what they have in common begins, and where it ends.
+    return (a.from.x < b.from.x ? is_beside(a, b.from) : is_beside(b, a.from)) &&
+           (a.to.x > b.to.x ? is_beside(a, b.to) : is_beside(b, a.to));
+  }
+
+  // Whether a point lies near the line of a strand.
+  [[nodiscard]] bool is_beside(const Strand& s, const Vec2& p) const {
+    const Vec2 along = s.to - s.from, d = p - s.from;
+    const double cross = along.x * d.y - along.y * d.x, margin = 2 * tolerance_;
+    return cross * cross <= margin * margin * glm::dot(along, along);
+  }
+
+  void add_cover(int lower, int upper, std::vector<Cover>& found) const {
+    const Piece &low = pieces_[lower], &high = pieces_[upper];
+    if (!(rank(high) < rank(low))) return;
+    const auto [from, to] = covered_part(Ruler(low.from, low.to), high.from, high.to, tolerance_, least_);
+    if (to > from) found.push_back({lower, from, to});
+  }
+
+  // In a crowd a piece is covered bit by bit, until nothing is left of it that could be covered: no pair is passed over
+  // that would have changed what is left. It is the whole piece that counts, not its part in the cell, since covers
+  // that begin in the cell are looked for nowhere else.
+  void add_covers_in_crowd(const Strands& strands, std::vector<Cover>& found) const {
+    std::vector<int> members;
+    for (const Strand& s : strands) members.push_back(s.piece);
+    const PieceTree tree(pieces_, std::move(members), tolerance_, spread_);
+    for (const Strand& s : strands) {
+      progress_.expect_time();
+      for (const auto& [from, to] : parts_covered(tree, s.piece)) found.push_back({s.piece, from, to});
+    }
+  }
+
+  [[nodiscard]] Spans parts_covered(const PieceTree& tree, int piece) const {
+    const Ruler line(pieces_[piece].from, pieces_[piece].to);
+    Spans covered;
+    const auto open = [&] { return open_part(covered, 0, line.length, least_, line.length); };
     auto rest = open();
-    if (!rest) return;
+    if (!rest) return covered;
     PieceTree::Bounds wanted = tree.covering(piece, *rest);
     tree.visit(wanted, [&](int upper) {
-      const auto part = covered_part(line, pieces[upper].from, pieces[upper].to, limits.tolerance, limits.least);
+      const auto part = covered_part(line, pieces_[upper].from, pieces_[upper].to, tolerance_, least_);
       if (!(part[1] > part[0])) return true;
       add_span(covered, part);
       rest = open();
       if (rest) wanted = tree.covering(piece, *rest);
       return rest.has_value();
     });
-  });
-  for (const auto& [from, to] : covered) covers.push_back({piece, from, to});
-}
+    return covered;
+  }
 
-using Parts = std::vector<std::vector<Cover>>;
-
-Parts covers_in_parts(const std::vector<Piece>& pieces, double tolerance, double least, const Progress& progress) {
-  // Two lines that stay within the tolerance over `least` differ in direction by no more than this.
-  const auto spread = static_cast<float>(std::min(2.5 * tolerance / least, 1.5));
-  const PieceGrid grid(pieces, tolerance, spread, progress);
-  progress.begin("merging lines", grid.cells() + pieces.size());
-  const Limits limits{tolerance, least};
-  Parts parts;
-  std::mutex adding;
-  const auto in_parallel = [&](std::size_t count, const auto& add) {
-    parallel_for(count, grain, [&](std::size_t begin, std::size_t end) {
-      std::vector<Cover> found;
-      for (std::size_t i = begin; i < end; ++i) {
-        progress.expect_time();
-        add(i, found);
-      }
-      found.shrink_to_fit();
-      progress.advance(end - begin);
-      const std::lock_guard lock(adding);
-      parts.push_back(std::move(found));
-    });
-  };
-  in_parallel(grid.cells(), [&](std::size_t cell, std::vector<Cover>& found) {
-    if (!grid.is_crowded(cell)) add_covers_of_pairs(pieces, grid, cell, limits, found);
-  });
-  in_parallel(pieces.size(), [&](std::size_t piece, std::vector<Cover>& found) {
-    const int number = static_cast<int>(piece);
-    if (grid.is_in_crowd(number)) add_covers_in_crowd(pieces, grid, number, limits, found);
-  });
-  return parts;
-}
+  const std::vector<Piece>& pieces_;
+  double tolerance_, least_, spread_;
+  const Progress& progress_;
+  DirectionClasses directions_;
+};
 
 }  // namespace
 
 std::vector<Cover> find_covers(const std::vector<Piece>& pieces, double tolerance, double least,
                                const Progress& progress) {
   if (pieces.empty()) return {};
-  Parts parts = covers_in_parts(pieces, tolerance, least, progress);
-  std::size_t count = 0;
-  for (const std::vector<Cover>& part : parts) count += part.size();
-  std::vector<Cover> covers;
-  covers.reserve(count);
-  for (std::vector<Cover>& part : parts) {
-    covers.insert(covers.end(), part.begin(), part.end());
-    part = std::vector<Cover>();  // so that covers are hardly ever there twice
-  }
+  std::vector<Cover> covers = CoverSearch(pieces, tolerance, least, progress).find();
   parallel_sort(covers.begin(), covers.end());
+  // At the border of cells a pair is found in both.
+  covers.erase(std::unique(covers.begin(), covers.end()), covers.end());
   return covers;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 #include "study/compare/differing_lines.hpp"
 #include "study/compare/ink_parts.hpp"
@@ -13,8 +14,13 @@ namespace {
 using Parts = std::vector<InkPart>;
 using PartsByLook = std::vector<Parts>;
 
-PartsByLook by_look(const Parts& parts, std::size_t looks) {
+// They are sorted by look.
+PartsByLook by_look(Parts parts, std::size_t looks) {
   PartsByLook sorted(looks);
+  if (!parts.empty() && parts.front().look == parts.back().look) {
+    sorted[static_cast<std::size_t>(parts.front().look)] = std::move(parts);
+    return sorted;
+  }
   for (const InkPart& part : parts) sorted[static_cast<std::size_t>(part.look)].push_back(part);
   return sorted;
 }
@@ -47,7 +53,8 @@ class Kind {
   }
 
   void take_same() {
-    const PartsByLook all_old = old_, all_new = new_;
+    // Wider ones may cover those of other looks below.
+    const PartsByLook none(looks_), all_old = looks_ > 1 ? old_ : none, all_new = looks_ > 1 ? new_ : none;
     for (std::size_t i = 0; i < looks_; ++i) {
       DividedInk old_ones = divide(old_[i], new_[i], tolerance_), new_ones = divide(new_[i], old_[i], tolerance_);
       mark(new_ones.met, Mark::same);

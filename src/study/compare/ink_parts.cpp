@@ -96,9 +96,11 @@ DividedInk divide_by(const std::vector<InkPart>& parts, const std::vector<InkPar
                      double least) {
   // All of a side have one rank: they do not cover each other.
   std::vector<Piece> pieces;
+  pieces.reserve(others.size() + parts.size());
   for (const InkPart& part : others) pieces.push_back({part.from, part.to, true, EdgeKind{}, 0, {0, 0}});
   for (const InkPart& part : parts) pieces.push_back({part.from, part.to, false, EdgeKind{}, 0, {0, 0}});
   const std::vector<Cover> covers = find_covers(pieces, tolerance, least);
+  pieces = std::vector<Piece>();  // so that so many are hardly ever there twice
   DividedInk divided;
   std::size_t next = static_cast<std::size_t>(
       std::lower_bound(covers.begin(), covers.end(), Cover{static_cast<int>(others.size()), 0, 0}) - covers.begin());
@@ -158,20 +160,29 @@ CommonLooks common_looks(const Picture& before, const Picture& after) {
 
 std::vector<InkPart> seen_parts(const Picture& picture, const CommonLooks& table, const std::vector<int>& looks,
                                 bool filled) {
-  std::vector<InkPart> parts;
-  for (const PicturePiece& piece : picture.pieces) {
+  const auto part_of = [&](const PicturePiece& piece) {
     const int look = looks[static_cast<std::size_t>(piece.look)];
-    const InkPart part{piece.from, piece.to, look, piece.look, piece.view, piece.origin};
-    if (table.looks[static_cast<std::size_t>(look)].filled == filled && length_of(part) > shortest)
-      parts.push_back(in_one_direction(part));
-  }
+    return InkPart{piece.from, piece.to, look, piece.look, piece.view, piece.origin};
+  };
+  const auto is_seen = [&](const PicturePiece& piece) {
+    const int look = looks[static_cast<std::size_t>(piece.look)];
+    return table.looks[static_cast<std::size_t>(look)].filled == filled && length_of(part_of(piece)) > shortest;
+  };
+  // Drawings of few bytes can have very many pieces: lists of them are made in the size that they keep.
+  std::vector<InkPart> parts;
+  parts.reserve(static_cast<std::size_t>(std::count_if(picture.pieces.begin(), picture.pieces.end(), is_seen)));
+  for (const PicturePiece& piece : picture.pieces)
+    if (is_seen(piece)) parts.push_back(in_one_direction(part_of(piece)));
   std::stable_sort(parts.begin(), parts.end(),
                    [](const InkPart& a, const InkPart& b) { return by_look_and_place(a) < by_look_and_place(b); });
   std::vector<Piece> pieces;
+  pieces.reserve(parts.size());
   for (std::size_t i = 0; i < parts.size(); ++i)
     pieces.push_back({parts[i].from, parts[i].to, true, EdgeKind{}, static_cast<int>(i), {0, 0}});
+  pieces = resolve_coincident(std::move(pieces), same_place, shortest);
   std::vector<InkPart> seen;
-  for (const Piece& piece : resolve_coincident(std::move(pieces), same_place, shortest)) {
+  seen.reserve(pieces.size());
+  for (const Piece& piece : pieces) {
     seen.push_back(parts[static_cast<std::size_t>(piece.edge)]);
     seen.back().from = piece.from;
     seen.back().to = piece.to;

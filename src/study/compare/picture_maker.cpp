@@ -13,7 +13,7 @@ namespace epura {
 
 namespace {
 
-constexpr std::size_t always_room = 1'000'000, most_looks = 200, most_views = 2000;
+constexpr std::size_t always_room = 250'000, most_looks = 200, most_views = 2000;
 
 // Views may lie beside their sheet.
 constexpr double farthest = 10 * longest_side;

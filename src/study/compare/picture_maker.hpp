@@ -14,7 +14,7 @@ namespace epura {
 /// How many more pieces of lines a file may stand for. No line takes less than two bytes, but curves do.
 class PieceRoom {
  public:
-  /// A million, and one for every two bytes. `where` names the file in errors.
+  /// 250 000, and one for every two bytes. `where` names the file in errors.
   PieceRoom(std::size_t bytes, std::string where);
 
   /// Throws Error{input} where there is no room for so many.

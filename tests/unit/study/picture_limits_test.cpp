@@ -53,6 +53,10 @@ TEST(PictureLimits, PiecesOfCurves) {
   EXPECT_TRUE(contains(refusal_of_svg(repeated(path("M0 0c9e5 0 0 9e5 0 0"), 200)), many));
   EXPECT_TRUE(
       contains(refusal_of_svg("<g aria-label='a'>" + repeated(path("M0 0c9e5 0 0 9e5 0 0"), 200) + "</g>"), many));
+  // As many as take 256 MB to be compared: a curve of 9e3 units stands for nearly 10 000 pieces.
+  const auto curves = [](int count) { return svg_with(path("M0 0" + repeated("c0 9e3 9e3 0 0 0", count))); };
+  EXPECT_NO_THROW(picture_of_svg(curves(24), "test.svg"));
+  EXPECT_TRUE(contains(error_of([&] { picture_of_svg(curves(90), "test.svg"); }).what(), many));
   // Dashes of a group count for each of its looks.
   std::string lines;
   for (int i = 0; i < 150; ++i) lines += path("M0 0h1", "stroke-width='" + std::to_string(i) + "'");
