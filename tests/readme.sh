@@ -34,7 +34,7 @@ for block in block*.sh; do
   fi
 done
 
-sed -n '/^```cpp$/,/^```$/p' "$root/README.md" | sed '1d;$d' | diff - <(sed 1d "$root/samples/plugin/shadow.cpp") ||
+sed -n '/^```cpp$/,/^```$/p' "$root/README.md" | sed '1d;$d' | diff - <(sed 1,2d "$root/samples/plugin/shadow.cpp") ||
   complain "its plugin is not samples/plugin/shadow.cpp"
 while IFS= read -r line; do
   grep -qxF -- "$line" "$root/README.md" || complain "lacks the line of src/CMakeLists.txt: $line"
