@@ -16,13 +16,13 @@ Scene boxes(int n) {
   Scene scene;
   Random random;
   for (int i = 0; i < n; ++i) {
-    Point least{}, most{};
+    Point min{}, max{};
     for (int k = 0; k < 3; ++k) {
       const double middle = random.between(0, 100), half = random.between(side / 4, side * 3 / 4);
-      least[k] = middle - half;
-      most[k] = middle + half;
+      min[k] = middle - half;
+      max[k] = middle + half;
     }
-    add_box(scene, least, most);
+    add_box(scene, min, max);
   }
   return scene;
 }

@@ -51,10 +51,10 @@ void turn_to_isometric_view(std::vector<Vec3>& points) {
   for (Vec3& p : points) p = {glm::dot(p, right), glm::dot(p, up), glm::dot(p, viewer)};
 }
 
-std::string path_of(const std::vector<Segment>& segments, const Vec2& least, double scale, double height) {
+std::string path_of(const std::vector<Segment>& segments, const Vec2& min, double scale, double height) {
   std::string d;
   const auto add = [&](char command, const Vec2& p) {
-    d += command + format_fixed((p.x - least.x) * scale, 3) + ' ' + format_fixed(height - (p.y - least.y) * scale, 3);
+    d += command + format_fixed((p.x - min.x) * scale, 3) + ' ' + format_fixed(height - (p.y - min.y) * scale, 3);
   };
   for (const Segment& segment : segments) {
     add('M', segment[0]);
@@ -65,16 +65,16 @@ std::string path_of(const std::vector<Segment>& segments, const Vec2& least, dou
 
 std::string svg_of(const bench::Drawn& drawn) {
   constexpr double width = 277;
-  Vec2 least(HUGE_VAL, HUGE_VAL), most(-HUGE_VAL, -HUGE_VAL);
+  Vec2 min(HUGE_VAL, HUGE_VAL), max(-HUGE_VAL, -HUGE_VAL);
   for (const auto* segments : {&drawn.visible, &drawn.hidden})
     for (const Segment& segment : *segments)
       for (const Vec2& p : segment) {
-        least = glm::min(least, p);
-        most = glm::max(most, p);
+        min = glm::min(min, p);
+        max = glm::max(max, p);
       }
-  const double scale = width / (most.x - least.x), height = (most.y - least.y) * scale;
+  const double scale = width / (max.x - min.x), height = (max.y - min.y) * scale;
   const auto layer = [&](const char* style, const std::vector<Segment>& segments) {
-    return "<path fill='none' stroke='black' " + std::string(style) + " d='" + path_of(segments, least, scale, height) +
+    return "<path fill='none' stroke='black' " + std::string(style) + " d='" + path_of(segments, min, scale, height) +
            "'/>\n";
   };
   return "<svg xmlns='http://www.w3.org/2000/svg' width='277mm' height='" + format_fixed(height, 3) +
@@ -105,13 +105,13 @@ void draw(const char* model, const char* file) {
 int main(int argc, char** argv) {
   if (argc != 3) {
     std::fputs("usage: occ MODEL FILE.svg\n", stderr);
-    return static_cast<int>(Trouble::input);
+    return static_cast<int>(ErrorKind::input);
   }
   try {
     draw(argv[1], argv[2]);
     return 0;
   } catch (const Error& error) {
     std::fprintf(stderr, "occ: %s\n", error.what());
-    return static_cast<int>(error.trouble());
+    return static_cast<int>(error.kind());
   }
 }

@@ -15,21 +15,20 @@ void append(std::string& bytes, Value value) {
 
 }  // namespace
 
-void add_box(Scene& scene, const Point& least, const Point& most) {
+void add_box(Scene& scene, const Point& min, const Point& max) {
   std::array<int, 8> v{};
   for (int i = 0; i < 8; ++i)
-    v[i] = scene.add((i & 1) != 0 ? most[0] : least[0], (i & 2) != 0 ? most[1] : least[1],
-                     (i & 4) != 0 ? most[2] : least[2]);
+    v[i] = scene.add((i & 1) != 0 ? max[0] : min[0], (i & 2) != 0 ? max[1] : min[1], (i & 4) != 0 ? max[2] : min[2]);
   for (const auto& f : std::array<std::array<int, 4>, 6>{
            {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}})
     scene.quad(v[f[0]], v[f[1]], v[f[2]], v[f[3]]);
 }
 
-void add_rectangle(Scene& scene, const std::array<double, 2>& least, const std::array<double, 2>& most, double z) {
-  const int first = scene.add(least[0], least[1], z);
-  scene.add(most[0], least[1], z);
-  scene.add(most[0], most[1], z);
-  scene.add(least[0], most[1], z);
+void add_rectangle(Scene& scene, const std::array<double, 2>& min, const std::array<double, 2>& max, double z) {
+  const int first = scene.add(min[0], min[1], z);
+  scene.add(max[0], min[1], z);
+  scene.add(max[0], max[1], z);
+  scene.add(min[0], max[1], z);
   scene.quad(first, first + 1, first + 2, first + 3);
 }
 

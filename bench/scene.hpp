@@ -26,10 +26,10 @@ struct Scene {
 };
 
 /// The box between two corners, seen from outside counter-clockwise.
-void add_box(Scene& scene, const Point& least, const Point& most);
+void add_box(Scene& scene, const Point& min, const Point& max);
 
 /// A rectangle at one height, seen from above counter-clockwise.
-void add_rectangle(Scene& scene, const std::array<double, 2>& least, const std::array<double, 2>& most, double z);
+void add_rectangle(Scene& scene, const std::array<double, 2>& min, const std::array<double, 2>& max, double z);
 
 /// The same sequence everywhere: the linear congruential generator of Numerical Recipes, second edition, 7.1.
 class Random {
@@ -41,7 +41,7 @@ class Random {
     const double high = bits();
     return (high + bits() / 65536.0) / 65536;
   }
-  double between(double least, double most) { return least + (most - least) * number(); }
+  double between(double min, double max) { return min + (max - min) * number(); }
 
  private:
   std::uint32_t state_ = 1;

@@ -15,7 +15,7 @@ int usage() {
   std::fputs("usage: scenes KIND N FILE\n", stderr);
   for (const bench::Generator& generator : bench::all_scenes())
     std::fprintf(stderr, "  %-8s %s\n", generator.name.data(), generator.summary.data());
-  return static_cast<int>(Trouble::input);
+  return static_cast<int>(ErrorKind::input);
 }
 
 int write_scene(std::string_view kind, std::string_view size, const char* file) {
@@ -35,6 +35,6 @@ int main(int argc, char** argv) {
     return argc == 4 ? write_scene(argv[1], argv[2], argv[3]) : usage();
   } catch (const Error& error) {
     std::fprintf(stderr, "scenes: %s\n", error.what());
-    return static_cast<int>(error.trouble());
+    return static_cast<int>(error.kind());
   }
 }

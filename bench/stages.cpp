@@ -19,7 +19,7 @@
 #include "mesh/read.hpp"
 #include "output/write.hpp"
 #include "sheet/view_lines.hpp"
-#include "view/view.hpp"
+#include "view/projected_scene.hpp"
 #include "visibility/visibility.hpp"
 
 namespace {
@@ -39,8 +39,8 @@ Projection isometric() {
 
 World world_of(const Mesh& mesh) { return make_world({{std::make_shared<const Mesh>(mesh), Mat4(1.0)}}); }
 
-constexpr EdgeWishes mesh_edges{.intersection = false};
-constexpr EdgeWishes intersections{.contour = false, .boundary = false, .crease = false};
+constexpr EdgeOptions mesh_edges{.intersection = false};
+constexpr EdgeOptions intersections{.contour = false, .boundary = false, .crease = false};
 
 /// What each stage hands to the next.
 struct Run {
@@ -52,14 +52,14 @@ struct Run {
         view(make_view(world, isometric(), {})),
         seen(view),
         contact(contact_of(world, seen, {})),
-        drawn(find_drawn_edges(world, seen, {}, contact_in_space(world, seen, {}))),
+        drawn(find_feature_edges(world, seen, {}, contact_in_space(world, seen, {}))),
         hidden(find_hidden(world, seen, drawn, contact)),
-        placement(place_ink(drawn_box(seen).least, drawn_box(seen).most, {}, {})),
+        placement(place_ink(drawn_box(seen).min, drawn_box(seen).max, {}, {})),
         paper(make_paper_map(seen, placement.scale, placement.shift)),
         drawing(draw()),
         sheet{placement.paper.width, placement.paper.height, {}, layers()} {}
 
-  [[nodiscard]] Drawing draw() const {
+  [[nodiscard]] ViewDrawing draw() const {
     return make_drawing(world, seen, drawn, hidden, contact, paper, {"isometric", true});
   }
 
@@ -69,14 +69,14 @@ struct Run {
   Soup soup;
   Mesh mesh;
   World world;
-  View view;  ///< before edges add their points
-  View seen;
+  ProjectedScene view;  ///< before edges add their points
+  ProjectedScene seen;
   Contact contact;
-  DrawnEdges drawn;
+  FeatureEdges drawn;
   HiddenSpans hidden;
   Placement placement;
   PaperMap paper;
-  Drawing drawing;
+  ViewDrawing drawing;
   Sheet sheet;
 };
 
@@ -92,12 +92,12 @@ struct Case {
   }
 };
 
-void find_edges(benchmark::State& state, const Run& run, const EdgeWishes& wishes) {
+void find_edges(benchmark::State& state, const Run& run, const EdgeOptions& wishes) {
   for (auto _ : state) {
     state.PauseTiming();
-    View view = run.view;
+    ProjectedScene view = run.view;
     state.ResumeTiming();
-    DoNotOptimize(find_drawn_edges(run.world, view, wishes, contact_in_space(run.world, view, {})));
+    DoNotOptimize(find_feature_edges(run.world, view, wishes, contact_in_space(run.world, view, {})));
   }
 }
 
@@ -149,7 +149,7 @@ std::shared_ptr<Case> case_of(std::string_view kind, std::string_view size) {
       return std::make_shared<Case>(Case{std::string(kind) + "-" + std::string(size),
                                          [make = generator.make, n = static_cast<int>(*n)] { return make(n); },
                                          nullptr});
-  throw Error(Trouble::input, "stages", "no scene '" + std::string(kind) + " " + std::string(size) + "'");
+  throw Error(ErrorKind::input, "stages", "no scene '" + std::string(kind) + " " + std::string(size) + "'");
 }
 
 }  // namespace
@@ -159,13 +159,13 @@ int main(int argc, char** argv) {
     benchmark::Initialize(&argc, argv);
     std::vector<std::string_view> scenes(argv + 1, argv + argc);
     if (scenes.empty()) scenes = {"sphere", "100000", "torus", "100000", "plate", "16", "gears", "6", "city", "60"};
-    if (scenes.size() % 2 != 0) throw Error(Trouble::input, "stages", "wants pairs of KIND and N");
+    if (scenes.size() % 2 != 0) throw Error(ErrorKind::input, "stages", "wants pairs of KIND and N");
     for (std::size_t i = 0; i < scenes.size(); i += 2) register_stages(case_of(scenes[i], scenes[i + 1]));
     benchmark::RunSpecifiedBenchmarks();
     benchmark::Shutdown();
     return 0;
   } catch (const Error& error) {
     std::fprintf(stderr, "%s\n", error.what());
-    return static_cast<int>(error.trouble());
+    return static_cast<int>(error.kind());
   }
 }

@@ -42,13 +42,13 @@ int main(int argc, char** argv) {
   const auto steps = argc == 4 ? parse_integer(argv[2]) : std::nullopt;
   if (!steps || *steps < 0 || *steps > 10) {
     std::fputs("usage: subdivide MODEL STEPS FILE.ply\n", stderr);
-    return static_cast<int>(Trouble::input);
+    return static_cast<int>(ErrorKind::input);
   }
   try {
     write_file(argv[3], bench::ply_bytes(subdivided(read_mesh(argv[1]).surface, static_cast<int>(*steps))));
     return 0;
   } catch (const Error& error) {
     std::fprintf(stderr, "subdivide: %s\n", error.what());
-    return static_cast<int>(error.trouble());
+    return static_cast<int>(error.kind());
   }
 }

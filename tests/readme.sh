@@ -26,7 +26,7 @@ for block in block*.sh; do
   # The two big commands would run this test again: that they are there is enough.
   if ! grep -vqE '^(samples/draw|tests/run)( |$)' "$block"; then
     while read -r program _; do
-      [ -x "$root/$program" ] || complain "$program is no program"
+      [ -x "$root/$program" ] || complain "$program is not a program"
     done <"$block"
   elif ! bash -euo pipefail "$block" >log 2>&1; then
     complain "this block fails:"

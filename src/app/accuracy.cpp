@@ -133,17 +133,17 @@ class Study {
       const CutSection* section = section_of(sections, sheet.descriptions[i]);
       return section == nullptr ? whole : section->cut.world;
     };
-    std::vector<View> views;
+    std::vector<ProjectedScene> views;
     for (std::size_t i = 0; i < sheet.plans.size(); ++i)
-      views.push_back(look_at(world(i), sheet.plans[i], sheet.descriptions[i]));
+      views.push_back(project_scene(world(i), sheet.plans[i], sheet.descriptions[i]));
     const std::vector<Annotations> annotations =
         annotate(scene.description, sheet.sheet, sheet.descriptions, views, sections);
     const SheetPlan plan = plan_sheet(whole, scene.description, sheet.sheet, sheet.descriptions, views, annotations);
     for (std::size_t i = 0; i < views.size(); ++i) {
-      const ViewWish& wish = sheet.plans[i].wish;
+      const ViewOptions& wish = sheet.plans[i].wish;
       const PaperMap paper = make_paper_map(views[i], plan.places[i].scale, plan.places[i].shift);
-      const DrawnEdges drawn = find_drawn_edges(world(i), views[i], wish.edges,
-                                                contact_in_space(world(i), views[i], wish.contact), progress_);
+      const FeatureEdges drawn = find_feature_edges(world(i), views[i], wish.edges,
+                                                    contact_in_space(world(i), views[i], wish.contact), progress_);
       const StudiedView studied{
           std::filesystem::path(scene.path).stem().string(), wish.name, world(i), views[i], wish.limits, drawn,
           contact_of(world(i), views[i], wish.contact),      paper};

@@ -41,7 +41,7 @@ std::vector<ProjectionEntry> entries_of(const CheckPluginOptions& options) {
   try {
     return read_plugin_apart(options.file, Afterwards::waits, options.time_limit);
   } catch (const Error& error) {
-    throw Error(Trouble::plugin, options.file.string(), error.what(), "docs/plugins.md tells what is expected");
+    throw Error(ErrorKind::plugin, options.file.string(), error.what(), "docs/plugins.md tells what is expected");
   }
 }
 

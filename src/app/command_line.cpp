@@ -40,7 +40,7 @@ Command parse_command_line(int argc, char** argv) {
   }
   for (const DefinedCommand& defined : commands)
     if (defined.app == &chosen_command(app)) return defined.command();
-  throw Error(Trouble::input, "", "names no command", "see 'epura --help'");
+  throw Error(ErrorKind::input, "", "names no command", "see 'epura --help'");
 }
 
 }  // namespace epura

@@ -61,7 +61,7 @@ CLI::Option* add(CLI::App& app, const OptionInfo& option) {
 // "--dimensions -o x.pdf" lacks a value.
 void refuse_option_as_value(const CLI::App& app, const std::string& name, const std::string& text) {
   if (text.size() > 1 && text.starts_with('-') && app.get_option_no_throw(text) != nullptr)
-    throw Error(Trouble::input, name, "wants a value, and '" + text + "' is an option", "write " + name + "=VALUE");
+    throw Error(ErrorKind::input, name, "wants a value, and '" + text + "' is an option", "write " + name + "=VALUE");
 }
 
 }  // namespace
@@ -104,12 +104,13 @@ void refuse_wrong_use(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App* command = &chosen_command(app);
   for (const std::string& extra : command->remaining(true)) {
     if (extra.starts_with("-"))
-      throw Error(Trouble::input, "", "there is no option '" + extra + "'", did_you_mean(extra, long_names(*command)));
+      throw Error(ErrorKind::input, "", "there is no option '" + extra + "'",
+                  did_you_mean(extra, long_names(*command)));
     if (command == &app)
-      throw Error(Trouble::input, "", "there is no command '" + extra + "'",
+      throw Error(ErrorKind::input, "", "there is no command '" + extra + "'",
                   did_you_mean(extra, names_of_commands(app)));
   }
-  throw Error(Trouble::input, "command line", error.what(),
+  throw Error(ErrorKind::input, "command line", error.what(),
               "see 'epura " + (command == &app ? "" : command->get_name() + " ") + "--help'");
 }
 

@@ -31,7 +31,7 @@ std::vector<Target> overlay_targets(const std::string& path) {
   options.outputs = {path};
   std::vector<Target> targets = targets_of(options);
   if (path == "-" || targets.front().format == Format::json)
-    throw Error(Trouble::input, "--overlay " + path, "is no picture", "name an .svg, .png or .html file");
+    throw Error(ErrorKind::input, "--overlay " + path, "is not a picture", "name an .svg, .png or .html file");
   return targets;
 }
 

@@ -50,7 +50,7 @@ std::size_t terminal_width() {
 }
 
 [[noreturn]] void refuse(const std::string& what, const std::string& remedy) {
-  throw Error(Trouble::input, "this process", what, remedy);
+  throw Error(ErrorKind::input, "this process", what, remedy);
 }
 void put(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
 
@@ -113,7 +113,7 @@ void Console::give_up_when_over() {
   std::unique_lock files(board_.ending(), patience);
   const Error error = nothing_drawn(board_.standing().stage);
   print("epura: " + std::string(error.what()) + "\n  hint: " + error.hint() + "\n");
-  ::_exit(static_cast<int>(error.trouble()));
+  ::_exit(static_cast<int>(error.kind()));
 }
 
 void Console::draw_line() {

@@ -39,7 +39,7 @@ DefinedCommand answering(CLI::App* app, const Options<Part>& options, const Answ
 }
 
 std::string script_for(const WordOptions& options) {
-  if (options.shell.empty()) throw Error(Trouble::input, "completion", "names no shell", joined(shells()));
+  if (options.shell.empty()) throw Error(ErrorKind::input, "completion", "names no shell", joined(shells()));
   return completion_script(options.shell);
 }
 

@@ -23,7 +23,7 @@ bool is_scene_file(const std::string& path) {
 std::vector<ModelDescription> models_of(const DrawOptions& options) {
   const std::size_t transforms = options.transforms.size();
   if (transforms > 1 && transforms != options.models.size())
-    throw Error(Trouble::input, "--transform", "is given neither once nor once for each model");
+    throw Error(ErrorKind::input, "--transform", "is given neither once nor once for each model");
   std::vector<ModelDescription> models(options.models.size(), options.model);
   for (std::size_t i = 0; i < models.size(); ++i) {
     models[i].file = {options.models[i], options.models[i]};
@@ -42,15 +42,15 @@ std::vector<ViewDescription> views_of(const DrawOptions& options) {
 SceneDescription described_by_file(const DrawOptions& options) {
   const std::string& file = options.models.front();
   if (options.models.size() > 1)
-    throw Error(Trouble::input, file, "is a scene file and stands beside other models",
+    throw Error(ErrorKind::input, file, "is a scene file and stands beside other models",
                 "name the models in the scene file, or leave it out");
   if (!options.transforms.empty() || options.model.unit.given() || options.model.up.given())
-    throw Error(Trouble::input, file, "--transform, --unit and --up are for models that the command line names",
+    throw Error(ErrorKind::input, file, "--transform, --unit and --up are for models that the command line names",
                 "say it in the [[model]] of the scene file");
   SceneDescription scene = read_scene_file(file);
   std::vector<ViewDescription> views = views_of(options);
   if (!views.empty() && !scene.views.empty())
-    throw Error(Trouble::input, file, "has views of its own",
+    throw Error(ErrorKind::input, file, "has views of its own",
                 "leave out --views and --projection, or the views of the scene file");
   if (!views.empty()) scene.views = std::move(views);
   return scene;
@@ -58,7 +58,7 @@ SceneDescription described_by_file(const DrawOptions& options) {
 
 void cut_by_option(SceneDescription& scene, const Located<SectionDescription>& section) {
   if (scene.views.size() > 1 || !scene.sections.empty())
-    throw Error(Trouble::input, section.where, "is for a single view and a scene without sections of its own",
+    throw Error(ErrorKind::input, section.where, "is for a single view and a scene without sections of its own",
                 "write a [[section]] into the scene file and name it in the [[view]] that shows it");
   scene.sections.push_back(*section);
   scene.views.front().section = section->name;

@@ -27,17 +27,18 @@ bool want_drawings(const std::vector<Target>& targets) {
 void expect_outputs(const DrawOptions& options) {
   const bool asked = !options.run.why.empty() || options.run.dump || options.run.explain;
   if (!asked && options.outputs.empty())
-    throw Error(Trouble::input, "command line", "--output is required", "see 'epura draw --help'");
+    throw Error(ErrorKind::input, "command line", "--output is required", "see 'epura draw --help'");
   if (asked && std::find(options.outputs.begin(), options.outputs.end(), "-") != options.outputs.end())
-    throw Error(Trouble::input, "--output -", "leaves no standard output to answer --why, --dump and explain",
+    throw Error(ErrorKind::input, "--output -", "leaves no standard output to answer --why, --dump and explain",
                 "write the drawing to a file");
   if (options.measure && options.run.time_limit)
-    throw Error(Trouble::input, "--measure", "draws several times, and knows no --time-limit", "leave out one of them");
+    throw Error(ErrorKind::input, "--measure", "draws several times, and knows no --time-limit",
+                "leave out one of them");
 }
 
 // The whole run once more, from reading on, by other certificates.
 std::string draw_again(const DrawOptions& options, const SceneDescription& scene, std::vector<Target> targets,
-                       const LeaveOut& leave_out) {
+                       const Shortcuts& leave_out) {
   RunOptions again = options.run;
   again.plan = leave_out;
   again.verify = again.explain = false;
@@ -105,7 +106,7 @@ DrawnFiles draw_within(const DrawOptions& options, const Messages& messages, Pro
   Report& report = drawn.report;
   estimate_savings(report.plan);
   if (options.measure) {
-    const auto again = [&](const LeaveOut& other) { return draw_again(options, scene, targets, other); };
+    const auto again = [&](const Shortcuts& other) { return draw_again(options, scene, targets, other); };
     measure_savings(report.plan, run.plan, again);
   }
   if (run.explain) drawn.answers += explanation(report, formats_step(targets));

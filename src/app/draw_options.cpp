@@ -37,16 +37,16 @@ ValueKind<double> curve_tolerance() {
             const std::string text = read_text(value);
             const auto tolerance = parse_number(text);
             if (!tolerance || !(*tolerance > 0 && *tolerance <= 1))
-              refuse(value, "'" + text + "' is no tolerance", "more than 0 and at most 1 mm are possible");
+              refuse(value, "'" + text + "' is not a tolerance", "more than 0 and at most 1 mm are possible");
             return *tolerance;
           }};
 }
 
-ValueKind<LeaveOut> certificate_names() {
+ValueKind<Shortcuts> certificate_names() {
   ValueForm form{"list of texts", "NAMES", {"all", "none"}};
-  for (const auto& [name, member] : certificates()) form.words.push_back(name);
+  for (const auto& [name, member] : shortcut_names()) form.words.push_back(name);
   form.is_list = true;
-  return {std::move(form), [](const TomlValue& value) { return parse_leave_out(read_text(value)); }};
+  return {std::move(form), [](const TomlValue& value) { return parse_shortcuts(read_text(value)); }};
 }
 
 void add_views(Draw& draw, const TomlValue& value) {

@@ -27,9 +27,9 @@ DrawOptions options_of(const Request& request) {
   for (std::string& argument : arguments) pointers.push_back(argument.data());
   const Command command = parse_command_line(static_cast<int>(pointers.size()), pointers.data());
   const auto* options = std::get_if<DrawOptions>(&command);
-  if (options == nullptr) throw Error(Trouble::input, "options", "ask for help, which only the program gives");
+  if (options == nullptr) throw Error(ErrorKind::input, "options", "ask for help, which only the program gives");
   for (const std::string& output : options->outputs)
-    if (output == "-") throw Error(Trouble::input, "outputs", "'-' is no file", "name a file and its extension");
+    if (output == "-") throw Error(ErrorKind::input, "outputs", "'-' is not a file", "name a file and its extension");
   return *options;
 }
 
@@ -54,7 +54,7 @@ Result draw(const Request& request) {
   try {
     return run(request);
   } catch (const Error& error) {
-    throw Failure(static_cast<Failure::Kind>(error.trouble()), error.what(), error.hint());
+    throw Failure(static_cast<Failure::Kind>(error.kind()), error.what(), error.hint());
   }
 }
 

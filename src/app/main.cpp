@@ -41,12 +41,12 @@ int main(int argc, char** argv) {
   try {
     const int code = run(argc, argv);
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-      throw epura::Error(epura::Trouble::output, "standard output", "cannot be written");
+      throw epura::Error(epura::ErrorKind::output, "standard output", "cannot be written");
     return code;
   } catch (const epura::Error& error) {
     std::fprintf(stderr, "epura: %s\n", epura::printable(error.what()).c_str());
     if (!error.hint().empty()) std::fprintf(stderr, "  hint: %s\n", epura::printable(error.hint()).c_str());
-    return static_cast<int>(error.trouble());
+    return static_cast<int>(error.kind());
   } catch (const std::bad_alloc&) {
     std::fputs("epura: not enough memory for this model\n", stderr);
     return 2;

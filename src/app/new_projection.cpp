@@ -51,13 +51,13 @@ std::string renamed(const char* skeleton, const std::string& name) {
 int new_projection(const NewProjectionOptions& options) {
   const std::string& name = options.name;
   if (!is_projection_name(name))
-    throw Error(Trouble::input, "'" + name + "'", "is no name of a projection", "lower case, digits and '-'");
+    throw Error(ErrorKind::input, "'" + name + "'", "is not a name of a projection", "lower case, digits and '-'");
   const fs::path folder = name;
   std::error_code error;
   if (fs::exists(fs::symlink_status(folder, error)))
-    throw Error(Trouble::input, name, "exists already", "choose another name, or remove it");
+    throw Error(ErrorKind::input, name, "exists already", "choose another name, or remove it");
   if (!fs::create_directory(folder, error))
-    throw Error(Trouble::output, name, "no folder can be made: " + error.message());
+    throw Error(ErrorKind::output, name, "no folder can be made: " + error.message());
   write_file(folder / (name + ".cpp"), renamed(skeleton_source, name));
   write_file(folder / "CMakeLists.txt", renamed(skeleton_build, name));
   std::fputs(replaced(next_steps, "NAME", name).c_str(), stdout);

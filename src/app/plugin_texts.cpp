@@ -22,9 +22,9 @@ std::string range_text(const Parameter& parameter) {
     return text;
   }
   const std::string kind = parameter.initial.size() == 1 ? "" : std::to_string(parameter.initial.size()) + " numbers";
-  const bool bounded = std::isfinite(parameter.least) || std::isfinite(parameter.most);
+  const bool bounded = std::isfinite(parameter.min) || std::isfinite(parameter.max);
   if (!bounded) return kind;
-  return kind + (kind.empty() ? "" : " ") + format_number(parameter.least) + ".." + format_number(parameter.most);
+  return kind + (kind.empty() ? "" : " ") + format_number(parameter.min) + ".." + format_number(parameter.max);
 }
 
 }  // namespace

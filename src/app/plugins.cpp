@@ -73,7 +73,7 @@ int list(const std::vector<std::filesystem::path>& folders) {
   for (const BadPlugin& bad : catalogue.bad)
     std::fprintf(stderr, "epura: %s: %s\n", printable(bad.path.string()).c_str(), bad.reason.c_str());
   if (!catalogue.entries.empty()) return 0;
-  throw Error(Trouble::plugin, "plugins", "none found", "name their folder with --plugin-path or $EPURA_PLUGIN_PATH");
+  throw Error(ErrorKind::plugin, "plugins", "none found", "name their folder with --plugin-path or $EPURA_PLUGIN_PATH");
 }
 
 }  // namespace

@@ -87,7 +87,7 @@ void refuse_overwriting(const std::vector<std::string>& outputs, const std::vect
     const auto [other, is_free] = taken.insert({identity, {output, "output"}});
     const auto& [name, role] = other->second;
     if (!is_free)
-      throw Error(Trouble::input, output,
+      throw Error(ErrorKind::input, output,
                   name != output ? "is the " + role + " " + name + " by another name"
                                  : "is named twice, the other time as " + role,
                   "write to another file");
@@ -97,16 +97,16 @@ void refuse_overwriting(const std::vector<std::string>& outputs, const std::vect
 std::vector<Target> targets_of(const DrawOptions& options) {
   const std::vector<std::string>& paths = options.outputs;
   if (!options.format.empty() && std::find(paths.begin(), paths.end(), "-") == paths.end())
-    throw Error(Trouble::input, "--format", "is for standard output, and nothing is written there",
+    throw Error(ErrorKind::input, "--format", "is for standard output, and nothing is written there",
                 "write '-o -'; the format of a file is its extension");
   std::vector<Target> targets;
   for (const std::string& path : paths) {
     std::string extension = path == "-" ? options.format : std::filesystem::path(path).extension().string();
     if (extension.starts_with(".")) extension.erase(0, 1);
     const auto format = format_of(extension);
-    if (!format && path == "-") throw Error(Trouble::input, "--output -", "wants --format", format_hint(extension));
+    if (!format && path == "-") throw Error(ErrorKind::input, "--output -", "wants --format", format_hint(extension));
     if (!format)
-      throw Error(Trouble::input, path,
+      throw Error(ErrorKind::input, path,
                   extension.empty() ? "has no extension to tell the format" : "has an unknown format",
                   format_hint(extension));
     targets.push_back({path, *format});
@@ -121,7 +121,7 @@ std::vector<FileBytes> encode_all(const std::vector<Target>& targets, std::span<
   for (const Target& target : targets) {
     const bool one_each = sheets.size() > 1 && !has_pages(target.format);
     if (one_each && target.path == "-")
-      throw Error(Trouble::input, "--output -", "takes one sheet, and there are " + std::to_string(sheets.size()),
+      throw Error(ErrorKind::input, "--output -", "takes one sheet, and there are " + std::to_string(sheets.size()),
                   "write PDF, or to a file");
     const std::vector<std::string> paths = files_of(target, sheets.size());
     for (std::size_t i = 0; i < paths.size(); ++i)
@@ -135,7 +135,7 @@ std::vector<FileBytes> encode_all(const std::vector<Target>& targets, std::span<
 void write(const FileBytes& file, Progress progress) {
   if (file.path != "-") return write_file(file.path, file.bytes, progress);
   if (std::fwrite(file.bytes.data(), 1, file.bytes.size(), stdout) != file.bytes.size() || std::fflush(stdout) != 0)
-    throw Error(Trouble::output, "standard output", "cannot be written");
+    throw Error(ErrorKind::output, "standard output", "cannot be written");
 }
 
 }  // namespace epura

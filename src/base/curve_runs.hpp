@@ -21,7 +21,7 @@ struct CurveRun {
 template <class Curve, class Fit>
 void grow(CurveRun<Curve>& run, int CurveRun<Curve>::*end, int limit, const Fit& fit) {
   constexpr double much_worse = 5, rounding = 0.02;
-  const double most = std::max(much_worse * run.curve.deviation, rounding * run.curve.tolerance);
+  const double max = std::max(much_worse * run.curve.deviation, rounding * run.curve.tolerance);
   const int sign = limit < run.*end ? -1 : 1;
   bool growing = true;
   for (int step = 1; step > 0; step = growing ? 2 * step : step / 2) {
@@ -29,7 +29,7 @@ void grow(CurveRun<Curve>& run, int CurveRun<Curve>::*end, int limit, const Fit&
     longer.*end += sign * step;
     const bool inside = sign * (limit - longer.*end) >= 0;
     auto curve = inside ? fit(longer.first, longer.last) : std::nullopt;
-    if (curve && curve->deviation > most) curve = std::nullopt;
+    if (curve && curve->deviation > max) curve = std::nullopt;
     growing = growing && curve;
     if (!curve) continue;
     longer.curve = *curve;
@@ -38,7 +38,7 @@ void grow(CurveRun<Curve>& run, int CurveRun<Curve>::*end, int limit, const Fit&
 }
 
 /// Runs as long as possible, ascending; they share no more than end points.
-///   window(first, most) -> int                last point of the shortest run from `first` worth fitting, or `most`
+///   window(first, most) -> int                last point of the shortest run from `first` worth fitting, or `max`
 ///   fit(first, last) -> std::optional<Curve>  the curve through all these points, if there is one
 /// Point numbers given to both may be negative or beyond the end of a closed polyline. After a failure the next try
 /// begins a sixteenth of the window later, so O(n log n) points are looked at.
@@ -50,16 +50,16 @@ std::vector<CurveRun<Curve>> find_curve_runs(int points, bool closed, const Wind
     if (const auto whole = fit(0, points)) return {{0, points, *whole}};
 
   // Around a closed polyline until the first run begins again.
-  const auto most = [&](int at) { return !closed ? points - 1 : (runs.empty() ? at : runs.front().first) + points; };
-  for (int at = 0; at < std::min(points, most(at));) {
-    const int last = window(at, most(at));
+  const auto max = [&](int at) { return !closed ? points - 1 : (runs.empty() ? at : runs.front().first) + points; };
+  for (int at = 0; at < std::min(points, max(at));) {
+    const int last = window(at, max(at));
     const auto curve = fit(at, last);
     if (!curve) {
       at += (last - at) / tries_a_window + 1;
       continue;
     }
     CurveRun<Curve> run{at, last, *curve};
-    grow(run, &CurveRun<Curve>::last, most(at), fit);
+    grow(run, &CurveRun<Curve>::last, max(at), fit);
     grow(run, &CurveRun<Curve>::first, !runs.empty() ? runs.back().last : closed ? run.last - points : 0, fit);
     at = run.last;
     runs.push_back(run);

@@ -15,11 +15,8 @@ std::string sentence_of(const std::string& where, const std::string& what) {
 
 }  // namespace
 
-Error::Error(Trouble trouble, std::string where, std::string what, std::string hint)
-    : std::runtime_error(sentence_of(where, what)),
-      trouble_(trouble),
-      where_(std::move(where)),
-      hint_(std::move(hint)) {}
+Error::Error(ErrorKind kind, std::string where, std::string what, std::string hint)
+    : std::runtime_error(sentence_of(where, what)), trouble_(kind), where_(std::move(where)), hint_(std::move(hint)) {}
 
 void check(bool condition, const char* sentence) {
   if (condition) return;

@@ -8,19 +8,19 @@
 namespace epura {
 
 /// What kind of trouble it is; the value is the exit code of the program.
-enum class Trouble { input = 2, plugin = 3, output = 4, time = 5 };
+enum class ErrorKind { input = 2, plugin = 3, output = 4, time = 5 };
 
 /// Names the place (file:line, an option, a plugin), the reason and, where there is one, the remedy.
 class Error : public std::runtime_error {
  public:
-  Error(Trouble trouble, std::string where, std::string what, std::string hint = {});
+  Error(ErrorKind kind, std::string where, std::string what, std::string hint = {});
 
-  [[nodiscard]] Trouble trouble() const { return trouble_; }
+  [[nodiscard]] ErrorKind kind() const { return trouble_; }
   [[nodiscard]] const std::string& where() const { return where_; }
   [[nodiscard]] const std::string& hint() const { return hint_; }
 
  private:
-  Trouble trouble_;
+  ErrorKind trouble_;
   std::string where_;
   std::string hint_;
 };

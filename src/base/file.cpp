@@ -43,17 +43,17 @@ class Descriptor {
   int number_;
 };
 
-[[noreturn]] void fail(Trouble trouble, const fs::path& path, const std::string& action, int number) {
+[[noreturn]] void fail(ErrorKind kind, const fs::path& path, const std::string& action, int number) {
   std::string hint;
-  if (number == ENOENT) hint = trouble == Trouble::input ? "check the path" : "make the folder first";
+  if (number == ENOENT) hint = kind == ErrorKind::input ? "check the path" : "make the folder first";
   if (number == EACCES || number == EROFS) hint = "check the permissions of the file and its folder";
-  throw Error(trouble, path.string(), "cannot " + action + ": " + std::strerror(number), hint);
+  throw Error(kind, path.string(), "cannot " + action + ": " + std::strerror(number), hint);
 }
 
 // Git keeps the bytes of such a file elsewhere.
 void refuse_pointer(const fs::path& path, std::string_view bytes) {
   if (bytes.starts_with("version https://git-lfs.github.com/spec/"))
-    throw Error(Trouble::input, path.string(), "is a Git LFS pointer; the file that it stands for is not there",
+    throw Error(ErrorKind::input, path.string(), "is a Git LFS pointer; the file that it stands for is not there",
                 "run git lfs pull");
 }
 
@@ -69,8 +69,8 @@ bool write_all(int descriptor, std::string_view bytes) {
 
 void write_directly(const fs::path& path, std::string_view bytes) {
   Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
-  if (file.number() < 0) fail(Trouble::output, path, "write", errno);
-  if (!write_all(file.number(), bytes) || !file.close()) fail(Trouble::output, path, "write", errno);
+  if (file.number() < 0) fail(ErrorKind::output, path, "write", errno);
+  if (!write_all(file.number(), bytes) || !file.close()) fail(ErrorKind::output, path, "write", errno);
 }
 
 // The mode of the old file, or what any new file would get.
@@ -149,16 +149,16 @@ std::string identity_of_file(const fs::path& path) {
 
 std::string read_file(const fs::path& path, const Progress& progress, std::uintmax_t most_bytes) {
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY));
-  if (file.number() < 0) fail(Trouble::input, path, "read", errno);
+  if (file.number() < 0) fail(ErrorKind::input, path, "read", errno);
   struct stat status {};
-  if (::fstat(file.number(), &status) != 0) fail(Trouble::input, path, "read", errno);
-  if (S_ISDIR(status.st_mode)) throw Error(Trouble::input, path.string(), "is a directory, not a file");
+  if (::fstat(file.number(), &status) != 0) fail(ErrorKind::input, path, "read", errno);
+  if (S_ISDIR(status.st_mode)) throw Error(ErrorKind::input, path.string(), "is a directory, not a file");
   if (!S_ISREG(status.st_mode) && !S_ISFIFO(status.st_mode))
-    throw Error(Trouble::input, path.string(), "is a device, not a file");
+    throw Error(ErrorKind::input, path.string(), "is a device, not a file");
   if (S_ISFIFO(status.st_mode)) most_bytes = std::min(most_bytes, most_bytes_of_pipe);
   const auto expect_at_most = [&](std::uintmax_t size) {
     if (size > most_bytes)
-      throw Error(Trouble::input, path.string(), "has more than " + std::to_string(most_bytes / 1'000'000) + " MB",
+      throw Error(ErrorKind::input, path.string(), "has more than " + std::to_string(most_bytes / 1'000'000) + " MB",
                   "is it the right file?");
   };
   expect_at_most(static_cast<std::uintmax_t>(status.st_size));
@@ -171,7 +171,7 @@ std::string read_file(const fs::path& path, const Progress& progress, std::uintm
     if (filled == bytes.size()) bytes.resize(2 * filled + 65536);
     const ssize_t got = ::read(file.number(), bytes.data() + filled, std::min(bytes.size() - filled, most_at_once));
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) fail(Trouble::input, path, "read", errno);
+    if (got < 0) fail(ErrorKind::input, path, "read", errno);
     if (got == 0) break;
     filled += static_cast<std::size_t>(got);
     expect_at_most(filled);
@@ -183,14 +183,14 @@ std::string read_file(const fs::path& path, const Progress& progress, std::uintm
 
 void write_file(const fs::path& path, std::string_view bytes, Progress progress) {
   std::error_code ignored;
-  if (fs::is_directory(path, ignored)) throw Error(Trouble::output, path.string(), "is a directory, not a file");
+  if (fs::is_directory(path, ignored)) throw Error(ErrorKind::output, path.string(), "is a directory, not a file");
   if (fs::exists(path, ignored) && !fs::is_regular_file(path, ignored)) return write_directly(path, bytes);
 
   const fs::path target = end_of_links(path);
-  if (fs::is_symlink(target, ignored)) fail(Trouble::output, path, "write", ELOOP);
-  if (fs::exists(target, ignored) && ::access(target.c_str(), W_OK) != 0) fail(Trouble::output, path, "write", errno);
+  if (fs::is_symlink(target, ignored)) fail(ErrorKind::output, path, "write", ELOOP);
+  if (fs::exists(target, ignored) && ::access(target.c_str(), W_OK) != 0) fail(ErrorKind::output, path, "write", errno);
   if (!replace_by_nameless(target, bytes, progress) && !replace_by_named(target, bytes, progress))
-    fail(Trouble::output, path, "write", errno);
+    fail(ErrorKind::output, path, "write", errno);
 }
 
 }  // namespace epura

@@ -22,8 +22,8 @@ class KeptArithmetic {
  private:
   // At run time, whatever the compiler knows.
   static bool has_tiny_numbers() {
-    const volatile double least = DBL_MIN;
-    return least / 2 > 0;
+    const volatile double min = DBL_MIN;
+    return min / 2 > 0;
   }
 
   std::fenv_t before_{};

@@ -34,12 +34,12 @@ fs::path own_library() {
 
 }  // namespace
 
-void* load_library(const fs::path& path, Trouble trouble) {
+void* load_library(const fs::path& path, ErrorKind kind) {
   // dlopen searches the system's folders for a path without a slash.
   const std::string file = fs::absolute(path).string();
   const KeptArithmetic arithmetic;
   void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
-  if (library == nullptr) throw Error(trouble, "", loading_error(file));
+  if (library == nullptr) throw Error(kind, "", loading_error(file));
   return library;
 }
 

@@ -10,7 +10,7 @@ namespace epura {
 
 /// It stays loaded until the program ends, since unloading runs foreign code at an uncertain time. Throws
 /// Error{trouble} that says why it cannot be loaded, without its path.
-void* load_library(const std::filesystem::path& path, Trouble trouble);
+void* load_library(const std::filesystem::path& path, ErrorKind kind);
 
 /// The address of a symbol of a loaded library; null if it has none of that name.
 void* find_symbol(void* library, const char* name);

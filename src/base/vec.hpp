@@ -39,17 +39,17 @@ inline float rounded_down(double x) {
 
 /// An axis-aligned box; empty while least > most.
 struct Box {
-  Vec3 least{HUGE_VAL, HUGE_VAL, HUGE_VAL};
-  Vec3 most{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+  Vec3 min{HUGE_VAL, HUGE_VAL, HUGE_VAL};
+  Vec3 max{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
 
   void add(const Vec3& p) {
-    least = glm::min(least, p);
-    most = glm::max(most, p);
+    min = glm::min(min, p);
+    max = glm::max(max, p);
   }
-  [[nodiscard]] bool empty() const { return !(least.x <= most.x); }
+  [[nodiscard]] bool empty() const { return !(min.x <= max.x); }
   // Halves first, so that boxes near the largest double have a centre.
-  [[nodiscard]] Vec3 centre() const { return least * 0.5 + most * 0.5; }
-  [[nodiscard]] Vec3 size() const { return most - least; }
+  [[nodiscard]] Vec3 centre() const { return min * 0.5 + max * 0.5; }
+  [[nodiscard]] Vec3 size() const { return max - min; }
 };
 
 }  // namespace epura

@@ -50,15 +50,15 @@ struct Line {
   [[nodiscard]] double turn(int i) const { return angle_between(point(i) - point(i - 1), point(i + 1) - point(i)); }
 
   // The shortest run that turns far enough, or that no longer turns one way.
-  [[nodiscard]] int window(int first, int most) const {
+  [[nodiscard]] int window(int first, int max) const {
     double turned = 0;
-    for (int last = first + 2; last <= most; ++last) {
+    for (int last = first + 2; last <= max; ++last) {
       const double turning = turn(last - 1);
       if (!(turned * turning >= 0) || turning == 0) return last;
       turned += turning;
       if (last - first >= least_edges && std::abs(turned) >= least_turn) return last;
     }
-    return most;
+    return max;
   }
 
   // More than rounding.
@@ -69,8 +69,8 @@ struct Line {
 
 // The corners one after the other on the curve.
 std::optional<Fit> Line::along(const Ellipse& ellipse, bool circle, const std::vector<Vec2>& points) const {
-  const double least = std::max(least_radius, least_radius_in_tolerances * tolerance);
-  if (!(std::min(glm::length(ellipse.u), glm::length(ellipse.v)) >= least)) return std::nullopt;
+  const double min = std::max(least_radius, least_radius_in_tolerances * tolerance);
+  if (!(std::min(glm::length(ellipse.u), glm::length(ellipse.v)) >= min)) return std::nullopt;
   if (!(std::max(glm::length(ellipse.u), glm::length(ellipse.v)) <= most_radius)) return std::nullopt;
   Fit fit{ellipse, circle, ellipse.angle_of(points.front()), 0, 0, 0, tolerance};
   double previous = fit.from;
@@ -152,7 +152,7 @@ void begin_at(Chain& chain, int first) {
 
 CurveReport find_in(Chain& chain, double tolerance) {
   const Line line{chain, tolerance};
-  const auto window = [&](int first, int most) { return line.window(first, most); };
+  const auto window = [&](int first, int max) { return line.window(first, max); };
   const auto fit = [&](int first, int last) { return line.fit(first, last); };
   std::vector<CurveRun<Fit>> runs = find_curve_runs<Fit>(line.size(), chain.closed, window, fit);
   if (!runs.empty() && runs.back().last > line.size()) {

@@ -76,12 +76,12 @@ std::optional<Ellipse> from_matrix(const Vec2& centre, const Mat2& matrix) {
   const double half_trace = (matrix[0][0] + matrix[1][1]) / 2, half_difference = (matrix[0][0] - matrix[1][1]) / 2;
   const double off = matrix[0][1];
   const double radius = std::hypot(half_difference, off);
-  const double least = half_trace - radius, most = half_trace + radius;
-  if (!(least > 0) || !std::isfinite(most)) return std::nullopt;
+  const double min = half_trace - radius, max = half_trace + radius;
+  if (!(min > 0) || !std::isfinite(max)) return std::nullopt;
   // The direction of the larger eigenvalue is that of the shorter half axis.
   const double angle = portable_atan2(off, half_difference) / 2;
   const Vec2 minor(portable_cos(angle), portable_sin(angle));
-  return Ellipse{centre, Vec2(minor.y, -minor.x) / std::sqrt(least), minor / std::sqrt(most)};
+  return Ellipse{centre, Vec2(minor.y, -minor.x) / std::sqrt(min), minor / std::sqrt(max)};
 }
 
 }  // namespace

@@ -27,12 +27,12 @@ constexpr std::size_t alone = 4096;
 
 class CoverSearch {
  public:
-  CoverSearch(const std::vector<Piece>& pieces, double tolerance, double least, const Progress& progress)
+  CoverSearch(const std::vector<Piece>& pieces, double tolerance, double min, const Progress& progress)
       : pieces_(pieces),
         tolerance_(tolerance),
-        least_(least),
-        // Two lines that stay within the tolerance over `least` differ in direction by no more than this.
-        spread_(std::min(2.5 * tolerance / least, 1.5)),
+        least_(min),
+        // Two lines that stay within the tolerance over `min` differ in direction by no more than this.
+        spread_(std::min(2.5 * tolerance / min, 1.5)),
         progress_(progress),
         directions_(pieces, spread_, progress) {}
 
@@ -168,10 +168,10 @@ class CoverSearch {
 
 }  // namespace
 
-std::vector<Cover> find_covers(const std::vector<Piece>& pieces, double tolerance, double least,
+std::vector<Cover> find_covers(const std::vector<Piece>& pieces, double tolerance, double min,
                                const Progress& progress) {
   if (pieces.empty()) return {};
-  std::vector<Cover> covers = CoverSearch(pieces, tolerance, least, progress).find();
+  std::vector<Cover> covers = CoverSearch(pieces, tolerance, min, progress).find();
   parallel_sort(covers.begin(), covers.end());
   // At the border of cells a pair is found in both.
   covers.erase(std::unique(covers.begin(), covers.end()), covers.end());

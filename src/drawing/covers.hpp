@@ -17,10 +17,10 @@ struct Cover {
   auto operator<=>(const Cover&) const = default;
 };
 
-/// Parts of at least `least` mm that lie within `tolerance` mm of a piece of higher rank, sorted, each once. Where very
-/// many pieces lie on one line, parts are joined, and parts that only shorten gaps of less than `least` are left out.
+/// Parts of at least `min` mm that lie within `tolerance` mm of a piece of higher rank, sorted, each once. Where very
+/// many pieces lie on one line, parts are joined, and parts that only shorten gaps of less than `min` are left out.
 /// No piece is a point. Throws OutOfTime.
-std::vector<Cover> find_covers(const std::vector<Piece>& pieces, double tolerance, double least,
+std::vector<Cover> find_covers(const std::vector<Piece>& pieces, double tolerance, double min,
                                const Progress& progress = {});
 
 }  // namespace epura

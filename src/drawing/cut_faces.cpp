@@ -17,8 +17,8 @@ bool is_seen(const CuttingPlane& plane, const Projection& projection) {
 
 }  // namespace
 
-std::vector<CutFace> cut_faces_on_paper(const std::vector<WorldCutFace>& faces, const CuttingPlane& plane, View& view,
-                                        const PaperMap& paper) {
+std::vector<CutFace> cut_faces_on_paper(const std::vector<WorldCutFace>& faces, const CuttingPlane& plane,
+                                        ProjectedScene& view, const PaperMap& paper) {
   std::vector<CutFace> seen;
   if (!is_seen(plane, view.projection)) return seen;
   for (const WorldCutFace& face : faces) {

@@ -12,7 +12,7 @@ namespace epura {
 
 /// The cut faces that are seen, on paper. Seen from in front of the plane, where all is taken away, nothing hides them;
 /// seen from behind it, none is seen, and the result is empty. `view` is of the cut world.
-std::vector<CutFace> cut_faces_on_paper(const std::vector<WorldCutFace>& faces, const CuttingPlane& plane, View& view,
-                                        const PaperMap& paper);
+std::vector<CutFace> cut_faces_on_paper(const std::vector<WorldCutFace>& faces, const CuttingPlane& plane,
+                                        ProjectedScene& view, const PaperMap& paper);
 
 }  // namespace epura

@@ -20,12 +20,12 @@ struct Segment {
   bool visible;
   EdgeKind kind;
   int model;
-  std::array<int, 2> edge;  ///< vertex numbers of the file; {-1, -1} for a line that is no edge of a file
-  int crossing;             ///< of such a line: its place in Drawing::crossings; otherwise -1
+  std::array<int, 2> edge;  ///< vertex numbers of the file; {-1, -1} for a line that is not an edge of a file
+  int crossing;             ///< of such a line: its place in ViewDrawing::crossings; otherwise -1
   std::array<double, 2> t;  ///< 3D parameters along the edge, `from` at t[0]
 };
 
-/// What a line that is no edge of a file is made of, besides what all segments have.
+/// What a line that is not an edge of a file is made of, besides what all segments have.
 struct CrossingSegment {
   /// (model, face) of both faces that cross; of the face that is cut, and {-1, -1} for the cutting plane.
   std::array<std::array<int, 2>, 2> faces;
@@ -47,7 +47,7 @@ struct Chain {
   bool closed;
   bool visible;
   EdgeKind kind;
-  std::vector<int> segments;        ///< indices into Drawing::segments, in order along the chain
+  std::vector<int> segments;        ///< indices into ViewDrawing::segments, in order along the chain
   std::vector<CurvePart> curves{};  ///< ascending and disjoint
 };
 
@@ -57,7 +57,7 @@ struct CutFace {
   std::vector<std::vector<Vec2>> rings;  ///< outlines on paper, even-odd; the first point is not repeated
 };
 
-struct Drawing {
+struct ViewDrawing {
   std::string name;  ///< of the view
   Projection projection;
   double scale = 1;    ///< mm of paper per unit of the world, in the projection plane
@@ -67,7 +67,7 @@ struct Drawing {
   std::vector<CrossingSegment> crossings;  ///< of the segments that are no edges of a file, in their order
   std::vector<Chain> chains;
   std::vector<CutFace> cut_faces;
-  Vec2 least{0, 0}, most{0, 0};  ///< box of the ink
+  Vec2 min{0, 0}, max{0, 0};  ///< box of the ink
 };
 
 }  // namespace epura

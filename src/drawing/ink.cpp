@@ -51,37 +51,37 @@ Piece part_of(const Piece& piece, double from, double to) {
 }
 
 // What remains of a piece when parts of its length are taken away.
-void append_rest(const Piece& piece, std::span<const Cover> covers, double least, std::deque<Piece>& rest) {
+void append_rest(const Piece& piece, std::span<const Cover> covers, double min, std::deque<Piece>& rest) {
   double from = 0;
   for (const Cover& part : covers) {
-    if (part.from - from >= least) rest.push_back(part_of(piece, from, part.from));
+    if (part.from - from >= min) rest.push_back(part_of(piece, from, part.from));
     from = std::max(from, part.to);
   }
   const double length = length_of(piece);
-  if (from == 0 || length - from >= least) rest.push_back(part_of(piece, from, length));
+  if (from == 0 || length - from >= min) rest.push_back(part_of(piece, from, length));
 }
 
 }  // namespace
 
-std::array<double, 2> covered_part(const Ruler& line, Vec2 a, Vec2 b, double tolerance, double least) {
+std::array<double, 2> covered_part(const Ruler& line, Vec2 a, Vec2 b, double tolerance, double min) {
   a = line.local(a);
   b = line.local(b);
   if (std::min(a.y, b.y) > tolerance || std::max(a.y, b.y) < -tolerance) return {0, 0};
   if (a.x > b.x) std::swap(a, b);
   const double from = std::max(a.x, 0.0);
   const double to = std::min(b.x, line.length);
-  if (to - from < least) return {0, 0};
+  if (to - from < min) return {0, 0};
   const auto offset = [&](double x) { return std::abs(a.y + (b.y - a.y) * ((x - a.x) / (b.x - a.x))); };
   if (offset(from) > tolerance || offset(to) > tolerance) return {0, 0};
   return {from, to};
 }
 
-std::vector<Piece> resolve_coincident(std::vector<Piece> pieces, double tolerance, double least,
+std::vector<Piece> resolve_coincident(std::vector<Piece> pieces, double tolerance, double min,
                                       const Progress& progress) {
   // Edges along the line of sight are points on the paper.
   std::erase_if(pieces, [&](const Piece& p) { return !(length_of(p) > tolerance); });
   drop_copies(pieces, progress);
-  const std::vector<Cover> covers = find_covers(pieces, tolerance, least, progress);
+  const std::vector<Cover> covers = find_covers(pieces, tolerance, min, progress);
   if (covers.empty()) return pieces;
 
   // In place, since no more room than theirs may be left: what does not fit in front of the pieces to come waits.
@@ -90,7 +90,7 @@ std::vector<Piece> resolve_coincident(std::vector<Piece> pieces, double toleranc
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const std::size_t first = next;
     while (next < covers.size() && covers[next].piece == static_cast<int>(i)) ++next;
-    append_rest(pieces[i], std::span(covers).subspan(first, next - first), least, waiting);
+    append_rest(pieces[i], std::span(covers).subspan(first, next - first), min, waiting);
     for (; !waiting.empty() && kept <= i; waiting.pop_front()) pieces[kept++] = waiting.front();
   }
   pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(kept), pieces.end());

@@ -43,13 +43,13 @@ struct Ruler {
 };
 
 /// The part of a line, in mm from its start, over which the line a, b lies within `tolerance` of it; {0, 0} where that
-/// is less than `least`.
-std::array<double, 2> covered_part(const Ruler& line, Vec2 a, Vec2 b, double tolerance, double least);
+/// is less than `min`.
+std::array<double, 2> covered_part(const Ruler& line, Vec2 a, Vec2 b, double tolerance, double min);
 
 /// Removes from every piece what a piece of higher rank draws already: what lies within `tolerance` mm of it over at
-/// least `least` mm. Remainders shorter than `least` are dropped. Keeps the order; what is cut stays in place. Throws
+/// least `min` mm. Remainders shorter than `min` are dropped. Keeps the order; what is cut stays in place. Throws
 /// OutOfTime.
-std::vector<Piece> resolve_coincident(std::vector<Piece> pieces, double tolerance, double least,
+std::vector<Piece> resolve_coincident(std::vector<Piece> pieces, double tolerance, double min,
                                       const Progress& progress = {});
 
 }  // namespace epura

@@ -15,7 +15,7 @@ namespace {
 constexpr double coincident_cells = 4;
 constexpr double straight_mm = 1e-6;
 
-std::vector<Piece> pieces_of(const View& view, const PaperMap& paper, const DrawnEdges& drawn,
+std::vector<Piece> pieces_of(const ProjectedScene& view, const PaperMap& paper, const FeatureEdges& drawn,
                              const HiddenSpans& hidden, bool keep_hidden, const Progress& progress) {
   const auto visit_drawn = [&](std::size_t e, const auto& visit) {
     hidden.visit_parts(e, [&](double from, double to, bool visible) {
@@ -30,7 +30,7 @@ std::vector<Piece> pieces_of(const View& view, const PaperMap& paper, const Draw
   std::vector<Piece> pieces(first.back());
   parallel_for(drawn.edges.size(), 1024, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e) {
-      const DrawnEdge& edge = drawn.edges[e];
+      const FeatureEdge& edge = drawn.edges[e];
       Piece* piece = pieces.data() + first[e];
       visit_drawn(e, [&](double from, double to, bool visible) {
         *piece++ = {place_on_paper(view, paper, edge, from),
@@ -46,7 +46,7 @@ std::vector<Piece> pieces_of(const View& view, const PaperMap& paper, const Draw
 }
 
 // The edge of a file that a line is; nothing for intersection lines and cuts through faces.
-std::optional<std::array<int, 2>> edge_in_file(const World& world, const DrawnEdge& edge) {
+std::optional<std::array<int, 2>> edge_in_file(const World& world, const FeatureEdge& edge) {
   if (edge.mesh_edge < 0) return std::nullopt;
   const Mesh& mesh = *world.models[edge.model].mesh;
   const EdgeOrigin origin = mesh.origin_of(mesh.edges[edge.mesh_edge]);
@@ -54,8 +54,9 @@ std::optional<std::array<int, 2>> edge_in_file(const World& world, const DrawnEd
 }
 
 // `crossing` is its number among the lines that are no edges of a file, if it is one.
-Segment segment_of(const World& world, const View& view, const DrawnEdges& drawn, const Piece& piece, int crossing) {
-  const DrawnEdge& edge = drawn.edges[piece.edge];
+Segment segment_of(const World& world, const ProjectedScene& view, const FeatureEdges& drawn, const Piece& piece,
+                   int crossing) {
+  const FeatureEdge& edge = drawn.edges[piece.edge];
   const auto in_file = edge_in_file(world, edge);
   return {piece.from,
           piece.to,
@@ -67,7 +68,7 @@ Segment segment_of(const World& world, const View& view, const DrawnEdges& drawn
           {parameter_in_space(view, edge, piece.s[0]), parameter_in_space(view, edge, piece.s[1])}};
 }
 
-CrossingSegment cut_segment(const World& world, const DrawnEdge& edge, const std::array<double, 2>& t) {
+CrossingSegment cut_segment(const World& world, const FeatureEdge& edge, const std::array<double, 2>& t) {
   const Mesh& mesh = *world.models[edge.model].mesh;
   const MeshEdge& cut = mesh.edges[edge.mesh_edge];
   const int first = world.first_vertex[edge.model];
@@ -89,8 +90,8 @@ CrossingSegment crossing_segment(const World& world, const FaceCrossing& crossin
   return segment;
 }
 
-void add_segments(const World& world, const View& view, const DrawnEdges& drawn, const std::vector<Piece>& pieces,
-                  Drawing& drawing, const Progress& progress) {
+void add_segments(const World& world, const ProjectedScene& view, const FeatureEdges& drawn,
+                  const std::vector<Piece>& pieces, ViewDrawing& drawing, const Progress& progress) {
   std::vector<int> crossing(pieces.size());  // how many of them come before
   int crossings = 0;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -104,7 +105,7 @@ void add_segments(const World& world, const View& view, const DrawnEdges& drawn,
       Segment& segment = drawing.segments[i];
       segment = segment_of(world, view, drawn, pieces[i], crossing[i]);
       if (segment.crossing < 0) continue;
-      const DrawnEdge& edge = drawn.edges[pieces[i].edge];
+      const FeatureEdge& edge = drawn.edges[pieces[i].edge];
       drawing.crossings[segment.crossing] = edge.crossing < 0
                                                 ? cut_segment(world, edge, segment.t)
                                                 : crossing_segment(world, drawn.crossings[edge.crossing], segment.t);
@@ -114,7 +115,7 @@ void add_segments(const World& world, const View& view, const DrawnEdges& drawn,
 
 }  // namespace
 
-Vec2 place_on_paper(const View& view, const PaperMap& paper, const DrawnEdge& edge, double s) {
+Vec2 place_on_paper(const ProjectedScene& view, const PaperMap& paper, const FeatureEdge& edge, double s) {
   if (s == 0) return paper(view.vertices[edge.vertex[0]]);
   if (s == 1) return paper(view.vertices[edge.vertex[1]]);
   const PageVertex& p = view.vertices[edge.vertex[0]];
@@ -122,7 +123,7 @@ Vec2 place_on_paper(const View& view, const PaperMap& paper, const DrawnEdge& ed
   return paper({p.x + s * (q.x - p.x), p.y + s * (q.y - p.y), 0, 1});
 }
 
-double parameter_in_space(const View& view, const DrawnEdge& edge, double s) {
+double parameter_in_space(const ProjectedScene& view, const FeatureEdge& edge, double s) {
   if (s == 0) return edge.t[0];
   if (s == 1) return edge.t[1];
   const double wp = view.vertices[edge.vertex[0]].w;
@@ -132,15 +133,15 @@ double parameter_in_space(const View& view, const DrawnEdge& edge, double s) {
   return edge.t[0] + part * (edge.t[1] - edge.t[0]);
 }
 
-Coincidence coincidence_on_paper(const View& view, const Contact& contact, const PaperMap& paper) {
+Coincidence coincidence_on_paper(const ProjectedScene& view, const Contact& contact, const PaperMap& paper) {
   const double tolerance = std::max(coincident_cells * view.cell, contact.touching) * paper.scale;
   return {tolerance, std::max(least_piece * view.extent * paper.scale, 8 * tolerance)};
 }
 
-Drawing make_drawing(const World& world, const View& view, const DrawnEdges& drawn, const HiddenSpans& hidden,
-                     const Contact& contact, const PaperMap& paper, const DrawingWishes& wishes,
-                     const Progress& progress) {
-  Drawing drawing;
+ViewDrawing make_drawing(const World& world, const ProjectedScene& view, const FeatureEdges& drawn,
+                         const HiddenSpans& hidden, const Contact& contact, const PaperMap& paper,
+                         const DrawingWishes& wishes, const Progress& progress) {
+  ViewDrawing drawing;
   drawing.name = wishes.name;
   drawing.projection = view.projection;
   drawing.world_to_page = world_to_page(view, paper);
@@ -149,21 +150,21 @@ Drawing make_drawing(const World& world, const View& view, const DrawnEdges& dra
   const Coincidence limits = coincidence_on_paper(view, contact, paper);
   progress.begin("merging lines");
   std::vector<Piece> pieces = pieces_of(view, paper, drawn, hidden, wishes.hidden || !wishes.leave_out, progress);
-  pieces = resolve_coincident(std::move(pieces), limits.tolerance, limits.least, progress);
+  pieces = resolve_coincident(std::move(pieces), limits.tolerance, limits.min, progress);
   if (!wishes.hidden) std::erase_if(pieces, [](const Piece& piece) { return !piece.visible; });
   add_segments(world, view, drawn, pieces, drawing, progress);
   pieces = std::vector<Piece>();  // chains take their room
   progress.begin("joining lines", drawing.segments.size());
   drawing.chains = chain_segments(drawing.segments, straight_mm, progress);
 
-  Vec2 most(-HUGE_VAL), low(HUGE_VAL);
+  Vec2 max(-HUGE_VAL), low(HUGE_VAL);
   for (const Segment& s : drawing.segments) {
     low = glm::min(low, glm::min(s.from, s.to));
-    most = glm::max(most, glm::max(s.from, s.to));
+    max = glm::max(max, glm::max(s.from, s.to));
   }
   if (!drawing.segments.empty()) {
-    drawing.least = low;
-    drawing.most = most;
+    drawing.min = low;
+    drawing.max = max;
   }
   return drawing;
 }

@@ -19,20 +19,20 @@ struct DrawingWishes {
 };
 
 /// The place at page parameter `s` of an edge, in mm.
-Vec2 place_on_paper(const View& view, const PaperMap& paper, const DrawnEdge& edge, double s);
+Vec2 place_on_paper(const ProjectedScene& view, const PaperMap& paper, const FeatureEdge& edge, double s);
 
 /// A page parameter of an edge as the parameter along the edge in space that it was clipped from.
-double parameter_in_space(const View& view, const DrawnEdge& edge, double s);
+double parameter_in_space(const ProjectedScene& view, const FeatureEdge& edge, double s);
 
-/// Lines within `tolerance` of each other over at least `least` are one line; mm.
+/// Lines within `tolerance` of each other over at least `min` are one line; mm.
 struct Coincidence {
-  double tolerance, least;
+  double tolerance, min;
 };
-Coincidence coincidence_on_paper(const View& view, const Contact& contact, const PaperMap& paper);
+Coincidence coincidence_on_paper(const ProjectedScene& view, const Contact& contact, const PaperMap& paper);
 
 /// Throws OutOfTime.
-Drawing make_drawing(const World& world, const View& view, const DrawnEdges& drawn, const HiddenSpans& hidden,
-                     const Contact& contact, const PaperMap& paper, const DrawingWishes& wishes,
-                     const Progress& progress = {});
+ViewDrawing make_drawing(const World& world, const ProjectedScene& view, const FeatureEdges& drawn,
+                         const HiddenSpans& hidden, const Contact& contact, const PaperMap& paper,
+                         const DrawingWishes& wishes, const Progress& progress = {});
 
 }  // namespace epura

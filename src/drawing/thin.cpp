@@ -24,7 +24,7 @@ std::vector<char> longest(const std::vector<Chain>& chains, std::size_t count) {
 }
 
 // Returns the new numbers of the segments that stay.
-std::vector<int> keep_segments(Drawing& drawing, const std::vector<char>& keep) {
+std::vector<int> keep_segments(ViewDrawing& drawing, const std::vector<char>& keep) {
   std::vector<int> number(keep.size(), -1);
   std::vector<Segment> segments;
   std::vector<CrossingSegment> crossings;
@@ -43,7 +43,7 @@ std::vector<int> keep_segments(Drawing& drawing, const std::vector<char>& keep) 
 
 }  // namespace
 
-std::size_t keep_longest_chains(Drawing& drawing, std::size_t count) {
+std::size_t keep_longest_chains(ViewDrawing& drawing, std::size_t count) {
   const std::vector<char> keep = longest(drawing.chains, count);
   const std::size_t before = drawing.segments.size();
   std::vector<Chain> chains;

@@ -9,6 +9,6 @@
 namespace epura {
 
 /// Keeps the `count` longest chains and the segments that are in them, in their order. Returns how many segments go.
-std::size_t keep_longest_chains(Drawing& drawing, std::size_t count);
+std::size_t keep_longest_chains(ViewDrawing& drawing, std::size_t count);
 
 }  // namespace epura

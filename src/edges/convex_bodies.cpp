@@ -107,7 +107,7 @@ class ConvexityTest {
       if (found_[b].corners == 0) continue;
       const Box& box = bodies_.box[b];
       const Vec3 middle = found_[b].middle();
-      found_[b].reach = glm::length(glm::max(box.most - middle, middle - box.least)) * (1 + 0x1p-40);
+      found_[b].reach = glm::length(glm::max(box.max - middle, middle - box.min)) * (1 + 0x1p-40);
     }
   }
 

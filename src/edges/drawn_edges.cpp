@@ -32,10 +32,11 @@ std::vector<int> met_across_slivers(const EdgeSurroundings& around, const Sliver
   return met;
 }
 
-void add_mesh_edges(const World& world, View& view, int model, const EdgeWishes& wishes, DrawnEdges& drawn,
+void add_mesh_edges(const World& world, ProjectedScene& view, int model, const EdgeOptions& wishes, FeatureEdges& drawn,
                     const Progress& progress) {
   const UncutMesh* uncut = world.models[model].mesh->uncut.get();
-  const EdgeSurroundings around{world, model, view.map.shrink}, whole{world, model, view.map.shrink, uncut};
+  const EdgeSurroundings around{world, model, view.map.scale_exponent},
+      whole{world, model, view.map.scale_exponent, uncut};
   const Slivers of_whole(whole, view, progress);
   const std::vector<std::optional<EdgeKind>> kinds = feature_edges(view, wishes, whole, of_whole, progress);
   // Edges are judged by whole faces; what meets in them are the pieces that a cut left.
@@ -58,24 +59,24 @@ void add_mesh_edges(const World& world, View& view, int model, const EdgeWishes&
 
 // Facets of curved surfaces that coincide (a bolt in its hole) cross by as much as their surfaces turn from facet to
 // facet: such lines are made by the tessellation, not by the bodies.
-bool is_tessellation(const World& world, double shrink, const FaceCrossing& crossing, double crease_angle) {
+bool is_tessellation(const World& world, double scale_exponent, const FaceCrossing& crossing, double crease_angle) {
   double turn = 0;
   for (const int triangle : crossing.triangles) {
     const int model = world.model_of_triangle(triangle);
-    turn += turn_of_surface({world, model, shrink}, triangle - world.first_triangle[model], crease_angle) / 2;
+    turn += turn_of_surface({world, model, scale_exponent}, triangle - world.first_triangle[model], crease_angle) / 2;
   }
   return crossing.angle <= turn * 1.001;
 }
 
 // Crossings that there is no time to judge count as not searched.
-void drop_tessellation(const World& world, double shrink, double crease_angle, DrawnEdges& drawn,
+void drop_tessellation(const World& world, double scale_exponent, double crease_angle, FeatureEdges& drawn,
                        const Progress& progress) {
   enum : char { unjudged, real, of_tessellation };
   std::vector<char> verdicts(drawn.crossings.size(), unjudged);
   try {
     parallel_for(verdicts.size(), crossings_a_look, progress, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
-        verdicts[i] = is_tessellation(world, shrink, drawn.crossings[i], crease_angle) ? of_tessellation : real;
+        verdicts[i] = is_tessellation(world, scale_exponent, drawn.crossings[i], crease_angle) ? of_tessellation : real;
     });
   } catch (const OutOfTime&) {
     const auto judged = verdicts.size() - std::size_t(std::count(verdicts.begin(), verdicts.end(), unjudged));
@@ -87,7 +88,7 @@ void drop_tessellation(const World& world, double shrink, double crease_angle, D
   drawn.crossings = std::move(judged_real);
 }
 
-void add_intersections(const World& world, View& view, DrawnEdges& drawn) {
+void add_intersections(const World& world, ProjectedScene& view, FeatureEdges& drawn) {
   for (std::size_t i = 0; i < drawn.crossings.size(); ++i) {
     const FaceCrossing& crossing = drawn.crossings[i];
     const int a = add_point(view, crossing.ends[0]);
@@ -100,26 +101,26 @@ void add_intersections(const World& world, View& view, DrawnEdges& drawn) {
 
 }  // namespace
 
-DrawnEdges find_drawn_edges(const World& world, View& view, const EdgeWishes& wishes, double contact,
-                            Progress progress) {
-  return find_drawn_edges(world, view, wishes, contact, all_triangles(world), progress);
+FeatureEdges find_feature_edges(const World& world, ProjectedScene& view, const EdgeOptions& wishes, double contact,
+                                Progress progress) {
+  return find_feature_edges(world, view, wishes, contact, all_triangles(world), progress);
 }
 
-DrawnEdges find_drawn_edges(const World& world, View& view, const EdgeWishes& wishes, double contact,
-                            const std::vector<int>& suspects, Progress progress) {
+FeatureEdges find_feature_edges(const World& world, ProjectedScene& view, const EdgeOptions& wishes, double contact,
+                                const std::vector<int>& suspects, Progress progress) {
   std::size_t edges = 0;
   for (const Placed& model : world.models) edges += model.mesh->edges.size();
   progress.begin("finding edges", edges);
-  DrawnEdges drawn;
+  FeatureEdges drawn;
   for (int model = 0; model < static_cast<int>(world.models.size()); ++model)
     add_mesh_edges(world, view, model, wishes, drawn, progress);
   if (!wishes.intersection) return drawn;
-  const double shrink = view.map.shrink;
+  const double scale_exponent = view.map.scale_exponent;
   auto [crossings, searched] =
-      find_intersections(world, shrink, contact, suspects, progress.with_part_of_the_time(part_for_search));
+      find_intersections(world, scale_exponent, contact, suspects, progress.with_part_of_the_time(part_for_search));
   drawn.crossings = std::move(crossings);
   drawn.searched = searched;
-  drop_tessellation(world, shrink, wishes.crease_angle, drawn, progress.with_part_of_the_time(part_for_search));
+  drop_tessellation(world, scale_exponent, wishes.crease_angle, drawn, progress.with_part_of_the_time(part_for_search));
   add_intersections(world, view, drawn);
   return drawn;
 }

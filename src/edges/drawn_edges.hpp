@@ -7,11 +7,11 @@
 
 #include "edges/edge_kind.hpp"
 #include "edges/intersections.hpp"
-#include "view/view.hpp"
+#include "view/projected_scene.hpp"
 
 namespace epura {
 
-struct EdgeWishes {
+struct EdgeOptions {
   bool contour = true, boundary = true, crease = true, intersection = true;
   bool tangent = false;      ///< as edges/tangent_edges.hpp says
   bool smooth = false;       ///< all other edges of the mesh
@@ -19,13 +19,13 @@ struct EdgeWishes {
 };
 
 /// A straight piece to be split into visible and hidden spans.
-struct DrawnEdge {
+struct FeatureEdge {
   std::array<int, 2> vertex;  ///< of the view
   std::array<double, 2> t;    ///< 3D parameters of the ends along the edge it comes from (Mesh::origin_of)
   EdgeKind kind;
   int model;
   int mesh_edge;  ///< in its model; -1 for an intersection line
-  int crossing;   ///< of an intersection line, in DrawnEdges::crossings; otherwise -1
+  int crossing;   ///< of an intersection line, in FeatureEdges::crossings; otherwise -1
 };
 
 /// The triangles of a model that meet in an edge beside slivers: those at the edge and what lies on their far sides.
@@ -34,8 +34,8 @@ struct MetAcrossSlivers {
   std::vector<int> triangles;
 };
 
-struct DrawnEdges {
-  std::vector<DrawnEdge> edges;                  ///< in order of model and mesh edge, then the intersection lines
+struct FeatureEdges {
+  std::vector<FeatureEdge> edges;                ///< in order of model and mesh edge, then the intersection lines
   std::vector<MetAcrossSlivers> beside_slivers;  ///< of edges that have slivers, in order of model and mesh edge
   std::vector<FaceCrossing> crossings;
   double searched = 1;  ///< part of the search for crossings that was done before time was over
@@ -44,11 +44,11 @@ struct DrawnEdges {
 /// Without time for all crossings those that were found are there; without time for the edges of the meshes, OutOfTime
 /// is thrown. `contact` is the distance in the shrunk world (ViewMap::shrink) below which faces touch rather than
 /// cross.
-DrawnEdges find_drawn_edges(const World& world, View& view, const EdgeWishes& wishes, double contact,
-                            Progress progress = {});
+FeatureEdges find_feature_edges(const World& world, ProjectedScene& view, const EdgeOptions& wishes, double contact,
+                                Progress progress = {});
 
 /// The same, with intersection lines only between triangles in `suspects` (suspects.hpp).
-DrawnEdges find_drawn_edges(const World& world, View& view, const EdgeWishes& wishes, double contact,
-                            const std::vector<int>& suspects, Progress progress = {});
+FeatureEdges find_feature_edges(const World& world, ProjectedScene& view, const EdgeOptions& wishes, double contact,
+                                const std::vector<int>& suspects, Progress progress = {});
 
 }  // namespace epura

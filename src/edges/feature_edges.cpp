@@ -36,8 +36,8 @@ std::vector<Vec3> mean_normals(const EdgeSurroundings& around) {
 
 struct Judge {
   EdgeSurroundings around;
-  const View& view;
-  const EdgeWishes& wishes;
+  const ProjectedScene& view;
+  const EdgeOptions& wishes;
   const Slivers& slivers;
   const std::vector<char>& is_tangent;       ///< by edge; empty where nobody asks
   const std::vector<Vec3>& polygon_normals;  ///< by number of the polygon
@@ -95,7 +95,7 @@ struct Judge {
     if (!(glm::dot(n1, n2) < 0)) return false;
     const double height = glm::length(n2) / glm::length(around.point(edge[1]) - around.point(edge[0]));
     const double sine = glm::length(glm::cross(n1, n2)) / (glm::length(n1) * glm::length(n2));
-    return sine * height <= std::max(flatness, around.world.rounding * around.shrink);
+    return sine * height <= std::max(flatness, around.world.rounding * around.scale_exponent);
   }
 
   // What continues the surface at an edge with a triangle that is folded over, where the next one is folded over back
@@ -208,13 +208,13 @@ struct Judge {
 
 }  // namespace
 
-std::vector<std::optional<EdgeKind>> feature_edges(const World& world, const View& view, int model,
-                                                   const EdgeWishes& wishes, const Progress& progress) {
-  const EdgeSurroundings around{world, model, view.map.shrink, world.models[model].mesh->uncut.get()};
+std::vector<std::optional<EdgeKind>> feature_edges(const World& world, const ProjectedScene& view, int model,
+                                                   const EdgeOptions& wishes, const Progress& progress) {
+  const EdgeSurroundings around{world, model, view.map.scale_exponent, world.models[model].mesh->uncut.get()};
   return feature_edges(view, wishes, around, Slivers(around, view, progress), progress);
 }
 
-std::vector<std::optional<EdgeKind>> feature_edges(const View& view, const EdgeWishes& wishes,
+std::vector<std::optional<EdgeKind>> feature_edges(const ProjectedScene& view, const EdgeOptions& wishes,
                                                    const EdgeSurroundings& around, const Slivers& slivers,
                                                    const Progress& progress) {
   const double crease_angle = wishes.crease_angle - angle_rounding;

@@ -8,7 +8,7 @@
 #include "edges/drawn_edges.hpp"
 #include "edges/edge_kind.hpp"
 #include "edges/slivers.hpp"
-#include "view/view.hpp"
+#include "view/projected_scene.hpp"
 
 namespace epura {
 
@@ -17,11 +17,11 @@ namespace epura {
 /// Orientation of faces is not used: an edge is a contour when its two triangles lie on the same side of it on the
 /// page, or when one of them is seen edge-on; so inside-out, one-sided and randomly oriented surfaces are drawn alike.
 /// Outlines of cuts are always drawn. Throws OutOfTime.
-std::vector<std::optional<EdgeKind>> feature_edges(const World& world, const View& view, int model,
-                                                   const EdgeWishes& wishes, const Progress& progress = {});
+std::vector<std::optional<EdgeKind>> feature_edges(const World& world, const ProjectedScene& view, int model,
+                                                   const EdgeOptions& wishes, const Progress& progress = {});
 
 /// The same where the model's slivers in the view are known.
-std::vector<std::optional<EdgeKind>> feature_edges(const View& view, const EdgeWishes& wishes,
+std::vector<std::optional<EdgeKind>> feature_edges(const ProjectedScene& view, const EdgeOptions& wishes,
                                                    const EdgeSurroundings& around, const Slivers& slivers,
                                                    const Progress& progress = {});
 

@@ -68,10 +68,10 @@ class FlatFaces {
       normal = other;
     }
     const Vec3& origin = points_[world_.triangles[a][0]];
-    const double most = join_contacts * contact_ * glm::length(normal);
+    const double max = join_contacts * contact_ * glm::length(normal);
     const auto& corners = world_.triangles[b];
     return std::all_of(corners.begin(), corners.end(),
-                       [&](int v) { return std::abs(glm::dot(normal, points_[v] - origin)) <= most; });
+                       [&](int v) { return std::abs(glm::dot(normal, points_[v] - origin)) <= max; });
   }
 
   // `count` triangles of the model from the given place of the list on.
@@ -95,14 +95,14 @@ class FlatFaces {
       const Vec3 area = area_of(triangles_[i]);
       normal += glm::dot(area, normal) < 0 ? -area : area;
     }
-    double least = HUGE_VAL, most = -HUGE_VAL;
+    double min = HUGE_VAL, max = -HUGE_VAL;
     for (const int i : region)
       for (const int v : world_.triangles[triangles_[i]]) {
         const double height = glm::dot(normal, points_[v]);
-        least = std::min(least, height);
-        most = std::max(most, height);
+        min = std::min(min, height);
+        max = std::max(max, height);
       }
-    return most - least <= 2 * contact_ * glm::length(normal);
+    return max - min <= 2 * contact_ * glm::length(normal);
   }
 
   std::vector<int> numbered() {

@@ -34,16 +34,16 @@ struct Piece {
   std::array<Vec3, 2> ends;
 };
 
-Vec3 middle_of(const World& world, double shrink) { return world.box.centre() * shrink; }
+Vec3 middle_of(const World& world, double scale_exponent) { return world.box.centre() * scale_exponent; }
 
 class Crossings {
  public:
-  Crossings(const World& world, double shrink, double contact)
+  Crossings(const World& world, double scale_exponent, double contact)
       : world_(world),
-        shrink_(shrink),
+        shrink_(scale_exponent),
         contact_(contact),
-        middle_(middle_of(world, shrink)),
-        points_(shrunk_points(world, shrink)) {}
+        middle_(middle_of(world, scale_exponent)),
+        points_(shrunk_points(world, scale_exponent)) {}
 
   /// Of the triangles that `cross` will be called for. Apart from the constructor, since the tree is built in between,
   /// which needs room.
@@ -191,24 +191,24 @@ bool is_low(const Vec3& a, const Vec3& b, const Vec3& c, double contact) {
 }
 
 bool boxes_overlap(const Box& a, const Box& b) {
-  return a.least.x <= b.most.x && b.least.x <= a.most.x && a.least.y <= b.most.y && b.least.y <= a.most.y &&
-         a.least.z <= b.most.z && b.least.z <= a.most.z;
+  return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y && a.min.z <= b.max.z &&
+         b.min.z <= a.max.z;
 }
 
-UnsetVector<Vec3> shrunk_points(const World& world, double shrink) {
-  const Vec3 middle = middle_of(world, shrink);
+UnsetVector<Vec3> shrunk_points(const World& world, double scale_exponent) {
+  const Vec3 middle = middle_of(world, scale_exponent);
   UnsetVector<Vec3> points(world.points.size());
   parallel_for(points.size(), 8192, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) points[v] = world.points[v] * shrink - middle;
+    for (std::size_t v = begin; v < end; ++v) points[v] = world.points[v] * scale_exponent - middle;
   });
   return points;
 }
 
-FaceCrossings find_intersections(const World& world, double shrink, double contact, const std::vector<int>& suspects,
-                                 Progress progress) {
+FaceCrossings find_intersections(const World& world, double scale_exponent, double contact,
+                                 const std::vector<int>& suspects, Progress progress) {
   if (suspects.empty()) return {{}, 1};
   if (progress.is_out_of_time()) return {{}, 0};
-  Crossings crossings(world, shrink, contact);
+  Crossings crossings(world, scale_exponent, contact);
   const TriangleTree tree(
       suspects.size(), [&](int i) { return crossings.box(suspects[i]); }, crossings.flat_faces_of(suspects));
   crossings.find_planes(suspects);

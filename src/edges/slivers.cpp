@@ -20,7 +20,7 @@ constexpr double lowest_on_page = 2;
 // edge-on.
 constexpr double edge_on = 1024;
 constexpr double slender = 1.0 / 64;
-constexpr int longest_row = 256;  // of slivers side by side; more than that is no surface any more
+constexpr int longest_row = 256;  // of slivers side by side; more than that is not a surface any more
 
 std::array<int, 2> sorted(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
@@ -43,13 +43,13 @@ double detour(const EdgeSurroundings& around, const std::array<int, 2>& side, co
 std::array<int, 2> side_at(const EdgeSurroundings& around, const std::array<int, 3>& corners,
                            const std::array<int, 2>& entry, const Vec3& place) {
   std::array<int, 2> best{};
-  double least = HUGE_VAL;
+  double min = HUGE_VAL;
   for (int i = 0; i < 3; ++i) {
     const std::array<int, 2> side = sorted(corners[i], corners[(i + 1) % 3]);
     if (side == entry) continue;
     const double way = detour(around, side, place);
-    if (way < least) {
-      least = way;
+    if (way < min) {
+      min = way;
       best = side;
     }
   }
@@ -86,7 +86,7 @@ bool spans(const EdgeSurroundings& around, const std::array<int, 2>& side, const
 }
 
 // Height over the longest side on the page; no number for a triangle that reaches behind the viewer.
-double height_on_page(const View& view, const std::array<int, 3>& corners) {
+double height_on_page(const ProjectedScene& view, const std::array<int, 3>& corners) {
   std::array<Vec2, 3> p{};
   for (int i = 0; i < 3; ++i) {
     if (!(view.clipper.vertices[corners[i]].w > 0)) return NAN;
@@ -102,17 +102,17 @@ double longest_side(const EdgeSurroundings& around, const std::array<int, 3>& co
   return std::max({length_of(around, {a, b}), length_of(around, {b, c}), length_of(around, {c, a})});
 }
 
-double nearest_w(const View& view, const std::array<int, 3>& corners) {
+double nearest_w(const ProjectedScene& view, const std::array<int, 3>& corners) {
   return std::min(
       {view.clipper.vertices[corners[0]].w, view.clipper.vertices[corners[1]].w, view.clipper.vertices[corners[2]].w});
 }
 
 }  // namespace
 
-SliverRule::SliverRule(const EdgeSurroundings& around, const View& view)
+SliverRule::SliverRule(const EdgeSurroundings& around, const ProjectedScene& view)
     : around_(around),
       view_(&view),
-      lowest_(std::max(scene_rounding, around.world.rounding * view.map.shrink)),
+      lowest_(std::max(scene_rounding, around.world.rounding * view.map.scale_exponent)),
       on_page_(lowest_on_page * page_resolution(around.world, view)) {}
 
 bool SliverRule::holds_for(int triangle) const {
@@ -124,7 +124,7 @@ bool SliverRule::holds_for(int triangle) const {
          height_on_page(*view_, corners) <= on_page_;
 }
 
-Slivers::Slivers(const EdgeSurroundings& around, const View& view, const Progress& progress)
+Slivers::Slivers(const EdgeSurroundings& around, const ProjectedScene& view, const Progress& progress)
     : around_(around), is_sliver_(around.mesh().polygon.size()) {
   const SliverRule rule(around, view);
   parallel_for(is_sliver_.size(), 8192, progress, [&](std::size_t begin, std::size_t end) {
@@ -153,10 +153,10 @@ Exit Slivers::way_out(const std::array<int, 2>& edge, int triangle) const {
   return exit_at(around_, edge, triangle, middle_of(around_, edge));
 }
 
-double page_resolution(const World& world, const View& view) {
+double page_resolution(const World& world, const ProjectedScene& view) {
   // Both ends of a line and the point beside it were rounded to the grid.
   constexpr double grid = 2;
-  return std::max(grid * view.cell, world.rounding * view.map.shrink * view.map.unit);
+  return std::max(grid * view.cell, world.rounding * view.map.scale_exponent * view.map.unit);
 }
 
 }  // namespace epura

@@ -15,13 +15,13 @@
 
 #include "base/progress.hpp"
 #include "edges/dihedral.hpp"
-#include "view/view.hpp"
+#include "view/projected_scene.hpp"
 
 namespace epura {
 
 /// Distances on the page up to which a point may be on either side of a line: the page grid or, where that is more,
 /// what rounding in the files may have moved (view units).
-double page_resolution(const World& world, const View& view);
+double page_resolution(const World& world, const ProjectedScene& view);
 
 /// What continues a surface at an edge.
 struct Beyond {
@@ -38,13 +38,13 @@ struct Exit {
 /// Which triangles of a model are slivers in a view.
 class SliverRule {
  public:
-  SliverRule(const EdgeSurroundings& around, const View& view);
+  SliverRule(const EdgeSurroundings& around, const ProjectedScene& view);
 
   [[nodiscard]] bool holds_for(int triangle) const;
 
  private:
   EdgeSurroundings around_;
-  const View* view_;
+  const ProjectedScene* view_;
   double lowest_, on_page_;
 };
 
@@ -54,7 +54,7 @@ class Slivers {
   /// For few questions: each triangle is looked at when it is asked about. The view is to outlive them.
   Slivers(const EdgeSurroundings& around, const SliverRule& rule) : around_(around), rule_(rule) {}
   /// For many: all are looked at beforehand. Throws OutOfTime.
-  Slivers(const EdgeSurroundings& around, const View& view, const Progress& progress = {});
+  Slivers(const EdgeSurroundings& around, const ProjectedScene& view, const Progress& progress = {});
   /// For tests: these and no others.
   Slivers(const EdgeSurroundings& around, std::vector<char> slivers)
       : around_(around), is_sliver_(std::move(slivers)) {}
@@ -63,8 +63,8 @@ class Slivers {
     return rule_ ? rule_->holds_for(triangle) : is_sliver_[triangle] != 0;
   }
 
-  /// The first triangle from this one on, away from the edge, that is no sliver. Each sliver is left through the side
-  /// on which the middle of the edge lies.
+  /// The first triangle from this one on, away from the edge, that is not a sliver. Each sliver is left through the
+  /// side on which the middle of the edge lies.
   [[nodiscard]] Beyond beyond(const std::array<int, 2>& edge, int triangle) const {
     return contain(triangle) ? across(edge, triangle) : Beyond{triangle, false};
   }

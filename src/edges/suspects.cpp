@@ -18,11 +18,11 @@ namespace epura {
 namespace {
 
 std::array<double, 6> corners_of(const Box& box) {
-  return {box.least.x, box.least.y, box.least.z, box.most.x, box.most.y, box.most.z};
+  return {box.min.x, box.min.y, box.min.z, box.max.x, box.max.y, box.max.z};
 }
 
 // Of each box the first body that has it, ascending; no other is lonely. A cut may take bodies away.
-std::vector<int> unlike_bodies(const std::vector<Box>& boxes, std::vector<char>& lonely) {
+std::vector<int> unlike_bodies(const std::vector<Box>& boxes, std::vector<char>& isolated) {
   std::vector<int> there;
   for (std::size_t b = 0; b < boxes.size(); ++b)
     if (!boxes[b].empty()) there.push_back(static_cast<int>(b));
@@ -33,7 +33,7 @@ std::vector<int> unlike_bodies(const std::vector<Box>& boxes, std::vector<char>&
     if (unlike.empty() || corners_of(boxes[unlike.back()]) != corners_of(boxes[body]))
       unlike.push_back(body);
     else
-      lonely[body] = lonely[unlike.back()] = 0;
+      isolated[body] = isolated[unlike.back()] = 0;
   }
   std::sort(unlike.begin(), unlike.end());
   return unlike;
@@ -41,12 +41,12 @@ std::vector<int> unlike_bodies(const std::vector<Box>& boxes, std::vector<char>&
 
 // Marks bodies whose box meets that of no other body.
 std::vector<char> lonely_bodies(const std::vector<Box>& boxes, const Progress& progress) {
-  std::vector<char> lonely(boxes.size(), 1);
-  const std::vector<int> there = unlike_bodies(boxes, lonely);
-  if (there.size() < 2) return lonely;
+  std::vector<char> isolated(boxes.size(), 1);
+  const std::vector<int> there = unlike_bodies(boxes, isolated);
+  if (there.size() < 2) return isolated;
   const TriangleTree tree(there.size(), [&](int i) { return boxes[there[i]]; });
   const auto tasks = tree.tasks(256);
-  const auto mark = [&](int body) { std::atomic_ref(lonely[body]).store(0, std::memory_order_relaxed); };
+  const auto mark = [&](int body) { std::atomic_ref(isolated[body]).store(0, std::memory_order_relaxed); };
   parallel_for(tasks.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t task = begin; task < end; ++task)
       tree.search(tasks[task], [&](int i, int j) {
@@ -56,7 +56,7 @@ std::vector<char> lonely_bodies(const std::vector<Box>& boxes, const Progress& p
         mark(there[j]);
       });
   });
-  return lonely;
+  return isolated;
 }
 
 using Corners = std::array<double, 9>;
@@ -84,9 +84,10 @@ void drop_third_copies(const World& world, const Progress& progress, std::vector
 
 }  // namespace
 
-std::vector<int> crossing_suspects(const World& world, double shrink, double contact, const Progress& progress) {
+std::vector<int> crossing_suspects(const World& world, double scale_exponent, double contact,
+                                   const Progress& progress) {
   progress.expect_time();
-  const UnsetVector<Vec3> points = shrunk_points(world, shrink);
+  const UnsetVector<Vec3> points = shrunk_points(world, scale_exponent);
   const BodyTable bodies = bodies_of(world, points);
   std::vector<char> apart = lonely_bodies(bodies.box, progress);
   progress.expect_time();

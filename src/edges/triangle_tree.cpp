@@ -50,8 +50,8 @@ TriangleTree::TriangleTree(std::size_t count, const std::function<Box(int)>& box
 // into buckets by the upper bits of their places; the buckets are sorted side by side.
 UnsetVector<int> TriangleTree::order_along_curve(const UnsetVector<Bounds>& bounds) {
   const auto middle = [&](std::size_t i) {
-    return (Vec3(bounds[i].least[0], bounds[i].least[1], bounds[i].least[2]) +
-            Vec3(bounds[i].most[0], bounds[i].most[1], bounds[i].most[2])) *
+    return (Vec3(bounds[i].min[0], bounds[i].min[1], bounds[i].min[2]) +
+            Vec3(bounds[i].max[0], bounds[i].max[1], bounds[i].max[2])) *
            0.5;
   };
   Box all;
@@ -60,7 +60,7 @@ UnsetVector<int> TriangleTree::order_along_curve(const UnsetVector<Bounds>& boun
   UnsetVector<std::uint64_t> codes(bounds.size());  // 63 bits
   parallel_for(bounds.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      const Vec3 at = (middle(i) - all.least) * cells;
+      const Vec3 at = (middle(i) - all.min) * cells;
       codes[i] = spread(static_cast<std::uint64_t>(at.x)) | spread(static_cast<std::uint64_t>(at.y)) << 1 |
                  spread(static_cast<std::uint64_t>(at.z)) << 2;
     }
@@ -90,8 +90,8 @@ UnsetVector<int> TriangleTree::order_along_curve(const UnsetVector<Bounds>& boun
 TriangleTree::Bounds TriangleTree::rounded_outwards(const Box& box) {
   Bounds bounds{};
   for (int axis = 0; axis < 3; ++axis) {
-    bounds.least[axis] = rounded_down(box.least[axis]);
-    bounds.most[axis] = -rounded_down(-box.most[axis]);
+    bounds.min[axis] = rounded_down(box.min[axis]);
+    bounds.max[axis] = -rounded_down(-box.max[axis]);
   }
   return bounds;
 }
@@ -106,8 +106,8 @@ void TriangleTree::fill_leaves(const UnsetVector<int>& order, const UnsetVector<
         leaves_[l].triangle[i] = at < order.size() ? order[at] : -1;
         const Bounds box = at < order.size() ? bounds[order[at]] : nothing;
         for (std::size_t axis = 0; axis < 3; ++axis) {
-          leaves_[l].least[axis][i] = box.least[axis];
-          leaves_[l].most[axis][i] = box.most[axis];
+          leaves_[l].min[axis][i] = box.min[axis];
+          leaves_[l].max[axis][i] = box.max[axis];
         }
       }
   });
@@ -127,8 +127,8 @@ TriangleTree::Node TriangleTree::build(int node, int leaf, int leaves, const std
   Bounds& bounds = built.bounds;
   if (leaves == 1) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      bounds.least[axis] = *std::min_element(leaves_[leaf].least[axis].begin(), leaves_[leaf].least[axis].end());
-      bounds.most[axis] = *std::max_element(leaves_[leaf].most[axis].begin(), leaves_[leaf].most[axis].end());
+      bounds.min[axis] = *std::min_element(leaves_[leaf].min[axis].begin(), leaves_[leaf].min[axis].end());
+      bounds.max[axis] = *std::max_element(leaves_[leaf].max[axis].begin(), leaves_[leaf].max[axis].end());
     }
     built.group = group_of_leaf(leaf, groups);
   } else {
@@ -143,8 +143,8 @@ TriangleTree::Node TriangleTree::build(int node, int leaf, int leaves, const std
       build_right();
     }
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      bounds.least[axis] = std::min(left.bounds.least[axis], right.bounds.least[axis]);
-      bounds.most[axis] = std::max(left.bounds.most[axis], right.bounds.most[axis]);
+      bounds.min[axis] = std::min(left.bounds.min[axis], right.bounds.min[axis]);
+      bounds.max[axis] = std::max(left.bounds.max[axis], right.bounds.max[axis]);
     }
     if (left.group == right.group) built.group = left.group;
   }

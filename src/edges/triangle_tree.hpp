@@ -48,12 +48,12 @@ class TriangleTree {
   static constexpr float infinity = std::numeric_limits<float>::infinity();
 
   struct Bounds {
-    std::array<float, 3> least, most;
+    std::array<float, 3> min, max;
 
     [[nodiscard]] bool meets(const Bounds& other) const {
       int apart = 0;  // without branches
       for (std::size_t axis = 0; axis < 3; ++axis)
-        apart |= int{least[axis] > other.most[axis]} | int{other.least[axis] > most[axis]};
+        apart |= int{min[axis] > other.max[axis]} | int{other.min[axis] > max[axis]};
       return apart == 0;
     }
   };
@@ -63,11 +63,11 @@ class TriangleTree {
     int group;         ///< of all triangles, or -1
   };
   struct Leaf {
-    std::array<std::array<float, width>, 3> least, most;
+    std::array<std::array<float, width>, 3> min, max;
     std::array<int, width> triangle;  ///< -1 behind the last one
 
     [[nodiscard]] Bounds bounds(std::size_t i) const {
-      return {{least[0][i], least[1][i], least[2][i]}, {most[0][i], most[1][i], most[2][i]}};
+      return {{min[0][i], min[1][i], min[2][i]}, {max[0][i], max[1][i], max[2][i]}};
     }
   };
 
@@ -89,8 +89,8 @@ class TriangleTree {
       std::array<std::int32_t, width> apart{};
       for (std::size_t axis = 0; axis < 3; ++axis)
         for (std::size_t j = 0; j < width; ++j)
-          apart[j] |= static_cast<std::int32_t>(bounds.least[axis] > b.most[axis][j]) |
-                      static_cast<std::int32_t>(b.least[axis][j] > bounds.most[axis]);
+          apart[j] |= static_cast<std::int32_t>(bounds.min[axis] > b.max[axis][j]) |
+                      static_cast<std::int32_t>(b.min[axis][j] > bounds.max[axis]);
       for (std::size_t j = &first == &second ? i + 1 : 0; j < width; ++j)
         if (apart[j] == 0) meet(a.triangle[i], b.triangle[j]);
     }

@@ -46,12 +46,12 @@ struct Line {
   [[nodiscard]] Vec3 step(int i) const { return point(i + 1) - point(i); }
 
   // The shortest run that has turned far enough for its circle to be told.
-  [[nodiscard]] int window(int first, int most) const {
-    for (int last = first + least_edges; last <= most; ++last) {
+  [[nodiscard]] int window(int first, int max) const {
+    for (int last = first + least_edges; last <= max; ++last) {
       const double turned = angle_between(step(first), step(last - 1));
       if (turned + angle_between(step(last - 2), step(last - 1)) >= least_sweep - angle_slack) return last;
     }
-    return most;
+    return max;
   }
 
   [[nodiscard]] std::optional<Fit> fit(int first, int last) const;
@@ -126,7 +126,7 @@ std::vector<MeshCircle> find_circles(const PlacedMesh& mesh, double crease_angle
   std::vector<MeshCircle> circles;
   for (const FeatureLine& features : find_feature_lines(mesh, crease_angle, most_step + angle_slack)) {
     const Line line{mesh, features, tolerance};
-    const auto window = [&](int first, int most) { return line.window(first, most); };
+    const auto window = [&](int first, int max) { return line.window(first, max); };
     const auto fit = [&](int first, int last) { return line.fit(first, last); };
     for (const CurveRun<Fit>& run : find_curve_runs<Fit>(line.size(), features.closed, window, fit))
       circles.push_back(circle_of(line, run));

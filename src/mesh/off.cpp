@@ -39,8 +39,8 @@ Counts read_counts(TextCursor& text) {
     *count = text.integer(text.word_of_any_line(), "the number of " + what);
     // A vertex takes at least six bytes and a face two, so a wrong count cannot make us ask for all memory.
     const long long least_bytes = count == &counts.vertices ? 6 : 2;
-    const auto most = static_cast<long long>(text.bytes_left() / least_bytes) + 1;
-    if (*count < 0 || *count > most)
+    const auto max = static_cast<long long>(text.bytes_left() / least_bytes) + 1;
+    if (*count < 0 || *count > max)
       text.fail("the file cannot hold the " + std::to_string(*count) + " " + what + " that its header announces");
   }
   // The number of edges, which nobody needs, follows here, alone on the next line, or not at all.

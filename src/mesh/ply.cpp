@@ -54,7 +54,7 @@ class BinarySource {
   [[nodiscard]] std::size_t bytes_left() const { return bytes_.size() - at_; }
   [[nodiscard]] std::size_t place() const { return at_; }
   [[noreturn]] void fail(const std::string& reason, std::size_t place) const {
-    throw Error(Trouble::input, std::string(name_) + ": byte " + std::to_string(place), reason);
+    throw Error(ErrorKind::input, std::string(name_) + ": byte " + std::to_string(place), reason);
   }
 
  private:
@@ -244,7 +244,7 @@ class PlyReader {
   int index(double value, bool may_end) {
     if (value == -1 && may_end) return -1;
     if (!(value >= 0) || value != std::floor(value) || value > 2147483646.0)
-      source_.fail("a face refers to a vertex whose number is no vertex", source_.place());
+      source_.fail("a face refers to a vertex whose number is not a vertex", source_.place());
     const auto number = static_cast<long long>(value);
     if (number > largest_) {
       largest_ = number;

@@ -44,7 +44,7 @@ const Format& format_of(std::string_view bytes, std::string_view extension, cons
   if (const Format* format = format_named(extension)) return *format;
   std::string known;
   for (const Format& format : formats) known += (known.empty() ? "." : ", .") + std::string(format.name);
-  throw Error(Trouble::input, name,
+  throw Error(ErrorKind::input, name,
               extension.empty() ? "has no extension that says which format it has"
                                 : "'." + std::string(extension) + "' is not a model format that can be read",
               "models are " + known);
@@ -58,7 +58,7 @@ struct FileContent {
 FileContent read_soup(const std::filesystem::path& path, const Progress& progress) {
   const std::string name = path.string();
   std::string bytes = read_file(path, progress);
-  if (bytes.empty()) throw Error(Trouble::input, name, "is empty");
+  if (bytes.empty()) throw Error(ErrorKind::input, name, "is empty");
   if (stl_kind(bytes) != StlKind::binary) bytes = without_byte_order_mark(std::move(bytes));
 
   const std::string dotted = to_lower(path.extension().string());
@@ -67,7 +67,7 @@ FileContent read_soup(const std::filesystem::path& path, const Progress& progres
   Soup soup = format.read(bytes, name, progress);
   // The half-edges, twice as many as corners at most, are numbered with int.
   if (soup.corners.size() > INT_MAX / 6 || soup.points.size() > INT_MAX)
-    throw Error(Trouble::input, name, "has more corners than can be numbered", "split the model");
+    throw Error(ErrorKind::input, name, "has more corners than can be numbered", "split the model");
   if (format_named(extension) != nullptr && extension != soup.format)
     soup.notes.push_back("the file is named ." + extension + ", but holds " + soup.format);
   return {std::move(soup), bytes.size()};
@@ -80,7 +80,7 @@ FileContent read_soup(const std::filesystem::path& path, const Progress& progres
   };
   add(report.dropped_non_finite, "with corners that are not finite");
   add(report.dropped_degenerate, "with fewer than three distinct corners");
-  throw Error(Trouble::input, report.name,
+  throw Error(ErrorKind::input, report.name,
               reasons.empty() ? "holds no faces" : "none of its faces can be drawn: " + reasons,
               reasons.empty() ? "points and lines alone are not drawn" : "");
 }

@@ -55,14 +55,14 @@ bool all_multiples(const Points& points, int decimals) {
 // The double next to 10^exponent, which the C library's powers and logarithms miss on some processors; 0 below all
 // doubles.
 double power_of_ten(int exponent) {
-  constexpr int least = -323, most = 308;
+  constexpr int min = -323, max = 308;
   static const std::vector<double> all = [] {
     std::vector<double> powers_of_ten;
-    for (int e = least; e <= most; ++e) powers_of_ten.push_back(*parse_number("1e" + std::to_string(e)));
+    for (int e = min; e <= max; ++e) powers_of_ten.push_back(*parse_number("1e" + std::to_string(e)));
     return powers_of_ten;
   }();
-  if (exponent < least) return 0;
-  return exponent > most ? HUGE_VAL : all[static_cast<std::size_t>(exponent - least)];
+  if (exponent < min) return 0;
+  return exponent > max ? HUGE_VAL : all[static_cast<std::size_t>(exponent - min)];
 }
 
 // The exponent of the first digit.

@@ -22,7 +22,7 @@ std::uint64_t announced_bytes(std::string_view bytes) {
 
 Soup read_binary(std::string_view bytes, std::string_view name, const Progress& progress) {
   const auto fail = [&](std::size_t at, const std::string& reason) {
-    throw Error(Trouble::input, std::string(name) + ": byte " + std::to_string(at), reason, "is the file complete?");
+    throw Error(ErrorKind::input, std::string(name) + ": byte " + std::to_string(at), reason, "is the file complete?");
   };
   if (bytes.size() < header_bytes) fail(bytes.size(), "the file ends inside the header of a binary STL");
   const std::uint64_t count = (announced_bytes(bytes) - header_bytes) / triangle_bytes;

@@ -111,7 +111,7 @@ std::array<double, 3> TextCursor::point() {
 }
 
 void TextCursor::fail(const std::string& reason, const std::string& hint) const {
-  throw Error(Trouble::input, std::string(name_) + ":" + std::to_string(line_), reason, hint);
+  throw Error(ErrorKind::input, std::string(name_) + ":" + std::to_string(line_), reason, hint);
 }
 
 std::string quoted(std::string_view word) {

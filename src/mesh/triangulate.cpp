@@ -50,16 +50,16 @@ bool is_fan(const std::vector<Vec2>& p) {
 class CornerGrid {
  public:
   explicit CornerGrid(const std::vector<Vec2>& places) : p_(places), least_(places.front()) {
-    Vec2 most = least_;
+    Vec2 max = least_;
     for (const Vec2& p : places) {
       least_ = glm::min(least_, p);
-      most = glm::max(most, p);
+      max = glm::max(max, p);
     }
-    const Vec2 size = most - least_;
+    const Vec2 size = max - least_;
     const double count = static_cast<double>(places.size());
     side_ = std::max({std::sqrt(size.x * size.y / count), size.x / count, size.y / count});
-    columns_ = column(most.x) + 1;
-    cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(row(most.y) + 1));
+    columns_ = column(max.x) + 1;
+    cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(row(max.y) + 1));
     for (int i = 0; i < static_cast<int>(places.size()); ++i) cell_of(i).push_back(i);
   }
 
@@ -67,9 +67,9 @@ class CornerGrid {
 
   /// Whether `is(corner)` for a corner in a box, and maybe for one near it.
   template <class Is>
-  [[nodiscard]] bool any_in(const Vec2& least, const Vec2& most, const Is& is) const {
-    for (int y = row(least.y); y <= row(most.y); ++y)
-      for (int x = column(least.x); x <= column(most.x); ++x) {
+  [[nodiscard]] bool any_in(const Vec2& min, const Vec2& max, const Is& is) const {
+    for (int y = row(min.y); y <= row(max.y); ++y)
+      for (int x = column(min.x); x <= column(max.x); ++x) {
         const std::vector<int>& corners = cells_[cell(x, y)];
         if (std::any_of(corners.begin(), corners.end(), is)) return true;
       }

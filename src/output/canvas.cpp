@@ -14,12 +14,12 @@
 namespace epura {
 
 Canvas enlarged_canvas(const Sheet& sheet) {
-  Vec2 least(0, 0), most(sheet.width, sheet.height);
+  Vec2 min(0, 0), max(sheet.width, sheet.height);
   double tallest = 0;
   const auto add = [&](const Vec2& p) {
     check(std::isfinite(p.x) && std::isfinite(p.y), "ink lies at infinity");
-    least = glm::min(least, p);
-    most = glm::max(most, p);
+    min = glm::min(min, p);
+    max = glm::max(max, p);
   };
   for (const Layer& layer : sheet.layers) {
     for (const Stroke& stroke : layer.strokes) {
@@ -36,10 +36,10 @@ Canvas enlarged_canvas(const Sheet& sheet) {
       tallest = std::max(tallest, text.height);
     }
   }
-  const Vec2 size = most - least;
+  const Vec2 size = max - min;
   // 2^31 / 2^8 units are the end of Cairo's numbers, and FreeType's letters are less than 2^16 units high.
   const double units = std::min({1000.0, 8e6 / std::max(size.x, size.y), 4e4 / tallest});
-  return {units, {least.x, most.y}, glm::max(glm::ceil(size * units), Vec2(1, 1))};
+  return {units, {min.x, max.y}, glm::max(glm::ceil(size * units), Vec2(1, 1))};
 }
 
 Pen make_pen(const CairoSurface& surface) {
@@ -127,7 +127,7 @@ cairo_status_t append_bytes(void* bytes, const unsigned char* data, unsigned len
 }
 
 void require(cairo_status_t status, const char* format) {
-  if (status != CAIRO_STATUS_SUCCESS) throw Error(Trouble::output, format, cairo_status_to_string(status));
+  if (status != CAIRO_STATUS_SUCCESS) throw Error(ErrorKind::output, format, cairo_status_to_string(status));
 }
 
 void finish(const CairoSurface& surface, const char* format) {

@@ -18,10 +18,10 @@ namespace {
 
 constexpr char32_t replacement = 0xFFFD;
 
-// No more of them than `most`.
-std::u32string beginning(std::string_view text, std::size_t most) {
+// No more of them than `max`.
+std::u32string beginning(std::string_view text, std::size_t max) {
   const std::vector<char32_t> all = characters(text);
-  return {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(std::min(all.size(), most))};
+  return {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(std::min(all.size(), max))};
 }
 
 std::string hexadecimal(unsigned value) {

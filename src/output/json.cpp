@@ -75,7 +75,7 @@ std::string point(const Vec2& p) { return numbers(coordinates(p)); }
 
 std::string point(const Vec3& p) { return numbers(coordinates(p)); }
 
-void append_segment(std::string& text, const Drawing& drawing, const Segment& segment) {
+void append_segment(std::string& text, const ViewDrawing& drawing, const Segment& segment) {
   append_numbers(text += "{\"from\": ", coordinates(segment.from));
   append_numbers(text += ", \"to\": ", coordinates(segment.to));
   text += segment.visible ? ", \"visible\": true" : ", \"visible\": false";
@@ -97,7 +97,7 @@ void append_segment(std::string& text, const Drawing& drawing, const Segment& se
   text += '}';
 }
 
-void append_segments(std::string& text, const Drawing& drawing, const Progress& progress) {
+void append_segments(std::string& text, const ViewDrawing& drawing, const Progress& progress) {
   const std::vector<Segment>& segments = drawing.segments;
   constexpr std::size_t at_once = 4096, most_bytes = 512;
   text.reserve(text.size() + most_bytes * segments.size());  // what is not touched costs nothing
@@ -114,7 +114,7 @@ void append_segments(std::string& text, const Drawing& drawing, const Progress& 
 }
 
 // Nothing for a drawing without curves.
-void append_curves(std::string& text, const Drawing& drawing) {
+void append_curves(std::string& text, const ViewDrawing& drawing) {
   std::string lines;
   for (const Chain& chain : drawing.chains) {
     for (const CurvePart& curve : chain.curves) {
@@ -152,7 +152,7 @@ std::string cut_face_of(const CutFace& face) {
          ", \"rings\": " + list(face.rings, ring_of) + "}";
 }
 
-void append_view(std::string& text, const Drawing& drawing, double main_scale, const Progress& progress) {
+void append_view(std::string& text, const ViewDrawing& drawing, double main_scale, const Progress& progress) {
   const Projection& projection = drawing.projection;
   const auto vanishing_point = [](const std::optional<Vec2>& p) { return p ? point(*p) : "null"; };
   text += "{\"name\": " + json_string(drawing.name) + ", \"projection\": " + json_string(projection.name) +
@@ -218,12 +218,12 @@ std::string facet_of(const FacetName& facet) { return numbers(std::array{facet.m
 
 std::string stratum_of(const Stratum& stratum) {
   return "{\"visible\": " + boolean(stratum.visible) + ", \"kind\": " + json_string(name_of(stratum.kind)) +
-         ", \"least\": " + number(stratum.least) + ", \"length\": " + number(stratum.length) +
+         ", \"least\": " + number(stratum.min) + ", \"length\": " + number(stratum.length) +
          ", \"samples\": " + number(stratum.samples) + ", \"undecided\": " + number(stratum.undecided) +
          ", \"wrong\": " + number(stratum.wrong) + "}";
 }
 
-std::string offence_of(const Offence& offence) {
+std::string offence_of(const Mismatch& offence) {
   const bool has_edge = offence.edge[0] >= 0;
   return "{\"what\": " + json_string(offence.what) + ", \"model\": " + number(offence.model) +
          ", \"edge\": " + (has_edge ? numbers(offence.edge) : "null") + ", \"t\": " + number(offence.t) +
@@ -277,14 +277,14 @@ std::string report_of(const Report& report) {
 
 }  // namespace
 
-std::string to_json(const Sheet& sheet, double scale, std::span<const Drawing> drawings, const Report& report,
+std::string to_json(const Sheet& sheet, double scale, std::span<const ViewDrawing> drawings, const Report& report,
                     const Progress& progress) {
   std::string text =
       "{\"epura\": 1, \"unit\": \"mm\", \"sheet\": {\"size\": " + point(Vec2(sheet.width, sheet.height)) +
       ", \"scale\": " + number(scale) + "},";
   if (!report.partial.stages.empty()) text += "\n \"partial\": " + partial_of(report.partial) + ",";
   text += "\n \"views\": [";
-  for (const Drawing& drawing : drawings) {
+  for (const ViewDrawing& drawing : drawings) {
     text += &drawing == drawings.data() ? "\n  " : ",\n  ";
     append_view(text, drawing, scale, progress);
   }

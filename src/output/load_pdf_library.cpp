@@ -8,11 +8,11 @@ namespace epura {
 const PdfLibrary& pdf_library() {
   const std::filesystem::path path = own_folder() / EPURA_PDF_LIBRARY;
   try {
-    const void* library = find_symbol(load_library(path, Trouble::output), "epura_pdf_library");
-    if (library == nullptr) throw Error(Trouble::output, "", "is another library");
+    const void* library = find_symbol(load_library(path, ErrorKind::output), "epura_pdf_library");
+    if (library == nullptr) throw Error(ErrorKind::output, "", "is another library");
     return *static_cast<const PdfLibrary*>(library);
   } catch (const Error& error) {
-    throw Error(error.trouble(), path.string(), error.what(),
+    throw Error(error.kind(), path.string(), error.what(),
                 "it comes with epura, which needs it for PDF files: install epura again");
   }
 }

@@ -89,13 +89,13 @@ std::string postscript(const Pages& sheets, bool encapsulated, const Progress& p
 
 Vec2 pixels_of(const Sheet& sheet, double dpi) {
   if (!(dpi >= 1 && dpi <= most_dpi))
-    throw Error(Trouble::input, "--dpi", "PNG cannot be drawn at " + format_number(dpi) + " dots per inch",
+    throw Error(ErrorKind::input, "--dpi", "PNG cannot be drawn at " + format_number(dpi) + " dots per inch",
                 "1 to " + format_number(most_dpi) + " are possible");
   // The slack keeps 25.4 mm at 300 dpi at 300 pixels.
   const Vec2 pixels = glm::max(glm::ceil(Vec2(sheet.width, sheet.height) * (dpi / 25.4) - 1e-6), Vec2(1, 1));
   if (std::max(pixels.x, pixels.y) > most_pixels)
     throw Error(
-        Trouble::output, "PNG",
+        ErrorKind::output, "PNG",
         "a picture of " + format_fixed(pixels.x, 0) + " x " + format_fixed(pixels.y, 0) + " pixels is too large",
         "use a smaller sheet or fewer --dpi: at most " + std::to_string(most_pixels) + " pixels a side");
   return pixels;

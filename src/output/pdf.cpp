@@ -47,9 +47,8 @@ std::string cairo_pdf(const Canvas& canvas, const Layer& layer, const std::optio
 // A little more than the ink.
 std::string view_of(const ViewFrame& frame) {
   constexpr double margin = 5;  // mm
-  const Vec2 least = (frame.least - margin) * points_per_millimetre,
-             most = (frame.most + margin) * points_per_millimetre;
-  return "/FitR " + real(least.x) + " " + real(least.y) + " " + real(most.x) + " " + real(most.y);
+  const Vec2 min = (frame.min - margin) * points_per_millimetre, max = (frame.max + margin) * points_per_millimetre;
+  return "/FitR " + real(min.x) + " " + real(min.y) + " " + real(max.x) + " " + real(max.y);
 }
 
 PdfPage page_of(const Sheet& sheet, std::size_t number, const Progress& progress) {

@@ -191,9 +191,9 @@ std::string to_svg(const Sheet& sheet, const VectorOptions& options, const Progr
   const std::optional<Lettering> lettering = lettering_of(sheet);
   std::string svg;
   // Memory that is never touched costs nothing, moving a long text does.
-  std::size_t most = frame.size();
-  for (const Layer* layer : layers) most += most_bytes(*layer);
-  svg.reserve(most);
+  std::size_t max = frame.size();
+  for (const Layer* layer : layers) max += most_bytes(*layer);
+  svg.reserve(max);
   std::size_t copied = 0, lines = 0;
   for (const Layer* layer : layers) {
     if (!has_ink(*layer)) continue;

@@ -18,7 +18,7 @@ struct FacetName {
 };
 
 /// A point where the drawing is wrong.
-struct Offence {
+struct Mismatch {
   std::string what;  ///< "drawn hidden", "drawn visible" or "not drawn"
   int model;
   std::array<int, 2> edge;        ///< vertex numbers of the file; {-1, -1} for an intersection line
@@ -33,7 +33,7 @@ struct Offence {
 struct Stratum {
   bool visible;
   EdgeKind kind;
-  double least;                  ///< spans are at least so long, in parts of the drawing's size
+  double min;                    ///< spans are at least so long, in parts of the drawing's size
   double length = 0;             ///< of its spans together, mm
   int samples = 0;               ///< points drawn at random
   int undecided = 0, wrong = 0;  ///< of these
@@ -72,7 +72,7 @@ struct Verification {
   double misclassified = 0;    ///< estimated share
   double at_most = 1;          ///< the same with a confidence of 95 %, one-sided
   std::vector<Stratum> strata;
-  std::vector<Offence> worst;  ///< longest spans first, at most ten
+  std::vector<Mismatch> worst;  ///< longest spans first, at most ten
   OutlineCheck outline;
 
   [[nodiscard]] bool is_right() const { return wrong == 0 && outline.wrong() == 0; }

@@ -67,9 +67,9 @@ struct PlanStep {
   bool run;
   std::string why;  ///< it ran, or the certificate by which it was left out
   long long items_in = 0, items_out = 0;
-  std::string view{};  ///< empty for what is done once
-  long long spared{};  ///< of the items that came in, those that a certificate left out
-  PlanTimes times{};   ///< empty unless asked for: outputs are byte-stable
+  std::string view{};   ///< empty for what is done once
+  long long skipped{};  ///< of the items that came in, those that a certificate left out
+  PlanTimes times{};    ///< empty unless asked for: outputs are byte-stable
 };
 
 /// What a time limit left undone.
@@ -108,7 +108,7 @@ struct Report {
 };
 
 /// Drawing JSON, schema 1 (docs/formats.md).
-std::string to_json(const Sheet& sheet, double scale, std::span<const Drawing> drawings, const Report& report,
+std::string to_json(const Sheet& sheet, double scale, std::span<const ViewDrawing> drawings, const Report& report,
                     const Progress& progress = {});
 
 }  // namespace epura

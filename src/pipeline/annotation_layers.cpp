@@ -55,7 +55,7 @@ Neighbours neighbours_of(const SheetFurniture& furniture, const std::vector<Text
 
 Neighbours with_other_views(Neighbours neighbours, std::span<const ViewResult> views, std::size_t view) {
   for (std::size_t i = 0; i < views.size(); ++i)
-    if (i != view) neighbours.boxes.push_back(turned_box({views[i].drawing.least, views[i].drawing.most}));
+    if (i != view) neighbours.boxes.push_back(turned_box({views[i].drawing.min, views[i].drawing.max}));
   return neighbours;
 }
 
@@ -74,8 +74,8 @@ AnnotationLayers annotation_layers(const World& world, const SheetPlan& plan, st
     const std::vector<DimensionDescription> dimensions = dimensions_of(annotations[i], views[i]);
     if (dimensions.empty()) continue;
     if (!lettering) around = neighbours_of(plan.furniture, labels, marks, lettering.emplace());
-    const DimensionLook look{*lettering, widths.narrow, dimension_text_height(paper, views.size())};
-    const Drawing& drawing = views[i].drawing;
+    const DimensionStyle look{*lettering, widths.narrow, dimension_text_height(paper, views.size())};
+    const ViewDrawing& drawing = views[i].drawing;
     Layer layer = dimension_layer(world, drawing, dimensions, look, with_other_views(around, views, i),
                                   budget.run.with_part_of_the_time(0.5));
     if (const std::size_t left_out = dimensions.size() - layer.texts.size(); left_out > 0) {

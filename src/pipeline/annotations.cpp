@@ -23,7 +23,8 @@ const std::string& view_of(const DimensionDescription& dimension, const SceneDes
 }
 
 // A section may have cut off an end of the models: it shows their size only where no other view does.
-std::vector<NamedProjection> views_to_measure(std::span<const ViewDescription> views, std::span<const View> seen) {
+std::vector<NamedProjection> views_to_measure(std::span<const ViewDescription> views,
+                                              std::span<const ProjectedScene> seen) {
   std::vector<NamedProjection> whole, cut;
   for (std::size_t i = 0; i < seen.size(); ++i)
     (views[i].section.given() ? cut : whole).push_back({*views[i].name, seen[i].projection});
@@ -32,7 +33,7 @@ std::vector<NamedProjection> views_to_measure(std::span<const ViewDescription> v
 }
 
 void add_dimensions(std::vector<Annotations>& annotations, const SceneDescription& scene, int sheet,
-                    std::span<const ViewDescription> views, std::span<const View> seen) {
+                    std::span<const ViewDescription> views, std::span<const ProjectedScene> seen) {
   const std::vector<NamedProjection> projections = views_to_measure(views, seen);
   const auto here = [&views](const std::string& name) {
     return std::find_if(views.begin(), views.end(), [&](const ViewDescription& v) { return *v.name == name; });
@@ -51,7 +52,7 @@ void add_dimensions(std::vector<Annotations>& annotations, const SceneDescriptio
 }
 
 void add_planes(std::vector<Annotations>& annotations, std::span<const ViewDescription> views,
-                std::span<const View> seen, const CutSections& sections) {
+                std::span<const ProjectedScene> seen, const CutSections& sections) {
   for (const auto& [name, section] : sections) {
     const auto shows = [&name = name](const ViewDescription& view) { return view.section.value == name; };
     if (std::none_of(views.begin(), views.end(), shows)) continue;
@@ -66,7 +67,7 @@ void add_planes(std::vector<Annotations>& annotations, std::span<const ViewDescr
 }  // namespace
 
 std::vector<Annotations> annotate(const SceneDescription& scene, int sheet, std::span<const ViewDescription> views,
-                                  std::span<const View> seen, const CutSections& sections) {
+                                  std::span<const ProjectedScene> seen, const CutSections& sections) {
   std::vector<Annotations> annotations(views.size());
   add_dimensions(annotations, scene, sheet, views, seen);
   add_planes(annotations, views, seen, sections);
@@ -78,7 +79,7 @@ void expect_views_of_dimensions(const SceneDescription& scene) {
   for (const ViewDescription& view : scene.views) names.push_back(*view.name);
   for (const DimensionDescription& dimension : scene.dimensions)
     if (dimension.view.given() && std::count(names.begin(), names.end(), *dimension.view) == 0)
-      throw Error(Trouble::input, dimension.view.where, "there is no view '" + *dimension.view + "'",
+      throw Error(ErrorKind::input, dimension.view.where, "there is no view '" + *dimension.view + "'",
                   did_you_mean(*dimension.view, names));
 }
 

@@ -7,7 +7,7 @@
 
 #include "pipeline/sections.hpp"
 #include "scene/description.hpp"
-#include "view/view.hpp"
+#include "view/projected_scene.hpp"
 
 namespace epura {
 
@@ -21,7 +21,7 @@ struct Annotations {
 /// sheet shows is marked in the first view of the whole that sees its plane edge-on. Throws Error{input} for overall
 /// dimensions that no view shows.
 std::vector<Annotations> annotate(const SceneDescription& scene, int sheet, std::span<const ViewDescription> views,
-                                  std::span<const View> seen, const CutSections& sections);
+                                  std::span<const ProjectedScene> seen, const CutSections& sections);
 
 /// Throws Error{input} for dimensions in views that are not there.
 void expect_views_of_dimensions(const SceneDescription& scene);

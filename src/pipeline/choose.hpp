@@ -21,7 +21,7 @@ Value choose(const std::string& where, const std::string& word,
     if (name == word) return value;
     names.push_back(name);
   }
-  throw Error(Trouble::input, where, "unknown value '" + word + "'", did_you_mean(word, names));
+  throw Error(ErrorKind::input, where, "unknown value '" + word + "'", did_you_mean(word, names));
 }
 
 /// What `use` makes of the value. An error over one in a scene file names the place there first; an option names
@@ -32,7 +32,7 @@ auto at_place(const Located<Value>& located, const Use& use) {
     return use(*located);
   } catch (const Error& error) {
     if (located.where.starts_with("--")) throw;
-    throw Error(error.trouble(), located.where, error.what(), error.hint());
+    throw Error(error.kind(), located.where, error.what(), error.hint());
   }
 }
 

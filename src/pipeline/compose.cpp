@@ -35,12 +35,12 @@ std::vector<Text> labels_of(const SheetPlan& plan, std::span<const ViewDescripti
   std::vector<Text> labels;
   for (std::size_t i = 0; i < views.size(); ++i) {
     const ViewDescription& view = descriptions[i];
-    const Drawing& drawing = views[i].drawing;
+    const ViewDrawing& drawing = views[i].drawing;
     std::string name = view.label.value_or("");
     if (name.empty() && view.section.given() && views.size() > 1) name = *view.section + "-" + *view.section;
     const auto scale = drawing.projection.central ? std::nullopt : std::optional(drawing.scale);
     const std::string label = view_label(name, scale, plan.scale);
-    if (!label.empty()) labels.push_back(label_above(label, {drawing.least, drawing.most}));
+    if (!label.empty()) labels.push_back(label_above(label, {drawing.min, drawing.max}));
   }
   return labels;
 }
@@ -48,9 +48,9 @@ std::vector<Text> labels_of(const SheetPlan& plan, std::span<const ViewDescripti
 std::vector<ViewFrame> frames_of(const std::vector<ViewResult>& views) {
   std::vector<ViewFrame> frames;
   for (const ViewResult& view : views) {
-    const Drawing& drawing = view.drawing;
+    const ViewDrawing& drawing = view.drawing;
     const std::string scale = drawing.projection.central ? "" : ratio_text(drawing.scale);
-    frames.push_back({drawing.name, drawing.projection.name, scale, drawing.least, drawing.most});
+    frames.push_back({drawing.name, drawing.projection.name, scale, drawing.min, drawing.max});
   }
   return frames;
 }
@@ -69,13 +69,13 @@ FurnitureLayers furniture_layers(const SheetFurniture& furniture) {
   return sheet_layers(furniture, Lettering());
 }
 
-std::vector<const Drawing*> drawings_of(const std::vector<ViewResult>& views) {
-  std::vector<const Drawing*> drawings;
+std::vector<const ViewDrawing*> drawings_of(const std::vector<ViewResult>& views) {
+  std::vector<const ViewDrawing*> drawings;
   for (const ViewResult& view : views) drawings.push_back(&view.drawing);
   return drawings;
 }
 
-std::vector<Layer> centre_layers(const ViewResult& view, const ViewWish& wish, const LineWidths& widths,
+std::vector<Layer> centre_layers(const ViewResult& view, const ViewOptions& wish, const LineWidths& widths,
                                  const std::vector<Layer>& lines, const Progress& progress) {
   if (!wish.centre_lines) return {};
   progress.begin("drawing centre lines");
@@ -97,7 +97,7 @@ std::vector<std::vector<Layer>> hatch_layers(const std::vector<ViewResult>& resu
 }
 
 // Where there is no time for all lines, of the longest ones.
-std::vector<Layer> line_layers(Drawing& drawing, const LineWidths& widths, const std::vector<ModelLook>& looks,
+std::vector<Layer> line_layers(ViewDrawing& drawing, const LineWidths& widths, const std::vector<ModelStyle>& looks,
                                const Budget& budget) {
   const auto make = [&](const Progress& progress) { return view_layers(drawing, widths, looks, progress); };
   const auto leave_out = [&](const std::string& stage) {

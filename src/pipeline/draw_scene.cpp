@@ -37,7 +37,7 @@ struct Run {
 
   void note(const ViewResult& result);
   ViewTime time_of_next_view();
-  std::vector<View> map_views(const WorldOfView& world, const SheetOfViews& views);
+  std::vector<ProjectedScene> map_views(const WorldOfView& world, const SheetOfViews& views);
   FinishedSheet draw_sheet(const World& whole, const CutSections& sections, const SheetOfViews& views);
   std::vector<FinishedSheet> draw_sheets(const std::vector<SheetOfViews>& sheets);
 };
@@ -58,12 +58,12 @@ ViewTime Run::time_of_next_view() {
   return {progress, progress.with_part_of_the_time(1 / (static_cast<double>(views_left--) + views_for_the_rest))};
 }
 
-std::vector<View> Run::map_views(const WorldOfView& world, const SheetOfViews& views) {
+std::vector<ProjectedScene> Run::map_views(const WorldOfView& world, const SheetOfViews& views) {
   progress.begin("mapping", views.plans.size());
-  std::vector<View> seen;
+  std::vector<ProjectedScene> seen;
   for (std::size_t i = 0; i < views.plans.size(); ++i) {
     progress.expect_time();
-    seen.push_back(look_at(world(i), views.plans[i], views.descriptions[i]));
+    seen.push_back(project_scene(world(i), views.plans[i], views.descriptions[i]));
     const Condition map = condition_of(seen.back().projection, world(i).box, world(i).one_rounding);
     const ViewCondition condition{views.plans[i].wish.name, map};
     warn_about(messages, condition);
@@ -79,7 +79,7 @@ FinishedSheet Run::draw_sheet(const World& whole, const CutSections& sections, c
   const auto world = [&](std::size_t view) -> const World& {
     return section(view) == nullptr ? whole : section(view)->cut.world;
   };
-  std::vector<View> seen = map_views(world, views);
+  std::vector<ProjectedScene> seen = map_views(world, views);
   const std::vector<Annotations> annotations = annotate(scene, views.sheet, views.descriptions, seen, sections);
   const SheetPlan plan = plan_sheet(whole, scene, views.sheet, views.descriptions, seen, annotations);
   if (plan.chosen) messages.warn("the scale is " + ratio_text(plan.scale) + ", the largest of ISO 5455 that fits");
@@ -87,7 +87,7 @@ FinishedSheet Run::draw_sheet(const World& whole, const CutSections& sections, c
   Partial partial;
   const Budget budget{progress, progress, partial};
   for (std::size_t i = 0; i < seen.size(); ++i) {
-    const ViewWish& wish = views.plans[i].wish;
+    const ViewOptions& wish = views.plans[i].wish;
     results.push_back(draw_view(world(i), section(i), std::move(seen[i]), wish, plan.places[i], report.plan, watch,
                                 time_of_next_view()));
     warn_if_empty(messages, results.back(), wish, world(i));
@@ -129,7 +129,7 @@ DrawnScene draw_scene(const SceneDescription& scene, const RunOptions& options, 
   Run run{scene, options, context.messages, context.progress, context.watch, scene.views.size()};
   run.report.plan.push_back(plugins_step(sheets));
   std::vector<FinishedSheet> finished = run.draw_sheets(sheets);
-  // An empty sheet is no drawing.
+  // An empty sheet is not a drawing.
   if (!run.report.partial.stages.empty() && !run.has_lines) throw OutOfTime{run.report.partial.stages.front()};
   return {std::move(finished), std::move(run.report), std::move(run.answers)};
 }

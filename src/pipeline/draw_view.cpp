@@ -8,7 +8,7 @@
 #include "edges/suspects.hpp"
 #include "study/verify/outline.hpp"
 #include "study/verify/verify.hpp"
-#include "visibility/one_sheet.hpp"
+#include "visibility/height_field.hpp"
 
 namespace epura {
 
@@ -25,12 +25,12 @@ auto timed(std::optional<double>& seconds, const Compute& compute) {
   return result;
 }
 
-std::string why_not_clipped(const View& view) {
+std::string why_not_clipped(const ProjectedScene& view) {
   if (view.idle_planes.empty()) return "a parallel view has no near plane, and no window or depth is given";
   return "everything lies inside the view volume";
 }
 
-PlanStep clip_step(const World& world, const View& view, const ViewWish& wish) {
+PlanStep clip_step(const World& world, const ProjectedScene& view, const ViewOptions& wish) {
   const bool cuts = !view.triangle_planes.empty();
   const bool run = cuts || (!wish.leave_out.clip && !view.idle_planes.empty());
   return {"clip",
@@ -55,7 +55,7 @@ constexpr double part_for_suspects = 0.25;
 // Of the time for lines; the rest is for drawing them.
 constexpr double part_for_hiding = 0.7;
 
-std::string why_searched(const World& world, const ViewWish& wish, std::size_t suspects) {
+std::string why_searched(const World& world, const ViewOptions& wish, std::size_t suspects) {
   const std::string all = std::to_string(world.triangles.size());
   if (!wish.edges.intersection) return "not wanted";
   if (suspects == 0) return "all bodies are convex, and their boxes stand apart";
@@ -65,28 +65,28 @@ std::string why_searched(const World& world, const ViewWish& wish, std::size_t s
          " triangles; the others are of convex bodies that stand apart, or copies";
 }
 
-Suspects find_suspects(const World& world, const View& view, const ViewWish& wish, double contact,
+Suspects find_suspects(const World& world, const ProjectedScene& view, const ViewOptions& wish, double contact,
                        const Progress& progress) {
   Suspects suspects{{}, {"intersections", false, "", count_of(world.triangles.size()), 0}};
   if (wish.edges.intersection)
     suspects.triangles =
         !wish.leave_out.intersections ? all_triangles(world) : timed(suspects.step.times.certificate, [&] {
-          return crossing_suspects(world, view.map.shrink, contact, progress);
+          return crossing_suspects(world, view.map.scale_exponent, contact, progress);
         });
   suspects.step.run = !suspects.triangles.empty();
-  if (wish.edges.intersection) suspects.step.spared = count_of(world.triangles.size() - suspects.triangles.size());
+  if (wish.edges.intersection) suspects.step.skipped = count_of(world.triangles.size() - suspects.triangles.size());
   suspects.step.why = why_searched(world, wish, suspects.triangles.size());
   return suspects;
 }
 
 // Without time to find out which triangles may cross, all may.
-Suspects find_suspects_in_time(const World& world, const View& view, const ViewWish& wish, double contact,
+Suspects find_suspects_in_time(const World& world, const ProjectedScene& view, const ViewOptions& wish, double contact,
                                const Progress& progress) {
   progress.begin("finding bodies that cross nothing");
   try {
     return find_suspects(world, view, wish, contact, progress.with_part_of_the_time(part_for_suspects));
   } catch (const OutOfTime&) {
-    ViewWish all = wish;
+    ViewOptions all = wish;
     all.leave_out.intersections = false;
     Suspects suspects = find_suspects(world, view, all, contact, progress);
     suspects.step.why = "there was no time to find what may be left out";
@@ -95,13 +95,13 @@ Suspects find_suspects_in_time(const World& world, const View& view, const ViewW
 }
 
 // None where there is not even time for those of the meshes.
-DrawnEdges find_edges(const World& world, View& view, const ViewWish& wish, std::vector<PlanStep>& plan,
-                      const Budget& budget) {
+FeatureEdges find_edges(const World& world, ProjectedScene& view, const ViewOptions& wish, std::vector<PlanStep>& plan,
+                        const Budget& budget) {
   const double contact = contact_in_space(world, view, wish.contact);
   Suspects suspects = find_suspects_in_time(world, view, wish, contact, budget.lines);
-  DrawnEdges drawn;
+  FeatureEdges drawn;
   try {
-    drawn = find_drawn_edges(world, view, wish.edges, contact, suspects.triangles, budget.lines);
+    drawn = find_feature_edges(world, view, wish.edges, contact, suspects.triangles, budget.lines);
     if (drawn.searched < 1) budget.partial.add_stage("finding intersections");
     budget.partial.searched = drawn.searched;
   } catch (const OutOfTime& cut) {
@@ -114,7 +114,7 @@ DrawnEdges find_edges(const World& world, View& view, const ViewWish& wish, std:
 }
 
 // All but the longest edges are left undecided. Says whether so few are left that they take no time.
-bool keep_longest(const View& view, DrawnEdges& drawn, HiddenSpans& hidden, const std::string& stage,
+bool keep_longest(const ProjectedScene& view, FeatureEdges& drawn, HiddenSpans& hidden, const std::string& stage,
                   Partial& partial) {
   hidden.undecided = all_but_longest(view, drawn.edges, fewer(drawn.edges.size()));
   partial.add_stage(stage);
@@ -123,16 +123,17 @@ bool keep_longest(const View& view, DrawnEdges& drawn, HiddenSpans& hidden, cons
   return drawn.edges.size() <= few_lines;
 }
 
-HiddenSpans hide(const World& world, const View& view, DrawnEdges& drawn, const Contact& contact, const ViewWish& wish,
-                 const Method& method, double scale, std::vector<PlanStep>& plan, const Budget& budget) {
+HiddenSpans hide(const World& world, const ProjectedScene& view, FeatureEdges& drawn, const Contact& contact,
+                 const ViewOptions& wish, const Method& method, double scale, std::vector<PlanStep>& plan,
+                 const Budget& budget) {
   PlanStep step{"visibility", false, "a wireframe is wanted", count_of(drawn.edges.size()), 0};
   HiddenSpans hidden = nothing_hidden(drawn);
   const bool wanted = method.way != Way::none;
   const bool one_sheet = wanted && wish.leave_out.visibility &&
-                         timed(step.times.certificate, [&] { return is_one_sheet(world, view, drawn); });
+                         timed(step.times.certificate, [&] { return is_height_field(world, view, drawn); });
   if (one_sheet) {
     step.why = "the page shows the surface as one sheet";
-    step.spared = step.items_in;
+    step.skipped = step.items_in;
   }
   if (wanted && !one_sheet) {
     step.run = true;
@@ -170,7 +171,7 @@ HiddenSpans hide(const World& world, const View& view, DrawnEdges& drawn, const 
   return hidden;
 }
 
-PlanStep hidden_step(const ViewWish& wish, const HiddenSpans& hidden) {
+PlanStep hidden_step(const ViewOptions& wish, const HiddenSpans& hidden) {
   const bool run = wish.keep_hidden() || !wish.leave_out.hidden;
   return {"hidden",
           run,
@@ -183,7 +184,8 @@ PlanStep hidden_step(const ViewWish& wish, const HiddenSpans& hidden) {
           run ? 0 : count_of(hidden.spans.size())};
 }
 
-MethodChoice choice_for(const ViewWish& wish, const View& view, const DrawnEdges& drawn, const PaperMap& paper) {
+MethodChoice choice_for(const ViewOptions& wish, const ProjectedScene& view, const FeatureEdges& drawn,
+                        const PaperMap& paper) {
   if (!wish.max_error) return {wish.method, 0, {}};
   return choose_method(view, drawn, paper.scale, *wish.max_error);
 }
@@ -195,40 +197,40 @@ PlanStep section_step(const CutSection& section) {
 
 struct ViewInWork {
   const World& world;
-  const View& view;
-  const ViewWish& wish;
-  DrawnEdges& drawn;
+  const ProjectedScene& view;
+  const ViewOptions& wish;
+  FeatureEdges& drawn;
   HiddenSpans& hidden;
   const Contact& contact;
   const PaperMap& paper;
 };
 
-std::optional<Verification> verify_view(const ViewInWork& work, const Drawing& drawing, bool complete,
+std::optional<Verification> verify_view(const ViewInWork& work, const ViewDrawing& drawing, bool complete,
                                         const Progress& progress) {
   const auto& [world, view, wish, drawn, hidden, contact, paper] = work;
   if (!wish.verify) return std::nullopt;
   progress.begin("verifying");
   const Tolerance tolerance{view.extent * paper.scale, contact.touching * paper.scale};
-  const Claim claim{world, view.projection, wish.limits, drawn, hidden, drawing};
+  const VerifyInput claim{world, view.projection, wish.limits, drawn, hidden, drawing};
   Verification found = verify(claim, tolerance, *wish.verify, wish.keep_hidden(), progress);
   // A window that is given cuts lines off; otherwise it is the box of what is seen, and lines lie on its border.
   const double margin = view.window_given ? 0 : 0.01 * view.extent;
   const auto place = [&on_paper = paper, &seen = view](const Vec2& corner) {
     return on_paper.origin + on_paper.scale * (corner - seen.middle);
   };
-  const Window window{place(view.window.least - margin), place(view.window.most + margin)};
+  const Window window{place(view.window.min - margin), place(view.window.max + margin)};
   found.outline = verify_outline(claim, tolerance, {wish.edges, *wish.verify, complete, window, progress});
   return found;
 }
 
 struct DrawnLines {
-  Drawing drawing;
+  ViewDrawing drawing;
   CurveReport curves;
 };
 
 // Where there is no time for all lines, of the longest edges.
 DrawnLines draw_lines(const ViewInWork& work, const Budget& budget) {
-  const ViewWish& wish = work.wish;
+  const ViewOptions& wish = work.wish;
   const auto make = [&](const Progress& progress) {
     DrawnLines lines;
     lines.drawing = make_drawing(work.world, work.view, work.drawn, work.hidden, work.contact, work.paper,
@@ -244,9 +246,9 @@ DrawnLines draw_lines(const ViewInWork& work, const Budget& budget) {
 
 }  // namespace
 
-bool ViewWish::keep_hidden() const {
+bool ViewOptions::keep_hidden() const {
   return std::any_of(looks.begin(), looks.end(),
-                     [](const ModelLook& look) { return look.hidden != HiddenLines::none; });
+                     [](const ModelStyle& look) { return look.hidden != HiddenLines::none; });
 }
 
 void Stopwatch::lap(const std::string& stage) {
@@ -255,14 +257,14 @@ void Stopwatch::lap(const std::string& stage) {
   start_ = now;
 }
 
-ViewResult draw_view(const World& world, const CutSection* section, View view, const ViewWish& wish,
+ViewResult draw_view(const World& world, const CutSection* section, ProjectedScene view, const ViewOptions& wish,
                      const PlaceOnPage& place, std::vector<PlanStep>& plan, Stopwatch& watch, const ViewTime& time) {
   Partial partial;
   const Budget budget{time.run, time.lines, partial};
   const auto first_step = static_cast<std::ptrdiff_t>(plan.size());
   if (section != nullptr) plan.push_back(section_step(*section));
   plan.push_back(clip_step(world, view, wish));
-  DrawnEdges drawn = find_edges(world, view, wish, plan, budget);
+  FeatureEdges drawn = find_edges(world, view, wish, plan, budget);
   watch.lap("edges");
 
   const Contact contact = contact_of(world, view, wish.contact);
@@ -275,7 +277,7 @@ ViewResult draw_view(const World& world, const CutSection* section, View view, c
 
   const ViewInWork work{world, view, wish, drawn, hidden, contact, paper};
   DrawnLines lines = draw_lines(work, budget);
-  Drawing& drawing = lines.drawing;
+  ViewDrawing& drawing = lines.drawing;
   if (section != nullptr) drawing.cut_faces = cut_faces_on_paper(section->cut.faces, section->plane, view, paper);
   watch.lap("drawing");
   drawing.scale = place.scale;

@@ -14,30 +14,30 @@
 #include "edges/drawn_edges.hpp"
 #include "output/write.hpp"
 #include "pipeline/budget.hpp"
-#include "pipeline/leave_out.hpp"
 #include "pipeline/sections.hpp"
+#include "pipeline/shortcuts.hpp"
 #include "scene/placed_circles.hpp"
 #include "scene/scene.hpp"
 #include "sheet/view_lines.hpp"
 #include "view/paper_map.hpp"
-#include "view/view.hpp"
+#include "view/projected_scene.hpp"
 #include "visibility/choose_method.hpp"
 
 namespace epura {
 
 /// What is wanted of a view beside its projection.
-struct ViewWish {
+struct ViewOptions {
   std::string name;
   ViewLimits limits;
-  EdgeWishes edges;
+  EdgeOptions edges;
   std::optional<double> contact;    ///< world length
   Method method;                    ///< by which hidden lines are found
   std::optional<double> max_error;  ///< mm; instead, the cheapest method whose error is below
-  std::vector<ModelLook> looks;     ///< by model
+  std::vector<ModelStyle> looks;    ///< by model
   std::optional<int> verify;        ///< by so many points at random
   std::optional<double> arcs;       ///< lines within so many mm of circles and ellipses become these
   bool centre_lines = false;
-  LeaveOut leave_out{};
+  Shortcuts leave_out{};
 
   /// Whether the hidden lines of some model are drawn.
   [[nodiscard]] bool keep_hidden() const;
@@ -45,8 +45,8 @@ struct ViewWish {
 
 /// What was computed on the way to a drawing.
 struct ViewWork {
-  View view;
-  DrawnEdges drawn;
+  ProjectedScene view;
+  FeatureEdges drawn;
   Contact contact;
   HiddenSpans hidden;
   PaperMap paper;
@@ -54,7 +54,7 @@ struct ViewWork {
 
 struct ViewResult {
   ViewWork work;  ///< large; of use only for questions about the drawing
-  Drawing drawing;
+  ViewDrawing drawing;
   Partial partial;  ///< what is left out because time was over
   std::optional<Verification> verification;
   std::optional<CuttingPlane> section;  ///< that the view shows
@@ -88,7 +88,7 @@ struct ViewTime {
 
 /// Draws one view, which stands on its sheet, and notes in `plan` and `watch` what was done. `world` is the cut one
 /// where the view shows a section.
-ViewResult draw_view(const World& world, const CutSection* section, View view, const ViewWish& wish,
+ViewResult draw_view(const World& world, const CutSection* section, ProjectedScene view, const ViewOptions& wish,
                      const PlaceOnPage& place, std::vector<PlanStep>& plan, Stopwatch& watch,
                      const ViewTime& time = {});
 

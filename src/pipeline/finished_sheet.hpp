@@ -15,7 +15,7 @@ namespace epura {
 struct FinishedSheet {
   Sheet sheet;
   double scale = 1;                     ///< main scale, mm of paper per unit of the world
-  std::vector<Drawing> drawings{};      ///< in order of the views; none where no target wants them
+  std::vector<ViewDrawing> drawings{};  ///< in order of the views; none where no target wants them
   std::vector<std::string> warnings{};  ///< what of it is not as was wished
   Paper paper{};
 };

@@ -28,7 +28,7 @@ FrameKind frame_of(const SheetDescription& sheet, std::size_t views) {
 }
 
 // Where a point that all views share, the middle of the world, lies in the plane of a view.
-Vec2 common_point(const World& world, const View& view) {
+Vec2 common_point(const World& world, const ProjectedScene& view) {
   const Mat4 to_plane = world_to_page(view, make_paper_map(view, 1, {0, 0}));
   const Vec4 p = to_plane * Vec4(world.box.centre(), 1);
   return Vec2(p) / p.w;
@@ -50,14 +50,15 @@ struct Views {
   std::vector<Vec2> origins;  ///< what their boxes are measured from
 };
 
-Views views_to_place(const World& world, std::span<const ViewDescription> descriptions, std::span<const View> views,
-                     const std::vector<Annotations>& annotations, const LineWidths& widths) {
+Views views_to_place(const World& world, std::span<const ViewDescription> descriptions,
+                     std::span<const ProjectedScene> views, const std::vector<Annotations>& annotations,
+                     const LineWidths& widths) {
   Views result;
   for (std::size_t i = 0; i < views.size(); ++i) {
     // One view alone needs nothing in common with others.
     const Vec2 origin = views.size() > 1 ? common_point(world, views[i]) : Vec2(0, 0);
     const Window box = drawn_box(views[i]);
-    ViewToPlace view{view_place(views[i].projection.name), {box.least - origin, box.most - origin}};
+    ViewToPlace view{view_place(views[i].projection.name), {box.min - origin, box.max - origin}};
     view.scale = descriptions[i].scale.value_or({}).fixed;
     view.at = descriptions[i].at.value;
     const Room room = room_around(annotations[i], views[i].projection, widths);
@@ -150,7 +151,7 @@ double dimension_text_height(const Paper& paper, std::size_t views) {
 }
 
 SheetPlan plan_sheet(const World& world, const SceneDescription& scene, int sheet,
-                     std::span<const ViewDescription> descriptions, std::span<const View> views,
+                     std::span<const ViewDescription> descriptions, std::span<const ProjectedScene> views,
                      const std::vector<Annotations>& annotations) {
   Wishes wishes = wishes_of(scene, sheet, views.size());
   const SheetDescription& description = scene.sheets[static_cast<std::size_t>(sheet)];

@@ -30,7 +30,7 @@ double dimension_text_height(const Paper& paper, std::size_t views);
 /// Where the views of a sheet stand, with room for what is written beside them; it is number `sheet` of the scene,
 /// counted from 0. Throws Error{input} for words that say nothing.
 SheetPlan plan_sheet(const World& world, const SceneDescription& scene, int sheet,
-                     std::span<const ViewDescription> descriptions, std::span<const View> views,
+                     std::span<const ViewDescription> descriptions, std::span<const ProjectedScene> views,
                      const std::vector<Annotations>& annotations);
 
 }  // namespace epura

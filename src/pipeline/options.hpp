@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "pipeline/leave_out.hpp"
+#include "pipeline/shortcuts.hpp"
 #include "scene/choices.hpp"
 #include "study/questions/find_subjects.hpp"
 #include "visibility/method.hpp"
@@ -32,7 +32,7 @@ struct RunOptions {
   std::optional<double> time_limit;  ///< seconds
   bool verify = false;
   int verify_samples = 2000;
-  LeaveOut plan;                ///< certificates that are used
+  Shortcuts plan;               ///< certificates that are used
   bool explain = false;         ///< print the plan
   bool keeps_drawings = false;  ///< beside the sheets
 };

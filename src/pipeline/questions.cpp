@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "study/questions/drawn_view.hpp"
 #include "study/questions/explain.hpp"
+#include "study/questions/explain_input.hpp"
 #include "study/questions/tables.hpp"
 
 namespace epura {
@@ -13,11 +13,11 @@ Questions questions_of(const RunOptions& options) {
   return {options.why, options.dump == EdgeTable::edges, options.dump == EdgeTable::spans};
 }
 
-std::string answer(const Questions& questions, const World& world, const ViewWish& wish, const ViewResult& result,
+std::string answer(const Questions& questions, const World& world, const ViewOptions& wish, const ViewResult& result,
                    const Progress& progress) {
   const ViewWork& work = result.work;
-  const DrawnView drawn_view{world,        work.view,  wish.edges,     work.drawn,        work.hidden,
-                             work.contact, work.paper, result.drawing, wish.keep_hidden()};
+  const ExplainInput drawn_view{world,        work.view,  wish.edges,     work.drawn,        work.hidden,
+                                work.contact, work.paper, result.drawing, wish.keep_hidden()};
   std::string text;
   if (questions.edge_table) text += edge_table(drawn_view, progress);
   if (questions.why.empty() && !questions.span_table) return text;

@@ -20,7 +20,7 @@ struct Questions {
 Questions questions_of(const RunOptions& options);
 
 /// The answers as text. Throws Error{input} when an edge that was asked for does not exist.
-std::string answer(const Questions& questions, const World& world, const ViewWish& wish, const ViewResult& result,
+std::string answer(const Questions& questions, const World& world, const ViewOptions& wish, const ViewResult& result,
                    const Progress& progress = {});
 
 }  // namespace epura

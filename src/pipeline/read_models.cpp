@@ -38,9 +38,9 @@ std::shared_ptr<Mesh> read(const ModelDescription& model, const Progress& progre
 std::size_t work_of(const std::vector<ModelDescription>& models) {
   std::size_t bytes = 0;
   for (const ModelDescription& model : models) {
-    std::error_code trouble;
-    if (is_drawn(model)) bytes += 2 * std::filesystem::file_size(*model.file, trouble);
-    if (trouble) return 0;
+    std::error_code kind;
+    if (is_drawn(model)) bytes += 2 * std::filesystem::file_size(*model.file, kind);
+    if (kind) return 0;
   }
   return bytes;
 }

@@ -31,13 +31,13 @@ constexpr const char* more_digits =
 
 }  // namespace
 
-void warn_if_empty(const Messages& messages, const ViewResult& result, const ViewWish& wish, const World& world) {
+void warn_if_empty(const Messages& messages, const ViewResult& result, const ViewOptions& wish, const World& world) {
   if (!result.drawing.segments.empty() || !result.partial.stages.empty()) return;
   if (!wish.edges.contour || !wish.edges.boundary || !wish.edges.crease)
     return messages.warn("nothing is drawn: no edge of the wanted kinds is visible");
   if (result.work.view.window_given) return messages.warn("nothing is drawn: no edge is visible in the window");
   // Any face has an outline.
-  throw Error(Trouble::input, "view '" + wish.name + "'",
+  throw Error(ErrorKind::input, "view '" + wish.name + "'",
               "nothing is drawn: no face is larger than what rounding of coordinates may have moved (" +
                   format_rounded(world.rounding, 2) + ")",
               more_digits);
@@ -62,7 +62,7 @@ void warn_about(const Messages& messages, const Partial& partial) {
 }
 
 Error nothing_drawn(const std::string& stage) {
-  return {Trouble::time, "--time-limit",
+  return {ErrorKind::time, "--time-limit",
           "time was over at '" + stage + "', before there was a drawing to show; nothing was written",
           "give a longer --time-limit"};
 }

@@ -50,7 +50,7 @@ bool keep_longest_lines(std::span<FinishedSheet> sheets, Partial& partial) {
       left += layer.strokes.size();
       ++layers;
     }
-    for (Drawing& drawing : sheet.drawings) keep_longest_chains(drawing, fewer(drawing.chains.size()));
+    for (ViewDrawing& drawing : sheet.drawings) keep_longest_chains(drawing, fewer(drawing.chains.size()));
   }
   return left <= few_lines * layers;
 }

@@ -9,30 +9,30 @@ namespace epura {
 
 namespace {
 
-EdgeWishes edge_wishes(const ViewDescription& view) {
+EdgeOptions edge_wishes(const ViewDescription& view) {
   const EdgeKinds kinds = view.edges.value_or({});
-  EdgeWishes wishes{.contour = kinds.contour,
-                    .boundary = kinds.boundary,
-                    .crease = kinds.crease,
-                    .intersection = kinds.intersection,
-                    .tangent = kinds.tangent,
-                    .smooth = kinds.smooth};
+  EdgeOptions wishes{.contour = kinds.contour,
+                     .boundary = kinds.boundary,
+                     .crease = kinds.crease,
+                     .intersection = kinds.intersection,
+                     .tangent = kinds.tangent,
+                     .smooth = kinds.smooth};
   wishes.crease_angle = view.crease_angle.value_or(wishes.crease_angle);
   return wishes;
 }
 
 // What a model says of itself wins over what the view says.
-std::vector<ModelLook> looks_of(const SceneDescription& scene, const ViewDescription& view) {
-  std::vector<ModelLook> looks;
+std::vector<ModelStyle> looks_of(const SceneDescription& scene, const ViewDescription& view) {
+  std::vector<ModelStyle> looks;
   for (const ModelDescription& model : scene.models) {
-    const ModelLook usual;
+    const ModelStyle usual;
     looks.push_back({model.line.value_or(usual.line), model.hidden.value_or(view.hidden.value_or(usual.hidden))});
   }
   return looks;
 }
 
-ViewWish wish_of(const SceneDescription& scene, const ViewDescription& view, const RunOptions& options) {
-  ViewWish wish;
+ViewOptions wish_of(const SceneDescription& scene, const ViewDescription& view, const RunOptions& options) {
+  ViewOptions wish;
   wish.name = *view.name;
   wish.limits = {view.near.value, view.far.value};
   wish.edges = edge_wishes(view);
@@ -43,14 +43,14 @@ ViewWish wish_of(const SceneDescription& scene, const ViewDescription& view, con
   wish.centre_lines = options.centre_lines;
   wish.leave_out = options.plan;
   if (options.verify && wish.method.way == Way::none)
-    throw Error(Trouble::input, "--verify", "has nothing to test in a wireframe", "leave out --visibility none");
+    throw Error(ErrorKind::input, "--verify", "has nothing to test in a wireframe", "leave out --visibility none");
   if (options.time_limit && (wish.method.way == Way::sampled || wish.method.way == Way::item_buffer))
-    throw Error(Trouble::input, "--time-limit", "cannot stop " + name_of(wish.method.way) + " visibility",
+    throw Error(ErrorKind::input, "--time-limit", "cannot stop " + name_of(wish.method.way) + " visibility",
                 "leave out --visibility");
   if (options.max_error && wish.method != Method())
-    throw Error(Trouble::input, "--max-error", "chooses the method itself", "leave out --visibility");
+    throw Error(ErrorKind::input, "--max-error", "chooses the method itself", "leave out --visibility");
   if (options.max_error && (options.time_limit || options.verify))
-    throw Error(Trouble::input, "--max-error", "may choose a method that knows no --time-limit and no --verify",
+    throw Error(ErrorKind::input, "--max-error", "may choose a method that knows no --time-limit and no --verify",
                 "leave out one of them");
   wish.max_error = options.max_error;
   if (options.verify) wish.verify = options.verify_samples;
@@ -68,7 +68,7 @@ std::vector<PlannedView> plan_views(const SceneDescription& scene, const RunOpti
   };
   std::vector<PlannedView> plans;
   for (const ViewDescription& view : scene.views) {
-    const ViewWish wish = wish_of(scene, view, options);
+    const ViewOptions wish = wish_of(scene, view, options);
     const auto plan = [&](const ProjectionRequest& request) -> PlannedView {
       return {request, find(request.name), wish};
     };
@@ -88,14 +88,14 @@ std::vector<SheetOfViews> views_by_sheet(const SceneDescription& scene, const st
       here.plans.push_back(plans[i]);
     }
     if (here.plans.empty())
-      throw Error(Trouble::input, scene.sheets[std::size_t(sheet)].where,
+      throw Error(ErrorKind::input, scene.sheets[std::size_t(sheet)].where,
                   "sheet " + std::to_string(sheet + 1) + " shows no view",
                   "write 'sheet = " + std::to_string(sheet + 1) + "' into a [[view]], or take the sheet away");
   }
   return sheets;
 }
 
-View look_at(const World& world, const PlannedView& plan, const ViewDescription& description) {
+ProjectedScene project_scene(const World& world, const PlannedView& plan, const ViewDescription& description) {
   const auto look = [&](const ProjectionRequest&) {
     return make_view(world, make_projection(plan.entry, plan.request, world.box), plan.wish.limits,
                      plan.wish.leave_out.clip ? Clipping::where_needed : Clipping::everywhere);

@@ -15,7 +15,7 @@ namespace epura {
 struct PlannedView {
   ProjectionRequest request;
   ProjectionEntry entry;
-  ViewWish wish;
+  ViewOptions wish;
 };
 
 /// Throws Error{input}, or Error{plugin} for projections that are not there.
@@ -32,6 +32,6 @@ struct SheetOfViews {
 std::vector<SheetOfViews> views_by_sheet(const SceneDescription& scene, const std::vector<PlannedView>& plans);
 
 /// The view of the world, not on paper yet. Throws Error{input} for values of parameters that do not fit the world.
-View look_at(const World& world, const PlannedView& plan, const ViewDescription& description);
+ProjectedScene project_scene(const World& world, const PlannedView& plan, const ViewDescription& description);
 
 }  // namespace epura

@@ -33,8 +33,7 @@ ParameterValues default_values(const ProjectionEntry& entry) {
 /// Limits and window are preset, so that a simple projection need not speak of them.
 PluginAnswer call_plugin(const epura_projection& definition, const std::vector<double>& values, const Box& scene) {
   const Box box = scene.empty() ? Box{Vec3(0), Vec3(0)} : scene;
-  const epura_scene known{
-      sizeof(epura_scene), {box.least.x, box.least.y, box.least.z}, {box.most.x, box.most.y, box.most.z}};
+  const epura_scene known{sizeof(epura_scene), {box.min.x, box.min.y, box.min.z}, {box.max.x, box.max.y, box.max.z}};
   PluginAnswer answer{};
   answer.view.size = sizeof(epura_view);
   answer.view.scale = 1;
@@ -44,10 +43,10 @@ PluginAnswer call_plugin(const epura_projection& definition, const std::vector<d
   try {
     if (const char* sentence = definition.project(values.data(), &known, &answer.view)) answer.refusal = sentence;
   } catch (...) {
-    throw Error(Trouble::plugin, "", "threw an exception across the border");
+    throw Error(ErrorKind::plugin, "", "threw an exception across the border");
   }
   if (arithmetic.is_changed())
-    throw Error(Trouble::plugin, "", "leaves another rounding mode, or takes tiny numbers for zero");
+    throw Error(ErrorKind::plugin, "", "leaves another rounding mode, or takes tiny numbers for zero");
   return answer;
 }
 
@@ -57,7 +56,7 @@ PluginAnswer ask_plugin(const ProjectionEntry& entry, const ParameterValues& val
   try {
     return entry.ask(flat, scene);
   } catch (const Error& error) {
-    throw Error(Trouble::plugin, entry.plugin.string(), "'" + entry.name + "' " + error.what());
+    throw Error(ErrorKind::plugin, entry.plugin.string(), "'" + entry.name + "' " + error.what());
   }
 }
 
@@ -69,7 +68,7 @@ std::string fault_of_numbers(const epura_view& view) {
   if (!std::isfinite(view.scale)) return "the scale is not finite";
   for (const double w : view.window)
     if (!std::isfinite(w)) return "the window is not finite";
-  if (std::isnan(view.front) || std::isnan(view.back)) return "the front or the back plane is no number";
+  if (std::isnan(view.front) || std::isnan(view.back)) return "the front or the back plane is not a number";
   return {};
 }
 

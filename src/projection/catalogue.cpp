@@ -27,7 +27,7 @@ std::vector<fs::path> libraries_in(const fs::path& folder, std::vector<BadPlugin
     std::error_code unreadable;
     if (file->path().extension() == ".so" && file->is_regular_file(unreadable)) libraries.push_back(file->path());
   }
-  if (error) bad.push_back({folder, "is no folder that can be read: " + error.message()});
+  if (error) bad.push_back({folder, "is not a folder that can be read: " + error.message()});
   std::sort(libraries.begin(), libraries.end());
   return libraries;
 }
@@ -86,10 +86,10 @@ std::optional<ProjectionEntry> entry_named(std::string_view name, const std::vec
   std::vector<std::string> names;
   for (const ProjectionEntry& entry : catalogue.entries) names.push_back(entry.name);
   for (const BadPlugin& bad : catalogue.bad)
-    if (bad.path.stem() == name) throw Error(Trouble::plugin, bad.path.string(), bad.reason);
+    if (bad.path.stem() == name) throw Error(ErrorKind::plugin, bad.path.string(), bad.reason);
   std::string hint = names.empty() ? "no projections were found" : did_you_mean(name, names);
   for (const BadPlugin& bad : catalogue.bad) hint += ('\n' + bad.path.string()) + ": " + bad.reason;
-  throw Error(Trouble::plugin, std::string(name), "no such projection", hint);
+  throw Error(ErrorKind::plugin, std::string(name), "no such projection", hint);
 }
 
 // Short names for what people ask for most.

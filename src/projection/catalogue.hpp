@@ -24,7 +24,7 @@ struct Parameter {
   std::string help;
   std::vector<std::string> choices;
   std::vector<double> initial;  ///< NaN: found from the model's box
-  double least, most;
+  double min, max;
 };
 
 struct PluginAnswer;
@@ -70,8 +70,8 @@ Catalogue load_catalogue(const std::vector<std::filesystem::path>& folders);
 ProjectionEntry find_projection(std::string_view name, const std::vector<std::filesystem::path>& folders);
 
 /// Checks the values against the table, calls the plugin and checks its answer. `scene` is the box of everything.
-/// Throws Error{input} for wrong values, and for values to which the answer is no projection; Error{plugin} if already
-/// the defaults have no answer.
+/// Throws Error{input} for wrong values, and for values to which the answer is not a projection; Error{plugin} if
+/// already the defaults have no answer.
 Projection make_projection(const ProjectionEntry& entry, const ProjectionRequest& request, const Box& scene);
 
 }  // namespace epura

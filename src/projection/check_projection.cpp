@@ -38,8 +38,8 @@ std::optional<Projection> projection_for(const ProjectionEntry& entry, const Par
 bool same(const Projection& a, const Projection& b) {
   const auto window = [](const Projection& p) { return p.window.value_or(Window{Vec2(0), Vec2(0)}); };
   return a.point == b.point && a.u == b.u && a.n == b.n && a.central == b.central && a.projector == b.projector &&
-         a.scale == b.scale && window(a).least == window(b).least && window(a).most == window(b).most &&
-         a.front == b.front && a.back == b.back;
+         a.scale == b.scale && window(a).min == window(b).min && window(a).max == window(b).max && a.front == b.front &&
+         a.back == b.back;
 }
 
 std::string numbers(const std::vector<double>& values) {
@@ -191,7 +191,7 @@ std::string models(Subject& subject) {
     const std::string fault = answer.refusal ? *answer.refusal : fault_of(answer.view);
     if (fault.empty()) continue;
     return box.empty() ? "without a model: " + fault
-                       : "for a model from " + format_number(box.least.x) + " to " + format_number(box.most.x) +
+                       : "for a model from " + format_number(box.min.x) + " to " + format_number(box.max.x) +
                              " along x: " + fault;
   }
   return {};

@@ -19,7 +19,7 @@ namespace {
 // More is a sign of memory that was never filled in.
 constexpr uint32_t most_rows = 1000;
 
-[[noreturn]] void refuse(const std::string& reason) { throw Error(Trouble::plugin, "", reason); }
+[[noreturn]] void refuse(const std::string& reason) { throw Error(ErrorKind::plugin, "", reason); }
 
 void require(bool condition, const std::string& reason) {
   if (!condition) refuse(reason);
@@ -28,8 +28,8 @@ void require(bool condition, const std::string& reason) {
 std::string number(std::size_t n) { return std::to_string(n); }
 
 epura_entry_point entry_point(const std::filesystem::path& path) {
-  void* symbol = find_symbol(load_library(path, Trouble::plugin), EPURA_ENTRY_POINT);
-  require(symbol != nullptr, "is no projection plugin: it has no function " EPURA_ENTRY_POINT);
+  void* symbol = find_symbol(load_library(path, ErrorKind::plugin), EPURA_ENTRY_POINT);
+  require(symbol != nullptr, "is not a projection plugin: it has no function " EPURA_ENTRY_POINT);
   return reinterpret_cast<epura_entry_point>(symbol);
 }
 
@@ -68,12 +68,12 @@ std::vector<std::string> choices_of(const epura_parameter& row, const std::strin
 }
 
 void check_initial(const Parameter& parameter, const std::string& where) {
-  require(parameter.least <= parameter.most, where + " has no range");
+  require(parameter.min <= parameter.max, where + " has no range");
   const bool is_choice = parameter.type == ParameterType::choice;
   const double last = static_cast<double>(parameter.choices.size()) - 1;
   for (const double value : parameter.initial) {
     const bool fits = is_choice ? value >= 0 && value <= last && value == std::floor(value)
-                                : std::isnan(value) || (value >= parameter.least && value <= parameter.most);
+                                : std::isnan(value) || (value >= parameter.min && value <= parameter.max);
     require(fits, where + " has a default outside of its range");
   }
 }
@@ -83,8 +83,8 @@ Parameter parameter_of(const epura_parameter& row, const std::string& projection
           projection + " has a parameter whose name is not lower case, digits and '-'");
   const std::string where = projection + ": parameter '" + row.name + "'";
   require(row.type <= EPURA_CHOICE, where + " is of unknown type " + number(row.type));
-  const std::size_t most = row.type == EPURA_VECTOR ? std::size(row.initial) : 1;
-  require(row.count >= 1 && row.count <= most, where + " has " + number(row.count) + " components");
+  const std::size_t max = row.type == EPURA_VECTOR ? std::size(row.initial) : 1;
+  require(row.count >= 1 && row.count <= max, where + " has " + number(row.count) + " components");
   require(row.unit != nullptr && row.help != nullptr, where + " has no unit or no help");
   Parameter parameter{.name = row.name,
                       .type = static_cast<ParameterType>(row.type),
@@ -92,8 +92,8 @@ Parameter parameter_of(const epura_parameter& row, const std::string& projection
                       .help = row.help,
                       .choices = choices_of(row, where),
                       .initial = {row.initial, row.initial + row.count},
-                      .least = row.least,
-                      .most = row.most};
+                      .min = row.least,
+                      .max = row.most};
   check_initial(parameter, where);
   return parameter;
 }

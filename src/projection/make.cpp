@@ -13,14 +13,14 @@ namespace epura {
 namespace {
 
 [[noreturn]] void refuse_value(const std::string& where, const std::string& reason, const std::string& hint = {}) {
-  throw Error(Trouble::input, where, reason, hint);
+  throw Error(ErrorKind::input, where, reason, hint);
 }
 
 std::string range_of(const Parameter& parameter) {
   const std::string unit = parameter.unit.empty() || parameter.unit == "1" ? "" : " " + parameter.unit;
-  if (std::isinf(parameter.least)) return format_number(parameter.most) + unit + " or less";
-  if (std::isinf(parameter.most)) return format_number(parameter.least) + unit + " or more";
-  return format_number(parameter.least) + " to " + format_number(parameter.most) + unit;
+  if (std::isinf(parameter.min)) return format_number(parameter.max) + unit + " or less";
+  if (std::isinf(parameter.max)) return format_number(parameter.min) + unit + " or more";
+  return format_number(parameter.min) + " to " + format_number(parameter.max) + unit;
 }
 
 std::vector<double> choice_value(const Parameter& parameter, const std::string& text, const std::string& where) {
@@ -43,7 +43,7 @@ std::vector<double> value_of(const Parameter& parameter, const std::string& text
                             std::to_string(numbers->size()));
   for (const double number : *numbers) {
     if (!std::isfinite(number)) refuse_value(where, "must be finite");
-    if (number < parameter.least || number > parameter.most)
+    if (number < parameter.min || number > parameter.max)
       refuse_value(where, "is " + format_number(number) + ", allowed is " + range_of(parameter));
   }
   return *numbers;
@@ -67,7 +67,7 @@ ParameterValues values_of(const ProjectionEntry& entry, const ProjectionRequest&
 [[noreturn]] void refuse_answer(const ProjectionEntry& entry, const ProjectionRequest& request,
                                 const std::string& reason) {
   if (!request.assignments.empty()) refuse_value(entry.name, reason);
-  throw Error(Trouble::plugin, entry.plugin.string(), "'" + entry.name + "': " + reason);
+  throw Error(ErrorKind::plugin, entry.plugin.string(), "'" + entry.name + "': " + reason);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ constexpr double parallel_cosine = 1e-12;
 
 /// (3.48), which (3.58) shares: S(s) T(-dr, -ds, 0) SH(shu, shv) T(0, 0, -B).
 Mat4 normalisation(const ViewVolume& volume, double dr, double ds, const Vec3& s) {
-  const Vec2 middle = (volume.window.least + volume.window.most) / 2.0;
+  const Vec2 middle = (volume.window.min + volume.window.max) / 2.0;
   const Vec3 dop = volume.prp - Vec3(middle, volume.plane);  // (3.41)
   const double shu = -dop.x / dop.z, shv = -dop.y / dop.z;   // (3.40)
   const double b = volume.back;
@@ -62,22 +62,22 @@ Mat4 view_orientation(const Vec3& vrp, const Vec3& vpn, const Vec3& vup) {
 }
 
 Mat4 n_par(const ViewVolume& volume) {
-  const Vec2 size = volume.window.most - volume.window.least;
-  const Vec2 middle = (volume.window.least + volume.window.most) / 2.0;
+  const Vec2 size = volume.window.max - volume.window.min;
+  const Vec2 middle = (volume.window.min + volume.window.max) / 2.0;
   const Vec3 dop = volume.prp - Vec3(middle, volume.plane);
   const double above_back = volume.plane - volume.back;
-  const double dr = volume.window.least.x - above_back * dop.x / dop.z;  // (3.42)
-  const double ds = volume.window.least.y - above_back * dop.y / dop.z;  // (3.43)
+  const double dr = volume.window.min.x - above_back * dop.x / dop.z;  // (3.42)
+  const double ds = volume.window.min.y - above_back * dop.y / dop.z;  // (3.43)
   return normalisation(volume, dr, ds, 1.0 / Vec3(size, volume.front - volume.back));
 }
 
 Mat4 n_per(const ViewVolume& volume) {
-  const Vec2 size = volume.window.most - volume.window.least;
+  const Vec2 size = volume.window.max - volume.window.min;
   const double height = volume.prp.z - volume.back;             // (3.54)
   const double grown = height / (volume.prp.z - volume.plane);  // from the view plane to the back plane
   const double above_back = volume.plane - volume.back, to_plane = volume.plane - volume.prp.z;
-  const double dr = (-height * volume.window.least.x + volume.prp.x * above_back) / to_plane;  // (3.50)
-  const double ds = (-height * volume.window.least.y + volume.prp.y * above_back) / to_plane;  // (3.51)
+  const double dr = (-height * volume.window.min.x + volume.prp.x * above_back) / to_plane;  // (3.50)
+  const double ds = (-height * volume.window.min.y + volume.prp.y * above_back) / to_plane;  // (3.51)
   return normalisation(volume, dr, ds, 1.0 / Vec3(size * grown, height));
 }
 
@@ -96,8 +96,8 @@ Window npc_window(const ViewVolume& volume, bool central) {
 }
 
 Mat4 window_to_viewport(const Window& window, const Window& viewport) {
-  const Vec2 s = (viewport.most - viewport.least) / (window.most - window.least);
-  const Vec2 t = viewport.least - window.least * s;
+  const Vec2 s = (viewport.max - viewport.min) / (window.max - window.min);
+  const Vec2 t = viewport.min - window.min * s;
   return rows({s.x, 0, 0, t.x}, {0, s.y, 0, t.y}, {0, 0, 1, 0}, {0, 0, 0, 1});
 }
 

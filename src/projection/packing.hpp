@@ -70,7 +70,7 @@ class Unpacker {
     rest_.remove_prefix(bytes);
     return taken;
   }
-  [[noreturn]] static void refuse() { throw Error(Trouble::plugin, "", "damages its process"); }
+  [[noreturn]] static void refuse() { throw Error(ErrorKind::plugin, "", "damages its process"); }
 
   std::string_view rest_;
 };

@@ -87,7 +87,7 @@ Received receive_message(int socket, std::string& message, const std::optional<C
 template <class Pack, class Values>
 void pack_parameter(Pack& pack, Values& parameter) {
   pack(parameter.name), pack(parameter.type), pack(parameter.unit), pack(parameter.help), pack(parameter.choices);
-  pack(parameter.initial), pack(parameter.least), pack(parameter.most);
+  pack(parameter.initial), pack(parameter.min), pack(parameter.max);
 }
 
 template <class Pack, class Entry>
@@ -161,7 +161,7 @@ PluginAnswer answer_to(const std::string& words, const std::vector<ProjectionEnt
   pack_question(unpack, question);
   for (const ProjectionEntry& entry : entries)
     if (entry.name == question.projection) return entry.ask(question.values, question.scene);
-  throw Error(Trouble::plugin, "", "is not there any more");
+  throw Error(ErrorKind::plugin, "", "is not there any more");
 }
 
 /// The plugin prints where messages go, since a drawing may go to standard output; and it crashes as if the program had
@@ -226,7 +226,7 @@ class PluginProcess {
   std::string reply();
   std::string ending();
   void end();
-  [[noreturn]] static void refuse(const std::string& reason) { throw Error(Trouble::plugin, "", reason); }
+  [[noreturn]] static void refuse(const std::string& reason) { throw Error(ErrorKind::plugin, "", reason); }
   static void expect_no_reason(Unpacker& message) {
     std::string reason;
     message(reason);

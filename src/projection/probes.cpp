@@ -32,10 +32,10 @@ std::vector<std::vector<double>> probe_values(const Parameter& parameter) {
   if (parameter.type == ParameterType::choice) return every_choice(parameter);
   std::vector<std::vector<double>> values = end_values(parameter);
   const std::size_t count = parameter.initial.size();
-  if (const double middle = parameter.least / 2 + parameter.most / 2; std::isfinite(middle))
+  if (const double middle = parameter.min / 2 + parameter.max / 2; std::isfinite(middle))
     values.emplace_back(count, middle);
   for (const auto& pattern : patterns)
-    if (std::all_of(pattern, pattern + count, [&](double x) { return x >= parameter.least && x <= parameter.most; }))
+    if (std::all_of(pattern, pattern + count, [&](double x) { return x >= parameter.min && x <= parameter.max; }))
       values.emplace_back(pattern, pattern + count);
   return values;
 }
@@ -43,7 +43,7 @@ std::vector<std::vector<double>> probe_values(const Parameter& parameter) {
 std::vector<std::vector<double>> end_values(const Parameter& parameter) {
   if (parameter.type == ParameterType::choice) return every_choice(parameter);
   std::vector<std::vector<double>> values;
-  for (const double end : {parameter.least, parameter.most})
+  for (const double end : {parameter.min, parameter.max})
     if (std::isfinite(end)) values.emplace_back(parameter.initial.size(), end);
   return values;
 }
@@ -52,8 +52,8 @@ std::array<Vec3, 8> points_before_viewer(const Projection& p, const Box& box) {
   std::array<Vec3, 8> points;
   const double eye = glm::dot(p.projector - p.point, p.n);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const Vec3 corner((i & 1) != 0 ? box.most.x : box.least.x, (i & 2) != 0 ? box.most.y : box.least.y,
-                      (i & 4) != 0 ? box.most.z : box.least.z);
+    const Vec3 corner((i & 1) != 0 ? box.max.x : box.min.x, (i & 2) != 0 ? box.max.y : box.min.y,
+                      (i & 4) != 0 ? box.max.z : box.min.z);
     const double height = glm::dot(corner - p.point, p.n);
     points[i] = p.central && height > eye / 2 ? corner - height * p.n : corner;
   }

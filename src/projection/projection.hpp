@@ -16,8 +16,8 @@ namespace epura {
 
 /// A rectangle of the projection plane, in its coordinates (u, v) from the plane's point.
 struct Window {
-  Vec2 least;
-  Vec2 most;
+  Vec2 min;
+  Vec2 max;
 };
 
 struct Projection {

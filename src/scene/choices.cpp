@@ -17,11 +17,11 @@ PaperChoice custom_size(std::string_view text, const std::string& where) {
   const auto width = parts.size() == 2 ? parse_number(parts[0]) : std::nullopt;
   const auto height = parts.size() == 2 ? parse_number(parts[1]) : std::nullopt;
   if (!width || !height)
-    throw Error(Trouble::input, where, "'" + std::string(text) + "' is no paper size",
+    throw Error(ErrorKind::input, where, "'" + std::string(text) + "' is not a paper size",
                 "write none, A0 to A4, or width x height in mm such as 300x200");
   const auto usable = [](double side) { return side >= 1 && side <= longest_side; };
   if (!usable(*width) || !usable(*height))
-    throw Error(Trouble::input, where, "'" + std::string(text) + "' is no usable paper size",
+    throw Error(ErrorKind::input, where, "'" + std::string(text) + "' is not a usable paper size",
                 "sides may be 1 to " + format_number(longest_side) + " mm long");
   return {PaperChoice::Kind::custom, 0, {*width, *height}};
 }
@@ -48,7 +48,7 @@ ScaleChoice parse_scale(std::string_view text, const std::string& where) {
   const auto model = parts.size() == 2 ? parse_number(parts[1]) : std::optional<double>(1);
   const double scale = paper && model && parts.size() <= 2 ? *paper / *model : 0;
   if (!std::isfinite(scale) || !(scale > 0) || !(*paper > 0) || std::isinf(*model))
-    throw Error(Trouble::input, where, "'" + std::string(text) + "' is no scale",
+    throw Error(ErrorKind::input, where, "'" + std::string(text) + "' is not a scale",
                 "write fit, auto, paper:model such as 1:2 or 5:1, or a number above 0");
   return {scale, false};
 }
@@ -64,7 +64,7 @@ PaperChoice parse_paper_size(std::string_view text, const std::string& where) {
 
 ProjectionRequest parse_request(std::string_view text) {
   const auto refuse = [](const std::string& where, const std::string& reason, const std::string& hint = {}) {
-    throw Error(Trouble::input, where, reason, hint);
+    throw Error(ErrorKind::input, where, reason, hint);
   };
   const std::vector<std::string_view> parts = split(text, ':');
   const std::string where(text);
@@ -73,7 +73,7 @@ ProjectionRequest parse_request(std::string_view text) {
   for (std::size_t i = 1; i < parts.size(); ++i) {
     const std::size_t equals = parts[i].find('=');
     if (equals == std::string_view::npos || equals == 0)
-      refuse(where, std::string("'").append(parts[i]) + "' is no key=value", "NAME[:key=value]...");
+      refuse(where, std::string("'").append(parts[i]) + "' is not a key=value", "NAME[:key=value]...");
     const std::string key(parts[i].substr(0, equals));
     for (const auto& [earlier, value] : request.assignments)
       if (earlier == key) refuse(request.name + ":" + key, "is given twice");

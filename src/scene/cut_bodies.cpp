@@ -20,7 +20,7 @@ std::vector<bool> inside_out(const World& world, int model, int bodies, const Pl
   for (std::size_t t = 0; t < mesh.body.size(); ++t) {
     std::array<Vec3, 3> p;
     for (std::size_t i = 0; i < 3; ++i)
-      p[i] = world.points[world.triangles[world.first_triangle[model] + t][i]] * frame.shrink - frame.origin;
+      p[i] = world.points[world.triangles[world.first_triangle[model] + t][i]] * frame.scale_exponent - frame.origin;
     volume[mesh.body[t]] += glm::dot(p[0], glm::cross(p[1], p[2]));
   }
   std::vector<bool> negative;
@@ -30,13 +30,13 @@ std::vector<bool> inside_out(const World& world, int model, int bodies, const Pl
 
 struct BodyCut {
   Outlines outlines;
-  Vec2 least{HUGE_VAL}, most{-HUGE_VAL};  ///< box around them
-  Vec2 sample{0.0};                       ///< a place of the body
+  Vec2 min{HUGE_VAL}, max{-HUGE_VAL};  ///< box around them
+  Vec2 sample{0.0};                    ///< a place of the body
 
-  [[nodiscard]] double extent() const { return most.x - least.x + most.y - least.y; }
+  [[nodiscard]] double extent() const { return max.x - min.x + max.y - min.y; }
   [[nodiscard]] bool is_around(const BodyCut& other) const {
     const Vec2& p = other.sample;
-    const bool in_box = least.x <= p.x && p.x <= most.x && least.y <= p.y && p.y <= most.y;
+    const bool in_box = min.x <= p.x && p.x <= max.x && min.y <= p.y && p.y <= max.y;
     return in_box && extent() > other.extent() && is_inside(outlines, p);
   }
 };
@@ -44,8 +44,8 @@ struct BodyCut {
 BodyCut cut_of(Outlines outlines) {
   BodyCut cut{std::move(outlines)};
   for (const Vec2& p : cut.outlines.places) {
-    cut.least = glm::min(cut.least, p);
-    cut.most = glm::max(cut.most, p);
+    cut.min = glm::min(cut.min, p);
+    cut.max = glm::max(cut.max, p);
   }
   const auto [a, b] = cut.outlines.segments.front();
   cut.sample = (cut.outlines.places[a] + cut.outlines.places[b]) / 2.0;

@@ -70,9 +70,9 @@ class Knife {
       const int from = first_ + (forward ? a : b), to = first_ + (forward ? b : a);
       const auto part = [&](int u, int v) { return sides_.distance[u] / (sides_.distance[u] - sides_.distance[v]); };
       // Shrinking first: the difference of two large coordinates may be no double.
-      const Vec3 p = world_.points[from] * sides_.shrink;
-      const Vec3 q = world_.points[to] * sides_.shrink;
-      result_.points.push_back((p + part(from, to) * (q - p)) / sides_.shrink);
+      const Vec3 p = world_.points[from] * sides_.scale_exponent;
+      const Vec3 q = world_.points[to] * sides_.scale_exponent;
+      result_.points.push_back((p + part(from, to) * (q - p)) / sides_.scale_exponent);
       result_.vertices.push_back({{a, b}, part(first_ + a, first_ + b)});
     }
     return place->second;
@@ -89,16 +89,16 @@ class Knife {
 }  // namespace
 
 Sides find_sides(const World& world, const CuttingPlane& plane) {
-  const Vec3 reach = glm::max(glm::abs(world.box.least), glm::abs(world.box.most));
+  const Vec3 reach = glm::max(glm::abs(world.box.min), glm::abs(world.box.max));
   const double size = std::max({reach.x, reach.y, reach.z});
   Sides sides{size > 0 ? std::ldexp(1.0, -std::clamp(std::ilogb(size) + 1, -1000, 1000)) : 1.0, {}, {}};
   sides.of.resize(world.points.size());
   sides.distance.resize(world.points.size());
-  const Vec3 foot = plane.point * sides.shrink;
-  const double slack = std::max(rounding_part, world.rounding * sides.shrink);
+  const Vec3 foot = plane.point * sides.scale_exponent;
+  const double slack = std::max(rounding_part, world.rounding * sides.scale_exponent);
   parallel_for(world.points.size(), 8192, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
-      const double distance = glm::dot(plane.normal, world.points[v] * sides.shrink - foot);
+      const double distance = glm::dot(plane.normal, world.points[v] * sides.scale_exponent - foot);
       sides.distance[v] = distance;
       sides.of[v] = static_cast<signed char>(distance > slack ? 1 : distance < -slack ? -1 : 0);
     }

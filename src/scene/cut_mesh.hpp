@@ -14,7 +14,7 @@ namespace epura {
 
 /// The vertices of a world as a plane has them.
 struct Sides {
-  double shrink;                 ///< power of two that brings the world's size near 1
+  double scale_exponent;         ///< power of two that brings the world's size near 1
   std::vector<signed char> of;   ///< 1: taken away, -1: stays, 0: on the plane
   std::vector<double> distance;  ///< from the plane, shrunk
 };

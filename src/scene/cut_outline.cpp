@@ -42,8 +42,8 @@ std::vector<int> patches(std::span<const std::array<int, 3>> triangles, std::spa
 }  // namespace
 
 PlaneFrame::PlaneFrame(const World& world, const CuttingPlane& cutting_plane, double shrink_by)
-    : plane(cutting_plane), shrink(shrink_by), origin(world.box.centre() * shrink_by) {
-  origin += glm::dot(plane.normal, plane.point * shrink - origin) * plane.normal;
+    : plane(cutting_plane), scale_exponent(shrink_by), origin(world.box.centre() * shrink_by) {
+  origin += glm::dot(plane.normal, plane.point * scale_exponent - origin) * plane.normal;
 }
 
 FlatOutlines flatten(std::span<const CutSegment> segments, const CutPlaces& places, const PlaneFrame& frame) {

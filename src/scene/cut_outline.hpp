@@ -14,15 +14,17 @@ namespace epura {
 /// The cutting plane with coordinates of its own: shrunk, from near the middle of the world.
 struct PlaneFrame {
   CuttingPlane plane;
-  double shrink;
+  double scale_exponent;
   Vec3 origin;  ///< in the plane, shrunk
 
   PlaneFrame(const World& world, const CuttingPlane& cutting_plane, double shrink_by);
   [[nodiscard]] Vec2 flat(const Vec3& point) const {
-    const Vec3 l = point * shrink - origin;
+    const Vec3 l = point * scale_exponent - origin;
     return {glm::dot(plane.right, l), glm::dot(plane.up, l)};
   }
-  [[nodiscard]] Vec3 in_space(const Vec2& p) const { return (origin + p.x * plane.right + p.y * plane.up) / shrink; }
+  [[nodiscard]] Vec3 in_space(const Vec2& p) const {
+    return (origin + p.x * plane.right + p.y * plane.up) / scale_exponent;
+  }
 };
 
 /// One model's vertices: those of its file, then those of the cut.

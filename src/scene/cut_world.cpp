@@ -190,14 +190,14 @@ void append(World& world, const ModelCut& cut) {
 }
 
 [[noreturn]] void refuse(const CuttingPlane& plane, const std::string& what) {
-  throw Error(Trouble::input, plane.where, what, "move the point or turn the normal");
+  throw Error(ErrorKind::input, plane.where, what, "move the point or turn the normal");
 }
 
 }  // namespace
 
 CutWorld cut_world(const World& world, const CuttingPlane& plane, const Progress& progress) {
   const Sides sides = find_sides(world, plane);
-  const PlaneFrame frame(world, plane, sides.shrink);
+  const PlaneFrame frame(world, plane, sides.scale_exponent);
   CutWorld result;
   result.world.first_vertex = {0};
   result.world.first_triangle = {0};

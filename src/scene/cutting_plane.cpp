@@ -23,10 +23,10 @@ std::optional<Vec3> parse_vector(std::string_view text) {
 CuttingPlane make_cutting_plane(const SectionDescription& section) {
   const std::string& where = section.name.where;
   if (!finite(section.point) || !finite(section.normal))
-    throw Error(Trouble::input, where, "has a number that is not finite");
+    throw Error(ErrorKind::input, where, "has a number that is not finite");
   const Vec3 size = glm::abs(section.normal);
   const double largest = std::max({size.x, size.y, size.z});
-  if (!(largest > 0)) throw Error(Trouble::input, where, "the normal has no direction", "0,-1,0 cuts the front away");
+  if (!(largest > 0)) throw Error(ErrorKind::input, where, "the normal has no direction", "0,-1,0 cuts the front away");
   const Vec3 normal = glm::normalize(section.normal / largest);
   // The axis that is most nearly in the plane: normals along an axis give axes.
   Vec3 axis(0);
@@ -40,7 +40,7 @@ SectionDescription parse_section(std::string_view text, const std::string& where
   const auto point = parts.size() == 2 ? parse_vector(parts[0]) : std::nullopt;
   const auto normal = parts.size() == 2 ? parse_vector(parts[1]) : std::nullopt;
   if (!point || !normal)
-    throw Error(Trouble::input, where, "'" + std::string(text) + "' is no cutting plane",
+    throw Error(ErrorKind::input, where, "'" + std::string(text) + "' is not a cutting plane",
                 "write a point and a normal, X,Y,Z:NX,NY,NZ; the side to which the normal points is taken away");
   return {{"A", where}, *point, *normal};
 }

@@ -19,7 +19,7 @@ struct CuttingPlane {
   std::string where;  ///< it was described, for errors
 };
 
-/// Throws Error{input} for a normal that is no direction and for numbers that are not finite.
+/// Throws Error{input} for a normal that is not a direction and for numbers that are not finite.
 CuttingPlane make_cutting_plane(const SectionDescription& section);
 
 /// "X,Y,Z:NX,NY,NZ": a point of the plane and its normal. Throws Error{input} that names `where` the text comes from.

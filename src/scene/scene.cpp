@@ -22,7 +22,7 @@ constexpr std::size_t grain = 8192;
 double largest_component(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 double size_of(const Box& box) {
-  return std::max({largest_component(box.size()), largest_component(box.least), largest_component(box.most)});
+  return std::max({largest_component(box.size()), largest_component(box.min), largest_component(box.max)});
 }
 
 // Of a placed model, in world lengths: of 32-bit floats by their size in the world or, where that is larger, in the
@@ -38,7 +38,7 @@ double rounding_of(const Placed& model, const Box& box, const Box& in_file) {
 Vec3 one_rounding_of(const Placed& model, const Box& box) {
   Vec3 half(model.mesh->report.resolution / 2);
   if (model.mesh->report.single_precision)
-    half = glm::max(half, half_last_place * glm::max(glm::abs(box.least), glm::abs(box.most)));
+    half = glm::max(half, half_last_place * glm::max(glm::abs(box.min), glm::abs(box.max)));
   const Mat3 turn(model.to_world);
   return glm::abs(turn[0]) * half.x + glm::abs(turn[1]) * half.y + glm::abs(turn[2]) * half.z;
 }
@@ -91,12 +91,12 @@ void append(World& world, const Placed& placed) {
   world.points.resize(static_cast<std::size_t>(first_vertex + vertices));
   const std::span<Vec3> points(world.points.data() + first_vertex, static_cast<std::size_t>(vertices));
   if (!place_vertices(placed, points))
-    throw Error(Trouble::input, mesh.report.name, "the transform moves vertices out of the range of numbers",
+    throw Error(ErrorKind::input, mesh.report.name, "the transform moves vertices out of the range of numbers",
                 "use a smaller scale or translation");
   const Box box = box_of(mesh.surface, points.size(), [&](OpenMesh::VertexHandle v) { return points[v.idx()]; });
   if (!box.empty()) {
-    world.box.add(box.least);
-    world.box.add(box.most);
+    world.box.add(box.min);
+    world.box.add(box.max);
   }
   const int count = static_cast<int>(mesh.polygon.size());
   world.triangles.resize(static_cast<std::size_t>(first_triangle + count));

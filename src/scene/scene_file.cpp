@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void refuse(const std::string& where, const std::string& reason, const std::string& hint) {
-  throw Error(Trouble::input, where, reason, hint);
+  throw Error(ErrorKind::input, where, reason, hint);
 }
 
 using Names = std::set<std::string>;

@@ -41,7 +41,7 @@ void read_entries(Part& part, const TomlValue& table, const Options<Part>& keys,
   const std::vector<TomlValue>& entries = table_of(table).values;
   for (const TomlValue& entry : entries)
     if (std::find(names.begin(), names.end(), entry.key) == names.end())
-      throw Error(Trouble::input, entry.key_where, "'" + entry.key + "' is no key of " + section,
+      throw Error(ErrorKind::input, entry.key_where, "'" + entry.key + "' is not a key of " + section,
                   hint_for(entry.key, names));
   for (const auto& known : keys) {
     const auto entry = std::find_if(entries.begin(), entries.end(),
@@ -49,7 +49,7 @@ void read_entries(Part& part, const TomlValue& table, const Options<Part>& keys,
     if (entry != entries.end())
       known.read(part, *entry);
     else if (known.required)
-      throw Error(Trouble::input, table.where, section + " lacks '" + known.key + "'", known.help);
+      throw Error(ErrorKind::input, table.where, section + " lacks '" + known.key + "'", known.help);
   }
 }
 
@@ -59,7 +59,8 @@ void read_free_fields(TitleBlockFields& fields, const TomlValue& table) {
   for (const TomlValue& entry : table_of(table).values) {
     const auto same = [&entry](const TitleField& field) { return field.name == entry.key; };
     if (std::any_of(title_fields().begin(), title_fields().end(), same))
-      throw Error(Trouble::input, entry.key_where, "'" + entry.key + "' is no free field", "put it into [title_block]");
+      throw Error(ErrorKind::input, entry.key_where, "'" + entry.key + "' is not a free field",
+                  "put it into [title_block]");
     names.insert(entry.key);
     read.emplace_back(entry.key, LocatedText{field_text().read(entry), entry.where});
   }

@@ -65,24 +65,24 @@ double option_number(const TomlValue& value, const std::string& text, bool whole
 double read_number(const TomlValue& value) {
   if (const std::string* text = option_text(value)) return option_number(value, *text, false);
   const double number = content_of<double>(value);
-  if (!std::isfinite(number)) refuse(value, "is no finite number");
+  if (!std::isfinite(number)) refuse(value, "is not a finite number");
   return number;
 }
 
 bool read_truth(const TomlValue& value) { return option_text(value) != nullptr || content_of<bool>(value); }
 
-[[noreturn]] void refuse_range(const TomlValue& value, double number, double least, double most) {
-  const std::string range = std::isfinite(most) ? " to " + format_number(most) : " or more";
-  refuse(value, "is " + format_number(number) + ", allowed is " + format_number(least) + range);
+[[noreturn]] void refuse_range(const TomlValue& value, double number, double min, double max) {
+  const std::string range = std::isfinite(max) ? " to " + format_number(max) : " or more";
+  refuse(value, "is " + format_number(number) + ", allowed is " + format_number(min) + range);
 }
 
-int read_whole(const TomlValue& value, int least, int most = std::numeric_limits<int>::max()) {
+int read_whole(const TomlValue& value, int min, int max = std::numeric_limits<int>::max()) {
   const std::string* text = option_text(value);
   const double number = text != nullptr ? option_number(value, *text, true) : read_number(value);
   if (number != std::floor(number)) refuse(value, "is " + format_number(number) + ", a whole number is wanted");
-  const bool open = most == std::numeric_limits<int>::max();
-  if (number < least) refuse_range(value, number, least, open ? HUGE_VAL : most);
-  if (number > most) refuse_range(value, number, least, most);
+  const bool open = max == std::numeric_limits<int>::max();
+  if (number < min) refuse_range(value, number, min, open ? HUGE_VAL : max);
+  if (number > max) refuse_range(value, number, min, max);
   return static_cast<int>(number);
 }
 
@@ -123,7 +123,7 @@ auto parsed(const TomlValue& value, const Parse& parse) {
     return parse(text);
   } catch (const Error& error) {
     if (value.is_option) throw;
-    throw Error(error.trouble(), value.where, error.what(), error.hint());
+    throw Error(error.kind(), value.where, error.what(), error.hint());
   }
 }
 
@@ -171,7 +171,7 @@ AnchorWords read_anchor(const TomlValue& value) {
   const auto* table = std::get_if<TomlTable>(&value.content);
   if (table == nullptr) refuse_kind(value, "[model, vertex] or {point = [x, y, z]}");
   if (table->values.size() != 1 || table->values[0].key != "point")
-    refuse(value, "is no anchor", "[model, vertex] or {point = [x, y, z]}");
+    refuse(value, "is not an anchor", "[model, vertex] or {point = [x, y, z]}");
   return {value.where, {}, -1, read_vector<Vec3>(table->values[0])};
 }
 
@@ -182,7 +182,7 @@ std::string with_unit(const std::string& name, const std::string& unit) {
 }  // namespace
 
 void refuse(const TomlValue& value, const std::string& reason, const std::string& hint) {
-  throw Error(Trouble::input, value.where, value.is_option ? reason : "'" + value.key + "' " + reason, hint);
+  throw Error(ErrorKind::input, value.where, value.is_option ? reason : "'" + value.key + "' " + reason, hint);
 }
 
 TomlValue value_of_option(const std::string& flag, const std::string& text) { return {"", flag, flag, text, true}; }
@@ -197,7 +197,7 @@ std::size_t read_word(const TomlValue& value, const std::vector<std::string>& wo
   const std::string word = read_text(value);
   const auto found = std::find(words.begin(), words.end(), to_lower(word));
   if (found == words.end())
-    throw Error(Trouble::input, value.where,
+    throw Error(ErrorKind::input, value.where,
                 (value.is_option ? "" : "'" + value.key + "': ") + "unknown value '" + word + "'",
                 did_you_mean(word, words));
   return static_cast<std::size_t>(found - words.begin());
@@ -222,24 +222,24 @@ ValueKind<ProjectionRequest> projection_request() {
 
 ValueKind<bool> truth() { return {{"true or false"}, read_truth}; }
 
-ValueKind<int> whole_number(int least) {
-  return {{"whole number", "N"}, [least](const TomlValue& value) { return read_whole(value, least); }};
+ValueKind<int> whole_number(int min) {
+  return {{"whole number", "N"}, [min](const TomlValue& value) { return read_whole(value, min); }};
 }
 
-ValueKind<int> whole_number(int least, int most) {
-  return {{"whole number, " + std::to_string(least) + " to " + std::to_string(most), "N"},
-          [least, most](const TomlValue& value) { return read_whole(value, least, most); }};
+ValueKind<int> whole_number(int min, int max) {
+  return {{"whole number, " + std::to_string(min) + " to " + std::to_string(max), "N"},
+          [min, max](const TomlValue& value) { return read_whole(value, min, max); }};
 }
 
 ValueKind<double> any_number(const std::string& unit) { return {{with_unit("number", unit), "D"}, read_number}; }
 
-ValueKind<double> number_between(double least, double most, const std::string& unit) {
-  const auto read = [least, most](const TomlValue& value) {
+ValueKind<double> number_between(double min, double max, const std::string& unit) {
+  const auto read = [min, max](const TomlValue& value) {
     const double number = read_number(value);
-    if (number < least || number > most) refuse_range(value, number, least, most);
+    if (number < min || number > max) refuse_range(value, number, min, max);
     return number;
   };
-  return {{with_unit(format_number(least) + (std::isinf(most) ? " or more" : " to " + format_number(most)), unit), "D"},
+  return {{with_unit(format_number(min) + (std::isinf(max) ? " or more" : " to " + format_number(max)), unit), "D"},
           read};
 }
 

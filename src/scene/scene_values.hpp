@@ -71,10 +71,10 @@ ValueKind<std::string> any_text();
 ValueKind<std::string> field_text();                ///< may be empty, or a date: 2026-11-21
 ValueKind<ProjectionRequest> projection_request();  ///< from a text, or a table {name = NAME, key = value}
 ValueKind<bool> truth();
-ValueKind<int> whole_number(int least);
-ValueKind<int> whole_number(int least, int most);
+ValueKind<int> whole_number(int min);
+ValueKind<int> whole_number(int min, int max);
 ValueKind<double> any_number(const std::string& unit);
-ValueKind<double> number_between(double least, double most, const std::string& unit);
+ValueKind<double> number_between(double min, double max, const std::string& unit);
 ValueKind<Vec2> pair_of_numbers(const std::string& unit);
 ValueKind<Vec3> triple_of_numbers(const std::string& unit);
 ValueKind<Vec3> direction();        ///< three numbers, not all zero

@@ -53,7 +53,7 @@ class Reader {
       const std::string where = place(file_, key->source().begin);
       const std::string name(key->str());
       if (name.empty() || std::any_of(name.begin(), name.end(), is_control))
-        throw Error(Trouble::input, where, "a key is empty or has a control character");
+        throw Error(ErrorKind::input, where, "a key is empty or has a control character");
       result.values.push_back(value(*node, name, where));
     }
     return result;
@@ -85,7 +85,7 @@ class Reader {
 // toml++ counts how deep values are nested, but not dotted keys; it would exhaust the stack.
 void refuse_deep_keys(std::string_view text, const std::string& file) {
   if (const auto line = line_of_deep_key(text, most_dots))
-    throw Error(Trouble::input, file + ":" + std::to_string(*line), "has more than 100 dots in a key",
+    throw Error(ErrorKind::input, file + ":" + std::to_string(*line), "has more than 100 dots in a key",
                 "dots in a key nest tables; write a shorter key");
 }
 
@@ -111,7 +111,7 @@ TomlValue read_toml(const std::filesystem::path& path) {
   try {
     return {"", file, file, Reader(file).table(toml::parse(text))};
   } catch (const toml::parse_error& error) {
-    throw Error(Trouble::input, place(file, error.source().begin), sentence_of(error),
+    throw Error(ErrorKind::input, place(file, error.source().begin), sentence_of(error),
                 "values are like \"text\", 1.5, true or [1, 2]; see toml.io");
   }
 }

@@ -17,7 +17,7 @@ namespace epura {
 namespace {
 
 [[noreturn]] void refuse(std::string_view step, const std::string& reason) {
-  throw Error(Trouble::input, "transform '" + std::string(step) + "'", reason,
+  throw Error(ErrorKind::input, "transform '" + std::string(step) + "'", reason,
               "steps: translate:X,Y,Z  rotate:x|y|z,DEGREES  scale:S or scale:X,Y,Z  matrix:16 numbers");
 }
 
@@ -52,7 +52,7 @@ Mat4 parse_step(std::string_view step) {
   const std::string_view verb = step.substr(0, colon);
   const std::string_view values = colon == std::string_view::npos ? std::string_view{} : step.substr(colon + 1);
   if (verb == "rotate") return rotation_step(step, values);
-  if (verb != "translate" && verb != "scale" && verb != "matrix") refuse(step, "is no known step");
+  if (verb != "translate" && verb != "scale" && verb != "matrix") refuse(step, "is not a known step");
 
   const auto numbers = parse_numbers(values);
   if (!numbers) refuse(step, "wants numbers separated by commas");

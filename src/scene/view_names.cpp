@@ -11,10 +11,10 @@
 namespace epura {
 
 void expect_few_views(std::size_t views, const std::string& where) {
-  constexpr std::size_t most = 1000;
-  if (views > most)
-    throw Error(Trouble::input, where,
-                "asks for " + std::to_string(views) + " views; one drawing has at most " + std::to_string(most),
+  constexpr std::size_t max = 1000;
+  if (views > max)
+    throw Error(ErrorKind::input, where,
+                "asks for " + std::to_string(views) + " views; one drawing has at most " + std::to_string(max),
                 "draw them in several runs");
 }
 

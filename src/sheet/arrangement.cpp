@@ -23,9 +23,9 @@ constexpr double good_share = 0.4, least_share = 0.1;
 constexpr int most_halvings = 14;
 constexpr double rounding = 1e-9;
 
-// The largest scale at which `fits` holds, if it holds below some scale that is not much less than `most`.
-std::optional<double> largest_that(double most, bool standard, const std::function<bool(double)>& fits) {
-  double fitting = standard ? standard_scale_up_to(most) : most;
+// The largest scale at which `fits` holds, if it holds below some scale that is not much less than `max`.
+std::optional<double> largest_that(double max, bool standard, const std::function<bool(double)>& fits) {
+  double fitting = standard ? standard_scale_up_to(max) : max;
   if (!(fitting > 0)) return std::nullopt;
   double too_large = fitting;
   for (int i = 0; !fits(fitting); ++i) {
@@ -53,12 +53,12 @@ std::optional<Found> at_fixed_scale(const Arranger& arranger, double scale) {
 
 // `otherwise`: where no view depends on the scale.
 std::optional<Found> at_free_scale(const Arranger& arranger, bool standard, double otherwise) {
-  double most = arranger.largest_scale();
-  if (!std::isfinite(most)) most = otherwise;
+  double max = arranger.largest_scale();
+  if (!std::isfinite(max)) max = otherwise;
   std::optional<Found> found;
   for (const double share : {least_share, good_share}) {
     const auto fits = [&](double scale) { return arranger.arranged(scale, share).has_value(); };
-    const auto scale = largest_that(most, standard, fits);
+    const auto scale = largest_that(max, standard, fits);
     if (!scale || (found && *scale < good_share * found->scale)) break;
     found = Found{*scale, *arranger.arranged(*scale, share)};
   }
@@ -103,8 +103,8 @@ std::optional<Found> find_on(const Question& question, const Paper& paper) {
 
 Found overflow(const Question& question, const Paper& paper) {
   const Arranger arranger(question.views, question.angle, room_on(paper, question.room));
-  const double most = arranger.largest_scale();
-  const double scale = question.wish.fixed.value_or(std::isfinite(most) && most > 0 ? most : scale_of_first(question));
+  const double max = arranger.largest_scale();
+  const double scale = question.wish.fixed.value_or(std::isfinite(max) && max > 0 ? max : scale_of_first(question));
   return {scale, arranger.overflowing(scale)};
 }
 
@@ -147,12 +147,12 @@ Arrangement on_cut_paper(Question question) {
   check_drawing_size(box.size());
   const bool given = std::any_of(question.views.begin(), question.views.end(), [](const auto& v) { return v.at; });
   const Vec2 corner = Vec2(margins.left, margins.other) + question.room.clearance;
-  const Vec2 move = given ? Vec2(0, 0) : corner - box.least;
+  const Vec2 move = given ? Vec2(0, 0) : corner - box.min;
   Arrangement arrangement{margins, found->scale, found->spots, true};
   for (ViewSpot& spot : arrangement.views) spot = moved(spot, move);
-  const Vec2 most = box.most + move + question.room.clearance;
-  arrangement.paper.width = most.x + margins.other;
-  arrangement.paper.height = most.y + margins.other;
+  const Vec2 max = box.max + move + question.room.clearance;
+  arrangement.paper.width = max.x + margins.other;
+  arrangement.paper.height = max.y + margins.other;
   arrangement.inside = all_inside(arrangement.views, question, arrangement.paper);
   return arrangement;
 }
@@ -168,9 +168,9 @@ Arrangement alone(const Question& question) {
   const Paper& paper = question.room.paper;
   std::optional<double> scale = question.wish.fixed;
   if (!scale && question.wish.standard)
-    scale = standard_scale_up_to(place_ink(box.least, box.most, std::nullopt, paper).scale);
-  const Placement placed = place_ink(box.least, box.most, scale, paper);
-  const Rectangle ink{placed.scale * box.least + placed.shift, placed.scale * box.most + placed.shift};
+    scale = standard_scale_up_to(place_ink(box.min, box.max, std::nullopt, paper).scale);
+  const Placement placed = place_ink(box.min, box.max, scale, paper);
+  const Rectangle ink{placed.scale * box.min + placed.shift, placed.scale * box.max + placed.shift};
   return {placed.paper, placed.scale, {{0, placed.scale, placed.shift, ink}}, placed.inside};
 }
 

@@ -77,16 +77,16 @@ void Arranger::sort_out() {
 ViewCell Arranger::principal_cell(std::size_t view) const {
   const ViewToPlace& v = views_[view];
   const auto [column, row] = cross_place(v.place, angle_);
-  return {view, column, row, Vec2(0, 0), v.box.least, v.box.most, v.before, v.after};
+  return {view, column, row, Vec2(0, 0), v.box.min, v.box.max, v.before, v.after};
 }
 
 ViewCell Arranger::free_cell(std::size_t view, int column, int row, Labels labels) const {
   const ViewToPlace& v = views_[view];
-  const Vec2 middle = Rectangle{v.box.least, v.box.most}.centre();
+  const Vec2 middle = Rectangle{v.box.min, v.box.max}.centre();
   Vec2 after = v.after;
   if (labels == Labels::all || v.scale) after.y = std::max(after.y, label_room);
-  if (!v.scale) return {view, column, row, middle, v.box.least - middle, v.box.most - middle, v.before, after};
-  const Vec2 half = (v.box.most - middle) * *v.scale;
+  if (!v.scale) return {view, column, row, middle, v.box.min - middle, v.box.max - middle, v.before, after};
+  const Vec2 half = (v.box.max - middle) * *v.scale;
   return {view, column, row, middle, Vec2(0, 0), Vec2(0, 0), v.before + half, after + half, v.scale};
 }
 
@@ -115,7 +115,7 @@ double Arranger::largest_scale() const {
   for (const std::size_t i : given_) {
     const ViewToPlace& view = views_[i];
     const ViewTable alone({free_cell(i, 0, 0, Labels::given)}, 0);
-    const Vec2 half = glm::min(room_.area.most - *view.at, *view.at - room_.area.least);
+    const Vec2 half = glm::min(room_.area.max - *view.at, *view.at - room_.area.min);
     if (const double fitting = alone.largest_scale(half * 2.0); fitting > 0) largest = std::min(largest, fitting);
   }
   return largest;
@@ -142,7 +142,7 @@ std::optional<Arranger::Spots> Arranger::principal_spots(double scale, std::span
   corners.insert(corners.end(), free.begin(), free.end());
   const ViewTable& table = cross_.front();
   for (const Rectangle& r : corners) {
-    Spots spots = table.spots(scale, {r.least.x, r.most.y - table.size(scale).y});
+    Spots spots = table.spots(scale, {r.min.x, r.max.y - table.size(scale).y});
     if (is_free(spots, taken)) return spots;
   }
   return std::nullopt;
@@ -201,17 +201,16 @@ std::array<double, 2> Arranger::play(const Spots& spots, const std::vector<std::
   double back = HUGE_VAL, forth = HUGE_VAL;
   for (const std::size_t view : group) {
     const Rectangle& box = spots[view].box;
-    back = std::min(back, box.least[axis] - room_.area.least[axis]);
-    forth = std::min(forth, room_.area.most[axis] - box.most[axis]);
+    back = std::min(back, box.min[axis] - room_.area.min[axis]);
+    forth = std::min(forth, room_.area.max[axis] - box.max[axis]);
     for (const Rectangle& obstacle : taken) {
       const int across = 1 - axis;
-      if (std::min(box.most[across], obstacle.most[across]) - std::max(box.least[across], obstacle.least[across]) <=
-          slack)
+      if (std::min(box.max[across], obstacle.max[across]) - std::max(box.min[across], obstacle.min[across]) <= slack)
         continue;
       if (obstacle.centre()[axis] < box.centre()[axis])
-        back = std::min(back, box.least[axis] - obstacle.most[axis]);
+        back = std::min(back, box.min[axis] - obstacle.max[axis]);
       else
-        forth = std::min(forth, obstacle.least[axis] - box.most[axis]);
+        forth = std::min(forth, obstacle.min[axis] - box.max[axis]);
     }
   }
   return {std::max(back, 0.0), std::max(forth, 0.0)};

@@ -241,7 +241,7 @@ std::vector<Piece> uncovered(const std::vector<Piece>& pieces, std::span<const L
 
 using Edge = std::array<int, 3>;  // model, vertices
 
-std::vector<Edge> visible_edges(const Drawing& drawing) {
+std::vector<Edge> visible_edges(const ViewDrawing& drawing) {
   std::vector<Edge> edges;
   for (const Segment& s : drawing.segments)
     if (s.visible && s.edge[0] >= 0)
@@ -259,10 +259,10 @@ bool is_visible(const PlacedCircle& placed, const std::vector<Edge>& edges) {
   return false;
 }
 
-std::vector<SeenCircle> seen_circles(const Drawing& drawing, std::span<const PlacedCircle> circles,
-                                     const std::vector<ModelLook>& looks) {
+std::vector<SeenCircle> seen_circles(const ViewDrawing& drawing, std::span<const PlacedCircle> circles,
+                                     const std::vector<ModelStyle>& looks) {
   const bool some_without_hidden =
-      std::any_of(looks.begin(), looks.end(), [](const ModelLook& look) { return look.hidden == HiddenLines::none; });
+      std::any_of(looks.begin(), looks.end(), [](const ModelStyle& look) { return look.hidden == HiddenLines::none; });
   const std::vector<Edge> edges = some_without_hidden ? visible_edges(drawing) : std::vector<Edge>();
   std::vector<SeenCircle> seen;
   for (const PlacedCircle& placed : circles) {
@@ -276,8 +276,8 @@ std::vector<SeenCircle> seen_circles(const Drawing& drawing, std::span<const Pla
 
 }  // namespace
 
-Layer centre_lines(const Drawing& drawing, std::span<const PlacedCircle> circles, const LineWidths& widths,
-                   const std::vector<ModelLook>& looks, std::span<const Layer> drawn, const Progress& progress) {
+Layer centre_lines(const ViewDrawing& drawing, std::span<const PlacedCircle> circles, const LineWidths& widths,
+                   const std::vector<ModelStyle>& looks, std::span<const Layer> drawn, const Progress& progress) {
   const double width = widths.narrow;
   Layer layer{drawing.name + "/centre", {"centre", width, long_dash_dot.nominal(width)}, {}};
   if (drawing.projection.central) return layer;

@@ -20,7 +20,7 @@ namespace epura {
 /// seen: one line through all of them. All lines reach 3 mm beyond the outline; overlapping ones are one line. Where a
 /// line of `drawn`, the view's other layers, coincides with them it wins. Circles below 1 mm in diameter have no
 /// lines, nor have those that a model without hidden lines does not show. Throws OutOfTime.
-Layer centre_lines(const Drawing& drawing, std::span<const PlacedCircle> circles, const LineWidths& widths,
-                   const std::vector<ModelLook>& looks, std::span<const Layer> drawn, const Progress& progress = {});
+Layer centre_lines(const ViewDrawing& drawing, std::span<const PlacedCircle> circles, const LineWidths& widths,
+                   const std::vector<ModelStyle>& looks, std::span<const Layer> drawn, const Progress& progress = {});
 
 }  // namespace epura

@@ -39,7 +39,7 @@ struct Trace {
   double from, to;  ///< of the ink along it, from the point
 };
 
-std::optional<Trace> trace_of(const Drawing& parent, const CuttingPlane& plane) {
+std::optional<Trace> trace_of(const ViewDrawing& parent, const CuttingPlane& plane) {
   if (!sees_edge_on(parent.projection, plane)) return std::nullopt;
   const Mat4& map = parent.world_to_page;
   Trace trace{on_page(map, plane.point), Vec2(0), Vec2(0), HUGE_VAL, -HUGE_VAL};
@@ -97,7 +97,8 @@ Vec2 cutting_plane_room(const Projection& projection, const CuttingPlane& plane,
   return (past_outline + wide_end / 2 + letter_gap + 1) * letter_widths * widths.narrow * glm::abs(along);
 }
 
-std::optional<Layer> cutting_plane_line(const Drawing& parent, const CuttingPlane& plane, const LineWidths& widths) {
+std::optional<Layer> cutting_plane_line(const ViewDrawing& parent, const CuttingPlane& plane,
+                                        const LineWidths& widths) {
   const auto trace = trace_of(parent, plane);
   if (!trace) return std::nullopt;
   const double height = letter_widths * widths.narrow;

@@ -23,12 +23,12 @@ constexpr double longer_side_of_a4 = 297;
 
 bool has_iso_margins(const Paper& paper) { return paper.left == left_margin && paper.other == other_margin; }
 
-// Ends of the fields between `least` and `most`, which are the ends of the frame.
-std::vector<double> field_ends(double length, double least, double most) {
+// Ends of the fields between `min` and `max`, which are the ends of the frame.
+std::vector<double> field_ends(double length, double min, double max) {
   const int fields = static_cast<int>(std::round(length / 2 / field_length));
-  std::vector<double> ends = {least};
+  std::vector<double> ends = {min};
   for (int i = 1 - fields; i < fields; ++i) ends.push_back(length / 2 + i * field_length);
-  ends.push_back(most);
+  ends.push_back(max);
   return ends;
 }
 
@@ -59,20 +59,17 @@ void add_strip(Furniture& all, const std::vector<double>& ends, double inner, do
 
 void add_grid(Furniture& all, const Paper& paper) {
   const Rectangle in = drawing_area(paper), out = in.grown(grid_strip);
-  const std::vector<double> across = field_ends(paper.width, in.least.x, in.most.x);
-  const std::vector<double> up = field_ends(paper.height, in.least.y, in.most.y);
-  add_strip(all, across, in.most.y, out.most.y, 0);
-  add_strip(all, up, in.most.x, out.most.x, 1);
+  const std::vector<double> across = field_ends(paper.width, in.min.x, in.max.x);
+  const std::vector<double> up = field_ends(paper.height, in.min.y, in.max.y);
+  add_strip(all, across, in.max.y, out.max.y, 0);
+  add_strip(all, up, in.max.x, out.max.x, 1);
   if (std::max(paper.width, paper.height) <= longer_side_of_a4) {
-    all.medium.push_back({{{in.least.x, in.most.y},
-                           {in.least.x, out.most.y},
-                           out.most,
-                           {out.most.x, in.least.y},
-                           {in.most.x, in.least.y}}});
+    all.medium.push_back(
+        {{{in.min.x, in.max.y}, {in.min.x, out.max.y}, out.max, {out.max.x, in.min.y}, {in.max.x, in.min.y}}});
     return;
   }
-  add_strip(all, across, in.least.y, out.least.y, 0);
-  add_strip(all, up, in.least.x, out.least.x, 1);
+  add_strip(all, across, in.min.y, out.min.y, 0);
+  add_strip(all, up, in.min.x, out.min.x, 1);
   all.medium.push_back(outline(out));
 }
 
@@ -83,10 +80,10 @@ void add_centring_marks(Furniture& all, const Paper& paper, const std::optional<
     const Rectangle reach = {glm::min(frame, to) - wide_line, glm::max(frame, to) + wide_line};
     all.wide.push_back(line(from, title_block && title_block->overlaps(reach) ? frame : to));
   };
-  add({middle.x, out.most.y}, {middle.x, in.most.y}, {middle.x, in.most.y - mark_inside});
-  add({middle.x, out.least.y}, {middle.x, in.least.y}, {middle.x, in.least.y + mark_inside});
-  add({out.least.x, middle.y}, {in.least.x, middle.y}, {in.least.x + mark_inside, middle.y});
-  add({out.most.x, middle.y}, {in.most.x, middle.y}, {in.most.x - mark_inside, middle.y});
+  add({middle.x, out.max.y}, {middle.x, in.max.y}, {middle.x, in.max.y - mark_inside});
+  add({middle.x, out.min.y}, {middle.x, in.min.y}, {middle.x, in.min.y + mark_inside});
+  add({out.min.x, middle.y}, {in.min.x, middle.y}, {in.min.x + mark_inside, middle.y});
+  add({out.max.x, middle.y}, {in.max.x, middle.y}, {in.max.x - mark_inside, middle.y});
 }
 
 // Two rectangles in each corner of the sheet, as one area.
@@ -118,7 +115,7 @@ Furniture frame(const Paper& paper, FrameKind kind, const std::optional<Rectangl
   add_trimming_marks(all, paper);
   const std::string name = paper_name(paper);
   const double inset = (grid_strip - letter_height) / 2;
-  const Vec2 place = Vec2(area.most.x, area.least.y - grid_strip) + Vec2(-inset, inset);
+  const Vec2 place = Vec2(area.max.x, area.min.y - grid_strip) + Vec2(-inset, inset);
   if (name.starts_with('A')) all.texts.push_back({name, place, letter_height, 0, Align::right, "grid-reference"});
   return all;
 }

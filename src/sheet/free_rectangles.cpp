@@ -11,10 +11,10 @@ namespace {
 // Left, right, below and above of what is taken.
 std::array<Rectangle, 4> around(const Rectangle& whole, const Rectangle& taken) {
   std::array<Rectangle, 4> parts = {whole, whole, whole, whole};
-  parts[0].most.x = taken.least.x;
-  parts[1].least.x = taken.most.x;
-  parts[2].most.y = taken.least.y;
-  parts[3].least.y = taken.most.y;
+  parts[0].max.x = taken.min.x;
+  parts[1].min.x = taken.max.x;
+  parts[2].max.y = taken.min.y;
+  parts[3].min.y = taken.max.y;
   return parts;
 }
 

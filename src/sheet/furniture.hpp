@@ -22,9 +22,7 @@ struct Furniture {
 
 inline Stroke line(const Vec2& from, const Vec2& to) { return {{from, to}}; }
 
-inline Stroke outline(const Rectangle& r) {
-  return {{r.least, {r.most.x, r.least.y}, r.most, {r.least.x, r.most.y}}, true};
-}
+inline Stroke outline(const Rectangle& r) { return {{r.min, {r.max.x, r.min.y}, r.max, {r.min.x, r.max.y}}, true}; }
 
 template <class Thing>
 void append(std::vector<Thing>& all, std::vector<Thing> more) {

@@ -79,13 +79,13 @@ Vec2 direction(double degrees) {
 // Lines of all faces of a part in a view fall on one family, counted from the origin of the sheet.
 std::vector<Line> lines_of(const CutFace& face, double degrees, double spacing, const Progress& progress) {
   const Vec2 along = direction(degrees), n(-along.y, along.x);
-  double least = HUGE_VAL, most = -HUGE_VAL;
+  double min = HUGE_VAL, max = -HUGE_VAL;
   visit_sides(face.rings, [&](const Vec2& a, const Vec2&) {
-    least = std::min(least, glm::dot(n, a));
-    most = std::max(most, glm::dot(n, a));
+    min = std::min(min, glm::dot(n, a));
+    max = std::max(max, glm::dot(n, a));
   });
-  const double first = std::ceil(least / spacing);
-  const double count = std::floor(most / spacing) - first + 1;
+  const double first = std::ceil(min / spacing);
+  const double count = std::floor(max / spacing) - first + 1;
   std::vector<std::vector<Line>> found(count > 0 ? static_cast<std::size_t>(count) : 0);
   parallel_for(found.size(), 16, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
@@ -133,15 +133,14 @@ double distance(const Vec2& p, const Line& line) {
 }
 
 struct Frame {
-  Vec2 least{HUGE_VAL}, most{-HUGE_VAL};
+  Vec2 min{HUGE_VAL}, max{-HUGE_VAL};
 
   void add(const Vec2& p) {
-    least = glm::min(least, p);
-    most = glm::max(most, p);
+    min = glm::min(min, p);
+    max = glm::max(max, p);
   }
   [[nodiscard]] bool meets(const Vec2& from, const Vec2& to) const {
-    return from.x <= most.x + nearest && to.x >= least.x - nearest && from.y <= most.y + nearest &&
-           to.y >= least.y - nearest;
+    return from.x <= max.x + nearest && to.x >= min.x - nearest && from.y <= max.y + nearest && to.y >= min.y - nearest;
   }
 };
 
@@ -170,7 +169,7 @@ std::vector<Line> sides_near(const CutFace& face, const Frame& frame) {
 // the other.)
 bool touch(const CutFace& one, const CutFace& two) {
   const Frame of_one = frame_of(one), of_two = frame_of(two);
-  if (!of_one.meets(of_two.least, of_two.most)) return false;
+  if (!of_one.meets(of_two.min, of_two.max)) return false;
   const std::vector<Line> first = sides_near(one, of_two), second = sides_near(two, of_one);
   for (const Line& a : first)
     for (const Line& b : second)
@@ -200,14 +199,14 @@ PlaceOnSheet place_of(const Part& part) {
       place.second.push_back({a.x, a.y});
     });
   const auto steps = [&](double x) { return std::nearbyint(x / step); };
-  place.first = {static_cast<double>(first), steps(frame.least.x), steps(frame.least.y), steps(frame.most.x),
-                 steps(frame.most.y)};
+  place.first = {static_cast<double>(first), steps(frame.min.x), steps(frame.min.y), steps(frame.max.x),
+                 steps(frame.max.y)};
   std::sort(place.second.begin(), place.second.end());
   return place;
 }
 
 // In an order that does not know how files number their bodies and faces.
-std::vector<Part> parts_of(std::span<const Drawing* const> drawings) {
+std::vector<Part> parts_of(std::span<const ViewDrawing* const> drawings) {
   std::map<std::pair<int, int>, Part> parts;
   for (std::size_t d = 0; d < drawings.size(); ++d)
     for (const CutFace& face : drawings[d]->cut_faces) {
@@ -271,7 +270,7 @@ Hatching hatching_of(const Part& part, const std::vector<Hatching>& neighbours) 
 
 }  // namespace
 
-std::vector<Hatching> choose_hatching(std::span<const Drawing* const> drawings, const Progress& progress) {
+std::vector<Hatching> choose_hatching(std::span<const ViewDrawing* const> drawings, const Progress& progress) {
   const std::vector<Part> parts = parts_of(drawings);
   std::vector<Hatching> chosen;
   for (std::size_t p = 0; p < parts.size(); ++p) {
@@ -287,7 +286,7 @@ std::vector<Hatching> choose_hatching(std::span<const Drawing* const> drawings, 
   return chosen;
 }
 
-Layer hatch_layer(const Drawing& drawing, std::span<const Hatching> hatching, const LineWidths& widths,
+Layer hatch_layer(const ViewDrawing& drawing, std::span<const Hatching> hatching, const LineWidths& widths,
                   const Progress& progress) {
   Layer layer{drawing.name + "/hatch", {"hatch", widths.narrow}, {}};
   for (const CutFace& face : drawing.cut_faces) {

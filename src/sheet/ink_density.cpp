@@ -15,19 +15,19 @@ namespace {
 constexpr double nanometres = 1e6;  // in a millimetre
 
 CellGrid grid_over(std::span<const Chain> chains, double side) {
-  Vec2 least(HUGE_VAL), most(-HUGE_VAL);
+  Vec2 min(HUGE_VAL), max(-HUGE_VAL);
   for (const Chain& chain : chains)
     for (const Vec2& point : chain.points) {
-      least = glm::min(least, point);
-      most = glm::max(most, point);
+      min = glm::min(min, point);
+      max = glm::max(max, point);
     }
-  if (!(least.x <= most.x)) return {Vec2(0), Vec2(side), 1, 1};
+  if (!(min.x <= max.x)) return {Vec2(0), Vec2(side), 1, 1};
   // Ink may lie far beside the paper.
   constexpr double most_cells = 1024;
-  const Vec2 size = most - least;
+  const Vec2 size = max - min;
   const Vec2 sides = glm::max(Vec2(side), size / most_cells);
   // Out of step with lines at round distances: what runs along a border counts on both sides of it.
-  return {least - 0.3 * sides, sides, static_cast<int>(size.x / sides.x) + 2, static_cast<int>(size.y / sides.y) + 2};
+  return {min - 0.3 * sides, sides, static_cast<int>(size.x / sides.x) + 2, static_cast<int>(size.y / sides.y) + 2};
 }
 
 /// Calls visit(cell, length) for the part of each line of a chain in each cell.

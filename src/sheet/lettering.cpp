@@ -121,7 +121,7 @@ class Lettering::Font {
 namespace {
 
 [[noreturn]] void refuse(const std::filesystem::path& file, const std::string& reason) {
-  throw Error(Trouble::input, file.string(), reason, "install the Debian package fonts-osifont");
+  throw Error(ErrorKind::input, file.string(), reason, "install the Debian package fonts-osifont");
 }
 
 double height_of(const Glyph& glyph) {

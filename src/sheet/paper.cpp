@@ -61,15 +61,15 @@ Rectangle drawing_area(const Paper& paper) {
 
 void check_drawing_size(const Vec2& size) {
   if (!(size.x <= longest_side && size.y <= longest_side))
-    throw Error(Trouble::input, "--scale",
+    throw Error(ErrorKind::input, "--scale",
                 "the drawing would be " + format_fixed(std::max(size.x, size.y) / 1000, 1) + " m long",
                 "use fit or a smaller scale");
 }
 
-Placement place_ink(const Vec2& least, const Vec2& most, std::optional<double> scale, const Paper& paper) {
+Placement place_ink(const Vec2& min, const Vec2& max, std::optional<double> scale, const Paper& paper) {
   const bool cut = paper.width == 0;
   const Vec2 room = area(cut ? make_paper({}, false) : paper);
-  const Vec2 ink = most - least;
+  const Vec2 ink = max - min;
   Placement placement{paper, scale ? *scale : fitting_scale(ink, room), {0, 0}, true};
   const Vec2 size = ink * placement.scale;
   check_drawing_size(size);
@@ -80,7 +80,7 @@ Placement place_ink(const Vec2& least, const Vec2& most, std::optional<double> s
     page.height = size.y + 2 * page.other;
   }
   const Vec2 middle = Vec2(page.left, page.other) + area(page) / 2.0;
-  placement.shift = middle - (least / 2.0 + most / 2.0) * placement.scale;
+  placement.shift = middle - (min / 2.0 + max / 2.0) * placement.scale;
   // A fitted drawing may pass the margin by a rounding error.
   const Vec2 slack = area(page) * (1 + 1e-9) - size;
   placement.inside = slack.x >= 0 && slack.y >= 0;

@@ -41,8 +41,8 @@ struct Placement {
 /// Throws Error{input} for a drawing beyond `longest_side`.
 void check_drawing_size(const Vec2& size);
 
-/// Centres ink that fills the box `least` to `most` of the projection plane in the drawing area. Without a scale it is
+/// Centres ink that fills the box `min` to `max` of the projection plane in the drawing area. Without a scale it is
 /// made as large as fits; without paper, as large as fits on A4. Throws Error{input} beyond `longest_side`.
-Placement place_ink(const Vec2& least, const Vec2& most, std::optional<double> scale, const Paper& paper);
+Placement place_ink(const Vec2& min, const Vec2& max, std::optional<double> scale, const Paper& paper);
 
 }  // namespace epura

@@ -7,26 +7,26 @@
 namespace epura {
 
 struct Rectangle {
-  Vec2 least, most;
+  Vec2 min, max;
 
-  [[nodiscard]] Vec2 size() const { return most - least; }
-  [[nodiscard]] Vec2 centre() const { return least / 2.0 + most / 2.0; }
-  [[nodiscard]] Rectangle grown(double by) const { return {least - by, most + by}; }
+  [[nodiscard]] Vec2 size() const { return max - min; }
+  [[nodiscard]] Vec2 centre() const { return min / 2.0 + max / 2.0; }
+  [[nodiscard]] Rectangle grown(double by) const { return {min - by, max + by}; }
 
   /// Whether they share more than `slack` mm both ways; touching is none.
   [[nodiscard]] bool overlaps(const Rectangle& other, double slack = 0) const {
-    const Vec2 shared = glm::min(most, other.most) - glm::max(least, other.least);
+    const Vec2 shared = glm::min(max, other.max) - glm::max(min, other.min);
     return shared.x > slack && shared.y > slack;
   }
   [[nodiscard]] bool holds(const Rectangle& other, double slack = 0) const {
-    return other.least.x >= least.x - slack && other.least.y >= least.y - slack && other.most.x <= most.x + slack &&
-           other.most.y <= most.y + slack;
+    return other.min.x >= min.x - slack && other.min.y >= min.y - slack && other.max.x <= max.x + slack &&
+           other.max.y <= max.y + slack;
   }
 };
 
 /// The smallest one that holds both.
 inline Rectangle united(const Rectangle& a, const Rectangle& b) {
-  return {glm::min(a.least, b.least), glm::max(a.most, b.most)};
+  return {glm::min(a.min, b.min), glm::max(a.max, b.max)};
 }
 
 }  // namespace epura

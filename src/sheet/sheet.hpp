@@ -88,7 +88,7 @@ struct ViewFrame {
   std::string name;
   std::string projection;
   std::string scale;  ///< "1:2"; empty where a view has none
-  Vec2 least, most;   ///< box of its ink, mm
+  Vec2 min, max;      ///< box of its ink, mm
 };
 
 struct Sheet {

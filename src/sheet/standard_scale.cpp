@@ -20,12 +20,12 @@ double by_tens(int digit, int power) { return *parse_number(std::to_string(digit
 }  // namespace
 
 double standard_scale_up_to(double scale) {
-  const double most = scale * (1 + rounding);
-  const double power = std::clamp<double>(std::floor(std::log10(most)), least_power, most_power);
+  const double max = scale * (1 + rounding);
+  const double power = std::clamp<double>(std::floor(std::log10(max)), least_power, most_power);
   // The logarithm may be one off at powers of ten.
   for (int tens = static_cast<int>(power) + 1; tens >= least_power; --tens)
     for (const int digit : {5, 2, 1})
-      if (const double standard = by_tens(digit, tens); standard <= most) return standard;
+      if (const double standard = by_tens(digit, tens); standard <= max) return standard;
   return by_tens(1, least_power);
 }
 

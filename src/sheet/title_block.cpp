@@ -110,20 +110,20 @@ class Writer {
   // Left and upper lines: those of all cells together are all lines within the block.
   void draw(const Cell& cell) {
     const Rectangle r = rectangle(cell);
-    if (cell.left > 0) divide({r.least.x, r.most.y}, r.least);
-    if (r.most.y < box_.most.y) divide({r.least.x, r.most.y}, r.most);
+    if (cell.left > 0) divide({r.min.x, r.max.y}, r.min);
+    if (r.max.y < box_.max.y) divide({r.min.x, r.max.y}, r.max);
     const double width = r.size().x - 2 * padding;
-    write(fit_text(cell.caption, width, caption_height, lettering_), r.least.x + padding,
-          r.most.y - padding - caption_height, "caption");
+    write(fit_text(cell.caption, width, caption_height, lettering_), r.min.x + padding,
+          r.max.y - padding - caption_height, "caption");
     std::vector<FittedText> texts = {fitted(cell.name, width, cell.text_height)};
     if (cell.name == "title") texts.push_back(fitted("supplementary_title", width, value_height));
-    write_values(texts, {r.least, {r.most.x, r.most.y - caption_space}}, cell.name == "title" ? "title" : "field");
+    write_values(texts, {r.min, {r.max.x, r.max.y - caption_space}}, cell.name == "title" ? "title" : "field");
   }
 
   void draw_symbol() {
     const Rectangle r = rectangle({"", "", symbol_left, 4 * row, full_width - symbol_left, row});
-    divide({r.least.x, r.most.y}, r.least);
-    if (r.most.y < box_.most.y) divide({r.least.x, r.most.y}, r.most);
+    divide({r.min.x, r.max.y}, r.min);
+    if (r.max.y < box_.max.y) divide({r.min.x, r.max.y}, r.max);
     if (!block_.angle) return;
     Furniture symbol = projection_symbol(*block_.angle, symbol_height, r.centre());
     append(drawn_.ink.medium, std::move(symbol.medium));
@@ -140,7 +140,7 @@ class Writer {
 
  private:
   [[nodiscard]] Rectangle rectangle(const Cell& cell) const {
-    const Vec2 corner = box_.least + Vec2(cell.left * factor_, cell.bottom);
+    const Vec2 corner = box_.min + Vec2(cell.left * factor_, cell.bottom);
     return {corner, corner + Vec2(cell.width * factor_, cell.height)};
   }
 
@@ -166,7 +166,7 @@ class Writer {
     double top = room.centre().y + height / 2;
     for (const FittedText& text : texts) {
       const double above = (line_spacing - 1 - descent) * text.height;
-      write(text, room.least.x + padding, top - above - text.height, role);
+      write(text, room.min.x + padding, top - above - text.height, role);
       top -= line_spacing * text.height * static_cast<double>(text.lines.size());
     }
   }
@@ -186,7 +186,7 @@ std::optional<Rectangle> title_block_box(const TitleBlock& block, const Paper& p
   if (width < least_width || standard_height > most_height) return std::nullopt;
   std::size_t rows = rows_for(free_fields(block).size());
   rows = std::min(rows, static_cast<std::size_t>((most_height - standard_height) / row));
-  const Vec2 corner(area.most.x - width, area.least.y);
+  const Vec2 corner(area.max.x - width, area.min.y);
   return Rectangle{corner, corner + Vec2(width, block_height(rows))};
 }
 

@@ -19,7 +19,7 @@ std::string view_label(const std::string& label, std::optional<double> scale, do
 }
 
 Text label_above(const std::string& label, const Rectangle& ink) {
-  return {label, {ink.centre().x, ink.most.y + above_ink}, height, 0, Align::middle, "label"};
+  return {label, {ink.centre().x, ink.max.y + above_ink}, height, 0, Align::middle, "label"};
 }
 
 }  // namespace epura

@@ -25,7 +25,7 @@ constexpr double tangent_gap = 2;  // wide lines
 constexpr std::size_t chains_a_part = 1024;
 
 // What the chain and its segments say about a stroke: their kind, and the model edges, each run of one edge once.
-void add_origin(Stroke& stroke, const Drawing& drawing, EdgeKind kind, std::span<const int> segments) {
+void add_origin(Stroke& stroke, const ViewDrawing& drawing, EdgeKind kind, std::span<const int> segments) {
   stroke.kind = kind;
   for (const int index : segments) {
     const Segment& segment = drawing.segments[static_cast<std::size_t>(index)];
@@ -36,7 +36,7 @@ void add_origin(Stroke& stroke, const Drawing& drawing, EdgeKind kind, std::span
   }
 }
 
-Stroke continuous(const Drawing& drawing, const Chain& chain) {
+Stroke continuous(const ViewDrawing& drawing, const Chain& chain) {
   Stroke stroke;
   stroke.points = chain.points;
   stroke.closed = chain.closed;
@@ -81,7 +81,7 @@ std::vector<double> onto_curves(std::vector<double> places, const Chain& chain, 
 
 /// A chain to be dashed.
 struct DashedChain {
-  const Drawing& drawing;
+  const ViewDrawing& drawing;
   const Chain& chain;
   double width;
   std::vector<double> distances;  ///< of its points
@@ -119,7 +119,7 @@ std::vector<DashRun> dash_runs(const Chain& chain, double width) {
 }
 
 // A stroke for each run.
-void draw_dashed(Stroke* strokes, const Drawing& drawing, std::size_t number, double width,
+void draw_dashed(Stroke* strokes, const ViewDrawing& drawing, std::size_t number, double width,
                  const Crossings& crossings) {
   const Chain& chain = drawing.chains[number];
   std::vector<double> distances = distances_along(chain.points, chain.closed, chain.curves);
@@ -129,7 +129,7 @@ void draw_dashed(Stroke* strokes, const Drawing& drawing, std::size_t number, do
 }
 
 // Lines of neighbouring parts, each fitted as a whole.
-Stroke double_dotted(const Drawing& drawing, const Chain& chain, double width) {
+Stroke double_dotted(const ViewDrawing& drawing, const Chain& chain, double width) {
   Stroke stroke = continuous(drawing, chain);
   const double length = length_of(chain.points, chain.closed, chain.curves);
   stroke.dashes =
@@ -160,7 +160,7 @@ void turn_round(Stroke& stroke) {
 }
 
 // Tangent edges end short of outlines (ISO 128-3, imaginary intersections).
-Stroke tangent(const Drawing& drawing, const Chain& chain, double gap, const Crossings& crossings) {
+Stroke tangent(const ViewDrawing& drawing, const Chain& chain, double gap, const Crossings& crossings) {
   Stroke stroke = continuous(drawing, chain);
   if (chain.closed || chain.points.size() < 2 || length_of(chain.points, false) < 4 * gap) return stroke;
   const bool at_last = crossings.has_outline_at(chain.points.back());
@@ -178,7 +178,7 @@ Stroke tangent(const Drawing& drawing, const Chain& chain, double gap, const Cro
 enum Place : std::size_t { hidden_dashed, hidden_solid, neighbour, narrow, tangent_edges, section, visible, places };
 using Strokes = std::array<std::vector<Stroke>, places>;
 
-Place place_of(const Chain& chain, const ModelLook& look) {
+Place place_of(const Chain& chain, const ModelStyle& look) {
   if (!chain.visible) return look.hidden == HiddenLines::solid ? hidden_solid : hidden_dashed;
   if (look.line == LineRole::neighbour) return neighbour;
   if (look.line == LineRole::narrow) return narrow;
@@ -186,14 +186,14 @@ Place place_of(const Chain& chain, const ModelLook& look) {
   return line == EdgeLine::section ? section : line == EdgeLine::tangent ? tangent_edges : visible;
 }
 
-bool is_drawn(const Chain& chain, const ModelLook& look) {
+bool is_drawn(const Chain& chain, const ModelStyle& look) {
   return chain.visible || (look.hidden != HiddenLines::none && edge_line(chain.kind, false) != EdgeLine::none);
 }
 
 struct Looks {
-  const std::vector<ModelLook>& by_model;
+  const std::vector<ModelStyle>& by_model;
 
-  const ModelLook& operator()(const Drawing& drawing, const Chain& chain) const {
+  const ModelStyle& operator()(const ViewDrawing& drawing, const Chain& chain) const {
     return by_model[static_cast<std::size_t>(drawing.segments[chain.segments.front()].model)];
   }
 };
@@ -205,14 +205,14 @@ struct ChainPlan {
   std::size_t strokes;  ///< 0: it is not drawn
 };
 
-ChainPlan plan_of(const Chain& chain, const ModelLook& look, const LineWidths& widths) {
+ChainPlan plan_of(const Chain& chain, const ModelStyle& look, const LineWidths& widths) {
   const Place place = place_of(chain, look);
   if (!is_drawn(chain, look)) return {place, false, 0};
   if (place != hidden_dashed || !is_dashed(chain, widths.narrow)) return {place, false, 1};
   return {place, true, dash_runs(chain, widths.narrow).size()};
 }
 
-void draw_chain(Stroke* strokes, const ChainPlan& plan, const Drawing& drawing, std::size_t number,
+void draw_chain(Stroke* strokes, const ChainPlan& plan, const ViewDrawing& drawing, std::size_t number,
                 const LineWidths& widths, const Crossings& crossings) {
   const Chain& chain = drawing.chains[number];
   if (plan.in_dashes) return draw_dashed(strokes, drawing, number, widths.narrow, crossings);
@@ -222,8 +222,8 @@ void draw_chain(Stroke* strokes, const ChainPlan& plan, const Drawing& drawing, 
 }
 
 // Where lines lie so closely that any gap would meet one, dashes cannot heed them.
-std::vector<std::size_t> without_crowded(const std::vector<std::size_t>& chains, const Drawing& drawing, double width,
-                                         const Progress& progress) {
+std::vector<std::size_t> without_crowded(const std::vector<std::size_t>& chains, const ViewDrawing& drawing,
+                                         double width, const Progress& progress) {
   if (chains.empty()) return chains;
   const double least_gap = 2.5 * width, cell = 16 * width;
   // Lines that run all ways cross another 2 / pi times as often as their density says (Buffon).
@@ -241,7 +241,7 @@ std::vector<std::size_t> without_crowded(const std::vector<std::size_t>& chains,
 }
 
 // Lines that are dashed where others cross them, and lines that end short of others.
-std::vector<std::size_t> crossed_chains(const Drawing& drawing, const LineWidths& widths,
+std::vector<std::size_t> crossed_chains(const ViewDrawing& drawing, const LineWidths& widths,
                                         const std::vector<ChainPlan>& plans, const Progress& progress) {
   std::vector<std::size_t> with_dashes, chains;
   for (std::size_t i = 0; i < plans.size(); ++i) {
@@ -255,7 +255,7 @@ std::vector<std::size_t> crossed_chains(const Drawing& drawing, const LineWidths
 }
 
 // In order of the chains. Strokes are most of what a large drawing needs: they are counted first, and made in place.
-Strokes strokes_of(const Drawing& drawing, const LineWidths& widths, const Looks& looks, const Progress& progress) {
+Strokes strokes_of(const ViewDrawing& drawing, const LineWidths& widths, const Looks& looks, const Progress& progress) {
   const std::size_t count = drawing.chains.size();
   std::vector<ChainPlan> plans(count);
   parallel_for(count, chains_a_part, progress, [&](std::size_t begin, std::size_t end) {
@@ -310,12 +310,12 @@ LineStyle line_style(EdgeLine line, const LineWidths& widths) {
   return {};
 }
 
-std::vector<Layer> view_layers(const Drawing& drawing, const LineWidths& widths, const std::vector<ModelLook>& looks,
-                               const Progress& progress) {
+std::vector<Layer> view_layers(const ViewDrawing& drawing, const LineWidths& widths,
+                               const std::vector<ModelStyle>& looks, const Progress& progress) {
   progress.begin("fitting dashes", drawing.chains.size());
   Strokes strokes = strokes_of(drawing, widths, {looks}, progress);
   const auto wants = [&](HiddenLines hidden) {
-    return std::any_of(looks.begin(), looks.end(), [&](const ModelLook& look) { return look.hidden == hidden; });
+    return std::any_of(looks.begin(), looks.end(), [&](const ModelStyle& look) { return look.hidden == hidden; });
   };
   std::vector<Layer> layers;
   const auto add = [&](Place place, const std::string& name, const LineStyle& style, bool always) {

@@ -30,7 +30,7 @@ EdgeLine edge_line(EdgeKind kind, bool visible);
 LineStyle line_style(EdgeLine line, const LineWidths& widths);
 
 /// How one model is drawn.
-struct ModelLook {
+struct ModelStyle {
   LineRole line = LineRole::visible;
   HiddenLines hidden = HiddenLines::dashed;
 };
@@ -44,7 +44,7 @@ struct ModelLook {
 /// The first and the last one are there also when they are empty, unless no model has hidden lines. Dashed lines have
 /// ink at their ends, at corners and where other lines cross them, unless too many do. Hidden edges between smooth
 /// faces are left out.
-std::vector<Layer> view_layers(const Drawing& drawing, const LineWidths& widths, const std::vector<ModelLook>& looks,
-                               const Progress& progress = {});
+std::vector<Layer> view_layers(const ViewDrawing& drawing, const LineWidths& widths,
+                               const std::vector<ModelStyle>& looks, const Progress& progress = {});
 
 }  // namespace epura

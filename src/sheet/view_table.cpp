@@ -23,8 +23,8 @@ void ViewTable::extend(Lines& lines, int band, const ViewCell& cell, int axis) {
   const auto place = static_cast<std::size_t>(band);
   if (place >= lines.bands.size()) lines.bands.resize(place + 1);
   Band& here = lines.bands[place];
-  const Band seen = here.used ? here : Band{true, cell.least[axis], cell.most[axis], 0, 0};
-  here = {true, std::min(seen.least, cell.least[axis]), std::max(seen.most, cell.most[axis]),
+  const Band seen = here.used ? here : Band{true, cell.min[axis], cell.max[axis], 0, 0};
+  here = {true, std::min(seen.min, cell.min[axis]), std::max(seen.max, cell.max[axis]),
           std::max(seen.before, cell.before[axis]), std::max(seen.after, cell.after[axis])};
 }
 
@@ -32,7 +32,7 @@ void ViewTable::sum_up(Lines& lines, double gap) {
   int used = 0;
   for (const Band& band : lines.bands) {
     if (!band.used) continue;
-    lines.scaled += band.most - band.least;
+    lines.scaled += band.max - band.min;
     lines.fixed += band.before + band.after + (used++ > 0 ? gap : 0);
   }
 }
@@ -54,8 +54,8 @@ std::vector<double> ViewTable::anchors(const Lines& lines, double scale) const {
   std::vector<double> anchors;
   double at = 0;
   for (const Band& band : lines.bands) {
-    anchors.push_back(at + band.before - scale * band.least);
-    if (band.used) at += band.before + scale * (band.most - band.least) + band.after + gap_;
+    anchors.push_back(at + band.before - scale * band.min);
+    if (band.used) at += band.before + scale * (band.max - band.min) + band.after + gap_;
   }
   return anchors;
 }
@@ -69,7 +69,7 @@ std::vector<ViewSpot> ViewTable::spots(double scale, const Vec2& corner) const {
     spots.push_back({cell.view,
                      own,
                      anchor - own * cell.anchor,
-                     {anchor + scale * cell.least - cell.before, anchor + scale * cell.most + cell.after}});
+                     {anchor + scale * cell.min - cell.before, anchor + scale * cell.max + cell.after}});
   }
   return spots;
 }

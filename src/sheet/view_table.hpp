@@ -20,7 +20,7 @@ struct ViewSpot {
 };
 
 inline ViewSpot moved(const ViewSpot& spot, const Vec2& by) {
-  return {spot.view, spot.scale, spot.shift + by, {spot.box.least + by, spot.box.most + by}};
+  return {spot.view, spot.scale, spot.shift + by, {spot.box.min + by, spot.box.max + by}};
 }
 
 /// One view of a table. Views of one column have their anchors above each other, those of one row side by side.
@@ -28,7 +28,7 @@ struct ViewCell {
   std::size_t view;
   int column, row;                ///< row 0 is the highest
   Vec2 anchor;                    ///< point of the projection plane
-  Vec2 least, most;               ///< of the ink from the anchor, to be scaled
+  Vec2 min, max;                  ///< of the ink from the anchor, to be scaled
   Vec2 before, after;             ///< mm of paper to the left and below, to the right and above; not scaled
   std::optional<double> scale{};  ///< the view's own; `before` and `after` then hold its ink
 };
@@ -52,7 +52,7 @@ class ViewTable {
   // A column or row: what is scaled, and what is not.
   struct Band {
     bool used = false;
-    double least = 0, most = 0;
+    double min = 0, max = 0;
     double before = 0, after = 0;
   };
   struct Lines {

@@ -17,20 +17,19 @@ double reach(const Vec3& a, const Vec3& b) { return glm::dot(glm::abs(a), glm::a
 struct Setting {
   Projection p;
   Vec3 size;                    // of the box
-  Vec3 most;                    // largest absolute coordinates in it
+  Vec3 max;                     // largest absolute coordinates in it
   std::array<Vec3, 8> corners;  // of the box
 };
 
 Setting setting_of(const Projection& projection, const Box& scene) {
-  const double k = make_view_map(projection, scene).shrink;
-  Setting s{
-      projection, scene.most * k - scene.least * k, glm::max(glm::abs(scene.least), glm::abs(scene.most)) * k, {}};
+  const double k = make_view_map(projection, scene).scale_exponent;
+  Setting s{projection, scene.max * k - scene.min * k, glm::max(glm::abs(scene.min), glm::abs(scene.max)) * k, {}};
   s.p.point = projection.point * k;
   if (projection.central) s.p.projector = projection.projector * k;
-  if (s.p.window) s.p.window = Window{s.p.window->least * k, s.p.window->most * k};
+  if (s.p.window) s.p.window = Window{s.p.window->min * k, s.p.window->max * k};
   for (int i = 0; i < 8; ++i)
-    s.corners[i] = Vec3((i & 1) != 0 ? scene.most.x : scene.least.x, (i & 2) != 0 ? scene.most.y : scene.least.y,
-                        (i & 4) != 0 ? scene.most.z : scene.least.z) *
+    s.corners[i] = Vec3((i & 1) != 0 ? scene.max.x : scene.min.x, (i & 2) != 0 ? scene.max.y : scene.min.y,
+                        (i & 4) != 0 ? scene.max.z : scene.min.z) *
                    k;
   return s;
 }
@@ -42,14 +41,14 @@ struct Share {
 };
 
 double larger_side(const Window& window) {
-  const Vec2 size = window.most - window.least;
+  const Vec2 size = window.max - window.min;
   return std::max(size.x, size.y);
 }
 
 // A window stands where numbers of its own say, so the place of the whole drawing counts too.
 void add_window(const Setting& s, double size, std::vector<Share>& shares) {
   if (!s.p.window) return;
-  const Vec2 far = glm::max(glm::abs(s.p.window->least), glm::abs(s.p.window->most));
+  const Vec2 far = glm::max(glm::abs(s.p.window->min), glm::abs(s.p.window->max));
   const double point = std::max(reach(s.p.u, s.p.point), reach(s.p.v, s.p.point));
   shares.push_back(
       {(std::max(far.x, far.y) + point) / size, "the window is small for its distance from the plane's point"});
@@ -63,7 +62,7 @@ std::vector<Share> parallel_shares(const Setting& s) {
     const double tangent = glm::dot(axis, p.projector) / slope;
     const Vec3 row = axis - tangent * p.n;
     size = std::max(size, reach(row, s.size));
-    coordinates = std::max(coordinates, reach(row, s.most));
+    coordinates = std::max(coordinates, reach(row, s.max));
     const double turned = (reach(axis, p.projector) + std::abs(tangent) * reach(p.n, p.projector)) / slope;
     direction = std::max(direction, 2 * turned * reach(p.n, s.size) + reach(axis, s.size));
   }
@@ -99,21 +98,21 @@ std::vector<Share> central_shares(const Setting& s) {
   const Vec3 from_centre = glm::max(glm::abs(s.corners[0] - p.projector), glm::abs(s.corners[7] - p.projector));
   double size = 0, beside = 0, coordinates = 0, centre = 0;
   for (const Vec3& axis : {p.u, p.v}) {
-    double least = HUGE_VAL, most = -HUGE_VAL;
+    double min = HUGE_VAL, max = -HUGE_VAL;
     for (const Vec3& corner : s.corners) {
       const double distance = std::max(glm::dot(p.n, p.projector - corner), w.nearest);
       const double place = glm::dot(axis, corner - p.projector) / distance;
-      least = std::min(least, place);
-      most = std::max(most, place);
+      min = std::min(min, place);
+      max = std::max(max, place);
     }
-    size = std::max(size, most - least);
-    beside = std::max({beside, std::abs(least), std::abs(most)});
-    coordinates = std::max(coordinates, reach(axis, s.most) / w.nearest);
+    size = std::max(size, max - min);
+    beside = std::max({beside, std::abs(min), std::abs(max)});
+    coordinates = std::max(coordinates, reach(axis, s.max) / w.nearest);
     centre = std::max(centre, reach(axis, p.projector) * (1 / w.nearest - 1 / w.farthest));
   }
   if (p.window) size = larger_side(*p.window) / d;
   std::vector<Share> shares{
-      {(coordinates + beside * reach(p.n, s.most) / w.nearest) / size,
+      {(coordinates + beside * reach(p.n, s.max) / w.nearest) / size,
        "the model is small for its distance from the origin"},
       {(centre + beside * reach(p.n, p.projector) / w.nearest) / size, "the centre of projection is near to the model"},
       {beside * (reach(p.n, p.projector) + reach(p.n, p.point)) / d / size,
@@ -141,7 +140,7 @@ Condition condition_of(const Projection& projection, const Box& scene, const Vec
     condition.why = share.why;
   }
   condition.number = std::max(condition.number, 1.0);
-  setting.most = one_rounding * make_view_map(projection, scene).shrink;
+  setting.max = one_rounding * make_view_map(projection, scene).scale_exponent;
   const double moved = shares_of(setting).front().number;
   if (std::isfinite(moved)) condition.moved_by_files = moved;
   return condition;

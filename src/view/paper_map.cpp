@@ -9,19 +9,22 @@ namespace {
 
 // A row of the map as a row on absolute world points: constant + r . (shrink x - shrink origin).
 Vec4 absolute(const ViewMap& map, const Vec3& row, double constant) {
-  const Vec3 r = row * map.shrink;
-  return {r.x, r.y, r.z, constant - glm::dot(row, map.origin * map.shrink)};
+  const Vec3 r = row * map.scale_exponent;
+  return {r.x, r.y, r.z, constant - glm::dot(row, map.origin * map.scale_exponent)};
 }
 
 }  // namespace
 
-Window drawn_box(const View& view) {
-  return {(view.window.least - view.middle) / view.map.shrink, (view.window.most - view.middle) / view.map.shrink};
+Window drawn_box(const ProjectedScene& view) {
+  return {(view.window.min - view.middle) / view.map.scale_exponent,
+          (view.window.max - view.middle) / view.map.scale_exponent};
 }
 
-PaperMap make_paper_map(const View& view, double scale, const Vec2& shift) { return {scale / view.map.shrink, shift}; }
+PaperMap make_paper_map(const ProjectedScene& view, double scale, const Vec2& shift) {
+  return {scale / view.map.scale_exponent, shift};
+}
 
-Mat4 world_to_page(const View& view, const PaperMap& paper) {
+Mat4 world_to_page(const ProjectedScene& view, const PaperMap& paper) {
   const ViewMap& map = view.map;
   const Vec4 w = absolute(map, map.w, map.w_constant);
   const Vec2 shift = paper.origin - paper.scale * view.middle;
@@ -29,9 +32,9 @@ Mat4 world_to_page(const View& view, const PaperMap& paper) {
               paper.scale * absolute(map, map.z, map.z_constant), w);
 }
 
-std::array<std::optional<Vec2>, 3> vanishing_points_on_page(const View& view, const PaperMap& paper) {
+std::array<std::optional<Vec2>, 3> vanishing_points_on_page(const ProjectedScene& view, const PaperMap& paper) {
   std::array<std::optional<Vec2>, 3> points = vanishing_points(view.projection);
-  const double unit = view.projection.scale * view.map.shrink;
+  const double unit = view.projection.scale * view.map.scale_exponent;
   for (auto& point : points)
     if (point) point = paper.origin + paper.scale * (*point * unit - view.map.image - view.middle);
   return points;

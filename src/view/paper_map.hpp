@@ -2,7 +2,7 @@
 // Window -> viewport (seed 003, step 10): where the view stands on the paper.
 #pragma once
 
-#include "view/view.hpp"
+#include "view/projected_scene.hpp"
 
 namespace epura {
 
@@ -15,15 +15,15 @@ struct PaperMap {
 };
 
 /// What is drawn, as a box of the plane in the model's own lengths, from the origin of page vertices.
-Window drawn_box(const View& view);
+Window drawn_box(const ProjectedScene& view);
 
 /// The map for paper = shift + scale * plane, with lengths of the plane as in drawn_box.
-PaperMap make_paper_map(const View& view, double scale, const Vec2& shift);
+PaperMap make_paper_map(const ProjectedScene& view, double scale, const Vec2& shift);
 
 /// The whole way as one matrix: page = (row0/row3, row1/row3) in mm, row2/row3 grows towards the viewer.
-Mat4 world_to_page(const View& view, const PaperMap& paper);
+Mat4 world_to_page(const ProjectedScene& view, const PaperMap& paper);
 
 /// Images of the directions of the world axes on the paper; nothing where lines along the axis stay parallel.
-std::array<std::optional<Vec2>, 3> vanishing_points_on_page(const View& view, const PaperMap& paper);
+std::array<std::optional<Vec2>, 3> vanishing_points_on_page(const ProjectedScene& view, const PaperMap& paper);
 
 }  // namespace epura

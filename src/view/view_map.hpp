@@ -27,9 +27,10 @@ struct Mapped {
 };
 
 struct ViewMap {
-  Vec3 origin;      ///< o in the world
-  double shrink;    ///< power of two that brings the scene's size near 1, so that products neither over- nor underflow
-  Vec3 u, v, z, w;  ///< rows, applied to shrink * (x - o)
+  Vec3 origin;            ///< o in the world
+  double scale_exponent;  ///< power of two that brings the scene's size near 1, so that products neither over- nor
+                          ///< underflow
+  Vec3 u, v, z, w;        ///< rows, applied to shrink * (x - o)
   double z_constant, w_constant;
   Vec2 image;           ///< the plane's own coordinates (times scale and shrink) of the place where U = V = 0
   Vec3 centre;          ///< c in the world
@@ -39,7 +40,7 @@ struct ViewMap {
 
   [[nodiscard]] Mapped operator()(const Vec3& point) const {
     // Shrinking first: the difference of two large coordinates may be no double.
-    const Vec3 l = point * shrink - origin * shrink;
+    const Vec3 l = point * scale_exponent - origin * scale_exponent;
     return {glm::dot(u, l), glm::dot(v, l), z_constant + glm::dot(z, l), w_constant + glm::dot(w, l)};
   }
 };

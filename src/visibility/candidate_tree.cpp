@@ -25,13 +25,13 @@ constexpr std::size_t least_pile = 8;
 constexpr std::size_t least_at_hub = 16;
 constexpr std::size_t part_at_hub = 2;  // every second triangle, at least
 
-Vec3 point(const View& view, int vertex) {
+Vec3 point(const ProjectedScene& view, int vertex) {
   const PageVertex& v = view.vertices[vertex];
   return {v.x, v.y, v.depth};
 }
 
 // Over the flattest plane through the longest side on the page.
-Vec3 over_longest_side(const View& view, const std::vector<int>& triangles) {
+Vec3 over_longest_side(const ProjectedScene& view, const std::vector<int>& triangles) {
   Vec3 longest(0);
   const auto length2 = [](const Vec3& side) { return side.x * side.x + side.y * side.y; };
   for (const int triangle : triangles) {
@@ -44,14 +44,14 @@ Vec3 over_longest_side(const View& view, const std::vector<int>& triangles) {
   return length2(longest) > 0 ? Vec3(Vec2(longest) * (-longest.z / length2(longest)), 1) : Vec3(0, 0, 1);
 }
 
-std::int64_t area(const View& view, int triangle) {
+std::int64_t area(const ProjectedScene& view, int triangle) {
   const auto& [a, b, c] = view.triangles[triangle].vertex;
   return std::abs(cross(view.grid[a], view.grid[b], view.grid[c]));
 }
 
 }  // namespace
 
-CandidateTree::CandidateTree(const View& view, std::vector<int> triangles, const Contact& contact)
+CandidateTree::CandidateTree(const ProjectedScene& view, std::vector<int> triangles, const Contact& contact)
     : touching_(contact.touching) {
   if (triangles.empty()) return;
   choose_directions(view, triangles);
@@ -61,23 +61,23 @@ CandidateTree::CandidateTree(const View& view, std::vector<int> triangles, const
 }
 
 // A vertex that many triangles have becomes the hub.
-void CandidateTree::note_corners(const View& view, const std::vector<int>& triangles) {
+void CandidateTree::note_corners(const ProjectedScene& view, const std::vector<int>& triangles) {
   joined_.reserve(3 * triangles.size());
   for (const int triangle : triangles)
     for (const int vertex : view.triangles[triangle].vertex) joined_.emplace_back(vertex, triangle);
   std::sort(joined_.begin(), joined_.end());
-  std::size_t most = 0;
+  std::size_t max = 0;
   int hub = -1;
   for (auto begin = joined_.begin(); begin != joined_.end();) {
     const auto end =
         std::find_if(begin, joined_.end(), [&](const auto& corner) { return corner.first != begin->first; });
-    if (const auto count = static_cast<std::size_t>(end - begin); count > most) {
-      most = count;
+    if (const auto count = static_cast<std::size_t>(end - begin); count > max) {
+      max = count;
       hub = begin->first;
     }
     begin = end;
   }
-  if (most < least_at_hub || most * part_at_hub < triangles.size()) return;
+  if (max < least_at_hub || max * part_at_hub < triangles.size()) return;
   hub_ = SeenFrom(view, view.grid[hub]);
   std::erase_if(joined_, [&](const auto& corner) { return hub_->is_at(view.grid[corner.first]); });
 }
@@ -88,7 +88,7 @@ std::span<const std::pair<int, int>> CandidateTree::joined_at(int vertex) const 
 }
 
 // Of few triangles with one footprint, each is tried alone.
-void CandidateTree::make_piles(const View& view, std::vector<int> triangles) {
+void CandidateTree::make_piles(const ProjectedScene& view, std::vector<int> triangles) {
   std::vector<std::pair<Pile::Footprint, int>> keys;
   keys.reserve(triangles.size());
   for (const int triangle : triangles) keys.emplace_back(Pile::footprint(view, triangle), triangle);
@@ -106,7 +106,7 @@ void CandidateTree::make_piles(const View& view, std::vector<int> triangles) {
   }
 }
 
-void CandidateTree::choose_directions(const View& view, const std::vector<int>& triangles) {
+void CandidateTree::choose_directions(const ProjectedScene& view, const std::vector<int>& triangles) {
   const auto by_area = [&](int a, int b) { return area(view, a) < area(view, b); };
   const ViewTriangle& largest = view.triangles[*std::max_element(triangles.begin(), triangles.end(), by_area)];
   for (std::size_t i = 0; i < 3; ++i) {
@@ -128,7 +128,7 @@ void CandidateTree::choose_directions(const View& view, const std::vector<int>& 
   }
 }
 
-CandidateTree::Bounds CandidateTree::before(const View& view, const Sightline& edge,
+CandidateTree::Bounds CandidateTree::before(const ProjectedScene& view, const PageEdge& edge,
                                             const std::array<Vec3, 2>& places) const {
   Bounds bounds;
   for (std::size_t i = 0; i < directions; ++i) {
@@ -145,7 +145,7 @@ CandidateTree::Bounds CandidateTree::before(const View& view, const Sightline& e
 }
 
 // What lies less than contact before an edge ends behind it.
-CandidateTree::Bounds CandidateTree::bounds_of(const View& view, int triangle) const {
+CandidateTree::Bounds CandidateTree::bounds_of(const ProjectedScene& view, int triangle) const {
   const auto& [u, v, w] = view.triangles[triangle].vertex;
   const Vec3 a = point(view, u), b = point(view, v), c = point(view, w);
   const double forgiven = touching_ * steepness_of(view, view.triangles[triangle]);
@@ -159,7 +159,7 @@ CandidateTree::Bounds CandidateTree::bounds_of(const View& view, int triangle) c
   return bounds;
 }
 
-CandidateTree::Bounds CandidateTree::bounds_of_thing(const View& view, int thing) const {
+CandidateTree::Bounds CandidateTree::bounds_of_thing(const ProjectedScene& view, int thing) const {
   if (thing >= 0) return bounds_of(view, thing);
   const std::vector<int>& triangles = piles_[~thing].triangles();
   Bounds all = bounds_of(view, triangles.front());
@@ -171,7 +171,7 @@ CandidateTree::Bounds CandidateTree::bounds_of_thing(const View& view, int thing
   return all;
 }
 
-void CandidateTree::make_tree(const View& view) {
+void CandidateTree::make_tree(const ProjectedScene& view) {
   std::vector<Bounds> bounds;
   bounds.reserve(things_.size());
   for (const int thing : things_) bounds.push_back(bounds_of_thing(view, thing));

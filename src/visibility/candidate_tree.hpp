@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "view/view.hpp"
+#include "view/projected_scene.hpp"
 #include "visibility/bounds_tree.hpp"
 #include "visibility/hiding_rule.hpp"
 #include "visibility/pile.hpp"
@@ -32,13 +32,14 @@ class CandidateTree {
 
   CandidateTree() = default;
   /// Of triangles with an area on the page grid.
-  CandidateTree(const View& view, std::vector<int> triangles, const Contact& contact);
+  CandidateTree(const ProjectedScene& view, std::vector<int> triangles, const Contact& contact);
 
   [[nodiscard]] bool empty() const { return tree_.empty(); }
 
   /// Where triangles have to reach to hide something of an edge between two places: x, y and depth. Those that have an
   /// end of it as a corner may hide it from elsewhere.
-  [[nodiscard]] Bounds before(const View& view, const Sightline& edge, const std::array<Vec3, 2>& places) const;
+  [[nodiscard]] Bounds before(const ProjectedScene& view, const PageEdge& edge,
+                              const std::array<Vec3, 2>& places) const;
 
   /// Calls `visit(triangle)` or `visit(pile)` for those that may reach into the bounds, until it returns false. It may
   /// narrow the bounds.
@@ -50,7 +51,7 @@ class CandidateTree {
 
   /// Calls `visit(triangle)` for those that have an end of the edge as a corner and may lie over it.
   template <class Visit>
-  void visit_joined(const View& view, const Sightline& edge, const Visit& visit) const {
+  void visit_joined(const ProjectedScene& view, const PageEdge& edge, const Visit& visit) const {
     for (const int end : {edge.p, edge.q}) {
       if (!hub_ || !hub_->is_at(view.grid[end])) {
         for (const auto& [vertex, triangle] : joined_at(end)) visit(triangle);
@@ -82,7 +83,7 @@ class CandidateTree {
     return things_[i] >= 0 ? visit(things_[i]) : visit(piles_[~things_[i]]);
   }
   template <class Visit>
-  void visit_joined_of(const View& view, int thing, int end, const Visit& visit) const {
+  void visit_joined_of(const ProjectedScene& view, int thing, int end, const Visit& visit) const {
     if (thing < 0) {
       for (const int triangle : piles_[~thing].around(end)) visit(triangle);
       return;
@@ -92,12 +93,12 @@ class CandidateTree {
   }
 
   [[nodiscard]] std::span<const std::pair<int, int>> joined_at(int vertex) const;
-  void choose_directions(const View& view, const std::vector<int>& triangles);
-  void note_corners(const View& view, const std::vector<int>& triangles);
-  void make_piles(const View& view, std::vector<int> triangles);
-  [[nodiscard]] Bounds bounds_of(const View& view, int triangle) const;
-  [[nodiscard]] Bounds bounds_of_thing(const View& view, int thing) const;
-  void make_tree(const View& view);
+  void choose_directions(const ProjectedScene& view, const std::vector<int>& triangles);
+  void note_corners(const ProjectedScene& view, const std::vector<int>& triangles);
+  void make_piles(const ProjectedScene& view, std::vector<int> triangles);
+  [[nodiscard]] Bounds bounds_of(const ProjectedScene& view, int triangle) const;
+  [[nodiscard]] Bounds bounds_of_thing(const ProjectedScene& view, int thing) const;
+  void make_tree(const ProjectedScene& view);
 
   std::vector<int> things_;  ///< triangles, or ~numbers of piles
   std::vector<Pile> piles_;

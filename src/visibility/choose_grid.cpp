@@ -6,14 +6,14 @@
 namespace epura {
 
 CellGrid choose_grid(const PageBox& page, const Cuts& lines, const Cuts& areas, const GridLimits& limits) {
-  const Vec2 size = glm::max(page.most - page.least, Vec2(limits.side));
+  const Vec2 size = glm::max(page.max - page.min, Vec2(limits.side));
   const auto cost = [&](int columns, int rows) {
     if (size.x / columns < limits.side || size.y / rows < limits.side) return HUGE_VAL;
     if (areas.of_areas(columns, rows) > limits.cuts_of_area * static_cast<double>(areas.things)) return HUGE_VAL;
     return lines.of_lines(columns, rows);
   };
   const double allowed = limits.cuts_of_line * static_cast<double>(lines.things);
-  CellGrid grid{page.least, size, 1, 1};
+  CellGrid grid{page.min, size, 1, 1};
   while (2.0 * grid.count() <= limits.cells) {
     const double by_column = cost(2 * grid.columns, grid.rows);
     const double by_row = cost(grid.columns, 2 * grid.rows);

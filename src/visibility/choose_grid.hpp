@@ -10,7 +10,7 @@
 namespace epura {
 
 struct PageBox {
-  Vec2 least, most;
+  Vec2 min, max;
 };
 
 /// How often the lines of a grid cut things: sums over their boxes, as shares of the page's.
@@ -46,8 +46,8 @@ template <class Lines>
 CellGrid grid_over_lines(const Lines& lines, const GridLimits& limits) {
   PageBox page{Vec2(HUGE_VAL), Vec2(-HUGE_VAL)};
   for (const auto& line : lines)
-    page = {glm::min(page.least, glm::min(line.from, line.to)), glm::max(page.most, glm::max(line.from, line.to))};
-  const Vec2 size = glm::max(page.most - page.least, Vec2(limits.side));
+    page = {glm::min(page.min, glm::min(line.from, line.to)), glm::max(page.max, glm::max(line.from, line.to))};
+  const Vec2 size = glm::max(page.max - page.min, Vec2(limits.side));
   Cuts cuts;
   for (const auto& line : lines) cuts.add(glm::abs(line.to - line.from), size);
   return choose_grid(page, cuts, {}, limits);

@@ -17,9 +17,9 @@ constexpr double points_a_span = 2;
 constexpr double worthwhile_points = 1.25;
 constexpr double least_density = 1e-6, most_density = 1e6;
 
-double points_an_edge(const View& view, const DrawnEdges& drawn, double density) {
+double points_an_edge(const ProjectedScene& view, const FeatureEdges& drawn, double density) {
   double points = 0;
-  for (const DrawnEdge& edge : drawn.edges) {
+  for (const FeatureEdge& edge : drawn.edges) {
     const PageVertex& p = view.vertices[edge.vertex[0]];
     const PageVertex& q = view.vertices[edge.vertex[1]];
     points += std::max(1.0, std::ceil(std::hypot(q.x - p.x, q.y - p.y) * density));
@@ -29,10 +29,10 @@ double points_an_edge(const View& view, const DrawnEdges& drawn, double density)
 
 }  // namespace
 
-MethodChoice choose_method(const View& view, const DrawnEdges& drawn, double mm, double allowed) {
+MethodChoice choose_method(const ProjectedScene& view, const FeatureEdges& drawn, double mm, double allowed) {
   const double guaranteed = guaranteed_part * view.extent * mm;
   if (!(guaranteed <= allowed))
-    throw Error(Trouble::input, "--max-error", "is " + format_number(allowed) + " mm, and no method guarantees that",
+    throw Error(ErrorKind::input, "--max-error", "is " + format_number(allowed) + " mm, and no method guarantees that",
                 "the exact method guarantees " + format_rounded(guaranteed, 3) +
                     " mm, a millionth of the drawing, in this view");
   Method sampled;

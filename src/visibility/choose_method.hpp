@@ -23,6 +23,6 @@ struct MethodChoice {
 /// `mm` of paper are a view unit long; `allowed` is the length in mm that a misclassified span of an edge may have.
 /// What a method costs is told from the number of points an edge (docs/accuracy.md). Throws Error{input} where not even
 /// the exact method guarantees so little.
-MethodChoice choose_method(const View& view, const DrawnEdges& drawn, double mm, double allowed);
+MethodChoice choose_method(const ProjectedScene& view, const FeatureEdges& drawn, double mm, double allowed);
 
 }  // namespace epura

@@ -40,7 +40,7 @@ struct GridCrossing {
   }
 };
 
-GridCrossing cross_on_grid(const View& view, const Sightline& edge, int u, int v) {
+GridCrossing cross_on_grid(const ProjectedScene& view, const PageEdge& edge, int u, int v) {
   const GridPoint& p = view.grid[edge.p];
   const GridPoint& q = view.grid[edge.q];
   const GridPoint& a = view.grid[u];
@@ -61,7 +61,7 @@ struct CrossedSide {
 
 // The crossing is decided on the grid and computed from the unrounded coordinates. Where those do not confirm it (lines
 // parallel within the grid cross anywhere, or nowhere), the grid's place is taken.
-SideCrossing place_crossing(const View& view, const Sightline& edge, const CrossedSide& crossed) {
+SideCrossing place_crossing(const ProjectedScene& view, const PageEdge& edge, const CrossedSide& crossed) {
   const PageVertex& u = view.vertices[crossed.u];
   const PageVertex& v = view.vertices[crossed.v];
   const GridCrossing& decided = crossed.decided;
@@ -84,7 +84,7 @@ SideCrossing place_crossing(const View& view, const Sightline& edge, const Cross
 }
 
 // The two sides that the line of the edge crosses; `left` says on which side of it the corners lie.
-std::array<CrossedSide, 2> crossed_sides(const View& view, const Sightline& edge, const ViewTriangle& triangle,
+std::array<CrossedSide, 2> crossed_sides(const ProjectedScene& view, const PageEdge& edge, const ViewTriangle& triangle,
                                          const std::array<bool, 3>& left) {
   std::array<CrossedSide, 2> sides{};
   std::size_t count = 0;
@@ -105,7 +105,7 @@ bool lie_beyond_an_end(const std::array<CrossedSide, 2>& sides) {
 }
 
 // The same, if the edge and the triangle meet as the grid decides.
-std::optional<std::array<CrossedSide, 2>> sides_over(const View& view, const Sightline& edge,
+std::optional<std::array<CrossedSide, 2>> sides_over(const ProjectedScene& view, const PageEdge& edge,
                                                      const ViewTriangle& triangle) {
   std::array<bool, 3> left{};
   for (int i = 0; i < 3; ++i)
@@ -127,7 +127,7 @@ std::optional<std::array<double, 2>> exceeding(double from, double to, double at
 
 }  // namespace
 
-std::optional<Vec2> slope_of(const View& view, const ViewTriangle& triangle) {
+std::optional<Vec2> slope_of(const ProjectedScene& view, const ViewTriangle& triangle) {
   const PageVertex& a = view.vertices[triangle.vertex[0]];
   const PageVertex& b = view.vertices[triangle.vertex[1]];
   const PageVertex& c = view.vertices[triangle.vertex[2]];
@@ -138,7 +138,7 @@ std::optional<Vec2> slope_of(const View& view, const ViewTriangle& triangle) {
   return Vec2(bz * cy - by * cz, bx * cz - bz * cx) / area;
 }
 
-double rise_along(const View& view, const ViewTriangle& triangle, const Vec2& way) {
+double rise_along(const ProjectedScene& view, const ViewTriangle& triangle, const Vec2& way) {
   std::array<const PageVertex*, 3> corners{};
   for (int i = 0; i < 3; ++i) corners[i] = &view.vertices[triangle.vertex[i]];
   const auto squared = [&](int i, int j) {
@@ -154,17 +154,19 @@ double rise_along(const View& view, const ViewTriangle& triangle, const Vec2& wa
   return along * glm::dot(base, way) + across * cross(base, way);
 }
 
-double steepness_of(const View& view, const ViewTriangle& triangle) { return steepness(slope_of(view, triangle)); }
+double steepness_of(const ProjectedScene& view, const ViewTriangle& triangle) {
+  return steepness(slope_of(view, triangle));
+}
 
-double least_span(const View& view, const Sightline& edge) {
+double least_span(const ProjectedScene& view, const PageEdge& edge) {
   return least_piece * view.extent / glm::distance(place(view.vertices[edge.p]), place(view.vertices[edge.q]));
 }
 
-bool meets_on_grid(const View& view, const Sightline& edge, const ViewTriangle& triangle) {
+bool meets_on_grid(const ProjectedScene& view, const PageEdge& edge, const ViewTriangle& triangle) {
   return sides_over(view, edge, triangle).has_value();
 }
 
-std::optional<Overlap> overlap_of(const View& view, const Sightline& edge, const ViewTriangle& triangle) {
+std::optional<Overlap> overlap_of(const ProjectedScene& view, const PageEdge& edge, const ViewTriangle& triangle) {
   const auto sides = sides_over(view, edge, triangle);
   if (!sides) return std::nullopt;
   auto in = place_crossing(view, edge, (*sides)[0]), out = place_crossing(view, edge, (*sides)[1]);
@@ -174,8 +176,8 @@ std::optional<Overlap> overlap_of(const View& view, const Sightline& edge, const
   return Overlap{from, to, in, out};
 }
 
-std::optional<std::array<double, 2>> hidden_part(const View& view, const Sightline& edge, const ViewTriangle& triangle,
-                                                 const Contact& contact) {
+std::optional<std::array<double, 2>> hidden_part(const ProjectedScene& view, const PageEdge& edge,
+                                                 const ViewTriangle& triangle, const Contact& contact) {
   const std::optional<Overlap> overlap = overlap_of(view, edge, triangle);
   if (!overlap) return std::nullopt;
   const double from = overlap->from, to = overlap->to;

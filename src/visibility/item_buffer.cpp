@@ -30,7 +30,7 @@ Vec2 place_of(const PageVertex& v) { return {v.x, v.y}; }
 /// Nearest triangles at the middles of the pixels of a tile.
 class Tile {
  public:
-  Tile(const View& view, const Vec2& origin, double density)
+  Tile(const ProjectedScene& view, const Vec2& origin, double density)
       : view_(view),
         origin_(origin),
         density_(density),
@@ -43,9 +43,9 @@ class Tile {
     if (!slope) return;
     std::array<Vec2, 3> corner;
     for (std::size_t i = 0; i < 3; ++i) corner[i] = (place_of(view_.vertices[t.vertex[i]]) - origin_) * density_;
-    const auto [least, most] = std::minmax({corner[0].y, corner[1].y, corner[2].y});
-    const int last = std::min(tile_side - 1, whole(std::floor(most - 0.5)));
-    for (int row = std::max(0, whole(std::ceil(least - 0.5))); row <= last; ++row) {
+    const auto [min, max] = std::minmax({corner[0].y, corner[1].y, corner[2].y});
+    const int last = std::min(tile_side - 1, whole(std::floor(max - 0.5)));
+    for (int row = std::max(0, whole(std::ceil(min - 0.5))); row <= last; ++row) {
       const auto [from, to] = columns(corner, row + 0.5);
       const double first_depth =
           view_.vertices[t.vertex[0]].depth + glm::dot(*slope, Vec2(0.5, row + 0.5) - corner[0]) / density_;
@@ -82,7 +82,7 @@ class Tile {
     return {std::max(0, whole(std::ceil(from - 0.5))), std::min(tile_side - 1, whole(std::floor(to - 0.5)))};
   }
 
-  const View& view_;
+  const ProjectedScene& view_;
   Vec2 origin_;
   double density_;
   std::vector<double> depth_;
@@ -130,18 +130,19 @@ ByTile<Thing> sort_into_tiles(std::size_t count, int tiles, const Find& find) {
 
 class ItemBuffer {
  public:
-  ItemBuffer(const World& world, const View& view, const DrawnEdges& drawn, const Contact& contact, double density)
+  ItemBuffer(const World& world, const ProjectedScene& view, const FeatureEdges& drawn, const Contact& contact,
+             double density)
       : world_(world), view_(view), drawn_(drawn), contact_(contact), density_(density) {
-    Vec2 least(HUGE_VAL), most(-HUGE_VAL);
-    for (const DrawnEdge& edge : drawn.edges)
+    Vec2 min(HUGE_VAL), max(-HUGE_VAL);
+    for (const FeatureEdge& edge : drawn.edges)
       for (const int v : edge.vertex) {
-        least = glm::min(least, place_of(view.vertices[v]));
-        most = glm::max(most, place_of(view.vertices[v]));
+        min = glm::min(min, place_of(view.vertices[v]));
+        max = glm::max(max, place_of(view.vertices[v]));
       }
-    if (drawn.edges.empty()) least = most = Vec2(0);
-    const Vec2 tiles = glm::floor((most - least) * density / static_cast<double>(tile_side)) + 1.0;
-    if (tiles.x * tiles.y > most_tiles) refuse((most - least) * density);
-    tiles_ = {least, Vec2(tile_side / density), static_cast<int>(tiles.x), static_cast<int>(tiles.y)};
+    if (drawn.edges.empty()) min = max = Vec2(0);
+    const Vec2 tiles = glm::floor((max - min) * density / static_cast<double>(tile_side)) + 1.0;
+    if (tiles.x * tiles.y > most_tiles) refuse((max - min) * density);
+    tiles_ = {min, Vec2(tile_side / density), static_cast<int>(tiles.x), static_cast<int>(tiles.y)};
     walk_edges();
   }
 
@@ -162,14 +163,14 @@ class ItemBuffer {
 
  private:
   [[noreturn]] static void refuse(const Vec2& size) {
-    throw Error(Trouble::input, "--visibility item-buffer",
+    throw Error(ErrorKind::input, "--visibility item-buffer",
                 "a buffer of " + format_rounded(size.x, 2) + " x " + format_rounded(size.y, 2) + " pixels is too large",
                 "give fewer dpi");
   }
 
   void walk_edges() {
     double pixels = 0;
-    for (const DrawnEdge& edge : drawn_.edges) {
+    for (const FeatureEdge& edge : drawn_.edges) {
       walks_.emplace_back((place_of(view_.vertices[edge.vertex[0]]) - tiles_.origin) * density_,
                           (place_of(view_.vertices[edge.vertex[1]]) - tiles_.origin) * density_);
       first_pixel_.push_back(static_cast<std::size_t>(pixels));
@@ -213,7 +214,7 @@ class ItemBuffer {
 
   void look(const Tile& buffer, const Piece& piece) {
     const PixelWalk& walk = walks_[piece.edge];
-    const DrawnEdge& edge = drawn_.edges[piece.edge];
+    const FeatureEdge& edge = drawn_.edges[piece.edge];
     const PointRule rule(view_, {edge.vertex[0], edge.vertex[1]}, contact_);
     const OwnTriangles own(world_, drawn_, edge);
     for (int step = piece.first; step <= piece.last; ++step) {
@@ -237,8 +238,8 @@ class ItemBuffer {
   }
 
   const World& world_;
-  const View& view_;
-  const DrawnEdges& drawn_;
+  const ProjectedScene& view_;
+  const FeatureEdges& drawn_;
   const Contact& contact_;
   double density_;
   CellGrid tiles_{};
@@ -249,7 +250,7 @@ class ItemBuffer {
 
 }  // namespace
 
-HiddenSpans find_hidden_by_item_buffer(const World& world, const View& view, const DrawnEdges& drawn,
+HiddenSpans find_hidden_by_item_buffer(const World& world, const ProjectedScene& view, const FeatureEdges& drawn,
                                        const Contact& contact, double density, Progress progress) {
   progress.begin("hiding lines");
   return gather(ItemBuffer(world, view, drawn, contact, density).hidden_spans());

@@ -20,7 +20,7 @@ struct Knob {
   Way way;
   std::string key;
   double Method::*value;
-  double least, most;
+  double min, max;
   bool whole;
   bool always_said;
 };
@@ -48,7 +48,7 @@ Way way_of(std::string_view name, const std::string& where) {
     if (known == name) return way;
     names.push_back(known);
   }
-  throw Error(Trouble::input, where, "unknown value '" + std::string(name) + "'", did_you_mean(name, names));
+  throw Error(ErrorKind::input, where, "unknown value '" + std::string(name) + "'", did_you_mean(name, names));
 }
 
 void turn(Method& method, std::string_view assignment, const std::string& where) {
@@ -59,18 +59,18 @@ void turn(Method& method, std::string_view assignment, const std::string& where)
     names.push_back(knob.key);
     if (knob.key != key) continue;
     const auto value = parse_number(assignment.substr(std::min(key.size() + 1, assignment.size())));
-    if (!value || !(*value >= knob.least && *value <= knob.most) || (knob.whole && *value != std::floor(*value)))
-      throw Error(Trouble::input, where, "'" + std::string(assignment) + "' is not possible",
-                  knob.key + " is a " + (knob.whole ? "whole " : "") + "number from " + format_number(knob.least) +
-                      " to " + format_number(knob.most));
+    if (!value || !(*value >= knob.min && *value <= knob.max) || (knob.whole && *value != std::floor(*value)))
+      throw Error(ErrorKind::input, where, "'" + std::string(assignment) + "' is not possible",
+                  knob.key + " is a " + (knob.whole ? "whole " : "") + "number from " + format_number(knob.min) +
+                      " to " + format_number(knob.max));
     method.*knob.value = *value;
     return;
   }
-  throw Error(Trouble::input, where, name_of(method.way) + " has no knob '" + std::string(key) + "'",
+  throw Error(ErrorKind::input, where, name_of(method.way) + " has no knob '" + std::string(key) + "'",
               names.empty() ? "it has none" : did_you_mean(key, names));
 }
 
-HiddenSpans find_hidden(const World& world, const RoundedView& rounded, const DrawnEdges& drawn, Progress progress) {
+HiddenSpans find_hidden(const World& world, const RoundedView& rounded, const FeatureEdges& drawn, Progress progress) {
   return find_hidden(world, rounded.view, drawn, rounded.contact, progress);
 }
 
@@ -104,8 +104,8 @@ std::string text_of(const Method& method) {
   return name_of(method.way) + (turned.empty() ? "" : ":") + turned;
 }
 
-HiddenSpans find_hidden(const World& world, const View& view, const DrawnEdges& drawn, const Contact& contact,
-                        const Method& method, double mm, Progress progress) {
+HiddenSpans find_hidden(const World& world, const ProjectedScene& view, const FeatureEdges& drawn,
+                        const Contact& contact, const Method& method, double mm, Progress progress) {
   switch (method.way) {
     case Way::exact:
       if (method.bits == Method().bits) return find_hidden(world, view, drawn, contact, progress);

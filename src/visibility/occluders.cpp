@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "base/parallel.hpp"
-#include "visibility/edge_hider.hpp"
-#include "visibility/sheet_cover.hpp"
+#include "visibility/occluder_patch.hpp"
+#include "visibility/occlusion_query.hpp"
 #include "visibility/triangle_cells.hpp"
 
 namespace epura {
@@ -61,7 +61,7 @@ Number count_up(Number& value) {
   return std::atomic_ref<Number>(value).fetch_add(1, std::memory_order_relaxed);
 }
 
-double greatest_depth(const View& view) {
+double greatest_depth(const ProjectedScene& view) {
   double greatest = -HUGE_VAL;
   for (const PageVertex& vertex : view.vertices) greatest = std::max(greatest, vertex.depth);
   return greatest;
@@ -69,7 +69,7 @@ double greatest_depth(const View& view) {
 
 }  // namespace
 
-OccluderGrid::OccluderGrid(const World& world, const View& view, const std::vector<DrawnEdge>& edges,
+OccluderGrid::OccluderGrid(const World& world, const ProjectedScene& view, const std::vector<FeatureEdge>& edges,
                            const Contact& contact, const Progress& progress)
     : view_(view),
       edges_(edges),
@@ -81,7 +81,7 @@ OccluderGrid::OccluderGrid(const World& world, const View& view, const std::vect
 
 Vec2 OccluderGrid::cover_slack(const CellGrid& grid) const { return 2 * margin() + cell_slack * grid.side; }
 
-Vec2 OccluderGrid::place(const Sightline& edge, double t) const {
+Vec2 OccluderGrid::place(const PageEdge& edge, double t) const {
   const PageVertex& p = view_.vertices[edge.p];
   const PageVertex& q = view_.vertices[edge.q];
   if (t >= 1) return {q.x, q.y};
@@ -102,8 +102,8 @@ double OccluderGrid::nearest(const ViewTriangle& triangle) const {
   return std::max({view_.vertices[a].depth, view_.vertices[b].depth, view_.vertices[c].depth});
 }
 
-Sightline OccluderGrid::sightline(const Piece& piece) const {
-  const DrawnEdge& edge = edges_[piece.edge];
+PageEdge OccluderGrid::sightline(const Piece& piece) const {
+  const FeatureEdge& edge = edges_[piece.edge];
   return {edge.vertex[0], edge.vertex[1]};
 }
 
@@ -118,7 +118,7 @@ PageBox OccluderGrid::box_of(const std::vector<Piece>& pieces) const {
   for (const Piece& piece : pieces)
     for (const double t : {piece.from, piece.to}) {
       const Vec2 at = place(sightline(piece), t);
-      box = {glm::min(box.least, at), glm::max(box.most, at)};
+      box = {glm::min(box.min, at), glm::max(box.max, at)};
     }
   if (pieces.empty()) return {Vec2(0), Vec2(0)};
   return box;
@@ -145,15 +145,15 @@ double OccluderGrid::pairs_in(const Level& level, const CellLoad& load, int cell
 
 CellGrid OccluderGrid::grid_for(const Content& content, int depth) const {
   const PageBox page = box_of(content.pieces);
-  const Vec2 size = glm::max(page.most - page.least, Vec2(margin()));
+  const Vec2 size = glm::max(page.max - page.min, Vec2(margin()));
   Cuts lines, areas;
   for (const Piece& piece : content.pieces)
     lines.add(glm::abs(place(sightline(piece), piece.to) - place(sightline(piece), piece.from)), size);
   const std::size_t step = 1 + content.triangles.size() / sample;
   for (std::size_t i = 0; i < content.triangles.size(); i += step) {
     const auto [a, b, c] = corners(view_.triangles[content.triangles[i]]);
-    const Vec2 least = glm::max(glm::min(glm::min(a, b), c), page.least);
-    areas.add(glm::min(glm::max(glm::max(a, b), c), page.most) - least, size);
+    const Vec2 min = glm::max(glm::min(glm::min(a, b), c), page.min);
+    areas.add(glm::min(glm::max(glm::max(a, b), c), page.max) - min, size);
   }
   GridLimits limits = depth == 0 ? page_limits : cell_limits;
   limits.cells = std::min(limits.cells, static_cast<double>(content.triangles.size()) / triangles_of_cell);
@@ -189,13 +189,13 @@ OccluderGrid::CellLoad OccluderGrid::find_load(const Content& content, const Lev
     for (std::size_t i = begin; i < end; ++i) {
       progress_.expect_time();
       const Piece& piece = content.pieces[i];
-      const Sightline line = sightline(piece);
+      const PageEdge line = sightline(piece);
       visit_cells(level.grid, place(line, piece.from), place(line, piece.to), margin(),
                   [&](int cell, double s, double t) {
                     const double length = piece.to - piece.from;
-                    const auto [least, most] = depths(line, piece.from + s * length, piece.from + t * length);
-                    if (most < level.cover[cell]) return;
-                    lower(load.deepest[cell], least);
+                    const auto [min, max] = depths(line, piece.from + s * length, piece.from + t * length);
+                    if (max < level.cover[cell]) return;
+                    lower(load.deepest[cell], min);
                     count_up(load.pieces[cell]);
                   });
     }
@@ -249,7 +249,7 @@ bool OccluderGrid::cover_by_sheets(const CellLoad& load, Level& level) const {
       const int number = static_cast<int>(cell);
       if (pairs_in(level, load, number) <= most_pairs) continue;
       progress_.expect_time();
-      SheetCover sheets(view_, {grid.middle(number), grid.side / 2.0 + cover_slack(grid)}, contact_);
+      OccluderPatch sheets(view_, {grid.middle(number), grid.side / 2.0 + cover_slack(grid)}, contact_);
       for (const Candidate& candidate : level.candidates[cell])
         if (sheets.add(view_.triangles[candidate.triangle()])) break;
       if (!(sheets.depth() > level.cover[cell])) continue;
@@ -286,7 +286,7 @@ std::vector<OccluderGrid::Content> OccluderGrid::contents_of_full_cells(const Co
   if (parts.empty()) return parts;
   for (const Piece& piece : content.pieces) {
     progress_.expect_time();
-    const Sightline line = sightline(piece);
+    const PageEdge line = sightline(piece);
     visit_cells(grid, place(line, piece.from), place(line, piece.to), margin(), [&](int cell, double s, double t) {
       const double from = piece.from + s * (piece.to - piece.from);
       const double to = piece.from + t * (piece.to - piece.from);
@@ -303,7 +303,7 @@ bool OccluderGrid::leaves_few_tries(const CandidateTree& tree, const std::vector
   for (int k = 0; k < sampled_edges; ++k) {
     const double part = std::fmod(k * std::numbers::phi, 1);  // out of step with the order of the edges
     const Piece& piece = pieces[static_cast<std::size_t>(part * static_cast<double>(pieces.size()))];
-    EdgeHider hider(view_, contact_, *this, sightline(piece), OwnTriangles(), few_tries + 1);
+    OcclusionQuery hider(view_, contact_, *this, sightline(piece), OwnTriangles(), few_tries + 1);
     hider.hide({piece.from, piece.to, -HUGE_VAL, {}, &tree});
     good += hider.tries() <= few_tries ? 1 : 0;
   }

@@ -9,7 +9,7 @@
 
 #include "base/groups.hpp"
 #include "edges/drawn_edges.hpp"
-#include "view/view.hpp"
+#include "view/projected_scene.hpp"
 #include "visibility/candidate_tree.hpp"
 #include "visibility/choose_grid.hpp"
 #include "visibility/hiding_rule.hpp"
@@ -37,7 +37,7 @@ class Candidate {
 };
 
 /// A part of an edge within one cell of the page, and what may hide it there.
-struct Stretch {
+struct CellSegment {
   double from, to;                        ///< page parameters
   double cover;                           ///< what lies deeper than this in the cell is hidden
   std::span<const Candidate> candidates;  ///< the nearest first
@@ -50,28 +50,28 @@ struct Stretch {
 class OccluderGrid {
  public:
   /// Throws OutOfTime.
-  OccluderGrid(const World& world, const View& view, const std::vector<DrawnEdge>& edges, const Contact& contact,
-               const Progress& progress = {});
+  OccluderGrid(const World& world, const ProjectedScene& view, const std::vector<FeatureEdge>& edges,
+               const Contact& contact, const Progress& progress = {});
 
-  /// Calls `visit(Stretch)` for the cells along an edge; together the stretches cover the whole edge.
+  /// Calls `visit(CellSegment)` for the cells along an edge; together the stretches cover the whole edge.
   template <class Visit>
-  void along(const Sightline& edge, Visit visit) const {
+  void along(const PageEdge& edge, Visit visit) const {
     along(top_, edge, 0, 1, visit);
   }
 
-  /// What may hide an edge that begins or ends at this vertex, too, but is no candidate anywhere.
+  /// What may hide an edge that begins or ends at this vertex, too, but is not a candidate anywhere.
   [[nodiscard]] std::span<const int> copies_around(int vertex) const { return copies_.around(vertex); }
 
   /// Least and greatest depth of an edge between two page parameters.
-  [[nodiscard]] std::array<double, 2> depths(const Sightline& edge, double from, double to) const {
+  [[nodiscard]] std::array<double, 2> depths(const PageEdge& edge, double from, double to) const {
     const double p = view_.vertices[edge.p].depth;
     const double along = view_.vertices[edge.q].depth - p;
-    const auto [least, most] = std::minmax({p + from * along, p + to * along});
-    return {least, most};
+    const auto [min, max] = std::minmax({p + from * along, p + to * along});
+    return {min, max};
   }
 
   /// Where an edge is at a page parameter: x, y and depth.
-  [[nodiscard]] Vec3 point(const Sightline& edge, double t) const { return {place(edge, t), depths(edge, t, t)[0]}; }
+  [[nodiscard]] Vec3 point(const PageEdge& edge, double t) const { return {place(edge, t), depths(edge, t, t)[0]}; }
 
   /// Candidates at greater distances lie behind this depth.
   [[nodiscard]] double distance(double depth) const { return front_ - depth; }
@@ -104,7 +104,7 @@ class OccluderGrid {
   };
 
   template <class Visit>
-  void along(const Level& level, const Sightline& edge, double from, double to, Visit& visit) const {
+  void along(const Level& level, const PageEdge& edge, double from, double to, Visit& visit) const {
     visit_cells(level.grid, place(edge, from), place(edge, to), margin(), [&](int cell, double s, double t) {
       const double begin = from + s * (to - from);
       const double end = from + t * (to - from);
@@ -113,18 +113,18 @@ class OccluderGrid {
       if (divided && !(depths(edge, begin, end)[1] < level.cover[cell]))
         along(level.children[full], edge, begin, end, visit);
       else
-        visit(Stretch{begin, end, level.cover[cell], level.candidates[static_cast<std::size_t>(cell)],
-                      full < 0 || divided ? nullptr : &level.trees[full]});
+        visit(CellSegment{begin, end, level.cover[cell], level.candidates[static_cast<std::size_t>(cell)],
+                          full < 0 || divided ? nullptr : &level.trees[full]});
     });
   }
 
   // Vertices lie within a cell of the page grid of their place.
   [[nodiscard]] double margin() const { return 2 * view_.cell; }
   [[nodiscard]] Vec2 cover_slack(const CellGrid& grid) const;
-  [[nodiscard]] Vec2 place(const Sightline& edge, double t) const;
+  [[nodiscard]] Vec2 place(const PageEdge& edge, double t) const;
   [[nodiscard]] std::array<Vec2, 3> corners(const ViewTriangle& triangle) const;
   [[nodiscard]] double nearest(const ViewTriangle& triangle) const;
-  [[nodiscard]] Sightline sightline(const Piece& piece) const;
+  [[nodiscard]] PageEdge sightline(const Piece& piece) const;
 
   [[nodiscard]] Content whole_page() const;
   [[nodiscard]] PageBox box_of(const std::vector<Piece>& pieces) const;
@@ -141,8 +141,8 @@ class OccluderGrid {
   [[nodiscard]] bool leaves_few_tries(const CandidateTree& tree, const std::vector<Piece>& pieces) const;
   void relieve_full_cells(const Content& content, const CellLoad& load, int idle, int depth, Level& level) const;
 
-  const View& view_;
-  const std::vector<DrawnEdge>& edges_;
+  const ProjectedScene& view_;
+  const std::vector<FeatureEdge>& edges_;
   Contact contact_;
   Progress progress_;
   double front_;  ///< greatest depth of all

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "view/view.hpp"
+#include "view/projected_scene.hpp"
 #include "visibility/bounds_tree.hpp"
 
 namespace epura {
@@ -17,13 +17,13 @@ class Pile {
  public:
   /// Corners on the page grid, in the order of their numbers.
   using Footprint = std::array<int, 6>;
-  static Footprint footprint(const View& view, int triangle);
+  static Footprint footprint(const ProjectedScene& view, int triangle);
 
   /// Least and greatest depth of several triangles at each corner.
   using Depths = Bounds<3>;
 
   /// Of triangles with one footprint.
-  Pile(const View& view, std::vector<int> triangles);
+  Pile(const ProjectedScene& view, std::vector<int> triangles);
 
   /// The nearest first.
   [[nodiscard]] const std::vector<int>& triangles() const { return triangles_; }

@@ -9,7 +9,7 @@ namespace epura {
 
 class PointRule {
  public:
-  PointRule(const View& view, const Sightline& edge, const Contact& contact)
+  PointRule(const ProjectedScene& view, const PageEdge& edge, const Contact& contact)
       : view_(view), edge_(edge), contact_(contact) {}
 
   [[nodiscard]] Vec2 place(double s) const;
@@ -23,8 +23,8 @@ class PointRule {
   [[nodiscard]] bool lies_before(const ViewTriangle& triangle, double s) const;
 
  private:
-  const View& view_;
-  Sightline edge_;
+  const ProjectedScene& view_;
+  PageEdge edge_;
   Contact contact_;
 };
 

@@ -17,8 +17,8 @@ constexpr double forgiven = 4;
 constexpr double float_rounding = 0x1p-24;
 constexpr std::size_t grain = 8192;
 
-View copy_for_visibility(const View& view) {
-  View copy;
+ProjectedScene copy_for_visibility(const ProjectedScene& view) {
+  ProjectedScene copy;
   copy.middle = view.middle;
   copy.extent = view.extent;
   copy.cell = view.cell;
@@ -29,7 +29,7 @@ View copy_for_visibility(const View& view) {
 }
 
 // Vertices that no triangle and no edge uses may lie anywhere; rounding may move others over the grid's end.
-void lay_on_grid(View& view, int bits) {
+void lay_on_grid(ProjectedScene& view, int bits) {
   const double half = std::ldexp(1.0, bits);
   const auto to_grid = [&](double cells) {
     if (!(std::abs(cells) <= 2 * half)) return 0;
@@ -47,7 +47,7 @@ Contact at_least(const Contact& contact, double length) {
 
 }  // namespace
 
-RoundedView on_coarser_grid(const View& view, const Contact& contact, int bits) {
+RoundedView on_coarser_grid(const ProjectedScene& view, const Contact& contact, int bits) {
   RoundedView rounded{copy_for_visibility(view), contact};
   rounded.view.cell = std::ldexp(view.cell, usual_bits - bits);
   rounded.contact.touching = std::max(contact.touching, forgiven * rounded.view.cell);
@@ -55,7 +55,7 @@ RoundedView on_coarser_grid(const View& view, const Contact& contact, int bits) 
   return rounded;
 }
 
-RoundedView in_floats(const View& view, const Contact& contact) {
+RoundedView in_floats(const ProjectedScene& view, const Contact& contact) {
   RoundedView rounded{copy_for_visibility(view), at_least(contact, forgiven * float_rounding * view.extent)};
   for (PageVertex& v : rounded.view.vertices)
     v = {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.depth), v.w};

@@ -23,22 +23,23 @@ constexpr double most_points = 1e9;
 /// Looks at the points of one edge.
 class Lookup {
  public:
-  Lookup(const World& world, const View& view, const DrawnEdges& drawn, const Contact& contact,
-         const OccluderGrid& occluders, const DrawnEdge& edge)
+  Lookup(const World& world, const ProjectedScene& view, const FeatureEdges& drawn, const Contact& contact,
+         const OccluderGrid& occluders, const FeatureEdge& edge)
       : view_(view),
         occluders_(occluders),
         own_(world, drawn, edge),
         line_{edge.vertex[0], edge.vertex[1]},
         rule_(view, line_, contact) {
-    occluders.along(line_, [&](const Stretch& stretch) { stretches_.push_back(stretch); });
-    std::sort(stretches_.begin(), stretches_.end(), [](const Stretch& a, const Stretch& b) { return a.from < b.from; });
+    occluders.along(line_, [&](const CellSegment& stretch) { stretches_.push_back(stretch); });
+    std::sort(stretches_.begin(), stretches_.end(),
+              [](const CellSegment& a, const CellSegment& b) { return a.from < b.from; });
   }
 
   [[nodiscard]] bool is_hidden(double s) const {
     for (const int end : {line_.p, line_.q})
       for (const int triangle : occluders_.copies_around(end))
         if (is_hidden_by(triangle, s)) return true;
-    const Stretch& stretch = stretch_at(s);
+    const CellSegment& stretch = stretch_at(s);
     const double depth = occluders_.depths(line_, s, s)[0];
     if (depth < stretch.cover) return true;
     if (stretch.tree != nullptr) return is_hidden_in(*stretch.tree, s);
@@ -74,21 +75,21 @@ class Lookup {
   }
 
   // Stretches overlap by rounding, and there is one for every place.
-  [[nodiscard]] const Stretch& stretch_at(double s) const {
+  [[nodiscard]] const CellSegment& stretch_at(double s) const {
     auto stretch = std::upper_bound(stretches_.begin(), stretches_.end(), s,
-                                    [](double place, const Stretch& other) { return place < other.from; });
+                                    [](double place, const CellSegment& other) { return place < other.from; });
     if (stretch != stretches_.begin()) --stretch;
     for (auto earlier = stretch; earlier->to < s && earlier != stretches_.begin();)
       if ((--earlier)->to >= s) return *earlier;
     return *stretch;
   }
 
-  const View& view_;
+  const ProjectedScene& view_;
   const OccluderGrid& occluders_;
   OwnTriangles own_;
-  Sightline line_;
+  PageEdge line_;
   PointRule rule_;
-  std::vector<Stretch> stretches_;
+  std::vector<CellSegment> stretches_;
 };
 
 // Where between two places that differ the change lies.
@@ -120,17 +121,17 @@ Spans hidden_spans(const Lookup& lookup, double points, int halvings) {
   return spans;
 }
 
-double length_of(const View& view, const DrawnEdge& edge) {
+double length_of(const ProjectedScene& view, const FeatureEdge& edge) {
   const PageVertex& p = view.vertices[edge.vertex[0]];
   const PageVertex& q = view.vertices[edge.vertex[1]];
   return std::hypot(q.x - p.x, q.y - p.y);
 }
 
-void require_few_points(const View& view, const DrawnEdges& drawn, double density) {
+void require_few_points(const ProjectedScene& view, const FeatureEdges& drawn, double density) {
   double points = 0;
-  for (const DrawnEdge& edge : drawn.edges) points += length_of(view, edge) * density;
+  for (const FeatureEdge& edge : drawn.edges) points += length_of(view, edge) * density;
   if (points > most_points)
-    throw Error(Trouble::input, "--visibility sampled",
+    throw Error(ErrorKind::input, "--visibility sampled",
                 "asks for " + format_rounded(points, 2) + " points, at most " + format_rounded(most_points, 2) +
                     " are possible",
                 "give a smaller density");
@@ -138,7 +139,7 @@ void require_few_points(const View& view, const DrawnEdges& drawn, double densit
 
 }  // namespace
 
-HiddenSpans find_hidden_by_samples(const World& world, const View& view, const DrawnEdges& drawn,
+HiddenSpans find_hidden_by_samples(const World& world, const ProjectedScene& view, const FeatureEdges& drawn,
                                    const Contact& contact, const Sampling& sampling, Progress progress) {
   require_few_points(view, drawn, sampling.density);
   progress.begin("hiding lines", drawn.edges.size());

@@ -17,7 +17,7 @@ struct Sampling {
   int halvings;    ///< of the interval in which a change lies
 };
 
-HiddenSpans find_hidden_by_samples(const World& world, const View& view, const DrawnEdges& drawn,
+HiddenSpans find_hidden_by_samples(const World& world, const ProjectedScene& view, const FeatureEdges& drawn,
                                    const Contact& contact, const Sampling& sampling, Progress progress = {});
 
 }  // namespace epura

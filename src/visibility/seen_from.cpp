@@ -29,15 +29,15 @@ Turn turn_from(double begin, double end, double widened) {
 // Between directions on one side of the place, at least `distance` cells away from it.
 template <std::size_t count>
 Turn turn_over(const std::array<Vec2, count>& ways, double widened) {
-  double least = 0, most = 0;
+  double min = 0, max = 0;
   for (const Vec2& way : ways) {
     const double turn = turn_between(ways.front(), way);
-    least = std::min(least, turn);
-    most = std::max(most, turn);
+    min = std::min(min, turn);
+    max = std::max(max, turn);
   }
-  if (!(most - least < std::numbers::pi)) return all_around;
+  if (!(max - min < std::numbers::pi)) return all_around;
   const double first = std::atan2(ways.front().y, ways.front().x);
-  return turn_from(first + least, first + most, widened);
+  return turn_from(first + min, first + max, widened);
 }
 
 double distance_to(const Vec2& a, const Vec2& b) {
@@ -54,13 +54,13 @@ double turned_by_rounding(double distance) {
 
 }  // namespace
 
-SeenFrom::SeenFrom(const View& view, const GridPoint& place) : place_(place), cell_(view.cell) {}
+SeenFrom::SeenFrom(const ProjectedScene& view, const GridPoint& place) : place_(place), cell_(view.cell) {}
 
 Vec2 SeenFrom::way_to(const GridPoint& point) const {
   return {static_cast<double>(std::int64_t{point.x} - place_.x), static_cast<double>(std::int64_t{point.y} - place_.y)};
 }
 
-Turn SeenFrom::of_triangle(const View& view, const ViewTriangle& triangle) const {
+Turn SeenFrom::of_triangle(const ProjectedScene& view, const ViewTriangle& triangle) const {
   std::array<GridPoint, 3> corners{};
   for (std::size_t i = 0; i < 3; ++i) corners[i] = view.grid[triangle.vertex[i]];
   for (std::size_t i = 0; i < 3; ++i)
@@ -72,7 +72,7 @@ Turn SeenFrom::of_triangle(const View& view, const ViewTriangle& triangle) const
   return turn_over(ways, turned_by_rounding(distance));
 }
 
-Turn SeenFrom::of_edge(const View& view, const Sightline& edge) const {
+Turn SeenFrom::of_edge(const ProjectedScene& view, const PageEdge& edge) const {
   const Vec2 way = way_to(view.grid[is_at(view.grid[edge.p]) ? edge.q : edge.p]);
   return turn_over(std::array{way}, rounding);
 }

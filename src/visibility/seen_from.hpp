@@ -5,7 +5,7 @@
 #include <array>
 #include <numbers>
 
-#include "view/view.hpp"
+#include "view/projected_scene.hpp"
 #include "visibility/hiding_rule.hpp"
 
 namespace epura {
@@ -27,12 +27,12 @@ inline bool turns_meet(const Turn& a, const Turn& b) {
 /// as rounding moves things.
 class SeenFrom {
  public:
-  SeenFrom(const View& view, const GridPoint& place);
+  SeenFrom(const ProjectedScene& view, const GridPoint& place);
 
   [[nodiscard]] bool is_at(const GridPoint& point) const { return point.x == place_.x && point.y == place_.y; }
-  [[nodiscard]] Turn of_triangle(const View& view, const ViewTriangle& triangle) const;
+  [[nodiscard]] Turn of_triangle(const ProjectedScene& view, const ViewTriangle& triangle) const;
   /// Of an edge that begins or ends here.
-  [[nodiscard]] Turn of_edge(const View& view, const Sightline& edge) const;
+  [[nodiscard]] Turn of_edge(const ProjectedScene& view, const PageEdge& edge) const;
   /// Of a line between two places of the page.
   [[nodiscard]] Turn of_line(const Vec2& a, const Vec2& b) const;
 

@@ -24,17 +24,16 @@ bool covers(const Spans& spans, double from, double to) {
   return span != spans.end() && (*span)[0] <= from;
 }
 
-std::optional<std::array<double, 2>> open_part(const Spans& spans, double from, double to, double least,
-                                               double length) {
+std::optional<std::array<double, 2>> open_part(const Spans& spans, double from, double to, double min, double length) {
   std::optional<std::array<double, 2>> open;
   auto next = std::lower_bound(spans.begin(), spans.end(), from, [](const auto& s, double t) { return s[1] < t; });
   double begin = next == spans.begin() ? 0 : (*(next - 1))[1];
-  bool held = next != spans.begin() && begin - (*(next - 1))[0] >= least;  // by a span that stays
+  bool held = next != spans.begin() && begin - (*(next - 1))[0] >= min;  // by a span that stays
   while (begin < to) {
     const bool last = next == spans.end();
     const double end = last ? length : (*next)[0];
-    const bool holds = !last && (*next)[1] - (*next)[0] >= least;
-    const bool closes = end - begin < least && (held || holds);
+    const bool holds = !last && (*next)[1] - (*next)[0] >= min;
+    const bool closes = end - begin < min && (held || holds);
     const std::array part{std::max(begin, from), std::min(end, to)};
     if (!closes && part[0] < part[1]) open = {open ? (*open)[0] : part[0], part[1]};
     if (last) break;
@@ -44,9 +43,9 @@ std::optional<std::array<double, 2>> open_part(const Spans& spans, double from, 
   return open;
 }
 
-void absorb_slivers(Spans& spans, double least) {
+void absorb_slivers(Spans& spans, double min) {
   if (spans.empty()) return;
-  if (least >= 1) {
+  if (min >= 1) {
     double hidden = 0;
     for (const auto& span : spans) hidden += span[1] - span[0];
     spans = hidden > 0.5 ? Spans{{0.0, 1.0}} : Spans{};
@@ -54,16 +53,16 @@ void absorb_slivers(Spans& spans, double least) {
   }
   std::size_t joined = 0;  // they take the places of those they are made of
   for (const auto& span : spans) {
-    if (joined > 0 && span[0] - spans[joined - 1][1] < least)
+    if (joined > 0 && span[0] - spans[joined - 1][1] < min)
       spans[joined - 1][1] = span[1];
     else
       spans[joined++] = span;
   }
   spans.resize(joined);
-  std::erase_if(spans, [&](const auto& span) { return span[1] - span[0] < least; });
+  std::erase_if(spans, [&](const auto& span) { return span[1] - span[0] < min; });
   if (spans.empty()) return;
-  if (spans.front()[0] < least) spans.front()[0] = 0;
-  if (1 - spans.back()[1] < least) spans.back()[1] = 1;
+  if (spans.front()[0] < min) spans.front()[0] = 0;
+  if (1 - spans.back()[1] < min) spans.back()[1] = 1;
 }
 
 }  // namespace epura

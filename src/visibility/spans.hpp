@@ -17,12 +17,12 @@ void add_span(Spans& spans, const std::array<double, 2>& span);
 bool covers(const Spans& spans, double from, double to);
 
 /// From the first place of [from, to] to the last that further spans may change, on a line from 0 to `length`. Gaps
-/// that absorb_slivers closes are left out: shorter than `least`, beside a span that is not.
-std::optional<std::array<double, 2>> open_part(const Spans& spans, double from, double to, double least,
+/// that absorb_slivers closes are left out: shorter than `min`, beside a span that is not.
+std::optional<std::array<double, 2>> open_part(const Spans& spans, double from, double to, double min,
                                                double length = 1);
 
-/// Gaps shorter than `least` are closed, then spans shorter than `least` are dropped. An edge that is itself shorter is
+/// Gaps shorter than `min` are closed, then spans shorter than `min` are dropped. An edge that is itself shorter is
 /// one span or none, by its greater part.
-void absorb_slivers(Spans& spans, double least);
+void absorb_slivers(Spans& spans, double min);
 
 }  // namespace epura

@@ -12,7 +12,7 @@ namespace epura {
 namespace {
 
 // All that hiding takes from a triangle. It takes the ends of sides in the order of their numbers.
-std::array<double, 10> key_of(const View& view, int triangle) {
+std::array<double, 10> key_of(const ProjectedScene& view, int triangle) {
   const auto& [a, b, c] = view.triangles[triangle].vertex;
   const PageVertex &u = view.vertices[a], &v = view.vertices[b], &w = view.vertices[c];
   const int order = (a < b ? 1 : 0) + (b < c ? 2 : 0) + (c < a ? 4 : 0);
@@ -29,7 +29,7 @@ std::vector<int> unmarked(const std::vector<char>& marks) {
 
 }  // namespace
 
-ThirdCopies::ThirdCopies(const World& world, const View& view, const Progress& progress)
+ThirdCopies::ThirdCopies(const World& world, const ProjectedScene& view, const Progress& progress)
     : is_third_(view.triangles.size(), 0) {
   if (world.models.size() < 3) return;  // no mesh has a triangle twice
   is_third_ = mark_third_copies(
@@ -44,7 +44,7 @@ ThirdCopies::ThirdCopies(const World& world, const View& view, const Progress& p
 
 std::vector<int> ThirdCopies::others() const { return unmarked(is_third_); }
 
-std::vector<int> ThirdCopies::other_edges(const View& view, const std::vector<DrawnEdge>& edges,
+std::vector<int> ThirdCopies::other_edges(const ProjectedScene& view, const std::vector<FeatureEdge>& edges,
                                           const Progress& progress) const {
   if (at_.size() == 0) return unmarked(std::vector<char>(edges.size(), 0));
   const auto key = [&](int e) {

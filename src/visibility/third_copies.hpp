@@ -9,7 +9,7 @@
 #include "base/progress.hpp"
 #include "edges/drawn_edges.hpp"
 #include "scene/scene.hpp"
-#include "view/view.hpp"
+#include "view/projected_scene.hpp"
 
 namespace epura {
 
@@ -19,13 +19,13 @@ namespace epura {
 class ThirdCopies {
  public:
   /// Throws OutOfTime.
-  ThirdCopies(const World& world, const View& view, const Progress& progress);
+  ThirdCopies(const World& world, const ProjectedScene& view, const Progress& progress);
 
   /// Of the view, ascending: all triangles but those.
   [[nodiscard]] std::vector<int> others() const;
 
   /// The same of edges, which run through the same cells as their copies. Throws OutOfTime.
-  [[nodiscard]] std::vector<int> other_edges(const View& view, const std::vector<DrawnEdge>& edges,
+  [[nodiscard]] std::vector<int> other_edges(const ProjectedScene& view, const std::vector<FeatureEdge>& edges,
                                              const Progress& progress) const;
 
   /// Those that have this vertex of the view as a corner, ascending.

@@ -9,15 +9,15 @@ namespace epura {
 TriangleOnGrid::TriangleOnGrid(const CellGrid& grid, const std::array<Vec2, 3>& corners, const Vec2& slack)
     : grid_(grid), corners_(corners), slack_(slack) {
   const auto& [a, b, c] = corners;
-  const Vec2 least = glm::min(glm::min(a, b), c) - slack;
-  const Vec2 most = glm::max(glm::max(a, b), c) + slack;
+  const Vec2 min = glm::min(glm::min(a, b), c) - slack;
+  const Vec2 max = glm::max(glm::max(a, b), c) + slack;
   const Vec2 end = grid.origin + grid.side * Vec2(grid.columns, grid.rows);
-  large_ = most.x - least.x > grid.side.x && most.y - least.y > grid.side.y;
-  const bool beside = most.x < grid.origin.x || most.y < grid.origin.y || least.x > end.x || least.y > end.y;
-  left_ = grid.column(least.x);
-  right_ = beside ? left_ - 1 : grid.column(most.x);
-  bottom_ = grid.row(least.y);
-  top_ = beside ? bottom_ - 1 : grid.row(most.y);
+  large_ = max.x - min.x > grid.side.x && max.y - min.y > grid.side.y;
+  const bool beside = max.x < grid.origin.x || max.y < grid.origin.y || min.x > end.x || min.y > end.y;
+  left_ = grid.column(min.x);
+  right_ = beside ? left_ - 1 : grid.column(max.x);
+  bottom_ = grid.row(min.y);
+  top_ = beside ? bottom_ - 1 : grid.row(max.y);
   if (large_) sides_ = {side_between(a, b), side_between(b, c), side_between(c, a)};
 }
 

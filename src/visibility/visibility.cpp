@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "base/parallel.hpp"
-#include "visibility/edge_hider.hpp"
 #include "visibility/occluders.hpp"
+#include "visibility/occlusion_query.hpp"
 #include "visibility/spans.hpp"
 
 namespace epura {
@@ -21,29 +21,29 @@ constexpr double contact_cells = 4;
 constexpr double contact_part = 0x1p-29;
 constexpr double joined_part = 0x1p-44;
 
-double size_of(const World& world, const View& view) {
-  const Vec3 size = world.box.size() * view.map.shrink;
+double size_of(const World& world, const ProjectedScene& view) {
+  const Vec3 size = world.box.size() * view.map.scale_exponent;
   return std::max({size.x, size.y, size.z});
 }
 
-struct Hider {
+struct Occlusion {
   const World& world;
-  const View& view;
+  const ProjectedScene& view;
   const Contact& contact;
   const OccluderGrid& occluders;
-  const DrawnEdges& drawn;
+  const FeatureEdges& drawn;
 
-  [[nodiscard]] Spans hidden_spans(const DrawnEdge& edge) const {
-    const Sightline line{edge.vertex[0], edge.vertex[1]};
-    EdgeHider hider(view, contact, occluders, line, OwnTriangles(world, drawn, edge));
-    occluders.along(line, [&](const Stretch& stretch) { hider.hide(stretch); });
+  [[nodiscard]] Spans hidden_spans(const FeatureEdge& edge) const {
+    const PageEdge line{edge.vertex[0], edge.vertex[1]};
+    OcclusionQuery hider(view, contact, occluders, line, OwnTriangles(world, drawn, edge));
+    occluders.along(line, [&](const CellSegment& stretch) { hider.hide(stretch); });
     return std::move(hider).spans();
   }
 };
 
 constexpr std::size_t chunk = 256;
 
-std::vector<int> longest_first(const View& view, const std::vector<DrawnEdge>& edges) {
+std::vector<int> longest_first(const ProjectedScene& view, const std::vector<FeatureEdge>& edges) {
   std::vector<int> order(edges.size());
   std::iota(order.begin(), order.end(), 0);
   std::vector<double> length(edges.size());
@@ -57,7 +57,7 @@ std::vector<int> longest_first(const View& view, const std::vector<DrawnEdge>& e
 }
 
 // The order in which edges are decided. It matters only where time may be over before the last.
-std::vector<int> work_order(const View& view, const std::vector<DrawnEdge>& edges, Progress progress) {
+std::vector<int> work_order(const ProjectedScene& view, const std::vector<FeatureEdge>& edges, Progress progress) {
   if (progress.is_limited()) return longest_first(view, edges);
   std::vector<int> order(edges.size());
   std::iota(order.begin(), order.end(), 0);
@@ -82,7 +82,8 @@ void put_in_order(const std::vector<Spans>& found, const std::vector<int>& order
 
 // Decides edges by `spans_of(edge)`; with a time limit the longest ones first, while there is time.
 template <class SpansOf>
-HiddenSpans decide(const View& view, const DrawnEdges& drawn, const SpansOf& spans_of, const Progress& progress) {
+HiddenSpans decide(const ProjectedScene& view, const FeatureEdges& drawn, const SpansOf& spans_of,
+                   const Progress& progress) {
   const std::size_t count = drawn.edges.size();
   progress.begin("hiding lines", count);
   const std::vector<int> order = work_order(view, drawn.edges, progress);
@@ -111,7 +112,7 @@ HiddenSpans decide(const View& view, const DrawnEdges& drawn, const SpansOf& spa
 }
 
 // What all triangles hide.
-Spans hidden_by_all(const View& view, const Contact& contact, const Sightline& line, const OwnTriangles& own) {
+Spans hidden_by_all(const ProjectedScene& view, const Contact& contact, const PageEdge& line, const OwnTriangles& own) {
   Spans spans;
   for (const ViewTriangle& triangle : view.triangles) {
     const auto& [a, b, c] = triangle.vertex;
@@ -126,23 +127,23 @@ Spans hidden_by_all(const View& view, const Contact& contact, const Sightline& l
 
 }  // namespace
 
-Contact contact_of(const World& world, const View& view, std::optional<double> given) {
+Contact contact_of(const World& world, const ProjectedScene& view, std::optional<double> given) {
   const double unit = view.map.unit;
-  const double rounding = world.rounding * view.map.shrink * unit;
-  const double least = joined_part * view.extent;
+  const double rounding = world.rounding * view.map.scale_exponent * unit;
+  const double min = joined_part * view.extent;
   if (given) {
-    const double touching = std::max(*given * view.map.shrink * unit, least);
-    return {touching, std::clamp(rounding, least, touching)};
+    const double touching = std::max(*given * view.map.scale_exponent * unit, min);
+    return {touching, std::clamp(rounding, min, touching)};
   }
-  return {std::max(contact_cells * view.cell, rounding), std::max(rounding, least)};
+  return {std::max(contact_cells * view.cell, rounding), std::max(rounding, min)};
 }
 
-double contact_in_space(const World& world, const View& view, std::optional<double> given) {
-  if (given) return *given * view.map.shrink;
-  return std::max(contact_part * size_of(world, view), world.rounding * view.map.shrink);
+double contact_in_space(const World& world, const ProjectedScene& view, std::optional<double> given) {
+  if (given) return *given * view.map.scale_exponent;
+  return std::max(contact_part * size_of(world, view), world.rounding * view.map.scale_exponent);
 }
 
-OwnTriangles::OwnTriangles(const World& world, const DrawnEdges& drawn, const DrawnEdge& edge) {
+OwnTriangles::OwnTriangles(const World& world, const FeatureEdges& drawn, const FeatureEdge& edge) {
   if (edge.crossing >= 0) {
     numbers_ = drawn.crossings[edge.crossing].triangles;
     return;
@@ -157,24 +158,24 @@ OwnTriangles::OwnTriangles(const World& world, const DrawnEdges& drawn, const Dr
   first_ = world.first_triangle[edge.model];
 }
 
-HiddenSpans find_hidden(const World& world, const View& view, const DrawnEdges& drawn, const Contact& contact,
-                        Progress progress) {
+HiddenSpans find_hidden(const World& world, const ProjectedScene& view, const FeatureEdges& drawn,
+                        const Contact& contact, Progress progress) {
   progress.begin("finding what may hide lines");
   const OccluderGrid occluders(world, view, drawn.edges, contact, progress);
-  const Hider hider{world, view, contact, occluders, drawn};
+  const Occlusion hider{world, view, contact, occluders, drawn};
   return decide(
-      view, drawn, [&](const DrawnEdge& edge) { return hider.hidden_spans(edge); }, progress);
+      view, drawn, [&](const FeatureEdge& edge) { return hider.hidden_spans(edge); }, progress);
 }
 
-HiddenSpans find_hidden_directly(const World& world, const View& view, const DrawnEdges& drawn, const Contact& contact,
-                                 Progress progress) {
-  const auto spans_of = [&](const DrawnEdge& edge) {
+HiddenSpans find_hidden_directly(const World& world, const ProjectedScene& view, const FeatureEdges& drawn,
+                                 const Contact& contact, Progress progress) {
+  const auto spans_of = [&](const FeatureEdge& edge) {
     return hidden_by_all(view, contact, {edge.vertex[0], edge.vertex[1]}, OwnTriangles(world, drawn, edge));
   };
   return decide(view, drawn, spans_of, progress);
 }
 
-void keep_decided(DrawnEdges& drawn, HiddenSpans& hidden) {
+void keep_decided(FeatureEdges& drawn, HiddenSpans& hidden) {
   if (hidden.undecided.empty()) return;
   std::size_t kept = 0, spans = 0;
   auto next = hidden.undecided.begin();
@@ -193,14 +194,14 @@ void keep_decided(DrawnEdges& drawn, HiddenSpans& hidden) {
   hidden.undecided.clear();
 }
 
-std::vector<int> all_but_longest(const View& view, const std::vector<DrawnEdge>& edges, std::size_t count) {
+std::vector<int> all_but_longest(const ProjectedScene& view, const std::vector<FeatureEdge>& edges, std::size_t count) {
   std::vector<int> order = longest_first(view, edges);
   order.erase(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(std::min(count, order.size())));
   std::sort(order.begin(), order.end());
   return order;
 }
 
-HiddenSpans nothing_hidden(const DrawnEdges& drawn) {
+HiddenSpans nothing_hidden(const FeatureEdges& drawn) {
   return {std::vector<std::size_t>(drawn.edges.size() + 1, 0), {}, {}};
 }
 

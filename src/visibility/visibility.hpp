@@ -38,16 +38,16 @@ struct HiddenSpans {
 
 /// Contact tolerance for a view. `given` is a length in the world; without it, four cells of the page grid, or the
 /// rounding of the input where models store 32-bit floats.
-Contact contact_of(const World& world, const View& view, std::optional<double> given);
+Contact contact_of(const World& world, const ProjectedScene& view, std::optional<double> given);
 
 /// The same tolerance as a length in the shrunk world (ViewMap::shrink), for faces that meet in space.
-double contact_in_space(const World& world, const View& view, std::optional<double> given);
+double contact_in_space(const World& world, const ProjectedScene& view, std::optional<double> given);
 
 /// The triangles that meet in an edge: they never hide it.
 class OwnTriangles {
  public:
   OwnTriangles() = default;  ///< none
-  OwnTriangles(const World& world, const DrawnEdges& drawn, const DrawnEdge& edge);
+  OwnTriangles(const World& world, const FeatureEdges& drawn, const FeatureEdge& edge);
 
   /// Whether one of them is this triangle of the world.
   [[nodiscard]] bool contain(int triangle) const {
@@ -62,21 +62,21 @@ class OwnTriangles {
 /// Every edge against every triangle that meets it on the page. The result does not depend on the number of threads.
 /// Under a time limit the longest edges come first, and those that time does not suffice for stay undecided; without
 /// time for a single one OutOfTime is thrown.
-HiddenSpans find_hidden(const World& world, const View& view, const DrawnEdges& drawn, const Contact& contact,
-                        Progress progress = {});
+HiddenSpans find_hidden(const World& world, const ProjectedScene& view, const FeatureEdges& drawn,
+                        const Contact& contact, Progress progress = {});
 
 /// The same, to the last bit, without a search for what may hide an edge: every triangle is tried. For the longest of
 /// few edges where the search itself takes too long.
-HiddenSpans find_hidden_directly(const World& world, const View& view, const DrawnEdges& drawn, const Contact& contact,
-                                 Progress progress = {});
+HiddenSpans find_hidden_directly(const World& world, const ProjectedScene& view, const FeatureEdges& drawn,
+                                 const Contact& contact, Progress progress = {});
 
 /// Takes the undecided edges out of both: what is drawn then is right.
-void keep_decided(DrawnEdges& drawn, HiddenSpans& hidden);
+void keep_decided(FeatureEdges& drawn, HiddenSpans& hidden);
 
 /// All edges but the `count` longest ones on the page, ascending.
-std::vector<int> all_but_longest(const View& view, const std::vector<DrawnEdge>& edges, std::size_t count);
+std::vector<int> all_but_longest(const ProjectedScene& view, const std::vector<FeatureEdge>& edges, std::size_t count);
 
 /// Nothing is hidden: a wireframe.
-HiddenSpans nothing_hidden(const DrawnEdges& drawn);
+HiddenSpans nothing_hidden(const FeatureEdges& drawn);
 
 }  // namespace epura

@@ -37,7 +37,7 @@ TEST(Alignment, CubeFaceOn) {
 TEST(Alignment, CubeAndItsCopyBehind) {
   Shape both = box({0, 0, 0}, {2, 2, 2});
   both.add(box({1, 1, 1}, {3, 3, 3}));
-  const EdgeWishes no_intersections{.intersection = false};
+  const EdgeOptions no_intersections{.intersection = false};
   const Result result = draw(world_of(both), orthographic(diagonal), no_intersections);
   EXPECT_NEAR(result.visible(), 18 * r, 1e-8);
   EXPECT_NEAR(result.hidden_length(), 6 * r, 1e-8);
@@ -117,7 +117,7 @@ TEST(Alignment, LineThroughTheVertexOfABowTie) {
 TEST(Alignment, PlateCloseUnderALargerPlate) {
   for (double e = 1e-3; e > 1e-16; e /= 10) {
     const Result result = draw(world_of({plate(-0.5, -0.5, 0.5, 0.5, 0), plate(-1, -1, 1, 1, e)}), from_above());
-    const double tolerance = 4 * result.view.cell / result.view.map.shrink;
+    const double tolerance = 4 * result.view.cell / result.view.map.scale_exponent;
     EXPECT_NEAR(result.hidden_length(), e > tolerance ? 4 : 0, 1e-9) << e;
     EXPECT_NEAR(result.visible(), e > tolerance ? 8 : 12, 1e-9) << e;
   }
@@ -132,7 +132,7 @@ TEST(Alignment, ZigzagSheet) {
     sheet.points.push_back({0.5 * i, 1, i % 2 == 0 ? 0.0 : 0.5});
     if (i > 0) sheet.faces.push_back({2 * i - 2, 2 * i, 2 * i + 1, 2 * i - 1});
   }
-  const EdgeWishes folds{.contour = true, .boundary = false, .crease = true, .intersection = false};
+  const EdgeOptions folds{.contour = true, .boundary = false, .crease = true, .intersection = false};
   const Result result = draw(world_of(sheet), orthographic({2, 0, 1}), folds);
   // Crests are visible, and so would be the front border; valleys between two crests are hidden.
   EXPECT_NEAR(result.visible(), waves, 1e-9);

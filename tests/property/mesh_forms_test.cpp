@@ -245,7 +245,7 @@ TEST(Meshes, PrismAtTheCreaseThreshold) {
       prism.points.push_back({std::cos(a), std::sin(a), 1});
     }
     for (int i = 0; i < n; ++i) prism.faces.push_back({2 * i, (2 * i + 2) % (2 * n), (2 * i + 3) % (2 * n), 2 * i + 1});
-    const EdgeWishes creases{.contour = false, .boundary = false, .intersection = false, .crease_angle = 360.0 / n};
+    const EdgeOptions creases{.contour = false, .boundary = false, .intersection = false, .crease_angle = 360.0 / n};
     EXPECT_EQ(draw(world_of(prism), orthographic({1, 0.3, 0.2}), creases).drawn.edges.size(), n);
   }
 }

@@ -18,8 +18,8 @@ namespace {
 
 using Random = std::mt19937;
 
-double uniform(Random& random, double least, double most) {
-  return least + (most - least) * (static_cast<double>(random()) / 4294967296.0);
+double uniform(Random& random, double min, double max) {
+  return min + (max - min) * (static_cast<double>(random()) / 4294967296.0);
 }
 
 // --- a zoo of meshes
@@ -328,14 +328,14 @@ TEST(Metamorphic, SomethingBehindEverythingHidesNothing) {
 
 TEST(Metamorphic, VisibleAndHiddenLinesAreTheWireframe) {
   in_all_views([](const Shape&, const Projection&, const Result& result) {
-    const Drawing wireframe =
+    const ViewDrawing wireframe =
         make_drawing(result.world, result.view, result.drawn, nothing_hidden(result.drawn),
                      contact_of(result.world, result.view, std::nullopt), {1, Vec2(0)}, {"wireframe", true});
     const double all = total(ink_of(wireframe.segments, result.unit));
     EXPECT_NEAR(result.visible() + result.hidden_length(), all, 1e-7 * all);
     // No coincidence of lines makes ink.
     double edges = 0;
-    for (const DrawnEdge& e : result.drawn.edges) {
+    for (const FeatureEdge& e : result.drawn.edges) {
       const PageVertex &a = result.view.vertices[e.vertex[0]], &b = result.view.vertices[e.vertex[1]];
       edges += result.unit * std::hypot(b.x - a.x, b.y - a.y);
     }
@@ -347,7 +347,7 @@ TEST(Metamorphic, InAGenericViewNothingCoincides) {
   for (const char* name : {"cube", "torus", "moebius", "boxes", "triangles"}) {
     const Result result = draw(world_of(zoo().at(name)), orthographic({0.3, -0.8, 0.5}));
     double edges = 0;
-    for (const DrawnEdge& e : result.drawn.edges) {
+    for (const FeatureEdge& e : result.drawn.edges) {
       const PageVertex &a = result.view.vertices[e.vertex[0]], &b = result.view.vertices[e.vertex[1]];
       edges += result.unit * std::hypot(b.x - a.x, b.y - a.y);
     }
@@ -358,10 +358,10 @@ TEST(Metamorphic, InAGenericViewNothingCoincides) {
 TEST(Metamorphic, ThreadsDoNotMatter) {
   for (const auto& [name, shape] : zoo())
     for (const auto& [view, projection] : views(box_of(shape))) {
-      Drawing first;
+      ViewDrawing first;
       for (const int threads : {1, 2, 3, 7}) {
         const ThreadLimit limit(threads);
-        const Drawing drawing = draw(world_of(shape), projection).drawing;
+        const ViewDrawing drawing = draw(world_of(shape), projection).drawing;
         if (threads == 1) first = drawing;
         const auto same = [](const Segment& a, const Segment& b) {
           return a.from == b.from && a.to == b.to && a.visible == b.visible && a.kind == b.kind && a.edge == b.edge &&

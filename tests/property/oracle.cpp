@@ -150,7 +150,7 @@ bool is_beside(const std::array<ExactPoint, 3>& triangle, const ExactPoint& p, c
          apart([](const ExactPoint& point) { return point.y.get_d(); });
 }
 
-bool is_own(const Result& r, const DrawnEdge& edge, int triangle) {
+bool is_own(const Result& r, const FeatureEdge& edge, int triangle) {
   if (edge.crossing >= 0) {
     const auto& pair = r.drawn.crossings[edge.crossing].triangles;
     return triangle == pair[0] || triangle == pair[1];
@@ -186,7 +186,7 @@ Verdict judge(const Result& r) {
 
   Verdict verdict;
   for (std::size_t e = 0; e < r.drawn.edges.size(); ++e) {
-    const DrawnEdge& edge = r.drawn.edges[e];
+    const FeatureEdge& edge = r.drawn.edges[e];
     ExactPoint p, q;
     if (edge.crossing >= 0) {
       p = map_exactly(r.drawing.world_to_page, r.drawn.crossings[edge.crossing].ends[0]);

@@ -16,8 +16,8 @@ constexpr double goal = 1e-6;
 
 using Random = std::mt19937;
 
-double uniform(Random& random, double least, double most) {
-  return least + (most - least) * (static_cast<double>(random()) / 4294967296.0);
+double uniform(Random& random, double min, double max) {
+  return min + (max - min) * (static_cast<double>(random()) / 4294967296.0);
 }
 
 // With `steps` > 0 coordinates lie on a coarse lattice, where everything is aligned, touching and coplanar.

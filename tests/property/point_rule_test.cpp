@@ -22,12 +22,12 @@ class Needles {
 
   // An edge from vertex 0 or 3 to the other, and a triangle 0, 1, 2 along it: as low as 2^-38 of its length, as steep
   // as may be, its plane a little before the edge or behind it.
-  View view() {
+  ProjectedScene view() {
     const Vec2 corner(number(-0.5, 0.5), number(-0.5, 0.5));
     const double angle = number(0, 2 * M_PI), length = number(0.01, 0.4);
     const Vec2 along(std::cos(angle), std::sin(angle)), across(-along.y, along.x);
     const double height = length * power(-38, -1);
-    View view;
+    ProjectedScene view;
     view.extent = 1;
     view.vertices = {at(corner), at(corner + length * along), at(corner + number(0.3, 1) * length * along)};
     view.vertices[2] = at(Vec2(view.vertices[2].x, view.vertices[2].y) + height * across);
@@ -43,15 +43,13 @@ class Needles {
   // Many of them near 0.
   double place() { return power(-40, 0); }
 
-  static std::array<PageVertex, 3> triangle(const View& view) {
+  static std::array<PageVertex, 3> triangle(const ProjectedScene& view) {
     return {view.vertices[0], view.vertices[1], view.vertices[2]};
   }
 
  private:
-  double number(double least, double most) {
-    return least + (most - least) * (static_cast<double>(random_()) / 4294967296.0);
-  }
-  double power(double least, double most) { return std::exp2(number(least, most)); }
+  double number(double min, double max) { return min + (max - min) * (static_cast<double>(random_()) / 4294967296.0); }
+  double power(double min, double max) { return std::exp2(number(min, max)); }
   PageVertex at(const Vec2& place) { return {place.x, place.y, number(-0.5, 0.5), 1}; }
 
   std::mt19937 random_;
@@ -61,9 +59,9 @@ TEST(PointRule, HoldsForNeedlesAtACorner) {
   int hidden = 0, visible = 0;
   for (unsigned seed = 1; seed <= 20000; ++seed) {
     Needles needles(seed);
-    const View view = needles.view();
+    const ProjectedScene view = needles.view();
     const bool forward = seed % 2 == 0;
-    const PointRule rule(view, forward ? Sightline{0, 3} : Sightline{3, 0}, {joined, joined});
+    const PointRule rule(view, forward ? PageEdge{0, 3} : PageEdge{3, 0}, {joined, joined});
     const double s = needles.place();
     const PointTruth truth = truth_of_point(Needles::triangle(view), {view.vertices[0], view.vertices[3]}, s);
     const bool hides = rule.hides(view.triangles[0], forward ? s : 1 - s);

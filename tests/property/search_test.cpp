@@ -15,8 +15,8 @@
 namespace epura::test {
 namespace {
 
-Spans by_brute_force(const Result& r, const DrawnEdge& edge, const Contact& contact) {
-  const Sightline line{edge.vertex[0], edge.vertex[1]};
+Spans by_brute_force(const Result& r, const FeatureEdge& edge, const Contact& contact) {
+  const PageEdge line{edge.vertex[0], edge.vertex[1]};
   Spans spans;
   for (const ViewTriangle& t : r.view.triangles) {
     const auto& [a, b, c] = t.vertex;

@@ -138,15 +138,15 @@ TEST(Section, FacesOnPaperAreSeenFromInFrontAndWithinTheWindow) {
   const CuttingPlane plane = plane_at({1, 2.5, 1}, {0, -1, 0});
   const CutWorld cut = cut_world(world_of(box({0, 0, 0}, {4, 6, 4})), plane);
   Projection front = orthographic({0, -1, 0});
-  View view = make_view(cut.world, front, {});
-  const double unit = 1 / (view.map.shrink * view.map.shrink);
+  ProjectedScene view = make_view(cut.world, front, {});
+  const double unit = 1 / (view.map.scale_exponent * view.map.scale_exponent);
   const auto faces = cut_faces_on_paper(cut.faces, plane, view, {1, Vec2(0)});
   ASSERT_EQ(faces.size(), 1U);
   EXPECT_NEAR(ring_area(faces[0].rings.at(0)) * unit, 16, 1e-12);
-  View behind = make_view(cut.world, orthographic({0, 1, 0.5}), {});
+  ProjectedScene behind = make_view(cut.world, orthographic({0, 1, 0.5}), {});
   EXPECT_TRUE(cut_faces_on_paper(cut.faces, plane, behind, {1, Vec2(0)}).empty());
   front.window = Window{{1, 1}, {3, 9}};
-  View part = make_view(cut.world, front, {});
+  ProjectedScene part = make_view(cut.world, front, {});
   EXPECT_NEAR(ring_area(cut_faces_on_paper(cut.faces, plane, part, {1, Vec2(0)}).at(0).rings.at(0)) * unit, 6, 1e-12);
 }
 
@@ -239,15 +239,15 @@ TEST(Section, BesideAVertexChangesSteadilyAndKnowsNoOrderOfFaces) {
             for (const double side : {-distance, distance}) {
               const CuttingPlane plane = plane_at(at + side * glm::normalize(normal), normal);
               const Result cut = draw_cut(world, plane, view), again = draw_cut(other, plane, view);
-              const double least = 1e-3 * through.extent();
+              const double min = 1e-3 * through.extent();
               const auto where = [&] {
                 return std::to_string(shape.faces.size()) + " faces, vertex " + std::to_string(vertex) + ", " +
                        (floats ? "floats, " : "doubles, ") + std::to_string(std::log10(distance));
               };
-              EXPECT_NEAR(cut.visible(), through.visible(), least) << where();
-              EXPECT_NEAR(cut.hidden_length(), through.hidden_length(), least) << where();
-              EXPECT_NEAR(again.visible(), cut.visible(), least) << where();
-              EXPECT_NEAR(again.hidden_length(), cut.hidden_length(), least) << where();
+              EXPECT_NEAR(cut.visible(), through.visible(), min) << where();
+              EXPECT_NEAR(cut.hidden_length(), through.hidden_length(), min) << where();
+              EXPECT_NEAR(again.visible(), cut.visible(), min) << where();
+              EXPECT_NEAR(again.hidden_length(), cut.hidden_length(), min) << where();
             }
         }
 }

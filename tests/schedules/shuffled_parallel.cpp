@@ -34,20 +34,20 @@ Random next_random() {
 void run(const Tasks& tasks) {
   const std::size_t workers = seed % 2 == 1 ? std::min<std::size_t>(3, tasks.size()) : 1;
   std::mutex mutex;
-  std::exception_ptr trouble;
+  std::exception_ptr kind;
   const auto work = [&](std::size_t first) {
     for (std::size_t i = first; i < tasks.size(); i += workers) try {
         tasks[i]();
       } catch (...) {
         const std::lock_guard lock(mutex);
-        if (!trouble) trouble = std::current_exception();
+        if (!kind) kind = std::current_exception();
       }
   };
   std::vector<std::thread> others;
   for (std::size_t worker = 1; worker < workers; ++worker) others.emplace_back(work, worker);
   work(0);
   for (std::thread& thread : others) thread.join();
-  if (trouble) std::rethrow_exception(trouble);
+  if (kind) std::rethrow_exception(kind);
 }
 
 // 0, some places between in rising order, and `count`.

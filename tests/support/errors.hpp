@@ -19,7 +19,7 @@ Error error_of(Action action) {
     return error;
   }
   ADD_FAILURE() << "no error was thrown";
-  return {Trouble::input, "", ""};
+  return {ErrorKind::input, "", ""};
 }
 
 inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }

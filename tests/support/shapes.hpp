@@ -27,7 +27,7 @@ using stability::Shape;
 using stability::triangulated_cube;
 using stability::world_of;
 
-inline Result draw(World world, const Projection& projection, const EdgeWishes& wishes = {},
+inline Result draw(World world, const Projection& projection, const EdgeOptions& wishes = {},
                    const ViewLimits& limits = {}) {
   return stability::Lab().draw(std::move(world), {projection, limits}, wishes);
 }

@@ -33,7 +33,7 @@ void refuse_link_outside(const fs::path& file, const fs::path& root) {
   for (const fs::path& step : fs::absolute(file)) {
     way /= step;
     if (is_link_outside(way, root))
-      throw Error(Trouble::input, way.string(), "is a link that leads out of " + root.string(),
+      throw Error(ErrorKind::input, way.string(), "is a link that leads out of " + root.string(),
                   "put the file itself there");
   }
 }
@@ -62,7 +62,7 @@ void refuse_links_outside(const SnapshotCase& one) {
   refuse_link_outside(one.folder / "scene.toml", one.root);
   for (const fs::path& file : files_of(one)) {
     refuse_link_outside(file, one.root);
-    if (fs::exists(file) && !fs::is_regular_file(file)) throw Error(Trouble::input, file.string(), "is no file");
+    if (fs::exists(file) && !fs::is_regular_file(file)) throw Error(ErrorKind::input, file.string(), "is not a file");
   }
 }
 
@@ -83,7 +83,7 @@ std::vector<std::string> drawing_options(const std::string& text, const std::str
   }
   for (const OptionInfo& option : options)
     if (option.nature != Nature::drawing && !given_values(draw, option).empty())
-      throw Error(Trouble::input, file, "'" + option.flag + "' is no option of the drawing itself",
+      throw Error(ErrorKind::input, file, "'" + option.flag + "' is not an option of the drawing itself",
                   "what is read, written, loaded and run is for those to say who run the case");
   return words;
 }

@@ -16,8 +16,8 @@ std::vector<std::filesystem::path> files_of(const SnapshotCase& one);
 /// for devices and pipes. A path that a scene file names may lead anywhere: it can be seen there.
 void refuse_links_outside(const SnapshotCase& one);
 
-/// The words in the text of `options`. Throws Error{input} naming `file` where one is no option of `epura draw`, or is
-/// one that reads, writes, loads or runs something.
+/// The words in the text of `options`. Throws Error{input} naming `file` where one is not an option of `epura draw`, or
+/// is one that reads, writes, loads or runs something.
 std::vector<std::string> drawing_options(const std::string& text, const std::string& file);
 
 }  // namespace epura

@@ -62,9 +62,9 @@ void refuse_irregular_files(const fs::path& folder) {
   constexpr std::uintmax_t most_option_bytes = 1'000'000;
   for (const char* name : {"options", "expected.json", "expected.svg", "expected.pdf"})
     if (fs::exists(folder / name) && !fs::is_regular_file(folder / name))
-      throw Error(Trouble::input, (folder / name).string(), "is no regular file");
+      throw Error(ErrorKind::input, (folder / name).string(), "is not a regular file");
   if (fs::exists(folder / "options") && fs::file_size(folder / "options") > most_option_bytes)
-    throw Error(Trouble::input, (folder / "options").string(), "has more than 1 MB", "is it the right file?");
+    throw Error(ErrorKind::input, (folder / "options").string(), "has more than 1 MB", "is it the right file?");
 }
 
 }  // namespace
@@ -73,7 +73,7 @@ std::vector<SnapshotCase> find_cases(const std::vector<std::string>& folders) {
   std::vector<SnapshotCase> cases;
   for (const std::string& name : folders) {
     const fs::path folder = fs::path(name).lexically_normal();
-    if (!fs::is_directory(folder)) throw Error(Trouble::input, name, "is no folder");
+    if (!fs::is_directory(folder)) throw Error(ErrorKind::input, name, "is not a folder");
     const fs::path root = fs::canonical(folder);
     const std::size_t before = cases.size();
     const bool ends_in_slash = folder.filename().empty();
@@ -83,7 +83,7 @@ std::vector<SnapshotCase> find_cases(const std::vector<std::string>& folders) {
       if (entry.is_directory() && is_case(entry.path()))
         cases.push_back({entry.path().lexically_relative(folder).generic_string(), entry.path(), root});
     if (cases.size() == before)
-      throw Error(Trouble::input, name, "has no case", "a case is a folder with scene.toml and expected.svg");
+      throw Error(ErrorKind::input, name, "has no case", "a case is a folder with scene.toml and expected.svg");
     std::sort(cases.begin() + static_cast<std::ptrdiff_t>(before), cases.end(),
               [](const SnapshotCase& a, const SnapshotCase& b) { return a.name < b.name; });
   }

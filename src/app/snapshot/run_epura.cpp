@@ -17,7 +17,7 @@ namespace epura {
 namespace {
 
 [[noreturn]] void refuse(const char* what) {
-  throw Error(Trouble::output, "epura", what, "there may be too little memory, or too many processes");
+  throw Error(ErrorKind::output, "epura", what, "there may be too little memory, or too many processes");
 }
 
 // A file without a name: nothing is left behind, however the run ends.

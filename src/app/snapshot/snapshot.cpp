@@ -35,13 +35,13 @@ std::vector<SnapshotResult> run_all(const std::vector<SnapshotCase>& cases, cons
 
 // The rest stands in the report.
 std::string first_lines(const std::string& text) {
-  constexpr std::size_t most = 10;
+  constexpr std::size_t max = 10;
   const std::vector<std::string_view> lines = split(text, '\n');
   std::string indented;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     if (lines[i].empty()) continue;
-    if (i == most && lines.size() > most + 2) indented.append("  ...\n");
-    if (i < most || i + 2 >= lines.size()) indented.append("  ").append(lines[i]).append("\n");
+    if (i == max && lines.size() > max + 2) indented.append("  ...\n");
+    if (i < max || i + 2 >= lines.size()) indented.append("  ").append(lines[i]).append("\n");
   }
   return indented;
 }
@@ -74,7 +74,7 @@ std::vector<std::string> inputs_of(const std::vector<SnapshotCase>& cases) {
     try {
       for (const std::filesystem::path& file : files_of(one)) inputs.push_back(file.string());
     } catch (const Error&) {
-      inputs.push_back((one.folder / "scene.toml").string());  // that this is no scene, its result will say
+      inputs.push_back((one.folder / "scene.toml").string());  // that this is not a scene, its result will say
     }
   }
   return inputs;
@@ -88,7 +88,7 @@ bool can_be_accepted(const SnapshotResult& result) {
 
 int snapshot(const SnapshotOptions& options) {
   if (options.accept && std::getenv("CI") != nullptr)
-    throw Error(Trouble::input, "--accept", "expectations are accepted by people, and CI is set in the environment",
+    throw Error(ErrorKind::input, "--accept", "expectations are accepted by people, and CI is set in the environment",
                 "run it where you can look at the report, and commit what it writes");
   const std::vector<SnapshotCase> cases = find_cases(options.folders);
   refuse_overwriting(outputs_of(options), inputs_of(cases));

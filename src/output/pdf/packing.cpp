@@ -125,7 +125,8 @@ bool check_head(const std::string& file, std::size_t begin, std::size_t end, con
   bool is_table = false;
   Names names(file, begin, end);
   for (std::string name; names.next(name);) {
-    if (!is_usual(name, names)) throw Error(Trouble::input, where, "is packed in a way that epura does not use", hint);
+    if (!is_usual(name, names))
+      throw Error(ErrorKind::input, where, "is packed in a way that epura does not use", hint);
     is_table = is_table || name == "XRef";
   }
   return is_table;
@@ -134,7 +135,7 @@ bool check_head(const std::string& file, std::size_t begin, std::size_t end, con
 }  // namespace
 
 void UnpackRoom::refuse() const {
-  throw Error(Trouble::input, where_, "unpacks to more than " + std::to_string(most_ / 1'000'000) + " MB",
+  throw Error(ErrorKind::input, where_, "unpacks to more than " + std::to_string(most_ / 1'000'000) + " MB",
               "a drawing of so few bytes has less");
 }
 
@@ -142,7 +143,7 @@ std::string UnpackRoom::unpack(QPDFObjectHandle stream) {
   Basin basin(left_, true);
   const bool whole = stream.pipeStreamData(&basin, 0, qpdf_dl_specialized, true, false);
   if (basin.overflows()) refuse();
-  if (!whole) throw Error(Trouble::input, where_, "has a stream that cannot be unpacked", "is the file complete?");
+  if (!whole) throw Error(ErrorKind::input, where_, "has a stream that cannot be unpacked", "is the file complete?");
   left_ = basin.room();
   return basin.take();
 }
@@ -183,7 +184,7 @@ void check_object_streams(QPDF& pdf, std::size_t bytes, const std::string& where
     const auto place = table.find(holder);
     // One that is in another one would be read before it is looked at.
     if (place == table.end() || place->second.getType() != 1 || !pdf.getObject(holder).isStream())
-      throw Error(Trouble::input, where, "is no PDF that can be read: it lacks objects", hint);
+      throw Error(ErrorKind::input, where, "is no PDF that can be read: it lacks objects", hint);
     room.unpack(pdf.getObject(holder));
   }
 }

@@ -30,7 +30,7 @@ constexpr std::array<TypeRule, 6> type_rules{{{2, "its two ends"},
                                               {0, "no anchors"}}};
 
 [[noreturn]] void refuse(const std::string& where, const std::string& what, const std::string& hint = {}) {
-  throw Error(Trouble::input, where, what, hint);
+  throw Error(ErrorKind::input, where, what, hint);
 }
 
 bool is_on_paper(DimensionDirection direction) { return direction <= DimensionDirection::vertical; }
@@ -46,7 +46,7 @@ std::optional<DimensionDirection> direction_of(const DimensionDescription& dimen
   if (!direction.given()) refuse(dimension.where, "the dimension has no direction", "give one of " + known);
   if (is_on_paper(*direction) != linear)
     refuse(direction.where,
-           "'" + std::string(word_of(*direction)) + "' is no direction of " + (linear ? "a linear" : "an overall") +
+           "'" + std::string(word_of(*direction)) + "' is not a direction of " + (linear ? "a linear" : "an overall") +
                " dimension",
            "known: " + known);
   return *direction;
@@ -86,7 +86,7 @@ void expect_apart(const World& world, const Vec3& a, const Vec3& b, const std::s
 void expect_offset(const AnchoredDimension& dimension) {
   if (!dimension.offset) return;
   if (!(std::abs(*dimension.offset) <= farthest))
-    refuse(dimension.where, "the offset is no length on a sheet", "give at most " + format_number(farthest) + " mm");
+    refuse(dimension.where, "the offset is not a length on a sheet", "give at most " + format_number(farthest) + " mm");
   if (dimension.type == DimensionType::angular && *dimension.offset <= 0)
     refuse(dimension.where, "the offset of an angular dimension is the radius of its arc, which is positive");
 }
@@ -107,7 +107,7 @@ AnchoredDimension anchored(const World& world, Rims& rims, const DimensionDescri
     expect_apart(world, dimension.points[0], dimension.points[i], where);
   if (type == DimensionType::radius || type == DimensionType::diameter)
     dimension.circles = rims.through(description.anchors[0], dimension.points[0], where);
-  if (type == DimensionType::overall) dimension.points = {world.box.least, world.box.most};
+  if (type == DimensionType::overall) dimension.points = {world.box.min, world.box.max};
   return dimension;
 }
 

@@ -48,7 +48,7 @@ void add_arc(PlacedDimension& dimension, const Stroke& stroke, double half_width
 }
 
 void add_extension_lines(PlacedDimension& dimension, const MeasuredAngle& angle, double radius,
-                         const DimensionLook& look) {
+                         const DimensionStyle& look) {
   for (const Vec2& leg : angle.legs) {
     const double length = glm::length(leg);
     if (radius <= length + look.gap()) continue;
@@ -60,7 +60,7 @@ void add_extension_lines(PlacedDimension& dimension, const MeasuredAngle& angle,
 
 // Along the arc; level where the arc is so steep that the text would be read from the left.
 void set_text_at(PlacedDimension& dimension, const std::string& text, const Vec2& corner, double radius,
-                 const Vec2& spoke, const DimensionLook& look) {
+                 const Vec2& spoke, const DimensionStyle& look) {
   const Vec2 read = reading_direction(left_of(spoke));
   const double width = look.width(text);
   if (read.y < -steepest) {
@@ -75,7 +75,7 @@ void set_text_at(PlacedDimension& dimension, const std::string& text, const Vec2
 
 // `place`: the text stands at the middle of the arc (0), or past its end (1) or its beginning (-1).
 PlacedDimension arc_dimension(const MeasuredAngle& angle, const std::string& text, double radius, int place,
-                              const DimensionLook& look) {
+                              const DimensionStyle& look) {
   const auto [corner, first, sweep] = sector_of(angle);
   const double turn = sweep < 0 ? -1 : 1;
   const bool outward = radius * std::abs(sweep) >= arrows_inside * look.arrow();
@@ -101,8 +101,8 @@ PlacedDimension arc_dimension(const MeasuredAngle& angle, const std::string& tex
 
 }  // namespace
 
-std::vector<DimensionWay> ways_of(const MeasuredAngle& angle, const MeasuredDimension& measured, const Drawing&,
-                                  const DimensionLook& look) {
+std::vector<DimensionWay> ways_of(const MeasuredAngle& angle, const MeasuredDimension& measured, const ViewDrawing&,
+                                  const DimensionStyle& look) {
   std::vector<DimensionWay> ways;
   const double sweep = std::abs(sector_of(angle).sweep);
   for (int k = 0; k < (measured.offset ? 1 : radii); ++k) {

@@ -19,9 +19,9 @@ BoxIndex::Cell BoxIndex::cell_at(const Vec2& place) {
 }
 
 template <class Visit>
-void BoxIndex::visit_cells(const Cell& least, const Cell& most, const Visit& visit) {
-  for (int x = least[0]; x <= most[0]; ++x)
-    for (int y = least[1]; y <= most[1]; ++y) visit(Cell{x, y});
+void BoxIndex::visit_cells(const Cell& min, const Cell& max, const Visit& visit) {
+  for (int x = min[0]; x <= max[0]; ++x)
+    for (int y = min[1]; y <= max[1]; ++y) visit(Cell{x, y});
 }
 
 void BoxIndex::add(std::span<const TurnedBox> boxes) {
@@ -32,24 +32,23 @@ void BoxIndex::add(std::span<const TurnedBox> boxes) {
       ++entries_[known->second].count;
       continue;
     }
-    const auto [least, most] = around(box);
-    visit_cells(cell_at(least), cell_at(most), [&](const Cell& cell) { cells_[cell].push_back(entries_.size()); });
-    entries_.push_back({box, least, most, 1});
+    const auto [min, max] = around(box);
+    visit_cells(cell_at(min), cell_at(max), [&](const Cell& cell) { cells_[cell].push_back(entries_.size()); });
+    entries_.push_back({box, min, max, 1});
   }
 }
 
 int BoxIndex::overlaps(const TurnedBox& box) const {
-  const auto [least, most] = around(box);
+  const auto [min, max] = around(box);
   int count = 0;
-  visit_cells(cell_at(least), cell_at(most), [&, &least = least, &most = most](const Cell& cell) {
+  visit_cells(cell_at(min), cell_at(max), [&, &min = min, &max = max](const Cell& cell) {
     const auto found = cells_.find(cell);
     if (found == cells_.end()) return;
     for (const std::size_t i : found->second) {
       const Entry& entry = entries_[i];
-      if (entry.least.x > most.x || entry.most.x < least.x || entry.least.y > most.y || entry.most.y < least.y)
-        continue;
+      if (entry.min.x > max.x || entry.max.x < min.x || entry.min.y > max.y || entry.max.y < min.y) continue;
       // Both may share several cells; that of the lower left corner of what they share counts.
-      if (cell_at(glm::max(entry.least, least)) == cell && overlap(entry.box, box)) count += entry.count;
+      if (cell_at(glm::max(entry.min, min)) == cell && overlap(entry.box, box)) count += entry.count;
     }
   });
   return count;

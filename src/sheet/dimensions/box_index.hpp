@@ -28,13 +28,13 @@ class BoxIndex {
   using Cell = std::array<int, 2>;
   struct Entry {
     TurnedBox box;
-    Vec2 least, most;  ///< of the upright rectangle around it
+    Vec2 min, max;  ///< of the upright rectangle around it
     int count;
   };
 
   static Cell cell_at(const Vec2& place);
   template <class Visit>
-  static void visit_cells(const Cell& least, const Cell& most, const Visit& visit);
+  static void visit_cells(const Cell& min, const Cell& max, const Visit& visit);
 
   std::vector<Entry> entries_;
   std::map<std::array<double, 6>, std::size_t> known_;

@@ -67,12 +67,12 @@ std::vector<TurnedBox> boxes_of(const Layer& layer, const Lettering& lettering) 
   return boxes;
 }
 
-int ink_in(const TurnedBox& box, const Drawing& drawing) {
+int ink_in(const TurnedBox& box, const ViewDrawing& drawing) {
   const Vec2 half = upright_half(box);
-  const Vec2 least = box.centre - half, most = box.centre + half;
+  const Vec2 min = box.centre - half, max = box.centre + half;
   return static_cast<int>(std::count_if(drawing.segments.begin(), drawing.segments.end(), [&](const Segment& s) {
-    if (std::max(s.from.x, s.to.x) < least.x || std::min(s.from.x, s.to.x) > most.x) return false;
-    if (std::max(s.from.y, s.to.y) < least.y || std::min(s.from.y, s.to.y) > most.y) return false;
+    if (std::max(s.from.x, s.to.x) < min.x || std::min(s.from.x, s.to.x) > max.x) return false;
+    if (std::max(s.from.y, s.to.y) < min.y || std::min(s.from.y, s.to.y) > max.y) return false;
     return overlap(box, line_box(s.from, s.to));
   }));
 }

@@ -35,6 +35,6 @@ TurnedBox box_of(const Text& text, const Lettering& lettering);
 std::vector<TurnedBox> boxes_of(const Layer& layer, const Lettering& lettering);
 
 /// How many lines of the drawing run through the box.
-int ink_in(const TurnedBox& box, const Drawing& drawing);
+int ink_in(const TurnedBox& box, const ViewDrawing& drawing);
 
 }  // namespace epura

@@ -18,7 +18,7 @@ constexpr double cost_of_inside = 1, cost_of_crossing_it = 0.5;
 
 // A leader from a shoulder with the text to the arrow on the circle; a negative length lies inside the circle.
 PlacedDimension leader(const MeasuredCircle& circle, const std::string& text, const Vec2& direction, double length,
-                       const DimensionLook& look) {
+                       const DimensionStyle& look) {
   const Vec2 tip = circle.centre + circle.radius * direction;
   const Vec2 elbow = tip + length * direction;
   const Vec2 outward = length < 0 ? -direction : direction;
@@ -43,7 +43,7 @@ double slope_cost(double angle) {
 
 // Across the whole circle, from arrow to arrow.
 void add_across(std::vector<DimensionWay>& ways, const MeasuredCircle& circle, const std::string& text, double angle,
-                const DimensionLook& look) {
+                const DimensionStyle& look) {
   const Vec2 along = turned_to(angle), spoke = circle.radius * along;
   const MeasuredLength length{circle.centre - spoke, circle.centre + spoke, along, left_of(along)};
   if (!fits_inside(length, text, look)) return;
@@ -54,8 +54,8 @@ void add_across(std::vector<DimensionWay>& ways, const MeasuredCircle& circle, c
 
 }  // namespace
 
-std::vector<DimensionWay> ways_of(const MeasuredCircle& circle, const MeasuredDimension& measured, const Drawing&,
-                                  const DimensionLook& look) {
+std::vector<DimensionWay> ways_of(const MeasuredCircle& circle, const MeasuredDimension& measured, const ViewDrawing&,
+                                  const DimensionStyle& look) {
   std::vector<DimensionWay> ways;
   const bool whole = std::abs(circle.sweep) >= 2 * std::numbers::pi;
   for (int i = 0; i < directions; ++i) {

@@ -26,7 +26,7 @@ constexpr double cost_of_ink = 0.3;  // a line of the drawing that a leader cros
 
 /// What stands on the paper already.
 struct Surroundings {
-  const Drawing& drawing;
+  const ViewDrawing& drawing;
   std::optional<Rectangle> paper;
   BoxIndex zones, texts{}, lines{};
 
@@ -38,16 +38,16 @@ struct Surroundings {
 
   [[nodiscard]] bool is_off_paper(const TurnedBox& zone) const { return paper && !paper->holds(around(zone)); }
 
-  /// What the place of the dimension costs; no more is found out once that is beyond `most`.
-  [[nodiscard]] double cost(const PlacedDimension& dimension, double most) const {
+  /// What the place of the dimension costs; no more is found out once that is beyond `max`.
+  [[nodiscard]] double cost(const PlacedDimension& dimension, double max) const {
     double cost = cost_of_text * lines.overlaps(dimension.text_box);
     for (const TurnedBox& zone : dimension.zones)
       cost += cost_of_zone * (zones.overlaps(zone) + (is_off_paper(zone) ? 1 : 0)) +
               cost_of_crossing * lines.overlaps(zone);
     for (const TurnedBox& line : dimension.lines)
       cost += cost_of_text * texts.overlaps(line) + cost_of_crossing * zones.overlaps(line);
-    if (cost < most && ink_in(dimension.text_box, drawing) > 0) cost += cost_of_text;
-    if (cost < most)
+    if (cost < max && ink_in(dimension.text_box, drawing) > 0) cost += cost_of_text;
+    if (cost < max)
       for (const TurnedBox& line : dimension.lines) cost += cost_of_ink * ink_in(line, drawing);
     return cost;
   }
@@ -57,12 +57,12 @@ PlacedDimension best_of(std::vector<DimensionWay> ways, const Surroundings& surr
   std::stable_sort(ways.begin(), ways.end(),
                    [](const DimensionWay& a, const DimensionWay& b) { return a.cost < b.cost; });
   DimensionWay* best = nullptr;
-  double least = HUGE_VAL;
+  double min = HUGE_VAL;
   for (DimensionWay& way : ways) {
-    if (way.cost >= least) break;
-    const double cost = way.cost + surroundings.cost(way.dimension, least - way.cost);
-    if (cost >= least) continue;
-    least = cost;
+    if (way.cost >= min) break;
+    const double cost = way.cost + surroundings.cost(way.dimension, min - way.cost);
+    if (cost >= min) continue;
+    min = cost;
     best = &way;
   }
   check(best != nullptr, "a dimension has no place");
@@ -84,7 +84,7 @@ std::vector<std::size_t> order_of(const std::vector<MeasuredDimension>& dimensio
 }
 
 std::vector<std::optional<PlacedDimension>> place(const std::vector<MeasuredDimension>& dimensions,
-                                                  const Drawing& drawing, const DimensionLook& look,
+                                                  const ViewDrawing& drawing, const DimensionStyle& look,
                                                   const Neighbours& neighbours, const Progress& progress) {
   Surroundings surroundings{drawing, neighbours.paper, BoxIndex(neighbours.boxes)};
   std::vector<std::optional<PlacedDimension>> placed(dimensions.size());
@@ -104,14 +104,14 @@ std::string diameter_sign(const Lettering& lettering) { return lettering.missing
 void expect_letters(const std::string& text, const AnchoredDimension& dimension, const Lettering& lettering) {
   const std::vector<std::string> missing = lettering.missing(text);
   if (!missing.empty())
-    throw Error(Trouble::input, dimension.where, "the font has no '" + missing.front() + "'",
+    throw Error(ErrorKind::input, dimension.where, "the font has no '" + missing.front() + "'",
                 "write the text without it");
 }
 
 }  // namespace
 
-Layer dimension_layer(const World& world, const Drawing& drawing, std::span<const DimensionDescription> dimensions,
-                      const DimensionLook& look, const Neighbours& neighbours, const Progress& progress) {
+Layer dimension_layer(const World& world, const ViewDrawing& drawing, std::span<const DimensionDescription> dimensions,
+                      const DimensionStyle& look, const Neighbours& neighbours, const Progress& progress) {
   progress.begin("placing dimensions", dimensions.size());
   std::vector<MeasuredDimension> measured;
   for (const AnchoredDimension& dimension : find_anchors(world, dimensions, progress.with_part_of_the_time(0.5))) {

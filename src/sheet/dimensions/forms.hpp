@@ -19,15 +19,15 @@ struct DimensionWay {
 /// Beside the outline: on either side, further and further out, the text in the middle or moved. With an offset:
 /// there, upwards or to the right where it is positive.
 std::vector<DimensionWay> ways_of(const MeasuredLength& length, const MeasuredDimension& measured,
-                                  const Drawing& drawing, const DimensionLook& look);
+                                  const ViewDrawing& drawing, const DimensionStyle& look);
 
 /// Arcs of growing radius; an offset is the radius.
-std::vector<DimensionWay> ways_of(const MeasuredAngle& angle, const MeasuredDimension& measured, const Drawing& drawing,
-                                  const DimensionLook& look);
+std::vector<DimensionWay> ways_of(const MeasuredAngle& angle, const MeasuredDimension& measured,
+                                  const ViewDrawing& drawing, const DimensionStyle& look);
 
 /// Leaders to the circle, from outside or for radii also from inside; across the circle where there is room. An
 /// offset is the length of the leader, negative to the inside.
 std::vector<DimensionWay> ways_of(const MeasuredCircle& circle, const MeasuredDimension& measured,
-                                  const Drawing& drawing, const DimensionLook& look);
+                                  const ViewDrawing& drawing, const DimensionStyle& look);
 
 }  // namespace epura

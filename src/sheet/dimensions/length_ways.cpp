@@ -17,17 +17,17 @@ constexpr double cost_of_text_place = 0.1;
 constexpr double on_axis = 1e-6;
 
 struct Reach {
-  double least = 0, most = 0;
+  double min = 0, max = 0;
 
   void add(double value) {
-    least = std::min(least, value);
-    most = std::max(most, value);
+    min = std::min(min, value);
+    max = std::max(max, value);
   }
 };
 
 // How far the ink reaches to the left of the line through `from`: all of it for a line along the paper's sides,
 // otherwise what lies between the extension lines.
-Reach reach_of_ink(const MeasuredLength& length, const Drawing& drawing) {
+Reach reach_of_ink(const MeasuredLength& length, const ViewDrawing& drawing) {
   const Vec2 across = left_of(length.along);
   const double slant = glm::dot(length.extension, length.along) / glm::dot(length.extension, across);
   // Along the dimension line, where an extension line through the point meets it, and across.
@@ -36,15 +36,15 @@ Reach reach_of_ink(const MeasuredLength& length, const Drawing& drawing) {
     return {glm::dot(p - length.from, length.along) - q * slant, q};
   };
   const Vec2 end = local(length.to);
-  const double least = std::min(0.0, end.x), most = std::max(0.0, end.x);
+  const double min = std::min(0.0, end.x), max = std::max(0.0, end.x);
   const bool all = std::min(std::abs(length.along.x), std::abs(length.along.y)) <= on_axis;
   Reach reach;
   reach.add(end.y);
   for (const Segment& segment : drawing.segments) {
     const Vec2 a = local(segment.from), b = local(segment.to);
     const auto at = [&](double t) { return b.x == a.x ? 0.0 : std::clamp((t - a.x) / (b.x - a.x), 0.0, 1.0); };
-    if (!all && (std::max(a.x, b.x) < least || std::min(a.x, b.x) > most)) continue;
-    const double s0 = all ? 0 : at(a.x < b.x ? least : most), s1 = all ? 1 : at(a.x < b.x ? most : least);
+    if (!all && (std::max(a.x, b.x) < min || std::min(a.x, b.x) > max)) continue;
+    const double s0 = all ? 0 : at(a.x < b.x ? min : max), s1 = all ? 1 : at(a.x < b.x ? max : min);
     reach.add(a.y + s0 * (b.y - a.y));
     reach.add(a.y + s1 * (b.y - a.y));
   }
@@ -57,7 +57,7 @@ double sign_of_offset(const Vec2& across) {
 }
 
 void add_ways(std::vector<DimensionWay>& ways, const MeasuredLength& length, const std::string& text, double distance,
-              double cost, const DimensionLook& look) {
+              double cost, const DimensionStyle& look) {
   const int places = fits_inside(length, text, look) ? text_places : 2;
   for (int place = 0; place < places; ++place)
     ways.push_back({straight_dimension(length, text, distance, place, look), cost + cost_of_text_place * place});
@@ -66,7 +66,7 @@ void add_ways(std::vector<DimensionWay>& ways, const MeasuredLength& length, con
 }  // namespace
 
 std::vector<DimensionWay> ways_of(const MeasuredLength& length, const MeasuredDimension& measured,
-                                  const Drawing& drawing, const DimensionLook& look) {
+                                  const ViewDrawing& drawing, const DimensionStyle& look) {
   const double end = glm::dot(length.to - length.from, left_of(length.along));
   const double upwards = sign_of_offset(left_of(length.along));
   std::vector<DimensionWay> ways;
@@ -81,7 +81,7 @@ std::vector<DimensionWay> ways_of(const MeasuredLength& length, const MeasuredDi
   const bool vertical = std::abs(length.along.y) > std::abs(length.along.x);
   const double first_side = vertical ? upwards : -upwards;
   for (const double side : {first_side, -first_side}) {
-    const double outline = side > 0 ? reach.most : -reach.least;
+    const double outline = side > 0 ? reach.max : -reach.min;
     const double cost = cost_of_extension * (2 * outline - side * end);
     for (int level = 0; level < levels; ++level)
       add_ways(ways, length, measured.text, side * (outline + first_dimension + level * dimension_step(look.text)),

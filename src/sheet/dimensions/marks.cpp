@@ -21,7 +21,7 @@ Vec2 reading_direction(const Vec2& along) {
   return (vertical ? along.y > 0 : along.x > 0) ? along : -along;
 }
 
-Fill arrow_at(const Vec2& tip, const Vec2& direction, const DimensionLook& look) {
+Fill arrow_at(const Vec2& tip, const Vec2& direction, const DimensionStyle& look) {
   const Vec2 foot = tip - look.arrow() * direction;
   const Vec2 across = look.arrow() * portable_tan(half_tip) * left_of(direction);
   return {{{tip, foot + across, foot - across}}};
@@ -37,7 +37,7 @@ void add_crossable_line(PlacedDimension& dimension, const Vec2& from, const Vec2
 }
 
 void set_text(PlacedDimension& dimension, const std::string& text, const Vec2& middle, const Vec2& read, double rise,
-              const DimensionLook& look) {
+              const DimensionStyle& look) {
   const double degrees = portable_atan2(read.y, read.x) * 180 / std::numbers::pi;
   dimension.text = {text, middle + rise * left_of(read), look.text, degrees, Align::middle, "dimension"};
   dimension.text_box = {middle + (rise + look.text / 2) * left_of(read),

@@ -18,7 +18,7 @@ inline constexpr double first_dimension = 10;
 constexpr double dimension_step(double text_height) { return 4.5 + text_height; }
 
 /// Measures of dimensions, mm.
-struct DimensionLook {
+struct DimensionStyle {
   const Lettering& lettering;
   double line;        ///< width of the narrow lines
   double text = 3.5;  ///< height of capitals
@@ -47,7 +47,7 @@ inline Vec2 turned_to(double angle) { return {portable_cos(angle), portable_sin(
 Vec2 reading_direction(const Vec2& along);
 
 /// `direction` leads to the tip and has length 1.
-Fill arrow_at(const Vec2& tip, const Vec2& direction, const DimensionLook& look);
+Fill arrow_at(const Vec2& tip, const Vec2& direction, const DimensionStyle& look);
 
 /// Adds a stroke from point to point.
 void add_line(PlacedDimension& dimension, const Vec2& from, const Vec2& to);
@@ -57,6 +57,6 @@ void add_crossable_line(PlacedDimension& dimension, const Vec2& from, const Vec2
 
 /// Writes a text whose middle stands `rise` above a place on the line that it is read along.
 void set_text(PlacedDimension& dimension, const std::string& text, const Vec2& middle, const Vec2& read, double rise,
-              const DimensionLook& look);
+              const DimensionStyle& look);
 
 }  // namespace epura

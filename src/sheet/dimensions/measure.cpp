@@ -18,12 +18,12 @@ constexpr double whole = 1e-5;     // of a length: what ink may lack of it
 constexpr int decimals = 2;
 
 [[noreturn]] void refuse(const AnchoredDimension& dimension, const std::string& what, const std::string& hint) {
-  throw Error(Trouble::input, dimension.where, what, hint);
+  throw Error(ErrorKind::input, dimension.where, what, hint);
 }
 
 // The view that a dimension is to stand in, as it maps the world.
 struct Sight {
-  const Drawing& drawing;
+  const ViewDrawing& drawing;
   const Vec3 n = drawing.projection.n;
   const bool orthographic =
       glm::length(glm::cross(drawing.projection.projector, n)) <= 1e-9 * glm::length(drawing.projection.projector);
@@ -70,7 +70,7 @@ MeasuredDimension linear(const AnchoredDimension& dimension, const Sight& sight)
 // of axonometric views. Length 1.
 Vec2 extension_axis(const Sight& sight, const Vec2& along) {
   Vec2 best = left_of(along);
-  double least = 0.99;
+  double min = 0.99;
   for (int axis = 0; axis < 3; ++axis) {
     Vec3 e(0);
     e[axis] = 1;
@@ -78,8 +78,8 @@ Vec2 extension_axis(const Sight& sight, const Vec2& along) {
     const double size = glm::length(image);
     if (size <= parallel * sight.millimetres()) continue;
     const double lean = std::abs(glm::dot(image / size, along));
-    if (lean < least - 1e-9) {
-      least = lean;
+    if (lean < min - 1e-9) {
+      min = lean;
       best = image / size;
     }
   }
@@ -160,7 +160,7 @@ MeasuredDimension circular(const AnchoredDimension& dimension, const Sight& sigh
 }
 
 // The ends of the ink along a direction of the paper: of several the farthest along `side`.
-std::array<Vec2, 2> ends_of_ink(const Drawing& drawing, const Vec2& along, const Vec2& side) {
+std::array<Vec2, 2> ends_of_ink(const ViewDrawing& drawing, const Vec2& along, const Vec2& side) {
   constexpr double same = 1e-6;  // mm
   std::array<Vec2, 2> ends{drawing.segments.front().from, drawing.segments.front().from};
   const auto take = [&](Vec2& end, const Vec2& direction, const Vec2& p) {
@@ -201,7 +201,7 @@ MeasuredDimension overall(const AnchoredDimension& dimension, const Sight& sight
 
 }  // namespace
 
-MeasuredDimension measure(const Drawing& drawing, const AnchoredDimension& dimension, const std::string& diameter) {
+MeasuredDimension measure(const ViewDrawing& drawing, const AnchoredDimension& dimension, const std::string& diameter) {
   if (drawing.projection.central)
     refuse(dimension, "the view '" + drawing.name + "' is a perspective, which shows no true lengths",
            "measure in an orthographic view");

@@ -76,7 +76,7 @@ std::vector<DimensionDescription> overall_dimensions(const DimensionDescription&
     dimension.direction = {extent.direction, overall.where};
   }
   if (dimensions.empty())
-    throw Error(Trouble::input, overall.where, "no view shows the size of the models in true length",
+    throw Error(ErrorKind::input, overall.where, "no view shows the size of the models in true length",
                 "add a view such as front, top or left");
   return dimensions;
 }

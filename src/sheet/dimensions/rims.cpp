@@ -53,7 +53,7 @@ std::vector<WorldCircle> Rims::through(const Anchor& anchor, const Vec3& place, 
     }
   }
   if (!circles.empty()) return circles;
-  throw Error(Trouble::input, where, "wants a vertex on the rim of a circle, and there is none at " + text_of(place),
+  throw Error(ErrorKind::input, where, "wants a vertex on the rim of a circle, and there is none at " + text_of(place),
               nearest ? "the nearest circle has radius " + format_rounded(nearest->circle.radius, 6) + " around " +
                             text_of(nearest->circle.centre) + "; its vertex " +
                             std::to_string(nearest->vertices.front()) + " would do"

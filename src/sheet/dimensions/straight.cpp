@@ -21,7 +21,7 @@ Vec2 foot_of(const MeasuredLength& length, const Vec2& anchor, double distance) 
   return anchor + rest / glm::dot(length.extension, across) * length.extension;
 }
 
-void add_extension_line(PlacedDimension& dimension, const Vec2& anchor, const Vec2& foot, const DimensionLook& look) {
+void add_extension_line(PlacedDimension& dimension, const Vec2& anchor, const Vec2& foot, const DimensionStyle& look) {
   const double reach = glm::length(foot - anchor);
   if (reach <= no_length) return;
   const Vec2 direction = (foot - anchor) / reach;
@@ -47,7 +47,7 @@ struct Layout {
   double text_middle;
 };
 
-Layout layout_of(const Base& base, double width, bool inside, int place, const DimensionLook& look) {
+Layout layout_of(const Base& base, double width, bool inside, int place, const DimensionStyle& look) {
   Layout layout{base.span >= arrows_inside * look.arrow(), {0, base.span}, base.span / 2};
   const double tail = layout.outward ? 0 : 2 * look.arrow();
   layout.line = {-tail, base.span + tail};
@@ -67,12 +67,12 @@ Layout layout_of(const Base& base, double width, bool inside, int place, const D
 
 }  // namespace
 
-bool fits_inside(const MeasuredLength& length, const std::string& text, const DimensionLook& look) {
+bool fits_inside(const MeasuredLength& length, const std::string& text, const DimensionStyle& look) {
   return look.width(text) + look.above() <= span_of(length);
 }
 
 PlacedDimension straight_dimension(const MeasuredLength& length, const std::string& text, double distance, int place,
-                                   const DimensionLook& look) {
+                                   const DimensionStyle& look) {
   const Vec2 read = reading_direction(length.along);
   Vec2 low = length.from, high = length.to;
   if (glm::dot(high - low, read) < 0) std::swap(low, high);

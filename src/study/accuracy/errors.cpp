@@ -12,8 +12,8 @@ namespace epura {
 
 namespace {
 
-Spans longer_than(Spans spans, double least) {
-  std::erase_if(spans, [&](const auto& span) { return span[1] - span[0] <= least; });
+Spans longer_than(Spans spans, double min) {
+  std::erase_if(spans, [&](const auto& span) { return span[1] - span[0] <= min; });
   return spans;
 }
 
@@ -73,19 +73,19 @@ void add_edge(Errors& errors, const JudgedEdge& edge, double least_length) {
   }
   const Spans shown = complement(edge.shown), right = complement(edge.right);
   errors.end_point = std::max(errors.end_point, farthest_end(right, shown) * length);
-  const double least = least_length / length;
-  errors.missed += strangers(longer_than(right, least), shown);
-  errors.phantom += strangers(longer_than(shown, least), right);
-  errors.cracks += inside(longer_than(edge.shown, least), right);
-  errors.edges += longer_than(wrong, least).empty() ? 0 : 1;
+  const double min = least_length / length;
+  errors.missed += strangers(longer_than(right, min), shown);
+  errors.phantom += strangers(longer_than(shown, min), right);
+  errors.cracks += inside(longer_than(edge.shown, min), right);
+  errors.edges += longer_than(wrong, min).empty() ? 0 : 1;
 }
 
 }  // namespace
 
-Errors measure_errors(const std::vector<JudgedEdge>& edges, double least) {
+Errors measure_errors(const std::vector<JudgedEdge>& edges, double min) {
   Errors errors;
   errors.judged = static_cast<long long>(edges.size());
-  for (const JudgedEdge& edge : edges) add_edge(errors, edge, least);
+  for (const JudgedEdge& edge : edges) add_edge(errors, edge, min);
   errors.ink = ink_distance(edges);
   return errors;
 }

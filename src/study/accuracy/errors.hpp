@@ -29,7 +29,7 @@ struct Errors {
   long long judged = 0;   ///< edges
 };
 
-/// Spans that are not longer than `least` mm are not counted; their lengths are measured all the same.
-Errors measure_errors(const std::vector<JudgedEdge>& edges, double least = 0);
+/// Spans that are not longer than `min` mm are not counted; their lengths are measured all the same.
+Errors measure_errors(const std::vector<JudgedEdge>& edges, double min = 0);
 
 }  // namespace epura

@@ -20,7 +20,7 @@ Exact cross(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-ExactPage::ExactPage(const Claim& claim, const View& view)
+ExactPage::ExactPage(const VerifyInput& claim, const ProjectedScene& view)
     : viewing_(viewing_of(claim)),
       point_(triple<Exact>(claim.projection.point)),
       n_(triple<Exact>(claim.projection.n)),
@@ -31,14 +31,14 @@ ExactPage::ExactPage(const Claim& claim, const View& view)
   if (p.central) {
     const double w0 = 1 / (map.depth_to_one * map.depth_of_n);
     centre_ = triple<Exact>(p.projector);
-    page_ = p.scale * glm::dot(p.n, p.projector * map.shrink - p.point * map.shrink);
-    depth_ = map.depth_of_n * w0 * w0 / map.shrink;
-    nearest_ = nearest_seen * w0 / map.shrink;
+    page_ = p.scale * glm::dot(p.n, p.projector * map.scale_exponent - p.point * map.scale_exponent);
+    depth_ = map.depth_of_n * w0 * w0 / map.scale_exponent;
+    nearest_ = nearest_seen * w0 / map.scale_exponent;
   } else {
     u_ = along_projectors(u_, n_, triple<Exact>(p.projector));
     v_ = along_projectors(v_, n_, triple<Exact>(p.projector));
-    page_ = p.scale * map.shrink;
-    depth_ = map.depth_of_n * map.shrink;
+    page_ = p.scale * map.scale_exponent;
+    depth_ = map.depth_of_n * map.scale_exponent;
   }
 }
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "study/verify/claim.hpp"
 #include "study/verify/polygon.hpp"
+#include "study/verify/verify_input.hpp"
 
 namespace epura {
 
@@ -20,7 +20,7 @@ Exact cross(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c);
 
 class ExactPage {
  public:
-  ExactPage(const Claim& claim, const View& view);
+  ExactPage(const VerifyInput& claim, const ProjectedScene& view);
 
   /// A point before the viewer.
   [[nodiscard]] ExactPoint place(const Triple<Exact>& point) const;

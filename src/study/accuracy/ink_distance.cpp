@@ -26,14 +26,14 @@ double distance_to(const InkLine& line, const Vec2& p) {
 class InkGrid {
  public:
   explicit InkGrid(const std::vector<InkLine>& ink) : ink_(ink) {
-    Vec2 least(HUGE_VAL), most(-HUGE_VAL);
+    Vec2 min(HUGE_VAL), max(-HUGE_VAL);
     for (const InkLine& line : ink) {
-      least = glm::min(least, glm::min(line.from, line.to));
-      most = glm::max(most, glm::max(line.from, line.to));
+      min = glm::min(min, glm::min(line.from, line.to));
+      max = glm::max(max, glm::max(line.from, line.to));
     }
     const int side = std::clamp(static_cast<int>(std::sqrt(ink.size())), 1, 512);
-    const Vec2 size = glm::max(most - least, Vec2(1e-9 * std::max(1.0, glm::length(most) + glm::length(least))));
-    grid_ = {least, size / static_cast<double>(side), side, side};
+    const Vec2 size = glm::max(max - min, Vec2(1e-9 * std::max(1.0, glm::length(max) + glm::length(min))));
+    grid_ = {min, size / static_cast<double>(side), side, side};
     fill();
   }
 

@@ -12,8 +12,8 @@ namespace epura {
 
 namespace {
 
-constexpr double width = 205, height = 120;    // of the sheet, mm
-constexpr Vec2 least(22, 18), most(140, 108);  // of the diagram
+constexpr double width = 205, height = 120;  // of the sheet, mm
+constexpr Vec2 min(22, 18), max(140, 108);   // of the diagram
 constexpr double mark_size = 1.1;
 constexpr double small = 1.8, normal = 2.5, large = 3.5;  // heights of capitals, ISO 3098
 
@@ -65,8 +65,8 @@ class Plotter {
     draw_axes();
     draw_marks();
     for (std::size_t i = 0; i < plot_.curves.size(); ++i) draw_curve(i);
-    if (!plot_.note.empty()) texts_.push_back({plot_.note, {least.x, 3}, small, 0, Align::left, "note"});
-    texts_.push_back({plot_.title, {least.x, most.y + 4}, large, 0, Align::left, "title"});
+    if (!plot_.note.empty()) texts_.push_back({plot_.note, {min.x, 3}, small, 0, Align::left, "note"});
+    texts_.push_back({plot_.title, {min.x, max.y + 4}, large, 0, Align::left, "title"});
     const auto named = [&](const char* role) { return plot_.name + "/" + role; };
     sheet.layers.push_back({named("grid"), {"plot-grid", 0.09}, std::move(grid_)});
     sheet.layers.push_back({named("axes"), {"plot-axis", 0.25}, std::move(axes_)});
@@ -88,7 +88,7 @@ class Plotter {
   [[nodiscard]] double raised(double y) const { return std::max(y, plot_.least_y); }
 
   [[nodiscard]] Vec2 place(const Vec2& value) const {
-    return least + Vec2(x_.part(value.x), y_.part(raised(value.y))) * (most - least);
+    return min + Vec2(x_.part(value.x), y_.part(raised(value.y))) * (max - min);
   }
 
   static Stroke line(const Vec2& from, const Vec2& to, const Dashes& dashes = {}) {
@@ -96,31 +96,31 @@ class Plotter {
   }
 
   void draw_axes() {
-    axes_.push_back({{least, {most.x, least.y}, most, {least.x, most.y}}, true});
+    axes_.push_back({{min, {max.x, min.y}, max, {min.x, max.y}}, true});
     const double step_x = std::ceil((x_.to - x_.from) / 12), step_y = std::ceil((y_.to - y_.from) / 14);
     for (double d = x_.from; d <= x_.to; d += step_x) {
       const double x = place({std::pow(10, d), 1}).x;
-      if (d > x_.from && d < x_.to) grid_.push_back(line({x, least.y}, {x, most.y}));
-      texts_.push_back({power_of_ten(d), {x, least.y - 4}, normal, 0, Align::middle, "tick"});
+      if (d > x_.from && d < x_.to) grid_.push_back(line({x, min.y}, {x, max.y}));
+      texts_.push_back({power_of_ten(d), {x, min.y - 4}, normal, 0, Align::middle, "tick"});
     }
     for (double d = y_.from; d <= y_.to; d += step_y) {
       const double y = place({1, std::pow(10, d)}).y;
-      if (d > y_.from && d < y_.to) grid_.push_back(line({least.x, y}, {most.x, y}));
-      texts_.push_back({power_of_ten(d), {least.x - 1.5, y - normal / 2}, normal, 0, Align::right, "tick"});
+      if (d > y_.from && d < y_.to) grid_.push_back(line({min.x, y}, {max.x, y}));
+      texts_.push_back({power_of_ten(d), {min.x - 1.5, y - normal / 2}, normal, 0, Align::right, "tick"});
     }
-    texts_.push_back({plot_.x_axis, {(least.x + most.x) / 2, least.y - 10}, normal, 0, Align::middle, "axis"});
-    texts_.push_back({plot_.y_axis, {6, (least.y + most.y) / 2}, normal, 90, Align::middle, "axis"});
+    texts_.push_back({plot_.x_axis, {(min.x + max.x) / 2, min.y - 10}, normal, 0, Align::middle, "axis"});
+    texts_.push_back({plot_.y_axis, {6, (min.y + max.y) / 2}, normal, 90, Align::middle, "axis"});
   }
 
   void draw_marks() {
     for (const PlotMark& mark : plot_.marks) {
       const Vec2 at = place({mark.vertical ? mark.at : 1, mark.vertical ? 1 : mark.at});
       if (mark.vertical) {
-        limits_.push_back(line({at.x, least.y}, {at.x, most.y}, {2, 1}));
-        texts_.push_back({mark.label, {at.x - 0.8, most.y - 2}, small, 90, Align::right, "limit"});
+        limits_.push_back(line({at.x, min.y}, {at.x, max.y}, {2, 1}));
+        texts_.push_back({mark.label, {at.x - 0.8, max.y - 2}, small, 90, Align::right, "limit"});
       } else {
-        limits_.push_back(line({least.x, at.y}, {most.x, at.y}, {2, 1}));
-        texts_.push_back({mark.label, {most.x - 1, at.y + 0.8}, small, 0, Align::right, "limit"});
+        limits_.push_back(line({min.x, at.y}, {max.x, at.y}, {2, 1}));
+        texts_.push_back({mark.label, {max.x - 1, at.y + 0.8}, small, 0, Align::right, "limit"});
       }
     }
   }
@@ -144,7 +144,7 @@ class Plotter {
       if (!point.label.empty()) texts_.push_back({point.label, at + Vec2(1.6, 0.6), small, 0, Align::left, "label"});
     }
     if (stroke.points.size() > 1) strokes.push_back(std::move(stroke));
-    const Vec2 key(most.x + 5, most.y - 3 - 6.0 * static_cast<double>(number));
+    const Vec2 key(max.x + 5, max.y - 3 - 6.0 * static_cast<double>(number));
     strokes.push_back(line(key - Vec2(2.5, 0), key + Vec2(4.5, 0), dashes));
     draw_point(key + Vec2(1, 0), number, false);
     texts_.push_back({curve.name, key + Vec2(6, -normal / 2), normal, 0, Align::left, "key"});

@@ -30,7 +30,7 @@ void mark_front(std::vector<Measurement>& methods) {
 }
 
 std::array<Vec2, 2> on_paper(const StudiedView& studied, int edge) {
-  const DrawnEdge& drawn = studied.drawn.edges[edge];
+  const FeatureEdge& drawn = studied.drawn.edges[edge];
   return {place_on_paper(studied.view, studied.paper, drawn, 0), place_on_paper(studied.view, studied.paper, drawn, 1)};
 }
 
@@ -62,7 +62,7 @@ Contender contender(const StudiedView& studied, const Method& method) {
 }
 
 std::vector<EdgeTruth> truth_of(const StudiedView& studied, const TruthEffort& effort) {
-  Drawing drawing;
+  ViewDrawing drawing;
   drawing.projection = studied.view.projection;
   drawing.world_to_page = world_to_page(studied.view, studied.paper);
   const HiddenSpans hidden = nothing_hidden(studied.drawn);
@@ -72,14 +72,14 @@ std::vector<EdgeTruth> truth_of(const StudiedView& studied, const TruthEffort& e
 
 Errors errors_of(const StudiedView& studied, const std::vector<EdgeTruth>& truth, const HiddenSpans& shown) {
   std::vector<JudgedEdge> edges;
-  const double least = least_piece * studied.view.extent * studied.paper.scale;
+  const double min = least_piece * studied.view.extent * studied.paper.scale;
   for (const EdgeTruth& edge : truth) {
     const auto [from, to] = on_paper(studied, edge.edge);
-    if (glm::distance(from, to) <= least) continue;
+    if (glm::distance(from, to) <= min) continue;
     const Spans spans = hidden_parts(shown, static_cast<std::size_t>(edge.edge));
     edges.push_back({from, to, spans, nearest_right(spans, edge)});
   }
-  return measure_errors(edges, least);
+  return measure_errors(edges, min);
 }
 
 ViewMeasurements measure(const StudiedView& studied, std::span<const Contender> contenders, const StudyEffort& effort) {

@@ -19,9 +19,9 @@ namespace epura {
 struct StudiedView {
   std::string scene, name;
   const World& world;
-  const View& view;
+  const ProjectedScene& view;
   const ViewLimits& limits;
-  const DrawnEdges& drawn;
+  const FeatureEdges& drawn;
   Contact contact;
   PaperMap paper;
 };

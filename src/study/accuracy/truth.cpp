@@ -124,7 +124,7 @@ std::uint64_t side_key(int a, int b) {
 
 class Judge {
  public:
-  Judge(const Claim& claim, const View& view, const Contact& contact)
+  Judge(const VerifyInput& claim, const ProjectedScene& view, const Contact& contact)
       : claim_(claim), view_(view), contact_(contact), page_(claim, view), boxes_(view) {
     const auto& triangles = claim.world.triangles;
     sides_.reserve(3 * triangles.size());
@@ -134,7 +134,7 @@ class Judge {
   }
 
   [[nodiscard]] EdgeTruth truth_of(int e, std::atomic<std::size_t>& pairs) const {
-    const DrawnEdge& edge = claim_.drawn.edges[e];
+    const FeatureEdge& edge = claim_.drawn.edges[e];
     const std::array<Vec3, 2> ends = claim_.ends_of(edge);
     const Line line{page_.place(place_on<Exact>(ends, edge.t[0])), page_.place(place_on<Exact>(ends, edge.t[1]))};
     const double extent = view_.extent;
@@ -157,7 +157,7 @@ class Judge {
 
  private:
   // Triangles of the world that are none of the edge's own and may lie before it.
-  [[nodiscard]] std::vector<int> near(const DrawnEdge& edge) const {
+  [[nodiscard]] std::vector<int> near(const FeatureEdge& edge) const {
     const PageVertex& p = view_.vertices[edge.vertex[0]];
     const PageVertex& q = view_.vertices[edge.vertex[1]];
     const Vec2 margin(surely_beside * view_.extent);
@@ -194,13 +194,13 @@ class Judge {
     return {claim_.world.points[a], claim_.world.points[b], claim_.world.points[c]};
   }
 
-  void find_borders(const DrawnEdge& edge, int triangle, Face& face) const {
+  void find_borders(const FeatureEdge& edge, int triangle, Face& face) const {
     if (face.corner.size() != 3) return;
     for (std::size_t i = 0; i < 3; ++i) face.border[i] = is_border(edge, triangle, i, face);
   }
 
   // Whether no other triangle goes on behind a side.
-  [[nodiscard]] bool is_border(const DrawnEdge& edge, int triangle, std::size_t side, const Face& face) const {
+  [[nodiscard]] bool is_border(const FeatureEdge& edge, int triangle, std::size_t side, const Face& face) const {
     const auto& corner = claim_.world.triangles[triangle];
     const int a = corner[side], b = corner[(side + 1) % 3];
     const auto [begin, end] = sides_.equal_range(side_key(a, b));
@@ -219,8 +219,8 @@ class Judge {
     });
   }
 
-  const Claim& claim_;
-  const View& view_;
+  const VerifyInput& claim_;
+  const ProjectedScene& view_;
   Contact contact_;
   ExactPage page_;
   TriangleBoxes boxes_;
@@ -238,7 +238,7 @@ std::vector<int> random_order(std::size_t count) {
 
 }  // namespace
 
-std::vector<EdgeTruth> find_truth(const Claim& claim, const View& view, const Contact& contact,
+std::vector<EdgeTruth> find_truth(const VerifyInput& claim, const ProjectedScene& view, const Contact& contact,
                                   const TruthEffort& effort) {
   const Judge judge(claim, view, contact);
   const std::vector<int> order = random_order(claim.drawn.edges.size());

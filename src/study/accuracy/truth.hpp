@@ -8,13 +8,13 @@
 //
 // Two answers are kept: what stays hidden when the triangles shrink by 1e-9 of the drawing and come nearer to the edge
 // by twice the contact tolerance, and what may be hidden when they grow as much. Between the two the input does not
-// tell. A side that two triangles share, one on either side of it, is no border and does not shrink.
+// tell. A side that two triangles share, one on either side of it, is not a border and does not shrink.
 #pragma once
 
 #include <optional>
 #include <vector>
 
-#include "study/verify/claim.hpp"
+#include "study/verify/verify_input.hpp"
 #include "visibility/spans.hpp"
 
 namespace epura {
@@ -32,7 +32,7 @@ struct TruthEffort {
 };
 
 /// In the order of the edges. `contact` as find_hidden has it.
-std::vector<EdgeTruth> find_truth(const Claim& claim, const View& view, const Contact& contact,
+std::vector<EdgeTruth> find_truth(const VerifyInput& claim, const ProjectedScene& view, const Contact& contact,
                                   const TruthEffort& effort);
 
 /// The right classification that is nearest to the one shown: where the truth leaves the choice, as it is shown.

@@ -64,7 +64,8 @@ std::string_view name_of(Change change) {
 
 Comparison compare(const PictureFile& before, const PictureFile& after, double tolerance) {
   if (before.is_json != after.is_json)
-    throw Error(Trouble::input, "compare", "drawing JSON has views without their sheet, and the other file has sheets",
+    throw Error(ErrorKind::input, "compare",
+                "drawing JSON has views without their sheet, and the other file has sheets",
                 "compare JSON with JSON, and SVG or PDF with SVG or PDF");
   Comparison comparison;
   const bool any_pdf = before.is_pdf || after.is_pdf;

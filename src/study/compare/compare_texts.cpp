@@ -12,18 +12,18 @@ namespace {
 
 using Texts = std::vector<PictureText>;
 
-auto by_place(const PictureText& t) { return std::tie(t.words, t.least.x, t.least.y, t.most.x, t.most.y); }
+auto by_place(const PictureText& t) { return std::tie(t.words, t.min.x, t.min.y, t.max.x, t.max.y); }
 
-Vec2 middle(const PictureText& t) { return (t.least + t.most) / 2.0; }
-Vec2 size(const PictureText& t) { return t.most - t.least; }
+Vec2 middle(const PictureText& t) { return (t.min + t.max) / 2.0; }
+Vec2 size(const PictureText& t) { return t.max - t.min; }
 
 double apart(const PictureText& a, const PictureText& b) {
-  return std::max(glm::distance(a.least, b.least), glm::distance(a.most, b.most));
+  return std::max(glm::distance(a.min, b.min), glm::distance(a.max, b.max));
 }
 
 // Whether the boxes have a place in common.
 bool overlap(const PictureText& a, const PictureText& b) {
-  return glm::all(glm::lessThan(glm::max(a.least, b.least), glm::min(a.most, b.most)));
+  return glm::all(glm::lessThan(glm::max(a.min, b.min), glm::min(a.max, b.max)));
 }
 
 class TextPairs {
@@ -62,8 +62,8 @@ class TextPairs {
  private:
   static constexpr double rounding = 1e-3;  // mm: what files and sizes of fonts are rounded to, along a long text
 
-  static std::optional<double> pair_if(bool alike, double distance, double most) {
-    return alike && distance <= most ? std::optional(distance) : std::nullopt;
+  static std::optional<double> pair_if(bool alike, double distance, double max) {
+    return alike && distance <= max ? std::optional(distance) : std::nullopt;
   }
 
   // Each old text meets the nearest new one that `measure` lets it have; both are out of the game then.
@@ -72,10 +72,10 @@ class TextPairs {
     Texts left;
     for (const PictureText& a : old_) {
       auto nearest = new_.end();
-      double least = HUGE_VAL;
+      double min = HUGE_VAL;
       for (auto b = new_.begin(); b != new_.end(); ++b) {
         const std::optional<double> distance = measure(a, *b);
-        if (distance && *distance < least) std::tie(nearest, least) = std::pair(b, *distance);
+        if (distance && *distance < min) std::tie(nearest, min) = std::pair(b, *distance);
       }
       if (nearest == new_.end()) {
         left.push_back(a);
@@ -104,8 +104,8 @@ class TextPairs {
     found.view = picture.views[static_cast<std::size_t>(text.view)];
     found.before = before;
     found.after = after;
-    found.from = text.least;
-    found.to = text.most;
+    found.from = text.min;
+    found.to = text.max;
     found.is_text = true;
   }
 

@@ -20,7 +20,7 @@ struct DifferingLine {
   std::vector<InkPart> parts;
   int look, other;
   Vec2 from, to;     ///< its ends; the same point twice of a closed line
-  Vec2 least, most;  ///< its box
+  Vec2 min, max;     ///< its box
   double length;     ///< mm
   std::string name;  ///< of its look
   std::string view;

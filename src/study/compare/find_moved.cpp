@@ -28,7 +28,7 @@ std::optional<double> shift(const Vec2& a0, const Vec2& a1, const Vec2& b0, cons
 std::optional<double> parallel_shift(const DifferingLine& a, const DifferingLine& b, double tolerance) {
   if (a.look != b.look || is_closed(a) != is_closed(b)) return std::nullopt;
   if (std::abs(a.length - b.length) > 2 * tolerance + 1e-6 * a.length) return std::nullopt;
-  const auto boxes = shift(a.least, a.most, b.least, b.most, tolerance);
+  const auto boxes = shift(a.min, a.max, b.min, b.max, tolerance);
   if (!boxes || is_closed(a)) return boxes;
   const auto straight = shift(a.from, a.to, b.from, b.to, tolerance);
   return straight ? straight : shift(a.from, a.to, b.to, b.from, tolerance);

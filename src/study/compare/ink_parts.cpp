@@ -77,29 +77,29 @@ void append_divided(const InkPart& part, std::span<const Cover> covers, double t
     if (length > least_reported) divided.rest.push_back(part);
     return;
   }
-  const double least = std::max(tolerance, least_reported);
+  const double min = std::max(tolerance, least_reported);
   double done = 0, met = 0;  // what is met begins at `met`, and nothing is open before `done`
   for (const Cover& cover : covers) {
-    if (cover.from - done > least) {
+    if (cover.from - done > min) {
       if (done > met) divided.met.push_back(cut(part, met, done));
       divided.rest.push_back(cut(part, done, cover.from));
       met = cover.from;
     }
     done = std::max(done, cover.to);
   }
-  const bool ends_open = length - done > least;
+  const bool ends_open = length - done > min;
   divided.met.push_back(cut(part, met, ends_open ? done : length));
   if (ends_open) divided.rest.push_back(cut(part, done, length));
 }
 
 DividedInk divide_by(const std::vector<InkPart>& parts, const std::vector<InkPart>& others, double tolerance,
-                     double least) {
+                     double min) {
   // All of a side have one rank: they do not cover each other.
   std::vector<Piece> pieces;
   pieces.reserve(others.size() + parts.size());
   for (const InkPart& part : others) pieces.push_back({part.from, part.to, true, EdgeKind{}, 0, {0, 0}});
   for (const InkPart& part : parts) pieces.push_back({part.from, part.to, false, EdgeKind{}, 0, {0, 0}});
-  const std::vector<Cover> covers = find_covers(pieces, tolerance, least);
+  const std::vector<Cover> covers = find_covers(pieces, tolerance, min);
   pieces = std::vector<Piece>();  // so that so many are hardly ever there twice
   DividedInk divided;
   std::size_t next = static_cast<std::size_t>(
@@ -116,14 +116,14 @@ DividedInk divide_by(const std::vector<InkPart>& parts, const std::vector<InkPar
 std::vector<InkPart> those_near(const std::vector<InkPart>& others, const std::vector<InkPart>& parts,
                                 double tolerance) {
   constexpr int cells = 256;  // a side
-  Vec2 least(HUGE_VAL), most(-HUGE_VAL);
+  Vec2 min(HUGE_VAL), max(-HUGE_VAL);
   for (const InkPart& part : parts) {
-    least = glm::min(least, glm::min(part.from, part.to));
-    most = glm::max(most, glm::max(part.from, part.to));
+    min = glm::min(min, glm::min(part.from, part.to));
+    max = glm::max(max, glm::max(part.from, part.to));
   }
-  least -= tolerance;
-  most += tolerance;
-  const CellGrid grid{least, (most - least) / double(cells), cells, cells};
+  min -= tolerance;
+  max += tolerance;
+  const CellGrid grid{min, (max - min) / double(cells), cells, cells};
   std::vector<char> used(static_cast<std::size_t>(grid.count()));
   const auto visit = [&](const InkPart& part, const auto& see) {
     visit_cells(grid, part.from, part.to, tolerance,

@@ -105,14 +105,14 @@ std::string edges_of(const std::vector<InkPart>& parts, const Picture& picture) 
 }
 
 void finish(DifferingLine& line, std::vector<Vec2> free, const Picture& picture) {
-  line.least = Vec2(HUGE_VAL);
-  line.most = Vec2(-HUGE_VAL);
+  line.min = Vec2(HUGE_VAL);
+  line.max = Vec2(-HUGE_VAL);
   line.length = 0;
   Vec2 first = line.parts.front().from;
   for (const InkPart& part : line.parts) {
     for (const Vec2& p : {part.from, part.to}) {
-      line.least = glm::min(line.least, p);
-      line.most = glm::max(line.most, p);
+      line.min = glm::min(line.min, p);
+      line.max = glm::max(line.max, p);
       if (comes_before(p, first)) first = p;
     }
     line.length += length_of(part);

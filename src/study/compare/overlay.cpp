@@ -54,21 +54,21 @@ class LookLayers {
   // So that the letters fill their box; of the ways along the page and up it the one that has its proportions.
   void add_text(const PictureText& text) {
     if (!lettering_) lettering_.emplace();
-    Vec2 least(HUGE_VAL), most(-HUGE_VAL);
+    Vec2 min(HUGE_VAL), max(-HUGE_VAL);
     for (const GlyphOutline& glyph : lettering_->outlines(text.words, 1))
       for (const GlyphOutline::Curve& curve : glyph.curves)
         for (const Vec2& p : {curve.control, curve.end}) {
-          least = glm::min(least, p);
-          most = glm::max(most, p);
+          min = glm::min(min, p);
+          max = glm::max(max, p);
         }
-    const Vec2 size = text.most - text.least, letters_size = most - least;
+    const Vec2 size = text.max - text.min, letters_size = max - min;
     if (!(letters_size.x > 0 && letters_size.y > 0)) return;
     const bool upright = std::abs(size.x * letters_size.x - size.y * letters_size.y) <
                          std::abs(size.x * letters_size.y - size.y * letters_size.x);
     const double height = (upright ? size.y : size.x) / letters_size.x;
-    const Vec2 corner = upright ? Vec2(-most.y, least.x) : least;
+    const Vec2 corner = upright ? Vec2(-max.y, min.x) : min;
     layer({border_width, {}})
-        .texts.push_back({text.words, text.least + shift_ - height * corner, height, upright ? 90.0 : 0.0});
+        .texts.push_back({text.words, text.min + shift_ - height * corner, height, upright ? 90.0 : 0.0});
   }
 
   void add_legend(double x) {

@@ -35,7 +35,7 @@ struct PicturePiece {
 
 struct PictureText {
   std::string words;  ///< UTF-8
-  Vec2 least, most;   ///< box of the outlines of its letters with their control points, mm
+  Vec2 min, max;      ///< box of the outlines of its letters with their control points, mm
   int view;
 };
 

@@ -21,7 +21,7 @@ constexpr double farthest = 10 * longest_side;
 constexpr const char* is_it_ours = "is it a drawing of epura?";
 
 [[noreturn]] void refuse(const std::string& where, const std::string& what, const std::string& hint) {
-  throw Error(Trouble::input, where, what, hint);
+  throw Error(ErrorKind::input, where, what, hint);
 }
 
 }  // namespace
@@ -80,8 +80,8 @@ void PictureMaker::add(const PicturePiece& piece) {
 }
 
 void PictureMaker::add(const PictureText& text) {
-  expect_on_paper(text.least);
-  expect_on_paper(text.most);
+  expect_on_paper(text.min);
+  expect_on_paper(text.max);
   picture_.texts.push_back(text);
 }
 

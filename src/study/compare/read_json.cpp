@@ -39,7 +39,7 @@ struct Place {
 
   [[noreturn]] void refuse(const std::string& what) const {
     const std::string in = list == nullptr ? "" : list + ("[" + std::to_string(item) + "]: ");
-    throw Error(Trouble::input, file, in + key + " " + what, "it has to be drawing JSON that epura wrote");
+    throw Error(ErrorKind::input, file, in + key + " " + what, "it has to be drawing JSON that epura wrote");
   }
   [[nodiscard]] bool has(const char* name) const { return value.IsObject() && value.HasMember(name); }
   [[nodiscard]] Place at(const char* name) const {
@@ -48,13 +48,13 @@ struct Place {
   }
   [[nodiscard]] Place at(unsigned i) const { return {value[i], file, key, key, i}; }
   [[nodiscard]] unsigned items() const {
-    if (!value.IsArray()) refuse("is no list");
+    if (!value.IsArray()) refuse("is not a list");
     return value.Size();
   }
   [[nodiscard]] Vec2 point() const {
     const bool pair = value.IsArray() && value.Size() == 2;
     const auto x = pair ? number_in(value[0]) : std::nullopt, y = pair ? number_in(value[1]) : std::nullopt;
-    if (!x || !y) refuse("is no point");
+    if (!x || !y) refuse("is not a point");
     return {*x, *y};
   }
   [[nodiscard]] std::string text() const {
@@ -133,7 +133,7 @@ Picture picture_of_json(std::string_view bytes, const std::string& where) {
   JsonDocument document;
   document.Parse<flags>(bytes.data(), bytes.size());
   if (document.HasParseError())
-    throw Error(Trouble::input, where,
+    throw Error(ErrorKind::input, where,
                 "is no JSON: " + std::string(rapidjson::GetParseError_En(document.GetParseError())) + " (byte " +
                     std::to_string(document.GetErrorOffset()) + ")");
   const Place root{document, where};

@@ -66,7 +66,7 @@ class PdfReader {
 
  private:
   [[noreturn]] void refuse(const std::string& what) const {
-    throw Error(Trouble::input, where_, what, "epura compares PDF files that it wrote itself");
+    throw Error(ErrorKind::input, where_, what, "epura compares PDF files that it wrote itself");
   }
 
   [[nodiscard]] std::string name_of_layer(const std::string& property) const {

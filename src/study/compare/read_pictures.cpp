@@ -28,7 +28,7 @@ int number_of_look(std::vector<PictureLook>& looks, const PictureLook& look) { r
 PictureFile read_pictures(const std::filesystem::path& path) {
   const std::vector<std::string> known = {".json", ".svg", ".pdf"};
   if (std::find(known.begin(), known.end(), to_lower(path.extension().string())) == known.end())
-    throw Error(Trouble::input, path.string(), "is no drawing that can be compared",
+    throw Error(ErrorKind::input, path.string(), "is not a drawing that can be compared",
                 "epura compares its .json, .svg and .pdf files");
   return pictures_of(read_file(path), path);
 }

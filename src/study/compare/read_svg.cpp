@@ -52,7 +52,7 @@ class SvgReader {
     const pugi::xml_parse_result result =
         document.load_buffer(bytes_.data(), bytes_.size(), pugi::parse_default | pugi::parse_ws_pcdata_single);
     if (!result)
-      throw Error(Trouble::input, where_,
+      throw Error(ErrorKind::input, where_,
                   "is no XML: " + std::string(result.description()) + " (byte " + std::to_string(result.offset) + ")");
     const pugi::xml_node svg = document.child("svg");
     if (!svg) refuse("is no SVG");
@@ -71,7 +71,7 @@ class SvgReader {
 
  private:
   [[noreturn]] void refuse(const std::string& what) const {
-    throw Error(Trouble::input, where_, what, "epura compares SVG files that epura wrote");
+    throw Error(ErrorKind::input, where_, what, "epura compares SVG files that epura wrote");
   }
 
   void read_element(const pugi::xml_node& element, const Context& parent) {
@@ -186,8 +186,8 @@ class SvgReader {
   void add_text(const std::string& words, const Context& context, const std::vector<Vec2>& outline) {
     PictureText text{written(words), Vec2(HUGE_VAL), Vec2(-HUGE_VAL), picture_.view(context.view)};
     for (const Vec2& p : outline) {
-      text.least = glm::min(text.least, on_page(context, p));
-      text.most = glm::max(text.most, on_page(context, p));
+      text.min = glm::min(text.min, on_page(context, p));
+      text.max = glm::max(text.max, on_page(context, p));
     }
     if (!outline.empty()) picture_.add(text);  // blanks are not seen
   }

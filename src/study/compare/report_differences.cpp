@@ -18,11 +18,11 @@ std::string place(const Vec2& p) { return "(" + format_fixed(p.x, 3) + ", " + fo
 
 // The first few edges of a list.
 std::string edges_in_words(const std::string& origin) {
-  constexpr std::size_t most = 3;
+  constexpr std::size_t max = 3;
   const auto edges = split(origin, ' ');
   std::string text = edges.size() == 1 ? ", edge" : ", edges";
-  for (std::size_t i = 0; i < std::min(edges.size(), most); ++i) text.append(" ").append(edges[i]);
-  return edges.size() > most ? text + " and " + std::to_string(edges.size() - most) + " more" : text;
+  for (std::size_t i = 0; i < std::min(edges.size(), max); ++i) text.append(" ").append(edges[i]);
+  return edges.size() > max ? text + " and " + std::to_string(edges.size() - max) + " more" : text;
 }
 
 std::string line_in_words(const Difference& d) {

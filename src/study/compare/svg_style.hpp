@@ -39,7 +39,7 @@ SvgStyle style_of(const pugi::xml_node& element, const SvgStyle& parent, const S
 /// "#1f7a3d", also of the short form and of nothing, which is black. Other words stay as they are.
 std::string svg_colour(std::string_view text);
 
-/// Numbers with spaces or commas between them; empty for "none" and what is no list of numbers.
+/// Numbers with spaces or commas between them; empty for "none" and what is not a list of numbers.
 std::vector<double> svg_numbers(std::string_view text);
 
 }  // namespace epura

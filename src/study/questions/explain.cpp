@@ -16,14 +16,14 @@ constexpr std::size_t most_named = 5;
 constexpr double steps_of_coincidence = 2;
 
 struct Storyteller {
-  const DrawnView& drawn_view;
-  const DrawnEdge& edge;
+  const ExplainInput& drawn_view;
+  const FeatureEdge& edge;
   Subject subject;
 
   [[nodiscard]] Vec2 place(double s) const { return place_on_paper(drawn_view.view, drawn_view.paper, edge, s); }
   [[nodiscard]] std::string in_space(double s) const { return in_words(parameter_in_space(drawn_view.view, edge, s)); }
 
-  [[nodiscard]] std::string story(const Span& span, const std::vector<Hider>& hiders) const {
+  [[nodiscard]] std::string story(const Span& span, const std::vector<Occlusion>& hiders) const {
     std::string text = std::string("  ") + (span.visible ? "visible" : "hidden ") + " t " + in_space(span.from) +
                        " to " + in_space(span.to) + ", " + in_words(place(span.from)) + " to " +
                        in_words(place(span.to)) + " mm\n";
@@ -31,10 +31,10 @@ struct Storyteller {
     return text + ink_of(span);
   }
 
-  [[nodiscard]] std::string hidden_by(const Span& span, const std::vector<Hider>& hiders) const {
+  [[nodiscard]] std::string hidden_by(const Span& span, const std::vector<Occlusion>& hiders) const {
     std::string text;
     std::size_t count = 0;
-    for (const Hider& hider : hiders) {
+    for (const Occlusion& hider : hiders) {
       std::string parts;
       for (const auto& [begin, end] : hider.parts) {
         const double from = std::max(begin, span.from);
@@ -72,17 +72,17 @@ struct Storyteller {
     for (const Segment& segment : drawn_view.drawing.segments) {
       const bool own = segment.visible == span.visible && is_own(segment);
       const double tolerance = steps_of_coincidence * limits.tolerance;
-      const auto part = covered_part(line, segment.from, segment.to, tolerance, own ? 0 : limits.least);
+      const auto part = covered_part(line, segment.from, segment.to, tolerance, own ? 0 : limits.min);
       if (!(part[0] < part[1])) continue;
       if (own)
         add_span(inked, part);
       else
         others.push_back(over(line, part) + name_of(segment));
     }
-    if (covers(inked, limits.least, line.length - limits.least)) return "";
+    if (covers(inked, limits.min, line.length - limits.min)) return "";
     std::string text;
     for (const std::string& other : others) text += "    no ink " + other + " is drawn there\n";
-    return text.empty() ? "    no ink: shorter than " + in_words(limits.least) + " mm\n" : text;
+    return text.empty() ? "    no ink: shorter than " + in_words(limits.min) + " mm\n" : text;
   }
 
   [[nodiscard]] static std::string over(const Ruler& line, const std::array<double, 2>& part) {
@@ -107,14 +107,14 @@ struct Storyteller {
 
 }  // namespace
 
-std::string explain(const DrawnView& drawn_view, const TriangleBoxes& boxes, const Subject& subject) {
+std::string explain(const ExplainInput& drawn_view, const TriangleBoxes& boxes, const Subject& subject) {
   const auto ends = ends_of(drawn_view, subject);
   std::string text = name_of(drawn_view, subject) + " of " + drawn_view.world.models[subject.model].mesh->report.name +
                      ", " + in_words(ends[0]) + " to " + in_words(ends[1]) + "\n  " + reason_of(drawn_view, subject) +
                      "\n";
   if (subject.drawn < 0) return text;
   const Storyteller teller{drawn_view, drawn_view.drawn.edges[subject.drawn], subject};
-  const std::vector<Hider> hiders = find_hiders(drawn_view, boxes, subject.drawn);
+  const std::vector<Occlusion> hiders = find_hiders(drawn_view, boxes, subject.drawn);
   for (const Span& span : spans_of(drawn_view.hidden, subject.drawn)) text += teller.story(span, hiders);
   return text;
 }

@@ -11,6 +11,6 @@ namespace epura {
 
 /// Lines of text: why the edge is drawn or not, its spans, what hides each, and whose ink lies on it. Angles in
 /// degrees, places on the page in mm, t along the edge in space as in JSON, distances in the world's unit.
-std::string explain(const DrawnView& drawn_view, const TriangleBoxes& boxes, const Subject& subject);
+std::string explain(const ExplainInput& drawn_view, const TriangleBoxes& boxes, const Subject& subject);
 
 }  // namespace epura

@@ -52,8 +52,8 @@ std::optional<EdgeQuestion> parse(std::string_view text) {
 }
 
 // Drawn edges stand in the order of models and their edges.
-int drawn_number(const DrawnEdges& drawn, int model, int mesh_edge) {
-  const auto found = std::find_if(drawn.edges.begin(), drawn.edges.end(), [&](const DrawnEdge& edge) {
+int drawn_number(const FeatureEdges& drawn, int model, int mesh_edge) {
+  const auto found = std::find_if(drawn.edges.begin(), drawn.edges.end(), [&](const FeatureEdge& edge) {
     return edge.model == model && edge.mesh_edge == mesh_edge;
   });
   return found == drawn.edges.end() ? -1 : static_cast<int>(found - drawn.edges.begin());
@@ -74,23 +74,23 @@ std::string edges_at(const Mesh& mesh, int vertex) {
 const Mesh& checked_model(const World& world, int model) {
   const int count = static_cast<int>(world.models.size());
   if (model >= count)
-    throw Error(Trouble::input, option, "there is no model " + std::to_string(model),
+    throw Error(ErrorKind::input, option, "there is no model " + std::to_string(model),
                 count == 1 ? "the only model is 0" : "models are 0 to " + std::to_string(count - 1));
   return *world.models[model].mesh;
 }
 
-std::vector<Subject> find(const DrawnView& drawn_view, const ByVertices& wanted) {
+std::vector<Subject> find(const ExplainInput& drawn_view, const ByVertices& wanted) {
   const Mesh& mesh = checked_model(drawn_view.world, wanted.model);
   for (const int vertex : wanted.vertex)
     if (vertex >= mesh.report.vertices)
-      throw Error(Trouble::input, option, mesh.report.name + " has no vertex " + std::to_string(vertex),
+      throw Error(ErrorKind::input, option, mesh.report.name + " has no vertex " + std::to_string(vertex),
                   "its vertices are 0 to " + std::to_string(mesh.report.vertices - 1));
   const auto edge = std::find_if(mesh.edges.begin(), mesh.edges.end(), [&](const MeshEdge& e) {
     const EdgeOrigin origin = mesh.origin_of(e);
     return origin.in_file && origin.vertex == wanted.vertex;
   });
   if (edge == mesh.edges.end())
-    throw Error(Trouble::input, option,
+    throw Error(ErrorKind::input, option,
                 "no edge of " + mesh.report.name + " joins vertices " + std::to_string(wanted.vertex[0]) + " and " +
                     std::to_string(wanted.vertex[1]),
                 edges_at(mesh, wanted.vertex[0]) + "; " + edges_at(mesh, wanted.vertex[1]));
@@ -98,7 +98,7 @@ std::vector<Subject> find(const DrawnView& drawn_view, const ByVertices& wanted)
   return {{wanted.model, number, drawn_number(drawn_view.drawn, wanted.model, number)}};
 }
 
-std::vector<Subject> find(const DrawnView& drawn_view, const ByFaces& wanted) {
+std::vector<Subject> find(const ExplainInput& drawn_view, const ByFaces& wanted) {
   for (const FaceName& face : wanted.faces) checked_model(drawn_view.world, face[0]);
   std::vector<Subject> subjects;
   for (std::size_t e = 0; e < drawn_view.drawn.edges.size(); ++e) {
@@ -109,7 +109,7 @@ std::vector<Subject> find(const DrawnView& drawn_view, const ByFaces& wanted) {
   }
   if (subjects.empty())
     throw Error(
-        Trouble::input, option,
+        ErrorKind::input, option,
         "no intersection line of faces " + name_of(wanted.faces[0]) + " and " + name_of(wanted.faces[1]) + " is drawn",
         "'--dump edges' lists those that are");
   return subjects;
@@ -122,14 +122,14 @@ double distance(const Vec2& p, const Vec2& a, const Vec2& b) {
   return glm::distance(p, a + s * along);
 }
 
-std::vector<Subject> find(const DrawnView& drawn_view, const ByPlace& wanted) {
-  const std::vector<DrawnEdge>& edges = drawn_view.drawn.edges;
+std::vector<Subject> find(const ExplainInput& drawn_view, const ByPlace& wanted) {
+  const std::vector<FeatureEdge>& edges = drawn_view.drawn.edges;
   std::vector<std::pair<double, std::size_t>> near;
   for (std::size_t e = 0; e < edges.size(); ++e)
     near.emplace_back(distance(wanted.place, place_on_paper(drawn_view.view, drawn_view.paper, edges[e], 0),
                                place_on_paper(drawn_view.view, drawn_view.paper, edges[e], 1)),
                       e);
-  if (near.empty()) throw Error(Trouble::input, option, "nothing is drawn");
+  if (near.empty()) throw Error(ErrorKind::input, option, "nothing is drawn");
   const std::size_t count = std::min(nearest_edges, near.size());
   std::partial_sort(near.begin(), near.begin() + count, near.end());
   std::vector<Subject> subjects;
@@ -141,11 +141,11 @@ std::vector<Subject> find(const DrawnView& drawn_view, const ByPlace& wanted) {
 
 EdgeQuestion parse_edge_question(std::string_view text) {
   if (const auto question = parse(text)) return *question;
-  throw Error(Trouble::input, option, "'" + std::string(text) + "' names no edge",
+  throw Error(ErrorKind::input, option, "'" + std::string(text) + "' names no edge",
               "[MODEL:]VERTEX-VERTEX as in JSON, MODEL:FACExMODEL:FACE or @X,Y in mm of the page");
 }
 
-std::vector<Subject> find_subjects(const DrawnView& drawn_view, const EdgeQuestion& question) {
+std::vector<Subject> find_subjects(const ExplainInput& drawn_view, const EdgeQuestion& question) {
   return std::visit([&](const auto& wanted) { return find(drawn_view, wanted); }, question);
 }
 

@@ -15,12 +15,12 @@ constexpr std::size_t grain = 4096;
 
 // Vertices lie within a cell of the page grid of their place.
 template <class Vertices>
-Window box_of(const View& view, const Vertices& vertices) {
+Window box_of(const ProjectedScene& view, const Vertices& vertices) {
   Window box{Vec2(HUGE_VAL), Vec2(-HUGE_VAL)};
   for (const int v : vertices) {
     const Vec2 place(view.vertices[v].x, view.vertices[v].y);
-    box.least = glm::min(box.least, place - view.cell);
-    box.most = glm::max(box.most, place + view.cell);
+    box.min = glm::min(box.min, place - view.cell);
+    box.max = glm::max(box.max, place + view.cell);
   }
   return box;
 }
@@ -35,7 +35,7 @@ std::vector<Window> boxes(std::size_t count, Make make) {
 }
 
 // How far a triangle lies in front of a point, along the line of sight through it; 0 where that runs in its plane.
-double ahead_of(const DrawnView& drawn_view, int triangle, const Vec3& point) {
+double ahead_of(const ExplainInput& drawn_view, int triangle, const Vec3& point) {
   const Projection& projection = drawn_view.view.projection;
   const Vec3 sight = glm::normalize(projection.central ? projection.projector - point : projection.projector);
   const auto& corners = drawn_view.world.triangles[triangle];
@@ -47,7 +47,7 @@ double ahead_of(const DrawnView& drawn_view, int triangle, const Vec3& point) {
 
 }  // namespace
 
-TriangleBoxes::TriangleBoxes(const View& view) {
+TriangleBoxes::TriangleBoxes(const ProjectedScene& view) {
   levels_.push_back(
       boxes(view.triangles.size(), [&](std::size_t i) { return box_of(view, view.triangles[i].vertex); }));
   while (levels_.back().size() > run) {
@@ -55,22 +55,22 @@ TriangleBoxes::TriangleBoxes(const View& view) {
     levels_.push_back(boxes((below.size() + run - 1) / run, [&](std::size_t i) {
       Window box = below[i * run];
       for (std::size_t j = i * run; j < std::min((i + 1) * run, below.size()); ++j) {
-        box.least = glm::min(box.least, below[j].least);
-        box.most = glm::max(box.most, below[j].most);
+        box.min = glm::min(box.min, below[j].min);
+        box.max = glm::max(box.max, below[j].max);
       }
       return box;
     }));
   }
 }
 
-std::vector<Hider> find_hiders(const DrawnView& drawn_view, const TriangleBoxes& boxes, std::size_t e) {
-  const View& view = drawn_view.view;
-  const DrawnEdge& edge = drawn_view.drawn.edges[e];
-  const Sightline line{edge.vertex[0], edge.vertex[1]};
+std::vector<Occlusion> find_hiders(const ExplainInput& drawn_view, const TriangleBoxes& boxes, std::size_t e) {
+  const ProjectedScene& view = drawn_view.view;
+  const FeatureEdge& edge = drawn_view.drawn.edges[e];
+  const PageEdge line{edge.vertex[0], edge.vertex[1]};
   const auto ends = ends_of(drawn_view, drawn_subject(drawn_view, e));
 
   const OwnTriangles own(drawn_view.world, drawn_view.drawn, edge);
-  std::map<FaceName, Hider> found;
+  std::map<FaceName, Occlusion> found;
   boxes.meeting(box_of(view, edge.vertex), [&](int number) {
     const ViewTriangle& triangle = view.triangles[number];
     const auto& [i, j, k] = triangle.vertex;
@@ -82,14 +82,15 @@ std::vector<Hider> find_hiders(const DrawnView& drawn_view, const TriangleBoxes&
     const double t = parameter_in_space(view, edge, ((*part)[0] + (*part)[1]) / 2);
     const double ahead = ahead_of(drawn_view, triangle.source, ends[0] + t * (ends[1] - ends[0]));
     const FaceName face = face_of(drawn_view.world, triangle.source);
-    Hider& hider = found.try_emplace(face, Hider{face, {}, ahead}).first->second;
+    Occlusion& hider = found.try_emplace(face, Occlusion{face, {}, ahead}).first->second;
     add_span(hider.parts, *part);
     hider.ahead = std::min(hider.ahead, ahead);
   });
 
-  std::vector<Hider> hiders;
+  std::vector<Occlusion> hiders;
   for (auto& [face, hider] : found) hiders.push_back(std::move(hider));
-  std::stable_sort(hiders.begin(), hiders.end(), [](const Hider& a, const Hider& b) { return a.ahead < b.ahead; });
+  std::stable_sort(hiders.begin(), hiders.end(),
+                   [](const Occlusion& a, const Occlusion& b) { return a.ahead < b.ahead; });
   return hiders;
 }
 

@@ -11,7 +11,7 @@
 namespace epura {
 
 /// A face that hides parts of an edge.
-struct Hider {
+struct Occlusion {
   FaceName face;
   Spans parts;   ///< page parameters of the edge
   double ahead;  ///< how far in front, along the line of sight: the least over the middles of its triangles' parts
@@ -20,7 +20,7 @@ struct Hider {
 /// Finds the triangles of a view that meet a box of the page: a tree of boxes over runs of triangles, in their order.
 class TriangleBoxes {
  public:
-  explicit TriangleBoxes(const View& view);
+  explicit TriangleBoxes(const ProjectedScene& view);
 
   /// Calls `visit(triangle)` for all triangles of the view whose boxes meet `box`, in order.
   template <class Visit>
@@ -32,7 +32,7 @@ class TriangleBoxes {
   static constexpr std::size_t run = 16;
 
   static bool meet(const Window& a, const Window& b) {
-    return a.least.x <= b.most.x && b.least.x <= a.most.x && a.least.y <= b.most.y && b.least.y <= a.most.y;
+    return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
   }
 
   template <class Visit>
@@ -48,6 +48,6 @@ class TriangleBoxes {
 };
 
 /// The faces that hide parts of the e-th drawn edge, the nearest to it first.
-std::vector<Hider> find_hiders(const DrawnView& drawn_view, const TriangleBoxes& boxes, std::size_t e);
+std::vector<Occlusion> find_hiders(const ExplainInput& drawn_view, const TriangleBoxes& boxes, std::size_t e);
 
 }  // namespace epura

@@ -10,25 +10,25 @@ namespace epura {
 
 namespace {
 
-const Mesh& mesh_of(const DrawnView& drawn_view, const Subject& subject) {
+const Mesh& mesh_of(const ExplainInput& drawn_view, const Subject& subject) {
   return *drawn_view.world.models[subject.model].mesh;
 }
 
-std::optional<EdgeKind> kind_under(const DrawnView& drawn_view, const Subject& subject, const EdgeWishes& wishes) {
+std::optional<EdgeKind> kind_under(const ExplainInput& drawn_view, const Subject& subject, const EdgeOptions& wishes) {
   return feature_edges(drawn_view.world, drawn_view.view, subject.model, wishes)[subject.mesh_edge];
 }
 
-std::string fold_of(const DrawnView& drawn_view, const Subject& subject, bool crease) {
+std::string fold_of(const ExplainInput& drawn_view, const Subject& subject, bool crease) {
   const std::string faces = names_of(faces_at(drawn_view, subject));
   const auto angle = angle_at(drawn_view, subject);
   if (!angle) return faces + " meet here";
-  const double least = drawn_view.wishes.crease_angle;
+  const double min = drawn_view.wishes.crease_angle;
   const std::string text = faces + " turn by " + in_words(*angle) + " degrees";
-  if (crease != (*angle >= least)) return text + ", measured across slivers it is otherwise";
-  return text + "; a crease turns by " + in_words(least) + " or more";
+  if (crease != (*angle >= min)) return text + ", measured across slivers it is otherwise";
+  return text + "; a crease turns by " + in_words(min) + " or more";
 }
 
-std::string reason_for(const DrawnView& drawn_view, const Subject& subject, EdgeKind kind) {
+std::string reason_for(const ExplainInput& drawn_view, const Subject& subject, EdgeKind kind) {
   const std::string faces = names_of(faces_at(drawn_view, subject));
   switch (kind) {
     case EdgeKind::contour:
@@ -44,10 +44,10 @@ std::string reason_for(const DrawnView& drawn_view, const Subject& subject, Edge
   }
 }
 
-std::string reason_not_drawn(const DrawnView& drawn_view, const Subject& subject) {
+std::string reason_not_drawn(const ExplainInput& drawn_view, const Subject& subject) {
   if (const auto kind = kind_under(drawn_view, subject, drawn_view.wishes))
     return "a " + std::string(name_of(*kind)) + ", but outside of what is drawn";
-  const EdgeWishes all{.smooth = true, .crease_angle = drawn_view.wishes.crease_angle};
+  const EdgeOptions all{.smooth = true, .crease_angle = drawn_view.wishes.crease_angle};
   const auto kind = kind_under(drawn_view, subject, all);
   if (kind && is_within_surface(*kind)) return reason_for(drawn_view, subject, *kind);
   if (kind) return std::string(name_of(*kind)) + " edges are not wanted; " + reason_for(drawn_view, subject, *kind);
@@ -58,18 +58,18 @@ std::string reason_not_drawn(const DrawnView& drawn_view, const Subject& subject
 
 }  // namespace
 
-std::optional<double> angle_at(const DrawnView& drawn_view, const Subject& subject) {
+std::optional<double> angle_at(const ExplainInput& drawn_view, const Subject& subject) {
   if (subject.mesh_edge < 0) return drawn_view.drawn.crossings[drawn_view.drawn.edges[subject.drawn].crossing].angle;
   const Mesh& mesh = mesh_of(drawn_view, subject);
   const MeshEdge& edge = mesh.edges[subject.mesh_edge];
   if (edge.count != 2) return std::nullopt;
   const auto both = mesh.triangles_of(edge);
   const int first = drawn_view.world.first_vertex[subject.model];
-  return fold_angle({drawn_view.world, subject.model, drawn_view.view.map.shrink},
+  return fold_angle({drawn_view.world, subject.model, drawn_view.view.map.scale_exponent},
                     {first + edge.vertex[0], first + edge.vertex[1]}, both[0], both[1]);
 }
 
-std::string reason_of(const DrawnView& drawn_view, const Subject& subject) {
+std::string reason_of(const ExplainInput& drawn_view, const Subject& subject) {
   if (subject.drawn < 0) return "not drawn: " + reason_not_drawn(drawn_view, subject);
   const EdgeKind kind = drawn_view.drawn.edges[subject.drawn].kind;
   return "drawn as " + std::string(name_of(kind)) + ": " + reason_for(drawn_view, subject, kind);

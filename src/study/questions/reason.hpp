@@ -10,9 +10,9 @@
 namespace epura {
 
 /// Degrees by which the two triangles at an edge turn, or at which faces cross; nothing for other numbers of triangles.
-std::optional<double> angle_at(const DrawnView& drawn_view, const Subject& subject);
+std::optional<double> angle_at(const ExplainInput& drawn_view, const Subject& subject);
 
 /// One line, such as "drawn as crease: faces 0:1 and 0:2 turn by 90 degrees; a crease turns by 30 or more".
-std::string reason_of(const DrawnView& drawn_view, const Subject& subject);
+std::string reason_of(const ExplainInput& drawn_view, const Subject& subject);
 
 }  // namespace epura

@@ -10,7 +10,7 @@ FaceName face_of(const World& world, int triangle) {
   return {model, world.models[model].mesh->polygon[triangle - world.first_triangle[model]]};
 }
 
-std::vector<FaceName> faces_at(const DrawnView& drawn_view, const Subject& subject) {
+std::vector<FaceName> faces_at(const ExplainInput& drawn_view, const Subject& subject) {
   const World& world = drawn_view.world;
   std::vector<FaceName> faces;
   if (subject.mesh_edge < 0) {
@@ -28,7 +28,7 @@ std::vector<FaceName> faces_at(const DrawnView& drawn_view, const Subject& subje
 
 std::string name_of(const FaceName& face) { return std::to_string(face[0]) + ":" + std::to_string(face[1]); }
 
-std::string name_of(const DrawnView& drawn_view, const Subject& subject) {
+std::string name_of(const ExplainInput& drawn_view, const Subject& subject) {
   if (subject.mesh_edge < 0) {
     const std::vector<FaceName> faces = faces_at(drawn_view, subject);
     return name_of(faces[0]) + "x" + name_of(faces[1]);
@@ -47,7 +47,7 @@ std::string names_of(const std::vector<FaceName>& faces) {
   return text;
 }
 
-std::array<Vec3, 2> ends_of(const DrawnView& drawn_view, const Subject& subject) {
+std::array<Vec3, 2> ends_of(const ExplainInput& drawn_view, const Subject& subject) {
   const World& world = drawn_view.world;
   if (subject.mesh_edge < 0) return drawn_view.drawn.crossings[drawn_view.drawn.edges[subject.drawn].crossing].ends;
   const Mesh& mesh = *world.models[subject.model].mesh;
@@ -56,8 +56,8 @@ std::array<Vec3, 2> ends_of(const DrawnView& drawn_view, const Subject& subject)
   return {world.points[first + a], world.points[first + b]};
 }
 
-Subject drawn_subject(const DrawnView& drawn_view, std::size_t e) {
-  const DrawnEdge& edge = drawn_view.drawn.edges[e];
+Subject drawn_subject(const ExplainInput& drawn_view, std::size_t e) {
+  const FeatureEdge& edge = drawn_view.drawn.edges[e];
   return {edge.model, edge.mesh_edge, static_cast<int>(e)};
 }
 

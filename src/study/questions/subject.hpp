@@ -9,14 +9,14 @@
 #include <string>
 #include <vector>
 
-#include "study/questions/drawn_view.hpp"
+#include "study/questions/explain_input.hpp"
 
 namespace epura {
 
 struct Subject {
   int model;
   int mesh_edge;  ///< in its model; -1 for an intersection line
-  int drawn;      ///< in DrawnEdges::edges; -1 where no part of it is drawn
+  int drawn;      ///< in FeatureEdges::edges; -1 where no part of it is drawn
 };
 
 /// A face of a file: the number of its model, and its own.
@@ -26,18 +26,18 @@ using FaceName = std::array<int, 2>;
 FaceName face_of(const World& world, int triangle);
 
 /// The faces of the file that meet in an edge, each once, or that cross in an intersection line.
-std::vector<FaceName> faces_at(const DrawnView& drawn_view, const Subject& subject);
+std::vector<FaceName> faces_at(const ExplainInput& drawn_view, const Subject& subject);
 
 std::string name_of(const FaceName& face);
-std::string name_of(const DrawnView& drawn_view, const Subject& subject);
+std::string name_of(const ExplainInput& drawn_view, const Subject& subject);
 /// A list in words: "face 0:1" or "faces 0:1, 0:2 and 0:3".
 std::string names_of(const std::vector<FaceName>& faces);
 
 /// The ends in the world.
-std::array<Vec3, 2> ends_of(const DrawnView& drawn_view, const Subject& subject);
+std::array<Vec3, 2> ends_of(const ExplainInput& drawn_view, const Subject& subject);
 
 /// The subject that is the e-th drawn edge.
-Subject drawn_subject(const DrawnView& drawn_view, std::size_t e);
+Subject drawn_subject(const ExplainInput& drawn_view, std::size_t e);
 
 /// A part of a drawn edge, as page parameters.
 struct Span {

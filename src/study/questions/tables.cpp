@@ -15,9 +15,9 @@ constexpr std::size_t grain = 64;
 
 std::string cells(const Vec2& p) { return format_number(p.x) + "\t" + format_number(p.y); }
 
-std::string row_of_edge(const DrawnView& drawn_view, std::size_t e) {
+std::string row_of_edge(const ExplainInput& drawn_view, std::size_t e) {
   const Subject subject = drawn_subject(drawn_view, e);
-  const DrawnEdge& edge = drawn_view.drawn.edges[e];
+  const FeatureEdge& edge = drawn_view.drawn.edges[e];
   const auto angle = angle_at(drawn_view, subject);
   std::string faces;
   for (const FaceName& face : faces_at(drawn_view, subject)) faces += (faces.empty() ? "" : ",") + name_of(face);
@@ -30,11 +30,11 @@ std::string row_of_edge(const DrawnView& drawn_view, std::size_t e) {
 }
 
 // How many faces hide a span, and the nearest to it over its middle.
-std::string hiders_of(const Span& span, const std::vector<Hider>& hiders) {
+std::string hiders_of(const Span& span, const std::vector<Occlusion>& hiders) {
   const double middle = (span.from + span.to) / 2;
   int count = 0;
-  const Hider* nearest = nullptr;
-  for (const Hider& hider : hiders) {
+  const Occlusion* nearest = nullptr;
+  for (const Occlusion& hider : hiders) {
     const auto meets = [&](const auto& part) { return part[0] < span.to && span.from < part[1]; };
     if (!std::any_of(hider.parts.begin(), hider.parts.end(), meets)) continue;
     ++count;
@@ -44,11 +44,11 @@ std::string hiders_of(const Span& span, const std::vector<Hider>& hiders) {
          (nearest == nullptr ? "-\t-" : name_of(nearest->face) + "\t" + format_number(nearest->ahead));
 }
 
-std::string rows_of_spans(const DrawnView& drawn_view, const TriangleBoxes& boxes, std::size_t e) {
-  const DrawnEdge& edge = drawn_view.drawn.edges[e];
+std::string rows_of_spans(const ExplainInput& drawn_view, const TriangleBoxes& boxes, std::size_t e) {
+  const FeatureEdge& edge = drawn_view.drawn.edges[e];
   const std::vector<Span> spans = spans_of(drawn_view.hidden, e);
   const bool hidden = std::any_of(spans.begin(), spans.end(), [](const Span& span) { return !span.visible; });
-  const std::vector<Hider> hiders = hidden ? find_hiders(drawn_view, boxes, e) : std::vector<Hider>{};
+  const std::vector<Occlusion> hiders = hidden ? find_hiders(drawn_view, boxes, e) : std::vector<Occlusion>{};
   const std::string name = name_of(drawn_view, drawn_subject(drawn_view, e)) + "\t" + std::string(name_of(edge.kind));
   std::string rows;
   for (const Span& span : spans)
@@ -78,12 +78,12 @@ std::string table(const std::string& header, std::size_t count, const Progress& 
 
 }  // namespace
 
-std::string edge_table(const DrawnView& drawn_view, const Progress& progress) {
+std::string edge_table(const ExplainInput& drawn_view, const Progress& progress) {
   return table("edge\tkind\tangle\tfaces\tx0\ty0\tx1\ty1\tlength\n", drawn_view.drawn.edges.size(), progress,
                [&](std::size_t e) { return row_of_edge(drawn_view, e); });
 }
 
-std::string span_table(const DrawnView& drawn_view, const TriangleBoxes& boxes, const Progress& progress) {
+std::string span_table(const ExplainInput& drawn_view, const TriangleBoxes& boxes, const Progress& progress) {
   return table("edge\tkind\tx0\ty0\tx1\ty1\tt0\tt1\tvisibility\thiders\tnearest\tahead\n",
                drawn_view.drawn.edges.size(), progress,
                [&](std::size_t e) { return rows_of_spans(drawn_view, boxes, e); });

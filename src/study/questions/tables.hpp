@@ -12,10 +12,10 @@
 namespace epura {
 
 /// edge, kind, angle (degrees, "-" where not two triangles meet), faces, ends on the page (mm), length in the world.
-std::string edge_table(const DrawnView& drawn_view, const Progress& progress = {});
+std::string edge_table(const ExplainInput& drawn_view, const Progress& progress = {});
 
 /// edge, kind, ends on the page (mm), t along the edge in space, visible or hidden, and of hidden spans how many faces
 /// hide them, which of those over its middle is the nearest to it, and how far it lies in front.
-std::string span_table(const DrawnView& drawn_view, const TriangleBoxes& boxes, const Progress& progress = {});
+std::string span_table(const ExplainInput& drawn_view, const TriangleBoxes& boxes, const Progress& progress = {});
 
 }  // namespace epura

@@ -65,7 +65,7 @@ Measured zigzag(const Lab& lab, double waves) {
     sheet.points.push_back({0.5 * i, 1, z});
     if (i > 0) sheet.faces.push_back({2 * i - 2, 2 * i, 2 * i + 1, 2 * i - 1});
   }
-  const EdgeWishes folds{.contour = true, .boundary = false, .crease = true, .intersection = false};
+  const EdgeOptions folds{.contour = true, .boundary = false, .crease = true, .intersection = false};
   return lengths(lab.draw(world_of(sheet), {orthographic({2, 0, 1})}, folds), waves, waves - 1);
 }
 

@@ -53,11 +53,11 @@ Matrix<F> composed_matrix(const Camera& camera, const ViewMap& map) {
   // Homogeneous 1 at the middle of the scene, in front of the viewer.
   const F distance = p.central ? glm::dot(Vector<F>(p.n), Vector<F>(p.projector) - Vector<F>(map.centre)) : F(1);
   const F at_centre = p.central ? -factor * distance : factor * glm::dot(Vector<F>(p.n), Vector<F>(p.projector));
-  const auto unit = static_cast<F>(p.scale * map.shrink);
+  const auto unit = static_cast<F>(p.scale * map.scale_exponent);
   const Row<F> w = glm::row(flat, 3) / at_centre;
   const Row<F> x = glm::row(flat, 0) / at_centre * unit - static_cast<F>(map.image.x) * w;
   const Row<F> y = glm::row(flat, 1) / at_centre * unit - static_cast<F>(map.image.y) * w;
-  const Row<F> z = orientation_row<F>(p.n, map.centre) * static_cast<F>(map.depth_of_n * map.shrink);
+  const Row<F> z = orientation_row<F>(p.n, map.centre) * static_cast<F>(map.depth_of_n * map.scale_exponent);
   return of_rows<F>(x, y, z, w);
 }
 
@@ -82,10 +82,10 @@ UnsetVector<Mapped> map_by_own(std::span<const Vec3> points, const ViewMap& map)
 
 // Homogeneous coordinates whose quotients stay in the range of doubles.
 bool is_sound(const Mapped& p) {
-  constexpr double most = 1e150;
+  constexpr double max = 1e150;
   const double largest = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
-  if (!std::isfinite(largest) || !std::isfinite(p.w) || largest > most) return false;
-  return !(p.w > 0) || largest / p.w < most;
+  if (!std::isfinite(largest) || !std::isfinite(p.w) || largest > max) return false;
+  return !(p.w > 0) || largest / p.w < max;
 }
 
 }  // namespace
@@ -104,11 +104,11 @@ UnsetVector<Mapped> map_points(std::span<const Vec3> points, const Camera& camer
   return map_by_own(points, map);
 }
 
-View view_by(const World& world, const Camera& camera, Arithmetic arithmetic) {
+ProjectedScene view_by(const World& world, const Camera& camera, Arithmetic arithmetic) {
   if (arithmetic == Arithmetic::own) return make_view(world, camera.projection, camera.limits);
   UnsetVector<Mapped> mapped = map_points(world.points, camera, world.box, arithmetic);
   if (!std::all_of(mapped.begin(), mapped.end(), is_sound))
-    throw Error(Trouble::input, "map", "a point leaves the range of numbers");
+    throw Error(ErrorKind::input, "map", "a point leaves the range of numbers");
   return make_view(world, camera.projection, camera.limits, std::move(mapped));
 }
 

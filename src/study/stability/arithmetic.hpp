@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "scene/scene.hpp"
-#include "view/view.hpp"
+#include "view/projected_scene.hpp"
 
 namespace epura::stability {
 
@@ -34,6 +34,6 @@ UnsetVector<Mapped> map_points(std::span<const Vec3> points, const Camera& camer
                                Arithmetic arithmetic);
 
 /// Throws Error{input} where a point leaves the range of the arithmetic, and as make_view does.
-View view_by(const World& world, const Camera& camera, Arithmetic arithmetic);
+ProjectedScene view_by(const World& world, const Camera& camera, Arithmetic arithmetic);
 
 }  // namespace epura::stability

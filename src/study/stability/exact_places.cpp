@@ -28,10 +28,10 @@ std::vector<int> corners_before_the_viewer(const Result& result) {
 using ExactPlace = std::array<Exact, 2>;
 
 // On the plane, but for a shift that is the same for all points; in units of the view.
-ExactPlace exact_place(const View& view, const Vec3& point) {
+ExactPlace exact_place(const ProjectedScene& view, const Vec3& point) {
   const Projection& p = view.projection;
   const Triple<Exact> x = triple<Exact>(point), q = triple<Exact>(p.projector), n = triple<Exact>(p.n);
-  const Exact unit = Exact(p.scale) * Exact(view.map.shrink);
+  const Exact unit = Exact(p.scale) * Exact(view.map.scale_exponent);
   ExactPlace place;
   for (int i = 0; i < 2; ++i) {
     const Triple<Exact> axis = triple<Exact>(i == 0 ? p.u : p.v);
@@ -46,7 +46,7 @@ ExactPlace exact_place(const View& view, const Vec3& point) {
 }  // namespace
 
 Quantity places(const Result& result, double allowed) {
-  const View& view = result.view;
+  const ProjectedScene& view = result.view;
   const std::vector<int> corners = corners_before_the_viewer(result);
   double worst = 0;
   if (!corners.empty()) {

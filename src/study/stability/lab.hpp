@@ -21,11 +21,11 @@ Projection perspective(const Vec3& eye, const Vec3& point, const Vec3& normal, c
 /// Everything that was computed on the way to a drawing, in model units: page = plane coordinates.
 struct Result {
   World world;
-  View view;
-  DrawnEdges drawn;
+  ProjectedScene view;
+  FeatureEdges drawn;
   Contact contact;
   HiddenSpans hidden;
-  Drawing drawing;
+  ViewDrawing drawing;
   double unit;  ///< model length of a unit on the page
   Condition condition;
 
@@ -56,7 +56,7 @@ struct Lab {
   Arithmetic arithmetic = Arithmetic::own;
   double size = 1;  ///< factor of the sizes of large scenes
 
-  [[nodiscard]] Result draw(World world, const Camera& camera, const EdgeWishes& wishes = {}) const;
+  [[nodiscard]] Result draw(World world, const Camera& camera, const EdgeOptions& wishes = {}) const;
   [[nodiscard]] HiddenLine hidden_of_line(const World& world, const Projection& projection, const Vec3& from,
                                           const Vec3& to) const;
 };

@@ -56,16 +56,16 @@ class StepAxis {
   [[nodiscard]] double place(double step) const {
     const double end = field_most.x - 2;
     if (logarithmic_ && step == 0) return field_least.x + 2;
-    if (!(most() > least_)) return (begin_ + end) / 2;
+    if (!(max() > least_)) return (begin_ + end) / 2;
     return begin_ + part(step) * (end - begin_);
   }
-  [[nodiscard]] double least() const { return least_; }
-  [[nodiscard]] double most() const { return steps_.back(); }
+  [[nodiscard]] double min() const { return least_; }
+  [[nodiscard]] double max() const { return steps_.back(); }
 
  private:
   [[nodiscard]] double part(double step) const {
-    if (logarithmic_) return (std::log10(step) - std::log10(least_)) / (std::log10(most()) - std::log10(least_));
-    if (least_ >= 0) return (step - least_) / (most() - least_);
+    if (logarithmic_) return (std::log10(step) - std::log10(least_)) / (std::log10(max()) - std::log10(least_));
+    if (least_ >= 0) return (step - least_) / (max() - least_);
     const auto before = std::lower_bound(steps_.begin(), steps_.end(), step) - steps_.begin();
     return static_cast<double>(before) / static_cast<double>(steps_.size() - 1);
   }
@@ -88,9 +88,9 @@ void add_field(Plot& plot, const Vec2& origin, const CaseReport& one, const Step
              Align::right);
   }
   const double below = field_least.y - 4.5;
-  add_text(plot, format_rounded(axis.least(), 3), origin + Vec2(axis.place(axis.least()), below), Align::middle);
-  if (axis.most() > axis.least())
-    add_text(plot, format_rounded(axis.most(), 3), origin + Vec2(axis.place(axis.most()), below), Align::right);
+  add_text(plot, format_rounded(axis.min(), 3), origin + Vec2(axis.place(axis.min()), below), Align::middle);
+  if (axis.max() > axis.min())
+    add_text(plot, format_rounded(axis.max(), 3), origin + Vec2(axis.place(axis.max()), below), Align::right);
   add_text(plot, one.parameter, origin + Vec2((field_least.x + field_most.x) / 2, below - 5), Align::middle);
   const FittedText title = fit_text(one.id + " " + one.what, field_most.x - field_least.x, 2.5, plot.lettering);
   for (std::size_t i = 0; i < title.lines.size(); ++i) {

@@ -107,7 +107,7 @@ Measured shifted_principal_point(const Lab& lab, double shift) {
   return measured;
 }
 
-double largest_change(const Drawing& a, const Drawing& b, double factor) {
+double largest_change(const ViewDrawing& a, const ViewDrawing& b, double factor) {
   if (a.segments.size() != b.segments.size()) return HUGE_VAL;
   double change = 0;
   for (std::size_t i = 0; i < a.segments.size(); ++i) {

@@ -22,8 +22,8 @@ struct Shape {
   [[nodiscard]] Shape scaled(double factor) const;
 };
 
-/// The box from `least` to `most`: 6 quadrilaterals, outward.
-Shape box(const Point& least, const Point& most);
+/// The box from `min` to `max`: 6 quadrilaterals, outward.
+Shape box(const Point& min, const Point& max);
 /// The unit cube of 12 triangles; `other` takes the other diagonal of every face.
 Shape triangulated_cube(bool other = false);
 /// The unit cube of 12 `cells` cells triangles; `other` takes the other diagonals.

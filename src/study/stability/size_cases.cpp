@@ -11,8 +11,8 @@ namespace epura::stability {
 namespace {
 
 // A number of parts at the size of the lab.
-int many(const Lab& lab, double number, int least) {
-  return std::max(least, static_cast<int>(std::lround(number * lab.size)));
+int many(const Lab& lab, double number, int min) {
+  return std::max(min, static_cast<int>(std::lround(number * lab.size)));
 }
 
 Measured strips(const Lab& lab, double n) { return strips_over_strips(lab, many(lab, n, 1), many(lab, n, 1), 0.3); }

@@ -67,11 +67,11 @@ double steepness(const std::array<Triple<N>, 3>& corners, const Sight<N>& sight)
 }
 
 struct DepthRange {
-  double least = HUGE_VAL, most = -HUGE_VAL;
+  double min = HUGE_VAL, max = -HUGE_VAL;
 
   void add(double depth) {
-    least = std::min(least, depth);
-    most = std::max(most, depth);
+    min = std::min(min, depth);
+    max = std::max(max, depth);
   }
 };
 
@@ -86,11 +86,11 @@ std::optional<bool> within_limits(const Sight<N>& sight, const DepthRange& c, do
   };
   if (sight.nearest) {
     const double limit = value_of(*sight.nearest);
-    if (!respect(limit - c.most, limit - c.least, error + error_of(*sight.nearest))) return false;
+    if (!respect(limit - c.max, limit - c.min, error + error_of(*sight.nearest))) return false;
   }
   if (sight.farthest) {
     const double limit = value_of(*sight.farthest);
-    if (!respect(c.least - limit, c.most - limit, error + error_of(*sight.farthest))) return false;
+    if (!respect(c.min - limit, c.max - limit, error + error_of(*sight.farthest))) return false;
   }
   return all ? std::optional(true) : std::nullopt;
 }
@@ -108,10 +108,10 @@ std::optional<Portion> portion_of(const Piece3& piece, const Sight<N>& sight, co
   DepthRange depth, c;
   double depth_error = 0;
   for (std::size_t i = 0; i < piece.polygon.count; ++i) {
-    const double along_ray = piece.polygon.corner[i].z, shrink = 1 - k * along_ray;
+    const double along_ray = piece.polygon.corner[i].z, scale_exponent = 1 - k * along_ray;
     c.add(along_ray);
-    depth.add(sight.depth * along_ray / shrink);
-    depth_error = std::max(depth_error, 2 * sight.depth * piece.moved / (shrink * shrink));
+    depth.add(sight.depth * along_ray / scale_exponent);
+    depth_error = std::max(depth_error, 2 * sight.depth * piece.moved / (scale_exponent * scale_exponent));
   }
   const std::optional<bool> seen = within_limits(sight, c, piece.moved);
   if (seen == false) return std::nullopt;
@@ -119,10 +119,10 @@ std::optional<Portion> portion_of(const Piece3& piece, const Sight<N>& sight, co
   // Corners are rounded to the page's grid, which moves depth by as much as the triangle is steep.
   const double joined_by = line ? 0 : -lattice * tolerance.sideways() * piece.steepness;
   const double touching = joined ? joined_by : surely_touching * tolerance.contact * (line ? 1 : piece.steepness);
-  if (depth.most + depth_error < touching) return std::nullopt;
-  if (!seen || line || !(depth.least - depth_error > surely_apart * tolerance.contact * piece.steepness))
-    return Portion{-1, false, depth.least, {}};
-  Portion portion{-1, true, depth.least, {}};
+  if (depth.max + depth_error < touching) return std::nullopt;
+  if (!seen || line || !(depth.min - depth_error > surely_apart * tolerance.contact * piece.steepness))
+    return Portion{-1, false, depth.min, {}};
+  Portion portion{-1, true, depth.min, {}};
   for (std::size_t i = 0; i < piece.polygon.count; ++i) {
     const Triple<double>& p = piece.polygon.corner[i];
     const double scale = sight.page / (1 - k * p.z) / tolerance.sideways();

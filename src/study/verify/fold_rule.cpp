@@ -38,7 +38,7 @@ double angle_between(const Vec3& a, const Vec3& b) {
 
 }  // namespace
 
-FoldRule::FoldRule(const World& world, const EdgeWishes& wishes, double small)
+FoldRule::FoldRule(const World& world, const EdgeOptions& wishes, double small)
     : world_(world),
       wishes_(wishes),
       shrink_(shrink_of(world)),
@@ -116,19 +116,19 @@ double FoldRule::bend(int triangle) const {
   return glm::length(mean) > 0 ? angle_between(area(triangle), mean) : 180;
 }
 
-// The largest fold at the sides of a triangle that is no crease: how far its surface turns from facet to facet.
+// The largest fold at the sides of a triangle that is not a crease: how far its surface turns from facet to facet.
 double FoldRule::turn(int triangle) const {
   const auto& corner = world_.triangles[triangle];
-  double most = 0;
+  double max = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const auto [a, b] = std::minmax(corner[i], corner[(i + 1) % 3]);
     for (const auto& body : sheets_at({a, b}).bodies) {
       if (body.size() != 2) continue;
       const double fold = fold_angle({a, b}, body[0], body[1]);
-      if (fold < wishes_.crease_angle) most = std::max(most, fold);
+      if (fold < wishes_.crease_angle) max = std::max(max, fold);
     }
   }
-  return most;
+  return max;
 }
 
 Need FoldRule::fold(const std::array<int, 2>& edge, int first, int second) const {
@@ -149,13 +149,13 @@ Need FoldRule::crossing(int first, int second, double contact) const {
   const double angle = degrees * std::asin(std::min(1.0, glm::length(glm::cross(n1, n2))));
   if (!(angle > clearly * (turn(first) + turn(second)) / 2 + doubt(first) + doubt(second))) return Need::possible;
   const auto goes_through = [&](int triangle, int plane, const Vec3& n) {
-    double least = HUGE_VAL, most = -HUGE_VAL;
+    double min = HUGE_VAL, max = -HUGE_VAL;
     for (const int v : world_.triangles[triangle]) {
       const double distance = glm::dot(n, point(v) - point(world_.triangles[plane][0]));
-      least = std::min(least, distance);
-      most = std::max(most, distance);
+      min = std::min(min, distance);
+      max = std::max(max, distance);
     }
-    return least < -contact * shrink_ && most > contact * shrink_;
+    return min < -contact * shrink_ && max > contact * shrink_;
   };
   return goes_through(first, second, n2) && goes_through(second, first, n1) ? Need::asked : Need::possible;
 }

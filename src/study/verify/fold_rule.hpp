@@ -23,7 +23,7 @@ enum class Need {
 class FoldRule {
  public:
   /// `small` is the height of triangles that can hardly be seen, as a length of the world.
-  FoldRule(const World& world, const EdgeWishes& wishes, double small);
+  FoldRule(const World& world, const EdgeOptions& wishes, double small);
 
   /// The triangles of one body that meet in an edge.
   struct Sheets {
@@ -44,7 +44,7 @@ class FoldRule {
   [[nodiscard]] bool is_needle(int triangle, Needle needle) const;
   /// Over its longest side, as a length of the world.
   [[nodiscard]] double height(int triangle) const { return shrunk_height(triangle) / shrink_; }
-  [[nodiscard]] const EdgeWishes& wishes() const { return wishes_; }
+  [[nodiscard]] const EdgeOptions& wishes() const { return wishes_; }
 
  private:
   // Brought near 1, so that products of lengths stay in range.
@@ -58,7 +58,7 @@ class FoldRule {
   [[nodiscard]] bool same_polygon(int first, int second) const;
 
   const World& world_;
-  EdgeWishes wishes_;
+  EdgeOptions wishes_;
   double shrink_;
   double precision_, small_;  ///< shrunk
 };

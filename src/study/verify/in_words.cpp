@@ -14,7 +14,7 @@ std::string name_of(const FacetName& facet) {
   return "facet " + std::to_string(facet.face) + " of model " + std::to_string(facet.model);
 }
 
-std::string place_of(const Offence& offence) {
+std::string place_of(const Mismatch& offence) {
   std::string text = "model " + std::to_string(offence.model) + " edge " + std::to_string(offence.edge[0]) + "-" +
                      std::to_string(offence.edge[1]);
   if (offence.facets.size() == 2)
@@ -23,7 +23,7 @@ std::string place_of(const Offence& offence) {
          format_fixed(offence.page.y, 3);
 }
 
-std::string reason_of(const Offence& offence) {
+std::string reason_of(const Mismatch& offence) {
   if (offence.what == "not drawn") return "the drawing has no line there";
   return offence.hider ? name_of(*offence.hider) + " hides it" : "nothing hides it";
 }
@@ -64,7 +64,7 @@ std::string in_words(const Verification& v) {
           percent(v.misclassified) + "), with 95 % confidence at most " + millimetres(v.at_most * v.length) + " (" +
           percent(v.at_most) + "); undecided " + percent(v.undecided) + ", too short to test " + percent(v.untested) +
           "\n";
-  for (const Offence& offence : v.worst)
+  for (const Mismatch& offence : v.worst)
     text += "wrong: " + place_of(offence) + " is " + offence.what + ", but " + reason_of(offence) + "\n";
   return text + in_words(v.outline);
 }

@@ -22,7 +22,7 @@ double distance(const Vec2& place, const Segment& segment) {
 
 }  // namespace
 
-std::vector<bool> find_ink(const Drawing& drawing, const std::vector<Expected>& places, double reach) {
+std::vector<bool> find_ink(const ViewDrawing& drawing, const std::vector<Expected>& places, double reach) {
   std::vector<Extent> extents;
   for (const Expected& expected : places) extents.push_back({expected.place, expected.place, 0, 0});
   const ProbeGrid grid(extents);

@@ -15,6 +15,6 @@ struct Expected {
 };
 
 /// For each place whether such a segment passes within `reach` mm.
-std::vector<bool> find_ink(const Drawing& drawing, const std::vector<Expected>& places, double reach);
+std::vector<bool> find_ink(const ViewDrawing& drawing, const std::vector<Expected>& places, double reach);
 
 }  // namespace epura

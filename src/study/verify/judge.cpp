@@ -55,7 +55,7 @@ bool covered(const World& world, const std::vector<Portion>& portions) {
 
 class Judge {
  public:
-  Judge(const Claim& claim, const Tolerance& tolerance, std::span<const Probe> probes, bool name_facets)
+  Judge(const VerifyInput& claim, const Tolerance& tolerance, std::span<const Probe> probes, bool name_facets)
       : claim_(claim),
         viewing_(viewing_of(claim)),
         probes_(probes),
@@ -113,7 +113,7 @@ class Judge {
     if (!extent) return;
     grid_.overlapping(*extent, [&](int probe) {
       if (settled_[probe].load(std::memory_order_relaxed) && !name_facets_) return;
-      const DrawnEdge& edge = claim_.drawn.edges[probes_[probe].edge];
+      const FeatureEdge& edge = claim_.drawn.edges[probes_[probe].edge];
       if (claim_.contains(edge, triangle)) return;
       auto portion = lookouts_[probe].look(corners, triangle, claim_.joined(edge, triangle));
       if (!portion) return;
@@ -130,7 +130,7 @@ class Judge {
     return {ProbeAnswer::hidden, name_facets_ ? nearest->triangle : -1};
   }
 
-  const Claim& claim_;
+  const VerifyInput& claim_;
   Viewing viewing_;
   std::span<const Probe> probes_;
   bool name_facets_;
@@ -143,7 +143,7 @@ class Judge {
 
 }  // namespace
 
-std::vector<ProbeVerdict> judge(const Claim& claim, const Tolerance& tolerance, std::span<const Probe> probes,
+std::vector<ProbeVerdict> judge(const VerifyInput& claim, const Tolerance& tolerance, std::span<const Probe> probes,
                                 bool name_facets, const Progress& progress) {
   if (probes.empty()) return {};
   return Judge(claim, tolerance, probes, name_facets).verdicts(progress);

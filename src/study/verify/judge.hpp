@@ -9,14 +9,14 @@
 #include <vector>
 
 #include "base/progress.hpp"
-#include "study/verify/claim.hpp"
 #include "study/verify/cover.hpp"
+#include "study/verify/verify_input.hpp"
 
 namespace epura {
 
 /// A point of a drawn edge.
 struct Probe {
-  int edge;  ///< in DrawnEdges::edges
+  int edge;  ///< in FeatureEdges::edges
   double t;  ///< along the whole edge in space
 };
 
@@ -29,7 +29,7 @@ struct ProbeVerdict {
 
 /// One verdict for each probe. With `name_facets` nothing is left out that an answer does not need, which takes longer.
 /// Throws OutOfTime.
-std::vector<ProbeVerdict> judge(const Claim& claim, const Tolerance& tolerance, std::span<const Probe> probes,
+std::vector<ProbeVerdict> judge(const VerifyInput& claim, const Tolerance& tolerance, std::span<const Probe> probes,
                                 bool name_facets, const Progress& progress = {});
 
 }  // namespace epura

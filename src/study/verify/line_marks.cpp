@@ -14,7 +14,7 @@ constexpr double clear_step = 8;
 constexpr double seen_through = 32;
 // In what the page is rounded by: triangles not wider than this are lines there, unless they are as narrow in space.
 constexpr double edge_on = 8, narrow = 0.1;
-// Of needles side by side; more than that is no surface any more.
+// Of needles side by side; more than that is not a surface any more.
 constexpr int longest_row = 64;
 // Of a piece: cut by a limit of depth there, or it goes on.
 constexpr int cut_there = -1, goes_on = -2;

@@ -21,13 +21,13 @@ constexpr double least_sine = 0.05;
 double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
 bool lies_on_both_sides(const ScanLine& line, PageShape shape) {
-  double least = HUGE_VAL, most = -HUGE_VAL;
+  double min = HUGE_VAL, max = -HUGE_VAL;
   for (const Vec2& point : shape) {
     const double aside = cross(line.along, point - line.middle);
-    least = std::min(least, aside);
-    most = std::max(most, aside);
+    min = std::min(min, aside);
+    max = std::max(max, aside);
   }
-  return least <= 0 && most >= 0;
+  return min <= 0 && max >= 0;
 }
 
 struct Cut {
@@ -46,7 +46,7 @@ std::optional<Cut> cut_of(const ScanLine& line, const std::array<Vec2, 2>& ends,
 
 }  // namespace
 
-LineScan::LineScan(const Claim& claim, const ScanScene& scene, const FoldRule& rule, const MarkLimits& limits,
+LineScan::LineScan(const VerifyInput& claim, const ScanScene& scene, const FoldRule& rule, const MarkLimits& limits,
                    const ScanWindow& window)
     : claim_(claim), scene_(scene), rule_(rule), limits_(limits), window_(window) {}
 
@@ -75,12 +75,12 @@ bool LineScan::shape_of(int triangle, std::array<Vec2, 3>& shape) const {
   return before > 0;
 }
 
-double LineScan::perimeter_of_triangles(double most) const {
+double LineScan::perimeter_of_triangles(double max) const {
   double sum = 0;
   std::array<Vec2, 3> p;
   for (std::size_t t = 0; t < scene_.world.triangles.size(); ++t)
     if (shape_of(static_cast<int>(t), p))
-      sum += std::min(most, glm::distance(p[0], p[1]) + glm::distance(p[1], p[2]) + glm::distance(p[2], p[0]));
+      sum += std::min(max, glm::distance(p[0], p[1]) + glm::distance(p[1], p[2]) + glm::distance(p[2], p[0]));
   return sum;
 }
 
@@ -186,8 +186,8 @@ std::vector<LineFindings> LineScan::along(const std::vector<ScanLine>& lines, co
       [&](PageShape shape, const auto& meet) {
         Extent extent{Vec2(HUGE_VAL), Vec2(-HUGE_VAL), 0, 0};
         for (const Vec2& point : shape) {
-          extent.least = glm::min(extent.least, point);
-          extent.most = glm::max(extent.most, point);
+          extent.min = glm::min(extent.min, point);
+          extent.max = glm::max(extent.max, point);
         }
         grid.overlapping(extent, [&](int line) {
           if (lies_on_both_sides(lines[line], shape)) meet(line);

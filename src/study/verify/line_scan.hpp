@@ -33,7 +33,7 @@ struct LineFindings {
 
 class LineScan {
  public:
-  LineScan(const Claim& claim, const ScanScene& scene, const FoldRule& rule, const MarkLimits& limits,
+  LineScan(const VerifyInput& claim, const ScanScene& scene, const FoldRule& rule, const MarkLimits& limits,
            const ScanWindow& window);
 
   /// For each line of a bundle. Throws OutOfTime.
@@ -44,7 +44,7 @@ class LineScan {
   /// The visible ink, mm from ScanScene::origin.
   [[nodiscard]] std::array<Vec2, 2> segment(int number) const;
   /// Lengths that together tell how often lines at random cut triangles, and how long the visible ink is.
-  [[nodiscard]] double perimeter_of_triangles(double most) const;
+  [[nodiscard]] double perimeter_of_triangles(double max) const;
   [[nodiscard]] double length_of_ink() const;
 
  private:
@@ -57,7 +57,7 @@ class LineScan {
   [[nodiscard]] bool shape_of(int triangle, std::array<Vec2, 3>& shape) const;
   [[nodiscard]] std::array<int, 2> edge_of(int segment) const;
 
-  const Claim& claim_;
+  const VerifyInput& claim_;
   const ScanScene& scene_;
   const FoldRule& rule_;
   MarkLimits limits_;

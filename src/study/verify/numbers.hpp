@@ -46,10 +46,10 @@ inline Bounded operator*(const Bounded& a, const Bounded& b) {
 }
 
 inline Bounded operator/(const Bounded& a, const Bounded& b) {
-  const double least = std::abs(b.value) - b.error;
-  if (!(least > 0)) return {0, std::numeric_limits<double>::infinity()};
+  const double min = std::abs(b.value) - b.error;
+  if (!(min > 0)) return {0, std::numeric_limits<double>::infinity()};
   const double quotient = a.value / b.value;
-  return Bounded::rounded(quotient, (a.error + std::abs(quotient) * b.error * (1 + 0x1p-49) + 0x1p-500) / least);
+  return Bounded::rounded(quotient, (a.error + std::abs(quotient) * b.error * (1 + 0x1p-49) + 0x1p-500) / min);
 }
 
 inline double value_of(const Bounded& number) { return number.value; }

@@ -46,7 +46,7 @@ struct Suspect {
 
 class Outline {
  public:
-  Outline(const Claim& claim, const Tolerance& tolerance, const OutlineWishes& wishes)
+  Outline(const VerifyInput& claim, const Tolerance& tolerance, const OutlineWishes& wishes)
       : claim_(claim),
         wishes_(wishes),
         reach_(std::max(guaranteed * tolerance.size, 16 * tolerance.contact)),
@@ -77,15 +77,15 @@ class Outline {
   [[nodiscard]] ScanWindow window() const {
     ScanWindow box;
     if (wishes_.window)
-      return {wishes_.window->least - scene_.origin + reach_, wishes_.window->most - scene_.origin - reach_};
+      return {wishes_.window->min - scene_.origin + reach_, wishes_.window->max - scene_.origin - reach_};
     for (const auto& triangle : claim_.world.triangles)
       for (const int v : triangle)
         if (scene_.is_before_viewer(v)) box.add(scene_.place(v));
-    return {box.least - reach_, box.most + reach_};
+    return {box.min - reach_, box.max + reach_};
   }
 
   void scan_page() {
-    const double size = glm::distance(window_.least, window_.most);
+    const double size = glm::distance(window_.min, window_.max);
     const double ink = std::max(scan_.length_of_ink(), size);
     double lines = std::clamp(wishes_.samples * std::numbers::pi * size / (2 * ink), least_lines,
                               std::max(most_lines, static_cast<double>(wishes_.samples)));
@@ -135,7 +135,7 @@ class Outline {
     const Vec2 difference = gradient(triangles[0]) - gradient(triangles[1]);
     const double length = glm::length(difference);
     if (!(length > 0) || !std::isfinite(length)) return std::nullopt;
-    const Vec2 half = 0.5 * glm::distance(window_.least, window_.most) / length * Vec2(-difference.y, difference.x);
+    const Vec2 half = 0.5 * glm::distance(window_.min, window_.max) / length * Vec2(-difference.y, difference.x);
     return std::array{place - half, place + half};
   }
 
@@ -170,12 +170,12 @@ class Outline {
   }
 
   // Steps from the place where a suspect was met: mm along its straight line, ascending, with both of its ends.
-  [[nodiscard]] static std::vector<double> steps(const Suspect& suspect, double least) {
+  [[nodiscard]] static std::vector<double> steps(const Suspect& suspect, double min) {
     const double length = glm::distance(suspect.ends[0], suspect.ends[1]);
     const double at = glm::dot(suspect.place - suspect.ends[0], suspect.ends[1] - suspect.ends[0]) / length;
     std::vector<double> list{-at, 0, length - at};
     for (int i = 1; i <= near_steps; ++i)
-      for (const int side : {-1, 1}) list.push_back(side * i * least / near_steps);
+      for (const int side : {-1, 1}) list.push_back(side * i * min / near_steps);
     for (int i = 0; i < far_steps; ++i) list.push_back((i + 0.5) / far_steps * length - at);
     std::erase_if(list, [&](double step) { return step < -at || step > length - at; });
     std::ranges::sort(list);
@@ -302,7 +302,7 @@ class Outline {
     return fault;
   }
 
-  const Claim& claim_;
+  const VerifyInput& claim_;
   const OutlineWishes& wishes_;
   double reach_, least_;  ///< mm: places this near are one; faults this long count
   ScanScene scene_;
@@ -318,7 +318,7 @@ class Outline {
 
 }  // namespace
 
-OutlineCheck verify_outline(const Claim& claim, const Tolerance& tolerance, const OutlineWishes& wishes) {
+OutlineCheck verify_outline(const VerifyInput& claim, const Tolerance& tolerance, const OutlineWishes& wishes) {
   if (claim.world.triangles.empty()) return {};
   return Outline(claim, tolerance, wishes).run();
 }

@@ -14,13 +14,13 @@
 #include "base/progress.hpp"
 #include "output/verification.hpp"
 #include "projection/projection.hpp"
-#include "study/verify/claim.hpp"
 #include "study/verify/cover.hpp"
+#include "study/verify/verify_input.hpp"
 
 namespace epura {
 
 struct OutlineWishes {
-  EdgeWishes edges;
+  EdgeOptions edges;
   int samples;                     ///< about as many places with ink are met
   bool complete = true;            ///< nothing was left out for want of time
   std::optional<Window> window{};  ///< of the page, mm, outside of which nothing is drawn
@@ -28,6 +28,6 @@ struct OutlineWishes {
 };
 
 /// Throws OutOfTime.
-OutlineCheck verify_outline(const Claim& claim, const Tolerance& tolerance, const OutlineWishes& wishes);
+OutlineCheck verify_outline(const VerifyInput& claim, const Tolerance& tolerance, const OutlineWishes& wishes);
 
 }  // namespace epura

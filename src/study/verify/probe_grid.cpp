@@ -26,18 +26,18 @@ Triple<double> values(const Triple<Bounded>& p) { return {p.x.value, p.y.value, 
 
 void PageFrame::add(Extent& extent, const Triple<double>& local, double error) const {
   const double k = sight_.inverse_distance.value;
-  const double shrink = 1 - k * local.z;
-  const double moved = (error + sight_.inverse_distance.error * local.z * local.z) / shrink;
-  const Vec2 place = sight_.page / shrink * Vec2(local.x, local.y);
-  const double depth = sight_.depth * local.z / shrink;
+  const double scale_exponent = 1 - k * local.z;
+  const double moved = (error + sight_.inverse_distance.error * local.z * local.z) / scale_exponent;
+  const Vec2 place = sight_.page / scale_exponent * Vec2(local.x, local.y);
+  const double depth = sight_.depth * local.z / scale_exponent;
   const double page_error = 2 * moved * (sight_.page + k * (std::abs(place.x) + std::abs(place.y))) + margin_;
   const double depth_error = 2 * moved * (sight_.depth + k * std::abs(depth));
-  if (!(shrink > 0) || !std::isfinite(page_error) || !std::isfinite(depth_error)) {
+  if (!(scale_exponent > 0) || !std::isfinite(page_error) || !std::isfinite(depth_error)) {
     extent = {-everywhere, everywhere, -HUGE_VAL, HUGE_VAL};
     return;
   }
-  extent.least = glm::min(extent.least, place - page_error);
-  extent.most = glm::max(extent.most, place + page_error);
+  extent.min = glm::min(extent.min, place - page_error);
+  extent.max = glm::max(extent.max, place + page_error);
   extent.back = std::min(extent.back, depth - depth_error);
   extent.front = std::max(extent.front, depth + depth_error);
 }
@@ -71,15 +71,15 @@ Vec2 PageFrame::place_of(const Triple<Bounded>& point) const {
 
 ProbeGrid::ProbeGrid(std::vector<Extent> probes) : probes_(std::move(probes)) {
   for (const Extent& probe : probes_) {
-    box_ = {glm::min(box_.least, probe.least), glm::max(box_.most, probe.most), std::min(box_.back, probe.back),
+    box_ = {glm::min(box_.min, probe.min), glm::max(box_.max, probe.max), std::min(box_.back, probe.back),
             std::max(box_.front, probe.front)};
-    reach_ = std::max({reach_, probe.most.x - probe.least.x, probe.most.y - probe.least.y});
+    reach_ = std::max({reach_, probe.max.x - probe.min.x, probe.max.y - probe.min.y});
   }
   side_ = std::isfinite(reach_) ? std::clamp(static_cast<int>(std::sqrt(probes_.size())), 1, 1024) : 1;
   std::vector<int> cell(probes_.size());
   first_.assign(static_cast<std::size_t>(side_) * side_ + 1, 0);
   for (std::size_t i = 0; i < probes_.size(); ++i) {
-    const auto [x, y] = cell_of(0.5 * probes_[i].least + 0.5 * probes_[i].most);
+    const auto [x, y] = cell_of(0.5 * probes_[i].min + 0.5 * probes_[i].max);
     cell[i] = y * side_ + x;
     ++first_[cell[i] + 1];
   }
@@ -91,7 +91,7 @@ ProbeGrid::ProbeGrid(std::vector<Extent> probes) : probes_(std::move(probes)) {
 
 std::array<int, 2> ProbeGrid::cell_of(const Vec2& place) const {
   if (side_ == 1) return {0, 0};
-  const Vec2 part = (place - box_.least) / (box_.most - box_.least) * static_cast<double>(side_);
+  const Vec2 part = (place - box_.min) / (box_.max - box_.min) * static_cast<double>(side_);
   const auto cell = [&](double p) { return p > 0 ? static_cast<int>(std::min(p, side_ - 1.0)) : 0; };
   return {cell(part.x), cell(part.y)};
 }

@@ -12,7 +12,7 @@ namespace epura {
 
 /// Where something lies in the view, for certain: a box of the page, and the greatest and least depth.
 struct Extent {
-  Vec2 least{HUGE_VAL}, most{-HUGE_VAL};
+  Vec2 min{HUGE_VAL}, max{-HUGE_VAL};
   double back = HUGE_VAL, front = -HUGE_VAL;
 };
 
@@ -43,7 +43,7 @@ class ProbeGrid {
   template <class Meet>
   void overlapping(const Extent& extent, const Meet& meet) const {
     if (!overlap(extent, box_)) return;
-    const std::array<int, 2> from = cell_of(extent.least - reach_), to = cell_of(extent.most + reach_);
+    const std::array<int, 2> from = cell_of(extent.min - reach_), to = cell_of(extent.max + reach_);
     for (int y = from[1]; y <= to[1]; ++y)
       for (int i = first_[y * side_ + from[0]]; i < first_[y * side_ + to[0] + 1]; ++i)
         if (overlap(extent, probes_[order_[i]])) meet(order_[i]);
@@ -51,8 +51,8 @@ class ProbeGrid {
 
  private:
   static bool overlap(const Extent& a, const Extent& probe) {
-    return a.least.x <= probe.most.x && probe.least.x <= a.most.x && a.least.y <= probe.most.y &&
-           probe.least.y <= a.most.y && a.front >= probe.back;
+    return a.min.x <= probe.max.x && probe.min.x <= a.max.x && a.min.y <= probe.max.y && probe.min.y <= a.max.y &&
+           a.front >= probe.back;
   }
   [[nodiscard]] std::array<int, 2> cell_of(const Vec2& place) const;
 

@@ -14,8 +14,8 @@ namespace {
 // Least lengths of the strata, in parts of the drawing.
 constexpr std::array classes{1e-2, 1e-4, guaranteed};
 
-PageLine page_line(const Claim& claim, const Viewing& viewing, const Tolerance& tolerance, const PageFrame& frame,
-                   const DrawnEdge& edge) {
+PageLine page_line(const VerifyInput& claim, const Viewing& viewing, const Tolerance& tolerance, const PageFrame& frame,
+                   const FeatureEdge& edge) {
   const std::array<Vec3, 2> ends = claim.ends_of(edge);
   PageLine line{0, edge.t, {1, 1}};
   std::array<Vec2, 2> place;
@@ -47,13 +47,13 @@ void add_spans(const HiddenSpans& hidden, int edge, std::vector<TestedSpan>& spa
   add(at, 1, true);
 }
 
-void stratify(Population& population, const DrawnEdges& drawn, double size) {
+void stratify(Population& population, const FeatureEdges& drawn, double size) {
   std::map<std::tuple<bool, EdgeKind, std::size_t>, std::vector<std::size_t>> members;
   for (std::size_t i = 0; i < population.spans.size(); ++i) {
     const TestedSpan& span = population.spans[i];
     const double length = population.length_of(span);
     population.length += length;
-    const auto found = std::ranges::find_if(classes, [&](double least) { return length >= least * size; });
+    const auto found = std::ranges::find_if(classes, [&](double min) { return length >= min * size; });
     if (found == classes.end()) continue;
     members[{!span.visible, drawn.edges[span.edge].kind, static_cast<std::size_t>(found - classes.begin())}].push_back(
         i);
@@ -116,7 +116,7 @@ double PageLine::t_at(double s) const {
   return t[0] + part * (t[1] - t[0]);
 }
 
-Population population_of(const Claim& claim, const Viewing& viewing, const Tolerance& tolerance,
+Population population_of(const VerifyInput& claim, const Viewing& viewing, const Tolerance& tolerance,
                          const PageFrame& frame) {
   Population population;
   for (std::size_t e = 0; e < claim.drawn.edges.size(); ++e) {

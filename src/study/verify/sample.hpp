@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "output/verification.hpp"
-#include "study/verify/claim.hpp"
 #include "study/verify/cover.hpp"
 #include "study/verify/judge.hpp"
 #include "study/verify/probe_grid.hpp"
+#include "study/verify/verify_input.hpp"
 
 namespace epura {
 
@@ -52,7 +52,7 @@ struct Sample {
 /// Spans shorter than this part of the drawing are not guaranteed.
 inline constexpr double guaranteed = 1e-6;
 
-Population population_of(const Claim& claim, const Viewing& viewing, const Tolerance& tolerance,
+Population population_of(const VerifyInput& claim, const Viewing& viewing, const Tolerance& tolerance,
                          const PageFrame& frame);
 
 /// `count` points at random (a fixed seed): half of them spread evenly over the strata, half by their lengths; within a

@@ -11,8 +11,8 @@ namespace epura {
 LineBundle::LineBundle(const ScanWindow& box, double direction, double distance, unsigned seed) : distance_(distance) {
   const Vec2 along(portable_cos(direction), portable_sin(direction));
   across_ = {-along.y, along.x};
-  const Vec2 middle = 0.5 * (box.least + box.most);
-  const double radius = 0.5 * glm::distance(box.least, box.most);
+  const Vec2 middle = 0.5 * (box.min + box.max);
+  const double radius = 0.5 * glm::distance(box.min, box.max);
   first_ = glm::dot(across_, middle) - radius;
   std::mt19937 random(seed);
   for (double strip = 0; strip * distance < 2 * radius; ++strip) {

@@ -18,14 +18,14 @@ using PageShape = std::span<const Vec2>;
 
 /// What of the page is looked at, mm from ScanScene::origin.
 struct ScanWindow {
-  Vec2 least{HUGE_VAL}, most{-HUGE_VAL};
+  Vec2 min{HUGE_VAL}, max{-HUGE_VAL};
 
   [[nodiscard]] bool contains(const Vec2& place) const {
-    return place.x >= least.x && place.x <= most.x && place.y >= least.y && place.y <= most.y;
+    return place.x >= min.x && place.x <= max.x && place.y >= min.y && place.y <= max.y;
   }
   void add(const Vec2& place) {
-    least = glm::min(least, place);
-    most = glm::max(most, place);
+    min = glm::min(min, place);
+    max = glm::max(max, place);
   }
 };
 
@@ -40,14 +40,14 @@ class LineBundle {
   /// Calls `meet(line)` for the lines that pass through a shape.
   template <class Meet>
   void through(PageShape shape, const Meet& meet) const {
-    double least = HUGE_VAL, most = -HUGE_VAL;
+    double min = HUGE_VAL, max = -HUGE_VAL;
     for (const Vec2& point : shape) {
       const double offset = glm::dot(across_, point);
-      least = std::min(least, offset);
-      most = std::max(most, offset);
+      min = std::min(min, offset);
+      max = std::max(max, offset);
     }
-    for (std::size_t i = strip_of(least); i < lines_.size() && offset_[i] <= most; ++i)
-      if (offset_[i] >= least) meet(static_cast<int>(i));
+    for (std::size_t i = strip_of(min); i < lines_.size() && offset_[i] <= max; ++i)
+      if (offset_[i] >= min) meet(static_cast<int>(i));
   }
 
  private:

@@ -14,23 +14,23 @@ constexpr std::size_t grain = 4096;
 // An edge that leads behind the viewer ends at this part of the way to his plane.
 constexpr double nearly_there = 1 - 0x1p-20;
 
-Sight<Bounded> sight_of(const Claim& claim, const Vec3& reference) {
+Sight<Bounded> sight_of(const VerifyInput& claim, const Vec3& reference) {
   return sight_from(viewing_of(claim), triple<Bounded>(reference));
 }
 
 // The corner of the world that is nearest to its middle and before the viewer.
-Vec3 reference_of(const Claim& claim) {
+Vec3 reference_of(const VerifyInput& claim) {
   const World& world = claim.world;
   const Projection& p = claim.projection;
   const Vec3 middle = world.box.centre();
   const auto is_seen = [&](const Vec3& x) { return !p.central || glm::dot(p.n, p.projector - x) > 0; };
   Vec3 best = middle;
-  double least = HUGE_VAL;
+  double min = HUGE_VAL;
   for (const auto& triangle : world.triangles)
     for (const int v : triangle) {
       const double distance = glm::length(world.points[v] - middle);
-      if (!(distance < least) || !is_seen(world.points[v])) continue;
-      least = distance;
+      if (!(distance < min) || !is_seen(world.points[v])) continue;
+      min = distance;
       best = world.points[v];
     }
   return best;
@@ -38,7 +38,7 @@ Vec3 reference_of(const Claim& claim) {
 
 }  // namespace
 
-ScanScene::ScanScene(const Claim& claim, double precision)
+ScanScene::ScanScene(const VerifyInput& claim, double precision)
     : world(claim.world), local(claim.world.points.size()), vague_(claim.world.points.size()) {
   const Vec3 reference = reference_of(claim);
   const Sight<Bounded> sight = sight_of(claim, reference);
@@ -48,8 +48,8 @@ ScanScene::ScanScene(const Claim& claim, double precision)
   depth = sight.depth;
   k = sight.inverse_distance.value;
   eye_ = sight.eye ? sight.eye->value : HUGE_VAL;
-  most = std::min(eye_, sight.nearest ? sight.nearest->value : HUGE_VAL);
-  least = sight.farthest ? sight.farthest->value : -HUGE_VAL;
+  max = std::min(eye_, sight.nearest ? sight.nearest->value : HUGE_VAL);
+  min = sight.farthest ? sight.farthest->value : -HUGE_VAL;
   parallel_for(local.size(), grain, [&](std::size_t first, std::size_t last) {
     for (std::size_t v = first; v < last; ++v) {
       const Triple<Bounded> p = sight.local(world.points[v]);

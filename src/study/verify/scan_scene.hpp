@@ -9,8 +9,8 @@
 #include <optional>
 #include <vector>
 
-#include "study/verify/claim.hpp"
 #include "study/verify/cover.hpp"
+#include "study/verify/verify_input.hpp"
 
 namespace epura {
 
@@ -27,14 +27,14 @@ struct ScanLine {
 class ScanScene {
  public:
   /// `precision` is the length on the page, mm, to which places must be known.
-  ScanScene(const Claim& claim, double precision);
+  ScanScene(const VerifyInput& claim, double precision);
 
   const World& world;
   Vec2 origin;              ///< where the point of reference lies on the page, mm
   double page;              ///< mm of paper per length of the world, at the point of reference
   double depth;             ///< the same for depth
   double k;                 ///< places on the page are page (a, b) / (1 - k c)
-  double least, most;       ///< what of c is seen
+  double min, max;          ///< what of c is seen
   UnsetVector<Vec3> local;  ///< (a, b, c) by vertex
 
   /// Whether a vertex lies before the viewer, so that it has a place on the page.

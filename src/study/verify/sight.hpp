@@ -26,7 +26,7 @@ struct Viewing {
   Projection projection;
   std::optional<double> front, back;  ///< n . (x - projection.point) of the limits of depth, where there are any
   double page;                        ///< mm of paper per length in the plane's directions, times w
-  double depth;                       ///< the same for the depth of Drawing::world_to_page, times w squared
+  double depth;                       ///< the same for the depth of ViewDrawing::world_to_page, times w squared
   double w;                           ///< central: row 3 of that matrix per distance from the centre; parallel: row 3
 
   /// Row 3 of the matrix at a distance n . (C - x) from the centre.

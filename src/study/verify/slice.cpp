@@ -32,7 +32,7 @@ class Cutter {
       if ((at_a >= 0) == (at_b >= 0)) continue;
       ends[count++] = {scene_.local[a] + at_a / (at_a - at_b) * (scene_.local[b] - scene_.local[a]), {a, b}};
     }
-    if (count != 2 || !clip(ends, scene_.most, 1) || !clip(ends, scene_.least, -1)) return std::nullopt;
+    if (count != 2 || !clip(ends, scene_.max, 1) || !clip(ends, scene_.min, -1)) return std::nullopt;
     return ends;
   }
 

@@ -26,7 +26,7 @@ bool contradicts(const TestedSpan& span, ProbeAnswer answer) {
 
 class Verifier {
  public:
-  Verifier(const Claim& claim, const Tolerance& tolerance, bool hidden_drawn, const Progress& progress)
+  Verifier(const VerifyInput& claim, const Tolerance& tolerance, bool hidden_drawn, const Progress& progress)
       : claim_(claim),
         tolerance_(tolerance),
         hidden_drawn_(hidden_drawn),
@@ -48,8 +48,8 @@ class Verifier {
   }
 
  private:
-  static Triple<Bounded> reference_of(const Claim& claim) {
-    const DrawnEdge& edge = claim.drawn.edges[0];
+  static Triple<Bounded> reference_of(const VerifyInput& claim) {
+    const FeatureEdge& edge = claim.drawn.edges[0];
     return place_on<Bounded>(claim.ends_of(edge), edge.t[0]);
   }
 
@@ -164,7 +164,7 @@ class Verifier {
     result.at_most = std::min(1.0, weight * greatest_share(wrong, result.samples, confidence));
   }
 
-  [[nodiscard]] std::vector<Offence> worst_offences() const {
+  [[nodiscard]] std::vector<Mismatch> worst_offences() const {
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < samples_.size(); ++i)
       if (is_wrong(i)) order.push_back(i);
@@ -172,7 +172,7 @@ class Verifier {
       return population_.length_of(span_of(a)) > population_.length_of(span_of(b));
     });
     order.resize(std::min(order.size(), most_offences));
-    std::vector<Offence> offences;
+    std::vector<Mismatch> offences;
     for (const std::size_t i : order) offences.push_back(offence_of(i));
     return offences;
   }
@@ -183,7 +183,7 @@ class Verifier {
   }
 
   // Outlines of cuts are named by the face that is cut.
-  void name_edge(const DrawnEdge& edge, Offence& offence) const {
+  void name_edge(const FeatureEdge& edge, Mismatch& offence) const {
     const Mesh& mesh = *claim_.world.models[edge.model].mesh;
     const EdgeOrigin origin = mesh.origin_of(mesh.edges[edge.mesh_edge]);
     if (origin.in_file)
@@ -192,17 +192,17 @@ class Verifier {
       offence.facets.push_back({edge.model, mesh.polygon[mesh.triangles_of(mesh.edges[edge.mesh_edge]).front()]});
   }
 
-  [[nodiscard]] Offence offence_of(std::size_t sample) const {
+  [[nodiscard]] Mismatch offence_of(std::size_t sample) const {
     const TestedSpan& span = span_of(sample);
-    const DrawnEdge& edge = claim_.drawn.edges[span.edge];
-    Offence offence{span.visible ? "drawn visible" : "drawn hidden",
-                    edge.model,
-                    {-1, -1},
-                    {},
-                    probe_of(sample).t,
-                    page_of(sample),
-                    {},
-                    population_.length_of(span)};
+    const FeatureEdge& edge = claim_.drawn.edges[span.edge];
+    Mismatch offence{span.visible ? "drawn visible" : "drawn hidden",
+                     edge.model,
+                     {-1, -1},
+                     {},
+                     probe_of(sample).t,
+                     page_of(sample),
+                     {},
+                     population_.length_of(span)};
     if (findings_[sample] == Finding::no_ink) offence.what = "not drawn";
     if (edge.mesh_edge >= 0) name_edge(edge, offence);
     if (edge.crossing >= 0)
@@ -212,7 +212,7 @@ class Verifier {
     return offence;
   }
 
-  const Claim& claim_;
+  const VerifyInput& claim_;
   const Tolerance& tolerance_;
   bool hidden_drawn_;
   const Progress& progress_;
@@ -227,7 +227,7 @@ class Verifier {
 
 }  // namespace
 
-Verification verify(const Claim& claim, const Tolerance& tolerance, int samples, bool hidden_drawn,
+Verification verify(const VerifyInput& claim, const Tolerance& tolerance, int samples, bool hidden_drawn,
                     const Progress& progress) {
   if (claim.drawn.edges.empty()) return {};
   return Verifier(claim, tolerance, hidden_drawn, progress).run(samples);

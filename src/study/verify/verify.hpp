@@ -14,14 +14,14 @@
 
 #include "base/progress.hpp"
 #include "output/verification.hpp"
-#include "study/verify/claim.hpp"
 #include "study/verify/cover.hpp"
+#include "study/verify/verify_input.hpp"
 
 namespace epura {
 
 /// `samples` points at random. Takes the drawing at its word in nothing but its units. Hidden lines are looked for in
 /// the drawing if `hidden_drawn`. Throws OutOfTime.
-Verification verify(const Claim& claim, const Tolerance& tolerance, int samples, bool hidden_drawn,
+Verification verify(const VerifyInput& claim, const Tolerance& tolerance, int samples, bool hidden_drawn,
                     const Progress& progress = {});
 
 /// What was found, in sentences: one a line.

@@ -41,7 +41,7 @@ TEST(CheckPlugin, NamesWhatFails) {
 TEST(CheckPlugin, RefusesWhatCannotBeLoaded) {
   const Folder folder;
   const std::vector<std::pair<std::string, std::string>> refused{
-      {folder.file("junk.so", "this is no library"), "file too short"},
+      {folder.file("junk.so", "this is not a library"), "file too short"},
       {(folder / "none.so").string(), "No such file"},
       {bad("other-abi") + "/plain.so", "is built for plugin ABI 9, this program has 1"},
       {bad("crashes") + "/plain.so", "crashes (Aborted) when it is loaded"},
@@ -155,7 +155,7 @@ TEST(NewProjection, RefusesNamesThatAreNone) {
   for (const char* name : {"Two Points", "../outside", "", "a_b"}) {
     const Outcome run = epura({"new-projection", name}, folder / "");
     EXPECT_EQ(run.code, 2) << name;
-    EXPECT_TRUE(contains(run.err, "is no name of a projection")) << run.err;
+    EXPECT_TRUE(contains(run.err, "is not a name of a projection")) << run.err;
   }
   EXPECT_TRUE(folder.names().empty());
 }

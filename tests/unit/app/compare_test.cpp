@@ -74,8 +74,8 @@ TEST(CompareCommand, RefusesWhatItCannotCompare) {
   };
   refused({"a.json", "a.svg"}, "drawing JSON has views without their sheet");
   refused({"a.json", "none.json"}, "none.json");
-  refused({"a.json", "a.obj"}, "is no drawing that can be compared");
-  refused({"a.json", "b.json", "--overlay", "x.json"}, "is no picture");
+  refused({"a.json", "a.obj"}, "is not a drawing that can be compared");
+  refused({"a.json", "b.json", "--overlay", "x.json"}, "is not a picture");
   refused({"a.json", "b.json", "--tolerance", "wide"}, "--tolerance");
 }
 

@@ -46,7 +46,7 @@ void expect_or_accept(const fs::path& expected, const fs::path& actual) {
   EXPECT_TRUE(difference.empty()) << "--- " << expected.string() << "\n+++ " << actual.string() << "\n" << difference;
 }
 
-TEST_P(Golden, Drawing) {
+TEST_P(Golden, ViewDrawing) {
   const fs::path folder = golden_folder(GetParam());
   const fs::path actual = fs::absolute("golden") / GetParam();
   fs::create_directories(actual.parent_path());

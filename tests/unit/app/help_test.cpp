@@ -93,7 +93,7 @@ TEST(Plugins, TheMatrixIsTheTextbooksOne) {
 
 TEST(Plugins, AFolderOfBadOnesIsToldAndTheRestIsListed) {
   const Folder folder;
-  folder.file("junk.so", "this is no library");
+  folder.file("junk.so", "this is not a library");
   const Outcome run = epura({"plugins", "--plugin-path", "."}, folder / "");
   EXPECT_EQ(run.code, 0);
   EXPECT_TRUE(contains(run.err, "junk.so")) << run.err;

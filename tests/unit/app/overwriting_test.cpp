@@ -40,7 +40,7 @@ struct Files {
   }
 };
 
-TEST(Drawing, OverwritesNoInput) {
+TEST(ViewDrawing, OverwritesNoInput) {
   const Files files;
   for (const char* output : {"hard.svg", "soft.svg", "softer.json", "./soft.svg"}) {
     files.expect_refused({"draw", "cube.obj", "-o", output}, "is the input cube.obj by another name");
@@ -50,7 +50,7 @@ TEST(Drawing, OverwritesNoInput) {
   files.expect_refused({"draw", "scene.toml", "-o", "sheet.svg"}, "sheet-2.svg: is the input cube.obj by another name");
 }
 
-TEST(Drawing, WritesNoFileTwice) {
+TEST(ViewDrawing, WritesNoFileTwice) {
   const Files files;
   files.expect_refused({"draw", "cube.obj", "-o", "a.svg", "-o", "a.svg"},
                        "a.svg: is named twice, the other time as output");
@@ -61,7 +61,7 @@ TEST(Drawing, WritesNoFileTwice) {
                        "./s-1.svg: is the output s-1.svg by another name");
 }
 
-TEST(Drawing, GoesThroughALinkToNothingYet) {
+TEST(ViewDrawing, GoesThroughALinkToNothingYet) {
   const Files files;
   EXPECT_EQ(epura({"draw", "cube.obj", "-o", "dangling.svg"}, files.folder / "").code, 0);
   EXPECT_TRUE(fs::is_symlink(files.folder / "dangling.svg"));

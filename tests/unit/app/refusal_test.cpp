@@ -153,7 +153,7 @@ TEST_F(Refusal, Projections) {
   expect_option_refused({"--projection", "cavalier:angle=30,5"}, {"cavalier:angle"});
   expect_option_refused({"--projection", "cavalier:angle=1e3"}, {"cavalier:angle", "1000", "-360 to 360"});
   expect_option_refused({"--projection", "cavalier:angle=nan"}, {"cavalier:angle", "finite"});
-  expect_option_refused({"--projection", "cavalier:angle"}, {"'angle' is no key=value"});
+  expect_option_refused({"--projection", "cavalier:angle"}, {"'angle' is not a key=value"});
   expect_option_refused({"--projection", "cavalier:angle=1:angle=2"}, {"cavalier:angle", "twice"});
   expect_option_refused({"--projection", "isometric:foreshortened=yes"}, {"'yes'", "false, true"});
   expect_option_refused({"--projection", "look-at:eye=1,2"}, {"look-at:eye", "3 numbers"});
@@ -161,7 +161,7 @@ TEST_F(Refusal, Projections) {
 }
 
 TEST_F(Refusal, PluginsThatAreNone) {
-  folder.file("mine.so", "this is no library");
+  folder.file("mine.so", "this is not a library");
   expect_option_refused({"--plugin-path", ".", "--projection", "mine"}, {"mine", "mine.so"}, 3);
 }
 

@@ -219,7 +219,7 @@ TEST(SnapshotCommand, RefusesFoldersWithoutCases) {
     return run.err;
   };
   EXPECT_TRUE(contains(refusal("cases/models"), "has no case"));
-  EXPECT_TRUE(contains(refusal("missing"), "is no folder"));
+  EXPECT_TRUE(contains(refusal("missing"), "is not a folder"));
   EXPECT_EQ(epura({"snapshot", "cases/cube-isometric"}, suite.folder / "").code, 0);
 }
 
@@ -230,7 +230,7 @@ TEST(SnapshotCommand, DoesNotWaitForWhatIsNoRegularFile) {
     ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
     const Outcome run = suite.run();
     EXPECT_NE(run.code, 0);
-    EXPECT_TRUE(contains(run.out + run.err, std::string(name) + ": is no regular file")) << run.out << run.err;
+    EXPECT_TRUE(contains(run.out + run.err, std::string(name) + ": is not a regular file")) << run.out << run.err;
   }
 }
 

@@ -27,7 +27,7 @@ constexpr double limit = 1;  // seconds
 struct Drawn {
   std::vector<std::string> stages;  ///< that were cut
   std::string error;                ///< what ended it
-  Trouble trouble{};
+  ErrorKind kind{};
   std::map<std::string, int> looks;  ///< at the clock, by stage
 };
 
@@ -51,7 +51,7 @@ Drawn draw_by(const Clock& clock, std::vector<std::string> arguments) {
     run.stages = draw_files(std::get<DrawOptions>(command), silent, Progress(board, limit)).report.partial.stages;
   } catch (const Error& error) {
     run.error = error.what();
-    run.trouble = error.trouble();
+    run.kind = error.kind();
   }
   return run;
 }
@@ -80,7 +80,7 @@ TEST_P(BeforeAnyLine, NothingIsWrittenAndTheStageIsNamed) {
   const std::string old = folder.file("x.svg", "old");
   const Drawn run = draw_struck_at(
       GetParam(), {(root() / "samples/scenes/bracket.toml").string(), "-o", old, "-o", (folder / "x.json").string()});
-  EXPECT_EQ(run.trouble, Trouble::time);
+  EXPECT_EQ(run.kind, ErrorKind::time);
   EXPECT_TRUE(contains(run.error, "'" + std::string(GetParam()) + "'")) << run.error;
   EXPECT_TRUE(contains(run.error, "nothing was written")) << run.error;
   EXPECT_EQ(folder.names().size(), 1U);

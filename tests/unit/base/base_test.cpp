@@ -19,13 +19,13 @@ namespace epura::test {
 namespace {
 
 TEST(Errors, SayPlaceReasonAndRemedy) {
-  const Error error(Trouble::input, "a.obj:3", "is wrong", "mend it");
+  const Error error(ErrorKind::input, "a.obj:3", "is wrong", "mend it");
   EXPECT_STREQ(error.what(), "a.obj:3: is wrong");
   EXPECT_EQ(error.hint(), "mend it");
-  EXPECT_STREQ(Error(Trouble::plugin, "", "is wrong").what(), "is wrong");
-  EXPECT_EQ(static_cast<int>(Trouble::input), 2);
-  EXPECT_EQ(static_cast<int>(Trouble::plugin), 3);
-  EXPECT_EQ(static_cast<int>(Trouble::output), 4);
+  EXPECT_STREQ(Error(ErrorKind::plugin, "", "is wrong").what(), "is wrong");
+  EXPECT_EQ(static_cast<int>(ErrorKind::input), 2);
+  EXPECT_EQ(static_cast<int>(ErrorKind::plugin), 3);
+  EXPECT_EQ(static_cast<int>(ErrorKind::output), 4);
 }
 
 TEST(ErrorsDeathTest, OurOwnMistakesEndTheProgramInEveryBuild) {
@@ -86,7 +86,7 @@ TEST(Parallel, OneThreadIsOneThread) {
 }
 
 TEST(Parallel, AnErrorGetsOut) {
-  EXPECT_THROW(parallel_for(1000, 1, [](std::size_t, std::size_t) { throw Error(Trouble::input, "a", "b"); }), Error);
+  EXPECT_THROW(parallel_for(1000, 1, [](std::size_t, std::size_t) { throw Error(ErrorKind::input, "a", "b"); }), Error);
 }
 
 }  // namespace

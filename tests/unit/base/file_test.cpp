@@ -63,7 +63,7 @@ TEST(Files, APointerOfGitLfsIsNoFile) {
   const std::string path =
       folder.file("a.stl", "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12\n");
   const Error error = error_of([&] { read_file(path); });
-  EXPECT_EQ(error.trouble(), Trouble::input);
+  EXPECT_EQ(error.kind(), ErrorKind::input);
   EXPECT_TRUE(contains(error.what(), "Git LFS pointer")) << error.what();
   EXPECT_EQ(error.hint(), "run git lfs pull");
 }
@@ -71,7 +71,7 @@ TEST(Files, APointerOfGitLfsIsNoFile) {
 TEST(Files, WhatCannotBeReadIsNamedWithTheReason) {
   const Folder folder;
   const Error missing = error_of([&] { read_file(folder / "none.obj"); });
-  EXPECT_EQ(missing.trouble(), Trouble::input);
+  EXPECT_EQ(missing.kind(), ErrorKind::input);
   EXPECT_EQ(missing.where(), (folder / "none.obj").string());
   EXPECT_TRUE(contains(missing.what(), "No such file")) << missing.what();
   EXPECT_EQ(missing.hint(), "check the path");
@@ -122,7 +122,7 @@ TEST(Files, LinksInACircleAreRefusedAndStay) {
   fs::create_symlink("b", folder / "a");
   fs::create_symlink("a", folder / "b");
   const Error error = error_of([&] { write_file(folder / "a", "new"); });
-  EXPECT_EQ(error.trouble(), Trouble::output);
+  EXPECT_EQ(error.kind(), ErrorKind::output);
   EXPECT_TRUE(contains(error.what(), "symbolic links")) << error.what();
   EXPECT_TRUE(fs::is_symlink(folder / "a") && fs::is_symlink(folder / "b"));
 }
@@ -182,7 +182,7 @@ TEST(Files, WhatCannotBeWrittenIsRefused) {
   write_file(folder / "file", "old");
   for (const fs::path& path : {folder / "", folder / "missing/a", folder / "file/a", fs::path("/proc/epura")}) {
     const Error error = error_of([&] { write_file(path, "x"); });
-    EXPECT_EQ(error.trouble(), Trouble::output) << path;
+    EXPECT_EQ(error.kind(), ErrorKind::output) << path;
     EXPECT_EQ(error.where(), path.string());
   }
   EXPECT_EQ(folder.names(), Names{"file"});
@@ -192,7 +192,7 @@ TEST(Files, WhatCannotBeWrittenIsRefused) {
 TEST(Files, DevicesAreWrittenToDirectly) {
   write_file("/dev/null", "x");
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
-  EXPECT_EQ(error_of([] { write_file("/dev/full", "x"); }).trouble(), Trouble::output);
+  EXPECT_EQ(error_of([] { write_file("/dev/full", "x"); }).kind(), ErrorKind::output);
 }
 
 // Files may hold no more than this many bytes while it lives: a full disk, as far as the writer can see.
@@ -218,12 +218,12 @@ class FullDisk {
 TEST(Files, AFullDiskLeavesTheOldFileAndNothingElse) {
   const Folder folder;
   write_file(folder / "a", "old");
-  Error error(Trouble::input, "", "");
+  Error error(ErrorKind::input, "", "");
   {
     const FullDisk disk(1000);
     error = error_of([&] { write_file(folder / "a", std::string(5000, 'x')); });
   }
-  EXPECT_EQ(error.trouble(), Trouble::output);
+  EXPECT_EQ(error.kind(), ErrorKind::output);
   EXPECT_EQ(read_file(folder / "a"), "old");
   EXPECT_EQ(folder.names(), Names{"a"});
 }

@@ -17,10 +17,10 @@ namespace {
 constexpr double tolerance = 1e-6;
 // With the first, pieces that lie on one another may differ in direction by much; with the second, by little.
 constexpr std::array<double, 2> leasts = {8e-6, 4e-5};
-constexpr double least = leasts[0];
+constexpr double min = leasts[0];
 
 // Every piece against every other. Where two cover the same of a piece, they are one cover.
-std::vector<Cover> all_covers(const std::vector<Piece>& pieces, double least_overlap = least) {
+std::vector<Cover> all_covers(const std::vector<Piece>& pieces, double least_overlap = min) {
   std::vector<Cover> covers;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const Ruler line(pieces[i].from, pieces[i].to);
@@ -128,7 +128,7 @@ TEST(Covers, OfARowAreFoundInAFewTries) {
     const Vec2 start = 1e-4 * i * along + 1e-7 * (i * 7 % 10) * across;
     pieces.push_back({start, start + 100.0 * along, false, EdgeKind::crease, i, {0, 1}});
   }
-  const std::vector<Cover> covers = find_covers(pieces, tolerance, least);
+  const std::vector<Cover> covers = find_covers(pieces, tolerance, min);
   ASSERT_EQ(covers.size(), pieces.size() - 1);
   for (std::size_t i = 0; i < covers.size(); ++i) {
     EXPECT_EQ(covers[i].piece, static_cast<int>(i) + 1);
@@ -141,9 +141,9 @@ TEST(Covers, TheSameLineHalfATurnAway) {
   const auto piece = [](Vec2 from, Vec2 to, int edge) { return Piece{from, to, true, EdgeKind::crease, edge, {0, 1}}; };
   const std::vector<Piece> pieces{piece({0, 0}, {1, 1e-9}, 0), piece({0.25, 1e-9}, {0.75, 0}, 1),
                                   piece({0.5, 0}, {-1, 0}, 2)};
-  EXPECT_EQ(find_covers(pieces, tolerance, least), all_covers(pieces));
-  EXPECT_EQ(find_covers(pieces, tolerance, least).size(), 3U);
-  EXPECT_TRUE(find_covers({}, tolerance, least).empty());
+  EXPECT_EQ(find_covers(pieces, tolerance, min), all_covers(pieces));
+  EXPECT_EQ(find_covers(pieces, tolerance, min).size(), 3U);
+  EXPECT_TRUE(find_covers({}, tolerance, min).empty());
 }
 
 }  // namespace

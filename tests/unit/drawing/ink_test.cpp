@@ -11,7 +11,7 @@ namespace epura::test {
 namespace {
 
 constexpr double tolerance = 1e-6;
-constexpr double least = 1e-4;
+constexpr double min = 1e-4;
 
 Piece piece(Vec2 from, Vec2 to, bool visible, int edge, EdgeKind kind = EdgeKind::crease) {
   return {from, to, visible, kind, edge, {0, 1}};
@@ -28,7 +28,7 @@ double ink(const std::vector<Piece>& pieces, bool visible) {
 TEST(Ink, VisibleBeatsHiddenWhoeverComesFirst) {
   for (const bool first : {false, true}) {
     const auto kept =
-        resolve_coincident({piece({0, 0}, {4, 0}, first, 0), piece({4, 0}, {0, 0}, !first, 1)}, tolerance, least);
+        resolve_coincident({piece({0, 0}, {4, 0}, first, 0), piece({4, 0}, {0, 0}, !first, 1)}, tolerance, min);
     ASSERT_EQ(kept.size(), 1U);
     EXPECT_TRUE(kept[0].visible);
     EXPECT_EQ(kept[0].edge, first ? 0 : 1);
@@ -38,11 +38,11 @@ TEST(Ink, VisibleBeatsHiddenWhoeverComesFirst) {
 TEST(Ink, AmongEqualsTheStrongerKindThenTheEarlierEdgeStays) {
   const auto by_kind = resolve_coincident(
       {piece({0, 0}, {4, 0}, true, 0, EdgeKind::smooth), piece({0, 0}, {4, 0}, true, 1, EdgeKind::contour)}, tolerance,
-      least);
+      min);
   ASSERT_EQ(by_kind.size(), 1U);
   EXPECT_EQ(by_kind[0].kind, EdgeKind::contour);
   const auto by_edge =
-      resolve_coincident({piece({0, 0}, {4, 0}, true, 7), piece({0, 0}, {4, 0}, true, 3)}, tolerance, least);
+      resolve_coincident({piece({0, 0}, {4, 0}, true, 7), piece({0, 0}, {4, 0}, true, 3)}, tolerance, min);
   ASSERT_EQ(by_edge.size(), 1U);
   EXPECT_EQ(by_edge[0].edge, 3);
 }
@@ -51,8 +51,7 @@ TEST(Ink, AHiddenLineKeepsWhatNoVisibleOneCovers) {
   // Covered from 3 to 5 of 10, and by a slanted direction, given backwards.
   const Vec2 along = Vec2(3, 4) / 5.0;
   const auto at = [&](double x) { return Vec2(1, 1) + x * along; };
-  const auto kept =
-      resolve_coincident({piece(at(0), at(10), false, 0), piece(at(5), at(3), true, 1)}, tolerance, least);
+  const auto kept = resolve_coincident({piece(at(0), at(10), false, 0), piece(at(5), at(3), true, 1)}, tolerance, min);
   ASSERT_EQ(kept.size(), 3U);
   EXPECT_NEAR(glm::distance(kept[0].from, at(0)) + glm::distance(kept[0].to, at(3)), 0, 1e-12);
   EXPECT_NEAR(glm::distance(kept[1].from, at(5)) + glm::distance(kept[1].to, at(10)), 0, 1e-12);
@@ -64,7 +63,7 @@ TEST(Ink, AHiddenLineKeepsWhatNoVisibleOneCovers) {
 
 TEST(Ink, PartialOverlapsOfOneLook) {
   const auto kept =
-      resolve_coincident({piece({0, 0}, {6, 0}, true, 0), piece({4, 0}, {10, 0}, true, 1)}, tolerance, least);
+      resolve_coincident({piece({0, 0}, {6, 0}, true, 0), piece({4, 0}, {10, 0}, true, 1)}, tolerance, min);
   EXPECT_NEAR(ink(kept, true), 10, 1e-12);
   ASSERT_EQ(kept.size(), 2U);
   EXPECT_NEAR(kept[1].from.x, 6, 1e-12);
@@ -73,7 +72,7 @@ TEST(Ink, PartialOverlapsOfOneLook) {
 TEST(Ink, SeveralCoversAddUp) {
   std::vector<Piece> pieces{piece({0, 0}, {10, 0}, false, 0)};
   for (int i = 0; i < 5; ++i) pieces.push_back(piece({2.0 * i, 0}, {2.0 * i + 1.5, 0}, true, i + 1));
-  const auto kept = resolve_coincident(pieces, tolerance, least);
+  const auto kept = resolve_coincident(pieces, tolerance, min);
   EXPECT_NEAR(ink(kept, false), 2.5, 1e-12);
   EXPECT_NEAR(ink(kept, true), 7.5, 1e-12);
 }
@@ -82,7 +81,7 @@ TEST(Ink, CrossingParallelAndTouchingLinesStay) {
   const std::vector<Piece> pieces{piece({0, 0}, {10, 0}, true, 0), piece({5, -5}, {5, 5}, false, 1),
                                   piece({0, 0.1}, {10, 0.1}, false, 2), piece({10, 0}, {20, 0}, false, 3),
                                   piece({0, 0}, {10, 0.001}, false, 4)};
-  const auto kept = resolve_coincident(pieces, tolerance, least);
+  const auto kept = resolve_coincident(pieces, tolerance, min);
   ASSERT_EQ(kept.size(), 5U);
   for (int i = 0; i < 4; ++i) EXPECT_EQ(kept[i].from, pieces[i].from) << i;
   // The last one leaves the first at an angle of 1e-4: within the tolerance only over 1e-2.
@@ -92,26 +91,26 @@ TEST(Ink, CrossingParallelAndTouchingLinesStay) {
 TEST(Ink, WithinTheToleranceLinesCoincide) {
   const auto kept = resolve_coincident(
       {piece({0, 0}, {10, 0}, true, 0), piece({-1, 0.9 * tolerance}, {11, -0.9 * tolerance}, false, 1)}, tolerance,
-      least);
+      min);
   EXPECT_NEAR(ink(kept, false), 2, 1e-9);
 }
 
 TEST(Ink, PointsAndShortRemaindersAreDropped) {
-  EXPECT_TRUE(resolve_coincident({piece({1, 1}, {1, 1}, true, 0)}, tolerance, least).empty());
-  const auto kept = resolve_coincident({piece({0, 0}, {10 + least / 2, 0}, false, 0), piece({0, 0}, {10, 0}, true, 1)},
-                                       tolerance, least);
+  EXPECT_TRUE(resolve_coincident({piece({1, 1}, {1, 1}, true, 0)}, tolerance, min).empty());
+  const auto kept =
+      resolve_coincident({piece({0, 0}, {10 + min / 2, 0}, false, 0), piece({0, 0}, {10, 0}, true, 1)}, tolerance, min);
   ASSERT_EQ(kept.size(), 1U);
   EXPECT_TRUE(kept[0].visible);
-  EXPECT_TRUE(resolve_coincident({}, tolerance, least).empty());
+  EXPECT_TRUE(resolve_coincident({}, tolerance, min).empty());
 }
 
 TEST(Ink, DirectionsNearZeroAndPiAreNeighbours) {
   const auto kept =
-      resolve_coincident({piece({0, 0}, {10, 1e-8}, true, 0), piece({10, 0}, {0, 1e-8}, false, 1)}, tolerance, least);
+      resolve_coincident({piece({0, 0}, {10, 1e-8}, true, 0), piece({10, 0}, {0, 1e-8}, false, 1)}, tolerance, min);
   EXPECT_EQ(kept.size(), 1U);
   // The very same with upright lines, where nothing is special.
   EXPECT_EQ(
-      resolve_coincident({piece({0, 0}, {1e-8, 10}, true, 0), piece({1e-8, 0}, {0, 10}, false, 1)}, tolerance, least)
+      resolve_coincident({piece({0, 0}, {1e-8, 10}, true, 0), piece({1e-8, 0}, {0, 10}, false, 1)}, tolerance, min)
           .size(),
       1U);
 }
@@ -142,7 +141,7 @@ TEST(Ink, IsTheUnionOfManyIntervalsOnALine) {
       else if (covered(x, false))
         hidden += step;
     }
-    const auto kept = resolve_coincident(pieces, tolerance, least);
+    const auto kept = resolve_coincident(pieces, tolerance, min);
     EXPECT_NEAR(ink(kept, true), visible, 0.3);
     EXPECT_NEAR(ink(kept, false), hidden, 0.3);
   }

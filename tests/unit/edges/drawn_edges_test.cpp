@@ -11,17 +11,17 @@
 namespace epura::test {
 namespace {
 
-DrawnEdges edges_of(const World& world, View& view, const EdgeWishes& wishes = {}) {
-  return find_drawn_edges(world, view, wishes, 1e-9);
+FeatureEdges edges_of(const World& world, ProjectedScene& view, const EdgeOptions& wishes = {}) {
+  return find_feature_edges(world, view, wishes, 1e-9);
 }
 
-TEST(DrawnEdges, KnowWhereTheyComeFrom) {
+TEST(FeatureEdges, KnowWhereTheyComeFrom) {
   const World world = world_of({box({0, 0, 0}, {1, 1, 1}), box({3, 0, 0}, {4, 1, 1})});
-  View view = make_view(world, orthographic({1.1, -2, 1.3}), {});
-  const DrawnEdges drawn = edges_of(world, view);
+  ProjectedScene view = make_view(world, orthographic({1.1, -2, 1.3}), {});
+  const FeatureEdges drawn = edges_of(world, view);
   ASSERT_EQ(drawn.edges.size(), 24U);
   for (std::size_t e = 0; e < drawn.edges.size(); ++e) {
-    const DrawnEdge& edge = drawn.edges[e];
+    const FeatureEdge& edge = drawn.edges[e];
     EXPECT_EQ(edge.model, e < 12 ? 0 : 1);
     EXPECT_EQ(edge.t, (std::array{0.0, 1.0}));
     EXPECT_EQ(edge.crossing, -1);
@@ -31,15 +31,15 @@ TEST(DrawnEdges, KnowWhereTheyComeFrom) {
   }
 }
 
-TEST(DrawnEdges, CrossingPlatesHaveALineInCommon) {
+TEST(FeatureEdges, CrossingPlatesHaveALineInCommon) {
   Shape plates = plate(-1, -1, 1, 1, 0);
   plates.add({{{0.25, -2, -1}, {0.25, 2, -1}, {0.25, 2, 1}, {0.25, -2, 1}}, {{0, 1, 2, 3}}, {}});
   const World world = world_of(plates);
-  View view = make_view(world, orthographic({1.1, -2, 1.3}), {});
-  const DrawnEdges drawn = edges_of(world, view);
+  ProjectedScene view = make_view(world, orthographic({1.1, -2, 1.3}), {});
+  const FeatureEdges drawn = edges_of(world, view);
   double length = 0;
   int lines = 0;
-  for (const DrawnEdge& edge : drawn.edges) {
+  for (const FeatureEdge& edge : drawn.edges) {
     if (edge.kind != EdgeKind::intersection) continue;
     ++lines;
     EXPECT_EQ(edge.mesh_edge, -1);
@@ -54,18 +54,18 @@ TEST(DrawnEdges, CrossingPlatesHaveALineInCommon) {
   }
   EXPECT_GT(lines, 0);
   EXPECT_NEAR(length, 2, 1e-12);
-  View other = make_view(world, orthographic({1.1, -2, 1.3}), {});
+  ProjectedScene other = make_view(world, orthographic({1.1, -2, 1.3}), {});
   EXPECT_EQ(edges_of(world, other, {.intersection = false}).edges.size(), drawn.edges.size() - lines);
 }
 
-TEST(DrawnEdges, OutsideTheWindowNothingIsDrawn) {
+TEST(FeatureEdges, OutsideTheWindowNothingIsDrawn) {
   const World world = world_of(plate(-10, -10, 10, 10, 0));
   Projection p = from_above();
   p.window = Window{{0, 0}, {20, 20}};
-  View view = make_view(world, p, {});
-  const DrawnEdges drawn = edges_of(world, view);
+  ProjectedScene view = make_view(world, p, {});
+  const FeatureEdges drawn = edges_of(world, view);
   ASSERT_EQ(drawn.edges.size(), 2U);
-  for (const DrawnEdge& edge : drawn.edges)
+  for (const FeatureEdge& edge : drawn.edges)
     EXPECT_NEAR(edge.t[1] - edge.t[0], 0.5, 1e-15) << "half of each border lies in the window";
 }
 

@@ -13,13 +13,13 @@
 namespace epura::test {
 namespace {
 
-constexpr EdgeWishes everything{.smooth = true};
+constexpr EdgeOptions everything{.smooth = true};
 
 using Kinds = std::map<std::string, int>;
 
 // How many edges of each kind there are.
-Kinds kinds(const World& world, const Projection& projection, const EdgeWishes& wishes = {}) {
-  const View view = make_view(world, projection, {});
+Kinds kinds(const World& world, const Projection& projection, const EdgeOptions& wishes = {}) {
+  const ProjectedScene view = make_view(world, projection, {});
   Kinds counts;
   for (const auto& kind : feature_edges(world, view, 0, wishes))
     if (kind) ++counts[std::string(name_of(*kind))];

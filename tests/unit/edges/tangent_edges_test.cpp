@@ -20,8 +20,8 @@ constexpr double pi = std::numbers::pi;
 
 // The tangent edges of the only model, as pairs of vertices.
 std::set<std::pair<int, int>> tangents(const World& world) {
-  const EdgeWishes wishes{.contour = false, .boundary = false, .crease = false, .tangent = true};
-  const View view = make_view(world, orthographic({1.1, -2, 1.3}), {});
+  const EdgeOptions wishes{.contour = false, .boundary = false, .crease = false, .tangent = true};
+  const ProjectedScene view = make_view(world, orthographic({1.1, -2, 1.3}), {});
   const auto kinds = feature_edges(world, view, 0, wishes);
   std::set<std::pair<int, int>> found;
   for (std::size_t e = 0; e < kinds.size(); ++e)

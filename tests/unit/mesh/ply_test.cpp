@@ -107,9 +107,9 @@ TEST(Ply, TextErrorsNameTheLine) {
   EXPECT_EQ(error(head + "0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"),
             "m.ply:13 | m.ply:13: a face refers to vertex 3, but there are 3 | ");
   EXPECT_EQ(error(head + "0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n"),
-            "m.ply:13 | m.ply:13: a face refers to a vertex whose number is no vertex | ");
+            "m.ply:13 | m.ply:13: a face refers to a vertex whose number is not a vertex | ");
   EXPECT_EQ(error(head + "0 0 0\n1 0 0\n0 1 0\n3 0 1.5 2\n"),
-            "m.ply:13 | m.ply:13: a face refers to a vertex whose number is no vertex | ");
+            "m.ply:13 | m.ply:13: a face refers to a vertex whose number is not a vertex | ");
   EXPECT_EQ(error(head + "0 0 0\n1 0 0\n0 1 0\n-3 0 1 2\n"), "m.ply:13 | m.ply:13: a list cannot have this length | ");
   EXPECT_EQ(error(head + "0 0 0\n1 0 0\n0 1 0\n# c\n"), "m.ply:14 | m.ply:14: the file ends too early | ");
 }

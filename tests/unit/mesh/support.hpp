@@ -37,7 +37,7 @@ inline std::string error_of(const std::function<void()>& action) {
   try {
     action();
   } catch (const Error& error) {
-    EXPECT_EQ(error.trouble(), Trouble::input);
+    EXPECT_EQ(error.kind(), ErrorKind::input);
     return error.where() + " | " + error.what() + " | " + error.hint();
   }
   return {};

@@ -10,8 +10,8 @@
 namespace epura {
 namespace {
 
-Drawing example() {
-  Drawing drawing;
+ViewDrawing example() {
+  ViewDrawing drawing;
   drawing.name = "front \"A\"";
   drawing.scale = 0.5;
   drawing.projection.name = "look-at";
@@ -68,14 +68,14 @@ TEST(Json, SaysWhatTheViewIs) {
   EXPECT_EQ(view["vanishing_points"].items.at(0).type, 'n');
   EXPECT_EQ(view["vanishing_points"].items.at(1).items.at(0).number(), -1.5);
 
-  Drawing parallel = example();
+  ViewDrawing parallel = example();
   parallel.projection.central = false;
   EXPECT_EQ(parse(to_json({1, 1, "", {}}, 1, std::array{parallel}, {}))["views"].items[0]["viewer"].keys(),
             "direction");
 }
 
 TEST(Json, NumbersComeBackExactly) {
-  const Drawing drawing = example();
+  const ViewDrawing drawing = example();
   const Json json = parse(to_json({420, 297, "", {}}, 1 / 3.0, std::array{drawing}, {}));
   const Json& segment = json["views"].items.at(0)["segments"].items.at(0);
   EXPECT_EQ(json["sheet"]["scale"].number(), 1 / 3.0);
@@ -142,7 +142,7 @@ TEST(Json, StringsAreEscapedAndValid) {
 }
 
 TEST(JsonDeathTest, NumbersThatAreNoneAreNeverWritten) {
-  Drawing drawing = example();
+  ViewDrawing drawing = example();
   drawing.segments[0].to.x = std::nan("");
   EXPECT_DEATH(to_json({1, 1, "", {}}, 1, std::array{drawing}, {}), "not finite");
 }

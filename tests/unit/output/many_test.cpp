@@ -11,7 +11,7 @@
 namespace epura {
 namespace {
 
-// Short lines here and there: the area they cover is no simple one.
+// Short lines here and there: the area they cover is not a simple one.
 Sheet scattered(int strokes) {
   std::mt19937 random(1);
   Sheet sheet{1000, 1000, "scattered", {{"view/visible", {"visible", 0.25}, {}}}};

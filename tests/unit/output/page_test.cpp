@@ -84,7 +84,7 @@ TEST(Png, RefusesAbsurdSizes) {
   try {
     to_png(random_sheet(1189, 841, 0), 600);
   } catch (const Error& error) {
-    EXPECT_EQ(error.trouble(), Trouble::output);
+    EXPECT_EQ(error.kind(), ErrorKind::output);
     EXPECT_FALSE(error.hint().empty());
   }
 }

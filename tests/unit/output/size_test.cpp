@@ -14,7 +14,7 @@ namespace {
 // Lines as drawings of parts have them: half of them straight, the others around curves; some dashed.
 Sheet many_strokes() {
   std::mt19937 random(3);
-  const auto number = [&random](double most) { return most * (static_cast<double>(random()) / 4294967295.0); };
+  const auto number = [&random](double max) { return max * (static_cast<double>(random()) / 4294967295.0); };
   Sheet sheet{
       420, 297, "many", {{"front/hidden", {"hidden", 0.25, {3, 0.75}}, {}}, {"front/visible", {"visible", 0.5}, {}}}};
   for (int i = 0; i < 3000; ++i) {

@@ -17,7 +17,7 @@ namespace epura {
 /// Polylines with corners everywhere, at the corners of the sheet as well, open and closed, continuous and dashed.
 inline Sheet random_sheet(double width, double height, int strokes = 50) {
   std::mt19937 random(7);
-  const auto coordinate = [&random](double most) { return most * (static_cast<double>(random()) / 4294967295.0); };
+  const auto coordinate = [&random](double max) { return max * (static_cast<double>(random()) / 4294967295.0); };
   Sheet sheet{width,
               height,
               "random",

@@ -106,11 +106,11 @@ TEST(Svg, DecimalsAreThoseAskedForAndDoNotAddUp) {
   Stroke stroke;
   for (int i = 0; i < 5000; ++i) stroke.points.emplace_back(i * 0.1333333, 500 + 100 * std::sin(i * 0.01));
   sheet.layers[0].strokes.push_back(stroke);
-  for (const auto& [decimals, most] : {std::pair{1, 0.0708}, {3, 0.000708}, {4, 0.0000758}, {5, 0.0000121}}) {
+  for (const auto& [decimals, max] : {std::pair{1, 0.0708}, {3, 0.000708}, {4, 0.0000758}, {5, 0.0000121}}) {
     const auto document = parse_svg(to_svg(sheet, {false, 300, decimals}));
     const double error = largest_error(sheet.layers[0].strokes, ink_of(layers_of(document)[0], 1000));
-    EXPECT_LT(error, most) << decimals;
-    EXPECT_GT(error, most / 4) << decimals;
+    EXPECT_LT(error, max) << decimals;
+    EXPECT_GT(error, max / 4) << decimals;
   }
 }
 

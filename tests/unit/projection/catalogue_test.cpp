@@ -52,7 +52,7 @@ TEST_P(refused_when_loaded, is_named_with_the_reason) {
 
 TEST_P(refused_when_loaded, is_named_when_it_is_looked_up) {
   const Error error = error_of([] { find_projection("plain", {bad(GetParam().folder)}); });
-  EXPECT_EQ(error.trouble(), Trouble::plugin);
+  EXPECT_EQ(error.kind(), ErrorKind::plugin);
   EXPECT_EQ(error.where(), (bad(GetParam().folder) / "plain.so").string());
   EXPECT_TRUE(contains(error.what(), GetParam().reason)) << error.what();
 }
@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(bad_plugins, refused_when_asked,
 TEST_P(refused_when_asked, is_named_with_the_reason) {
   const ProjectionEntry entry = find_projection("plain", {bad(GetParam().folder)});
   const Error error = error_of([&] { make_projection(entry, {"plain", {}}, a_box()); });
-  EXPECT_EQ(error.trouble(), Trouble::plugin);
+  EXPECT_EQ(error.kind(), ErrorKind::plugin);
   EXPECT_EQ(error.where(), entry.plugin.string());
   EXPECT_TRUE(contains(error.what(), GetParam().reason)) << error.what();
 }
@@ -83,9 +83,9 @@ TEST(a_plugin, that_has_a_sentence_to_say_is_heard) {
     return error_of([&] { make_projection(entry, request, a_box()); });
   };
   EXPECT_STREQ(answer("sentence", "plain:scale=2").what(), "plain: not today");
-  EXPECT_EQ(answer("sentence", "plain:scale=2").trouble(), Trouble::input);
+  EXPECT_EQ(answer("sentence", "plain:scale=2").kind(), ErrorKind::input);
   EXPECT_TRUE(contains(answer("sentence", "plain").what(), "plain.so: 'plain': not today"));
-  EXPECT_EQ(answer("sentence", "plain").trouble(), Trouble::plugin);
+  EXPECT_EQ(answer("sentence", "plain").kind(), ErrorKind::plugin);
   EXPECT_TRUE(contains(answer("throws", "throws-error").what(), "the moon is not full"));
   EXPECT_TRUE(contains(answer("throws", "throws-number").what(), "threw something"));
 }
@@ -112,8 +112,8 @@ TEST(a_plugin, receives_each_value_in_its_place) {
   EXPECT_EQ(p.point, Vec3(7, 8, 9));
   EXPECT_EQ(p.projector, Vec3(-2, -1e3, 0));
   EXPECT_TRUE(p.central);
-  EXPECT_EQ(p.window->least, Vec2(-1, -2));
-  EXPECT_EQ(p.window->most, Vec2(3, 4));
+  EXPECT_EQ(p.window->min, Vec2(-1, -2));
+  EXPECT_EQ(p.window->max, Vec2(3, 4));
   EXPECT_EQ(p.values.size(), 6);
   EXPECT_EQ(p.values[1], (std::pair<std::string, std::vector<double>>{"word", {2}}));
 }
@@ -121,7 +121,7 @@ TEST(a_plugin, receives_each_value_in_its_place) {
 TEST(a_plugin, finds_defaults_from_the_box_and_they_are_not_recorded) {
   const ProjectionEntry entry = find_projection("every-type", {bad("good")});
   const Projection p = make_projection(entry, {"every-type", {}}, a_box());
-  EXPECT_EQ(p.point, a_box().most);
+  EXPECT_EQ(p.point, a_box().max);
   for (const auto& [name, value] : p.values) EXPECT_NE(name, "point");
 }
 
@@ -157,7 +157,7 @@ TEST(two_libraries, with_one_name_in_two_folders_hide_each_other_in_order) {
 }
 
 TEST_F(with_folder, junk_is_named_and_other_files_are_left_alone) {
-  write_file(folder / "junk.so", "this is no library");
+  write_file(folder / "junk.so", "this is not a library");
   write_file(folder / "empty.so", "");
   write_file(folder / "notes.txt", "nor is this");
   fs::create_directory(folder / "folder.so");
@@ -190,7 +190,7 @@ TEST_F(with_folder, a_library_cut_short_beside_good_ones_is_named_and_hides_none
   const std::string whole = read_file(built("back"));
   write_file(folder / "short.so", whole.substr(0, whole.size() / 2));
   const Error error = error_of([&] { find_projection("fornt", {folder}); });
-  EXPECT_EQ(error.trouble(), Trouble::plugin);
+  EXPECT_EQ(error.kind(), ErrorKind::plugin);
   EXPECT_TRUE(error.hint().starts_with("did you mean 'front'?\n" + (folder / "short.so").string() + ": "))
       << error.hint();
 }
@@ -202,7 +202,7 @@ TEST_F(with_folder, projection_in_a_library_of_another_name_is_found) {
 
 TEST(find_projection, says_what_was_perhaps_meant) {
   const Error error = error_of([] { find_projection("isometrik", built_plugins()); });
-  EXPECT_EQ(error.trouble(), Trouble::plugin);
+  EXPECT_EQ(error.kind(), ErrorKind::plugin);
   EXPECT_STREQ(error.what(), "isometrik: no such projection");
   EXPECT_EQ(error.hint(), "did you mean 'isometric'?");
 }
@@ -210,7 +210,7 @@ TEST(find_projection, says_what_was_perhaps_meant) {
 TEST_F(with_folder, name_does_not_lead_out_of_it) {
   fs::create_directory(folder / "inside");
   fs::copy(built("front"), folder / "outside.so");
-  EXPECT_EQ(error_of([&] { find_projection("../outside", {folder / "inside"}); }).trouble(), Trouble::plugin);
+  EXPECT_EQ(error_of([&] { find_projection("../outside", {folder / "inside"}); }).kind(), ErrorKind::plugin);
   EXPECT_EQ(error_of([&] { find_projection("../outside", {folder / "inside"}); }).hint(), "no projections were found");
 }
 
@@ -235,7 +235,7 @@ TEST(parse_request, takes_names_and_assignments_apart) {
 
 TEST(parse_request, refuses_what_is_no_assignment) {
   for (const char* text : {"", ":x=1", "front:", "front:x", "front:=1", "front::x=1", "front:x=1:x=2"})
-    EXPECT_EQ(error_of([&] { parse_request(text); }).trouble(), Trouble::input) << text;
+    EXPECT_EQ(error_of([&] { parse_request(text); }).kind(), ErrorKind::input) << text;
 }
 
 struct Wrong {
@@ -266,7 +266,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST_P(wrong_value, is_named_with_what_is_allowed) {
   const Error error = error_of([] { make(GetParam().request, a_box()); });
-  EXPECT_EQ(error.trouble(), Trouble::input);
+  EXPECT_EQ(error.kind(), ErrorKind::input);
   EXPECT_STREQ(error.what(), GetParam().message);
 }
 

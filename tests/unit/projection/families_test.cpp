@@ -141,14 +141,14 @@ TEST(perspective, one_two_and_three_point_have_that_many_over_their_whole_range)
     const std::string two = "two-point:azimuth=" + text(azimuth), three = "three-point:azimuth=" + text(azimuth);
     const double to_quarter = std::abs(azimuth - 90 * std::round(azimuth / 90));
     if (to_quarter < 0.9) {
-      EXPECT_EQ(error_of([&] { make(two, a_box()); }).trouble(), Trouble::input);
+      EXPECT_EQ(error_of([&] { make(two, a_box()); }).kind(), ErrorKind::input);
     } else if (to_quarter > 1.1) {
       EXPECT_EQ(vanishing(make(two, a_box())), (std::array{true, true, false})) << azimuth;
       for (const char* elevation : {"-89", "-1", "1", "40", "89"})
         EXPECT_EQ(vanishing(make(three + ":elevation=" + elevation, a_box())), (std::array{true, true, true}));
     }
   }
-  EXPECT_EQ(error_of([] { make("three-point:elevation=0.5", a_box()); }).trouble(), Trouble::input);
+  EXPECT_EQ(error_of([] { make("three-point:elevation=0.5", a_box()); }).kind(), ErrorKind::input);
 }
 
 TEST(perspective, two_point_keeps_verticals_vertical) {
@@ -159,7 +159,7 @@ TEST(perspective, two_point_keeps_verticals_vertical) {
 
 TEST(perspective, one_point_keeps_the_front_true) {
   const Projection p = make("one-point", a_box());
-  const Vec3 corner = a_box().least;
+  const Vec3 corner = a_box().min;
   expect_near<2>(place(p, corner + 2.0 * ex) - place(p, corner), {2, 0}, 1e-13);
   expect_near<2>(place(p, corner + 3.0 * ez) - place(p, corner), {0, 3}, 1e-13);
 }
@@ -176,15 +176,14 @@ TEST(perspective, any_model_lies_in_a_calm_cone_unless_told_otherwise) {
     for (const Box& box : boxes) {
       const Projection p = make(name, box);
       for (int i = 0; i < 8; ++i) {
-        const Vec3 corner{i & 1 ? box.most.x : box.least.x, i & 2 ? box.most.y : box.least.y,
-                          i & 4 ? box.most.z : box.least.z};
+        const Vec3 corner{i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y, i & 4 ? box.max.z : box.min.z};
         const Vec3 sight = glm::normalize(corner - p.projector);
         const Vec3 middle = glm::normalize(box.centre() - p.projector);
         EXPECT_LE(degrees(std::acos(glm::dot(sight, middle))), 20) << name << ", box " << &box - boxes;
         EXPECT_LE(degrees(std::acos(-glm::dot(sight, p.n))), 30) << name << ", box " << &box - boxes;
         if (p.window) {
           const Vec2 at = place(p, corner);
-          EXPECT_TRUE(glm::all(glm::greaterThan(at, p.window->least)) && glm::all(glm::lessThan(at, p.window->most)));
+          EXPECT_TRUE(glm::all(glm::greaterThan(at, p.window->min)) && glm::all(glm::lessThan(at, p.window->max)));
         }
         const double height = glm::dot(corner - p.point, p.n);
         EXPECT_TRUE(height <= p.front + 1e-9 && height >= p.back - 1e-9) << name;

@@ -59,7 +59,7 @@ TEST(n_par, is_3_47_multiplied_out_and_maps_the_volume_to_the_unit_cube) {
   expect_near<3>(corner(-2, 1, s.back), {0, 0, 0}, 1e-12);
   expect_near<3>(corner(4, 1, s.front), {1, 0, 1}, 1e-12);
   expect_near<3>(corner(4, 5, s.plane), {1, 1, 7.0 / 9}, 1e-12);
-  expect_near<2>(npc_window(s, false).most, {1, 1}, 0);
+  expect_near<2>(npc_window(s, false).max, {1, 1}, 0);
 }
 
 TEST(n_per, is_3_58_multiplied_out) {
@@ -80,8 +80,8 @@ TEST(n_per, has_its_apex_at_one_half_and_its_window_at_half_dt) {
   const double dt = 7.0 / 14;  // (VPD - B) / (PRPn - B)
   expect_near<3>(cartesian(n_per(s) * Vec4(-2, 1, s.plane, 1)), {dt / 2, dt / 2, dt}, 1e-12);
   expect_near<3>(cartesian(n_per(s) * Vec4(4, 5, s.plane, 1)), {1 - dt / 2, 1 - dt / 2, dt}, 1e-12);
-  expect_near<2>(npc_window(s, true).least, {dt / 2, dt / 2}, 1e-15);
-  expect_near<2>(npc_window(s, true).most, {1 - dt / 2, 1 - dt / 2}, 1e-15);
+  expect_near<2>(npc_window(s, true).min, {dt / 2, dt / 2}, 1e-15);
+  expect_near<2>(npc_window(s, true).max, {1 - dt / 2, 1 - dt / 2}, 1e-15);
 }
 
 TEST(m_per_npc, is_m_per_for_the_normal_0_0_1_and_the_apex) {

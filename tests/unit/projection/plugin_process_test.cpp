@@ -49,7 +49,7 @@ INSTANTIATE_TEST_SUITE_P(plugins, deed_when_loaded,
 
 TEST_P(deed_when_loaded, is_told) {
   const Error error = error_of([] { entry_of(GetParam().folder); });
-  EXPECT_EQ(error.trouble(), Trouble::plugin);
+  EXPECT_EQ(error.kind(), ErrorKind::plugin);
   EXPECT_STREQ(error.what(), GetParam().sentence);
 }
 
@@ -66,7 +66,7 @@ TEST_P(deed_when_asked, is_told_with_the_library_and_the_name_each_time) {
   const ProjectionEntry entry = entry_of(GetParam().folder);
   for (int time = 0; time < 2; ++time) {
     const Error error = error_of([&] { make_projection(entry, {"plain", {}}, a_box()); });
-    EXPECT_EQ(error.trouble(), Trouble::plugin);
+    EXPECT_EQ(error.kind(), ErrorKind::plugin);
     EXPECT_TRUE(
         std::string(error.what()).starts_with(plain(GetParam().folder).string() + ": 'plain' " + GetParam().sentence))
         << error.what();
@@ -132,7 +132,7 @@ TEST(a_plugin_process, begins_when_no_other_thread_is_loading) {
   std::array<int, 2> ends{};
   ASSERT_EQ(::pipe(ends.data()), 0);
   ::setenv("EPURA_TEST_PIPE", std::to_string(ends[1]).c_str(), 1);
-  std::thread other([] { load_library(plain("tells-its-loading"), Trouble::plugin); });
+  std::thread other([] { load_library(plain("tells-its-loading"), ErrorKind::plugin); });
   char byte = 0;
   EXPECT_EQ(::read(ends[0], &byte, 1), 1);
   entry_of("good");

@@ -118,8 +118,8 @@ TEST_F(seed_002, depth_is_that_of_P_d) {
 TEST_F(seed_002, poster_hung_high_keeps_its_window) {
   const Projection poster = make("observer:o=40,60,40:c=0,20,20:u=0,20,21:d=0.5:window=-0.15,0.3,0.15,0.7", box);
   ASSERT_TRUE(poster.window);
-  EXPECT_EQ(poster.window->least, Vec2(-0.15, 0.3));
-  EXPECT_EQ(poster.window->most, Vec2(0.15, 0.7));
+  EXPECT_EQ(poster.window->min, Vec2(-0.15, 0.3));
+  EXPECT_EQ(poster.window->max, Vec2(0.15, 0.7));
   // h = (h1 - h0) / (X1 - X0) (X - X0) + h0 (6.6)
   const Vec4 h = window_to_viewport(*poster.window, {{0, 400}, {300, 0}}) * image(poster, {0, 0, 0});
   EXPECT_NEAR(h.x / h.w, 300 / 0.3 * (-std::sqrt(2.0) / 16 + 0.15), 1e-9);
@@ -140,7 +140,7 @@ TEST(seed_003, phigs_plugin_projects_like_n_per_and_n_par) {
     EXPECT_EQ(p.central, central);
     EXPECT_EQ(p.front, 2);
     EXPECT_EQ(p.back, -10);
-    EXPECT_EQ(p.window->least, volume.window.least);
+    EXPECT_EQ(p.window->min, volume.window.min);
   }
 }
 

@@ -364,7 +364,7 @@ TEST(CutWorld, RefusesPlanesThatCutNothing) {
   const World cube = world_of(box({0, 0, 0}, {2, 2, 2}));
   const auto refusal = [&](const World& world, const Vec3& point, const Vec3& normal) {
     const Error error = error_of([&] { cut(world, point, normal); });
-    EXPECT_EQ(error.trouble(), Trouble::input);
+    EXPECT_EQ(error.kind(), ErrorKind::input);
     EXPECT_EQ(error.where(), "--section");
     return std::string(error.what());
   };

@@ -20,7 +20,7 @@ void expect_refusals(const std::string& head, const std::vector<Refusal>& refusa
   for (const Refusal& refusal : refusals) {
     const std::string path = folder.file("scene.toml", head + refusal.text);
     const Error error = error_of([&] { read_scene_file(path); });
-    EXPECT_EQ(error.trouble(), Trouble::input);
+    EXPECT_EQ(error.kind(), ErrorKind::input);
     EXPECT_EQ(error.what(), path + ":" + refusal.sentence) << refusal.text.substr(0, 200);
     EXPECT_EQ(error.hint(), refusal.hint) << refusal.text.substr(0, 200);
   }
@@ -55,19 +55,19 @@ TEST(SceneRefusal, UnknownKeys) {
   expect_refusals(
       "",
       {
-          {"[[modle]]\n", "1:3: 'modle' is no key of a scene file", "did you mean 'model'?"},
-          {model + "unti = 'mm'", "3:1: 'unti' is no key of [[model]]", "did you mean 'unit'?"},
-          {model + "views = ['front']", "3:1: 'views' is no key of [[model]]", "it belongs above the first section"},
-          {view + "crease-angle = 3", "5:1: 'crease-angle' is no key of [[view]]", "did you mean 'crease_angle'?"},
-          {model + "[sheet]\nsice = 'A4'", "4:1: 'sice' is no key of [[sheet]]", "did you mean 'size'?"},
-          {model + "[all_sheets.title_block]", "3:13: 'title_block' is no key of [all_sheets]",
+          {"[[modle]]\n", "1:3: 'modle' is not a key of a scene file", "did you mean 'model'?"},
+          {model + "unti = 'mm'", "3:1: 'unti' is not a key of [[model]]", "did you mean 'unit'?"},
+          {model + "views = ['front']", "3:1: 'views' is not a key of [[model]]", "it belongs above the first section"},
+          {view + "crease-angle = 3", "5:1: 'crease-angle' is not a key of [[view]]", "did you mean 'crease_angle'?"},
+          {model + "[sheet]\nsice = 'A4'", "4:1: 'sice' is not a key of [[sheet]]", "did you mean 'size'?"},
+          {model + "[all_sheets.title_block]", "3:13: 'title_block' is not a key of [all_sheets]",
            "known: size, orientation, scale, angle, frame"},
-          {model + "[title_block]\ntitel = 'A'", "4:1: 'titel' is no key of [title_block]", "did you mean 'title'?"},
-          {model + "[sheet.title_block]\ntitel = 'A'", "4:1: 'titel' is no key of [sheet.title_block]",
+          {model + "[title_block]\ntitel = 'A'", "4:1: 'titel' is not a key of [title_block]", "did you mean 'title'?"},
+          {model + "[sheet.title_block]\ntitel = 'A'", "4:1: 'titel' is not a key of [sheet.title_block]",
            "did you mean 'title'?"},
           {model + "[title_block.free]\n\"a\\nb\" = 'A'", "4:1: a key is empty or has a control character", ""},
           {model + "[title_block.free]\n'' = 'A'", "4:1: a key is empty or has a control character", ""},
-          {model + "[title_block.free]\ntitle = 'A'", "4:1: 'title' is no free field", "put it into [title_block]"},
+          {model + "[title_block.free]\ntitle = 'A'", "4:1: 'title' is not a free field", "put it into [title_block]"},
       });
 }
 
@@ -97,9 +97,9 @@ TEST(SceneRefusal, ValuesOfAnotherKind) {
 TEST(SceneRefusal, ValuesOutOfRange) {
   expect_refusals("", {
                           {view + "crease_angle = 180.5", "5:16: 'crease_angle' is 180.5, allowed is 0 to 180", ""},
-                          {view + "near = nan", "5:8: 'near' is no finite number", ""},
-                          {view + "far = -inf", "5:7: 'far' is no finite number", ""},
-                          {view + "at = [0, inf]", "5:10: 'at' is no finite number", ""},
+                          {view + "near = nan", "5:8: 'near' is not a finite number", ""},
+                          {view + "far = -inf", "5:7: 'far' is not a finite number", ""},
+                          {view + "at = [0, inf]", "5:10: 'at' is not a finite number", ""},
                           {view + "sheet = 0", "5:9: 'sheet' is 0, allowed is 1 or more", ""},
                           {view + "sheet = 1.5", "5:9: 'sheet' is 1.5, a whole number is wanted", ""},
                           {view + "sheet = 3000000000", "5:9: 'sheet' is 3e+09, allowed is 1 to 2147483647", ""},
@@ -147,7 +147,7 @@ TEST(SceneRefusal, Anchors) {
                       {"from = [0, 'x']", "7:12: 'from' is a text, a number is wanted", ""},
                       {"from = [0]", "7:8: 'from' has 1 elements, [model, vertex] is wanted",
                        "a point of the world is {point = [x, y, z]}"},
-                      {"from = {piont = [0, 0, 0]}", "7:8: 'from' is no anchor", anchors},
+                      {"from = {piont = [0, 0, 0]}", "7:8: 'from' is not an anchor", anchors},
                       {"from = {point = [0, 0]}", "7:17: 'point' has 2 elements, 3 numbers are wanted", ""},
                       {"from = 'a:1'", "7:8: 'from' is a text, [model, vertex] or {point = [x, y, z]} is wanted", ""},
                   });

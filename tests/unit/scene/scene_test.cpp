@@ -31,7 +31,7 @@ TEST(Scene, ModelsShareOneNumbering) {
       EXPECT_LT(v, world.first_vertex[model + 1]);
     }
   }
-  EXPECT_EQ(world.box.most, Vec3(1, 1, 5));
+  EXPECT_EQ(world.box.max, Vec3(1, 1, 5));
 }
 
 TEST(Scene, ModelsStandWhereTheirTransformsPutThem) {
@@ -40,13 +40,13 @@ TEST(Scene, ModelsStandWhereTheirTransformsPutThem) {
   EXPECT_EQ(world.points[0], Vec3(10, 0, 0));
   EXPECT_EQ(world.points[7], Vec3(12, 2, 2));
   EXPECT_EQ(world.points[8], Vec3(0, 0, 0));
-  EXPECT_EQ(world.box.most, Vec3(12, 2, 2));
+  EXPECT_EQ(world.box.max, Vec3(12, 2, 2));
 }
 
 TEST(Scene, VerticesWithoutFacesDoNotCount) {
   Shape cube = triangulated_cube();
   cube.points.push_back({100, 100, 100});
-  EXPECT_EQ(world_of(cube).box.most, Vec3(1));
+  EXPECT_EQ(world_of(cube).box.max, Vec3(1));
 }
 
 TEST(Scene, AnUnmovedModelKeepsItsBits) {
@@ -61,7 +61,7 @@ TEST(Scene, AnUnmovedModelKeepsItsBits) {
 TEST(Scene, ATransformOutOfTheDoublesIsRefused) {
   for (const char* steps : {"scale:1e200 scale:1e200", "translate:1e308,0,0 scale:10"}) {
     const Error error = error_of([&] { make_world({placed(triangulated_cube(), steps)}); });
-    EXPECT_EQ(error.trouble(), Trouble::input);
+    EXPECT_EQ(error.kind(), ErrorKind::input);
     EXPECT_EQ(error.where(), "shape");
     EXPECT_TRUE(contains(error.what(), "range")) << error.what();
   }

@@ -83,7 +83,7 @@ TEST(Transform, WrongStepsAreNamed) {
            {"matrix:1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,2", "matrix:", "not affine"},
        }) {
     const Error error = error_of([text = text] { parse_transform(text); });
-    EXPECT_EQ(error.trouble(), Trouble::input);
+    EXPECT_EQ(error.kind(), ErrorKind::input);
     EXPECT_TRUE(contains(error.where(), step)) << error.where();
     EXPECT_TRUE(contains(error.what(), reason)) << error.what();
     EXPECT_FALSE(error.hint().empty());

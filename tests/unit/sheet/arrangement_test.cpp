@@ -57,8 +57,8 @@ void expect_tidy(const Arrangement& arrangement, const DrawingRoom& room) {
   }
 }
 
-bool above(const ViewSpot& a, const ViewSpot& b) { return a.box.least.y > b.box.most.y; }
-bool right_of(const ViewSpot& a, const ViewSpot& b) { return a.box.least.x > b.box.most.x; }
+bool above(const ViewSpot& a, const ViewSpot& b) { return a.box.min.y > b.box.max.y; }
+bool right_of(const ViewSpot& a, const ViewSpot& b) { return a.box.min.x > b.box.max.x; }
 
 TEST(Arrangement, FirstAngleShowsFromAboveBelowAndFromTheLeftAtTheRight) {
   const auto views = views_of_box({front, back, left, right, top, bottom});
@@ -155,7 +155,7 @@ TEST(Arrangement, ViewsKeepTheirGivenPlaces) {
   views[2].at = Vec2(350, 220);
   const auto made = arrange(views, {}, ProjectionAngle::first, a3());
   expect_tidy(made, a3());
-  EXPECT_LT(glm::length(made.views[2].scale * Rectangle{views[2].box.least, views[2].box.most}.centre() +
+  EXPECT_LT(glm::length(made.views[2].scale * Rectangle{views[2].box.min, views[2].box.max}.centre() +
                         made.views[2].shift - Vec2(350, 220)),
             1e-9);
 }
@@ -183,10 +183,10 @@ TEST(Arrangement, CutsPaperToSeveralViews) {
     expect_tidy(made, room);
     Rectangle all = made.views[0].box;
     for (const ViewSpot& spot : made.views) all = united(all, spot.box);
-    EXPECT_NEAR(all.least.x, 5, 1e-9);
-    EXPECT_NEAR(all.least.y, 5, 1e-9);
-    EXPECT_NEAR(all.most.x, made.paper.width - 5, 1e-9);
-    EXPECT_NEAR(all.most.y, made.paper.height - 5, 1e-9);
+    EXPECT_NEAR(all.min.x, 5, 1e-9);
+    EXPECT_NEAR(all.min.y, 5, 1e-9);
+    EXPECT_NEAR(all.max.x, made.paper.width - 5, 1e-9);
+    EXPECT_NEAR(all.max.y, made.paper.height - 5, 1e-9);
   }
   EXPECT_THROW(arrange(views_of_box({front, left}), {1e6}, ProjectionAngle::first, room), Error);
 }
@@ -224,8 +224,8 @@ TEST(FreeRectangles, AreMaximal) {
   const Rectangle block[] = {{{60, 0}, {100, 20}}};
   const auto free = free_rectangles({{0, 0}, {100, 100}}, block);
   ASSERT_EQ(free.size(), 2U);
-  EXPECT_EQ(free[0].most, Vec2(60, 100));
-  EXPECT_EQ(free[1].least, Vec2(0, 20));
+  EXPECT_EQ(free[0].max, Vec2(60, 100));
+  EXPECT_EQ(free[1].min, Vec2(0, 20));
 }
 
 // Models, sets of views, sheets and scales drawn by lot.
@@ -239,7 +239,7 @@ TEST(ArrangementProperty, AllIsInsideApartAndAligned) {
     std::vector<ViewToPlace> views;
     for (int i = 1 + up_to(8); i > 0; --i) {
       ViewToPlace view = view_of_box(static_cast<ViewPlace>(up_to(8)), size);
-      view.box = {view.box.least + offset, view.box.most + offset};
+      view.box = {view.box.min + offset, view.box.max + offset};
       if (view.place == other) view.after.y = label_room;
       views.push_back(view);
     }

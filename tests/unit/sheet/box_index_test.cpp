@@ -33,14 +33,14 @@ std::vector<TurnedBox> boxes(int count, unsigned seed) {
 TEST(BoxIndex, CountsWhatOverlapsAmongAll) {
   const std::vector<TurnedBox> all = boxes(500, 1);
   const BoxIndex index(all);
-  int most = 0;
+  int max = 0;
   for (const TurnedBox& box : boxes(300, 2)) {
     const auto meets = [&](const TurnedBox& other) { return overlap(box, other); };
     const auto expected = static_cast<int>(std::count_if(all.begin(), all.end(), meets));
     EXPECT_EQ(index.overlaps(box), expected);
-    most = std::max(most, expected);
+    max = std::max(max, expected);
   }
-  EXPECT_GT(most, 50);
+  EXPECT_GT(max, 50);
   EXPECT_EQ(BoxIndex().overlaps(all.front()), 0);
 }
 

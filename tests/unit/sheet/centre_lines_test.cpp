@@ -17,16 +17,16 @@ PlacedCircle circle(Vec3 centre, Vec3 axis, double radius, std::vector<int> vert
 }
 
 // A view whose page has x and y (right and up) along two directions of the world.
-Drawing view(Vec3 right, Vec3 up) {
-  Drawing drawing;
+ViewDrawing view(Vec3 right, Vec3 up) {
+  ViewDrawing drawing;
   drawing.name = "front";
   const Vec3 towards = glm::cross(right, up);
   drawing.world_to_page = rows(Vec4(right, 0), Vec4(up, 0), Vec4(towards, 0), Vec4(0, 0, 0, 1));
   return drawing;
 }
 
-const Drawing top = view({1, 0, 0}, {0, 1, 0});
-const Drawing front = view({1, 0, 0}, {0, 0, 1});
+const ViewDrawing top = view({1, 0, 0}, {0, 1, 0});
+const ViewDrawing front = view({1, 0, 0}, {0, 0, 1});
 
 struct Span {
   Vec2 from, to;
@@ -57,8 +57,9 @@ void expect_spans(const Layer& layer, const std::vector<Span>& wanted) {
   }
 }
 
-Layer lines(const Drawing& drawing, const std::vector<PlacedCircle>& circles, const std::vector<Layer>& drawn = {}) {
-  return centre_lines(drawing, circles, widths, {ModelLook{}}, drawn);
+Layer lines(const ViewDrawing& drawing, const std::vector<PlacedCircle>& circles,
+            const std::vector<Layer>& drawn = {}) {
+  return centre_lines(drawing, circles, widths, {ModelStyle{}}, drawn);
 }
 
 TEST(CentreLines, OfACircleAreACross) {
@@ -97,7 +98,7 @@ TEST(CentreLines, OneCircleEdgeOnHasAnAxis) {
 
 TEST(CentreLines, ObliqueCirclesHaveAnAxisWhenThereAreTwo) {
   const double root = std::sqrt(0.5);
-  const Drawing slanted = view({1, 0, 0}, {0, root, root});
+  const ViewDrawing slanted = view({1, 0, 0}, {0, root, root});
   EXPECT_TRUE(lines(slanted, {circle({0, 0, 0}, {0, 0, 1}, 10)}).strokes.empty());
   // Seen at 45 degrees, circles reach 10 sqrt(1/2) along the image of their axis.
   expect_spans(lines(slanted, {circle({0, 0, 0}, {0, 0, 1}, 10), circle({0, 0, 20}, {0, 0, 1}, 10)}),
@@ -119,13 +120,13 @@ TEST(CentreLines, OtherLinesWin) {
 }
 
 TEST(CentreLines, CentralProjectionsHaveNone) {
-  Drawing central = top;
+  ViewDrawing central = top;
   central.projection.central = true;
   EXPECT_TRUE(lines(central, {circle({30, 20, 5}, {0, 0, 1}, 10)}).strokes.empty());
 }
 
 TEST(CentreLines, WithoutHiddenLinesOnlyWhatIsSeenHasThem) {
-  Drawing drawing = top;
+  ViewDrawing drawing = top;
   drawing.segments.push_back({{0, 0}, {1, 1}, true, EdgeKind::crease, 0, {7, 4}, -1, {0, 1}});
   drawing.segments.push_back({{0, 0}, {1, 1}, false, EdgeKind::crease, 0, {20, 21}, -1, {0, 1}});
   const std::vector<PlacedCircle> circles{circle({0, 0, 0}, {0, 0, 1}, 10, {4, 5, 6, 7}),

@@ -18,7 +18,7 @@ CuttingPlane plane_at(const Vec3& point, const Vec3& normal) {
 }
 
 // Page coordinates are x and y of the world.
-Drawing from_top() {
+ViewDrawing from_top() {
   Result top = draw(world_of(box({10, 20, 0}, {50, 40, 5})), from_above());
   const Contact contact = contact_of(top.world, top.view, std::nullopt);
   return make_drawing(top.world, top.view, top.drawn, top.hidden, contact, make_paper_map(top.view, 1, Vec2(0)),
@@ -26,18 +26,18 @@ Drawing from_top() {
 }
 
 TEST(CuttingPlaneLine, CrossesTheInkAndEndsPastIt) {
-  const Drawing parent = from_top();
+  const ViewDrawing parent = from_top();
   const CuttingPlane plane = plane_at({0, 30, 0}, {0, -1, 0});
   const auto layer = cutting_plane_line(parent, plane, widths);
   ASSERT_TRUE(layer);
   EXPECT_EQ(layer->name, parent.name + "/cutting-plane");
-  const double y = (parent.least.y + parent.most.y) / 2;
+  const double y = (parent.min.y + parent.max.y) / 2;
   const Stroke& chain = layer->strokes.at(0);
   EXPECT_GT(chain.dashes.dots, 0);
   for (const Vec2& p : chain.points) EXPECT_NEAR(p.y, y, 1e-12);
   const auto [left, right] = std::minmax(chain.points[0].x, chain.points[1].x);
-  EXPECT_LT(left, parent.least.x - 3);
-  EXPECT_GT(right, parent.most.x + 3);
+  EXPECT_LT(left, parent.min.x - 3);
+  EXPECT_GT(right, parent.max.x + 3);
 
   ASSERT_EQ(layer->texts.size(), 2U);
   for (const Text& text : layer->texts) {
@@ -45,7 +45,7 @@ TEST(CuttingPlaneLine, CrossesTheInkAndEndsPastIt) {
     EXPECT_EQ(text.angle, 0);
     EXPECT_LT(text.at.y, y);  // on the side of the viewer
     EXPECT_TRUE(text.at.x < left || text.at.x > right);
-    const double past = std::max(parent.least.x - text.at.x, text.at.x - parent.most.x) + text.height / 2;
+    const double past = std::max(parent.min.x - text.at.x, text.at.x - parent.max.x) + text.height / 2;
     EXPECT_NEAR(past, cutting_plane_room(parent.projection, plane, widths).x, 1e-12);
   }
   // Two wide ends and two arrow heads, whose tips come to the wide ends from below.
@@ -72,7 +72,7 @@ TEST(CuttingPlaneLine, PointsWhereTheSectionIsSeen) {
 TEST(CuttingPlaneLine, IsOnlyWhereThePlaneIsALine) {
   EXPECT_FALSE(cutting_plane_line(from_top(), plane_at({0, 30, 0}, {0, -1, 0.01}), widths));
   EXPECT_FALSE(cutting_plane_line(from_top(), plane_at({0, 30, 2}, {0, 0, 1}), widths));
-  const Drawing central =
+  const ViewDrawing central =
       draw(world_of(box({0, 0, 0}, {1, 1, 1})), perspective({0.5, -5, 0.5}, {0, 0, 0}, {0, -1, 0}, {0, 0, 1})).drawing;
   EXPECT_FALSE(cutting_plane_line(central, plane_at({0.5, 0, 0}, {1, 0, 0}), widths));
 }

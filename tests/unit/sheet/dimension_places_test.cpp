@@ -27,7 +27,7 @@ void expect_texts_apart(const Layer& layer) {
           << layer.texts[i].text << " over " << layer.texts[j].text;
 }
 
-void expect_no_line_through_a_text(const Layer& layer, const Drawing& drawing) {
+void expect_no_line_through_a_text(const Layer& layer, const ViewDrawing& drawing) {
   for (const Text& text : layer.texts) {
     EXPECT_EQ(ink_in(box_of(text), drawing), 0) << text.text;
     for (const Stroke& stroke : layer.strokes)
@@ -45,7 +45,7 @@ Shape stairs(int steps) {
 
 TEST(DimensionPlaces, LookLikeDimensions) {
   const World world = placed(box({0, 0, 0}, {60, 10, 40}));
-  const Drawing front = drawing_of(world, orthographic(from_front));
+  const ViewDrawing front = drawing_of(world, orthographic(from_front));
   const Layer layer = layer_of(world, front, {dimension("overall", {}, "width"), dimension("overall", {}, "height")});
   EXPECT_EQ(layer.name, "view/dimensions");
   EXPECT_EQ(layer.style.width, 0.25);
@@ -70,7 +70,7 @@ TEST(DimensionPlaces, LookLikeDimensions) {
 
 TEST(DimensionPlaces, SmallInsideLarge) {
   const World world = placed(stairs(3));  // boxes 36, 24 and 12 wide
-  const Drawing front = drawing_of(world, orthographic(from_front), 2);
+  const ViewDrawing front = drawing_of(world, orthographic(from_front), 2);
   std::vector<DimensionDescription> dimensions{dimension("overall", {}, "width")};
   for (const int v : {9, 1, 17}) dimensions.push_back(dimension("linear", {0, v}, "horizontal"));
   for (DimensionDescription& one : dimensions)
@@ -80,8 +80,8 @@ TEST(DimensionPlaces, SmallInsideLarge) {
   for (std::size_t i = 0; i < dimensions.size(); ++i) {
     const auto [a, b] = tips(layer, i);
     EXPECT_NEAR(a.y, b.y, 1e-9);
-    EXPECT_TRUE(a.y < front.least.y - 9.99 || a.y > front.most.y + 9.99);
-    lines.emplace_back(std::abs(a.x - b.x), a.y < 100 ? front.least.y - a.y : a.y - front.most.y);
+    EXPECT_TRUE(a.y < front.min.y - 9.99 || a.y > front.max.y + 9.99);
+    lines.emplace_back(std::abs(a.x - b.x), a.y < 100 ? front.min.y - a.y : a.y - front.max.y);
   }
   EXPECT_NEAR(lines[3].first, 24, 1e-6);
   std::sort(lines.begin(), lines.end());
@@ -96,7 +96,7 @@ TEST(DimensionPlaces, SmallInsideLarge) {
 
 TEST(DimensionPlaces, NeighboursShareALine) {
   const World world = placed(box({0, 0, 0}, {60, 10, 40}));
-  const Drawing front = drawing_of(world, orthographic(from_front));
+  const ViewDrawing front = drawing_of(world, orthographic(from_front));
   DimensionDescription left = dimension("linear", {0}, "horizontal"), right = dimension("linear", {1}, "horizontal");
   for (DimensionDescription* one : {&left, &right}) one->anchors.emplace_back(Vec3(25, 0, 0));
   const Layer layer = layer_of(world, front, {left, right});
@@ -106,7 +106,7 @@ TEST(DimensionPlaces, NeighboursShareALine) {
 
 TEST(DimensionPlaces, ArrowsAndTextsGoOutsideWhereThereIsNoRoom) {
   const World world = placed(box({0, 0, 0}, {60, 10, 40}));
-  const Drawing front = drawing_of(world, orthographic(from_front));
+  const ViewDrawing front = drawing_of(world, orthographic(from_front));
   DimensionDescription narrow = dimension("linear", {0}, "horizontal"), wide = narrow;
   narrow.anchors.emplace_back(Vec3(2.25, 0, 0));
   wide.anchors.emplace_back(Vec3(30, 0, 0));
@@ -126,7 +126,7 @@ TEST(DimensionPlaces, ArrowsAndTextsGoOutsideWhereThereIsNoRoom) {
 
 TEST(DimensionPlaces, AnOffsetIsObeyed) {
   const World world = placed(wedge());
-  const Drawing front = drawing_of(world, orthographic(from_front));
+  const ViewDrawing front = drawing_of(world, orthographic(from_front));
   const auto page = [&](int v) { return Vec2(front.world_to_page * Vec4(world.points[std::size_t(v)], 1)); };
   const auto tip_of = [&](DimensionDescription one, double offset) {
     one.offset = {offset, ""};
@@ -147,7 +147,7 @@ TEST(DimensionPlaces, AnOffsetIsObeyed) {
 
 TEST(DimensionPlaces, LeadersOfAnOffset) {
   const World world = placed(cylinder(64, 20, 7));
-  const Drawing top = drawing_of(world, from_above());
+  const ViewDrawing top = drawing_of(world, from_above());
   DimensionDescription radius = dimension("radius", {0});
   for (const double offset : {12.0, -12.0}) {
     radius.offset = {offset, ""};
@@ -159,7 +159,7 @@ TEST(DimensionPlaces, LeadersOfAnOffset) {
 
 TEST(DimensionPlaces, ManyAtOnce) {
   const World world = placed(wedge());
-  const Drawing front = drawing_of(world, orthographic(from_front), 2);
+  const ViewDrawing front = drawing_of(world, orthographic(from_front), 2);
   const std::vector<DimensionDescription> dimensions{
       dimension("linear", {0, 1}, "horizontal"), dimension("overall", {}, "width"),
       dimension("overall", {}, "height"),        dimension("aligned", {0, 2}),
@@ -179,7 +179,7 @@ TEST(DimensionPlaces, ManyCircles) {
     plates.add(cylinder(48, 6, 5).moved(35 * std::cos(a), 35 * std::sin(a), 10));
   }
   const World world = placed(plates);
-  const Drawing top = drawing_of(world, from_above());
+  const ViewDrawing top = drawing_of(world, from_above());
   std::vector<DimensionDescription> dimensions{dimension("diameter", {0})};
   for (int i = 0; i < 6; ++i) dimensions.push_back(dimension("diameter", {128 + 96 * i}));
   const Layer layer = layer_of(world, top, dimensions);
@@ -197,7 +197,7 @@ bool reaches_into(const Layer& layer, const Rectangle& box) {
 
 TEST(DimensionPlaces, AwayFromNeighboursAndOnThePaper) {
   const World world = placed(box({0, 0, 0}, {60, 10, 40}));
-  const Drawing front = drawing_of(world, orthographic(from_front));  // (70, 80) to (130, 120)
+  const ViewDrawing front = drawing_of(world, orthographic(from_front));  // (70, 80) to (130, 120)
   const std::vector<DimensionDescription> width{dimension("overall", {}, "width")};
   const auto layer = [&](const Neighbours& neighbours) {
     return dimension_layer(world, front, width, {Lettering(), 0.25}, neighbours);
@@ -209,14 +209,14 @@ TEST(DimensionPlaces, AwayFromNeighboursAndOnThePaper) {
   // What is far enough away does not matter; what bars the other side leads past the first.
   EXPECT_TRUE(reaches_into(layer({{}, {turned_box(far_below)}}), below));
   const Layer past = layer({{}, {turned_box(below), turned_box(above)}});
-  EXPECT_LT(past.texts.front().at.y, below.least.y);
+  EXPECT_LT(past.texts.front().at.y, below.min.y);
   const Layer inside = layer({Rectangle{{0, 75}, {200, 200}}, {}});
   EXPECT_GT(inside.texts.front().at.y, 120);
 }
 
 TEST(DimensionPlaces, ArcsKnowTheirCircles) {
   const World world = placed(wedge());
-  const Drawing front = drawing_of(world, orthographic(from_front));
+  const ViewDrawing front = drawing_of(world, orthographic(from_front));
   const Layer layer = layer_of(world, front, {dimension("angular", {0, 1, 2})});
   const auto arc = std::find_if(layer.strokes.begin(), layer.strokes.end(),
                                 [](const Stroke& stroke) { return !stroke.curves.empty(); });
@@ -260,7 +260,7 @@ TEST(OverallDimensions, EachOnceInTheClearestView) {
 TEST(OverallDimensions, HaveTheRoomThatWasKeptFree) {
   const World world = placed(box({0, 0, 0}, {60, 10, 40}));
   const Projection front = orthographic(from_front);
-  const Drawing drawing = drawing_of(world, front);
+  const ViewDrawing drawing = drawing_of(world, front);
   const std::vector<DimensionDescription> dimensions{dimension("overall", {}, "width"),
                                                      dimension("overall", {}, "height")};
   const Room room = dimension_room(dimensions, front, 3.5);
@@ -268,8 +268,8 @@ TEST(OverallDimensions, HaveTheRoomThatWasKeptFree) {
   EXPECT_EQ(room.after.y, 0);
   for (const Stroke& stroke : layer_of(world, drawing, dimensions).strokes) {
     for (const Vec2& p : stroke.points) {
-      EXPECT_GE(p.y, drawing.least.y - room.before.y);
-      EXPECT_LE(p.x, drawing.most.x + room.after.x);
+      EXPECT_GE(p.y, drawing.min.y - room.before.y);
+      EXPECT_LE(p.x, drawing.max.x + room.after.x);
     }
   }
   EXPECT_EQ(dimension_room({}, front, 3.5).before, Vec2(0, 0));

@@ -15,7 +15,7 @@ void expect_at(const Vec2& p, const Vec2& q) { EXPECT_LT(glm::length(p - q), 1e-
 TEST(Dimensions, LengthsOfATriangle) {
   const World world = placed(wedge());
   for (const double scale : {0.2, 1.0, 5.0}) {
-    const Drawing front = drawing_of(world, orthographic(from_front), scale);
+    const ViewDrawing front = drawing_of(world, orthographic(from_front), scale);
     EXPECT_EQ(text_of(world, front, dimension("aligned", {0, 2})), "50");
     EXPECT_EQ(text_of(world, front, dimension("linear", {0, 2}, "horizontal")), "40");
     EXPECT_EQ(text_of(world, front, dimension("linear", {2, 0}, "vertical")), "30");
@@ -24,14 +24,14 @@ TEST(Dimensions, LengthsOfATriangle) {
     EXPECT_EQ(text_of(world, front, dimension("overall", {}, "width")), "40");
     EXPECT_EQ(text_of(world, front, dimension("overall", {}, "height")), "30");
   }
-  const Drawing left = drawing_of(world, orthographic(from_left));
+  const ViewDrawing left = drawing_of(world, orthographic(from_left));
   EXPECT_EQ(text_of(world, left, dimension("overall", {}, "depth")), "10");
   EXPECT_EQ(text_of(world, left, dimension("aligned", {0, 3})), "10");
 }
 
 TEST(Dimensions, AnglesOfATriangle) {
   const World world = placed(wedge());
-  const Drawing front = drawing_of(world, orthographic(from_front));
+  const ViewDrawing front = drawing_of(world, orthographic(from_front));
   EXPECT_EQ(text_of(world, front, dimension("angular", {0, 1, 2})), "36.87°");
   EXPECT_EQ(text_of(world, front, dimension("angular", {2, 0, 1})), "53.13°");
   EXPECT_EQ(text_of(world, front, dimension("angular", {1, 2, 0})), "90°");
@@ -40,7 +40,7 @@ TEST(Dimensions, AnglesOfATriangle) {
 TEST(Dimensions, FollowTheModel) {
   for (const char* steps : {"", "rotate:y,30", "translate:1000,-300,20", "rotate:y,-200 translate:7,0,0"}) {
     const World world = placed(wedge(), steps);
-    const Drawing front = drawing_of(world, orthographic(from_front), 2);
+    const ViewDrawing front = drawing_of(world, orthographic(from_front), 2);
     const Layer layer = layer_of(world, front, {dimension("aligned", {0, 2}), dimension("angular", {0, 1, 2})});
     EXPECT_EQ(layer.texts[0].text, "50") << steps;
     EXPECT_EQ(layer.texts[1].text, "36.87°") << steps;
@@ -60,7 +60,7 @@ TEST(Dimensions, FollowTheModel) {
 
 TEST(Dimensions, CirclesSeenAsCircles) {
   const World world = placed(cylinder(64, 10, 7), "scale:2 translate:5,6,7");
-  const Drawing top = drawing_of(world, from_above());
+  const ViewDrawing top = drawing_of(world, from_above());
   const Layer layer = layer_of(world, top, {dimension("diameter", {3}), dimension("radius", {70})});
   EXPECT_EQ(layer.texts[0].text, "⌀40");
   EXPECT_EQ(layer.texts[1].text, "R20");
@@ -74,7 +74,7 @@ TEST(Dimensions, CirclesSeenAsCircles) {
 
 TEST(Dimensions, CirclesSeenEdgeOn) {
   const World world = placed(cylinder(64, 10, 60), "rotate:x,90 rotate:z,20");
-  const Drawing top = drawing_of(world, from_above());
+  const ViewDrawing top = drawing_of(world, from_above());
   const Layer layer = layer_of(world, top, {dimension("diameter", {3})});
   EXPECT_EQ(layer.texts[0].text, "⌀20");
   EXPECT_NEAR(glm::length(tips(layer)[0] - tips(layer)[1]), 20, 1e-6);
@@ -84,7 +84,7 @@ TEST(Dimensions, CirclesSeenEdgeOn) {
 
 TEST(Dimensions, ACircleThroughAPointOfTheWorld) {
   const World world = placed(cylinder(64, 10, 7));
-  const Drawing top = drawing_of(world, from_above());
+  const ViewDrawing top = drawing_of(world, from_above());
   DimensionDescription radius = dimension("radius", {});
   radius.anchors = {Vec3(0, 10, 7)};
   EXPECT_EQ(text_of(world, top, radius), "R10");
@@ -92,7 +92,7 @@ TEST(Dimensions, ACircleThroughAPointOfTheWorld) {
 
 TEST(Dimensions, TheTextMayBeAnother) {
   const World world = placed(wedge());
-  const Drawing front = drawing_of(world, orthographic(from_front));
+  const ViewDrawing front = drawing_of(world, orthographic(from_front));
   DimensionDescription width = dimension("linear", {0, 1}, "horizontal");
   width.text = {"2x <> (<>)", "scene.toml:1:1"};
   EXPECT_EQ(text_of(world, front, width), "2x 40 (40)");
@@ -115,7 +115,7 @@ TEST(Dimensions, TwoDecimalsAtMost) {
 
 TEST(Dimensions, AxonometricViewsShowTrueLengthsAlongTheAxes) {
   const World world = placed(wedge());
-  const Drawing isometric = drawing_of(world, orthographic(from_corner));
+  const ViewDrawing isometric = drawing_of(world, orthographic(from_corner));
   EXPECT_EQ(text_of(world, isometric, dimension("aligned", {0, 1})), "40");
   EXPECT_EQ(text_of(world, isometric, dimension("aligned", {1, 4})), "10");
   EXPECT_EQ(text_of(world, isometric, dimension("aligned", {1, 2})), "30");
@@ -128,7 +128,7 @@ TEST(Dimensions, ObliqueViewsShowTrueLengthsInTheirPlane) {
   const World world = placed(wedge());
   Projection cavalier = orthographic(from_front);
   cavalier.projector = {std::sqrt(0.5), -1, std::sqrt(0.5)};
-  const Drawing drawing = drawing_of(world, cavalier);
+  const ViewDrawing drawing = drawing_of(world, cavalier);
   EXPECT_EQ(text_of(world, drawing, dimension("aligned", {0, 2})), "50");
   EXPECT_EQ(text_of(world, drawing, dimension("angular", {0, 1, 2})), "36.87°");
   EXPECT_TRUE(contains(error_of([&] { text_of(world, drawing, dimension("aligned", {0, 5})); }).what(), "shortens"));
@@ -143,7 +143,7 @@ struct Refusal {
   const char* reason;
 };
 
-void expect_refusals(const World& world, const Drawing& drawing, const std::vector<Refusal>& refusals) {
+void expect_refusals(const World& world, const ViewDrawing& drawing, const std::vector<Refusal>& refusals) {
   for (const Refusal& refusal : refusals) {
     const Error error = error_of([&] { text_of(world, drawing, refusal.dimension); });
     EXPECT_TRUE(contains(error.what(), refusal.reason)) << error.what() << "\nnot: " << refusal.reason;
@@ -180,7 +180,7 @@ TEST(Dimensions, RefusedForWhatTheySay) {
   expect_refusals(world, drawing_of(world, orthographic(from_front)),
                   {{dimension("", {0, 1}), "has no type"},
                    {dimension("linear", {0, 1}), "has no direction"},
-                   {dimension("linear", {0, 1}, "width"), "'width' is no direction"},
+                   {dimension("linear", {0, 1}, "width"), "'width' is not a direction"},
                    {dimension("aligned", {0, 1}, "horizontal"), "only linear and overall"},
                    {dimension("aligned", {0}), "number of its anchors is 1"},
                    {dimension("angular", {0, 1}), "number of its anchors is 2"},
@@ -219,7 +219,7 @@ TEST(Dimensions, AnUnevenScaleLeavesNoCircle) {
 
 TEST(Dimensions, OverallOnesWantAllOfTheModels) {
   const World world = placed(wedge());
-  Drawing front = drawing_of(world, orthographic(from_front));
+  ViewDrawing front = drawing_of(world, orthographic(from_front));
   std::erase_if(front.segments, [](const Segment& s) { return std::min(s.from.x, s.to.x) < 90; });
   expect_refusals(world, front, {{dimension("overall", {}, "width"), "does not show all of the models"}});
   front.segments.clear();

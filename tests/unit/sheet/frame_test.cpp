@@ -43,7 +43,7 @@ TEST(Frame, DrawingAreasAndFieldsOfIso5457) {
   for (const Size& size : sizes) {
     const Furniture all = full(paper(size.name));
     const Rectangle area{all.wide.front().points[0], all.wide.front().points[2]};
-    EXPECT_EQ(area.least, Vec2(20, 10));
+    EXPECT_EQ(area.min, Vec2(20, 10));
     EXPECT_EQ(area.size(), Vec2(size.width, size.height)) << size.name;
     auto count = count_texts(all);
     // A4 has fields at the top and on the right only, all others all around.

@@ -31,19 +31,19 @@ Ring circle(double radius, int corners) {
   return ring;
 }
 
-Drawing drawing_of(std::vector<CutFace> faces) {
-  Drawing drawing;
+ViewDrawing drawing_of(std::vector<CutFace> faces) {
+  ViewDrawing drawing;
   drawing.name = "front";
   drawing.cut_faces = std::move(faces);
   return drawing;
 }
 
-std::vector<Hatching> choose(const Drawing& drawing) {
-  const Drawing* pointer = &drawing;
+std::vector<Hatching> choose(const ViewDrawing& drawing) {
+  const ViewDrawing* pointer = &drawing;
   return choose_hatching({&pointer, 1});
 }
 
-Layer hatched(const Drawing& drawing) { return hatch_layer(drawing, choose(drawing), {0.5, 0.25}); }
+Layer hatched(const ViewDrawing& drawing) { return hatch_layer(drawing, choose(drawing), {0.5, 0.25}); }
 
 double ink(const Layer& layer) {
   double length = 0;
@@ -59,7 +59,7 @@ TEST(Hatch, LengthOfLinesIsAreaBySpacing) {
       {{0, 0, {rectangle(0, 0, 80, 60), rectangle(10, 10, 50, 50), rectangle(20, 20, 30, 30)}}, 3300},
       {{0, 0, {circle(30, 200)}}, disc}};
   for (const auto& [face, area] : faces) {
-    const Drawing drawing = drawing_of({face});
+    const ViewDrawing drawing = drawing_of({face});
     const Hatching hatching = choose(drawing).at(0);
     EXPECT_EQ(hatching.angle, 45);
     const Layer layer = hatched(drawing);
@@ -72,10 +72,10 @@ TEST(Hatch, LengthOfLinesIsAreaBySpacing) {
 
 TEST(Hatch, EndsExactlyAtOutlinesAlsoAtCorners) {
   // Corners lie on hatching lines: x - y is a multiple of the spacing times the root of 2.
-  const Drawing probe = drawing_of({{0, 0, {rectangle(0, 0, 40, 40)}}});
+  const ViewDrawing probe = drawing_of({{0, 0, {rectangle(0, 0, 40, 40)}}});
   const double step = choose(probe).at(0).spacing * std::sqrt(2);
   const double a = 40 * step;
-  const Drawing drawing = drawing_of({{0, 0, {{{0, 0}, {a, 0}, {a, a}, {a / 2, a / 2}, {0, a}}}}});
+  const ViewDrawing drawing = drawing_of({{0, 0, {{{0, 0}, {a, 0}, {a, a}, {a / 2, a / 2}, {0, a}}}}});
   const Hatching same{0, 0, 45, step / std::sqrt(2)};
   const Layer layer = hatch_layer(drawing, {&same, 1}, {0.5, 0.25});
   for (const Stroke& stroke : layer.strokes)
@@ -94,11 +94,11 @@ TEST(Hatch, DoesNotRunAlongTheOutline) {
 }
 
 TEST(Hatch, OfTouchingPartsDiffersAndOfOnePartIsTheSame) {
-  const Drawing drawing = drawing_of({{0, 0, {rectangle(0, 0, 40, 40)}},
-                                      {0, 1, {rectangle(40, 0, 80, 40)}},
-                                      {0, 2, {rectangle(0, 40, 80, 80)}},
-                                      {1, 0, {rectangle(200, 0, 240, 40)}},
-                                      {1, 1, {rectangle(10, 10, 30, 30)}}});
+  const ViewDrawing drawing = drawing_of({{0, 0, {rectangle(0, 0, 40, 40)}},
+                                          {0, 1, {rectangle(40, 0, 80, 40)}},
+                                          {0, 2, {rectangle(0, 40, 80, 80)}},
+                                          {1, 0, {rectangle(200, 0, 240, 40)}},
+                                          {1, 1, {rectangle(10, 10, 30, 30)}}});
   const std::vector<Hatching> hatching = choose(drawing);
   ASSERT_EQ(hatching.size(), 5U);
   const auto differ = [&](std::size_t i, std::size_t j) {
@@ -110,9 +110,9 @@ TEST(Hatch, OfTouchingPartsDiffersAndOfOnePartIsTheSame) {
   EXPECT_EQ(hatching[1].angle, 135);
   EXPECT_EQ(hatching[3].angle, 45);
 
-  Drawing other = drawing_of({{0, 1, {rectangle(0, 0, 7, 7)}}});
+  ViewDrawing other = drawing_of({{0, 1, {rectangle(0, 0, 7, 7)}}});
   other.name = "left";
-  const std::array both{&drawing, static_cast<const Drawing*>(&other)};
+  const std::array both{&drawing, static_cast<const ViewDrawing*>(&other)};
   const std::vector<Hatching> of_both = choose_hatching(both);
   EXPECT_EQ(of_both.size(), 5U);
   EXPECT_EQ(of_both[1].angle, hatching[1].angle);

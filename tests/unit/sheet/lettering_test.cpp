@@ -14,15 +14,15 @@ namespace epura {
 namespace {
 
 struct Extent {
-  Vec2 least{HUGE_VAL}, most{-HUGE_VAL};
+  Vec2 min{HUGE_VAL}, max{-HUGE_VAL};
 };
 
 Extent extent_of(const std::vector<GlyphOutline>& outlines) {
   Extent extent;
   for (const GlyphOutline& outline : outlines) {
     for (const GlyphOutline::Curve& curve : outline.curves) {
-      extent.least = glm::min(extent.least, curve.end);
-      extent.most = glm::max(extent.most, curve.end);
+      extent.min = glm::min(extent.min, curve.end);
+      extent.max = glm::max(extent.max, curve.end);
     }
   }
   return extent;
@@ -31,8 +31,8 @@ Extent extent_of(const std::vector<GlyphOutline>& outlines) {
 TEST(Lettering, CapitalsAreAsHighAsWanted) {
   const Lettering lettering;
   const Extent extent = extent_of(lettering.outlines("H", 3.5));
-  EXPECT_NEAR(extent.most.y, 3.5, 1e-9);
-  EXPECT_NEAR(extent.least.y, 0, 0.02);
+  EXPECT_NEAR(extent.max.y, 3.5, 1e-9);
+  EXPECT_NEAR(extent.min.y, 0, 0.02);
 }
 
 TEST(Lettering, WidthsAddUpAndScale) {
@@ -43,7 +43,7 @@ TEST(Lettering, WidthsAddUpAndScale) {
   EXPECT_EQ(lettering.width("", 3.5), 0);
   // The second letter begins where the first one ends.
   const double step = lettering.width("H", 5);
-  EXPECT_NEAR(extent_of(lettering.outlines("HH", 5)).most.x - extent_of(lettering.outlines("H", 5)).most.x, step, 1e-9);
+  EXPECT_NEAR(extent_of(lettering.outlines("HH", 5)).max.x - extent_of(lettering.outlines("H", 5)).max.x, step, 1e-9);
 }
 
 TEST(Lettering, WidthsAreTheFontsOwn) {
@@ -70,8 +70,8 @@ TEST(Lettering, WidthsAreTheFontsOwn) {
 TEST(Lettering, LooksLikeIso3098) {
   const Lettering lettering;
   const Extent extent = extent_of(lettering.outlines("I", 10));
-  EXPECT_NEAR(extent.most.x - extent.least.x, 1, 0.02);
-  EXPECT_NEAR(extent_of(lettering.outlines("x", 10)).most.y, 7, 0.05);
+  EXPECT_NEAR(extent.max.x - extent.min.x, 1, 0.02);
+  EXPECT_NEAR(extent_of(lettering.outlines("x", 10)).max.y, 7, 0.05);
 }
 
 TEST(Lettering, OutlinesAreClosedCurves) {
@@ -119,7 +119,7 @@ TEST(Lettering, AMissingFontIsSaid) {
     const Lettering lettering("/nowhere/font.ttf");
     FAIL();
   } catch (const Error& error) {
-    EXPECT_EQ(error.trouble(), Trouble::input);
+    EXPECT_EQ(error.kind(), ErrorKind::input);
     EXPECT_NE(error.hint().find("fonts-osifont"), std::string::npos);
   }
   EXPECT_THROW(Lettering("/dev/null"), Error);

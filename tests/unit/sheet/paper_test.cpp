@@ -38,7 +38,7 @@ TEST(Paper, RefusesWhatIsNoSize) {
       make_paper(parse_paper_size(text, "--sheet"), false);
       ADD_FAILURE() << text;
     } catch (const Error& error) {
-      EXPECT_EQ(error.trouble(), Trouble::input);
+      EXPECT_EQ(error.kind(), ErrorKind::input);
       EXPECT_FALSE(error.hint().empty());
     }
   }

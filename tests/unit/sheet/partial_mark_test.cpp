@@ -7,12 +7,12 @@ namespace epura::test {
 namespace {
 
 // With half a line around every point.
-void expect_inside(const Layer& layer, const Vec2& least, const Vec2& most) {
+void expect_inside(const Layer& layer, const Vec2& min, const Vec2& max) {
   const double half = layer.style.width / 2;
   for (const Stroke& stroke : layer.strokes)
     for (const Vec2& p : stroke.points) {
-      EXPECT_TRUE(p.x - half >= least.x && p.x + half <= most.x) << p.x;
-      EXPECT_TRUE(p.y - half >= least.y && p.y + half <= most.y) << p.y;
+      EXPECT_TRUE(p.x - half >= min.x && p.x + half <= max.x) << p.x;
+      EXPECT_TRUE(p.y - half >= min.y && p.y + half <= max.y) << p.y;
     }
 }
 

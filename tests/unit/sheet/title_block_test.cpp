@@ -71,11 +71,11 @@ TEST(TitleBlock, StandsInTheLowerRightCornerAndIs180Wide) {
       const auto box = title_block_box(filled("x"), sheet);
       ASSERT_TRUE(box) << size;
       EXPECT_EQ(box->size().x, 180);
-      EXPECT_EQ(box->most.x, sheet.width - 10);
-      EXPECT_EQ(box->least.y, 10);
+      EXPECT_EQ(box->max.x, sheet.width - 10);
+      EXPECT_EQ(box->min.y, 10);
       expect_legible(draw_title_block(filled("Abg"), sheet, lettering()), *box);
     }
-  EXPECT_EQ(title_block_box({}, paper("A4", true))->least.x, 20);  // the whole width
+  EXPECT_EQ(title_block_box({}, paper("A4", true))->min.x, 20);  // the whole width
 }
 
 TEST(TitleBlock, InventsNothing) {
@@ -138,7 +138,7 @@ TEST(TitleBlock, BoxDoesNotDependOnTheScale) {
   const auto before = title_block_box(block, paper("A3"));
   block.scale = "";
   block.angle.reset();
-  EXPECT_EQ(title_block_box(block, paper("A3"))->most, before->most);
+  EXPECT_EQ(title_block_box(block, paper("A3"))->max, before->max);
 }
 
 TEST(FitText, ShrinksByStandardHeightsThenBreaksThenCuts) {

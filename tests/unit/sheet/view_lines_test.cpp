@@ -11,7 +11,7 @@
 namespace epura {
 namespace {
 
-void add_chain(Drawing& drawing, const std::vector<Vec2>& points, bool closed, bool visible) {
+void add_chain(ViewDrawing& drawing, const std::vector<Vec2>& points, bool closed, bool visible) {
   Chain chain{points, closed, visible, EdgeKind::crease, {}};
   const std::size_t lines = points.size() - (closed ? 0 : 1);
   for (std::size_t i = 0; i < lines; ++i) {
@@ -23,8 +23,8 @@ void add_chain(Drawing& drawing, const std::vector<Vec2>& points, bool closed, b
   drawing.chains.push_back(chain);
 }
 
-Drawing example() {
-  Drawing drawing;
+ViewDrawing example() {
+  ViewDrawing drawing;
   drawing.name = "front";
   add_chain(drawing, {{10, 10}, {50, 10}, {50, 40}}, true, true);
   add_chain(drawing, {{10, 10}, {30, 20}}, false, true);
@@ -89,7 +89,7 @@ TEST(ViewLines, HiddenLinesAsWished) {
 
 // A hidden line through a field of others, `apart` mm from each other.
 Stroke hidden_through_field(double apart) {
-  Drawing drawing;
+  ViewDrawing drawing;
   drawing.name = "front";
   add_chain(drawing, {{0, 0}, {100, 0}}, false, false);
   for (double x = apart; x < 100; x += apart) add_chain(drawing, {{x, -10}, {x, 10}}, false, true);
@@ -107,7 +107,7 @@ TEST(ViewLines, CrossingsAreHeededWhereTheyLeaveRoomForGaps) {
 }
 
 TEST(ViewLines, IntersectionLinesNameNoEdge) {
-  Drawing drawing = example();
+  ViewDrawing drawing = example();
   drawing.segments[0].edge = {-1, -1};
   drawing.segments[2].edge = drawing.segments[1].edge;
   const std::vector<Layer> layers = view_layers(drawing, {0.5, 0.25}, {{LineRole::visible, HiddenLines::dashed}});
@@ -115,10 +115,10 @@ TEST(ViewLines, IntersectionLinesNameNoEdge) {
 }
 
 TEST(ViewLines, ModelsHaveLooksOfTheirOwn) {
-  Drawing drawing = example();
+  ViewDrawing drawing = example();
   for (const int segment : drawing.chains[1].segments) drawing.segments[segment].model = 1;
   for (const int segment : drawing.chains[2].segments) drawing.segments[segment].model = 1;
-  const ModelLook usual{LineRole::visible, HiddenLines::dashed}, other{LineRole::neighbour, HiddenLines::none};
+  const ModelStyle usual{LineRole::visible, HiddenLines::dashed}, other{LineRole::neighbour, HiddenLines::none};
   const std::vector<Layer> layers = view_layers(drawing, {0.5, 0.25}, {usual, other});
   ASSERT_EQ(layers.size(), 3u);
   EXPECT_EQ(layers[0].strokes.size(), 1u);  // the hidden line of the other model is left out
@@ -129,7 +129,7 @@ TEST(ViewLines, ModelsHaveLooksOfTheirOwn) {
 }
 
 TEST(ViewLines, TangentEdgesAreNarrowAndShortOfOutlines) {
-  Drawing drawing;
+  ViewDrawing drawing;
   drawing.name = "front";
   add_chain(drawing, {{0, 0}, {50, 0}}, false, true);
   add_chain(drawing, {{10, 0}, {10, 20}}, false, true);

@@ -31,8 +31,8 @@ struct Scene {
 // Slabs of many sizes and turns before a comb of bars: ends of spans at all places, and short spans, too.
 Shape slabs() {
   std::mt19937 random(7);
-  const auto number = [&random](double least, double most) {
-    return least + (most - least) * (static_cast<double>(random()) / 4294967296.0);
+  const auto number = [&random](double min, double max) {
+    return min + (max - min) * (static_cast<double>(random()) / 4294967296.0);
   };
   Shape shape;
   for (int i = 0; i < 24; ++i) {

@@ -176,12 +176,12 @@ TEST(CompareJson, SeesEdgesOfAllKindsAsSheetsDrawThem) {
     for (const bool seen : {true, false}) {
       const auto kind = static_cast<EdgeKind>(i);
       const std::vector<Vec2> points = {{10, 10}, {40, 10}};
-      Drawing drawing;
+      ViewDrawing drawing;
       drawing.name = "front";
       drawing.segments = {{points[0], points[1], seen, kind, 0, {0, 1}, -1, {0, 1}}};
       drawing.chains = {{points, false, seen, kind, {0}}};
       const Paper paper = make_paper(parse_paper_size("A4", "--sheet"), false);
-      Sheet sheet{paper.width, paper.height, "one", view_layers(drawing, line_widths(paper), {ModelLook()})};
+      Sheet sheet{paper.width, paper.height, "one", view_layers(drawing, line_widths(paper), {ModelStyle()})};
       const Picture drawn = picture_of_svg(to_svg(sheet, {}), "test.svg");
       const Picture read = picture_of_json(to_json(sheet, 1, std::span(&drawing, 1), {}), "test.json");
       const auto look_of = [](const Picture& picture) {
@@ -203,7 +203,7 @@ TEST(CompareJson, RefusesWhatIsNoDrawing) {
   EXPECT_TRUE(contains(refusal(R"({"epura": 2})"), "schema"));
   std::string broken = json_of(triangle);
   broken.replace(broken.find("[12, 12]"), 8, "[12]");
-  EXPECT_TRUE(contains(refusal(broken), "segments[3]: from is no point")) << refusal(broken);
+  EXPECT_TRUE(contains(refusal(broken), "segments[3]: from is not a point")) << refusal(broken);
   EXPECT_TRUE(contains(refusal(std::string(100000, '[')), "no JSON"));
   error_of([] { compare(as_json(json_of(triangle)), as_svg(plate()), 0.001); });
 }

@@ -33,12 +33,11 @@ std::vector<Place> places_of(const Projection& p, const Box& box, Changer change
   const Triple<Exact> n = change(p.n), q = change(p.projector), point = change(p.point);
   const std::array<Triple<Exact>, 2> axes{change(p.u), change(p.v)};
   Place from{0, 0};
-  if (p.window) from = {change(p.window->least.x), change(p.window->least.y)};
+  if (p.window) from = {change(p.window->min.x), change(p.window->min.y)};
   std::vector<Place> places;
   for (int i = 0; i < 8; ++i) {
-    const Triple<Exact> x =
-        change(Vec3((i & 1) != 0 ? box.most.x : box.least.x, (i & 2) != 0 ? box.most.y : box.least.y,
-                    (i & 4) != 0 ? box.most.z : box.least.z));
+    const Triple<Exact> x = change(Vec3((i & 1) != 0 ? box.max.x : box.min.x, (i & 2) != 0 ? box.max.y : box.min.y,
+                                        (i & 4) != 0 ? box.max.z : box.min.z));
     const Triple<Exact> ray = p.central ? q - x : q;
     const Exact way = dot(n, point - x) / dot(n, ray);
     const Triple<Exact> on_plane = along(x, way, ray) - point;
@@ -55,32 +54,31 @@ double measured_change(const Projection& p, const Box& box, double amount) {
     return Vec2(glm::dot(p.u, on_plane), glm::dot(p.v, on_plane));
   };
   double moved = 0;
-  Vec2 least(HUGE_VAL), most(-HUGE_VAL);
+  Vec2 min(HUGE_VAL), max(-HUGE_VAL);
   for (int i = 0; i < 64; ++i) {
     const auto bit = [&](int k) { return (i >> k & 1) != 0; };
-    const Vec3 corner(bit(0) ? box.most.x : box.least.x, bit(1) ? box.most.y : box.least.y,
-                      bit(2) ? box.most.z : box.least.z);
+    const Vec3 corner(bit(0) ? box.max.x : box.min.x, bit(1) ? box.max.y : box.min.y, bit(2) ? box.max.z : box.min.z);
     const Vec3 change(bit(3) ? amount : -amount, bit(4) ? amount : -amount, bit(5) ? amount : -amount);
     const Vec2 before = place(corner), after = place(corner + change);
-    least = glm::min(least, before);
-    most = glm::max(most, before);
+    min = glm::min(min, before);
+    max = glm::max(max, before);
     moved = std::max({moved, std::abs(after.x - before.x), std::abs(after.y - before.y)});
   }
-  return moved / std::max(most.x - least.x, most.y - least.y);
+  return moved / std::max(max.x - min.x, max.y - min.y);
 }
 
 double measured_condition(const Projection& p, const Box& box) {
   constexpr double e = 0x1p-60;
   const std::vector<Place> plain = places_of(p, box, {std::mt19937(), 0});
   double worst = 0;
-  std::array<Exact, 2> least = plain[0], most = plain[0];
+  std::array<Exact, 2> min = plain[0], max = plain[0];
   for (const Place& place : plain)
     for (int i = 0; i < 2; ++i) {
-      least[i] = std::min(least[i], place[i]);
-      most[i] = std::max(most[i], place[i]);
+      min[i] = std::min(min[i], place[i]);
+      max[i] = std::max(max[i], place[i]);
     }
-  const double size = p.window ? std::max(p.window->most.x - p.window->least.x, p.window->most.y - p.window->least.y)
-                               : std::max(value_of(most[0] - least[0]), value_of(most[1] - least[1]));
+  const double size = p.window ? std::max(p.window->max.x - p.window->min.x, p.window->max.y - p.window->min.y)
+                               : std::max(value_of(max[0] - min[0]), value_of(max[1] - min[1]));
   for (unsigned seed = 0; seed < 60; ++seed) {
     const std::vector<Place> changed = places_of(p, box, {std::mt19937(seed), e});
     for (int i = 0; i < 2; ++i) {
@@ -183,7 +181,7 @@ TEST(Condition, KnowsThePrecisionOfTheFiles) {
     for (const Projection& p :
          {orthographic({1, -1, 1}), perspective(Vec3(3, -4, 2) + offset, Vec3(offset), {3, -4, 2}, {0, 0, 1})}) {
       const Box box{Vec3(offset + 0.1), Vec3(offset + 1.1)};
-      const Vec3 one_rounding = glm::abs(box.most) * 0x1p-24;
+      const Vec3 one_rounding = glm::abs(box.max) * 0x1p-24;
       const Condition condition = condition_of(p, box, one_rounding);
       EXPECT_EQ(condition.number, condition_of(p, box).number);
       EXPECT_EQ(condition_of(p, box).moved_by_files, 0);

@@ -10,7 +10,7 @@
 namespace epura::test {
 namespace {
 
-std::string story(const DrawnView& view, const EdgeQuestion& question) {
+std::string story(const ExplainInput& view, const EdgeQuestion& question) {
   return explain(view, TriangleBoxes(view.view), find_subjects(view, question).at(0));
 }
 
@@ -47,7 +47,7 @@ TEST(Explain, SaysWhoseInkLiesOnAnEdge) {
 
 TEST(Explain, SaysThatHiddenLinesAreNotWanted) {
   const Studied studied = study(world_of({plate(0, 0, 4, 2, 0), plate(1, -1, 3, 1, 5)}), from_above());
-  DrawnView view{studied.view()};
+  ExplainInput view{studied.view()};
   view.keep_hidden = false;
   EXPECT_TRUE(contains(story(view, ByVertices{0, {0, 1}}), "no ink: hidden lines are not wanted"));
 }

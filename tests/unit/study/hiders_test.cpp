@@ -9,7 +9,7 @@
 namespace epura::test {
 namespace {
 
-std::vector<Hider> hiders_of(const Studied& studied, const ByVertices& edge) {
+std::vector<Occlusion> hiders_of(const Studied& studied, const ByVertices& edge) {
   const Subject subject = find_subjects(studied.view(), edge).at(0);
   return find_hiders(studied.view(), TriangleBoxes(studied.result.view), subject.drawn);
 }
@@ -18,7 +18,7 @@ TEST(Hiders, AreTheFacesInFrontWithTheirPartsNearestFirst) {
   // Over the lower edge of a plate 4 long: one plate over its second half, and higher up one over its middle half.
   const Studied studied =
       study(world_of({plate(0, 0, 4, 2, 0), plate(1, -2, 3, 1, 5), plate(2, -1, 6, 1, 2)}), from_above());
-  const std::vector<Hider> hiders = hiders_of(studied, {0, {0, 1}});
+  const std::vector<Occlusion> hiders = hiders_of(studied, {0, {0, 1}});
   ASSERT_EQ(hiders.size(), 2U);
   EXPECT_EQ(hiders[0].face, (FaceName{2, 0}));
   EXPECT_NEAR(hiders[0].ahead, 2, 1e-12);
@@ -37,7 +37,7 @@ TEST(Hiders, DistanceIsMeasuredInTheWorldAlongTheLineOfSight) {
   // along the sight line (8, 0, -8) half of the way is behind the wall.
   const Studied studied = study(world_of({plate(8, -1, 9, 1, 2), plate(3.5, -9, 4.25, 9, 6)}),
                                 perspective({0, 0, 10}, {0, 0, 0}, {0, 0, 1}, {0, 1, 0}));
-  const std::vector<Hider> hiders = hiders_of(studied, {0, {0, 3}});
+  const std::vector<Occlusion> hiders = hiders_of(studied, {0, {0, 3}});
   ASSERT_EQ(hiders.size(), 1U);
   EXPECT_NEAR(hiders[0].ahead, std::sqrt(32.0), 1e-9);
 }
@@ -54,9 +54,9 @@ TEST(Hiders, TogetherHideWhatTheSearchFoundHidden) {
     const HiddenSpans& hidden = studied.result.hidden;
     ASSERT_FALSE(hidden.spans.empty());
     for (std::size_t e = 0; e < studied.result.drawn.edges.size(); ++e) {
-      const DrawnEdge& edge = studied.result.drawn.edges[e];
+      const FeatureEdge& edge = studied.result.drawn.edges[e];
       Spans all;
-      for (const Hider& hider : find_hiders(studied.view(), triangles, e))
+      for (const Occlusion& hider : find_hiders(studied.view(), triangles, e))
         for (const auto& part : hider.parts) add_span(all, part);
       absorb_slivers(all, least_span(studied.result.view, {edge.vertex[0], edge.vertex[1]}));
       const Spans found(hidden.spans.begin() + hidden.first[e], hidden.spans.begin() + hidden.first[e + 1]);
@@ -69,9 +69,9 @@ TEST(TriangleBoxes, FindAllTrianglesThatMeetABoxAndNoOthers) {
   Shape plates;
   for (int i = 0; i < 300; ++i) plates.add(plate(i, 0, i + 0.5, 1, 0));
   const World world = world_of(plates);
-  const View view = make_view(world, from_above(), {});
+  const ProjectedScene view = make_view(world, from_above(), {});
   const TriangleBoxes boxes(view);
-  const double unit = view.map.shrink;
+  const double unit = view.map.scale_exponent;
   std::vector<int> met;
   const auto page = [&](double x) { return (x - 149.75) * unit; };
   boxes.meeting({{page(99.6), -unit}, {page(101.1), unit}}, [&](int t) { met.push_back(view.triangles[t].source); });

@@ -76,7 +76,7 @@ std::vector<Projection> views() {
 
 double length_of(const Segment& s) { return glm::distance(s.from, s.to); }
 
-double visible_ink(const Drawing& drawing) {
+double visible_ink(const ViewDrawing& drawing) {
   double length = 0;
   for (const Segment& s : drawing.segments) length += s.visible ? length_of(s) : 0;
   return length;
@@ -200,7 +200,7 @@ TEST(Outline, NeedlesHaveNoLinesOfTheirOwn) {
     for (const Projection& view :
          {orthographic({0.2, -1, 0.3}), perspective({1, -9, 3}, {0, 0, 1}, {1, -9, 2}, {0, 0, 1})}) {
       Result r = draw(world_of(pointed_cone()), view);
-      const Drawing right = r.drawing;
+      const ViewDrawing right = r.drawing;
       r.world = world_of(cone(ring));
       EXPECT_EQ(checked(r).wrong(), 0) << ring << '\n' << told(checked(r));
       const auto longest = std::ranges::max_element(r.drawing.segments, {},
@@ -238,20 +238,20 @@ TEST(Outline, BothSidesOfANeedleAreOneLine) {
 }
 
 TEST(Outline, OnlyWhatWasWantedIsAskedFor) {
-  std::vector<EdgeWishes> wishes(4);
+  std::vector<EdgeOptions> wishes(4);
   wishes[0].crease = false;
   wishes[1].contour = wishes[1].intersection = false;
   wishes[2].crease_angle = 100;
   wishes[3].smooth = wishes[3].tangent = true;
   for (const Shape& shape : {boxes(), stability::uv_sphere(24, 12), moebius(40)})
-    for (const EdgeWishes& edges : wishes) {
+    for (const EdgeOptions& edges : wishes) {
       const Result r = draw(world_of(shape), views()[0], edges);
       EXPECT_EQ(checked(r, {edges, samples}).wrong(), 0) << told(checked(r, {edges, samples}));
     }
-  EdgeWishes few;
+  EdgeOptions few;
   few.crease = false;
   EXPECT_GT(checked(draw(world_of(boxes()), views()[0], few)).missing, 0);
-  EdgeWishes all;
+  EdgeOptions all;
   all.smooth = true;
   Result edges = draw(world_of(stability::uv_sphere(24, 12)), views()[0], all);
   for (Segment& s : edges.drawing.segments) s.kind = EdgeKind::contour;

@@ -34,7 +34,7 @@ TEST(Reason, OfAnEdgeThatIsNotDrawn) {
             "not drawn: faces 0:0 and 0:1 turn by 3 degrees; a crease turns by 30 or more");
   EXPECT_EQ(reason(study(world_of(plate(0, 0, 1, 1, 0)), from_above()), {0, {0, 2}}),
             "not drawn: a diagonal of face 0:0");
-  EdgeWishes no_creases;
+  EdgeOptions no_creases;
   no_creases.crease = false;
   EXPECT_EQ(reason(study(world_of(folded(60)), from_above(), no_creases), {0, {0, 1}}),
             "not drawn: crease edges are not wanted; "
@@ -52,7 +52,7 @@ TEST(Reason, TellsWhenAnEdgeIsClippedAway) {
 
 TEST(Reason, AngleIsThatOfTwoTriangles) {
   const Studied studied = study(world_of(folded(42)), from_above());
-  const DrawnView view = studied.view();
+  const ExplainInput view = studied.view();
   EXPECT_NEAR(angle_at(view, find_subjects(view, ByVertices{0, {0, 1}})[0]).value(), 42, 1e-9);
   EXPECT_FALSE(angle_at(view, find_subjects(view, ByVertices{0, {2, 3}})[0]).has_value());
 }

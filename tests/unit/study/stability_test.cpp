@@ -75,7 +75,7 @@ TEST(StabilityVerdicts, AreLimitedWhereTheRoundingOfTheInputExplainsTheError) {
 TEST(StabilityVerdicts, AreBrokenWhereNothingComesOut) {
   Case one = off_by_the_step(0);
   one.measure = [](const Lab& lab, double step) -> Measured {
-    if (lab.arithmetic == Arithmetic::single) throw Error(Trouble::input, "map", "nothing, \"really\"");
+    if (lab.arithmetic == Arithmetic::single) throw Error(ErrorKind::input, "map", "nothing, \"really\"");
     return {count("pieces", 0, step > 1e-4 ? std::numeric_limits<double>::quiet_NaN() : 0)};
   };
   const Report report = run(std::vector<Case>{one}, 1);

@@ -3,23 +3,23 @@
 #pragma once
 
 #include "shapes.hpp"
-#include "study/questions/drawn_view.hpp"
+#include "study/questions/explain_input.hpp"
 
 namespace epura::test {
 
-/// A view together with what a DrawnView refers to. The paper is the page in view units.
+/// A view together with what a ExplainInput refers to. The paper is the page in view units.
 struct Studied {
   Result result;
-  EdgeWishes wishes;
+  EdgeOptions wishes;
   Contact contact;
   PaperMap paper;
 
-  [[nodiscard]] DrawnView view() const {
+  [[nodiscard]] ExplainInput view() const {
     return {result.world, result.view, wishes, result.drawn, result.hidden, contact, paper, result.drawing, true};
   }
 };
 
-inline Studied study(World world, const Projection& projection, const EdgeWishes& wishes = {},
+inline Studied study(World world, const Projection& projection, const EdgeOptions& wishes = {},
                      const ViewLimits& limits = {}) {
   Result result = draw(std::move(world), projection, wishes, limits);
   const Contact contact = contact_of(result.world, result.view, std::nullopt);

@@ -49,7 +49,7 @@ double page_length(const Result& r, std::size_t edge) {
 
 bool names(const Verification& found, const Result& r, std::size_t edge) {
   const auto& ends = r.world.models[0].mesh->edges[r.drawn.edges[edge].mesh_edge].vertex;
-  return std::ranges::any_of(found.worst, [&](const Offence& offence) { return offence.edge == ends; });
+  return std::ranges::any_of(found.worst, [&](const Mismatch& offence) { return offence.edge == ends; });
 }
 
 TEST(Verify, RightDrawingsAreRight) {
@@ -118,7 +118,7 @@ TEST(Verify, AForgottenOccluderIsFound) {
   r.world = world_of({back, front});
   const Verification found = verified(r);
   EXPECT_GT(found.wrong, 0);
-  for (const Offence& offence : found.worst) {
+  for (const Mismatch& offence : found.worst) {
     EXPECT_EQ(offence.what, "drawn visible");
     ASSERT_TRUE(offence.hider);
     EXPECT_EQ(offence.hider->model, 1);
@@ -132,7 +132,7 @@ TEST(Verify, AMissingLineIsFound) {
   r.drawing.segments.erase(longest);
   const Verification found = verified(r);
   EXPECT_GT(found.wrong, 0);
-  for (const Offence& offence : found.worst) EXPECT_EQ(offence.what, "not drawn");
+  for (const Mismatch& offence : found.worst) EXPECT_EQ(offence.what, "not drawn");
 }
 
 // What the near limit cuts away hides nothing.

@@ -5,7 +5,7 @@
 
 #include "errors.hpp"
 #include "shapes.hpp"
-#include "view/view.hpp"
+#include "view/projected_scene.hpp"
 
 namespace epura::test {
 namespace {
@@ -69,56 +69,57 @@ TEST(Clip, BothEndsOfAnEdgeCanBeCut) {
 // Looking along +y from the origin onto the plane y = 1: the place of (x, y, z) is (x/y, z/y).
 Projection along_y() { return perspective({0, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}); }
 
-TEST(View, TheNearPlaneCutsEdgesInSpace) {
+TEST(ProjectedScene, TheNearPlaneCutsEdgesInSpace) {
   const World world = world_of(box({-1, 1, -1}, {1, 5, 1}));
-  View view = make_view(world, along_y(), {.near = 2.0, .far = {}});
+  ProjectedScene view = make_view(world, along_y(), {.near = 2.0, .far = {}});
   // From (-1, 1, -1) to (-1, 5, -1): y = 2 lies a quarter of the way in space.
   const auto edge = clip_edge(view, 0, 2);
   ASSERT_TRUE(edge);
   EXPECT_NEAR(edge->t[0], 0.25, 1e-15);
   EXPECT_EQ(edge->t[1], 1);
-  EXPECT_NEAR(view.vertices[edge->vertex[0]].x / view.map.shrink + view.middle.x / view.map.shrink, -0.5, 1e-12);
+  EXPECT_NEAR(view.vertices[edge->vertex[0]].x / view.map.scale_exponent + view.middle.x / view.map.scale_exponent,
+              -0.5, 1e-12);
   EXPECT_FALSE(clip_edge(view, 0, 1)) << "this edge lies before the near plane";
   // 4 side faces lose their front, the front face is gone: 2 triangles of the back, 2 of each side.
   EXPECT_EQ(view.triangles.size(), 2U + 4 * 3);
 }
 
-TEST(View, NearAndFarAreDistancesInFrontOfTheEye) {
+TEST(ProjectedScene, NearAndFarAreDistancesInFrontOfTheEye) {
   const World world = world_of(box({-1, 1, -1}, {1, 5, 1}));
-  View view = make_view(world, along_y(), {.near = 2.0, .far = 4.0});
+  ProjectedScene view = make_view(world, along_y(), {.near = 2.0, .far = 4.0});
   const auto edge = clip_edge(view, 2, 0);
   ASSERT_TRUE(edge);
   EXPECT_NEAR(edge->t[0], 0.25, 1e-15);
   EXPECT_NEAR(edge->t[1], 0.75, 1e-15);
 }
 
-TEST(View, OfAParallelViewNearAndFarCountFromThePlane) {
+TEST(ProjectedScene, OfAParallelViewNearAndFarCountFromThePlane) {
   const World world = world_of(box({0, 0, 0}, {1, 1, 8}));
-  View view = make_view(world, from_above(), {.near = -6.0, .far = -2.0});
+  ProjectedScene view = make_view(world, from_above(), {.near = -6.0, .far = -2.0});
   const auto edge = clip_edge(view, 0, 4);
   ASSERT_TRUE(edge);
   EXPECT_EQ(edge->t, (std::array{0.25, 0.75}));
 }
 
-TEST(View, NothingBetweenNearAndFarIsWrongInput) {
+TEST(ProjectedScene, NothingBetweenNearAndFarIsWrongInput) {
   const World world = world_of(box({-1, 1, -1}, {1, 5, 1}));
   for (const double far : {2.0, 1.0})
     EXPECT_EQ(error_of([&] { make_view(world, along_y(), {.near = 2.0, .far = far}); }).where(), "near and far");
 }
 
-TEST(View, NothingBeforeTheEyeIsWrongInput) {
+TEST(ProjectedScene, NothingBeforeTheEyeIsWrongInput) {
   const World world = world_of(box({-1, -5, -1}, {1, -1, 1}));
   const Error error = error_of([&] { make_view(world, along_y(), {}); });
-  EXPECT_EQ(error.trouble(), Trouble::input);
+  EXPECT_EQ(error.kind(), ErrorKind::input);
   EXPECT_TRUE(contains(error.what(), "in front of the viewer")) << error.what();
   EXPECT_FALSE(error.hint().empty());
 }
 
-TEST(View, AWindowCutsEdgesButLeavesTrianglesAMargin) {
+TEST(ProjectedScene, AWindowCutsEdgesButLeavesTrianglesAMargin) {
   const World world = world_of(plate(-10, -10, 10, 10, 0));
   Projection p = from_above();
   p.window = Window{{-1, -2}, {3, 2}};
-  View view = make_view(world, p, {});
+  ProjectedScene view = make_view(world, p, {});
   EXPECT_TRUE(view.window_given);
   const int a = add_point(view, {-10, 0, 0});
   const int b = add_point(view, {10, 0, 0});
@@ -126,39 +127,40 @@ TEST(View, AWindowCutsEdgesButLeavesTrianglesAMargin) {
   ASSERT_TRUE(edge);
   EXPECT_NEAR(edge->t[0], 9.0 / 20, 1e-15);
   EXPECT_NEAR(edge->t[1], 13.0 / 20, 1e-15);
-  double least = HUGE_VAL, most = -HUGE_VAL;
+  double min = HUGE_VAL, max = -HUGE_VAL;
   for (const ViewTriangle& triangle : view.triangles)
     for (const int v : triangle.vertex) {
-      least = std::min(least, view.vertices[v].x);
-      most = std::max(most, view.vertices[v].x);
+      min = std::min(min, view.vertices[v].x);
+      max = std::max(max, view.vertices[v].x);
     }
-  EXPECT_NEAR((most - least) / view.map.shrink, 1.5 * 4, 1e-12);
+  EXPECT_NEAR((max - min) / view.map.scale_exponent, 1.5 * 4, 1e-12);
   EXPECT_FALSE(clip_edge(view, 0, 1)) << "the plate's border lies outside";
 }
 
-TEST(View, AnEyeInTheSceneGetsAConeOf120Degrees) {
-  const View view = make_view(world_of(box({-9, -9, -9}, {9, 9, 9})), along_y(), {});
+TEST(ProjectedScene, AnEyeInTheSceneGetsAConeOf120Degrees) {
+  const ProjectedScene view = make_view(world_of(box({-9, -9, -9}, {9, 9, 9})), along_y(), {});
   EXPECT_TRUE(view.window_given);
   // The plane is at distance 1: its half window is tan 60 degrees.
-  EXPECT_NEAR((view.window.most.x - view.window.least.x) / view.map.shrink, 2 * std::sqrt(3.0), 1e-12);
-  EXPECT_NEAR((view.window.most.y - view.window.least.y) / view.map.shrink, 2 * std::sqrt(3.0), 1e-12);
+  EXPECT_NEAR((view.window.max.x - view.window.min.x) / view.map.scale_exponent, 2 * std::sqrt(3.0), 1e-12);
+  EXPECT_NEAR((view.window.max.y - view.window.min.y) / view.map.scale_exponent, 2 * std::sqrt(3.0), 1e-12);
 }
 
-TEST(View, TheGridIsFineAndHoldsTheWindow) {
+TEST(ProjectedScene, TheGridIsFineAndHoldsTheWindow) {
   for (const double size : {1e-300, 1e-6, 1.0, 3.0, 1e6, 1e300}) {
-    const View view = make_view(world_of(box({0, 0, 0}, {1, 0.5, 0.25}).scaled(size)), orthographic({1, -2, 3}), {});
+    const ProjectedScene view =
+        make_view(world_of(box({0, 0, 0}, {1, 0.5, 0.25}).scaled(size)), orthographic({1, -2, 3}), {});
     EXPECT_LT(view.cell, view.extent * 0x1p-28) << size;
-    int most = 0;
+    int max = 0;
     for (std::size_t v = 0; v < view.grid.size(); ++v) {
-      most = std::max({most, std::abs(view.grid[v].x), std::abs(view.grid[v].y)});
+      max = std::max({max, std::abs(view.grid[v].x), std::abs(view.grid[v].y)});
       EXPECT_NEAR(view.grid[v].x, view.vertices[v].x / view.cell, 0.5) << size;
     }
-    EXPECT_GT(most, 1 << 28) << size;
-    EXPECT_LT(most, 1 << 30) << size;
+    EXPECT_GT(max, 1 << 28) << size;
+    EXPECT_LT(max, 1 << 30) << size;
   }
 }
 
-TEST(View, CrossIsExact) {
+TEST(ProjectedScene, CrossIsExact) {
   const GridPoint a{-1073741823, -1073741823}, b{1073741823, 1073741822}, c{0, 0};
   // (2^31 - 2)(2^30 - 1) - (2^31 - 3)(2^30 - 1)
   EXPECT_EQ(cross(a, b, c), 1073741823);

@@ -15,13 +15,13 @@ namespace {
 
 using Random = std::mt19937;
 
-double uniform(Random& random, double least, double most) {
-  return least + (most - least) * (static_cast<double>(random()) / 4294967296.0);
+double uniform(Random& random, double min, double max) {
+  return min + (max - min) * (static_cast<double>(random()) / 4294967296.0);
 }
 
 Vec3 point_in(Random& random, const Box& box) {
-  return {uniform(random, box.least.x, box.most.x), uniform(random, box.least.y, box.most.y),
-          uniform(random, box.least.z, box.most.z)};
+  return {uniform(random, box.min.x, box.max.x), uniform(random, box.min.y, box.max.y),
+          uniform(random, box.min.z, box.max.z)};
 }
 
 Box box_of_the_scene() { return {{-1, -2, 0.5}, {3, 1, 4}}; }
@@ -58,7 +58,7 @@ TEST(ViewMap, PlacesAreThoseOfTheMatrix) {
       const Vec4 expected = matrix * Vec4(point, 1);
       ASSERT_GT(mapped.w, 0);
       // From the plane's own point, in model lengths: undo shrinking and the shift to the image of the scene's middle.
-      const Vec2 place = (Vec2(mapped.x, mapped.y) / mapped.w + map.image) / map.shrink;
+      const Vec2 place = (Vec2(mapped.x, mapped.y) / mapped.w + map.image) / map.scale_exponent;
       EXPECT_NEAR(place.x, p.scale * expected.x / expected.w, 1e-11);
       EXPECT_NEAR(place.y, p.scale * expected.y / expected.w, 1e-11);
     }
@@ -75,8 +75,8 @@ TEST(ViewMap, DepthIsThatOfTheMatrixUpToScaleAndShift) {
       const Vec4 expected = matrix * Vec4(point, 1);
       return Vec2(expected.z / expected.w, mapped.z / mapped.w);
     };
-    const Vec2 a = both(box_of_the_scene().least);
-    const Vec2 b = both(box_of_the_scene().most);
+    const Vec2 a = both(box_of_the_scene().min);
+    const Vec2 b = both(box_of_the_scene().max);
     const double slope = (b.y - a.y) / (b.x - a.x);
     EXPECT_GT(slope, 0);
     for (int i = 0; i < 50; ++i) {
@@ -115,7 +115,7 @@ TEST(ViewMap, FarFromTheOriginNoDigitIsLost) {
     moved.point += far;
     if (p.central) moved.projector += far;
     const ViewMap near_map = make_view_map(p, box);
-    const ViewMap far_map = make_view_map(moved, {box.least + far, box.most + far});
+    const ViewMap far_map = make_view_map(moved, {box.min + far, box.max + far});
     for (int i = 0; i < 10; ++i) {
       const Vec3 point = coarse(point_in(random, box));
       const Mapped a = near_map(point);
@@ -130,7 +130,7 @@ TEST(ViewMap, FarFromTheOriginNoDigitIsLost) {
 TEST(PaperMap, OneMatrixGoesTheWholeWay) {
   const World world = world_of(box({-1, -2, 0.5}, {3, 1, 4}));
   for (const Projection& p : projections()) {
-    const View view = make_view(world, p, {});
+    const ProjectedScene view = make_view(world, p, {});
     const double scale = 12.5;
     const Window drawn = drawn_box(view);
     const PaperMap paper = make_paper_map(view, scale, {100, 70});
@@ -140,25 +140,25 @@ TEST(PaperMap, OneMatrixGoesTheWholeWay) {
       const Vec4 h = m * Vec4(x, 1);
       return Vec2(h) / h.w;
     };
-    Vec2 least(HUGE_VAL), most(-HUGE_VAL);
+    Vec2 min(HUGE_VAL), max(-HUGE_VAL);
     for (std::size_t v = 0; v < world.points.size(); ++v) {
       const Vec2 place = on(matrix, world.points[v]);
       EXPECT_LT(glm::distance(place, paper(view.vertices[v])), 1e-10);
       // Distances on paper are those in the projection plane times both scales.
       const double apart = glm::distance(on(textbook, world.points[v]), on(textbook, world.points[0]));
       EXPECT_NEAR(glm::distance(place, on(matrix, world.points[0])), scale * p.scale * apart, 1e-9);
-      least = glm::min(least, place);
-      most = glm::max(most, place);
+      min = glm::min(min, place);
+      max = glm::max(max, place);
     }
-    EXPECT_LT(glm::distance(least, Vec2(100, 70) + scale * drawn.least), 1e-9);
-    EXPECT_LT(glm::distance(most, Vec2(100, 70) + scale * drawn.most), 1e-9);
+    EXPECT_LT(glm::distance(min, Vec2(100, 70) + scale * drawn.min), 1e-9);
+    EXPECT_LT(glm::distance(max, Vec2(100, 70) + scale * drawn.max), 1e-9);
   }
 }
 
 TEST(PaperMap, VanishingPointsAreImagesOfTheAxes) {
   const World world = world_of(box({-1, -2, 0.5}, {3, 1, 4}));
   for (const Projection& p : projections()) {
-    const View view = make_view(world, p, {});
+    const ProjectedScene view = make_view(world, p, {});
     const PaperMap paper = make_paper_map(view, 3, {100, 70});
     const Mat4 matrix = world_to_page(view, paper);
     const auto points = vanishing_points_on_page(view, paper);

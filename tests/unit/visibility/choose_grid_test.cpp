@@ -20,7 +20,7 @@ TEST(ChooseGrid, SmallThingsGetSquareCells) {
   const CellGrid grid = choose_grid(page, small, small, limits);
   EXPECT_EQ(grid.count(), 1024);
   EXPECT_LE(std::max(grid.side.x, grid.side.y), 2 * std::min(grid.side.x, grid.side.y));
-  EXPECT_EQ(grid.origin + grid.side * Vec2(grid.columns, grid.rows), page.most);
+  EXPECT_EQ(grid.origin + grid.side * Vec2(grid.columns, grid.rows), page.max);
 }
 
 TEST(ChooseGrid, LongUprightLinesGetLongUprightCells) {

@@ -13,8 +13,8 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 // Points of a page with cells of one unit.
-View page(const std::vector<GridPoint>& points) {
-  View view;
+ProjectedScene page(const std::vector<GridPoint>& points) {
+  ProjectedScene view;
   view.cell = 1;
   view.grid.resize(points.size());
   view.vertices.resize(points.size());
@@ -34,7 +34,7 @@ TEST(Turns, MeetAllTheWayRound) {
 }
 
 TEST(SeenFrom, ATriangleWithACornerThereReachesFromSideToSide) {
-  const View view = page({{0, 0}, {-1000, 1}, {-1000, -1}});
+  const ProjectedScene view = page({{0, 0}, {-1000, 1}, {-1000, -1}});
   const SeenFrom hub(view, {0, 0});
   const Turn turn = hub.of_triangle(view, {{0, 1, 2}, 0});
   EXPECT_NEAR(turn[0], pi - 1e-3, 1e-6);
@@ -42,7 +42,7 @@ TEST(SeenFrom, ATriangleWithACornerThereReachesFromSideToSide) {
 }
 
 TEST(SeenFrom, WhatLiesWithinRoundingLiesAllAround) {
-  const View view = page({{3, 0}, {1000, 0}, {1000, 5}, {-50, -50}, {50, -50}, {0, 80}});
+  const ProjectedScene view = page({{3, 0}, {1000, 0}, {1000, 5}, {-50, -50}, {50, -50}, {0, 80}});
   const SeenFrom hub(view, {0, 0});
   EXPECT_EQ(hub.of_triangle(view, {{0, 1, 2}, 0}), all_around);
   EXPECT_EQ(hub.of_triangle(view, {{3, 4, 5}, 0}), all_around);
@@ -57,7 +57,7 @@ TEST(SeenFrom, AnEdgeMeetsTheDirectionsOfAllTrianglesOverIt) {
     const int size = 1 << (1 + random() % 29);
     const auto number = [&] { return static_cast<std::int32_t>(random() % static_cast<unsigned>(2 * size)) - size; };
     const GridPoint place{number() / 2, number() / 2};
-    const View view = page({place, {number(), number()}, {number(), number()}, {number(), number()}});
+    const ProjectedScene view = page({place, {number(), number()}, {number(), number()}, {number(), number()}});
     const ViewTriangle triangle{{0, 1, 2}, 0};
     if (cross(view.grid[0], view.grid[1], view.grid[2]) == 0 || !meets_on_grid(view, {0, 3}, triangle)) continue;
     const SeenFrom hub(view, place);

@@ -76,23 +76,23 @@ TEST(Spans, WhatIsNotOpenCanHoldMoreAndStaysTheSame) {
   };
   int closed = 0;
   for (int round = 0; round < 20000; ++round) {
-    constexpr double least = 0.1;
+    constexpr double min = 0.1;
     Spans spans;
     for (int i = 0; i < 6; ++i) add_span(spans, part(0.4));
     const auto more = part(0.1);
-    if (open_part(spans, more[0], more[1], least)) continue;
+    if (open_part(spans, more[0], more[1], min)) continue;
     ++closed;
     Spans all = spans;
     add_span(all, more);
-    absorb_slivers(spans, least);
-    absorb_slivers(all, least);
+    absorb_slivers(spans, min);
+    absorb_slivers(all, min);
     ASSERT_EQ(all, spans);
   }
   EXPECT_GT(closed, 1000);
 }
 
-Spans absorbed(Spans spans, double least) {
-  absorb_slivers(spans, least);
+Spans absorbed(Spans spans, double min) {
+  absorb_slivers(spans, min);
   return spans;
 }
 

@@ -55,7 +55,7 @@ TEST(ThirdCopies, HideEdgesThatBeginAtTheirCorners) {
   const HiddenSpans sampled = find_hidden_by_samples(r.world, r.view, r.drawn, r.contact, {10, 0});
   int found = 0;
   for (std::size_t e = 0; e < r.drawn.edges.size(); ++e) {
-    const DrawnEdge& edge = r.drawn.edges[e];
+    const FeatureEdge& edge = r.drawn.edges[e];
     if (edge.vertex[0] % 5 != 0 || edge.vertex[1] % 5 != 3) continue;
     ++found;
     for (const HiddenSpans* hidden : {&r.hidden, &sampled}) {

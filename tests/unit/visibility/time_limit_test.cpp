@@ -63,7 +63,7 @@ TEST(TimeLimit, TheBoardSeesEveryEdge) {
 
 TEST(TimeLimit, DecidedEdgesKeepTheirSpans) {
   const Result r = row_of_boxes();
-  DrawnEdges drawn = r.drawn;
+  FeatureEdges drawn = r.drawn;
   HiddenSpans hidden = r.hidden;
   // As if every third edge had to be left out: its spans go with it.
   for (std::size_t e = 0; e < drawn.edges.size(); e += 3) hidden.undecided.push_back(static_cast<int>(e));

@@ -9,8 +9,8 @@
 namespace epura::test {
 namespace {
 
-double uniform(std::mt19937& random, double least, double most) {
-  return least + (most - least) * (static_cast<double>(random()) / 4294967296.0);
+double uniform(std::mt19937& random, double min, double max) {
+  return min + (max - min) * (static_cast<double>(random()) / 4294967296.0);
 }
 
 double area(const Vec2& a, const Vec2& b, const Vec2& c) {

@@ -7,20 +7,20 @@
 #include "edges/drawn_edges.hpp"
 #include "scene/scene.hpp"
 #include "view/paper_map.hpp"
-#include "view/view.hpp"
+#include "view/projected_scene.hpp"
 #include "visibility/visibility.hpp"
 
 namespace epura {
 
-struct DrawnView {
+struct ExplainInput {
   const World& world;
-  const View& view;
-  const EdgeWishes& wishes;
-  const DrawnEdges& drawn;
+  const ProjectedScene& view;
+  const EdgeOptions& wishes;
+  const FeatureEdges& drawn;
   const HiddenSpans& hidden;
   const Contact& contact;
   const PaperMap& paper;
-  const Drawing& drawing;
+  const ViewDrawing& drawing;
   bool keep_hidden;  ///< hidden lines are drawn, too
 };
 

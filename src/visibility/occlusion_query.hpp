@@ -14,15 +14,15 @@
 namespace epura {
 
 /// What a triangle hides is computed for the whole edge, so the union does not depend on cells or order.
-class EdgeHider {
+class OcclusionQuery {
  public:
   /// With `most_tries`, a tree is given up after so many.
-  EdgeHider(const View& view, const Contact& contact, const OccluderGrid& occluders, const Sightline& line,
-            const OwnTriangles& own, int most_tries = std::numeric_limits<int>::max());
+  OcclusionQuery(const ProjectedScene& view, const Contact& contact, const OccluderGrid& occluders,
+                 const PageEdge& line, const OwnTriangles& own, int most_tries = std::numeric_limits<int>::max());
 
   /// What lies behind the cover of the cell is hidden; otherwise candidates are tried until the stretch is hidden or
   /// the rest lies behind it.
-  void hide(const Stretch& stretch);
+  void hide(const CellSegment& stretch);
 
   /// What was hidden so far, without what is rounding.
   [[nodiscard]] Spans spans() &&;
@@ -44,12 +44,12 @@ class EdgeHider {
   // Whether one of the pile hides something.
   bool hide_by(const Pile& pile);
   bool hide_by_exact(const Pile& pile);
-  void hide_by_tree(const Stretch& stretch);
+  void hide_by_tree(const CellSegment& stretch);
 
-  const View& view_;
+  const ProjectedScene& view_;
   const Contact& contact_;
   const OccluderGrid& occluders_;
-  Sightline line_;
+  PageEdge line_;
   OwnTriangles own_;
   std::array<int, 64> tried_;  ///< lately, by the last bits of their numbers
   Spans spans_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "visibility/one_sheet.hpp"
+#include "visibility/height_field.hpp"
 
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ double wavy(int i, int j) { return 0.3 * std::sin(i) * std::cos(2.0 * j); }
 
 bool certified(const std::vector<Shape>& shapes, const Projection& projection) {
   const Result r = draw(world_of(shapes), projection, {.smooth = true});
-  const bool one = is_one_sheet(r.world, r.view, r.drawn);
+  const bool one = is_height_field(r.world, r.view, r.drawn);
   EXPECT_TRUE(!one || r.hidden.spans.empty());
   return one;
 }
@@ -89,10 +89,11 @@ TEST(OneSheet, EndsWhereARampReachesItsBeginning) {
 
 TEST(OneSheet, IsNotClipped) {
   const World world = world_of(field(6, wavy));
-  View view = make_view(world, perspective({3, -4, 6}, {3, 3, 0}, {0, -1, 1}, {0, 0, 1}), {.near = {}, .far = 9.0});
-  const DrawnEdges drawn = find_drawn_edges(world, view, {}, contact_in_space(world, view, {}));
+  ProjectedScene view =
+      make_view(world, perspective({3, -4, 6}, {3, 3, 0}, {0, -1, 1}, {0, 0, 1}), {.near = {}, .far = 9.0});
+  const FeatureEdges drawn = find_feature_edges(world, view, {}, contact_in_space(world, view, {}));
   EXPECT_FALSE(view.triangle_planes.empty());
-  EXPECT_FALSE(is_one_sheet(world, view, drawn));
+  EXPECT_FALSE(is_height_field(world, view, drawn));
 }
 
 TEST(OneSheet, HidesNothingWhateverItsShape) {

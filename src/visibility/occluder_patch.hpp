@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "view/view.hpp"
+#include "view/projected_scene.hpp"
 #include "visibility/hiding_rule.hpp"
 
 namespace epura {
@@ -21,7 +21,7 @@ struct CellBox {
 class CoverPlane {
  public:
   /// `half` of the width and height of a cell, widened.
-  CoverPlane(const View& view, const ViewTriangle& triangle, const Vec2& half, const Contact& contact);
+  CoverPlane(const ProjectedScene& view, const ViewTriangle& triangle, const Vec2& half, const Contact& contact);
 
   /// What lies deeper in the cell around a place is hidden wherever the triangle covers it: deeper than any place of
   /// its plane there by more than contact and rounding. -infinity for a triangle that is a line on the page.
@@ -34,9 +34,9 @@ class CoverPlane {
 
 /// Grows connected sheets from triangles, added one by one. A sheet is whole when every side that may reach into the
 /// cell has triangles on both sides: as many triangles cover one place of the cell as another, and so at least one.
-class SheetCover {
+class OccluderPatch {
  public:
-  SheetCover(const View& view, const CellBox& cell, const Contact& contact)
+  OccluderPatch(const ProjectedScene& view, const CellBox& cell, const Contact& contact)
       : view_(view), cell_(cell), contact_(contact) {}
 
   /// Whether this triangle, which has an area on the page grid, has made a sheet whole.
@@ -61,7 +61,7 @@ class SheetCover {
   int root(int sheet);
   void close(int sheet, const ViewTriangle& triangle, int side, bool turns_left);
 
-  const View& view_;
+  const ProjectedScene& view_;
   CellBox cell_;
   Contact contact_;
   std::vector<Sheet> sheets_;

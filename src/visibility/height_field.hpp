@@ -3,7 +3,7 @@
 #pragma once
 
 #include "edges/drawn_edges.hpp"
-#include "view/view.hpp"
+#include "view/projected_scene.hpp"
 
 namespace epura {
 
@@ -16,6 +16,6 @@ namespace epura {
 /// - sides of one triangle form closed lines that neither cross nor touch, so every place is covered as often as they
 ///   run around it; and only one of them runs around its inside like the triangles, the others are holes.
 /// So no place is covered twice. Nothing is clipped, and there are no intersection lines.
-bool is_one_sheet(const World& world, const View& view, const DrawnEdges& drawn);
+bool is_height_field(const World& world, const ProjectedScene& view, const FeatureEdges& drawn);
 
 }  // namespace epura

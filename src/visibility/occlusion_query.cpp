@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "visibility/edge_hider.hpp"
+#include "visibility/occlusion_query.hpp"
 
 #include <algorithm>
 
 namespace epura {
 
-EdgeHider::EdgeHider(const View& view, const Contact& contact, const OccluderGrid& occluders, const Sightline& line,
-                     const OwnTriangles& own, int most_tries)
+OcclusionQuery::OcclusionQuery(const ProjectedScene& view, const Contact& contact, const OccluderGrid& occluders,
+                               const PageEdge& line, const OwnTriangles& own, int most_tries)
     : view_(view), contact_(contact), occluders_(occluders), line_(line), own_(own), most_tries_(most_tries) {
   tried_.fill(-1);
   for (const int end : {line.p, line.q})
     for (const int triangle : occluders.copies_around(end)) hide_by(triangle);
 }
 
-void EdgeHider::hide(const Stretch& stretch) {
+void OcclusionQuery::hide(const CellSegment& stretch) {
   if (covers(spans_, stretch.from, stretch.to)) return;
   const auto [farthest, nearest] = occluders_.depths(line_, stretch.from, stretch.to);
   if (nearest < stretch.cover) return add_span(spans_, {stretch.from, stretch.to});
@@ -25,12 +25,12 @@ void EdgeHider::hide(const Stretch& stretch) {
   }
 }
 
-Spans EdgeHider::spans() && {
+Spans OcclusionQuery::spans() && {
   absorb_slivers(spans_, least_span(view_, line_));
   return std::move(spans_);
 }
 
-bool EdgeHider::hide_by(const Pile& pile) {
+bool OcclusionQuery::hide_by(const Pile& pile) {
   ++tries_;
   if (!meets_on_grid(view_, line_, view_.triangles[pile.triangles().front()])) return false;
   if (pile.is_exact()) return hide_by_exact(pile);
@@ -42,7 +42,7 @@ bool EdgeHider::hide_by(const Pile& pile) {
   return any;
 }
 
-bool EdgeHider::hide_by_exact(const Pile& pile) {
+bool OcclusionQuery::hide_by_exact(const Pile& pile) {
   const auto overlap = overlap_of(view_, line_, view_.triangles[pile.triangles().front()]);
   if (!overlap) return false;
   bool any = false;
@@ -65,9 +65,9 @@ bool EdgeHider::hide_by_exact(const Pile& pile) {
   return any;
 }
 
-void EdgeHider::hide_by_tree(const Stretch& stretch) {
-  const double least = least_span(view_, line_);
-  const auto open = [&] { return open_part(spans_, stretch.from, stretch.to, least); };
+void OcclusionQuery::hide_by_tree(const CellSegment& stretch) {
+  const double min = least_span(view_, line_);
+  const auto open = [&] { return open_part(spans_, stretch.from, stretch.to, min); };
   const auto before = [&](const std::array<double, 2>& part) {
     return stretch.tree->before(view_, line_, {occluders_.point(line_, part[0]), occluders_.point(line_, part[1])});
   };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "visibility/edge_hider.hpp"
+#include "visibility/occlusion_query.hpp"
 
 #include <gtest/gtest.h>
 
@@ -25,24 +25,24 @@ double tries_of_an_edge(const World& world, const Projection& projection) {
   const Result r = draw(world, projection);
   const OccluderGrid occluders(r.world, r.view, r.drawn.edges, r.contact);
   long tries = 0;
-  for (const DrawnEdge& edge : r.drawn.edges) {
-    const Sightline line{edge.vertex[0], edge.vertex[1]};
-    EdgeHider hider(r.view, r.contact, occluders, line, OwnTriangles(r.world, r.drawn, edge));
-    occluders.along(line, [&](const Stretch& stretch) { hider.hide(stretch); });
+  for (const FeatureEdge& edge : r.drawn.edges) {
+    const PageEdge line{edge.vertex[0], edge.vertex[1]};
+    OcclusionQuery hider(r.view, r.contact, occluders, line, OwnTriangles(r.world, r.drawn, edge));
+    occluders.along(line, [&](const CellSegment& stretch) { hider.hide(stretch); });
     tries += hider.tries();
   }
   return static_cast<double>(tries) / static_cast<double>(r.drawn.edges.size());
 }
 
 // Before half of the 2 * 4000 triangles lies the average edge.
-TEST(EdgeHider, TriesFewTrianglesOfAStackWhereverItIsSeenFrom) {
+TEST(OcclusionQuery, TriesFewTrianglesOfAStackWhereverItIsSeenFrom) {
   const World world = stack(4000);
   for (const Vec3& towards_viewer : {Vec3(1, -1, 1), Vec3(1, 1, 1), Vec3(0.3, -0.8, 0.5), Vec3(0, 0, 1)})
     EXPECT_LT(tries_of_an_edge(world, orthographic(towards_viewer, {0, 1, 0.1})), 100);
 }
 
 // Of half of the plates, a side that falls on theirs is visible: each would be tried on all before it.
-TEST(EdgeHider, TriesFewTrianglesOfEqualPartsBehindOneAnother) {
+TEST(OcclusionQuery, TriesFewTrianglesOfEqualPartsBehindOneAnother) {
   Shape plates;
   std::vector<Shape> copies;
   for (int i = 0; i < 1000; ++i) {
@@ -59,7 +59,7 @@ TEST(EdgeHider, TriesFewTrianglesOfEqualPartsBehindOneAnother) {
 constexpr int many = 4000;
 
 // At the hub all of them meet.
-TEST(EdgeHider, TriesFewNeedlesOfOneHub) {
+TEST(OcclusionQuery, TriesFewNeedlesOfOneHub) {
   std::mt19937 random(1);
   const auto number = [&] { return static_cast<double>(random()) / 4294967296.0 - 0.5; };
   Shape burst{{{0, 0, 0}}, {}, {}};
@@ -71,7 +71,7 @@ TEST(EdgeHider, TriesFewNeedlesOfOneHub) {
   EXPECT_LT(tries_of_an_edge(world_of(burst), orthographic({1, -1, 1})), many / 16);
 }
 
-TEST(EdgeHider, TriesFewTrianglesOnOneLine) {
+TEST(OcclusionQuery, TriesFewTrianglesOnOneLine) {
   Shape line{{{0, 0, 0}, {100, 0, 0}, {50, 50, 0}, {1, 0, 0}}, {{0, 1, 2}}, {}};
   for (int i = 1; i <= many; ++i) {
     line.points.push_back({1 + 99.0 * i / many, 0, 0});
@@ -80,7 +80,7 @@ TEST(EdgeHider, TriesFewTrianglesOnOneLine) {
   EXPECT_LT(tries_of_an_edge(world_of(line), orthographic({1, -1, 1})), many / 64);
 }
 
-TEST(EdgeHider, TriesFewTrianglesOfOnePlane) {
+TEST(OcclusionQuery, TriesFewTrianglesOfOnePlane) {
   std::mt19937 random(1);
   const auto number = [&] { return static_cast<double>(random()) / 4294967296.0; };
   Shape across;
@@ -92,16 +92,16 @@ TEST(EdgeHider, TriesFewTrianglesOfOnePlane) {
   EXPECT_LT(tries_of_an_edge(world_of(across), orthographic({1, -1, 1})), many / 32);
 }
 
-TEST(EdgeHider, HasNoMoreCandidatesOfManyCopiesThanOfTwo) {
+TEST(OcclusionQuery, HasNoMoreCandidatesOfManyCopiesThanOfTwo) {
   const auto most_candidates = [](int copies) {
     const World world = world_of(std::vector<Shape>(static_cast<std::size_t>(copies), box({0, 0, 0}, {1, 2, 3})));
     const Result r = draw(world, orthographic({0.3, -0.8, 0.5}));
     const OccluderGrid occluders(r.world, r.view, r.drawn.edges, r.contact);
-    std::size_t most = 0;
-    for (const DrawnEdge& edge : r.drawn.edges)
+    std::size_t max = 0;
+    for (const FeatureEdge& edge : r.drawn.edges)
       occluders.along({edge.vertex[0], edge.vertex[1]},
-                      [&](const Stretch& stretch) { most = std::max(most, stretch.candidates.size()); });
-    return most;
+                      [&](const CellSegment& stretch) { max = std::max(max, stretch.candidates.size()); });
+    return max;
   };
   EXPECT_GT(most_candidates(2), 0);
   EXPECT_LE(most_candidates(300), 2 * 12);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "visibility/sheet_cover.hpp"
+#include "visibility/occluder_patch.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,8 @@ Vec2 place(const PageVertex& v) { return {v.x, v.y}; }
 
 }  // namespace
 
-CoverPlane::CoverPlane(const View& view, const ViewTriangle& triangle, const Vec2& half, const Contact& contact)
+CoverPlane::CoverPlane(const ProjectedScene& view, const ViewTriangle& triangle, const Vec2& half,
+                       const Contact& contact)
     : corner_(place(view.vertices[triangle.vertex[0]])) {
   const std::optional<Vec2> slope = slope_of(view, triangle);
   if (!slope) return;
@@ -27,7 +28,7 @@ CoverPlane::CoverPlane(const View& view, const ViewTriangle& triangle, const Vec
   depth_ = depth - glm::dot(half, glm::abs(*slope)) - contact.touching * (1 + steepness) - rounding;
 }
 
-bool SheetCover::add(const ViewTriangle& triangle) {
+bool OccluderPatch::add(const ViewTriangle& triangle) {
   const double depth = CoverPlane(view_, triangle, cell_.half, contact_).depth(cell_.middle);
   if (depth == -HUGE_VAL) return false;
   const auto& v = triangle.vertex;
@@ -47,7 +48,7 @@ bool SheetCover::add(const ViewTriangle& triangle) {
 }
 
 // A side is closed by a triangle on its other side, and opened by any other.
-void SheetCover::close(int sheet, const ViewTriangle& triangle, int side, bool turns_left) {
+void OccluderPatch::close(int sheet, const ViewTriangle& triangle, int side, bool turns_left) {
   const int u = triangle.vertex[side], v = triangle.vertex[(side + 1) % 3];
   const bool left = turns_left == (u < v);
   const std::uint64_t key =
@@ -67,12 +68,12 @@ void SheetCover::close(int sheet, const ViewTriangle& triangle, int side, bool t
   own.parent = other.parent;
 }
 
-int SheetCover::root(int sheet) {
+int OccluderPatch::root(int sheet) {
   while (sheets_[sheet].parent != sheet) sheet = sheets_[sheet].parent = sheets_[sheets_[sheet].parent].parent;
   return sheet;
 }
 
-bool SheetCover::reaches_in(int u, int v) const {
+bool OccluderPatch::reaches_in(int u, int v) const {
   const Vec2 a = place(view_.vertices[u]) - cell_.middle, b = place(view_.vertices[v]) - cell_.middle;
   const Vec2 along = b - a;
   if (std::min(a.x, b.x) > cell_.half.x || std::max(a.x, b.x) < -cell_.half.x) return false;
@@ -80,7 +81,7 @@ bool SheetCover::reaches_in(int u, int v) const {
   return std::abs(along.x * a.y - along.y * a.x) <= std::abs(along.x) * cell_.half.y + std::abs(along.y) * cell_.half.x;
 }
 
-bool SheetCover::holds_middle(const ViewTriangle& triangle) const {
+bool OccluderPatch::holds_middle(const ViewTriangle& triangle) const {
   int left = 0;
   for (int i = 0; i < 3; ++i) {
     const Vec2 a = place(view_.vertices[triangle.vertex[i]]) - cell_.middle;

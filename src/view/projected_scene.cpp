@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "view/view.hpp"
+#include "view/projected_scene.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,8 @@ constexpr std::size_t grain = 8192;
 constexpr double grid_half = (1 << 30) - 2;
 
 // Adds the plane for `users`, or as idle where it cuts nothing. Returns whether it cuts.
-bool add_plane(View& view, const World& world, const ClipPlane& plane, std::initializer_list<std::vector<int>*> users) {
+bool add_plane(ProjectedScene& view, const World& world, const ClipPlane& plane,
+               std::initializer_list<std::vector<int>*> users) {
   const int number = view.clipper.add_plane(plane);
   const bool cuts = std::any_of(world.triangles.begin(), world.triangles.end(), [&](const auto& corners) {
     return std::any_of(corners.begin(), corners.end(), [&](int v) { return !view.clipper.inside(number, v); });
@@ -36,15 +37,15 @@ bool add_plane(View& view, const World& world, const ClipPlane& plane, std::init
 }
 
 // sign * n . (x - P) <= sign * limit. The homogeneous 1 is W + depth_to_one Z, and n . (x - c) follows from Z.
-ClipPlane depth_plane(const View& view, double limit, double sign) {
+ClipPlane depth_plane(const ProjectedScene& view, double limit, double sign) {
   const ViewMap& map = view.map;
-  const Vec3 from_point = map.centre * map.shrink - view.projection.point * map.shrink;
-  const double constant = limit * map.shrink - glm::dot(view.projection.n, from_point);
+  const Vec3 from_point = map.centre * map.scale_exponent - view.projection.point * map.scale_exponent;
+  const double constant = limit * map.scale_exponent - glm::dot(view.projection.n, from_point);
   return {0, 0, sign * (constant * map.depth_to_one - 1 / map.depth_of_n), sign * constant};
 }
 
 // Returns whether something lies beside or behind the viewer.
-bool add_depth_planes(View& view, const World& world, const ViewLimits& limits, Clipping clipping) {
+bool add_depth_planes(ProjectedScene& view, const World& world, const ViewLimits& limits, Clipping clipping) {
   const Projection& p = view.projection;
   const double viewer = p.central ? glm::dot(p.n, p.projector - p.point) : 0;
   double front = p.front;
@@ -52,7 +53,7 @@ bool add_depth_planes(View& view, const World& world, const ViewLimits& limits, 
   if (limits.near) front = std::min(front, viewer - *limits.near);
   if (limits.far) back = std::max(back, viewer - *limits.far);
   if (!(front > back))
-    throw Error(Trouble::input, "near and far", "leave nothing between them", "near < far is wanted");
+    throw Error(ErrorKind::input, "near and far", "leave nothing between them", "near < far is wanted");
 
   const auto users = {&view.triangle_planes, &view.edge_planes};
   bool around = false;
@@ -65,7 +66,7 @@ bool add_depth_planes(View& view, const World& world, const ViewLimits& limits, 
   return around;
 }
 
-UnsetVector<ViewTriangle> clipped_triangles(View& view, const World& world, Clipping clipping) {
+UnsetVector<ViewTriangle> clipped_triangles(ProjectedScene& view, const World& world, Clipping clipping) {
   // Idle planes first: of the world's own corners they take none, while clipping makes corners that are rounded.
   std::vector<int> planes = clipping == Clipping::everywhere ? view.idle_planes : std::vector<int>();
   planes.insert(planes.end(), view.triangle_planes.begin(), view.triangle_planes.end());
@@ -84,7 +85,7 @@ UnsetVector<ViewTriangle> clipped_triangles(View& view, const World& world, Clip
   return triangles;
 }
 
-Window box_of(const View& view) {
+Window box_of(const ProjectedScene& view) {
   // Most vertices are corners of several triangles: each is divided once.
   std::vector<char> used(view.clipper.vertices.size(), 0);
   for (const ViewTriangle& triangle : view.triangles)
@@ -94,24 +95,24 @@ Window box_of(const View& view) {
     if (used[v] == 0) continue;
     const Mapped& p = view.clipper.vertices[v];
     const Vec2 place(p.x / p.w, p.y / p.w);
-    box.least = glm::min(box.least, place);
-    box.most = glm::max(box.most, place);
+    box.min = glm::min(box.min, place);
+    box.max = glm::max(box.max, place);
   }
   return box;
 }
 
-Window cone_of_vision(const View& view) {
+Window cone_of_vision(const ProjectedScene& view) {
   const Projection& p = view.projection;
-  const Vec3 from_point = p.projector * view.map.shrink - p.point * view.map.shrink;
+  const Vec3 from_point = p.projector * view.map.scale_exponent - p.point * view.map.scale_exponent;
   const double reach = cone_tangent * p.scale * glm::dot(p.n, from_point);
   const Vec2 foot = p.scale * Vec2(glm::dot(p.u, from_point), glm::dot(p.v, from_point)) - view.map.image;
   return {foot - reach, foot + reach};
 }
 
-void choose_window(View& view, const World& world, bool around, Clipping clipping) {
+void choose_window(ProjectedScene& view, const World& world, bool around, Clipping clipping) {
   if (const auto& given = view.projection.window) {
-    const double unit = view.projection.scale * view.map.shrink;
-    view.window = {given->least * unit - view.map.image, given->most * unit - view.map.image};
+    const double unit = view.projection.scale * view.map.scale_exponent;
+    view.window = {given->min * unit - view.map.image, given->max * unit - view.map.image};
     view.window_given = true;
     return;
   }
@@ -119,26 +120,26 @@ void choose_window(View& view, const World& world, bool around, Clipping clippin
   view.window = box_of(view);
   if (!around) return;
   const Window cone = cone_of_vision(view);
-  view.window = {glm::max(view.window.least, cone.least), glm::min(view.window.most, cone.most)};
+  view.window = {glm::max(view.window.min, cone.min), glm::min(view.window.max, cone.max)};
   view.window_given = true;
 }
 
 // least.x <= X/W <= most.x and alike for Y, as planes.
-void add_window_planes(View& view, const World& world, const Window& window, std::vector<int>& user) {
-  add_plane(view, world, {1, 0, 0, -window.least.x}, {&user});
-  add_plane(view, world, {-1, 0, 0, window.most.x}, {&user});
-  add_plane(view, world, {0, 1, 0, -window.least.y}, {&user});
-  add_plane(view, world, {0, -1, 0, window.most.y}, {&user});
+void add_window_planes(ProjectedScene& view, const World& world, const Window& window, std::vector<int>& user) {
+  add_plane(view, world, {1, 0, 0, -window.min.x}, {&user});
+  add_plane(view, world, {-1, 0, 0, window.max.x}, {&user});
+  add_plane(view, world, {0, 1, 0, -window.min.y}, {&user});
+  add_plane(view, world, {0, -1, 0, window.max.y}, {&user});
 }
 
-void choose_grid(View& view) {
-  const Vec2 size = view.window.most - view.window.least;
+void choose_grid(ProjectedScene& view) {
+  const Vec2 size = view.window.max - view.window.min;
   view.extent = std::max(size.x, size.y);
   if (!(view.extent > 0)) view.extent = 1;
   const double reach = view.extent * (view.window_given ? guard : 1) / 2;
   view.cell = std::ldexp(1.0, std::ilogb(reach / grid_half) + 1);
   // The middle is a grid point, so that moving the scene by whole cells moves the grid along.
-  const Vec2 middle = view.window.least * 0.5 + view.window.most * 0.5;
+  const Vec2 middle = view.window.min * 0.5 + view.window.max * 0.5;
   view.middle = {std::round(middle.x / view.cell) * view.cell, std::round(middle.y / view.cell) * view.cell};
 }
 
@@ -147,7 +148,7 @@ std::int32_t to_grid(double cells) {
 }
 
 // Page vertices for all that the clipper has made since the last call.
-void lay_out(View& view) {
+void lay_out(ProjectedScene& view) {
   const std::size_t first = view.vertices.size();
   view.vertices.resize(view.clipper.vertices.size());
   view.grid.resize(view.clipper.vertices.size());
@@ -164,7 +165,8 @@ void lay_out(View& view) {
 
 }  // namespace
 
-View make_view(const World& world, const Projection& projection, const ViewLimits& limits, Clipping clipping) {
+ProjectedScene make_view(const World& world, const Projection& projection, const ViewLimits& limits,
+                         Clipping clipping) {
   const ViewMap map = make_view_map(projection, world.box);
   UnsetVector<Mapped> mapped(world.points.size());
   parallel_for(world.points.size(), grain, [&](std::size_t begin, std::size_t end) {
@@ -173,22 +175,22 @@ View make_view(const World& world, const Projection& projection, const ViewLimit
   return make_view(world, projection, limits, std::move(mapped), clipping);
 }
 
-View make_view(const World& world, const Projection& projection, const ViewLimits& limits, UnsetVector<Mapped> mapped,
-               Clipping clipping) {
-  View view;
+ProjectedScene make_view(const World& world, const Projection& projection, const ViewLimits& limits,
+                         UnsetVector<Mapped> mapped, Clipping clipping) {
+  ProjectedScene view;
   view.projection = projection;
   view.map = make_view_map(projection, world.box);
   view.clipper.vertices = std::move(mapped);
   const bool around = add_depth_planes(view, world, limits, clipping);
   choose_window(view, world, around, clipping);
   if (view.window_given) {
-    const Vec2 margin = (view.window.most - view.window.least) * ((guard - 1) / 2);
-    add_window_planes(view, world, {view.window.least - margin, view.window.most + margin}, view.triangle_planes);
+    const Vec2 margin = (view.window.max - view.window.min) * ((guard - 1) / 2);
+    add_window_planes(view, world, {view.window.min - margin, view.window.max + margin}, view.triangle_planes);
     add_window_planes(view, world, view.window, view.edge_planes);
     view.triangles = clipped_triangles(view, world, clipping);
   }
   if (view.triangles.empty())
-    throw Error(Trouble::input, "projection '" + projection.name + "'",
+    throw Error(ErrorKind::input, "projection '" + projection.name + "'",
                 "nothing of the model lies in front of the viewer and inside the window",
                 "move the eye or the window, or leave near, far and window out");
   choose_grid(view);
@@ -196,22 +198,22 @@ View make_view(const World& world, const Projection& projection, const ViewLimit
   return view;
 }
 
-int add_point(View& view, const Vec3& point) { return add_mapped_point(view, view.map(point)); }
+int add_point(ProjectedScene& view, const Vec3& point) { return add_mapped_point(view, view.map(point)); }
 
-int add_mapped_point(View& view, const Mapped& mapped) {
+int add_mapped_point(ProjectedScene& view, const Mapped& mapped) {
   view.clipper.vertices.push_back(mapped);
   lay_out(view);
   return static_cast<int>(view.vertices.size()) - 1;
 }
 
-std::optional<ClippedEdge> clip_edge(View& view, int a, int b) {
+std::optional<ClippedEdge> clip_edge(ProjectedScene& view, int a, int b) {
   if (view.edge_planes.empty()) return ClippedEdge{{a, b}, {0, 1}};
   auto edge = view.clipper.clip_edge(a, b, view.edge_planes);
   lay_out(view);
   return edge;
 }
 
-std::vector<int> clip_ring(View& view, const std::vector<int>& ring) {
+std::vector<int> clip_ring(ProjectedScene& view, const std::vector<int>& ring) {
   if (view.edge_planes.empty()) return ring;
   std::vector<int> clipped = view.clipper.clip_ring(ring, view.edge_planes);
   lay_out(view);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "study/verify/claim.hpp"
+#include "study/verify/verify_input.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@ namespace {
 
 Vec4 row(const Mat4& m, int i) { return glm::transpose(m)[i]; }
 
-std::array<int, 2> vertices_of(const Claim& claim, const DrawnEdge& edge) {
+std::array<int, 2> vertices_of(const VerifyInput& claim, const FeatureEdge& edge) {
   const int first = claim.world.first_vertex[edge.model];
   const auto& vertex = claim.world.models[edge.model].mesh->edges[edge.mesh_edge].vertex;
   return {first + vertex[0], first + vertex[1]};
@@ -18,7 +18,7 @@ std::array<int, 2> vertices_of(const Claim& claim, const DrawnEdge& edge) {
 
 }  // namespace
 
-std::array<Vec3, 2> Claim::ends_of(const DrawnEdge& edge) const {
+std::array<Vec3, 2> VerifyInput::ends_of(const FeatureEdge& edge) const {
   if (edge.crossing >= 0) return drawn.crossings[edge.crossing].ends;
   const Mesh& mesh = *world.models[edge.model].mesh;
   const auto [a, b] = mesh.origin_of(mesh.edges[edge.mesh_edge]).vertex;
@@ -26,7 +26,7 @@ std::array<Vec3, 2> Claim::ends_of(const DrawnEdge& edge) const {
   return {world.points[first + a], world.points[first + b]};
 }
 
-bool Claim::contains(const DrawnEdge& edge, int triangle) const {
+bool VerifyInput::contains(const FeatureEdge& edge, int triangle) const {
   if (edge.crossing >= 0) {
     const auto& [first, second] = drawn.crossings[edge.crossing].triangles;
     return triangle == first || triangle == second;
@@ -36,14 +36,14 @@ bool Claim::contains(const DrawnEdge& edge, int triangle) const {
                              [&](int v) { return std::ranges::find(corners, v) != corners.end(); });
 }
 
-bool Claim::joined(const DrawnEdge& edge, int triangle) const {
+bool VerifyInput::joined(const FeatureEdge& edge, int triangle) const {
   if (edge.crossing >= 0) return false;
   const auto& corners = world.triangles[triangle];
   return std::ranges::any_of(vertices_of(*this, edge),
                              [&](int v) { return std::ranges::find(corners, v) != corners.end(); });
 }
 
-Viewing viewing_of(const Claim& claim) {
+Viewing viewing_of(const VerifyInput& claim) {
   const Projection& p = claim.projection;
   const double viewer = p.central ? glm::dot(p.n, p.projector - p.point) : 0;
   double front = p.front, back = p.back;

@@ -9,20 +9,20 @@
 namespace epura {
 
 /// Which certificates are used. Tests and measurements take them away: every drawing stays the same, to the byte.
-struct LeaveOut {
-  bool clip = true;           ///< by planes that have everything inside (view/view.hpp)
+struct Shortcuts {
+  bool clip = true;           ///< by planes that have everything inside (view/projected_scene.hpp)
   bool intersections = true;  ///< of bodies that are convex and stand alone (edges/suspects.hpp)
-  bool visibility = true;     ///< of a surface that the page shows as one sheet (visibility/one_sheet.hpp)
+  bool visibility = true;     ///< of a surface that the page shows as one sheet (visibility/height_field.hpp)
   bool hidden = true;         ///< lines that are not drawn are not made (drawing/make_drawing.hpp)
   bool text = true;           ///< without texts no font is opened
 
-  bool operator==(const LeaveOut&) const = default;
+  bool operator==(const Shortcuts&) const = default;
 };
 
 /// By the names of their stages in the plan.
-const std::vector<std::pair<std::string, bool LeaveOut::*>>& certificates();
+const std::vector<std::pair<std::string, bool Shortcuts::*>>& shortcut_names();
 
 /// "all", "none", or names with commas. Throws Error{input}.
-LeaveOut parse_leave_out(const std::string& text);
+Shortcuts parse_shortcuts(const std::string& text);
 
 }  // namespace epura

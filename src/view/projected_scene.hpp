@@ -43,7 +43,7 @@ struct ViewLimits {
   std::optional<double> near, far;
 };
 
-struct View {
+struct ProjectedScene {
   Projection projection;
   ViewMap map;
   Window window;              ///< what of the plane is drawn, in view units from the image of map.centre
@@ -67,22 +67,22 @@ struct View {
 enum class Clipping { where_needed, everywhere };
 
 /// Throws Error{input} when nothing of the world lies in front of the viewer and inside the window.
-View make_view(const World& world, const Projection& projection, const ViewLimits& limits,
-               Clipping clipping = Clipping::where_needed);
+ProjectedScene make_view(const World& world, const Projection& projection, const ViewLimits& limits,
+                         Clipping clipping = Clipping::where_needed);
 
 /// The same with the points of the world mapped by somebody else: finite, in the coordinates of
 /// make_view_map(projection, world.box).
-View make_view(const World& world, const Projection& projection, const ViewLimits& limits, UnsetVector<Mapped> mapped,
-               Clipping clipping = Clipping::where_needed);
+ProjectedScene make_view(const World& world, const Projection& projection, const ViewLimits& limits,
+                         UnsetVector<Mapped> mapped, Clipping clipping = Clipping::where_needed);
 
 /// A further point of space as a vertex.
-int add_point(View& view, const Vec3& point);
-int add_mapped_point(View& view, const Mapped& mapped);
+int add_point(ProjectedScene& view, const Vec3& point);
+int add_mapped_point(ProjectedScene& view, const Mapped& mapped);
 
 /// What of the edge between two vertices is drawn.
-std::optional<ClippedEdge> clip_edge(View& view, int a, int b);
+std::optional<ClippedEdge> clip_edge(ProjectedScene& view, int a, int b);
 
 /// What of the polygon of some vertices is drawn; empty where nothing is.
-std::vector<int> clip_ring(View& view, const std::vector<int>& ring);
+std::vector<int> clip_ring(ProjectedScene& view, const std::vector<int>& ring);
 
 }  // namespace epura

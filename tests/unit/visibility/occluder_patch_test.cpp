@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "visibility/sheet_cover.hpp"
+#include "visibility/occluder_patch.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace {
 struct Sheets {
   Vec2 first;  // vertex, in the world
   World world;
-  View view;
+  ProjectedScene view;
   Contact contact;
 
   explicit Sheets(const Shape& shape)
@@ -23,18 +23,18 @@ struct Sheets {
 
   // Depth in view units of a height in the world, both measured from that of a vertex.
   [[nodiscard]] double depth_above_first(double height) const {
-    return view.vertices[0].depth + height * view.map.shrink * view.map.unit;
+    return view.vertices[0].depth + height * view.map.scale_exponent * view.map.unit;
   }
 
   // Of a middle in the world.
   [[nodiscard]] CellBox cell(double x, double y, double half) const {
-    const double scale = view.map.shrink * view.map.unit;
+    const double scale = view.map.scale_exponent * view.map.unit;
     const PageVertex& vertex = view.vertices[0];
     return {Vec2(vertex.x, vertex.y) + scale * (Vec2(x, y) - first), scale * Vec2(half)};
   }
 
   // How many triangles, in their order, make a sheet whole; 0 if all do not.
-  [[nodiscard]] int whole_after(SheetCover& sheets) const {
+  [[nodiscard]] int whole_after(OccluderPatch& sheets) const {
     int added = 0;
     for (const ViewTriangle& triangle : view.triangles) {
       ++added;
@@ -44,7 +44,7 @@ struct Sheets {
   }
 
   [[nodiscard]] int whole_after(const CellBox& cell) const {
-    SheetCover sheets(view, cell, contact);
+    OccluderPatch sheets(view, cell, contact);
     return whole_after(sheets);
   }
 };
@@ -56,7 +56,7 @@ Shape roof(double height) {
           {}};
 }
 
-TEST(SheetCover, NeedsAllTrianglesThatReachIntoTheCell) {
+TEST(OccluderPatch, NeedsAllTrianglesThatReachIntoTheCell) {
   const Sheets roofed(roof(1));
   EXPECT_EQ(roofed.whole_after(roofed.cell(0, 0, 0.5)), 4);      // around the middle
   EXPECT_EQ(roofed.whole_after(roofed.cell(1, -1, 0.25)), 2);    // across one side
@@ -65,16 +65,16 @@ TEST(SheetCover, NeedsAllTrianglesThatReachIntoTheCell) {
   EXPECT_EQ(roofed.whole_after(roofed.cell(5, 5, 0.25)), 0);     // beside
 }
 
-TEST(SheetCover, LiesAsDeepAsTheDeepestPlaneInTheCell) {
+TEST(OccluderPatch, LiesAsDeepAsTheDeepestPlaneInTheCell) {
   const Sheets roofed(roof(1));
-  SheetCover sheets(roofed.view, roofed.cell(0, 0, 0.5), roofed.contact);
+  OccluderPatch sheets(roofed.view, roofed.cell(0, 0, 0.5), roofed.contact);
   ASSERT_EQ(roofed.whole_after(sheets), 4);
   // The planes rise by 1/2 towards the middle; in the cell, the lowest place of each is half a unit beyond the top.
   EXPECT_LT(sheets.depth(), roofed.depth_above_first(0.75));
   EXPECT_NEAR(sheets.depth(), roofed.depth_above_first(0.75), 1e-6);
 }
 
-TEST(SheetCover, FoldsAndGapsLeaveItOpen) {
+TEST(OccluderPatch, FoldsAndGapsLeaveItOpen) {
   Shape shape{{{0, -2, 0}, {0, 2, 0}, {2, 0, 0}, {3, 0, 1}}, {{0, 1, 2}, {0, 1, 3}}, {}};
   const Sheets folded(shape);
   EXPECT_EQ(folded.whole_after(folded.cell(0, 0, 0.2)), 0);

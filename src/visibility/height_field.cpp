@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "visibility/one_sheet.hpp"
+#include "visibility/height_field.hpp"
 
 #include <algorithm>
 #include <array>
@@ -22,7 +22,7 @@ struct Border {
 
 class Sheet {
  public:
-  Sheet(const World& world, const View& view) : world_(world), view_(view) {}
+  Sheet(const World& world, const ProjectedScene& view) : world_(world), view_(view) {}
 
   [[nodiscard]] bool is_one() const {
     if (is_closed()) return false;
@@ -147,12 +147,12 @@ class Sheet {
   }
 
   const World& world_;
-  const View& view_;
+  const ProjectedScene& view_;
 };
 
 }  // namespace
 
-bool is_one_sheet(const World& world, const View& view, const DrawnEdges& drawn) {
+bool is_height_field(const World& world, const ProjectedScene& view, const FeatureEdges& drawn) {
   if (!view.triangle_planes.empty() || !view.edge_planes.empty() || !drawn.crossings.empty()) return false;
   return Sheet(world, view).is_one();
 }
