@@ -76,18 +76,20 @@ if try "$epura" new-projection 3-quarters && make_it 3-quarters 3-quarters/build
   grep -q 'exists already' log && [ "$(cat 3-quarters/3-quarters.cpp)" = mine ] || complain "no refusal: $(cat log)"
 fi
 
-# The library, from another program: the same drawing as the program makes.
-same_drawing() {  # program model
-  rm -f library.pdf
-  try "$1" "$samples/models/$2" library.pdf &&
-    try "$epura" draw "$samples/models/$2" --projection front --projection two-point --sheet A3 --hidden none \
-      -o program.pdf && { cmp library.pdf program.pdf || complain "$1, $2: library and program differ"; }
+# The library, from another program: a cube in memory, and the same drawing as the program makes of a file.
+printf 'v %s\n' '0 0 0' '9 0 0' '9 9 0' '0 9 0' '0 0 9' '9 0 9' '9 9 9' '0 9 9' >cube.obj
+printf 'f %s\n' '4 3 2 1' '5 6 7 8' '1 2 6 5' '2 3 7 6' '3 4 8 7' '4 1 5 8' >>cube.obj
+same_drawing() {  # program extension
+  rm -f "library.$2"
+  try "$1" "library.$2" && try "$epura" draw cube.obj -o "program.$2" &&
+    { cmp "library.$2" "program.$2" || complain "$1, $2: library and program differ"; }
 }
 
 if make_it "$samples/library" library; then
-  same_drawing library/sheet bracket.obj
-  library/sheet missing.obj missing.pdf 2>log && complain "a missing model is no failure"
-  grep -q 'missing.obj' log || complain "a failure does not name its file: $(cat log)"
+  same_drawing library/sheet svg
+  same_drawing library/sheet pdf
+  library/sheet missing/x.svg 2>log && complain "a missing folder is no failure"
+  grep -q 'missing/x.svg' log || complain "a failure does not name its file: $(cat log)"
 fi
 
 # By hand, with the flags of pkg-config, and by the other compiler.
@@ -100,5 +102,5 @@ command -v clang++ >/dev/null && compiler=clang++
 try cc -shared -fPIC "${flags[@]}" "$samples/plugin-c/worms-eye.c" -o by-hand.so &&
   try "$epura" plugins check by-hand.so
 try $compiler -std=c++20 "${flags[@]}" "$samples/library/sheet.cpp" "${libraries[@]}" \
-  -Wl,-rpath,"$(pkg-config --variable=libdir epura)" -o by-hand && same_drawing ./by-hand gear.stl
+  -Wl,-rpath,"$(pkg-config --variable=libdir epura)" -o by-hand && same_drawing ./by-hand dxf
 exit $status

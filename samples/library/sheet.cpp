@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Draws a model from the front and in perspective:  sheet MODEL PDF
+// Draws a cube that is in memory:  sheet SVG
 #include <epura/epura.hpp>
 #include <iostream>
 
-int main(int argc, char** argv) {
-  if (argc != 3) return 2;
-  try {
-    const epura::Result drawn = epura::draw({.models = {argv[1]},
-                                             .projections = {"front", "two-point"},
-                                             .options = {{"sheet", "A3"}, {"hidden", "none"}},
-                                             .outputs = {argv[2]}});
-    for (const std::string& warning : drawn.warnings) std::cerr << warning << '\n';
-  } catch (const epura::Failure& failure) {
-    std::cerr << failure.what() << '\n' << failure.hint() << '\n';
-    return static_cast<int>(failure.kind());
-  }
+int main(int argc, char** argv) try {
+  epura::Polygons cube{
+      .points = {{0, 0, 0}, {9, 0, 0}, {9, 9, 0}, {0, 9, 0}, {0, 0, 9}, {9, 0, 9}, {9, 9, 9}, {0, 9, 9}},
+      .faces = {{3, 2, 1, 0}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
+  const epura::Drawing drawing = epura::draw({.models = {{.polygons = cube}}, .views = {{.projection = "isometric"}}});
+  for (const std::string& warning : drawing.warnings()) std::cerr << warning << '\n';
+  epura::write(drawing, argc > 1 ? argv[1] : "cube.svg");
+} catch (const epura::Failure& failure) {
+  std::cerr << failure.what() << '\n' << failure.hint() << '\n';
+  return static_cast<int>(failure.kind());
 }

@@ -9,7 +9,6 @@
 #include "app/console.hpp"
 #include "app/describe.hpp"
 #include "app/report_targets.hpp"
-#include "app/targets.hpp"
 #include "base/file.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
@@ -18,6 +17,7 @@
 #include "pipeline/layout.hpp"
 #include "pipeline/read_models.hpp"
 #include "pipeline/sections.hpp"
+#include "pipeline/targets.hpp"
 #include "pipeline/view_plan.hpp"
 #include "study/accuracy/report.hpp"
 

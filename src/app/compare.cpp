@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "app/commands.hpp"
-#include "app/targets.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/text.hpp"
+#include "pipeline/targets.hpp"
 #include "study/compare/comparison.hpp"
 #include "study/compare/html_report.hpp"
 #include "study/compare/overlay.hpp"
@@ -27,9 +27,7 @@ bool is_html(const std::string& path) {
 // Looked at before any work is done.
 std::vector<Target> overlay_targets(const std::string& path) {
   if (path.empty() || is_html(path)) return {};
-  DrawOptions options;
-  options.outputs = {path};
-  std::vector<Target> targets = targets_of(options);
+  std::vector<Target> targets = targets_of({path}, "");
   if (path == "-" || targets.front().format == Format::json)
     throw Error(ErrorKind::input, "--overlay " + path, "is not a picture", "name an .svg, .png or .html file");
   return targets;

@@ -6,10 +6,9 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
-#include "pipeline/annotations.hpp"
+#include "pipeline/complete_scene.hpp"
 #include "scene/part_options.hpp"
 #include "scene/scene_file.hpp"
-#include "scene/view_names.hpp"
 
 namespace epura {
 
@@ -80,21 +79,16 @@ SceneDescription describe(const DrawOptions& options) {
     scene.models = models_of(options);
     scene.views = views_of(options);
   }
-  if (scene.views.empty()) scene.views.emplace_back().projection = {ProjectionRequest{"isometric"}, "--projection"};
-  int sheets = 1;
-  for (ViewDescription& view : scene.views) {
-    overrule(view, options.view, view_options());
-    sheets = std::max(sheets, view.sheet.value_or(1));
-  }
+  for (ViewDescription& view : scene.views) overrule(view, options.view, view_options());
+  if (scene.views.empty())
+    (scene.views.emplace_back() = options.view).projection = {ProjectionRequest{"isometric"}, "--projection"};
   if (options.section.given()) cut_by_option(scene, options.section);
-  name_views(scene.views);
-  if (scene.sheets.size() < std::size_t(sheets)) scene.sheets.resize(std::size_t(sheets));
+  if (options.dimensions.given()) add_dimensions(scene, options.dimensions.where);
+  complete_scene(scene);
   for (SheetDescription& sheet : scene.sheets) {
     overrule(sheet, options.sheet, sheet_options());
     overrule(sheet.title_block, options.sheet.title_block, title_block_options());
   }
-  if (options.dimensions.given()) add_dimensions(scene, options.dimensions.where);
-  expect_views_of_dimensions(scene);
   return scene;
 }
 

@@ -95,7 +95,7 @@ DrawnFiles draw_within(const DrawOptions& options, const Messages& messages, Pro
   Stopwatch watch;
   progress.begin("preparing");
   const ThreadLimit threads(options.run.threads);
-  const std::vector<Target> targets = targets_of(options);
+  const std::vector<Target> targets = targets_of(options.outputs, options.format);
   expect_outputs(options);
   const SceneDescription scene = describe(options);
   refuse_overwriting(files_of(targets, scene.sheets.size()), inputs_of(options, scene));

@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "app/options.hpp"
-#include "app/targets.hpp"
 #include "base/progress.hpp"
 #include "output/write.hpp"
 #include "pipeline/draw_view.hpp"
 #include "pipeline/messages.hpp"
+#include "pipeline/targets.hpp"
 
 namespace epura {
 

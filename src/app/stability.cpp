@@ -8,11 +8,11 @@
 #include "app/commands.hpp"
 #include "app/console.hpp"
 #include "app/report_targets.hpp"
-#include "app/targets.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "output/write.hpp"
 #include "pipeline/choose.hpp"
+#include "pipeline/targets.hpp"
 #include "study/stability/write.hpp"
 
 namespace epura {

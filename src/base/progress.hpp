@@ -10,6 +10,7 @@
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -19,6 +20,16 @@ namespace epura {
 /// Thrown in a stage of which a part is of no use. What comes of the run is decided by who started the stage.
 struct OutOfTime {
   std::string stage;
+};
+
+/// Thrown where whoever watches the run asks it to end.
+struct Stopped {};
+
+/// Somebody who watches a run from outside.
+struct Observer {
+  /// Told when a stage begins, and at each further percent of it; from any thread, never twice at once.
+  std::function<void(const std::string& stage, double done)> tell{};
+  std::stop_token stop{};
 };
 
 /// How far a stage is.
@@ -40,7 +51,10 @@ class ProgressBoard {
   explicit ProgressBoard(std::function<double()> clock) : clock_(std::move(clock)) {}
 
   void begin(std::string_view stage, std::size_t work);
-  void advance(std::size_t done) { done_.fetch_add(done, std::memory_order_relaxed); }
+  void advance(std::size_t done);
+  /// Before the run begins.
+  void observe(Observer observer) { observer_ = std::move(observer); }
+  [[nodiscard]] bool is_stopped() const { return observer_.stop.stop_requested(); }
   [[nodiscard]] Standing standing() const;
 
   /// Since the board was made.
@@ -65,6 +79,9 @@ class ProgressBoard {
   std::size_t work_ = 0;
   Clock::time_point begun_ = start_;
   std::timed_mutex ending_;
+  Observer observer_;
+  std::mutex told_mutex_;  // of the next one
+  int told_percent_ = 0;
 };
 
 /// A stage's way to the board, to be copied freely.
@@ -86,9 +103,16 @@ class Progress {
   [[nodiscard]] bool is_limited() const { return time_limit_.has_value(); }
   /// Whether what is not decided yet is to be left out. Without a time limit it costs nothing, with one a look at the
   /// clock.
-  [[nodiscard]] bool is_out_of_time() const { return is_limited() && board_->seconds() >= *time_limit_; }
-  /// For stages of which a part is of no use. Throws OutOfTime.
+  [[nodiscard]] bool is_out_of_time() const {
+    return (is_limited() && board_->seconds() >= *time_limit_) || is_stopped();
+  }
+  /// Throws Stopped.
+  void expect_not_stopped() const {
+    if (is_stopped()) throw Stopped{};
+  }
+  /// For stages of which a part is of no use. Throws OutOfTime, and Stopped.
   void expect_time() const {
+    expect_not_stopped();
     if (is_out_of_time()) throw OutOfTime{board_->standing().stage};
   }
   /// For a stage that is to leave the rest of the time that is left to those behind it.
@@ -115,6 +139,8 @@ class Progress {
   }
 
  private:
+  [[nodiscard]] bool is_stopped() const { return board_ != nullptr && board_->is_stopped(); }
+
   ProgressBoard* board_ = nullptr;
   std::optional<double> time_limit_;
 };

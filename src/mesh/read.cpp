@@ -65,9 +65,6 @@ FileContent read_soup(const std::filesystem::path& path, const Progress& progres
   const std::string extension = dotted.empty() ? dotted : dotted.substr(1);
   const Format& format = format_of(bytes, extension, name);
   Soup soup = format.read(bytes, name, progress);
-  // The half-edges, twice as many as corners at most, are numbered with int.
-  if (soup.corners.size() > INT_MAX / 6 || soup.points.size() > INT_MAX)
-    throw Error(ErrorKind::input, name, "has more corners than can be numbered", "split the model");
   if (format_named(extension) != nullptr && extension != soup.format)
     soup.notes.push_back("the file is named ." + extension + ", but holds " + soup.format);
   return {std::move(soup), bytes.size()};
@@ -87,11 +84,19 @@ FileContent read_soup(const std::filesystem::path& path, const Progress& progres
 
 }  // namespace
 
+Mesh make_mesh(Soup soup, const std::string& name, const Progress& progress) {
+  // The half-edges, twice as many as corners at most, are numbered with int.
+  if (soup.corners.size() > INT_MAX / 6 || soup.points.size() > INT_MAX)
+    throw Error(ErrorKind::input, name, "has more corners than can be numbered", "split the model");
+  Mesh mesh = build_mesh(std::move(soup), name, progress);
+  if (mesh.report.triangles == 0) fail_without_triangles(mesh.report);
+  return mesh;
+}
+
 Mesh read_mesh(const std::filesystem::path& path, const Progress& progress) {
   FileContent content = read_soup(path, progress);
-  Mesh mesh = build_mesh(std::move(content.soup), path.string(), progress);
+  Mesh mesh = make_mesh(std::move(content.soup), path.string(), progress);
   progress.advance(content.bytes);
-  if (mesh.report.triangles == 0) fail_without_triangles(mesh.report);
   return mesh;
 }
 

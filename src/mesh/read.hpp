@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 #include "base/progress.hpp"
@@ -15,6 +16,9 @@ namespace epura {
 /// extension. Coordinates arrive as the file's doubles. Throws Error{input} with path and line (text) or byte (binary),
 /// and OutOfTime. Every byte of the file counts twice as progress: once it is read, and once the mesh is there.
 Mesh read_mesh(const std::filesystem::path& path, const Progress& progress = {});
+
+/// The same of what is in memory; `name` stands before the reason in errors.
+Mesh make_mesh(Soup soup, const std::string& name, const Progress& progress = {});
 
 // One reader a format; `name` stands before the line or byte in errors.
 Soup read_obj(std::string_view bytes, std::string_view name, const Progress& progress = {});

@@ -129,6 +129,7 @@ DrawnScene draw_scene(const SceneDescription& scene, const RunOptions& options, 
   Run run{scene, options, context.messages, context.progress, context.watch, scene.views.size()};
   run.report.plan.push_back(plugins_step(sheets));
   std::vector<FinishedSheet> finished = run.draw_sheets(sheets);
+  context.progress.expect_not_stopped();
   // An empty sheet is not a drawing.
   if (!run.report.partial.stages.empty() && !run.has_lines) throw OutOfTime{run.report.partial.stages.front()};
   return {std::move(finished), std::move(run.report), std::move(run.answers)};

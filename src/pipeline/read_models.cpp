@@ -28,6 +28,7 @@ Mat4 place_of(const ModelDescription& model) {
 // Where a scene file names the model, an error of reading says where. The mesh is made in place: make_shared would move
 // it, and moving a half-edge structure of OpenMesh copies it.
 std::shared_ptr<Mesh> read(const ModelDescription& model, const Progress& progress) {
+  if (model.soup != nullptr) return std::shared_ptr<Mesh>(new Mesh(make_mesh(*model.soup, *model.name, progress)));
   const auto read_it = [&](const std::string& file) {
     return std::shared_ptr<Mesh>(new Mesh(read_mesh(file, progress)));
   };
@@ -39,7 +40,7 @@ std::size_t work_of(const std::vector<ModelDescription>& models) {
   std::size_t bytes = 0;
   for (const ModelDescription& model : models) {
     std::error_code kind;
-    if (is_drawn(model)) bytes += 2 * std::filesystem::file_size(*model.file, kind);
+    if (is_drawn(model) && model.soup == nullptr) bytes += 2 * std::filesystem::file_size(*model.file, kind);
     if (kind) return 0;
   }
   return bytes;

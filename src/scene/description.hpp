@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "base/vec.hpp"
+#include "mesh/soup.hpp"
 #include "scene/choices.hpp"
 
 namespace epura {
@@ -31,14 +33,15 @@ struct Located {
 using LocatedText = Located<std::string>;
 
 struct ModelDescription {
-  LocatedText file;             ///< in a scene file relative to its folder
-  LocatedText name;             ///< by which dimensions call it; the file's name without extension by default
-  Located<Unit> unit;           ///< mm by default
-  Located<UpAxis> up;           ///< z by default
-  Located<Mat4> transform;      ///< steps as in scene/transform.hpp
-  Located<LineRole> line;       ///< of its visible lines
-  Located<HiddenLines> hidden;  ///< the view's by default
-  Located<bool> drawn;          ///< true by default
+  LocatedText file;                    ///< in a scene file relative to its folder
+  std::shared_ptr<const Soup> soup{};  ///< instead of a file
+  LocatedText name;                    ///< by which dimensions call it; the file's name without extension by default
+  Located<Unit> unit;                  ///< mm by default
+  Located<UpAxis> up;                  ///< z by default
+  Located<Mat4> transform;             ///< steps as in scene/transform.hpp
+  Located<LineRole> line;              ///< of its visible lines
+  Located<HiddenLines> hidden;         ///< the view's by default
+  Located<bool> drawn;                 ///< true by default
 };
 
 /// A view of the models. Views without a place are arranged: ISO 5456-2.

@@ -139,14 +139,19 @@ SceneDescription read_scene_file(const fs::path& path) {
   if (scene.models.empty())
     refuse(path.string(), "names no model", "a scene file has at least:  [[model]]  file = \"part.obj\"");
   if (scene.sheets.empty()) scene.sheets.push_back(words.every_sheet);
-  names_of(scene.models, "model");
   name_views(scene.views);
-  check_views(scene, names_of(scene.sections, "section"));
+  expect_sound_names(scene);
   const Subjects subjects{scene.models, numbers_of(scene.models), names_of(scene.views, "view")};
   for (const DimensionWords& dimension : words.dimensions)
     scene.dimensions.push_back(dimension_of(dimension, subjects));
   find_files(scene.models, path.parent_path());
   return scene;
+}
+
+void expect_sound_names(const SceneDescription& scene) {
+  names_of(scene.models, "model");
+  check_views(scene, names_of(scene.sections, "section"));
+  names_of(scene.views, "view");
 }
 
 }  // namespace epura

@@ -13,4 +13,8 @@ namespace epura {
 /// values that are not what their key takes, and names that lead nowhere or to two things: with line, column and hint.
 SceneDescription read_scene_file(const std::filesystem::path& path);
 
+/// Throws Error{input} for two models, sections or views of one name, for sections that views name and that are not
+/// there, and for views on sheets that are not there.
+void expect_sound_names(const SceneDescription& scene);
+
 }  // namespace epura

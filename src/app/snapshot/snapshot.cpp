@@ -11,7 +11,7 @@
 #include "app/snapshot/case_files.hpp"
 #include "app/snapshot/cases.hpp"
 #include "app/snapshot/junit.hpp"
-#include "app/targets.hpp"
+#include "pipeline/targets.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/parallel.hpp"

@@ -190,7 +190,7 @@ TEST_F(Refusal, Words) {
   expect_option_refused({"--hidden", "dotted"}, {"--hidden", "'dotted'"});
   expect_option_refused({"--visibility", "exactly"}, {"--visibility", "'exactly'", "did you mean 'exact'?"});
   expect_option_refused({"--transform", "scale:0"}, {"'scale:0'", "flattens"});
-  expect_option_refused({"--transform", "turn:z,3"}, {"'turn:z,3'", "no known step", "steps:"});
+  expect_option_refused({"--transform", "turn:z,3"}, {"'turn:z,3'", "not a known step", "steps:"});
   expect_option_refused({"--transform", "scale:1", "--transform", "scale:2"}, {"--transform"});
   expect_option_refused({"--transform", "scale:1e300 scale:1e300"}, {cube, "range"});
 }

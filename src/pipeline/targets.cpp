@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "app/targets.hpp"
+#include "pipeline/targets.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -94,14 +94,13 @@ void refuse_overwriting(const std::vector<std::string>& outputs, const std::vect
   }
 }
 
-std::vector<Target> targets_of(const DrawOptions& options) {
-  const std::vector<std::string>& paths = options.outputs;
-  if (!options.format.empty() && std::find(paths.begin(), paths.end(), "-") == paths.end())
+std::vector<Target> targets_of(const std::vector<std::string>& paths, const std::string& dash_format) {
+  if (!dash_format.empty() && std::find(paths.begin(), paths.end(), "-") == paths.end())
     throw Error(ErrorKind::input, "--format", "is for standard output, and nothing is written there",
                 "write '-o -'; the format of a file is its extension");
   std::vector<Target> targets;
   for (const std::string& path : paths) {
-    std::string extension = path == "-" ? options.format : std::filesystem::path(path).extension().string();
+    std::string extension = path == "-" ? dash_format : std::filesystem::path(path).extension().string();
     if (extension.starts_with(".")) extension.erase(0, 1);
     const auto format = format_of(extension);
     if (!format && path == "-") throw Error(ErrorKind::input, "--output -", "wants --format", format_hint(extension));

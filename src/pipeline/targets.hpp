@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "app/options.hpp"
 #include "base/progress.hpp"
 #include "output/write.hpp"
 #include "pipeline/finished_sheet.hpp"
@@ -18,8 +17,9 @@ struct Target {
   Format format;
 };
 
-/// Formats are settled before any work is done: a long run must not end in a typing error. Throws Error{input}.
-std::vector<Target> targets_of(const DrawOptions& options);
+/// Formats are settled before any work is done: a long run must not end in a typing error. `dash_format` is that of
+/// "-". Throws Error{input}.
+std::vector<Target> targets_of(const std::vector<std::string>& paths, const std::string& dash_format);
 
 /// The files that are written for so many `sheets` (or pages, or diagrams), one each: x-1.svg, x-2.svg for x.svg where
 /// there are several.

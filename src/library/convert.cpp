@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "library/convert.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "visibility/method.hpp"
+
+namespace epura {
+
+namespace {
+
+std::string item(const std::string& list, std::size_t number) { return list + "[" + std::to_string(number) + "]"; }
+
+double checked(double number, const std::string& where, double min = -HUGE_VAL, double max = HUGE_VAL) {
+  if (!std::isfinite(number)) throw Error(ErrorKind::input, where, "is not a finite number");
+  if (number < min || number > max)
+    throw Error(ErrorKind::input, where,
+                "is " + format_number(number) + ", allowed is " + format_number(min) +
+                    (std::isinf(max) ? " or more" : " to " + format_number(max)));
+  return number;
+}
+
+Located<double> located(const std::optional<double>& number, const std::string& where) {
+  if (!number) return {};
+  return {checked(*number, where), where};
+}
+
+LocatedText located(const std::string& text, const std::string& where) {
+  if (text.empty()) return {};
+  return {text, where};
+}
+
+template <class Value>
+Located<Value> located(const std::optional<Value>& value, const std::string& where) {
+  return {value, where};
+}
+
+template <std::size_t count>
+glm::vec<count, double> vector_of(const std::array<double, count>& numbers, const std::string& where) {
+  glm::vec<count, double> vector;
+  for (std::size_t i = 0; i < count; ++i) vector[static_cast<int>(i)] = checked(numbers[i], where);
+  return vector;
+}
+
+std::shared_ptr<const Soup> soup_of(const Polygons& polygons, const std::string& where) {
+  auto soup = std::make_shared<Soup>();
+  soup->format = "memory";
+  soup->points = polygons.points;
+  const int points = static_cast<int>(polygons.points.size());
+  for (std::size_t face = 0; face < polygons.faces.size(); ++face) {
+    for (const int corner : polygons.faces[face]) {
+      if (corner < 0 || corner >= points)
+        throw Error(ErrorKind::input, item(where + ".faces", face), "there is no point " + std::to_string(corner),
+                    "points count from 0 to " + std::to_string(points - 1));
+      soup->corners.push_back(corner);
+    }
+    soup->end_face();
+  }
+  return soup;
+}
+
+ModelDescription describe(const Model& model, const std::string& where) {
+  const bool in_memory = !model.polygons.faces.empty() || !model.polygons.points.empty();
+  if (in_memory != model.file.empty())
+    throw Error(ErrorKind::input, where,
+                in_memory ? "has a file, and polygons, too" : "has neither a file nor polygons",
+                "a model is one of them");
+  ModelDescription description;
+  if (in_memory)
+    description.soup = soup_of(model.polygons, where + ".polygons");
+  else
+    description.file = {model.file, where + ".file"};
+  description.name = located(in_memory && model.name.empty() ? where : model.name, where + ".name");
+  description.unit = {model.unit, where + ".unit"};
+  description.up = {model.up, where + ".up"};
+  const std::array<double, 12>& m = model.transform;
+  for (const double number : m) checked(number, where + ".transform");
+  description.transform = {
+      rows({m[0], m[1], m[2], m[3]}, {m[4], m[5], m[6], m[7]}, {m[8], m[9], m[10], m[11]}, {0, 0, 0, 1}),
+      where + ".transform"};
+  description.line = {model.line, where + ".line"};
+  description.hidden = located(model.hidden, where + ".hidden");
+  return description;
+}
+
+std::string text_of(const ParameterValue& value) {
+  if (const auto* number = std::get_if<double>(&value)) return format_number(*number);
+  if (const auto* word = std::get_if<std::string>(&value)) return *word;
+  std::string text;
+  for (const double number : std::get<std::vector<double>>(value))
+    text += (text.empty() ? "" : ",") + format_number(number);
+  return text;
+}
+
+ViewDescription describe(const View& view, const std::string& where) {
+  ViewDescription description;
+  ProjectionRequest request{view.projection, {}};
+  for (const auto& [name, value] : view.parameters) request.assignments.emplace_back(name, text_of(value));
+  description.projection = {std::move(request), where + ".projection"};
+  description.name = located(view.name, where + ".name");
+  description.hidden = {view.hidden, where + ".hidden"};
+  description.edges = {view.edges, where + ".edges"};
+  description.crease_angle = {checked(view.crease_angle, where + ".crease_angle", 0, 180), where + ".crease_angle"};
+  description.near = located(view.near, where + ".near");
+  description.far = located(view.far, where + ".far");
+  if (view.scale) {
+    if (!(checked(*view.scale, where + ".scale") > 0))
+      throw Error(ErrorKind::input, where + ".scale", "is not above 0");
+    description.scale = {ScaleChoice{view.scale, false}, where + ".scale"};
+  }
+  if (view.at) description.at = {vector_of(*view.at, where + ".at"), where + ".at"};
+  description.sheet = {static_cast<int>(checked(view.sheet, where + ".sheet", 1)), where + ".sheet"};
+  description.section = located(view.section, where + ".section");
+  description.label = located(view.label, where + ".label");
+  return description;
+}
+
+SectionDescription describe(const Section& section, const std::string& where) {
+  if (section.name.empty()) throw Error(ErrorKind::input, where + ".name", "is empty", "views call sections by names");
+  return {
+      {section.name, where}, vector_of(section.point, where + ".point"), vector_of(section.normal, where + ".normal")};
+}
+
+DimensionDescription describe(const Dimension& dimension, const std::string& where) {
+  DimensionDescription description;
+  description.where = where;
+  description.view = located(dimension.view, where + ".view");
+  description.type = {dimension.type, where + ".type"};
+  description.direction = located(dimension.direction, where + ".direction");
+  for (const DimensionAnchor& anchor : dimension.anchors) {
+    if (const auto* vertex = std::get_if<std::array<int, 2>>(&anchor))
+      description.anchors.emplace_back(*vertex);
+    else
+      description.anchors.emplace_back(vector_of(std::get<std::array<double, 3>>(anchor), where + ".anchors"));
+  }
+  description.offset = located(dimension.offset, where + ".offset");
+  description.text = located(dimension.text, where + ".text");
+  return description;
+}
+
+PaperChoice paper_of(const PaperSize& size, const std::string& where) {
+  if (const auto* name = std::get_if<std::string>(&size)) return parse_paper_size(*name, where);
+  if (const auto* automatic = std::get_if<AutomaticSize>(&size))
+    return {*automatic == AutomaticSize::cut ? PaperChoice::Kind::none : PaperChoice::Kind::automatic, 0, {0, 0}};
+  const auto [width, height] = std::get<std::array<double, 2>>(size);
+  return parse_paper_size(format_number(width) + "x" + format_number(height), where);
+}
+
+ScaleChoice scale_of(const Scale& scale, const std::string& where) {
+  if (const auto* automatic = std::get_if<AutomaticScale>(&scale))
+    return {std::nullopt, *automatic == AutomaticScale::standard};
+  return parse_scale(format_number(std::get<double>(scale)), where);
+}
+
+SheetDescription describe(const SheetOptions& sheet, const std::string& where) {
+  SheetDescription description;
+  description.where = where;
+  if (sheet.size) description.size = {paper_of(*sheet.size, where + ".size"), where + ".size"};
+  description.orientation = {sheet.orientation, where + ".orientation"};
+  if (sheet.scale) description.scale = {scale_of(*sheet.scale, where + ".scale"), where + ".scale"};
+  description.angle = {sheet.angle, where + ".angle"};
+  description.frame = {sheet.frame, where + ".frame"};
+  for (const auto& [name, text] : sheet.title_block)
+    description.title_block.emplace_back(name, LocatedText{text, where + ".title_block"});
+  return description;
+}
+
+template <class Description, class Part>
+void describe_all(std::vector<Description>& descriptions, const std::vector<Part>& parts, const std::string& list) {
+  for (std::size_t i = 0; i < parts.size(); ++i) descriptions.push_back(describe(parts[i], item(list, i)));
+}
+
+std::array<double, 2> pair_of(const Vec2& p) { return {p.x, p.y}; }
+
+}  // namespace
+
+SceneDescription describe_scene(const Scene& scene) {
+  if (scene.models.empty()) throw Error(ErrorKind::input, "models", "there is none", "give a file, or polygons");
+  SceneDescription description;
+  describe_all(description.models, scene.models, "models");
+  describe_all(description.views, scene.views, "views");
+  describe_all(description.sections, scene.sections, "sections");
+  describe_all(description.dimensions, scene.dimensions, "dimensions");
+  describe_all(description.sheets, scene.sheets, "sheets");
+  return description;
+}
+
+RunOptions run_options_of(const Settings& settings) {
+  RunOptions options;
+  options.plugin_path = settings.plugin_path;
+  if (settings.wireframe) options.method = parse_method("none", "settings.wireframe");
+  if (settings.contact) options.contact = checked(*settings.contact, "settings.contact", 0);
+  if (settings.arcs) options.arcs = checked(*settings.arcs, "settings.arcs", 1e-6, 1);
+  options.centre_lines = settings.centre_lines;
+  if (settings.verify) {
+    options.verify = true;
+    options.verify_samples = static_cast<int>(checked(*settings.verify, "settings.verify", 1, 1e7));
+  }
+  if (settings.time_limit) options.time_limit = checked(*settings.time_limit, "settings.time_limit", 0);
+  options.threads = static_cast<int>(checked(settings.threads, "settings.threads", 0, 1024));
+  options.keeps_drawings = true;
+  return options;
+}
+
+DrawnView drawn_view(const ViewDrawing& drawing, int sheet) {
+  DrawnView view{drawing.name, drawing.projection.name, sheet, drawing.scale, {}, {}, {}};
+  for (int row = 0; row < 4; ++row)
+    for (int column = 0; column < 4; ++column)
+      view.world_to_page[static_cast<std::size_t>(4 * row + column)] = drawing.world_to_page[column][row];
+  view.lines.reserve(drawing.segments.size());
+  for (const Segment& segment : drawing.segments)
+    view.lines.push_back({pair_of(segment.from), pair_of(segment.to), segment.kind, segment.visible, segment.model,
+                          segment.edge, segment.t});
+  for (const Chain& chain : drawing.chains)
+    for (const CurvePart& curve : chain.curves)
+      view.arcs.push_back(
+          {pair_of(curve.centre), pair_of(curve.u), pair_of(curve.v), curve.from, curve.to, chain.kind, chain.visible});
+  return view;
+}
+
+std::vector<SheetLayer> layers_of(const Sheet& sheet) {
+  std::vector<SheetLayer> layers;
+  for (const Layer& layer : sheet.layers) {
+    SheetLayer& made = layers.emplace_back(SheetLayer{layer.name, layer.style.width, {}});
+    for (const Stroke& stroke : layer.strokes) {
+      auto& points = made.strokes.emplace_back();
+      for (const Vec2& p : stroke.points) points.push_back(pair_of(p));
+      if (stroke.closed && !points.empty()) points.push_back(points.front());
+    }
+  }
+  return layers;
+}
+
+}  // namespace epura

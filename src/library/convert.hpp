@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// Between the library's plain values and those of the stages.
+#pragma once
+
+#include <epura/epura.hpp>
+#include <vector>
+
+#include "drawing/drawing.hpp"
+#include "pipeline/options.hpp"
+#include "scene/description.hpp"
+#include "sheet/sheet.hpp"
+
+namespace epura {
+
+/// Places are members of the scene: "models[0].faces[3]". Throws Error{input} for values that mean nothing.
+SceneDescription describe_scene(const Scene& scene);
+
+/// Throws Error{input} for values out of their range.
+RunOptions run_options_of(const Settings& settings);
+
+/// `sheet` counts from 1.
+DrawnView drawn_view(const ViewDrawing& drawing, int sheet);
+
+std::vector<SheetLayer> layers_of(const Sheet& sheet);
+
+}  // namespace epura

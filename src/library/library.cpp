@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+// The library's face: scenes in, drawings and files out.
+#include <algorithm>
+#include <epura/epura.hpp>
+#include <mutex>
+#include <utility>
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "library/convert.hpp"
+#include "pipeline/complete_scene.hpp"
+#include "pipeline/draw_scene.hpp"
+#include "pipeline/targets.hpp"
+#include "scene/scene_file.hpp"
+
+namespace epura {
+
+class Drawing::Content {
+ public:
+  std::vector<FinishedSheet> sheets;
+  std::vector<DrawnView> views;
+  std::vector<std::string> warnings;
+  std::vector<std::string> inputs;  ///< files that were read
+  Report report;
+};
+
+namespace {
+
+// What the library throws is of one type.
+template <class Work>
+auto guarded(const Work& work) {
+  try {
+    return work();
+  } catch (const Error& error) {
+    throw Failure(static_cast<Failure::Kind>(error.kind()), error.where(), error.what(), error.hint());
+  } catch (const OutOfTime& cut) {
+    throw Failure(Failure::Kind::time, "settings.time_limit",
+                  "time was over at '" + cut.stage + "', before there was a drawing to show", "give it more time");
+  } catch (const Stopped&) {
+    throw Failure(Failure::Kind::stopped, "settings.stop", "the call was asked to stop", "");
+  }
+}
+
+std::vector<std::string> inputs_of(const SceneDescription& scene) {
+  std::vector<std::string> files;
+  for (const ModelDescription& model : scene.models)
+    if (model.file.given()) files.push_back(*model.file);
+  return files;
+}
+
+Drawing draw_described(SceneDescription scene, const Settings& settings) {
+  complete_scene(scene);
+  auto content = std::make_shared<Drawing::Content>();
+  content->inputs = inputs_of(scene);
+  const Messages messages{[&](const std::string& sentence) { content->warnings.push_back(sentence); },
+                          [](std::string_view) {}};
+  ProgressBoard board;
+  board.observe({settings.progress, settings.stop});
+  Stopwatch watch;
+  DrawnScene drawn =
+      draw_scene(scene, run_options_of(settings), {messages, Progress(board, settings.time_limit), watch});
+  // A time belongs to a run, not to a drawing.
+  for (PlanStep& step : drawn.report.plan) step.times = {};
+  for (std::size_t i = 0; i < drawn.sheets.size(); ++i)
+    for (const ViewDrawing& view : drawn.sheets[i].drawings)
+      content->views.push_back(drawn_view(view, static_cast<int>(i) + 1));
+  content->sheets = std::move(drawn.sheets);
+  content->report = std::move(drawn.report);
+  return Drawing(std::move(content));
+}
+
+const FinishedSheet& sheet_of(const Drawing& drawing, int sheet) {
+  if (sheet < 1 || sheet > drawing.sheets())
+    throw Error(ErrorKind::input, "sheet", "is " + std::to_string(sheet) + " of " + std::to_string(drawing.sheets()),
+                "sheets count from 1");
+  return drawing.content().sheets[static_cast<std::size_t>(sheet) - 1];
+}
+
+Pages pages_of(const Drawing& drawing) {
+  Pages pages;
+  for (const FinishedSheet& sheet : drawing.content().sheets) pages.push_back(&sheet.sheet);
+  return pages;
+}
+
+}  // namespace
+
+int Drawing::sheets() const noexcept { return static_cast<int>(content_->sheets.size()); }
+const std::vector<DrawnView>& Drawing::views() const noexcept { return content_->views; }
+const std::vector<std::string>& Drawing::warnings() const noexcept { return content_->warnings; }
+const std::vector<std::string>& Drawing::cut_stages() const noexcept { return content_->report.partial.stages; }
+bool Drawing::is_wrong() const noexcept {
+  const auto& verification = content_->report.verification;
+  return verification && !verification->is_right();
+}
+
+std::vector<SheetLayer> Drawing::layers(int sheet) const {
+  return guarded([&] { return layers_of(sheet_of(*this, sheet).sheet); });
+}
+
+Drawing draw(const Scene& scene, const Settings& settings) {
+  return guarded([&] { return draw_described(describe_scene(scene), settings); });
+}
+
+Drawing draw_file(const std::filesystem::path& file, const Settings& settings) {
+  return guarded([&] {
+    if (file.extension() == ".toml") return draw_described(read_scene_file(file), settings);
+    return draw_described(describe_scene({.models = {{.file = file.string()}}}), settings);
+  });
+}
+
+std::string to_svg(const Drawing& drawing, int sheet, const SvgOptions& options) {
+  return guarded([&] {
+    const VectorOptions vector{options.plain, 300, std::clamp(options.decimals, 1, 5), options.text};
+    return to_svg(sheet_of(drawing, sheet).sheet, vector);
+  });
+}
+
+std::string to_png(const Drawing& drawing, int sheet, double dpi) {
+  return guarded([&] {
+    if (!(dpi >= 1 && dpi <= 1200)) throw Error(ErrorKind::input, "dpi", "is not between 1 and 1200");
+    return to_png(sheet_of(drawing, sheet).sheet, dpi);
+  });
+}
+
+std::string to_eps(const Drawing& drawing, int sheet) {
+  return guarded([&] { return to_eps(sheet_of(drawing, sheet).sheet); });
+}
+
+std::string to_dxf(const Drawing& drawing, int sheet) {
+  return guarded([&] { return to_dxf(sheet_of(drawing, sheet).sheet); });
+}
+
+std::string to_json(const Drawing& drawing, int sheet) {
+  return guarded([&] {
+    const FinishedSheet& finished = sheet_of(drawing, sheet);
+    return to_json(finished.sheet, finished.scale, finished.drawings, drawing.content().report);
+  });
+}
+
+std::string to_pdf(const Drawing& drawing) {
+  return guarded([&] { return to_pdf(pages_of(drawing)); });
+}
+
+std::string to_ps(const Drawing& drawing) {
+  return guarded([&] { return to_ps(pages_of(drawing)); });
+}
+
+std::vector<std::filesystem::path> write(const Drawing& drawing, const std::filesystem::path& file) {
+  return guarded([&] {
+    if (file == "-") throw Error(ErrorKind::input, "-", "is not a file", "name a file and its extension");
+    const Drawing::Content& content = drawing.content();
+    const std::vector<Target> targets = targets_of({file.string()}, "");
+    refuse_overwriting(files_of(targets, content.sheets.size()), content.inputs);
+    std::vector<std::filesystem::path> written;
+    for (const FileBytes& bytes : encode_all(targets, content.sheets, {}, content.report, {})) {
+      write_file(bytes.path, bytes.bytes);
+      written.emplace_back(bytes.path);
+    }
+    return written;
+  });
+}
+
+const char* version() noexcept { return EPURA_VERSION; }
+
+}  // namespace epura

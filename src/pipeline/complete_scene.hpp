@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+// What nobody said of a scene is filled in, and its names are looked up.
+#pragma once
+
+#include "scene/description.hpp"
+
+namespace epura {
+
+/// Afterwards there are views, all of them named, and a sheet for each that a view stands on. Throws Error{input} for
+/// names that lead nowhere, or to two things.
+void complete_scene(SceneDescription& scene);
+
+}  // namespace epura

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: Apache-2.0
+// The library as other programs use it: its own header, and nothing else of the project but helpers of tests.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cmath>
+#include <epura/epura.hpp>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <mutex>
+#include <sstream>
+#include <thread>
+
+namespace epura::test {
+namespace {
+
+const std::string samples = EPURA_TEST_SAMPLES "/models/";
+
+Settings settings() { return {.plugin_path = {EPURA_TEST_PLUGINS}}; }
+
+Polygons cube(double size) {
+  const double s = size;
+  return {.points = {{0, 0, 0}, {s, 0, 0}, {s, s, 0}, {0, s, 0}, {0, 0, s}, {s, 0, s}, {s, s, s}, {0, s, s}},
+          .faces = {{3, 2, 1, 0}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
+}
+
+Scene in_memory() { return {.models = {{.polygons = cube(9)}}, .views = {{.projection = "isometric"}}}; }
+
+class FolderOfFiles {
+ public:
+  FolderOfFiles() : path_(std::filesystem::temp_directory_path() / ("epura-library-" + std::to_string(::getpid()))) {
+    std::filesystem::create_directories(path_);
+  }
+  ~FolderOfFiles() { std::filesystem::remove_all(path_); }
+  [[nodiscard]] std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+std::string content(const std::filesystem::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+Failure failure_of(const Scene& scene, const Settings& how = settings()) {
+  try {
+    static_cast<void>(draw(scene, how));
+  } catch (const Failure& failure) {
+    return failure;
+  }
+  return {Failure::Kind::input, "", "no failure", ""};
+}
+
+TEST(Library, DrawsACubeInMemory) {
+  const Drawing drawing = draw(in_memory(), settings());
+  ASSERT_EQ(drawing.sheets(), 1);
+  ASSERT_EQ(drawing.views().size(), 1U);
+  const DrawnView& view = drawing.views()[0];
+  EXPECT_EQ(view.projection, "isometric");
+  EXPECT_EQ(view.sheet, 1);
+  // Nine edges are seen, and three are hidden behind them.
+  int visible = 0, hidden = 0;
+  for (const Line& line : view.lines) {
+    ++(line.visible ? visible : hidden);
+    EXPECT_TRUE(line.edge[0] >= 0 && line.edge[1] < 8);
+    // Edges of one length in space have one length in an isometric view.
+    const double length = std::hypot(line.to[0] - line.from[0], line.to[1] - line.from[1]);
+    EXPECT_NEAR(length, 9 * view.scale * std::sqrt(2.0 / 3), 1e-9);
+  }
+  EXPECT_EQ(visible, 9);
+  EXPECT_EQ(hidden, 3);
+  EXPECT_TRUE(drawing.warnings().empty());
+  EXPECT_TRUE(drawing.cut_stages().empty());
+  const std::vector<SheetLayer> layers = drawing.layers();
+  EXPECT_TRUE(std::any_of(layers.begin(), layers.end(),
+                          [](const SheetLayer& layer) { return layer.name == "isometric/visible"; }));
+}
+
+TEST(Library, PointsOfTheWorldAreWhereTheMatrixSays) {
+  const Drawing drawing = draw(in_memory(), settings());
+  const DrawnView& view = drawing.views()[0];
+  const Polygons polygons = cube(9);
+  for (const Line& line : view.lines) {
+    const auto& corner = polygons.points[static_cast<std::size_t>(line.edge[line.t[0] == 0 ? 0 : 1])];
+    const auto row = [&](int r) {
+      const double* m = &view.world_to_page[static_cast<std::size_t>(4 * r)];
+      return m[0] * corner[0] + m[1] * corner[1] + m[2] * corner[2] + m[3];
+    };
+    EXPECT_NEAR(row(0) / row(3), line.from[0], 1e-9);
+    EXPECT_NEAR(row(1) / row(3), line.from[1], 1e-9);
+  }
+}
+
+TEST(Library, GivesTheBytesThatTheProgramWrites) {
+  const FolderOfFiles folder;
+  const Drawing drawing = draw_file(samples + "bracket.obj", settings());
+  const std::string program = EPURA_TEST_PROGRAM;
+  for (const auto& [name, bytes] :
+       {std::pair("x.svg", to_svg(drawing)), std::pair("x.pdf", to_pdf(drawing)), std::pair("x.dxf", to_dxf(drawing)),
+        std::pair("x.png", to_png(drawing)), std::pair("x.eps", to_eps(drawing)), std::pair("x.ps", to_ps(drawing)),
+        std::pair("x.json", to_json(drawing))}) {
+    const std::string file = (folder / name).string();
+    ASSERT_EQ(std::system((program + " draw " + samples + "bracket.obj -o " + file + " 2>/dev/null").c_str()), 0);
+    EXPECT_EQ(content(file) == bytes, true) << name;
+    EXPECT_EQ(write(drawing, file), std::vector<std::filesystem::path>{file});
+    EXPECT_EQ(content(file) == bytes, true) << name;
+  }
+}
+
+TEST(Library, TypedValuesMeanWhatOptionsMean) {
+  const FolderOfFiles folder;
+  const Scene scene{.models = {{.file = samples + "bracket.obj", .unit = Unit::in}},
+                    .views = {{.projection = "cabinet",
+                               .parameters = {{"angle", 30.0}},
+                               .hidden = HiddenLines::solid,
+                               .edges = {.tangent = true},
+                               .crease_angle = 20}},
+                    .sheets = {{.size = "A3",
+                                .orientation = Orientation::portrait,
+                                .scale = 0.5,
+                                .frame = FrameKind::full,
+                                .title_block = {{"title", "Bracket"}, {"owner", "epura"}}}}};
+  Settings how = settings();
+  how.arcs = 0.01;
+  how.centre_lines = true;
+  const std::string file = (folder / "x.svg").string();
+  const std::string options =
+      " --unit in --projection cabinet:angle=30 --hidden solid --edges contour,crease,boundary,intersection,tangent"
+      " --crease-angle 20 --sheet A3 --portrait --scale 1:2 --frame full --title Bracket --owner epura --arcs "
+      "--centre-lines -o ";
+  ASSERT_EQ(std::system(
+                (std::string(EPURA_TEST_PROGRAM) + " draw " + samples + "bracket.obj" + options + file + " 2>/dev/null")
+                    .c_str()),
+            0);
+  EXPECT_EQ(to_svg(draw(scene, how)) == content(file), true);
+}
+
+TEST(Library, TwoThreadsDrawTwoScenes) {
+  const std::string bracket = to_svg(draw_file(samples + "bracket.obj", settings()));
+  const std::string gear = to_svg(draw_file(samples + "gear.stl", settings()));
+  std::atomic<int> wrong = 0;
+  const auto draw_often = [&](const std::string& model, const std::string& expected) {
+    for (int i = 0; i < 4; ++i)
+      if (to_svg(draw_file(samples + model, settings())) != expected) ++wrong;
+  };
+  std::thread one(draw_often, "bracket.obj", bracket), other(draw_often, "gear.stl", gear);
+  one.join();
+  other.join();
+  EXPECT_EQ(wrong, 0);
+}
+
+TEST(Library, FailuresNameTheMember) {
+  const auto expect = [](const Scene& scene, const std::string& place, const std::string& said) {
+    const Failure failure = failure_of(scene);
+    EXPECT_EQ(failure.kind(), Failure::Kind::input) << failure.what();
+    EXPECT_EQ(failure.place(), place) << failure.what();
+    EXPECT_NE(std::string(failure.what()).find(said), std::string::npos) << failure.what();
+  };
+  expect({}, "models", "there is none");
+  expect({.models = {{}}}, "models[0]", "neither a file nor polygons");
+  expect({.models = {{.file = "missing.obj"}}}, "models[0].file", "missing.obj");
+  Scene scene = in_memory();
+  scene.models[0].polygons.faces[2][1] = 8;
+  expect(scene, "models[0].polygons.faces[2]", "there is no point 8");
+  scene = in_memory();
+  scene.views[0].crease_angle = 200;
+  expect(scene, "views[0].crease_angle", "allowed is 0 to 180");
+  scene = in_memory();
+  scene.views[0].near = std::numeric_limits<double>::quiet_NaN();
+  expect(scene, "views[0].near", "finite");
+  scene = in_memory();
+  scene.views[0].section = "A";
+  expect(scene, "views[0].section", "there is no section 'A'");
+  scene = in_memory();
+  scene.views[0].parameters = {{"eye", 1.0}};
+  expect(scene, "views[0].projection", "eye");
+  scene = in_memory();
+  scene.views[0].projection = "isometrik";
+  EXPECT_EQ(failure_of(scene).kind(), Failure::Kind::plugin);
+  scene = in_memory();
+  scene.models[0].polygons.faces.clear();
+  expect(scene, "models[0]", "holds no faces");
+}
+
+TEST(Library, TellsItsProgress) {
+  Settings how = settings();
+  std::vector<std::string> stages;
+  std::mutex mutex;
+  how.progress = [&](const std::string& stage, double done) {
+    const std::lock_guard lock(mutex);
+    EXPECT_TRUE(done >= 0 && done <= 1);
+    if (stages.empty() || stages.back() != stage) stages.push_back(stage);
+  };
+  static_cast<void>(draw(in_memory(), how));
+  EXPECT_GE(stages.size(), 4U);
+}
+
+TEST(Library, StopsWhenAsked) {
+  std::stop_source source;
+  Settings how = settings();
+  how.stop = source.get_token();
+  how.progress = [&](const std::string& stage, double) {
+    if (stage == "finding edges") source.request_stop();
+  };
+  EXPECT_EQ(failure_of(in_memory(), how).kind(), Failure::Kind::stopped);
+}
+
+TEST(Library, TimeThatIsOverIsAFailure) {
+  Settings how = settings();
+  how.time_limit = 0;
+  EXPECT_EQ(failure_of(in_memory(), how).kind(), Failure::Kind::time);
+}
+
+TEST(Library, OverwritesNoInput) {
+  const FolderOfFiles folder;
+  std::ofstream(folder / "a.svg") << "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\n"
+                                     "property double z\nelement face 1\nproperty list uchar int vertex_indices\n"
+                                     "end_header\n0 0 0\n1 0 0\n0 1 1\n3 0 1 2\n";
+  const std::string before = content(folder / "a.svg");
+  const Drawing drawing = draw_file(folder / "a.svg", settings());
+  EXPECT_THROW(write(drawing, folder / "a.svg"), Failure);
+  EXPECT_THROW(write(drawing, folder / "a.bmp"), Failure);
+  EXPECT_THROW(static_cast<void>(to_svg(drawing, 2)), Failure);
+  EXPECT_EQ(content(folder / "a.svg"), before);
+}
+
+}  // namespace
+}  // namespace epura::test
