@@ -141,7 +141,7 @@ Options<Draw> question_options() {
                    run(&RunOptions::why), edge_question()),
       option<Draw>(
           {.flag = "--dump", .help = "print a table of all drawn edges, or of their spans", .nature = Nature::run},
-          run(&RunOptions::dump), choice<EdgeTable>().shown_as("TABLE")),
+          run(&RunOptions::dump), choice<DumpTable>().shown_as("TABLE")),
       option<Draw>({.flag = "--verify",
                     .help = "test the drawing by an independent exact method; exit code 1 if it is wrong",
                     .nature = Nature::run},

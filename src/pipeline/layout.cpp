@@ -58,7 +58,7 @@ Views views_to_place(const World& world, std::span<const ViewDescription> descri
     // One view alone needs nothing in common with others.
     const Vec2 origin = views.size() > 1 ? common_point(world, views[i]) : Vec2(0, 0);
     const Window box = drawn_box(views[i]);
-    ViewToPlace view{view_place(views[i].projection.name), {box.min - origin, box.max - origin}};
+    ViewToPlace view{view_place(views[i].projection), {box.min - origin, box.max - origin}};
     view.scale = descriptions[i].scale.value_or({}).fixed;
     view.at = descriptions[i].at.value;
     const Room room = room_around(annotations[i], views[i].projection, widths);

@@ -13,9 +13,9 @@
 
 namespace epura {
 
-enum class EdgeTable { edges, spans };
+enum class DumpTable { edges, spans };
 template <>
-struct Words<EdgeTable> {
+struct Words<DumpTable> {
   static constexpr std::array list{"edges", "spans"};
 };
 
@@ -27,7 +27,7 @@ struct RunOptions {
   std::optional<double> arcs;                      ///< tolerance, mm; nothing: lines stay straight
   bool centre_lines = false;
   std::vector<EdgeQuestion> why;  ///< edges to explain
-  std::optional<EdgeTable> dump;
+  std::optional<DumpTable> dump;
   int threads = 0;                   ///< 0: all cores
   std::optional<double> time_limit;  ///< seconds
   bool verify = false;

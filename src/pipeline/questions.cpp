@@ -10,7 +10,7 @@
 namespace epura {
 
 Questions questions_of(const RunOptions& options) {
-  return {options.why, options.dump == EdgeTable::edges, options.dump == EdgeTable::spans};
+  return {options.why, options.dump == DumpTable::edges, options.dump == DumpTable::spans};
 }
 
 std::string answer(const Questions& questions, const World& world, const ViewOptions& wish, const ViewResult& result,

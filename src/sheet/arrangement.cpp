@@ -176,11 +176,21 @@ Arrangement alone(const Question& question) {
 
 }  // namespace
 
-ViewPlace view_place(std::string_view projection) {
-  constexpr std::array<std::string_view, 6> principal = {"front", "back", "left", "right", "top", "bottom"};
-  const auto found = std::find(principal.begin(), principal.end(), projection);
-  if (found != principal.end()) return static_cast<ViewPlace>(found - principal.begin());
-  return projection == "auxiliary" ? ViewPlace::other : ViewPlace::pictorial;
+ViewPlace view_place(const Projection& projection) {
+  constexpr double same_direction = 1e-9;
+  const auto same = [](const Vec3& a, const Vec3& b) { return glm::length(a - b) < same_direction; };
+  if (projection.central || !same(glm::normalize(projection.projector), projection.n)) return ViewPlace::pictorial;
+  // Normal and direction up the page, in order of ViewPlace. ISO 128-3.
+  const std::array<std::array<Vec3, 2>, 6> principal{{{{{0, -1, 0}, {0, 0, 1}}},
+                                                      {{{0, 1, 0}, {0, 0, 1}}},
+                                                      {{{-1, 0, 0}, {0, 0, 1}}},
+                                                      {{{1, 0, 0}, {0, 0, 1}}},
+                                                      {{{0, 0, 1}, {0, 1, 0}}},
+                                                      {{{0, 0, -1}, {0, -1, 0}}}}};
+  for (std::size_t i = 0; i < principal.size(); ++i)
+    if (same(projection.n, principal[i][0]) && same(projection.v, principal[i][1])) return static_cast<ViewPlace>(i);
+  const Vec3 size = glm::abs(projection.n);
+  return std::min({size.x, size.y, size.z}) < same_direction ? ViewPlace::other : ViewPlace::pictorial;
 }
 
 Arrangement arrange(std::span<const ViewToPlace> views, const ScaleChoice& wish, ProjectionAngle angle,

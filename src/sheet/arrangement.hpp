@@ -20,8 +20,10 @@ namespace epura {
 /// sections); `pictorial` ones have another scale where theirs has no room.
 enum class ViewPlace { front, back, left, right, top, bottom, pictorial, other };
 
-/// By the name of the projection: "front" ... "bottom" and "auxiliary" (other); all else is pictorial.
-ViewPlace view_place(std::string_view projection);
+/// By what the projection does, whatever its name: principal where the projectors are perpendicular to the plane, along
+/// a world axis, and the page stands as ISO 128-3 has it; `other` for other directions perpendicular to a world axis;
+/// all else is pictorial.
+ViewPlace view_place(const Projection& projection);
 
 /// A view that is to be placed. Windows of one world have a common origin.
 struct ViewToPlace {

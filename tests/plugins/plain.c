@@ -43,6 +43,9 @@
 #ifndef PROJECTOR
 #define PROJECTOR -1
 #endif
+#ifndef TILT
+#define TILT 0.5
+#endif
 #ifndef SCALE
 #define SCALE values[0]
 #endif
@@ -71,7 +74,7 @@ const char* project(const double* values, const epura_scene* scene, epura_view* 
   view->point[0] = POINT;
   view->normal[1] = NORMAL;
   view->up[1] = 1, view->up[2] = UP;
-  view->projector[1] = PROJECTOR, view->projector[2] = 0.5;
+  view->projector[1] = PROJECTOR, view->projector[2] = TILT;
   view->scale = SCALE;
   view->window[2] = view->window[3] = WINDOW;
   view->front = FRONT;

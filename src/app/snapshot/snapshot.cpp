@@ -11,12 +11,12 @@
 #include "app/snapshot/case_files.hpp"
 #include "app/snapshot/cases.hpp"
 #include "app/snapshot/junit.hpp"
-#include "pipeline/targets.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "base/utf8.hpp"
+#include "pipeline/targets.hpp"
 
 namespace epura {
 

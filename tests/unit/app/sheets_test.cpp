@@ -65,5 +65,23 @@ TEST_F(Sheets, ManyMakeOneFileOfPagesAndManyOfOnePage) {
   EXPECT_TRUE(contains(read_file(folder / "x-2.svg"), "width=\"297mm\""));
 }
 
+// A projection of a stranger that is a front view stands where front views stand.
+TEST_F(Sheets, ViewsStandByTheirGeometryNotByTheirNames) {
+  const std::string plugins = EPURA_TEST_BAD_PLUGINS "/anything";
+  const auto places = [&](const std::string& front) {
+    const Outcome run = epura({"draw", sample("bracket.obj"), "--plugin-path", plugins, "--views", front + ",top,left",
+                               "--frame", "none", "--plain", "-o", "x.svg"},
+                              folder / "");
+    EXPECT_EQ(run.code, 0) << run.err;
+    const std::string svg = read_file(folder / "x.svg");
+    std::set<std::string> paths;
+    static const std::regex path(" d=\"([^\"]*)\"");
+    for (std::sregex_iterator it(svg.begin(), svg.end(), path), end; it != end; ++it) paths.insert((*it)[1]);
+    EXPECT_GE(paths.size(), 3U);
+    return paths;
+  };
+  EXPECT_EQ(places("anything"), places("front"));
+}
+
 }  // namespace
 }  // namespace epura::test

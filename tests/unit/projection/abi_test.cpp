@@ -40,8 +40,8 @@ struct Plan {
   static constexpr const char* reference = nullptr;
   static constexpr auto parameters = plugin::no_parameters;
 
-  static plugin::ProjectedScene project(const plugin::Scene&) {
-    plugin::ProjectedScene view;
+  static plugin::View project(const plugin::Scene&) {
+    plugin::View view;
     view.normal = view.projector = {0, 0, 1};
     view.up = {0, 1, 0};
     view.window = {1, 2, 3, 4};

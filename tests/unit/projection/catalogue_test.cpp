@@ -172,7 +172,7 @@ TEST_F(with_folder, junk_is_named_and_other_files_are_left_alone) {
 TEST_F(with_folder, missing_folder_is_named) {
   const Catalogue found = load_catalogue({folder / "none"});
   ASSERT_EQ(found.bad.size(), 1);
-  EXPECT_TRUE(contains(found.bad[0].reason, "no folder")) << found.bad[0].reason;
+  EXPECT_TRUE(contains(found.bad[0].reason, "not a folder")) << found.bad[0].reason;
 }
 
 TEST_F(with_folder, only_the_library_of_the_name_is_opened) {

@@ -385,7 +385,7 @@ TEST(CuttingPlane, IsParsedAndNormalised) {
   EXPECT_NEAR(glm::length(oblique.normal), 1, 1e-15);
   EXPECT_LT(glm::distance(glm::cross(oblique.right, oblique.up), oblique.normal), 1e-15);
   for (const char* text : {"", "1,2,3", "1,2,3:0,0", "1,2:0,0,1", "a,b,c:0,0,1", "1,2,3:0,0,1:5", "1,2,3:0 0 1"})
-    EXPECT_TRUE(contains(error_of([&] { parse_section(text, "--section"); }).what(), "no cutting plane")) << text;
+    EXPECT_TRUE(contains(error_of([&] { parse_section(text, "--section"); }).what(), "not a cutting plane")) << text;
   for (const char* text : {"1,2,3:0,0,0", "nan,2,3:0,0,1", "1,2,3:0,inf,1"})
     EXPECT_EQ(error_of([&] { make_cutting_plane(parse_section(text, "x")); }).where(), "x") << text;
 }

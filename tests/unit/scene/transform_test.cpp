@@ -64,7 +64,7 @@ TEST(Transform, WrongStepsAreNamed) {
     const char *text, *step, *reason;
   };
   for (const auto& [text, step, reason] : std::vector<Case>{
-           {"turn:z,90", "turn:z,90", "no known step"},
+           {"turn:z,90", "turn:z,90", "not a known step"},
            {"scale", "scale", "numbers"},
            {"scale:", "scale:", "numbers"},
            {"scale:2,3", "scale:2,3", "wrong number of values"},

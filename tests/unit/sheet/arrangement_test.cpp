@@ -269,5 +269,35 @@ TEST(ArrangementProperty, AllIsInsideApartAndAligned) {
   }
 }
 
+Projection seen_from(const Vec3& normal, const Vec3& up) {
+  Projection projection;
+  projection.name = "anything";
+  projection.n = projection.projector = glm::normalize(normal);
+  projection.v = glm::normalize(up - glm::dot(up, projection.n) * projection.n);
+  projection.u = glm::cross(projection.v, projection.n);
+  return projection;
+}
+
+TEST(ViewPlace, IsThatOfTheGeometryWhateverTheName) {
+  const Vec3 up(0, 0, 1);
+  EXPECT_EQ(view_place(seen_from({0, -1, 0}, up)), ViewPlace::front);
+  EXPECT_EQ(view_place(seen_from({0, 3, 0}, up)), ViewPlace::back);
+  EXPECT_EQ(view_place(seen_from({-1, 0, 0}, up)), ViewPlace::left);
+  EXPECT_EQ(view_place(seen_from({1, 0, 0}, up)), ViewPlace::right);
+  EXPECT_EQ(view_place(seen_from({0, 0, 1}, {0, 1, 0})), ViewPlace::top);
+  EXPECT_EQ(view_place(seen_from({0, 0, -1}, {0, -1, 0})), ViewPlace::bottom);
+  // Turned on the page, or seen along no axis.
+  EXPECT_EQ(view_place(seen_from({0, -1, 0}, {1, 0, 0})), ViewPlace::other);
+  EXPECT_EQ(view_place(seen_from({1, -1, 0}, up)), ViewPlace::other);
+  EXPECT_EQ(view_place(seen_from({1, -1, 1}, up)), ViewPlace::pictorial);
+  Projection oblique = seen_from({0, -1, 0}, up);
+  oblique.projector = {0.5, -1, 0.5};
+  EXPECT_EQ(view_place(oblique), ViewPlace::pictorial);
+  oblique.projector = {0, -10, 0};
+  EXPECT_EQ(view_place(oblique), ViewPlace::front);
+  oblique.central = true;
+  EXPECT_EQ(view_place(oblique), ViewPlace::pictorial);
+}
+
 }  // namespace
 }  // namespace epura

@@ -192,7 +192,7 @@ TEST(Dimensions, RefusedForWhatTheySay) {
                    {nowhere, "no finite numbers"},
                    {dimension("linear", {0, 1}, "vertical"), "side by side"},
                    {dimension("radius", {0}), "rim of a circle"},
-                   {far_off, "no length on a sheet"},
+                   {far_off, "not a length on a sheet"},
                    {flat, "which is positive"}});
 }
 
