@@ -12,6 +12,8 @@ namespace {
 
 std::string heading_of(Nature nature) {
   switch (nature) {
+    case Nature::unsaid:
+      return "Options";
     case Nature::drawing:
       return "Drawing";
     case Nature::file:

@@ -54,7 +54,10 @@ void add_views(Draw& draw, const TomlValue& value) {
     draw.views.push_back({projection_request().read(value_of_option(name.where, *name)), name.where});
 }
 
-void append(Options<Draw>& all, Options<Draw> more) { std::move(more.begin(), more.end(), std::back_inserter(all)); }
+void append(Options<Draw>& all, Options<Draw> more, Nature nature = Nature::drawing) {
+  for (OptionInfo& option : more) option.nature = nature;
+  std::move(more.begin(), more.end(), std::back_inserter(all));
+}
 
 Options<Draw> file_options() {
   return {
@@ -136,25 +139,18 @@ Options<Draw> question_options() {
       option<Draw>({.flag = "--why",
                     .help = "tell why an edge is drawn and what hides it: [MODEL:]V0-V1 as in JSON, or @X,Y for those "
                             "nearest to a place of the page",
-                    .nature = Nature::run,
                     .repeatable = true},
                    run(&RunOptions::why), edge_question()),
+      option<Draw>({.flag = "--dump", .help = "print a table of all drawn edges, or of their spans"},
+                   run(&RunOptions::dump), choice<DumpTable>().shown_as("TABLE")),
       option<Draw>(
-          {.flag = "--dump", .help = "print a table of all drawn edges, or of their spans", .nature = Nature::run},
-          run(&RunOptions::dump), choice<DumpTable>().shown_as("TABLE")),
-      option<Draw>({.flag = "--verify",
-                    .help = "test the drawing by an independent exact method; exit code 1 if it is wrong",
-                    .nature = Nature::run},
-                   run(&RunOptions::verify), truth()),
-      option<Draw>({.flag = "--verify-samples",
-                    .help = "number of points at random for --verify",
-                    .usual = "2000",
-                    .nature = Nature::run},
+          {.flag = "--verify", .help = "test the drawing by an independent exact method; exit code 1 if it is wrong"},
+          run(&RunOptions::verify), truth()),
+      option<Draw>({.flag = "--verify-samples", .help = "number of points at random for --verify", .usual = "2000"},
                    run(&RunOptions::verify_samples), whole_number(1, 10'000'000)),
       option<Draw>({.flag = "--explain",
                     .help = "tell which stages ran and why, and how many digits each view can have, as 'epura explain' "
-                            "does",
-                    .nature = Nature::run},
+                            "does"},
                    run(&RunOptions::explain), truth()),
   };
 }
@@ -162,20 +158,17 @@ Options<Draw> question_options() {
 Options<Draw> run_options() {
   return {
       threads_option<Draw>(run(&RunOptions::threads)),
-      option<Draw>({.flag = "--timings", .help = "say how long each stage took", .nature = Nature::run}, &Draw::timings,
-                   truth()),
+      option<Draw>({.flag = "--timings", .help = "say how long each stage took"}, &Draw::timings, truth()),
       option<Draw>({.flag = "--plan",
                     .help = "certificates by which stages are left out: all, none, or some of clip intersections "
                             "visibility hidden text, with commas; the drawing is the same",
-                    .usual = "all",
-                    .nature = Nature::run},
+                    .usual = "all"},
                    run(&RunOptions::plan), certificate_names()),
       progress_option(&Draw::progress),
       option<Draw>(
           {.flag = "--time-limit",
            .help = "seconds that a run may take: what there is no time for is left out, the longest edges come "
-                   "first; marks the drawing PARTIAL",
-           .nature = Nature::run},
+                   "first; marks the drawing PARTIAL"},
           run(&RunOptions::time_limit), number_between(0, HUGE_VAL, "s").shown_as("S")),
   };
 }
@@ -211,8 +204,8 @@ Options<DrawOptions> draw_options() {
   append_options(all, sheet_options(), &Draw::sheet);
   append(all, title_options());
   append(all, format_options());
-  append(all, question_options());
-  append(all, run_options());
+  append(all, question_options(), Nature::run);
+  append(all, run_options(), Nature::run);
   return all;
 }
 

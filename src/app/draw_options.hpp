@@ -15,17 +15,13 @@ Options<DrawOptions> explain_options();
 // Rows that several commands have.
 template <class Command, class Member>
 Option<Command> threads_option(Member threads) {
-  return option<Command>(
-      {.flag = "--threads", .help = "number of threads, 0 for all cores", .usual = "0", .nature = Nature::run}, threads,
-      whole_number(0, 1024));
+  return option<Command>({.flag = "--threads", .help = "number of threads, 0 for all cores", .usual = "0"}, threads,
+                         whole_number(0, 1024));
 }
 
 template <class Command>
 Option<Command> progress_option(ShowProgress Command::*progress) {
-  return option<Command>({.flag = "--progress",
-                          .help = "show how far it is (auto: on a terminal)",
-                          .usual = "auto",
-                          .nature = Nature::run},
+  return option<Command>({.flag = "--progress", .help = "show how far it is (auto: on a terminal)", .usual = "auto"},
                          progress, choice<ShowProgress>().shown_as("WHEN"));
 }
 

@@ -20,7 +20,11 @@ constexpr double lowest_on_page = 2;
 // edge-on.
 constexpr double edge_on = 1024;
 constexpr double slender = 1.0 / 64;
-constexpr int longest_row = 256;  // of slivers side by side; more than that is not a surface any more
+// Nor are walls: a triangle that is so many roundings high faces a known way, and where it meets another such one at
+// this angle or more, both are faces of a step.
+constexpr double known_height = 16;
+constexpr double step_angle = 30;  // degrees
+constexpr int longest_row = 256;   // of slivers side by side; more than that is not a surface any more
 
 std::array<int, 2> sorted(int a, int b) { return {std::min(a, b), std::max(a, b)}; }
 
@@ -121,7 +125,21 @@ bool SliverRule::holds_for(int triangle) const {
   if (height <= lowest_) return true;
   const double w = view_->projection.central ? nearest_w(*view_, corners) : 1;
   return height * view_->map.unit <= edge_on * on_page_ * w && height <= slender * longest_side(around_, corners) &&
-         height_on_page(*view_, corners) <= on_page_;
+         height_on_page(*view_, corners) <= on_page_ && !is_of_a_step(triangle);
+}
+
+bool SliverRule::is_of_a_step(int triangle) const {
+  const double known = known_height * lowest_;
+  if (height_of(around_, triangle) <= known) return false;
+  const std::array<int, 3> corners = around_.corners(triangle);
+  for (int i = 0; i < 3; ++i) {
+    const std::array<int, 2> side = sorted(corners[i], corners[(i + 1) % 3]);
+    if (length_of(around_, side) <= known) continue;
+    const std::optional<int> other = other_side(around_, side, triangle);
+    if (other && height_of(around_, *other) > known && fold_angle(around_, side, triangle, *other) >= step_angle)
+      return true;
+  }
+  return false;
 }
 
 Slivers::Slivers(const EdgeSurroundings& around, const ProjectedScene& view, const Progress& progress)

@@ -43,6 +43,8 @@ class SliverRule {
   [[nodiscard]] bool holds_for(int triangle) const;
 
  private:
+  [[nodiscard]] bool is_of_a_step(int triangle) const;
+
   EdgeSurroundings around_;
   const ProjectedScene* view_;
   double lowest_, on_page_;

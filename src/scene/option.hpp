@@ -15,7 +15,7 @@ namespace epura {
 
 /// What an option has to do with: the look of a drawing, files that are read or written, code that is loaded, or the
 /// run and what it says. In the hands of strangers only the first is harmless.
-enum class Nature { drawing, file, code, run };
+enum class Nature { unsaid, drawing, file, code, run };
 
 /// A switch of the command line that stands for one word of an option: "--portrait".
 struct Switch {
@@ -29,7 +29,7 @@ struct OptionInfo {
   ValueForm form{};
   std::string help{};
   std::string usual{};  ///< its value where none is given
-  Nature nature = Nature::drawing;
+  Nature nature = Nature::unsaid;
   bool required = false;
   bool repeatable = false;         ///< each time one more value; otherwise the last one counts
   std::vector<Switch> switches{};  ///< on the command line instead of a flag
@@ -86,13 +86,15 @@ Option<Part> option(OptionInfo info, Member member, const ValueKind<Value>& kind
       [member](Part& part, const Part& other) { take_over(std::invoke(member, part), std::invoke(member, other)); }};
 }
 
-/// The options of a part as options of the whole that has it as `member`.
+/// The options of a part as options of the whole that has it as `member`: they are about the drawing.
 template <class Whole, class Part>
 void append_options(Options<Whole>& all, const Options<Part>& options, Part Whole::*member) {
   for (const Option<Part>& one : options)
-    if (!one.flag.empty() || !one.switches.empty())
+    if (!one.flag.empty() || !one.switches.empty()) {
       all.push_back(
           {one, [member, read = one.read](Whole& whole, const TomlValue& value) { read(whole.*member, value); }, {}});
+      all.back().nature = Nature::drawing;
+    }
 }
 
 }  // namespace epura

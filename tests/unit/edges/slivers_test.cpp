@@ -139,6 +139,29 @@ TEST(Slivers, BetweenTwoOppositeCreasesAreNoStep) {
   for (const auto& kind : feature_edges(world, view, 0, {.boundary = false})) EXPECT_FALSE(kind);
 }
 
+// A block with a low step, whose wall is a slender rectangle seen edge-on from above.
+Shape block_with_a_step(double height) {
+  const std::vector<std::array<double, 2>> profile{{0, 0},   {160, 0}, {160, 40 + height}, {80, 40 + height},
+                                                   {80, 40}, {0, 40}};
+  const int n = static_cast<int>(profile.size());
+  Shape block;
+  for (const double y : {0.0, 96.0})
+    for (const auto& [x, z] : profile) block.points.push_back({x, y, z});
+  for (int i = 0; i < n; ++i) {
+    const int j = (i + 1) % n;
+    block.faces.push_back({i, j, n + j, n + i});
+  }
+  return block;
+}
+
+TEST(Slivers, AreNotTheWallsOfALowStep) {
+  for (const double height : {1.0, 0.05, 0.01, 0.001})
+    for (const bool single : {false, true}) {
+      const Result drawn = draw(world_in(triangulated(block_with_a_step(height)), single), from_above());
+      EXPECT_NEAR(drawn.visible(), 2 * (160 + 96) + 96, 0.01) << height << " " << single;
+    }
+}
+
 struct PoleCase {
   std::string shape;
   bool triangles, single_precision;
