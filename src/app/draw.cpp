@@ -45,6 +45,7 @@ std::string draw_again(const DrawOptions& options, const SceneDescription& scene
   again.why.clear();
   again.dump.reset();
   if (targets.empty()) targets.push_back({"explain.svg", Format::svg});
+  again.keeps_drawings = want_drawings(targets);
   Stopwatch watch;
   const Messages silent{[](const std::string&) {}, [](std::string_view) {}};
   const DrawnScene drawn = draw_scene(scene, again, {silent, {}, watch});

@@ -106,7 +106,24 @@ struct Judge {
     if (!next) return std::nullopt;
     const auto [n1, n2] = normals_at(around, edge, triangle, *next);
     if (!is_folded_over(side, normals_at(around, side, *next, folded)) || !(glm::dot(n1, n2) > 0)) return std::nullopt;
-    return next;
+    return ends_in_its_plane(folded, edge, side) ? next : std::nullopt;
+  }
+
+  // Whether the third side of a pleat is short, or the surface folds back there, too: otherwise the pleat sticks out.
+  [[nodiscard]] bool ends_in_its_plane(int folded, const std::array<int, 2>& one,
+                                       const std::array<int, 2>& other) const {
+    const std::array<int, 3> corners = around.corners(folded);
+    for (int i = 0; i < 3; ++i) {
+      const auto [a, b] = std::minmax(corners[i], corners[(i + 1) % 3]);
+      const std::array<int, 2> third{a, b};
+      if (third == one || third == other) continue;
+      if (glm::length(around.point(b) - around.point(a)) <= 2 * height_of(around, folded)) return true;
+      const MeshEdge* edge = find_edge(around, third);
+      if (edge == nullptr || edge->count != 2) return false;
+      const auto both = mesh().triangles_of(*edge);
+      return is_folded_over(third, normals_at(around, third, both[0] == folded ? both[1] : both[0], folded));
+    }
+    return true;
   }
 
   // The triangles between which an edge is judged, with their normals there.

@@ -94,7 +94,7 @@ FinishedSheet Run::draw_sheet(const World& whole, const CutSections& sections, c
     note(results.back());
     partial.add(results.back().partial);
     answers += budget.or_nothing(
-        [&](const Progress& until) { return answer(questions_of(options), world(i), wish, results.back(), until); });
+        [&](const Progress& until) { return answer(options, world(i), wish, results.back(), until); });
     results.back().work = {};  // what follows takes its room
   }
   if (options.arcs) tell_of_curves(messages, results);

@@ -9,20 +9,16 @@
 
 namespace epura {
 
-Questions questions_of(const RunOptions& options) {
-  return {options.why, options.dump == DumpTable::edges, options.dump == DumpTable::spans};
-}
-
-std::string answer(const Questions& questions, const World& world, const ViewOptions& wish, const ViewResult& result,
+std::string answer(const RunOptions& questions, const World& world, const ViewOptions& wish, const ViewResult& result,
                    const Progress& progress) {
   const ViewWork& work = result.work;
   const ExplainInput drawn_view{world,        work.view,  wish.edges,     work.drawn,        work.hidden,
                                 work.contact, work.paper, result.drawing, wish.keep_hidden()};
   std::string text;
-  if (questions.edge_table) text += edge_table(drawn_view, progress);
-  if (questions.why.empty() && !questions.span_table) return text;
+  if (questions.dump == DumpTable::edges) text += edge_table(drawn_view, progress);
+  if (questions.why.empty() && questions.dump != DumpTable::spans) return text;
   const TriangleBoxes boxes(work.view);
-  if (questions.span_table) text += span_table(drawn_view, boxes, progress);
+  if (questions.dump == DumpTable::spans) text += span_table(drawn_view, boxes, progress);
   progress.begin("answering");
   for (const EdgeQuestion& question : questions.why)
     for (const Subject& subject : find_subjects(drawn_view, question)) {

@@ -10,8 +10,6 @@ namespace epura {
 
 namespace {
 
-constexpr double longest_side = 100'000;  // mm
-
 PaperChoice custom_size(std::string_view text, const std::string& where) {
   const auto parts = split(text, 'x');
   const auto width = parts.size() == 2 ? parse_number(parts[0]) : std::nullopt;

@@ -88,6 +88,9 @@ struct ScaleChoice {
   bool operator==(const ScaleChoice&) const = default;
 };
 
+/// No side of a paper and no drawing may be longer, mm: 100 m.
+inline constexpr double longest_side = 100'000;
+
 /// A size of paper.
 struct PaperChoice {
   enum class Kind { iso, custom, none, automatic };

@@ -18,9 +18,6 @@ struct Paper {
   double left = 5, other = 5;  ///< margins
 };
 
-/// No side of a paper and no drawing may be longer: 100 m.
-inline constexpr double longest_side = 100'000;
-
 /// A sizes lie on their side unless `portrait`. An automatic size is none.
 Paper make_paper(const PaperChoice& size, bool portrait);
 

@@ -149,6 +149,16 @@ TEST(FeatureEdges, ANeedleFoldedOverInItsPlaneIsNoLine) {
       EXPECT_EQ(kinds(world_of(pleated_square(overlap)), view), (Kinds{{"boundary", 4}})) << overlap;
 }
 
+// Where the surface does not fold back at the third side of the needle, but bends down there, the needle sticks out.
+TEST(FeatureEdges, ANeedleThatSticksOutHasAnOutline) {
+  Shape square = pleated_square(0.1);
+  square.points.push_back({4, 4, -3});
+  square.faces[3] = {4, 5, 3};
+  const Kinds found = kinds(world_of(square), from_above());
+  EXPECT_GE(found.contains("contour") ? found.at("contour") : 0, 1);
+  EXPECT_EQ(kinds(world_of(pleated_square(0.1)), from_above()).count("contour"), 0U);
+}
+
 TEST(FeatureEdges, ASheetOfTwoLayersHasAnOutline) {
   const Shape sheet{{{0, 0, 0}, {4, 0, 0}, {4, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}, {}};
   EXPECT_EQ(kinds(world_of(sheet), from_above()), (Kinds{{"contour", 4}}));
