@@ -9,12 +9,6 @@ namespace epura {
 
 namespace {
 
-// What words have in their description.
-template <class Member>
-auto in_description(Member member) {
-  return [member](auto& words) -> auto& { return words.description.*member; };
-}
-
 Option<DimensionWords> anchor_option(const std::string& key, const std::string& help) {
   const ValueKind<AnchorWords> kind = anchor();
   return {{.key = key, .form = kind.form, .help = help},

@@ -16,6 +16,12 @@ struct DimensionWords {
   std::vector<std::pair<std::string, AnchorWords>> anchors;
 };
 
+/// A member of the description that words of a file have.
+template <class Member>
+auto in_description(Member member) {
+  return [member](auto& words) -> auto& { return words.description.*member; };
+}
+
 Options<ModelDescription> model_options();
 Options<SectionDescription> section_options();
 Options<ViewDescription> view_options();

@@ -16,12 +16,6 @@ namespace {
 
 constexpr const char* table_kind = "table";
 
-// What words have in their description.
-template <class Member>
-auto in_description(Member member) {
-  return [member](auto& words) -> auto& { return words.description.*member; };
-}
-
 /// A key under which stands a table, or several.
 template <class Part>
 Option<Part> table_option(const std::string& key, const std::string& help,
