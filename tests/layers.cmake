@@ -4,16 +4,17 @@
 # named only in its own folders. So the flow can be read in one direction, and a library exchanged in one place.
 cmake_minimum_required(VERSION 3.25)
 
-set(order base mesh scene projection view edges visibility drawing sheet output study pipeline library app)
+set(order base search mesh scene projection view edges visibility drawing report sheet output verify explain compare study
+    pipeline library app)
 
 set(libraries OpenMesh tbb gmp dlfcn.h cairo pugixml rapidjson qpdf CLI toml\\+\\+ ft2build.h)
 set(folders_OpenMesh mesh scene projection view edges)
 set(folders_tbb base)
-set(folders_gmp study)
+set(folders_gmp verify study)
 set(folders_dlfcn.h base)
 set(folders_cairo output)
-set(folders_pugixml output study)
-set(folders_rapidjson study)
+set(folders_pugixml output compare)
+set(folders_rapidjson compare)
 set(folders_qpdf output)
 set(folders_CLI app)
 set(folders_toml\\+\\+ scene)

@@ -9,11 +9,11 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/text.hpp"
+#include "compare/comparison.hpp"
+#include "compare/html_report.hpp"
+#include "compare/overlay.hpp"
+#include "compare/report_pictures.hpp"
 #include "pipeline/targets.hpp"
-#include "study/compare/comparison.hpp"
-#include "study/compare/html_report.hpp"
-#include "study/compare/overlay.hpp"
-#include "study/compare/report_pictures.hpp"
 
 namespace epura {
 
@@ -46,7 +46,7 @@ int compare(const CompareOptions& options) {
   const std::vector<Target> targets = overlay_targets(options.overlay);
   const PictureFile before = read_pictures(options.before), after = read_pictures(options.after);
   const Comparison comparison = compare(before, after, options.tolerance);
-  const std::string words = in_words(comparison, options.tolerance);
+  const std::string words = format_comparison(comparison, options.tolerance);
   const bool same = comparison.differences.empty();
   std::vector<std::string> outputs = files_of(targets, comparison.pages.size());
   for (const std::string& file : {options.json, is_html(options.overlay) ? options.overlay : ""})

@@ -66,7 +66,7 @@ std::string explanation(const Report& report, const PlanStep& formats) {
   std::vector<PlanStep> plan = report.plan;
   plan.push_back(formats);
   std::string text = plan_table(plan);
-  for (const ViewCondition& view : report.conditions) text += in_words(view);
+  for (const ViewCondition& view : report.conditions) text += format_condition(view);
   return text;
 }
 

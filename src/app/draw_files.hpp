@@ -7,10 +7,10 @@
 
 #include "app/options.hpp"
 #include "base/progress.hpp"
-#include "output/write.hpp"
 #include "pipeline/draw_view.hpp"
 #include "pipeline/messages.hpp"
 #include "pipeline/targets.hpp"
+#include "report/report.hpp"
 
 namespace epura {
 

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "output/write.hpp"
 #include "pipeline/shortcuts.hpp"
+#include "report/report.hpp"
 
 namespace epura {
 

@@ -13,6 +13,7 @@
 #include "output/write.hpp"
 #include "pipeline/choose.hpp"
 #include "pipeline/targets.hpp"
+#include "report/report.hpp"
 #include "study/stability/write.hpp"
 
 namespace epura {

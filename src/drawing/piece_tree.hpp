@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "drawing/ink.hpp"
-#include "visibility/bounds_tree.hpp"
+#include "search/bounds_tree.hpp"
 
 namespace epura {
 

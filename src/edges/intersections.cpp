@@ -13,7 +13,7 @@
 #include "base/parallel.hpp"
 #include "edges/dihedral.hpp"
 #include "edges/flat_faces.hpp"
-#include "edges/triangle_tree.hpp"
+#include "search/triangle_tree.hpp"
 
 namespace epura {
 

@@ -11,7 +11,7 @@
 #include "base/same_key.hpp"
 #include "edges/convex_bodies.hpp"
 #include "edges/intersections.hpp"
-#include "edges/triangle_tree.hpp"
+#include "search/triangle_tree.hpp"
 
 namespace epura {
 

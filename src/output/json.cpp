@@ -11,6 +11,7 @@
 #include "output/in_order.hpp"
 #include "output/json_text.hpp"
 #include "output/write.hpp"
+#include "report/report.hpp"
 
 namespace epura {
 

@@ -2,7 +2,6 @@
 // Sheets -> the bytes of a file. Nothing is computed here but the encoding.
 #pragma once
 
-#include <algorithm>
 #include <optional>
 #include <span>
 #include <string>
@@ -11,11 +10,9 @@
 
 #include "base/progress.hpp"
 #include "drawing/drawing.hpp"
-#include "mesh/mesh.hpp"
-#include "output/verification.hpp"
+#include "report/report.hpp"
 #include "scene/choices.hpp"
 #include "sheet/sheet.hpp"
-#include "view/condition.hpp"
 
 namespace epura {
 
@@ -52,60 +49,6 @@ std::string to_eps(const Sheet& sheet, const Progress& progress = {});
 std::string to_png(const Sheet& sheet, double dpi, const Progress& progress = {});
 /// AutoCAD 2000 (AC1015), in millimetres.
 std::string to_dxf(const Sheet& sheet, const Progress& progress = {});
-
-/// What a stage took and what leaving it out saves, in seconds.
-struct PlanTimes {
-  std::optional<double> certificate;  ///< to find out whether it can be left out; nothing where that takes no time
-  std::optional<double> stage;        ///< where it ran and was timed
-  std::optional<double> estimated;    ///< saved, by what an item usually takes
-  std::optional<double> measured;     ///< saved, by runs with and without it
-};
-
-/// One stage of the plan, for the report.
-struct PlanStep {
-  std::string stage;
-  bool run;
-  std::string why;  ///< it ran, or the certificate by which it was left out
-  long long items_in = 0, items_out = 0;
-  std::string view{};   ///< empty for what is done once
-  long long skipped{};  ///< of the items that came in, those that a certificate left out
-  PlanTimes times{};    ///< empty unless asked for: outputs are byte-stable
-};
-
-/// What a time limit left undone.
-struct Partial {
-  std::vector<std::string> stages{};   ///< that were cut, as progress names them; none: all is done
-  long long edges = 0, undecided = 0;  ///< undecided edges are not drawn
-  double searched = 1;                 ///< part of the search for intersection lines that was done, 0 to 1
-  long long undrawn = 0;               ///< lines of decided edges, and dimensions, that are not drawn
-
-  void add_stage(const std::string& stage) {
-    if (std::find(stages.begin(), stages.end(), stage) == stages.end()) stages.push_back(stage);
-  }
-  /// What of another view is left undone.
-  void add(const Partial& other) {
-    for (const std::string& stage : other.stages) add_stage(stage);
-    edges += other.edges;
-    undecided += other.undecided;
-    searched = std::min(searched, other.searched);
-    undrawn += other.undrawn;
-  }
-};
-
-/// How many digits a view can have.
-struct ViewCondition {
-  std::string name;  ///< of the view
-  Condition condition;
-};
-
-struct Report {
-  std::vector<MeshReport> meshes;
-  std::vector<PlanStep> plan;
-  std::vector<std::pair<std::string, double>> seconds;  ///< empty unless asked for: outputs are byte-stable
-  Partial partial{};                                    ///< without stages: the drawing is complete
-  std::optional<Verification> verification;             ///< where it was asked for
-  std::vector<ViewCondition> conditions;                ///< by view, where they were asked for
-};
 
 /// Drawing JSON, schema 1 (docs/formats.md).
 std::string to_json(const Sheet& sheet, double scale, std::span<const ViewDrawing> drawings, const Report& report,

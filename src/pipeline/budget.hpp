@@ -6,7 +6,7 @@
 #include <cstddef>
 
 #include "base/progress.hpp"
-#include "output/write.hpp"
+#include "report/report.hpp"
 
 namespace epura {
 

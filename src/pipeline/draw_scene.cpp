@@ -14,7 +14,7 @@
 #include "pipeline/tell.hpp"
 #include "pipeline/view_plan.hpp"
 #include "sheet/standard_scale.hpp"
-#include "study/verify/verify.hpp"
+#include "verify/verify.hpp"
 #include "view/condition.hpp"
 
 namespace epura {

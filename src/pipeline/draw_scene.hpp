@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "base/progress.hpp"
-#include "output/write.hpp"
 #include "pipeline/draw_view.hpp"
 #include "pipeline/finished_sheet.hpp"
 #include "pipeline/messages.hpp"
 #include "pipeline/options.hpp"
+#include "report/report.hpp"
 #include "scene/description.hpp"
 
 namespace epura {

@@ -6,8 +6,8 @@
 
 #include "drawing/cut_faces.hpp"
 #include "edges/suspects.hpp"
-#include "study/verify/outline.hpp"
-#include "study/verify/verify.hpp"
+#include "verify/outline.hpp"
+#include "verify/verify.hpp"
 #include "visibility/height_field.hpp"
 
 namespace epura {

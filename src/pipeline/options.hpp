@@ -6,9 +6,9 @@
 #include <optional>
 #include <vector>
 
+#include "explain/find_subjects.hpp"
 #include "pipeline/shortcuts.hpp"
 #include "scene/choices.hpp"
-#include "study/questions/find_subjects.hpp"
 #include "visibility/method.hpp"
 
 namespace epura {

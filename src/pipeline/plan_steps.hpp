@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "output/write.hpp"
 #include "pipeline/view_plan.hpp"
+#include "report/report.hpp"
 #include "sheet/sheet.hpp"
 
 namespace epura {

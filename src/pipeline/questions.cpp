@@ -3,9 +3,9 @@
 
 #include <string>
 
-#include "study/questions/explain.hpp"
-#include "study/questions/explain_input.hpp"
-#include "study/questions/tables.hpp"
+#include "explain/explain.hpp"
+#include "explain/explain_input.hpp"
+#include "explain/tables.hpp"
 
 namespace epura {
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t most_named = 8;
 
-std::string in_words(const Vec3& p) {
+std::string format_point(const Vec3& p) {
   return format_rounded(p.x, 6) + "," + format_rounded(p.y, 6) + "," + format_rounded(p.z, 6);
 }
 
@@ -21,7 +21,7 @@ void warn_about(const Messages& messages, const CutSection& section, const OpenB
   const std::string body = mesh.report.bodies > 1 ? ": body " + std::to_string(open.body) : "";
   messages.warn(mesh.report.name + body + " is not closed, so its cut by section " + section.plane.name +
                 " is not hatched; " + (open.in_outline ? "the outline is" : "its surface is") + " open at " +
-                in_words(open.gap));
+                format_point(open.gap));
 }
 
 void warn_about(const Messages& messages, const CutSection& section) {

@@ -9,6 +9,7 @@
 #include "base/progress.hpp"
 #include "output/write.hpp"
 #include "pipeline/finished_sheet.hpp"
+#include "report/report.hpp"
 
 namespace epura {
 

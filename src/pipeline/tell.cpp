@@ -7,8 +7,8 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "report/format.hpp"
 #include "sheet/lettering.hpp"
-#include "study/verify/verify.hpp"
 #include "view/condition.hpp"
 
 namespace epura {
@@ -44,7 +44,7 @@ void warn_if_empty(const Messages& messages, const ViewResult& result, const Vie
 }
 
 void warn_about(const Messages& messages, const ViewResult& result) {
-  if (result.verification) messages.print(result.drawing.name + ": " + in_words(*result.verification));
+  if (result.verification) messages.print(result.drawing.name + ": " + format_verification(*result.verification));
   if (const MethodChoice& choice = result.choice; !choice.reason.empty())
     messages.print(result.drawing.name + ": hidden lines by " + text_of(choice.method) + ", since " + choice.reason +
                    "; no span longer than " + format_rounded(choice.bound, 3) + " mm is wrong\n");
@@ -79,7 +79,7 @@ void warn_about(const Messages& messages, const ViewCondition& view) {
                 " of the drawing; move the model or the viewer");
 }
 
-std::string in_words(const ViewCondition& view) {
+std::string format_condition(const ViewCondition& view) {
   return "view '" + view.name + "': map: " + numbers_of(view.condition) + "\n";
 }
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "output/write.hpp"
 #include "pipeline/draw_view.hpp"
 #include "pipeline/messages.hpp"
+#include "report/report.hpp"
 #include "sheet/sheet.hpp"
 
 namespace epura {
@@ -26,7 +26,7 @@ void warn_about(const Messages& messages, const ViewCondition& view);
 void warn_about(const Messages& messages, const Sheet& sheet);
 
 /// A line of what the map of a view can keep.
-std::string in_words(const ViewCondition& view);
+std::string format_condition(const ViewCondition& view);
 
 /// Tells how many curves were found in the lines.
 void tell_of_curves(const Messages& messages, const std::vector<ViewResult>& results);

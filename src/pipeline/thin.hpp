@@ -4,8 +4,8 @@
 
 #include <span>
 
-#include "output/write.hpp"
 #include "pipeline/finished_sheet.hpp"
+#include "report/report.hpp"
 
 namespace epura {
 

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "base/parallel.hpp"
+#include "search/choose_grid.hpp"
 #include "sheet/chain_lines.hpp"
-#include "visibility/choose_grid.hpp"
 
 namespace epura {
 

@@ -9,7 +9,7 @@
 #include "base/groups.hpp"
 #include "base/progress.hpp"
 #include "drawing/drawing.hpp"
-#include "visibility/line_cells.hpp"
+#include "search/line_cells.hpp"
 
 namespace epura {
 

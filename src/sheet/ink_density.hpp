@@ -8,7 +8,7 @@
 
 #include "base/progress.hpp"
 #include "drawing/drawing.hpp"
-#include "visibility/line_cells.hpp"
+#include "search/line_cells.hpp"
 
 namespace epura {
 

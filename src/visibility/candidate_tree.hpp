@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "search/bounds_tree.hpp"
 #include "view/projected_scene.hpp"
-#include "visibility/bounds_tree.hpp"
 #include "visibility/hiding_rule.hpp"
 #include "visibility/pile.hpp"
 #include "visibility/seen_from.hpp"

@@ -11,10 +11,10 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
+#include "search/pixel_walk.hpp"
+#include "search/triangle_cells.hpp"
 #include "visibility/edge_spans.hpp"
-#include "visibility/pixel_walk.hpp"
 #include "visibility/point_rule.hpp"
-#include "visibility/triangle_cells.hpp"
 
 namespace epura {
 

@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "base/parallel.hpp"
+#include "search/triangle_cells.hpp"
 #include "visibility/occluder_patch.hpp"
 #include "visibility/occlusion_query.hpp"
-#include "visibility/triangle_cells.hpp"
 
 namespace epura {
 

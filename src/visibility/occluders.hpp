@@ -9,11 +9,11 @@
 
 #include "base/groups.hpp"
 #include "edges/drawn_edges.hpp"
+#include "search/choose_grid.hpp"
+#include "search/line_cells.hpp"
 #include "view/projected_scene.hpp"
 #include "visibility/candidate_tree.hpp"
-#include "visibility/choose_grid.hpp"
 #include "visibility/hiding_rule.hpp"
-#include "visibility/line_cells.hpp"
 #include "visibility/third_copies.hpp"
 
 namespace epura {

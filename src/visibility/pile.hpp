@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "search/bounds_tree.hpp"
 #include "view/projected_scene.hpp"
-#include "visibility/bounds_tree.hpp"
 
 namespace epura {
 

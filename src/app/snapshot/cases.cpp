@@ -9,8 +9,8 @@
 #include "app/snapshot/run_epura.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"
-#include "study/compare/comparison.hpp"
-#include "study/compare/report_pictures.hpp"
+#include "compare/comparison.hpp"
+#include "compare/report_pictures.hpp"
 
 namespace epura {
 
@@ -52,7 +52,7 @@ void compare_with_expectation(SnapshotResult& result, double tolerance, bool wit
   result.verdict = !exists ? SnapshotVerdict::new_case
                    : same  ? SnapshotVerdict::as_expected
                            : SnapshotVerdict::different;
-  result.words = exists ? in_words(comparison, tolerance) : "nothing is expected yet\n";
+  result.words = exists ? format_comparison(comparison, tolerance) : "nothing is expected yet\n";
   if (with_pictures && result.verdict != SnapshotVerdict::as_expected)
     result.pictures = reported_case(result.name, false, result.words, expected, actual, comparison);
 }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "study/compare/html_report.hpp"
+#include "compare/html_report.hpp"
 
 namespace epura {
 

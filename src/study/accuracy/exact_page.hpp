@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "study/verify/polygon.hpp"
-#include "study/verify/verify_input.hpp"
+#include "verify/polygon.hpp"
+#include "verify/verify_input.hpp"
 
 namespace epura {
 

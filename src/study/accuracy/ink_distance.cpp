@@ -6,7 +6,7 @@
 #include <cstddef>
 
 #include "base/groups.hpp"
-#include "visibility/line_cells.hpp"
+#include "search/line_cells.hpp"
 
 namespace epura {
 

@@ -11,7 +11,7 @@
 
 #include "projection/matrices.hpp"
 #include "study/accuracy/measure.hpp"
-#include "study/verify/numbers.hpp"
+#include "verify/numbers.hpp"
 #include "view/view_map.hpp"
 
 namespace epura {

@@ -7,7 +7,7 @@
 #include "drawing/make_drawing.hpp"
 #include "study/accuracy/peak_memory.hpp"
 #include "study/accuracy/span_sets.hpp"
-#include "study/verify/confidence.hpp"
+#include "verify/confidence.hpp"
 
 namespace epura {
 

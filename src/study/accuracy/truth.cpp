@@ -10,9 +10,9 @@
 #include <unordered_map>
 
 #include "base/parallel.hpp"
+#include "explain/hiders.hpp"
 #include "study/accuracy/exact_page.hpp"
 #include "study/accuracy/span_sets.hpp"
-#include "study/questions/hiders.hpp"
 
 namespace epura {
 

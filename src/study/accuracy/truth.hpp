@@ -14,7 +14,7 @@
 #include <optional>
 #include <vector>
 
-#include "study/verify/verify_input.hpp"
+#include "verify/verify_input.hpp"
 #include "visibility/spans.hpp"
 
 namespace epura {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "study/verify/numbers.hpp"
+#include "verify/numbers.hpp"
 
 namespace epura::stability {
 

@@ -7,7 +7,7 @@
 
 #include "study/stability/case.hpp"
 #include "study/stability/forms.hpp"
-#include "study/verify/verify.hpp"
+#include "verify/verify.hpp"
 
 namespace epura::stability {
 

@@ -6,6 +6,7 @@
 
 #include "json_reader.hpp"
 #include "output/write.hpp"
+#include "report/report.hpp"
 
 namespace epura {
 namespace {

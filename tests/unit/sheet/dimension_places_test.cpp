@@ -233,7 +233,7 @@ NamedProjection view(const std::string& name, const Vec3& viewer, const Vec3& up
   return {name, orthographic(viewer, up)};
 }
 
-std::string in_words(const std::vector<DimensionDescription>& dimensions) {
+std::string format_dimensions(const std::vector<DimensionDescription>& dimensions) {
   std::string text;
   for (const DimensionDescription& one : dimensions)
     text += std::string(word_of(*one.direction)) + ' ' + *one.view + ' ';
@@ -245,7 +245,7 @@ TEST(OverallDimensions, EachOnceInTheClearestView) {
                         left = view("left", from_left), corner = view("corner", from_corner);
   const DimensionDescription open = dimension("overall", {});
   const auto chosen = [&](const std::vector<NamedProjection>& views, const DimensionDescription& wish) {
-    return in_words(overall_dimensions(wish, views));
+    return format_dimensions(overall_dimensions(wish, views));
   };
   EXPECT_EQ(chosen({corner, top, left, front}, open), "width front height front depth left ");
   EXPECT_EQ(chosen({front, top}, open), "width front height front depth top ");

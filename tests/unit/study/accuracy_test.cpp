@@ -7,9 +7,9 @@
 #include <random>
 #include <thread>
 
+#include "studied.hpp"
 #include "study/accuracy/measure.hpp"
 #include "study/accuracy/span_sets.hpp"
-#include "support.hpp"
 #include "visibility/choose_method.hpp"
 
 namespace epura::test {

@@ -9,7 +9,7 @@
 #include <random>
 
 #include "study/stability/lab.hpp"
-#include "study/verify/numbers.hpp"
+#include "verify/numbers.hpp"
 
 namespace epura {
 namespace {

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <tuple>
+
+#include "compare/page_differences.hpp"
+
+namespace epura {
+
+namespace {
+
+using Texts = std::vector<PictureText>;
+
+auto by_place(const PictureText& t) { return std::tie(t.words, t.min.x, t.min.y, t.max.x, t.max.y); }
+
+Vec2 middle(const PictureText& t) { return (t.min + t.max) / 2.0; }
+Vec2 size(const PictureText& t) { return t.max - t.min; }
+
+double apart(const PictureText& a, const PictureText& b) {
+  return std::max(glm::distance(a.min, b.min), glm::distance(a.max, b.max));
+}
+
+// Whether the boxes have a place in common.
+bool overlap(const PictureText& a, const PictureText& b) {
+  return glm::all(glm::lessThan(glm::max(a.min, b.min), glm::min(a.max, b.max)));
+}
+
+class TextPairs {
+ public:
+  TextPairs(const Picture& before, const Picture& after, double tolerance)
+      : before_(before), after_(after), old_(before.texts), new_(after.texts), tolerance_(tolerance) {
+    const auto earlier = [](const PictureText& a, const PictureText& b) { return by_place(a) < by_place(b); };
+    std::sort(old_.begin(), old_.end(), earlier);
+    std::sort(new_.begin(), new_.end(), earlier);
+  }
+
+  TextDifferences compare() {
+    const double near = std::max(tolerance_, rounding);
+    each_pair(
+        [&](const PictureText& a, const PictureText& b) { return pair_if(a.words == b.words, apart(a, b), near); },
+        std::nullopt);
+    each_pair(
+        [&](const PictureText& a, const PictureText& b) {
+          const bool same = a.words == b.words && glm::distance(size(a), size(b)) <= near;
+          return pair_if(same, apart(a, b), overlap(a, b) ? HUGE_VAL : most_moved);
+        },
+        Change::moved);
+    each_pair([&](const PictureText& a,
+                  const PictureText& b) { return pair_if(a.words == b.words && overlap(a, b), apart(a, b), HUGE_VAL); },
+              Change::restyled);
+    each_pair(
+        [&](const PictureText& a, const PictureText& b) {
+          return pair_if(overlap(a, b), glm::distance(middle(a), middle(b)), HUGE_VAL);
+        },
+        Change::text);
+    for (const PictureText& text : old_) report(Change::removed, text, before_, text.words, "", Mark::removed);
+    for (const PictureText& text : new_) report(Change::added, text, after_, "", text.words, Mark::added);
+    return std::move(found_);
+  }
+
+ private:
+  static constexpr double rounding = 1e-3;  // mm: what files and sizes of fonts are rounded to, along a long text
+
+  static std::optional<double> pair_if(bool alike, double distance, double max) {
+    return alike && distance <= max ? std::optional(distance) : std::nullopt;
+  }
+
+  // Each old text meets the nearest new one that `measure` lets it have; both are out of the game then.
+  template <class Measure>
+  void each_pair(const Measure& measure, std::optional<Change> change) {
+    Texts left;
+    for (const PictureText& a : old_) {
+      auto nearest = new_.end();
+      double min = HUGE_VAL;
+      for (auto b = new_.begin(); b != new_.end(); ++b) {
+        const std::optional<double> distance = measure(a, *b);
+        if (distance && *distance < min) std::tie(nearest, min) = std::pair(b, *distance);
+      }
+      if (nearest == new_.end()) {
+        left.push_back(a);
+        continue;
+      }
+      meet(a, *nearest, change);
+      new_.erase(nearest);
+    }
+    old_ = std::move(left);
+  }
+
+  void meet(const PictureText& a, const PictureText& b, std::optional<Change> change) {
+    if (!change) {
+      found_.marked.push_back({b, Mark::same});
+      return;
+    }
+    report(*change, b, after_, a.words, b.words, Mark::changed);
+    if (*change == Change::moved) found_.differences.back().distance = apart(a, b);
+  }
+
+  void report(Change change, const PictureText& text, const Picture& picture, const std::string& before,
+              const std::string& after, Mark how) {
+    found_.marked.push_back({text, how});
+    Difference& found = found_.differences.emplace_back();
+    found.change = change;
+    found.view = picture.views[static_cast<std::size_t>(text.view)];
+    found.before = before;
+    found.after = after;
+    found.from = text.min;
+    found.to = text.max;
+    found.is_text = true;
+  }
+
+  const Picture &before_, &after_;
+  Texts old_, new_;
+  double tolerance_;
+  TextDifferences found_{};
+};
+
+}  // namespace
+
+TextDifferences compare_texts(const Picture& before, const Picture& after, double tolerance) {
+  return TextPairs(before, after, tolerance).compare();
+}
+
+}  // namespace epura

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// Puts a picture together from what a file says, and refuses what no drawing holds: a few bytes can stand for curves of
+// millions of pieces, or for places that no paper has.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <utility>
+
+#include "compare/picture.hpp"
+
+namespace epura {
+
+/// How many more pieces of lines a file may stand for. No line takes less than two bytes, but curves do.
+class PieceRoom {
+ public:
+  /// 250 000, and one for every two bytes. `where` names the file in errors.
+  PieceRoom(std::size_t bytes, std::string where);
+
+  /// Throws Error{input} where there is no room for so many.
+  void take(std::size_t pieces);
+
+ private:
+  std::string where_;
+  std::size_t most_, left_;
+};
+
+/// Throws Error{input} for more than 200 looks or 2000 views, and for places and lengths that are no numbers or beyond
+/// all paper.
+class PictureMaker {
+ public:
+  explicit PictureMaker(std::string where) : where_(std::move(where)), picture_{Vec2(0, 0)} {}
+
+  void set_size(const Vec2& size);
+  /// The number in the picture of what may be there already.
+  int look(const PictureLook& look);
+  int view(const std::string& name);
+  /// Edges are counted from the result on.
+  int add_origins(std::vector<std::string> origins);
+  void add(const PicturePiece& piece);
+  void add(const PictureText& text);
+
+  [[nodiscard]] const Vec2& size() const { return picture_.size; }
+  [[nodiscard]] Picture finish() { return std::move(picture_); }
+
+ private:
+  void expect_on_paper(const Vec2& place) const;
+
+  std::string where_;
+  Picture picture_;
+};
+
+}  // namespace epura

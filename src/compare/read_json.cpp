@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+// Drawing JSON -> picture.
+#include <rapidjson/error/en.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "compare/json_document.hpp"
+#include "compare/picture_maker.hpp"
+#include "compare/read_pictures.hpp"
+#include "sheet/paper.hpp"
+#include "sheet/view_lines.hpp"
+
+namespace epura {
+
+namespace {
+
+// Numbers as they are written: rapidjson would not round all of them rightly.
+constexpr unsigned flags = rapidjson::kParseNumbersAsStringsFlag | rapidjson::kParseIterativeFlag;
+
+using Value = rapidjson::Value;
+
+std::optional<double> number_in(const Value& value) {
+  const auto read = value.IsString() ? parse_number(value.GetString()) : std::nullopt;
+  return read && std::isfinite(*read) ? read : std::nullopt;
+}
+
+// A value, and for errors the key that it stands under and the last list on the way to it.
+struct Place {
+  const Value& value;
+  const std::string& file;
+  const char* key = "the drawing";
+  const char* list = nullptr;
+  unsigned item = 0;
+
+  [[noreturn]] void refuse(const std::string& what) const {
+    const std::string in = list == nullptr ? "" : list + ("[" + std::to_string(item) + "]: ");
+    throw Error(ErrorKind::input, file, in + key + " " + what, "it has to be drawing JSON that epura wrote");
+  }
+  [[nodiscard]] bool has(const char* name) const { return value.IsObject() && value.HasMember(name); }
+  [[nodiscard]] Place at(const char* name) const {
+    if (!has(name)) refuse("has no '" + std::string(name) + "'");
+    return {value[name], file, name, list, item};
+  }
+  [[nodiscard]] Place at(unsigned i) const { return {value[i], file, key, key, i}; }
+  [[nodiscard]] unsigned items() const {
+    if (!value.IsArray()) refuse("is not a list");
+    return value.Size();
+  }
+  [[nodiscard]] Vec2 point() const {
+    const bool pair = value.IsArray() && value.Size() == 2;
+    const auto x = pair ? number_in(value[0]) : std::nullopt, y = pair ? number_in(value[1]) : std::nullopt;
+    if (!x || !y) refuse("is not a point");
+    return {*x, *y};
+  }
+  [[nodiscard]] std::string text() const {
+    if (!value.IsString()) refuse("is no text");
+    return value.GetString();
+  }
+  [[nodiscard]] bool boolean() const {
+    if (!value.IsBool()) refuse("is neither true nor false");
+    return value.GetBool();
+  }
+};
+
+constexpr std::array drawn_lines = {EdgeLine::hidden, EdgeLine::tangent, EdgeLine::section, EdgeLine::visible};
+constexpr int cut_face = drawn_lines.size();  // the look behind those of lines
+
+int number_of(EdgeLine line) {
+  return static_cast<int>(std::find(drawn_lines.begin(), drawn_lines.end(), line) - drawn_lines.begin());
+}
+
+// As sheets below A1 draw them.
+std::vector<PictureLook> looks() {
+  std::vector<PictureLook> looks;
+  for (const EdgeLine line : drawn_lines) {
+    const LineStyle style = line_style(line, line_widths(Paper()));
+    PictureLook& look = looks.emplace_back(PictureLook{style.name, line != EdgeLine::hidden, false, style.width});
+    if (style.dashes.dash > 0) look.dashes = {style.dashes.dash, style.dashes.gap};
+  }
+  looks.push_back({"cut face", true, true});
+  return looks;
+}
+
+// Kinds that are not known yet look as most do.
+EdgeKind kind_named(const std::string& name) {
+  auto kind = EdgeKind::contour;
+  for (int i = 0; i <= static_cast<int>(EdgeKind::smooth); ++i)
+    if (name == name_of(static_cast<EdgeKind>(i))) kind = static_cast<EdgeKind>(i);
+  return kind;
+}
+
+// Empty for lines that are no edges of a file.
+std::string edge_of(const Place& segment) {
+  const Value& edge = segment.at("edge").value;
+  if (!edge.IsArray() || edge.Size() != 2 || !edge[0].IsString() || !edge[1].IsString()) return {};
+  return segment.at("model").text() + ":" + edge[0].GetString() + "-" + edge[1].GetString();
+}
+
+void add_segment(PictureMaker& picture, const Place& segment, int view) {
+  const EdgeLine line = edge_line(kind_named(segment.at("kind").text()), segment.at("visible").boolean());
+  if (line == EdgeLine::none) return;
+  int origin = -1;
+  if (std::string edge = edge_of(segment); !edge.empty()) origin = picture.add_origins({std::move(edge)});
+  picture.add({segment.at("from").point(), segment.at("to").point(), number_of(line), view, origin});
+}
+
+void add_ring(PictureMaker& picture, const Place& ring, int view) {
+  const unsigned corners = ring.items();
+  for (unsigned i = 0; i < corners; ++i)
+    picture.add({ring.at(i).point(), ring.at((i + 1) % corners).point(), cut_face, view, -1});
+}
+
+void add_view(PictureMaker& picture, const Place& view) {
+  const int number = picture.view(view.at("name").text());
+  const Place segments = view.at("segments");
+  for (unsigned i = 0; i < segments.items(); ++i) add_segment(picture, segments.at(i), number);
+  if (!view.has("cut_faces")) return;
+  const Place faces = view.at("cut_faces");
+  for (unsigned i = 0; i < faces.items(); ++i) {
+    const Place rings = faces.at(i).at("rings");
+    for (unsigned j = 0; j < rings.items(); ++j) add_ring(picture, rings.at(j), number);
+  }
+}
+
+}  // namespace
+
+Picture picture_of_json(std::string_view bytes, const std::string& where) {
+  JsonDocument document;
+  document.Parse<flags>(bytes.data(), bytes.size());
+  if (document.HasParseError())
+    throw Error(ErrorKind::input, where,
+                "is no JSON: " + std::string(rapidjson::GetParseError_En(document.GetParseError())) + " (byte " +
+                    std::to_string(document.GetErrorOffset()) + ")");
+  const Place root{document, where};
+  if (number_in(root.at("epura").value) != 1.0) root.refuse("has another schema than 1");
+  PictureMaker picture(where);
+  picture.set_size(root.at("sheet").at("size").point());
+  for (const PictureLook& look : looks()) picture.look(look);
+  const Place views = root.at("views");
+  for (unsigned i = 0; i < views.items(); ++i) add_view(picture, views.at(i));
+  return picture.finish();
+}
+
+}  // namespace epura

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files of drawings -> what they look like.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compare/picture.hpp"
+
+namespace epura {
+
+struct PictureFile {
+  bool is_json = false;  ///< views without their sheet: no frame, no texts, no hatching
+  bool is_pdf = false;   ///< texts are not read, and of dashes only whether there are any
+  std::vector<Picture> pages{};
+};
+
+/// Reads drawing JSON, SVG or PDF that epura wrote, by extension. Throws Error{input} for everything else.
+PictureFile read_pictures(const std::filesystem::path& path);
+
+/// The same of the bytes of a file of that name, which ends in .json, .svg or .pdf.
+PictureFile pictures_of(const std::string& bytes, const std::filesystem::path& path);
+
+/// Drawing JSON, schema 1. `where` names it in errors. Visible lines count as wide, hidden ones as dashed and narrow;
+/// edges between smooth faces as narrow.
+Picture picture_of_json(std::string_view bytes, const std::string& where);
+
+/// SVG with user units of a millimetre. Dashes are those of the line style: how they are fitted to a line does not
+/// count.
+Picture picture_of_svg(std::string_view bytes, const std::string& where);
+
+/// The pages of a PDF file, without texts. In layers of hidden and centre lines and of neighbouring
+/// parts all lines are broken: the short ones have no dashes.
+std::vector<Picture> pictures_of_pdf(const std::string& bytes, const std::string& where);
+
+}  // namespace epura

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+// A comparison in words, and as JSON.
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "base/text.hpp"
+#include "compare/comparison.hpp"
+#include "output/json_text.hpp"
+
+namespace epura {
+
+namespace {
+
+std::string millimetres(double length) { return format_fixed(length, 3) + " mm"; }
+
+std::string place(const Vec2& p) { return "(" + format_fixed(p.x, 3) + ", " + format_fixed(p.y, 3) + ")"; }
+
+// The first few edges of a list.
+std::string format_edges(const std::string& origin) {
+  constexpr std::size_t max = 3;
+  const auto edges = split(origin, ' ');
+  std::string text = edges.size() == 1 ? ", edge" : ", edges";
+  for (std::size_t i = 0; i < std::min(edges.size(), max); ++i) text.append(" ").append(edges[i]);
+  return edges.size() > max ? text + " and " + std::to_string(edges.size() - max) + " more" : text;
+}
+
+std::string format_line(const Difference& d) {
+  const std::string look = d.before == d.after || d.before.empty() || d.after.empty()
+                               ? (d.after.empty() ? d.before : d.after)
+                               : d.before + " -> " + d.after;
+  const bool is_area = look.ends_with(" area");
+  std::string text = (is_area ? "border of " + look : look + " line") + ", " + millimetres(d.length) + ", " +
+                     place(d.from) + " to " + place(d.to);
+  if (d.change == Change::moved) text += ", by " + millimetres(d.distance);
+  return d.origin.empty() ? text : text + format_edges(d.origin);
+}
+
+std::string format_text(const Difference& d) {
+  std::string text = "text '" + (d.after.empty() ? d.before : d.after) + "'";
+  if (d.change == Change::text) text = "'" + d.before + "' -> '" + d.after + "'";
+  text += " at " + place(d.from);
+  return d.change == Change::moved ? text + ", by " + millimetres(d.distance) : text;
+}
+
+std::string format_difference(const Difference& d, bool pages) {
+  std::string text(name_of(d.change));
+  text.resize(11, ' ');
+  if (pages) text += "page " + std::to_string(d.page) + ", ";
+  if (!d.view.empty()) text += d.view + ": ";
+  if (d.change == Change::size) return text + "sheet of " + d.before + " -> " + d.after;
+  return text + (d.is_text ? format_text(d) : format_line(d));
+}
+
+constexpr std::size_t kinds = static_cast<std::size_t>(Change::text) + 1;
+
+std::array<int, kinds> counts(const Comparison& comparison) {
+  std::array<int, kinds> counts{};
+  for (const Difference& d : comparison.differences) ++counts[static_cast<std::size_t>(d.change)];
+  return counts;
+}
+
+std::string point(const Vec2& p) { return "[" + format_number(p.x) + ", " + format_number(p.y) + "]"; }
+
+std::string json_of(const Difference& d) {
+  const auto text_or_null = [](const std::string& text) { return text.empty() ? "null" : json_string(text); };
+  std::string json = "{\"change\": " + json_string(name_of(d.change)) + ", \"page\": " + std::to_string(d.page) +
+                     ", \"view\": " + text_or_null(d.view) + ", \"of\": " +
+                     (d.change == Change::size ? "\"sheet\""
+                      : d.is_text              ? "\"text\""
+                                               : "\"line\"") +
+                     ", \"before\": " + text_or_null(d.before) + ", \"after\": " + text_or_null(d.after);
+  if (d.change == Change::size) return json + "}";
+  json += ", \"from\": " + point(d.from) + ", \"to\": " + point(d.to);
+  if (!d.is_text) json += ", \"length\": " + format_number(d.length);
+  if (d.change == Change::moved) json += ", \"distance\": " + format_number(d.distance);
+  std::string edges;
+  if (!d.origin.empty())
+    for (const std::string_view edge : split(d.origin, ' ')) edges += (edges.empty() ? "" : ", ") + json_string(edge);
+  return edges.empty() ? json + "}" : json + ", \"edges\": [" + edges + "]}";
+}
+
+}  // namespace
+
+std::string format_comparison(const Comparison& comparison, double tolerance) {
+  std::string text;
+  for (const Difference& d : comparison.differences) text += format_difference(d, comparison.pages.size() > 1) + "\n";
+  if (!comparison.compares_texts) text += "texts of PDF files are not compared\n";
+  if (text.empty() || comparison.differences.empty())
+    return text + "no differences above " + format_number(tolerance) + " mm\n";
+  const std::array<int, kinds> count = counts(comparison);
+  text += std::to_string(comparison.differences.size()) +
+          (comparison.differences.size() == 1 ? " difference" : " differences") + " above " + format_number(tolerance) +
+          " mm:";
+  std::string separator = " ";
+  for (std::size_t i = 0; i < kinds; ++i) {
+    if (count[i] == 0) continue;
+    text.append(separator).append(std::to_string(count[i])).append(" ").append(name_of(static_cast<Change>(i)));
+    separator = ", ";
+  }
+  return text + "\n";
+}
+
+std::string to_json(const Comparison& comparison, double tolerance, const std::string& before,
+                    const std::string& after) {
+  std::string json = "{\"epura_compare\": 1, \"before\": " + json_string(before) +
+                     ", \"after\": " + json_string(after) + ",\n \"tolerance\": " + format_number(tolerance) +
+                     ", \"same\": " + (comparison.differences.empty() ? "true" : "false") +
+                     ", \"texts_compared\": " + (comparison.compares_texts ? "true" : "false") + ",\n \"counts\": {";
+  const std::array<int, kinds> count = counts(comparison);
+  for (std::size_t i = 0; i < kinds; ++i)
+    json += (i > 0 ? ", " : "") + json_string(name_of(static_cast<Change>(i))) + ": " + std::to_string(count[i]);
+  json += "},\n \"differences\": [";
+  for (const Difference& d : comparison.differences)
+    json += (&d == comparison.differences.data() ? "\n  " : ",\n  ") + json_of(d);
+  return json + "]}\n";
+}
+
+}  // namespace epura

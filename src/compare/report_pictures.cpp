@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "compare/report_pictures.hpp"
+
+#include "compare/overlay.hpp"
+#include "output/write.hpp"
+
+namespace epura {
+
+namespace {
+
+std::string svg_of(const Sheet& sheet) {
+  VectorOptions options;
+  options.plain = true;
+  options.decimals = 3;
+  return to_svg(sheet, options);
+}
+
+std::vector<std::string> svgs_of(const PictureFile& file) {
+  std::vector<std::string> pictures;
+  for (const Picture& page : file.pages) pictures.push_back(svg_of(sheet_of(page)));
+  return pictures;
+}
+
+}  // namespace
+
+ReportedCase reported_case(const std::string& name, bool good, const std::string& words, const PictureFile& expected,
+                           const PictureFile& actual, const Comparison& comparison) {
+  ReportedCase reported{name, good, words, svgs_of(expected), {}, svgs_of(actual)};
+  for (const PageComparison& page : comparison.pages) reported.overlays.push_back(svg_of(overlay_of(page)));
+  return reported;
+}
+
+}  // namespace epura

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+// A comparison as a case of a report, with its pictures.
+#pragma once
+
+#include <string>
+
+#include "compare/comparison.hpp"
+#include "compare/html_report.hpp"
+
+namespace epura {
+
+ReportedCase reported_case(const std::string& name, bool good, const std::string& words, const PictureFile& expected,
+                           const PictureFile& actual, const Comparison& comparison);
+
+}  // namespace epura

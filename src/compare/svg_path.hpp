@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Path data as readers of SVG take it. SVG 1.1, 8.3.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "base/vec.hpp"
+#include "compare/picture_maker.hpp"
+
+namespace epura {
+
+/// A line without a break; the first point is not repeated at the end of a closed one.
+struct SvgLine {
+  std::vector<Vec2> points;
+  bool closed = false;
+};
+
+struct SvgPath {
+  std::vector<SvgLine> lines{};  ///< curves as lines
+  std::vector<Vec2> controls{};  ///< control points of Bezier curves
+};
+
+/// The commands M L H V C Q A Z and m l h v c q a z, y down. Nothing for text that is no such path.
+/// Throws Error{input} where there is no room for all of it.
+std::optional<SvgPath> read_svg_path(std::string_view data, PieceRoom& room);
+
+}  // namespace epura

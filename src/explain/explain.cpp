@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "explain/explain.hpp"
+
+#include <algorithm>
+
+#include "drawing/ink.hpp"
+#include "explain/reason.hpp"
+#include "explain/wording.hpp"
+
+namespace epura {
+
+namespace {
+
+constexpr std::size_t most_named = 5;
+// The line that has the ink may have taken it from one that had taken it before.
+constexpr double steps_of_coincidence = 2;
+
+struct Storyteller {
+  const ExplainInput& drawn_view;
+  const FeatureEdge& edge;
+  Subject subject;
+
+  [[nodiscard]] Vec2 place(double s) const { return place_on_paper(drawn_view.view, drawn_view.paper, edge, s); }
+  [[nodiscard]] std::string in_space(double s) const {
+    return format_value(parameter_in_space(drawn_view.view, edge, s));
+  }
+
+  [[nodiscard]] std::string story(const Span& span, const std::vector<Occlusion>& hiders) const {
+    std::string text = std::string("  ") + (span.visible ? "visible" : "hidden ") + " t " + in_space(span.from) +
+                       " to " + in_space(span.to) + ", " + format_value(place(span.from)) + " to " +
+                       format_value(place(span.to)) + " mm\n";
+    if (!span.visible) text += hidden_by(span, hiders);
+    return text + ink_of(span);
+  }
+
+  [[nodiscard]] std::string hidden_by(const Span& span, const std::vector<Occlusion>& hiders) const {
+    std::string text;
+    std::size_t count = 0;
+    for (const Occlusion& hider : hiders) {
+      std::string parts;
+      for (const auto& [begin, end] : hider.parts) {
+        const double from = std::max(begin, span.from);
+        const double to = std::min(end, span.to);
+        if (from < to) parts += (parts.empty() ? "" : ", ") + in_space(from) + " to " + in_space(to);
+      }
+      if (parts.empty() || ++count > most_named) continue;
+      text += "    by face " + name_of(hider.face) + " of " + drawn_view.world.models[hider.face[0]].mesh->report.name +
+              ", " + format_value(hider.ahead) + " in front, t " + parts + "\n";
+    }
+    if (count > most_named) text += "    and by " + std::to_string(count - most_named) + " more\n";
+    return text;
+  }
+
+  [[nodiscard]] bool is_own(const Segment& segment) const {
+    if (segment.model != edge.model) return false;
+    const std::vector<FaceName> faces = faces_at(drawn_view, subject);
+    if (subject.mesh_edge < 0)
+      return segment.crossing >= 0 && std::equal(faces.begin(), faces.end(), faces_of(segment).begin());
+    const Mesh& mesh = *drawn_view.world.models[edge.model].mesh;
+    const EdgeOrigin origin = mesh.origin_of(mesh.edges[edge.mesh_edge]);
+    if (!origin.in_file) return segment.kind == EdgeKind::section && faces_of(segment)[0] == faces[0];
+    return segment.edge == origin.vertex;
+  }
+
+  // Where a span has no ink of its own: which edges draw that place, or why nothing does.
+  [[nodiscard]] std::string ink_of(const Span& span) const {
+    const Coincidence limits = coincidence_on_paper(drawn_view.view, drawn_view.contact, drawn_view.paper);
+    if (!span.visible && !drawn_view.keep_hidden) return "    no ink: hidden lines are not wanted\n";
+    if (!(glm::distance(place(span.from), place(span.to)) > limits.tolerance))
+      return "    no ink: a point on the page\n";
+    const Ruler line(place(span.from), place(span.to));
+    Spans inked;
+    std::vector<std::string> others;
+    for (const Segment& segment : drawn_view.drawing.segments) {
+      const bool own = segment.visible == span.visible && is_own(segment);
+      const double tolerance = steps_of_coincidence * limits.tolerance;
+      const auto part = covered_part(line, segment.from, segment.to, tolerance, own ? 0 : limits.min);
+      if (!(part[0] < part[1])) continue;
+      if (own)
+        add_span(inked, part);
+      else
+        others.push_back(over(line, part) + name_of(segment));
+    }
+    if (covers(inked, limits.min, line.length - limits.min)) return "";
+    std::string text;
+    for (const std::string& other : others) text += "    no ink " + other + " is drawn there\n";
+    return text.empty() ? "    no ink: shorter than " + format_value(limits.min) + " mm\n" : text;
+  }
+
+  [[nodiscard]] static std::string over(const Ruler& line, const std::array<double, 2>& part) {
+    return "from " + format_value(line.from + part[0] * line.along) + " to " +
+           format_value(line.from + part[1] * line.along) + " mm: ";
+  }
+
+  [[nodiscard]] static std::string name_of(const FaceName& face) { return epura::name_of(face); }
+  [[nodiscard]] const std::array<FaceName, 2>& faces_of(const Segment& segment) const {
+    return drawn_view.drawing.crossings[segment.crossing].faces;
+  }
+  [[nodiscard]] std::string name_of(const Segment& segment) const {
+    const std::string kind = (segment.visible ? "visible " : "hidden ") + std::string(epura::name_of(segment.kind));
+    if (segment.edge[0] < 0) {
+      const auto& [face, other] = faces_of(segment);
+      return kind + " " + name_of(face) + (other[0] < 0 ? "" : "x" + name_of(other));
+    }
+    return kind + " " + std::to_string(segment.model) + ":" + std::to_string(segment.edge[0]) + "-" +
+           std::to_string(segment.edge[1]);
+  }
+};
+
+}  // namespace
+
+std::string explain(const ExplainInput& drawn_view, const TriangleBoxes& boxes, const Subject& subject) {
+  const auto ends = ends_of(drawn_view, subject);
+  std::string text = name_of(drawn_view, subject) + " of " + drawn_view.world.models[subject.model].mesh->report.name +
+                     ", " + format_value(ends[0]) + " to " + format_value(ends[1]) + "\n  " +
+                     reason_of(drawn_view, subject) + "\n";
+  if (subject.drawn < 0) return text;
+  const Storyteller teller{drawn_view, drawn_view.drawn.edges[subject.drawn], subject};
+  const std::vector<Occlusion> hiders = find_hiders(drawn_view, boxes, subject.drawn);
+  for (const Span& span : spans_of(drawn_view.hidden, subject.drawn)) text += teller.story(span, hiders);
+  return text;
+}
+
+}  // namespace epura

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "explain/reason.hpp"
+
+#include "base/text.hpp"
+#include "edges/dihedral.hpp"
+#include "edges/feature_edges.hpp"
+#include "explain/wording.hpp"
+
+namespace epura {
+
+namespace {
+
+const Mesh& mesh_of(const ExplainInput& drawn_view, const Subject& subject) {
+  return *drawn_view.world.models[subject.model].mesh;
+}
+
+std::optional<EdgeKind> kind_under(const ExplainInput& drawn_view, const Subject& subject, const EdgeOptions& wishes) {
+  return feature_edges(drawn_view.world, drawn_view.view, subject.model, wishes)[subject.mesh_edge];
+}
+
+std::string fold_of(const ExplainInput& drawn_view, const Subject& subject, bool crease) {
+  const std::string faces = names_of(faces_at(drawn_view, subject));
+  const auto angle = angle_at(drawn_view, subject);
+  if (!angle) return faces + " meet here";
+  const double min = drawn_view.wishes.crease_angle;
+  const std::string text = faces + " turn by " + format_value(*angle) + " degrees";
+  if (crease != (*angle >= min)) return text + ", measured across slivers it is otherwise";
+  return text + "; a crease turns by " + format_value(min) + " or more";
+}
+
+std::string reason_for(const ExplainInput& drawn_view, const Subject& subject, EdgeKind kind) {
+  const std::string faces = names_of(faces_at(drawn_view, subject));
+  switch (kind) {
+    case EdgeKind::contour:
+      return faces + " on one side of it on the page, or one of them seen edge-on";
+    case EdgeKind::boundary:
+      return "no face goes on from " + faces;
+    case EdgeKind::intersection:
+      return faces + " cross, their planes at " + format_value(angle_at(drawn_view, subject).value_or(0)) + " degrees";
+    case EdgeKind::section:
+      return "the cutting plane meets " + faces;
+    default:
+      return fold_of(drawn_view, subject, kind == EdgeKind::crease);
+  }
+}
+
+std::string reason_not_drawn(const ExplainInput& drawn_view, const Subject& subject) {
+  if (const auto kind = kind_under(drawn_view, subject, drawn_view.wishes))
+    return "a " + std::string(name_of(*kind)) + ", but outside of what is drawn";
+  const EdgeOptions all{.smooth = true, .crease_angle = drawn_view.wishes.crease_angle};
+  const auto kind = kind_under(drawn_view, subject, all);
+  if (kind && is_within_surface(*kind)) return reason_for(drawn_view, subject, *kind);
+  if (kind) return std::string(name_of(*kind)) + " edges are not wanted; " + reason_for(drawn_view, subject, *kind);
+  if (mesh_of(drawn_view, subject).edges[subject.mesh_edge].diagonal)
+    return "a diagonal of " + names_of(faces_at(drawn_view, subject));
+  return "the long side of a sliver; its short sides are judged instead";
+}
+
+}  // namespace
+
+std::optional<double> angle_at(const ExplainInput& drawn_view, const Subject& subject) {
+  if (subject.mesh_edge < 0) return drawn_view.drawn.crossings[drawn_view.drawn.edges[subject.drawn].crossing].angle;
+  const Mesh& mesh = mesh_of(drawn_view, subject);
+  const MeshEdge& edge = mesh.edges[subject.mesh_edge];
+  if (edge.count != 2) return std::nullopt;
+  const auto both = mesh.triangles_of(edge);
+  const int first = drawn_view.world.first_vertex[subject.model];
+  return fold_angle({drawn_view.world, subject.model, drawn_view.view.map.scale_exponent},
+                    {first + edge.vertex[0], first + edge.vertex[1]}, both[0], both[1]);
+}
+
+std::string reason_of(const ExplainInput& drawn_view, const Subject& subject) {
+  if (subject.drawn < 0) return "not drawn: " + reason_not_drawn(drawn_view, subject);
+  const EdgeKind kind = drawn_view.drawn.edges[subject.drawn].kind;
+  return "drawn as " + std::string(name_of(kind)) + ": " + reason_for(drawn_view, subject, kind);
+}
+
+}  // namespace epura

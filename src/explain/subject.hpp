@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a question is about: an edge of a model or an intersection line, drawn or not.
+//
+// Names, as in SVG and JSON, counted from 0: an edge is MODEL:VERTEX-VERTEX, a face (and the line along which a plane
+// cuts it) MODEL:FACE, and the intersection line of two faces MODEL:FACExMODEL:FACE.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "explain/explain_input.hpp"
+
+namespace epura {
+
+struct Subject {
+  int model;
+  int mesh_edge;  ///< in its model; -1 for an intersection line
+  int drawn;      ///< in FeatureEdges::edges; -1 where no part of it is drawn
+};
+
+/// A face of a file: the number of its model, and its own.
+using FaceName = std::array<int, 2>;
+
+/// The face that a triangle of the world is part of.
+FaceName face_of(const World& world, int triangle);
+
+/// The faces of the file that meet in an edge, each once, or that cross in an intersection line.
+std::vector<FaceName> faces_at(const ExplainInput& drawn_view, const Subject& subject);
+
+std::string name_of(const FaceName& face);
+std::string name_of(const ExplainInput& drawn_view, const Subject& subject);
+/// A list in words: "face 0:1" or "faces 0:1, 0:2 and 0:3".
+std::string names_of(const std::vector<FaceName>& faces);
+
+/// The ends in the world.
+std::array<Vec3, 2> ends_of(const ExplainInput& drawn_view, const Subject& subject);
+
+/// The subject that is the e-th drawn edge.
+Subject drawn_subject(const ExplainInput& drawn_view, std::size_t e);
+
+/// A part of a drawn edge, as page parameters.
+struct Span {
+  double from, to;
+  bool visible;
+};
+
+/// All of the e-th drawn edge, in order.
+std::vector<Span> spans_of(const HiddenSpans& hidden, std::size_t e);
+
+}  // namespace epura

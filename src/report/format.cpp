@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "report/format.hpp"
+
+#include "base/text.hpp"
+
+namespace epura {
+
+namespace {
+
+std::string millimetres(double length) { return format_fixed(length, 3) + " mm"; }
+
+std::string percent(double share) { return format_fixed(100 * share, 4) + " %"; }
+
+std::string name_of(const FacetName& facet) {
+  return "facet " + std::to_string(facet.face) + " of model " + std::to_string(facet.model);
+}
+
+std::string position_of(const Mismatch& mismatch) {
+  std::string text = "model " + std::to_string(mismatch.model) + " edge " + std::to_string(mismatch.edge[0]) + "-" +
+                     std::to_string(mismatch.edge[1]);
+  if (mismatch.facets.size() == 2)
+    text = "where " + name_of(mismatch.facets[0]) + " crosses " + name_of(mismatch.facets[1]);
+  return text + " at t = " + format_number(mismatch.t) + ", page " + format_fixed(mismatch.page.x, 3) + "," +
+         format_fixed(mismatch.page.y, 3);
+}
+
+std::string reason_of(const Mismatch& mismatch) {
+  if (mismatch.what == "not drawn") return "the drawing has no line there";
+  return mismatch.hider ? name_of(*mismatch.hider) + " hides it" : "nothing hides it";
+}
+
+std::string what_of(const OutlineFault& fault) {
+  std::string text = fault.what == "missing"   ? "a line is missing"
+                     : fault.what == "doubled" ? "a line is drawn twice"
+                                               : "nothing asks for a line";
+  text += " at page " + format_fixed(fault.page.x, 3) + "," + format_fixed(fault.page.y, 3) + ", " +
+          millimetres(fault.length) + " long";
+  if (fault.edge[0] >= 0)
+    return text + ": model " + std::to_string(fault.model) + " edge " + std::to_string(fault.edge[0]) + "-" +
+           std::to_string(fault.edge[1]);
+  for (std::size_t i = 0; i < fault.facets.size(); ++i) text += (i == 0 ? ": " : " and ") + name_of(fault.facets[i]);
+  return text;
+}
+
+std::string format_outline(const OutlineCheck& outline) {
+  const auto at = [&](int places) {
+    return std::to_string(places) + " (" + millimetres(places * outline.length) + ")";
+  };
+  std::string text = "outline: " + std::to_string(outline.lines) + " lines across the page meet " + at(outline.asked) +
+                     " places that ask for ink, " + at(outline.missing) + " without it; " + at(outline.ink) +
+                     " places with ink, " + at(outline.unfounded) + " unfounded, " + at(outline.doubled) +
+                     " doubled; " + std::to_string(outline.undecided) + " undecided; with 95 % confidence at most " +
+                     percent(outline.at_most) + " wrong\n";
+  for (const OutlineFault& fault : outline.worst) text += "wrong: " + what_of(fault) + "\n";
+  return text;
+}
+
+}  // namespace
+
+std::string format_verification(const Verification& v) {
+  std::string text = "verified " + std::to_string(v.points) + " points: " + std::to_string(v.decided) + " decided, " +
+                     std::to_string(v.wrong) + " wrong, " + std::to_string(v.points - v.decided) + " undecided\n";
+  text += "misclassified by " + std::to_string(v.samples) +
+          " of them at random: " + millimetres(v.misclassified * v.length) + " of " + millimetres(v.length) + " (" +
+          percent(v.misclassified) + "), with 95 % confidence at most " + millimetres(v.at_most * v.length) + " (" +
+          percent(v.at_most) + "); undecided " + percent(v.undecided) + ", too short to test " + percent(v.untested) +
+          "\n";
+  for (const Mismatch& mismatch : v.worst)
+    text += "wrong: " + position_of(mismatch) + " is " + mismatch.what + ", but " + reason_of(mismatch) + "\n";
+  return text + format_outline(v.outline);
+}
+
+}  // namespace epura

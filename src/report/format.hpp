@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a run found, in sentences.
+#pragma once
+
+#include <string>
+
+#include "report/report.hpp"
+
+namespace epura {
+
+/// One sentence a line.
+std::string format_verification(const Verification& verification);
+
+}  // namespace epura

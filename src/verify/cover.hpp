@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// What one triangle does to the ray from one point to the viewer.
+//
+// Not the ray alone is asked but a small square of rays around it: the answer at the point is only certain where it
+// does not change within the tolerance to which places on the page are guaranteed.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "verify/polygon.hpp"
+#include "verify/sight.hpp"
+
+namespace epura {
+
+/// Lengths in mm of paper.
+struct Tolerance {
+  double size;     ///< of the drawing: its longest side
+  double contact;  ///< a face hides what lies more than this times its steepness behind it, in depth
+
+  /// Half the side of the square: to this every place on the page is guaranteed (docs/numerics.md).
+  [[nodiscard]] double sideways() const { return 1e-9 * size; }
+};
+
+/// The part of a triangle before the square of rays.
+struct Portion {
+  int triangle;              ///< of the world
+  bool in_front;             ///< surely before the point by more than contact; otherwise perhaps
+  double depth;              ///< how far before it, mm
+  std::vector<Vec2> corner;  ///< on the page from the point, the half side of the square being 1; empty unless in front
+};
+
+/// Looks from one point, first in doubles with bounds, and in rationals where those leave doubt.
+class Lookout {
+ public:
+  /// The point is a + t (b - a) on `line`.
+  Lookout(const Viewing& viewing, const Tolerance& tolerance, const std::array<Vec3, 2>& line, double t);
+
+  /// Nothing: the triangle surely does not hide the point. `joined`: it shares a corner with the point's edge, and
+  /// hides however little it lies before it.
+  [[nodiscard]] std::optional<Portion> look(const std::array<Vec3, 3>& corners, int triangle, bool joined) const;
+
+ private:
+  const Viewing* viewing_;
+  const Tolerance* tolerance_;
+  std::array<Vec3, 2> line_;
+  double t_;
+  Sight<Bounded> sight_;
+};
+
+}  // namespace epura

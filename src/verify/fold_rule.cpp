@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verify/fold_rule.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+namespace epura {
+
+namespace {
+
+constexpr double degrees = 180 / std::numbers::pi;
+// Of the world: what is left of doubles after a few operations.
+constexpr double rounding = 0x1p-40;
+// How many times the precision of coordinates may turn a plane, and below how many times it a triangle has none.
+constexpr double turned_by = 4, needle = 16;
+// Degrees: a fold this near to the threshold may be meant to be on it.
+constexpr double angle_margin = 1e-3;
+// Facets of curved surfaces that coincide cross by as much as these turn; so much more is a crossing beyond doubt.
+constexpr double clearly = 1.5;
+
+double size_of(const World& world) {
+  const Vec3 size = world.box.size();
+  return std::max({size.x, size.y, size.z});
+}
+
+double shrink_of(const World& world) {
+  const double size = size_of(world);
+  return size > 0 ? std::ldexp(1.0, -std::ilogb(size)) : 1;
+}
+
+double precision_of(const World& world) { return std::max(world.rounding, rounding * size_of(world)); }
+
+double angle_between(const Vec3& a, const Vec3& b) {
+  return degrees * std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
+
+}  // namespace
+
+FoldRule::FoldRule(const World& world, const EdgeOptions& wishes, double small)
+    : world_(world),
+      wishes_(wishes),
+      shrink_(shrink_of(world)),
+      precision_(precision_of(world) * shrink_),
+      small_(std::max(small * shrink_, needle * precision_)) {}
+
+FoldRule::Sheets FoldRule::sheets_at(const std::array<int, 2>& edge) const {
+  const auto above = std::ranges::upper_bound(world_.first_vertex, edge[0]);
+  const int model = static_cast<int>(above - world_.first_vertex.begin()) - 1;
+  const Mesh& mesh = *world_.models[model].mesh;
+  const std::array<int, 2> key{edge[0] - world_.first_vertex[model], edge[1] - world_.first_vertex[model]};
+  const auto found = std::ranges::lower_bound(mesh.edges, key, {}, &MeshEdge::vertex);
+  if (found == mesh.edges.end() || found->vertex != key) return {};
+  std::map<int, std::vector<int>> bodies;
+  for (const int t : mesh.triangles_of(*found)) bodies[mesh.body[t]].push_back(world_.first_triangle[model] + t);
+  Sheets sheets{&*found, {}};
+  for (auto& [body, triangles] : bodies) sheets.bodies.push_back(std::move(triangles));
+  return sheets;
+}
+
+// The normal, as long as twice the triangle is large.
+Vec3 FoldRule::area(int triangle) const {
+  const auto& [a, b, c] = world_.triangles[triangle];
+  return glm::cross(point(b) - point(a), point(c) - point(a));
+}
+
+double FoldRule::shrunk_height(int triangle) const {
+  const auto& [a, b, c] = world_.triangles[triangle];
+  const Vec3 p = point(a), q = point(b), r = point(c);
+  const double longest = std::max({glm::distance(p, q), glm::distance(q, r), glm::distance(r, p)});
+  return longest > 0 ? glm::length(area(triangle)) / longest : 0;
+}
+
+bool FoldRule::is_needle(int triangle, Needle kind) const {
+  const double limit = kind == Needle::surely ? precision_ : kind == Needle::perhaps ? needle * precision_ : small_;
+  return shrunk_height(triangle) <= limit;
+}
+
+bool FoldRule::same_polygon(int first, int second) const {
+  const int model = world_.model_of_triangle(first);
+  if (world_.model_of_triangle(second) != model) return false;
+  const auto& polygon = world_.models[model].mesh->polygon;
+  return polygon[first - world_.first_triangle[model]] == polygon[second - world_.first_triangle[model]];
+}
+
+// Each triangle goes away from the edge towards the corner that is farthest from it; flat is straight on.
+double FoldRule::fold_angle(const std::array<int, 2>& edge, int first, int second) const {
+  const Vec3 from = point(edge[0]);
+  const Vec3 along = glm::normalize(point(edge[1]) - from);
+  const auto away = [&](int triangle) {
+    Vec3 farthest(0);
+    for (const int v : world_.triangles[triangle]) {
+      const Vec3 to = point(v) - from, beside = to - glm::dot(to, along) * along;
+      if (glm::length(beside) > glm::length(farthest)) farthest = beside;
+    }
+    return farthest;
+  };
+  return angle_between(away(first), -away(second));
+}
+
+// Degrees by which the plane of a triangle may be wrong.
+double FoldRule::doubt(int triangle) const {
+  return degrees * turned_by * precision_ / std::max(shrunk_height(triangle), precision_);
+}
+
+// Degrees between a triangle and the mean plane of its polygon: a bent polygon has no plane.
+double FoldRule::bend(int triangle) const {
+  const int model = world_.model_of_triangle(triangle), first = world_.first_triangle[model];
+  const auto& polygon = world_.models[model].mesh->polygon;
+  const int last = first + static_cast<int>(polygon.size());
+  Vec3 mean(0);
+  const auto belongs = [&](int t) { return polygon[t - first] == polygon[triangle - first]; };
+  for (int t = triangle; t < last && belongs(t); ++t) mean += area(t);
+  for (int t = triangle - 1; t >= first && belongs(t); --t) mean += area(t);
+  return glm::length(mean) > 0 ? angle_between(area(triangle), mean) : 180;
+}
+
+// The largest fold at the sides of a triangle that is not a crease: how far its surface turns from facet to facet.
+double FoldRule::turn(int triangle) const {
+  const auto& corner = world_.triangles[triangle];
+  double max = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto [a, b] = std::minmax(corner[i], corner[(i + 1) % 3]);
+    for (const auto& body : sheets_at({a, b}).bodies) {
+      if (body.size() != 2) continue;
+      const double fold = fold_angle({a, b}, body[0], body[1]);
+      if (fold < wishes_.crease_angle) max = std::max(max, fold);
+    }
+  }
+  return max;
+}
+
+Need FoldRule::fold(const std::array<int, 2>& edge, int first, int second) const {
+  if (same_polygon(first, second)) return Need::none;
+  if (wishes_.smooth) return Need::asked;
+  if (!wishes_.crease) return Need::none;
+  const double fold = fold_angle(edge, first, second);
+  const double margin = angle_margin + doubt(first) + doubt(second) + bend(first) + bend(second);
+  if (fold >= wishes_.crease_angle + margin) return Need::asked;
+  return fold <= wishes_.crease_angle - margin ? Need::none : Need::possible;
+}
+
+Need FoldRule::crossing(int first, int second, double contact) const {
+  if (!wishes_.intersection) return Need::none;
+  for (const int v : world_.triangles[first])
+    if (std::ranges::count(world_.triangles[second], v) > 0) return Need::possible;
+  const Vec3 n1 = glm::normalize(area(first)), n2 = glm::normalize(area(second));
+  const double angle = degrees * std::asin(std::min(1.0, glm::length(glm::cross(n1, n2))));
+  if (!(angle > clearly * (turn(first) + turn(second)) / 2 + doubt(first) + doubt(second))) return Need::possible;
+  const auto goes_through = [&](int triangle, int plane, const Vec3& n) {
+    double min = HUGE_VAL, max = -HUGE_VAL;
+    for (const int v : world_.triangles[triangle]) {
+      const double distance = glm::dot(n, point(v) - point(world_.triangles[plane][0]));
+      min = std::min(min, distance);
+      max = std::max(max, distance);
+    }
+    return min < -contact * shrink_ && max > contact * shrink_;
+  };
+  return goes_through(first, second, n2) && goes_through(second, first, n1) ? Need::asked : Need::possible;
+}
+
+Need FoldRule::outline(const std::array<int, 2>& edge) const {
+  const Sheets sheets = sheets_at(edge);
+  if (sheets.edge == nullptr || sheets.edge->cut == CutEdge::inside) return Need::possible;
+  if (sheets.edge->cut == CutEdge::outline) return Need::asked;
+  const bool asked = std::ranges::any_of(sheets.bodies, [&](const std::vector<int>& body) {
+    return body.size() == 1 ? wishes_.boundary : body.size() == 2 ? wishes_.contour : wishes_.crease;
+  });
+  return asked ? Need::asked : Need::possible;
+}
+
+}  // namespace epura

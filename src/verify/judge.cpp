@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verify/judge.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <map>
+#include <numeric>
+#include <utility>
+
+#include "base/parallel.hpp"
+#include "verify/patch.hpp"
+#include "verify/probe_grid.hpp"
+
+namespace epura {
+
+namespace {
+
+constexpr std::size_t chunk = 4096;
+// Of the square of rays, whose area is 4: what may stay uncovered where triangles join.
+constexpr double least_gap = 0.01;
+
+struct Met {
+  int probe;
+  Portion portion;
+};
+
+// For each portion the number of one that its triangle reaches across common edges of these triangles.
+std::vector<std::size_t> connected_parts(const World& world, const std::vector<Portion>& portions) {
+  std::vector<std::size_t> part(portions.size());
+  std::iota(part.begin(), part.end(), 0);
+  const auto root = [&](std::size_t i) {
+    while (part[i] != i) i = part[i] = part[part[i]];
+    return i;
+  };
+  std::map<std::pair<int, int>, std::size_t> owner;
+  for (std::size_t i = 0; i < portions.size(); ++i) {
+    const auto& corner = world.triangles[portions[i].triangle];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [first, other] = std::minmax(corner[k], corner[(k + 1) % 3]);
+      part[root(i)] = root(owner.try_emplace({first, other}, i).first->second);
+    }
+  }
+  for (std::size_t i = 0; i < part.size(); ++i) part[i] = root(i);
+  return part;
+}
+
+// Whether triangles that hang together cover the square. Strangers that merely abut on the page leave a gap when one
+// of them moves by less than the tolerance.
+bool covered(const World& world, const std::vector<Portion>& portions) {
+  std::map<std::size_t, std::vector<ConvexPolygon>> parts;
+  const std::vector<std::size_t> part = connected_parts(world, portions);
+  for (std::size_t i = 0; i < portions.size(); ++i) parts[part[i]].push_back(portions[i].corner);
+  return std::ranges::any_of(parts, [](const auto& one) { return uncovered(one.second) < least_gap; });
+}
+
+class Judge {
+ public:
+  Judge(const VerifyInput& claim, const Tolerance& tolerance, std::span<const Probe> probes, bool name_facets)
+      : claim_(claim),
+        viewing_(viewing_of(claim)),
+        probes_(probes),
+        name_facets_(name_facets),
+        frame_(sight_from(viewing_, place_of(probes[0])), 4 * tolerance.sideways()),
+        grid_(extents()),
+        settled_(probes.size()),
+        doubted_(probes.size()) {
+    for (const Probe& probe : probes) lookouts_.emplace_back(viewing_, tolerance, line_of(probe), probe.t);
+  }
+
+  std::vector<ProbeVerdict> verdicts(const Progress& progress) {
+    const std::size_t count = claim_.world.triangles.size();
+    std::vector<std::vector<Met>> met((count + chunk - 1) / chunk);
+    progress.begin("verifying", met.size());
+    parallel_for(met.size(), 1, progress, [&](std::size_t first, std::size_t last) {
+      for (std::size_t part = first; part < last; ++part)
+        for (std::size_t t = part * chunk; t < std::min((part + 1) * chunk, count); ++t) {
+          progress.expect_time();
+          meet(static_cast<int>(t), met[part]);
+        }
+      progress.advance(last - first);
+    });
+    std::vector<std::vector<Portion>> portions(probes_.size());
+    for (std::vector<Met>& part : met)
+      for (Met& one : part) portions[one.probe].push_back(std::move(one.portion));
+    std::vector<ProbeVerdict> verdicts(probes_.size());
+    for (std::size_t i = 0; i < verdicts.size(); ++i) {
+      progress.expect_time();
+      verdicts[i] = verdict_of(i, portions[i]);
+    }
+    return verdicts;
+  }
+
+ private:
+  [[nodiscard]] std::array<Vec3, 2> line_of(const Probe& probe) const {
+    return claim_.ends_of(claim_.drawn.edges[probe.edge]);
+  }
+  [[nodiscard]] Triple<Bounded> place_of(const Probe& probe) const {
+    return place_on<Bounded>(line_of(probe), probe.t);
+  }
+
+  [[nodiscard]] std::vector<Extent> extents() const {
+    std::vector<Extent> list;
+    for (const Probe& probe : probes_) list.push_back(frame_.extent_of(place_of(probe)));
+    return list;
+  }
+
+  // What one triangle does to all probes. A probe that one triangle hides for certain needs no others.
+  void meet(int triangle, std::vector<Met>& met) {
+    const auto& vertex = claim_.world.triangles[triangle];
+    const auto& points = claim_.world.points;
+    const std::array corners{points[vertex[0]], points[vertex[1]], points[vertex[2]]};
+    const std::optional<Extent> extent = frame_.extent_of(corners);
+    if (!extent) return;
+    grid_.overlapping(*extent, [&](int probe) {
+      if (settled_[probe].load(std::memory_order_relaxed) && !name_facets_) return;
+      const FeatureEdge& edge = claim_.drawn.edges[probes_[probe].edge];
+      if (claim_.contains(edge, triangle)) return;
+      auto portion = lookouts_[probe].look(corners, triangle, claim_.joined(edge, triangle));
+      if (!portion) return;
+      if (!portion->in_front) return doubted_[probe].store(true, std::memory_order_relaxed);
+      if (uncovered({portion->corner}) < least_gap) settled_[probe].store(true, std::memory_order_relaxed);
+      met.push_back({probe, std::move(*portion)});
+    });
+  }
+
+  [[nodiscard]] ProbeVerdict verdict_of(std::size_t probe, const std::vector<Portion>& portions) const {
+    if (portions.empty() && !doubted_[probe]) return {};
+    if (!settled_[probe] && !covered(claim_.world, portions)) return {ProbeAnswer::undecided};
+    const auto nearest = std::ranges::min_element(portions, {}, &Portion::depth);
+    return {ProbeAnswer::hidden, name_facets_ ? nearest->triangle : -1};
+  }
+
+  const VerifyInput& claim_;
+  Viewing viewing_;
+  std::span<const Probe> probes_;
+  bool name_facets_;
+  PageFrame frame_;
+  ProbeGrid grid_;
+  std::vector<Lookout> lookouts_;
+  std::vector<std::atomic<bool>> settled_;  ///< hidden by one triangle
+  std::vector<std::atomic<bool>> doubted_;  ///< perhaps hidden by one
+};
+
+}  // namespace
+
+std::vector<ProbeVerdict> judge(const VerifyInput& claim, const Tolerance& tolerance, std::span<const Probe> probes,
+                                bool name_facets, const Progress& progress) {
+  if (probes.empty()) return {};
+  return Judge(claim, tolerance, probes, name_facets).verdicts(progress);
+}
+
+}  // namespace epura

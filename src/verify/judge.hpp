@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// The truth about points of edges, found from all triangles of the world.
+//
+// A point is hidden where a triangle that does not contain its edge lies between it and the viewer, more than the
+// contact tolerance before it. The answer is given only where it holds within the tolerance of the guarantee.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/progress.hpp"
+#include "verify/cover.hpp"
+#include "verify/verify_input.hpp"
+
+namespace epura {
+
+/// A point of a drawn edge.
+struct Probe {
+  int edge;  ///< in FeatureEdges::edges
+  double t;  ///< along the whole edge in space
+};
+
+enum class ProbeAnswer { visible, hidden, undecided };
+
+struct ProbeVerdict {
+  ProbeAnswer answer = ProbeAnswer::visible;
+  int facet = -1;  ///< the triangle that hides the point, the nearest before it; -1 where it was not asked for
+};
+
+/// One verdict for each probe. With `name_facets` nothing is left out that an answer does not need, which takes longer.
+/// Throws OutOfTime.
+std::vector<ProbeVerdict> judge(const VerifyInput& claim, const Tolerance& tolerance, std::span<const Probe> probes,
+                                bool name_facets, const Progress& progress = {});
+
+}  // namespace epura

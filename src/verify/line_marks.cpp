@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verify/line_marks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace epura {
+
+namespace {
+
+// A step in depth is one where it exceeds so many times what faces may touch by.
+constexpr double clear_step = 8;
+// A surface may lie so many times that behind another one and still be seen through it.
+constexpr double seen_through = 32;
+// In what the page is rounded by: triangles not wider than this are lines there, unless they are as narrow in space.
+constexpr double edge_on = 8, narrow = 0.1;
+// Of needles side by side; more than that is not a surface any more.
+constexpr int longest_row = 64;
+// Of a piece: cut by a limit of depth there, or it goes on.
+constexpr int cut_there = -1, goes_on = -2;
+
+}  // namespace
+
+LineMarks::LineMarks(const ScanScene& scene, const FoldRule& rule, const ScanLine& line, const MarkLimits& limits,
+                     std::span<const int> triangles)
+    : scene_(scene), rule_(rule), limits_(limits), slice_(cut(scene, line, triangles)), seen_(upper_envelope(slice_)) {}
+
+// Those from `from` to `to`, each with what is seen on both sides.
+std::vector<LineMarks::Change> LineMarks::changes(double from, double to) const {
+  std::vector<Change> list;
+  const auto first = std::ranges::lower_bound(seen_, from, {}, &SeenPart::to);
+  for (auto part = first; part != seen_.end() && part->from <= to; ++part) {
+    const bool joined = part != seen_.begin() && std::prev(part)->to == part->from;
+    const bool continued = std::next(part) != seen_.end() && std::next(part)->from == part->to;
+    if (part->from >= from) list.push_back({part->from, joined ? std::prev(part)->piece : -1, part->piece});
+    if (!continued && part->to <= to) list.push_back({part->to, part->piece, -1});
+  }
+  return list;
+}
+
+std::array<int, 2> LineMarks::crossings_between(double from, double to) const {
+  const auto first = std::ranges::lower_bound(slice_.crossings, from, {}, &SliceCrossing::u);
+  const auto last = std::ranges::upper_bound(slice_.crossings, to, {}, &SliceCrossing::u);
+  return {static_cast<int>(first - slice_.crossings.begin()), static_cast<int>(last - slice_.crossings.begin())};
+}
+
+int LineMarks::crossing_at(int piece, double u) const {
+  if (piece < 0) return cut_there;
+  const SlicePiece& p = slice_.pieces[piece];
+  return u == p.u[0] ? p.crossing[0] : u == p.u[1] ? p.crossing[1] : goes_on;
+}
+
+const PieceEnd* LineMarks::end_of(int crossing, int triangle) const {
+  const auto ends = slice_.ends_at(crossing);
+  const auto found =
+      std::ranges::find_if(ends, [&](const PieceEnd& end) { return slice_.pieces[end.piece].triangle == triangle; });
+  return found == ends.end() ? nullptr : &*found;
+}
+
+// Whether rounding may have turned a triangle at an edge from one side of the page's line to the other.
+bool LineMarks::is_edge_on(const std::array<int, 2>& edge, int triangle) const {
+  const auto line = scene_.line_of(edge);
+  if (!line) return true;
+  const Vec2 along = glm::normalize((*line)[1] - (*line)[0]);
+  double width = 0;
+  for (const int v : scene_.world.triangles[triangle]) {
+    if (!scene_.is_before_viewer(v)) return false;
+    const Vec2 to = scene_.place(v) - (*line)[0];
+    width = std::max(width, std::abs(along.x * to.y - along.y * to.x));
+  }
+  const double scale = scene_.page / (1 - scene_.k * scene_.local[edge[0]].z);
+  return width <= edge_on * limits_.quantum + 2 * scene_.world.rounding * scale &&
+         width <= narrow * scale * rule_.height(triangle);
+}
+
+// Needles have no plane: what counts is the triangle that goes on behind them.
+LineMarks::Beyond LineMarks::beyond(int crossing, int triangle, FoldRule::Needle needle) const {
+  for (int step = 0; step < longest_row; ++step) {
+    const PieceEnd* end = end_of(crossing, triangle);
+    if (end == nullptr) return {};
+    const SlicePiece& piece = slice_.pieces[end->piece];
+    if (!rule_.is_needle(triangle, needle)) return {triangle, end->end == 0};
+    crossing = piece.crossing[1 - end->end];
+    if (crossing < 0 || piece.width() > limits_.reach) return {};
+    const auto sheets = rule_.sheets_at(slice_.crossings[crossing].edge).bodies;
+    const auto both = std::ranges::find_if(
+        sheets, [&](const std::vector<int>& body) { return std::ranges::count(body, triangle) > 0; });
+    if (both == sheets.end() || both->size() != 2) return {};
+    triangle = (*both)[0] == triangle ? (*both)[1] : (*both)[0];
+  }
+  return {};
+}
+
+Need LineMarks::pair(int crossing, const std::vector<int>& sheets, FoldRule::Needle needle) const {
+  const Beyond one = beyond(crossing, sheets[0], needle), two = beyond(crossing, sheets[1], needle);
+  if (one.triangle < 0 || two.triangle < 0 || one.triangle == two.triangle) return Need::possible;
+  const std::array<int, 2>& edge = slice_.crossings[crossing].edge;
+  const Need fold = rule_.fold(edge, one.triangle, two.triangle);
+  if (fold != Need::none || !rule_.wishes().contour) return fold;
+  // An outline is asked for where depth jumps.
+  const bool may_be_outline =
+      one.right == two.right || is_edge_on(edge, one.triangle) || is_edge_on(edge, two.triangle);
+  return may_be_outline ? Need::possible : Need::none;
+}
+
+Need LineMarks::need_at(int crossing) const {
+  const FoldRule::Sheets sheets = rule_.sheets_at(slice_.crossings[crossing].edge);
+  if (sheets.edge == nullptr) return Need::possible;
+  if (sheets.edge->cut == CutEdge::inside) return Need::none;
+  if (sheets.edge->cut == CutEdge::outline) return Need::asked;
+  Need strongest = Need::none;
+  for (const std::vector<int>& body : sheets.bodies) {
+    Need need = body.size() == 1        ? rule_.wishes().boundary ? Need::asked : Need::none
+                : rule_.wishes().crease ? Need::asked
+                                        : Need::none;
+    if (body.size() == 2) {
+      need = pair(crossing, body, FoldRule::Needle::perhaps);
+      if (need != pair(crossing, body, FoldRule::Needle::hardly_seen)) need = Need::possible;
+    }
+    strongest = std::max(strongest, need);
+  }
+  return strongest;
+}
+
+// Whether the surface goes on from a crossing to a piece, by pieces that are lines on the page.
+bool LineMarks::continues(int crossing, int piece) const {
+  if (piece < 0) return false;
+  std::vector<int> open{crossing}, met{crossing};
+  while (!open.empty() && met.size() < longest_row) {
+    const int next = open.back();
+    open.pop_back();
+    for (const PieceEnd& end : slice_.ends_at(next)) {
+      if (end.piece == piece) return true;
+      const SlicePiece& other = slice_.pieces[end.piece];
+      const int far = other.crossing[1 - end.end];
+      if (far < 0 || other.width() > limits_.reach || std::ranges::count(met, far) > 0) continue;
+      open.push_back(far);
+      met.push_back(far);
+    }
+  }
+  return false;
+}
+
+bool LineMarks::is_vague(const Change& change) const {
+  return (change.left >= 0 && scene_.is_vague(slice_.pieces[change.left].triangle)) ||
+         (change.right >= 0 && scene_.is_vague(slice_.pieces[change.right].triangle));
+}
+
+void LineMarks::add_marks(const Change& change, std::vector<LineMark>& marks) const {
+  const auto depth = [&](int piece) { return piece < 0 ? -HUGE_VAL : slice_.pieces[piece].depth_at(change.u); };
+  const auto slope = [&](int piece) { return piece < 0 ? 0 : std::abs(slice_.pieces[piece].slope()); };
+  const auto triangle = [&](int piece) { return piece < 0 ? -1 : slice_.pieces[piece].triangle; };
+  const auto mark = [&](int crossing, bool jump) {
+    const auto edge = crossing < 0 ? std::array{-1, -1} : slice_.crossings[crossing].edge;
+    if (marks.empty() || marks.back().u != change.u || marks.back().edge != edge)
+      marks.push_back({change.u, jump, edge, {triangle(change.left), triangle(change.right)}});
+  };
+  const bool left = depth(change.left) >= depth(change.right);
+  const int front = left ? change.left : change.right, back = left ? change.right : change.left;
+  const double step = depth(front) - depth(back);
+  const double rounding = edge_on * limits_.quantum * (slope(front) + slope(back));
+  const int end = crossing_at(front, change.u);
+  if (step > clear_step * limits_.contact + rounding) {
+    if (end >= 0 && !continues(end, back) && rule_.outline(slice_.crossings[end].edge) == Need::asked) mark(end, true);
+  } else if (end == goes_on && crossing_at(back, change.u) == goes_on) {
+    const double contact = clear_step * limits_.contact / scene_.page;
+    if (rule_.crossing(triangle(front), triangle(back), contact) == Need::asked) mark(-1, false);
+  }
+  for (const int piece : {change.left, change.right}) {
+    const int crossing = crossing_at(piece, change.u);
+    if (crossing >= 0 && slice_.crossings[crossing].depth >= depth(front) && need_at(crossing) == Need::asked)
+      mark(crossing, false);
+  }
+}
+
+std::vector<LineMark> LineMarks::asked() const {
+  std::vector<LineMark> marks;
+  for (const Change& change : changes(-HUGE_VAL, HUGE_VAL))
+    if (!is_vague(change)) add_marks(change, marks);
+  return marks;
+}
+
+bool LineMarks::is_break(const Change& change) const {
+  const int one = crossing_at(change.left, change.u), two = crossing_at(change.right, change.u);
+  if (change.left < 0 || change.right < 0 || one == cut_there || two == cut_there) return true;
+  if (one >= 0 && one == two) return false;
+  return !(one >= 0 && continues(one, change.right)) && !(two >= 0 && continues(two, change.left));
+}
+
+// Whether a piece in front of a place surely hides it.
+bool LineMarks::is_hidden_by(const SeenPart& part, double u, double depth) const {
+  const SlicePiece& piece = slice_.pieces[part.piece];
+  const double slack = (seen_through * limits_.contact + limits_.reach) * (1 + std::abs(piece.slope()));
+  return piece.depth_at(u) > depth + slack;
+}
+
+bool LineMarks::is_seen(double u, double depth) const {
+  const auto right = std::ranges::upper_bound(seen_, u, {}, &SeenPart::to);
+  const auto left = std::ranges::lower_bound(seen_, u, {}, &SeenPart::to);
+  if (right == seen_.end() || left == seen_.end() || right->from > u || left->from >= u) return true;
+  return !is_hidden_by(*left, u, depth) || !is_hidden_by(*right, u, depth);
+}
+
+// Whether two faces cross or touch at a place, in front or hardly behind what is.
+bool LineMarks::faces_meet(double u, double reach) const {
+  std::vector<std::array<double, 2>> depths;
+  for (const SlicePiece& piece : slice_.pieces) {
+    const double depth = piece.depth_at(u);
+    if (!(piece.u[0] < u && piece.u[1] > u) || !is_seen(u, depth)) continue;
+    const double touching = (clear_step * limits_.contact + reach) * (1 + std::abs(piece.slope()));
+    depths.push_back({depth - touching, depth + touching});
+  }
+  std::ranges::sort(depths);
+  return std::ranges::adjacent_find(depths, [](const auto& low, const auto& high) { return low[1] >= high[0]; }) !=
+         depths.end();
+}
+
+bool LineMarks::allows(EdgeKind kind, double u, double reach) const {
+  for (auto part = std::ranges::lower_bound(seen_, u - reach, {}, &SeenPart::to);
+       part != seen_.end() && part->from <= u + reach; ++part)
+    if (scene_.is_vague(slice_.pieces[part->piece].triangle)) return true;
+  if (std::ranges::any_of(changes(u - reach, u + reach), [&](const Change& c) { return is_break(c); })) return true;
+  const auto [first, last] = crossings_between(u - reach, u + reach);
+  for (int i = first; i < last; ++i) {
+    if (!is_seen(slice_.crossings[i].u, slice_.crossings[i].depth)) continue;
+    if (need_at(i) != Need::none) return true;
+    const FoldRule::Sheets sheets = rule_.sheets_at(slice_.crossings[i].edge);
+    if (is_within_surface(kind) && !sheets.edge->diagonal && sheets.edge->cut != CutEdge::inside) return true;
+  }
+  return kind == EdgeKind::intersection && faces_meet(u, reach);
+}
+
+bool LineMarks::same_line(const std::array<int, 2>& first, const std::array<int, 2>& second, double u,
+                          double reach) const {
+  const auto [from, to] = crossings_between(u - reach, u + reach);
+  for (int i = from; i < to; ++i) {
+    if (slice_.crossings[i].edge != first) continue;
+    for (const PieceEnd& end : slice_.ends_at(i)) {
+      const SlicePiece& piece = slice_.pieces[end.piece];
+      const int far = piece.crossing[1 - end.end];
+      if (far >= 0 && slice_.crossings[far].edge == second && rule_.is_needle(piece.triangle, FoldRule::Needle::surely))
+        return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace epura

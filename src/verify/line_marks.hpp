@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where on one line of the page there must be ink, and where there may be.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "verify/fold_rule.hpp"
+#include "verify/slice.hpp"
+#include "verify/upper_envelope.hpp"
+
+namespace epura {
+
+/// A place at which a line is asked for.
+struct LineMark {
+  double u;                      ///< along the line, mm
+  bool jump;                     ///< something lies far behind; otherwise two faces meet or cross
+  std::array<int, 2> edge;       ///< of the mesh, vertices of the world; {-1, -1} where two faces cross
+  std::array<int, 2> triangles;  ///< that are seen to its left and right; -1: nothing
+};
+
+/// Lengths in mm.
+struct MarkLimits {
+  double reach;    ///< places nearer to each other than this are one
+  double quantum;  ///< to which the page is rounded
+  double contact;  ///< of Tolerance
+};
+
+class LineMarks {
+ public:
+  LineMarks(const ScanScene& scene, const FoldRule& rule, const ScanLine& line, const MarkLimits& limits,
+            std::span<const int> triangles);
+
+  [[nodiscard]] std::vector<LineMark> asked() const;
+  /// Whether there may be a line of some kind within `reach` mm of a place. The kind tells only whether a line lies
+  /// within a surface, where it may stand at any edge, and whether it may be one between faces that hardly cross, whose
+  /// place is uncertain.
+  [[nodiscard]] bool allows(EdgeKind kind, double u, double reach) const;
+  /// Whether two edges are the long sides of one needle that the line crosses: they stand for one line.
+  [[nodiscard]] bool same_line(const std::array<int, 2>& first, const std::array<int, 2>& second, double u,
+                               double reach) const;
+
+ private:
+  struct Beyond {
+    int triangle = -1;   ///< -1: nobody knows
+    bool right = false;  ///< of where it is entered; otherwise to the left
+  };
+
+  // A place where what is seen changes: pieces, -1 for nothing.
+  struct Change {
+    double u;
+    int left, right;
+  };
+
+  [[nodiscard]] const PieceEnd* end_of(int crossing, int triangle) const;
+  [[nodiscard]] bool is_edge_on(const std::array<int, 2>& edge, int triangle) const;
+  [[nodiscard]] Beyond beyond(int crossing, int triangle, FoldRule::Needle needle) const;
+  [[nodiscard]] Need pair(int crossing, const std::vector<int>& sheets, FoldRule::Needle needle) const;
+  [[nodiscard]] Need need_at(int crossing) const;
+  [[nodiscard]] bool continues(int crossing, int piece) const;
+  [[nodiscard]] int crossing_at(int piece, double u) const;
+  [[nodiscard]] bool is_break(const Change& change) const;
+  [[nodiscard]] bool is_hidden_by(const SeenPart& part, double u, double depth) const;
+  [[nodiscard]] bool is_seen(double u, double depth) const;
+  [[nodiscard]] bool faces_meet(double u, double reach) const;
+  [[nodiscard]] bool is_vague(const Change& change) const;
+  [[nodiscard]] std::vector<Change> changes(double from, double to) const;
+  [[nodiscard]] std::array<int, 2> crossings_between(double from, double to) const;
+  void add_marks(const Change& change, std::vector<LineMark>& marks) const;
+
+  const ScanScene& scene_;
+  const FoldRule& rule_;
+  MarkLimits limits_;
+  Slice slice_;
+  std::vector<SeenPart> seen_;
+};
+
+}  // namespace epura

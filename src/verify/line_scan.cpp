@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verify/line_scan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <tuple>
+
+#include "base/parallel.hpp"
+#include "verify/probe_grid.hpp"
+
+namespace epura {
+
+namespace {
+
+constexpr std::size_t chunk = 4096;
+// Sine of the angle between ink and line from which the place where they cross is known well enough.
+constexpr double least_sine = 0.05;
+
+double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
+
+bool lies_on_both_sides(const ScanLine& line, PageShape shape) {
+  double min = HUGE_VAL, max = -HUGE_VAL;
+  for (const Vec2& point : shape) {
+    const double aside = cross(line.along, point - line.middle);
+    min = std::min(min, aside);
+    max = std::max(max, aside);
+  }
+  return min <= 0 && max >= 0;
+}
+
+struct Cut {
+  double u;
+  double sine;
+  int segment;
+};
+
+std::optional<Cut> cut_of(const ScanLine& line, const std::array<Vec2, 2>& ends, int segment) {
+  const Vec2 way = ends[1] - ends[0];
+  const double from = cross(line.along, ends[0] - line.middle), to = cross(line.along, ends[1] - line.middle);
+  if ((from >= 0) == (to >= 0)) return std::nullopt;
+  const double u = glm::dot(line.along, ends[0] + from / (from - to) * way - line.middle);
+  return Cut{u, std::abs(cross(line.along, way)) / glm::length(way), segment};
+}
+
+}  // namespace
+
+LineScan::LineScan(const VerifyInput& claim, const ScanScene& scene, const FoldRule& rule, const MarkLimits& limits,
+                   const ScanWindow& window)
+    : claim_(claim), scene_(scene), rule_(rule), limits_(limits), window_(window) {}
+
+std::array<Vec2, 2> LineScan::segment(int number) const {
+  const Segment& segment = claim_.drawing.segments[number];
+  return {segment.from - scene_.origin, segment.to - scene_.origin};
+}
+
+double LineScan::length_of_ink() const {
+  double length = 0;
+  for (const Segment& segment : claim_.drawing.segments)
+    if (segment.visible) length += glm::distance(segment.from, segment.to);
+  return length;
+}
+
+// Where a triangle may lie on the page: everywhere if a part of it lies behind the viewer. False: nowhere.
+bool LineScan::shape_of(int triangle, std::array<Vec2, 3>& shape) const {
+  const auto& corner = scene_.world.triangles[triangle];
+  std::size_t before = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!scene_.is_before_viewer(corner[i])) continue;
+    shape[i] = scene_.place(corner[i]);
+    ++before;
+  }
+  if (before > 0 && before < 3) shape = {Vec2(-1e300), Vec2(1e300), Vec2(-1e300, 1e300)};
+  return before > 0;
+}
+
+double LineScan::perimeter_of_triangles(double max) const {
+  double sum = 0;
+  std::array<Vec2, 3> p;
+  for (std::size_t t = 0; t < scene_.world.triangles.size(); ++t)
+    if (shape_of(static_cast<int>(t), p))
+      sum += std::min(max, glm::distance(p[0], p[1]) + glm::distance(p[1], p[2]) + glm::distance(p[2], p[0]));
+  return sum;
+}
+
+// The edge of the mesh that a segment shows, as vertices of the world; {-1, -1} if it is none.
+std::array<int, 2> LineScan::edge_of(int segment) const {
+  const Segment& s = claim_.drawing.segments[segment];
+  if (s.edge[0] < 0) return {-1, -1};
+  const int first = scene_.world.first_vertex[s.model];
+  return {first + s.edge[0], first + s.edge[1]};
+}
+
+LineFindings LineScan::judge(const ScanLine& line, std::span<const int> triangles,
+                             std::span<const int> segments) const {
+  const LineMarks marks(scene_, rule_, line, limits_, triangles);
+  LineFindings findings;
+  for (const LineMark& mark : marks.asked()) {
+    const Vec2 place = line.place(mark.u);
+    if (std::abs(mark.u) <= line.reach && window_.contains(place)) findings.asked.push_back({place, mark});
+  }
+  std::vector<Cut> cuts;
+  for (const int segment : segments) {
+    const auto cut = cut_of(line, this->segment(segment), segment);
+    if (cut && std::abs(cut->u) <= line.reach && cut->sine >= least_sine && window_.contains(line.place(cut->u)))
+      cuts.push_back(*cut);
+  }
+  std::ranges::sort(cuts,
+                    [](const Cut& a, const Cut& b) { return std::tie(a.u, a.segment) < std::tie(b.u, b.segment); });
+  for (const Cut& cut : cuts) {
+    const EdgeKind kind = claim_.drawing.segments[cut.segment].kind;
+    const bool allowed = marks.allows(kind, cut.u, 2 * limits_.reach / cut.sine);
+    findings.ink.push_back(
+        {cut.u, line.place(cut.u), cut.segment, allowed ? InkVerdict::right : InkVerdict::unfounded});
+  }
+  find_doubled(marks, findings.ink);
+  return findings;
+}
+
+// Of several that stand for one line, the one that is right is; of several of these, the first.
+void LineScan::find_doubled(const LineMarks& marks, std::vector<InkCrossing>& ink) const {
+  const auto rank = [](const InkCrossing& one) { return std::tuple(one.verdict, one.segment); };
+  const auto settle = [&](InkCrossing& one, InkCrossing& two) {
+    (rank(one) < rank(two) ? two : one).verdict = InkVerdict::doubled;
+  };
+  // A line crosses a straight edge once.
+  std::map<std::array<int, 4>, std::size_t> first;
+  for (std::size_t i = 0; i < ink.size(); ++i) {
+    const Segment& segment = claim_.drawing.segments[ink[i].segment];
+    const auto [known, is_new] =
+        first.try_emplace({segment.model, segment.edge[0], segment.edge[1], segment.crossing}, i);
+    if (is_new) continue;
+    settle(ink[known->second], ink[i]);
+    if (ink[i].verdict != InkVerdict::doubled) known->second = i;
+  }
+  const double near = 2 * limits_.reach;
+  for (std::size_t i = 0; i < ink.size(); ++i)
+    for (std::size_t j = i; j-- > 0 && ink[i].u - ink[j].u <= near;)
+      if (ink[i].verdict == InkVerdict::right && ink[j].verdict == InkVerdict::right &&
+          marks.same_line(edge_of(ink[j].segment), edge_of(ink[i].segment), ink[i].u, near))
+        settle(ink[i], ink[j]);
+}
+
+// Calls `through(shape, meet)` for all triangles and segments, and judges the lines that were met.
+template <class Through>
+std::vector<LineFindings> LineScan::scan(const std::vector<ScanLine>& lines, const Through& through,
+                                         const Progress& progress) const {
+  const auto gather = [&](std::size_t count, const auto& visit) {
+    std::vector<std::vector<std::pair<int, int>>> pairs((count + chunk - 1) / chunk);
+    parallel_for(pairs.size(), 1, progress, [&](std::size_t first, std::size_t last) {
+      for (std::size_t part = first; part < last; ++part)
+        for (std::size_t i = part * chunk; i < std::min((part + 1) * chunk, count); ++i)
+          visit(static_cast<int>(i), [&](int line) { pairs[part].emplace_back(line, static_cast<int>(i)); });
+    });
+    return ItemsOfLines(lines.size(), pairs);
+  };
+  const ItemsOfLines triangles = gather(scene_.world.triangles.size(), [&](int triangle, const auto& meet) {
+    std::array<Vec2, 3> shape;
+    if (shape_of(triangle, shape)) through(shape, meet);
+  });
+  const ItemsOfLines segments = gather(claim_.drawing.segments.size(), [&](int number, const auto& meet) {
+    if (claim_.drawing.segments[number].visible) through(segment(number), meet);
+  });
+  std::vector<LineFindings> findings(lines.size());
+  parallel_for(lines.size(), 1, progress, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) findings[i] = judge(lines[i], triangles.of(i), segments.of(i));
+  });
+  return findings;
+}
+
+std::vector<LineFindings> LineScan::along(const LineBundle& bundle, const Progress& progress) const {
+  return scan(
+      bundle.lines(), [&](PageShape shape, const auto& meet) { bundle.through(shape, meet); }, progress);
+}
+
+std::vector<LineFindings> LineScan::along(const std::vector<ScanLine>& lines, const Progress& progress) const {
+  std::vector<Extent> extents;
+  for (const ScanLine& line : lines) {
+    const Vec2 half = line.reach * glm::abs(line.along);
+    extents.push_back({line.middle - half, line.middle + half, 0, 0});
+  }
+  const ProbeGrid grid(extents);
+  return scan(
+      lines,
+      [&](PageShape shape, const auto& meet) {
+        Extent extent{Vec2(HUGE_VAL), Vec2(-HUGE_VAL), 0, 0};
+        for (const Vec2& point : shape) {
+          extent.min = glm::min(extent.min, point);
+          extent.max = glm::max(extent.max, point);
+        }
+        grid.overlapping(extent, [&](int line) {
+          if (lies_on_both_sides(lines[line], shape)) meet(line);
+        });
+      },
+      progress);
+}
+
+}  // namespace epura

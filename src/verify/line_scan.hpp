@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// A drawing and its scene along lines of the page: what is asked for there, and what ink is.
+#pragma once
+
+#include <vector>
+
+#include "verify/fold_rule.hpp"
+#include "verify/line_marks.hpp"
+#include "verify/scan_lines.hpp"
+
+namespace epura {
+
+/// A place at which a line is asked for.
+struct AskedLine {
+  Vec2 place;  ///< mm from ScanScene::origin
+  LineMark mark;
+};
+
+enum class InkVerdict { right, unfounded, doubled };
+
+/// A place at which visible ink crosses a line.
+struct InkCrossing {
+  double u;  ///< along the line
+  Vec2 place;
+  int segment;  ///< of the drawing
+  InkVerdict verdict;
+};
+
+struct LineFindings {
+  std::vector<AskedLine> asked;
+  std::vector<InkCrossing> ink;
+};
+
+class LineScan {
+ public:
+  LineScan(const VerifyInput& claim, const ScanScene& scene, const FoldRule& rule, const MarkLimits& limits,
+           const ScanWindow& window);
+
+  /// For each line of a bundle. Throws OutOfTime.
+  [[nodiscard]] std::vector<LineFindings> along(const LineBundle& bundle, const Progress& progress) const;
+  /// For each of many short lines. Throws OutOfTime.
+  [[nodiscard]] std::vector<LineFindings> along(const std::vector<ScanLine>& lines, const Progress& progress) const;
+
+  /// The visible ink, mm from ScanScene::origin.
+  [[nodiscard]] std::array<Vec2, 2> segment(int number) const;
+  /// Lengths that together tell how often lines at random cut triangles, and how long the visible ink is.
+  [[nodiscard]] double perimeter_of_triangles(double max) const;
+  [[nodiscard]] double length_of_ink() const;
+
+ private:
+  template <class Through>
+  [[nodiscard]] std::vector<LineFindings> scan(const std::vector<ScanLine>& lines, const Through& through,
+                                               const Progress& progress) const;
+  [[nodiscard]] LineFindings judge(const ScanLine& line, std::span<const int> triangles,
+                                   std::span<const int> segments) const;
+  void find_doubled(const LineMarks& marks, std::vector<InkCrossing>& ink) const;
+  [[nodiscard]] bool shape_of(int triangle, std::array<Vec2, 3>& shape) const;
+  [[nodiscard]] std::array<int, 2> edge_of(int segment) const;
+
+  const VerifyInput& claim_;
+  const ScanScene& scene_;
+  const FoldRule& rule_;
+  MarkLimits limits_;
+  ScanWindow window_;
+};
+
+}  // namespace epura

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// A test of what is drawn at all, beside that of what is visible of it (verify.hpp).
+//
+// Lines at random cross the page. Over each of them the scene is cut, and what the viewer sees of the cut is found.
+// Where its depth jumps, or where two faces that are seen meet in a fold that asks for an edge, there must be visible
+// ink; and where visible ink crosses the line, there must be such a place. All of it is found from triangles alone.
+//
+// A fault counts where it goes on along its line for more than a few times the precision of places on the page. How
+// long it is is found by more, short lines across it.
+#pragma once
+
+#include <optional>
+
+#include "base/progress.hpp"
+#include "projection/projection.hpp"
+#include "report/verification.hpp"
+#include "verify/cover.hpp"
+#include "verify/verify_input.hpp"
+
+namespace epura {
+
+struct OutlineWishes {
+  EdgeOptions edges;
+  int samples;                     ///< about as many places with ink are met
+  bool complete = true;            ///< nothing was left out for want of time
+  std::optional<Window> window{};  ///< of the page, mm, outside of which nothing is drawn
+  Progress progress{};
+};
+
+/// Throws OutOfTime.
+OutlineCheck verify_outline(const VerifyInput& claim, const Tolerance& tolerance, const OutlineWishes& wishes);
+
+}  // namespace epura

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which points of a drawing are tested.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "report/verification.hpp"
+#include "verify/cover.hpp"
+#include "verify/judge.hpp"
+#include "verify/probe_grid.hpp"
+#include "verify/verify_input.hpp"
+
+namespace epura {
+
+/// A drawn edge as a line of the page, with the way from places on it to places in space.
+struct PageLine {
+  double length;            ///< mm; 0 where places in space cannot be told apart well enough
+  std::array<double, 2> t;  ///< of its ends
+  std::array<double, 2> w;  ///< their distances from the centre; 1 in parallel views
+
+  /// 3D parameter of the page parameter `s`, 0 to 1 (seed 003, perspective division).
+  [[nodiscard]] double t_at(double s) const;
+};
+
+struct TestedSpan {
+  int edge;
+  double from, to;  ///< page parameters
+  bool visible;     ///< as drawn
+  int stratum;      ///< -1: too short to be guaranteed
+};
+
+/// All that is drawn.
+struct Population {
+  std::vector<PageLine> lines;  ///< of the drawn edges
+  std::vector<TestedSpan> spans;
+  std::vector<Stratum> strata;
+  double length = 0;  ///< mm
+
+  [[nodiscard]] double length_of(const TestedSpan& span) const {
+    return (span.to - span.from) * lines[span.edge].length;
+  }
+};
+
+/// A point, and the span of the population it belongs to.
+struct Sample {
+  int span;
+  double s;        ///< page parameter along the edge
+  bool at_random;  ///< one of those that stand for the whole length
+};
+
+/// Spans shorter than this part of the drawing are not guaranteed.
+inline constexpr double guaranteed = 1e-6;
+
+Population population_of(const VerifyInput& claim, const Viewing& viewing, const Tolerance& tolerance,
+                         const PageFrame& frame);
+
+/// `count` points at random (a fixed seed): half of them spread evenly over the strata, half by their lengths; within a
+/// stratum every place of its lines is equally likely. And of each span met the middle, and 1e-6 of the drawing's
+/// size to either side of both ends. Notes in the strata how many points at random they got.
+std::vector<Sample> draw_samples(Population& population, const Tolerance& tolerance, int count);
+
+/// The probe of page parameter `s` on an edge.
+Probe probe_at(const Population& population, int edge, double s);
+
+}  // namespace epura

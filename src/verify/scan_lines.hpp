@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// Lines across the page, and what they may cut.
+//
+// Of lines whose direction and place are random alike, the number of cuts tells lengths (Cauchy; Crofton 1868): K
+// evenly spread directions, parallel lines with the distance d in each of them, N cuts: the length is pi d N / (2 K).
+#pragma once
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "verify/scan_scene.hpp"
+
+namespace epura {
+
+/// Points of the page in order: two for a line, three for a triangle.
+using PageShape = std::span<const Vec2>;
+
+/// What of the page is looked at, mm from ScanScene::origin.
+struct ScanWindow {
+  Vec2 min{HUGE_VAL}, max{-HUGE_VAL};
+
+  [[nodiscard]] bool contains(const Vec2& place) const {
+    return place.x >= min.x && place.x <= max.x && place.y >= min.y && place.y <= max.y;
+  }
+  void add(const Vec2& place) {
+    min = glm::min(min, place);
+    max = glm::max(max, place);
+  }
+};
+
+/// Parallel lines over a box: one at random in each of strips with the width `distance`.
+class LineBundle {
+ public:
+  /// `direction` in radians; `seed` decides where in their strips the lines lie.
+  LineBundle(const ScanWindow& box, double direction, double distance, unsigned seed);
+
+  [[nodiscard]] const std::vector<ScanLine>& lines() const { return lines_; }
+
+  /// Calls `meet(line)` for the lines that pass through a shape.
+  template <class Meet>
+  void through(PageShape shape, const Meet& meet) const {
+    double min = HUGE_VAL, max = -HUGE_VAL;
+    for (const Vec2& point : shape) {
+      const double offset = glm::dot(across_, point);
+      min = std::min(min, offset);
+      max = std::max(max, offset);
+    }
+    for (std::size_t i = strip_of(min); i < lines_.size() && offset_[i] <= max; ++i)
+      if (offset_[i] >= min) meet(static_cast<int>(i));
+  }
+
+ private:
+  [[nodiscard]] std::size_t strip_of(double offset) const {
+    const double strip = (offset - first_) / distance_;
+    return strip > 0 ? static_cast<std::size_t>(std::min(strip, static_cast<double>(lines_.size()))) : 0;
+  }
+
+  Vec2 across_;
+  double first_, distance_;
+  std::vector<double> offset_;
+  std::vector<ScanLine> lines_;
+};
+
+/// Things by the lines that may meet them: of line i, `items` from first[i] to first[i + 1], ascending.
+struct ItemsOfLines {
+  std::vector<int> first, items;
+
+  /// `pairs` of a line and an item.
+  ItemsOfLines(std::size_t lines, const std::vector<std::vector<std::pair<int, int>>>& pairs);
+
+  [[nodiscard]] std::span<const int> of(std::size_t line) const {
+    return {items.data() + first[line], static_cast<std::size_t>(first[line + 1] - first[line])};
+  }
+};
+
+}  // namespace epura

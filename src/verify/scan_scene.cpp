@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verify/scan_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.hpp"
+
+namespace epura {
+
+namespace {
+
+constexpr std::size_t grain = 4096;
+// An edge that leads behind the viewer ends at this part of the way to his plane.
+constexpr double nearly_there = 1 - 0x1p-20;
+
+Sight<Bounded> sight_of(const VerifyInput& claim, const Vec3& reference) {
+  return sight_from(viewing_of(claim), triple<Bounded>(reference));
+}
+
+// The corner of the world that is nearest to its middle and before the viewer.
+Vec3 reference_of(const VerifyInput& claim) {
+  const World& world = claim.world;
+  const Projection& p = claim.projection;
+  const Vec3 middle = world.box.centre();
+  const auto is_seen = [&](const Vec3& x) { return !p.central || glm::dot(p.n, p.projector - x) > 0; };
+  Vec3 best = middle;
+  double min = HUGE_VAL;
+  for (const auto& triangle : world.triangles)
+    for (const int v : triangle) {
+      const double distance = glm::length(world.points[v] - middle);
+      if (!(distance < min) || !is_seen(world.points[v])) continue;
+      min = distance;
+      best = world.points[v];
+    }
+  return best;
+}
+
+}  // namespace
+
+ScanScene::ScanScene(const VerifyInput& claim, double precision)
+    : world(claim.world), local(claim.world.points.size()), vague_(claim.world.points.size()) {
+  const Vec3 reference = reference_of(claim);
+  const Sight<Bounded> sight = sight_of(claim, reference);
+  const Vec4 base = claim.drawing.world_to_page * Vec4(reference, 1);
+  origin = Vec2(base) / base.w;
+  page = sight.page;
+  depth = sight.depth;
+  k = sight.inverse_distance.value;
+  eye_ = sight.eye ? sight.eye->value : HUGE_VAL;
+  max = std::min(eye_, sight.nearest ? sight.nearest->value : HUGE_VAL);
+  min = sight.farthest ? sight.farthest->value : -HUGE_VAL;
+  parallel_for(local.size(), grain, [&](std::size_t first, std::size_t last) {
+    for (std::size_t v = first; v < last; ++v) {
+      const Triple<Bounded> p = sight.local(world.points[v]);
+      local[v] = {p.x.value, p.y.value, p.z.value};
+      const double error = p.x.error + p.y.error + sight.inverse_distance.error * p.z.value * p.z.value;
+      vague_[v] = local[v].z < eye_ && !(page * error <= precision * (1 - k * local[v].z)) ? 1 : 0;
+    }
+  });
+}
+
+bool ScanScene::is_vague(int triangle) const {
+  return std::ranges::any_of(world.triangles[triangle], [&](int v) { return vague_[v] != 0; });
+}
+
+std::optional<std::array<Vec2, 2>> ScanScene::line_of(const std::array<int, 2>& edge) const {
+  std::array<Vec3, 2> ends{local[edge[0]], local[edge[1]]};
+  const std::array<bool, 2> seen{is_before_viewer(edge[0]), is_before_viewer(edge[1])};
+  if (!seen[0] && !seen[1]) return std::nullopt;
+  if (seen[0] != seen[1]) {
+    const Vec3 from = ends[seen[0] ? 0 : 1], to = ends[seen[0] ? 1 : 0];
+    ends[seen[0] ? 1 : 0] = from + nearly_there * (eye_ - from.z) / (to.z - from.z) * (to - from);
+  }
+  return std::array{place_of(ends[0]), place_of(ends[1])};
+}
+
+}  // namespace epura

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// The world as lines across the page cut it.
+//
+// A straight line of the page is a plane through the viewer, m . (a, b) F = s (1 - k c) in the frame of sight.hpp. It
+// cuts every triangle in a segment: the scene becomes a picture of segments over that line, depth upwards.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "verify/cover.hpp"
+#include "verify/verify_input.hpp"
+
+namespace epura {
+
+/// A line of the page, mm from ScanScene::origin.
+struct ScanLine {
+  Vec2 middle, along;  ///< `along` has length 1
+  double reach;        ///< how far to either side of the middle it is looked at
+
+  [[nodiscard]] Vec2 place(double u) const { return middle + u * along; }
+  [[nodiscard]] Vec2 across() const { return {-along.y, along.x}; }
+};
+
+/// Every vertex of the world in one frame.
+class ScanScene {
+ public:
+  /// `precision` is the length on the page, mm, to which places must be known.
+  ScanScene(const VerifyInput& claim, double precision);
+
+  const World& world;
+  Vec2 origin;              ///< where the point of reference lies on the page, mm
+  double page;              ///< mm of paper per length of the world, at the point of reference
+  double depth;             ///< the same for depth
+  double k;                 ///< places on the page are page (a, b) / (1 - k c)
+  double min, max;          ///< what of c is seen
+  UnsetVector<Vec3> local;  ///< (a, b, c) by vertex
+
+  /// Whether a vertex lies before the viewer, so that it has a place on the page.
+  [[nodiscard]] bool is_before_viewer(int vertex) const { return local[vertex].z < eye_; }
+  [[nodiscard]] Vec2 place_of(const Vec3& point) const { return page / (1 - k * point.z) * Vec2(point.x, point.y); }
+  [[nodiscard]] Vec2 place(int vertex) const { return place_of(local[vertex]); }
+  [[nodiscard]] double depth_of(const Vec3& point) const { return depth * point.z / (1 - k * point.z); }
+  /// Whether rounding leaves the place of some corner in doubt.
+  [[nodiscard]] bool is_vague(int triangle) const;
+  /// The part of an edge between two vertices that lies before the viewer, on the page; nothing where none does.
+  [[nodiscard]] std::optional<std::array<Vec2, 2>> line_of(const std::array<int, 2>& edge) const;
+
+ private:
+  double eye_;
+  UnsetVector<char> vague_;
+};
+
+}  // namespace epura

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// The scene over one line of the page: what the plane through that line and the viewer cuts out of it.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "verify/scan_scene.hpp"
+
+namespace epura {
+
+/// What is cut out of a triangle, from left to right along the line.
+struct SlicePiece {
+  int triangle;
+  std::array<double, 2> u, depth;  ///< of the ends, mm
+  std::array<int, 2> crossing;     ///< where the ends lie, in Slice::crossings; -1: a limit of depth cut the triangle
+
+  [[nodiscard]] double width() const { return u[1] - u[0]; }
+  [[nodiscard]] double slope() const { return (depth[1] - depth[0]) / width(); }
+  [[nodiscard]] double depth_at(double at) const {
+    return at == u[1] ? depth[1] : depth[0] + (at - u[0]) / width() * (depth[1] - depth[0]);
+  }
+};
+
+/// Where the plane cuts an edge of the mesh: computed once, whatever triangle asks.
+struct SliceCrossing {
+  std::array<int, 2> edge;  ///< vertices of the world, ascending
+  double u, depth;
+  int first, count;  ///< of its ends in Slice::ends
+};
+
+struct PieceEnd {
+  int piece, end;
+};
+
+struct Slice {
+  std::vector<SlicePiece> pieces;
+  std::vector<SliceCrossing> crossings;  ///< ascending in u
+  std::vector<PieceEnd> ends;            ///< the pieces that meet in each crossing
+
+  [[nodiscard]] std::span<const PieceEnd> ends_at(int crossing) const {
+    return {ends.data() + crossings[crossing].first, static_cast<std::size_t>(crossings[crossing].count)};
+  }
+};
+
+Slice cut(const ScanScene& scene, const ScanLine& line, std::span<const int> triangles);
+
+}  // namespace epura

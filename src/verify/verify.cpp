@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verify/verify.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "verify/confidence.hpp"
+#include "verify/ink.hpp"
+#include "verify/judge.hpp"
+#include "verify/sample.hpp"
+
+namespace epura {
+
+namespace {
+
+constexpr double confidence = 0.95;
+constexpr std::size_t most_offences = 10;
+// A wrong stretch is measured in so many steps to the least length that is guaranteed.
+constexpr int steps = 8;
+
+enum class Finding { right, undecided, misclassified, no_ink };
+
+bool contradicts(const TestedSpan& span, ProbeAnswer answer) {
+  return answer != ProbeAnswer::undecided && (answer == ProbeAnswer::visible) != span.visible;
+}
+
+class Verifier {
+ public:
+  Verifier(const VerifyInput& claim, const Tolerance& tolerance, bool hidden_drawn, const Progress& progress)
+      : claim_(claim),
+        tolerance_(tolerance),
+        hidden_drawn_(hidden_drawn),
+        progress_(progress),
+        viewing_(viewing_of(claim)),
+        reference_(reference_of(claim)),
+        frame_(sight_from(viewing_, reference_), 0),
+        population_(population_of(claim, viewing_, tolerance, frame_)) {}
+
+  Verification run(int count) {
+    samples_ = draw_samples(population_, tolerance_, count);
+    findings_.assign(samples_.size(), Finding::right);
+    facets_.assign(samples_.size(), -1);
+    judge_samples();
+    measure_wrong_stretches();
+    progress_.expect_time();
+    look_for_ink();
+    return tally();
+  }
+
+ private:
+  static Triple<Bounded> reference_of(const VerifyInput& claim) {
+    const FeatureEdge& edge = claim.drawn.edges[0];
+    return place_on<Bounded>(claim.ends_of(edge), edge.t[0]);
+  }
+
+  [[nodiscard]] const TestedSpan& span_of(std::size_t sample) const { return population_.spans[samples_[sample].span]; }
+  [[nodiscard]] Probe probe_of(std::size_t sample) const {
+    return probe_at(population_, span_of(sample).edge, samples_[sample].s);
+  }
+
+  void judge_samples() {
+    std::vector<Probe> probes;
+    for (std::size_t i = 0; i < samples_.size(); ++i) probes.push_back(probe_of(i));
+    const std::vector<ProbeVerdict> verdicts = judge(claim_, tolerance_, probes, false, progress_);
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+      if (verdicts[i].answer == ProbeAnswer::undecided) findings_[i] = Finding::undecided;
+      if (contradicts(span_of(i), verdicts[i].answer)) findings_[i] = Finding::misclassified;
+    }
+  }
+
+  // Stretches shorter than what is guaranteed may be wrong: a point of one is undecided.
+  void measure_wrong_stretches() {
+    std::vector<std::size_t> wrong;
+    std::vector<Probe> probes;
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+      if (findings_[i] != Finding::misclassified) continue;
+      wrong.push_back(i);
+      for (int k = -2 * steps; k <= 2 * steps; ++k)
+        probes.push_back(probe_at(population_, span_of(i).edge, std::clamp(beside(i, k), 0.0, 1.0)));
+    }
+    const std::vector<ProbeVerdict> verdicts = judge(claim_, tolerance_, probes, true, progress_);
+    for (std::size_t i = 0; i < wrong.size(); ++i) {
+      const ProbeVerdict* middle = &verdicts[i * (4 * steps + 1) + 2 * steps];
+      const auto is_wrong = [&](int k) {
+        const double s = beside(wrong[i], k);
+        const TestedSpan& span = span_of(wrong[i]);
+        return s >= span.from && s <= span.to && contradicts(span, middle[k].answer);
+      };
+      int first = 0, last = 0;
+      while (first > -2 * steps && is_wrong(first - 1)) --first;
+      while (last < 2 * steps && is_wrong(last + 1)) ++last;
+      facets_[wrong[i]] = middle->facet;
+      if (last - first < steps) findings_[wrong[i]] = Finding::undecided;
+    }
+  }
+
+  // Page parameter k steps beside a sample.
+  [[nodiscard]] double beside(std::size_t sample, int k) const {
+    return samples_[sample].s +
+           k * guaranteed * tolerance_.size / steps / population_.lines[span_of(sample).edge].length;
+  }
+
+  void look_for_ink() {
+    std::vector<std::size_t> asked;
+    std::vector<Expected> places;
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+      if (findings_[i] != Finding::right || (!span_of(i).visible && !hidden_drawn_)) continue;
+      asked.push_back(i);
+      places.push_back({page_of(i), span_of(i).visible});
+    }
+    // Ink gives way to ink within contact of it, and what remains shorter than a few times that is left out.
+    const double reach = std::max(guaranteed * tolerance_.size, 16 * tolerance_.contact);
+    const std::vector<bool> found = find_ink(claim_.drawing, places, reach);
+    for (std::size_t i = 0; i < asked.size(); ++i)
+      if (!found[i]) findings_[asked[i]] = Finding::no_ink;
+  }
+
+  [[nodiscard]] Vec2 page_of(std::size_t sample) const {
+    const Vec4 base =
+        claim_.drawing.world_to_page * Vec4(reference_.x.value, reference_.y.value, reference_.z.value, 1);
+    const Probe probe = probe_of(sample);
+    return Vec2(base) / base.w +
+           frame_.place_of(place_on<Bounded>(claim_.ends_of(claim_.drawn.edges[probe.edge]), probe.t));
+  }
+
+  [[nodiscard]] Verification tally() {
+    Verification result;
+    result.points = static_cast<int>(samples_.size());
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+      const bool undecided = findings_[i] == Finding::undecided, wrong = is_wrong(i);
+      result.decided += undecided ? 0 : 1;
+      result.wrong += wrong ? 1 : 0;
+      if (!samples_[i].at_random) continue;
+      Stratum& stratum = population_.strata[span_of(i).stratum];
+      stratum.undecided += undecided ? 1 : 0;
+      stratum.wrong += wrong ? 1 : 0;
+    }
+    estimate(result);
+    result.worst = worst_offences();
+    return result;
+  }
+
+  [[nodiscard]] bool is_wrong(std::size_t sample) const {
+    return findings_[sample] == Finding::misclassified || findings_[sample] == Finding::no_ink;
+  }
+
+  void estimate(Verification& result) const {
+    result.strata = population_.strata;
+    result.length = population_.length;
+    int wrong = 0;
+    double tested = 0, most_weight = 0;
+    for (const Stratum& stratum : result.strata) {
+      const double share = stratum.length / result.length;
+      tested += share;
+      result.undecided += share * stratum.undecided / stratum.samples;
+      result.misclassified += share * stratum.wrong / stratum.samples;
+      most_weight = std::max(most_weight, share / stratum.samples);
+      result.samples += stratum.samples;
+      wrong += stratum.wrong;
+    }
+    if (result.samples == 0) return;
+    result.untested = std::max(0.0, 1 - tested);
+    const double weight = most_weight * result.samples;
+    result.at_most = std::min(1.0, weight * greatest_share(wrong, result.samples, confidence));
+  }
+
+  [[nodiscard]] std::vector<Mismatch> worst_offences() const {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < samples_.size(); ++i)
+      if (is_wrong(i)) order.push_back(i);
+    std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
+      return population_.length_of(span_of(a)) > population_.length_of(span_of(b));
+    });
+    order.resize(std::min(order.size(), most_offences));
+    std::vector<Mismatch> offences;
+    for (const std::size_t i : order) offences.push_back(offence_of(i));
+    return offences;
+  }
+
+  [[nodiscard]] FacetName facet_name(int triangle) const {
+    const int model = claim_.world.model_of_triangle(triangle);
+    return {model, claim_.world.models[model].mesh->polygon[triangle - claim_.world.first_triangle[model]]};
+  }
+
+  // Outlines of cuts are named by the face that is cut.
+  void name_edge(const FeatureEdge& edge, Mismatch& offence) const {
+    const Mesh& mesh = *claim_.world.models[edge.model].mesh;
+    const EdgeOrigin origin = mesh.origin_of(mesh.edges[edge.mesh_edge]);
+    if (origin.in_file)
+      offence.edge = origin.vertex;
+    else
+      offence.facets.push_back({edge.model, mesh.polygon[mesh.triangles_of(mesh.edges[edge.mesh_edge]).front()]});
+  }
+
+  [[nodiscard]] Mismatch offence_of(std::size_t sample) const {
+    const TestedSpan& span = span_of(sample);
+    const FeatureEdge& edge = claim_.drawn.edges[span.edge];
+    Mismatch offence{span.visible ? "drawn visible" : "drawn hidden",
+                     edge.model,
+                     {-1, -1},
+                     {},
+                     probe_of(sample).t,
+                     page_of(sample),
+                     {},
+                     population_.length_of(span)};
+    if (findings_[sample] == Finding::no_ink) offence.what = "not drawn";
+    if (edge.mesh_edge >= 0) name_edge(edge, offence);
+    if (edge.crossing >= 0)
+      for (const int triangle : claim_.drawn.crossings[edge.crossing].triangles)
+        offence.facets.push_back(facet_name(triangle));
+    if (facets_[sample] >= 0) offence.hider = facet_name(facets_[sample]);
+    return offence;
+  }
+
+  const VerifyInput& claim_;
+  const Tolerance& tolerance_;
+  bool hidden_drawn_;
+  const Progress& progress_;
+  Viewing viewing_;
+  Triple<Bounded> reference_;
+  PageFrame frame_;
+  Population population_;
+  std::vector<Sample> samples_;
+  std::vector<Finding> findings_;
+  std::vector<int> facets_;
+};
+
+}  // namespace
+
+Verification verify(const VerifyInput& claim, const Tolerance& tolerance, int samples, bool hidden_drawn,
+                    const Progress& progress) {
+  if (claim.drawn.edges.empty()) return {};
+  return Verifier(claim, tolerance, hidden_drawn, progress).run(samples);
+}
+
+}  // namespace epura

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is verified: the drawn edges of a world and what a drawing says of them.
+#pragma once
+
+#include <array>
+
+#include "drawing/drawing.hpp"
+#include "edges/drawn_edges.hpp"
+#include "scene/scene.hpp"
+#include "verify/sight.hpp"
+#include "view/projected_scene.hpp"
+#include "visibility/visibility.hpp"
+
+namespace epura {
+
+struct VerifyInput {
+  const World& world;
+  const Projection& projection;
+  const ViewLimits& limits;
+  const FeatureEdges& drawn;
+  const HiddenSpans& hidden;
+  const ViewDrawing& drawing;
+
+  /// The ends of the whole edge, cut or not, in the world; parameters t run from the first to the second.
+  [[nodiscard]] std::array<Vec3, 2> ends_of(const FeatureEdge& edge) const;
+  /// Whether a triangle contains the edge: by the mesh, or because it is one of the two that cross there.
+  [[nodiscard]] bool contains(const FeatureEdge& edge, int triangle) const;
+  /// Whether a triangle has a corner in common with the edge.
+  [[nodiscard]] bool joined(const FeatureEdge& edge, int triangle) const;
+};
+
+/// How to look at it: plane and projectors from the projection, units of the page from the drawing's matrix.
+Viewing viewing_of(const VerifyInput& claim);
+
+}  // namespace epura

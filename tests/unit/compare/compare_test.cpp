@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <span>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "base/text.hpp"
+#include "compare/comparison.hpp"
+#include "errors.hpp"
+#include "plate.hpp"
+#include "sheet/paper.hpp"
+#include "sheet/view_lines.hpp"
+
+namespace epura::test {
+namespace {
+
+TEST(Compare, SaysTheSameOfWaysToWriteAFile) {
+  VectorOptions plain, coarse, as_text;
+  plain.plain = true;
+  coarse.decimals = 3;
+  as_text.text = SvgText::text;
+  for (const VectorOptions& options : {plain, coarse, as_text})
+    EXPECT_EQ(changes(compare(as_svg(plate()), as_svg(plate(), options), 0.001)), "");
+}
+
+TEST(Compare, ReadsLinesAndAreasOfPdf) {
+  const auto as_pdf = [](const Sheet& sheet) {
+    return PictureFile{false, true, pictures_of_pdf(to_pdf({&sheet, &sheet}), "test.pdf")};
+  };
+  const PictureFile before = as_pdf(plate());
+  ASSERT_EQ(before.pages.size(), 2U);
+  Sheet edited = plate();
+  edited.layers[hidden].strokes.pop_back();
+  move(stroke(edited, visible, 1), {0, 1});
+  edited.layers[dimension].fills.clear();
+  edited.layers[dimension].texts.clear();
+  const Comparison comparison = compare(before, as_pdf(edited), 0.001);
+  EXPECT_FALSE(comparison.compares_texts);
+  const std::string of_page = "removed removed removed removed moved";
+  EXPECT_EQ(changes(comparison), of_page + " " + of_page) << format_comparison(comparison, 0.001);
+  EXPECT_EQ(comparison.differences.back().page, 2);
+  EXPECT_EQ(changes(compare(before, as_pdf(plate()), 0.001)), "");
+}
+
+TEST(Compare, TakesChainLinesOfOneTypeForTheSame) {
+  Sheet one = plate(), longer = plate();
+  stroke(one, dimension, 0).dashes = {5, 0.75, 0.125, 1};
+  stroke(longer, dimension, 0).dashes = {6.1, 0.75, 0.125, 1};
+  stroke(longer, dimension, 0).points[1].x += 2;
+  EXPECT_EQ(changes(compare(as_svg(one), as_svg(longer), 0.001)), "added");
+}
+
+TEST(Compare, SeesTheSameInSvgAndPdf) {
+  Sheet sheet = plate();
+  sheet.layers[hidden].strokes.push_back(line({40, 64}, {41, 64}));  // short: continuous
+  sheet.layers[dimension].strokes.push_back(line({20, 100}, {60, 100}));
+  stroke(sheet, dimension, 1).dashes = {5, 0.75, 0.125, 1};
+  const PictureFile pdf{false, true, pictures_of_pdf(to_pdf({&sheet}), "test.pdf")};
+  EXPECT_EQ(changes(compare(as_svg(sheet), pdf, 0.001)), "");
+  Sheet edited = sheet;
+  edited.layers[hidden].strokes.pop_back();
+  EXPECT_EQ(changes(compare(as_svg(edited), pdf, 0.001)), "added");
+}
+
+TEST(Compare, TellsWhereALineIsMissingAndWhichEdgeItWas) {
+  Sheet edited = plate();
+  edited.layers[hidden].strokes.pop_back();
+  const Comparison comparison = compare(as_svg(plate()), as_svg(edited), 0.001);
+  ASSERT_EQ(comparison.differences.size(), 1U);
+  const Difference& difference = comparison.differences[0];
+  EXPECT_EQ(difference.view, "front");
+  EXPECT_EQ(difference.before, "hidden");
+  EXPECT_EQ(difference.origin, "0:3-4");
+  EXPECT_NEAR(difference.length, 60, 1e-3);
+  EXPECT_NEAR(glm::distance(difference.from, {30, 70}) + glm::distance(difference.to, {90, 70}), 0, 1e-3);
+  EXPECT_EQ(format_comparison(comparison, 0.001),
+            "removed    front: hidden line, 60 mm, (30, 70) to (90, 70), edge 0:3-4\n"
+            "1 difference above 0.001 mm: 1 removed\n");
+}
+
+TEST(Compare, TellsByHowMuchALineMoved) {
+  Sheet edited = plate();
+  move(stroke(edited, visible, 2), {0, 0.25});
+  const Comparison comparison = compare(as_svg(plate()), as_svg(edited), 0.001);
+  ASSERT_EQ(changes(comparison), "moved");
+  EXPECT_NEAR(comparison.differences[0].distance, 0.25, 1e-3);
+  EXPECT_EQ(comparison.differences[0].origin, "0:5-6");
+}
+
+TEST(Compare, SeesWhatInkscapeMovedOrSwitchedOff) {
+  const std::string svg = to_svg(plate(), {});
+  const auto with = [&](const std::string& attribute) {
+    std::string edited = svg;
+    const std::string group = "<g id=\"front-hidden\"";
+    edited.insert(edited.find(group) + group.size(), " " + attribute);
+    return changes(compare(as_svg(plate()), {false, false, {picture_of_svg(edited, "test.svg")}}, 0.001));
+  };
+  EXPECT_EQ(with("transform=\"translate(0,1)\""), "moved moved");
+  EXPECT_EQ(with("transform=\"rotate(0) scale(1)\""), "");
+  EXPECT_EQ(with("style=\"display:none\""), "removed removed");
+  EXPECT_EQ(with("style=\"stroke-width:0.7\""), "restyled restyled");
+  EXPECT_EQ(with("style=\"stroke:#000000;stroke-dasharray:3,0.75\""), "");
+  EXPECT_EQ(with("style=\"stroke:#00f\""), "restyled restyled");
+}
+
+// The same for drawing JSON: one view of a triangle with a hidden line in it.
+struct JsonLine {
+  Vec2 from, to;
+  bool visible;
+  std::string kind = "crease", edge = "[0, 1]";
+};
+
+std::string json_of(const std::vector<JsonLine>& lines, const std::string& view = "front",
+                    const std::string& rest = "") {
+  const auto point = [](const Vec2& p) { return "[" + format_number(p.x) + ", " + format_number(p.y) + "]"; };
+  std::string segments;
+  for (const JsonLine& l : lines)
+    segments += (segments.empty() ? "" : ", ") + ("{\"from\": " + point(l.from)) + ", \"to\": " + point(l.to) +
+                ", \"visible\": " + (l.visible ? "true" : "false") + ", \"kind\": \"" + l.kind +
+                "\", \"model\": 0, \"edge\": " + l.edge + ", \"t\": [0, 1]}";
+  return R"({"epura": 1, "unit": "mm", "sheet": {"size": [100, 50], "scale": 1}, "views": [{"name": ")" + view +
+         R"(", "segments": [)" + segments + "]" + rest + "}]}";
+}
+
+const std::vector<JsonLine> triangle = {{{10, 10}, {40, 10}, true, "contour", "[0, 1]"},
+                                        {{40, 10}, {10, 40}, true, "contour", "[1, 2]"},
+                                        {{10, 40}, {10, 10}, true, "contour", "[2, 0]"},
+                                        {{12, 12}, {20, 25}, false, "crease", "[3, 4]"}};
+
+PictureFile as_json(const std::string& json) { return {true, false, {picture_of_json(json, "test.json")}}; }
+
+std::string changes_of_json(const std::function<void(std::vector<JsonLine>&)>& edit) {
+  std::vector<JsonLine> edited = triangle;
+  edit(edited);
+  return changes(compare(as_json(json_of(triangle)), as_json(json_of(edited)), 0.001));
+}
+
+TEST(CompareJson, DoesNotCountOrderCutsAndNumbers) {
+  using Lines = std::vector<JsonLine>;
+  EXPECT_EQ(changes_of_json([](Lines&) {}), "");
+  EXPECT_EQ(changes_of_json([](Lines& l) { std::reverse(l.begin(), l.end()); }), "");
+  EXPECT_EQ(changes_of_json([](Lines& l) { std::swap(l[3].from, l[3].to); }), "");
+  EXPECT_EQ(changes_of_json([](Lines& l) { l[1].kind = "crease"; }), "");
+  EXPECT_EQ(changes_of_json([](Lines& l) { l[1].edge = "null"; }), "");
+  EXPECT_EQ(changes_of_json([](Lines& l) {
+              l.push_back(l[1]);
+              l[1].to = l.back().from = {30, 20};
+            }),
+            "");
+  EXPECT_EQ(changes(compare(as_json(json_of(triangle)), as_json(json_of(triangle, "renamed")), 0.001)), "");
+}
+
+TEST(CompareJson, TellsLinesApart) {
+  using Lines = std::vector<JsonLine>;
+  EXPECT_EQ(changes_of_json([](Lines& l) { l.pop_back(); }), "removed");
+  EXPECT_EQ(changes_of_json([](Lines& l) { l.push_back({{50, 10}, {60, 10}, true}); }), "added");
+  EXPECT_EQ(changes_of_json([](Lines& l) { l[3].visible = true; }), "visibility");
+  EXPECT_EQ(changes_of_json([](Lines& l) { l[0].kind = "smooth"; }), "restyled");
+  EXPECT_EQ(changes_of_json([](Lines& l) { l[0].kind = "tangent"; }), "restyled");
+  EXPECT_EQ(changes_of_json([](Lines& l) { l[0].kind = "section"; }), "");
+  EXPECT_EQ(changes_of_json([](Lines& l) { l[3].kind = "tangent"; }), "removed");
+  EXPECT_EQ(changes_of_json([](Lines& l) { l[3].from.x += 0.01; }), "moved");
+  EXPECT_EQ(changes_of_json([](Lines& l) { l[0].to = {41, 10}; }), "added");
+  const std::string face = R"(, "cut_faces": [{"model": 0, "body": 0, "rings": [[[10, 10], [40, 10], [10, 40]]]}])";
+  EXPECT_EQ(changes(compare(as_json(json_of(triangle)), as_json(json_of(triangle, "front", face)), 0.001)),
+            "added added added");
+}
+
+// A drawing of one line of a kind, as people see it on a sheet and as it is in JSON.
+TEST(CompareJson, SeesEdgesOfAllKindsAsSheetsDrawThem) {
+  for (int i = 0; i <= static_cast<int>(EdgeKind::smooth); ++i)
+    for (const bool seen : {true, false}) {
+      const auto kind = static_cast<EdgeKind>(i);
+      const std::vector<Vec2> points = {{10, 10}, {40, 10}};
+      ViewDrawing drawing;
+      drawing.name = "front";
+      drawing.segments = {{points[0], points[1], seen, kind, 0, {0, 1}, -1, {0, 1}}};
+      drawing.chains = {{points, false, seen, kind, {0}}};
+      const Paper paper = make_paper(parse_paper_size("A4", "--sheet"), false);
+      Sheet sheet{paper.width, paper.height, "one", view_layers(drawing, line_widths(paper), {ModelStyle()})};
+      const Picture drawn = picture_of_svg(to_svg(sheet, {}), "test.svg");
+      const Picture read = picture_of_json(to_json(sheet, 1, std::span(&drawing, 1), {}), "test.json");
+      const auto look_of = [](const Picture& picture) {
+        if (picture.pieces.empty()) return std::tuple(0.0, false, std::vector<double>());
+        const PictureLook& look = picture.looks[static_cast<std::size_t>(picture.pieces[0].look)];
+        return std::tuple(look.width, look.visible, look.dashes);
+      };
+      EXPECT_EQ(look_of(read), look_of(drawn)) << name_of(kind) << seen;
+      EXPECT_EQ(read.pieces.size(), drawn.pieces.size()) << name_of(kind) << seen;
+    }
+}
+
+TEST(CompareJson, RefusesWhatIsNoDrawing) {
+  const auto refusal = [](const std::string& json) {
+    return std::string(error_of([&] { picture_of_json(json, "test.json"); }).what());
+  };
+  EXPECT_TRUE(contains(refusal("{"), "no JSON"));
+  EXPECT_TRUE(contains(refusal("{}"), "has no 'epura'"));
+  EXPECT_TRUE(contains(refusal(R"({"epura": 2})"), "schema"));
+  std::string broken = json_of(triangle);
+  broken.replace(broken.find("[12, 12]"), 8, "[12]");
+  EXPECT_TRUE(contains(refusal(broken), "segments[3]: from is not a point")) << refusal(broken);
+  EXPECT_TRUE(contains(refusal(std::string(100000, '[')), "no JSON"));
+  error_of([] { compare(as_json(json_of(triangle)), as_svg(plate()), 0.001); });
+}
+
+TEST(Compare, RefusesWhatItWouldNotSee) {
+  const auto refusal = [](const std::string& svg) {
+    return std::string(error_of([&] { picture_of_svg(svg, "test.svg"); }).what());
+  };
+  const std::string head = "<svg width='10mm' height='10mm' viewBox='0 0 10 10'>";
+  EXPECT_TRUE(contains(refusal(head + "<rect width='3' height='3'/></svg>"), "the element 'rect'"));
+  EXPECT_TRUE(contains(refusal(head + "<path d='M 0 0 L 1'/></svg>"), "path"));
+  EXPECT_TRUE(contains(refusal(head + "<path transform='skewX(3)' d='M 0 0'/></svg>"), "transform"));
+  EXPECT_TRUE(contains(refusal("<svg width='10' viewBox='0 0 10 10'/>"), "size"));
+  EXPECT_TRUE(contains(refusal("<svg"), "no XML"));
+}
+
+}  // namespace
+}  // namespace epura::test

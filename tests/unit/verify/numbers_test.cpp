@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "verify/numbers.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace epura::test {
+namespace {
+
+// The same formula in both kinds of numbers: the bound must hold, and be worth something.
+template <class N>
+N formula(const std::array<double, 4>& x) {
+  const N a(x[0]), b(x[1]), c(x[2]), d(x[3]);
+  return (a * b - c) / (d + a) + (b - a) * (c - d);
+}
+
+TEST(Bounded, HoldsTheExactResult) {
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 1000; ++i) {
+    std::array<double, 4> x{};
+    for (double& value : x) value = 1 + std::ldexp(static_cast<double>(random() >> 11), -53);
+    const Bounded bounded = formula<Bounded>(x);
+    const Exact error = abs(formula<Exact>(x) - Exact(bounded.value));
+    EXPECT_LE(error, Exact(bounded.error));
+    EXPECT_LT(bounded.error, 1e-14);
+  }
+}
+
+TEST(Bounded, CancellationKeepsTheBound) {
+  const Bounded third = Bounded(1) / Bounded(3);
+  const Bounded rest = third * Bounded(3) - Bounded(1);
+  EXPECT_LE(std::abs(rest.value), rest.error);
+  EXPECT_GT(rest.error, 1e-17);
+}
+
+TEST(Bounded, DividingByWhatMayBeZeroIsUnknown) {
+  const Bounded perhaps_zero(1e-20, 1e-19);
+  EXPECT_TRUE(std::isinf((Bounded(1) / perhaps_zero).error));
+}
+
+}  // namespace
+}  // namespace epura::test

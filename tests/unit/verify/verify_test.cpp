@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: Apache-2.0
+// Drawings that are right are found right; drawings made wrong on purpose are found wrong.
+#include "verify/verify.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.hpp"
+#include "report/format.hpp"
+#include "shapes.hpp"
+
+namespace epura::test {
+namespace {
+
+Tolerance tolerance_of(const Result& r) { return {r.view.extent, contact_of(r.world, r.view, std::nullopt).touching}; }
+
+Verification verified(const Result& r, const ViewLimits& limits = {}) {
+  return verify({r.world, r.view.projection, limits, r.drawn, r.hidden, r.drawing}, tolerance_of(r), 1000, true);
+}
+
+// Boxes before, in and beside each other; the upright one hides the middle of edges.
+Shape scene() {
+  Shape shape = box({0, 0, 0}, {1, 1, 1});
+  shape.add(box({0.3, -0.9, 0.2}, {0.8, -0.5, 0.7}));
+  shape.add(box({0.7, 0.6, 0.5}, {1.4, 1.3, 1.6}));
+  shape.add(box({0.9, -0.6, -0.5}, {1.1, -0.5, 1.5}));
+  return shape;
+}
+
+std::vector<Projection> views() {
+  return {orthographic({1, -1, 1}), orthographic({0.31, -0.62, 0.41}), orthographic({0, -1, 0}),
+          perspective({4, -3, 3.5}, {0.5, 0.5, 0.5}, {4, -3, 3}, {0, 0, 1})};
+}
+
+// An edge with a hidden span that begins and ends on it.
+std::size_t edge_with_inner_span(const Result& r) {
+  for (std::size_t e = 0; e < r.drawn.edges.size(); ++e)
+    for (std::size_t i = r.hidden.first[e]; i < r.hidden.first[e + 1]; ++i)
+      if (r.hidden.spans[i][0] > 0.01 && r.hidden.spans[i][1] < 0.99) return e;
+  ADD_FAILURE() << "the scene has no such edge";
+  return 0;
+}
+
+double page_length(const Result& r, std::size_t edge) {
+  const auto& [a, b] = r.drawn.edges[edge].vertex;
+  return std::hypot(r.view.vertices[a].x - r.view.vertices[b].x, r.view.vertices[a].y - r.view.vertices[b].y);
+}
+
+bool names(const Verification& found, const Result& r, std::size_t edge) {
+  const auto& ends = r.world.models[0].mesh->edges[r.drawn.edges[edge].mesh_edge].vertex;
+  return std::ranges::any_of(found.worst, [&](const Mismatch& offence) { return offence.edge == ends; });
+}
+
+TEST(Verify, RightDrawingsAreRight) {
+  for (const Projection& view : views()) {
+    const Verification found = verified(draw(world_of(scene()), view));
+    EXPECT_EQ(found.wrong, 0) << format_verification(found);
+    EXPECT_EQ(found.misclassified, 0);
+    EXPECT_LT(found.at_most, 0.02);
+    EXPECT_GT(found.decided, found.points / 3);
+    EXPECT_GE(found.samples, 1000);
+  }
+}
+
+TEST(Verify, GeneralViewsAreDecided) {
+  const Verification found = verified(draw(world_of(scene()), orthographic({0.31, -0.62, 0.41})));
+  EXPECT_EQ(found.decided, found.points);
+}
+
+TEST(Verify, AFlippedSpanIsFound) {
+  Result r = draw(world_of(scene()), orthographic({1, -1.1, 0.9}));
+  const std::size_t edge = edge_with_inner_span(r);
+  auto& span = r.hidden.spans[r.hidden.first[edge]];
+  const double share = (span[1] - span[0]) * page_length(r, edge);
+  span = {0.5 * (span[0] + span[1]), 0.5 * (span[0] + span[1])};
+  const Verification found = verified(r);
+  EXPECT_GT(found.wrong, 0);
+  EXPECT_TRUE(names(found, r, edge));
+  EXPECT_EQ(found.worst[0].what, "drawn visible");
+  EXPECT_TRUE(found.worst[0].hider);
+  EXPECT_NEAR(found.misclassified * found.length, share, 0.5 * share);
+  EXPECT_GT(found.at_most, found.misclassified);
+}
+
+TEST(Verify, AnEdgeSwappedToHiddenIsFound) {
+  Result r = draw(world_of(scene()), orthographic({1, -1.1, 0.9}));
+  std::size_t edge = 0;
+  while (r.hidden.first[edge] != r.hidden.first[edge + 1]) ++edge;
+  r.hidden.spans.insert(r.hidden.spans.begin() + static_cast<std::ptrdiff_t>(r.hidden.first[edge]), {0.0, 1.0});
+  for (std::size_t e = edge + 1; e < r.hidden.first.size(); ++e) ++r.hidden.first[e];
+  const Verification found = verified(r);
+  EXPECT_GT(found.wrong, 0);
+  EXPECT_TRUE(names(found, r, edge));
+  EXPECT_EQ(found.worst[0].what, "drawn hidden");
+  EXPECT_FALSE(found.worst[0].hider);
+}
+
+// A hundred thousandth of the drawing is found, a tenth of the guarantee is none of our business.
+TEST(Verify, AShiftedEndIsFound) {
+  for (const Projection& view : {orthographic({1, -1.1, 0.9}), views().back()})
+    for (const int end : {0, 1})
+      for (const double shift : {1e-5, -1e-5, 1e-7}) {
+        Result r = draw(world_of(scene()), view);
+        const std::size_t edge = edge_with_inner_span(r);
+        r.hidden.spans[r.hidden.first[edge]][end] += shift * r.view.extent / page_length(r, edge);
+        const Verification found = verified(r);
+        EXPECT_EQ(found.wrong > 0, std::abs(shift) > 1e-6) << end << ' ' << shift << '\n' << format_verification(found);
+        EXPECT_EQ(names(found, r, edge), found.wrong > 0);
+      }
+}
+
+// Drawn without the body in front, tested with it.
+TEST(Verify, AForgottenOccluderIsFound) {
+  const Shape back = box({0, 0, 0}, {1, 1, 1}), front = box({0.2, -2, 0.3}, {0.6, -1, 0.5});
+  Result r = draw(world_of(back), orthographic({0.1, -1, 0.2}));
+  ASSERT_EQ(verified(r).wrong, 0);
+  r.world = world_of({back, front});
+  const Verification found = verified(r);
+  EXPECT_GT(found.wrong, 0);
+  for (const Mismatch& offence : found.worst) {
+    EXPECT_EQ(offence.what, "drawn visible");
+    ASSERT_TRUE(offence.hider);
+    EXPECT_EQ(offence.hider->model, 1);
+  }
+}
+
+TEST(Verify, AMissingLineIsFound) {
+  Result r = draw(world_of(scene()), orthographic({1, -1.1, 0.9}));
+  const auto longest = std::ranges::max_element(
+      r.drawing.segments, {}, [](const Segment& s) { return s.visible ? glm::distance(s.from, s.to) : 0; });
+  r.drawing.segments.erase(longest);
+  const Verification found = verified(r);
+  EXPECT_GT(found.wrong, 0);
+  for (const Mismatch& offence : found.worst) EXPECT_EQ(offence.what, "not drawn");
+}
+
+// What the near limit cuts away hides nothing.
+TEST(Verify, LimitsOfDepthAreRespected) {
+  const World world = world_of(scene());
+  for (const auto& [view, near] : {std::pair{orthographic({0.1, -1, 0.2}), -0.3}, std::pair{views().back(), 4.6}}) {
+    const ViewLimits limits{near, {}};
+    const Result r = draw(world, view, {}, limits);
+    EXPECT_EQ(verified(r, limits).wrong, 0) << format_verification(verified(r, limits));
+    EXPECT_GT(verified(r).wrong, 0);
+  }
+}
+
+TEST(Verify, TouchingAndCoplanarFacesAreNotWrong) {
+  Shape shape = box({0, 0, 0}, {1, 1, 1});
+  shape.add(box({1, 0, 0}, {2, 1, 1}));
+  shape.add(box({0.5, 0.2, 1}, {1.5, 0.8, 1.5}));
+  for (const Projection& view : views()) EXPECT_EQ(verified(draw(world_of(shape), view)).wrong, 0);
+}
+
+TEST(Verify, IntersectionLinesAreTested) {
+  const Verification found = verified(draw(world_of(scene()), orthographic({0.31, -0.62, 0.41})));
+  EXPECT_TRUE(std::ranges::any_of(found.strata, [](const Stratum& s) { return s.kind == EdgeKind::intersection; }));
+}
+
+// Of a part that was offset: faces lower than the page's grid is fine, edge to edge. On the grid one of them hides an
+// edge of the other, by next to nothing and right behind an outline.
+TEST(Verify, FacesLowerThanTheGridAreUndecided) {
+  Shape shape;
+  shape.points = {{4713.0378336873946, -20170.322832525089, 1785.1139170375754},
+                  {4729.3444743123946, -20170.322832525089, 1853.9479014125754},
+                  {4686.6095203273471, -19960.415935618701, 1502.1200885154587},
+                  {4688.5301281101529, -19960.763751881299, 1501.6838665626663},
+                  {4713.2814326205526, -19989.619513355032, 1642.8368983928633},
+                  {4715.2005382664029, -19989.974689381299, 1642.3999310157913},
+                  {4764.9807047811446, -20043.576738775089, 1902.4873301235129},
+                  {4797.0978594473399, -19696.260310546153, 1777.9593510640666},
+                  {4799.0203624851529, -19696.603595631299, 1777.5278607032913},
+                  {5332.6253365876155, -20170.236263638184, 5215.6644051301046},
+                  {5347.8978736875633, -20169.433518218815, 5349.21484375},
+                  {5348.60498046875, -20169.140625, 5349.21484375},
+                  {5348.60498046875, -20169.433518218815, 5349.9219505311867},
+                  {5347.9925240876155, -20110.341732388184, 5291.7625496613546},
+                  {5347.9918413788973, -20110.344369677317, 5291.759198907067},
+                  {5347.9921274251419, -20110.343274086503, 5291.7605908813957}};
+  shape.faces = {{7, 2, 4}, {5, 3, 8}, {1, 0, 6}, {9, 13, 15}, {9, 15, 14}, {11, 10, 12}};
+  const Verification found = verified(draw(world_of(shape), orthographic({1, -1, 1})));
+  EXPECT_EQ(found.wrong, 0) << format_verification(found);
+}
+
+// Far from the origin doubles cannot tell where the rays pass, and rationals must.
+TEST(Verify, FarFromTheOriginRationalsDecide) {
+  const Shape far = scene().scaled(1024).moved(0x1p+30, -0x1p+31, 0x1p+30);
+  Projection view = orthographic({0.31, -0.62, 0.41});
+  Result r = draw(world_of(far), view);
+  const Verification found = verified(r);
+  EXPECT_EQ(found.wrong, 0) << format_verification(found);
+  EXPECT_GT(found.decided, 9 * found.points / 10);
+  const std::size_t edge = edge_with_inner_span(r);
+  r.hidden.spans[r.hidden.first[edge]][0] += 1e-5 * r.view.extent / page_length(r, edge);
+  EXPECT_GT(verified(r).wrong, 0);
+}
+
+TEST(Verify, TheSameForAnyNumberOfThreads) {
+  const Result r = draw(world_of(scene()), orthographic({1, -1, 1}));
+  const auto words = [&](int threads) {
+    const ThreadLimit limit(threads);
+    return format_verification(verified(r));
+  };
+  EXPECT_EQ(words(1), words(2));
+}
+
+}  // namespace
+}  // namespace epura::test
