@@ -13,7 +13,7 @@
 #include "base/text.hpp"
 #include "drawing/chains.hpp"
 #include "drawing/make_drawing.hpp"
-#include "edges/drawn_edges.hpp"
+#include "edges/find_edges.hpp"
 #include "generators.hpp"
 #include "mesh/build.hpp"
 #include "mesh/read.hpp"
@@ -49,18 +49,17 @@ struct Run {
         soup(read_ply(file, "scene")),
         mesh(build_mesh(soup, "scene")),
         world(world_of(mesh)),
-        view(make_view(world, isometric(), {})),
+        view(project_scene(world, isometric(), {})),
         seen(view),
-        contact(contact_of(world, seen, {})),
-        drawn(find_feature_edges(world, seen, {}, contact_in_space(world, seen, {}))),
-        hidden(find_hidden(world, seen, drawn, contact)),
+        drawn(find_feature_edges(world, seen, {})),
+        hidden(find_hidden(world, seen, drawn)),
         placement(place_ink(drawn_box(seen).min, drawn_box(seen).max, {}, {})),
         paper(make_paper_map(seen, placement.scale, placement.shift)),
         drawing(draw()),
         sheet{placement.paper.width, placement.paper.height, {}, layers()} {}
 
   [[nodiscard]] ViewDrawing draw() const {
-    return make_drawing(world, seen, drawn, hidden, contact, paper, {"isometric", true});
+    return make_drawing({world, seen, drawn, hidden}, paper, {"isometric", true});
   }
 
   [[nodiscard]] std::vector<Layer> layers() const { return view_layers(drawing, line_widths(placement.paper), {{}}); }
@@ -71,7 +70,6 @@ struct Run {
   World world;
   ProjectedScene view;  ///< before edges add their points
   ProjectedScene seen;
-  Contact contact;
   FeatureEdges drawn;
   HiddenSpans hidden;
   Placement placement;
@@ -92,12 +90,12 @@ struct Case {
   }
 };
 
-void find_edges(benchmark::State& state, const Run& run, const EdgeOptions& wishes) {
+void find_edges(benchmark::State& state, const Run& run, const EdgeOptions& options) {
   for (auto _ : state) {
     state.PauseTiming();
     ProjectedScene view = run.view;
     state.ResumeTiming();
-    DoNotOptimize(find_feature_edges(run.world, view, wishes, contact_in_space(run.world, view, {})));
+    DoNotOptimize(find_feature_edges(run.world, view, options));
   }
 }
 
@@ -114,10 +112,10 @@ std::vector<std::pair<std::string, Stage>> stages() {
       {"read", timed([](const Run& r) { DoNotOptimize(read_ply(r.file, "scene")); })},
       {"mesh", timed([](const Run& r) { DoNotOptimize(build_mesh(r.soup, "scene")); })},
       {"scene", timed([](const Run& r) { DoNotOptimize(make_world(r.world.models)); })},
-      {"view", timed([](const Run& r) { DoNotOptimize(make_view(r.world, isometric(), {})); })},
+      {"view", timed([](const Run& r) { DoNotOptimize(project_scene(r.world, isometric(), {})); })},
       {"edges", [](benchmark::State& state, Run& r) { find_edges(state, r, mesh_edges); }},
       {"intersections", [](benchmark::State& state, Run& r) { find_edges(state, r, intersections); }},
-      {"visibility", timed([](const Run& r) { DoNotOptimize(find_hidden(r.world, r.seen, r.drawn, r.contact)); })},
+      {"visibility", timed([](const Run& r) { DoNotOptimize(find_hidden(r.world, r.seen, r.drawn)); })},
       {"drawing", timed([](const Run& r) { DoNotOptimize(r.draw()); })},
       {"chains", timed([](const Run& r) { DoNotOptimize(chain_segments(r.drawing.segments, 1e-6)); })},
       {"sheet", timed([](const Run& r) { DoNotOptimize(r.layers()); })},

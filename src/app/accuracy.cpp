@@ -138,15 +138,18 @@ class Study {
       views.push_back(project_scene(world(i), sheet.plans[i], sheet.descriptions[i]));
     const std::vector<Annotations> annotations =
         annotate(scene.description, sheet.sheet, sheet.descriptions, views, sections);
-    const SheetPlan plan = plan_sheet(whole, scene.description, sheet.sheet, sheet.descriptions, views, annotations);
+    const SheetPlan plan = plan_sheet(whole, scene.description, sheet, views, annotations);
     for (std::size_t i = 0; i < views.size(); ++i) {
-      const ViewOptions& wish = sheet.plans[i].wish;
+      const ViewOptions& options = sheet.plans[i].options;
       const PaperMap paper = make_paper_map(views[i], plan.places[i].scale, plan.places[i].shift);
-      const FeatureEdges drawn = find_feature_edges(world(i), views[i], wish.edges,
-                                                    contact_in_space(world(i), views[i], wish.contact), progress_);
-      const StudiedView studied{
-          std::filesystem::path(scene.path).stem().string(), wish.name, world(i), views[i], wish.limits, drawn,
-          contact_of(world(i), views[i], wish.contact),      paper};
+      const FeatureEdges drawn = find_feature_edges(world(i), views[i], options.edges, progress_);
+      const StudiedView studied{std::filesystem::path(scene.path).stem().string(),
+                                options.name,
+                                world(i),
+                                views[i],
+                                options.limits,
+                                drawn,
+                                paper};
       measured.push_back(measure_view(studied));
     }
   }

@@ -25,7 +25,7 @@ double angle_of(const CurvePart& curve, const Vec2& p) {
 
 }  // namespace
 
-Vec2 place_on_curve(const CurvePart& curve, double angle) {
+Vec2 position_on_curve(const CurvePart& curve, double angle) {
   return curve.centre + portable_cos(angle) * curve.u + portable_sin(angle) * curve.v;
 }
 

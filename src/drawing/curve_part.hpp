@@ -10,7 +10,7 @@
 namespace epura {
 
 /// The point of a curve at its angle.
-Vec2 place_on_curve(const CurvePart& curve, double angle);
+Vec2 position_on_curve(const CurvePart& curve, double angle);
 
 /// Angles of the points first ... last of a polyline, which run from curve.from to curve.to.
 std::vector<double> corner_angles(const CurvePart& curve, const std::vector<Vec2>& points);

@@ -15,10 +15,11 @@ namespace {
 constexpr double coincident_cells = 4;
 constexpr double straight_mm = 1e-6;
 
-std::vector<Piece> pieces_of(const ProjectedScene& view, const PaperMap& paper, const FeatureEdges& drawn,
-                             const HiddenSpans& hidden, bool keep_hidden, const Progress& progress) {
+std::vector<Piece> pieces_of(const ResolvedView& lines, const PaperMap& paper, bool keep_hidden,
+                             const Progress& progress) {
+  const FeatureEdges& drawn = lines.drawn;
   const auto visit_drawn = [&](std::size_t e, const auto& visit) {
-    hidden.visit_parts(e, [&](double from, double to, bool visible) {
+    lines.hidden.visit_parts(e, [&](double from, double to, bool visible) {
       if (visible || keep_hidden) visit(from, to, visible);
     });
   };
@@ -33,8 +34,8 @@ std::vector<Piece> pieces_of(const ProjectedScene& view, const PaperMap& paper, 
       const FeatureEdge& edge = drawn.edges[e];
       Piece* piece = pieces.data() + first[e];
       visit_drawn(e, [&](double from, double to, bool visible) {
-        *piece++ = {place_on_paper(view, paper, edge, from),
-                    place_on_paper(view, paper, edge, to),
+        *piece++ = {position_on_paper(lines.view, paper, edge, from),
+                    position_on_paper(lines.view, paper, edge, to),
                     visible,
                     edge.kind,
                     static_cast<int>(e),
@@ -54,10 +55,9 @@ std::optional<std::array<int, 2>> edge_in_file(const World& world, const Feature
 }
 
 // `crossing` is its number among the lines that are no edges of a file, if it is one.
-Segment segment_of(const World& world, const ProjectedScene& view, const FeatureEdges& drawn, const Piece& piece,
-                   int crossing) {
-  const FeatureEdge& edge = drawn.edges[piece.edge];
-  const auto in_file = edge_in_file(world, edge);
+Segment segment_of(const ResolvedView& lines, const Piece& piece, int crossing) {
+  const FeatureEdge& edge = lines.drawn.edges[piece.edge];
+  const auto in_file = edge_in_file(lines.world, edge);
   return {piece.from,
           piece.to,
           piece.visible,
@@ -65,7 +65,7 @@ Segment segment_of(const World& world, const ProjectedScene& view, const Feature
           edge.model,
           in_file.value_or(std::array{-1, -1}),
           in_file ? -1 : crossing,
-          {parameter_in_space(view, edge, piece.s[0]), parameter_in_space(view, edge, piece.s[1])}};
+          {parameter_in_space(lines.view, edge, piece.s[0]), parameter_in_space(lines.view, edge, piece.s[1])}};
 }
 
 CrossingSegment cut_segment(const World& world, const FeatureEdge& edge, const std::array<double, 2>& t) {
@@ -90,8 +90,10 @@ CrossingSegment crossing_segment(const World& world, const FaceCrossing& crossin
   return segment;
 }
 
-void add_segments(const World& world, const ProjectedScene& view, const FeatureEdges& drawn,
-                  const std::vector<Piece>& pieces, ViewDrawing& drawing, const Progress& progress) {
+void add_segments(const ResolvedView& lines, const std::vector<Piece>& pieces, ViewDrawing& drawing,
+                  const Progress& progress) {
+  const World& world = lines.world;
+  const FeatureEdges& drawn = lines.drawn;
   std::vector<int> crossing(pieces.size());  // how many of them come before
   int crossings = 0;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -103,7 +105,7 @@ void add_segments(const World& world, const ProjectedScene& view, const FeatureE
   parallel_for(pieces.size(), 1024, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       Segment& segment = drawing.segments[i];
-      segment = segment_of(world, view, drawn, pieces[i], crossing[i]);
+      segment = segment_of(lines, pieces[i], crossing[i]);
       if (segment.crossing < 0) continue;
       const FeatureEdge& edge = drawn.edges[pieces[i].edge];
       drawing.crossings[segment.crossing] = edge.crossing < 0
@@ -115,7 +117,7 @@ void add_segments(const World& world, const ProjectedScene& view, const FeatureE
 
 }  // namespace
 
-Vec2 place_on_paper(const ProjectedScene& view, const PaperMap& paper, const FeatureEdge& edge, double s) {
+Vec2 position_on_paper(const ProjectedScene& view, const PaperMap& paper, const FeatureEdge& edge, double s) {
   if (s == 0) return paper(view.vertices[edge.vertex[0]]);
   if (s == 1) return paper(view.vertices[edge.vertex[1]]);
   const PageVertex& p = view.vertices[edge.vertex[0]];
@@ -133,26 +135,26 @@ double parameter_in_space(const ProjectedScene& view, const FeatureEdge& edge, d
   return edge.t[0] + part * (edge.t[1] - edge.t[0]);
 }
 
-Coincidence coincidence_on_paper(const ProjectedScene& view, const Contact& contact, const PaperMap& paper) {
-  const double tolerance = std::max(coincident_cells * view.cell, contact.touching) * paper.scale;
+Coincidence coincidence_on_paper(const ProjectedScene& view, const PaperMap& paper) {
+  const double tolerance = std::max(coincident_cells * view.cell, view.contact.touching) * paper.scale;
   return {tolerance, std::max(least_piece * view.extent * paper.scale, 8 * tolerance)};
 }
 
-ViewDrawing make_drawing(const World& world, const ProjectedScene& view, const FeatureEdges& drawn,
-                         const HiddenSpans& hidden, const Contact& contact, const PaperMap& paper,
-                         const DrawingWishes& wishes, const Progress& progress) {
+ViewDrawing make_drawing(const ResolvedView& lines, const PaperMap& paper, const DrawingOptions& options,
+                         const Progress& progress) {
+  const ProjectedScene& view = lines.view;
   ViewDrawing drawing;
-  drawing.name = wishes.name;
+  drawing.name = options.name;
   drawing.projection = view.projection;
   drawing.world_to_page = world_to_page(view, paper);
   drawing.vanishing_points = vanishing_points_on_page(view, paper);
 
-  const Coincidence limits = coincidence_on_paper(view, contact, paper);
+  const Coincidence limits = coincidence_on_paper(view, paper);
   progress.begin("merging lines");
-  std::vector<Piece> pieces = pieces_of(view, paper, drawn, hidden, wishes.hidden || !wishes.leave_out, progress);
+  std::vector<Piece> pieces = pieces_of(lines, paper, options.hidden || !options.leave_out, progress);
   pieces = resolve_coincident(std::move(pieces), limits.tolerance, limits.min, progress);
-  if (!wishes.hidden) std::erase_if(pieces, [](const Piece& piece) { return !piece.visible; });
-  add_segments(world, view, drawn, pieces, drawing, progress);
+  if (!options.hidden) std::erase_if(pieces, [](const Piece& piece) { return !piece.visible; });
+  add_segments(lines, pieces, drawing, progress);
   pieces = std::vector<Piece>();  // chains take their room
   progress.begin("joining lines", drawing.segments.size());
   drawing.chains = chain_segments(drawing.segments, straight_mm, progress);

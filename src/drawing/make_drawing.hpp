@@ -11,7 +11,7 @@
 
 namespace epura {
 
-struct DrawingWishes {
+struct DrawingOptions {
   std::string name;    ///< of the view
   bool hidden = true;  ///< keep hidden lines
   /// Those that are not kept are not made. They never had any influence: visible lines come first in rank.
@@ -19,7 +19,7 @@ struct DrawingWishes {
 };
 
 /// The place at page parameter `s` of an edge, in mm.
-Vec2 place_on_paper(const ProjectedScene& view, const PaperMap& paper, const FeatureEdge& edge, double s);
+Vec2 position_on_paper(const ProjectedScene& view, const PaperMap& paper, const FeatureEdge& edge, double s);
 
 /// A page parameter of an edge as the parameter along the edge in space that it was clipped from.
 double parameter_in_space(const ProjectedScene& view, const FeatureEdge& edge, double s);
@@ -28,11 +28,10 @@ double parameter_in_space(const ProjectedScene& view, const FeatureEdge& edge, d
 struct Coincidence {
   double tolerance, min;
 };
-Coincidence coincidence_on_paper(const ProjectedScene& view, const Contact& contact, const PaperMap& paper);
+Coincidence coincidence_on_paper(const ProjectedScene& view, const PaperMap& paper);
 
 /// Throws OutOfTime.
-ViewDrawing make_drawing(const World& world, const ProjectedScene& view, const FeatureEdges& drawn,
-                         const HiddenSpans& hidden, const Contact& contact, const PaperMap& paper,
-                         const DrawingWishes& wishes, const Progress& progress = {});
+ViewDrawing make_drawing(const ResolvedView& lines, const PaperMap& paper, const DrawingOptions& options,
+                         const Progress& progress = {});
 
 }  // namespace epura

@@ -12,7 +12,7 @@ namespace epura {
 struct EdgeSurroundings {
   const World& world;
   int model;
-  double scale_exponent;  ///< power of two that brings lengths near 1, so that products of them stay in range
+  double normalisation;  ///< power of two that brings lengths near 1, so that products of them stay in range
   /// The mesh before a plane cut it, to be judged in its place: edges and triangles below are of that then.
   const UncutMesh* uncut = nullptr;
 
@@ -24,7 +24,7 @@ struct EdgeSurroundings {
     for (int& v : corners) v += world.first_vertex[model];
     return corners;
   }
-  [[nodiscard]] Vec3 point(int vertex) const { return world.points[vertex] * scale_exponent; }
+  [[nodiscard]] Vec3 point(int vertex) const { return world.points[vertex] * normalisation; }
   /// The corner of a triangle that is not on the edge. Behind a sliver a triangle may share less than the whole edge
   /// with the one before it, so it is the corner farthest from the edge's line.
   [[nodiscard]] int apex(const std::array<int, 2>& edge, int triangle) const;

@@ -37,7 +37,7 @@ std::vector<Vec3> mean_normals(const EdgeSurroundings& around) {
 struct Judge {
   EdgeSurroundings around;
   const ProjectedScene& view;
-  const EdgeOptions& wishes;
+  const EdgeOptions& options;
   const Slivers& slivers;
   const std::vector<char>& is_tangent;       ///< by edge; empty where nobody asks
   const std::vector<Vec3>& polygon_normals;  ///< by number of the polygon
@@ -95,7 +95,7 @@ struct Judge {
     if (!(glm::dot(n1, n2) < 0)) return false;
     const double height = glm::length(n2) / glm::length(around.point(edge[1]) - around.point(edge[0]));
     const double sine = glm::length(glm::cross(n1, n2)) / (glm::length(n1) * glm::length(n2));
-    return sine * height <= std::max(flatness, around.world.rounding * around.scale_exponent);
+    return sine * height <= std::max(flatness, around.world.rounding * around.normalisation);
   }
 
   // What continues the surface at an edge with a triangle that is folded over, where the next one is folded over back
@@ -148,18 +148,18 @@ struct Judge {
     const Beyond one = slivers.beyond(ends, first);
     const Beyond two = slivers.beyond(ends, second);
     if (one.covered || two.covered) return std::nullopt;
-    if (!one.triangle || !two.triangle) return wish(EdgeKind::boundary);
+    if (!one.triangle || !two.triangle) return if_wanted(EdgeKind::boundary);
     const Pair pair = pair_at(ends, *one.triangle, *two.triangle);
     const int side_one = side(ends, pair.first);
     const int side_two = side(ends, pair.second);
     const bool contour = side_one == side_two ? side_one != 0 : side_one == 0 || side_two == 0;
-    if (contour && wishes.contour) return EdgeKind::contour;
+    if (contour && options.contour) return EdgeKind::contour;
     // Inside a polygon nothing is folded: the file says it is one face.
     if (edge.diagonal) return std::nullopt;
-    if (wishes.crease && folds_by(normals_of_faces(pair), crease)) return EdgeKind::crease;
+    if (options.crease && folds_by(normals_of_faces(pair), crease)) return EdgeKind::crease;
     if (!is_tangent.empty() && is_tangent[static_cast<std::size_t>(&edge - mesh().edges.data())] != 0)
       return EdgeKind::tangent;
-    return wish(EdgeKind::smooth);
+    return if_wanted(EdgeKind::smooth);
   }
 
   // The normals of the polygons that the triangles are parts of, turned as those of the triangles.
@@ -175,19 +175,19 @@ struct Judge {
     return normals;
   }
 
-  [[nodiscard]] std::optional<EdgeKind> wish(EdgeKind kind) const {
-    const bool wanted = kind == EdgeKind::boundary ? wishes.boundary
-                        : kind == EdgeKind::crease ? wishes.crease
-                                                   : wishes.smooth;
+  [[nodiscard]] std::optional<EdgeKind> if_wanted(EdgeKind kind) const {
+    const bool wanted = kind == EdgeKind::boundary ? options.boundary
+                        : kind == EdgeKind::crease ? options.crease
+                                                   : options.smooth;
     return wanted ? std::optional(kind) : std::nullopt;
   }
 
   // Triangles of one body at an edge.
   [[nodiscard]] std::optional<EdgeKind> judge_body(const MeshEdge& edge, const std::array<int, 2>& ends,
                                                    const std::vector<int>& triangles) const {
-    if (triangles.size() == 1) return wish(EdgeKind::boundary);
+    if (triangles.size() == 1) return if_wanted(EdgeKind::boundary);
     if (triangles.size() == 2) return judge_pair(edge, ends, triangles[0], triangles[1]);
-    return wish(EdgeKind::crease);
+    return if_wanted(EdgeKind::crease);
   }
 
   // An edge of the mesh that is drawn. A cut leaves faces in their planes but may leave thin pieces of them, so what it
@@ -226,20 +226,20 @@ struct Judge {
 }  // namespace
 
 std::vector<std::optional<EdgeKind>> feature_edges(const World& world, const ProjectedScene& view, int model,
-                                                   const EdgeOptions& wishes, const Progress& progress) {
-  const EdgeSurroundings around{world, model, view.map.scale_exponent, world.models[model].mesh->uncut.get()};
-  return feature_edges(view, wishes, around, Slivers(around, view, progress), progress);
+                                                   const EdgeOptions& options, const Progress& progress) {
+  const EdgeSurroundings around{world, model, view.map.normalisation, world.models[model].mesh->uncut.get()};
+  return feature_edges(view, options, around, Slivers(around, view, progress), progress);
 }
 
-std::vector<std::optional<EdgeKind>> feature_edges(const ProjectedScene& view, const EdgeOptions& wishes,
+std::vector<std::optional<EdgeKind>> feature_edges(const ProjectedScene& view, const EdgeOptions& options,
                                                    const EdgeSurroundings& around, const Slivers& slivers,
                                                    const Progress& progress) {
-  const double crease_angle = wishes.crease_angle - angle_rounding;
-  const std::vector<char> is_tangent = wishes.tangent ? tangent_edges(around, crease_angle) : std::vector<char>();
+  const double crease_angle = options.crease_angle - angle_rounding;
+  const std::vector<char> is_tangent = options.tangent ? tangent_edges(around, crease_angle) : std::vector<char>();
   const std::vector<Vec3> polygon_normals = mean_normals(around);
   const Judge judge{around,
                     view,
-                    wishes,
+                    options,
                     slivers,
                     is_tangent,
                     polygon_normals,

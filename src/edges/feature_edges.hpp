@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "edges/drawn_edges.hpp"
 #include "edges/edge_kind.hpp"
+#include "edges/find_edges.hpp"
 #include "edges/slivers.hpp"
 #include "view/projected_scene.hpp"
 
@@ -18,10 +18,10 @@ namespace epura {
 /// page, or when one of them is seen edge-on; so inside-out, one-sided and randomly oriented surfaces are drawn alike.
 /// Outlines of cuts are always drawn. Throws OutOfTime.
 std::vector<std::optional<EdgeKind>> feature_edges(const World& world, const ProjectedScene& view, int model,
-                                                   const EdgeOptions& wishes, const Progress& progress = {});
+                                                   const EdgeOptions& options, const Progress& progress = {});
 
 /// The same where the model's slivers in the view are known.
-std::vector<std::optional<EdgeKind>> feature_edges(const ProjectedScene& view, const EdgeOptions& wishes,
+std::vector<std::optional<EdgeKind>> feature_edges(const ProjectedScene& view, const EdgeOptions& options,
                                                    const EdgeSurroundings& around, const Slivers& slivers,
                                                    const Progress& progress = {});
 

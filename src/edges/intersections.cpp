@@ -34,16 +34,16 @@ struct Piece {
   std::array<Vec3, 2> ends;
 };
 
-Vec3 middle_of(const World& world, double scale_exponent) { return world.box.centre() * scale_exponent; }
+Vec3 middle_of(const World& world, double normalisation) { return world.box.centre() * normalisation; }
 
 class Crossings {
  public:
-  Crossings(const World& world, double scale_exponent, double contact)
+  Crossings(const World& world, double normalisation, double contact)
       : world_(world),
-        shrink_(scale_exponent),
+        normalisation_(normalisation),
         contact_(contact),
-        middle_(middle_of(world, scale_exponent)),
-        points_(shrunk_points(world, scale_exponent)) {}
+        middle_(middle_of(world, normalisation)),
+        points_(normalised_points(world, normalisation)) {}
 
   /// Of the triangles that `cross` will be called for. Apart from the constructor, since the tree is built in between,
   /// which needs room.
@@ -80,12 +80,12 @@ class Crossings {
     const auto common = overlap(*one, *two, glm::normalize(along));
     if (!common) return std::nullopt;
     const double angle = std::asin(std::min(glm::length(along), 1.0)) * (180 / std::numbers::pi);
-    return FaceCrossing{{unshrunk(common->ends[0]), unshrunk(common->ends[1])}, {first, second}, angle};
+    return FaceCrossing{{denormalised(common->ends[0]), denormalised(common->ends[1])}, {first, second}, angle};
   }
 
  private:
   [[nodiscard]] const Vec3& point(int vertex) const { return points_[vertex]; }
-  [[nodiscard]] Vec3 unshrunk(const Vec3& p) const { return (p + middle_) / shrink_; }
+  [[nodiscard]] Vec3 denormalised(const Vec3& p) const { return (p + middle_) / normalisation_; }
 
   [[nodiscard]] Plane plane(int triangle) const {
     const auto& c = world_.triangles[triangle];
@@ -155,7 +155,7 @@ class Crossings {
 
   [[nodiscard]] bool goes_on_behind(int triangle, int a, int b, const Plane& plane) const {
     const int model = world_.model_of_triangle(triangle);
-    const MeshEdge* edge = find_edge({world_, model, shrink_}, {std::min(a, b), std::max(a, b)});
+    const MeshEdge* edge = find_edge({world_, model, normalisation_}, {std::min(a, b), std::max(a, b)});
     check(edge != nullptr, "the sides of a triangle are edges of its mesh");
     for (const int other : world_.models[model].mesh->triangles_of(*edge))
       for (const int v : world_.triangles[world_.first_triangle[model] + other])
@@ -175,9 +175,9 @@ class Crossings {
   }
 
   const World& world_;
-  double shrink_, contact_;
+  double normalisation_, contact_;
   Vec3 middle_;
-  UnsetVector<Vec3> points_;  ///< shrunk and moved to the middle
+  UnsetVector<Vec3> points_;  ///< normalised and moved to the middle
   UnsetVector<Plane> planes_;
 };
 
@@ -195,23 +195,23 @@ bool boxes_overlap(const Box& a, const Box& b) {
          b.min.z <= a.max.z;
 }
 
-UnsetVector<Vec3> shrunk_points(const World& world, double scale_exponent) {
-  const Vec3 middle = middle_of(world, scale_exponent);
+UnsetVector<Vec3> normalised_points(const World& world, double normalisation) {
+  const Vec3 middle = middle_of(world, normalisation);
   UnsetVector<Vec3> points(world.points.size());
   parallel_for(points.size(), 8192, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) points[v] = world.points[v] * scale_exponent - middle;
+    for (std::size_t v = begin; v < end; ++v) points[v] = world.points[v] * normalisation - middle;
   });
   return points;
 }
 
-FaceCrossings find_intersections(const World& world, double scale_exponent, double contact,
-                                 const std::vector<int>& suspects, Progress progress) {
-  if (suspects.empty()) return {{}, 1};
+FaceCrossings find_intersections(const World& world, double normalisation, double contact,
+                                 const std::vector<int>& candidates, Progress progress) {
+  if (candidates.empty()) return {{}, 1};
   if (progress.is_out_of_time()) return {{}, 0};
-  Crossings crossings(world, scale_exponent, contact);
+  Crossings crossings(world, normalisation, contact);
   const TriangleTree tree(
-      suspects.size(), [&](int i) { return crossings.box(suspects[i]); }, crossings.flat_faces_of(suspects));
-  crossings.find_planes(suspects);
+      candidates.size(), [&](int i) { return crossings.box(candidates[i]); }, crossings.flat_faces_of(candidates));
+  crossings.find_planes(candidates);
 
   const std::vector<TriangleTree::NodePair> tasks = tree.tasks(1024);
   progress.begin("finding intersections", tasks.size());
@@ -220,7 +220,7 @@ FaceCrossings find_intersections(const World& world, double scale_exponent, doub
   const auto search = [&](std::size_t task) {
     tree.search(tasks[task], [&](int a, int b) {
       progress.expect_time();
-      if (const auto crossing = crossings.cross(suspects[a], suspects[b])) found[task].push_back(*crossing);
+      if (const auto crossing = crossings.cross(candidates[a], candidates[b])) found[task].push_back(*crossing);
     });
     ++finished;
     progress.advance(1);

@@ -25,16 +25,16 @@ struct FaceCrossings {
 
 /// All crossings of two triangles without a common vertex, longer than `contact`, sorted by their triangles.
 /// Faces that only touch (a corner or an edge within `contact` of the other's plane) do not cross; an edge that lies
-/// in the other plane counts when its surface goes on to the other side. `scale_exponent` is a power of two that brings
-/// the world's size near 1; `contact` is a length after shrinking. Only triangles in `suspects` are searched,
+/// in the other plane counts when its surface goes on to the other side. `normalisation` is a power of two that brings
+/// the world's size near 1; `contact` is a length normalised. Only triangles in `candidates` are searched,
 /// ascending.
-FaceCrossings find_intersections(const World& world, double scale_exponent, double contact,
-                                 const std::vector<int>& suspects, Progress progress = {});
+FaceCrossings find_intersections(const World& world, double normalisation, double contact,
+                                 const std::vector<int>& candidates, Progress progress = {});
 
-/// The world's points as the search has them: shrunk and moved to the middle of their box.
-UnsetVector<Vec3> shrunk_points(const World& world, double scale_exponent);
+/// The world's points as the search has them: normalised and moved to the middle of their box.
+UnsetVector<Vec3> normalised_points(const World& world, double normalisation);
 
-/// Whether a triangle (its corners after shrinking) is so low that its normal is not a direction. Such a one crosses
+/// Whether a triangle (its corners normalised) is so low that its normal is not a direction. Such a one crosses
 /// nothing.
 bool is_low(const Vec3& a, const Vec3& b, const Vec3& c, double contact);
 

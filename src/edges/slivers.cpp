@@ -116,7 +116,7 @@ double nearest_w(const ProjectedScene& view, const std::array<int, 3>& corners) 
 SliverRule::SliverRule(const EdgeSurroundings& around, const ProjectedScene& view)
     : around_(around),
       view_(&view),
-      lowest_(std::max(scene_rounding, around.world.rounding * view.map.scale_exponent)),
+      lowest_(std::max(scene_rounding, around.world.rounding * view.map.normalisation)),
       on_page_(lowest_on_page * page_resolution(around.world, view)) {}
 
 bool SliverRule::holds_for(int triangle) const {
@@ -174,7 +174,7 @@ Exit Slivers::way_out(const std::array<int, 2>& edge, int triangle) const {
 double page_resolution(const World& world, const ProjectedScene& view) {
   // Both ends of a line and the point beside it were rounded to the grid.
   constexpr double grid = 2;
-  return std::max(grid * view.cell, world.rounding * view.map.scale_exponent * view.map.unit);
+  return std::max(grid * view.cell, world.rounding * view.map.normalisation * view.map.unit);
 }
 
 }  // namespace epura

@@ -20,15 +20,15 @@ struct Storyteller {
   const FeatureEdge& edge;
   Subject subject;
 
-  [[nodiscard]] Vec2 place(double s) const { return place_on_paper(drawn_view.view, drawn_view.paper, edge, s); }
+  [[nodiscard]] Vec2 position(double s) const { return position_on_paper(drawn_view.view, drawn_view.paper, edge, s); }
   [[nodiscard]] std::string in_space(double s) const {
     return format_value(parameter_in_space(drawn_view.view, edge, s));
   }
 
   [[nodiscard]] std::string story(const Span& span, const std::vector<Occlusion>& hiders) const {
     std::string text = std::string("  ") + (span.visible ? "visible" : "hidden ") + " t " + in_space(span.from) +
-                       " to " + in_space(span.to) + ", " + format_value(place(span.from)) + " to " +
-                       format_value(place(span.to)) + " mm\n";
+                       " to " + in_space(span.to) + ", " + format_value(position(span.from)) + " to " +
+                       format_value(position(span.to)) + " mm\n";
     if (!span.visible) text += hidden_by(span, hiders);
     return text + ink_of(span);
   }
@@ -64,11 +64,11 @@ struct Storyteller {
 
   // Where a span has no ink of its own: which edges draw that place, or why nothing does.
   [[nodiscard]] std::string ink_of(const Span& span) const {
-    const Coincidence limits = coincidence_on_paper(drawn_view.view, drawn_view.contact, drawn_view.paper);
+    const Coincidence limits = coincidence_on_paper(drawn_view.view, drawn_view.paper);
     if (!span.visible && !drawn_view.keep_hidden) return "    no ink: hidden lines are not wanted\n";
-    if (!(glm::distance(place(span.from), place(span.to)) > limits.tolerance))
+    if (!(glm::distance(position(span.from), position(span.to)) > limits.tolerance))
       return "    no ink: a point on the page\n";
-    const Ruler line(place(span.from), place(span.to));
+    const Ruler line(position(span.from), position(span.to));
     Spans inked;
     std::vector<std::string> others;
     for (const Segment& segment : drawn_view.drawing.segments) {

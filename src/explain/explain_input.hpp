@@ -4,7 +4,7 @@
 
 #include "drawing/drawing.hpp"
 #include "drawing/make_drawing.hpp"
-#include "edges/drawn_edges.hpp"
+#include "edges/find_edges.hpp"
 #include "scene/scene.hpp"
 #include "view/paper_map.hpp"
 #include "view/projected_scene.hpp"
@@ -12,13 +12,8 @@
 
 namespace epura {
 
-struct ExplainInput {
-  const World& world;
-  const ProjectedScene& view;
-  const EdgeOptions& wishes;
-  const FeatureEdges& drawn;
-  const HiddenSpans& hidden;
-  const Contact& contact;
+struct ExplainInput : ResolvedView {
+  const EdgeOptions& options;
   const PaperMap& paper;
   const ViewDrawing& drawing;
   bool keep_hidden;  ///< hidden lines are drawn, too

@@ -126,8 +126,8 @@ std::vector<Subject> find(const ExplainInput& drawn_view, const ByPlace& wanted)
   const std::vector<FeatureEdge>& edges = drawn_view.drawn.edges;
   std::vector<std::pair<double, std::size_t>> near;
   for (std::size_t e = 0; e < edges.size(); ++e)
-    near.emplace_back(distance(wanted.place, place_on_paper(drawn_view.view, drawn_view.paper, edges[e], 0),
-                               place_on_paper(drawn_view.view, drawn_view.paper, edges[e], 1)),
+    near.emplace_back(distance(wanted.place, position_on_paper(drawn_view.view, drawn_view.paper, edges[e], 0),
+                               position_on_paper(drawn_view.view, drawn_view.paper, edges[e], 1)),
                       e);
   if (near.empty()) throw Error(ErrorKind::input, option, "nothing is drawn");
   const std::size_t count = std::min(nearest_edges, near.size());

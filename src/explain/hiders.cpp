@@ -77,7 +77,7 @@ std::vector<Occlusion> find_hiders(const ExplainInput& drawn_view, const Triangl
     // Seen edge-on it hides nothing.
     if (cross(view.grid[i], view.grid[j], view.grid[k]) == 0) return;
     if (own.contain(triangle.source)) return;
-    const auto part = hidden_part(view, line, triangle, drawn_view.contact);
+    const auto part = hidden_part(view, line, triangle);
     if (!part) return;
     const double t = parameter_in_space(view, edge, ((*part)[0] + (*part)[1]) / 2);
     const double ahead = ahead_of(drawn_view, triangle.source, ends[0] + t * (ends[1] - ends[0]));

@@ -14,15 +14,15 @@ const Mesh& mesh_of(const ExplainInput& drawn_view, const Subject& subject) {
   return *drawn_view.world.models[subject.model].mesh;
 }
 
-std::optional<EdgeKind> kind_under(const ExplainInput& drawn_view, const Subject& subject, const EdgeOptions& wishes) {
-  return feature_edges(drawn_view.world, drawn_view.view, subject.model, wishes)[subject.mesh_edge];
+std::optional<EdgeKind> kind_under(const ExplainInput& drawn_view, const Subject& subject, const EdgeOptions& options) {
+  return feature_edges(drawn_view.world, drawn_view.view, subject.model, options)[subject.mesh_edge];
 }
 
 std::string fold_of(const ExplainInput& drawn_view, const Subject& subject, bool crease) {
   const std::string faces = names_of(faces_at(drawn_view, subject));
   const auto angle = angle_at(drawn_view, subject);
   if (!angle) return faces + " meet here";
-  const double min = drawn_view.wishes.crease_angle;
+  const double min = drawn_view.options.crease_angle;
   const std::string text = faces + " turn by " + format_value(*angle) + " degrees";
   if (crease != (*angle >= min)) return text + ", measured across slivers it is otherwise";
   return text + "; a crease turns by " + format_value(min) + " or more";
@@ -45,9 +45,9 @@ std::string reason_for(const ExplainInput& drawn_view, const Subject& subject, E
 }
 
 std::string reason_not_drawn(const ExplainInput& drawn_view, const Subject& subject) {
-  if (const auto kind = kind_under(drawn_view, subject, drawn_view.wishes))
+  if (const auto kind = kind_under(drawn_view, subject, drawn_view.options))
     return "a " + std::string(name_of(*kind)) + ", but outside of what is drawn";
-  const EdgeOptions all{.smooth = true, .crease_angle = drawn_view.wishes.crease_angle};
+  const EdgeOptions all{.smooth = true, .crease_angle = drawn_view.options.crease_angle};
   const auto kind = kind_under(drawn_view, subject, all);
   if (kind && is_within_surface(*kind)) return reason_for(drawn_view, subject, *kind);
   if (kind) return std::string(name_of(*kind)) + " edges are not wanted; " + reason_for(drawn_view, subject, *kind);
@@ -65,7 +65,7 @@ std::optional<double> angle_at(const ExplainInput& drawn_view, const Subject& su
   if (edge.count != 2) return std::nullopt;
   const auto both = mesh.triangles_of(edge);
   const int first = drawn_view.world.first_vertex[subject.model];
-  return fold_angle({drawn_view.world, subject.model, drawn_view.view.map.scale_exponent},
+  return fold_angle({drawn_view.world, subject.model, drawn_view.view.map.normalisation},
                     {first + edge.vertex[0], first + edge.vertex[1]}, both[0], both[1]);
 }
 

@@ -24,8 +24,8 @@ std::string row_of_edge(const ExplainInput& drawn_view, std::size_t e) {
   const auto ends = ends_of(drawn_view, subject);
   return name_of(drawn_view, subject) + "\t" + std::string(name_of(edge.kind)) + "\t" +
          (angle ? format_number(*angle) : "-") + "\t" + faces + "\t" +
-         cells(place_on_paper(drawn_view.view, drawn_view.paper, edge, 0)) + "\t" +
-         cells(place_on_paper(drawn_view.view, drawn_view.paper, edge, 1)) + "\t" +
+         cells(position_on_paper(drawn_view.view, drawn_view.paper, edge, 0)) + "\t" +
+         cells(position_on_paper(drawn_view.view, drawn_view.paper, edge, 1)) + "\t" +
          format_number((edge.t[1] - edge.t[0]) * glm::distance(ends[0], ends[1])) + "\n";
 }
 
@@ -52,8 +52,8 @@ std::string rows_of_spans(const ExplainInput& drawn_view, const TriangleBoxes& b
   const std::string name = name_of(drawn_view, drawn_subject(drawn_view, e)) + "\t" + std::string(name_of(edge.kind));
   std::string rows;
   for (const Span& span : spans)
-    rows += name + "\t" + cells(place_on_paper(drawn_view.view, drawn_view.paper, edge, span.from)) + "\t" +
-            cells(place_on_paper(drawn_view.view, drawn_view.paper, edge, span.to)) + "\t" +
+    rows += name + "\t" + cells(position_on_paper(drawn_view.view, drawn_view.paper, edge, span.from)) + "\t" +
+            cells(position_on_paper(drawn_view.view, drawn_view.paper, edge, span.to)) + "\t" +
             format_number(parameter_in_space(drawn_view.view, edge, span.from)) + "\t" +
             format_number(parameter_in_space(drawn_view.view, edge, span.to)) + "\t" +
             (span.visible ? "visible\t0\t-\t-" : "hidden\t" + hiders_of(span, hiders)) + "\n";

@@ -29,7 +29,7 @@ std::vector<BezierPiece> bezier_pieces(const CurvePart& curve, double tolerance)
   std::vector<BezierPiece> pieces;
   for (int i = 0; i < count; ++i) {
     const double a = curve.from + i * step, b = a + step;
-    const Vec2 from = place_on_curve(curve, a), to = place_on_curve(curve, b);
+    const Vec2 from = position_on_curve(curve, a), to = position_on_curve(curve, b);
     pieces.push_back({{from + reach * tangent(a), to - reach * tangent(b)}, to});
   }
   return pieces;
@@ -39,7 +39,7 @@ std::vector<Vec2> quarter_ends(const CurvePart& curve) {
   const int count = pieces_of(curve, quarter);
   std::vector<Vec2> ends;
   for (int i = 1; i <= count; ++i)
-    ends.push_back(place_on_curve(curve, curve.from + (curve.to - curve.from) * i / count));
+    ends.push_back(position_on_curve(curve, curve.from + (curve.to - curve.from) * i / count));
   return ends;
 }
 

@@ -61,22 +61,22 @@ Neighbours with_other_views(Neighbours neighbours, std::span<const ViewResult> v
 
 }  // namespace
 
-AnnotationLayers annotation_layers(const World& world, const SheetPlan& plan, std::span<const Annotations> annotations,
-                                   std::span<const ViewResult> views, const std::vector<Text>& labels,
-                                   const Budget& budget) {
-  const Paper& paper = plan.furniture.paper;
+AnnotationLayers annotation_layers(const SheetInput& input, std::span<const ViewResult> views,
+                                   const std::vector<Text>& labels, const Budget& budget) {
+  const SheetFurniture& furniture = input.plan.furniture;
+  const Paper& paper = furniture.paper;
   const LineWidths widths = line_widths(paper);
   AnnotationLayers result;
-  std::vector<Layer> marks = marks_of(annotations, views, widths);
+  std::vector<Layer> marks = marks_of(input.annotations, views, widths);
   std::optional<Lettering> lettering;
   Neighbours around;
   for (std::size_t i = 0; i < views.size(); ++i) {
-    const std::vector<DimensionDescription> dimensions = dimensions_of(annotations[i], views[i]);
+    const std::vector<DimensionDescription> dimensions = dimensions_of(input.annotations[i], views[i]);
     if (dimensions.empty()) continue;
-    if (!lettering) around = neighbours_of(plan.furniture, labels, marks, lettering.emplace());
-    const DimensionStyle look{*lettering, widths.narrow, dimension_text_height(paper, views.size())};
+    if (!lettering) around = neighbours_of(furniture, labels, marks, lettering.emplace());
+    const DimensionStyle style{*lettering, widths.narrow, dimension_text_height(paper, views.size())};
     const ViewDrawing& drawing = views[i].drawing;
-    Layer layer = dimension_layer(world, drawing, dimensions, look, with_other_views(around, views, i),
+    Layer layer = dimension_layer({input.world, drawing, dimensions}, style, with_other_views(around, views, i),
                                   budget.run.with_part_of_the_time(0.5));
     if (const std::size_t left_out = dimensions.size() - layer.texts.size(); left_out > 0) {
       budget.partial.add_stage("placing dimensions");

@@ -18,10 +18,9 @@ struct AnnotationLayers {
   std::vector<std::string> warnings;
 };
 
-/// `annotations` and `views` are by view; `labels` stand above them. Throws Error{input} for dimensions that cannot be
+/// `views` are in order of the sheet; `labels` stand above them. Throws Error{input} for dimensions that cannot be
 /// drawn. Opens no font where there is nothing to write.
-AnnotationLayers annotation_layers(const World& world, const SheetPlan& plan, std::span<const Annotations> annotations,
-                                   std::span<const ViewResult> views, const std::vector<Text>& labels,
-                                   const Budget& budget);
+AnnotationLayers annotation_layers(const SheetInput& input, std::span<const ViewResult> views,
+                                   const std::vector<Text>& labels, const Budget& budget);
 
 }  // namespace epura

@@ -75,11 +75,11 @@ std::vector<const ViewDrawing*> drawings_of(const std::vector<ViewResult>& views
   return drawings;
 }
 
-std::vector<Layer> centre_layers(const ViewResult& view, const ViewOptions& wish, const LineWidths& widths,
+std::vector<Layer> centre_layers(const ViewResult& view, const ViewOptions& options, const LineWidths& widths,
                                  const std::vector<Layer>& lines, const Progress& progress) {
-  if (!wish.centre_lines) return {};
+  if (!options.centre_lines) return {};
   progress.begin("drawing centre lines");
-  return {centre_lines(view.drawing, view.circles, widths, wish.looks, lines, progress)};
+  return {centre_lines(view.drawing, view.circles, widths, options.styles, lines, progress)};
 }
 
 // One for each view; none for those without cut faces.
@@ -97,9 +97,9 @@ std::vector<std::vector<Layer>> hatch_layers(const std::vector<ViewResult>& resu
 }
 
 // Where there is no time for all lines, of the longest ones.
-std::vector<Layer> line_layers(ViewDrawing& drawing, const LineWidths& widths, const std::vector<ModelStyle>& looks,
+std::vector<Layer> line_layers(ViewDrawing& drawing, const LineWidths& widths, const std::vector<ModelStyle>& styles,
                                const Budget& budget) {
-  const auto make = [&](const Progress& progress) { return view_layers(drawing, widths, looks, progress); };
+  const auto make = [&](const Progress& progress) { return view_layers(drawing, widths, styles, progress); };
   const auto leave_out = [&](const std::string& stage) {
     budget.partial.add_stage(stage);
     budget.partial.undrawn += static_cast<long long>(keep_longest_chains(drawing, fewer(drawing.chains.size())));
@@ -117,13 +117,12 @@ void keep_curves(std::vector<Chain>& chains) {
 
 }  // namespace
 
-FinishedSheet compose(const World& world, const SceneDescription& scene, const SheetOfViews& views,
-                      const SheetPlan& plan, std::vector<ViewResult>& results,
-                      const std::vector<Annotations>& annotations, const Budget& budget) {
-  const SheetDescription& sheet = scene.sheets[static_cast<std::size_t>(views.sheet)];
+FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results, const Budget& budget) {
+  const SheetPlan& plan = input.plan;
+  const SheetDescription& sheet = input.scene.sheets[static_cast<std::size_t>(input.views.sheet)];
   const Paper& paper = plan.furniture.paper;
   SheetFurniture furniture = plan.furniture;
-  furniture.labels = labels_of(plan, views.descriptions, results);
+  furniture.labels = labels_of(plan, input.views.descriptions, results);
   FurnitureLayers around = furniture_layers(furniture);
   FinishedSheet finished{
       {paper.width, paper.height, title_of(sheet), std::move(around.layers), frames_of(results), facts_of(sheet)},
@@ -132,14 +131,14 @@ FinishedSheet compose(const World& world, const SceneDescription& scene, const S
       std::move(around.warnings),
       paper};
   const LineWidths widths = line_widths(paper);
-  AnnotationLayers beside = annotation_layers(world, plan, annotations, results, furniture.labels, budget);
+  AnnotationLayers beside = annotation_layers(input, results, furniture.labels, budget);
   auto hatching = budget.or_nothing([&](const Progress& p) { return hatch_layers(results, widths, p); });
   hatching.resize(results.size());
   for (std::size_t i = 0; i < results.size(); ++i) {
     append(finished.sheet.layers, std::move(hatching[i]));
-    std::vector<Layer> lines = line_layers(results[i].drawing, widths, views.plans[i].wish.looks, budget);
+    std::vector<Layer> lines = line_layers(results[i].drawing, widths, input.views.plans[i].options.styles, budget);
     append(finished.sheet.layers, budget.or_nothing([&](const Progress& progress) {
-      return centre_layers(results[i], views.plans[i].wish, widths, lines, progress);
+      return centre_layers(results[i], input.views.plans[i].options, widths, lines, progress);
     }));
     append(finished.sheet.layers, std::move(lines));
     // Without time for all that is to be written, chains tell which segments belong together.

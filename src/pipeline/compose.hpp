@@ -15,10 +15,8 @@
 
 namespace epura {
 
-/// The drawings of one sheet, in order of its views, with all that belongs to them, and what a sheet has around.
+/// `results` are the views of the sheet, in their order, with all that belongs to them, and what a sheet has around.
 /// What there is no time for is left out, and noted in the budget.
-FinishedSheet compose(const World& world, const SceneDescription& scene, const SheetOfViews& views,
-                      const SheetPlan& plan, std::vector<ViewResult>& results,
-                      const std::vector<Annotations>& annotations, const Budget& budget);
+FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results, const Budget& budget);
 
 }  // namespace epura

@@ -45,6 +45,7 @@ struct Run {
 // Of several views the report has all that time left out, and the test that found most wrong.
 void Run::note(const ViewResult& result) {
   warn_about(messages, result);
+  report.plan.insert(report.plan.end(), result.plan.begin(), result.plan.end());
   has_lines = has_lines || !result.drawing.segments.empty();
   if (!result.verification) return;
   const auto wrong = [](const Verification& found) { return found.wrong + found.outline.wrong(); };
@@ -65,7 +66,7 @@ std::vector<ProjectedScene> Run::map_views(const WorldOfView& world, const Sheet
     progress.expect_time();
     seen.push_back(project_scene(world(i), views.plans[i], views.descriptions[i]));
     const Condition map = condition_of(seen.back().projection, world(i).box, world(i).one_rounding);
-    const ViewCondition condition{views.plans[i].wish.name, map};
+    const ViewCondition condition{views.plans[i].options.name, map};
     warn_about(messages, condition);
     if (options.explain) report.conditions.push_back(condition);
     progress.advance(1);
@@ -81,25 +82,23 @@ FinishedSheet Run::draw_sheet(const World& whole, const CutSections& sections, c
   };
   std::vector<ProjectedScene> seen = map_views(world, views);
   const std::vector<Annotations> annotations = annotate(scene, views.sheet, views.descriptions, seen, sections);
-  const SheetPlan plan = plan_sheet(whole, scene, views.sheet, views.descriptions, seen, annotations);
+  const SheetPlan plan = plan_sheet(whole, scene, views, seen, annotations);
   if (plan.chosen) messages.warn("the scale is " + ratio_text(plan.scale) + ", the largest of ISO 5455 that fits");
   std::vector<ViewResult> results;
   Partial partial;
   const Budget budget{progress, progress, partial};
   for (std::size_t i = 0; i < seen.size(); ++i) {
-    const ViewOptions& wish = views.plans[i].wish;
-    results.push_back(draw_view(world(i), section(i), std::move(seen[i]), wish, plan.places[i], report.plan, watch,
-                                time_of_next_view()));
-    warn_if_empty(messages, results.back(), wish, world(i));
+    const ViewInput input{world(i), section(i), views.plans[i].options, plan.places[i]};
+    results.push_back(draw_view(input, std::move(seen[i]), time_of_next_view(), watch));
+    warn_if_empty(messages, results.back(), input);
     note(results.back());
     partial.add(results.back().partial);
-    answers += budget.or_nothing(
-        [&](const Progress& until) { return answer(options, world(i), wish, results.back(), until); });
+    answers += budget.or_nothing([&](const Progress& until) { return answer(options, input, results.back(), until); });
     results.back().work = {};  // what follows takes its room
   }
   if (options.arcs) tell_of_curves(messages, results);
   if (!plan.inside) messages.warn("the drawing is larger than the sheet at this scale");
-  FinishedSheet sheet = compose(whole, scene, views, plan, results, annotations, budget);
+  FinishedSheet sheet = compose({whole, scene, views, plan, annotations}, results, budget);
   if (!partial.stages.empty()) mark_partial(sheet, partial.stages.front());
   report.partial.add(partial);
   if (!options.keeps_drawings) sheet.drawings = {};

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "drawing/cut_faces.hpp"
-#include "edges/suspects.hpp"
+#include "edges/crossing_candidates.hpp"
 #include "verify/outline.hpp"
 #include "verify/verify.hpp"
 #include "visibility/height_field.hpp"
@@ -30,9 +30,9 @@ std::string why_not_clipped(const ProjectedScene& view) {
   return "everything lies inside the view volume";
 }
 
-PlanStep clip_step(const World& world, const ProjectedScene& view, const ViewOptions& wish) {
+PlanStep clip_step(const World& world, const ProjectedScene& view, const ViewOptions& options) {
   const bool cuts = !view.triangle_planes.empty();
-  const bool run = cuts || (!wish.leave_out.clip && !view.idle_planes.empty());
+  const bool run = cuts || (!options.leave_out.clip && !view.idle_planes.empty());
   return {"clip",
           run,
           cuts  ? "part of the model lies outside the view volume"
@@ -45,149 +45,37 @@ PlanStep clip_step(const World& world, const ProjectedScene& view, const ViewOpt
 }
 
 // What is known of intersections before they are searched.
-struct Suspects {
+struct Candidates {
   std::vector<int> triangles;
   PlanStep step;
 };
 
 // For what may be spared of the search for crossings.
-constexpr double part_for_suspects = 0.25;
+constexpr double part_for_candidates = 0.25;
 // Of the time for lines; the rest is for drawing them.
 constexpr double part_for_hiding = 0.7;
 
-std::string why_searched(const World& world, const ViewOptions& wish, std::size_t suspects) {
+std::string why_searched(const World& world, const ViewOptions& options, std::size_t candidates) {
   const std::string all = std::to_string(world.triangles.size());
-  if (!wish.edges.intersection) return "not wanted";
-  if (suspects == 0) return "all bodies are convex, and their boxes stand apart";
-  if (!wish.leave_out.intersections) return "--plan wants it";
-  if (suspects == world.triangles.size()) return "no convex body stands apart from all others";
-  return std::to_string(suspects) + " of " + all +
+  if (!options.edges.intersection) return "not wanted";
+  if (candidates == 0) return "all bodies are convex, and their boxes stand apart";
+  if (!options.leave_out.intersections) return "--plan wants it";
+  if (candidates == world.triangles.size()) return "no convex body stands apart from all others";
+  return std::to_string(candidates) + " of " + all +
          " triangles; the others are of convex bodies that stand apart, or copies";
 }
 
-Suspects find_suspects(const World& world, const ProjectedScene& view, const ViewOptions& wish, double contact,
-                       const Progress& progress) {
-  Suspects suspects{{}, {"intersections", false, "", count_of(world.triangles.size()), 0}};
-  if (wish.edges.intersection)
-    suspects.triangles =
-        !wish.leave_out.intersections ? all_triangles(world) : timed(suspects.step.times.certificate, [&] {
-          return crossing_suspects(world, view.map.scale_exponent, contact, progress);
-        });
-  suspects.step.run = !suspects.triangles.empty();
-  if (wish.edges.intersection) suspects.step.skipped = count_of(world.triangles.size() - suspects.triangles.size());
-  suspects.step.why = why_searched(world, wish, suspects.triangles.size());
-  return suspects;
-}
-
-// Without time to find out which triangles may cross, all may.
-Suspects find_suspects_in_time(const World& world, const ProjectedScene& view, const ViewOptions& wish, double contact,
-                               const Progress& progress) {
-  progress.begin("finding bodies that cross nothing");
-  try {
-    return find_suspects(world, view, wish, contact, progress.with_part_of_the_time(part_for_suspects));
-  } catch (const OutOfTime&) {
-    ViewOptions all = wish;
-    all.leave_out.intersections = false;
-    Suspects suspects = find_suspects(world, view, all, contact, progress);
-    suspects.step.why = "there was no time to find what may be left out";
-    return suspects;
-  }
-}
-
-// None where there is not even time for those of the meshes.
-FeatureEdges find_edges(const World& world, ProjectedScene& view, const ViewOptions& wish, std::vector<PlanStep>& plan,
-                        const Budget& budget) {
-  const double contact = contact_in_space(world, view, wish.contact);
-  Suspects suspects = find_suspects_in_time(world, view, wish, contact, budget.lines);
-  FeatureEdges drawn;
-  try {
-    drawn = find_feature_edges(world, view, wish.edges, contact, suspects.triangles, budget.lines);
-    if (drawn.searched < 1) budget.partial.add_stage("finding intersections");
-    budget.partial.searched = drawn.searched;
-  } catch (const OutOfTime& cut) {
-    budget.partial.add_stage(cut.stage);
-  }
-  budget.partial.edges = count_of(drawn.edges.size());
-  suspects.step.items_out = count_of(drawn.crossings.size());
-  plan.push_back(std::move(suspects.step));
-  return drawn;
-}
-
-// All but the longest edges are left undecided. Says whether so few are left that they take no time.
-bool keep_longest(const ProjectedScene& view, FeatureEdges& drawn, HiddenSpans& hidden, const std::string& stage,
-                  Partial& partial) {
-  hidden.undecided = all_but_longest(view, drawn.edges, fewer(drawn.edges.size()));
-  partial.add_stage(stage);
-  partial.undecided += count_of(hidden.undecided.size());
-  keep_decided(drawn, hidden);
-  return drawn.edges.size() <= few_lines;
-}
-
-HiddenSpans hide(const World& world, const ProjectedScene& view, FeatureEdges& drawn, const Contact& contact,
-                 const ViewOptions& wish, const Method& method, double scale, std::vector<PlanStep>& plan,
-                 const Budget& budget) {
-  PlanStep step{"visibility", false, "a wireframe is wanted", count_of(drawn.edges.size()), 0};
-  HiddenSpans hidden = nothing_hidden(drawn);
-  const bool wanted = method.way != Way::none;
-  const bool one_sheet = wanted && wish.leave_out.visibility &&
-                         timed(step.times.certificate, [&] { return is_height_field(world, view, drawn); });
-  if (one_sheet) {
-    step.why = "the page shows the surface as one sheet";
-    step.skipped = step.items_in;
-  }
-  if (wanted && !one_sheet) {
-    step.run = true;
-    step.why = wish.leave_out.visibility ? text_of(method) : "--plan wants it";
-    const bool can_be_direct = method == Method();
-    int cuts = 0;
-    // After two tries in vain it is faces that take the time, and ever fewer lines do not help.
-    const auto is_direct = [&] { return can_be_direct && cuts == 2; };
-    const auto make = [&](const Progress& progress) {
-      return is_direct() ? find_hidden_directly(world, view, drawn, contact, progress)
-                         : find_hidden(world, view, drawn, contact, method, scale, progress);
-    };
-    const auto leave_out = [&](const std::string& stage) {
-      if (is_direct() || (!can_be_direct && drawn.edges.size() <= few_lines)) throw OutOfTime{stage};
-      ++cuts;
-      hidden = nothing_hidden(drawn);
-      keep_longest(view, drawn, hidden, stage, budget.partial);
-      return false;
-    };
-    try {
-      hidden = timed(step.times.stage, [&] {
-        return make_in_time(budget.lines.with_part_of_the_time(part_for_hiding), budget.last(), make, leave_out);
-      });
-    } catch (const OutOfTime& cut) {
-      budget.partial.add_stage(cut.stage);
-      hidden = nothing_hidden(drawn);
-      hidden.undecided = all_but_longest(view, drawn.edges, 0);
-    }
-  }
-  if (!hidden.undecided.empty()) budget.partial.add_stage("hiding lines");
-  budget.partial.undecided += count_of(hidden.undecided.size());
-  keep_decided(drawn, hidden);
-  step.items_out = count_of(hidden.spans.size());
-  plan.push_back(std::move(step));
-  return hidden;
-}
-
-PlanStep hidden_step(const ViewOptions& wish, const HiddenSpans& hidden) {
-  const bool run = wish.keep_hidden() || !wish.leave_out.hidden;
+PlanStep hidden_step(const ViewOptions& options, const HiddenSpans& hidden) {
+  const bool run = options.keep_hidden() || !options.leave_out.hidden;
   return {"hidden",
           run,
-          wish.keep_hidden() ? "hidden lines are drawn"
-          : run              ? "--plan wants it"
-                             : "only visible lines are drawn",
+          options.keep_hidden() ? "hidden lines are drawn"
+          : run                 ? "--plan wants it"
+                                : "only visible lines are drawn",
           count_of(hidden.spans.size()),
           run ? count_of(hidden.spans.size()) : 0,
           {},
           run ? 0 : count_of(hidden.spans.size())};
-}
-
-MethodChoice choice_for(const ViewOptions& wish, const ProjectedScene& view, const FeatureEdges& drawn,
-                        const PaperMap& paper) {
-  if (!wish.max_error) return {wish.method, 0, {}};
-  return choose_method(view, drawn, paper.scale, *wish.max_error);
 }
 
 PlanStep section_step(const CutSection& section) {
@@ -195,60 +83,215 @@ PlanStep section_step(const CutSection& section) {
           count_of(section.cut.faces.size())};
 }
 
-struct ViewInWork {
-  const World& world;
-  const ProjectedScene& view;
-  const ViewOptions& wish;
-  FeatureEdges& drawn;
-  HiddenSpans& hidden;
-  const Contact& contact;
-  const PaperMap& paper;
-};
-
-std::optional<Verification> verify_view(const ViewInWork& work, const ViewDrawing& drawing, bool complete,
-                                        const Progress& progress) {
-  const auto& [world, view, wish, drawn, hidden, contact, paper] = work;
-  if (!wish.verify) return std::nullopt;
-  progress.begin("verifying");
-  const Tolerance tolerance{view.extent * paper.scale, contact.touching * paper.scale};
-  const VerifyInput claim{world, view.projection, wish.limits, drawn, hidden, drawing};
-  Verification found = verify(claim, tolerance, *wish.verify, wish.keep_hidden(), progress);
-  // A window that is given cuts lines off; otherwise it is the box of what is seen, and lines lie on its border.
-  const double margin = view.window_given ? 0 : 0.01 * view.extent;
-  const auto place = [&on_paper = paper, &seen = view](const Vec2& corner) {
-    return on_paper.origin + on_paper.scale * (corner - seen.middle);
-  };
-  const Window window{place(view.window.min - margin), place(view.window.max + margin)};
-  found.outline = verify_outline(claim, tolerance, {wish.edges, *wish.verify, complete, window, progress});
-  return found;
-}
-
 struct DrawnLines {
   ViewDrawing drawing;
   CurveReport curves;
 };
 
-// Where there is no time for all lines, of the longest edges.
-DrawnLines draw_lines(const ViewInWork& work, const Budget& budget) {
-  const ViewOptions& wish = work.wish;
+/// One view on its way through the stages.
+class ViewRun {
+ public:
+  ViewRun(const ViewInput& input, ProjectedScene view, const ViewTime& time, Stopwatch& watch)
+      : input_(input),
+        options_(input.options),
+        view_(std::move(view)),
+        watch_(watch),
+        budget_{time.run, time.lines, partial_} {
+    if (input_.section != nullptr) plan_.push_back(section_step(*input_.section));
+    plan_.push_back(clip_step(input_.world, view_, options_));
+  }
+
+  ViewResult run() {
+    find_edges();
+    watch_.lap("edges");
+    const PaperMap paper = make_paper_map(view_, input_.place.scale, input_.place.shift);
+    const MethodChoice choice = choose(paper);
+    hide(choice.method, paper.scale);
+    plan_.push_back(hidden_step(options_, hidden_));
+    for (PlanStep& step : plan_) step.view = options_.name;
+    watch_.lap("visibility");
+    DrawnLines lines = draw_lines(paper);
+    watch_.lap("drawing");
+    auto verification =
+        budget_.or_nothing([&](const Progress& progress) { return verified(lines.drawing, paper, progress); });
+    if (options_.verify) watch_.lap("verify");
+    auto circles = budget_.or_nothing([&](const Progress& progress) {
+      return options_.centre_lines ? find_placed_circles(input_.world, options_.edges.crease_angle, progress)
+                                   : std::vector<PlacedCircle>();
+    });
+    return {{std::move(view_), std::move(drawn_), std::move(hidden_), paper},
+            std::move(lines.drawing),
+            std::move(plan_),
+            std::move(partial_),
+            std::move(verification),
+            input_.section != nullptr ? std::optional(input_.section->plane) : std::nullopt,
+            lines.curves,
+            std::move(circles),
+            choice};
+  }
+
+ private:
+  Candidates find_candidates(bool may_leave_out, const Progress& progress) const;
+  Candidates find_candidates_in_time() const;
+  void find_edges();
+  [[nodiscard]] MethodChoice choose(const PaperMap& paper) const;
+  void hide(const Method& method, double scale);
+  HiddenSpans hidden_in_time(const Method& method, double scale);
+  bool keep_longest(const std::string& stage);
+  DrawnLines draw_lines(const PaperMap& paper);
+  std::optional<Verification> verified(const ViewDrawing& drawing, const PaperMap& paper, Progress progress) const;
+
+  const ViewInput& input_;
+  const ViewOptions& options_;
+  ProjectedScene view_;
+  FeatureEdges drawn_{};
+  HiddenSpans hidden_{};
+  std::vector<PlanStep> plan_{};
+  Partial partial_{};
+  Stopwatch& watch_;
+  Budget budget_;
+};
+
+Candidates ViewRun::find_candidates(bool may_leave_out, const Progress& progress) const {
+  const World& world = input_.world;
+  Candidates candidates{{}, {"intersections", false, "", count_of(world.triangles.size()), 0}};
+  if (options_.edges.intersection)
+    candidates.triangles = !may_leave_out ? all_triangles(world) : timed(candidates.step.times.certificate, [&] {
+      return crossing_candidates(world, view_.map.normalisation, view_.contact.in_space, progress);
+    });
+  candidates.step.run = !candidates.triangles.empty();
+  if (options_.edges.intersection)
+    candidates.step.skipped = count_of(world.triangles.size() - candidates.triangles.size());
+  candidates.step.why = why_searched(world, options_, candidates.triangles.size());
+  return candidates;
+}
+
+// Without time to find out which triangles may cross, all may.
+Candidates ViewRun::find_candidates_in_time() const {
+  budget_.lines.begin("finding bodies that cross nothing");
+  try {
+    return find_candidates(options_.leave_out.intersections, budget_.lines.with_part_of_the_time(part_for_candidates));
+  } catch (const OutOfTime&) {
+    Candidates candidates = find_candidates(false, budget_.lines);
+    candidates.step.why = "there was no time to find what may be left out";
+    return candidates;
+  }
+}
+
+// None where there is not even time for those of the meshes.
+void ViewRun::find_edges() {
+  Candidates candidates = find_candidates_in_time();
+  try {
+    drawn_ = find_feature_edges(input_.world, view_, options_.edges, candidates.triangles, budget_.lines);
+    if (drawn_.searched < 1) partial_.add_stage("finding intersections");
+    partial_.searched = drawn_.searched;
+  } catch (const OutOfTime& cut) {
+    partial_.add_stage(cut.stage);
+  }
+  partial_.edges = count_of(drawn_.edges.size());
+  candidates.step.items_out = count_of(drawn_.crossings.size());
+  plan_.push_back(std::move(candidates.step));
+}
+
+MethodChoice ViewRun::choose(const PaperMap& paper) const {
+  if (!options_.max_error) return {options_.method, 0, {}};
+  return choose_method(view_, drawn_, paper.scale, *options_.max_error);
+}
+
+// All but the longest edges are left undecided. Says whether so few are left that they take no time.
+bool ViewRun::keep_longest(const std::string& stage) {
+  hidden_.undecided = all_but_longest(view_, drawn_.edges, fewer(drawn_.edges.size()));
+  partial_.add_stage(stage);
+  partial_.undecided += count_of(hidden_.undecided.size());
+  keep_decided(drawn_, hidden_);
+  return drawn_.edges.size() <= few_lines;
+}
+
+HiddenSpans ViewRun::hidden_in_time(const Method& method, double scale) {
+  const bool can_be_direct = method == Method();
+  int cuts = 0;
+  // After two tries in vain it is faces that take the time, and ever fewer lines do not help.
+  const auto is_direct = [&] { return can_be_direct && cuts == 2; };
   const auto make = [&](const Progress& progress) {
-    DrawnLines lines;
-    lines.drawing = make_drawing(work.world, work.view, work.drawn, work.hidden, work.contact, work.paper,
-                                 {wish.name, wish.keep_hidden(), wish.leave_out.hidden}, progress);
-    if (wish.arcs) lines.curves = find_curves(lines.drawing.chains, *wish.arcs, progress);
-    return lines;
+    return is_direct() ? find_hidden_directly(input_.world, view_, drawn_, progress)
+                       : find_hidden(input_.world, view_, drawn_, method, scale, progress);
   };
   const auto leave_out = [&](const std::string& stage) {
-    return keep_longest(work.view, work.drawn, work.hidden, stage, budget.partial);
+    if (is_direct() || (!can_be_direct && drawn_.edges.size() <= few_lines)) throw OutOfTime{stage};
+    ++cuts;
+    hidden_ = nothing_hidden(drawn_);
+    keep_longest(stage);
+    return false;
   };
-  return make_in_time(budget.lines, budget.last(), make, leave_out);
+  try {
+    return make_in_time(budget_.lines.with_part_of_the_time(part_for_hiding), budget_.last(), make, leave_out);
+  } catch (const OutOfTime& cut) {
+    partial_.add_stage(cut.stage);
+    HiddenSpans nothing = nothing_hidden(drawn_);
+    nothing.undecided = all_but_longest(view_, drawn_.edges, 0);
+    return nothing;
+  }
+}
+
+void ViewRun::hide(const Method& method, double scale) {
+  PlanStep step{"visibility", false, "a wireframe is wanted", count_of(drawn_.edges.size()), 0};
+  hidden_ = nothing_hidden(drawn_);
+  const bool wanted = method.way != Way::none;
+  const bool is_one_sheet = wanted && options_.leave_out.visibility &&
+                            timed(step.times.certificate, [&] { return is_height_field(input_.world, view_, drawn_); });
+  if (is_one_sheet) {
+    step.why = "the page shows the surface as one sheet";
+    step.skipped = step.items_in;
+  } else if (wanted) {
+    step.run = true;
+    step.why = options_.leave_out.visibility ? text_of(method) : "--plan wants it";
+    hidden_ = timed(step.times.stage, [&] { return hidden_in_time(method, scale); });
+  }
+  if (!hidden_.undecided.empty()) partial_.add_stage("hiding lines");
+  partial_.undecided += count_of(hidden_.undecided.size());
+  keep_decided(drawn_, hidden_);
+  step.items_out = count_of(hidden_.spans.size());
+  plan_.push_back(std::move(step));
+}
+
+// Where there is no time for all lines, of the longest edges.
+DrawnLines ViewRun::draw_lines(const PaperMap& paper) {
+  const auto make = [&](const Progress& progress) {
+    DrawnLines lines;
+    lines.drawing = make_drawing({input_.world, view_, drawn_, hidden_}, paper,
+                                 {options_.name, options_.keep_hidden(), options_.leave_out.hidden}, progress);
+    if (options_.arcs) lines.curves = find_curves(lines.drawing.chains, *options_.arcs, progress);
+    return lines;
+  };
+  const auto leave_out = [&](const std::string& stage) { return keep_longest(stage); };
+  DrawnLines lines = make_in_time(budget_.lines, budget_.last(), make, leave_out);
+  if (const CutSection* section = input_.section)
+    lines.drawing.cut_faces = cut_faces_on_paper(section->cut.faces, section->plane, view_, paper);
+  lines.drawing.scale = input_.place.scale;
+  return lines;
+}
+
+std::optional<Verification> ViewRun::verified(const ViewDrawing& drawing, const PaperMap& paper,
+                                              Progress progress) const {
+  if (!options_.verify) return std::nullopt;
+  progress.begin("verifying");
+  const bool keep_hidden = options_.keep_hidden(), complete = partial_.stages.empty();
+  const Tolerance tolerance{view_.extent * paper.scale, view_.contact.touching * paper.scale};
+  const VerifyInput input{input_.world, view_.projection, options_.limits, drawn_, hidden_, drawing};
+  Verification found = verify(input, tolerance, *options_.verify, keep_hidden, progress);
+  // A window that is given cuts lines off; otherwise it is the box of what is seen, and lines lie on its border.
+  const double margin = view_.window_given ? 0 : 0.01 * view_.extent;
+  const auto to_page = [&](const Vec2& corner) { return paper.origin + paper.scale * (corner - view_.middle); };
+  const Window window{to_page(view_.window.min - margin), to_page(view_.window.max + margin)};
+  found.outline = verify_outline(input, tolerance, {options_.edges, *options_.verify, complete, window, progress});
+  return found;
 }
 
 }  // namespace
 
 bool ViewOptions::keep_hidden() const {
-  return std::any_of(looks.begin(), looks.end(),
-                     [](const ModelStyle& look) { return look.hidden != HiddenLines::none; });
+  return std::any_of(styles.begin(), styles.end(),
+                     [](const ModelStyle& style) { return style.hidden != HiddenLines::none; });
 }
 
 void Stopwatch::lap(const std::string& stage) {
@@ -257,45 +300,8 @@ void Stopwatch::lap(const std::string& stage) {
   start_ = now;
 }
 
-ViewResult draw_view(const World& world, const CutSection* section, ProjectedScene view, const ViewOptions& wish,
-                     const PlaceOnPage& place, std::vector<PlanStep>& plan, Stopwatch& watch, const ViewTime& time) {
-  Partial partial;
-  const Budget budget{time.run, time.lines, partial};
-  const auto first_step = static_cast<std::ptrdiff_t>(plan.size());
-  if (section != nullptr) plan.push_back(section_step(*section));
-  plan.push_back(clip_step(world, view, wish));
-  FeatureEdges drawn = find_edges(world, view, wish, plan, budget);
-  watch.lap("edges");
-
-  const Contact contact = contact_of(world, view, wish.contact);
-  const PaperMap paper = make_paper_map(view, place.scale, place.shift);
-  MethodChoice choice = choice_for(wish, view, drawn, paper);
-  HiddenSpans hidden = hide(world, view, drawn, contact, wish, choice.method, paper.scale, plan, budget);
-  plan.push_back(hidden_step(wish, hidden));
-  std::for_each(plan.begin() + first_step, plan.end(), [&](PlanStep& step) { step.view = wish.name; });
-  watch.lap("visibility");
-
-  const ViewInWork work{world, view, wish, drawn, hidden, contact, paper};
-  DrawnLines lines = draw_lines(work, budget);
-  ViewDrawing& drawing = lines.drawing;
-  if (section != nullptr) drawing.cut_faces = cut_faces_on_paper(section->cut.faces, section->plane, view, paper);
-  watch.lap("drawing");
-  drawing.scale = place.scale;
-  auto verification = budget.or_nothing(
-      [&](const Progress& progress) { return verify_view(work, drawing, partial.stages.empty(), progress); });
-  if (wish.verify) watch.lap("verify");
-  auto circles = budget.or_nothing([&](const Progress& progress) {
-    return wish.centre_lines ? find_placed_circles(world, wish.edges.crease_angle, progress)
-                             : std::vector<PlacedCircle>();
-  });
-  return {{std::move(view), std::move(drawn), contact, std::move(hidden), paper},
-          std::move(drawing),
-          std::move(partial),
-          std::move(verification),
-          section != nullptr ? std::optional(section->plane) : std::nullopt,
-          lines.curves,
-          std::move(circles),
-          std::move(choice)};
+ViewResult draw_view(const ViewInput& input, ProjectedScene view, const ViewTime& time, Stopwatch& watch) {
+  return ViewRun(input, std::move(view), time, watch).run();
 }
 
 }  // namespace epura

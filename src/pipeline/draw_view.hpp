@@ -11,7 +11,7 @@
 #include "drawing/arcs.hpp"
 #include "drawing/drawing.hpp"
 #include "drawing/make_drawing.hpp"
-#include "edges/drawn_edges.hpp"
+#include "edges/find_edges.hpp"
 #include "pipeline/budget.hpp"
 #include "pipeline/sections.hpp"
 #include "pipeline/shortcuts.hpp"
@@ -30,10 +30,9 @@ struct ViewOptions {
   std::string name;
   ViewLimits limits;
   EdgeOptions edges;
-  std::optional<double> contact;    ///< world length
   Method method;                    ///< by which hidden lines are found
   std::optional<double> max_error;  ///< mm; instead, the cheapest method whose error is below
-  std::vector<ModelStyle> looks;    ///< by model
+  std::vector<ModelStyle> styles;   ///< by model
   std::optional<int> verify;        ///< by so many points at random
   std::optional<double> arcs;       ///< lines within so many mm of circles and ellipses become these
   bool centre_lines = false;
@@ -47,7 +46,6 @@ struct ViewOptions {
 struct ViewWork {
   ProjectedScene view;
   FeatureEdges drawn;
-  Contact contact;
   HiddenSpans hidden;
   PaperMap paper;
 };
@@ -55,7 +53,8 @@ struct ViewWork {
 struct ViewResult {
   ViewWork work;  ///< large; of use only for questions about the drawing
   ViewDrawing drawing;
-  Partial partial;  ///< what is left out because time was over
+  std::vector<PlanStep> plan;  ///< what was done, and left out
+  Partial partial;             ///< what is left out because time was over
   std::optional<Verification> verification;
   std::optional<CuttingPlane> section;  ///< that the view shows
   CurveReport curves{};
@@ -86,10 +85,15 @@ struct ViewTime {
   Progress lines;  ///< the lines of this view are to be there by then
 };
 
-/// Draws one view, which stands on its sheet, and notes in `plan` and `watch` what was done. `world` is the cut one
-/// where the view shows a section.
-ViewResult draw_view(const World& world, const CutSection* section, ProjectedScene view, const ViewOptions& wish,
-                     const PlaceOnPage& place, std::vector<PlanStep>& plan, Stopwatch& watch,
-                     const ViewTime& time = {});
+/// A view that is to be drawn, and where it stands on its sheet.
+struct ViewInput {
+  const World& world;         ///< the cut one where the view shows a section
+  const CutSection* section;  ///< null where it shows the whole
+  const ViewOptions& options;
+  PlaceOnPage place;
+};
+
+/// Throws OutOfTime where time is over before there is a line to show; else what was left out is noted in the result.
+ViewResult draw_view(const ViewInput& input, ProjectedScene view, const ViewTime& time, Stopwatch& watch);
 
 }  // namespace epura

@@ -70,7 +70,7 @@ Views views_to_place(const World& world, std::span<const ViewDescription> descri
   return result;
 }
 
-struct Wishes {
+struct LayoutOptions {
   ScaleChoice scale;
   bool portrait;
   FrameKind frame;
@@ -84,12 +84,12 @@ double clearance_of(FrameKind frame) {
   return frame == FrameKind::full ? 12 : 5;
 }
 
-Arrangement arranged_on(const PaperChoice& size, const Wishes& wishes, std::span<const ViewToPlace> views) {
-  const Paper paper = make_paper(size, wishes.portrait);
-  DrawingRoom room{wishes.frame == FrameKind::none ? paper : with_frame_margins(paper)};
-  room.clearance = clearance_of(wishes.frame);
-  if (wishes.title_block) room.title_block = title_block_box(*wishes.title_block, room.paper);
-  return arrange(views, wishes.scale, wishes.angle, room);
+Arrangement arranged_on(const PaperChoice& size, const LayoutOptions& options, std::span<const ViewToPlace> views) {
+  const Paper paper = make_paper(size, options.portrait);
+  DrawingRoom room{options.frame == FrameKind::none ? paper : with_frame_margins(paper)};
+  room.clearance = clearance_of(options.frame);
+  if (options.title_block) room.title_block = title_block_box(*options.title_block, room.paper);
+  return arrange(views, options.scale, options.angle, room);
 }
 
 bool is_sized_by_scale(const SheetDescription& sheet) {
@@ -105,14 +105,14 @@ PaperChoice usual_size(const SheetDescription& sheet, std::size_t views) {
 
 // "auto": the smallest paper on which the views have room at the scale that is given. `size` is the usual one, and
 // becomes the one that is taken.
-Arrangement arranged(const SheetDescription& sheet, const Wishes& wishes, std::span<const ViewToPlace> views,
+Arrangement arranged(const SheetDescription& sheet, const LayoutOptions& options, std::span<const ViewToPlace> views,
                      PaperChoice& size) {
-  if (!is_sized_by_scale(sheet) || !wishes.scale.fixed) return arranged_on(size, wishes, views);
+  if (!is_sized_by_scale(sheet) || !options.scale.fixed) return arranged_on(size, options, views);
   for (const int larger : {4, 3, 2, 1}) {
-    Arrangement arrangement = arranged_on(size = iso_size(larger), wishes, views);
+    Arrangement arrangement = arranged_on(size = iso_size(larger), options, views);
     if (arrangement.inside) return arrangement;
   }
-  return arranged_on(size = iso_size(0), wishes, views);
+  return arranged_on(size = iso_size(0), options, views);
 }
 
 // For the title block: "A3", "300x200".
@@ -132,15 +132,15 @@ TitleBlock title_block_of(const SceneDescription& scene, int sheet) {
   return block;
 }
 
-Wishes wishes_of(const SceneDescription& scene, int number, std::size_t views) {
+LayoutOptions options_of(const SceneDescription& scene, int number, std::size_t views) {
   const SheetDescription& sheet = scene.sheets[static_cast<std::size_t>(number)];
-  Wishes wishes{};
-  wishes.frame = frame_of(sheet, views);
-  wishes.portrait = sheet.orientation.value_or(Orientation::landscape) == Orientation::portrait;
-  wishes.angle = sheet.angle.value_or(ProjectionAngle::first);
-  wishes.scale = sheet.scale.value_or({.fixed = {}, .standard = wishes.frame == FrameKind::full});
-  if (wishes.frame == FrameKind::full) wishes.title_block = title_block_of(scene, number);
-  return wishes;
+  LayoutOptions options{};
+  options.frame = frame_of(sheet, views);
+  options.portrait = sheet.orientation.value_or(Orientation::landscape) == Orientation::portrait;
+  options.angle = sheet.angle.value_or(ProjectionAngle::first);
+  options.scale = sheet.scale.value_or({.fixed = {}, .standard = options.frame == FrameKind::full});
+  if (options.frame == FrameKind::full) options.title_block = title_block_of(scene, number);
+  return options;
 }
 
 }  // namespace
@@ -150,24 +150,23 @@ double dimension_text_height(const Paper& paper, std::size_t views) {
   return views > 1 && paper.width * paper.height <= a4 ? 2.5 : usual_text_height;
 }
 
-SheetPlan plan_sheet(const World& world, const SceneDescription& scene, int sheet,
-                     std::span<const ViewDescription> descriptions, std::span<const ProjectedScene> views,
-                     const std::vector<Annotations>& annotations) {
-  Wishes wishes = wishes_of(scene, sheet, views.size());
-  const SheetDescription& description = scene.sheets[static_cast<std::size_t>(sheet)];
+SheetPlan plan_sheet(const World& world, const SceneDescription& scene, const SheetOfViews& sheet,
+                     std::span<const ProjectedScene> views, const std::vector<Annotations>& annotations) {
+  LayoutOptions options = options_of(scene, sheet.sheet, views.size());
+  const SheetDescription& description = scene.sheets[static_cast<std::size_t>(sheet.sheet)];
   PaperChoice size = usual_size(description, views.size());
   const LineWidths widths = line_widths(make_paper(size, false));
-  const Views placing = views_to_place(world, descriptions, views, annotations, widths);
-  const Arrangement arrangement = arranged(description, wishes, placing.to_place, size);
-  if (wishes.title_block) {
-    wishes.title_block->scale = ratio_text(arrangement.scale);
-    wishes.title_block->size = size_text(size);
-    if (views.size() > 1) wishes.title_block->angle = wishes.angle;
+  const Views placing = views_to_place(world, sheet.descriptions, views, annotations, widths);
+  const Arrangement arrangement = arranged(description, options, placing.to_place, size);
+  if (options.title_block) {
+    options.title_block->scale = ratio_text(arrangement.scale);
+    options.title_block->size = size_text(size);
+    if (views.size() > 1) options.title_block->angle = options.angle;
   }
-  SheetPlan plan{{arrangement.paper, wishes.frame, std::move(wishes.title_block)},
+  SheetPlan plan{{arrangement.paper, options.frame, std::move(options.title_block)},
                  {},
                  arrangement.scale,
-                 wishes.scale.standard,
+                 options.scale.standard,
                  arrangement.inside};
   for (std::size_t i = 0; i < views.size(); ++i) {
     const ViewSpot& spot = arrangement.views[i];

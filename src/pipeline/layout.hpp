@@ -8,6 +8,7 @@
 
 #include "pipeline/annotations.hpp"
 #include "pipeline/draw_view.hpp"
+#include "pipeline/view_plan.hpp"
 #include "scene/description.hpp"
 #include "sheet/paper.hpp"
 #include "sheet/projection_symbol.hpp"
@@ -27,10 +28,18 @@ struct SheetPlan {
 /// Height of the texts of dimensions, mm: 2.5 for several views on A4, 3.5 elsewhere. ISO 3098.
 double dimension_text_height(const Paper& paper, std::size_t views);
 
-/// Where the views of a sheet stand, with room for what is written beside them; it is number `sheet` of the scene,
-/// counted from 0. Throws Error{input} for words that say nothing.
-SheetPlan plan_sheet(const World& world, const SceneDescription& scene, int sheet,
-                     std::span<const ViewDescription> descriptions, std::span<const ProjectedScene> views,
-                     const std::vector<Annotations>& annotations);
+/// Where the views of a sheet stand, with room for what is written beside them. Throws Error{input} for words that say
+/// nothing.
+SheetPlan plan_sheet(const World& world, const SceneDescription& scene, const SheetOfViews& sheet,
+                     std::span<const ProjectedScene> views, const std::vector<Annotations>& annotations);
+
+/// A sheet whose views have their places, for what is drawn on it.
+struct SheetInput {
+  const World& world;
+  const SceneDescription& scene;
+  const SheetOfViews& views;
+  const SheetPlan& plan;
+  const std::vector<Annotations>& annotations;  ///< by view
+};
 
 }  // namespace epura

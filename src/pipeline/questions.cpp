@@ -9,15 +9,15 @@
 
 namespace epura {
 
-std::string answer(const RunOptions& questions, const World& world, const ViewOptions& wish, const ViewResult& result,
+std::string answer(const RunOptions& questions, const ViewInput& input, const ViewResult& result,
                    const Progress& progress) {
-  const ViewWork& work = result.work;
-  const ExplainInput drawn_view{world,        work.view,  wish.edges,     work.drawn,        work.hidden,
-                                work.contact, work.paper, result.drawing, wish.keep_hidden()};
+  const auto& [view, drawn, hidden, paper] = result.work;
+  const ExplainInput drawn_view{
+      {input.world, view, drawn, hidden}, input.options.edges, paper, result.drawing, input.options.keep_hidden()};
   std::string text;
   if (questions.dump == DumpTable::edges) text += edge_table(drawn_view, progress);
   if (questions.why.empty() && questions.dump != DumpTable::spans) return text;
-  const TriangleBoxes boxes(work.view);
+  const TriangleBoxes boxes(view);
   if (questions.dump == DumpTable::spans) text += span_table(drawn_view, boxes, progress);
   progress.begin("answering");
   for (const EdgeQuestion& question : questions.why)

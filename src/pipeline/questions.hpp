@@ -11,7 +11,7 @@ namespace epura {
 
 /// The answers as text; empty where nothing is asked. Throws Error{input} when an edge that was asked for does not
 /// exist.
-std::string answer(const RunOptions& questions, const World& world, const ViewOptions& wish, const ViewResult& result,
+std::string answer(const RunOptions& questions, const ViewInput& input, const ViewResult& result,
                    const Progress& progress = {});
 
 }  // namespace epura

@@ -31,15 +31,16 @@ constexpr const char* more_digits =
 
 }  // namespace
 
-void warn_if_empty(const Messages& messages, const ViewResult& result, const ViewOptions& wish, const World& world) {
+void warn_if_empty(const Messages& messages, const ViewResult& result, const ViewInput& input) {
   if (!result.drawing.segments.empty() || !result.partial.stages.empty()) return;
-  if (!wish.edges.contour || !wish.edges.boundary || !wish.edges.crease)
+  const EdgeOptions& edges = input.options.edges;
+  if (!edges.contour || !edges.boundary || !edges.crease)
     return messages.warn("nothing is drawn: no edge of the wanted kinds is visible");
   if (result.work.view.window_given) return messages.warn("nothing is drawn: no edge is visible in the window");
   // Any face has an outline.
-  throw Error(ErrorKind::input, "view '" + wish.name + "'",
+  throw Error(ErrorKind::input, "view '" + input.options.name + "'",
               "nothing is drawn: no face is larger than what rounding of coordinates may have moved (" +
-                  format_rounded(world.rounding, 2) + ")",
+                  format_rounded(input.world.rounding, 2) + ")",
               more_digits);
 }
 

@@ -15,7 +15,7 @@ namespace epura {
 
 /// Warns of a view that has no line of the kinds that were asked for, or none in its window. Throws Error{input} for
 /// one that should have lines, but all of them are lost in the rounding of coordinates.
-void warn_if_empty(const Messages& messages, const ViewResult& result, const ViewOptions& wish, const World& world);
+void warn_if_empty(const Messages& messages, const ViewResult& result, const ViewInput& input);
 void warn_about(const Messages& messages, const ViewResult& result);
 void warn_about(const Messages& messages, const Partial& partial);
 /// What is said where the time limit leaves nothing to show.

@@ -9,52 +9,51 @@ namespace epura {
 
 namespace {
 
-EdgeOptions edge_wishes(const ViewDescription& view) {
+EdgeOptions edge_options(const ViewDescription& view) {
   const EdgeKinds kinds = view.edges.value_or({});
-  EdgeOptions wishes{.contour = kinds.contour,
-                     .boundary = kinds.boundary,
-                     .crease = kinds.crease,
-                     .intersection = kinds.intersection,
-                     .tangent = kinds.tangent,
-                     .smooth = kinds.smooth};
-  wishes.crease_angle = view.crease_angle.value_or(wishes.crease_angle);
-  return wishes;
+  EdgeOptions edges{.contour = kinds.contour,
+                    .boundary = kinds.boundary,
+                    .crease = kinds.crease,
+                    .intersection = kinds.intersection,
+                    .tangent = kinds.tangent,
+                    .smooth = kinds.smooth};
+  edges.crease_angle = view.crease_angle.value_or(edges.crease_angle);
+  return edges;
 }
 
 // What a model says of itself wins over what the view says.
-std::vector<ModelStyle> looks_of(const SceneDescription& scene, const ViewDescription& view) {
-  std::vector<ModelStyle> looks;
+std::vector<ModelStyle> styles_of(const SceneDescription& scene, const ViewDescription& view) {
+  std::vector<ModelStyle> styles;
   for (const ModelDescription& model : scene.models) {
     const ModelStyle usual;
-    looks.push_back({model.line.value_or(usual.line), model.hidden.value_or(view.hidden.value_or(usual.hidden))});
+    styles.push_back({model.line.value_or(usual.line), model.hidden.value_or(view.hidden.value_or(usual.hidden))});
   }
-  return looks;
+  return styles;
 }
 
-ViewOptions wish_of(const SceneDescription& scene, const ViewDescription& view, const RunOptions& options) {
-  ViewOptions wish;
-  wish.name = *view.name;
-  wish.limits = {view.near.value, view.far.value};
-  wish.edges = edge_wishes(view);
-  wish.contact = options.contact;
-  wish.method = options.method;
-  wish.looks = looks_of(scene, view);
-  wish.arcs = options.arcs;
-  wish.centre_lines = options.centre_lines;
-  wish.leave_out = options.plan;
-  if (options.verify && wish.method.way == Way::none)
+ViewOptions view_options(const SceneDescription& scene, const ViewDescription& view, const RunOptions& run) {
+  ViewOptions options;
+  options.name = *view.name;
+  options.limits = {view.near.value, view.far.value, run.contact};
+  options.edges = edge_options(view);
+  options.method = run.method;
+  options.styles = styles_of(scene, view);
+  options.arcs = run.arcs;
+  options.centre_lines = run.centre_lines;
+  options.leave_out = run.plan;
+  if (run.verify && options.method.way == Way::none)
     throw Error(ErrorKind::input, "--verify", "has nothing to test in a wireframe", "leave out --visibility none");
-  if (options.time_limit && (wish.method.way == Way::sampled || wish.method.way == Way::item_buffer))
-    throw Error(ErrorKind::input, "--time-limit", "cannot stop " + name_of(wish.method.way) + " visibility",
+  if (run.time_limit && (options.method.way == Way::sampled || options.method.way == Way::item_buffer))
+    throw Error(ErrorKind::input, "--time-limit", "cannot stop " + name_of(options.method.way) + " visibility",
                 "leave out --visibility");
-  if (options.max_error && wish.method != Method())
+  if (run.max_error && options.method != Method())
     throw Error(ErrorKind::input, "--max-error", "chooses the method itself", "leave out --visibility");
-  if (options.max_error && (options.time_limit || options.verify))
+  if (run.max_error && (run.time_limit || run.verify))
     throw Error(ErrorKind::input, "--max-error", "may choose a method that knows no --time-limit and no --verify",
                 "leave out one of them");
-  wish.max_error = options.max_error;
-  if (options.verify) wish.verify = options.verify_samples;
-  return wish;
+  options.max_error = run.max_error;
+  if (run.verify) options.verify = run.verify_samples;
+  return options;
 }
 
 }  // namespace
@@ -68,9 +67,9 @@ std::vector<PlannedView> plan_views(const SceneDescription& scene, const RunOpti
   };
   std::vector<PlannedView> plans;
   for (const ViewDescription& view : scene.views) {
-    const ViewOptions wish = wish_of(scene, view, options);
+    const ViewOptions of_view = view_options(scene, view, options);
     const auto plan = [&](const ProjectionRequest& request) -> PlannedView {
-      return {request, find(request.name), wish};
+      return {request, find(request.name), of_view};
     };
     plans.push_back(at_place(view.projection, plan));
   }
@@ -97,8 +96,8 @@ std::vector<SheetOfViews> views_by_sheet(const SceneDescription& scene, const st
 
 ProjectedScene project_scene(const World& world, const PlannedView& plan, const ViewDescription& description) {
   const auto look = [&](const ProjectionRequest&) {
-    return make_view(world, make_projection(plan.entry, plan.request, world.box), plan.wish.limits,
-                     plan.wish.leave_out.clip ? Clipping::where_needed : Clipping::everywhere);
+    return project_scene(world, make_projection(plan.entry, plan.request, world.box), plan.options.limits,
+                         plan.options.leave_out.clip ? Clipping::where_needed : Clipping::everywhere);
   };
   return at_place(description.projection, look);
 }

@@ -15,7 +15,7 @@ namespace epura {
 struct PlannedView {
   ProjectionRequest request;
   ProjectionEntry entry;
-  ViewOptions wish;
+  ViewOptions options;
 };
 
 /// Throws Error{input}, or Error{plugin} for projections that are not there.

@@ -20,7 +20,7 @@ std::vector<bool> inside_out(const World& world, int model, int bodies, const Pl
   for (std::size_t t = 0; t < mesh.body.size(); ++t) {
     std::array<Vec3, 3> p;
     for (std::size_t i = 0; i < 3; ++i)
-      p[i] = world.points[world.triangles[world.first_triangle[model] + t][i]] * frame.scale_exponent - frame.origin;
+      p[i] = world.points[world.triangles[world.first_triangle[model] + t][i]] * frame.normalisation - frame.origin;
     volume[mesh.body[t]] += glm::dot(p[0], glm::cross(p[1], p[2]));
   }
   std::vector<bool> negative;

@@ -69,10 +69,10 @@ class Knife {
       const bool forward = place_of(a) < place_of(b);
       const int from = first_ + (forward ? a : b), to = first_ + (forward ? b : a);
       const auto part = [&](int u, int v) { return sides_.distance[u] / (sides_.distance[u] - sides_.distance[v]); };
-      // Shrinking first: the difference of two large coordinates may be no double.
-      const Vec3 p = world_.points[from] * sides_.scale_exponent;
-      const Vec3 q = world_.points[to] * sides_.scale_exponent;
-      result_.points.push_back((p + part(from, to) * (q - p)) / sides_.scale_exponent);
+      // Normalised first: the difference of two large coordinates may be no double.
+      const Vec3 p = world_.points[from] * sides_.normalisation;
+      const Vec3 q = world_.points[to] * sides_.normalisation;
+      result_.points.push_back((p + part(from, to) * (q - p)) / sides_.normalisation);
       result_.vertices.push_back({{a, b}, part(first_ + a, first_ + b)});
     }
     return place->second;
@@ -94,11 +94,11 @@ Sides find_sides(const World& world, const CuttingPlane& plane) {
   Sides sides{size > 0 ? std::ldexp(1.0, -std::clamp(std::ilogb(size) + 1, -1000, 1000)) : 1.0, {}, {}};
   sides.of.resize(world.points.size());
   sides.distance.resize(world.points.size());
-  const Vec3 foot = plane.point * sides.scale_exponent;
-  const double slack = std::max(rounding_part, world.rounding * sides.scale_exponent);
+  const Vec3 foot = plane.point * sides.normalisation;
+  const double slack = std::max(rounding_part, world.rounding * sides.normalisation);
   parallel_for(world.points.size(), 8192, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
-      const double distance = glm::dot(plane.normal, world.points[v] * sides.scale_exponent - foot);
+      const double distance = glm::dot(plane.normal, world.points[v] * sides.normalisation - foot);
       sides.distance[v] = distance;
       sides.of[v] = static_cast<signed char>(distance > slack ? 1 : distance < -slack ? -1 : 0);
     }

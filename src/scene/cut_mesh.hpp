@@ -14,9 +14,9 @@ namespace epura {
 
 /// The vertices of a world as a plane has them.
 struct Sides {
-  double scale_exponent;         ///< power of two that brings the world's size near 1
+  double normalisation;          ///< power of two that brings the world's size near 1
   std::vector<signed char> of;   ///< 1: taken away, -1: stays, 0: on the plane
-  std::vector<double> distance;  ///< from the plane, shrunk
+  std::vector<double> distance;  ///< from the plane, normalised
 };
 
 Sides find_sides(const World& world, const CuttingPlane& plane);

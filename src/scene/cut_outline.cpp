@@ -41,9 +41,9 @@ std::vector<int> patches(std::span<const std::array<int, 3>> triangles, std::spa
 
 }  // namespace
 
-PlaneFrame::PlaneFrame(const World& world, const CuttingPlane& cutting_plane, double shrink_by)
-    : plane(cutting_plane), scale_exponent(shrink_by), origin(world.box.centre() * shrink_by) {
-  origin += glm::dot(plane.normal, plane.point * scale_exponent - origin) * plane.normal;
+PlaneFrame::PlaneFrame(const World& world, const CuttingPlane& cutting_plane, double normalisation_factor)
+    : plane(cutting_plane), normalisation(normalisation_factor), origin(world.box.centre() * normalisation_factor) {
+  origin += glm::dot(plane.normal, plane.point * normalisation - origin) * plane.normal;
 }
 
 FlatOutlines flatten(std::span<const CutSegment> segments, const CutPlaces& places, const PlaneFrame& frame) {

@@ -11,19 +11,19 @@
 
 namespace epura {
 
-/// The cutting plane with coordinates of its own: shrunk, from near the middle of the world.
+/// The cutting plane with coordinates of its own: normalised, from near the middle of the world.
 struct PlaneFrame {
   CuttingPlane plane;
-  double scale_exponent;
-  Vec3 origin;  ///< in the plane, shrunk
+  double normalisation;
+  Vec3 origin;  ///< in the plane, normalised
 
-  PlaneFrame(const World& world, const CuttingPlane& cutting_plane, double shrink_by);
+  PlaneFrame(const World& world, const CuttingPlane& cutting_plane, double normalisation_factor);
   [[nodiscard]] Vec2 flat(const Vec3& point) const {
-    const Vec3 l = point * scale_exponent - origin;
+    const Vec3 l = point * normalisation - origin;
     return {glm::dot(plane.right, l), glm::dot(plane.up, l)};
   }
   [[nodiscard]] Vec3 in_space(const Vec2& p) const {
-    return (origin + p.x * plane.right + p.y * plane.up) / scale_exponent;
+    return (origin + p.x * plane.right + p.y * plane.up) / normalisation;
   }
 };
 

@@ -197,7 +197,7 @@ void append(World& world, const ModelCut& cut) {
 
 CutWorld cut_world(const World& world, const CuttingPlane& plane, const Progress& progress) {
   const Sides sides = find_sides(world, plane);
-  const PlaneFrame frame(world, plane, sides.scale_exponent);
+  const PlaneFrame frame(world, plane, sides.normalisation);
   CutWorld result;
   result.world.first_vertex = {0};
   result.world.first_triangle = {0};

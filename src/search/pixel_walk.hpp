@@ -26,10 +26,10 @@ class PixelWalk {
   [[nodiscard]] int steps() const { return std::max(steps_, 1); }
 
   /// Page parameter of a step.
-  [[nodiscard]] double place(int step) const { return steps_ == 0 ? 0.5 : at(step_column(step) + 0.5); }
+  [[nodiscard]] double position(int step) const { return steps_ == 0 ? 0.5 : at(step_column(step) + 0.5); }
 
   [[nodiscard]] std::array<int, 2> pixel(int step) const {
-    const Vec2 point = p_ + place(step) * along_;
+    const Vec2 point = p_ + position(step) * along_;
     std::array<int, 2> pixel{whole(point.x), whole(point.y)};
     if (steps_ > 0) pixel[static_cast<std::size_t>(axis_)] = std::max(step_column(step), 0);
     return pixel;

@@ -68,7 +68,7 @@ std::optional<Found> at_free_scale(const Arranger& arranger, bool standard, doub
 
 struct Question {
   std::span<const ViewToPlace> views;
-  ScaleChoice wish;
+  ScaleChoice choice;
   ProjectionAngle angle;
   DrawingRoom room;
 };
@@ -77,8 +77,8 @@ struct Question {
 double scale_of_first(const Question& question) { return question.views.front().scale.value_or(1); }
 
 std::optional<Found> find(const Question& question, const Arranger& arranger) {
-  if (question.wish.fixed) return at_fixed_scale(arranger, *question.wish.fixed);
-  return at_free_scale(arranger, question.wish.standard, scale_of_first(question));
+  if (question.choice.fixed) return at_fixed_scale(arranger, *question.choice.fixed);
+  return at_free_scale(arranger, question.choice.standard, scale_of_first(question));
 }
 
 ArrangerRoom room_on(const Paper& paper, const DrawingRoom& room) {
@@ -104,7 +104,7 @@ std::optional<Found> find_on(const Question& question, const Paper& paper) {
 Found overflow(const Question& question, const Paper& paper) {
   const Arranger arranger(question.views, question.angle, room_on(paper, question.room));
   const double max = arranger.largest_scale();
-  const double scale = question.wish.fixed.value_or(std::isfinite(max) && max > 0 ? max : scale_of_first(question));
+  const double scale = question.choice.fixed.value_or(std::isfinite(max) && max > 0 ? max : scale_of_first(question));
   return {scale, arranger.overflowing(scale)};
 }
 
@@ -140,7 +140,7 @@ Arrangement on_cut_paper(Question question) {
   Paper trial = make_paper({}, false);
   question.room.title_block.reset();
   auto found = find_on(question, trial);
-  for (; !found && question.wish.fixed && trial.width < 2 * longest_side; trial.width *= 2, trial.height *= 2)
+  for (; !found && question.choice.fixed && trial.width < 2 * longest_side; trial.width *= 2, trial.height *= 2)
     found = find_on(question, trial);
   if (!found) found = overflow(question, trial);
   const Rectangle box = box_of(found->spots);
@@ -166,8 +166,8 @@ bool stands_alone(const Question& question) {
 Arrangement alone(const Question& question) {
   const Window& box = question.views.front().box;
   const Paper& paper = question.room.paper;
-  std::optional<double> scale = question.wish.fixed;
-  if (!scale && question.wish.standard)
+  std::optional<double> scale = question.choice.fixed;
+  if (!scale && question.choice.standard)
     scale = standard_scale_up_to(place_ink(box.min, box.max, std::nullopt, paper).scale);
   const Placement placed = place_ink(box.min, box.max, scale, paper);
   const Rectangle ink{placed.scale * box.min + placed.shift, placed.scale * box.max + placed.shift};
@@ -193,13 +193,13 @@ ViewPlace view_place(const Projection& projection) {
   return std::min({size.x, size.y, size.z}) < same_direction ? ViewPlace::other : ViewPlace::pictorial;
 }
 
-Arrangement arrange(std::span<const ViewToPlace> views, const ScaleChoice& wish, ProjectionAngle angle,
+Arrangement arrange(std::span<const ViewToPlace> views, const ScaleChoice& choice, ProjectionAngle angle,
                     const DrawingRoom& room) {
-  Question question{views, wish, angle, room};
+  Question question{views, choice, angle, room};
   std::vector<ViewToPlace> single;
   if (views.size() == 1 && views.front().scale) {
     single = {views.front()};
-    question.wish = {std::exchange(single.front().scale, std::nullopt)};
+    question.choice = {std::exchange(single.front().scale, std::nullopt)};
     question.views = single;
   }
   if (stands_alone(question)) return alone(question);

@@ -57,7 +57,7 @@ struct Arrangement {
 /// front view, there or not; a second view with the same place is an `other` one, and so is one with its own scale. The
 /// others stand in the largest part of the sheet that is left. Each group is centred in its room. One view alone stands
 /// as place_ink says. `views` has at least one. Throws Error{input} beyond `longest_side`.
-Arrangement arrange(std::span<const ViewToPlace> views, const ScaleChoice& wish, ProjectionAngle angle,
+Arrangement arrange(std::span<const ViewToPlace> views, const ScaleChoice& choice, ProjectionAngle angle,
                     const DrawingRoom& room);
 
 }  // namespace epura

@@ -69,10 +69,17 @@ Fill arrow_head(const Vec2& tip, const Vec2& pointing, double length) {
   return {{{tip, foot + across, foot - across}}};
 }
 
-// One end of the line: `outwards` points away from the view.
-void add_end(Layer& layer, const Trace& trace, const Vec2& end, const Vec2& outwards, const std::string& name,
-             const LineWidths& widths) {
+// Of the line: the end that its direction leads to, or (-1) comes from.
+Vec2 end_of(const Trace& trace, double side, double height) {
+  const double past = (past_outline + wide_end) * height;
+  return trace.point + (side < 0 ? trace.from - past : trace.to + past) * trace.along;
+}
+
+// One end of the line: the one that its direction leads to, or (-1) comes from.
+void add_end(Layer& layer, const Trace& trace, double side, const std::string& name, const LineWidths& widths) {
+  const Vec2 outwards = side * trace.along;
   const double height = letter_widths * widths.narrow;
+  const Vec2 end = end_of(trace, side, height);
   layer.fills.push_back(wide_line(end, end - wide_end * height * outwards, widths.wide));
   // The arrow stands on the edge of the wide line.
   const Vec2 tip = end - (wide_end / 2 * height) * outwards - (widths.wide / 2) * trace.seen;
@@ -102,15 +109,13 @@ std::optional<Layer> cutting_plane_line(const ViewDrawing& parent, const Cutting
   const auto trace = trace_of(parent, plane);
   if (!trace) return std::nullopt;
   const double height = letter_widths * widths.narrow;
-  const double past = (past_outline + wide_end) * height;
-  const Vec2 from = trace->point + (trace->from - past) * trace->along;
-  const Vec2 to = trace->point + (trace->to + past) * trace->along;
+  const Vec2 from = end_of(*trace, -1, height), to = end_of(*trace, 1, height);
   Layer layer{parent.name + "/cutting-plane", {"cutting-plane", widths.narrow}, {}};
   Stroke chain{{from + wide_end * height * trace->along, to - wide_end * height * trace->along}};
   chain.dashes = fit_open(glm::distance(chain.points[0], chain.points[1]), widths.narrow, long_dash_dot);
   layer.strokes.push_back(chain);
-  add_end(layer, *trace, from, -trace->along, plane.name, widths);
-  add_end(layer, *trace, to, trace->along, plane.name, widths);
+  add_end(layer, *trace, -1, plane.name, widths);
+  add_end(layer, *trace, 1, plane.name, widths);
   return layer;
 }
 

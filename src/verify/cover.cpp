@@ -39,18 +39,23 @@ Facing facing(const std::array<Triple<Bounded>, 3>& corners) {
   return result;
 }
 
-// What of a polygon lies before the square with half side `half` (1 - k c), and not behind the centre. Linear in a, b
-// and c, so nothing is divided before it is cut. `slack` enlarges the square at all depths alike.
+// A square of the page around a point of it: half its side is half (1 - k c) + slack at depth c.
 template <class N>
-Polygon<N> over_square(const Polygon<N>& polygon, const N& k, const std::optional<N>& eye, const N& page, const N& half,
-                       const N& slack) {
+struct Square {
+  N k, page, half, slack;
+};
+
+// What of a polygon lies before the square, and not behind the centre. Linear in a, b
+// and c, so nothing is divided before it is cut.
+template <class N>
+Polygon<N> over_square(const Polygon<N>& polygon, const std::optional<N>& eye, const Square<N>& square) {
   Polygon<N> rest = polygon;
   if (eye) rest = clip(rest, [&](const Triple<N>& p) { return N(*eye - p.z); });
-  const auto side = [&](const Triple<N>& p) { return N(half - half * k * p.z + slack); };
-  rest = clip(rest, [&](const Triple<N>& p) { return N(side(p) - page * p.x); });
-  rest = clip(rest, [&](const Triple<N>& p) { return N(side(p) + page * p.x); });
-  rest = clip(rest, [&](const Triple<N>& p) { return N(side(p) - page * p.y); });
-  return clip(rest, [&](const Triple<N>& p) { return N(side(p) + page * p.y); });
+  const auto side = [&](const Triple<N>& p) { return N(square.half - square.half * square.k * p.z + square.slack); };
+  rest = clip(rest, [&](const Triple<N>& p) { return N(side(p) - square.page * p.x); });
+  rest = clip(rest, [&](const Triple<N>& p) { return N(side(p) + square.page * p.x); });
+  rest = clip(rest, [&](const Triple<N>& p) { return N(side(p) - square.page * p.y); });
+  return clip(rest, [&](const Triple<N>& p) { return N(side(p) + square.page * p.y); });
 }
 
 // 1 + length of the gradient of depth over the page; infinite for a triangle that is a line there, as far as can be
@@ -108,10 +113,10 @@ std::optional<Portion> portion_of(const Piece3& piece, const Sight<N>& sight, co
   DepthRange depth, c;
   double depth_error = 0;
   for (std::size_t i = 0; i < piece.polygon.count; ++i) {
-    const double along_ray = piece.polygon.corner[i].z, scale_exponent = 1 - k * along_ray;
+    const double along_ray = piece.polygon.corner[i].z, foreshortening = 1 - k * along_ray;
     c.add(along_ray);
-    depth.add(sight.depth * along_ray / scale_exponent);
-    depth_error = std::max(depth_error, 2 * sight.depth * piece.moved / (scale_exponent * scale_exponent));
+    depth.add(sight.depth * along_ray / foreshortening);
+    depth_error = std::max(depth_error, 2 * sight.depth * piece.moved / (foreshortening * foreshortening));
   }
   const std::optional<bool> seen = within_limits(sight, c, piece.moved);
   if (seen == false) return std::nullopt;
@@ -139,8 +144,8 @@ std::optional<Portion> look_exactly(const Sight<Exact>& sight, const std::array<
     local[i] = sight.local(corners[i]);
     polygon.add(local[i]);
   }
-  const Polygon<Exact> cut = over_square<Exact>(polygon, sight.inverse_distance, sight.eye, Exact(sight.page),
-                                                Exact(tolerance.sideways()), Exact(0));
+  const Polygon<Exact> cut = over_square<Exact>(
+      polygon, sight.eye, {sight.inverse_distance, Exact(sight.page), Exact(tolerance.sideways()), Exact(0)});
   if (cut.count == 0) return std::nullopt;
   Piece3 piece{{}, 0, steepness(local, sight)};
   double largest = 0;
@@ -160,7 +165,7 @@ Lookout::Lookout(const Viewing& viewing, const Tolerance& tolerance, const std::
       tolerance_(&tolerance),
       line_(line),
       t_(t),
-      sight_(sight_from(viewing, place_on<Bounded>(line, t))) {}
+      sight_(sight_from(viewing, position_on<Bounded>(line, t))) {}
 
 std::optional<Portion> Lookout::look(const std::array<Vec3, 3>& corners, int triangle, bool joined) const {
   const auto named = [&](std::optional<Portion> portion) {
@@ -175,14 +180,15 @@ std::optional<Portion> Lookout::look(const std::array<Vec3, 3>& corners, int tri
   const Bounded& k = sight_.inverse_distance;
   if (std::isfinite(slack) && k.error <= 0x1p-44 * k.value) {
     const auto eye = sight_.eye ? std::optional(sight_.eye->value) : std::nullopt;
-    const Polygon<double> cut = over_square(face.polygon, k.value, eye, page, half, slack);
+    const Polygon<double> cut = over_square(face.polygon, eye, Square<double>{k.value, page, half, slack});
     if (cut.count == 0) return std::nullopt;
-    double least_shrink = 1;
-    for (std::size_t i = 0; i < cut.count; ++i) least_shrink = std::min(least_shrink, 1 - k.value * cut.corner[i].z);
-    if (slack <= rounding_part * half * least_shrink)
+    double min_foreshortening = 1;
+    for (std::size_t i = 0; i < cut.count; ++i)
+      min_foreshortening = std::min(min_foreshortening, 1 - k.value * cut.corner[i].z);
+    if (slack <= rounding_part * half * min_foreshortening)
       return named(portion_of(Piece3{cut, face.moved, steepness(local, sight_)}, sight_, *tolerance_, joined));
   }
-  return named(look_exactly(sight_from(*viewing_, place_on<Exact>(line_, t_)), corners, *tolerance_, joined));
+  return named(look_exactly(sight_from(*viewing_, position_on<Exact>(line_, t_)), corners, *tolerance_, joined));
 }
 
 }  // namespace epura

@@ -25,7 +25,7 @@ double size_of(const World& world) {
   return std::max({size.x, size.y, size.z});
 }
 
-double shrink_of(const World& world) {
+double normalisation_of(const World& world) {
   const double size = size_of(world);
   return size > 0 ? std::ldexp(1.0, -std::ilogb(size)) : 1;
 }
@@ -38,12 +38,12 @@ double angle_between(const Vec3& a, const Vec3& b) {
 
 }  // namespace
 
-FoldRule::FoldRule(const World& world, const EdgeOptions& wishes, double small)
+FoldRule::FoldRule(const World& world, const EdgeOptions& options, double small)
     : world_(world),
-      wishes_(wishes),
-      shrink_(shrink_of(world)),
-      precision_(precision_of(world) * shrink_),
-      small_(std::max(small * shrink_, needle * precision_)) {}
+      options_(options),
+      normalisation_(normalisation_of(world)),
+      precision_(precision_of(world) * normalisation_),
+      small_(std::max(small * normalisation_, needle * precision_)) {}
 
 FoldRule::Sheets FoldRule::sheets_at(const std::array<int, 2>& edge) const {
   const auto above = std::ranges::upper_bound(world_.first_vertex, edge[0]);
@@ -65,7 +65,7 @@ Vec3 FoldRule::area(int triangle) const {
   return glm::cross(point(b) - point(a), point(c) - point(a));
 }
 
-double FoldRule::shrunk_height(int triangle) const {
+double FoldRule::normalised_height(int triangle) const {
   const auto& [a, b, c] = world_.triangles[triangle];
   const Vec3 p = point(a), q = point(b), r = point(c);
   const double longest = std::max({glm::distance(p, q), glm::distance(q, r), glm::distance(r, p)});
@@ -74,7 +74,7 @@ double FoldRule::shrunk_height(int triangle) const {
 
 bool FoldRule::is_needle(int triangle, Needle kind) const {
   const double limit = kind == Needle::surely ? precision_ : kind == Needle::perhaps ? needle * precision_ : small_;
-  return shrunk_height(triangle) <= limit;
+  return normalised_height(triangle) <= limit;
 }
 
 bool FoldRule::same_polygon(int first, int second) const {
@@ -101,7 +101,7 @@ double FoldRule::fold_angle(const std::array<int, 2>& edge, int first, int secon
 
 // Degrees by which the plane of a triangle may be wrong.
 double FoldRule::doubt(int triangle) const {
-  return degrees * turned_by * precision_ / std::max(shrunk_height(triangle), precision_);
+  return degrees * turned_by * precision_ / std::max(normalised_height(triangle), precision_);
 }
 
 // Degrees between a triangle and the mean plane of its polygon: a bent polygon has no plane.
@@ -125,7 +125,7 @@ double FoldRule::turn(int triangle) const {
     for (const auto& body : sheets_at({a, b}).bodies) {
       if (body.size() != 2) continue;
       const double fold = fold_angle({a, b}, body[0], body[1]);
-      if (fold < wishes_.crease_angle) max = std::max(max, fold);
+      if (fold < options_.crease_angle) max = std::max(max, fold);
     }
   }
   return max;
@@ -133,16 +133,16 @@ double FoldRule::turn(int triangle) const {
 
 Need FoldRule::fold(const std::array<int, 2>& edge, int first, int second) const {
   if (same_polygon(first, second)) return Need::none;
-  if (wishes_.smooth) return Need::asked;
-  if (!wishes_.crease) return Need::none;
+  if (options_.smooth) return Need::asked;
+  if (!options_.crease) return Need::none;
   const double fold = fold_angle(edge, first, second);
   const double margin = angle_margin + doubt(first) + doubt(second) + bend(first) + bend(second);
-  if (fold >= wishes_.crease_angle + margin) return Need::asked;
-  return fold <= wishes_.crease_angle - margin ? Need::none : Need::possible;
+  if (fold >= options_.crease_angle + margin) return Need::asked;
+  return fold <= options_.crease_angle - margin ? Need::none : Need::possible;
 }
 
 Need FoldRule::crossing(int first, int second, double contact) const {
-  if (!wishes_.intersection) return Need::none;
+  if (!options_.intersection) return Need::none;
   for (const int v : world_.triangles[first])
     if (std::ranges::count(world_.triangles[second], v) > 0) return Need::possible;
   const Vec3 n1 = glm::normalize(area(first)), n2 = glm::normalize(area(second));
@@ -155,7 +155,7 @@ Need FoldRule::crossing(int first, int second, double contact) const {
       min = std::min(min, distance);
       max = std::max(max, distance);
     }
-    return min < -contact * shrink_ && max > contact * shrink_;
+    return min < -contact * normalisation_ && max > contact * normalisation_;
   };
   return goes_through(first, second, n2) && goes_through(second, first, n1) ? Need::asked : Need::possible;
 }
@@ -165,7 +165,7 @@ Need FoldRule::outline(const std::array<int, 2>& edge) const {
   if (sheets.edge == nullptr || sheets.edge->cut == CutEdge::inside) return Need::possible;
   if (sheets.edge->cut == CutEdge::outline) return Need::asked;
   const bool asked = std::ranges::any_of(sheets.bodies, [&](const std::vector<int>& body) {
-    return body.size() == 1 ? wishes_.boundary : body.size() == 2 ? wishes_.contour : wishes_.crease;
+    return body.size() == 1 ? options_.boundary : body.size() == 2 ? options_.contour : options_.crease;
   });
   return asked ? Need::asked : Need::possible;
 }

@@ -8,7 +8,7 @@
 #include <array>
 #include <vector>
 
-#include "edges/drawn_edges.hpp"
+#include "edges/find_edges.hpp"
 #include "scene/scene.hpp"
 
 namespace epura {
@@ -23,7 +23,7 @@ enum class Need {
 class FoldRule {
  public:
   /// `small` is the height of triangles that can hardly be seen, as a length of the world.
-  FoldRule(const World& world, const EdgeOptions& wishes, double small);
+  FoldRule(const World& world, const EdgeOptions& options, double small);
 
   /// The triangles of one body that meet in an edge.
   struct Sheets {
@@ -43,13 +43,13 @@ class FoldRule {
   enum class Needle { surely, perhaps, hardly_seen };
   [[nodiscard]] bool is_needle(int triangle, Needle needle) const;
   /// Over its longest side, as a length of the world.
-  [[nodiscard]] double height(int triangle) const { return shrunk_height(triangle) / shrink_; }
-  [[nodiscard]] const EdgeOptions& wishes() const { return wishes_; }
+  [[nodiscard]] double height(int triangle) const { return normalised_height(triangle) / normalisation_; }
+  [[nodiscard]] const EdgeOptions& options() const { return options_; }
 
  private:
   // Brought near 1, so that products of lengths stay in range.
-  [[nodiscard]] Vec3 point(int vertex) const { return world_.points[vertex] * shrink_; }
-  [[nodiscard]] double shrunk_height(int triangle) const;
+  [[nodiscard]] Vec3 point(int vertex) const { return world_.points[vertex] * normalisation_; }
+  [[nodiscard]] double normalised_height(int triangle) const;
   [[nodiscard]] Vec3 area(int triangle) const;
   [[nodiscard]] double fold_angle(const std::array<int, 2>& edge, int first, int second) const;
   [[nodiscard]] double doubt(int triangle) const;
@@ -58,9 +58,9 @@ class FoldRule {
   [[nodiscard]] bool same_polygon(int first, int second) const;
 
   const World& world_;
-  EdgeOptions wishes_;
-  double shrink_;
-  double precision_, small_;  ///< shrunk
+  EdgeOptions options_;
+  double normalisation_;
+  double precision_, small_;  ///< normalised
 };
 
 }  // namespace epura

@@ -60,7 +60,7 @@ class Judge {
         viewing_(viewing_of(claim)),
         probes_(probes),
         name_facets_(name_facets),
-        frame_(sight_from(viewing_, place_of(probes[0])), 4 * tolerance.sideways()),
+        frame_(sight_from(viewing_, to_page(probes[0])), 4 * tolerance.sideways()),
         grid_(extents()),
         settled_(probes.size()),
         doubted_(probes.size()) {
@@ -94,13 +94,13 @@ class Judge {
   [[nodiscard]] std::array<Vec3, 2> line_of(const Probe& probe) const {
     return claim_.ends_of(claim_.drawn.edges[probe.edge]);
   }
-  [[nodiscard]] Triple<Bounded> place_of(const Probe& probe) const {
-    return place_on<Bounded>(line_of(probe), probe.t);
+  [[nodiscard]] Triple<Bounded> to_page(const Probe& probe) const {
+    return position_on<Bounded>(line_of(probe), probe.t);
   }
 
   [[nodiscard]] std::vector<Extent> extents() const {
     std::vector<Extent> list;
-    for (const Probe& probe : probes_) list.push_back(frame_.extent_of(place_of(probe)));
+    for (const Probe& probe : probes_) list.push_back(frame_.extent_of(to_page(probe)));
     return list;
   }
 

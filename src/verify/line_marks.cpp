@@ -65,7 +65,7 @@ bool LineMarks::is_edge_on(const std::array<int, 2>& edge, int triangle) const {
   double width = 0;
   for (const int v : scene_.world.triangles[triangle]) {
     if (!scene_.is_before_viewer(v)) return false;
-    const Vec2 to = scene_.place(v) - (*line)[0];
+    const Vec2 to = scene_.position(v) - (*line)[0];
     width = std::max(width, std::abs(along.x * to.y - along.y * to.x));
   }
   const double scale = scene_.page / (1 - scene_.k * scene_.local[edge[0]].z);
@@ -96,7 +96,7 @@ Need LineMarks::pair(int crossing, const std::vector<int>& sheets, FoldRule::Nee
   if (one.triangle < 0 || two.triangle < 0 || one.triangle == two.triangle) return Need::possible;
   const std::array<int, 2>& edge = slice_.crossings[crossing].edge;
   const Need fold = rule_.fold(edge, one.triangle, two.triangle);
-  if (fold != Need::none || !rule_.wishes().contour) return fold;
+  if (fold != Need::none || !rule_.options().contour) return fold;
   // An outline is asked for where depth jumps.
   const bool may_be_outline =
       one.right == two.right || is_edge_on(edge, one.triangle) || is_edge_on(edge, two.triangle);
@@ -110,9 +110,9 @@ Need LineMarks::need_at(int crossing) const {
   if (sheets.edge->cut == CutEdge::outline) return Need::asked;
   Need strongest = Need::none;
   for (const std::vector<int>& body : sheets.bodies) {
-    Need need = body.size() == 1        ? rule_.wishes().boundary ? Need::asked : Need::none
-                : rule_.wishes().crease ? Need::asked
-                                        : Need::none;
+    Need need = body.size() == 1         ? rule_.options().boundary ? Need::asked : Need::none
+                : rule_.options().crease ? Need::asked
+                                         : Need::none;
     if (body.size() == 2) {
       need = pair(crossing, body, FoldRule::Needle::perhaps);
       if (need != pair(crossing, body, FoldRule::Needle::hardly_seen)) need = Need::possible;

@@ -68,7 +68,7 @@ bool LineScan::shape_of(int triangle, std::array<Vec2, 3>& shape) const {
   std::size_t before = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     if (!scene_.is_before_viewer(corner[i])) continue;
-    shape[i] = scene_.place(corner[i]);
+    shape[i] = scene_.position(corner[i]);
     ++before;
   }
   if (before > 0 && before < 3) shape = {Vec2(-1e300), Vec2(1e300), Vec2(-1e300, 1e300)};
@@ -97,13 +97,13 @@ LineFindings LineScan::judge(const ScanLine& line, std::span<const int> triangle
   const LineMarks marks(scene_, rule_, line, limits_, triangles);
   LineFindings findings;
   for (const LineMark& mark : marks.asked()) {
-    const Vec2 place = line.place(mark.u);
+    const Vec2 place = line.position(mark.u);
     if (std::abs(mark.u) <= line.reach && window_.contains(place)) findings.asked.push_back({place, mark});
   }
   std::vector<Cut> cuts;
   for (const int segment : segments) {
     const auto cut = cut_of(line, this->segment(segment), segment);
-    if (cut && std::abs(cut->u) <= line.reach && cut->sine >= least_sine && window_.contains(line.place(cut->u)))
+    if (cut && std::abs(cut->u) <= line.reach && cut->sine >= least_sine && window_.contains(line.position(cut->u)))
       cuts.push_back(*cut);
   }
   std::ranges::sort(cuts,
@@ -112,7 +112,7 @@ LineFindings LineScan::judge(const ScanLine& line, std::span<const int> triangle
     const EdgeKind kind = claim_.drawing.segments[cut.segment].kind;
     const bool allowed = marks.allows(kind, cut.u, 2 * limits_.reach / cut.sine);
     findings.ink.push_back(
-        {cut.u, line.place(cut.u), cut.segment, allowed ? InkVerdict::right : InkVerdict::unfounded});
+        {cut.u, line.position(cut.u), cut.segment, allowed ? InkVerdict::right : InkVerdict::unfounded});
   }
   find_doubled(marks, findings.ink);
   return findings;

@@ -46,13 +46,13 @@ struct Suspect {
 
 class Outline {
  public:
-  Outline(const VerifyInput& claim, const Tolerance& tolerance, const OutlineWishes& wishes)
+  Outline(const VerifyInput& claim, const Tolerance& tolerance, const OutlineOptions& options)
       : claim_(claim),
-        wishes_(wishes),
+        options_(options),
         reach_(std::max(guaranteed * tolerance.size, 16 * tolerance.contact)),
         least_(8 * reach_),
         scene_(claim, reach_ / 16),
-        rule_(claim.world, wishes.edges, 2 * reach_ / scene_.page),
+        rule_(claim.world, options.edges, 2 * reach_ / scene_.page),
         window_(window()),
         scan_(claim, scene_, rule_, {reach_, tolerance.sideways(), tolerance.contact}, window_) {}
 
@@ -76,19 +76,19 @@ class Outline {
  private:
   [[nodiscard]] ScanWindow window() const {
     ScanWindow box;
-    if (wishes_.window)
-      return {wishes_.window->min - scene_.origin + reach_, wishes_.window->max - scene_.origin - reach_};
+    if (options_.window)
+      return {options_.window->min - scene_.origin + reach_, options_.window->max - scene_.origin - reach_};
     for (const auto& triangle : claim_.world.triangles)
       for (const int v : triangle)
-        if (scene_.is_before_viewer(v)) box.add(scene_.place(v));
+        if (scene_.is_before_viewer(v)) box.add(scene_.position(v));
     return {box.min - reach_, box.max + reach_};
   }
 
   void scan_page() {
     const double size = glm::distance(window_.min, window_.max);
     const double ink = std::max(scan_.length_of_ink(), size);
-    double lines = std::clamp(wishes_.samples * std::numbers::pi * size / (2 * ink), least_lines,
-                              std::max(most_lines, static_cast<double>(wishes_.samples)));
+    double lines = std::clamp(options_.samples * std::numbers::pi * size / (2 * ink), least_lines,
+                              std::max(most_lines, static_cast<double>(options_.samples)));
     const double hits = scan_.perimeter_of_triangles(3 * size) / (std::numbers::pi * size) * lines;
     const double most_hits = hits_per_triangle * static_cast<double>(claim_.world.triangles.size()) + free_hits;
     if (hits > most_hits) lines = std::max(static_cast<double>(directions), lines * most_hits / hits);
@@ -97,7 +97,7 @@ class Outline {
     for (int i = 0; i < directions; ++i) {
       const LineBundle bundle(window_, (i + 0.3) * std::numbers::pi / directions, distance, i + 1);
       check_.lines += static_cast<int>(bundle.lines().size());
-      for (const LineFindings& findings : scan_.along(bundle, wishes_.progress)) note(findings);
+      for (const LineFindings& findings : scan_.along(bundle, options_.progress)) note(findings);
     }
     look_for_ink();
   }
@@ -106,7 +106,7 @@ class Outline {
     check_.ink += static_cast<int>(findings.ink.size());
     for (const InkCrossing& ink : findings.ink)
       if (ink.verdict != InkVerdict::right) suspect(of_ink(ink));
-    if (!wishes_.complete) return;
+    if (!options_.complete) return;
     check_.asked += static_cast<int>(findings.asked.size());
     asked_.insert(asked_.end(), findings.asked.begin(), findings.asked.end());
   }
@@ -140,7 +140,7 @@ class Outline {
   }
 
   [[nodiscard]] Vec3 page_and_depth(int vertex) const {
-    return {scene_.place(vertex), scene_.depth_of(scene_.local[vertex])};
+    return {scene_.position(vertex), scene_.depth_of(scene_.local[vertex])};
   }
 
   void suspect(const Suspect& found) {
@@ -182,7 +182,7 @@ class Outline {
     return list;
   }
 
-  // Places along the straight lines of suspects, and whether these are wrong there.
+  // Places along the straight lines of candidates, and whether these are wrong there.
   struct Step {
     std::size_t suspect;
     double at;
@@ -197,7 +197,7 @@ class Outline {
         const Vec2 way = glm::normalize(suspect.ends[1] - suspect.ends[0]);
         lines.push_back({suspect.place + step.at * way, {-way.y, way.x}, 4 * reach_});
       }
-      const std::vector<LineFindings> findings = scan_.along(lines, wishes_.progress);
+      const std::vector<LineFindings> findings = scan_.along(lines, options_.progress);
       const std::vector<char> lack = lacking(findings);
       for (std::size_t i = 0; i < some.size(); ++i)
         wrong.push_back(suspects_[some[i].suspect].kind == Kind::missing
@@ -303,7 +303,7 @@ class Outline {
   }
 
   const VerifyInput& claim_;
-  const OutlineWishes& wishes_;
+  const OutlineOptions& options_;
   double reach_, least_;  ///< mm: places this near are one; faults this long count
   ScanScene scene_;
   FoldRule rule_;
@@ -318,9 +318,9 @@ class Outline {
 
 }  // namespace
 
-OutlineCheck verify_outline(const VerifyInput& claim, const Tolerance& tolerance, const OutlineWishes& wishes) {
+OutlineCheck verify_outline(const VerifyInput& claim, const Tolerance& tolerance, const OutlineOptions& options) {
   if (claim.world.triangles.empty()) return {};
-  return Outline(claim, tolerance, wishes).run();
+  return Outline(claim, tolerance, options).run();
 }
 
 }  // namespace epura

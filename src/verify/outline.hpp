@@ -19,7 +19,7 @@
 
 namespace epura {
 
-struct OutlineWishes {
+struct OutlineOptions {
   EdgeOptions edges;
   int samples;                     ///< about as many places with ink are met
   bool complete = true;            ///< nothing was left out for want of time
@@ -28,6 +28,6 @@ struct OutlineWishes {
 };
 
 /// Throws OutOfTime.
-OutlineCheck verify_outline(const VerifyInput& claim, const Tolerance& tolerance, const OutlineWishes& wishes);
+OutlineCheck verify_outline(const VerifyInput& claim, const Tolerance& tolerance, const OutlineOptions& options);
 
 }  // namespace epura

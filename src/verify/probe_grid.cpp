@@ -26,13 +26,13 @@ Triple<double> values(const Triple<Bounded>& p) { return {p.x.value, p.y.value, 
 
 void PageFrame::add(Extent& extent, const Triple<double>& local, double error) const {
   const double k = sight_.inverse_distance.value;
-  const double scale_exponent = 1 - k * local.z;
-  const double moved = (error + sight_.inverse_distance.error * local.z * local.z) / scale_exponent;
-  const Vec2 place = sight_.page / scale_exponent * Vec2(local.x, local.y);
-  const double depth = sight_.depth * local.z / scale_exponent;
+  const double foreshortening = 1 - k * local.z;
+  const double moved = (error + sight_.inverse_distance.error * local.z * local.z) / foreshortening;
+  const Vec2 place = sight_.page / foreshortening * Vec2(local.x, local.y);
+  const double depth = sight_.depth * local.z / foreshortening;
   const double page_error = 2 * moved * (sight_.page + k * (std::abs(place.x) + std::abs(place.y))) + margin_;
   const double depth_error = 2 * moved * (sight_.depth + k * std::abs(depth));
-  if (!(scale_exponent > 0) || !std::isfinite(page_error) || !std::isfinite(depth_error)) {
+  if (!(foreshortening > 0) || !std::isfinite(page_error) || !std::isfinite(depth_error)) {
     extent = {-everywhere, everywhere, -HUGE_VAL, HUGE_VAL};
     return;
   }
@@ -64,7 +64,7 @@ std::optional<Extent> PageFrame::extent_of(const std::array<Vec3, 3>& corners) c
   return extent;
 }
 
-Vec2 PageFrame::place_of(const Triple<Bounded>& point) const {
+Vec2 PageFrame::to_page(const Triple<Bounded>& point) const {
   const Triple<double> local = values(sight_.local(point));
   return sight_.page / (1 - sight_.inverse_distance.value * local.z) * Vec2(local.x, local.y);
 }

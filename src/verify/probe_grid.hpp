@@ -26,7 +26,7 @@ class PageFrame {
   /// Without what lies behind the centre of projection; nothing where all does.
   [[nodiscard]] std::optional<Extent> extent_of(const std::array<Vec3, 3>& corners) const;
   /// The middle of the box of a point, mm from the point of reference.
-  [[nodiscard]] Vec2 place_of(const Triple<Bounded>& point) const;
+  [[nodiscard]] Vec2 to_page(const Triple<Bounded>& point) const;
 
  private:
   void add(Extent& extent, const Triple<double>& local, double error) const;

@@ -20,8 +20,8 @@ PageLine page_line(const VerifyInput& claim, const Viewing& viewing, const Toler
   PageLine line{0, edge.t, {1, 1}};
   std::array<Vec2, 2> place;
   for (std::size_t i = 0; i < 2; ++i) {
-    const Triple<Bounded> p = place_on<Bounded>(ends, edge.t[i]);
-    place[i] = frame.place_of(p);
+    const Triple<Bounded> p = position_on<Bounded>(ends, edge.t[i]);
+    place[i] = frame.to_page(p);
     if (viewing.projection.central)
       line.w[i] = glm::dot(viewing.projection.n, viewing.projection.projector - Vec3(p.x.value, p.y.value, p.z.value));
   }

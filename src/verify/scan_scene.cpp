@@ -72,7 +72,7 @@ std::optional<std::array<Vec2, 2>> ScanScene::line_of(const std::array<int, 2>& 
     const Vec3 from = ends[seen[0] ? 0 : 1], to = ends[seen[0] ? 1 : 0];
     ends[seen[0] ? 1 : 0] = from + nearly_there * (eye_ - from.z) / (to.z - from.z) * (to - from);
   }
-  return std::array{place_of(ends[0]), place_of(ends[1])};
+  return std::array{to_page(ends[0]), to_page(ends[1])};
 }
 
 }  // namespace epura

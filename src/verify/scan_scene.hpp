@@ -19,7 +19,7 @@ struct ScanLine {
   Vec2 middle, along;  ///< `along` has length 1
   double reach;        ///< how far to either side of the middle it is looked at
 
-  [[nodiscard]] Vec2 place(double u) const { return middle + u * along; }
+  [[nodiscard]] Vec2 position(double u) const { return middle + u * along; }
   [[nodiscard]] Vec2 across() const { return {-along.y, along.x}; }
 };
 
@@ -39,8 +39,8 @@ class ScanScene {
 
   /// Whether a vertex lies before the viewer, so that it has a place on the page.
   [[nodiscard]] bool is_before_viewer(int vertex) const { return local[vertex].z < eye_; }
-  [[nodiscard]] Vec2 place_of(const Vec3& point) const { return page / (1 - k * point.z) * Vec2(point.x, point.y); }
-  [[nodiscard]] Vec2 place(int vertex) const { return place_of(local[vertex]); }
+  [[nodiscard]] Vec2 to_page(const Vec3& point) const { return page / (1 - k * point.z) * Vec2(point.x, point.y); }
+  [[nodiscard]] Vec2 position(int vertex) const { return to_page(local[vertex]); }
   [[nodiscard]] double depth_of(const Vec3& point) const { return depth * point.z / (1 - k * point.z); }
   /// Whether rounding leaves the place of some corner in doubt.
   [[nodiscard]] bool is_vague(int triangle) const;

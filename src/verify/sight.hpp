@@ -82,7 +82,7 @@ Sight<N> sight_from(const Viewing& viewing, const Triple<N>& place) {
 
 /// The point a + t (b - a).
 template <class N>
-Triple<N> place_on(const std::array<Vec3, 2>& line, double t) {
+Triple<N> position_on(const std::array<Vec3, 2>& line, double t) {
   const Triple<N> a = triple<N>(line[0]);
   return along<N>(a, N(t), triple<N>(line[1]) - a);
 }

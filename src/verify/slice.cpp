@@ -37,7 +37,7 @@ class Cutter {
   }
 
   [[nodiscard]] double u_of(const Vec3& local) const {
-    return glm::dot(line_.along, scene_.place_of(local) - line_.middle);
+    return glm::dot(line_.along, scene_.to_page(local) - line_.middle);
   }
 
  private:

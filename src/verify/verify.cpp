@@ -50,7 +50,7 @@ class Verifier {
  private:
   static Triple<Bounded> reference_of(const VerifyInput& claim) {
     const FeatureEdge& edge = claim.drawn.edges[0];
-    return place_on<Bounded>(claim.ends_of(edge), edge.t[0]);
+    return position_on<Bounded>(claim.ends_of(edge), edge.t[0]);
   }
 
   [[nodiscard]] const TestedSpan& span_of(std::size_t sample) const { return population_.spans[samples_[sample].span]; }
@@ -120,7 +120,7 @@ class Verifier {
         claim_.drawing.world_to_page * Vec4(reference_.x.value, reference_.y.value, reference_.z.value, 1);
     const Probe probe = probe_of(sample);
     return Vec2(base) / base.w +
-           frame_.place_of(place_on<Bounded>(claim_.ends_of(claim_.drawn.edges[probe.edge]), probe.t));
+           frame_.to_page(position_on<Bounded>(claim_.ends_of(claim_.drawn.edges[probe.edge]), probe.t));
   }
 
   [[nodiscard]] Verification tally() {

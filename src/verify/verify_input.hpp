@@ -5,7 +5,7 @@
 #include <array>
 
 #include "drawing/drawing.hpp"
-#include "edges/drawn_edges.hpp"
+#include "edges/find_edges.hpp"
 #include "scene/scene.hpp"
 #include "verify/sight.hpp"
 #include "view/projected_scene.hpp"

@@ -22,7 +22,7 @@ struct Setting {
 };
 
 Setting setting_of(const Projection& projection, const Box& scene) {
-  const double k = make_view_map(projection, scene).scale_exponent;
+  const double k = make_view_map(projection, scene).normalisation;
   Setting s{projection, scene.max * k - scene.min * k, glm::max(glm::abs(scene.min), glm::abs(scene.max)) * k, {}};
   s.p.point = projection.point * k;
   if (projection.central) s.p.projector = projection.projector * k;
@@ -140,7 +140,7 @@ Condition condition_of(const Projection& projection, const Box& scene, const Vec
     condition.why = share.why;
   }
   condition.number = std::max(condition.number, 1.0);
-  setting.max = one_rounding * make_view_map(projection, scene).scale_exponent;
+  setting.max = one_rounding * make_view_map(projection, scene).normalisation;
   const double moved = shares_of(setting).front().number;
   if (std::isfinite(moved)) condition.moved_by_files = moved;
   return condition;

@@ -7,21 +7,21 @@ namespace epura {
 
 namespace {
 
-// A row of the map as a row on absolute world points: constant + r . (shrink x - shrink origin).
+// A row of the map as a row on absolute world points: constant + r . (k x - k origin, k = normalisation).
 Vec4 absolute(const ViewMap& map, const Vec3& row, double constant) {
-  const Vec3 r = row * map.scale_exponent;
-  return {r.x, r.y, r.z, constant - glm::dot(row, map.origin * map.scale_exponent)};
+  const Vec3 r = row * map.normalisation;
+  return {r.x, r.y, r.z, constant - glm::dot(row, map.origin * map.normalisation)};
 }
 
 }  // namespace
 
 Window drawn_box(const ProjectedScene& view) {
-  return {(view.window.min - view.middle) / view.map.scale_exponent,
-          (view.window.max - view.middle) / view.map.scale_exponent};
+  return {(view.window.min - view.middle) / view.map.normalisation,
+          (view.window.max - view.middle) / view.map.normalisation};
 }
 
 PaperMap make_paper_map(const ProjectedScene& view, double scale, const Vec2& shift) {
-  return {scale / view.map.scale_exponent, shift};
+  return {scale / view.map.normalisation, shift};
 }
 
 Mat4 world_to_page(const ProjectedScene& view, const PaperMap& paper) {
@@ -34,7 +34,7 @@ Mat4 world_to_page(const ProjectedScene& view, const PaperMap& paper) {
 
 std::array<std::optional<Vec2>, 3> vanishing_points_on_page(const ProjectedScene& view, const PaperMap& paper) {
   std::array<std::optional<Vec2>, 3> points = vanishing_points(view.projection);
-  const double unit = view.projection.scale * view.map.scale_exponent;
+  const double unit = view.projection.scale * view.map.normalisation;
   for (auto& point : points)
     if (point) point = paper.origin + paper.scale * (*point * unit - view.map.image - view.middle);
   return points;

@@ -22,6 +22,9 @@ const double cone_tangent = std::sqrt(3.0);
 constexpr double guard = 1.5;
 constexpr std::size_t grain = 8192;
 constexpr double grid_half = (1 << 30) - 2;
+constexpr double contact_cells = 4;
+constexpr double contact_part = 0x1p-29;
+constexpr double joined_part = 0x1p-44;
 
 // Adds the plane for `users`, or as idle where it cuts nothing. Returns whether it cuts.
 bool add_plane(ProjectedScene& view, const World& world, const ClipPlane& plane,
@@ -39,8 +42,8 @@ bool add_plane(ProjectedScene& view, const World& world, const ClipPlane& plane,
 // sign * n . (x - P) <= sign * limit. The homogeneous 1 is W + depth_to_one Z, and n . (x - c) follows from Z.
 ClipPlane depth_plane(const ProjectedScene& view, double limit, double sign) {
   const ViewMap& map = view.map;
-  const Vec3 from_point = map.centre * map.scale_exponent - view.projection.point * map.scale_exponent;
-  const double constant = limit * map.scale_exponent - glm::dot(view.projection.n, from_point);
+  const Vec3 from_point = map.centre * map.normalisation - view.projection.point * map.normalisation;
+  const double constant = limit * map.normalisation - glm::dot(view.projection.n, from_point);
   return {0, 0, sign * (constant * map.depth_to_one - 1 / map.depth_of_n), sign * constant};
 }
 
@@ -103,7 +106,7 @@ Window box_of(const ProjectedScene& view) {
 
 Window cone_of_vision(const ProjectedScene& view) {
   const Projection& p = view.projection;
-  const Vec3 from_point = p.projector * view.map.scale_exponent - p.point * view.map.scale_exponent;
+  const Vec3 from_point = p.projector * view.map.normalisation - p.point * view.map.normalisation;
   const double reach = cone_tangent * p.scale * glm::dot(p.n, from_point);
   const Vec2 foot = p.scale * Vec2(glm::dot(p.u, from_point), glm::dot(p.v, from_point)) - view.map.image;
   return {foot - reach, foot + reach};
@@ -111,7 +114,7 @@ Window cone_of_vision(const ProjectedScene& view) {
 
 void choose_window(ProjectedScene& view, const World& world, bool around, Clipping clipping) {
   if (const auto& given = view.projection.window) {
-    const double unit = view.projection.scale * view.map.scale_exponent;
+    const double unit = view.projection.scale * view.map.normalisation;
     view.window = {given->min * unit - view.map.image, given->max * unit - view.map.image};
     view.window_given = true;
     return;
@@ -163,20 +166,34 @@ void lay_out(ProjectedScene& view) {
   });
 }
 
+Contact contact_of(const World& world, const ProjectedScene& view, std::optional<double> given) {
+  const double unit = view.map.unit;
+  const double rounding = world.rounding * view.map.normalisation;
+  const double min = joined_part * view.extent;
+  if (given) {
+    const double in_space = *given * view.map.normalisation;
+    const double touching = std::max(in_space * unit, min);
+    return {touching, std::clamp(rounding * unit, min, touching), in_space};
+  }
+  const Vec3 size = world.box.size() * view.map.normalisation;
+  return {std::max(contact_cells * view.cell, rounding * unit), std::max(rounding * unit, min),
+          std::max(contact_part * std::max({size.x, size.y, size.z}), rounding)};
+}
+
 }  // namespace
 
-ProjectedScene make_view(const World& world, const Projection& projection, const ViewLimits& limits,
-                         Clipping clipping) {
+ProjectedScene project_scene(const World& world, const Projection& projection, const ViewLimits& limits,
+                             Clipping clipping) {
   const ViewMap map = make_view_map(projection, world.box);
   UnsetVector<Mapped> mapped(world.points.size());
   parallel_for(world.points.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) mapped[v] = map(world.points[v]);
   });
-  return make_view(world, projection, limits, std::move(mapped), clipping);
+  return project_scene(world, projection, limits, std::move(mapped), clipping);
 }
 
-ProjectedScene make_view(const World& world, const Projection& projection, const ViewLimits& limits,
-                         UnsetVector<Mapped> mapped, Clipping clipping) {
+ProjectedScene project_scene(const World& world, const Projection& projection, const ViewLimits& limits,
+                             UnsetVector<Mapped> mapped, Clipping clipping) {
   ProjectedScene view;
   view.projection = projection;
   view.map = make_view_map(projection, world.box);
@@ -194,6 +211,7 @@ ProjectedScene make_view(const World& world, const Projection& projection, const
                 "nothing of the model lies in front of the viewer and inside the window",
                 "move the eye or the window, or leave near, far and window out");
   choose_grid(view);
+  view.contact = contact_of(world, view, limits.contact);
   lay_out(view);
   return view;
 }

@@ -38,9 +38,19 @@ struct ViewTriangle {
   int source;  ///< the triangle of the world that it is, or is a piece of
 };
 
-/// Depth limits: distances in front of the centre (central) or behind the plane's point (parallel), world units.
 struct ViewLimits {
-  std::optional<double> near, far;
+  /// Depth limits: distances in front of the centre (central) or behind the plane's point (parallel), world units.
+  std::optional<double> near{}, far{};
+  /// World length below which faces touch; without it, four cells of the page grid, or the rounding of the input where
+  /// models store 32-bit floats.
+  std::optional<double> contact{};
+};
+
+/// Distances below which a face does not hide what it touches.
+struct Contact {
+  double touching;  ///< unrelated faces and edges, for faces square to the view; view units
+  double joined;    ///< a face and an edge that starts at one of its corners: only rounding is forgiven; view units
+  double in_space;  ///< length in the normalised world (ViewMap::normalisation) below which faces touch, not cross
 };
 
 struct ProjectedScene {
@@ -51,6 +61,7 @@ struct ProjectedScene {
   Vec2 middle;                ///< of the window: origin of page vertices, view units
   double extent = 0;          ///< longest side of the window, view units
   double cell = 0;            ///< side of a grid cell, view units, a power of two
+  Contact contact{};
 
   Clipper clipper;
   std::vector<int> triangle_planes;  ///< that cut something: depth, and 1.5 times the window
@@ -67,13 +78,13 @@ struct ProjectedScene {
 enum class Clipping { where_needed, everywhere };
 
 /// Throws Error{input} when nothing of the world lies in front of the viewer and inside the window.
-ProjectedScene make_view(const World& world, const Projection& projection, const ViewLimits& limits,
-                         Clipping clipping = Clipping::where_needed);
+ProjectedScene project_scene(const World& world, const Projection& projection, const ViewLimits& limits,
+                             Clipping clipping = Clipping::where_needed);
 
 /// The same with the points of the world mapped by somebody else: finite, in the coordinates of
 /// make_view_map(projection, world.box).
-ProjectedScene make_view(const World& world, const Projection& projection, const ViewLimits& limits,
-                         UnsetVector<Mapped> mapped, Clipping clipping = Clipping::where_needed);
+ProjectedScene project_scene(const World& world, const Projection& projection, const ViewLimits& limits,
+                             UnsetVector<Mapped> mapped, Clipping clipping = Clipping::where_needed);
 
 /// A further point of space as a vertex.
 int add_point(ProjectedScene& view, const Vec3& point);

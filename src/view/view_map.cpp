@@ -13,7 +13,7 @@ namespace {
 double largest_component(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
 // 2^-k with 2^k just above the half size of the box.
-double shrink_of(const Box& scene) {
+double normalisation_of(const Box& scene) {
   const Vec3 half = scene.max * 0.5 - scene.min * 0.5;
   const double size = largest_component(half);
   if (!(size > 0)) return 1;
@@ -32,7 +32,7 @@ ViewMap parallel_map(const Projection& p, ViewMap map) {
   map.origin = map.centre;
   map.w_constant = 1;
   // The foot of c's projector on the plane, from the plane's point.
-  const Vec3 l = map.centre * map.scale_exponent - p.point * map.scale_exponent;
+  const Vec3 l = map.centre * map.normalisation - p.point * map.normalisation;
   map.image = {glm::dot(map.u, l), glm::dot(map.v, l)};
   map.depth_to_one = 0;
   return map;
@@ -50,15 +50,15 @@ Vec3 reference_point(const Projection& p, const Box& scene) {
 
 ViewMap central_map(const Projection& p, const Box& scene, ViewMap map) {
   map.centre = reference_point(p, scene);
-  const Vec3 from_eye = map.centre * map.scale_exponent - p.projector * map.scale_exponent;
+  const Vec3 from_eye = map.centre * map.normalisation - p.projector * map.normalisation;
   const double w0 = -glm::dot(p.n, from_eye);
-  const double d = glm::dot(p.n, p.projector * map.scale_exponent - p.point * map.scale_exponent);
+  const double d = glm::dot(p.n, p.projector * map.normalisation - p.point * map.normalisation);
   check(w0 > 0 && d > 0, "the reference point and the plane lie in front of the viewer");
   const double enlarge = p.scale * (d / w0);
   const double a = glm::dot(p.u, from_eye);
   const double b = glm::dot(p.v, from_eye);
   // A centre at the scene's own distance, and not far beside it, is the better origin: differences to it are exact.
-  const bool near = largest_component({w0, a, b}) < 8 * largest_component(scene.size()) * map.scale_exponent;
+  const bool near = largest_component({w0, a, b}) < 8 * largest_component(scene.size()) * map.normalisation;
   map.origin = near ? p.projector : map.centre;
   map.u = enlarge * (near ? p.u : p.u + (a / w0) * p.n);
   map.v = enlarge * (near ? p.v : p.v + (b / w0) * p.n);
@@ -68,7 +68,7 @@ ViewMap central_map(const Projection& p, const Box& scene, ViewMap map) {
   map.w = -p.n / w0;
   map.z_constant = near ? map.depth_of_n * w0 : 0;
   map.w_constant = near ? 0 : 1;
-  const Vec3 foot = p.projector * map.scale_exponent - p.point * map.scale_exponent;
+  const Vec3 foot = p.projector * map.normalisation - p.point * map.normalisation;
   map.image = p.scale * Vec2(glm::dot(p.u, foot), glm::dot(p.v, foot));
   if (!near) map.image += enlarge * Vec2(a, b);
   map.depth_to_one = 1 / (w0 * map.depth_of_n);
@@ -80,7 +80,7 @@ ViewMap central_map(const Projection& p, const Box& scene, ViewMap map) {
 ViewMap make_view_map(const Projection& projection, const Box& scene) {
   ViewMap map{};
   map.centre = scene.empty() ? Vec3(0) : scene.centre();
-  map.scale_exponent = shrink_of(scene);
+  map.normalisation = normalisation_of(scene);
   return projection.central ? central_map(projection, scene, map) : parallel_map(projection, map);
 }
 

@@ -27,20 +27,20 @@ struct Mapped {
 };
 
 struct ViewMap {
-  Vec3 origin;            ///< o in the world
-  double scale_exponent;  ///< power of two that brings the scene's size near 1, so that products neither over- nor
-                          ///< underflow
-  Vec3 u, v, z, w;        ///< rows, applied to shrink * (x - o)
+  Vec3 origin;           ///< o in the world
+  double normalisation;  ///< power of two that brings the scene's size near 1, so that products neither over- nor
+                         ///< underflow
+  Vec3 u, v, z, w;       ///< rows, applied to normalisation * (x - o)
   double z_constant, w_constant;
-  Vec2 image;           ///< the plane's own coordinates (times scale and shrink) of the place where U = V = 0
+  Vec2 image;           ///< the plane's own coordinates (times scale and normalisation) of the place where U = V = 0
   Vec3 centre;          ///< c in the world
-  double unit;          ///< length on the page of a (shrunk) unit length at c
-  double depth_of_n;    ///< Z = depth_of_n * shrink * n . (x - c)
+  double unit;          ///< length on the page of a (normalised) unit length at c
+  double depth_of_n;    ///< Z = depth_of_n * normalisation * n . (x - c)
   double depth_to_one;  ///< the homogeneous 1 is W + depth_to_one * Z
 
   [[nodiscard]] Mapped operator()(const Vec3& point) const {
-    // Shrinking first: the difference of two large coordinates may be no double.
-    const Vec3 l = point * scale_exponent - origin * scale_exponent;
+    // Normalised first: the difference of two large coordinates may be no double.
+    const Vec3 l = point * normalisation - origin * normalisation;
     return {glm::dot(u, l), glm::dot(v, l), z_constant + glm::dot(z, l), w_constant + glm::dot(w, l)};
   }
 };

@@ -51,8 +51,8 @@ std::int64_t area(const ProjectedScene& view, int triangle) {
 
 }  // namespace
 
-CandidateTree::CandidateTree(const ProjectedScene& view, std::vector<int> triangles, const Contact& contact)
-    : touching_(contact.touching) {
+CandidateTree::CandidateTree(const ProjectedScene& view, std::vector<int> triangles)
+    : touching_(view.contact.touching) {
   if (triangles.empty()) return;
   choose_directions(view, triangles);
   note_corners(view, triangles);

@@ -32,7 +32,7 @@ class CandidateTree {
 
   CandidateTree() = default;
   /// Of triangles with an area on the page grid.
-  CandidateTree(const ProjectedScene& view, std::vector<int> triangles, const Contact& contact);
+  CandidateTree(const ProjectedScene& view, std::vector<int> triangles);
 
   [[nodiscard]] bool empty() const { return tree_.empty(); }
 

@@ -2,7 +2,7 @@
 // A height field, certified: a surface that the page shows as one sheet hides none of its edges.
 #pragma once
 
-#include "edges/drawn_edges.hpp"
+#include "edges/find_edges.hpp"
 #include "view/projected_scene.hpp"
 
 namespace epura {

@@ -18,7 +18,7 @@ double steepness(const std::optional<Vec2>& slope) { return slope ? 1 + glm::len
 
 double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
-Vec2 place(const PageVertex& v) { return {v.x, v.y}; }
+Vec2 position(const PageVertex& v) { return {v.x, v.y}; }
 
 // The parameter of a crossing that lies before, on or behind the edge as whole numbers decide.
 double placed(double t, std::int64_t numerator, std::int64_t denominator) {
@@ -65,13 +65,13 @@ SideCrossing place_crossing(const ProjectedScene& view, const PageEdge& edge, co
   const PageVertex& u = view.vertices[crossed.u];
   const PageVertex& v = view.vertices[crossed.v];
   const GridCrossing& decided = crossed.decided;
-  const Vec2 p = place(view.vertices[edge.p]);
-  const Vec2 along = place(view.vertices[edge.q]) - p;
-  const Vec2 side = place(v) - place(u);
+  const Vec2 p = position(view.vertices[edge.p]);
+  const Vec2 along = position(view.vertices[edge.q]) - p;
+  const Vec2 side = position(v) - position(u);
   const double length2 = glm::dot(side, side);
-  const auto on_side = [&](double t) { return glm::dot(p + t * along - place(u), side); };  // times length2
+  const auto on_side = [&](double t) { return glm::dot(p + t * along - position(u), side); };  // times length2
 
-  const double computed = cross(place(u) - p, side) / cross(along, side);
+  const double computed = cross(position(u) - p, side) / cross(along, side);
   const double s = on_side(computed);
   const auto is_near_side = [&] {
     if (s >= 0 && s <= length2) return true;
@@ -142,13 +142,13 @@ double rise_along(const ProjectedScene& view, const ViewTriangle& triangle, cons
   std::array<const PageVertex*, 3> corners{};
   for (int i = 0; i < 3; ++i) corners[i] = &view.vertices[triangle.vertex[i]];
   const auto squared = [&](int i, int j) {
-    const Vec2 side = place(*corners[j]) - place(*corners[i]);
+    const Vec2 side = position(*corners[j]) - position(*corners[i]);
     return glm::dot(side, side);
   };
   while (squared(0, 1) < std::max(squared(1, 2), squared(2, 0)))
     std::rotate(corners.begin(), corners.begin() + 1, corners.end());
   const auto& [a, b, c] = corners;
-  const Vec2 base = place(*b) - place(*a), other = place(*c) - place(*a);
+  const Vec2 base = position(*b) - position(*a), other = position(*c) - position(*a);
   const double along = (b->depth - a->depth) / glm::dot(base, base);
   const double across = (c->depth - a->depth - along * glm::dot(base, other)) / cross(base, other);
   return along * glm::dot(base, way) + across * cross(base, way);
@@ -159,7 +159,7 @@ double steepness_of(const ProjectedScene& view, const ViewTriangle& triangle) {
 }
 
 double least_span(const ProjectedScene& view, const PageEdge& edge) {
-  return least_piece * view.extent / glm::distance(place(view.vertices[edge.p]), place(view.vertices[edge.q]));
+  return least_piece * view.extent / glm::distance(position(view.vertices[edge.p]), position(view.vertices[edge.q]));
 }
 
 bool meets_on_grid(const ProjectedScene& view, const PageEdge& edge, const ViewTriangle& triangle) {
@@ -177,7 +177,7 @@ std::optional<Overlap> overlap_of(const ProjectedScene& view, const PageEdge& ed
 }
 
 std::optional<std::array<double, 2>> hidden_part(const ProjectedScene& view, const PageEdge& edge,
-                                                 const ViewTriangle& triangle, const Contact& contact) {
+                                                 const ViewTriangle& triangle) {
   const std::optional<Overlap> overlap = overlap_of(view, edge, triangle);
   if (!overlap) return std::nullopt;
   const double from = overlap->from, to = overlap->to;
@@ -192,7 +192,7 @@ std::optional<std::array<double, 2>> hidden_part(const ProjectedScene& view, con
   if (!holds_p && !holds_q) {
     const double at_from = in_front(from), at_to = in_front(to);
     if (!(at_from > 0) && !(at_to > 0)) return std::nullopt;
-    return exceeding(from, to, at_from, at_to, contact.touching * steepness_of(view, triangle));
+    return exceeding(from, to, at_from, at_to, view.contact.touching * steepness_of(view, triangle));
   }
 
   // At a common corner the difference is zero by definition; the other end decides for the whole. It is measured in the
@@ -201,10 +201,10 @@ std::optional<std::array<double, 2>> hidden_part(const ProjectedScene& view, con
   const PageVertex& corner = holds_p ? p : q;
   const PageVertex& end = holds_p ? q : p;
   const double part = holds_p ? to : 1 - from;
-  const Vec2 way = place(end) - place(corner);
+  const Vec2 way = position(end) - position(corner);
   const double ahead =
       slope ? part * (rise_along(view, triangle, way) + corner.depth - end.depth) : in_front(holds_p ? to : from);
-  return ahead > contact.joined * steepness(slope) ? std::optional(std::array{from, to}) : std::nullopt;
+  return ahead > view.contact.joined * steepness(slope) ? std::optional(std::array{from, to}) : std::nullopt;
 }
 
 }  // namespace epura

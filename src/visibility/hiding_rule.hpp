@@ -11,16 +11,10 @@
 #include <array>
 #include <optional>
 
-#include "edges/drawn_edges.hpp"
+#include "edges/find_edges.hpp"
 #include "view/projected_scene.hpp"
 
 namespace epura {
-
-/// Distances in view units below which a face does not hide what it touches, for faces square to the view.
-struct Contact {
-  double touching;  ///< unrelated faces and edges
-  double joined;    ///< a face and an edge that starts at one of its corners: only rounding is forgiven
-};
 
 /// The gradient of depth over the page. A triangle that is a line there has none.
 std::optional<Vec2> slope_of(const ProjectedScene& view, const ViewTriangle& triangle);
@@ -75,6 +69,6 @@ std::optional<Overlap> overlap_of(const ProjectedScene& view, const PageEdge& ed
 /// Page parameters (0 at p, 1 at q) of the part that the triangle hides: where it covers the edge on the page and lies
 /// in front of it by more than contact. The caller has seen to it that the edge is none of the triangle's own.
 std::optional<std::array<double, 2>> hidden_part(const ProjectedScene& view, const PageEdge& edge,
-                                                 const ViewTriangle& triangle, const Contact& contact);
+                                                 const ViewTriangle& triangle);
 
 }  // namespace epura

@@ -130,9 +130,8 @@ ByTile<Thing> sort_into_tiles(std::size_t count, int tiles, const Find& find) {
 
 class ItemBuffer {
  public:
-  ItemBuffer(const World& world, const ProjectedScene& view, const FeatureEdges& drawn, const Contact& contact,
-             double density)
-      : world_(world), view_(view), drawn_(drawn), contact_(contact), density_(density) {
+  ItemBuffer(const World& world, const ProjectedScene& view, const FeatureEdges& drawn, double density)
+      : world_(world), view_(view), drawn_(drawn), density_(density) {
     Vec2 min(HUGE_VAL), max(-HUGE_VAL);
     for (const FeatureEdge& edge : drawn.edges)
       for (const int v : edge.vertex) {
@@ -215,7 +214,7 @@ class ItemBuffer {
   void look(const Tile& buffer, const Piece& piece) {
     const PixelWalk& walk = walks_[piece.edge];
     const FeatureEdge& edge = drawn_.edges[piece.edge];
-    const PointRule rule(view_, {edge.vertex[0], edge.vertex[1]}, contact_);
+    const PointRule rule(view_, {edge.vertex[0], edge.vertex[1]});
     const OwnTriangles own(world_, drawn_, edge);
     for (int step = piece.first; step <= piece.last; ++step) {
       const auto [column, row] = walk.pixel(step);
@@ -223,7 +222,7 @@ class ItemBuffer {
       if (item < 0) continue;
       const ViewTriangle& triangle = view_.triangles[item];
       hidden_[first_pixel_[piece.edge] + step] =
-          static_cast<char>(rule.lies_before(triangle, walk.place(step)) && !own.contain(triangle.source));
+          static_cast<char>(rule.lies_before(triangle, walk.position(step)) && !own.contain(triangle.source));
     }
   }
 
@@ -240,7 +239,6 @@ class ItemBuffer {
   const World& world_;
   const ProjectedScene& view_;
   const FeatureEdges& drawn_;
-  const Contact& contact_;
   double density_;
   CellGrid tiles_{};
   std::vector<PixelWalk> walks_;
@@ -251,9 +249,9 @@ class ItemBuffer {
 }  // namespace
 
 HiddenSpans find_hidden_by_item_buffer(const World& world, const ProjectedScene& view, const FeatureEdges& drawn,
-                                       const Contact& contact, double density, Progress progress) {
+                                       double density, Progress progress) {
   progress.begin("hiding lines");
-  return gather(ItemBuffer(world, view, drawn, contact, density).hidden_spans());
+  return gather(ItemBuffer(world, view, drawn, density).hidden_spans());
 }
 
 }  // namespace epura

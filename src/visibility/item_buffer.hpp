@@ -14,6 +14,6 @@ namespace epura {
 
 /// `density`: pixels per view unit. The buffer is made and used tile by tile, so that memory does not grow with it.
 HiddenSpans find_hidden_by_item_buffer(const World& world, const ProjectedScene& view, const FeatureEdges& drawn,
-                                       const Contact& contact, double density, Progress progress = {});
+                                       double density, Progress progress = {});
 
 }  // namespace epura

@@ -70,10 +70,6 @@ void turn(Method& method, std::string_view assignment, const std::string& where)
               names.empty() ? "it has none" : did_you_mean(key, names));
 }
 
-HiddenSpans find_hidden(const World& world, const RoundedView& rounded, const FeatureEdges& drawn, Progress progress) {
-  return find_hidden(world, rounded.view, drawn, rounded.contact, progress);
-}
-
 }  // namespace
 
 Method parse_method(std::string_view text, const std::string& where) {
@@ -104,19 +100,19 @@ std::string text_of(const Method& method) {
   return name_of(method.way) + (turned.empty() ? "" : ":") + turned;
 }
 
-HiddenSpans find_hidden(const World& world, const ProjectedScene& view, const FeatureEdges& drawn,
-                        const Contact& contact, const Method& method, double mm, Progress progress) {
+HiddenSpans find_hidden(const World& world, const ProjectedScene& view, const FeatureEdges& drawn, const Method& method,
+                        double mm, Progress progress) {
   switch (method.way) {
     case Way::exact:
-      if (method.bits == Method().bits) return find_hidden(world, view, drawn, contact, progress);
-      return find_hidden(world, on_coarser_grid(view, contact, static_cast<int>(method.bits)), drawn, progress);
+      if (method.bits == Method().bits) return find_hidden(world, view, drawn, progress);
+      return find_hidden(world, on_coarser_grid(view, static_cast<int>(method.bits)), drawn, progress);
     case Way::floats:
-      return find_hidden(world, in_floats(view, contact), drawn, progress);
+      return find_hidden(world, in_floats(view), drawn, progress);
     case Way::sampled:
-      return find_hidden_by_samples(world, view, drawn, contact,
-                                    {method.density * mm, static_cast<int>(method.halvings)}, progress);
+      return find_hidden_by_samples(world, view, drawn, {method.density * mm, static_cast<int>(method.halvings)},
+                                    progress);
     case Way::item_buffer:
-      return find_hidden_by_item_buffer(world, view, drawn, contact, mm * method.dpi / 25.4, progress);
+      return find_hidden_by_item_buffer(world, view, drawn, mm * method.dpi / 25.4, progress);
     case Way::none:
       return nothing_hidden(drawn);
   }

@@ -38,7 +38,7 @@ std::string knobs_of(const Method& method);
 std::string text_of(const Method& method);
 
 /// Decides by any method. `mm` of paper are a view unit long. Only the exact methods heed a time limit.
-HiddenSpans find_hidden(const World& world, const ProjectedScene& view, const FeatureEdges& drawn,
-                        const Contact& contact, const Method& method, double mm, Progress progress = {});
+HiddenSpans find_hidden(const World& world, const ProjectedScene& view, const FeatureEdges& drawn, const Method& method,
+                        double mm, Progress progress = {});
 
 }  // namespace epura

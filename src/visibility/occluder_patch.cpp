@@ -12,24 +12,23 @@ namespace {
 // Depths are computed to this part of their size.
 constexpr double depth_rounding = 0x1p-40;
 
-Vec2 place(const PageVertex& v) { return {v.x, v.y}; }
+Vec2 position(const PageVertex& v) { return {v.x, v.y}; }
 
 }  // namespace
 
-CoverPlane::CoverPlane(const ProjectedScene& view, const ViewTriangle& triangle, const Vec2& half,
-                       const Contact& contact)
-    : corner_(place(view.vertices[triangle.vertex[0]])) {
+CoverPlane::CoverPlane(const ProjectedScene& view, const ViewTriangle& triangle, const Vec2& half)
+    : corner_(position(view.vertices[triangle.vertex[0]])) {
   const std::optional<Vec2> slope = slope_of(view, triangle);
   if (!slope) return;
   slope_ = *slope;
   const double depth = view.vertices[triangle.vertex[0]].depth;
   const double steepness = std::abs(slope->x) + std::abs(slope->y);
   const double rounding = depth_rounding * (view.extent + std::abs(depth));
-  depth_ = depth - glm::dot(half, glm::abs(*slope)) - contact.touching * (1 + steepness) - rounding;
+  depth_ = depth - glm::dot(half, glm::abs(*slope)) - view.contact.touching * (1 + steepness) - rounding;
 }
 
 bool OccluderPatch::add(const ViewTriangle& triangle) {
-  const double depth = CoverPlane(view_, triangle, cell_.half, contact_).depth(cell_.middle);
+  const double depth = CoverPlane(view_, triangle, cell_.half).depth(cell_.middle);
   if (depth == -HUGE_VAL) return false;
   const auto& v = triangle.vertex;
   const bool turns_left = cross(view_.grid[v[0]], view_.grid[v[1]], view_.grid[v[2]]) > 0;
@@ -74,7 +73,7 @@ int OccluderPatch::root(int sheet) {
 }
 
 bool OccluderPatch::reaches_in(int u, int v) const {
-  const Vec2 a = place(view_.vertices[u]) - cell_.middle, b = place(view_.vertices[v]) - cell_.middle;
+  const Vec2 a = position(view_.vertices[u]) - cell_.middle, b = position(view_.vertices[v]) - cell_.middle;
   const Vec2 along = b - a;
   if (std::min(a.x, b.x) > cell_.half.x || std::max(a.x, b.x) < -cell_.half.x) return false;
   if (std::min(a.y, b.y) > cell_.half.y || std::max(a.y, b.y) < -cell_.half.y) return false;
@@ -84,8 +83,8 @@ bool OccluderPatch::reaches_in(int u, int v) const {
 bool OccluderPatch::holds_middle(const ViewTriangle& triangle) const {
   int left = 0;
   for (int i = 0; i < 3; ++i) {
-    const Vec2 a = place(view_.vertices[triangle.vertex[i]]) - cell_.middle;
-    const Vec2 b = place(view_.vertices[triangle.vertex[(i + 1) % 3]]) - cell_.middle;
+    const Vec2 a = position(view_.vertices[triangle.vertex[i]]) - cell_.middle;
+    const Vec2 b = position(view_.vertices[triangle.vertex[(i + 1) % 3]]) - cell_.middle;
     left += static_cast<int>(a.x * b.y - a.y * b.x > 0);
   }
   return left == 0 || left == 3;

@@ -21,7 +21,7 @@ struct CellBox {
 class CoverPlane {
  public:
   /// `half` of the width and height of a cell, widened.
-  CoverPlane(const ProjectedScene& view, const ViewTriangle& triangle, const Vec2& half, const Contact& contact);
+  CoverPlane(const ProjectedScene& view, const ViewTriangle& triangle, const Vec2& half);
 
   /// What lies deeper in the cell around a place is hidden wherever the triangle covers it: deeper than any place of
   /// its plane there by more than contact and rounding. -infinity for a triangle that is a line on the page.
@@ -36,8 +36,7 @@ class CoverPlane {
 /// cell has triangles on both sides: as many triangles cover one place of the cell as another, and so at least one.
 class OccluderPatch {
  public:
-  OccluderPatch(const ProjectedScene& view, const CellBox& cell, const Contact& contact)
-      : view_(view), cell_(cell), contact_(contact) {}
+  OccluderPatch(const ProjectedScene& view, const CellBox& cell) : view_(view), cell_(cell) {}
 
   /// Whether this triangle, which has an area on the page grid, has made a sheet whole.
   bool add(const ViewTriangle& triangle);
@@ -63,7 +62,6 @@ class OccluderPatch {
 
   const ProjectedScene& view_;
   CellBox cell_;
-  Contact contact_;
   std::vector<Sheet> sheets_;
   std::unordered_map<std::uint64_t, OpenSide> open_;
   double depth_ = -HUGE_VAL;

@@ -70,10 +70,9 @@ double greatest_depth(const ProjectedScene& view) {
 }  // namespace
 
 OccluderGrid::OccluderGrid(const World& world, const ProjectedScene& view, const std::vector<FeatureEdge>& edges,
-                           const Contact& contact, const Progress& progress)
+                           const Progress& progress)
     : view_(view),
       edges_(edges),
-      contact_(contact),
       progress_(progress),
       front_(greatest_depth(view)),
       copies_(world, view, progress),
@@ -81,7 +80,7 @@ OccluderGrid::OccluderGrid(const World& world, const ProjectedScene& view, const
 
 Vec2 OccluderGrid::cover_slack(const CellGrid& grid) const { return 2 * margin() + cell_slack * grid.side; }
 
-Vec2 OccluderGrid::place(const PageEdge& edge, double t) const {
+Vec2 OccluderGrid::position(const PageEdge& edge, double t) const {
   const PageVertex& p = view_.vertices[edge.p];
   const PageVertex& q = view_.vertices[edge.q];
   if (t >= 1) return {q.x, q.y};
@@ -117,7 +116,7 @@ PageBox OccluderGrid::box_of(const std::vector<Piece>& pieces) const {
   PageBox box{Vec2(HUGE_VAL), Vec2(-HUGE_VAL)};
   for (const Piece& piece : pieces)
     for (const double t : {piece.from, piece.to}) {
-      const Vec2 at = place(sightline(piece), t);
+      const Vec2 at = position(sightline(piece), t);
       box = {glm::min(box.min, at), glm::max(box.max, at)};
     }
   if (pieces.empty()) return {Vec2(0), Vec2(0)};
@@ -148,7 +147,7 @@ CellGrid OccluderGrid::grid_for(const Content& content, int depth) const {
   const Vec2 size = glm::max(page.max - page.min, Vec2(margin()));
   Cuts lines, areas;
   for (const Piece& piece : content.pieces)
-    lines.add(glm::abs(place(sightline(piece), piece.to) - place(sightline(piece), piece.from)), size);
+    lines.add(glm::abs(position(sightline(piece), piece.to) - position(sightline(piece), piece.from)), size);
   const std::size_t step = 1 + content.triangles.size() / sample;
   for (std::size_t i = 0; i < content.triangles.size(); i += step) {
     const auto [a, b, c] = corners(view_.triangles[content.triangles[i]]);
@@ -171,7 +170,7 @@ void OccluderGrid::find_covers(const Content& content, Level& level) const {
       const ViewTriangle& triangle = view_.triangles[content.triangles[i]];
       const TriangleOnGrid on_grid(grid, corners(triangle), slack);
       if (!on_grid.may_hold_cells()) continue;
-      const CoverPlane plane(view_, triangle, grid.side / 2.0 + slack, contact_);
+      const CoverPlane plane(view_, triangle, grid.side / 2.0 + slack);
       on_grid.visit_rows([&](const RowOfCells& row) {
         for (int column = row.inner_from; column <= row.inner_to; ++column) {
           const int cell = grid.cell(column, row.row);
@@ -190,7 +189,7 @@ OccluderGrid::CellLoad OccluderGrid::find_load(const Content& content, const Lev
       progress_.expect_time();
       const Piece& piece = content.pieces[i];
       const PageEdge line = sightline(piece);
-      visit_cells(level.grid, place(line, piece.from), place(line, piece.to), margin(),
+      visit_cells(level.grid, position(line, piece.from), position(line, piece.to), margin(),
                   [&](int cell, double s, double t) {
                     const double length = piece.to - piece.from;
                     const auto [min, max] = depths(line, piece.from + s * length, piece.from + t * length);
@@ -249,7 +248,7 @@ bool OccluderGrid::cover_by_sheets(const CellLoad& load, Level& level) const {
       const int number = static_cast<int>(cell);
       if (pairs_in(level, load, number) <= most_pairs) continue;
       progress_.expect_time();
-      OccluderPatch sheets(view_, {grid.middle(number), grid.side / 2.0 + cover_slack(grid)}, contact_);
+      OccluderPatch sheets(view_, {grid.middle(number), grid.side / 2.0 + cover_slack(grid)});
       for (const Candidate& candidate : level.candidates[cell])
         if (sheets.add(view_.triangles[candidate.triangle()])) break;
       if (!(sheets.depth() > level.cover[cell])) continue;
@@ -287,12 +286,13 @@ std::vector<OccluderGrid::Content> OccluderGrid::contents_of_full_cells(const Co
   for (const Piece& piece : content.pieces) {
     progress_.expect_time();
     const PageEdge line = sightline(piece);
-    visit_cells(grid, place(line, piece.from), place(line, piece.to), margin(), [&](int cell, double s, double t) {
-      const double from = piece.from + s * (piece.to - piece.from);
-      const double to = piece.from + t * (piece.to - piece.from);
-      if (level.full[cell] >= 0 && !(depths(line, from, to)[1] < level.cover[cell]))
-        parts[level.full[cell]].pieces.push_back({piece.edge, from, to});
-    });
+    visit_cells(grid, position(line, piece.from), position(line, piece.to), margin(),
+                [&](int cell, double s, double t) {
+                  const double from = piece.from + s * (piece.to - piece.from);
+                  const double to = piece.from + t * (piece.to - piece.from);
+                  if (level.full[cell] >= 0 && !(depths(line, from, to)[1] < level.cover[cell]))
+                    parts[level.full[cell]].pieces.push_back({piece.edge, from, to});
+                });
   }
   return parts;
 }
@@ -303,7 +303,7 @@ bool OccluderGrid::leaves_few_tries(const CandidateTree& tree, const std::vector
   for (int k = 0; k < sampled_edges; ++k) {
     const double part = std::fmod(k * std::numbers::phi, 1);  // out of step with the order of the edges
     const Piece& piece = pieces[static_cast<std::size_t>(part * static_cast<double>(pieces.size()))];
-    OcclusionQuery hider(view_, contact_, *this, sightline(piece), OwnTriangles(), few_tries + 1);
+    OcclusionQuery hider(view_, *this, sightline(piece), OwnTriangles(), few_tries + 1);
     hider.hide({piece.from, piece.to, -HUGE_VAL, {}, &tree});
     good += hider.tries() <= few_tries ? 1 : 0;
   }
@@ -321,7 +321,7 @@ void OccluderGrid::relieve_full_cells(const Content& content, const CellLoad& lo
   parallel_for(parts.size(), 1, progress_, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Content part = std::exchange(parts[i], {});
-      level.trees[i] = CandidateTree(view_, part.triangles, contact_);
+      level.trees[i] = CandidateTree(view_, part.triangles);
       if (leaves_few_tries(level.trees[i], part.pieces)) {
         saved[i] = std::max(0.0, part.pairs - few_tries * static_cast<double>(part.pieces.size()));
         continue;

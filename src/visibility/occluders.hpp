@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/groups.hpp"
-#include "edges/drawn_edges.hpp"
+#include "edges/find_edges.hpp"
 #include "search/choose_grid.hpp"
 #include "search/line_cells.hpp"
 #include "view/projected_scene.hpp"
@@ -51,7 +51,7 @@ class OccluderGrid {
  public:
   /// Throws OutOfTime.
   OccluderGrid(const World& world, const ProjectedScene& view, const std::vector<FeatureEdge>& edges,
-               const Contact& contact, const Progress& progress = {});
+               const Progress& progress = {});
 
   /// Calls `visit(CellSegment)` for the cells along an edge; together the stretches cover the whole edge.
   template <class Visit>
@@ -71,7 +71,7 @@ class OccluderGrid {
   }
 
   /// Where an edge is at a page parameter: x, y and depth.
-  [[nodiscard]] Vec3 point(const PageEdge& edge, double t) const { return {place(edge, t), depths(edge, t, t)[0]}; }
+  [[nodiscard]] Vec3 point(const PageEdge& edge, double t) const { return {position(edge, t), depths(edge, t, t)[0]}; }
 
   /// Candidates at greater distances lie behind this depth.
   [[nodiscard]] double distance(double depth) const { return front_ - depth; }
@@ -105,7 +105,7 @@ class OccluderGrid {
 
   template <class Visit>
   void along(const Level& level, const PageEdge& edge, double from, double to, Visit& visit) const {
-    visit_cells(level.grid, place(edge, from), place(edge, to), margin(), [&](int cell, double s, double t) {
+    visit_cells(level.grid, position(edge, from), position(edge, to), margin(), [&](int cell, double s, double t) {
       const double begin = from + s * (to - from);
       const double end = from + t * (to - from);
       const int full = level.full.empty() ? -1 : level.full[cell];
@@ -121,7 +121,7 @@ class OccluderGrid {
   // Vertices lie within a cell of the page grid of their place.
   [[nodiscard]] double margin() const { return 2 * view_.cell; }
   [[nodiscard]] Vec2 cover_slack(const CellGrid& grid) const;
-  [[nodiscard]] Vec2 place(const PageEdge& edge, double t) const;
+  [[nodiscard]] Vec2 position(const PageEdge& edge, double t) const;
   [[nodiscard]] std::array<Vec2, 3> corners(const ViewTriangle& triangle) const;
   [[nodiscard]] double nearest(const ViewTriangle& triangle) const;
   [[nodiscard]] PageEdge sightline(const Piece& piece) const;
@@ -143,7 +143,6 @@ class OccluderGrid {
 
   const ProjectedScene& view_;
   const std::vector<FeatureEdge>& edges_;
-  Contact contact_;
   Progress progress_;
   double front_;  ///< greatest depth of all
   ThirdCopies copies_;

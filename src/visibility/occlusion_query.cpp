@@ -5,9 +5,9 @@
 
 namespace epura {
 
-OcclusionQuery::OcclusionQuery(const ProjectedScene& view, const Contact& contact, const OccluderGrid& occluders,
-                               const PageEdge& line, const OwnTriangles& own, int most_tries)
-    : view_(view), contact_(contact), occluders_(occluders), line_(line), own_(own), most_tries_(most_tries) {
+OcclusionQuery::OcclusionQuery(const ProjectedScene& view, const OccluderGrid& occluders, const PageEdge& line,
+                               const OwnTriangles& own, int most_tries)
+    : view_(view), occluders_(occluders), line_(line), own_(own), most_tries_(most_tries) {
   tried_.fill(-1);
   for (const int end : {line.p, line.q})
     for (const int triangle : occluders.copies_around(end)) hide_by(triangle);
@@ -57,7 +57,7 @@ bool OcclusionQuery::hide_by_exact(const Pile& pile) {
       return depths[static_cast<std::size_t>(std::find(corners.begin(), corners.end(), corner) - corners.begin())][1];
     };
     const auto is_ahead = [&](double t) {
-      return overlap->depth(t, depth_of) - occluders_.depths(line_, t, t)[0] > contact_.touching / 2;
+      return overlap->depth(t, depth_of) - occluders_.depths(line_, t, t)[0] > view_.contact.touching / 2;
     };
     return is_ahead(overlap->from) || is_ahead(overlap->to);
   };

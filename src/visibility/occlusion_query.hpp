@@ -17,8 +17,8 @@ namespace epura {
 class OcclusionQuery {
  public:
   /// With `most_tries`, a tree is given up after so many.
-  OcclusionQuery(const ProjectedScene& view, const Contact& contact, const OccluderGrid& occluders,
-                 const PageEdge& line, const OwnTriangles& own, int most_tries = std::numeric_limits<int>::max());
+  OcclusionQuery(const ProjectedScene& view, const OccluderGrid& occluders, const PageEdge& line,
+                 const OwnTriangles& own, int most_tries = std::numeric_limits<int>::max());
 
   /// What lies behind the cover of the cell is hidden; otherwise candidates are tried until the stretch is hidden or
   /// the rest lies behind it.
@@ -35,7 +35,7 @@ class OcclusionQuery {
     if (std::exchange(tried_[triangle % tried_.size()], triangle) == triangle) return false;
     const ViewTriangle& tried = view_.triangles[triangle];
     ++tries_;
-    const auto part = hidden_part(view_, line_, tried, contact_);
+    const auto part = hidden_part(view_, line_, tried);
     if (!part || own_.contain(tried.source)) return false;  // last: beside slivers its own are many
     add_span(spans_, *part);
     return true;
@@ -47,7 +47,6 @@ class OcclusionQuery {
   void hide_by_tree(const CellSegment& stretch);
 
   const ProjectedScene& view_;
-  const Contact& contact_;
   const OccluderGrid& occluders_;
   PageEdge line_;
   OwnTriangles own_;

@@ -16,7 +16,7 @@ double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
 }  // namespace
 
-Vec2 PointRule::place(double s) const {
+Vec2 PointRule::position(double s) const {
   const Vec2 p = place_of(view_.vertices[edge_.p]);
   return p + s * (place_of(view_.vertices[edge_.q]) - p);
 }
@@ -27,7 +27,7 @@ double PointRule::depth(double s) const {
 }
 
 bool PointRule::hides(const ViewTriangle& triangle, double s) const {
-  const Vec2 point = place(s);
+  const Vec2 point = position(s);
   bool left = true, right = true;
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec2 a = place_of(view_.vertices[triangle.vertex[i]]);
@@ -53,11 +53,11 @@ bool PointRule::lies_before(const ViewTriangle& triangle, double s) const {
     const PageVertex& corner = view_.vertices[holds_p ? edge_.p : edge_.q];
     const PageVertex& end = view_.vertices[holds_p ? edge_.q : edge_.p];
     const double ahead = rise_along(view_, triangle, place_of(end) - place_of(corner)) + corner.depth - end.depth;
-    return ahead > contact_.joined * steepness;
+    return ahead > view_.contact.joined * steepness;
   }
   const PageVertex& corner = view_.vertices[own[0]];
-  const double ahead = glm::dot(*slope, place(s) - place_of(corner)) + corner.depth - depth(s);
-  return ahead > contact_.touching * steepness;
+  const double ahead = glm::dot(*slope, position(s) - place_of(corner)) + corner.depth - depth(s);
+  return ahead > view_.contact.touching * steepness;
 }
 
 }  // namespace epura

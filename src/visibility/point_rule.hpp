@@ -9,10 +9,9 @@ namespace epura {
 
 class PointRule {
  public:
-  PointRule(const ProjectedScene& view, const PageEdge& edge, const Contact& contact)
-      : view_(view), edge_(edge), contact_(contact) {}
+  PointRule(const ProjectedScene& view, const PageEdge& edge) : view_(view), edge_(edge) {}
 
-  [[nodiscard]] Vec2 place(double s) const;
+  [[nodiscard]] Vec2 position(double s) const;
   [[nodiscard]] double depth(double s) const;
 
   /// Whether the triangle, which is none of the edge's own, covers the point at page parameter `s` (its border does,
@@ -25,7 +24,6 @@ class PointRule {
  private:
   const ProjectedScene& view_;
   PageEdge edge_;
-  Contact contact_;
 };
 
 }  // namespace epura

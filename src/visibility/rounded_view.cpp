@@ -22,6 +22,7 @@ ProjectedScene copy_for_visibility(const ProjectedScene& view) {
   copy.middle = view.middle;
   copy.extent = view.extent;
   copy.cell = view.cell;
+  copy.contact = view.contact;
   copy.vertices = view.vertices;
   copy.grid.resize(view.grid.size());
   copy.triangles = view.triangles;
@@ -41,25 +42,24 @@ void lay_on_grid(ProjectedScene& view, int bits) {
   });
 }
 
-Contact at_least(const Contact& contact, double length) {
-  return {std::max(contact.touching, length), std::max(contact.joined, length)};
-}
-
 }  // namespace
 
-RoundedView on_coarser_grid(const ProjectedScene& view, const Contact& contact, int bits) {
-  RoundedView rounded{copy_for_visibility(view), contact};
-  rounded.view.cell = std::ldexp(view.cell, usual_bits - bits);
-  rounded.contact.touching = std::max(contact.touching, forgiven * rounded.view.cell);
-  lay_on_grid(rounded.view, bits);
+ProjectedScene on_coarser_grid(const ProjectedScene& view, int bits) {
+  ProjectedScene rounded = copy_for_visibility(view);
+  rounded.cell = std::ldexp(view.cell, usual_bits - bits);
+  rounded.contact.touching = std::max(view.contact.touching, forgiven * rounded.cell);
+  lay_on_grid(rounded, bits);
   return rounded;
 }
 
-RoundedView in_floats(const ProjectedScene& view, const Contact& contact) {
-  RoundedView rounded{copy_for_visibility(view), at_least(contact, forgiven * float_rounding * view.extent)};
-  for (PageVertex& v : rounded.view.vertices)
+ProjectedScene in_floats(const ProjectedScene& view) {
+  ProjectedScene rounded = copy_for_visibility(view);
+  const double rounding = forgiven * float_rounding * view.extent;
+  rounded.contact.touching = std::max(view.contact.touching, rounding);
+  rounded.contact.joined = std::max(view.contact.joined, rounding);
+  for (PageVertex& v : rounded.vertices)
     v = {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.depth), v.w};
-  lay_on_grid(rounded.view, usual_bits);
+  lay_on_grid(rounded, usual_bits);
   return rounded;
 }
 

@@ -23,13 +23,13 @@ constexpr double most_points = 1e9;
 /// Looks at the points of one edge.
 class Lookup {
  public:
-  Lookup(const World& world, const ProjectedScene& view, const FeatureEdges& drawn, const Contact& contact,
-         const OccluderGrid& occluders, const FeatureEdge& edge)
+  Lookup(const World& world, const ProjectedScene& view, const FeatureEdges& drawn, const OccluderGrid& occluders,
+         const FeatureEdge& edge)
       : view_(view),
         occluders_(occluders),
         own_(world, drawn, edge),
         line_{edge.vertex[0], edge.vertex[1]},
-        rule_(view, line_, contact) {
+        rule_(view, line_) {
     occluders.along(line_, [&](const CellSegment& stretch) { stretches_.push_back(stretch); });
     std::sort(stretches_.begin(), stretches_.end(),
               [](const CellSegment& a, const CellSegment& b) { return a.from < b.from; });
@@ -140,14 +140,14 @@ void require_few_points(const ProjectedScene& view, const FeatureEdges& drawn, d
 }  // namespace
 
 HiddenSpans find_hidden_by_samples(const World& world, const ProjectedScene& view, const FeatureEdges& drawn,
-                                   const Contact& contact, const Sampling& sampling, Progress progress) {
+                                   const Sampling& sampling, Progress progress) {
   require_few_points(view, drawn, sampling.density);
   progress.begin("hiding lines", drawn.edges.size());
-  const OccluderGrid occluders(world, view, drawn.edges, contact);
+  const OccluderGrid occluders(world, view, drawn.edges);
   std::vector<Spans> found(drawn.edges.size());
   parallel_for(drawn.edges.size(), chunk, [&](std::size_t first, std::size_t last) {
     for (std::size_t e = first; e < last; ++e) {
-      const Lookup lookup(world, view, drawn, contact, occluders, drawn.edges[e]);
+      const Lookup lookup(world, view, drawn, occluders, drawn.edges[e]);
       const double points = std::max(1.0, std::ceil(length_of(view, drawn.edges[e]) * sampling.density));
       found[e] = hidden_spans(lookup, points, sampling.halvings);
     }

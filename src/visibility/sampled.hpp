@@ -18,6 +18,6 @@ struct Sampling {
 };
 
 HiddenSpans find_hidden_by_samples(const World& world, const ProjectedScene& view, const FeatureEdges& drawn,
-                                   const Contact& contact, const Sampling& sampling, Progress progress = {});
+                                   const Sampling& sampling, Progress progress = {});
 
 }  // namespace epura

@@ -7,7 +7,7 @@
 
 #include "base/groups.hpp"
 #include "base/progress.hpp"
-#include "edges/drawn_edges.hpp"
+#include "edges/find_edges.hpp"
 #include "scene/scene.hpp"
 #include "view/projected_scene.hpp"
 

@@ -17,25 +17,15 @@ namespace epura {
 
 namespace {
 
-constexpr double contact_cells = 4;
-constexpr double contact_part = 0x1p-29;
-constexpr double joined_part = 0x1p-44;
-
-double size_of(const World& world, const ProjectedScene& view) {
-  const Vec3 size = world.box.size() * view.map.scale_exponent;
-  return std::max({size.x, size.y, size.z});
-}
-
 struct Occlusion {
   const World& world;
   const ProjectedScene& view;
-  const Contact& contact;
   const OccluderGrid& occluders;
   const FeatureEdges& drawn;
 
   [[nodiscard]] Spans hidden_spans(const FeatureEdge& edge) const {
     const PageEdge line{edge.vertex[0], edge.vertex[1]};
-    OcclusionQuery hider(view, contact, occluders, line, OwnTriangles(world, drawn, edge));
+    OcclusionQuery hider(view, occluders, line, OwnTriangles(world, drawn, edge));
     occluders.along(line, [&](const CellSegment& stretch) { hider.hide(stretch); });
     return std::move(hider).spans();
   }
@@ -112,13 +102,13 @@ HiddenSpans decide(const ProjectedScene& view, const FeatureEdges& drawn, const 
 }
 
 // What all triangles hide.
-Spans hidden_by_all(const ProjectedScene& view, const Contact& contact, const PageEdge& line, const OwnTriangles& own) {
+Spans hidden_by_all(const ProjectedScene& view, const PageEdge& line, const OwnTriangles& own) {
   Spans spans;
   for (const ViewTriangle& triangle : view.triangles) {
     const auto& [a, b, c] = triangle.vertex;
     // Seen edge-on it hides nothing.
     if (cross(view.grid[a], view.grid[b], view.grid[c]) == 0 || own.contain(triangle.source)) continue;
-    if (const auto part = hidden_part(view, line, triangle, contact)) add_span(spans, *part);
+    if (const auto part = hidden_part(view, line, triangle)) add_span(spans, *part);
     if (covers(spans, 0, 1)) break;
   }
   absorb_slivers(spans, least_span(view, line));
@@ -126,22 +116,6 @@ Spans hidden_by_all(const ProjectedScene& view, const Contact& contact, const Pa
 }
 
 }  // namespace
-
-Contact contact_of(const World& world, const ProjectedScene& view, std::optional<double> given) {
-  const double unit = view.map.unit;
-  const double rounding = world.rounding * view.map.scale_exponent * unit;
-  const double min = joined_part * view.extent;
-  if (given) {
-    const double touching = std::max(*given * view.map.scale_exponent * unit, min);
-    return {touching, std::clamp(rounding, min, touching)};
-  }
-  return {std::max(contact_cells * view.cell, rounding), std::max(rounding, min)};
-}
-
-double contact_in_space(const World& world, const ProjectedScene& view, std::optional<double> given) {
-  if (given) return *given * view.map.scale_exponent;
-  return std::max(contact_part * size_of(world, view), world.rounding * view.map.scale_exponent);
-}
 
 OwnTriangles::OwnTriangles(const World& world, const FeatureEdges& drawn, const FeatureEdge& edge) {
   if (edge.crossing >= 0) {
@@ -158,19 +132,18 @@ OwnTriangles::OwnTriangles(const World& world, const FeatureEdges& drawn, const 
   first_ = world.first_triangle[edge.model];
 }
 
-HiddenSpans find_hidden(const World& world, const ProjectedScene& view, const FeatureEdges& drawn,
-                        const Contact& contact, Progress progress) {
+HiddenSpans find_hidden(const World& world, const ProjectedScene& view, const FeatureEdges& drawn, Progress progress) {
   progress.begin("finding what may hide lines");
-  const OccluderGrid occluders(world, view, drawn.edges, contact, progress);
-  const Occlusion hider{world, view, contact, occluders, drawn};
+  const OccluderGrid occluders(world, view, drawn.edges, progress);
+  const Occlusion hider{world, view, occluders, drawn};
   return decide(
       view, drawn, [&](const FeatureEdge& edge) { return hider.hidden_spans(edge); }, progress);
 }
 
 HiddenSpans find_hidden_directly(const World& world, const ProjectedScene& view, const FeatureEdges& drawn,
-                                 const Contact& contact, Progress progress) {
+                                 Progress progress) {
   const auto spans_of = [&](const FeatureEdge& edge) {
-    return hidden_by_all(view, contact, {edge.vertex[0], edge.vertex[1]}, OwnTriangles(world, drawn, edge));
+    return hidden_by_all(view, {edge.vertex[0], edge.vertex[1]}, OwnTriangles(world, drawn, edge));
   };
   return decide(view, drawn, spans_of, progress);
 }

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "edges/drawn_edges.hpp"
+#include "edges/find_edges.hpp"
 #include "visibility/hiding_rule.hpp"
 
 namespace epura {
@@ -36,12 +36,13 @@ struct HiddenSpans {
   }
 };
 
-/// Contact tolerance for a view. `given` is a length in the world; without it, four cells of the page grid, or the
-/// rounding of the input where models store 32-bit floats.
-Contact contact_of(const World& world, const ProjectedScene& view, std::optional<double> given);
-
-/// The same tolerance as a length in the shrunk world (ViewMap::shrink), for faces that meet in space.
-double contact_in_space(const World& world, const ProjectedScene& view, std::optional<double> given);
+/// A view whose hidden lines are found: what its drawing is made of.
+struct ResolvedView {
+  const World& world;
+  const ProjectedScene& view;
+  const FeatureEdges& drawn;
+  const HiddenSpans& hidden;
+};
 
 /// The triangles that meet in an edge: they never hide it.
 class OwnTriangles {
@@ -63,12 +64,12 @@ class OwnTriangles {
 /// Under a time limit the longest edges come first, and those that time does not suffice for stay undecided; without
 /// time for a single one OutOfTime is thrown.
 HiddenSpans find_hidden(const World& world, const ProjectedScene& view, const FeatureEdges& drawn,
-                        const Contact& contact, Progress progress = {});
+                        Progress progress = {});
 
 /// The same, to the last bit, without a search for what may hide an edge: every triangle is tried. For the longest of
 /// few edges where the search itself takes too long.
 HiddenSpans find_hidden_directly(const World& world, const ProjectedScene& view, const FeatureEdges& drawn,
-                                 const Contact& contact, Progress progress = {});
+                                 Progress progress = {});
 
 /// Takes the undecided edges out of both: what is drawn then is right.
 void keep_decided(FeatureEdges& drawn, HiddenSpans& hidden);

@@ -117,7 +117,7 @@ TEST(Alignment, LineThroughTheVertexOfABowTie) {
 TEST(Alignment, PlateCloseUnderALargerPlate) {
   for (double e = 1e-3; e > 1e-16; e /= 10) {
     const Result result = draw(world_of({plate(-0.5, -0.5, 0.5, 0.5, 0), plate(-1, -1, 1, 1, e)}), from_above());
-    const double tolerance = 4 * result.view.cell / result.view.map.scale_exponent;
+    const double tolerance = 4 * result.view.cell / result.view.map.normalisation;
     EXPECT_NEAR(result.hidden_length(), e > tolerance ? 4 : 0, 1e-9) << e;
     EXPECT_NEAR(result.visible(), e > tolerance ? 8 : 12, 1e-9) << e;
   }

@@ -328,9 +328,8 @@ TEST(Metamorphic, SomethingBehindEverythingHidesNothing) {
 
 TEST(Metamorphic, VisibleAndHiddenLinesAreTheWireframe) {
   in_all_views([](const Shape&, const Projection&, const Result& result) {
-    const ViewDrawing wireframe =
-        make_drawing(result.world, result.view, result.drawn, nothing_hidden(result.drawn),
-                     contact_of(result.world, result.view, std::nullopt), {1, Vec2(0)}, {"wireframe", true});
+    const ViewDrawing wireframe = make_drawing({result.world, result.view, result.drawn, nothing_hidden(result.drawn)},
+                                               {1, Vec2(0)}, {"wireframe", true});
     const double all = total(ink_of(wireframe.segments, result.unit));
     EXPECT_NEAR(result.visible() + result.hidden_length(), all, 1e-7 * all);
     // No coincidence of lines makes ink.

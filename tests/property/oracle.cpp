@@ -180,7 +180,7 @@ Verdict judge(const Result& r) {
   std::vector<ExactPoint> points;
   for (const Vec3& p : r.world.points) points.push_back(map_exactly(r.drawing.world_to_page, p));
   const double extent = r.view.extent;
-  const double contact = contact_of(r.world, r.view, std::nullopt).touching;
+  const double contact = r.view.contact.touching;
   const Margins eroded{1e-9 * extent, 2 * contact};
   const Margins dilated{-1e-9 * extent, 0};
 

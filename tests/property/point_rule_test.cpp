@@ -41,7 +41,7 @@ class Needles {
     return view;
   }
   // Many of them near 0.
-  double place() { return power(-40, 0); }
+  double position() { return power(-40, 0); }
 
   static std::array<PageVertex, 3> triangle(const ProjectedScene& view) {
     return {view.vertices[0], view.vertices[1], view.vertices[2]};
@@ -59,10 +59,11 @@ TEST(PointRule, HoldsForNeedlesAtACorner) {
   int hidden = 0, visible = 0;
   for (unsigned seed = 1; seed <= 20000; ++seed) {
     Needles needles(seed);
-    const ProjectedScene view = needles.view();
+    ProjectedScene view = needles.view();
+    view.contact = {joined, joined, 0};
     const bool forward = seed % 2 == 0;
-    const PointRule rule(view, forward ? PageEdge{0, 3} : PageEdge{3, 0}, {joined, joined});
-    const double s = needles.place();
+    const PointRule rule(view, forward ? PageEdge{0, 3} : PageEdge{3, 0});
+    const double s = needles.position();
     const PointTruth truth = truth_of_point(Needles::triangle(view), {view.vertices[0], view.vertices[3]}, s);
     const bool hides = rule.hides(view.triangles[0], forward ? s : 1 - s);
     if (truth.inside > 0 && truth.ahead > 4 * joined * truth.steepness * s) {

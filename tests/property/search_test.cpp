@@ -15,7 +15,7 @@
 namespace epura::test {
 namespace {
 
-Spans by_brute_force(const Result& r, const FeatureEdge& edge, const Contact& contact) {
+Spans by_brute_force(const Result& r, const FeatureEdge& edge) {
   const PageEdge line{edge.vertex[0], edge.vertex[1]};
   Spans spans;
   for (const ViewTriangle& t : r.view.triangles) {
@@ -23,7 +23,7 @@ Spans by_brute_force(const Result& r, const FeatureEdge& edge, const Contact& co
     if (cross(r.view.grid[a], r.view.grid[b], r.view.grid[c]) == 0 ||
         OwnTriangles(r.world, r.drawn, edge).contain(t.source))
       continue;
-    if (const auto part = hidden_part(r.view, line, t, contact)) add_span(spans, *part);
+    if (const auto part = hidden_part(r.view, line, t)) add_span(spans, *part);
   }
   absorb_slivers(spans, least_span(r.view, line));
   return spans;
@@ -34,14 +34,13 @@ Spans spans_of(const HiddenSpans& hidden, std::size_t e) {
 }
 
 void expect_equal(const Result& r) {
-  const Contact contact = contact_of(r.world, r.view, std::nullopt);
   // What is done where there is no time for the search; of many edges it takes the test too long.
   const bool tries_all = r.drawn.edges.size() <= 500;
-  const HiddenSpans directly = tries_all ? find_hidden_directly(r.world, r.view, r.drawn, contact) : HiddenSpans();
+  const HiddenSpans directly = tries_all ? find_hidden_directly(r.world, r.view, r.drawn) : HiddenSpans();
   for (std::size_t e = 0; e < r.drawn.edges.size(); ++e) {
     const GridPoint &p = r.view.grid[r.drawn.edges[e].vertex[0]], &q = r.view.grid[r.drawn.edges[e].vertex[1]];
     if (p.x == q.x && p.y == q.y) continue;  // is a point on the page, and not drawn
-    const Spans by_all = by_brute_force(r, r.drawn.edges[e], contact);
+    const Spans by_all = by_brute_force(r, r.drawn.edges[e]);
     ASSERT_EQ(spans_of(r.hidden, e), by_all) << "edge " << e;
     if (tries_all) {
       ASSERT_EQ(spans_of(directly, e), by_all) << "edge " << e;

@@ -138,15 +138,15 @@ TEST(Section, FacesOnPaperAreSeenFromInFrontAndWithinTheWindow) {
   const CuttingPlane plane = plane_at({1, 2.5, 1}, {0, -1, 0});
   const CutWorld cut = cut_world(world_of(box({0, 0, 0}, {4, 6, 4})), plane);
   Projection front = orthographic({0, -1, 0});
-  ProjectedScene view = make_view(cut.world, front, {});
-  const double unit = 1 / (view.map.scale_exponent * view.map.scale_exponent);
+  ProjectedScene view = project_scene(cut.world, front, {});
+  const double unit = 1 / (view.map.normalisation * view.map.normalisation);
   const auto faces = cut_faces_on_paper(cut.faces, plane, view, {1, Vec2(0)});
   ASSERT_EQ(faces.size(), 1U);
   EXPECT_NEAR(ring_area(faces[0].rings.at(0)) * unit, 16, 1e-12);
-  ProjectedScene behind = make_view(cut.world, orthographic({0, 1, 0.5}), {});
+  ProjectedScene behind = project_scene(cut.world, orthographic({0, 1, 0.5}), {});
   EXPECT_TRUE(cut_faces_on_paper(cut.faces, plane, behind, {1, Vec2(0)}).empty());
   front.window = Window{{1, 1}, {3, 9}};
-  ProjectedScene part = make_view(cut.world, front, {});
+  ProjectedScene part = project_scene(cut.world, front, {});
   EXPECT_NEAR(ring_area(cut_faces_on_paper(cut.faces, plane, part, {1, Vec2(0)}).at(0).rings.at(0)) * unit, 6, 1e-12);
 }
 

@@ -27,9 +27,9 @@ using stability::Shape;
 using stability::triangulated_cube;
 using stability::world_of;
 
-inline Result draw(World world, const Projection& projection, const EdgeOptions& wishes = {},
+inline Result draw(World world, const Projection& projection, const EdgeOptions& options = {},
                    const ViewLimits& limits = {}) {
-  return stability::Lab().draw(std::move(world), {projection, limits}, wishes);
+  return stability::Lab().draw(std::move(world), {projection, limits}, options);
 }
 
 /// Hidden spans of a straight line that belongs to no mesh.

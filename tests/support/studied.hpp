@@ -10,20 +10,18 @@ namespace epura::test {
 /// A view together with what a ExplainInput refers to. The paper is the page in view units.
 struct Studied {
   Result result;
-  EdgeOptions wishes;
-  Contact contact;
+  EdgeOptions options;
   PaperMap paper;
 
   [[nodiscard]] ExplainInput view() const {
-    return {result.world, result.view, wishes, result.drawn, result.hidden, contact, paper, result.drawing, true};
+    return {{result.world, result.view, result.drawn, result.hidden}, options, paper, result.drawing, true};
   }
 };
 
-inline Studied study(World world, const Projection& projection, const EdgeOptions& wishes = {},
+inline Studied study(World world, const Projection& projection, const EdgeOptions& options = {},
                      const ViewLimits& limits = {}) {
-  Result result = draw(std::move(world), projection, wishes, limits);
-  const Contact contact = contact_of(result.world, result.view, std::nullopt);
-  return {std::move(result), wishes, contact, {1, Vec2(0)}};
+  Result result = draw(std::move(world), projection, options, limits);
+  return {std::move(result), options, {1, Vec2(0)}};
 }
 
 }  // namespace epura::test

@@ -53,17 +53,17 @@ struct Surroundings {
   }
 };
 
-PlacedDimension best_of(std::vector<DimensionWay> ways, const Surroundings& surroundings) {
-  std::stable_sort(ways.begin(), ways.end(),
-                   [](const DimensionWay& a, const DimensionWay& b) { return a.cost < b.cost; });
-  DimensionWay* best = nullptr;
+PlacedDimension best_of(std::vector<DimensionPlacement> placements, const Surroundings& surroundings) {
+  std::stable_sort(placements.begin(), placements.end(),
+                   [](const DimensionPlacement& a, const DimensionPlacement& b) { return a.cost < b.cost; });
+  DimensionPlacement* best = nullptr;
   double min = HUGE_VAL;
-  for (DimensionWay& way : ways) {
-    if (way.cost >= min) break;
-    const double cost = way.cost + surroundings.cost(way.dimension, min - way.cost);
+  for (DimensionPlacement& placement : placements) {
+    if (placement.cost >= min) break;
+    const double cost = placement.cost + surroundings.cost(placement.dimension, min - placement.cost);
     if (cost >= min) continue;
     min = cost;
-    best = &way;
+    best = &placement;
   }
   check(best != nullptr, "a dimension has no place");
   return std::move(best->dimension);
@@ -84,14 +84,14 @@ std::vector<std::size_t> order_of(const std::vector<MeasuredDimension>& dimensio
 }
 
 std::vector<std::optional<PlacedDimension>> place(const std::vector<MeasuredDimension>& dimensions,
-                                                  const ViewDrawing& drawing, const DimensionStyle& look,
+                                                  const ViewDrawing& drawing, const DimensionStyle& style,
                                                   const Neighbours& neighbours, const Progress& progress) {
   Surroundings surroundings{drawing, neighbours.paper, BoxIndex(neighbours.boxes)};
   std::vector<std::optional<PlacedDimension>> placed(dimensions.size());
   for (const std::size_t i : order_of(dimensions)) {
     if (progress.is_out_of_time()) break;
-    const auto ways = [&](const auto& form) { return ways_of(form, dimensions[i], drawing, look); };
-    placed[i] = best_of(std::visit(ways, dimensions[i].form), surroundings);
+    const auto placements = [&](const auto& form) { return placements_of(form, dimensions[i], drawing, style); };
+    placed[i] = best_of(std::visit(placements, dimensions[i].form), surroundings);
     surroundings.add(*placed[i]);
     progress.advance(1);
   }
@@ -110,16 +110,17 @@ void expect_letters(const std::string& text, const AnchoredDimension& dimension,
 
 }  // namespace
 
-Layer dimension_layer(const World& world, const ViewDrawing& drawing, std::span<const DimensionDescription> dimensions,
-                      const DimensionStyle& look, const Neighbours& neighbours, const Progress& progress) {
-  progress.begin("placing dimensions", dimensions.size());
+Layer dimension_layer(const DimensionedView& view, const DimensionStyle& style, const Neighbours& neighbours,
+                      const Progress& progress) {
+  progress.begin("placing dimensions", view.dimensions.size());
   std::vector<MeasuredDimension> measured;
-  for (const AnchoredDimension& dimension : find_anchors(world, dimensions, progress.with_part_of_the_time(0.5))) {
-    measured.push_back(measure(drawing, dimension, diameter_sign(look.lettering)));
-    expect_letters(measured.back().text, dimension, look.lettering);
+  for (const AnchoredDimension& dimension :
+       find_anchors(view.world, view.dimensions, progress.with_part_of_the_time(0.5))) {
+    measured.push_back(measure(view.drawing, dimension, diameter_sign(style.lettering)));
+    expect_letters(measured.back().text, dimension, style.lettering);
   }
-  Layer layer{drawing.name + "/dimensions", {"dimension", look.line}, {}};
-  for (auto& dimension : place(measured, drawing, look, neighbours, progress)) {
+  Layer layer{view.drawing.name + "/dimensions", {"dimension", style.line}, {}};
+  for (auto& dimension : place(measured, view.drawing, style, neighbours, progress)) {
     if (!dimension) continue;
     std::move(dimension->strokes.begin(), dimension->strokes.end(), std::back_inserter(layer.strokes));
     std::move(dimension->arrows.begin(), dimension->arrows.end(), std::back_inserter(layer.fills));

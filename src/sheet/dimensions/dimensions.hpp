@@ -16,6 +16,13 @@
 
 namespace epura {
 
+/// A view in its place, and what is to be measured in it.
+struct DimensionedView {
+  const World& world;
+  const ViewDrawing& drawing;
+  std::span<const DimensionDescription> dimensions;
+};
+
 /// What stands on the sheet beside a view.
 struct Neighbours {
   std::optional<Rectangle> paper{};  ///< beyond which nothing is to stand
@@ -27,8 +34,8 @@ struct Neighbours {
 /// other's way and that of their neighbours where they can; an offset is obeyed.
 /// Each has one text; those that there is no time for are left out.
 /// Throws Error{input}: see sheet/dimensions/anchors.hpp and measure.hpp; and for characters that the font lacks.
-Layer dimension_layer(const World& world, const ViewDrawing& drawing, std::span<const DimensionDescription> dimensions,
-                      const DimensionStyle& look, const Neighbours& neighbours = {}, const Progress& progress = {});
+Layer dimension_layer(const DimensionedView& view, const DimensionStyle& style, const Neighbours& neighbours = {},
+                      const Progress& progress = {});
 
 /// Whether all of it lies on a paper of this size, mm.
 bool on_paper(const Layer& dimensions, const Vec2& size);

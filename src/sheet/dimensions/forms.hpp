@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ways in which one dimension can be drawn.
+// The placements in which one dimension can be drawn.
 #pragma once
 
 #include <string>
@@ -10,24 +10,24 @@
 
 namespace epura {
 
-/// One of the ways, and what speaks against it for itself alone: the less the better.
-struct DimensionWay {
+/// One of the placements, and what speaks against it for itself alone: the less the better.
+struct DimensionPlacement {
   PlacedDimension dimension;
   double cost;
 };
 
 /// Beside the outline: on either side, further and further out, the text in the middle or moved. With an offset:
 /// there, upwards or to the right where it is positive.
-std::vector<DimensionWay> ways_of(const MeasuredLength& length, const MeasuredDimension& measured,
-                                  const ViewDrawing& drawing, const DimensionStyle& look);
+std::vector<DimensionPlacement> placements_of(const MeasuredLength& length, const MeasuredDimension& measured,
+                                              const ViewDrawing& drawing, const DimensionStyle& style);
 
 /// Arcs of growing radius; an offset is the radius.
-std::vector<DimensionWay> ways_of(const MeasuredAngle& angle, const MeasuredDimension& measured,
-                                  const ViewDrawing& drawing, const DimensionStyle& look);
+std::vector<DimensionPlacement> placements_of(const MeasuredAngle& angle, const MeasuredDimension& measured,
+                                              const ViewDrawing& drawing, const DimensionStyle& style);
 
 /// Leaders to the circle, from outside or for radii also from inside; across the circle where there is room. An
 /// offset is the length of the leader, negative to the inside.
-std::vector<DimensionWay> ways_of(const MeasuredCircle& circle, const MeasuredDimension& measured,
-                                  const ViewDrawing& drawing, const DimensionStyle& look);
+std::vector<DimensionPlacement> placements_of(const MeasuredCircle& circle, const MeasuredDimension& measured,
+                                              const ViewDrawing& drawing, const DimensionStyle& style);
 
 }  // namespace epura

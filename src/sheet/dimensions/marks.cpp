@@ -21,9 +21,9 @@ Vec2 reading_direction(const Vec2& along) {
   return (vertical ? along.y > 0 : along.x > 0) ? along : -along;
 }
 
-Fill arrow_at(const Vec2& tip, const Vec2& direction, const DimensionStyle& look) {
-  const Vec2 foot = tip - look.arrow() * direction;
-  const Vec2 across = look.arrow() * portable_tan(half_tip) * left_of(direction);
+Fill arrow_at(const Vec2& tip, const Vec2& direction, const DimensionStyle& style) {
+  const Vec2 foot = tip - style.arrow() * direction;
+  const Vec2 across = style.arrow() * portable_tan(half_tip) * left_of(direction);
   return {{{tip, foot + across, foot - across}}};
 }
 
@@ -36,13 +36,13 @@ void add_crossable_line(PlacedDimension& dimension, const Vec2& from, const Vec2
   dimension.lines.push_back(line_box(from, to));
 }
 
-void set_text(PlacedDimension& dimension, const std::string& text, const Vec2& middle, const Vec2& read, double rise,
-              const DimensionStyle& look) {
-  const double degrees = portable_atan2(read.y, read.x) * 180 / std::numbers::pi;
-  dimension.text = {text, middle + rise * left_of(read), look.text, degrees, Align::middle, "dimension"};
-  dimension.text_box = {middle + (rise + look.text / 2) * left_of(read),
-                        read,
-                        {look.width(text) / 2 + air * look.text, look.text / 2 + air * look.text}};
+void set_text(PlacedDimension& dimension, const std::string& text, const TextPosition& at,
+              const DimensionStyle& style) {
+  const double degrees = portable_atan2(at.read.y, at.read.x) * 180 / std::numbers::pi;
+  dimension.text = {text, at.middle + at.rise * left_of(at.read), style.text, degrees, Align::middle, "dimension"};
+  dimension.text_box = {at.middle + (at.rise + style.text / 2) * left_of(at.read),
+                        at.read,
+                        {style.width(text) / 2 + air * style.text, style.text / 2 + air * style.text}};
 }
 
 }  // namespace epura

@@ -47,7 +47,7 @@ inline Vec2 turned_to(double angle) { return {portable_cos(angle), portable_sin(
 Vec2 reading_direction(const Vec2& along);
 
 /// `direction` leads to the tip and has length 1.
-Fill arrow_at(const Vec2& tip, const Vec2& direction, const DimensionStyle& look);
+Fill arrow_at(const Vec2& tip, const Vec2& direction, const DimensionStyle& style);
 
 /// Adds a stroke from point to point.
 void add_line(PlacedDimension& dimension, const Vec2& from, const Vec2& to);
@@ -55,8 +55,12 @@ void add_line(PlacedDimension& dimension, const Vec2& from, const Vec2& to);
 /// The same, as an extension line or leader.
 void add_crossable_line(PlacedDimension& dimension, const Vec2& from, const Vec2& to);
 
-/// Writes a text whose middle stands `rise` above a place on the line that it is read along.
-void set_text(PlacedDimension& dimension, const std::string& text, const Vec2& middle, const Vec2& read, double rise,
-              const DimensionStyle& look);
+/// Where the text of a dimension stands.
+struct TextPosition {
+  Vec2 middle;  ///< a point of the line that the text is read along
+  Vec2 read;    ///< the direction of that line, of length 1
+  double rise;  ///< of the text above the line
+};
+void set_text(PlacedDimension& dimension, const std::string& text, const TextPosition& at, const DimensionStyle& style);
 
 }  // namespace epura

@@ -21,12 +21,12 @@ Vec2 foot_of(const MeasuredLength& length, const Vec2& anchor, double distance) 
   return anchor + rest / glm::dot(length.extension, across) * length.extension;
 }
 
-void add_extension_line(PlacedDimension& dimension, const Vec2& anchor, const Vec2& foot, const DimensionStyle& look) {
+void add_extension_line(PlacedDimension& dimension, const Vec2& anchor, const Vec2& foot, const DimensionStyle& style) {
   const double reach = glm::length(foot - anchor);
   if (reach <= no_length) return;
   const Vec2 direction = (foot - anchor) / reach;
-  const double gap = reach > 2 * look.gap() ? look.gap() : 0;
-  add_crossable_line(dimension, anchor + gap * direction, foot + look.overshoot() * direction);
+  const double gap = reach > 2 * style.gap() ? style.gap() : 0;
+  add_crossable_line(dimension, anchor + gap * direction, foot + style.overshoot() * direction);
 }
 
 // The line from `low` to `high` with its text; `read` leads from one to the other.
@@ -47,17 +47,17 @@ struct Layout {
   double text_middle;
 };
 
-Layout layout_of(const Base& base, double width, bool inside, int place, const DimensionStyle& look) {
-  Layout layout{base.span >= arrows_inside * look.arrow(), {0, base.span}, base.span / 2};
-  const double tail = layout.outward ? 0 : 2 * look.arrow();
+Layout layout_of(const Base& base, double width, bool inside, int place, const DimensionStyle& style) {
+  Layout layout{base.span >= arrows_inside * style.arrow(), {0, base.span}, base.span / 2};
+  const double tail = layout.outward ? 0 : 2 * style.arrow();
   layout.line = {-tail, base.span + tail};
   if (inside) {
     constexpr std::array<double, text_places> shifts{0, 0.5, -0.5, 1, -1};
-    layout.text_middle += shifts[std::size_t(place)] * (base.span - width - look.above()) / 2;
+    layout.text_middle += shifts[std::size_t(place)] * (base.span - width - style.above()) / 2;
     return layout;
   }
-  const double lead = (layout.outward ? 0 : look.arrow()) + 2 * look.above();
-  const double past = lead + width + look.above();
+  const double lead = (layout.outward ? 0 : style.arrow()) + 2 * style.above();
+  const double past = lead + width + style.above();
   const bool behind = place == 0;
   layout.text_middle = behind ? base.span + lead + width / 2 : -lead - width / 2;
   (behind ? layout.line.end : layout.line.begin) =
@@ -67,28 +67,28 @@ Layout layout_of(const Base& base, double width, bool inside, int place, const D
 
 }  // namespace
 
-bool fits_inside(const MeasuredLength& length, const std::string& text, const DimensionStyle& look) {
-  return look.width(text) + look.above() <= span_of(length);
+bool fits_inside(const MeasuredLength& length, const std::string& text, const DimensionStyle& style) {
+  return style.width(text) + style.above() <= span_of(length);
 }
 
 PlacedDimension straight_dimension(const MeasuredLength& length, const std::string& text, double distance, int place,
-                                   const DimensionStyle& look) {
+                                   const DimensionStyle& style) {
   const Vec2 read = reading_direction(length.along);
   Vec2 low = length.from, high = length.to;
   if (glm::dot(high - low, read) < 0) std::swap(low, high);
   PlacedDimension dimension;
   const Base base{foot_of(length, low, distance), foot_of(length, high, distance), read, span_of(length)};
-  add_extension_line(dimension, low, base.low, look);
-  add_extension_line(dimension, high, base.high, look);
+  add_extension_line(dimension, low, base.low, style);
+  add_extension_line(dimension, high, base.high, style);
 
-  const Layout layout = layout_of(base, look.width(text), fits_inside(length, text, look), place, look);
+  const Layout layout = layout_of(base, style.width(text), fits_inside(length, text, style), place, style);
   const Vec2 begin = base.low + layout.line.begin * read, end = base.low + layout.line.end * read;
   add_line(dimension, begin, end);
-  dimension.arrows = {arrow_at(base.low, layout.outward ? -read : read, look),
-                      arrow_at(base.high, layout.outward ? read : -read, look)};
-  set_text(dimension, text, base.low + layout.text_middle * read, read, look.above(), look);
+  dimension.arrows = {arrow_at(base.low, layout.outward ? -read : read, style),
+                      arrow_at(base.high, layout.outward ? read : -read, style)};
+  set_text(dimension, text, {base.low + layout.text_middle * read, read, style.above()}, style);
   // From the arrows below the line to the top of the text.
-  const double below = look.above(), top = 2 * look.above() + look.text;
+  const double below = style.above(), top = 2 * style.above() + style.text;
   dimension.zones = {{(begin + end) * 0.5 + (top - below) / 2 * left_of(read),
                       read,
                       {(layout.line.end - layout.line.begin) / 2, (top + below) / 2}}};

@@ -16,9 +16,9 @@ inline constexpr int text_places = 5;
 /// The dimension line stands `distance` to the left of `length.along`, measured from `length.from`. Arrows point
 /// outwards where there is room for them. A text that fits has 5 places, another one 2.
 PlacedDimension straight_dimension(const MeasuredLength& length, const std::string& text, double distance, int place,
-                                   const DimensionStyle& look);
+                                   const DimensionStyle& style);
 
 /// Whether the text has room above the dimension line.
-bool fits_inside(const MeasuredLength& length, const std::string& text, const DimensionStyle& look);
+bool fits_inside(const MeasuredLength& length, const std::string& text, const DimensionStyle& style);
 
 }  // namespace epura

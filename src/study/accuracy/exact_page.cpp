@@ -31,18 +31,18 @@ ExactPage::ExactPage(const VerifyInput& claim, const ProjectedScene& view)
   if (p.central) {
     const double w0 = 1 / (map.depth_to_one * map.depth_of_n);
     centre_ = triple<Exact>(p.projector);
-    page_ = p.scale * glm::dot(p.n, p.projector * map.scale_exponent - p.point * map.scale_exponent);
-    depth_ = map.depth_of_n * w0 * w0 / map.scale_exponent;
-    nearest_ = nearest_seen * w0 / map.scale_exponent;
+    page_ = p.scale * glm::dot(p.n, p.projector * map.normalisation - p.point * map.normalisation);
+    depth_ = map.depth_of_n * w0 * w0 / map.normalisation;
+    nearest_ = nearest_seen * w0 / map.normalisation;
   } else {
     u_ = along_projectors(u_, n_, triple<Exact>(p.projector));
     v_ = along_projectors(v_, n_, triple<Exact>(p.projector));
-    page_ = p.scale * map.scale_exponent;
-    depth_ = map.depth_of_n * map.scale_exponent;
+    page_ = p.scale * map.normalisation;
+    depth_ = map.depth_of_n * map.normalisation;
   }
 }
 
-ExactPoint ExactPage::place(const Triple<Exact>& point) const {
+ExactPoint ExactPage::position(const Triple<Exact>& point) const {
   const Triple<Exact> l = point - (centre_ ? *centre_ : point_);
   const Exact n = dot(n_, l);
   if (!centre_) return {page_ * dot(u_, l), page_ * dot(v_, l), depth_ * n};
@@ -50,10 +50,10 @@ ExactPoint ExactPage::place(const Triple<Exact>& point) const {
   return {page_ * dot(u_, l) / ahead, page_ * dot(v_, l) / ahead, depth_ / ahead};
 }
 
-std::vector<ExactPoint> ExactPage::place(const std::array<Vec3, 3>& corners) const {
+std::vector<ExactPoint> ExactPage::position(const std::array<Vec3, 3>& corners) const {
   const Polygon<Exact> polygon = clipped(corners);
   std::vector<ExactPoint> places;
-  for (std::size_t i = 0; i < polygon.count; ++i) places.push_back(place(polygon.corner[i]));
+  for (std::size_t i = 0; i < polygon.count; ++i) places.push_back(position(polygon.corner[i]));
   return places;
 }
 

@@ -23,9 +23,9 @@ class ExactPage {
   ExactPage(const VerifyInput& claim, const ProjectedScene& view);
 
   /// A point before the viewer.
-  [[nodiscard]] ExactPoint place(const Triple<Exact>& point) const;
+  [[nodiscard]] ExactPoint position(const Triple<Exact>& point) const;
   /// What of a triangle lies before the viewer and between the limits of depth: its corners in order, perhaps none.
-  [[nodiscard]] std::vector<ExactPoint> place(const std::array<Vec3, 3>& corners) const;
+  [[nodiscard]] std::vector<ExactPoint> position(const std::array<Vec3, 3>& corners) const;
 
  private:
   [[nodiscard]] Polygon<Exact> clipped(const std::array<Vec3, 3>& corners) const;

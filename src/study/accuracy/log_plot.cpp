@@ -87,7 +87,7 @@ class Plotter {
  private:
   [[nodiscard]] double raised(double y) const { return std::max(y, plot_.least_y); }
 
-  [[nodiscard]] Vec2 place(const Vec2& value) const {
+  [[nodiscard]] Vec2 position(const Vec2& value) const {
     return min + Vec2(x_.part(value.x), y_.part(raised(value.y))) * (max - min);
   }
 
@@ -99,12 +99,12 @@ class Plotter {
     axes_.push_back({{min, {max.x, min.y}, max, {min.x, max.y}}, true});
     const double step_x = std::ceil((x_.to - x_.from) / 12), step_y = std::ceil((y_.to - y_.from) / 14);
     for (double d = x_.from; d <= x_.to; d += step_x) {
-      const double x = place({std::pow(10, d), 1}).x;
+      const double x = position({std::pow(10, d), 1}).x;
       if (d > x_.from && d < x_.to) grid_.push_back(line({x, min.y}, {x, max.y}));
       texts_.push_back({power_of_ten(d), {x, min.y - 4}, normal, 0, Align::middle, "tick"});
     }
     for (double d = y_.from; d <= y_.to; d += step_y) {
-      const double y = place({1, std::pow(10, d)}).y;
+      const double y = position({1, std::pow(10, d)}).y;
       if (d > y_.from && d < y_.to) grid_.push_back(line({min.x, y}, {max.x, y}));
       texts_.push_back({power_of_ten(d), {min.x - 1.5, y - normal / 2}, normal, 0, Align::right, "tick"});
     }
@@ -114,7 +114,7 @@ class Plotter {
 
   void draw_marks() {
     for (const PlotMark& mark : plot_.marks) {
-      const Vec2 at = place({mark.vertical ? mark.at : 1, mark.vertical ? 1 : mark.at});
+      const Vec2 at = position({mark.vertical ? mark.at : 1, mark.vertical ? 1 : mark.at});
       if (mark.vertical) {
         limits_.push_back(line({at.x, min.y}, {at.x, max.y}, {2, 1}));
         texts_.push_back({mark.label, {at.x - 0.8, max.y - 2}, small, 90, Align::right, "limit"});
@@ -138,7 +138,7 @@ class Plotter {
     std::vector<Stroke>& strokes = curves_.emplace_back();
     Stroke stroke{{}, false, dashes};
     for (const PlotPoint& point : curve.points) {
-      const Vec2 at = place(point.at);
+      const Vec2 at = position(point.at);
       stroke.points.push_back(at);
       draw_point(at, number, point.full);
       if (!point.label.empty()) texts_.push_back({point.label, at + Vec2(1.6, 0.6), small, 0, Align::left, "label"});

@@ -95,7 +95,7 @@ Map recentred(const MapScene& scene) {
   const ViewMap map = make_view_map(scene.projection, scene.box);
   return map_of([map](const Vec3& point) {
     const Mapped h = map(point);
-    return Vec2(h.x / h.w, h.y / h.w) / map.scale_exponent;
+    return Vec2(h.x / h.w, h.y / h.w) / map.normalisation;
   });
 }
 

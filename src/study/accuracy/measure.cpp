@@ -31,7 +31,8 @@ void mark_front(std::vector<Measurement>& methods) {
 
 std::array<Vec2, 2> on_paper(const StudiedView& studied, int edge) {
   const FeatureEdge& drawn = studied.drawn.edges[edge];
-  return {place_on_paper(studied.view, studied.paper, drawn, 0), place_on_paper(studied.view, studied.paper, drawn, 1)};
+  return {position_on_paper(studied.view, studied.paper, drawn, 0),
+          position_on_paper(studied.view, studied.paper, drawn, 1)};
 }
 
 double undecided_share(const StudiedView& studied, const std::vector<EdgeTruth>& truth) {
@@ -56,8 +57,7 @@ double share_of_wrong(const Errors& errors, bool all) {
 
 Contender contender(const StudiedView& studied, const Method& method) {
   return {name_of(method.way), knobs_of(method), [&studied, method] {
-            return find_hidden(studied.world, studied.view, studied.drawn, studied.contact, method,
-                               studied.paper.scale);
+            return find_hidden(studied.world, studied.view, studied.drawn, method, studied.paper.scale);
           }};
 }
 
@@ -67,7 +67,7 @@ std::vector<EdgeTruth> truth_of(const StudiedView& studied, const TruthEffort& e
   drawing.world_to_page = world_to_page(studied.view, studied.paper);
   const HiddenSpans hidden = nothing_hidden(studied.drawn);
   return find_truth({studied.world, studied.view.projection, studied.limits, studied.drawn, hidden, drawing},
-                    studied.view, studied.contact, effort);
+                    studied.view, effort);
 }
 
 Errors errors_of(const StudiedView& studied, const std::vector<EdgeTruth>& truth, const HiddenSpans& shown) {

@@ -22,7 +22,6 @@ struct StudiedView {
   const ProjectedScene& view;
   const ViewLimits& limits;
   const FeatureEdges& drawn;
-  Contact contact;
   PaperMap paper;
 };
 

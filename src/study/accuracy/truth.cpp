@@ -124,8 +124,8 @@ std::uint64_t side_key(int a, int b) {
 
 class Judge {
  public:
-  Judge(const VerifyInput& claim, const ProjectedScene& view, const Contact& contact)
-      : claim_(claim), view_(view), contact_(contact), page_(claim, view), boxes_(view) {
+  Judge(const VerifyInput& claim, const ProjectedScene& view)
+      : claim_(claim), view_(view), page_(claim, view), boxes_(view) {
     const auto& triangles = claim.world.triangles;
     sides_.reserve(3 * triangles.size());
     for (std::size_t t = 0; t < triangles.size(); ++t)
@@ -136,19 +136,20 @@ class Judge {
   [[nodiscard]] EdgeTruth truth_of(int e, std::atomic<std::size_t>& pairs) const {
     const FeatureEdge& edge = claim_.drawn.edges[e];
     const std::array<Vec3, 2> ends = claim_.ends_of(edge);
-    const Line line{page_.place(place_on<Exact>(ends, edge.t[0])), page_.place(place_on<Exact>(ends, edge.t[1]))};
+    const Line line{page_.position(position_on<Exact>(ends, edge.t[0])),
+                    page_.position(position_on<Exact>(ends, edge.t[1]))};
     const double extent = view_.extent;
     EdgeTruth truth{e, {}, {}};
     for (const int triangle : near(edge)) {
       ++pairs;
-      Face face = face_from(page_.place(corners_of(triangle)));
+      Face face = face_from(page_.position(corners_of(triangle)));
       if (face.corner.empty()) continue;
       if (const auto part = part_along(face, line, sideways * extent)) add_span(truth.perhaps, *part);
       const auto perhaps = face.turn == 0 ? std::nullopt : hidden_part(face, line, -sideways * extent, 0);
       if (!perhaps) continue;
       add_span(truth.perhaps, *perhaps);
       find_borders(edge, triangle, face);
-      const auto surely = hidden_part(face, line, sideways * extent, 2 * contact_.touching);
+      const auto surely = hidden_part(face, line, sideways * extent, 2 * view_.contact.touching);
       if (surely) add_span(truth.surely, *surely);
     }
     for (const auto& span : truth.surely) add_span(truth.perhaps, span);
@@ -210,10 +211,10 @@ class Judge {
       const auto& c = claim_.world.triangles[other];
       const auto apex = std::find_if(c.begin(), c.end(), [&](int v) { return v != a && v != b; });
       if (apex == c.end()) return false;
-      const Face beyond = face_from(page_.place(corners_of(other)));
+      const Face beyond = face_from(page_.position(corners_of(other)));
       if (beyond.corner.size() != 3) return false;
       return sgn(cross(face.corner[side], face.corner[(side + 1) % 3],
-                       page_.place(triple<Exact>(claim_.world.points[*apex])))) *
+                       page_.position(triple<Exact>(claim_.world.points[*apex])))) *
                  face.turn <
              0;
     });
@@ -221,7 +222,6 @@ class Judge {
 
   const VerifyInput& claim_;
   const ProjectedScene& view_;
-  Contact contact_;
   ExactPage page_;
   TriangleBoxes boxes_;
   std::unordered_multimap<std::uint64_t, int> sides_;
@@ -238,9 +238,8 @@ std::vector<int> random_order(std::size_t count) {
 
 }  // namespace
 
-std::vector<EdgeTruth> find_truth(const VerifyInput& claim, const ProjectedScene& view, const Contact& contact,
-                                  const TruthEffort& effort) {
-  const Judge judge(claim, view, contact);
+std::vector<EdgeTruth> find_truth(const VerifyInput& claim, const ProjectedScene& view, const TruthEffort& effort) {
+  const Judge judge(claim, view);
   const std::vector<int> order = random_order(claim.drawn.edges.size());
   std::vector<EdgeTruth> truths;
   std::atomic<std::size_t> pairs = 0;

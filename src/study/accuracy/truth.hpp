@@ -31,9 +31,8 @@ struct TruthEffort {
   double pairs = 2e5;
 };
 
-/// In the order of the edges. `contact` as find_hidden has it.
-std::vector<EdgeTruth> find_truth(const VerifyInput& claim, const ProjectedScene& view, const Contact& contact,
-                                  const TruthEffort& effort);
+/// In the order of the edges.
+std::vector<EdgeTruth> find_truth(const VerifyInput& claim, const ProjectedScene& view, const TruthEffort& effort);
 
 /// The right classification that is nearest to the one shown: where the truth leaves the choice, as it is shown.
 Spans nearest_right(const Spans& shown, const EdgeTruth& truth);

@@ -50,7 +50,7 @@ Measured turned_cube(const Lab& lab, double angle) {
 Measured plate_under_a_plate(const Lab& lab, double e) {
   const World world = world_of({plate(-0.5, -0.5, 0.5, 0.5, 0), plate(-1, -1, 1, 1, e)});
   const Result result = lab.draw(world, {from_above()});
-  const bool hidden = e > result.contact.touching / result.view.map.unit * result.unit;
+  const bool hidden = e > result.view.contact.touching / result.view.map.unit * result.unit;
   Measured measured = lengths(result, hidden ? 8 : 12, hidden ? 4 : 0);
   measured.push_back(count("pieces", 8, result.pieces(true) + result.pieces(false)));
   return measured;

@@ -53,11 +53,11 @@ Matrix<F> composed_matrix(const Camera& camera, const ViewMap& map) {
   // Homogeneous 1 at the middle of the scene, in front of the viewer.
   const F distance = p.central ? glm::dot(Vector<F>(p.n), Vector<F>(p.projector) - Vector<F>(map.centre)) : F(1);
   const F at_centre = p.central ? -factor * distance : factor * glm::dot(Vector<F>(p.n), Vector<F>(p.projector));
-  const auto unit = static_cast<F>(p.scale * map.scale_exponent);
+  const auto unit = static_cast<F>(p.scale * map.normalisation);
   const Row<F> w = glm::row(flat, 3) / at_centre;
   const Row<F> x = glm::row(flat, 0) / at_centre * unit - static_cast<F>(map.image.x) * w;
   const Row<F> y = glm::row(flat, 1) / at_centre * unit - static_cast<F>(map.image.y) * w;
-  const Row<F> z = orientation_row<F>(p.n, map.centre) * static_cast<F>(map.depth_of_n * map.scale_exponent);
+  const Row<F> z = orientation_row<F>(p.n, map.centre) * static_cast<F>(map.depth_of_n * map.normalisation);
   return of_rows<F>(x, y, z, w);
 }
 
@@ -105,11 +105,11 @@ UnsetVector<Mapped> map_points(std::span<const Vec3> points, const Camera& camer
 }
 
 ProjectedScene view_by(const World& world, const Camera& camera, Arithmetic arithmetic) {
-  if (arithmetic == Arithmetic::own) return make_view(world, camera.projection, camera.limits);
+  if (arithmetic == Arithmetic::own) return project_scene(world, camera.projection, camera.limits);
   UnsetVector<Mapped> mapped = map_points(world.points, camera, world.box, arithmetic);
   if (!std::all_of(mapped.begin(), mapped.end(), is_sound))
     throw Error(ErrorKind::input, "map", "a point leaves the range of numbers");
-  return make_view(world, camera.projection, camera.limits, std::move(mapped));
+  return project_scene(world, camera.projection, camera.limits, std::move(mapped));
 }
 
 }  // namespace epura::stability

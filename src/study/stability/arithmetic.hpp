@@ -33,7 +33,7 @@ struct Camera {
 UnsetVector<Mapped> map_points(std::span<const Vec3> points, const Camera& camera, const Box& scene,
                                Arithmetic arithmetic);
 
-/// Throws Error{input} where a point leaves the range of the arithmetic, and as make_view does.
+/// Throws Error{input} where a point leaves the range of the arithmetic, and as project_scene does.
 ProjectedScene view_by(const World& world, const Camera& camera, Arithmetic arithmetic);
 
 }  // namespace epura::stability

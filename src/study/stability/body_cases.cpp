@@ -65,7 +65,7 @@ Measured crossing_plates(const Lab& lab, double slope) {
   const Camera camera{from_above()};
   const Result without = lab.draw(world_of(plates), camera, {.intersection = false});
   const Result with = lab.draw(world_of(plates), camera);
-  const double longer = 2 * without.contact.touching / without.view.map.unit * without.unit / slope;
+  const double longer = 2 * without.view.contact.touching / without.view.map.unit * without.unit / slope;
   Measured measured = lengths(without, 15 + longer, 3 - longer);
   append(measured, lengths(with, 16 + longer, 3 - longer));
   return measured;

@@ -31,7 +31,7 @@ using ExactPlace = std::array<Exact, 2>;
 ExactPlace exact_place(const ProjectedScene& view, const Vec3& point) {
   const Projection& p = view.projection;
   const Triple<Exact> x = triple<Exact>(point), q = triple<Exact>(p.projector), n = triple<Exact>(p.n);
-  const Exact unit = Exact(p.scale) * Exact(view.map.scale_exponent);
+  const Exact unit = Exact(p.scale) * Exact(view.map.normalisation);
   ExactPlace place;
   for (int i = 0; i < 2; ++i) {
     const Triple<Exact> axis = triple<Exact>(i == 0 ? p.u : p.v);

@@ -41,17 +41,16 @@ double Result::length(bool visible) const {
   return sum * unit;
 }
 
-double Result::merge_width() const { return coincidence_on_paper(view, contact, {1, Vec2(0)}).tolerance * unit; }
+double Result::merge_width() const { return coincidence_on_paper(view, {1, Vec2(0)}).tolerance * unit; }
 
-Result Lab::draw(World world, const Camera& camera, const EdgeOptions& wishes) const {
-  Result r{std::move(world), {}, {}, {}, {}, {}, 1, {}};
+Result Lab::draw(World world, const Camera& camera, const EdgeOptions& options) const {
+  Result r{std::move(world), {}, {}, {}, {}, 1, {}};
   r.view = view_by(r.world, camera, arithmetic);
-  r.unit = 1 / r.view.map.scale_exponent;
+  r.unit = 1 / r.view.map.normalisation;
   r.condition = condition_of(camera.projection, r.world.box);
-  r.drawn = find_feature_edges(r.world, r.view, wishes, contact_in_space(r.world, r.view, std::nullopt));
-  r.contact = contact_of(r.world, r.view, std::nullopt);
-  r.hidden = find_hidden(r.world, r.view, r.drawn, r.contact);
-  r.drawing = make_drawing(r.world, r.view, r.drawn, r.hidden, r.contact, {1, Vec2(0)}, {"study", true});
+  r.drawn = find_feature_edges(r.world, r.view, options);
+  r.hidden = find_hidden(r.world, r.view, r.drawn);
+  r.drawing = make_drawing({r.world, r.view, r.drawn, r.hidden}, {1, Vec2(0)}, {"study", true});
   return r;
 }
 
@@ -64,9 +63,8 @@ HiddenLine Lab::hidden_of_line(const World& world, const Projection& projection,
   FeatureEdges drawn;
   drawn.edges.push_back({{a, b}, {0, 1}, EdgeKind::intersection, 0, -1, 0});
   drawn.crossings.push_back({{from, to}, {-1, -1}, 90});
-  const Contact contact = contact_of(world, view, std::nullopt);
-  const double unit = 1 / view.map.scale_exponent;
-  return {find_hidden(world, view, drawn, contact).spans, contact.touching / view.map.unit * unit, view.cell * unit,
+  const double unit = 1 / view.map.normalisation;
+  return {find_hidden(world, view, drawn).spans, view.contact.touching / view.map.unit * unit, view.cell * unit,
           view.extent * unit};
 }
 

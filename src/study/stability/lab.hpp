@@ -3,7 +3,7 @@
 #pragma once
 
 #include "drawing/make_drawing.hpp"
-#include "edges/drawn_edges.hpp"
+#include "edges/find_edges.hpp"
 #include "study/stability/arithmetic.hpp"
 #include "view/condition.hpp"
 #include "visibility/spans.hpp"
@@ -23,7 +23,6 @@ struct Result {
   World world;
   ProjectedScene view;
   FeatureEdges drawn;
-  Contact contact;
   HiddenSpans hidden;
   ViewDrawing drawing;
   double unit;  ///< model length of a unit on the page
@@ -56,7 +55,7 @@ struct Lab {
   Arithmetic arithmetic = Arithmetic::own;
   double size = 1;  ///< factor of the sizes of large scenes
 
-  [[nodiscard]] Result draw(World world, const Camera& camera, const EdgeOptions& wishes = {}) const;
+  [[nodiscard]] Result draw(World world, const Camera& camera, const EdgeOptions& options = {}) const;
   [[nodiscard]] HiddenLine hidden_of_line(const World& world, const Projection& projection, const Vec3& from,
                                           const Vec3& to) const;
 };

@@ -19,7 +19,7 @@ Quantity judged(const Result& result) {
   const ViewLimits limits;
   const Verification found =
       verify({result.world, result.view.projection, limits, result.drawn, result.hidden, result.drawing},
-             {result.view.extent, result.contact.touching}, samples, true);
+             {result.view.extent, result.view.contact.touching}, samples, true);
   return count("wrong points", 0, found.wrong);
 }
 

@@ -50,8 +50,8 @@ void expect_consistent(const Chain& chain) {
     ASSERT_LT(part.first, part.last);
     const Vec2 first = chain.points[std::size_t(part.first)];
     const Vec2 last = chain.points[std::size_t(part.last) % chain.points.size()];
-    EXPECT_LT(glm::distance(place_on_curve(part, part.from), first), 2 * tolerance);
-    EXPECT_LT(glm::distance(place_on_curve(part, part.to), last), 2 * tolerance);
+    EXPECT_LT(glm::distance(position_on_curve(part, part.from), first), 2 * tolerance);
+    EXPECT_LT(glm::distance(position_on_curve(part, part.to), last), 2 * tolerance);
     EXPECT_NEAR(glm::dot(part.u, part.v), 0, 1e-9 * glm::length(part.u) * glm::length(part.v));
   }
 }
@@ -176,7 +176,8 @@ TEST(Arcs, PartsOfEllipsesAreFound) {
     // Between the corners, too.
     for (int i = 0; i <= 100; ++i) {
       const CurvePart& part = chain.curves[0];
-      EXPECT_LT(e.distance(place_on_curve(part, part.from + (part.to - part.from) * i / 100)), 2 * tolerance) << round;
+      EXPECT_LT(e.distance(position_on_curve(part, part.from + (part.to - part.from) * i / 100)), 2 * tolerance)
+          << round;
     }
   }
 }

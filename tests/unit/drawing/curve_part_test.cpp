@@ -27,7 +27,7 @@ struct Hook {
   CurvePart arc{1, 19, {0, 0}, {5, 0}, {0, 5}, 0, 1.5 * pi};
 
   Hook() {
-    for (int i = 0; i <= 18; ++i) points.push_back(place_on_curve(arc, pi / 12 * i));
+    for (int i = 0; i <= 18; ++i) points.push_back(position_on_curve(arc, pi / 12 * i));
     points.emplace_back(10, -5);
   }
 };

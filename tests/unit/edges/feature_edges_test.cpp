@@ -18,10 +18,10 @@ constexpr EdgeOptions everything{.smooth = true};
 using Kinds = std::map<std::string, int>;
 
 // How many edges of each kind there are.
-Kinds kinds(const World& world, const Projection& projection, const EdgeOptions& wishes = {}) {
-  const ProjectedScene view = make_view(world, projection, {});
+Kinds kinds(const World& world, const Projection& projection, const EdgeOptions& options = {}) {
+  const ProjectedScene view = project_scene(world, projection, {});
   Kinds counts;
-  for (const auto& kind : feature_edges(world, view, 0, wishes))
+  for (const auto& kind : feature_edges(world, view, 0, options))
     if (kind) ++counts[std::string(name_of(*kind))];
   return counts;
 }

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "edges/crossing_candidates.hpp"
 #include "edges/intersections.hpp"
-#include "edges/suspects.hpp"
 #include "shapes.hpp"
 
 namespace epura::test {
@@ -28,7 +28,7 @@ Shape disk(int blades, double hub_height, double lean = 0) {
 }
 
 std::vector<int> faces_of(const World& world) {
-  return flat_faces(world, shrunk_points(world, 1), contact, all_triangles(world));
+  return flat_faces(world, normalised_points(world, 1), contact, all_triangles(world));
 }
 
 TEST(FlatFaces, AreFoundAmongTrianglesRoundOneHub) {
@@ -63,7 +63,7 @@ TEST(FlatFaces, OfSomeOfTheTrianglesHaveTheirPlaces) {
   const World world = world_of(disk(1000, 0));
   std::vector<int> some(500);
   std::iota(some.begin(), some.end(), 300);
-  EXPECT_EQ(flat_faces(world, shrunk_points(world, 1), contact, some), std::vector<int>(500, 0));
+  EXPECT_EQ(flat_faces(world, normalised_points(world, 1), contact, some), std::vector<int>(500, 0));
 }
 
 }  // namespace

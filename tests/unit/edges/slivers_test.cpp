@@ -58,7 +58,7 @@ Shape roof_with_needles(int needles, double width) {
 TEST(Slivers, OfARowOfNeedlesOneSideIsDrawn) {
   for (const int needles : {2, 3, 6}) {
     const World world = world_of(roof_with_needles(needles, 1e-13));
-    const ProjectedScene view = make_view(world, from_above(), {});
+    const ProjectedScene view = project_scene(world, from_above(), {});
     int creases = 0;
     for (const auto& kind : feature_edges(world, view, 0, {.contour = false, .boundary = false}))
       creases += kind ? 1 : 0;
@@ -73,11 +73,11 @@ TEST(Slivers, AreTrianglesLowerThanThePageGridUnlessSeenEdgeOn) {
     return shape;
   }();
   const World world = world_of(box_and_needle);
-  const ProjectedScene view = make_view(world, from_above(), {});
-  const Slivers slivers({world, 0, view.map.scale_exponent}, view);
+  const ProjectedScene view = project_scene(world, from_above(), {});
+  const Slivers slivers({world, 0, view.map.normalisation}, view);
   for (int t = 0; t < 12; ++t) EXPECT_FALSE(slivers.contain(t)) << t;
   EXPECT_TRUE(slivers.contain(12));
-  const EdgeSurroundings around{world, 0, view.map.scale_exponent};
+  const EdgeSurroundings around{world, 0, view.map.normalisation};
   const Slivers when_asked(around, SliverRule(around, view));
   for (int t = 0; t <= 12; ++t) EXPECT_EQ(when_asked.contain(t), slivers.contain(t)) << t;
 }
@@ -135,7 +135,7 @@ TEST(Slivers, BetweenTwoOppositeCreasesAreNoStep) {
                      {{0, 1, 2}, {0, 4, 1}, {0, 3, 4}, {4, 3, 1}},
                      {}};
   const World world = world_in(square, true);
-  const ProjectedScene view = make_view(world, orthographic({1, -2, 3}), {});
+  const ProjectedScene view = project_scene(world, orthographic({1, -2, 3}), {});
   for (const auto& kind : feature_edges(world, view, 0, {.boundary = false})) EXPECT_FALSE(kind);
 }
 

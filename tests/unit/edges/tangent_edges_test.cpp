@@ -20,9 +20,9 @@ constexpr double pi = std::numbers::pi;
 
 // The tangent edges of the only model, as pairs of vertices.
 std::set<std::pair<int, int>> tangents(const World& world) {
-  const EdgeOptions wishes{.contour = false, .boundary = false, .crease = false, .tangent = true};
-  const ProjectedScene view = make_view(world, orthographic({1.1, -2, 1.3}), {});
-  const auto kinds = feature_edges(world, view, 0, wishes);
+  const EdgeOptions options{.contour = false, .boundary = false, .crease = false, .tangent = true};
+  const ProjectedScene view = project_scene(world, orthographic({1.1, -2, 1.3}), {});
+  const auto kinds = feature_edges(world, view, 0, options);
   std::set<std::pair<int, int>> found;
   for (std::size_t e = 0; e < kinds.size(); ++e)
     if (kinds[e]) {

@@ -33,7 +33,7 @@ TEST(Subjects, NearestToAPlaceOfThePage) {
   const Studied studied = study(world_of(plate(0, 0, 4, 2, 0)), from_above());
   const ExplainInput view = studied.view();
   // The page starts from the middle (2, 1), in view units; a place near the lower edge, to the right.
-  const Vec2 place = Vec2(1.5, -0.9) * studied.result.view.map.scale_exponent;
+  const Vec2 place = Vec2(1.5, -0.9) * studied.result.view.map.normalisation;
   const std::vector<Subject> subjects = find_subjects(view, ByPlace{place});
   ASSERT_EQ(subjects.size(), 3U);
   EXPECT_EQ(name_of(view, subjects[0]), "0:0-1");

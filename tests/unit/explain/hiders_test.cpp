@@ -69,9 +69,9 @@ TEST(TriangleBoxes, FindAllTrianglesThatMeetABoxAndNoOthers) {
   Shape plates;
   for (int i = 0; i < 300; ++i) plates.add(plate(i, 0, i + 0.5, 1, 0));
   const World world = world_of(plates);
-  const ProjectedScene view = make_view(world, from_above(), {});
+  const ProjectedScene view = project_scene(world, from_above(), {});
   const TriangleBoxes boxes(view);
-  const double unit = view.map.scale_exponent;
+  const double unit = view.map.normalisation;
   std::vector<int> met;
   const auto page = [&](double x) { return (x - 149.75) * unit; };
   boxes.meeting({{page(99.6), -unit}, {page(101.1), unit}}, [&](int t) { met.push_back(view.triangles[t].source); });

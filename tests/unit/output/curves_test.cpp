@@ -42,7 +42,7 @@ double off(const CurvePart& part, const Vec2& p) {
 
 TEST(CurvePieces, BeziersLieOnTheCurve) {
   for (const CurvePart& part : curves) {
-    Vec2 from = place_on_curve(part, part.from);
+    Vec2 from = position_on_curve(part, part.from);
     for (const BezierPiece& piece : bezier_pieces(part, 1e-5)) {
       for (int i = 0; i <= 20; ++i) {
         const double t = i / 20.0, s = 1 - t;
@@ -52,7 +52,7 @@ TEST(CurvePieces, BeziersLieOnTheCurve) {
       }
       from = piece.to;
     }
-    EXPECT_LT(glm::distance(from, place_on_curve(part, part.to)), 1e-9);
+    EXPECT_LT(glm::distance(from, position_on_curve(part, part.to)), 1e-9);
   }
 }
 
@@ -60,11 +60,11 @@ TEST(CurvePieces, BeziersLieOnTheCurve) {
 Stroke stroke_of(CurvePart part, int steps) {
   Stroke stroke;
   stroke.closed = std::abs(std::abs(part.to - part.from) - 2 * pi) < 1e-9;
-  if (!stroke.closed) stroke.points.push_back(place_on_curve(part, part.from) + Vec2(0, 7));
+  if (!stroke.closed) stroke.points.push_back(position_on_curve(part, part.from) + Vec2(0, 7));
   part.first = static_cast<int>(stroke.points.size());
   part.last = part.first + steps;
   for (int i = 0; i < steps + (stroke.closed ? 0 : 1); ++i)
-    stroke.points.push_back(place_on_curve(part, part.from + (part.to - part.from) * i / steps));
+    stroke.points.push_back(position_on_curve(part, part.from + (part.to - part.from) * i / steps));
   if (!stroke.closed) stroke.points.push_back(stroke.points.back() + Vec2(3, 8));
   stroke.curves.push_back(part);
   return stroke;

@@ -14,7 +14,7 @@ TEST(PixelWalk, TakesOneStepAColumn) {
   ASSERT_EQ(walk.steps(), 4);
   EXPECT_EQ(walk.pixel(0), (Pixel{0, 3}));
   EXPECT_EQ(walk.pixel(3), (Pixel{3, 5}));
-  EXPECT_EQ(walk.place(1), 0.3125);
+  EXPECT_EQ(walk.position(1), 0.3125);
   EXPECT_EQ(walk.part(0), (Part{0, 0.1875}));
   EXPECT_EQ(walk.part(1), (Part{0.1875, 0.4375}));
   EXPECT_EQ(walk.part(3), (Part{0.6875, 1})) << "to the end";
@@ -34,7 +34,7 @@ TEST(PixelWalk, MeetsNoMiddleAndTakesOneStepAllTheSame) {
     const PixelWalk walk(p, q);
     ASSERT_EQ(walk.steps(), 1);
     EXPECT_EQ(walk.part(0), (Part{0, 1}));
-    EXPECT_EQ(walk.place(0), 0.5);
+    EXPECT_EQ(walk.position(0), 0.5);
   }
 }
 

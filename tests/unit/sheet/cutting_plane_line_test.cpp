@@ -20,8 +20,7 @@ CuttingPlane plane_at(const Vec3& point, const Vec3& normal) {
 // Page coordinates are x and y of the world.
 ViewDrawing from_top() {
   Result top = draw(world_of(box({10, 20, 0}, {50, 40, 5})), from_above());
-  const Contact contact = contact_of(top.world, top.view, std::nullopt);
-  return make_drawing(top.world, top.view, top.drawn, top.hidden, contact, make_paper_map(top.view, 1, Vec2(0)),
+  return make_drawing({top.world, top.view, top.drawn, top.hidden}, make_paper_map(top.view, 1, Vec2(0)),
                       {"top", true});
 }
 

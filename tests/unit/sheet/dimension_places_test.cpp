@@ -200,7 +200,7 @@ TEST(DimensionPlaces, AwayFromNeighboursAndOnThePaper) {
   const ViewDrawing front = drawing_of(world, orthographic(from_front));  // (70, 80) to (130, 120)
   const std::vector<DimensionDescription> width{dimension("overall", {}, "width")};
   const auto layer = [&](const Neighbours& neighbours) {
-    return dimension_layer(world, front, width, {Lettering(), 0.25}, neighbours);
+    return dimension_layer({world, front, width}, {Lettering(), 0.25}, neighbours);
   };
   const Rectangle below{{60, 62}, {140, 75}}, above{{60, 125}, {140, 200}}, far_below{{60, 0}, {140, 20}};
   EXPECT_TRUE(reaches_into(layer({}), below));
@@ -244,8 +244,8 @@ TEST(OverallDimensions, EachOnceInTheClearestView) {
   const NamedProjection front = view("front", from_front), top = view("top", {0, 0, 1}, {0, 1, 0}),
                         left = view("left", from_left), corner = view("corner", from_corner);
   const DimensionDescription open = dimension("overall", {});
-  const auto chosen = [&](const std::vector<NamedProjection>& views, const DimensionDescription& wish) {
-    return format_dimensions(overall_dimensions(wish, views));
+  const auto chosen = [&](const std::vector<NamedProjection>& views, const DimensionDescription& options) {
+    return format_dimensions(overall_dimensions(options, views));
   };
   EXPECT_EQ(chosen({corner, top, left, front}, open), "width front height front depth left ");
   EXPECT_EQ(chosen({front, top}, open), "width front height front depth top ");

@@ -49,11 +49,10 @@ inline Shape cylinder(int n, double radius, double height) {
 
 /// A view in its place, `scale` mm for a unit of the world, its middle at (100, 100).
 inline ViewDrawing drawing_of(const World& world, const Projection& projection, double scale = 1) {
-  ProjectedScene view = make_view(world, projection, {});
-  const FeatureEdges drawn = find_feature_edges(world, view, {}, contact_in_space(world, view, std::nullopt));
-  const Contact contact = contact_of(world, view, std::nullopt);
-  const HiddenSpans hidden = find_hidden(world, view, drawn, contact);
-  return make_drawing(world, view, drawn, hidden, contact, make_paper_map(view, scale, {100, 100}), {"view", true});
+  ProjectedScene view = project_scene(world, projection, {});
+  const FeatureEdges drawn = find_feature_edges(world, view, {});
+  const HiddenSpans hidden = find_hidden(world, view, drawn);
+  return make_drawing({world, view, drawn, hidden}, make_paper_map(view, scale, {100, 100}), {"view", true});
 }
 
 template <class Enum>
@@ -75,7 +74,7 @@ inline DimensionDescription dimension(const std::string& type, const std::vector
 
 inline Layer layer_of(const World& world, const ViewDrawing& drawing,
                       const std::vector<DimensionDescription>& dimensions) {
-  return dimension_layer(world, drawing, dimensions, {Lettering(), 0.25});
+  return dimension_layer({world, drawing, dimensions}, {Lettering(), 0.25});
 }
 
 /// What is written at the only dimension.

@@ -22,8 +22,7 @@ struct Scene {
   ViewLimits limits{};
 
   [[nodiscard]] StudiedView view() const {
-    return {"scene",         "view",       studied.result.world, studied.result.view, limits, studied.result.drawn,
-            studied.contact, {mm, Vec2(0)}};
+    return {"scene", "view", studied.result.world, studied.result.view, limits, studied.result.drawn, {mm, Vec2(0)}};
   }
   [[nodiscard]] HiddenSpans by(const char* method) const { return contender(view(), parse_method(method, "")).run(); }
 };

@@ -19,9 +19,9 @@ namespace {
 
 constexpr int samples = 2000;
 
-OutlineCheck checked(const Result& r, const OutlineWishes& wishes = {{}, samples}, const ViewLimits& limits = {}) {
-  const Tolerance tolerance{r.view.extent, contact_of(r.world, r.view, std::nullopt).touching};
-  return verify_outline({r.world, r.view.projection, limits, r.drawn, r.hidden, r.drawing}, tolerance, wishes);
+OutlineCheck checked(const Result& r, const OutlineOptions& options = {{}, samples}, const ViewLimits& limits = {}) {
+  const Tolerance tolerance{r.view.extent, r.view.contact.touching};
+  return verify_outline({r.world, r.view.projection, limits, r.drawn, r.hidden, r.drawing}, tolerance, options);
 }
 
 std::string told(const OutlineCheck& outline) {
@@ -239,13 +239,13 @@ TEST(Outline, BothSidesOfANeedleAreOneLine) {
 }
 
 TEST(Outline, OnlyWhatWasWantedIsAskedFor) {
-  std::vector<EdgeOptions> wishes(4);
-  wishes[0].crease = false;
-  wishes[1].contour = wishes[1].intersection = false;
-  wishes[2].crease_angle = 100;
-  wishes[3].smooth = wishes[3].tangent = true;
+  std::vector<EdgeOptions> options(4);
+  options[0].crease = false;
+  options[1].contour = options[1].intersection = false;
+  options[2].crease_angle = 100;
+  options[3].smooth = options[3].tangent = true;
   for (const Shape& shape : {boxes(), stability::uv_sphere(24, 12), moebius(40)})
-    for (const EdgeOptions& edges : wishes) {
+    for (const EdgeOptions& edges : options) {
       const Result r = draw(world_of(shape), views()[0], edges);
       EXPECT_EQ(checked(r, {edges, samples}).wrong(), 0) << told(checked(r, {edges, samples}));
     }

@@ -14,7 +14,7 @@
 namespace epura::test {
 namespace {
 
-Tolerance tolerance_of(const Result& r) { return {r.view.extent, contact_of(r.world, r.view, std::nullopt).touching}; }
+Tolerance tolerance_of(const Result& r) { return {r.view.extent, r.view.contact.touching}; }
 
 Verification verified(const Result& r, const ViewLimits& limits = {}) {
   return verify({r.world, r.view.projection, limits, r.drawn, r.hidden, r.drawing}, tolerance_of(r), 1000, true);

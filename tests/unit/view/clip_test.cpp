@@ -71,14 +71,14 @@ Projection along_y() { return perspective({0, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 
 
 TEST(ProjectedScene, TheNearPlaneCutsEdgesInSpace) {
   const World world = world_of(box({-1, 1, -1}, {1, 5, 1}));
-  ProjectedScene view = make_view(world, along_y(), {.near = 2.0, .far = {}});
+  ProjectedScene view = project_scene(world, along_y(), {.near = 2.0, .far = {}});
   // From (-1, 1, -1) to (-1, 5, -1): y = 2 lies a quarter of the way in space.
   const auto edge = clip_edge(view, 0, 2);
   ASSERT_TRUE(edge);
   EXPECT_NEAR(edge->t[0], 0.25, 1e-15);
   EXPECT_EQ(edge->t[1], 1);
-  EXPECT_NEAR(view.vertices[edge->vertex[0]].x / view.map.scale_exponent + view.middle.x / view.map.scale_exponent,
-              -0.5, 1e-12);
+  EXPECT_NEAR(view.vertices[edge->vertex[0]].x / view.map.normalisation + view.middle.x / view.map.normalisation, -0.5,
+              1e-12);
   EXPECT_FALSE(clip_edge(view, 0, 1)) << "this edge lies before the near plane";
   // 4 side faces lose their front, the front face is gone: 2 triangles of the back, 2 of each side.
   EXPECT_EQ(view.triangles.size(), 2U + 4 * 3);
@@ -86,7 +86,7 @@ TEST(ProjectedScene, TheNearPlaneCutsEdgesInSpace) {
 
 TEST(ProjectedScene, NearAndFarAreDistancesInFrontOfTheEye) {
   const World world = world_of(box({-1, 1, -1}, {1, 5, 1}));
-  ProjectedScene view = make_view(world, along_y(), {.near = 2.0, .far = 4.0});
+  ProjectedScene view = project_scene(world, along_y(), {.near = 2.0, .far = 4.0});
   const auto edge = clip_edge(view, 2, 0);
   ASSERT_TRUE(edge);
   EXPECT_NEAR(edge->t[0], 0.25, 1e-15);
@@ -95,7 +95,7 @@ TEST(ProjectedScene, NearAndFarAreDistancesInFrontOfTheEye) {
 
 TEST(ProjectedScene, OfAParallelViewNearAndFarCountFromThePlane) {
   const World world = world_of(box({0, 0, 0}, {1, 1, 8}));
-  ProjectedScene view = make_view(world, from_above(), {.near = -6.0, .far = -2.0});
+  ProjectedScene view = project_scene(world, from_above(), {.near = -6.0, .far = -2.0});
   const auto edge = clip_edge(view, 0, 4);
   ASSERT_TRUE(edge);
   EXPECT_EQ(edge->t, (std::array{0.25, 0.75}));
@@ -104,12 +104,12 @@ TEST(ProjectedScene, OfAParallelViewNearAndFarCountFromThePlane) {
 TEST(ProjectedScene, NothingBetweenNearAndFarIsWrongInput) {
   const World world = world_of(box({-1, 1, -1}, {1, 5, 1}));
   for (const double far : {2.0, 1.0})
-    EXPECT_EQ(error_of([&] { make_view(world, along_y(), {.near = 2.0, .far = far}); }).where(), "near and far");
+    EXPECT_EQ(error_of([&] { project_scene(world, along_y(), {.near = 2.0, .far = far}); }).where(), "near and far");
 }
 
 TEST(ProjectedScene, NothingBeforeTheEyeIsWrongInput) {
   const World world = world_of(box({-1, -5, -1}, {1, -1, 1}));
-  const Error error = error_of([&] { make_view(world, along_y(), {}); });
+  const Error error = error_of([&] { project_scene(world, along_y(), {}); });
   EXPECT_EQ(error.kind(), ErrorKind::input);
   EXPECT_TRUE(contains(error.what(), "in front of the viewer")) << error.what();
   EXPECT_FALSE(error.hint().empty());
@@ -119,7 +119,7 @@ TEST(ProjectedScene, AWindowCutsEdgesButLeavesTrianglesAMargin) {
   const World world = world_of(plate(-10, -10, 10, 10, 0));
   Projection p = from_above();
   p.window = Window{{-1, -2}, {3, 2}};
-  ProjectedScene view = make_view(world, p, {});
+  ProjectedScene view = project_scene(world, p, {});
   EXPECT_TRUE(view.window_given);
   const int a = add_point(view, {-10, 0, 0});
   const int b = add_point(view, {10, 0, 0});
@@ -133,22 +133,22 @@ TEST(ProjectedScene, AWindowCutsEdgesButLeavesTrianglesAMargin) {
       min = std::min(min, view.vertices[v].x);
       max = std::max(max, view.vertices[v].x);
     }
-  EXPECT_NEAR((max - min) / view.map.scale_exponent, 1.5 * 4, 1e-12);
+  EXPECT_NEAR((max - min) / view.map.normalisation, 1.5 * 4, 1e-12);
   EXPECT_FALSE(clip_edge(view, 0, 1)) << "the plate's border lies outside";
 }
 
 TEST(ProjectedScene, AnEyeInTheSceneGetsAConeOf120Degrees) {
-  const ProjectedScene view = make_view(world_of(box({-9, -9, -9}, {9, 9, 9})), along_y(), {});
+  const ProjectedScene view = project_scene(world_of(box({-9, -9, -9}, {9, 9, 9})), along_y(), {});
   EXPECT_TRUE(view.window_given);
   // The plane is at distance 1: its half window is tan 60 degrees.
-  EXPECT_NEAR((view.window.max.x - view.window.min.x) / view.map.scale_exponent, 2 * std::sqrt(3.0), 1e-12);
-  EXPECT_NEAR((view.window.max.y - view.window.min.y) / view.map.scale_exponent, 2 * std::sqrt(3.0), 1e-12);
+  EXPECT_NEAR((view.window.max.x - view.window.min.x) / view.map.normalisation, 2 * std::sqrt(3.0), 1e-12);
+  EXPECT_NEAR((view.window.max.y - view.window.min.y) / view.map.normalisation, 2 * std::sqrt(3.0), 1e-12);
 }
 
 TEST(ProjectedScene, TheGridIsFineAndHoldsTheWindow) {
   for (const double size : {1e-300, 1e-6, 1.0, 3.0, 1e6, 1e300}) {
     const ProjectedScene view =
-        make_view(world_of(box({0, 0, 0}, {1, 0.5, 0.25}).scaled(size)), orthographic({1, -2, 3}), {});
+        project_scene(world_of(box({0, 0, 0}, {1, 0.5, 0.25}).scaled(size)), orthographic({1, -2, 3}), {});
     EXPECT_LT(view.cell, view.extent * 0x1p-28) << size;
     int max = 0;
     for (std::size_t v = 0; v < view.grid.size(); ++v) {

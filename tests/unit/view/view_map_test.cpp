@@ -57,8 +57,9 @@ TEST(ViewMap, PlacesAreThoseOfTheMatrix) {
       const Mapped mapped = map(point);
       const Vec4 expected = matrix * Vec4(point, 1);
       ASSERT_GT(mapped.w, 0);
-      // From the plane's own point, in model lengths: undo shrinking and the shift to the image of the scene's middle.
-      const Vec2 place = (Vec2(mapped.x, mapped.y) / mapped.w + map.image) / map.scale_exponent;
+      // From the plane's own point, in model lengths: undo the normalisation and the shift to the image of the scene's
+      // middle.
+      const Vec2 place = (Vec2(mapped.x, mapped.y) / mapped.w + map.image) / map.normalisation;
       EXPECT_NEAR(place.x, p.scale * expected.x / expected.w, 1e-11);
       EXPECT_NEAR(place.y, p.scale * expected.y / expected.w, 1e-11);
     }
@@ -130,7 +131,7 @@ TEST(ViewMap, FarFromTheOriginNoDigitIsLost) {
 TEST(PaperMap, OneMatrixGoesTheWholeWay) {
   const World world = world_of(box({-1, -2, 0.5}, {3, 1, 4}));
   for (const Projection& p : projections()) {
-    const ProjectedScene view = make_view(world, p, {});
+    const ProjectedScene view = project_scene(world, p, {});
     const double scale = 12.5;
     const Window drawn = drawn_box(view);
     const PaperMap paper = make_paper_map(view, scale, {100, 70});
@@ -158,7 +159,7 @@ TEST(PaperMap, OneMatrixGoesTheWholeWay) {
 TEST(PaperMap, VanishingPointsAreImagesOfTheAxes) {
   const World world = world_of(box({-1, -2, 0.5}, {3, 1, 4}));
   for (const Projection& p : projections()) {
-    const ProjectedScene view = make_view(world, p, {});
+    const ProjectedScene view = project_scene(world, p, {});
     const PaperMap paper = make_paper_map(view, 3, {100, 70});
     const Mat4 matrix = world_to_page(view, paper);
     const auto points = vanishing_points_on_page(view, paper);

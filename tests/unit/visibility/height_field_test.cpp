@@ -90,8 +90,8 @@ TEST(OneSheet, EndsWhereARampReachesItsBeginning) {
 TEST(OneSheet, IsNotClipped) {
   const World world = world_of(field(6, wavy));
   ProjectedScene view =
-      make_view(world, perspective({3, -4, 6}, {3, 3, 0}, {0, -1, 1}, {0, 0, 1}), {.near = {}, .far = 9.0});
-  const FeatureEdges drawn = find_feature_edges(world, view, {}, contact_in_space(world, view, {}));
+      project_scene(world, perspective({3, -4, 6}, {3, 3, 0}, {0, -1, 1}, {0, 0, 1}), {.near = {}, .far = 9.0});
+  const FeatureEdges drawn = find_feature_edges(world, view, {});
   EXPECT_FALSE(view.triangle_planes.empty());
   EXPECT_FALSE(is_height_field(world, view, drawn));
 }

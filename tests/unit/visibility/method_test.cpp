@@ -24,7 +24,7 @@ World bars() {
 Result seen() { return draw(bars(), orthographic({0.31, -0.42, 1})); }
 
 HiddenSpans by(const Result& r, const Method& method, double mm = 10) {
-  return find_hidden(r.world, r.view, r.drawn, contact_of(r.world, r.view, {}), method, mm);
+  return find_hidden(r.world, r.view, r.drawn, method, mm);
 }
 
 double length_of(const Result& r, std::size_t e) {

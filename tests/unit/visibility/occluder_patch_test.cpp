@@ -13,22 +13,20 @@ struct Sheets {
   Vec2 first;  // vertex, in the world
   World world;
   ProjectedScene view;
-  Contact contact;
 
   explicit Sheets(const Shape& shape)
       : first(shape.points[0][0], shape.points[0][1]),
         world(world_of(shape)),
-        view(make_view(world, from_above(), {})),
-        contact(contact_of(world, view, std::nullopt)) {}
+        view(project_scene(world, from_above(), {})) {}
 
   // Depth in view units of a height in the world, both measured from that of a vertex.
   [[nodiscard]] double depth_above_first(double height) const {
-    return view.vertices[0].depth + height * view.map.scale_exponent * view.map.unit;
+    return view.vertices[0].depth + height * view.map.normalisation * view.map.unit;
   }
 
   // Of a middle in the world.
   [[nodiscard]] CellBox cell(double x, double y, double half) const {
-    const double scale = view.map.scale_exponent * view.map.unit;
+    const double scale = view.map.normalisation * view.map.unit;
     const PageVertex& vertex = view.vertices[0];
     return {Vec2(vertex.x, vertex.y) + scale * (Vec2(x, y) - first), scale * Vec2(half)};
   }
@@ -44,7 +42,7 @@ struct Sheets {
   }
 
   [[nodiscard]] int whole_after(const CellBox& cell) const {
-    OccluderPatch sheets(view, cell, contact);
+    OccluderPatch sheets(view, cell);
     return whole_after(sheets);
   }
 };
@@ -67,7 +65,7 @@ TEST(OccluderPatch, NeedsAllTrianglesThatReachIntoTheCell) {
 
 TEST(OccluderPatch, LiesAsDeepAsTheDeepestPlaneInTheCell) {
   const Sheets roofed(roof(1));
-  OccluderPatch sheets(roofed.view, roofed.cell(0, 0, 0.5), roofed.contact);
+  OccluderPatch sheets(roofed.view, roofed.cell(0, 0, 0.5));
   ASSERT_EQ(roofed.whole_after(sheets), 4);
   // The planes rise by 1/2 towards the middle; in the cell, the lowest place of each is half a unit beyond the top.
   EXPECT_LT(sheets.depth(), roofed.depth_above_first(0.75));

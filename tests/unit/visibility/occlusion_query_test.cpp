@@ -23,11 +23,11 @@ World stack(int plates) {
 
 double tries_of_an_edge(const World& world, const Projection& projection) {
   const Result r = draw(world, projection);
-  const OccluderGrid occluders(r.world, r.view, r.drawn.edges, r.contact);
+  const OccluderGrid occluders(r.world, r.view, r.drawn.edges);
   long tries = 0;
   for (const FeatureEdge& edge : r.drawn.edges) {
     const PageEdge line{edge.vertex[0], edge.vertex[1]};
-    OcclusionQuery hider(r.view, r.contact, occluders, line, OwnTriangles(r.world, r.drawn, edge));
+    OcclusionQuery hider(r.view, occluders, line, OwnTriangles(r.world, r.drawn, edge));
     occluders.along(line, [&](const CellSegment& stretch) { hider.hide(stretch); });
     tries += hider.tries();
   }
@@ -96,7 +96,7 @@ TEST(OcclusionQuery, HasNoMoreCandidatesOfManyCopiesThanOfTwo) {
   const auto most_candidates = [](int copies) {
     const World world = world_of(std::vector<Shape>(static_cast<std::size_t>(copies), box({0, 0, 0}, {1, 2, 3})));
     const Result r = draw(world, orthographic({0.3, -0.8, 0.5}));
-    const OccluderGrid occluders(r.world, r.view, r.drawn.edges, r.contact);
+    const OccluderGrid occluders(r.world, r.view, r.drawn.edges);
     std::size_t max = 0;
     for (const FeatureEdge& edge : r.drawn.edges)
       occluders.along({edge.vertex[0], edge.vertex[1]},

@@ -52,7 +52,7 @@ TEST(ThirdCopies, AreFoundAroundTheirCorners) {
 TEST(ThirdCopies, HideEdgesThatBeginAtTheirCorners) {
   const Shape shape{{{0, 0, 0}, {1, -1, 1e-9}, {1, 1, 1e-9}, {0.9, 0, 0}, {0.5, 0.2, -1}}, {{0, 1, 2}, {0, 3, 4}}, {}};
   const Result r = draw(world_of(std::vector<Shape>(4, shape)), from_above());
-  const HiddenSpans sampled = find_hidden_by_samples(r.world, r.view, r.drawn, r.contact, {10, 0});
+  const HiddenSpans sampled = find_hidden_by_samples(r.world, r.view, r.drawn, {10, 0});
   int found = 0;
   for (std::size_t e = 0; e < r.drawn.edges.size(); ++e) {
     const FeatureEdge& edge = r.drawn.edges[e];

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-#include "edges/suspects.hpp"
+#include "edges/crossing_candidates.hpp"
 #include "shapes.hpp"
 
 namespace epura::test {
@@ -20,7 +20,7 @@ Result row_of_boxes() {
 
 HiddenSpans hidden_within(const Result& r, double time_limit) {
   ProgressBoard board;
-  return find_hidden(r.world, r.view, r.drawn, contact_of(r.world, r.view, std::nullopt), Progress(board, time_limit));
+  return find_hidden(r.world, r.view, r.drawn, Progress(board, time_limit));
 }
 
 TEST(TimeLimit, WithTimeEnoughNothingChanges) {
@@ -56,7 +56,7 @@ TEST(TimeLimit, TheLongestEdgesAreKept) {
 TEST(TimeLimit, TheBoardSeesEveryEdge) {
   const Result r = row_of_boxes();
   ProgressBoard board;
-  find_hidden(r.world, r.view, r.drawn, contact_of(r.world, r.view, std::nullopt), Progress(board));
+  find_hidden(r.world, r.view, r.drawn, Progress(board));
   EXPECT_EQ(board.standing().work, r.drawn.edges.size());
   EXPECT_EQ(board.standing().done, r.drawn.edges.size());
 }

@@ -62,13 +62,13 @@ TEST(Hidden, NothingInAWireframe) {
 
 int hidden_spans_below(double gap, std::optional<double> contact) {
   const World world = world_of({plate(0, 0, 1, 1, gap), ground()});
-  ProjectedScene view = make_view(world, from_above(), {});
+  ProjectedScene view = project_scene(world, from_above(), {.contact = contact});
   const int a = add_point(view, {-1, 0.5, 0});
   const int b = add_point(view, {2, 0.5, 0});
   FeatureEdges drawn;
   drawn.edges.push_back({{a, b}, {0, 1}, EdgeKind::intersection, 0, -1, 0});
   drawn.crossings.push_back({{Vec3(-1, 0.5, 0), Vec3(2, 0.5, 0)}, {-1, -1}, 90});
-  return static_cast<int>(find_hidden(world, view, drawn, contact_of(world, view, contact)).spans.size());
+  return static_cast<int>(find_hidden(world, view, drawn).spans.size());
 }
 
 TEST(Contact, IsTheLengthThatWasGiven) {
@@ -86,21 +86,21 @@ TEST(Contact, IsOtherwiseAFewCellsOfTheGrid) {
 TEST(Contact, FollowsTheScaleOfTheProjection) {
   const World world = world_of(plate(0, 0, 1, 1, 0));
   Projection p = from_above();
-  const ProjectedScene plain = make_view(world, p, {});
+  const ProjectedScene plain = project_scene(world, p, {.contact = 0.1});
   p.scale = 3;
-  const ProjectedScene tripled = make_view(world, p, {});
-  EXPECT_NEAR(contact_of(world, tripled, 0.1).touching, 3 * contact_of(world, plain, 0.1).touching, 1e-15);
-  EXPECT_EQ(contact_in_space(world, plain, 0.25), 0.25 * plain.map.scale_exponent);
+  const ProjectedScene tripled = project_scene(world, p, {.contact = 0.1});
+  EXPECT_NEAR(tripled.contact.touching, 3 * plain.contact.touching, 1e-15);
+  EXPECT_EQ(plain.contact.in_space, 0.1 * plain.map.normalisation);
 }
 
 TEST(Contact, OfSinglePrecisionModelsIsTheirRounding) {
   World world = world_of(plate(0, 0, 1, 1, 0));
-  const ProjectedScene view = make_view(world, from_above(), {});
-  const double fine = contact_of(world, view, std::nullopt).touching;
+  const ProjectedScene fine = project_scene(world, from_above(), {});
   world.rounding = 0x1p-22;
-  EXPECT_EQ(contact_of(world, view, std::nullopt).touching, 0x1p-22 * view.map.scale_exponent);
-  EXPECT_LT(fine, 0x1p-25 * view.map.scale_exponent);
-  EXPECT_EQ(contact_in_space(world, view, std::nullopt), 0x1p-22 * view.map.scale_exponent);
+  const ProjectedScene coarse = project_scene(world, from_above(), {});
+  EXPECT_EQ(coarse.contact.touching, 0x1p-22 * coarse.map.normalisation);
+  EXPECT_LT(fine.contact.touching, 0x1p-25 * fine.map.normalisation);
+  EXPECT_EQ(coarse.contact.in_space, 0x1p-22 * coarse.map.normalisation);
 }
 
 // Their lines cross its sides many lengths away, nearly in parallel.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "edges/drawn_edges.hpp"
+#include "edges/find_edges.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,13 +11,13 @@
 namespace epura::test {
 namespace {
 
-FeatureEdges edges_of(const World& world, ProjectedScene& view, const EdgeOptions& wishes = {}) {
-  return find_feature_edges(world, view, wishes, 1e-9);
+FeatureEdges edges_of(const World& world, ProjectedScene& view, const EdgeOptions& options = {}) {
+  return find_feature_edges(world, view, options);
 }
 
 TEST(FeatureEdges, KnowWhereTheyComeFrom) {
   const World world = world_of({box({0, 0, 0}, {1, 1, 1}), box({3, 0, 0}, {4, 1, 1})});
-  ProjectedScene view = make_view(world, orthographic({1.1, -2, 1.3}), {});
+  ProjectedScene view = project_scene(world, orthographic({1.1, -2, 1.3}), {});
   const FeatureEdges drawn = edges_of(world, view);
   ASSERT_EQ(drawn.edges.size(), 24U);
   for (std::size_t e = 0; e < drawn.edges.size(); ++e) {
@@ -35,7 +35,7 @@ TEST(FeatureEdges, CrossingPlatesHaveALineInCommon) {
   Shape plates = plate(-1, -1, 1, 1, 0);
   plates.add({{{0.25, -2, -1}, {0.25, 2, -1}, {0.25, 2, 1}, {0.25, -2, 1}}, {{0, 1, 2, 3}}, {}});
   const World world = world_of(plates);
-  ProjectedScene view = make_view(world, orthographic({1.1, -2, 1.3}), {});
+  ProjectedScene view = project_scene(world, orthographic({1.1, -2, 1.3}), {});
   const FeatureEdges drawn = edges_of(world, view);
   double length = 0;
   int lines = 0;
@@ -54,7 +54,7 @@ TEST(FeatureEdges, CrossingPlatesHaveALineInCommon) {
   }
   EXPECT_GT(lines, 0);
   EXPECT_NEAR(length, 2, 1e-12);
-  ProjectedScene other = make_view(world, orthographic({1.1, -2, 1.3}), {});
+  ProjectedScene other = project_scene(world, orthographic({1.1, -2, 1.3}), {});
   EXPECT_EQ(edges_of(world, other, {.intersection = false}).edges.size(), drawn.edges.size() - lines);
 }
 
@@ -62,7 +62,7 @@ TEST(FeatureEdges, OutsideTheWindowNothingIsDrawn) {
   const World world = world_of(plate(-10, -10, 10, 10, 0));
   Projection p = from_above();
   p.window = Window{{0, 0}, {20, 20}};
-  ProjectedScene view = make_view(world, p, {});
+  ProjectedScene view = project_scene(world, p, {});
   const FeatureEdges drawn = edges_of(world, view);
   ASSERT_EQ(drawn.edges.size(), 2U);
   for (const FeatureEdge& edge : drawn.edges)

@@ -18,10 +18,10 @@ namespace epura {
 /// - Low triangles (is_low) have no plane to be crossed in.
 ///
 /// Left out are low triangles, those of convex bodies whose box meets that of no other body, and of copies of a
-/// triangle in one place all but two: lines that only others would add are drawn already. `scale_exponent` and
+/// triangle in one place all but two: lines that only others would add are drawn already. `normalisation` and
 /// `contact` are those of find_intersections. Throws OutOfTime.
-std::vector<int> crossing_suspects(const World& world, double scale_exponent, double contact,
-                                   const Progress& progress = {});
+std::vector<int> crossing_candidates(const World& world, double normalisation, double contact,
+                                     const Progress& progress = {});
 
 /// Without any certificate: all triangles.
 std::vector<int> all_triangles(const World& world);

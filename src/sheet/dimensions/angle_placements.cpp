@@ -48,72 +48,78 @@ void add_arc(PlacedDimension& dimension, const Stroke& stroke, double half_width
 }
 
 void add_extension_lines(PlacedDimension& dimension, const MeasuredAngle& angle, double radius,
-                         const DimensionStyle& look) {
+                         const DimensionStyle& style) {
   for (const Vec2& leg : angle.legs) {
     const double length = glm::length(leg);
-    if (radius <= length + look.gap()) continue;
+    if (radius <= length + style.gap()) continue;
     const Vec2 direction = leg / length;
-    add_crossable_line(dimension, angle.corner + (length + look.gap()) * direction,
-                       angle.corner + (radius + look.overshoot()) * direction);
+    add_crossable_line(dimension, angle.corner + (length + style.gap()) * direction,
+                       angle.corner + (radius + style.overshoot()) * direction);
   }
 }
 
+struct DimensionArc {
+  Vec2 corner;
+  double radius;
+};
+
 // Along the arc; level where the arc is so steep that the text would be read from the left.
-void set_text_at(PlacedDimension& dimension, const std::string& text, const Vec2& corner, double radius,
-                 const Vec2& spoke, const DimensionStyle& look) {
+void set_text_at(PlacedDimension& dimension, const std::string& text, const DimensionArc& arc, const Vec2& spoke,
+                 const DimensionStyle& style) {
   const Vec2 read = reading_direction(left_of(spoke));
-  const double width = look.width(text);
+  const double width = style.width(text);
   if (read.y < -steepest) {
-    const double reach = (std::abs(spoke.x) * width + std::abs(spoke.y) * look.text) / 2 + 2 * look.above();
-    const Vec2 middle = corner + (radius + reach) * spoke;
-    return set_text(dimension, text, middle, {1, 0}, -look.text / 2, look);
+    const double reach = (std::abs(spoke.x) * width + std::abs(spoke.y) * style.text) / 2 + 2 * style.above();
+    const Vec2 middle = arc.corner + (arc.radius + reach) * spoke;
+    return set_text(dimension, text, {middle, {1, 0}, -style.text / 2}, style);
   }
   const bool inside = glm::dot(left_of(read), spoke) < 0;  // then the arc rises beside the text
-  const double rise = look.above() + (inside ? width * width / (8 * radius) : 0);
-  set_text(dimension, text, corner + radius * spoke, read, rise, look);
+  const double rise = style.above() + (inside ? width * width / (8 * arc.radius) : 0);
+  set_text(dimension, text, {arc.corner + arc.radius * spoke, read, rise}, style);
 }
 
 // `place`: the text stands at the middle of the arc (0), or past its end (1) or its beginning (-1).
 PlacedDimension arc_dimension(const MeasuredAngle& angle, const std::string& text, double radius, int place,
-                              const DimensionStyle& look) {
+                              const DimensionStyle& style) {
   const auto [corner, first, sweep] = sector_of(angle);
   const double turn = sweep < 0 ? -1 : 1;
-  const bool outward = radius * std::abs(sweep) >= arrows_inside * look.arrow();
+  const bool outward = radius * std::abs(sweep) >= arrows_inside * style.arrow();
   const auto angle_of = [&](double length) { return std::min(length / radius, farthest_past) * turn; };
-  const double tail = outward ? 0 : angle_of(2 * look.arrow());
-  const double lead = angle_of(look.arrow() + look.above() + look.width(text) / 2);
+  const double tail = outward ? 0 : angle_of(2 * style.arrow());
+  const double lead = angle_of(style.arrow() + style.above() + style.width(text) / 2);
   const double middle = place == 0 ? first + sweep / 2 : place > 0 ? first + sweep + lead : first - lead;
   PlacedDimension dimension;
-  add_extension_lines(dimension, angle, radius, look);
+  add_extension_lines(dimension, angle, radius, style);
   add_arc(dimension,
           arc(corner, radius, place < 0 ? first - 2 * lead : first - tail,
               place > 0 ? first + sweep + 2 * lead : first + sweep + tail),
-          look.above());
+          style.above());
   for (const double side : {-1.0, 1.0}) {
     const double end = side < 0 ? first : first + sweep;
     const Vec2 forward = side * turn * left_of(turned_to(end));
-    dimension.arrows.push_back(arrow_at(corner + radius * turned_to(end), outward ? forward : -forward, look));
+    dimension.arrows.push_back(arrow_at(corner + radius * turned_to(end), outward ? forward : -forward, style));
   }
-  set_text_at(dimension, text, corner, radius, turned_to(middle), look);
+  set_text_at(dimension, text, {corner, radius}, turned_to(middle), style);
   dimension.zones.push_back(dimension.text_box);
   return dimension;
 }
 
 }  // namespace
 
-std::vector<DimensionWay> ways_of(const MeasuredAngle& angle, const MeasuredDimension& measured, const ViewDrawing&,
-                                  const DimensionStyle& look) {
-  std::vector<DimensionWay> ways;
+std::vector<DimensionPlacement> placements_of(const MeasuredAngle& angle, const MeasuredDimension& measured,
+                                              const ViewDrawing&, const DimensionStyle& style) {
+  std::vector<DimensionPlacement> placements;
   const double sweep = std::abs(sector_of(angle).sweep);
   for (int k = 0; k < (measured.offset ? 1 : radii); ++k) {
     const double radius = measured.offset ? std::abs(*measured.offset) : first_radius + longer * k;
-    const bool room = radius * sweep > look.width(measured.text) + 2 * look.above();
+    const bool room = radius * sweep > style.width(measured.text) + 2 * style.above();
     for (const int place : {0, 1, -1}) {
       const double crowded = place == 0 ? (room ? 0 : 2 * cost_outside) : cost_outside;
-      ways.push_back({arc_dimension(angle, measured.text, radius, place, look), cost_of_radius * radius + crowded});
+      placements.push_back(
+          {arc_dimension(angle, measured.text, radius, place, style), cost_of_radius * radius + crowded});
     }
   }
-  return ways;
+  return placements;
 }
 
 }  // namespace epura

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The search for intersection lines among suspects finds, to the last bit, what it finds among all triangles.
-#include "edges/suspects.hpp"
+// The search for intersection lines among candidates finds, to the last bit, what it finds among all triangles.
+#include "edges/crossing_candidates.hpp"
 
 #include <gtest/gtest.h>
 
@@ -65,7 +65,7 @@ class Bodies {
   std::mt19937 random_;
 };
 
-TEST(Suspects, HaveAllIntersections) {
+TEST(Candidates, HaveAllIntersections) {
   int left_out = 0, crossings = 0;
   for (unsigned seed = 1; seed <= 300; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -76,10 +76,10 @@ TEST(Suspects, HaveAllIntersections) {
     const World world = world_of(shapes);
     for (const double contact : {0.0, 0x1p-40, 0x1p-29, 0x1p-20, 0x1p-8}) {
       const std::vector<int> all = all_triangles(world);
-      const std::vector<int> suspects = crossing_suspects(world, 0x1p-2, contact);
+      const std::vector<int> candidates = crossing_candidates(world, 0x1p-2, contact);
       const FaceCrossings expected = find_intersections(world, 0x1p-2, contact, all);
-      const FaceCrossings found = find_intersections(world, 0x1p-2, contact, suspects);
-      left_out += suspects.size() < all.size() ? 1 : 0;
+      const FaceCrossings found = find_intersections(world, 0x1p-2, contact, candidates);
+      left_out += candidates.size() < all.size() ? 1 : 0;
       crossings += static_cast<int>(expected.found.size());
       EXPECT_EQ(found.searched, 1);
       ASSERT_EQ(found.found.size(), expected.found.size());
@@ -95,15 +95,15 @@ TEST(Suspects, HaveAllIntersections) {
 }
 
 // What a third copy crosses the first two cross in the same place.
-TEST(Suspects, AreTwoOfAllCopies) {
+TEST(Candidates, AreTwoOfAllCopies) {
   std::vector<Shape> shapes;
   for (int i = 0; i < 5; ++i) {
     shapes.push_back(box({0, 0, 0}, {2, 2, 2}));
     shapes.push_back(box({1, 1, 1}, {3, 3, 3}));
   }
   const World world = world_of(shapes);
-  const std::vector<int> suspects = crossing_suspects(world, 0x1p-2, 0x1p-29);
-  EXPECT_EQ(suspects.size(), 2U * 24);
+  const std::vector<int> candidates = crossing_candidates(world, 0x1p-2, 0x1p-29);
+  EXPECT_EQ(candidates.size(), 2U * 24);
   const auto places = [&](const std::vector<int>& triangles) {
     std::set<std::array<double, 6>> found;
     for (const FaceCrossing& crossing : find_intersections(world, 0x1p-2, 0x1p-29, triangles).found) {
@@ -112,8 +112,8 @@ TEST(Suspects, AreTwoOfAllCopies) {
     }
     return found;
   };
-  EXPECT_EQ(places(suspects), places(all_triangles(world)));
-  EXPECT_GE(places(suspects).size(), 6U);
+  EXPECT_EQ(places(candidates), places(all_triangles(world)));
+  EXPECT_GE(places(candidates).size(), 6U);
 }
 
 }  // namespace

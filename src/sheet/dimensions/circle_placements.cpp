@@ -18,20 +18,20 @@ constexpr double cost_of_inside = 1, cost_of_crossing_it = 0.5;
 
 // A leader from a shoulder with the text to the arrow on the circle; a negative length lies inside the circle.
 PlacedDimension leader(const MeasuredCircle& circle, const std::string& text, const Vec2& direction, double length,
-                       const DimensionStyle& look) {
+                       const DimensionStyle& style) {
   const Vec2 tip = circle.centre + circle.radius * direction;
   const Vec2 elbow = tip + length * direction;
   const Vec2 outward = length < 0 ? -direction : direction;
-  const double width = look.width(text) + 2 * look.above();
+  const double width = style.width(text) + 2 * style.above();
   const Vec2 shoulder = elbow + Vec2(outward.x < 0 ? -width : width, 0);
   PlacedDimension dimension;
   dimension.strokes.emplace_back().points = {tip, elbow, shoulder};
   dimension.lines = {line_box(tip, elbow)};
-  dimension.arrows = {arrow_at(tip, -outward, look)};
-  set_text(dimension, text, (elbow + shoulder) * 0.5, {1, 0}, look.above(), look);
+  dimension.arrows = {arrow_at(tip, -outward, style)};
+  set_text(dimension, text, {(elbow + shoulder) * 0.5, {1, 0}, style.above()}, style);
   // Down to the shoulder, which no line should meet either.
-  dimension.text_box.centre.y -= look.above() / 2;
-  dimension.text_box.half += Vec2(look.above(), look.above() / 2);
+  dimension.text_box.centre.y -= style.above() / 2;
+  dimension.text_box.half += Vec2(style.above(), style.above() / 2);
   dimension.zones = {dimension.text_box};
   return dimension;
 }
@@ -42,27 +42,27 @@ double slope_cost(double angle) {
 }
 
 // Across the whole circle, from arrow to arrow.
-void add_across(std::vector<DimensionWay>& ways, const MeasuredCircle& circle, const std::string& text, double angle,
-                const DimensionStyle& look) {
+void add_across(std::vector<DimensionPlacement>& placements, const MeasuredCircle& circle, const std::string& text,
+                double angle, const DimensionStyle& style) {
   const Vec2 along = turned_to(angle), spoke = circle.radius * along;
   const MeasuredLength length{circle.centre - spoke, circle.centre + spoke, along, left_of(along)};
-  if (!fits_inside(length, text, look)) return;
+  if (!fits_inside(length, text, style)) return;
   for (int place = 0; place < text_places; ++place)
-    ways.push_back(
-        {straight_dimension(length, text, 0, place, look), cost_of_crossing_it + slope_cost(angle) + 0.1 * place});
+    placements.push_back(
+        {straight_dimension(length, text, 0, place, style), cost_of_crossing_it + slope_cost(angle) + 0.1 * place});
 }
 
 }  // namespace
 
-std::vector<DimensionWay> ways_of(const MeasuredCircle& circle, const MeasuredDimension& measured, const ViewDrawing&,
-                                  const DimensionStyle& look) {
-  std::vector<DimensionWay> ways;
+std::vector<DimensionPlacement> placements_of(const MeasuredCircle& circle, const MeasuredDimension& measured,
+                                              const ViewDrawing&, const DimensionStyle& style) {
+  std::vector<DimensionPlacement> placements;
   const bool whole = std::abs(circle.sweep) >= 2 * std::numbers::pi;
   for (int i = 0; i < directions; ++i) {
     // The middle of each part of an arc; of a circle the diagonals are among them.
     const double angle = circle.first + (whole ? i : i + 0.5) * circle.sweep / directions;
     const auto add = [&](double length, double cost) {
-      ways.push_back({leader(circle, measured.text, turned_to(angle), length, look), cost + slope_cost(angle)});
+      placements.push_back({leader(circle, measured.text, turned_to(angle), length, style), cost + slope_cost(angle)});
     };
     if (measured.offset) {
       add(*measured.offset, 0);
@@ -73,9 +73,9 @@ std::vector<DimensionWay> ways_of(const MeasuredCircle& circle, const MeasuredDi
       add(length, cost_of_length * length);
       if (circle.is_radius && length <= circle.radius) add(-length, cost_of_inside + cost_of_length * length);
     }
-    if (!circle.is_radius && whole) add_across(ways, circle, measured.text, angle, look);
+    if (!circle.is_radius && whole) add_across(placements, circle, measured.text, angle, style);
   }
-  return ways;
+  return placements;
 }
 
 }  // namespace epura

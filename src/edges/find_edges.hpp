@@ -42,13 +42,12 @@ struct FeatureEdges {
 };
 
 /// Without time for all crossings those that were found are there; without time for the edges of the meshes, OutOfTime
-/// is thrown. `contact` is the distance in the shrunk world (ViewMap::shrink) below which faces touch rather than
-/// cross.
-FeatureEdges find_feature_edges(const World& world, ProjectedScene& view, const EdgeOptions& wishes, double contact,
+/// is thrown. `view` gets the vertices that clipping and crossings make.
+FeatureEdges find_feature_edges(const World& world, ProjectedScene& view, const EdgeOptions& options,
                                 Progress progress = {});
 
-/// The same, with intersection lines only between triangles in `suspects` (suspects.hpp).
-FeatureEdges find_feature_edges(const World& world, ProjectedScene& view, const EdgeOptions& wishes, double contact,
-                                const std::vector<int>& suspects, Progress progress = {});
+/// The same, with intersection lines only between triangles in `candidates` (crossing_candidates.hpp).
+FeatureEdges find_feature_edges(const World& world, ProjectedScene& view, const EdgeOptions& options,
+                                const std::vector<int>& candidates, Progress progress = {});
 
 }  // namespace epura

@@ -56,25 +56,24 @@ double sign_of_offset(const Vec2& across) {
   return (std::abs(across.y) > on_axis ? across.y > 0 : across.x > 0) ? 1 : -1;
 }
 
-void add_ways(std::vector<DimensionWay>& ways, const MeasuredLength& length, const std::string& text, double distance,
-              double cost, const DimensionStyle& look) {
-  const int places = fits_inside(length, text, look) ? text_places : 2;
-  for (int place = 0; place < places; ++place)
-    ways.push_back({straight_dimension(length, text, distance, place, look), cost + cost_of_text_place * place});
-}
-
 }  // namespace
 
-std::vector<DimensionWay> ways_of(const MeasuredLength& length, const MeasuredDimension& measured,
-                                  const ViewDrawing& drawing, const DimensionStyle& look) {
+std::vector<DimensionPlacement> placements_of(const MeasuredLength& length, const MeasuredDimension& measured,
+                                              const ViewDrawing& drawing, const DimensionStyle& style) {
   const double end = glm::dot(length.to - length.from, left_of(length.along));
   const double upwards = sign_of_offset(left_of(length.along));
-  std::vector<DimensionWay> ways;
+  std::vector<DimensionPlacement> placements;
+  const int places = fits_inside(length, measured.text, style) ? text_places : 2;
+  const auto add_at = [&](double distance, double cost) {
+    for (int place = 0; place < places; ++place)
+      placements.push_back(
+          {straight_dimension(length, measured.text, distance, place, style), cost + cost_of_text_place * place});
+  };
   if (measured.offset) {
     const double side = *measured.offset < 0 ? -upwards : upwards;
     const double distance = side * (std::max(0.0, side * end) + std::abs(*measured.offset));
-    add_ways(ways, length, measured.text, distance, 0, look);
-    return ways;
+    add_at(distance, 0);
+    return placements;
   }
   const Reach reach = reach_of_ink(length, drawing);
   // Below or on the right where nothing else counts.
@@ -84,10 +83,9 @@ std::vector<DimensionWay> ways_of(const MeasuredLength& length, const MeasuredDi
     const double outline = side > 0 ? reach.max : -reach.min;
     const double cost = cost_of_extension * (2 * outline - side * end);
     for (int level = 0; level < levels; ++level)
-      add_ways(ways, length, measured.text, side * (outline + first_dimension + level * dimension_step(look.text)),
-               cost + cost_of_level * level, look);
+      add_at(side * (outline + first_dimension + level * dimension_step(style.text)), cost + cost_of_level * level);
   }
-  return ways;
+  return placements;
 }
 
 }  // namespace epura

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "edges/suspects.hpp"
+#include "edges/crossing_candidates.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,8 +14,8 @@ namespace {
 
 constexpr double contact = 0x1p-29;
 
-std::size_t suspects(const std::vector<Shape>& shapes) {
-  return crossing_suspects(world_of(shapes), 0x1p-3, contact).size();
+std::size_t candidates(const std::vector<Shape>& shapes) {
+  return crossing_candidates(world_of(shapes), 0x1p-3, contact).size();
 }
 
 // Around the z axis, from -1 to 1, with fans for its ends.
@@ -62,71 +62,71 @@ Shape dented(double depth) {
   return shape;
 }
 
-TEST(Suspects, ConvexBodiesThatStandAloneAreNone) {
-  EXPECT_EQ(suspects({box({0, 0, 0}, {1, 1, 1})}), 0U);
-  EXPECT_EQ(suspects({triangulated_cube(), triangulated_cube(true).moved(1.5, 0, 0)}), 0U);
-  EXPECT_EQ(suspects({prism(3)}), 0U);
-  EXPECT_EQ(suspects({prism(200)}), 0U);
-  EXPECT_EQ(suspects({double_pyramid(7, 1)}), 0U);
-  EXPECT_EQ(suspects({box({0, 0, 0}, {1, 1, 1}), prism(12).moved(3, 0, 0), prism(64).moved(0, 4, 0)}), 0U);
+TEST(Candidates, ConvexBodiesThatStandAloneAreNone) {
+  EXPECT_EQ(candidates({box({0, 0, 0}, {1, 1, 1})}), 0U);
+  EXPECT_EQ(candidates({triangulated_cube(), triangulated_cube(true).moved(1.5, 0, 0)}), 0U);
+  EXPECT_EQ(candidates({prism(3)}), 0U);
+  EXPECT_EQ(candidates({prism(200)}), 0U);
+  EXPECT_EQ(candidates({double_pyramid(7, 1)}), 0U);
+  EXPECT_EQ(candidates({box({0, 0, 0}, {1, 1, 1}), prism(12).moved(3, 0, 0), prism(64).moved(0, 4, 0)}), 0U);
 }
 
-TEST(Suspects, AreBodiesWhoseBoxesMeet) {
-  EXPECT_EQ(suspects({box({0, 0, 0}, {1, 1, 1}), box({1, 0, 0}, {2, 1, 1})}), 24U);  // they touch
-  EXPECT_EQ(suspects({box({0, 0, 0}, {1, 1, 1}), box({0.5, 0.5, 0.5}, {2, 2, 2}), box({3, 0, 0}, {4, 1, 1})}), 24U);
-  EXPECT_EQ(suspects({box({0, 0, 0}, {3, 3, 3}), box({1, 1, 1}, {2, 2, 2})}), 24U);  // one inside the other
+TEST(Candidates, AreBodiesWhoseBoxesMeet) {
+  EXPECT_EQ(candidates({box({0, 0, 0}, {1, 1, 1}), box({1, 0, 0}, {2, 1, 1})}), 24U);  // they touch
+  EXPECT_EQ(candidates({box({0, 0, 0}, {1, 1, 1}), box({0.5, 0.5, 0.5}, {2, 2, 2}), box({3, 0, 0}, {4, 1, 1})}), 24U);
+  EXPECT_EQ(candidates({box({0, 0, 0}, {3, 3, 3}), box({1, 1, 1}, {2, 2, 2})}), 24U);  // one inside the other
 }
 
-TEST(Suspects, AreBodiesThatAreNotConvex) {
-  EXPECT_EQ(suspects({dented(0.25)}), 14U);
-  EXPECT_EQ(suspects({dented(1e-6)}), 14U);
-  EXPECT_EQ(suspects({dented(1e-13)}), 0U) << "less than contact";
-  EXPECT_EQ(suspects({dented(-0.25)}), 0U) << "a roof";
-  EXPECT_EQ(suspects({dented(0.25), box({3, 0, 0}, {4, 1, 1})}), 14U);
+TEST(Candidates, AreBodiesThatAreNotConvex) {
+  EXPECT_EQ(candidates({dented(0.25)}), 14U);
+  EXPECT_EQ(candidates({dented(1e-6)}), 14U);
+  EXPECT_EQ(candidates({dented(1e-13)}), 0U) << "less than contact";
+  EXPECT_EQ(candidates({dented(-0.25)}), 0U) << "a roof";
+  EXPECT_EQ(candidates({dented(0.25), box({3, 0, 0}, {4, 1, 1})}), 14U);
 }
 
-TEST(Suspects, AreBodiesThatAreNotClosed) {
+TEST(Candidates, AreBodiesThatAreNotClosed) {
   Shape open = box({0, 0, 0}, {1, 1, 1});
   open.faces.pop_back();
-  EXPECT_EQ(suspects({open}), 10U);
-  EXPECT_EQ(suspects({plate(0, 0, 1, 1, 0)}), 2U);
+  EXPECT_EQ(candidates({open}), 10U);
+  EXPECT_EQ(candidates({plate(0, 0, 1, 1, 0)}), 2U);
 }
 
-TEST(Suspects, AreBodiesThatAreInsideOutOrTwisted) {
+TEST(Candidates, AreBodiesThatAreInsideOutOrTwisted) {
   Shape inside_out = box({0, 0, 0}, {1, 1, 1});
   for (auto& face : inside_out.faces) std::reverse(face.begin(), face.end());
-  EXPECT_EQ(suspects({inside_out}), 12U);
+  EXPECT_EQ(candidates({inside_out}), 12U);
   Shape twisted = box({0, 0, 0}, {1, 1, 1});
   std::reverse(twisted.faces[2].begin(), twisted.faces[2].end());
-  EXPECT_EQ(suspects({twisted}), 12U);
+  EXPECT_EQ(candidates({twisted}), 12U);
 }
 
-TEST(Suspects, AreBodiesThatRunTwiceAroundTheirMiddle) {
+TEST(Candidates, AreBodiesThatRunTwiceAroundTheirMiddle) {
   // Every edge of it is folded outwards, and yet its faces cross.
   const World world = world_of(double_pyramid(5, 2));
-  EXPECT_EQ(crossing_suspects(world, 1, contact).size(), 10U);
+  EXPECT_EQ(crossing_candidates(world, 1, contact).size(), 10U);
   EXPECT_FALSE(find_intersections(world, 1, contact, all_triangles(world)).found.empty());
 }
 
-TEST(Suspects, AreNotTrianglesTooLowForAPlane) {
+TEST(Candidates, AreNotTrianglesTooLowForAPlane) {
   // Needles side by side in one line: the boxes of all of them meet.
   constexpr int needles = 100;
   Shape fan{{{0, 0, 0}, {0, 1, 1}, {1, 0, 1}}, {{0, 1, 2}}, {}};
   for (int i = 0; i <= needles; ++i) fan.points.push_back({1 + 1.0 * i / needles, 2 + 2.0 * i / needles, 0});
   for (int i = 0; i < needles; ++i) fan.faces.push_back({0, i + 3, i + 4});
   const World world = world_of(fan);
-  EXPECT_EQ(crossing_suspects(world, 0x1p-3, contact), std::vector<int>{0});
+  EXPECT_EQ(crossing_candidates(world, 0x1p-3, contact), std::vector<int>{0});
   EXPECT_TRUE(find_intersections(world, 0x1p-3, contact, all_triangles(world)).found.empty());
 }
 
-TEST(Suspects, WithoutContactNothingIsCertain) {
-  EXPECT_EQ(crossing_suspects(world_of(box({0, 0, 0}, {1, 1, 1})), 1, 0).size(), 12U);
+TEST(Candidates, WithoutContactNothingIsCertain) {
+  EXPECT_EQ(crossing_candidates(world_of(box({0, 0, 0}, {1, 1, 1})), 1, 0).size(), 12U);
 }
 
-TEST(Suspects, ConvexBodiesLieBehindTheirPlanes) {
+TEST(Candidates, ConvexBodiesLieBehindTheirPlanes) {
   for (const int sides : {3, 5, 17, 64, 1000}) {
     const World world = world_of(prism(sides));
-    const UnsetVector<Vec3> points = shrunk_points(world, 0.5);
+    const UnsetVector<Vec3> points = normalised_points(world, 0.5);
     const BodyTable bodies = bodies_of(world, points);
     std::vector<char> convex(bodies.box.size(), 1);
     keep_convex(world, points, bodies, contact, convex);

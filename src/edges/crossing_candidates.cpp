@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "edges/suspects.hpp"
+#include "edges/crossing_candidates.hpp"
 
 #include <algorithm>
 #include <array>
@@ -40,7 +40,7 @@ std::vector<int> unlike_bodies(const std::vector<Box>& boxes, std::vector<char>&
 }
 
 // Marks bodies whose box meets that of no other body.
-std::vector<char> lonely_bodies(const std::vector<Box>& boxes, const Progress& progress) {
+std::vector<char> isolated_bodies(const std::vector<Box>& boxes, const Progress& progress) {
   std::vector<char> isolated(boxes.size(), 1);
   const std::vector<int> there = unlike_bodies(boxes, isolated);
   if (there.size() < 2) return isolated;
@@ -84,12 +84,12 @@ void drop_third_copies(const World& world, const Progress& progress, std::vector
 
 }  // namespace
 
-std::vector<int> crossing_suspects(const World& world, double scale_exponent, double contact,
-                                   const Progress& progress) {
+std::vector<int> crossing_candidates(const World& world, double normalisation, double contact,
+                                     const Progress& progress) {
   progress.expect_time();
-  const UnsetVector<Vec3> points = shrunk_points(world, scale_exponent);
+  const UnsetVector<Vec3> points = normalised_points(world, normalisation);
   const BodyTable bodies = bodies_of(world, points);
-  std::vector<char> apart = lonely_bodies(bodies.box, progress);
+  std::vector<char> apart = isolated_bodies(bodies.box, progress);
   progress.expect_time();
   keep_convex(world, points, bodies, contact, apart);
   std::vector<char> may_cross(world.triangles.size());
@@ -99,11 +99,11 @@ std::vector<int> crossing_suspects(const World& world, double scale_exponent, do
       may_cross[t] = apart[bodies.of_triangle[t]] == 0 && !is_low(points[a], points[b], points[c], contact) ? 1 : 0;
     }
   });
-  std::vector<int> suspects;
+  std::vector<int> candidates;
   for (std::size_t t = 0; t < may_cross.size(); ++t)
-    if (may_cross[t] != 0) suspects.push_back(static_cast<int>(t));
-  drop_third_copies(world, progress, suspects);
-  return suspects;
+    if (may_cross[t] != 0) candidates.push_back(static_cast<int>(t));
+  drop_third_copies(world, progress, candidates);
+  return candidates;
 }
 
 std::vector<int> all_triangles(const World& world) {

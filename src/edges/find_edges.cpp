@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "edges/drawn_edges.hpp"
+#include "edges/find_edges.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "base/parallel.hpp"
+#include "edges/crossing_candidates.hpp"
 #include "edges/dihedral.hpp"
 #include "edges/feature_edges.hpp"
 #include "edges/slivers.hpp"
-#include "edges/suspects.hpp"
 
 namespace epura {
 
@@ -32,13 +32,14 @@ std::vector<int> met_across_slivers(const EdgeSurroundings& around, const Sliver
   return met;
 }
 
-void add_mesh_edges(const World& world, ProjectedScene& view, int model, const EdgeOptions& wishes, FeatureEdges& drawn,
-                    const Progress& progress) {
+void add_mesh_edges(const EdgeSurroundings& around, ProjectedScene& view, const EdgeOptions& options,
+                    FeatureEdges& drawn, const Progress& progress) {
+  const World& world = around.world;
+  const int model = around.model;
   const UncutMesh* uncut = world.models[model].mesh->uncut.get();
-  const EdgeSurroundings around{world, model, view.map.scale_exponent},
-      whole{world, model, view.map.scale_exponent, uncut};
+  const EdgeSurroundings whole{world, model, around.normalisation, uncut};
   const Slivers of_whole(whole, view, progress);
-  const std::vector<std::optional<EdgeKind>> kinds = feature_edges(view, wishes, whole, of_whole, progress);
+  const std::vector<std::optional<EdgeKind>> kinds = feature_edges(view, options, whole, of_whole, progress);
   // Edges are judged by whole faces; what meets in them are the pieces that a cut left.
   const Slivers of_pieces(around, SliverRule(around, view));
   const Slivers& slivers = uncut == nullptr ? of_whole : of_pieces;
@@ -59,24 +60,24 @@ void add_mesh_edges(const World& world, ProjectedScene& view, int model, const E
 
 // Facets of curved surfaces that coincide (a bolt in its hole) cross by as much as their surfaces turn from facet to
 // facet: such lines are made by the tessellation, not by the bodies.
-bool is_tessellation(const World& world, double scale_exponent, const FaceCrossing& crossing, double crease_angle) {
+bool is_tessellation(const World& world, double normalisation, const FaceCrossing& crossing, double crease_angle) {
   double turn = 0;
   for (const int triangle : crossing.triangles) {
     const int model = world.model_of_triangle(triangle);
-    turn += turn_of_surface({world, model, scale_exponent}, triangle - world.first_triangle[model], crease_angle) / 2;
+    turn += turn_of_surface({world, model, normalisation}, triangle - world.first_triangle[model], crease_angle) / 2;
   }
   return crossing.angle <= turn * 1.001;
 }
 
 // Crossings that there is no time to judge count as not searched.
-void drop_tessellation(const World& world, double scale_exponent, double crease_angle, FeatureEdges& drawn,
+void drop_tessellation(const World& world, double normalisation, double crease_angle, FeatureEdges& drawn,
                        const Progress& progress) {
   enum : char { unjudged, real, of_tessellation };
   std::vector<char> verdicts(drawn.crossings.size(), unjudged);
   try {
     parallel_for(verdicts.size(), crossings_a_look, progress, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
-        verdicts[i] = is_tessellation(world, scale_exponent, drawn.crossings[i], crease_angle) ? of_tessellation : real;
+        verdicts[i] = is_tessellation(world, normalisation, drawn.crossings[i], crease_angle) ? of_tessellation : real;
     });
   } catch (const OutOfTime&) {
     const auto judged = verdicts.size() - std::size_t(std::count(verdicts.begin(), verdicts.end(), unjudged));
@@ -101,26 +102,26 @@ void add_intersections(const World& world, ProjectedScene& view, FeatureEdges& d
 
 }  // namespace
 
-FeatureEdges find_feature_edges(const World& world, ProjectedScene& view, const EdgeOptions& wishes, double contact,
+FeatureEdges find_feature_edges(const World& world, ProjectedScene& view, const EdgeOptions& options,
                                 Progress progress) {
-  return find_feature_edges(world, view, wishes, contact, all_triangles(world), progress);
+  return find_feature_edges(world, view, options, all_triangles(world), progress);
 }
 
-FeatureEdges find_feature_edges(const World& world, ProjectedScene& view, const EdgeOptions& wishes, double contact,
-                                const std::vector<int>& suspects, Progress progress) {
+FeatureEdges find_feature_edges(const World& world, ProjectedScene& view, const EdgeOptions& options,
+                                const std::vector<int>& candidates, Progress progress) {
   std::size_t edges = 0;
   for (const Placed& model : world.models) edges += model.mesh->edges.size();
   progress.begin("finding edges", edges);
   FeatureEdges drawn;
   for (int model = 0; model < static_cast<int>(world.models.size()); ++model)
-    add_mesh_edges(world, view, model, wishes, drawn, progress);
-  if (!wishes.intersection) return drawn;
-  const double scale_exponent = view.map.scale_exponent;
-  auto [crossings, searched] =
-      find_intersections(world, scale_exponent, contact, suspects, progress.with_part_of_the_time(part_for_search));
+    add_mesh_edges({world, model, view.map.normalisation}, view, options, drawn, progress);
+  if (!options.intersection) return drawn;
+  const double normalisation = view.map.normalisation;
+  auto [crossings, searched] = find_intersections(world, normalisation, view.contact.in_space, candidates,
+                                                  progress.with_part_of_the_time(part_for_search));
   drawn.crossings = std::move(crossings);
   drawn.searched = searched;
-  drop_tessellation(world, scale_exponent, wishes.crease_angle, drawn, progress.with_part_of_the_time(part_for_search));
+  drop_tessellation(world, normalisation, options.crease_angle, drawn, progress.with_part_of_the_time(part_for_search));
   add_intersections(world, view, drawn);
   return drawn;
 }
