@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/error.hpp"
+#include "base/text.hpp"
 #include "drawing/cut_faces.hpp"
 #include "edges/suspects.hpp"
 #include "verify/outline.hpp"
@@ -54,6 +56,8 @@ struct Suspects {
 constexpr double part_for_suspects = 0.25;
 // Of the time for lines; the rest is for drawing them.
 constexpr double part_for_hiding = 0.7;
+// No span longer than this part of the drawing is shown wrongly (docs/numerics.md).
+constexpr double guaranteed_part = 1e-6;
 
 std::string why_searched(const World& world, const ViewOptions& wish, std::size_t suspects) {
   const std::string all = std::to_string(world.triangles.size());
@@ -124,11 +128,10 @@ bool keep_longest(const ProjectedScene& view, FeatureEdges& drawn, HiddenSpans& 
 }
 
 HiddenSpans hide(const World& world, const ProjectedScene& view, FeatureEdges& drawn, const Contact& contact,
-                 const ViewOptions& wish, const Method& method, double scale, std::vector<PlanStep>& plan,
-                 const Budget& budget) {
+                 const ViewOptions& wish, std::vector<PlanStep>& plan, const Budget& budget) {
   PlanStep step{"visibility", false, "a wireframe is wanted", count_of(drawn.edges.size()), 0};
   HiddenSpans hidden = nothing_hidden(drawn);
-  const bool wanted = method.way != Way::none;
+  const bool wanted = !wish.wireframe;
   const bool one_sheet = wanted && wish.leave_out.visibility &&
                          timed(step.times.certificate, [&] { return is_height_field(world, view, drawn); });
   if (one_sheet) {
@@ -137,17 +140,16 @@ HiddenSpans hide(const World& world, const ProjectedScene& view, FeatureEdges& d
   }
   if (wanted && !one_sheet) {
     step.run = true;
-    step.why = wish.leave_out.visibility ? text_of(method) : "--plan wants it";
-    const bool can_be_direct = method == Method();
+    step.why = wish.leave_out.visibility ? "exact" : "--plan wants it";
     int cuts = 0;
     // After two tries in vain it is faces that take the time, and ever fewer lines do not help.
-    const auto is_direct = [&] { return can_be_direct && cuts == 2; };
+    const auto is_direct = [&] { return cuts == 2; };
     const auto make = [&](const Progress& progress) {
       return is_direct() ? find_hidden_directly(world, view, drawn, contact, progress)
-                         : find_hidden(world, view, drawn, contact, method, scale, progress);
+                         : find_hidden(world, view, drawn, contact, progress);
     };
     const auto leave_out = [&](const std::string& stage) {
-      if (is_direct() || (!can_be_direct && drawn.edges.size() <= few_lines)) throw OutOfTime{stage};
+      if (is_direct()) throw OutOfTime{stage};
       ++cuts;
       hidden = nothing_hidden(drawn);
       keep_longest(view, drawn, hidden, stage, budget.partial);
@@ -184,10 +186,15 @@ PlanStep hidden_step(const ViewOptions& wish, const HiddenSpans& hidden) {
           run ? 0 : count_of(hidden.spans.size())};
 }
 
-MethodChoice choice_for(const ViewOptions& wish, const ProjectedScene& view, const FeatureEdges& drawn,
-                        const PaperMap& paper) {
-  if (!wish.max_error) return {wish.method, 0, {}};
-  return choose_method(view, drawn, paper.scale, *wish.max_error);
+// What is guaranteed, in mm, where so much is allowed.
+std::optional<double> error_within(const std::optional<double>& allowed, const ProjectedScene& view,
+                                   const PaperMap& paper) {
+  if (!allowed) return std::nullopt;
+  const double guaranteed = guaranteed_part * view.extent * paper.scale;
+  if (guaranteed <= *allowed) return guaranteed;
+  throw Error(
+      ErrorKind::input, "--max-error", "is " + format_number(*allowed) + " mm, and less is not guaranteed",
+      "the exact method guarantees " + format_rounded(guaranteed, 3) + " mm, a millionth of the drawing, in this view");
 }
 
 PlanStep section_step(const CutSection& section) {
@@ -269,8 +276,8 @@ ViewResult draw_view(const World& world, const CutSection* section, ProjectedSce
 
   const Contact contact = contact_of(world, view, wish.contact);
   const PaperMap paper = make_paper_map(view, place.scale, place.shift);
-  MethodChoice choice = choice_for(wish, view, drawn, paper);
-  HiddenSpans hidden = hide(world, view, drawn, contact, wish, choice.method, paper.scale, plan, budget);
+  const std::optional<double> max_error = error_within(wish.max_error, view, paper);
+  HiddenSpans hidden = hide(world, view, drawn, contact, wish, plan, budget);
   plan.push_back(hidden_step(wish, hidden));
   std::for_each(plan.begin() + first_step, plan.end(), [&](PlanStep& step) { step.view = wish.name; });
   watch.lap("visibility");
@@ -295,7 +302,7 @@ ViewResult draw_view(const World& world, const CutSection* section, ProjectedSce
           section != nullptr ? std::optional(section->plane) : std::nullopt,
           lines.curves,
           std::move(circles),
-          std::move(choice)};
+          max_error};
 }
 
 }  // namespace epura

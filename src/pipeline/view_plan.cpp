@@ -37,21 +37,15 @@ ViewOptions wish_of(const SceneDescription& scene, const ViewDescription& view, 
   wish.limits = {view.near.value, view.far.value};
   wish.edges = edge_wishes(view);
   wish.contact = options.contact;
-  wish.method = options.method;
+  wish.wireframe = options.visibility == Visibility::none;
   wish.looks = looks_of(scene, view);
   wish.arcs = options.arcs;
   wish.centre_lines = options.centre_lines;
   wish.leave_out = options.plan;
-  if (options.verify && wish.method.way == Way::none)
+  if (options.verify && wish.wireframe)
     throw Error(ErrorKind::input, "--verify", "has nothing to test in a wireframe", "leave out --visibility none");
-  if (options.time_limit && (wish.method.way == Way::sampled || wish.method.way == Way::item_buffer))
-    throw Error(ErrorKind::input, "--time-limit", "cannot stop " + name_of(wish.method.way) + " visibility",
-                "leave out --visibility");
-  if (options.max_error && wish.method != Method())
-    throw Error(ErrorKind::input, "--max-error", "chooses the method itself", "leave out --visibility");
-  if (options.max_error && (options.time_limit || options.verify))
-    throw Error(ErrorKind::input, "--max-error", "may choose a method that knows no --time-limit and no --verify",
-                "leave out one of them");
+  if (options.max_error && wish.wireframe)
+    throw Error(ErrorKind::input, "--max-error", "cannot be kept by a wireframe", "leave out --visibility none");
   wish.max_error = options.max_error;
   if (options.verify) wish.verify = options.verify_samples;
   return wish;
