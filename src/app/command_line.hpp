@@ -1,22 +1,61 @@
 // SPDX-License-Identifier: Apache-2.0
-// The command line: one table parses, prints help and names what was perhaps meant.
+// The command line of a program: one table parses, prints help and names what was perhaps meant.
 #pragma once
 
-#include <variant>
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
 
-#include "app/options.hpp"
+#include "app/command_line_options.hpp"
 
 namespace epura {
 
-/// Help or version text to print on standard output.
-struct Answer {
-  std::string text;
+struct ExitCode {
+  int code;
+  std::string meaning;
 };
 
-using Command = std::variant<Answer, DrawOptions, AccuracyOptions, StabilityOptions, CompareOptions, SnapshotOptions,
-                             PluginsOptions, CheckPluginOptions, NewProjectionOptions>;
+/// What a program says of itself beside its commands, in its help and its manual.
+struct ProgramTexts {
+  std::string name;  ///< as users write it: "epura study"
+  std::string summary;
+  std::string description;
+  std::vector<ExitCode> exit_codes;
+  std::vector<std::pair<std::string, std::string>> environment;  ///< variables
+  std::vector<std::pair<std::string, std::string>> examples;     ///< command lines
+  bool lists_projections = false;                                ///< in the manual
+  bool has_completion_scripts = false;                           ///< that shells read
+};
 
-/// Throws Error{input} for wrong usage.
-Command parse_command_line(int argc, char** argv);
+/// A command as CLI11 knows it, and what it does when it is parsed.
+struct DefinedCommand {
+  const CLI::App* app;
+  std::function<int()> run;  ///< returns the exit code
+  std::vector<OptionInfo> options;
+};
+
+/// A command that does `run(part)` with what the options say.
+template <class Part, class Run>
+DefinedCommand define_command(CLI::App* app, Options<Part> options, Run run) {
+  for (const OptionInfo& option : options) define(*app, option);
+  std::vector<OptionInfo> infos(options.begin(), options.end());
+  return {app,
+          [app, options = std::move(options), run = std::move(run)] {
+            Part part;
+            read_options(*app, options, part);
+            return run(part);
+          },
+          std::move(infos)};
+}
+
+/// Runs the command that is named, of those that `define` adds to the program. Returns the exit code. Throws
+/// Error{input} for wrong usage.
+int run_command_line(const ProgramTexts& texts, std::vector<DefinedCommand> (*define)(CLI::App& program), int argc,
+                     char** argv);
+
+/// The exit code of `run`; tells errors on standard error.
+int run_program(const std::function<int()>& run);
 
 }  // namespace epura

@@ -113,7 +113,7 @@ void refuse_wrong_use(const CLI::App& app, const CLI::ParseError& error) {
                   did_you_mean(extra, names_of_commands(app)));
   }
   throw Error(ErrorKind::input, "command line", error.what(),
-              "see 'epura " + (command == &app ? "" : command->get_name() + " ") + "--help'");
+              "see '" + app.get_name() + " " + (command == &app ? "" : command->get_name() + " ") + "--help'");
 }
 
 }  // namespace epura

@@ -23,58 +23,6 @@ Option<Command> tolerance_option(double Command::*tolerance, const std::string& 
 
 }  // namespace
 
-Options<StabilityOptions> stability_options() {
-  using Study = StabilityOptions;
-  return {
-      option<Study>({.flag = "-o,--output",
-                     .help = "file to write, by extension: html json csv svg pdf; - for standard output",
-                     .repeatable = true},
-                    &Study::outputs, file_name("FILE")),
-      option<Study>({.flag = "--format", .help = "format of '-'"}, &Study::format,
-                    any_text().shown_as("NAME").such_as({"html", "json", "csv", "svg", "pdf"})),
-      option<Study>({.flag = "--cases", .help = "only these, with commas: P1,V4,M23; shows every step", .usual = "all"},
-                    &Study::cases, any_text().shown_as("IDS")),
-      option<Study>({.flag = "--size", .help = "factor of the numbers of parts of large scenes", .usual = "1"},
-                    &Study::size, number_between(0.01, 100, "").shown_as("F")),
-      threads_option<Study>(&Study::threads),
-      option<Study>({.flag = "--timings", .help = "say how long each case took"}, &Study::timings, truth()),
-      progress_option(&Study::progress),
-  };
-}
-
-Options<AccuracyOptions> accuracy_options() {
-  using Study = AccuracyOptions;
-  return {
-      option<Study>({.flag = "scenes",
-                     .help = "scenes: model files or scene files, each for itself",
-                     .required = true,
-                     .repeatable = true},
-                    &Study::scenes, file_name("SCENE...")),
-      option<Study>({.flag = "-o,--output",
-                     .help = "file to write, by extension: html csv json pdf, or svg png for each diagram",
-                     .required = true,
-                     .repeatable = true},
-                    &Study::outputs, file_name("FILE")),
-      projections_option("NAME[:key=value...] of models; each time one more view", &Study::projections),
-      plugin_path_option<Study>(&Study::plugin_path),
-      option<Study>({.flag = "--visibility",
-                     .help = "method to measure, by default a choice of all; may be repeated",
-                     .repeatable = true},
-                    &Study::methods, visibility_method()),
-      option<Study>({.flag = "--runs", .help = "timed runs of each method, in turns", .usual = "5"}, &Study::runs,
-                    whole_number(1, 1000)),
-      option<Study>(
-          {.flag = "--truth",
-           .help = "pairs of edge and triangle looked at exactly; beyond, a random part of the edges is judged",
-           .usual = "2e+05"},
-          &Study::pairs, number_between(1, 1e9, "").shown_as("N")),
-      {{.flag = "--no-maps", .help = "leave the projection maps out"},
-       [](Study& study, const TomlValue&) { study.maps = false; }},
-      threads_option<Study>(&Study::threads),
-      progress_option(&Study::progress),
-  };
-}
-
 Options<CompareOptions> compare_options() {
   using Compare = CompareOptions;
   return {

@@ -7,8 +7,6 @@
 
 namespace epura {
 
-Options<StabilityOptions> stability_options();
-Options<AccuracyOptions> accuracy_options();
 Options<CompareOptions> compare_options();
 Options<SnapshotOptions> snapshot_options();
 Options<PluginsOptions> plugins_options();

@@ -15,8 +15,6 @@ int draw(const DrawOptions& options);
 int plugins(const PluginsOptions& options);
 int check_plugin(const CheckPluginOptions& options);
 int new_projection(const NewProjectionOptions& options);
-int study_stability(const StabilityOptions& options);
-int study_accuracy(const AccuracyOptions& options);
 int compare(const CompareOptions& options);
 int snapshot(const SnapshotOptions& options);
 

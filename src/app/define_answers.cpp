@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/define_answers.hpp"
 
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <string>
 
-#include "app/command_line_options.hpp"
 #include "app/command_tree.hpp"
 #include "app/completion.hpp"
 #include "app/draw_options.hpp"
@@ -26,16 +26,13 @@ struct WordOptions {
   std::vector<std::string> words;
 };
 
-/// A command whose answer is computed from its options.
-template <class Part, class Answering>
-DefinedCommand answering(CLI::App* app, const Options<Part>& options, const Answering& text) {
-  for (const OptionInfo& option : options) define(*app, option);
-  const auto command = [app, options, text] {
-    Part part;
-    read_options(*app, options, part);
-    return Answer{text(part)};
-  };
-  return {app, command, {options.begin(), options.end()}};
+/// A command that prints what `text` makes of its options.
+template <class Part, class Text>
+DefinedCommand answering(CLI::App* app, const Options<Part>& options, const Text& text) {
+  return define_command(app, options, [text](const Part& part) {
+    std::fputs(text(part).c_str(), stdout);
+    return 0;
+  });
 }
 
 std::string script_for(const WordOptions& options) {
@@ -45,23 +42,29 @@ std::string script_for(const WordOptions& options) {
 
 }  // namespace
 
-void define_answers(CLI::App& program, std::vector<DefinedCommand>& commands) {
+void define_answers(CLI::App& program, const ProgramTexts& texts, std::vector<DefinedCommand>& commands) {
   // Asked when all commands are known.
   const auto tables = std::make_shared<OptionTables>();
   const auto describe = [&program, tables] { return describe_command(program, *tables); };
 
-  CLI::App* manual = program.add_subcommand("manual", "print the manual page; to read it: epura manual | man -l -");
+  CLI::App* manual =
+      program.add_subcommand("manual", "print the manual page; to read it: " + texts.name + " manual | man -l -");
   commands.push_back(answering<ManualOptions>(
       manual, {plugin_path_option<ManualOptions>(&ManualOptions::plugin_path)},
-      [describe](const ManualOptions& options) {
-        return manual_page(describe(), load_catalogue(plugin_folders(options.plugin_path)).entries);
+      [describe, &texts](const ManualOptions& options) {
+        const auto found = [&] { return load_catalogue(plugin_folders(options.plugin_path)).entries; };
+        return manual_page(describe(), texts, texts.lists_projections ? found() : std::vector<ProjectionEntry>());
       }));
 
   CLI::App* completion = program.add_subcommand("completion", "print the script by which a shell completes words");
-  const OptionInfo shell{.flag = "shell", .help = joined(shells())};
-  commands.push_back(answering<WordOptions>(
-      completion, {option<WordOptions>(shell, &WordOptions::shell, any_text().shown_as("SHELL").such_as(shells()))},
-      script_for));
+  if (texts.has_completion_scripts) {
+    const OptionInfo shell{.flag = "shell", .help = joined(shells())};
+    commands.push_back(answering<WordOptions>(
+        completion, {option<WordOptions>(shell, &WordOptions::shell, any_text().shown_as("SHELL").such_as(shells()))},
+        script_for));
+  } else {
+    completion->group("")->require_subcommand(1);
+  }
 
   CLI::App* words = completion->add_subcommand("words", "words that may stand last")->group("");
   const OptionInfo written{.flag = "words", .help = "what was written so far, behind --", .repeatable = true};

@@ -42,6 +42,17 @@ ValueKind<double> curve_tolerance() {
           }};
 }
 
+ValueKind<Visibility> visibility_kind() {
+  const ValueKind<Visibility> known = choice<Visibility>();
+  return {known.form, [known](const TomlValue& value) {
+            for (const char* measured : {"float", "sampled", "item-buffer", "exact:"})
+              if (read_text(value).starts_with(measured))
+                refuse(value, "'" + read_text(value) + "' is not a method for drawings",
+                       "'epura study accuracy' measures it; drawings take exact or none");
+            return known.read(value);
+          }};
+}
+
 ValueKind<Shortcuts> certificate_names() {
   ValueForm form{"list of texts", "NAMES", {"all", "none"}};
   for (const auto& [name, member] : shortcut_names()) form.words.push_back(name);
@@ -104,13 +115,13 @@ Options<Draw> picture_options() {
       option<Draw>({.flag = "--dimensions", .help = "width, height and depth of the models, each in the clearest view"},
                    &Draw::dimensions, choice<AutomaticDimensions>().shown_as("WHICH")),
       option<Draw>({.flag = "--visibility",
-                    .help = "exact, none for a wireframe, or to compare with: exact:bits=24 float sampled:density=4 "
-                            "item-buffer:dpi=600",
+                    .help = "none draws a wireframe; 'epura study accuracy' has other methods to compare with",
                     .usual = "exact"},
-                   run(&RunOptions::method), visibility_method()),
+                   run(&RunOptions::visibility), visibility_kind()),
       option<Draw>(
           {.flag = "--max-error",
-           .help = "find hidden lines by the cheapest method that shows no span longer than so many mm wrongly"},
+           .help = "refuse what cannot be drawn without spans longer than so many mm being wrong, and say what "
+                   "is guaranteed"},
           run(&RunOptions::max_error), number_between(1e-12, 1e6, "mm").shown_as("MM")),
       option<Draw>({.flag = "--contact", .help = "length below which faces touch and hide nothing", .usual = "found"},
                    run(&RunOptions::contact), number_between(0, HUGE_VAL, "")),
@@ -188,12 +199,6 @@ ValueKind<std::string> file_name(const std::string& placeholder) {
   const ValueKind<std::string> any{{"text", placeholder},
                                    [](const TomlValue& value) { return std::get<std::string>(value.content); }};
   return any.completed_by(Completion::files);
-}
-
-ValueKind<Method> visibility_method() {
-  const ValueForm form{
-      "text", "METHOD", {"exact", "exact:bits=", "float", "sampled:density=", "item-buffer:dpi=", "none"}};
-  return {form, [](const TomlValue& value) { return parse_method(read_text(value), value.where); }};
 }
 
 Options<DrawOptions> draw_options() {

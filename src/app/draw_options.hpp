@@ -47,6 +47,4 @@ Option<Command> projections_option(const std::string& help,
 /// Files, or folders, to read or to write.
 ValueKind<std::string> file_name(const std::string& placeholder);
 
-ValueKind<Method> visibility_method();
-
 }  // namespace epura

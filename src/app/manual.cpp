@@ -2,29 +2,15 @@
 #include "app/manual.hpp"
 
 #include <algorithm>
-#include <array>
+#include <cctype>
 #include <string_view>
 
-#include "app/exit_codes.hpp"
 #include "app/plugin_texts.hpp"
+#include "base/text.hpp"
 
 namespace epura {
 
 namespace {
-
-constexpr auto description =
-    "epura reads meshes (OBJ, STL, PLY, OFF), projects them by any projection that a plugin describes, finds hidden "
-    "lines exactly, and writes drawings to scale: SVG, PDF, PS, EPS, PNG, DXF and JSON. Scene files (TOML) describe "
-    "whole sheets with several views, sections, dimensions and a title block.";
-
-constexpr std::array<std::array<const char*, 2>, 4> examples{{
-    {"epura draw bracket.obj --projection cabinet:angle=30 --sheet A4 --scale 1:1 -o bracket.pdf",
-     "A cabinet projection in full size."},
-    {"epura draw flange.obj --views front,top,isometric --dimensions overall --title Flange -o flange.pdf",
-     "A sheet with three views, overall dimensions and a title block."},
-    {"epura plugins two-point", "Says what the parameters of a projection are."},
-    {"source <(epura completion bash)", "Completes words in a bash that has no package of epura."},
-}};
 
 /// `text` as roff prints it: no character has another meaning there.
 std::string escaped(std::string_view text) {
@@ -122,31 +108,35 @@ std::string projections_section(const std::vector<ProjectionEntry>& projections)
   return text;
 }
 
-std::string surroundings() {
-  std::string text = section("EXIT STATUS");
-  for (const ExitCode& exit : exit_codes) text += item(bold(std::to_string(exit.code)), escaped(exit.meaning));
-  return text + section("ENVIRONMENT") +
-         item(bold("EPURA_PLUGIN_PATH"),
-              "Folders with projection plugins, with colons between. They are looked at after those of " +
-                  bold("--plugin-path") + " and before those of the program.") +
-         item(bold("CI"), "Where it is set, " + bold("epura snapshot --accept") + " is refused.");
+/// A section of words and their meanings.
+std::string table(const std::string& title, const std::vector<std::pair<std::string, std::string>>& rows) {
+  std::string text = section(title);
+  for (const auto& [word, meaning] : rows) text += item(bold(word), escaped(meaning));
+  return text;
 }
 
-std::string examples_section() {
-  std::string text = section("EXAMPLES");
-  for (const auto& [command, meaning] : examples) text += item(bold(command), escaped(meaning));
-  return text;
+/// "EPURA-STUDY", as pages are called.
+std::string title_of(std::string name) {
+  for (char& c : name) c = c == ' ' ? '-' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return name;
 }
 
 }  // namespace
 
-std::string manual_page(const CommandDescription& program, const std::vector<ProjectionEntry>& projections) {
-  std::string text = ".TH EPURA 1 \"\" \"epura " EPURA_VERSION "\" \"User Commands\"\n" + section("NAME") +
-                     "epura \\- 3D meshes to engineering drawings\n" + section("SYNOPSIS") + bold("epura ") +
-                     italic("COMMAND") + " [" + italic("OPTION") + "...] [" + italic("ARGUMENT") + "...]\n" +
-                     section("DESCRIPTION") + escaped(description) + "\n" + section("COMMANDS");
-  for (const CommandDescription& command : program.commands) text += commands("epura", command, program.commands);
-  return text + projections_section(projections) + surroundings() + examples_section();
+std::string manual_page(const CommandDescription& program, const ProgramTexts& texts,
+                        const std::vector<ProjectionEntry>& projections) {
+  const std::string title = title_of(texts.name);
+  std::string text = ".TH " + title + " 1 \"\" \"epura " EPURA_VERSION "\" \"User Commands\"\n" + section("NAME") +
+                     escaped(to_lower(title)) + " \\- " + escaped(texts.summary) + "\n" + section("SYNOPSIS") +
+                     bold(texts.name + " ") + italic("COMMAND") + " [" + italic("OPTION") + "...] [" +
+                     italic("ARGUMENT") + "...]\n" + section("DESCRIPTION") + escaped(texts.description) + "\n" +
+                     section("COMMANDS");
+  for (const CommandDescription& command : program.commands) text += commands(texts.name, command, program.commands);
+  if (!projections.empty()) text += projections_section(projections);
+  std::vector<std::pair<std::string, std::string>> codes;
+  for (const ExitCode& exit : texts.exit_codes) codes.emplace_back(std::to_string(exit.code), exit.meaning);
+  return text + table("EXIT STATUS", codes) + table("ENVIRONMENT", texts.environment) +
+         table("EXAMPLES", texts.examples);
 }
 
 }  // namespace epura

@@ -5,12 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "app/command_line.hpp"
 #include "app/command_tree.hpp"
 #include "projection/catalogue.hpp"
 
 namespace epura {
 
-/// The source of a page of section 1, by the macros of man(7).
-std::string manual_page(const CommandDescription& program, const std::vector<ProjectionEntry>& projections);
+/// The source of a page of section 1, by the macros of man(7). Without projections it has no section of them.
+std::string manual_page(const CommandDescription& program, const ProgramTexts& texts,
+                        const std::vector<ProjectionEntry>& projections);
 
 }  // namespace epura

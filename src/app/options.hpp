@@ -12,7 +12,6 @@
 #include "pipeline/options.hpp"
 #include "projection/plugin_process.hpp"
 #include "scene/description.hpp"
-#include "visibility/method.hpp"
 
 namespace epura {
 
@@ -45,29 +44,6 @@ struct DrawOptions {
   bool timings = false;
   ShowProgress progress = ShowProgress::automatic;
   bool measure = false;  ///< what certificates save, by runs without them
-};
-
-struct StabilityOptions {
-  std::vector<std::string> outputs;  ///< "-" is standard output
-  std::string format;                ///< of "-"
-  std::string cases;                 ///< ids with commas; empty: all
-  double size = 1;                   ///< factor of the numbers of parts of large scenes
-  int threads = 0;
-  bool timings = false;
-  ShowProgress progress = ShowProgress::automatic;
-};
-
-struct AccuracyOptions {
-  std::vector<std::string> scenes;
-  std::vector<std::string> outputs;
-  std::vector<Located<ProjectionRequest>> projections;  ///< of scenes that are models
-  std::vector<std::filesystem::path> plugin_path;
-  std::vector<Method> methods;  ///< none: a choice of all
-  int runs = 5;
-  double pairs = 2e5;  ///< of edge and triangle, for the truth
-  bool maps = true;
-  int threads = 0;
-  ShowProgress progress = ShowProgress::automatic;
 };
 
 struct PluginsOptions {

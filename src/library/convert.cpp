@@ -8,7 +8,6 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
-#include "visibility/method.hpp"
 
 namespace epura {
 
@@ -193,7 +192,7 @@ SceneDescription describe_scene(const Scene& scene) {
 RunOptions run_options_of(const Settings& settings) {
   RunOptions options;
   options.plugin_path = settings.plugin_path;
-  if (settings.wireframe) options.method = parse_method("none", "settings.wireframe");
+  if (settings.wireframe) options.visibility = Visibility::none;
   if (settings.contact) options.contact = checked(*settings.contact, "settings.contact", 0);
   if (settings.arcs) options.arcs = checked(*settings.arcs, "settings.arcs", 1e-6, 1);
   options.centre_lines = settings.centre_lines;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/error.hpp"
+#include "base/text.hpp"
 #include "drawing/cut_faces.hpp"
 #include "edges/crossing_candidates.hpp"
 #include "verify/outline.hpp"
@@ -54,6 +56,8 @@ struct Candidates {
 constexpr double part_for_candidates = 0.25;
 // Of the time for lines; the rest is for drawing them.
 constexpr double part_for_hiding = 0.7;
+// No span longer than this part of the drawing is shown wrongly (docs/numerics.md).
+constexpr double guaranteed_part = 1e-6;
 
 std::string why_searched(const World& world, const ViewOptions& options, std::size_t candidates) {
   const std::string all = std::to_string(world.triangles.size());
@@ -76,6 +80,17 @@ PlanStep hidden_step(const ViewOptions& options, const HiddenSpans& hidden) {
           run ? count_of(hidden.spans.size()) : 0,
           {},
           run ? 0 : count_of(hidden.spans.size())};
+}
+
+// What is guaranteed, in mm, where so much is allowed.
+std::optional<double> error_within(const std::optional<double>& allowed, const ProjectedScene& view,
+                                   const PaperMap& paper) {
+  if (!allowed) return std::nullopt;
+  const double guaranteed = guaranteed_part * view.extent * paper.scale;
+  if (guaranteed <= *allowed) return guaranteed;
+  throw Error(
+      ErrorKind::input, "--max-error", "is " + format_number(*allowed) + " mm, and less is not guaranteed",
+      "the exact method guarantees " + format_rounded(guaranteed, 3) + " mm, a millionth of the drawing, in this view");
 }
 
 PlanStep section_step(const CutSection& section) {
@@ -105,8 +120,8 @@ class ViewRun {
     find_edges();
     watch_.lap("edges");
     const PaperMap paper = make_paper_map(view_, input_.place.scale, input_.place.shift);
-    const MethodChoice choice = choose(paper);
-    hide(choice.method, paper.scale);
+    const std::optional<double> max_error = error_within(options_.max_error, view_, paper);
+    hide();
     plan_.push_back(hidden_step(options_, hidden_));
     for (PlanStep& step : plan_) step.view = options_.name;
     watch_.lap("visibility");
@@ -127,16 +142,15 @@ class ViewRun {
             input_.section != nullptr ? std::optional(input_.section->plane) : std::nullopt,
             lines.curves,
             std::move(circles),
-            choice};
+            max_error};
   }
 
  private:
   Candidates find_candidates(bool may_leave_out, const Progress& progress) const;
   Candidates find_candidates_in_time() const;
   void find_edges();
-  [[nodiscard]] MethodChoice choose(const PaperMap& paper) const;
-  void hide(const Method& method, double scale);
-  HiddenSpans hidden_in_time(const Method& method, double scale);
+  void hide();
+  HiddenSpans hidden_in_time();
   bool keep_longest(const std::string& stage);
   DrawnLines draw_lines(const PaperMap& paper);
   std::optional<Verification> verified(const ViewDrawing& drawing, const PaperMap& paper, Progress progress) const;
@@ -193,11 +207,6 @@ void ViewRun::find_edges() {
   plan_.push_back(std::move(candidates.step));
 }
 
-MethodChoice ViewRun::choose(const PaperMap& paper) const {
-  if (!options_.max_error) return {options_.method, 0, {}};
-  return choose_method(view_, drawn_, paper.scale, *options_.max_error);
-}
-
 // All but the longest edges are left undecided. Says whether so few are left that they take no time.
 bool ViewRun::keep_longest(const std::string& stage) {
   hidden_.undecided = all_but_longest(view_, drawn_.edges, fewer(drawn_.edges.size()));
@@ -207,17 +216,16 @@ bool ViewRun::keep_longest(const std::string& stage) {
   return drawn_.edges.size() <= few_lines;
 }
 
-HiddenSpans ViewRun::hidden_in_time(const Method& method, double scale) {
-  const bool can_be_direct = method == Method();
+HiddenSpans ViewRun::hidden_in_time() {
   int cuts = 0;
   // After two tries in vain it is faces that take the time, and ever fewer lines do not help.
-  const auto is_direct = [&] { return can_be_direct && cuts == 2; };
+  const auto is_direct = [&] { return cuts == 2; };
   const auto make = [&](const Progress& progress) {
     return is_direct() ? find_hidden_directly(input_.world, view_, drawn_, progress)
-                       : find_hidden(input_.world, view_, drawn_, method, scale, progress);
+                       : find_hidden(input_.world, view_, drawn_, progress);
   };
   const auto leave_out = [&](const std::string& stage) {
-    if (is_direct() || (!can_be_direct && drawn_.edges.size() <= few_lines)) throw OutOfTime{stage};
+    if (is_direct()) throw OutOfTime{stage};
     ++cuts;
     hidden_ = nothing_hidden(drawn_);
     keep_longest(stage);
@@ -233,10 +241,10 @@ HiddenSpans ViewRun::hidden_in_time(const Method& method, double scale) {
   }
 }
 
-void ViewRun::hide(const Method& method, double scale) {
+void ViewRun::hide() {
   PlanStep step{"visibility", false, "a wireframe is wanted", count_of(drawn_.edges.size()), 0};
   hidden_ = nothing_hidden(drawn_);
-  const bool wanted = method.way != Way::none;
+  const bool wanted = !options_.wireframe;
   const bool is_one_sheet = wanted && options_.leave_out.visibility &&
                             timed(step.times.certificate, [&] { return is_height_field(input_.world, view_, drawn_); });
   if (is_one_sheet) {
@@ -244,8 +252,8 @@ void ViewRun::hide(const Method& method, double scale) {
     step.skipped = step.items_in;
   } else if (wanted) {
     step.run = true;
-    step.why = options_.leave_out.visibility ? text_of(method) : "--plan wants it";
-    hidden_ = timed(step.times.stage, [&] { return hidden_in_time(method, scale); });
+    step.why = options_.leave_out.visibility ? "exact" : "--plan wants it";
+    hidden_ = timed(step.times.stage, [&] { return hidden_in_time(); });
   }
   if (!hidden_.undecided.empty()) partial_.add_stage("hiding lines");
   partial_.undecided += count_of(hidden_.undecided.size());

@@ -21,7 +21,7 @@
 #include "sheet/view_lines.hpp"
 #include "view/paper_map.hpp"
 #include "view/projected_scene.hpp"
-#include "visibility/choose_method.hpp"
+#include "visibility/visibility.hpp"
 
 namespace epura {
 
@@ -30,8 +30,8 @@ struct ViewOptions {
   std::string name;
   ViewLimits limits;
   EdgeOptions edges;
-  Method method;                    ///< by which hidden lines are found
-  std::optional<double> max_error;  ///< mm; instead, the cheapest method whose error is below
+  bool wireframe = false;           ///< nothing is hidden
+  std::optional<double> max_error;  ///< mm; no longer span may be shown wrongly
   std::vector<ModelStyle> styles;   ///< by model
   std::optional<int> verify;        ///< by so many points at random
   std::optional<double> arcs;       ///< lines within so many mm of circles and ellipses become these
@@ -59,7 +59,7 @@ struct ViewResult {
   std::optional<CuttingPlane> section;  ///< that the view shows
   CurveReport curves{};
   std::vector<PlacedCircle> circles{};  ///< for centre lines, where they are wanted
-  MethodChoice choice{};                ///< with a reason where an error was allowed
+  std::optional<double> max_error{};    ///< mm; where one was allowed, no longer span is shown wrongly
 };
 
 /// Seconds since the last call of `lap`, under a name.

@@ -9,7 +9,6 @@
 #include "explain/find_subjects.hpp"
 #include "pipeline/shortcuts.hpp"
 #include "scene/choices.hpp"
-#include "visibility/method.hpp"
 
 namespace epura {
 
@@ -19,12 +18,19 @@ struct Words<DumpTable> {
   static constexpr std::array list{"edges", "spans"};
 };
 
+/// Which lines count as hidden: `none` is a wireframe.
+enum class Visibility { exact, none };
+template <>
+struct Words<Visibility> {
+  static constexpr std::array list{"exact", "none"};
+};
+
 struct RunOptions {
   std::vector<std::filesystem::path> plugin_path;  ///< more folders with projection plugins
-  Method method;                                   ///< by which hidden lines are found
-  std::optional<double> max_error;                 ///< mm
-  std::optional<double> contact;                   ///< world length
-  std::optional<double> arcs;                      ///< tolerance, mm; nothing: lines stay straight
+  Visibility visibility = Visibility::exact;
+  std::optional<double> max_error;  ///< mm; no longer span may be shown wrongly
+  std::optional<double> contact;    ///< world length
+  std::optional<double> arcs;       ///< tolerance, mm; nothing: lines stay straight
   bool centre_lines = false;
   std::vector<EdgeQuestion> why;  ///< edges to explain
   std::optional<DumpTable> dump;

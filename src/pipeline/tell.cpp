@@ -46,9 +46,9 @@ void warn_if_empty(const Messages& messages, const ViewResult& result, const Vie
 
 void warn_about(const Messages& messages, const ViewResult& result) {
   if (result.verification) messages.print(result.drawing.name + ": " + format_verification(*result.verification));
-  if (const MethodChoice& choice = result.choice; !choice.reason.empty())
-    messages.print(result.drawing.name + ": hidden lines by " + text_of(choice.method) + ", since " + choice.reason +
-                   "; no span longer than " + format_rounded(choice.bound, 3) + " mm is wrong\n");
+  if (result.max_error)
+    messages.print(result.drawing.name + ": hidden lines by the exact method; no span longer than " +
+                   format_rounded(*result.max_error, 3) + " mm is wrong\n");
 }
 
 void warn_about(const Messages& messages, const Partial& partial) {

@@ -36,21 +36,15 @@ ViewOptions view_options(const SceneDescription& scene, const ViewDescription& v
   options.name = *view.name;
   options.limits = {view.near.value, view.far.value, run.contact};
   options.edges = edge_options(view);
-  options.method = run.method;
+  options.wireframe = run.visibility == Visibility::none;
   options.styles = styles_of(scene, view);
   options.arcs = run.arcs;
   options.centre_lines = run.centre_lines;
   options.leave_out = run.plan;
-  if (run.verify && options.method.way == Way::none)
+  if (run.verify && options.wireframe)
     throw Error(ErrorKind::input, "--verify", "has nothing to test in a wireframe", "leave out --visibility none");
-  if (run.time_limit && (options.method.way == Way::sampled || options.method.way == Way::item_buffer))
-    throw Error(ErrorKind::input, "--time-limit", "cannot stop " + name_of(options.method.way) + " visibility",
-                "leave out --visibility");
-  if (run.max_error && options.method != Method())
-    throw Error(ErrorKind::input, "--max-error", "chooses the method itself", "leave out --visibility");
-  if (run.max_error && (run.time_limit || run.verify))
-    throw Error(ErrorKind::input, "--max-error", "may choose a method that knows no --time-limit and no --verify",
-                "leave out one of them");
+  if (run.max_error && options.wireframe)
+    throw Error(ErrorKind::input, "--max-error", "cannot be kept by a wireframe", "leave out --visibility none");
   options.max_error = run.max_error;
   if (run.verify) options.verify = run.verify_samples;
   return options;

@@ -220,7 +220,7 @@ World numbered_anew(const Shape& shape, unsigned seed, bool floats) {
 }
 
 std::vector<Shape> shapes_to_cut() {
-  return {triangulated(prism(11)), triangulated(prism(48)), triangulated(stability::uv_sphere(16, 8)),
+  return {triangulated(prism(11)), triangulated(prism(48)), triangulated(uv_sphere(16, 8)),
           triangulated(cube_with_a_bore(16))};
 }
 

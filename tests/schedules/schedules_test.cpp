@@ -5,11 +5,11 @@
 #include <numeric>
 #include <set>
 
-#include "app/command_line.hpp"
 #include "app/commands.hpp"
 #include "base/parallel.hpp"
 #include "folder.hpp"
 #include "golden.hpp"
+#include "words.hpp"
 
 namespace epura::test {
 namespace {
@@ -24,11 +24,8 @@ struct Files {
 // What `epura WORDS` writes; `schedule` goes where the number of threads goes.
 Files draw_under(int schedule, std::vector<std::string> words) {
   const Folder folder;
-  words.insert(words.begin(), "epura");
   for (const char* name : {"out.json", "out.svg"}) words.insert(words.end(), {"-o", (folder / name).string()});
-  std::vector<char*> argv;
-  for (std::string& word : words) argv.push_back(word.data());
-  auto options = std::get<DrawOptions>(parse_command_line(static_cast<int>(argv.size()), argv.data()));
+  DrawOptions options = draw_options_of({words.begin() + 1, words.end()});
   options.run.plugin_path.emplace_back(EPURA_TEST_PLUGINS);
   options.run.threads = schedule;
   EXPECT_EQ(draw(options), 0);

@@ -10,7 +10,6 @@
 #include <set>
 
 #include "../output/json_reader.hpp"
-#include "app/command_line.hpp"
 #include "app/draw_files.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"
@@ -18,6 +17,7 @@
 #include "errors.hpp"
 #include "long_model.hpp"
 #include "program.hpp"
+#include "words.hpp"
 
 namespace epura::test {
 namespace {
@@ -34,11 +34,8 @@ struct Drawn {
 // Seconds at a look at the clock, of which this is the n-th one in a stage, from 1 on.
 using Clock = std::function<double(const std::string& stage, int look)>;
 
-Drawn draw_by(const Clock& clock, std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), {"epura", "draw"});
-  std::vector<char*> pointers;
-  for (std::string& argument : arguments) pointers.push_back(argument.data());
-  const Command command = parse_command_line(static_cast<int>(pointers.size()), pointers.data());
+Drawn draw_by(const Clock& clock, const std::vector<std::string>& arguments) {
+  const DrawOptions options = draw_options_of(arguments);
   Drawn run;
   std::mutex mutex;
   ProgressBoard board([&] {
@@ -48,7 +45,7 @@ Drawn draw_by(const Clock& clock, std::vector<std::string> arguments) {
   });
   const Messages silent{[](const std::string&) {}, [](std::string_view) {}};
   try {
-    run.stages = draw_files(std::get<DrawOptions>(command), silent, Progress(board, limit)).report.partial.stages;
+    run.stages = draw_files(options, silent, Progress(board, limit)).report.partial.stages;
   } catch (const Error& error) {
     run.error = error.what();
     run.kind = error.kind();
@@ -57,13 +54,13 @@ Drawn draw_by(const Clock& clock, std::vector<std::string> arguments) {
 }
 
 // The clock stands still until the stage that is to be cut looks at it; then the limit is reached.
-Drawn draw_struck_at(const std::string& stage, std::vector<std::string> arguments) {
+Drawn draw_struck_at(const std::string& stage, const std::vector<std::string>& arguments) {
   bool struck = false;
   const auto clock = [&](const std::string& now, int) {
     struck = struck || now == stage;
     return struck ? limit : 0;
   };
-  return draw_by(clock, std::move(arguments));
+  return draw_by(clock, arguments);
 }
 
 std::set<std::string> segments_of(const std::string& json) {

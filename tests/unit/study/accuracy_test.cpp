@@ -7,10 +7,9 @@
 #include <random>
 #include <thread>
 
-#include "studied.hpp"
+#include "oracle/span_sets.hpp"
+#include "shapes.hpp"
 #include "study/accuracy/measure.hpp"
-#include "study/accuracy/span_sets.hpp"
-#include "visibility/choose_method.hpp"
 
 namespace epura::test {
 namespace {
@@ -18,11 +17,11 @@ namespace {
 constexpr double mm = 40;  // of paper per view unit
 
 struct Scene {
-  Studied studied;
+  Result result;
   ViewLimits limits{};
 
   [[nodiscard]] StudiedView view() const {
-    return {"scene", "view", studied.result.world, studied.result.view, limits, studied.result.drawn, {mm, Vec2(0)}};
+    return {"scene", "view", result.world, result.view, limits, result.drawn, {mm, Vec2(0)}};
   }
   [[nodiscard]] HiddenSpans by(const char* method) const { return contender(view(), parse_method(method, "")).run(); }
 };
@@ -44,7 +43,7 @@ Shape slabs() {
 }
 
 Scene scene(const Projection& projection = orthographic({0.13, -0.21, 1})) {
-  return {study(world_of(slabs()), projection)};
+  return {draw(world_of(slabs()), projection)};
 }
 
 Errors errors_by(const Scene& scene, const std::vector<EdgeTruth>& truth, const char* method) {
@@ -57,12 +56,12 @@ TEST(Truth, AgreesWithTheExactMethod) {
                                        perspective({0.4, 0.2, 1.9}, {0, 0, 0}, {0, 0, 1}, {0, 1, 0})}) {
     const Scene s = scene(projection);
     const std::vector<EdgeTruth> truth = truth_of(s.view(), {});
-    EXPECT_EQ(truth.size(), s.studied.result.drawn.edges.size());
-    const Errors errors = errors_of(s.view(), truth, s.studied.result.hidden);
+    EXPECT_EQ(truth.size(), s.result.drawn.edges.size());
+    const Errors errors = errors_of(s.view(), truth, s.result.hidden);
     EXPECT_EQ(errors.longest, 0);
     EXPECT_EQ(errors.ink, 0);
     EXPECT_EQ(errors.missed + errors.phantom + errors.cracks, 0);
-    EXPECT_GT(errors_of(s.view(), truth, nothing_hidden(s.studied.result.drawn)).sum, 100);
+    EXPECT_GT(errors_of(s.view(), truth, nothing_hidden(s.result.drawn)).sum, 100);
   }
 }
 
@@ -81,7 +80,7 @@ TEST(Truth, LeavesLittleUndecided) {
 TEST(Truth, FindsAPlantedErrorWithItsLength) {
   const Scene s = scene();
   const std::vector<EdgeTruth> truth = truth_of(s.view(), {});
-  const Result& r = s.studied.result;
+  const Result& r = s.result;
   int planted = 0;
   for (std::size_t e = 0; e < r.drawn.edges.size() && planted < 20; ++e) {
     const Spans spans = hidden_parts(r.hidden, e);
@@ -104,7 +103,7 @@ TEST(Truth, FindsAPlantedErrorWithItsLength) {
 TEST(Truth, OfManyEdgesASampleIsJudged) {
   const Scene s = scene();
   const std::vector<EdgeTruth> some = truth_of(s.view(), {.pairs = 1});
-  EXPECT_LT(some.size(), s.studied.result.drawn.edges.size());
+  EXPECT_LT(some.size(), s.result.drawn.edges.size());
   EXPECT_GT(some.size(), 100U);
   EXPECT_TRUE(std::is_sorted(some.begin(), some.end(), [](const auto& a, const auto& b) { return a.edge < b.edge; }));
 }
@@ -183,24 +182,6 @@ TEST(Methods, GridBitsHalveTheError) {
   EXPECT_LT(sums.back(), 0.1 * sums.front());
 }
 
-TEST(ChosenMethods, KeepTheAllowedError) {
-  int sampled = 0;
-  for (const Projection& projection :
-       {orthographic({0.13, -0.21, 1}), perspective({5, -4, 6}, {0, 0, 0}, {5, -4, 6}, {0, 0, 1})}) {
-    const Scene s = scene(projection);
-    const std::vector<EdgeTruth> truth = truth_of(s.view(), {});
-    for (const double allowed : {0.01, 1.0, 10.0, 50.0, 100.0, 200.0, 500.0, 1000.0}) {
-      const MethodChoice choice = choose_method(s.view().view, s.view().drawn, mm, allowed);
-      const Errors errors = errors_of(s.view(), truth, contender(s.view(), choice.method).run());
-      EXPECT_LE(errors.longest, choice.bound) << text_of(choice.method);
-      EXPECT_LE(choice.bound, allowed);
-      sampled += choice.method.way == Way::sampled ? 1 : 0;
-    }
-  }
-  EXPECT_GT(sampled, 3) << "both methods are chosen";
-  EXPECT_LT(sampled, 13);
-}
-
 TEST(Measure, RanksAPlantedSlowMethodLast) {
   const Scene s = scene();
   const StudiedView view = s.view();
@@ -208,7 +189,7 @@ TEST(Measure, RanksAPlantedSlowMethodLast) {
                                     {"slow", "",
                                      [&] {
                                        std::this_thread::sleep_for(std::chrono::milliseconds(300));
-                                       return s.studied.result.hidden;
+                                       return s.result.hidden;
                                      }},
                                     contender(view, parse_method("none", ""))};
   const ViewMeasurements found = measure(view, contenders, {.runs = 5});
@@ -228,7 +209,7 @@ TEST(Measure, TellsMemory) {
   const StudiedView view = s.view();
   std::vector<Contender> contenders{{"hungry", "", [&] {
                                        const std::vector<char> bytes(64 << 20, 1);
-                                       HiddenSpans found = s.studied.result.hidden;
+                                       HiddenSpans found = s.result.hidden;
                                        if (bytes[12345] == 0) found = {};
                                        return found;
                                      }}};

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
+#include "oracle/span_sets.hpp"
 #include "study/accuracy/ink_distance.hpp"
-#include "study/accuracy/span_sets.hpp"
 
 namespace epura::test {
 namespace {

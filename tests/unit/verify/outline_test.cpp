@@ -11,7 +11,6 @@
 #include "base/parallel.hpp"
 #include "report/format.hpp"
 #include "shapes.hpp"
-#include "study/stability/shapes.hpp"
 #include "verify/verify.hpp"
 
 namespace epura::test {
@@ -101,15 +100,9 @@ void expect_fault(const OutlineCheck& found, const std::string& what, const Segm
 }
 
 TEST(Outline, RightDrawingsAreRight) {
-  const std::vector<Shape> zoo{boxes(),
-                               fan(24),
-                               moebius(40),
-                               pointed_cone(),
-                               triangulated_cube(),
-                               stability::fine_cube(6),
-                               stability::uv_sphere(40, 20),
-                               stability::klein_bottle(24, 16),
-                               stability::sombrero(3, 24)};
+  const std::vector<Shape> zoo{
+      boxes(),      fan(24),           moebius(40),          pointed_cone(), triangulated_cube(),
+      fine_cube(6), uv_sphere(40, 20), klein_bottle(24, 16), sombrero(3, 24)};
   for (std::size_t i = 0; i < zoo.size(); ++i)
     for (const Projection& view : views()) {
       const OutlineCheck found = checked(draw(world_of(zoo[i]), view));
@@ -130,7 +123,7 @@ TEST(Outline, PlacesStandForLengths) {
 
 // Each line of at least one part in a hundred, in turn.
 TEST(Outline, ARemovedLineIsFound) {
-  for (const Shape& shape : {boxes(), stability::uv_sphere(16, 8), pointed_cone()})
+  for (const Shape& shape : {boxes(), uv_sphere(16, 8), pointed_cone()})
     for (const Projection& view : {views()[0], views()[3]}) {
       const Result right = draw(world_of(shape), view);
       for (std::size_t i = 0; i < right.drawing.segments.size(); ++i) {
@@ -244,7 +237,7 @@ TEST(Outline, OnlyWhatWasWantedIsAskedFor) {
   options[1].contour = options[1].intersection = false;
   options[2].crease_angle = 100;
   options[3].smooth = options[3].tangent = true;
-  for (const Shape& shape : {boxes(), stability::uv_sphere(24, 12), moebius(40)})
+  for (const Shape& shape : {boxes(), uv_sphere(24, 12), moebius(40)})
     for (const EdgeOptions& edges : options) {
       const Result r = draw(world_of(shape), views()[0], edges);
       EXPECT_EQ(checked(r, {edges, samples}).wrong(), 0) << told(checked(r, {edges, samples}));
@@ -254,7 +247,7 @@ TEST(Outline, OnlyWhatWasWantedIsAskedFor) {
   EXPECT_GT(checked(draw(world_of(boxes()), views()[0], few)).missing, 0);
   EdgeOptions all;
   all.smooth = true;
-  Result edges = draw(world_of(stability::uv_sphere(24, 12)), views()[0], all);
+  Result edges = draw(world_of(uv_sphere(24, 12)), views()[0], all);
   for (Segment& s : edges.drawing.segments) s.kind = EdgeKind::contour;
   EXPECT_GT(checked(edges).unfounded, 0);
 }

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// The same drawing by three arithmetics, so that they can be compared: only the map from space to the page differs.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "scene/scene.hpp"
+#include "view/projected_scene.hpp"
+
+namespace epura::laboratory {
+
+enum class Arithmetic {
+  single,    ///< 32-bit floats: coordinates, matrix and products, as graphics hardware has it
+  composed,  ///< doubles: one matrix, composed of VOM and M_per or M_par as printed (seed 003, 3.36, 3.10, 3.20)
+  own,       ///< doubles: the re-centred map of view/view_map.hpp
+};
+
+inline constexpr std::size_t arithmetics = 3;
+inline constexpr std::array<std::string_view, arithmetics> arithmetic_names{"float32", "double", "epura"};
+
+/// A projection and what else the map depends on.
+struct Camera {
+  Projection projection;
+  ViewLimits limits{};
+  double factor = 1;  ///< by which the composed matrix is multiplied; as a projective map it stays the same
+};
+
+/// Points of space by the arithmetic, in the coordinates of make_view_map(camera.projection, scene).
+UnsetVector<Mapped> map_points(std::span<const Vec3> points, const Camera& camera, const Box& scene,
+                               Arithmetic arithmetic);
+
+/// Throws Error{input} where a point leaves the range of the arithmetic, and as project_scene does.
+ProjectedScene view_by(const World& world, const Camera& camera, Arithmetic arithmetic);
+
+}  // namespace epura::laboratory

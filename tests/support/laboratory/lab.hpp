@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// Draws by one of the three arithmetics, and measures lengths.
+#pragma once
+
+#include "drawing/make_drawing.hpp"
+#include "edges/find_edges.hpp"
+#include "laboratory/arithmetic.hpp"
+#include "view/condition.hpp"
+#include "visibility/spans.hpp"
+#include "visibility/visibility.hpp"
+
+namespace epura::laboratory {
+
+/// Orthographic projection seen from `towards_viewer`; the plane passes through the origin.
+Projection orthographic(const Vec3& towards_viewer, const Vec3& up = {0, 0, 1});
+/// Seen from above: x right, y up, larger z nearer.
+Projection from_above();
+/// Central projection from `eye` onto the plane through `point` with `normal`; u, v from `up`.
+Projection perspective(const Vec3& eye, const Vec3& point, const Vec3& normal, const Vec3& up);
+
+/// Everything that was computed on the way to a drawing, in model units: page = plane coordinates.
+struct Result {
+  World world;
+  ProjectedScene view;
+  FeatureEdges drawn;
+  HiddenSpans hidden;
+  ViewDrawing drawing;
+  double unit;  ///< model length of a unit on the page
+  Condition condition;
+
+  [[nodiscard]] double visible() const { return length(true); }
+  [[nodiscard]] double hidden_length() const { return length(false); }
+  [[nodiscard]] int pieces(bool visible) const;
+  /// Longest side of the drawing.
+  [[nodiscard]] double extent() const { return view.extent * unit; }
+  /// Lines nearer to each other than this are one line.
+  [[nodiscard]] double merge_width() const;
+
+ private:
+  [[nodiscard]] double length(bool visible) const;
+};
+
+/// What is hidden of a straight line that belongs to no mesh.
+struct HiddenLine {
+  Spans spans;     ///< parameters in the page, 0 to 1
+  double contact;  ///< the tolerance, model units
+  double cell;     ///< of the page grid, model units
+  double extent;   ///< of the drawing, model units
+
+  /// Lines nearer to each other than this are one line.
+  [[nodiscard]] double merge_width() const { return std::max(contact, 4 * cell); }
+};
+
+struct Lab {
+  Arithmetic arithmetic = Arithmetic::own;
+  double size = 1;  ///< factor of the sizes of large scenes
+
+  [[nodiscard]] Result draw(World world, const Camera& camera, const EdgeOptions& options = {}) const;
+  [[nodiscard]] HiddenLine hidden_of_line(const World& world, const Projection& projection, const Vec3& from,
+                                          const Vec3& to) const;
+};
+
+}  // namespace epura::laboratory

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// Small meshes with known geometry.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "scene/scene.hpp"
+
+namespace epura::laboratory {
+
+using Point = std::array<double, 3>;
+
+/// Points and polygons, before they become a Mesh.
+struct Shape {
+  std::vector<Point> points;
+  std::vector<std::vector<int>> faces;
+  std::vector<int> bodies;  ///< of the faces; empty: one body
+
+  void add(const Shape& other);
+  [[nodiscard]] Shape moved(double x, double y, double z) const;
+  [[nodiscard]] Shape scaled(double factor) const;
+};
+
+/// The box from `min` to `max`: 6 quadrilaterals, outward.
+Shape box(const Point& min, const Point& max);
+/// The unit cube of 12 triangles; `other` takes the other diagonal of every face.
+Shape triangulated_cube(bool other = false);
+/// The unit cube of 12 `cells` cells triangles; `other` takes the other diagonals.
+Shape fine_cube(int cells, bool other = false);
+/// A rectangle in the plane z = `height`.
+Shape plate(double x0, double y0, double x1, double y1, double height);
+/// A disk of `blades` triangles around its middle in the plane z = 1, a regular polygon with a corner at (1, 0).
+Shape fan(int blades);
+/// The strip with one side and one border, of `quads` quadrilaterals, each in two triangles.
+Shape moebius(int quads);
+/// The bottle in the shape of a figure eight, of `around` times `across` quadrilaterals, each in two triangles.
+Shape klein_bottle(int around, int across);
+/// The surface z = sin(pi r) / (pi r) over the square from -half to half, of `cells` cells quadrilaterals.
+Shape sombrero(double half, int cells);
+/// A sphere of `meridians` and `bands`, the poles on the z axis. Quadrilaterals, but for the triangles at the poles.
+Shape uv_sphere(int meridians, int bands);
+
+/// A profile of radius and z turned about the z axis, in `sides` steps. Every radius becomes a ring of points from cos
+/// and sin, also at a pole; with `seam`, the points of a full turn are points of their own beside the first ones.
+Shape revolved(const std::vector<std::array<double, 2>>& profile, int sides, bool seam = false);
+
+/// `digits`: of a file that writes coordinates as text with so many digits; 0: as they are.
+Mesh mesh_of(const Shape& shape, int digits = 0);
+World world_of(const std::vector<Shape>& shapes);
+inline World world_of(const Shape& shape) { return world_of(std::vector<Shape>{shape}); }
+
+}  // namespace epura::laboratory

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// The options of `epura draw`, without its process.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "app/command_line_options.hpp"
+#include "app/draw_options.hpp"
+
+namespace epura::test {
+
+/// What the words behind "draw" ask for.
+inline DrawOptions draw_options_of(std::vector<std::string> words) {
+  CLI::App app;
+  const Options<DrawOptions> table = draw_options();
+  for (const OptionInfo& option : table) define(app, option);
+  std::reverse(words.begin(), words.end());  // as CLI11 takes them
+  app.parse(words);
+  DrawOptions options;
+  read_options(app, table, options);
+  return options;
+}
+
+}  // namespace epura::test

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/console.hpp"
+#include "app/describe.hpp"
+#include "app/report_targets.hpp"
+#include "base/file.hpp"
+#include "base/parallel.hpp"
+#include "base/text.hpp"
+#include "pipeline/annotations.hpp"
+#include "pipeline/draw_view.hpp"
+#include "pipeline/layout.hpp"
+#include "pipeline/read_models.hpp"
+#include "pipeline/sections.hpp"
+#include "pipeline/targets.hpp"
+#include "pipeline/view_plan.hpp"
+#include "study/accuracy/report.hpp"
+#include "study/commands.hpp"
+
+namespace epura {
+
+namespace {
+
+// From coarse to fine: the knobs of each method.
+const std::vector<std::string> usual_methods{"exact:bits=10",
+                                             "exact:bits=14",
+                                             "exact:bits=18",
+                                             "exact:bits=24",
+                                             "exact",
+                                             "float",
+                                             "sampled:density=0.1",
+                                             "sampled:density=0.5",
+                                             "sampled:density=2",
+                                             "sampled:density=10",
+                                             "sampled:density=50",
+                                             "item-buffer:dpi=75",
+                                             "item-buffer:dpi=150",
+                                             "item-buffer:dpi=300",
+                                             "item-buffer:dpi=600",
+                                             "item-buffer:dpi=1200",
+                                             "none"};
+
+using Targets = std::vector<ReportTarget<ReportFormat>>;
+
+Targets targets_of(const AccuracyOptions& options) {
+  return report_targets<ReportFormat>(options.outputs, "",
+                                      {{"html", ReportFormat::html},
+                                       {"pdf", ReportFormat::pdf},
+                                       {"csv", ReportFormat::csv},
+                                       {"json", ReportFormat::json},
+                                       {"svg", ReportFormat::svg},
+                                       {"png", ReportFormat::png}});
+}
+
+void write_report(const ReportTarget<ReportFormat>& target, const AccuracyReport& report,
+                  const std::vector<std::string>& inputs, Progress progress) {
+  const std::vector<std::string> files = to_files(report, target.format);
+  const std::vector<std::string> paths = one_for_each(target.path, files.size());
+  refuse_overwriting(paths, inputs);
+  for (std::size_t i = 0; i < files.size(); ++i) write_file(paths[i], files[i], progress);
+}
+
+std::vector<Method> methods_of(const AccuracyOptions& options) {
+  if (!options.methods.empty()) return options.methods;
+  std::vector<Method> methods;
+  for (const std::string& text : usual_methods) methods.push_back(parse_method(text, "--visibility"));
+  return methods;
+}
+
+DrawOptions drawing_of(const std::string& scene, const AccuracyOptions& options) {
+  DrawOptions drawing;
+  drawing.models = {scene};
+  const bool is_model = to_lower(std::filesystem::path(scene).extension().string()) != ".toml";
+  if (is_model) drawing.projections = options.projections;
+  drawing.run.plugin_path = options.plugin_path;
+  return drawing;
+}
+
+/// A scene with its words understood.
+struct StudiedScene {
+  std::string path;
+  SceneDescription description;
+  std::vector<SheetOfViews> sheets;
+};
+
+// A long run must not end in a typing error.
+std::vector<StudiedScene> scenes_of(const AccuracyOptions& options) {
+  std::vector<StudiedScene> scenes;
+  for (const std::string& path : options.scenes) {
+    if (!std::filesystem::exists(path)) read_file(path);  // says so
+    const DrawOptions drawing = drawing_of(path, options);
+    SceneDescription scene = describe(drawing);
+    std::vector<SheetOfViews> sheets = views_by_sheet(scene, plan_views(scene, drawing.run));
+    scenes.push_back({path, std::move(scene), std::move(sheets)});
+  }
+  return scenes;
+}
+
+std::vector<std::string> inputs_of(const std::vector<StudiedScene>& scenes, const AccuracyOptions& options) {
+  std::vector<std::string> files;
+  for (const StudiedScene& scene : scenes)
+    for (std::string& file : inputs_of(drawing_of(scene.path, options), scene.description))
+      files.push_back(std::move(file));
+  return files;
+}
+
+/// Measures the views of one scene.
+class Study {
+ public:
+  Study(const AccuracyOptions& options, const std::vector<Method>& methods, const Messages& messages, Progress progress)
+      : options_(options), methods_(methods), messages_(messages), progress_(progress) {}
+
+  std::vector<ViewMeasurements> measure_scene(const StudiedScene& scene) {
+    Stopwatch watch;
+    std::vector<MeshReport> reports;
+    const World world = read_models(scene.description.models, reports, messages_, progress_);
+    watch.lap("read");
+    const CutSections sections = cut_sections(world, scene.description, messages_);
+    std::vector<ViewMeasurements> measured;
+    for (const SheetOfViews& sheet : scene.sheets) measure_sheet(scene, world, sections, sheet, measured);
+    for (ViewMeasurements& view : measured) view.read_seconds = watch.laps().front().second;
+    return measured;
+  }
+
+ private:
+  void measure_sheet(const StudiedScene& scene, const World& whole, const CutSections& sections,
+                     const SheetOfViews& sheet, std::vector<ViewMeasurements>& measured) {
+    const auto world = [&](std::size_t i) -> const World& {
+      const CutSection* section = section_of(sections, sheet.descriptions[i]);
+      return section == nullptr ? whole : section->cut.world;
+    };
+    std::vector<ProjectedScene> views;
+    for (std::size_t i = 0; i < sheet.plans.size(); ++i)
+      views.push_back(project_scene(world(i), sheet.plans[i], sheet.descriptions[i]));
+    const std::vector<Annotations> annotations =
+        annotate(scene.description, sheet.sheet, sheet.descriptions, views, sections);
+    const SheetPlan plan = plan_sheet(whole, scene.description, sheet, views, annotations);
+    for (std::size_t i = 0; i < views.size(); ++i) {
+      const ViewOptions& options = sheet.plans[i].options;
+      const PaperMap paper = make_paper_map(views[i], plan.places[i].scale, plan.places[i].shift);
+      const FeatureEdges drawn = find_feature_edges(world(i), views[i], options.edges, progress_);
+      const StudiedView studied{std::filesystem::path(scene.path).stem().string(),
+                                options.name,
+                                world(i),
+                                views[i],
+                                options.limits,
+                                drawn,
+                                paper};
+      measured.push_back(measure_view(studied));
+    }
+  }
+
+  ViewMeasurements measure_view(const StudiedView& studied) {
+    progress_.begin("measuring " + studied.scene);
+    std::vector<Contender> contenders;
+    for (const Method& method : methods_) contenders.push_back(contender(studied, method));
+    return measure(studied, contenders, {options_.runs, {options_.pairs}});
+  }
+
+  const AccuracyOptions& options_;
+  const std::vector<Method>& methods_;
+  const Messages& messages_;
+  Progress progress_;
+};
+
+}  // namespace
+
+int study_accuracy(const AccuracyOptions& options) {
+  ProgressBoard board;
+  Console console(board, shows_progress(options.progress));
+  const Progress progress(board);
+  const ThreadLimit threads(options.threads);
+  const Targets targets = targets_of(options);
+  const std::vector<Method> methods = methods_of(options);
+  const std::vector<StudiedScene> scenes = scenes_of(options);
+  const std::vector<std::string> inputs = inputs_of(scenes, options);
+  refuse_overwriting(options.outputs, inputs);
+  const Messages messages = messages_to(console);
+  Study study(options, methods, messages, progress);
+  AccuracyReport report;
+  for (const StudiedScene& scene : scenes)
+    for (ViewMeasurements& view : study.measure_scene(scene)) report.views.push_back(std::move(view));
+  if (options.maps) {
+    progress.begin("measuring maps");
+    report.maps = measure_maps(options.runs);
+  }
+  for (const ReportTarget<ReportFormat>& target : targets) write_report(target, report, inputs, progress);
+  console.print("");  // the line of progress makes room
+  return 0;
+}
+
+}  // namespace epura

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// The commands of epura-study and their options. Each returns the exit code.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/command_line.hpp"
+#include "app/options.hpp"
+#include "study/methods/method.hpp"
+
+namespace epura {
+
+struct StabilityOptions {
+  std::vector<std::string> outputs;  ///< "-" is standard output
+  std::string format;                ///< of "-"
+  std::string cases;                 ///< ids with commas; empty: all
+  double size = 1;                   ///< factor of the numbers of parts of large scenes
+  int threads = 0;
+  bool timings = false;
+  ShowProgress progress = ShowProgress::automatic;
+};
+
+struct AccuracyOptions {
+  std::vector<std::string> scenes;
+  std::vector<std::string> outputs;
+  std::vector<Located<ProjectionRequest>> projections;  ///< of scenes that are models
+  std::vector<std::filesystem::path> plugin_path;
+  std::vector<Method> methods;  ///< none: a choice of all
+  int runs = 5;
+  double pairs = 2e5;  ///< of edge and triangle, for the truth
+  bool maps = true;
+  int threads = 0;
+  ShowProgress progress = ShowProgress::automatic;
+};
+
+int study_stability(const StabilityOptions& options);
+int study_accuracy(const AccuracyOptions& options);
+
+const ProgramTexts& study_texts();
+
+/// Adds the commands to the program, in the order of its help.
+std::vector<DefinedCommand> define_study_commands(CLI::App& program);
+
+}  // namespace epura

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study/methods/point_rule.hpp"
+
+#include <algorithm>
+
+namespace epura {
+
+namespace {
+
+// Points within this part of the drawing beside a side lie on it: neighbours leave no gap between them.
+constexpr double on_side = 0x1p-44;
+
+Vec2 place_of(const PageVertex& v) { return {v.x, v.y}; }
+
+double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
+
+}  // namespace
+
+Vec2 PointRule::position(double s) const {
+  const Vec2 p = place_of(view_.vertices[edge_.p]);
+  return p + s * (place_of(view_.vertices[edge_.q]) - p);
+}
+
+double PointRule::depth(double s) const {
+  const double p = view_.vertices[edge_.p].depth;
+  return p + s * (view_.vertices[edge_.q].depth - p);
+}
+
+bool PointRule::hides(const ViewTriangle& triangle, double s) const {
+  const Vec2 point = position(s);
+  bool left = true, right = true;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec2 a = place_of(view_.vertices[triangle.vertex[i]]);
+    const Vec2 side = place_of(view_.vertices[triangle.vertex[(i + 1) % 3]]) - a;
+    const double turn = cross(side, point - a);
+    const double slack = on_side * view_.extent * (std::abs(side.x) + std::abs(side.y));
+    left = left && turn >= -slack;
+    right = right && turn <= slack;
+  }
+  return (left || right) && lies_before(triangle, s);
+}
+
+bool PointRule::lies_before(const ViewTriangle& triangle, double s) const {
+  const std::optional<Vec2> slope = slope_of(view_, triangle);
+  if (!slope) return false;
+  const auto& own = triangle.vertex;
+  const bool holds_p = std::find(own.begin(), own.end(), edge_.p) != own.end();
+  const bool holds_q = std::find(own.begin(), own.end(), edge_.q) != own.end();
+  const double steepness = 1 + glm::length(*slope);
+  if (holds_p || holds_q) {
+    // From a common corner on the difference grows from zero, and what is forgiven with it: the other end decides. Near
+    // the corner, the difference of two places would be mostly rounding.
+    const PageVertex& corner = view_.vertices[holds_p ? edge_.p : edge_.q];
+    const PageVertex& end = view_.vertices[holds_p ? edge_.q : edge_.p];
+    const double ahead = rise_along(view_, triangle, place_of(end) - place_of(corner)) + corner.depth - end.depth;
+    return ahead > view_.contact.joined * steepness;
+  }
+  const PageVertex& corner = view_.vertices[own[0]];
+  const double ahead = glm::dot(*slope, position(s) - place_of(corner)) + corner.depth - depth(s);
+  return ahead > view_.contact.touching * steepness;
+}
+
+}  // namespace epura

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cstdio>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "app/commands.hpp"
+#include "app/console.hpp"
+#include "app/report_targets.hpp"
+#include "base/parallel.hpp"
+#include "base/text.hpp"
+#include "output/write.hpp"
+#include "pipeline/choose.hpp"
+#include "pipeline/targets.hpp"
+#include "report/report.hpp"
+#include "study/commands.hpp"
+#include "study/stability/write.hpp"
+
+namespace epura {
+
+namespace {
+
+enum class ReportFormat { html, json, csv, svg, pdf };
+
+using Targets = std::vector<ReportTarget<ReportFormat>>;
+
+Targets targets_of(const StabilityOptions& options) {
+  return report_targets<ReportFormat>(options.outputs, options.format,
+                                      {{"html", ReportFormat::html},
+                                       {"json", ReportFormat::json},
+                                       {"csv", ReportFormat::csv},
+                                       {"svg", ReportFormat::svg},
+                                       {"pdf", ReportFormat::pdf}});
+}
+
+std::vector<stability::Case> chosen_cases(const std::string& ids) {
+  std::vector<stability::Case> all = stability::all_cases();
+  if (ids.empty()) return all;
+  std::vector<std::pair<std::string, const stability::Case*>> by_id;
+  for (const stability::Case& one : all) by_id.emplace_back(one.id, &one);
+  std::vector<stability::Case> chosen;
+  for (const std::string_view id : split(ids, ','))
+    chosen.push_back(*choose<const stability::Case*>("--cases", std::string(id), by_id));
+  return chosen;
+}
+
+std::string encode(const stability::Report& report, ReportFormat format, bool timings) {
+  switch (format) {
+    case ReportFormat::html:
+      return to_html(report);
+    case ReportFormat::json:
+      return to_json(report, timings);
+    case ReportFormat::csv:
+      return to_csv(report);
+    case ReportFormat::svg:
+      return to_svg(to_sheet(report), {});
+    case ReportFormat::pdf:
+      break;
+  }
+  const Sheet sheet = to_sheet(report);
+  return to_pdf({&sheet});
+}
+
+void print_timings(Console& console, const stability::Report& report) {
+  for (const stability::CaseReport& one : report) console.print(one.id + " " + format_fixed(one.seconds, 3) + " s\n");
+}
+
+}  // namespace
+
+int study_stability(const StabilityOptions& options) {
+  ProgressBoard board;
+  Console console(board, shows_progress(options.progress));
+  const Progress progress(board);
+  const ThreadLimit threads(options.threads);
+  const Targets targets = targets_of(options);
+  refuse_overwriting(options.outputs, {});
+  const std::vector<stability::Case> cases = chosen_cases(options.cases);
+  const stability::Report report = stability::run(cases, options.size, progress);
+
+  bool to_stdout = false;
+  for (const ReportTarget<ReportFormat>& target : targets) {
+    write({target.path, encode(report, target.format, options.timings)}, progress);
+    to_stdout = to_stdout || target.path == "-";
+  }
+  console.print("");  // the line of progress makes room
+  if (!to_stdout) std::fputs(to_text(report, !options.cases.empty()).c_str(), stdout);
+  if (options.timings) print_timings(console, report);
+  const bool broken = std::any_of(report.begin(), report.end(), [](const stability::CaseReport& one) {
+    return one.verdict(stability::Arithmetic::own) == stability::Verdict::broken;
+  });
+  return broken ? found_wrong_exit_code : 0;
+}
+
+}  // namespace epura
