@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Debian packages, by CPack: epura (program, projections), its library, and what is needed to build against both.
+# Debian packages, by CPack: epura (program, projections), epura-study, the library, and what is needed to build against
+# epura.
 #   cmake --preset deb && cmake --build --preset deb && (cd build/deb && cpack)
 set(EPURA_MAINTAINER "The authors of epura <authors@epura.invalid>" CACHE STRING "field Maintainer of Debian packages")
 
@@ -7,7 +8,7 @@ set(library libepura${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 set(same_version "(= ${PROJECT_VERSION})")
 set(CPACK_GENERATOR DEB)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
-set(CPACK_COMPONENTS_ALL epura library development)
+set(CPACK_COMPONENTS_ALL epura study library development)
 set(CPACK_PACKAGE_NAME epura)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
 set(CPACK_PACKAGE_CONTACT ${EPURA_MAINTAINER})
@@ -23,10 +24,19 @@ set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_EPURA_PACKAGE_NAME epura)
 set(CPACK_DEBIAN_EPURA_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_EPURA_PACKAGE_DEPENDS fonts-osifont)
+set(CPACK_DEBIAN_EPURA_PACKAGE_SUGGESTS "epura-study ${same_version}")
 set(CPACK_DEBIAN_EPURA_DESCRIPTION
 "Any projection, exact hidden lines, dimensions and sheets after ISO; reads
 OBJ, STL, PLY and OFF, writes SVG, PDF, PS, EPS, PNG, DXF and JSON.
 Projections are plugins.")
+
+set(CPACK_DEBIAN_STUDY_PACKAGE_NAME epura-study)
+set(CPACK_DEBIAN_STUDY_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_STUDY_PACKAGE_DEPENDS "epura ${same_version}")
+set(CPACK_DEBIAN_STUDY_DESCRIPTION
+"How right and how fast epura draws: its error against run time, beside that
+of other methods, and a table of stiff and extreme cases. `epura study`
+starts it.")
 
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME ${library})
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
@@ -57,7 +67,7 @@ endforeach()
 string(TIMESTAMP EPURA_DATE "%a, %d %b %Y %H:%M:%S +0000" UTC)
 configure_file(cmake/debian/changelog.in ${CMAKE_CURRENT_BINARY_DIR}/debian/changelog @ONLY)
 execute_process(COMMAND gzip -9nf ${CMAKE_CURRENT_BINARY_DIR}/debian/changelog COMMAND_ERROR_IS_FATAL ANY)
-foreach(component epura library development)
+foreach(component epura study library development)
   string(TOUPPER ${component} upper)
   install(FILES ${licences} ${CMAKE_CURRENT_BINARY_DIR}/debian/changelog.gz
           DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${CPACK_DEBIAN_${upper}_PACKAGE_NAME} COMPONENT ${component})

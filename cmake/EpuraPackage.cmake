@@ -7,23 +7,28 @@ option(EPURA_DEBIAN "make Debian packages with CPack" OFF)
 set(EPURA_ZSH_COMPLETIONS ${CMAKE_INSTALL_DATADIR}/zsh/site-functions CACHE STRING "where zsh looks for completions")
 
 install(TARGETS epura RUNTIME)
+install(TARGETS epura-study RUNTIME COMPONENT study)
 install(FILES docs/plugins.md docs/formats.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 set(completion src/app/completion/epura)
 install(FILES ${completion}.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME epura)
 install(FILES ${completion}.zsh DESTINATION ${EPURA_ZSH_COMPLETIONS} RENAME _epura)
 install(FILES ${completion}.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
 
-# The program writes its own manual page, about the projections of this project.
-set(page ${CMAKE_CURRENT_BINARY_DIR}/epura.1)
-set(compress)
-if(EPURA_DEBIAN)
-  set(compress "execute_process(COMMAND gzip -9nf \"${page}\" COMMAND_ERROR_IS_FATAL ANY)")
-endif()
-install(CODE "
-  execute_process(COMMAND \"${CMAKE_COMMAND}\" -E env --unset=EPURA_PLUGIN_PATH \"$<TARGET_FILE:epura>\" manual
-                  OUTPUT_FILE \"${page}\" COMMAND_ERROR_IS_FATAL ANY)
-  ${compress}")
-install(FILES ${page}$<$<BOOL:${EPURA_DEBIAN}>:.gz> DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+# Each program writes its own manual page; that of epura tells the projections of this project.
+function(epura_install_manual program component)
+  set(page ${CMAKE_CURRENT_BINARY_DIR}/${program}.1)
+  set(compress)
+  if(EPURA_DEBIAN)
+    set(compress "execute_process(COMMAND gzip -9nf \"${page}\" COMMAND_ERROR_IS_FATAL ANY)")
+  endif()
+  install(CODE "
+    execute_process(COMMAND \"${CMAKE_COMMAND}\" -E env --unset=EPURA_PLUGIN_PATH \"$<TARGET_FILE:${program}>\" manual
+                    OUTPUT_FILE \"${page}\" COMMAND_ERROR_IS_FATAL ANY)
+    ${compress}" COMPONENT ${component})
+  install(FILES ${page}$<$<BOOL:${EPURA_DEBIAN}>:.gz> DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT ${component})
+endfunction()
+epura_install_manual(epura epura)
+epura_install_manual(epura-study study)
 
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/epura)
 install(TARGETS epura_plugin epura_library EXPORT epura-targets

@@ -17,7 +17,7 @@ expect() {  # passes|fails title command...
 licence='// SPDX-License-Identifier: Apache-2.0\n'
 tree() {  # file text [first line]: a sound tree plus one file
   rm -rf "$scratch/tree"
-  mkdir -p "$scratch/tree/src/mesh" "$scratch/tree/src/output"
+  mkdir -p "$scratch/tree/src/mesh" "$scratch/tree/src/output" "$scratch/tree/src/app"
   cp "$tests/../.clang-format" "$scratch/tree"
   printf '// SPDX-License-Identifier: Apache-2.0\n#include <OpenMesh/Core/IO/MeshIO.hh>\n\n#include "base/text.hpp"\n' >"$scratch/tree/src/mesh/read.cpp"
   printf '%b' "${3-$licence}$2" >"$scratch/tree/src/$1"
@@ -35,6 +35,9 @@ tree mesh/a.cpp '#include "elsewhere/write.hpp"\n'
 expect fails "an unknown folder" layers
 tree output/a.cpp '#include <OpenMesh/Core/IO/MeshIO.hh>\n'
 expect fails "a library out of its place" layers
+
+tree app/a.cpp '#include "study/commands.hpp"\n'
+expect fails "a tool in src" layers
 
 tree mesh/a.cpp 'int x;\n' ''
 expect fails "a file without a licence" style

@@ -58,11 +58,18 @@ inside bash -c 'source /usr/share/bash-completion/completions/epura; COMP_LINE="
   COMP_WORDS=(epura draw --projection cab) COMP_CWORD=3; _epura epura; [ "${COMPREPLY[*]}" = cabinet ]' || fail "no completion"
 zcat "$system/usr/share/man/man1/epura.1.gz" | grep cabinet >/dev/null || fail "the manual page does not know the projections"
 
+inside epura study stability --cases P1 2>&1 | grep 'install the package epura-study' >/dev/null ||
+  fail "epura does not tell that the study is missing"
+inside sh -c 'apt-get -q install --yes --no-install-recommends /tmp/epura-study_*.deb' >"$scratch/log" 2>&1 ||
+  { cat "$scratch/log" >&2; fail "the study cannot be installed"; }
+inside epura study stability --cases P1 | grep '^P1 ' >/dev/null || fail "the study is not found"
+[ -s "$system/usr/share/man/man1/epura-study.1.gz" ] || fail "the study has no manual page"
+
 inside sh -c 'apt-get -q install --yes --no-install-recommends /tmp/libepura*.deb' >"$scratch/log" 2>&1 ||
   { cat "$scratch/log" >&2; fail "the library cannot be installed"; }
 inside ldconfig -p | grep "libepura.so" >/dev/null || fail "the library is not found"
 
-inside apt-get -q purge --yes epura libepura-dev >"$scratch/log" 2>&1 || { cat "$scratch/log" >&2; fail "stays"; }
+inside apt-get -q purge --yes epura epura-study libepura-dev >"$scratch/log" 2>&1 || { cat "$scratch/log" >&2; fail "stays"; }
 left=$(traces)
 [ -z "$left" ] || fail "leaves behind: $left"
 echo "deb: $(cd $build && echo *.deb): installed, used and removed"

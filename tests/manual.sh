@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# The manual page as its readers see it: man and mandoc find nothing wrong.  tests/manual.sh EPURA
+# The manual pages as their readers see them: man and mandoc find nothing wrong.  tests/manual.sh EPURA
 set -uo pipefail
 epura=$(realpath "$1")
 scratch=$(mktemp -d)
@@ -14,20 +14,25 @@ complain() {  # what, log
   status=1
 }
 
-"$epura" manual >epura.1 || exit 1
-read_it() { MANWIDTH=80 MANROFFOPT=-ww LC_ALL=C.UTF-8 man --warnings -l epura.1 2>&1 >page.txt; }
-if command -v man >/dev/null; then
-  complain "man" "$(read_it)"
-  for word in SYNOPSIS --projection cabinet EPURA_PLUGIN_PATH cancelled; do
-    grep -q -e "$word" page.txt || complain "the page does not tell" "$word"
-  done
-else
-  echo "manual: no man" >&2
-fi
-if command -v mandoc >/dev/null; then
-  # The date is missing on purpose: the page is made by the program, whose version it names.
-  complain "mandoc" "$(mandoc -T lint -W warning epura.1 | grep -v 'missing date')"
-else
-  echo "manual: no mandoc" >&2
-fi
+# page command word...
+check() {
+  local page=$1
+  "$epura" $2 >"$page" || exit 1
+  shift 2
+  if command -v man >/dev/null; then
+    complain "man" "$(MANWIDTH=80 MANROFFOPT=-ww LC_ALL=C.UTF-8 man --warnings -l "$page" 2>&1 >page.txt)"
+    for word; do grep -q -e "$word" page.txt || complain "the page does not tell" "$word"; done
+  else
+    echo "manual: no man" >&2
+  fi
+  if command -v mandoc >/dev/null; then
+    # The date is missing on purpose: the page is made by the program, whose version it names.
+    complain "mandoc" "$(mandoc -T lint -W warning "$page" | grep -v 'missing date')"
+  else
+    echo "manual: no mandoc" >&2
+  fi
+}
+
+check epura.1 manual SYNOPSIS --projection cabinet EPURA_PLUGIN_PATH cancelled
+check epura-study.1 "study manual" SYNOPSIS stability --truth EPURA_PLUGIN_PATH cancelled
 exit $status

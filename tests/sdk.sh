@@ -76,6 +76,13 @@ if try "$epura" new-projection 3-quarters && make_it 3-quarters 3-quarters/build
   grep -q 'exists already' log && [ "$(cat 3-quarters/3-quarters.cpp)" = mine ] || complain "no refusal: $(cat log)"
 fi
 
+# The study is a program beside epura, and may be missing.
+"$epura" study stability --cases P1 | grep '^P1 ' >/dev/null || complain "the study does not run"
+grep -q stability "$scratch/prefix/share/man/man1/epura-study.1" || complain "the study has no manual page"
+rm "$scratch/prefix/bin/epura-study"
+"$epura" study stability --cases P1 2>log && complain "there is no study, and that is no failure"
+grep -q 'install the package epura-study' log || complain "nothing is told of the missing study: $(cat log)"
+
 # The library, from another program: a cube in memory, and the same drawing as the program makes of a file.
 printf 'v %s\n' '0 0 0' '9 0 0' '9 9 0' '0 9 0' '0 0 9' '9 0 9' '9 9 9' '0 9 9' >cube.obj
 printf 'f %s\n' '4 3 2 1' '5 6 7 8' '1 2 6 5' '2 3 7 6' '3 4 8 7' '4 1 5 8' >>cube.obj

@@ -60,7 +60,7 @@ std::vector<DefinedCommand> define_commands(CLI::App& program) {
                                     new_projection_options(), new_projection));
   commands.push_back(define_command(list->add_subcommand("check", "test a library of projections"),
                                     check_plugin_options(), check_plugin));
-  add("study", "measure the program itself, by the program epura-study, which is a package of its own");
+  add("study", "measure the program itself (a program and a package of its own: epura-study)");
   define_answers(program, program_texts(), commands);
   return commands;
 }

@@ -10,6 +10,11 @@
 
 namespace epura {
 
+int exit_code_of(const DrawnFiles& drawn) {
+  if (drawn.is_wrong()) return found_wrong_exit_code;
+  return drawn.report.partial.stages.empty() ? 0 : partial_exit_code;
+}
+
 // What is said goes to standard error, since a drawing may go to standard output.
 int draw(const DrawOptions& options) {
   ProgressBoard board;
@@ -21,8 +26,7 @@ int draw(const DrawOptions& options) {
   tell_the_end(messages, options, drawn);
   // Never freed one by one: a million small pieces of memory go at once with the program.
   static_cast<void>(new std::vector<FinishedSheet>(std::move(drawn.sheets)));
-  if (drawn.is_wrong()) return found_wrong_exit_code;
-  return drawn.report.partial.stages.empty() ? 0 : partial_exit_code;
+  return exit_code_of(drawn);
 }
 
 }  // namespace epura

@@ -24,6 +24,9 @@ struct DrawnFiles {
   [[nodiscard]] bool is_wrong() const { return report.verification && !report.verification->is_right(); }
 };
 
+/// Of the run: wrong goes before partial.
+int exit_code_of(const DrawnFiles& drawn);
+
 /// Draws and writes all files. Throws Error: Error{time} where time is over before there is a line to show.
 DrawnFiles draw_files(const DrawOptions& options, const Messages& messages, Progress progress);
 

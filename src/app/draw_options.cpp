@@ -114,14 +114,12 @@ Options<Draw> picture_options() {
                    run(&RunOptions::centre_lines), truth()),
       option<Draw>({.flag = "--dimensions", .help = "width, height and depth of the models, each in the clearest view"},
                    &Draw::dimensions, choice<AutomaticDimensions>().shown_as("WHICH")),
-      option<Draw>({.flag = "--visibility",
-                    .help = "none draws a wireframe; 'epura study accuracy' has other methods to compare with",
-                    .usual = "exact"},
-                   run(&RunOptions::visibility), visibility_kind()),
+      option<Draw>(
+          {.flag = "--visibility", .help = "how hidden lines are found, none for a wireframe", .usual = "exact"},
+          run(&RunOptions::visibility), visibility_kind()),
       option<Draw>(
           {.flag = "--max-error",
-           .help = "refuse what cannot be drawn without spans longer than so many mm being wrong, and say what "
-                   "is guaranteed"},
+           .help = "say what is guaranteed, and refuse views in which a span longer than so many mm might be wrong"},
           run(&RunOptions::max_error), number_between(1e-12, 1e6, "mm").shown_as("MM")),
       option<Draw>({.flag = "--contact", .help = "length below which faces touch and hide nothing", .usual = "found"},
                    run(&RunOptions::contact), number_between(0, HUGE_VAL, "")),

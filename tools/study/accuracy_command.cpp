@@ -7,7 +7,6 @@
 
 #include "app/console.hpp"
 #include "app/describe.hpp"
-#include "app/report_targets.hpp"
 #include "base/file.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
@@ -20,6 +19,7 @@
 #include "pipeline/view_plan.hpp"
 #include "study/accuracy/report.hpp"
 #include "study/commands.hpp"
+#include "study/report_targets.hpp"
 
 namespace epura {
 

@@ -7,7 +7,6 @@
 
 #include "app/commands.hpp"
 #include "app/console.hpp"
-#include "app/report_targets.hpp"
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 #include "output/write.hpp"
@@ -15,6 +14,7 @@
 #include "pipeline/targets.hpp"
 #include "report/report.hpp"
 #include "study/commands.hpp"
+#include "study/report_targets.hpp"
 #include "study/stability/write.hpp"
 
 namespace epura {

@@ -38,8 +38,6 @@ TEST(Manual, HasEveryOptionOfEveryCommand) {
                                                                                        {"plugins"},
                                                                                        {"plugins", "check"},
                                                                                        {"new-projection"},
-                                                                                       {"study", "accuracy"},
-                                                                                       {"study", "stability"},
                                                                                        {"manual"},
                                                                                        {"completion"}}) {
     std::vector<std::string> arguments = command;

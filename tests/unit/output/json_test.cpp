@@ -148,5 +148,20 @@ TEST(JsonDeathTest, NumbersThatAreNoneAreNeverWritten) {
   EXPECT_DEATH(to_json({1, 1, "", {}}, 1, std::array{drawing}, {}), "not finite");
 }
 
+TEST(Json, TellsWhatVerificationFoundWrong) {
+  Report report;
+  OutlineCheck& outline = report.verification.emplace().outline;
+  outline.missing = 2;
+  outline.worst.push_back({"missing", {10, 20}, 3.5, 1, {7, 3}, {}});
+  const Json json = parse(to_json({420, 297, "", {}}, 0.5, std::array{example()}, report));
+  const Json& found = json["report"]["verify"]["outline"];
+  EXPECT_EQ(found["missing"].number(), 2);
+  ASSERT_EQ(found["worst"].items.size(), 1U);
+  const Json& worst = found["worst"].items[0];
+  EXPECT_EQ(worst.keys(), "what page length model edge facets");
+  EXPECT_EQ(worst["what"].text, "missing");
+  EXPECT_EQ(worst["length"].number(), 3.5);
+}
+
 }  // namespace
 }  // namespace epura

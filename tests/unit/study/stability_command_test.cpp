@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `epura study stability`, and what `epura draw` says of the condition of its views.
+// `epura study stability`, and what there is of both studies in help, completion and manual.
 #include <gtest/gtest.h>
 
 #include "../output/json_reader.hpp"
@@ -68,44 +68,40 @@ TEST(StabilityCommand, WrongUsageIsRefused) {
   EXPECT_TRUE(contains(epura({"study", "stability", "--help"}, folder / "").out, "--cases"));
 }
 
-struct DrawnCube : Outcome {
-  std::string json;
-};
-
-// A cube of 2 at the origin.
-DrawnCube draw_cube(const Words& options) {
+std::string manual() {
   const Folder folder;
-  folder.file("cube.obj",
-              "v -1 -1 -1\nv 1 -1 -1\nv -1 1 -1\nv 1 1 -1\nv -1 -1 1\nv 1 -1 1\nv -1 1 1\nv 1 1 1\n"
-              "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n");
-  Words arguments{"draw", "cube.obj", "-o", "x.json"};
-  arguments.insert(arguments.end(), options.begin(), options.end());
-  const Outcome run = epura(arguments, folder / "");
-  return {run, run.code == 0 ? read_file(folder / "x.json") : ""};
+  return epura({"study", "manual"}, folder / "").out;
 }
 
-TEST(ConditionOfViews, IsToldWhereItIsAskedFor) {
-  const DrawnCube run = draw_cube({"--views", "front,isometric", "--explain"});
-  EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_TRUE(contains(run.out, "view 'front': map: condition ")) << run.out;
-  EXPECT_TRUE(contains(run.out, " 15 digits left")) << run.out;
-  const Json json = JsonReader(run.json).read();
-  const Json& conditions = json["report"]["condition"];
-  ASSERT_EQ(conditions.items.size(), 2U);
-  EXPECT_EQ(conditions.items[1].keys(), "view number digits_left why");
-  EXPECT_GE(conditions.items[0]["number"].number(), 1);
-  EXPECT_GT(conditions.items[0]["digits_left"].number(), 14);
-  EXPECT_EQ(draw_cube({}).err, "");
+TEST(StudyManual, HasEveryOptionOfTheHelp) {
+  const Folder folder;
+  const std::string page = manual();
+  EXPECT_TRUE(page.starts_with(".TH EPURA-STUDY 1")) << page.substr(0, 100);
+  int found = 0;
+  for (const char* command : {"accuracy", "stability"}) {
+    std::istringstream help(epura({"study", command, "--help"}, folder / "").out);
+    for (std::string line; std::getline(help, line);) {
+      const std::size_t at = line.find("--");
+      if (!line.starts_with("  -") || contains(line, "--help")) continue;
+      std::string name = line.substr(at, line.find_first_of(" {[=", at) - at);
+      for (std::size_t dash = 0; (dash = name.find('-', dash)) != std::string::npos; dash += 2) name.insert(dash, "\\");
+      EXPECT_TRUE(contains(page, "\\fB" + name + "\\fR")) << command << " " << name;
+      ++found;
+    }
+  }
+  EXPECT_GE(found, 14);
 }
 
-TEST(ConditionOfViews, IsAWarningWhereEightDigitsAreLost) {
-  const Words far{"--transform", "translate:1e10,0,0"}, near{"--transform", "translate:1e6,0,0"};
-  const Outcome warned = draw_cube(far);
-  EXPECT_EQ(warned.code, 0);
-  EXPECT_TRUE(contains(warned.err, "keeps few digits")) << warned.err;
-  EXPECT_TRUE(contains(warned.err, "the model is small for its distance from the origin")) << warned.err;
-  EXPECT_TRUE(contains(warned.err, "hint: ")) << warned.err;
-  EXPECT_EQ(draw_cube(near).err, "");
+TEST(StudyCompletion, IsAskedOfItThroughEpura) {
+  const Folder folder;
+  const auto answer = [&](Words words) {
+    words.insert(words.begin(), {"completion", "words", "--"});
+    return epura(words, folder / "").out;
+  };
+  EXPECT_TRUE(answer({"study", "acc"}).starts_with("accuracy\t"));
+  EXPECT_TRUE(answer({"study", "stability", "--ca"}).starts_with("--cases\t"));
+  EXPECT_TRUE(contains(answer({"study", "accuracy", "--visibility", ""}), "sampled:density=\t"));
+  EXPECT_EQ(answer({"study", "accuracy", ""}), ":files\n");
 }
 
 }  // namespace

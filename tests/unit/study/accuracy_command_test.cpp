@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// epura study accuracy, and the choice by --max-error.
+// `epura study accuracy`.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -8,7 +8,6 @@
 #include "base/file.hpp"
 #include "base/text.hpp"
 #include "program.hpp"
-#include "reading.hpp"
 
 namespace epura::test {
 namespace {
@@ -116,39 +115,6 @@ TEST_F(Accuracy, ScenesWithSeveralViewsHaveARowForEach) {
                                 folder_ / "");
   ASSERT_EQ(outcome.code, 0) << outcome.err;
   EXPECT_GT(rows_of_csv(read("a.csv")).size(), 3U);
-}
-
-class MaxError : public testing::Test {
- protected:
-  [[nodiscard]] Outcome draw(const char* allowed, std::vector<std::string> more = {}) const {
-    std::vector<std::string> arguments{"draw", sample("elbow.obj"), "--max-error", allowed, "-o", "x.svg"};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return epura(arguments, folder_ / "");
-  }
-
-  Folder folder_;
-};
-
-TEST_F(MaxError, SaysWhichMethodAndWhy) {
-  const Outcome fine = draw("0.1"), coarse = draw("500");
-  EXPECT_EQ(fine.code, 0);
-  EXPECT_NE(fine.err.find("isometric: hidden lines by exact, since sampling would want"), std::string::npos)
-      << fine.err;
-  EXPECT_NE(coarse.err.find("isometric: hidden lines by sampled:density=0.004, since 1 points an edge are enough"),
-            std::string::npos)
-      << coarse.err;
-  EXPECT_NE(coarse.err.find("no span longer than 250 mm is wrong"), std::string::npos) << coarse.err;
-}
-
-TEST_F(MaxError, IsRefusedWhereItCannotBeKept) {
-  const auto refused = [](const Outcome& outcome, const char* reason) {
-    EXPECT_EQ(outcome.code, 2);
-    EXPECT_NE(outcome.err.find(reason), std::string::npos) << outcome.err;
-  };
-  refused(draw("1e-7"), "no method guarantees that");
-  refused(draw("0.1", {"--visibility", "float"}), "leave out --visibility");
-  refused(draw("0.1", {"--verify"}), "leave out one of them");
-  refused(draw("0"), "--max-error: is 0");
 }
 
 }  // namespace
