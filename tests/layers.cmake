@@ -8,7 +8,7 @@ set(order base search mesh scene projection view edges visibility drawing report
     pipeline library app)
 
 set(libraries OpenMesh tbb gmp dlfcn.h cairo pugixml rapidjson qpdf CLI toml\\+\\+ ft2build.h)
-set(folders_OpenMesh mesh scene projection view edges)
+set(folders_OpenMesh mesh)
 set(folders_tbb base)
 set(folders_gmp verify study)
 set(folders_dlfcn.h base)

@@ -34,7 +34,7 @@ std::vector<int> met_across_slivers(const EdgeSurroundings& around, const Sliver
 
 void add_mesh_edges(const World& world, ProjectedScene& view, int model, const EdgeOptions& wishes, FeatureEdges& drawn,
                     const Progress& progress) {
-  const UncutMesh* uncut = world.models[model].mesh->uncut.get();
+  const Mesh* uncut = world.models[model].mesh->uncut.get();
   const EdgeSurroundings around{world, model, view.map.scale_exponent},
       whole{world, model, view.map.scale_exponent, uncut};
   const Slivers of_whole(whole, view, progress);
