@@ -183,9 +183,9 @@ TEST(CutWorld, DoesNotDependOnHowAPartStands) {
 
 TEST(CutWorld, LeavesAMeshOfItsOwn) {
   const Mat4 turn = glm::translate(glm::rotate(Mat4(1), 0.7, Vec3(0.2, -0.6, 0.77)), Vec3(5, 6, 7));
-  const World whole =
-      make_world({{std::make_shared<const Mesh>(mesh_of(box({-1, -2, -3}, {1, 2, 3}))), turn},
-                  {std::make_shared<const Mesh>(mesh_of(torus(5, 2, 12, 8))), parse_transform("scale:2,1,1")}});
+  const World whole = make_world(
+      {{std::make_shared<const Mesh>(mesh_of(box({-1, -2, -3}, {1, 2, 3}))), turn},
+       {std::make_shared<const Mesh>(mesh_of(torus(5, 2, 12, 8))), parse_transform("scale:2,1,1 translate:5,6,7")}});
   const World left = cut(whole, {5, 6, 7}, {0.3, 0.5, 0.8}).world;
   for (std::size_t m = 0; m < 2; ++m) {
     const Mesh& mesh = *left.models[m].mesh;
