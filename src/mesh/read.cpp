@@ -9,11 +9,11 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/text.hpp"
+#include "base/utf8.hpp"
 #include "mesh/build.hpp"
 #include "mesh/off_keyword.hpp"
 #include "mesh/stl_kind.hpp"
 #include "mesh/text_cursor.hpp"
-#include "mesh/unicode.hpp"
 
 namespace epura {
 
