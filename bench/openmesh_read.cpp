@@ -5,7 +5,7 @@
 // After the readers, which must know of it.
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 
-#include "mesh/surface.hpp"
+#include "mesh/openmesh.hpp"
 #include "say.hpp"
 
 int main(int argc, char** argv) {

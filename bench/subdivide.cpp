@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/text.hpp"
+#include "mesh/openmesh.hpp"
 #include "mesh/read.hpp"
 #include "scene.hpp"
 
@@ -45,7 +46,8 @@ int main(int argc, char** argv) {
     return static_cast<int>(ErrorKind::input);
   }
   try {
-    write_file(argv[3], bench::ply_bytes(subdivided(read_mesh(argv[1]).surface, static_cast<int>(*steps))));
+    write_file(argv[3],
+               bench::ply_bytes(subdivided(to_openmesh(read_mesh(argv[1])).surface, static_cast<int>(*steps))));
     return 0;
   } catch (const Error& error) {
     std::fprintf(stderr, "subdivide: %s\n", error.what());

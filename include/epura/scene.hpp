@@ -18,6 +18,7 @@ namespace epura {
 struct Polygons {
   std::vector<std::array<double, 3>> points{};
   std::vector<std::vector<int>> faces{};
+  bool single_precision = false;  ///< points were rounded to 32 bits: what is nearer than that touches
 };
 
 struct Model {

@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "pipeline/complete_scene.hpp"
+#include "pipeline/targets.hpp"
 #include "scene/part_options.hpp"
 #include "scene/scene_file.hpp"
 
@@ -94,7 +95,7 @@ SceneDescription describe(const DrawOptions& options) {
 
 std::vector<std::string> inputs_of(const DrawOptions& options, const SceneDescription& scene) {
   std::vector<std::string> files = options.models;
-  for (const ModelDescription& model : scene.models) files.push_back(*model.file);
+  for (std::string& model : inputs_of(scene)) files.push_back(std::move(model));
   return files;
 }
 

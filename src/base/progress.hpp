@@ -171,8 +171,8 @@ class Pace {
 /// What `make(progress)` gives. Where time is over in it, `leave_out(stage)` takes most of what was to be made away,
 /// and it is made again, each time in half of the time that is left by `last`; without a limit, once `leave_out` says
 /// that next to nothing is left.
-template <class Make, class Shortcuts>
-auto make_in_time(const Progress& first, const Progress& last, const Make& make, const Shortcuts& leave_out) {
+template <class Make, class LeaveOut>
+auto make_in_time(const Progress& first, const Progress& last, const Make& make, const LeaveOut& leave_out) {
   Progress progress = first;
   while (true) {
     try {

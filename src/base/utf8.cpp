@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/utf8.hpp"
 
+#include <utf8/cpp17.h>
+#include <utf8/unchecked.h>
+
 #include <algorithm>
+#include <bit>
 #include <cstddef>
-#include <cstdint>
+#include <iterator>
 
 namespace epura {
 
@@ -11,31 +15,22 @@ namespace {
 
 constexpr char32_t replacement = 0xFFFD;
 
-struct Character {
-  std::size_t length;  ///< in bytes
-  char32_t code;
-};
-
 // Unicode, 23.7: U+FDD0 to U+FDEF, and the last two of every plane. Neither XML nor Cairo takes all of them.
 bool is_noncharacter(char32_t code) { return (code >= 0xFDD0 && code <= 0xFDEF) || (code & 0xFFFE) == 0xFFFE; }
 
-// What stands at the front of a text: U+FFFD for a noncharacter, and for one byte that is part of nothing.
-Character first_character(std::string_view text) {
-  constexpr Character invalid{1, replacement};
-  const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(text[i]); };
-  const std::uint8_t lead = byte(0);
-  if (lead < 0x80) return {1, lead};
-  const std::size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
-  if (lead < 0xC2 || lead > 0xF4 || text.size() < length) return invalid;
-  char32_t code = lead & (0x7Fu >> length);
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xC0) != 0x80) return invalid;
-    code = code << 6 | (byte(i) & 0x3Fu);
+// Calls `visit` for each character: U+FFFD for a noncharacter, and for every byte that is part of nothing.
+template <class Visit>
+void visit_characters(std::string_view text, const Visit& visit) {
+  while (!text.empty()) {
+    const std::size_t valid = std::min(utf8::find_invalid(text), text.size());
+    for (const char *at = text.data(), *end = at + valid; at != end;) {
+      const char32_t code = utf8::unchecked::next(at);
+      visit(is_noncharacter(code) ? replacement : code);
+    }
+    if (valid == text.size()) return;
+    visit(replacement);
+    text.remove_prefix(valid + 1);
   }
-  const bool overlong = (length == 3 && code < 0x800) || (length == 4 && code < 0x10000);
-  const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
-  if (overlong || surrogate || code > 0x10FFFF) return invalid;
-  return {length, is_noncharacter(code) ? replacement : code};
 }
 
 /// C0, DEL and C1 move the cursor and change colours; the others turn the direction of writing, so that a text seems to
@@ -47,42 +42,58 @@ bool steers_terminals(char32_t code) {
 
 bool ends_line_or_column(char32_t code) { return code == '\n' || code == '\t'; }
 
+void append(std::string& text, char32_t code) { utf8::unchecked::append(code, std::back_inserter(text)); }
+
+// Behind the byte order mark. Half of a pair becomes the replacement character; an odd byte at the end is dropped.
+std::string utf8_of_utf16(std::string_view bytes, std::endian order) {
+  const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(bytes[at]); };
+  const auto unit = [&](std::size_t at) -> char32_t {
+    return order == std::endian::little ? byte(at) | byte(at + 1) << 8 : byte(at) << 8 | byte(at + 1);
+  };
+  std::string text;
+  text.reserve(bytes.size() / 2);
+  for (std::size_t at = 2; at + 1 < bytes.size(); at += 2) {
+    char32_t code = unit(at);
+    const bool high = code >= 0xD800 && code < 0xDC00;
+    const char32_t low = high && at + 3 < bytes.size() ? unit(at + 2) : 0;
+    if (low >= 0xDC00 && low < 0xE000) {
+      code = 0x10000 + ((code - 0xD800) << 10) + (low - 0xDC00);
+      at += 2;
+    } else if (code >= 0xD800 && code < 0xE000) {
+      code = replacement;
+    }
+    append(text, code);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::vector<char32_t> characters(std::string_view text) {
   std::vector<char32_t> found;
   found.reserve(text.size());
-  while (!text.empty()) {
-    const Character character = first_character(text);
-    found.push_back(character.code);
-    text.remove_prefix(character.length);
-  }
+  visit_characters(text, [&](char32_t code) { found.push_back(code); });
   return found;
 }
 
 std::string utf8(char32_t character) {
-  const auto last = [character](int shift) { return static_cast<char>(0x80 | (character >> shift & 0x3F)); };
-  if (character < 0x80) return {static_cast<char>(character)};
-  if (character < 0x800) return {static_cast<char>(0xC0 | character >> 6), last(0)};
-  if (character < 0x10000) return {static_cast<char>(0xE0 | character >> 12), last(6), last(0)};
-  return {static_cast<char>(0xF0 | character >> 18), last(12), last(6), last(0)};
+  std::string text;
+  append(text, character);
+  return text;
 }
 
 std::string valid_utf8(std::string_view text) {
   std::string valid;
   valid.reserve(text.size());
-  while (!text.empty()) {
-    const Character character = first_character(text);
-    valid += character.code == replacement ? utf8(replacement) : text.substr(0, character.length);
-    text.remove_prefix(character.length);
-  }
+  visit_characters(text, [&](char32_t code) { append(valid, code); });
   return valid;
 }
 
 std::string printable(std::string_view text) {
   std::string shown;
-  for (const char32_t code : characters(text))
-    shown += utf8(steers_terminals(code) && !ends_line_or_column(code) ? replacement : code);
+  visit_characters(text, [&](char32_t code) {
+    append(shown, steers_terminals(code) && !ends_line_or_column(code) ? replacement : code);
+  });
   return shown;
 }
 
@@ -90,6 +101,13 @@ std::string one_line(std::string_view text) {
   std::string line = printable(text);
   std::replace_if(line.begin(), line.end(), ends_line_or_column, ' ');
   return line;
+}
+
+std::string without_byte_order_mark(std::string bytes) {
+  if (bytes.starts_with("\xEF\xBB\xBF")) return bytes.substr(3);
+  if (bytes.starts_with("\xFF\xFE")) return utf8_of_utf16(bytes, std::endian::little);
+  if (bytes.starts_with("\xFE\xFF")) return utf8_of_utf16(bytes, std::endian::big);
+  return bytes;
 }
 
 }  // namespace epura

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Text from files and command lines, made fit for XML, JSON, PDF and fonts. Definition: Unicode, table 3-7.
+// Text from files and command lines, made fit for XML, JSON, PDF and fonts.
 #pragma once
 
 #include <string>
@@ -23,5 +23,8 @@ std::vector<char32_t> characters(std::string_view text);
 
 /// One character as UTF-8.
 std::string utf8(char32_t character);
+
+/// UTF-16 with a byte order mark becomes UTF-8, the mark of UTF-8 is dropped, all else stays as it is.
+std::string without_byte_order_mark(std::string bytes);
 
 }  // namespace epura

@@ -14,13 +14,13 @@ struct EdgeSurroundings {
   int model;
   double normalisation;  ///< power of two that brings lengths near 1, so that products of them stay in range
   /// The mesh before a plane cut it, to be judged in its place: edges and triangles below are of that then.
-  const UncutMesh* uncut = nullptr;
+  const Mesh* uncut = nullptr;
 
-  [[nodiscard]] const Mesh& mesh() const { return uncut != nullptr ? *uncut->mesh : *world.models[model].mesh; }
+  [[nodiscard]] const Mesh& mesh() const { return uncut != nullptr ? *uncut : *world.models[model].mesh; }
   /// The corners of a triangle, as vertices of the world.
   [[nodiscard]] std::array<int, 3> corners(int triangle) const {
     if (uncut == nullptr) return world.triangles[world.first_triangle[model] + triangle];
-    std::array<int, 3> corners = uncut->corners[triangle];
+    std::array<int, 3> corners = uncut->triangle(triangle);
     for (int& v : corners) v += world.first_vertex[model];
     return corners;
   }

@@ -2,14 +2,15 @@
 // Why an edge is drawn.
 #pragma once
 
-#include <epura/choices.hpp>
 #include <string_view>
+
+#include "scene/choices.hpp"
 
 namespace epura {
 
 /// Whether the edge lies inside of a surface that goes on across it: such lines are drawn narrow.
 constexpr bool is_within_surface(EdgeKind kind) { return kind >= EdgeKind::tangent; }
 
-std::string_view name_of(EdgeKind kind);
+inline std::string_view name_of(EdgeKind kind) { return word_of(kind); }
 
 }  // namespace epura

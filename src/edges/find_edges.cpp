@@ -36,7 +36,7 @@ void add_mesh_edges(const EdgeSurroundings& around, ProjectedScene& view, const 
                     FeatureEdges& drawn, const Progress& progress) {
   const World& world = around.world;
   const int model = around.model;
-  const UncutMesh* uncut = world.models[model].mesh->uncut.get();
+  const Mesh* uncut = world.models[model].mesh->uncut.get();
   const EdgeSurroundings whole{world, model, around.normalisation, uncut};
   const Slivers of_whole(whole, view, progress);
   const std::vector<std::optional<EdgeKind>> kinds = feature_edges(view, options, whole, of_whole, progress);

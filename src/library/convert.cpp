@@ -50,6 +50,7 @@ std::shared_ptr<const Soup> soup_of(const Polygons& polygons, const std::string&
   auto soup = std::make_shared<Soup>();
   soup->format = "memory";
   soup->points = polygons.points;
+  soup->single_precision = polygons.single_precision;
   const int points = static_cast<int>(polygons.points.size());
   for (std::size_t face = 0; face < polygons.faces.size(); ++face) {
     for (const int corner : polygons.faces[face]) {

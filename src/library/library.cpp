@@ -41,13 +41,6 @@ auto guarded(const Work& work) {
   }
 }
 
-std::vector<std::string> inputs_of(const SceneDescription& scene) {
-  std::vector<std::string> files;
-  for (const ModelDescription& model : scene.models)
-    if (model.file.given()) files.push_back(*model.file);
-  return files;
-}
-
 Drawing draw_described(SceneDescription scene, const Settings& settings) {
   complete_scene(scene);
   auto content = std::make_shared<Drawing::Content>();

@@ -5,11 +5,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "base/parallel.hpp"
 #include "base/vec.hpp"
 #include "mesh/bodies.hpp"
 #include "mesh/cracks.hpp"
-#include "mesh/cut_surface.hpp"
 #include "mesh/edge_table.hpp"
 #include "mesh/faces.hpp"
 #include "mesh/resolution.hpp"
@@ -19,11 +17,6 @@
 namespace epura {
 
 namespace {
-
-// Triangles for which a second thread is not worth waking.
-constexpr int most_alone = 8192;
-
-Vec3 place(const Points& points, int vertex) { return {points[vertex][0], points[vertex][1], points[vertex][2]}; }
 
 int count_non_finite(const Points& points) {
   int count = 0;
@@ -110,21 +103,22 @@ bool is_non_manifold(const MeshEdge& edge, const EdgeTable& table, const std::ve
   return false;
 }
 
-void count_edges(const EdgeTable& table, std::span<const int> corners, const std::vector<int>& body,
-                 MeshReport& report) {
+void count_edges(Mesh& mesh, const EdgeTable& table) {
+  MeshReport& report = mesh.report;
   for (const MeshEdge& edge : table.edges) {
     report.open_edges += edge.count == 1;
-    report.non_manifold_edges += edge.count > 2 && is_non_manifold(edge, table, body);
-    report.misoriented_edges += edge.count == 2 && !is_two_sided(table, edge, corners);
+    report.non_manifold_edges += edge.count > 2 && is_non_manifold(edge, table, mesh.body);
+    report.misoriented_edges += edge.count == 2 && !is_two_sided(table, edge, mesh.corners);
   }
 }
 
 /// Such triangles stay, since leaving them out would open the edges beside them.
-void note_triangles_without_area(const Points& points, std::span<const int> corners, MeshReport& report) {
+void note_triangles_without_area(Mesh& mesh) {
+  MeshReport& report = mesh.report;
   int count = 0;
-  for (std::size_t h = 0; h < corners.size(); h += 3) {
-    const Vec3 origin = place(points, corners[h]);
-    const Vec3 u = place(points, corners[h + 1]) - origin, v = place(points, corners[h + 2]) - origin;
+  for (int t = 0; t < report.triangles; ++t) {
+    const auto [a, b, c] = mesh.triangle(t);
+    const Vec3 u = mesh.point(b) - mesh.point(a), v = mesh.point(c) - mesh.point(a);
     count += u.y * v.z == u.z * v.y && u.z * v.x == u.x * v.z && u.x * v.y == u.y * v.x;
   }
   if (count == 0) return;
@@ -165,19 +159,12 @@ Mesh build_mesh(Soup soup, std::string name, const Progress& progress) {
   progress.expect_time();
   report.faces = count_faces(triangles);
   report.triangles = static_cast<int>(triangles.size());
+  mesh.points = std::move(soup.points);
+  mesh.corners = std::move(triangles.corners);
   mesh.polygon = std::move(triangles.number);
-  const auto make_surface = [&] { cut_surface(mesh, soup.points, triangles.corners, table); };
-  const auto make_report = [&] {
-    note_triangles_without_area(soup.points, triangles.corners, report);
-    number_bodies(mesh, soup, table);
-    count_edges(table, triangles.corners, mesh.body, report);
-  };
-  if (report.triangles > most_alone) {
-    parallel_both(make_surface, make_report);
-  } else {
-    make_surface();
-    make_report();
-  }
+  note_triangles_without_area(mesh);
+  number_bodies(mesh, soup, table);
+  count_edges(mesh, table);
 
   for (int& halfedge : table.halfedges) halfedge /= 3;
   mesh.edges = std::move(table.edges);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Soup -> Mesh: weld, drop what is not a face, triangulate, pair edges, and lay the surface out in OpenMesh.
+// Soup -> Mesh: weld, drop what is not a face, triangulate, and pair edges.
 #pragma once
 
 #include <string>

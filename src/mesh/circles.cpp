@@ -138,12 +138,9 @@ std::vector<MeshCircle> find_circles(const PlacedMesh& mesh, double crease_angle
 
 std::vector<MeshCircle> find_circles(const Mesh& mesh, double crease_angle, double tolerance) {
   std::vector<Vec3> points;
-  for (const auto vertex : mesh.surface.vertices()) {
-    const auto& p = mesh.surface.point(vertex);
-    points.emplace_back(p[0], p[1], p[2]);
-  }
+  for (const auto& [x, y, z] : mesh.points) points.emplace_back(x, y, z);
   std::vector<std::array<int, 3>> triangles;
-  for (std::size_t t = 0; t < mesh.polygon.size(); ++t) triangles.push_back(mesh.corners(static_cast<int>(t)));
+  for (int t = 0; t < mesh.triangle_count(); ++t) triangles.push_back(mesh.triangle(t));
   return find_circles(PlacedMesh{mesh, points, triangles}, crease_angle, tolerance);
 }
 

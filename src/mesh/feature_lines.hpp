@@ -11,7 +11,7 @@
 
 namespace epura {
 
-/// The places of a mesh's vertices and the corners of its triangles: those of its surface, or where it stands in a
+/// The places of a mesh's vertices and the corners of its triangles: those of its file, or where it stands in a
 /// world.
 struct PlacedMesh {
   const Mesh& mesh;

@@ -3,16 +3,6 @@
 
 namespace epura {
 
-std::array<int, 3> Mesh::corners(int triangle) const {
-  std::array<int, 3> corners;
-  auto halfedge = surface.halfedge_handle(OpenMesh::FaceHandle(triangle));
-  for (int& corner : corners) {
-    corner = vertex_of[surface.to_vertex_handle(halfedge).idx()];
-    halfedge = surface.next_halfedge_handle(halfedge);
-  }
-  return corners;
-}
-
 EdgeOrigin Mesh::origin_of(const MeshEdge& edge) const {
   const auto [low, high] = edge.vertex;
   if (cut_vertices.empty() || high < first_cut_vertex) return {edge.vertex, {0, 1}, true};

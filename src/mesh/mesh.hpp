@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// A model as read and repaired: triangles in OpenMesh, and beside them what a half-edge structure cannot hold.
+// A model as read and repaired: its triangles, and the table of their edges.
 //
-// A half-edge structure wants two-manifold, consistently oriented surfaces; files hold soups, fans, flipped faces.
-// So the surface is cut open where it must be (Gueziec et al., Cutting and Stitching, IEEE TVCG 2001): a vertex that
-// would join several fans of faces is stored once for each. `vertex_of` leads back from those copies to the vertex of
-// the file, and `edges` is the table of undirected edges between the file's vertices with all their triangles:
-// whatever is decided about edges is decided there.
+// Files hold soups, fans, flipped faces, and a half-edge structure wants two-manifold, consistently oriented surfaces.
+// So whatever is decided about edges is decided in the table of undirected edges with all their triangles;
+// mesh/openmesh.hpp makes half-edges where an algorithm walks them.
 #pragma once
 
 #include <array>
@@ -16,7 +14,8 @@
 #include <vector>
 
 #include "base/unset_vector.hpp"
-#include "mesh/surface.hpp"
+#include "base/vec.hpp"
+#include "mesh/soup.hpp"
 
 namespace epura {
 
@@ -77,35 +76,29 @@ struct MeshReport {
 /// Whether more faces collapse than exporters and rounding account for: details of the model may be lost.
 constexpr bool are_many(int collapsed, int faces) { return collapsed > faces / 10; }
 
-struct UncutMesh;
-
 struct Mesh {
-  Surface surface;             ///< triangle f of the project is face handle f
-  std::vector<int> vertex_of;  ///< surface vertex -> vertex number of the file; the identity for the first ones
-  std::vector<int> polygon;    ///< triangle -> face number of the file
-  std::vector<int> body;       ///< triangle -> body
+  Points points;             ///< of the file, whether faces use them or not; behind them those of `cut_vertices`
+  std::vector<int> corners;  ///< three vertices a triangle
+  std::vector<int> polygon;  ///< triangle -> face number of the file
+  std::vector<int> body;     ///< triangle -> body
   std::vector<std::string> body_names;  ///< empty for files without named groups
   UnsetVector<MeshEdge> edges;          ///< sorted by their vertices
   UnsetVector<int> edge_triangles;
   std::vector<CutVertex> cut_vertices;  ///< of a mesh that was cut; they are numbered from `first_cut_vertex` on
   int first_cut_vertex = 0;
-  std::shared_ptr<const UncutMesh> uncut;  ///< what a mesh that was cut is a part of; null for others
+  std::shared_ptr<const Mesh> uncut;  ///< what a mesh that was cut is a part of; null for others
   MeshReport report;
 
   [[nodiscard]] std::span<const int> triangles_of(const MeshEdge& edge) const {
     return {edge_triangles.data() + edge.first, static_cast<std::size_t>(edge.count)};
   }
   [[nodiscard]] EdgeOrigin origin_of(const MeshEdge& edge) const;
-  /// The corners of a triangle as vertex numbers of the file.
-  [[nodiscard]] std::array<int, 3> corners(int triangle) const;
-  /// The place of a vertex of the file. Vertices that no drawn face uses have one, too.
-  [[nodiscard]] const OpenMesh::Vec3d& point(int vertex) const { return surface.point(OpenMesh::VertexHandle(vertex)); }
-};
-
-/// A mesh before a plane cut it; its surface may be gone by then.
-struct UncutMesh {
-  std::shared_ptr<const Mesh> mesh;
-  std::vector<std::array<int, 3>> corners;  ///< of its triangles, as vertex numbers of the file
+  [[nodiscard]] int triangle_count() const { return static_cast<int>(polygon.size()); }
+  [[nodiscard]] std::array<int, 3> triangle(int number) const {
+    const std::size_t first = 3 * static_cast<std::size_t>(number);
+    return {corners[first], corners[first + 1], corners[first + 2]};
+  }
+  [[nodiscard]] Vec3 point(int vertex) const { return {points[vertex][0], points[vertex][1], points[vertex][2]}; }
 };
 
 }  // namespace epura

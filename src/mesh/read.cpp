@@ -9,11 +9,11 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/text.hpp"
+#include "base/utf8.hpp"
 #include "mesh/build.hpp"
 #include "mesh/off_keyword.hpp"
 #include "mesh/stl_kind.hpp"
 #include "mesh/text_cursor.hpp"
-#include "mesh/unicode.hpp"
 
 namespace epura {
 
@@ -85,7 +85,7 @@ FileContent read_soup(const std::filesystem::path& path, const Progress& progres
 }  // namespace
 
 Mesh make_mesh(Soup soup, const std::string& name, const Progress& progress) {
-  // The half-edges, twice as many as corners at most, are numbered with int.
+  // Half-edges, twice as many as corners at most, are numbered with int.
   if (soup.corners.size() > INT_MAX / 6 || soup.points.size() > INT_MAX)
     throw Error(ErrorKind::input, name, "has more corners than can be numbered", "split the model");
   Mesh mesh = build_mesh(std::move(soup), name, progress);

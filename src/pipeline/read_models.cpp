@@ -25,13 +25,10 @@ Mat4 place_of(const ModelDescription& model) {
   return place;
 }
 
-// Where a scene file names the model, an error of reading says where. The mesh is made in place: make_shared would move
-// it, and moving a half-edge structure of OpenMesh copies it.
-std::shared_ptr<Mesh> read(const ModelDescription& model, const Progress& progress) {
-  if (model.soup != nullptr) return std::shared_ptr<Mesh>(new Mesh(make_mesh(*model.soup, *model.name, progress)));
-  const auto read_it = [&](const std::string& file) {
-    return std::shared_ptr<Mesh>(new Mesh(read_mesh(file, progress)));
-  };
+// Where a scene file names the model, an error of reading says where.
+Mesh read(const ModelDescription& model, const Progress& progress) {
+  if (model.soup != nullptr) return make_mesh(*model.soup, *model.name, progress);
+  const auto read_it = [&](const std::string& file) { return read_mesh(file, progress); };
   return model.file.where == *model.file ? read_it(*model.file) : at_place(model.file, read_it);
 }
 
@@ -71,24 +68,16 @@ World read_models(const std::vector<ModelDescription>& models, std::vector<MeshR
   std::vector<Mat4> places;
   for (const ModelDescription& model : models) places.push_back(place_of(model));
   progress.begin("reading", work_of(models));
-  std::vector<std::shared_ptr<Mesh>> meshes;
   std::vector<Placed> placed;
   for (std::size_t i = 0; i < models.size(); ++i) {
     // What is not drawn keeps its number.
-    meshes.push_back(is_drawn(models[i]) ? read(models[i], progress) : std::make_shared<Mesh>());
-    placed.push_back({meshes.back(), places[i]});
-    if (!is_drawn(models[i])) continue;
-    reports.push_back(meshes.back()->report);
+    const bool drawn = is_drawn(models[i]);
+    placed.push_back({std::make_shared<const Mesh>(drawn ? read(models[i], progress) : Mesh{}), places[i]});
+    if (!drawn) continue;
+    reports.push_back(placed.back().mesh->report);
     warn_about(messages, reports.back());
   }
-  World world = make_world(std::move(placed));
-  // The world has its points and triangles; half-edges would be a fifth of all memory. (OpenMesh keeps the room of what
-  // is assigned to.)
-  for (const std::shared_ptr<Mesh>& mesh : meshes) {
-    std::destroy_at(&mesh->surface);
-    std::construct_at(&mesh->surface);
-  }
-  return world;
+  return make_world(std::move(placed));
 }
 
 }  // namespace epura

@@ -75,6 +75,13 @@ std::vector<std::string> files_of(const std::vector<Target>& targets, std::size_
   return all;
 }
 
+std::vector<std::string> inputs_of(const SceneDescription& scene) {
+  std::vector<std::string> files;
+  for (const ModelDescription& model : scene.models)
+    if (model.file.given()) files.push_back(*model.file);
+  return files;
+}
+
 void refuse_overwriting(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs) {
   struct Taken {
     std::string name, role;

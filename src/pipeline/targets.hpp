@@ -10,6 +10,7 @@
 #include "output/write.hpp"
 #include "pipeline/finished_sheet.hpp"
 #include "report/report.hpp"
+#include "scene/description.hpp"
 
 namespace epura {
 
@@ -29,6 +30,9 @@ std::vector<std::string> one_for_each(const std::string& path, std::size_t sheet
 /// The same, where PDF and PostScript have one file for all sheets.
 std::vector<std::string> files_of(const Target& target, std::size_t sheets);
 std::vector<std::string> files_of(const std::vector<Target>& targets, std::size_t sheets);
+
+/// The models that a scene reads.
+std::vector<std::string> inputs_of(const SceneDescription& scene);
 
 /// To be asked before anything is written: an output that is an input, by whatever name, would take from the user what
 /// it is made of; of two that are one file the first would be lost. Throws Error{input}.

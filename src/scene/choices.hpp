@@ -46,13 +46,18 @@ struct Words<LineRole> {
   static constexpr std::array list{"visible", "narrow", "neighbour"};
 };
 
-inline constexpr std::array<std::pair<const char*, bool EdgeKinds::*>, 6> edge_kind_words{
-    {{"contour", &EdgeKinds::contour},
-     {"crease", &EdgeKinds::crease},
-     {"boundary", &EdgeKinds::boundary},
-     {"intersection", &EdgeKinds::intersection},
-     {"tangent", &EdgeKinds::tangent},
-     {"smooth", &EdgeKinds::smooth}}};
+template <>
+struct Words<EdgeKind> {
+  static constexpr std::array list{"contour", "boundary", "crease", "intersection", "section", "tangent", "smooth"};
+};
+/// Those that can be chosen: lines of sections are always drawn.
+inline constexpr std::array<std::pair<EdgeKind, bool EdgeKinds::*>, 6> chosen_edge_kinds{
+    {{EdgeKind::contour, &EdgeKinds::contour},
+     {EdgeKind::crease, &EdgeKinds::crease},
+     {EdgeKind::boundary, &EdgeKinds::boundary},
+     {EdgeKind::intersection, &EdgeKinds::intersection},
+     {EdgeKind::tangent, &EdgeKinds::tangent},
+     {EdgeKind::smooth, &EdgeKinds::smooth}}};
 
 template <>
 struct Words<Orientation> {

@@ -43,8 +43,6 @@ struct ModelCut {
     }
   }
 
-  /// The model's triangles before the cut.
-  [[nodiscard]] std::vector<std::array<int, 3>> file_triangles() const;
   void close();
   void take_faces_in_plane(const std::vector<int>& material, const std::vector<std::optional<int>>& open_edge);
   void keep_triangle(int triangle, int body);
@@ -77,11 +75,7 @@ void ModelCut::take_faces_in_plane(const std::vector<int>& material, const std::
   std::vector<std::pair<int, int>> kept;  // triangle, body
   for (int body = 0; body < static_cast<int>(by_body.size()); ++body) {
     std::vector<std::array<int, 3>> triangles;
-    for (const int t : by_body[body]) {
-      std::array<int, 3> corners = world.triangles[world.first_triangle[model] + t];
-      for (int& v : corners) v -= world.first_vertex[model];
-      triangles.push_back(corners);
-    }
+    for (const int t : by_body[body]) triangles.push_back(mesh().triangle(t));
     if (triangles.empty()) continue;
     const auto before = [](const CutSegment& segment, int number) { return segment.body < number; };
     const auto first = std::lower_bound(cut.segments.begin(), cut.segments.end(), body, before);
@@ -94,8 +88,7 @@ void ModelCut::take_faces_in_plane(const std::vector<int>& material, const std::
 }
 
 void ModelCut::keep_triangle(int triangle, int body) {
-  std::array<int, 3> corners = world.triangles[world.first_triangle[model] + triangle];
-  for (int& v : corners) v -= world.first_vertex[model];
+  const std::array<int, 3> corners = mesh().triangle(triangle);
   cut.triangles.push_back(corners);
   cut.polygon.push_back(mesh().polygon[triangle]);
   cut.body.push_back(mesh().body[triangle]);
@@ -137,26 +130,24 @@ void ModelCut::add_face(int body, std::span<const CutSegment> segments) {
   }
 }
 
-std::vector<std::array<int, 3>> ModelCut::file_triangles() const {
-  const auto* const all = world.triangles.data();
-  std::vector<std::array<int, 3>> triangles(all + world.first_triangle[model], all + world.first_triangle[model + 1]);
-  for (std::array<int, 3>& corners : triangles)
-    for (int& v : corners) v -= world.first_vertex[model];
-  return triangles;
-}
-
 Mesh ModelCut::make_mesh() const {
   Mesh cut_away;
+  cut_away.points = mesh().points;
+  const Mat4 to_file = glm::inverse(world.models[model].to_world);
+  for (const Vec3& made : cut.points) {
+    const Vec3 p(to_file * Vec4(made, 1));
+    cut_away.points.push_back({p.x, p.y, p.z});
+  }
+  for (const auto& triangle : cut.triangles)
+    cut_away.corners.insert(cut_away.corners.end(), triangle.begin(), triangle.end());
   cut_away.polygon = cut.polygon;
   cut_away.body = cut.body;
   cut_away.body_names = mesh().body_names;
   cut_away.report = mesh().report;
   cut_away.cut_vertices = cut.vertices;
   cut_away.first_cut_vertex = file_vertices();
-  cut_away.uncut = std::make_shared<const UncutMesh>(UncutMesh{world.models[model].mesh, file_triangles()});
-  std::vector<int> corners;
-  for (const auto& triangle : cut.triangles) corners.insert(corners.end(), triangle.begin(), triangle.end());
-  EdgeTable table = make_edge_table(corners, cut.polygon, file_vertices() + static_cast<int>(cut.points.size()));
+  cut_away.uncut = world.models[model].mesh;
+  EdgeTable table = make_edge_table(cut_away.corners, cut.polygon, static_cast<int>(cut_away.points.size()));
   for (int& halfedge : table.halfedges) halfedge /= 3;
   cut_away.edges = std::move(table.edges);
   cut_away.edge_triangles = std::move(table.halfedges);

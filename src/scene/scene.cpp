@@ -43,74 +43,72 @@ Vec3 one_rounding_of(const Placed& model, const Box& box) {
   return glm::abs(turn[0]) * half.x + glm::abs(turn[1]) * half.y + glm::abs(turn[2]) * half.z;
 }
 
-Vec3 place(const Mat4& to_world, const OpenMesh::Vec3d& p) {
-  const Vec3 point(p[0], p[1], p[2]);
+Vec3 place(const Mat4& to_world, const Vec3& point) {
   // An unmoved model keeps its coordinates to the last bit, signed zeros and huge values included.
   return to_world == Mat4(1.0) ? point : Vec3(to_world * Vec4(point, 1.0));
 }
 
-// The places in the world of the vertices that triangles use; false when one leaves the range of doubles. The vertices
-// of the file come first in the surface, their copies behind them.
-bool place_vertices(const Placed& model, std::span<Vec3> points) {
-  const Surface& surface = model.mesh->surface;
+// By vertex, 1 where a triangle uses it.
+std::vector<char> used_vertices(const Mesh& mesh) {
+  std::vector<char> used(mesh.points.size(), 0);
+  for (const int vertex : mesh.corners) used[vertex] = 1;
+  return used;
+}
+
+// The places in the world of the vertices that triangles use; false when one leaves the range of doubles.
+bool place_vertices(const Placed& model, const std::vector<char>& used, std::span<Vec3> points) {
   std::atomic<bool> all_finite = true;
   parallel_for(points.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
-      const OpenMesh::VertexHandle vertex(static_cast<int>(v));
-      points[v] = surface.is_isolated(vertex) ? Vec3(0) : place(model.to_world, surface.point(vertex));
+      points[v] = used[v] != 0 ? place(model.to_world, model.mesh->point(static_cast<int>(v))) : Vec3(0);
       if (!finite(points[v])) all_finite = false;
     }
   });
   return all_finite;
 }
 
-// Of the first `count` vertices of a surface, where `place(v)` has them.
+// Of the vertices that triangles use, where `place(v)` has them.
 template <class Place>
-Box box_of(const Surface& surface, std::size_t count, const Place& place) {
+Box box_of(const std::vector<char>& used, const Place& place) {
   Box box;
-  for (std::size_t v = 0; v < count; ++v) {
-    const OpenMesh::VertexHandle vertex(static_cast<int>(v));
-    if (!surface.is_isolated(vertex)) box.add(place(vertex));
-  }
+  for (std::size_t v = 0; v < used.size(); ++v)
+    if (used[v] != 0) box.add(place(static_cast<int>(v)));
   return box;
 }
 
-// As its file has it, where it stands; `box` as the world has it.
-Box box_in_file(const Placed& model, std::size_t vertices, const Box& box) {
-  if (model.to_world == Mat4(1.0)) return box;
-  const Surface& surface = model.mesh->surface;
-  return box_of(surface, vertices, [&](OpenMesh::VertexHandle v) { return place(Mat4(1.0), surface.point(v)); });
+void append_triangles(World& world, const Mesh& mesh) {
+  const int first_vertex = world.first_vertex.back();
+  const auto first_triangle = static_cast<std::size_t>(world.first_triangle.back());
+  const std::size_t count = mesh.polygon.size();
+  world.triangles.resize(first_triangle + count);
+  parallel_for(count, grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      std::array<int, 3> corners = mesh.triangle(static_cast<int>(t));
+      for (int& v : corners) v += first_vertex;
+      world.triangles[first_triangle + t] = corners;
+    }
+  });
 }
 
 void append(World& world, const Placed& placed) {
   const Mesh& mesh = *placed.mesh;
-  const int first_vertex = world.first_vertex.back();
-  const int first_triangle = world.first_triangle.back();
-  int vertices = 0;
-  for (const int v : mesh.vertex_of) vertices = std::max(vertices, v + 1);
-  world.points.resize(static_cast<std::size_t>(first_vertex + vertices));
-  const std::span<Vec3> points(world.points.data() + first_vertex, static_cast<std::size_t>(vertices));
-  if (!place_vertices(placed, points))
+  const auto first_vertex = static_cast<std::size_t>(world.first_vertex.back());
+  const std::vector<char> used = used_vertices(mesh);
+  world.points.resize(first_vertex + mesh.points.size());
+  const std::span<Vec3> points(world.points.data() + first_vertex, mesh.points.size());
+  if (!place_vertices(placed, used, points))
     throw Error(ErrorKind::input, mesh.report.name, "the transform moves vertices out of the range of numbers",
                 "use a smaller scale or translation");
-  const Box box = box_of(mesh.surface, points.size(), [&](OpenMesh::VertexHandle v) { return points[v.idx()]; });
-  if (!box.empty()) {
-    world.box.add(box.min);
-    world.box.add(box.max);
-  }
-  const int count = static_cast<int>(mesh.polygon.size());
-  world.triangles.resize(static_cast<std::size_t>(first_triangle + count));
-  parallel_for(mesh.polygon.size(), grain, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t f = begin; f < end; ++f) {
-      std::array<int, 3> corners = mesh.corners(static_cast<int>(f));
-      for (int& v : corners) v += first_vertex;
-      world.triangles[static_cast<std::size_t>(first_triangle) + f] = corners;
-    }
-  });
-  world.first_vertex.push_back(first_vertex + vertices);
-  world.first_triangle.push_back(first_triangle + count);
+  append_triangles(world, mesh);
+  world.first_vertex.push_back(static_cast<int>(world.points.size()));
+  world.first_triangle.push_back(static_cast<int>(world.triangles.size()));
+
+  const Box box = box_of(used, [&](int v) { return points[v]; });
   if (box.empty()) return;
-  const Box in_file = box_in_file(placed, points.size(), box);
+  world.box.add(box.min);
+  world.box.add(box.max);
+  const bool unmoved = placed.to_world == Mat4(1.0);
+  const Box in_file = unmoved ? box : box_of(used, [&](int v) { return mesh.point(v); });
   world.rounding = std::max(world.rounding, rounding_of(placed, box, in_file));
   world.one_rounding = glm::max(world.one_rounding, one_rounding_of(placed, in_file));
 }

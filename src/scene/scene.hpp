@@ -14,7 +14,7 @@ namespace epura {
 
 /// A model and where it stands.
 struct Placed {
-  std::shared_ptr<const Mesh> mesh;  ///< shared: moving a half-edge structure of OpenMesh copies it
+  std::shared_ptr<const Mesh> mesh;  ///< by worlds that are cut from one another
   Mat4 to_world{1.0};
 };
 

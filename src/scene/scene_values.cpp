@@ -141,15 +141,20 @@ ProjectionRequest read_projection(const TomlValue& value) {
   return request;
 }
 
-EdgeKinds read_edge_kinds(const TomlValue& value) {
+std::vector<std::string> words_of_edge_kinds() {
   std::vector<std::string> words;
-  for (const auto& [word, member] : edge_kind_words) words.emplace_back(word);
+  for (const auto& [kind, member] : chosen_edge_kinds) words.emplace_back(word_of(kind));
+  return words;
+}
+
+EdgeKinds read_edge_kinds(const TomlValue& value) {
+  const std::vector<std::string> words = words_of_edge_kinds();
   EdgeKinds chosen{false, false, false, false, false, false};
   for (const LocatedText& one : each_word(value)) {
     TomlValue word = value;
     word.content = *one;
     word.where = one.where;
-    chosen.*edge_kind_words[read_word(word, words)].second = true;
+    chosen.*chosen_edge_kinds[read_word(word, words)].second = true;
   }
   return chosen;
 }
@@ -268,8 +273,7 @@ ValueKind<PaperChoice> paper_choice() {
 }
 
 ValueKind<EdgeKinds> edge_kinds() {
-  ValueForm form{"list of texts", "KINDS"};
-  for (const auto& [word, member] : edge_kind_words) form.words.emplace_back(word);
+  ValueForm form{"list of texts", "KINDS", words_of_edge_kinds()};
   form.is_closed = form.is_list = true;
   return {std::move(form), read_edge_kinds};
 }

@@ -86,10 +86,9 @@ Shape random_triangles(unsigned seed, int count) {
 Shape sample(const std::string& name) {
   const Mesh mesh = read_mesh(EPURA_TEST_SAMPLES "/models/" + name);
   Shape shape;
-  for (int v = 0; v < mesh.report.vertices; ++v)
-    shape.points.push_back({mesh.point(v)[0], mesh.point(v)[1], mesh.point(v)[2]});
+  shape.points = mesh.points;
   for (int f = 0; f < mesh.report.triangles; ++f) {
-    const auto c = mesh.corners(f);
+    const auto c = mesh.triangle(f);
     shape.faces.push_back({c[0], c[1], c[2]});
   }
   return shape;

@@ -162,14 +162,14 @@ class JsonDrawing {
     for (int f = 0; f < static_cast<int>(mesh.polygon.size()); ++f) {
       if (mesh.polygon[f] != static_cast<int>(face[1])) continue;
       std::array<Vec3, 3> c;
-      for (int i = 0; i < 3; ++i) c[i] = placed(mesh.point(mesh.corners(f)[i]));
+      for (int i = 0; i < 3; ++i) c[i] = placed(mesh.point(mesh.triangle(f)[i]));
       const Vec3 normal = glm::cross(c[1] - c[0], c[2] - c[0]);
       nearest = std::min(nearest, std::abs(glm::dot(normal, p - c[0])) / glm::length(normal));
     }
     return nearest;
   }
 
-  [[nodiscard]] Vec3 placed(const OpenMesh::Vec3d& p) const { return Vec3(place_ * Vec4(p[0], p[1], p[2], 1)); }
+  [[nodiscard]] Vec3 placed(const Vec3& p) const { return Vec3(place_ * Vec4(p, 1)); }
 
   Mat4 place_;
   std::vector<Mesh> meshes_;
@@ -187,7 +187,7 @@ const std::vector<std::string>& models() {
 std::vector<std::string> look_at_with_near_plane(const std::string& model) {
   const Mesh mesh = read_mesh(sample(model));
   Box box;
-  for (int v = 0; v < mesh.report.vertices; ++v) box.add({mesh.point(v)[0], mesh.point(v)[1], mesh.point(v)[2]});
+  for (int v = 0; v < mesh.report.vertices; ++v) box.add(mesh.point(v));
   const double size = glm::length(box.size());
   const Vec3 eye = box.centre() + size * Vec3(0.7, -1, 0.5);
   std::string text;

@@ -23,7 +23,7 @@ void expect_triangle(const Mesh& mesh, const std::string& format) {
   test::expect_valid(mesh);
   EXPECT_EQ(mesh.report.format, format);
   ASSERT_EQ(mesh.report.triangles, 1);
-  EXPECT_EQ(mesh.point(1), OpenMesh::Vec3d(1.5, 0, 0));
+  EXPECT_EQ(mesh.point(1), Vec3(1.5, 0, 0));
 }
 
 std::string utf16(const std::string& text, std::endian order) {

@@ -37,8 +37,8 @@ TEST(Stl, BinaryCubeIsWelded) {
   EXPECT_EQ(mesh.report.open_edges, 0);
   EXPECT_EQ(mesh.report.welded_vertices, 0);
   EXPECT_TRUE(mesh.report.single_precision);
-  EXPECT_EQ(mesh.corners(0), (std::array<int, 3>{0, 1, 2}));  // numbered in order of appearance
-  EXPECT_EQ(mesh.point(1), OpenMesh::Vec3d(0, 1, 0));
+  EXPECT_EQ(mesh.triangle(0), (std::array<int, 3>{0, 1, 2}));  // numbered in order of appearance
+  EXPECT_EQ(mesh.point(1), Vec3(0, 1, 0));
 }
 
 TEST(Stl, BinaryMayCallItselfSolid) {

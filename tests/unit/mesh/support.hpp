@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the tests of this stage share: soups by hand, files in a fresh folder, the laws of a valid surface.
+// What the tests of this stage share: soups by hand, files in a fresh folder, the laws of a valid mesh.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -63,38 +63,12 @@ inline std::string binary_stl(const std::vector<Triangle>& triangles, std::strin
   return header;
 }
 
-/// What OpenMesh's algorithms rely on.
-inline void expect_valid_surface(const Mesh& mesh) {
-  const Surface& surface = mesh.surface;
+inline void expect_valid(const Mesh& mesh) {
   const auto triangles = static_cast<std::size_t>(mesh.report.triangles);
-  ASSERT_EQ(surface.n_faces(), triangles);
+  ASSERT_EQ(mesh.corners.size(), 3 * triangles);
   ASSERT_EQ(mesh.polygon.size(), triangles);
   ASSERT_EQ(mesh.body.size(), triangles);
-  ASSERT_EQ(mesh.vertex_of.size(), surface.n_vertices());
-  for (const auto vertex : surface.vertices()) {
-    const int original = mesh.vertex_of[static_cast<std::size_t>(vertex.idx())];
-    ASSERT_LT(original, mesh.report.vertices);
-    ASSERT_TRUE(original == vertex.idx() || vertex.idx() >= mesh.report.vertices);
-    if (surface.is_isolated(vertex)) continue;
-    ASSERT_TRUE(surface.is_manifold(vertex)) << vertex.idx();
-    ASSERT_EQ(surface.point(vertex), mesh.point(original));
-    bool at_border = false;
-    for (const auto outgoing : surface.voh_range(vertex)) {
-      ASSERT_EQ(surface.from_vertex_handle(outgoing), vertex);
-      at_border = at_border || surface.is_boundary(outgoing);
-    }
-    ASSERT_EQ(surface.is_boundary(vertex), at_border);
-  }
-  for (const auto halfedge : surface.halfedges()) {
-    const auto next = surface.next_halfedge_handle(halfedge);
-    ASSERT_TRUE(next.is_valid());
-    ASSERT_EQ(surface.prev_halfedge_handle(next), halfedge);
-    ASSERT_EQ(surface.from_vertex_handle(next), surface.to_vertex_handle(halfedge));
-    ASSERT_EQ(surface.face_handle(next), surface.face_handle(halfedge));
-  }
-}
-
-inline void expect_valid_edges(const Mesh& mesh) {
+  ASSERT_EQ(mesh.points.size(), static_cast<std::size_t>(mesh.report.vertices));
   std::size_t sides = 0;
   for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
     const MeshEdge& edge = mesh.edges[e];
@@ -103,17 +77,12 @@ inline void expect_valid_edges(const Mesh& mesh) {
     const auto around = mesh.triangles_of(edge);
     ASSERT_TRUE(std::is_sorted(around.begin(), around.end()));
     for (const int triangle : around) {
-      const auto corners = mesh.corners(triangle);
+      const auto corners = mesh.triangle(triangle);
       for (const int vertex : edge.vertex) ASSERT_NE(std::find(corners.begin(), corners.end(), vertex), corners.end());
     }
     sides += around.size();
   }
   ASSERT_EQ(sides, 3 * mesh.polygon.size());
-}
-
-inline void expect_valid(const Mesh& mesh) {
-  expect_valid_surface(mesh);
-  expect_valid_edges(mesh);
 }
 
 inline const Points unit_cube{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};

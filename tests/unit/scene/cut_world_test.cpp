@@ -10,6 +10,7 @@
 #include <random>
 
 #include "errors.hpp"
+#include "scene/transform.hpp"
 #include "shapes.hpp"
 
 namespace epura::test {
@@ -178,6 +179,29 @@ TEST(CutWorld, DoesNotDependOnHowAPartStands) {
   const World moved = make_world({{std::make_shared<const Mesh>(mesh_of(shape)), turn}});
   const Vec3 new_point(turn * Vec4(point, 1)), new_normal(turn * Vec4(normal, 0));
   EXPECT_NEAR(cut_area(moved, cut(moved, new_point, new_normal)), expected, 1e-12);
+}
+
+TEST(CutWorld, LeavesAMeshOfItsOwn) {
+  const Mat4 turn = glm::translate(glm::rotate(Mat4(1), 0.7, Vec3(0.2, -0.6, 0.77)), Vec3(5, 6, 7));
+  const World whole = make_world(
+      {{std::make_shared<const Mesh>(mesh_of(box({-1, -2, -3}, {1, 2, 3}))), turn},
+       {std::make_shared<const Mesh>(mesh_of(torus(5, 2, 12, 8))), parse_transform("scale:2,1,1 translate:5,6,7")}});
+  const World left = cut(whole, {5, 6, 7}, {0.3, 0.5, 0.8}).world;
+  for (std::size_t m = 0; m < 2; ++m) {
+    const Mesh& mesh = *left.models[m].mesh;
+    ASSERT_EQ(mesh.uncut, whole.models[m].mesh);
+    ASSERT_FALSE(mesh.cut_vertices.empty());
+    ASSERT_EQ(static_cast<int>(mesh.points.size()), left.first_vertex[m + 1] - left.first_vertex[m]);
+    for (int v = 0; v < static_cast<int>(mesh.points.size()); ++v) {
+      const Vec3 there(left.models[m].to_world * Vec4(mesh.point(v), 1));
+      EXPECT_LT(glm::distance(there, left.points[left.first_vertex[m] + v]), 1e-13) << m << " " << v;
+    }
+    for (int t = 0; t < mesh.triangle_count(); ++t) {
+      std::array<int, 3> corners = mesh.triangle(t);
+      for (int& v : corners) v += left.first_vertex[m];
+      EXPECT_EQ(corners, left.triangles[left.first_triangle[m] + t]);
+    }
+  }
 }
 
 TEST(CutWorld, BothSidesAreCutAlike) {

@@ -15,13 +15,9 @@ namespace epura {
 namespace {
 
 World world_of(const std::string& transform) {
-  auto mesh = std::make_shared<Mesh>(read_mesh(EPURA_TEST_SAMPLES "/models/bracket.obj"));
-  auto other = std::make_shared<Mesh>(read_mesh(EPURA_TEST_SAMPLES "/models/flange.obj"));
-  World world = make_world({{other, Mat4(1)}, {mesh, parse_transform(transform)}});
-  // As when a drawing is made: what is known is in the world and in the table of edges.
-  mesh->surface = Surface();
-  other->surface = Surface();
-  return world;
+  const auto mesh = std::make_shared<const Mesh>(read_mesh(EPURA_TEST_SAMPLES "/models/bracket.obj"));
+  const auto other = std::make_shared<const Mesh>(read_mesh(EPURA_TEST_SAMPLES "/models/flange.obj"));
+  return make_world({{other, Mat4(1)}, {mesh, parse_transform(transform)}});
 }
 
 TEST(PlacedCircles, AreWhereTheModelStands) {

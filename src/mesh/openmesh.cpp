@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "mesh/cut_surface.hpp"
+#include "mesh/openmesh.hpp"
 
 #include <numeric>
+#include <span>
 
 #include "base/parallel.hpp"
+#include "mesh/edge_table.hpp"
 
 namespace epura {
 
@@ -74,28 +76,33 @@ HalfedgeHandle right_end_of_fan(const Surface& surface, HalfedgeHandle start) {
 
 }  // namespace
 
-void cut_surface(Mesh& mesh, const Points& points, std::span<const int> corners, const EdgeTable& table) {
-  Surface& surface = mesh.surface;
-  const SurfaceEdges edges = number_edges(corners, table);
+HalfedgeMesh to_openmesh(const Mesh& mesh) {
+  const EdgeTable table = make_edge_table(mesh.corners, mesh.polygon, static_cast<int>(mesh.points.size()));
+  const SurfaceEdges edges = number_edges(mesh.corners, table);
+  HalfedgeMesh made;
+  Surface& surface = made.surface;
   // Room for copies of vertices; memory that is never written costs nothing.
-  surface.reserve(2 * points.size(), static_cast<std::size_t>(edges.count), corners.size() / 3);
-  surface.resize(points.size(), static_cast<std::size_t>(edges.count), corners.size() / 3);
-  for (std::size_t v = 0; v < points.size(); ++v)
-    surface.set_point(VertexHandle(static_cast<int>(v)), {points[v][0], points[v][1], points[v][2]});
-  mesh.vertex_of.resize(points.size());
-  std::iota(mesh.vertex_of.begin(), mesh.vertex_of.end(), 0);
+  surface.reserve(2 * mesh.points.size(), static_cast<std::size_t>(edges.count), mesh.polygon.size());
+  surface.resize(mesh.points.size(), static_cast<std::size_t>(edges.count), mesh.polygon.size());
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    const auto& [x, y, z] = mesh.points[v];
+    surface.set_point(VertexHandle(static_cast<int>(v)), {x, y, z});
+  }
+  made.vertex_of.resize(mesh.points.size());
+  std::iota(made.vertex_of.begin(), made.vertex_of.end(), 0);
   link_faces(surface, edges.of);
 
-  for (std::size_t h = 0; h < corners.size(); ++h) {
+  for (std::size_t h = 0; h < mesh.corners.size(); ++h) {
     if (surface.to_vertex_handle(surface.prev_halfedge_handle(edges.of[h])).is_valid()) continue;  // fan done
-    VertexHandle vertex(corners[h]);
+    VertexHandle vertex(mesh.corners[h]);
     if (!surface.is_isolated(vertex)) {
       vertex = surface.new_vertex();
-      surface.set_point(vertex, surface.point(VertexHandle(corners[h])));
-      mesh.vertex_of.push_back(corners[h]);
+      surface.set_point(vertex, surface.point(VertexHandle(mesh.corners[h])));
+      made.vertex_of.push_back(mesh.corners[h]);
     }
     link_fan(surface, right_end_of_fan(surface, edges.of[h]), vertex);
   }
+  return made;
 }
 
 }  // namespace epura
