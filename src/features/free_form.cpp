@@ -12,7 +12,7 @@ namespace epura {
 namespace {
 
 // Folds as the tangents of half their angles.
-constexpr double most_smooth = 0.364;  // 40 degrees
+constexpr double most_smooth = 0.277;  // 31 degrees
 constexpr double fold_ratio = 3;
 constexpr double fold_slack = 0.0175;  // 2 degrees
 // Facets of one tessellation have chords of about the same height, so their widths differ little.

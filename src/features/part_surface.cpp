@@ -29,7 +29,8 @@ Polar polar_of(const PartSurface& surface, const Vec3& point) {
   const double height = glm::dot(from, surface.axis);
   const Vec3 across = from - height * surface.axis;
   const double radius = glm::length(across);
-  return {height, radius, radius > 0 ? across / radius : Vec3(0)};
+  // On the axis, as an apex is, rounding would choose a direction.
+  return {height, radius, radius > 1e-7 * surface.radius ? across / radius : Vec3(0)};
 }
 
 // Of the angle between the axis of a cone and its generators.

@@ -24,7 +24,7 @@ constexpr double smooth_cosine = 0.7;  // of a fold that a coarse tessellation h
 // Where so few seeds of so many grow, nothing will come of the rest.
 constexpr int least_seeds = 256;
 constexpr int seeds_for_one = 192;
-constexpr char most_failures = 2;
+constexpr char most_failures = 4;
 // Of the area of a part.
 constexpr double least_recognised = 0.25;
 
@@ -195,12 +195,17 @@ class Recogniser {
     const std::vector<int> nearby = around(facet, beside);
     for (const Guess& g : guess(facet, beside, nearby)) {
       auto region = grower_.grow(g.surface, g.seeds);
+      if (getenv("G")) fprintf(stderr, "seed %d beside %zu nearby %zu guess %s r %g explained %zu -> %s facets %zu evident %d\n", facet, beside.size(), nearby.size(), surface_kind_names[int(g.surface.kind)], g.surface.radius, g.explained, region?"grown":"-", region?region->facets.size():0, region?int(grower_.is_evident(*region)):-1);
       if (!region || !grower_.is_evident(*region)) continue;
       for (const int f : region->facets) region_of_[f] = static_cast<int>(regions_.size());
       regions_.push_back(std::move(*region));
       return true;
     }
-    for (const int f : nearby) ++failures_[f];
+    // What is as large as the seed would hardly do better.
+    for (const int f : nearby) {
+      const double ratio = facets_.facets[f].width / facets_.facets[facet].width;
+      if (ratio > 0.4 && ratio < 2.5) ++failures_[f];
+    }
     failures_[facet] = most_failures;
     return false;
   }

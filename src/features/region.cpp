@@ -21,6 +21,7 @@ constexpr double most_relative_sagitta = 0.09;  // of the radius
 constexpr double least_fold_cosine = 0.62;
 // Twelve facets a turn or more, on average.
 constexpr double most_mean_turn = 15.5 * degree;
+constexpr double most_mean_turn_both_ways = 21.5 * degree;
 // One facet stands at most four times as high over its chord as others: it takes twice the angle.
 constexpr double most_sagittas = 16;
 constexpr double tangent_cosine = 0.99966;  // of 1.5 degrees
@@ -36,7 +37,7 @@ double angle_of_cosine(double cosine) { return std::sqrt(std::max(0.0, 2 * (1 - 
 }  // namespace
 
 double allowance_of(const Facets& facets, double sagitta) {
-  return std::clamp(sagitta / 32, 4 * facets.tolerance, 64 * facets.tolerance);
+  return std::clamp(sagitta / 64, 4 * facets.tolerance, 16 * facets.tolerance);
 }
 
 namespace {
@@ -269,9 +270,10 @@ int RegionGrower::tangent_ends(const Region& region, const Places& places, bool 
 
 bool RegionGrower::is_evident_arc(const Region& region, bool around_tube, double mean_turn) {
   const Places places = places_of(region, around_tube);
-  if (places.closed) return places.count >= 12 && mean_turn <= most_mean_turn;
+  const double most = around_tube ? most_mean_turn_both_ways : most_mean_turn;
+  if (places.closed) return places.count >= 12 && mean_turn <= most;
   const int tangent = tangent_ends(region, places, around_tube);
-  if (tangent < 2 && mean_turn > most_mean_turn) return false;
+  if (tangent < 2 && mean_turn > most) return false;
   return places.count >= 3 && places.count + tangent >= least_places;
 }
 
@@ -302,7 +304,7 @@ bool RegionGrower::is_evident(const Region& region) {
     case SurfaceKind::cone:
       return is_evident_arc(region, false, mean_turn);
     case SurfaceKind::sphere:
-      return mean_turn <= most_mean_turn && is_evident_sphere(region);
+      return mean_turn <= most_mean_turn_both_ways && is_evident_sphere(region);
     case SurfaceKind::torus:
       return places_of(region, false).count >= 4 && is_evident_arc(region, true, mean_turn);
     case SurfaceKind::plane:
