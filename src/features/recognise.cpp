@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <numeric>
+#include <numbers>
 #include <optional>
 #include <span>
 
@@ -195,7 +195,11 @@ class Recogniser {
     const std::vector<int> nearby = around(facet, beside);
     for (const Guess& g : guess(facet, beside, nearby)) {
       auto region = grower_.grow(g.surface, g.seeds);
-      if (getenv("G")) fprintf(stderr, "seed %d beside %zu nearby %zu guess %s r %g explained %zu -> %s facets %zu evident %d\n", facet, beside.size(), nearby.size(), surface_kind_names[int(g.surface.kind)], g.surface.radius, g.explained, region?"grown":"-", region?region->facets.size():0, region?int(grower_.is_evident(*region)):-1);
+      if (getenv("G"))
+        fprintf(stderr, "seed %d beside %zu nearby %zu guess %s r %g explained %zu -> %s facets %zu evident %d\n",
+                facet, beside.size(), nearby.size(), surface_kind_names[int(g.surface.kind)], g.surface.radius,
+                g.explained, region ? "grown" : "-", region ? region->facets.size() : 0,
+                region ? int(grower_.is_evident(*region)) : -1);
       if (!region || !grower_.is_evident(*region)) continue;
       for (const int f : region->facets) region_of_[f] = static_cast<int>(regions_.size());
       regions_.push_back(std::move(*region));
@@ -270,9 +274,27 @@ class Result {
       face.triangles += static_cast<int>(facets_.triangles_of(f).size());
       outwards += facet.area * glm::dot(normal_near(region.surface, facet.middle), facet.normal);
     }
+    measure_turn(region, face);
     if (region.surface.kind == SurfaceKind::plane && outwards < 0) face.surface.axis = -face.surface.axis;
     if (region.surface.kind != SurfaceKind::plane) face.inwards = outwards < 0;
     return face;
+  }
+
+  void measure_turn(const Region& region, PartFace& face) const {
+    const SurfaceKind kind = region.surface.kind;
+    if (kind != SurfaceKind::cylinder && kind != SurfaceKind::cone && kind != SurfaceKind::torus) return;
+    std::vector<Vec3> points;
+    face.from = HUGE_VAL;
+    face.to = -HUGE_VAL;
+    for (const int f : region.facets)
+      for (const int v : facets_.vertices_of(f)) {
+        points.push_back(facets_.points[v]);
+        const double height = glm::dot(points.back() - region.surface.origin, region.surface.axis) / facets_.scale;
+        face.from = std::min(face.from, height);
+        face.to = std::max(face.to, height);
+      }
+    const Places places = places_of(region.surface, points, false, allowance_of(facets_, region.sagitta));
+    face.sweep = places.closed ? 360 : places.sweep * (180 / std::numbers::pi);
   }
 
   // A body whose triangles all run the other way round has its inside outside.

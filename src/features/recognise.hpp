@@ -14,9 +14,11 @@ namespace epura {
 /// Triangles that are one face of the part. Lengths and places are the file's.
 struct PartFace {
   PartSurface surface;
-  double residual = 0;  ///< largest distance of a vertex from the surface; 0 for free forms
-  double sagitta = 0;   ///< mean height of the surface over the middles of facets: what tessellation leaves out
-  double area = 0;      ///< of its triangles
+  double residual = 0;      ///< largest distance of a vertex from the surface; 0 for free forms
+  double sagitta = 0;       ///< mean height of the surface over the middles of facets: what tessellation leaves out
+  double area = 0;          ///< of its triangles
+  double from = 0, to = 0;  ///< of cylinders, cones and tori: heights of its ends along the axis, from the origin
+  double sweep = 0;         ///< of the same: degrees around the axis; 360 for whole turns
   int triangles = 0;
   int body = 0;          ///< of its first triangle
   bool inwards = false;  ///< the material is outside: a bore, a fillet in a corner

@@ -42,6 +42,16 @@ double allowance_of(const Facets& facets, double sagitta) {
 
 namespace {
 
+// Angle of a point around the axis of a surface, or around the tube of a torus, from 0 to a turn.
+double angle_of(const PartSurface& surface, const Vec3& point, bool around_tube) {
+  const Vec3 from = point - surface.origin;
+  const auto across = square_to(surface.axis);
+  const double x = glm::dot(from, across[0]), y = glm::dot(from, across[1]);
+  const double angle = around_tube ? portable_atan2(glm::dot(from, surface.axis), std::hypot(x, y) - surface.radius)
+                                   : portable_atan2(y, x);
+  return angle < 0 ? angle + turn : angle;
+}
+
 /// Facets that are too thin to face anywhere: lower than the arcs that the tessellation leaves out. Where those are
 /// higher than a coarse tessellation leaves, it is none.
 bool has_no_say(const Facets& facets, int facet, const PartSurface& surface, double sagitta) {
@@ -64,13 +74,32 @@ bool approximates(const Facets& facets, int facet, const PartSurface& surface, d
   return sagitta == 0 || std::abs(signed_distance(surface, f.middle)) <= most_sagittas * sagitta + allowance;
 }
 
-double angle_of(const PartSurface& surface, const Vec3& point, bool around_tube) {
-  const Vec3 from = point - surface.origin;
-  const auto across = square_to(surface.axis);
-  const double x = glm::dot(from, across[0]), y = glm::dot(from, across[1]);
-  const double angle = around_tube ? portable_atan2(glm::dot(from, surface.axis), std::hypot(x, y) - surface.radius)
-                                   : portable_atan2(y, x);
-  return angle < 0 ? angle + turn : angle;
+Places places_of(const PartSurface& s, std::span<const Vec3> points, bool around_tube, double allowance) {
+  const double radius = around_tube ? s.minor : s.radius;
+  const double same = std::max(1e-5, 16 * allowance / radius);
+  std::vector<double> angles;
+  for (const Vec3& p : points) {
+    // On the axis there is no angle.
+    const Vec3 from = p - s.origin;
+    if (glm::length(from - glm::dot(from, s.axis) * s.axis) > 1e-3 * s.radius)
+      angles.push_back(angle_of(s, p, around_tube));
+  }
+  if (angles.empty()) return {};
+  std::sort(angles.begin(), angles.end());
+  std::vector<double> places{angles.front()};
+  for (const double a : angles)
+    if (a > places.back() + same) places.push_back(a);
+  if (places.size() > 1 && places.front() + turn - places.back() <= same) places.pop_back();
+  double gap = places.front() + turn - places.back();
+  double from = places.front();
+  for (std::size_t i = 1; i < places.size(); ++i)
+    if (places[i] - places[i - 1] > gap) {
+      gap = places[i] - places[i - 1];
+      from = places[i];
+    }
+  const auto count = static_cast<int>(places.size());
+  const bool closed = gap < 46 * degree && gap <= 4 * turn / count;
+  return {count, from, closed ? turn : turn - gap, closed};
 }
 
 RegionGrower::RegionGrower(const Facets& facets, const std::vector<int>& region_of, const std::vector<Region>& regions)
@@ -206,33 +235,9 @@ double RegionGrower::mean_turn_of(const Region& region) const {
   return 4 * count >= static_cast<int>(region.facets.size()) ? sum / count : turn;
 }
 
-RegionGrower::Places RegionGrower::places_of(const Region& region, bool around_tube) {
-  const PartSurface& s = region.surface;
-  const double radius = around_tube ? s.minor : s.radius;
-  const double same = std::max(1e-5, 16 * allowance_of(facets_, region.sagitta) / radius);
-  std::vector<double> angles;
-  for (const Vec3& p : points_of(region, facets_.points.size())) {
-    // On the axis there is no angle.
-    const Vec3 from = p - s.origin;
-    if (glm::length(from - glm::dot(from, s.axis) * s.axis) > 1e-3 * s.radius)
-      angles.push_back(angle_of(s, p, around_tube));
-  }
-  if (angles.empty()) return {};
-  std::sort(angles.begin(), angles.end());
-  std::vector<double> places{angles.front()};
-  for (const double a : angles)
-    if (a > places.back() + same) places.push_back(a);
-  if (places.size() > 1 && places.front() + turn - places.back() <= same) places.pop_back();
-  double gap = places.front() + turn - places.back();
-  double from = places.front();
-  for (std::size_t i = 1; i < places.size(); ++i)
-    if (places[i] - places[i - 1] > gap) {
-      gap = places[i] - places[i - 1];
-      from = places[i];
-    }
-  const auto count = static_cast<int>(places.size());
-  const bool closed = gap < 46 * degree && gap <= 4 * turn / count;
-  return {count, from, closed ? turn : turn - gap, closed};
+Places RegionGrower::places_around(const Region& region, bool around_tube) {
+  return places_of(region.surface, points_of(region, facets_.points.size()), around_tube,
+                   allowance_of(facets_, region.sagitta));
 }
 
 // At how many ends of the arc neighbours go on without an edge.
@@ -269,7 +274,7 @@ int RegionGrower::tangent_ends(const Region& region, const Places& places, bool 
 }
 
 bool RegionGrower::is_evident_arc(const Region& region, bool around_tube, double mean_turn) {
-  const Places places = places_of(region, around_tube);
+  const Places places = places_around(region, around_tube);
   const double most = around_tube ? most_mean_turn_both_ways : most_mean_turn;
   if (places.closed) return places.count >= 12 && mean_turn <= most;
   const int tangent = tangent_ends(region, places, around_tube);
@@ -306,7 +311,7 @@ bool RegionGrower::is_evident(const Region& region) {
     case SurfaceKind::sphere:
       return mean_turn <= most_mean_turn_both_ways && is_evident_sphere(region);
     case SurfaceKind::torus:
-      return places_of(region, false).count >= 4 && is_evident_arc(region, true, mean_turn);
+      return places_around(region, false).count >= 4 && is_evident_arc(region, true, mean_turn);
     case SurfaceKind::plane:
     case SurfaceKind::free_form:
       break;

@@ -26,6 +26,15 @@ double allowance_of(const Facets& facets, double sagitta);
 /// more than half a step of a coarse tessellation. What is too thin to face anywhere has no say.
 bool approximates(const Facets& facets, int facet, const PartSurface& surface, double allowance, double sagitta);
 
+/// Where vertices lie on the arc of a surface, by their angles around its axis or around the tube of a torus.
+struct Places {
+  int count = 0;        ///< distinct ones
+  double from = 0;      ///< where the arc begins, radians
+  double sweep = 0;     ///< of the arc; of a whole turn 2 pi
+  bool closed = false;  ///< no gap is larger than steps are
+};
+Places places_of(const PartSurface& surface, std::span<const Vec3> points, bool around_tube, double allowance);
+
 class RegionGrower {
  public:
   /// Facets that have a region already are not taken: `region_of` is by facet, -1 for none, and `regions` are those.
@@ -42,14 +51,6 @@ class RegionGrower {
   bool is_evident(const Region& region);
 
  private:
-  /// Where vertices lie on the arc of a surface.
-  struct Places {
-    int count = 0;        ///< distinct ones
-    double from = 0;      ///< where the arc begins, radians
-    double sweep = 0;     ///< of the arc; of a whole turn 2 pi
-    bool closed = false;  ///< no gap is larger than steps are
-  };
-
   [[nodiscard]] bool may_cross(int triangle, int side) const;
   void add(Region& region, int facet);
   bool spread(Region& region);
@@ -57,7 +58,7 @@ class RegionGrower {
   void drop_misfits(Region& region);
   [[nodiscard]] std::vector<Vec3> points_of(const Region& region, std::size_t most);
   [[nodiscard]] double mean_turn_of(const Region& region) const;
-  [[nodiscard]] Places places_of(const Region& region, bool around_tube);
+  [[nodiscard]] Places places_around(const Region& region, bool around_tube);
   [[nodiscard]] int tangent_ends(const Region& region, const Places& places, bool around_tube);
   [[nodiscard]] bool is_evident_arc(const Region& region, bool around_tube, double mean_turn);
   [[nodiscard]] bool is_beyond_chance(const Region& region);
@@ -70,8 +71,5 @@ class RegionGrower {
   int number_ = 0, vertex_number_ = 0;
   double sagittas_ = 0;
 };
-
-/// Angle of a point around the axis of a surface, or around the tube of a torus, in radians from 0 to 2 pi.
-double angle_of(const PartSurface& surface, const Vec3& point, bool around_tube);
 
 }  // namespace epura
