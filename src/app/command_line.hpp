@@ -13,8 +13,8 @@ struct Answer {
   std::string text;
 };
 
-using Command = std::variant<Answer, DrawOptions, AccuracyOptions, StabilityOptions, CompareOptions, SnapshotOptions,
-                             PluginsOptions, CheckPluginOptions, NewProjectionOptions>;
+using Command = std::variant<Answer, DrawOptions, AccuracyOptions, StabilityOptions, CompareOptions, InfoOptions,
+                             SnapshotOptions, PluginsOptions, CheckPluginOptions, NewProjectionOptions>;
 
 /// Throws Error{input} for wrong usage.
 Command parse_command_line(int argc, char** argv);

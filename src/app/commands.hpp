@@ -19,5 +19,6 @@ int study_stability(const StabilityOptions& options);
 int study_accuracy(const AccuracyOptions& options);
 int compare(const CompareOptions& options);
 int snapshot(const SnapshotOptions& options);
+int info(const InfoOptions& options);
 
 }  // namespace epura

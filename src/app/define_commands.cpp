@@ -36,6 +36,7 @@ std::vector<DefinedCommand> define_commands(CLI::App& program) {
       defined(program, "draw", "draw models", draw_options()),
       defined(program, "explain", "draw, and tell which stages ran, which were left out, and why", explain_options(),
               explaining),
+      defined(program, "info", "tell what a model is: size, bodies, faces, holes, repairs", info_options()),
       defined(program, "compare", "tell what a person sees that differs in two drawings", compare_options()),
       defined(program, "snapshot", "draw cases and compare them with what is expected", snapshot_options()),
       defined(program, "plugins", "list projections, show one, or check a library of them", plugins_options()),

@@ -26,6 +26,7 @@ int run(int argc, char** argv) {
   if (const auto* options = std::get_if<StabilityOptions>(&command)) return study_stability(*options);
   if (const auto* options = std::get_if<AccuracyOptions>(&command)) return study_accuracy(*options);
   if (const auto* options = std::get_if<CompareOptions>(&command)) return compare(*options);
+  if (const auto* options = std::get_if<InfoOptions>(&command)) return info(*options);
   if (const auto* options = std::get_if<SnapshotOptions>(&command)) return snapshot(*options);
   return plugins(std::get<PluginsOptions>(command));
 }
