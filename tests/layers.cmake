@@ -4,7 +4,7 @@
 # named only in its own folders. So the flow can be read in one direction, and a library exchanged in one place.
 cmake_minimum_required(VERSION 3.25)
 
-set(order base search mesh scene projection view edges visibility drawing report sheet output verify explain compare study
+set(order base search mesh features scene projection view edges visibility drawing report sheet output verify explain compare study
     pipeline library app)
 
 set(libraries OpenMesh tbb gmp dlfcn.h cairo pugixml rapidjson qpdf CLI toml\\+\\+ ft2build.h)

@@ -147,10 +147,7 @@ inline Part plate_with_hole(double half_width, double height, double radius, int
     const double a = 2 * pi * i / n + pi / 4;
     const int side = i / steps_of_a_side;
     const double t = 2.0 * (i % steps_of_a_side) / steps_of_a_side - 1;
-    const Vec2 corner = side == 0   ? Vec2(-t, 1)
-                        : side == 1 ? Vec2(-1, -t)
-                        : side == 2 ? Vec2(t, -1)
-                                    : Vec2(1, t);
+    const Vec2 corner = side == 0 ? Vec2(-t, 1) : side == 1 ? Vec2(-1, -t) : side == 2 ? Vec2(t, -1) : Vec2(1, t);
     const Vec2 out = half_width * corner, in = radius * Vec2(std::cos(a), std::sin(a));
     rings[0].push_back(part.add({in.x, in.y, 0}));
     rings[1].push_back(part.add({out.x, out.y, 0}));
