@@ -36,63 +36,85 @@ Polar polar_of(const PartSurface& surface, const Vec3& point) {
 // Of the angle between the axis of a cone and its generators.
 double cosine_of(const PartSurface& cone) { return 1 / std::sqrt(1 + cone.slope * cone.slope); }
 
-/// How the distance of a point changes with what determines a surface: moves of the origin, tilts of the axis towards
-/// `across`, radii and angles, in the order in which `move` takes them.
-Unknowns slopes_at(const PartSurface& s, const Vec3& point, const std::array<Vec3, 2>& across) {
-  const Polar polar = polar_of(s, point);
-  const double one = glm::dot(polar.outwards, across[0]), two = glm::dot(polar.outwards, across[1]);
+/// How a surface may move: as a whole, turned about the middle of the points, and larger or smaller so that it stays
+/// where it is there. Otherwise radii and moves are hard to tell apart where points take a small part of a surface.
+struct Motion {
+  Vec3 middle;                 ///< of the points
+  std::array<Vec3, 2> across;  ///< square to the axis
+  Vec3 radial;                 ///< from the axis or centre to the middle
+  Vec3 normal;                 ///< of the surface beside the middle
+};
+
+Motion motion_of(const PartSurface& s, const Vec3& middle) {
+  const bool has_axis = s.kind != SurfaceKind::sphere;
+  const Vec3 radial = has_axis ? polar_of(s, middle).outwards : normal_near(s, middle);
+  return {middle, square_to(has_axis ? s.axis : Vec3(0, 0, 1)), radial, normal_near(s, middle)};
+}
+
+/// How the distance of a point changes with each way to move, in the order in which `moved` takes them.
+Unknowns slopes_at(const PartSurface& s, const Vec3& point, const Motion& motion) {
+  const Vec3 n = normal_near(s, point);
+  const Vec3 turning = glm::cross(n, point - motion.middle);
+  const double one = glm::dot(turning, motion.across[0]), two = glm::dot(turning, motion.across[1]);
+  const double in = -glm::dot(n, motion.across[0]), beside = -glm::dot(n, motion.across[1]);
   switch (s.kind) {
-    case SurfaceKind::plane: {
-      const Vec3 from = point - s.origin;
-      return {-1, glm::dot(from, across[0]), glm::dot(from, across[1])};
-    }
+    case SurfaceKind::plane:
+      return {-1, one, two};
     case SurfaceKind::cylinder:
-      return {-one, -two, -polar.height * one, -polar.height * two, -1};
+      return {in, beside, one, two, glm::dot(n, motion.radial) - 1};
     case SurfaceKind::cone: {
-      const double c = cosine_of(s), n = s.slope * c;
-      const double tilt = polar.height * c + polar.radius * n;
-      const double turn = -(polar.radius - s.radius) * n - polar.height * c;
-      return {-c * one, -c * two, -tilt * one, -tilt * two, -c, turn * c * c};
+      const Polar polar = polar_of(s, point);
+      const double c = cosine_of(s);
+      const double turn = -(polar.radius - s.radius) * s.slope * c - polar.height * c;
+      return {in, beside, one, two, glm::dot(n, motion.radial) - c, turn * c * c};
     }
-    case SurfaceKind::sphere: {
-      const Vec3 n = normal_near(s, point);
-      return {-n.x, -n.y, -n.z, -1};
-    }
-    case SurfaceKind::torus: {
-      const Vec3 n = normal_near(s, point);
-      const double along = glm::dot(n, s.axis), out = glm::dot(n, polar.outwards);
-      const double tilt = along * polar.radius - out * polar.height;
-      return {-n.x, -n.y, -n.z, tilt * one, tilt * two, -out, -1};
-    }
+    case SurfaceKind::sphere:
+      return {-n.x, -n.y, -n.z, glm::dot(n, motion.radial) - 1};
+    case SurfaceKind::torus:
+      return {-n.x,
+              -n.y,
+              -n.z,
+              one,
+              two,
+              glm::dot(n, motion.radial - polar_of(s, point).outwards),
+              glm::dot(n, motion.normal) - 1};
     case SurfaceKind::free_form:
       break;
   }
   return {};
 }
 
-PartSurface moved(PartSurface s, const Unknowns& by, const std::array<Vec3, 2>& across) {
-  const auto tilt = [&](double one, double two) {
-    s.axis = glm::normalize(s.axis + one * across[0] + two * across[1]);
+// Cayley's form of a rotation by a small vector.
+Vec3 turned(const Vec3& v, const Vec3& by) {
+  const Vec3 half = by / 2.0, once = glm::cross(half, v);
+  return v + 2 / (1 + glm::dot(half, half)) * (once + glm::cross(half, once));
+}
+
+PartSurface moved(PartSurface s, const Unknowns& by, const Motion& motion) {
+  const auto turn = [&](double one, double two) {
+    const Vec3 rotation = one * motion.across[0] + two * motion.across[1];
+    s.axis = glm::normalize(turned(s.axis, rotation));
+    s.origin = motion.middle + turned(s.origin - motion.middle, rotation);
   };
   switch (s.kind) {
     case SurfaceKind::plane:
+      turn(by[1], by[2]);
       s.origin += by[0] * s.axis;
-      tilt(-by[1], -by[2]);
       break;
     case SurfaceKind::cylinder:
     case SurfaceKind::cone:
-      s.origin += by[0] * across[0] + by[1] * across[1];
-      tilt(by[2], by[3]);
+      turn(by[2], by[3]);
+      s.origin += by[0] * motion.across[0] + by[1] * motion.across[1] - by[4] * motion.radial;
       s.radius += by[4];
       if (s.kind == SurfaceKind::cone) s.slope += by[5];
       break;
     case SurfaceKind::sphere:
-      s.origin += Vec3(by[0], by[1], by[2]);
+      s.origin += Vec3(by[0], by[1], by[2]) - by[3] * motion.radial;
       s.radius += by[3];
       break;
     case SurfaceKind::torus:
-      s.origin += Vec3(by[0], by[1], by[2]);
-      tilt(by[3], by[4]);
+      turn(by[3], by[4]);
+      s.origin += Vec3(by[0], by[1], by[2]) - by[5] * motion.radial - by[6] * motion.normal;
       s.radius += by[5];
       s.minor += by[6];
       break;
@@ -269,12 +291,12 @@ double residual_of(const PartSurface& surface, std::span<const Vec3> points) {
 }
 
 double refine(PartSurface& surface, std::span<const Vec3> points, double wanted) {
-  constexpr int most_steps = 12;
+  constexpr int most_steps = 16;
   const auto count = static_cast<double>(points.size());
+  const Vec3 middle = mean_of(points);
   // Beside the points, so that tilts and moves of the axis are told apart.
   const auto recentre = [&] {
     if (surface.kind == SurfaceKind::sphere || surface.kind == SurfaceKind::torus) return;
-    const Vec3 middle = mean_of(points);
     const double along = glm::dot(middle - surface.origin, surface.axis);
     if (surface.kind == SurfaceKind::plane) {
       surface.origin = middle - along * surface.axis;
@@ -286,14 +308,14 @@ double refine(PartSurface& surface, std::span<const Vec3> points, double wanted)
   recentre();
   if (!is_sound(surface)) return HUGE_VAL;
   double sum = sum_of_squares(surface, points);
-  double damping = 1e-4;
+  double damping = 1e-8;
   for (int step = 0; step < most_steps; ++step) {
-    const auto across = square_to(surface.kind == SurfaceKind::sphere ? Vec3(0, 0, 1) : surface.axis);
+    const Motion motion = motion_of(surface, middle);
     NormalEquations equations(unknowns_of(surface.kind));
-    for (const Vec3& p : points) equations.add(slopes_at(surface, p, across), -signed_distance(surface, p));
+    for (const Vec3& p : points) equations.add(slopes_at(surface, p, motion), -signed_distance(surface, p));
     const auto by = equations.solve(damping);
     if (!by) break;
-    const PartSurface next = moved(surface, *by, across);
+    const PartSurface next = moved(surface, *by, motion);
     const double next_sum = is_sound(next) ? sum_of_squares(next, points) : HUGE_VAL;
     if (!(next_sum < sum)) {
       damping *= 16;
@@ -301,7 +323,7 @@ double refine(PartSurface& surface, std::span<const Vec3> points, double wanted)
       continue;
     }
     // Near a surface that the points lie on, steps square the distance.
-    const bool hopeless = step >= 3 && next_sum > 0.3 * sum && next_sum > count * wanted * wanted;
+    const bool hopeless = step >= 2 && next_sum > 0.3 * sum && next_sum > count * wanted * wanted;
     const bool done = hopeless || next_sum > 0.999 * sum || next_sum == 0;
     surface = next;
     sum = next_sum;

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <numbers>
 #include <optional>
 #include <span>
@@ -24,7 +22,8 @@ constexpr double smooth_cosine = 0.7;  // of a fold that a coarse tessellation h
 // Where so few seeds of so many grow, nothing will come of the rest.
 constexpr int least_seeds = 256;
 constexpr int seeds_for_one = 192;
-constexpr char most_failures = 4;
+constexpr int patience = 512;
+constexpr char enough_failures = 8;
 // Of the area of a part.
 constexpr double least_recognised = 0.25;
 
@@ -45,30 +44,42 @@ class Recogniser {
         grower_(facets, region_of_, regions_) {}
 
   void run() {
-    find_round_regions();
+    find_round_regions(false);
+    if (regions_.empty()) return;
     // With their neighbours known, narrow ones show that they are tangent to them.
-    if (!regions_.empty()) {
-      std::fill(failures_.begin(), failures_.end(), char(0));
-      find_round_regions();
-    }
+    std::fill(failures_.begin(), failures_.end(), char(0));
+    find_round_regions(true);
   }
 
   [[nodiscard]] const std::vector<Region>& regions() const { return regions_; }
   [[nodiscard]] const std::vector<int>& region_of() const { return region_of_; }
 
  private:
-  void find_round_regions() {
-    int tried = 0, grown = 0;
+  void find_round_regions(bool beside_regions) {
+    int tried = 0, grown = 0, in_vain = -patience;
     for (int f = 0; f < static_cast<int>(facets_.facets.size()); ++f) {
+      // The longer little was found, as in free forms, the fewer seeds are tried.
+      const int most_failures = in_vain < 0 ? enough_failures : in_vain < 256 ? 3 : 1;
       const Facet& facet = facets_.facets[f];
       if (region_of_[f] >= 0 || failures_[f] >= most_failures || facet.is_plane || facets_.is_sliver(f)) continue;
+      if (beside_regions && !is_beside_region(f)) continue;
       const std::vector<int> beside = beside_of(f);
       if (beside.empty()) continue;
       ++tried;
-      grown += grow_from(f, beside) ? 1 : 0;
-      if (getenv("D") && tried % 1000 == 0) fprintf(stderr, "tried %d grown %d\n", tried, grown);
+      ++in_vain;
+      if (grow_from(f, beside)) {
+        ++grown;
+        in_vain = std::max(in_vain - 16, -patience);
+      }
       if (tried >= least_seeds && tried > seeds_for_one * grown) return;
     }
+  }
+
+  [[nodiscard]] bool is_beside_region(int facet) const {
+    for (const int t : facets_.triangles_of(facet))
+      for (const Side& side : facets_.sides[t])
+        if (side.neighbour >= 0 && region_of_[facets_.facet_of[side.neighbour]] >= 0) return true;
+    return false;
   }
 
   // Neighbours without a region across smooth edges, those with the longest common edges first.
@@ -140,49 +151,79 @@ class Recogniser {
     return facings;
   }
 
-  // Keeps the surface if the seeds lie on it and it explains more nearby facets than the last of its kind.
-  void consider(std::vector<Guess>& guesses, std::optional<PartSurface> surface, std::span<const int> seeds,
-                std::span<const Vec3> points, std::span<const int> nearby) const {
-    if (!surface) return;
-    double sagitta = 0;
-    const double residual = refine(*surface, points, 64 * facets_.tolerance);
-    for (const int f : seeds)
-      sagitta += std::abs(signed_distance(*surface, facets_.facets[f].middle)) / static_cast<double>(seeds.size());
+  /// Some facets, what a fit asks of them, and those around them that are to tell whether it is right.
+  struct Patch {
+    std::span<const int> facets, nearby;
+    std::vector<Vec3> points;
+    std::vector<Facing> facings;
+  };
+
+  [[nodiscard]] Patch patch_of(std::span<const int> facets, std::span<const int> nearby) const {
+    return {facets, nearby, points_of(facets), facings_of(facets)};
+  }
+
+  [[nodiscard]] double sagitta_of(const PartSurface& surface, std::span<const int> facets) const {
+    double sum = 0;
+    for (const int f : facets) sum += std::abs(signed_distance(surface, facets_.facets[f].middle));
+    return sum / static_cast<double>(facets.size());
+  }
+
+  // Keeps the surface if the patch lies on it and it explains more facets nearby than the last of its kind. Whether the
+  // patch does.
+  bool consider(std::vector<Guess>& guesses, std::optional<PartSurface> surface, const Patch& patch) const {
+    if (!surface) return false;
+    const double residual = refine(*surface, patch.points, 64 * facets_.tolerance);
+    const double sagitta = sagitta_of(*surface, patch.facets);
     const double allowance = allowance_of(facets_, sagitta);
-    if (residual > allowance || sagitta < 4 * residual) return;
-    std::vector<int> explained;
-    for (const int f : nearby)
-      if (approximates(facets_, f, *surface, (f == seeds[0] ? 1 : 8) * allowance, sagitta)) explained.push_back(f);
-    if (explained.size() < 2 || explained.front() != seeds[0]) return;
+    if (residual > allowance || sagitta < 4 * residual) return false;
+    const int seed = patch.facets.front();
+    std::size_t explained = 0;
+    for (const int f : patch.nearby) {
+      const bool fits = approximates(facets_, f, *surface, (f == seed ? 1 : 8) * allowance, sagitta);
+      if (f == seed && !fits) return false;
+      explained += fits ? 1 : 0;
+    }
+    // As many points as determine it say nothing, unless it foretells others.
+    const auto spare = static_cast<int>(patch.points.size()) - unknowns_of(surface->kind);
+    if (explained < 2 || (explained <= patch.facets.size() && spare < 2)) return false;
+    const Guess guess{*surface, {patch.facets.begin(), patch.facets.end()}, explained};
     const auto same =
         std::find_if(guesses.begin(), guesses.end(), [&](const Guess& g) { return g.surface.kind == surface->kind; });
     if (same == guesses.end())
-      guesses.push_back({*surface, {seeds.begin(), seeds.end()}, explained.size()});
-    else if (explained.size() > same->explained)
-      *same = {*surface, {seeds.begin(), seeds.end()}, explained.size()};
+      guesses.push_back(guess);
+    else if (explained > same->explained)
+      *same = guess;
+    return true;
+  }
+
+  // Three facets of a strip that lies along a surface begin it so well that little is left to refine.
+  void guess_strip(std::vector<Guess>& guesses, const Patch& patch) const {
+    const auto is_near = [&](const std::optional<PartSurface>& surface) {
+      return surface && residual_of(*surface, patch.points) < 0.25 * sagitta_of(*surface, patch.facets);
+    };
+    if (const auto cylinder = begin_cylinder(patch.facings, patch.points); is_near(cylinder))
+      consider(guesses, cylinder, patch);
+    if (const auto cone = begin_cone(patch.facings, patch.points); is_near(cone)) consider(guesses, cone, patch);
+    if (patch.points.size() < 5) return;
+    if (const auto sphere = begin_sphere(patch.points); is_near(sphere)) consider(guesses, sphere, patch);
   }
 
   [[nodiscard]] std::vector<Guess> guess(int facet, const std::vector<int>& beside,
                                          const std::vector<int>& nearby) const {
     std::vector<Guess> guesses;
-    const auto try_all = [&](const std::vector<int>& seeds) {
-      const std::vector<Vec3> points = points_of(seeds);
-      const std::vector<Facing> facings = facings_of(seeds);
-      consider(guesses, begin_cylinder(facings, points), seeds, points, nearby);
-      consider(guesses, begin_cone(facings, points), seeds, points, nearby);
-      if (points.size() > 4) consider(guesses, begin_sphere(points), seeds, points, nearby);
-    };
-    if (beside.size() == 1) try_all({facet, beside[0]});
+    const auto try_strip = [&](const std::vector<int>& seeds) { guess_strip(guesses, patch_of(seeds, nearby)); };
+    if (beside.size() == 1) try_strip({facet, beside[0]});
     // The longest edges of a strip are those along it; neighbours across them are on one surface most often.
-    for (std::size_t i = 0; i + 1 < beside.size(); ++i) try_all({facet, beside[i], beside[i + 1]});
-    if (beside.size() > 2) try_all({facet, beside[0], beside[2]});
-    for (const std::size_t size : {std::size_t(13), std::size_t(9)}) {
-      if (nearby.size() < size) continue;
-      const std::vector<int> seeds(nearby.begin(), nearby.begin() + static_cast<std::ptrdiff_t>(size));
-      const std::vector<Vec3> points = points_of(seeds);
-      const std::vector<Facing> facings = facings_of(seeds);
-      consider(guesses, begin_torus_by_normals(facings, points), seeds, points, nearby);
-      consider(guesses, begin_torus_by_curvatures(facings, points), seeds, points, nearby);
+    for (std::size_t i = 0; i + 1 < beside.size(); ++i) try_strip({facet, beside[i], beside[i + 1]});
+    if (beside.size() > 2) try_strip({facet, beside[0], beside[2]});
+    std::size_t size = std::min<std::size_t>(9, nearby.size());
+    while (size < nearby.size() && size < 13 && points_of(std::span(nearby).first(size)).size() < 14) ++size;
+    if (size >= 7) {
+      const Patch patch = patch_of(std::span(nearby).first(size), nearby);
+      consider(guesses, begin_cylinder(patch.facings, patch.points), patch);
+      consider(guesses, begin_cone(patch.facings, patch.points), patch);
+      if (!consider(guesses, begin_torus_by_normals(patch.facings, patch.points), patch))
+        consider(guesses, begin_torus_by_curvatures(patch.facings, patch.points), patch);
     }
     // What explains more; of equals the simpler one.
     std::sort(guesses.begin(), guesses.end(), [](const Guess& a, const Guess& b) {
@@ -195,11 +236,6 @@ class Recogniser {
     const std::vector<int> nearby = around(facet, beside);
     for (const Guess& g : guess(facet, beside, nearby)) {
       auto region = grower_.grow(g.surface, g.seeds);
-      if (getenv("G"))
-        fprintf(stderr, "seed %d beside %zu nearby %zu guess %s r %g explained %zu -> %s facets %zu evident %d\n",
-                facet, beside.size(), nearby.size(), surface_kind_names[int(g.surface.kind)], g.surface.radius,
-                g.explained, region ? "grown" : "-", region ? region->facets.size() : 0,
-                region ? int(grower_.is_evident(*region)) : -1);
       if (!region || !grower_.is_evident(*region)) continue;
       for (const int f : region->facets) region_of_[f] = static_cast<int>(regions_.size());
       regions_.push_back(std::move(*region));
@@ -208,9 +244,9 @@ class Recogniser {
     // What is as large as the seed would hardly do better.
     for (const int f : nearby) {
       const double ratio = facets_.facets[f].width / facets_.facets[facet].width;
-      if (ratio > 0.4 && ratio < 2.5) ++failures_[f];
+      if (ratio > 0.4 && ratio < 2.5 && failures_[f] < enough_failures) ++failures_[f];
     }
-    failures_[facet] = most_failures;
+    failures_[facet] = enough_failures;
     return false;
   }
 

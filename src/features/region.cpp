@@ -186,6 +186,41 @@ bool RegionGrower::spread(Region& region) {
   return region.facets.size() > before;
 }
 
+// Facets that are so askew that they face elsewhere, but lie among those of the region.
+void RegionGrower::take_enclosed(Region& region) {
+  const double allowance = allowance_of(facets_, region.sagitta);
+  const double sagitta = region.sagitta;
+  const auto is_enclosed = [&](int facet) {
+    double within = 0, all = 0;
+    for (const int t : facets_.triangles_of(facet))
+      for (int side = 0; side < 3; ++side) {
+        const int neighbour = facets_.sides[t][side].neighbour;
+        if (neighbour >= 0 && facets_.facet_of[neighbour] == facet) continue;
+        const double length = glm::distance(facets_.points[facets_.corners[t][side]],
+                                            facets_.points[facets_.corners[t][(side + 1) % 3]]);
+        all += length;
+        if (neighbour >= 0 && stamp_[facets_.facet_of[neighbour]] == number_) within += length;
+      }
+    return 2 * within > all;
+  };
+  const auto lies_on = [&](int facet) {
+    const auto vertices = facets_.vertices_of(facet);
+    const auto is_near = [&](int v) {
+      return std::abs(signed_distance(region.surface, facets_.points[v])) <= allowance;
+    };
+    return std::all_of(vertices.begin(), vertices.end(), is_near) &&
+           std::abs(signed_distance(region.surface, facets_.facets[facet].middle)) <= most_sagittas * sagitta;
+  };
+  for (std::size_t next = 0; next < region.facets.size(); ++next)
+    for (const int t : facets_.triangles_of(region.facets[next]))
+      for (const Side& side : facets_.sides[t]) {
+        if (side.neighbour < 0) continue;
+        const int facet = facets_.facet_of[side.neighbour];
+        if (stamp_[facet] == number_ || region_of_[facet] >= 0 || facets_.facets[facet].is_plane) continue;
+        if (lies_on(facet) && is_enclosed(facet)) add(region, facet);
+      }
+}
+
 void RegionGrower::drop_misfits(Region& region) {
   const double allowance = allowance_of(facets_, region.sagitta);
   std::vector<int> kept;
@@ -215,6 +250,7 @@ std::optional<Region> RegionGrower::grow(const PartSurface& beginning, std::span
   // A surface is only told from the polyhedron where the two differ.
   if (region.residual > allowance_of(facets_, region.sagitta) || region.sagitta < 4 * region.residual)
     return std::nullopt;
+  take_enclosed(region);
   return region;
 }
 
