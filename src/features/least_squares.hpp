@@ -11,10 +11,10 @@
 
 namespace epura {
 
-/// Normal equations of up to seven unknowns.
+/// Normal equations of up to ten unknowns.
 class NormalEquations {
  public:
-  static constexpr int max_unknowns = 7;
+  static constexpr int max_unknowns = 10;
   using Unknowns = std::array<double, max_unknowns>;
 
   explicit NormalEquations(int unknowns) : unknowns_(unknowns) {}

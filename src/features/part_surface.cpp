@@ -162,7 +162,9 @@ std::optional<Vec3> meeting_of_normals(std::span<const Facing> facings, const Ve
   return from + (*meeting)[0] * across[0] + (*meeting)[1] * across[1];
 }
 
-// z = a + b x + c y + (d x^2 + 2 e x y + f y^2) / 2 over a plane: its curvatures and their directions at the middle.
+// z = a + b x + c y + (d x^2 + 2 e x y + f y^2) / 2 + cubes over a plane: its curvatures and their directions at the
+// middle. Without the cubes, which are all that tells one torus of these curvatures from another, they would be wrong
+// by as much.
 struct Curvatures {
   Vec3 point, normal;
   std::array<double, 2> value;  ///< positive where the surface turns towards the normal
@@ -173,15 +175,17 @@ std::optional<Curvatures> curvatures_of(const Facing& middle, std::span<const Ve
   const auto across = square_to(middle.normal);
   double size = 0;
   for (const Vec3& p : points) size = std::max(size, glm::distance(p, middle.middle));
-  NormalEquations equations(6);
+  constexpr std::size_t enough_for_cubes = 12;
+  NormalEquations equations(points.size() < enough_for_cubes ? 6 : 10);
   for (const Vec3& p : points) {
     const Vec3 from = (p - middle.middle) / size;
     const double x = glm::dot(from, across[0]), y = glm::dot(from, across[1]);
-    equations.add({1, x, y, x * x / 2, x * y, y * y / 2}, glm::dot(from, middle.normal));
+    equations.add({1, x, y, x * x / 2, x * y, y * y / 2, x * x * x, x * x * y, x * y * y, y * y * y},
+                  glm::dot(from, middle.normal));
   }
   const auto found = equations.solve(0);
   if (!found) return std::nullopt;
-  const auto& [a, b, c, d, e, f, unused] = *found;
+  const double a = (*found)[0], b = (*found)[1], c = (*found)[2], d = (*found)[3], e = (*found)[4], f = (*found)[5];
   const double root = std::sqrt(1 + b * b + c * c);
   const Vec3 normal = glm::normalize(middle.normal - b * across[0] - c * across[1]);
   // In a frame of the tangent plane at the middle the second derivatives are nearly those over the given plane.
@@ -309,7 +313,8 @@ double refine(PartSurface& surface, std::span<const Vec3> points, double wanted)
   if (!is_sound(surface)) return HUGE_VAL;
   double sum = sum_of_squares(surface, points);
   double damping = 1e-8;
-  for (int step = 0; step < most_steps; ++step) {
+  const double rounding = 4e-16 * (surface.radius + surface.minor + glm::distance(surface.origin, middle));
+  for (int step = 0; step < most_steps && sum > count * rounding * rounding; ++step) {
     const Motion motion = motion_of(surface, middle);
     NormalEquations equations(unknowns_of(surface.kind));
     for (const Vec3& p : points) equations.add(slopes_at(surface, p, motion), -signed_distance(surface, p));
@@ -437,7 +442,7 @@ std::optional<PartSurface> begin_torus_by_normals(std::span<const Facing> facing
 
 std::optional<PartSurface> begin_torus_by_curvatures(std::span<const Facing> facings, std::span<const Vec3> points) {
   static const std::vector<Vec2> turns = [] {
-    constexpr int count = 24;
+    constexpr int count = 72;
     std::vector<Vec2> all;
     for (int i = 0; i < count; ++i) {
       const double angle = 2 * std::numbers::pi * (i + 0.5) / count;

@@ -196,8 +196,8 @@ void RegionGrower::take_enclosed(Region& region) {
       for (int side = 0; side < 3; ++side) {
         const int neighbour = facets_.sides[t][side].neighbour;
         if (neighbour >= 0 && facets_.facet_of[neighbour] == facet) continue;
-        const double length = glm::distance(facets_.points[facets_.corners[t][side]],
-                                            facets_.points[facets_.corners[t][(side + 1) % 3]]);
+        const double length =
+            glm::distance(facets_.points[facets_.corners[t][side]], facets_.points[facets_.corners[t][(side + 1) % 3]]);
         all += length;
         if (neighbour >= 0 && stamp_[facets_.facet_of[neighbour]] == number_) within += length;
       }
