@@ -38,6 +38,16 @@ Options<CompareOptions> compare_options() {
   };
 }
 
+Options<InfoOptions> info_options() {
+  using Info = InfoOptions;
+  return {
+      option<Info>({.flag = "models", .help = "model files: obj stl ply off", .required = true, .repeatable = true},
+                   &Info::models, file_name("MODEL...")),
+      option<Info>({.flag = "--json", .help = "the same for programs; - for standard output"}, &Info::json,
+                   file_name("FILE")),
+  };
+}
+
 Options<SnapshotOptions> snapshot_options() {
   using Snapshot = SnapshotOptions;
   return {

@@ -9,6 +9,7 @@ namespace epura {
 
 Options<CompareOptions> compare_options();
 Options<SnapshotOptions> snapshot_options();
+Options<InfoOptions> info_options();
 Options<PluginsOptions> plugins_options();
 Options<CheckPluginOptions> check_plugin_options();
 Options<NewProjectionOptions> new_projection_options();

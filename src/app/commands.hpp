@@ -17,5 +17,6 @@ int check_plugin(const CheckPluginOptions& options);
 int new_projection(const NewProjectionOptions& options);
 int compare(const CompareOptions& options);
 int snapshot(const SnapshotOptions& options);
+int info(const InfoOptions& options);
 
 }  // namespace epura

@@ -66,6 +66,11 @@ struct CompareOptions {
   std::string json, overlay;  ///< files to write; empty: none
 };
 
+struct InfoOptions {
+  std::vector<std::string> models;
+  std::string json;  ///< file to write; empty: none
+};
+
 struct SnapshotOptions {
   std::vector<std::string> folders;  ///< with cases in them, or cases
   bool accept = false;               ///< what comes is what is expected from now on

@@ -33,6 +33,7 @@ TEST(Manual, HasEveryOptionOfEveryCommand) {
   int found = 0;
   for (const std::vector<std::string>& command : std::vector<std::vector<std::string>>{{"draw"},
                                                                                        {"explain"},
+                                                                                       {"info"},
                                                                                        {"compare"},
                                                                                        {"snapshot"},
                                                                                        {"plugins"},

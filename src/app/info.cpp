@@ -1,0 +1,376 @@
+// SPDX-License-Identifier: Apache-2.0
+// epura info MODEL...: what a model file holds.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/commands.hpp"
+#include "base/portable_math.hpp"
+#include "base/text.hpp"
+#include "base/utf8.hpp"
+#include "features/holes.hpp"
+#include "features/recognise.hpp"
+#include "mesh/read.hpp"
+#include "output/json_text.hpp"
+#include "pipeline/targets.hpp"
+#include "scene/choices.hpp"
+
+namespace epura {
+
+namespace {
+
+constexpr std::size_t most_positions = 4;
+constexpr std::size_t most_radii = 12;
+
+/// What is told of one model.
+struct ModelInfo {
+  MeshReport report;
+  Box box;
+  std::optional<Unit> unit;  ///< what it most likely is; no format of these says it
+  PartFaces part;
+  std::vector<Hole> holes;
+
+  [[nodiscard]] bool closed() const { return report.triangles > 0 && report.open_edges == 0; }
+};
+
+Box box_of(const Mesh& mesh) {
+  Box box;
+  for (int t = 0; t < mesh.report.triangles; ++t)
+    for (const int v : mesh.triangle(t)) {
+      const Vec3 p = mesh.point(v);
+      box.add({p[0], p[1], p[2]});
+    }
+  return box;
+}
+
+// The share of diameters that are a whole number of steps.
+double share_of_round(const std::vector<double>& diameters, double step) {
+  if (diameters.empty()) return 0;
+  const auto is_round = [&](double d) {
+    const double steps = d / step;
+    return steps > 0.5 && std::abs(steps - std::nearbyint(steps)) < 1e-3;
+  };
+  return static_cast<double>(std::count_if(diameters.begin(), diameters.end(), is_round)) /
+         static_cast<double>(diameters.size());
+}
+
+// Designers choose round diameters, and parts have the size of things.
+std::optional<Unit> guess_unit(const Box& box, const PartFaces& part) {
+  struct Guess {
+    Unit unit;
+    double step, least, most;  ///< of diameters; sizes of things
+  };
+  constexpr std::array guesses{Guess{Unit::mm, 0.5, 2, 2e4}, Guess{Unit::in, 1.0 / 32, 0.1, 400},
+                               Guess{Unit::m, 0.0005, 0.005, 100}};
+  if (part.faces.empty()) return std::nullopt;
+  const Vec3 size = box.size();
+  const double largest = std::max({size.x, size.y, size.z});
+  std::vector<double> diameters;
+  for (const PartFace& face : part.faces)
+    if (face.surface.kind == SurfaceKind::cylinder && face.sweep > 359) diameters.push_back(2 * face.surface.radius);
+  std::optional<Unit> best;
+  double best_share = 0.5;
+  for (const Guess& guess : guesses) {
+    const double share = share_of_round(diameters, guess.step);
+    if (largest < guess.least || largest > guess.most || share <= best_share) continue;
+    best = guess.unit;
+    best_share = share;
+  }
+  if (best) return best;
+  return largest >= 5 && largest <= 2e4 ? std::optional(Unit::mm) : std::nullopt;
+}
+
+ModelInfo info_of(const std::string& path) {
+  const Mesh mesh = read_mesh(path);
+  ModelInfo info{mesh.report, box_of(mesh), std::nullopt, recognise_faces(mesh), {}};
+  info.report.name = path;
+  info.holes = find_holes(mesh, info.part);
+  info.unit = guess_unit(info.box, info.part);
+  return info;
+}
+
+/// Numbers with as many decimals as the file is sure of.
+class Rounded {
+ public:
+  explicit Rounded(double tolerance)
+      : decimals_(tolerance > 0 ? std::clamp(static_cast<int>(std::floor(-std::log10(2 * tolerance))), 0, 9) : 6) {}
+
+  std::string operator()(double value) const { return format_fixed(value, decimals_); }
+  std::string operator()(const Vec3& p) const {
+    return "(" + (*this)(p.x) + ", " + (*this)(p.y) + ", " + (*this)(p.z) + ")";
+  }
+
+ private:
+  int decimals_;
+};
+
+std::string counted(int count, const std::string& one, const std::string& many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+std::string percent(double share) { return format_fixed(100 * share, 1) + " %"; }
+
+std::string line_of(std::string key, const std::string& value) {
+  key.resize(std::max<std::size_t>(10, key.size() + 1), ' ');
+  return "  " + key + one_line(value) + "\n";
+}
+
+// Direction of an axis; which way it points is nothing to a hole.
+std::string axis_text(Vec3 axis) {
+  const auto names = {std::pair("x", Vec3(1, 0, 0)), std::pair("y", Vec3(0, 1, 0)), std::pair("z", Vec3(0, 0, 1))};
+  for (const auto& [name, along] : names)
+    if (std::abs(glm::dot(axis, along)) > 1 - 1e-9) return name;
+  const double leading = std::abs(axis.z) > 1e-9 ? axis.z : std::abs(axis.y) > 1e-9 ? axis.y : axis.x;
+  if (leading < 0) axis = -axis;
+  return Rounded(5e-5)(axis);
+}
+
+std::string bodies_text(const ModelInfo& info) {
+  const MeshReport& report = info.report;
+  std::string text = std::to_string(report.bodies) + ", ";
+  if (info.closed())
+    text += "closed";
+  else
+    text += "open: " + counted(report.open_edges, "edge with one face", "edges with one face");
+  if (report.non_manifold_edges > 0)
+    text +=
+        ", " + counted(report.non_manifold_edges, "edge with three or more faces", "edges with three or more faces");
+  return text;
+}
+
+// "R 3.5 (6), R 18": what a kind is known by, and how often each comes.
+std::string radii_text(const PartFaces& part, SurfaceKind kind, const Rounded& rounded) {
+  std::map<std::pair<double, double>, std::pair<std::string, int>> radii;
+  for (const PartFace& face : part.faces) {
+    if (face.surface.kind != kind) continue;
+    const PartSurface& s = face.surface;
+    std::string text = "R " + rounded(s.radius);
+    std::pair key{s.radius, s.minor};
+    if (kind == SurfaceKind::torus) text += " r " + rounded(s.minor);
+    if (kind == SurfaceKind::cone) {
+      const double angle = portable_atan2(std::abs(s.slope), 1) * (360 / std::numbers::pi);
+      text = format_fixed(angle, 2) + "\u00b0";
+      key = {angle, 0};
+    }
+    const auto same = std::find_if(radii.begin(), radii.end(), [&](const auto& r) { return r.second.first == text; });
+    if (same != radii.end())
+      ++same->second.second;
+    else
+      radii[key] = {text, 1};
+  }
+  std::string text;
+  std::size_t listed = 0;
+  for (const auto& [key, radius] : radii) {
+    if (++listed > most_radii) return text + ", ...";
+    text += (text.empty() ? "" : ", ") + radius.first;
+    if (radius.second > 1) text += " (" + std::to_string(radius.second) + ")";
+  }
+  return text;
+}
+
+std::string faces_text(const ModelInfo& info, const Rounded& rounded) {
+  if (info.part.faces.empty()) return line_of("faces", "no surfaces of a part recognised");
+  constexpr std::array kinds{SurfaceKind::plane,  SurfaceKind::cylinder, SurfaceKind::cone,
+                             SurfaceKind::sphere, SurfaceKind::torus,    SurfaceKind::free_form};
+  constexpr std::array one{"plane", "cylinder", "cone", "sphere", "torus", "free form"};
+  constexpr std::array many{"planes", "cylinders", "cones", "spheres", "tori", "free forms"};
+  std::string text = line_of("faces", std::to_string(info.part.faces.size()) + "; " + percent(info.part.recognised) +
+                                          " of the area is recognised");
+  for (const SurfaceKind kind : kinds) {
+    const auto k = static_cast<std::size_t>(kind);
+    const auto count = static_cast<int>(std::count_if(info.part.faces.begin(), info.part.faces.end(),
+                                                      [&](const auto& f) { return f.surface.kind == kind; }));
+    if (count == 0) continue;
+    std::string what = counted(count, one[k], many[k]);
+    if (kind != SurfaceKind::plane && kind != SurfaceKind::free_form)
+      what += ": " + radii_text(info.part, kind, rounded);
+    text += line_of("", what);
+  }
+  return text;
+}
+
+int count_borders(const PartFaces& part, BorderKind kind) {
+  return static_cast<int>(
+      std::count_if(part.borders.begin(), part.borders.end(), [&](const PartBorder& b) { return b.kind == kind; }));
+}
+
+std::string edges_text(const PartFaces& part) {
+  std::string text = std::to_string(count_borders(part, BorderKind::sharp)) + " sharp, " +
+                     std::to_string(count_borders(part, BorderKind::tangent)) + " tangent";
+  const int open = count_borders(part, BorderKind::open);
+  return open > 0 ? text + ", " + std::to_string(open) + " open" : text;
+}
+
+std::string hole_text(const Hole& hole, const Rounded& rounded) {
+  std::string text;
+  for (const double diameter : hole.diameters) text += (text.empty() ? "\u00d8" : ", \u00d8") + rounded(diameter);
+  const double length = glm::distance(hole.from, hole.to);
+  text += hole.through ? ", through, " : ", blind, ";
+  return text + rounded(length) + " long, along " + axis_text((hole.to - hole.from) / length);
+}
+
+// Equal holes on one line.
+std::string holes_text(const std::vector<Hole>& holes, const Rounded& rounded) {
+  if (holes.empty()) return line_of("holes", "none");
+  std::vector<std::pair<std::string, std::vector<Vec3>>> groups;
+  for (const Hole& hole : holes) {
+    const std::string text = hole_text(hole, rounded);
+    const auto same = std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.first == text; });
+    if (same == groups.end())
+      groups.push_back({text, {hole.from}});
+    else
+      same->second.push_back(hole.from);
+  }
+  std::string text = line_of("holes", std::to_string(holes.size()));
+  for (const auto& [what, positions] : groups) {
+    std::string line = positions.size() > 1 ? std::to_string(positions.size()) + " x " + what : what;
+    for (std::size_t i = 0; i < std::min(positions.size(), most_positions); ++i)
+      line += (i == 0 ? ", from " : ", ") + rounded(positions[i]);
+    if (positions.size() > most_positions) line += ", ...";
+    text += line_of("", line);
+  }
+  return text;
+}
+
+std::vector<std::string> repairs_of(const MeshReport& report) {
+  std::vector<std::string> repairs;
+  const auto add = [&](int count, const std::string& one, const std::string& many) {
+    if (count > 0) repairs.push_back(counted(count, one, many));
+  };
+  // Triangles of an STL file bring their own corners: joining these is reading, and no repair.
+  if (report.format != "stl") add(report.welded_vertices, "vertex joined", "vertices joined");
+  add(report.dropped_degenerate, "face without area left out", "faces without area left out");
+  add(report.dropped_duplicates, "face left out that is there twice", "faces left out that are there twice");
+  add(report.dropped_non_finite, "face left out for numbers that are not finite",
+      "faces left out for numbers that are not finite");
+  add(report.misoriented_edges, "edge between faces that run different ways round",
+      "edges between faces that run different ways round");
+  repairs.insert(repairs.end(), report.notes.begin(), report.notes.end());
+  repairs.insert(repairs.end(), report.remarks.begin(), report.remarks.end());
+  return repairs;
+}
+
+std::string text_of(const ModelInfo& info) {
+  const MeshReport& report = info.report;
+  const Rounded rounded(info.part.tolerance);
+  std::string format = report.format;
+  std::transform(format.begin(), format.end(), format.begin(),
+                 [](char c) { return 'a' <= c && c <= 'z' ? char(c - 32) : c; });
+  std::string text = one_line(report.name) + "\n";
+  text += line_of("file", format + (report.single_precision ? ", 32-bit coordinates" : "") + ", " +
+                              counted(report.vertices, "vertex", "vertices") + ", " +
+                              counted(report.faces, "face", "faces") + ", " +
+                              counted(report.triangles, "triangle", "triangles"));
+  if (!info.box.empty()) {
+    const Vec3 size = info.box.size();
+    text += line_of("box", rounded(size.x) + " x " + rounded(size.y) + " x " + rounded(size.z) + ", from " +
+                               rounded(info.box.min) + " to " + rounded(info.box.max));
+  }
+  text +=
+      line_of("unit", info.unit ? "not in the file; probably " + std::string(word_of(*info.unit)) : "not in the file");
+  text += line_of("bodies", bodies_text(info));
+  text += faces_text(info, rounded);
+  if (!info.part.faces.empty()) {
+    text += line_of("edges", edges_text(info.part));
+    text += holes_text(info.holes, rounded);
+  }
+  const std::vector<std::string> repairs = repairs_of(report);
+  text += line_of("repairs", repairs.empty() ? "none" : repairs.front());
+  for (std::size_t i = 1; i < repairs.size(); ++i) text += line_of("", repairs[i]);
+  return text;
+}
+
+// JSON
+
+std::string json_of(const Vec3& p) {
+  return "[" + format_number(p.x) + ", " + format_number(p.y) + ", " + format_number(p.z) + "]";
+}
+
+template <class Items, class Write>
+std::string json_list(const Items& items, const Write& write, const std::string& between = ", ") {
+  std::string text = "[";
+  bool first = true;
+  for (const auto& item : items) {
+    if (!std::exchange(first, false)) text += between;
+    text += write(item);
+  }
+  return text + "]";
+}
+
+std::string json_of(const PartFace& face) {
+  const PartSurface& s = face.surface;
+  std::string text = "{\"kind\": " + json_string(surface_kind_names[static_cast<std::size_t>(s.kind)]) +
+                     ", \"body\": " + std::to_string(face.body) + ", \"triangles\": " + std::to_string(face.triangles) +
+                     ", \"area\": " + format_number(face.area);
+  if (s.kind == SurfaceKind::free_form) return text + "}";
+  text += ", \"origin\": " + json_of(s.origin);
+  if (s.kind != SurfaceKind::sphere) text += ", \"axis\": " + json_of(s.axis);
+  if (s.kind != SurfaceKind::plane) text += ", \"radius\": " + format_number(s.radius);
+  if (s.kind == SurfaceKind::torus) text += ", \"tube_radius\": " + format_number(s.minor);
+  if (s.kind == SurfaceKind::cone) text += ", \"slope\": " + format_number(s.slope);
+  if (face.sweep > 0)
+    text += ", \"along\": [" + format_number(face.from) + ", " + format_number(face.to) +
+            "], \"sweep\": " + format_number(face.sweep);
+  if (s.kind != SurfaceKind::plane) text += std::string(", \"inwards\": ") + (face.inwards ? "true" : "false");
+  return text + ", \"residual\": " + format_number(face.residual) + ", \"sagitta\": " + format_number(face.sagitta) +
+         "}";
+}
+
+std::string json_of(const Hole& hole) {
+  return "{\"diameters\": " + json_list(hole.diameters, format_number) + ", \"from\": " + json_of(hole.from) +
+         ", \"to\": " + json_of(hole.to) + ", \"through\": " + (hole.through ? "true" : "false") +
+         ", \"faces\": " + json_list(hole.faces, [](int f) { return std::to_string(f); }) + "}";
+}
+
+std::string json_of(const ModelInfo& info) {
+  const MeshReport& report = info.report;
+  const auto number = [](const char* key, int value) {
+    return std::string(", \"") + key + "\": " + std::to_string(value);
+  };
+  const auto truth = [](bool value) { return value ? "true" : "false"; };
+  std::string text = "{\"name\": " + json_string(report.name) + ", \"format\": " + json_string(report.format);
+  text += number("vertices", report.vertices) + number("faces", report.faces) + number("triangles", report.triangles);
+  text += std::string(", \"single_precision\": ") + truth(report.single_precision);
+  if (!info.box.empty())
+    text += ",\n   \"box\": {\"min\": " + json_of(info.box.min) + ", \"max\": " + json_of(info.box.max) + "}";
+  text += ",\n   \"unit\": " + (info.unit ? json_string(word_of(*info.unit)) : "null");
+  text += number("bodies", report.bodies) + ", \"closed\": " + truth(info.closed()) +
+          number("open_edges", report.open_edges) + number("non_manifold_edges", report.non_manifold_edges) +
+          number("misoriented_edges", report.misoriented_edges);
+  text += ",\n   \"tolerance\": " + format_number(info.part.tolerance) +
+          ", \"recognised\": " + format_number(info.part.recognised);
+  text += ",\n   \"part_faces\": " + json_list(
+                                         info.part.faces, [](const auto& f) { return json_of(f); }, ",\n    ");
+  text += ",\n   \"part_edges\": {\"sharp\": " + std::to_string(count_borders(info.part, BorderKind::sharp)) +
+          number("tangent", count_borders(info.part, BorderKind::tangent)) +
+          number("open", count_borders(info.part, BorderKind::open)) + "}";
+  text += ",\n   \"holes\": " + json_list(
+                                    info.holes, [](const auto& h) { return json_of(h); }, ",\n    ");
+  return text + ",\n   \"repairs\": " + json_list(repairs_of(report), json_string) + "}";
+}
+
+}  // namespace
+
+int info(const InfoOptions& options) {
+  if (!options.json.empty()) refuse_overwriting({options.json}, options.models);
+  std::vector<ModelInfo> models;
+  for (const std::string& model : options.models) models.push_back(info_of(model));
+  if (!options.json.empty()) {
+    const std::string list = json_list(
+        models, [](const auto& m) { return json_of(m); }, ",\n  ");
+    write({options.json, "{\"epura_info\": 1, \"models\": " + list + "}\n"}, {});
+  }
+  if (options.json == "-") return 0;
+  for (std::size_t i = 0; i < models.size(); ++i)
+    std::fputs(((i > 0 ? "\n" : "") + text_of(models[i])).c_str(), stdout);
+  return 0;
+}
+
+}  // namespace epura

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "features/borders.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+#include <utility>
+
+#include "base/groups.hpp"
+#include "base/portable_math.hpp"
+
+namespace epura {
+
+namespace {
+
+constexpr double degrees = 180 / std::numbers::pi;
+// Inside a free-form face an edge that is sharper fades out at its ends.
+constexpr double fading_cosine = 0.766;  // 40 degrees
+constexpr double tangent_share = 0.9;    // of the length of a border
+
+/// One mesh edge between two faces.
+struct BorderEdge {
+  int edge;
+  std::array<int, 2> faces;
+  std::array<int, 2> vertex;
+  double angle, length;
+  bool open;
+};
+
+class BorderFinder {
+ public:
+  BorderFinder(const Mesh& mesh, const Facets& facets, const std::vector<int>& region_of,
+               const std::vector<Region>& regions)
+      : mesh_(mesh), facets_(facets), region_of_(region_of), regions_(regions) {}
+
+  std::vector<PartBorder> find(double tangent_angle) {
+    for (std::size_t e = 0; e < mesh_.edges.size(); ++e) consider(static_cast<int>(e));
+    // Of each vertex the border edges there.
+    at_vertex_ = Groups<int>(facets_.points.size(), [&](const auto& visit) {
+      for (int i = 0; i < static_cast<int>(edges_.size()); ++i)
+        for (const int v : edges_[i].vertex) visit(static_cast<std::size_t>(v), i);
+    });
+    std::vector<char> used(edges_.size());
+    std::vector<PartBorder> borders;
+    for (int i = 0; i < static_cast<int>(edges_.size()); ++i)
+      if (used[i] == 0) borders.push_back(border_of(chain(i, used), tangent_angle));
+    return borders;
+  }
+
+ private:
+  struct Chain {
+    std::vector<int> edges;
+    bool closed;
+  };
+
+  void consider(int number) {
+    const MeshEdge& edge = mesh_.edges[number];
+    const auto triangles = mesh_.triangles_of(edge);
+    const auto region = [&](int t) { return region_of_[facets_.facet_of[t]]; };
+    BorderEdge border{number, {}, edge.vertex, 0, 0, triangles.size() != 2};
+    border.length = glm::distance(facets_.points[edge.vertex[0]], facets_.points[edge.vertex[1]]);
+    if (border.open) {
+      border.faces = {-1, region(triangles[0])};
+      if (triangles.size() > 2) border.faces[0] = region(triangles[1]);
+      border.angle = 180;
+    } else {
+      border.faces = {region(triangles[0]), region(triangles[1])};
+      const bool inside = border.faces[0] == border.faces[1];
+      if (inside && !fades(triangles)) return;
+      border.angle = inside ? 90 : angle_at(edge, triangles);
+    }
+    if (border.faces[0] > border.faces[1]) std::swap(border.faces[0], border.faces[1]);
+    edges_.push_back(border);
+  }
+
+  // The side of the first triangle at which the second one lies.
+  [[nodiscard]] int side_between(int first, int second) const {
+    for (int k = 0; k < 3; ++k)
+      if (facets_.sides[first][k].neighbour == second) return k;
+    return -1;
+  }
+
+  [[nodiscard]] bool fades(std::span<const int> triangles) const {
+    const int f = facets_.facet_of[triangles[0]], g = facets_.facet_of[triangles[1]];
+    if (f == g || regions_[region_of_[f]].surface.kind != SurfaceKind::free_form) return false;
+    if (facets_.is_sliver(f) || facets_.is_sliver(g)) return false;
+    const int side = side_between(triangles[0], triangles[1]);
+    return side >= 0 && facets_.cosine_of_fold(triangles[0], side) < fading_cosine;
+  }
+
+  // The normal of a face at a vertex, as its triangle there faces.
+  [[nodiscard]] Vec3 normal_at(int triangle, const Vec3& point) const {
+    const int facet = facets_.facet_of[triangle];
+    const PartSurface& surface = regions_[region_of_[facet]].surface;
+    const Vec3& facing = facets_.facets[facet].normal;
+    const Vec3 normal = normal_near(surface, point);
+    if (normal == Vec3(0)) return facing;
+    // A sliver may face anywhere, but its neighbours were asked when it was given to the face.
+    return glm::dot(normal, facing) < 0 ? -normal : normal;
+  }
+
+  // Half of how far the free form turns from this facet to the next.
+  [[nodiscard]] double slack_of(int triangle) const {
+    const int facet = facets_.facet_of[triangle];
+    if (regions_[region_of_[facet]].surface.kind != SurfaceKind::free_form) return 0;
+    double least = 1;
+    for (const int t : facets_.triangles_of(facet))
+      for (int side = 0; side < 3; ++side) {
+        const int other = facets_.sides[t][side].neighbour;
+        if (other < 0 || facets_.facet_of[other] == facet) continue;
+        if (region_of_[facets_.facet_of[other]] != region_of_[facet]) continue;
+        const double cosine = facets_.cosine_of_fold(t, side);
+        if (cosine > fading_cosine) least = std::min(least, cosine);
+      }
+    return std::sqrt(2 * (1 - least)) * degrees * 0.75;
+  }
+
+  // Degrees between the faces on both sides, at the better end of the edge: at a corner a third face may decide.
+  [[nodiscard]] double angle_at(const MeshEdge& edge, std::span<const int> triangles) const {
+    const int side = side_between(triangles[0], triangles[1]);
+    double angle = 180;
+    for (const int v : edge.vertex) {
+      const Vec3 one = normal_at(triangles[0], facets_.points[v]), two = normal_at(triangles[1], facets_.points[v]);
+      double cosine = glm::dot(one, two);
+      // Which way round the triangles run: the fold knows.
+      const double facing = glm::dot(facets_.facets[facets_.facet_of[triangles[0]]].normal,
+                                     facets_.facets[facets_.facet_of[triangles[1]]].normal);
+      if (side >= 0 && facing * facets_.cosine_of_fold(triangles[0], side) < 0) cosine = -cosine;
+      angle = std::min(angle, portable_atan2(glm::length(glm::cross(one, two)), cosine) * degrees);
+    }
+    return std::max(0.0, angle - slack_of(triangles[0]) - slack_of(triangles[1]));
+  }
+
+  // The edge that continues another one beyond a vertex: the only other one there, between the same faces.
+  [[nodiscard]] int next(int edge, int vertex) const {
+    const auto there = at_vertex_[static_cast<std::size_t>(vertex)];
+    if (there.size() != 2) return -1;
+    const int other = there[0] == edge ? there[1] : there[0];
+    return edges_[other].faces == edges_[edge].faces && edges_[other].open == edges_[edge].open ? other : -1;
+  }
+
+  [[nodiscard]] Chain chain(int first, std::vector<char>& used) const {
+    std::array<std::vector<int>, 2> ways;
+    used[first] = 1;
+    for (int way = 0; way < 2; ++way) {
+      int vertex = edges_[first].vertex[way];
+      for (int e = next(first, vertex); e >= 0; e = next(e, vertex)) {
+        if (e == first) return {joined(first, ways), true};
+        if (used[e] != 0) break;
+        used[e] = 1;
+        ways[way].push_back(e);
+        vertex = edges_[e].vertex[edges_[e].vertex[0] == vertex ? 1 : 0];
+      }
+    }
+    return {joined(first, ways), false};
+  }
+
+  static std::vector<int> joined(int first, const std::array<std::vector<int>, 2>& ways) {
+    std::vector<int> edges(ways[0].rbegin(), ways[0].rend());
+    edges.push_back(first);
+    edges.insert(edges.end(), ways[1].begin(), ways[1].end());
+    return edges;
+  }
+
+  [[nodiscard]] PartBorder border_of(const Chain& chain, double tangent_angle) const {
+    const BorderEdge& any = edges_[chain.edges.front()];
+    PartBorder border{any.faces, any.open ? BorderKind::open : BorderKind::tangent, 0, {}, chain.closed};
+    double length = 0, tangent = 0;
+    for (const int e : chain.edges) {
+      border.edges.push_back(edges_[e].edge);
+      border.angle = std::max(border.angle, edges_[e].angle);
+      length += edges_[e].length;
+      if (edges_[e].angle <= tangent_angle) tangent += edges_[e].length;
+    }
+    if (!any.open && tangent < tangent_share * length) border.kind = BorderKind::sharp;
+    return border;
+  }
+
+  const Mesh& mesh_;
+  const Facets& facets_;
+  const std::vector<int>& region_of_;
+  const std::vector<Region>& regions_;
+  std::vector<BorderEdge> edges_;
+  Groups<int> at_vertex_;
+};
+
+}  // namespace
+
+std::vector<PartBorder> find_borders(const Mesh& mesh, const Facets& facets, const std::vector<int>& region_of,
+                                     const std::vector<Region>& regions, double tangent_angle) {
+  return BorderFinder(mesh, facets, region_of, regions).find(tangent_angle);
+}
+
+}  // namespace epura

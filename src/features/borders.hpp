@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Edges of the part: mesh edges between its faces, from corner to corner.
+#pragma once
+
+#include <vector>
+
+#include "features/facets.hpp"
+#include "features/recognise.hpp"
+#include "features/region.hpp"
+
+namespace epura {
+
+/// A border is sharp or tangent as a whole, by the surfaces on both sides: tangent where they meet within
+/// `tangent_angle` degrees along all of it, but for a tenth of its length. Ordered by their first edges.
+std::vector<PartBorder> find_borders(const Mesh& mesh, const Facets& facets, const std::vector<int>& region_of,
+                                     const std::vector<Region>& regions, double tangent_angle);
+
+}  // namespace epura

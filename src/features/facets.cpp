@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "features/facets.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "base/parallel.hpp"
+#include "features/part_surface.hpp"
+
+namespace epura {
+
+namespace {
+
+constexpr std::size_t grain = 8192;
+// Of the size of the model: what kernels of CAD programs keep of the places of vertices.
+constexpr double least_tolerance = 2e-7;
+// Roundings by which a vertex may lie beside its surface: three coordinates, and those of its neighbours in the fit.
+constexpr double roundings = 4;
+
+// The corners of triangles in coordinates near 1, and which lie beside each other.
+void read_triangles(const Mesh& mesh, Facets& f) {
+  const std::size_t count = mesh.polygon.size();
+  f.corners.resize(count);
+  f.sides.resize(count);
+  int last = -1;
+  for (std::size_t t = 0; t < count; ++t) {
+    f.corners[t] = mesh.triangle(static_cast<int>(t));
+    last = std::max({last, f.corners[t][0], f.corners[t][1], f.corners[t][2]});
+  }
+  f.points.resize(static_cast<std::size_t>(last + 1));
+  std::vector<char> used(f.points.size());
+  for (const auto& corners : f.corners)
+    for (const int v : corners) used[v] = 1;
+  Box box;
+  double farthest = 0;
+  for (std::size_t v = 0; v < f.points.size(); ++v) {
+    if (used[v] == 0) continue;
+    const Vec3 p = mesh.point(static_cast<int>(v));
+    f.points[v] = {p[0], p[1], p[2]};
+    box.add(f.points[v]);
+    farthest = std::max({farthest, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
+  }
+  if (box.empty()) box.add(Vec3(0));
+  f.origin = box.centre();
+  const double size = glm::length(box.size());
+  f.scale = size > 0 ? std::ldexp(1.0, -std::ilogb(size)) : 1;
+  for (Vec3& p : f.points) p = (p - f.origin) * f.scale;
+  const double rounding = std::max(farthest * (mesh.report.single_precision ? 0x1p-24 : 0x1p-51),
+                                   std::max(mesh.report.resolution / 2, mesh.report.weld_distance));
+  f.tolerance = std::max(roundings * rounding, least_tolerance * size) * f.scale;
+}
+
+void find_sides(const Mesh& mesh, Facets& f) {
+  for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
+    const MeshEdge& edge = mesh.edges[e];
+    const auto triangles = mesh.triangles_of(edge);
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      const auto& corners = f.corners[triangles[i]];
+      for (int k = 0; k < 3; ++k) {
+        const auto [low, high] = std::minmax(corners[k], corners[(k + 1) % 3]);
+        if (low != edge.vertex[0] || high != edge.vertex[1]) continue;
+        f.sides[triangles[i]][k] = {triangles.size() == 2 ? triangles[1 - i] : -1, static_cast<int>(e)};
+      }
+    }
+  }
+}
+
+/// Pieces of the file's polygons become facets, largest first, so that their order in the file does not matter.
+class Flattening {
+ public:
+  Flattening(const Mesh& mesh, Facets& f) : mesh_(mesh), f_(f) {}
+
+  void run() {
+    measure();
+    f_.facet_of.assign(f_.corners.size(), -1);
+    seen_.assign(f_.corners.size(), -1);
+    has_vertex_.assign(f_.points.size(), -1);
+    f_.first_triangle = {0};
+    f_.first_vertex = {0};
+    for (const Key& key : order_)
+      if (f_.facet_of[key.triangle] < 0) grow(key.triangle);
+  }
+
+ private:
+  /// Largest first; of equal ones the first by place. Both are rounded, so that it does not matter which corner of a
+  /// triangle stands first in the file.
+  struct Key {
+    float area;
+    std::array<float, 3> place;
+    int triangle;
+
+    bool operator<(const Key& other) const {
+      if (area != other.area) return area > other.area;
+      return place != other.place ? place < other.place : triangle < other.triangle;
+    }
+  };
+
+  void measure() {
+    const std::size_t count = f_.corners.size();
+    f_.normals.resize(count);
+    areas_.resize(count);
+    widths_.resize(count);
+    order_.resize(count);
+    parallel_for(count, grain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t t = begin; t < end; ++t) {
+        const auto& [a, b, c] = f_.corners[t];
+        const Vec3 u = f_.points[b] - f_.points[a], v = f_.points[c] - f_.points[a];
+        const Vec3 area = glm::cross(u, v);
+        const double length = glm::length(area);
+        const double longest = std::sqrt(std::max({glm::dot(u, u), glm::dot(v, v), glm::dot(v - u, v - u)}));
+        f_.normals[t] = length > 0 ? area / length : Vec3(0);
+        areas_[t] = length / 2;
+        widths_[t] = longest > 0 ? length / longest : 0;
+        const Vec3 place = (f_.points[a] + f_.points[b] + f_.points[c]) * 0x1p20;
+        int exponent = 0;
+        const double mantissa = std::frexp(areas_[t], &exponent);
+        order_[t] = {static_cast<float>(std::ldexp(std::nearbyint(mantissa * 0x1p20), exponent - 20)),
+                     {static_cast<float>(std::nearbyint(place.x)), static_cast<float>(std::nearbyint(place.y)),
+                      static_cast<float>(std::nearbyint(place.z))},
+                     static_cast<int>(t)};
+      }
+    });
+    parallel_sort(order_.begin(), order_.end());
+  }
+
+  [[nodiscard]] bool same_polygon(int one, int two) const { return mesh_.polygon[one] == mesh_.polygon[two]; }
+
+  void add(int triangle) {
+    f_.facet_of[triangle] = number_;
+    f_.triangles.push_back(triangle);
+    for (const int v : f_.corners[triangle])
+      if (std::exchange(has_vertex_[v], number_) != number_) f_.vertices.push_back(v);
+  }
+
+  // The triangle with all others of its polygon that are connected with it.
+  void add_polygon(int triangle) {
+    std::size_t next = f_.triangles.size();
+    add(triangle);
+    for (; next < f_.triangles.size(); ++next)
+      for (const Side& side : f_.sides[f_.triangles[next]])
+        if (side.neighbour >= 0 && f_.facet_of[side.neighbour] < 0 && same_polygon(side.neighbour, triangle))
+          add(side.neighbour);
+  }
+
+  [[nodiscard]] std::optional<PartSurface> plane() const {
+    std::vector<Vec3> points;
+    const std::size_t first = static_cast<std::size_t>(f_.first_vertex.back());
+    const std::size_t step = 1 + (f_.vertices.size() - first) / 256;
+    for (std::size_t i = first; i < f_.vertices.size(); i += step) points.push_back(f_.points[f_.vertices[i]]);
+    if (points.size() == 3) {
+      const int t = f_.triangles.back();
+      if (f_.normals[t] == Vec3(0)) return std::nullopt;
+      return PartSurface{SurfaceKind::plane, points[0], f_.normals[t]};
+    }
+    return begin_plane(points);
+  }
+
+  // Whether the polygon of a triangle lies in a plane. A plane through few points is not sure far away from them.
+  [[nodiscard]] bool lies_in(const PartSurface& plane, int triangle, double reach) const {
+    for (const int v : f_.corners[triangle])
+      if (std::abs(signed_distance(plane, f_.points[v])) > reach * f_.tolerance) return false;
+    if (widths_[triangle] <= 16 * f_.tolerance) return true;
+    return std::abs(glm::dot(f_.normals[triangle], plane.axis)) > 1 - 1e-3;
+  }
+
+  void grow(int seed) {
+    number_ = static_cast<int>(f_.facets.size());
+    add_polygon(seed);
+    auto plane_found = plane();
+    const auto all_in = [&](double reach) {
+      const std::size_t first = static_cast<std::size_t>(f_.first_vertex.back());
+      return std::all_of(f_.vertices.begin() + static_cast<std::ptrdiff_t>(first), f_.vertices.end(), [&](int v) {
+        return std::abs(signed_distance(*plane_found, f_.points[v])) <= reach * f_.tolerance;
+      });
+    };
+    const std::size_t begin = static_cast<std::size_t>(f_.first_triangle.back());
+    if (plane_found && all_in(1)) {
+      std::size_t refit = 2 * (f_.triangles.size() - begin) + 2;
+      for (std::size_t next = begin; next < f_.triangles.size(); ++next) {
+        for (const Side& side : f_.sides[f_.triangles[next]]) {
+          const int t = side.neighbour;
+          if (t < 0 || f_.facet_of[t] >= 0 || seen_[t] == number_) continue;
+          seen_[t] = number_;
+          if (polygon_lies_in(*plane_found, t, refit > 8 ? 1 : 2)) add_polygon(t);
+        }
+        if (f_.triangles.size() - begin < refit) continue;
+        plane_found = plane();
+        refit = 2 * (f_.triangles.size() - begin);
+      }
+    }
+    finish(begin);
+  }
+
+  [[nodiscard]] bool polygon_lies_in(const PartSurface& plane, int triangle, double reach) {
+    polygon_ = {triangle};
+    for (std::size_t i = 0; i < polygon_.size(); ++i) {
+      if (!lies_in(plane, polygon_[i], reach)) return false;
+      for (const Side& side : f_.sides[polygon_[i]])
+        if (side.neighbour >= 0 && f_.facet_of[side.neighbour] < 0 && same_polygon(side.neighbour, triangle) &&
+            std::find(polygon_.begin(), polygon_.end(), side.neighbour) == polygon_.end())
+          polygon_.push_back(side.neighbour);
+    }
+    return true;
+  }
+
+  void finish(std::size_t begin) {
+    Facet facet{Vec3(0), Vec3(0), 0, 0, false};
+    // Where triangles run different ways round, the first one says where the facet faces.
+    for (std::size_t i = begin; i < f_.triangles.size(); ++i) {
+      const int t = f_.triangles[i];
+      const double turned = glm::dot(f_.normals[t], f_.normals[f_.triangles[begin]]) < 0 ? -1 : 1;
+      facet.normal += turned * areas_[t] * f_.normals[t];
+      facet.area += areas_[t];
+      facet.width = std::max(facet.width, widths_[t]);
+    }
+    const double length = glm::length(facet.normal);
+    facet.normal = length > 0 ? facet.normal / length : Vec3(0);
+    const std::span<const int> vertices(f_.vertices.data() + f_.first_vertex.back(),
+                                        f_.vertices.data() + f_.vertices.size());
+    for (const int v : vertices) facet.middle += f_.points[v] / static_cast<double>(vertices.size());
+    f_.first_triangle.push_back(static_cast<int>(f_.triangles.size()));
+    f_.first_vertex.push_back(static_cast<int>(f_.vertices.size()));
+    facet.is_plane = facet.normal != Vec3(0) && vertices.size() > 4 && has_many_corners(facet, vertices);
+    f_.facets.push_back(facet);
+  }
+
+  // A plane meets a cylinder or cone in two lines and a net of meridians and parallels in four points: facets of these
+  // have at most four corners, and every vertex on the line between two of them.
+  [[nodiscard]] bool has_many_corners(const Facet& facet, std::span<const int> vertices) {
+    const Vec3 u =
+        glm::normalize(glm::cross(facet.normal, std::abs(facet.normal.x) < 0.6 ? Vec3(1, 0, 0) : Vec3(0, 1, 0)));
+    const Vec3 v = glm::cross(facet.normal, u);
+    seen_from_above_.clear();
+    for (const int vertex : vertices) {
+      const Vec3 from = f_.points[vertex] - facet.middle;
+      seen_from_above_.emplace_back(glm::dot(from, u), glm::dot(from, v));
+    }
+    return count_corners() > 4;
+  }
+
+  // Of the convex hull; vertices that are not on its sides count, too.
+  [[nodiscard]] int count_corners() {
+    std::vector<Vec2>& p = seen_from_above_;
+    std::sort(p.begin(), p.end(), [](const Vec2& a, const Vec2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+    const double near = 4 * f_.tolerance;
+    std::vector<Vec2> hull(2 * p.size());
+    std::size_t k = 0;
+    const auto is_beside = [&](const Vec2& a, const Vec2& b, const Vec2& c) {
+      const Vec2 along = c - a, to = b - a;
+      return along.x * to.y - along.y * to.x >= -near * glm::length(along);
+    };
+    const auto walk = [&](const Vec2& next, std::size_t least) {
+      while (k >= least && is_beside(hull[k - 2], hull[k - 1], next)) --k;
+      hull[k++] = next;
+    };
+    for (const Vec2& next : p) walk(next, 2);
+    const std::size_t lower = k + 1;
+    for (std::size_t i = p.size() - 1; i-- > 0;) walk(p[i], lower);
+    hull.resize(k > 1 ? k - 1 : k);
+    int corners = static_cast<int>(hull.size());
+    for (const Vec2& point : p) {
+      bool on_side = false;
+      for (std::size_t i = 0; i < hull.size() && !on_side; ++i) {
+        const Vec2 a = hull[i], along = hull[(i + 1) % hull.size()] - a, to = point - a;
+        on_side = std::abs(along.x * to.y - along.y * to.x) <= 2 * near * glm::length(along);
+      }
+      if (!on_side) ++corners;
+      if (corners > 4) break;
+    }
+    return corners;
+  }
+
+  const Mesh& mesh_;
+  Facets& f_;
+  std::vector<double> areas_, widths_;
+  std::vector<Key> order_;
+  std::vector<int> seen_, has_vertex_;  ///< the last facet that met a triangle or has a vertex
+  std::vector<int> polygon_;
+  std::vector<Vec2> seen_from_above_;
+  int number_ = 0;
+};
+
+}  // namespace
+
+double Facets::cosine_of_fold(int triangle, int side) const {
+  const int other = sides[triangle][side].neighbour;
+  const double cosine = glm::dot(facets[facet_of[triangle]].normal, facets[facet_of[other]].normal);
+  const int from = corners[triangle][side], to = corners[triangle][(side + 1) % 3];
+  // A facet's normal may be that of triangles which run the other way round.
+  const auto turned = [&](int t) { return glm::dot(normals[t], facets[facet_of[t]].normal) < 0; };
+  bool same_way = false;
+  for (int k = 0; k < 3; ++k) same_way = same_way || (corners[other][k] == from && corners[other][(k + 1) % 3] == to);
+  return same_way != (turned(triangle) != turned(other)) ? -cosine : cosine;
+}
+
+Facets make_facets(const Mesh& mesh, double looseness) {
+  Facets facets;
+  read_triangles(mesh, facets);
+  facets.tolerance *= looseness;
+  find_sides(mesh, facets);
+  Flattening(mesh, facets).run();
+  return facets;
+}
+
+}  // namespace epura

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// A mesh as recognition sees it: facets that are flat as far as the file's coordinates can tell, and which lie beside
+// which. Everything that recognition asks of a mesh is asked here.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "base/vec.hpp"
+#include "mesh/mesh.hpp"
+
+namespace epura {
+
+/// Triangles that are one flat piece, or a polygon of the file.
+struct Facet {
+  Vec3 normal;  ///< unit; zero without area
+  Vec3 middle;  ///< mean of its vertices
+  double area;
+  double width;   ///< of its thickest triangle
+  bool is_plane;  ///< has more corners than a facet of a round surface can have
+};
+
+/// One side of a triangle.
+struct Side {
+  int neighbour = -1;  ///< the only other triangle there; -1 where there is none, or several
+  int edge = -1;       ///< of the mesh
+};
+
+struct Facets {
+  Vec3 origin;       ///< of the box of the file, where `points` have their origin
+  double scale;      ///< power of two: `points` are the file's, less the origin, times this; about 1 across
+  double tolerance;  ///< distance up to which a point may lie on a surface
+  std::vector<Vec3> points;
+  std::vector<std::array<int, 3>> corners;  ///< of triangles
+  std::vector<std::array<Side, 3>> sides;   ///< of triangles; side i from corner i to the next
+  std::vector<Vec3> normals;                ///< unit, of triangles; zero without area
+  std::vector<int> facet_of;                ///< of triangles
+  std::vector<Facet> facets;
+  std::vector<int> first_triangle, triangles;  ///< of each facet
+  std::vector<int> first_vertex, vertices;     ///< of each facet
+
+  [[nodiscard]] std::span<const int> triangles_of(int facet) const {
+    return {triangles.data() + first_triangle[facet], triangles.data() + first_triangle[facet + 1]};
+  }
+  [[nodiscard]] std::span<const int> vertices_of(int facet) const {
+    return {vertices.data() + first_vertex[facet], vertices.data() + first_vertex[facet + 1]};
+  }
+  /// The cosine of the fold between two facets at a side of the first one's triangle. Which way round the triangles run
+  /// does not matter.
+  [[nodiscard]] double cosine_of_fold(int triangle, int side) const;
+  /// Whether rounding decides which way the facet faces.
+  [[nodiscard]] bool is_sliver(int facet) const { return facets[facet].width <= 16 * tolerance; }
+};
+
+/// `looseness` enlarges the tolerance that follows from how precisely the file holds its coordinates.
+Facets make_facets(const Mesh& mesh, double looseness = 1);
+
+}  // namespace epura

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "features/free_form.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <span>
+#include <utility>
+
+namespace epura {
+
+namespace {
+
+// Folds as the tangents of half their angles.
+constexpr double most_smooth = 0.277;  // 31 degrees
+constexpr double fold_ratio = 3;
+constexpr double fold_slack = 0.0175;  // 2 degrees
+// Facets of one tessellation have chords of about the same height, so their widths differ little.
+constexpr double width_ratio = 8;
+constexpr std::size_t most_compared = 96;
+
+class Sets {
+ public:
+  explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
+  int root(int i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(int i, int j) {
+    i = root(i);
+    j = root(j);
+    parent_[std::max(i, j)] = std::min(i, j);
+  }
+
+ private:
+  std::vector<int> parent_;
+};
+
+class Completion {
+ public:
+  Completion(const Facets& facets, std::vector<int>& region_of, std::vector<Region>& regions)
+      : facets_(facets), region_of_(region_of), regions_(regions), sets_(facets.facets.size()) {}
+
+  void run() {
+    find_largest_folds();
+    for (int f = 0; f < size(); ++f)
+      if (is_loose(f)) join_smooth_neighbours(f);
+    make_regions();
+    give_slivers_away();
+  }
+
+ private:
+  [[nodiscard]] int size() const { return static_cast<int>(facets_.facets.size()); }
+  /// Neither on a round surface nor plainly a plane.
+  [[nodiscard]] bool is_loose(int f) const {
+    return region_of_[f] < 0 && !facets_.facets[f].is_plane && !facets_.is_sliver(f);
+  }
+
+  template <class Visit>
+  void for_sides(int facet, const Visit& visit) const {
+    for (const int t : facets_.triangles_of(facet))
+      for (int side = 0; side < 3; ++side) {
+        const int neighbour = facets_.sides[t][side].neighbour;
+        if (neighbour >= 0 && facets_.facet_of[neighbour] != facet) visit(t, side, facets_.facet_of[neighbour]);
+      }
+  }
+
+  [[nodiscard]] double fold(int triangle, int side) const {
+    const double cosine = std::clamp(facets_.cosine_of_fold(triangle, side), -1.0, 1.0);
+    return cosine > -1 ? std::sqrt((1 - cosine) / (1 + cosine)) : HUGE_VAL;
+  }
+
+  // Of each facet the two largest smooth folds, and the neighbour at the largest.
+  void find_largest_folds() {
+    folds_.assign(facets_.facets.size(), {});
+    for (int f = 0; f < size(); ++f) {
+      if (!is_loose(f)) continue;
+      for_sides(f, [&](int t, int side, int other) {
+        if (facets_.is_sliver(other)) return;
+        const double angle = fold(t, side);
+        Folds& own = folds_[f];
+        if (angle > most_smooth || other == own.neighbour) return;
+        if (angle > own.largest)
+          own = {angle, own.largest, other};
+        else
+          own.second = std::max(own.second, angle);
+      });
+    }
+  }
+
+  // The largest smooth fold of a facet but that to a neighbour.
+  [[nodiscard]] double fold_beside(int facet, int neighbour) const {
+    return folds_[facet].neighbour == neighbour ? folds_[facet].second : folds_[facet].largest;
+  }
+
+  // How far a facet reaches from the side of a triangle of it.
+  [[nodiscard]] double reach(int facet, const Vec3& from, const Vec3& to) const {
+    const Vec3 along = glm::normalize(to - from);
+    double reach = 0;
+    for (const int v : facets_.vertices_of(facet))
+      reach = std::max(reach, glm::length(glm::cross(facets_.points[v] - from, along)));
+    return reach;
+  }
+
+  void join_smooth_neighbours(int f) {
+    for_sides(f, [&](int t, int side, int other) {
+      if (other < f || !is_loose(other)) return;
+      const double angle = fold(t, side);
+      if (angle > most_smooth) return;
+      if (angle > fold_ratio * std::max(fold_beside(f, other), fold_beside(other, f)) + fold_slack) return;
+      const Vec3& a = facets_.points[facets_.corners[t][side]];
+      const Vec3& b = facets_.points[facets_.corners[t][(side + 1) % 3]];
+      const double one = reach(f, a, b), two = reach(other, a, b);
+      if (one > width_ratio * two || two > width_ratio * one) return;
+      sets_.join(f, other);
+    });
+  }
+
+  void make_regions() {
+    std::vector<int> members(facets_.facets.size(), 0);
+    for (int f = 0; f < size(); ++f)
+      if (is_loose(f)) ++members[sets_.root(f)];
+    std::vector<int> region_of_set(facets_.facets.size(), -1);
+    for (int f = 0; f < size(); ++f) {
+      if (region_of_[f] >= 0 || facets_.is_sliver(f)) continue;
+      int& region = region_of_set[sets_.root(f)];
+      if (region < 0) {
+        region = static_cast<int>(regions_.size());
+        regions_.push_back({});
+        if (members[sets_.root(f)] < 3) regions_.back().surface = plane_of(f, regions_.back().residual);
+      }
+      region_of_[f] = region;
+      regions_[region].facets.push_back(f);
+    }
+    // Two facets are too few for a free form; the second one becomes a plane of its own.
+    const int before = static_cast<int>(regions_.size());
+    for (int r = 0; r < before; ++r) {
+      if (regions_[r].surface.kind != SurfaceKind::plane || regions_[r].facets.size() != 2) continue;
+      const int second = regions_[r].facets.back();
+      regions_[r].facets.pop_back();
+      region_of_[second] = static_cast<int>(regions_.size());
+      regions_.push_back({});
+      regions_.back().facets = {second};
+      regions_.back().surface = plane_of(second, regions_.back().residual);
+    }
+  }
+
+  // A polygon of the file may be bent.
+  [[nodiscard]] PartSurface plane_of(int facet, double& residual) const {
+    std::vector<Vec3> points;
+    for (const int v : facets_.vertices_of(facet)) points.push_back(facets_.points[v]);
+    PartSurface plane{SurfaceKind::plane, facets_.facets[facet].middle, facets_.facets[facet].normal};
+    residual = residual_of(plane, points);
+    if (residual <= 4 * facets_.tolerance) return plane;
+    residual = 0;
+    return {};
+  }
+
+  // To the neighbour on whose surface they lie, otherwise to that behind their longest side.
+  void give_slivers_away() {
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (int f = 0; f < size(); ++f) {
+        if (region_of_[f] >= 0) continue;
+        const int region = best_region_beside(f);
+        if (region < 0) continue;
+        region_of_[f] = region;
+        regions_[region].facets.push_back(f);
+        changed = true;
+      }
+    }
+    for (int f = 0; f < size(); ++f)
+      if (region_of_[f] < 0) {
+        region_of_[f] = static_cast<int>(regions_.size());
+        regions_.push_back({});
+        regions_.back().facets = {f};
+      }
+  }
+
+  [[nodiscard]] int best_region_beside(int facet) const {
+    int best = -1;
+    std::pair<bool, double> best_claim{false, -1};
+    for_sides(facet, [&](int t, int side, int other) {
+      const int region = region_of_[other];
+      if (region < 0) return;
+      const double length =
+          glm::distance(facets_.points[facets_.corners[t][side]], facets_.points[facets_.corners[t][(side + 1) % 3]]);
+      const std::pair<bool, double> claim{lies_on(facet, regions_[region]), length};
+      if (best >= 0 && claim <= best_claim) return;
+      best = region;
+      best_claim = claim;
+    });
+    return best;
+  }
+
+  [[nodiscard]] bool lies_on(int facet, const Region& region) const {
+    if (region.surface.kind == SurfaceKind::free_form) return false;
+    const auto vertices = facets_.vertices_of(facet);
+    return std::all_of(vertices.begin(), vertices.end(), [&](int v) {
+      return std::abs(signed_distance(region.surface, facets_.points[v])) <= allowance_of(facets_, region.sagitta);
+    });
+  }
+
+  struct Folds {
+    double largest = 0, second = 0;
+    int neighbour = -1;
+  };
+
+  const Facets& facets_;
+  std::vector<int>& region_of_;
+  std::vector<Region>& regions_;
+  Sets sets_;
+  std::vector<Folds> folds_;
+};
+
+std::vector<Vec3> some_points_of(const Facets& facets, const Region& region) {
+  std::vector<Vec3> points;
+  const std::size_t step = 1 + region.facets.size() / most_compared;
+  for (std::size_t i = 0; i < region.facets.size(); i += step)
+    for (const int v : facets.vertices_of(region.facets[i])) points.push_back(facets.points[v]);
+  return points;
+}
+
+bool is_one_surface(const Facets& facets, const Region& one, const Region& two) {
+  if (one.surface.kind != two.surface.kind || one.surface.kind == SurfaceKind::free_form) return false;
+  const double allowance = allowance_of(facets, std::min(one.sagitta, two.sagitta));
+  const auto lie_on = [&](const Region& points, const Region& surface) {
+    return residual_of(surface.surface, some_points_of(facets, points)) <= allowance;
+  };
+  return lie_on(one, two) && lie_on(two, one);
+}
+
+}  // namespace
+
+void complete_regions(const Facets& facets, std::vector<int>& region_of, std::vector<Region>& regions) {
+  Completion(facets, region_of, regions).run();
+}
+
+void merge_regions(const Facets& facets, std::vector<int>& region_of, std::vector<Region>& regions) {
+  std::vector<std::pair<int, int>> neighbours;
+  for (std::size_t t = 0; t < facets.corners.size(); ++t)
+    for (int side = 0; side < 3; ++side) {
+      const int other = facets.sides[t][side].neighbour;
+      if (other < 0) continue;
+      const int one = region_of[facets.facet_of[t]], two = region_of[facets.facet_of[other]];
+      if (one < two && regions[one].surface.kind == regions[two].surface.kind) neighbours.emplace_back(one, two);
+    }
+  std::sort(neighbours.begin(), neighbours.end());
+  neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
+  Sets sets(regions.size());
+  for (const auto& [one, two] : neighbours)
+    if (is_one_surface(facets, regions[one], regions[two])) sets.join(one, two);
+  std::vector<int> number(regions.size(), -1);
+  std::vector<Region> merged;
+  for (int r = 0; r < static_cast<int>(regions.size()); ++r) {
+    const int root = sets.root(r);
+    if (root == r) {
+      number[r] = static_cast<int>(merged.size());
+      merged.push_back(std::move(regions[r]));
+    } else {
+      Region& to = merged[number[root]];
+      to.facets.insert(to.facets.end(), regions[r].facets.begin(), regions[r].facets.end());
+      to.residual = std::max(to.residual, regions[r].residual);
+      number[r] = number[root];
+    }
+  }
+  for (int& region : region_of) region = number[region];
+  regions = std::move(merged);
+}
+
+}  // namespace epura

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is left when round surfaces are found: planes, free-form faces, and slivers that belong to their neighbours.
+#pragma once
+
+#include <vector>
+
+#include "features/facets.hpp"
+#include "features/region.hpp"
+
+namespace epura {
+
+/// Gives every facet a region. Facets of free forms are told from planes by their folds: between facets of one smooth
+/// surface they are small, go on from one to the next, and the facets on either side are about as wide.
+void complete_regions(const Facets& facets, std::vector<int>& region_of, std::vector<Region>& regions);
+
+/// Makes one region of neighbours that lie on one surface.
+void merge_regions(const Facets& facets, std::vector<int>& region_of, std::vector<Region>& regions);
+
+}  // namespace epura

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "features/holes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+namespace epura {
+
+namespace {
+
+constexpr double whole_turn = 359;
+constexpr double parallel = 1 - 1e-6;
+
+bool has_axis(const PartFace& face) {
+  return face.surface.kind == SurfaceKind::cylinder || face.surface.kind == SurfaceKind::cone ||
+         face.surface.kind == SurfaceKind::torus;
+}
+
+class HoleFinder {
+ public:
+  HoleFinder(const Mesh& mesh, const PartFaces& part)
+      : mesh_(mesh), part_(part), beside_(part.faces.size()), used_(part.faces.size()) {
+    for (const PartBorder& border : part.borders)
+      if (border.faces[0] >= 0 && border.faces[0] != border.faces[1]) {
+        beside_[border.faces[0]].push_back(border.faces[1]);
+        beside_[border.faces[1]].push_back(border.faces[0]);
+      }
+    for (auto& faces : beside_) {
+      std::sort(faces.begin(), faces.end());
+      faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    }
+    triangles_.resize(part.faces.size());
+    for (std::size_t t = 0; t < part.face_of_triangle.size(); ++t)
+      if (part.face_of_triangle[t] >= 0) triangles_[part.face_of_triangle[t]].push_back(static_cast<int>(t));
+  }
+
+  std::vector<Hole> find() {
+    std::vector<Hole> holes;
+    for (int f = 0; f < static_cast<int>(part_.faces.size()); ++f)
+      if (used_[f] == 0 && is_bore(part_.faces[f])) holes.push_back(hole_around(f));
+    return holes;
+  }
+
+ private:
+  [[nodiscard]] static bool is_bore(const PartFace& face) {
+    return face.surface.kind == SurfaceKind::cylinder && face.inwards && face.sweep >= whole_turn;
+  }
+
+  [[nodiscard]] bool is_about(const PartFace& face, const PartSurface& bore) const {
+    if (!has_axis(face) || !face.inwards || face.sweep < whole_turn) return false;
+    if (std::abs(glm::dot(face.surface.axis, bore.axis)) < parallel) return false;
+    const Vec3 from = face.surface.origin - bore.origin;
+    const double aside = glm::length(from - glm::dot(from, bore.axis) * bore.axis);
+    return aside <= std::max(32 * part_.tolerance, 1e-4 * bore.radius);
+  }
+
+  // Faces about the axis, also across steps: planes square to it.
+  [[nodiscard]] std::vector<int> faces_about(int bore) {
+    const PartSurface& surface = part_.faces[bore].surface;
+    std::vector<int> faces{bore};
+    used_[bore] = 1;
+    const auto take = [&](int face) {
+      if (used_[face] != 0 || !is_about(part_.faces[face], surface)) return;
+      used_[face] = 1;
+      faces.push_back(face);
+    };
+    for (std::size_t i = 0; i < faces.size(); ++i)
+      for (const int next : beside_[faces[i]]) {
+        take(next);
+        const PartSurface& step = part_.faces[next].surface;
+        if (step.kind != SurfaceKind::plane || std::abs(glm::dot(step.axis, surface.axis)) < parallel) continue;
+        // A large face has many neighbours, and is no step.
+        if (part_.faces[next].area > largest_section(faces)) continue;
+        for (const int behind : beside_[next]) take(behind);
+      }
+    std::sort(faces.begin(), faces.end());
+    return faces;
+  }
+
+  // Steps and bottoms of a hole are no larger than this.
+  [[nodiscard]] double largest_section(const std::vector<int>& faces) const {
+    double radius = 0;
+    for (const int f : faces) radius = std::max(radius, part_.faces[f].surface.radius);
+    return 16 * std::numbers::pi * radius * radius;
+  }
+
+  [[nodiscard]] Hole hole_around(int bore) {
+    const PartSurface& surface = part_.faces[bore].surface;
+    Hole hole{faces_about(bore), {}, {}, {}, true};
+    double from = HUGE_VAL, to = -HUGE_VAL;
+    for (const int f : hole.faces) {
+      const PartFace& face = part_.faces[f];
+      const double middle = glm::dot(face.surface.origin - surface.origin, surface.axis);
+      const double way = glm::dot(face.surface.axis, surface.axis) < 0 ? -1 : 1;
+      for (const double height : {face.from, face.to}) {
+        from = std::min(from, middle + way * height);
+        to = std::max(to, middle + way * height);
+      }
+      if (face.surface.kind == SurfaceKind::cylinder) hole.diameters.push_back(2 * face.surface.radius);
+    }
+    std::sort(hole.diameters.begin(), hole.diameters.end());
+    hole.from = surface.origin + from * surface.axis;
+    hole.to = surface.origin + to * surface.axis;
+    hole.through = !is_closed(hole);
+    return hole;
+  }
+
+  // Whether a face of the hole, or one beside it, lies across its axis.
+  [[nodiscard]] bool is_closed(const Hole& hole) const {
+    std::vector<int> faces = hole.faces;
+    for (const int f : hole.faces)
+      for (const int next : beside_[f])
+        if (part_.faces[next].area <= largest_section(hole.faces)) faces.push_back(next);
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    return std::any_of(faces.begin(), faces.end(), [&](int f) {
+      return std::any_of(triangles_[f].begin(), triangles_[f].end(), [&](int t) { return crosses(t, hole); });
+    });
+  }
+
+  [[nodiscard]] Vec3 point(int vertex) const {
+    const Vec3 p = mesh_.point(vertex);
+    return {p[0], p[1], p[2]};
+  }
+
+  // Whether the axis of a hole, with a little beyond its ends, meets a triangle.
+  [[nodiscard]] bool crosses(int triangle, const Hole& hole) const {
+    const double length = glm::distance(hole.from, hole.to);
+    if (!(length > 0)) return false;
+    const Vec3 axis = (hole.to - hole.from) / length;
+    const double slack = std::max(1e-6 * length, 32 * part_.tolerance);
+    const std::array<int, 3> corners = mesh_.triangle(triangle);
+    std::array<Vec3, 3> p;
+    for (int k = 0; k < 3; ++k) p[k] = point(corners[k]) - hole.from;
+    std::array<double, 3> volume;
+    for (int k = 0; k < 3; ++k) volume[k] = glm::dot(axis, glm::cross(p[(k + 1) % 3], p[(k + 2) % 3]));
+    const auto [least, most] = std::minmax_element(volume.begin(), volume.end());
+    const double sum = volume[0] + volume[1] + volume[2];
+    // The apex of a cone, or the middle of a bottom, is a corner of its triangles.
+    const double rounding = 1e-9 * (std::abs(*least) + std::abs(*most));
+    if (sum == 0 || (*least<-rounding&& * most> rounding)) return false;
+    const double height = glm::dot(axis, volume[0] * p[0] + volume[1] * p[1] + volume[2] * p[2]) / sum;
+    return height >= -slack && height <= length + slack;
+  }
+
+  const Mesh& mesh_;
+  const PartFaces& part_;
+  std::vector<std::vector<int>> beside_, triangles_;
+  std::vector<char> used_;
+};
+
+}  // namespace
+
+std::vector<Hole> find_holes(const Mesh& mesh, const PartFaces& part) { return HoleFinder(mesh, part).find(); }
+
+}  // namespace epura

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// Holes of a part: round faces about one axis with the material outside.
+#pragma once
+
+#include <vector>
+
+#include "features/recognise.hpp"
+
+namespace epura {
+
+struct Hole {
+  std::vector<int> faces;         ///< round ones about its axis: bores, countersinks, the tip of a drill
+  std::vector<double> diameters;  ///< of its bores, smallest first
+  Vec3 from, to;                  ///< ends of its axis
+  bool through;                   ///< open at both ends
+};
+
+/// Whole bores, those about one axis that follow each other as one hole; ordered by their lowest face.
+std::vector<Hole> find_holes(const Mesh& mesh, const PartFaces& part);
+
+}  // namespace epura

@@ -1,0 +1,469 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "features/part_surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "base/circle_fit.hpp"
+#include "base/portable_math.hpp"
+#include "features/least_squares.hpp"
+
+namespace epura {
+
+namespace {
+
+using Unknowns = NormalEquations::Unknowns;
+
+/// A point seen from the axis of a surface.
+struct Polar {
+  double height;  ///< along the axis, from the origin
+  double radius;  ///< from the axis
+  Vec3 outwards;  ///< unit, from the axis to the point; zero on it
+};
+
+Polar polar_of(const PartSurface& surface, const Vec3& point) {
+  const Vec3 from = point - surface.origin;
+  const double height = glm::dot(from, surface.axis);
+  const Vec3 across = from - height * surface.axis;
+  const double radius = glm::length(across);
+  // On the axis, as an apex is, rounding would choose a direction.
+  return {height, radius, radius > 1e-7 * surface.radius ? across / radius : Vec3(0)};
+}
+
+// Of the angle between the axis of a cone and its generators.
+double cosine_of(const PartSurface& cone) { return 1 / std::sqrt(1 + cone.slope * cone.slope); }
+
+/// How a surface may move: as a whole, turned about the middle of the points, and larger or smaller so that it stays
+/// where it is there. Otherwise radii and moves are hard to tell apart where points take a small part of a surface.
+struct Motion {
+  Vec3 middle;                 ///< of the points
+  std::array<Vec3, 2> across;  ///< square to the axis
+  Vec3 radial;                 ///< from the axis or centre to the middle
+  Vec3 normal;                 ///< of the surface beside the middle
+};
+
+Motion motion_of(const PartSurface& s, const Vec3& middle) {
+  const bool has_axis = s.kind != SurfaceKind::sphere;
+  const Vec3 radial = has_axis ? polar_of(s, middle).outwards : normal_near(s, middle);
+  return {middle, square_to(has_axis ? s.axis : Vec3(0, 0, 1)), radial, normal_near(s, middle)};
+}
+
+/// How the distance of a point changes with each way to move, in the order in which `moved` takes them.
+Unknowns slopes_at(const PartSurface& s, const Vec3& point, const Motion& motion) {
+  const Vec3 n = normal_near(s, point);
+  const Vec3 turning = glm::cross(n, point - motion.middle);
+  const double one = glm::dot(turning, motion.across[0]), two = glm::dot(turning, motion.across[1]);
+  const double in = -glm::dot(n, motion.across[0]), beside = -glm::dot(n, motion.across[1]);
+  switch (s.kind) {
+    case SurfaceKind::plane:
+      return {-1, one, two};
+    case SurfaceKind::cylinder:
+      return {in, beside, one, two, glm::dot(n, motion.radial) - 1};
+    case SurfaceKind::cone: {
+      const Polar polar = polar_of(s, point);
+      const double c = cosine_of(s);
+      const double turn = -(polar.radius - s.radius) * s.slope * c - polar.height * c;
+      return {in, beside, one, two, glm::dot(n, motion.radial) - c, turn * c * c};
+    }
+    case SurfaceKind::sphere:
+      return {-n.x, -n.y, -n.z, glm::dot(n, motion.radial) - 1};
+    case SurfaceKind::torus:
+      return {-n.x,
+              -n.y,
+              -n.z,
+              one,
+              two,
+              glm::dot(n, motion.radial - polar_of(s, point).outwards),
+              glm::dot(n, motion.normal) - 1};
+    case SurfaceKind::free_form:
+      break;
+  }
+  return {};
+}
+
+// Cayley's form of a rotation by a small vector.
+Vec3 turned(const Vec3& v, const Vec3& by) {
+  const Vec3 half = by / 2.0, once = glm::cross(half, v);
+  return v + 2 / (1 + glm::dot(half, half)) * (once + glm::cross(half, once));
+}
+
+PartSurface moved(PartSurface s, const Unknowns& by, const Motion& motion) {
+  const auto turn = [&](double one, double two) {
+    const Vec3 rotation = one * motion.across[0] + two * motion.across[1];
+    s.axis = glm::normalize(turned(s.axis, rotation));
+    s.origin = motion.middle + turned(s.origin - motion.middle, rotation);
+  };
+  switch (s.kind) {
+    case SurfaceKind::plane:
+      turn(by[1], by[2]);
+      s.origin += by[0] * s.axis;
+      break;
+    case SurfaceKind::cylinder:
+    case SurfaceKind::cone:
+      turn(by[2], by[3]);
+      s.origin += by[0] * motion.across[0] + by[1] * motion.across[1] - by[4] * motion.radial;
+      s.radius += by[4];
+      if (s.kind == SurfaceKind::cone) s.slope += by[5];
+      break;
+    case SurfaceKind::sphere:
+      s.origin += Vec3(by[0], by[1], by[2]) - by[3] * motion.radial;
+      s.radius += by[3];
+      break;
+    case SurfaceKind::torus:
+      turn(by[3], by[4]);
+      s.origin += Vec3(by[0], by[1], by[2]) - by[5] * motion.radial - by[6] * motion.normal;
+      s.radius += by[5];
+      s.minor += by[6];
+      break;
+    case SurfaceKind::free_form:
+      break;
+  }
+  return s;
+}
+
+double sum_of_squares(const PartSurface& surface, std::span<const Vec3> points) {
+  double sum = 0;
+  for (const Vec3& p : points) {
+    const double d = signed_distance(surface, p);
+    sum += d * d;
+  }
+  return sum;
+}
+
+// Turned inside out or past a right angle, a fit has lost its way.
+bool is_sound(const PartSurface& s) {
+  const bool radii = s.kind == SurfaceKind::plane || s.radius > 0;
+  return finite(s.origin) && finite(s.axis) && radii && (s.kind != SurfaceKind::torus || s.minor > 0) &&
+         std::abs(s.slope) < 50;
+}
+
+Vec3 mean_of(std::span<const Vec3> points) {
+  Vec3 sum(0);
+  for (const Vec3& p : points) sum += p;
+  return sum / static_cast<double>(points.size());
+}
+
+// The point nearest to the lines through the middles of facets along their normals, seen along an axis: normals of a
+// surface of revolution meet its axis.
+std::optional<Vec3> meeting_of_normals(std::span<const Facing> facings, const Vec3& axis) {
+  NormalEquations equations(2);
+  const auto across = square_to(axis);
+  const Vec3 from = facings.front().middle;
+  for (const Facing& f : facings) {
+    const Vec2 n(glm::dot(f.normal, across[0]), glm::dot(f.normal, across[1]));
+    const Vec2 m(glm::dot(f.middle - from, across[0]), glm::dot(f.middle - from, across[1]));
+    equations.add({-n.y, n.x}, n.x * m.y - n.y * m.x);
+  }
+  const auto meeting = equations.solve(0);
+  if (!meeting) return std::nullopt;
+  return from + (*meeting)[0] * across[0] + (*meeting)[1] * across[1];
+}
+
+// z = a + b x + c y + (d x^2 + 2 e x y + f y^2) / 2 + cubes over a plane: its curvatures and their directions at the
+// middle. Without the cubes, which are all that tells one torus of these curvatures from another, they would be wrong
+// by as much.
+struct Curvatures {
+  Vec3 point, normal;
+  std::array<double, 2> value;  ///< positive where the surface turns towards the normal
+  std::array<Vec3, 2> direction;
+};
+
+std::optional<Curvatures> curvatures_of(const Facing& middle, std::span<const Vec3> points) {
+  const auto across = square_to(middle.normal);
+  double size = 0;
+  for (const Vec3& p : points) size = std::max(size, glm::distance(p, middle.middle));
+  constexpr std::size_t enough_for_cubes = 12;
+  NormalEquations equations(points.size() < enough_for_cubes ? 6 : 10);
+  for (const Vec3& p : points) {
+    const Vec3 from = (p - middle.middle) / size;
+    const double x = glm::dot(from, across[0]), y = glm::dot(from, across[1]);
+    equations.add({1, x, y, x * x / 2, x * y, y * y / 2, x * x * x, x * x * y, x * y * y, y * y * y},
+                  glm::dot(from, middle.normal));
+  }
+  const auto found = equations.solve(0);
+  if (!found) return std::nullopt;
+  const double a = (*found)[0], b = (*found)[1], c = (*found)[2], d = (*found)[3], e = (*found)[4], f = (*found)[5];
+  const double root = std::sqrt(1 + b * b + c * c);
+  const Vec3 normal = glm::normalize(middle.normal - b * across[0] - c * across[1]);
+  // In a frame of the tangent plane at the middle the second derivatives are nearly those over the given plane.
+  const double half_trace = (d + f) / 2, half_difference = (d - f) / 2;
+  const double spread = std::hypot(half_difference, e);
+  const double angle = portable_atan2(e, half_difference) / 2;
+  const Vec3 one = portable_cos(angle) * across[0] + portable_sin(angle) * across[1];
+  const Vec3 first = glm::normalize(one - glm::dot(one, normal) * normal);
+  return Curvatures{middle.middle + a * size * middle.normal,
+                    normal,
+                    {(half_trace + spread) / (root * size), (half_trace - spread) / (root * size)},
+                    {first, glm::cross(normal, first)}};
+}
+
+// A torus that touches the surface and has its curvatures, the meridian along direction `m`; `turn` has cosine and
+// sine of the angle from the outermost circle of the tube.
+std::optional<PartSurface> torus_of(const Curvatures& at, int m, const Vec2& turn) {
+  const double along = at.value[m], around = at.value[1 - m];
+  if (!(std::abs(along) > 1e-9)) return std::nullopt;
+  // Outwards of the tube is away from where the meridian turns to.
+  const Vec3 outwards = along > 0 ? -at.normal : at.normal;
+  const auto [c, s] = std::pair(turn.x, turn.y);
+  const double around_outwards = along > 0 ? around : -around;
+  const double from_axis = std::abs(around_outwards) > 1e-9 ? c / around_outwards : 0;
+  const double minor = 1 / std::abs(along);
+  const double radius = from_axis - minor * c;
+  if (!(from_axis > 0) || !(radius > 0.05 * minor) || radius > 1e3 * minor) return std::nullopt;
+  const Vec3 radial = c * outwards - s * at.direction[m];
+  const Vec3 axis = s * outwards + c * at.direction[m];
+  return PartSurface{SurfaceKind::torus, at.point - minor * outwards - radius * radial, axis, radius, minor};
+}
+
+}  // namespace
+
+int unknowns_of(SurfaceKind kind) {
+  switch (kind) {
+    case SurfaceKind::plane:
+      return 3;
+    case SurfaceKind::cylinder:
+      return 5;
+    case SurfaceKind::cone:
+      return 6;
+    case SurfaceKind::sphere:
+      return 4;
+    case SurfaceKind::torus:
+      return 7;
+    case SurfaceKind::free_form:
+      break;
+  }
+  return 0;
+}
+
+double signed_distance(const PartSurface& s, const Vec3& point) {
+  switch (s.kind) {
+    case SurfaceKind::plane:
+      return glm::dot(point - s.origin, s.axis);
+    case SurfaceKind::cylinder:
+      return polar_of(s, point).radius - s.radius;
+    case SurfaceKind::cone: {
+      const Polar polar = polar_of(s, point);
+      return (polar.radius - s.radius - polar.height * s.slope) * cosine_of(s);
+    }
+    case SurfaceKind::sphere:
+      return glm::distance(point, s.origin) - s.radius;
+    case SurfaceKind::torus: {
+      const Polar polar = polar_of(s, point);
+      const double out = polar.radius - s.radius;
+      return std::sqrt(out * out + polar.height * polar.height) - s.minor;
+    }
+    case SurfaceKind::free_form:
+      break;
+  }
+  return 0;
+}
+
+Vec3 normal_near(const PartSurface& s, const Vec3& point) {
+  const auto unit = [](const Vec3& v) {
+    const double length = glm::length(v);
+    return length > 0 ? v / length : Vec3(0);
+  };
+  switch (s.kind) {
+    case SurfaceKind::plane:
+      return s.axis;
+    case SurfaceKind::cylinder:
+      return polar_of(s, point).outwards;
+    case SurfaceKind::cone: {
+      const Vec3 outwards = polar_of(s, point).outwards;
+      if (outwards == Vec3(0)) return outwards;
+      return cosine_of(s) * (outwards - s.slope * s.axis);
+    }
+    case SurfaceKind::sphere:
+      return unit(point - s.origin);
+    case SurfaceKind::torus: {
+      const Polar polar = polar_of(s, point);
+      return unit((polar.radius - s.radius) * polar.outwards + polar.height * s.axis);
+    }
+    case SurfaceKind::free_form:
+      break;
+  }
+  return Vec3(0);
+}
+
+double residual_of(const PartSurface& surface, std::span<const Vec3> points) {
+  double largest = 0;
+  for (const Vec3& p : points) largest = std::max(largest, std::abs(signed_distance(surface, p)));
+  return largest;
+}
+
+double refine(PartSurface& surface, std::span<const Vec3> points, double wanted) {
+  constexpr int most_steps = 16;
+  const auto count = static_cast<double>(points.size());
+  const Vec3 middle = mean_of(points);
+  // Beside the points, so that tilts and moves of the axis are told apart.
+  const auto recentre = [&] {
+    if (surface.kind == SurfaceKind::sphere || surface.kind == SurfaceKind::torus) return;
+    const double along = glm::dot(middle - surface.origin, surface.axis);
+    if (surface.kind == SurfaceKind::plane) {
+      surface.origin = middle - along * surface.axis;
+      return;
+    }
+    surface.origin += along * surface.axis;
+    if (surface.kind == SurfaceKind::cone) surface.radius += along * surface.slope;
+  };
+  recentre();
+  if (!is_sound(surface)) return HUGE_VAL;
+  double sum = sum_of_squares(surface, points);
+  double damping = 1e-8;
+  const double rounding = 4e-16 * (surface.radius + surface.minor + glm::distance(surface.origin, middle));
+  for (int step = 0; step < most_steps && sum > count * rounding * rounding; ++step) {
+    const Motion motion = motion_of(surface, middle);
+    NormalEquations equations(unknowns_of(surface.kind));
+    for (const Vec3& p : points) equations.add(slopes_at(surface, p, motion), -signed_distance(surface, p));
+    const auto by = equations.solve(damping);
+    if (!by) break;
+    const PartSurface next = moved(surface, *by, motion);
+    const double next_sum = is_sound(next) ? sum_of_squares(next, points) : HUGE_VAL;
+    if (!(next_sum < sum)) {
+      damping *= 16;
+      if (damping > 1e4) break;
+      continue;
+    }
+    // Near a surface that the points lie on, steps square the distance.
+    const bool hopeless = step >= 2 && next_sum > 0.3 * sum && next_sum > count * wanted * wanted;
+    const bool done = hopeless || next_sum > 0.999 * sum || next_sum == 0;
+    surface = next;
+    sum = next_sum;
+    damping *= 0.02;
+    if (done) break;
+  }
+  recentre();
+  const double residual = is_sound(surface) ? residual_of(surface, points) : HUGE_VAL;
+  return std::isfinite(residual) ? residual : HUGE_VAL;
+}
+
+std::optional<PartSurface> begin_plane(std::span<const Vec3> points) {
+  const Vec3 middle = mean_of(points);
+  Mat3 spread(0);
+  for (const Vec3& p : points) spread += glm::outerProduct(p - middle, p - middle);
+  const Vec3 axis = smallest_axis(spread);
+  if (!finite(axis)) return std::nullopt;
+  return PartSurface{SurfaceKind::plane, middle, axis};
+}
+
+std::optional<PartSurface> begin_cylinder(std::span<const Facing> facings, std::span<const Vec3> points) {
+  Mat3 spread(0);
+  for (const Facing& f : facings) spread += f.weight * glm::outerProduct(f.normal, f.normal);
+  const Vec3 axis = smallest_axis(spread);
+  if (!finite(axis)) return std::nullopt;
+  const auto across = square_to(axis);
+  const Vec3 from = points.front();
+  std::vector<Vec2> seen;
+  for (const Vec3& p : points) seen.emplace_back(glm::dot(p - from, across[0]), glm::dot(p - from, across[1]));
+  const auto circle = fit_circle(seen);
+  if (!circle) return std::nullopt;
+  return PartSurface{SurfaceKind::cylinder, from + circle->centre.x * across[0] + circle->centre.y * across[1], axis,
+                     circle->radius};
+}
+
+std::optional<PartSurface> begin_cone(std::span<const Facing> facings, std::span<const Vec3> points) {
+  Vec3 mean(0);
+  double weights = 0;
+  for (const Facing& f : facings) {
+    mean += f.weight * f.normal;
+    weights += f.weight;
+  }
+  mean /= weights;
+  Mat3 spread(0);
+  for (const Facing& f : facings) spread += f.weight * glm::outerProduct(f.normal - mean, f.normal - mean);
+  PartSurface cone{.kind = SurfaceKind::cone, .axis = smallest_axis(spread)};
+  if (!finite(cone.axis)) return std::nullopt;
+  const auto on_axis = meeting_of_normals(facings, cone.axis);
+  if (!on_axis) return std::nullopt;
+  cone.origin = *on_axis;
+  // The line through heights and radii of the points.
+  Vec2 middle(0);
+  for (const Vec3& p : points) {
+    const Polar polar = polar_of(cone, p);
+    middle += Vec2(polar.height, polar.radius) / static_cast<double>(points.size());
+  }
+  double along = 0, both = 0;
+  for (const Vec3& p : points) {
+    const Polar polar = polar_of(cone, p);
+    along += (polar.height - middle.x) * (polar.height - middle.x);
+    both += (polar.height - middle.x) * (polar.radius - middle.y);
+  }
+  if (!(along > 0)) return std::nullopt;
+  cone.slope = both / along;
+  cone.origin += middle.x * cone.axis;
+  cone.radius = middle.y;
+  return cone;
+}
+
+std::optional<PartSurface> begin_sphere(std::span<const Vec3> points) {
+  const Vec3 middle = mean_of(points);
+  NormalEquations equations(4);
+  for (const Vec3& p : points) {
+    const Vec3 d = p - middle;
+    equations.add({2 * d.x, 2 * d.y, 2 * d.z, 1}, glm::dot(d, d));
+  }
+  const auto found = equations.solve(0);
+  if (!found) return std::nullopt;
+  const Vec3 centre((*found)[0], (*found)[1], (*found)[2]);
+  const double square = (*found)[3] + glm::dot(centre, centre);
+  if (!(square > 0)) return std::nullopt;
+  return PartSurface{SurfaceKind::sphere, middle + centre, Vec3(0), std::sqrt(square)};
+}
+
+std::optional<PartSurface> begin_torus_by_normals(std::span<const Facing> facings, std::span<const Vec3> points) {
+  const Vec3 from = facings.front().middle;
+  Mat3 nn(0), nm(0), mm(0);
+  for (const Facing& f : facings) {
+    const Vec3 moment = glm::cross(f.middle - from, f.normal);
+    nn += glm::outerProduct(f.normal, f.normal);
+    nm += glm::outerProduct(f.normal, moment);
+    mm += glm::outerProduct(moment, moment);
+  }
+  if (!(std::abs(glm::determinant(nn)) > 1e-12)) return std::nullopt;
+  const Mat3 moment_of = -glm::inverse(nn) * nm;
+  PartSurface torus{.kind = SurfaceKind::torus, .axis = smallest_axis(mm + glm::transpose(nm) * moment_of)};
+  if (!finite(torus.axis)) return std::nullopt;
+  torus.origin = from + glm::cross(torus.axis, moment_of * torus.axis);
+  std::vector<Vec2> profile;
+  for (const Vec3& p : points) {
+    const Polar polar = polar_of(torus, p);
+    profile.emplace_back(polar.radius, polar.height);
+  }
+  const auto circle = fit_circle(profile);
+  if (!circle) return std::nullopt;
+  torus.radius = circle->centre.x;
+  torus.origin += circle->centre.y * torus.axis;
+  torus.minor = circle->radius;
+  return torus;
+}
+
+std::optional<PartSurface> begin_torus_by_curvatures(std::span<const Facing> facings, std::span<const Vec3> points) {
+  static const std::vector<Vec2> turns = [] {
+    constexpr int count = 72;
+    std::vector<Vec2> all;
+    for (int i = 0; i < count; ++i) {
+      const double angle = 2 * std::numbers::pi * (i + 0.5) / count;
+      all.emplace_back(portable_cos(angle), portable_sin(angle));
+    }
+    return all;
+  }();
+  const auto curvatures = curvatures_of(facings.front(), points);
+  if (!curvatures) return std::nullopt;
+  std::optional<PartSurface> best;
+  double least = HUGE_VAL;
+  for (const int meridian : {0, 1})
+    for (const Vec2& turn : turns) {
+      const auto torus = torus_of(*curvatures, meridian, turn);
+      if (!torus) continue;
+      const double sum = sum_of_squares(*torus, points);
+      if (!(sum < least)) continue;
+      least = sum;
+      best = torus;
+    }
+  return best;
+}
+
+}  // namespace epura

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// The surfaces that faces of parts lie on, and their fit to vertices.
+//
+// Vertices of a tessellated face lie on its surface to the precision of the file, whatever the angles of its facets
+// are: so a fit of vertices has residuals thousands of times smaller than the height of an arc over its chord. Fits are
+// least squares of true distances (Lukacs, Martin, Marshall: Faithful least-squares fitting of spheres, cylinders,
+// cones and tori, ECCV 1998), which begin with what the normals of facets tell.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "base/vec.hpp"
+
+namespace epura {
+
+enum class SurfaceKind : std::uint8_t { plane, cylinder, cone, sphere, torus, free_form };
+
+inline constexpr std::array surface_kind_names{"plane", "cylinder", "cone", "sphere", "torus", "free-form"};
+
+struct PartSurface {
+  SurfaceKind kind = SurfaceKind::free_form;
+  Vec3 origin{0};     ///< a point of a plane or of an axis; the centre of a sphere or torus
+  Vec3 axis{0};       ///< unit: normal of a plane, axis of revolution; zero where there is none
+  double radius = 0;  ///< of a cylinder or sphere, of a cone at its origin, of the circle that a torus runs along
+  double minor = 0;   ///< radius of the tube of a torus
+  double slope = 0;   ///< of a cone: so much its radius grows for a length along its axis
+};
+
+/// How many numbers determine a surface.
+int unknowns_of(SurfaceKind kind);
+
+/// Positive outside: away from the axis or centre, or on the side of the normal of a plane.
+double signed_distance(const PartSurface& surface, const Vec3& point);
+
+/// The unit normal beside a point, outwards as above; zero where there is none.
+Vec3 normal_near(const PartSurface& surface, const Vec3& point);
+
+/// Largest distance of the points.
+double residual_of(const PartSurface& surface, std::span<const Vec3> points);
+
+/// Makes the sum of squared distances as small as it can be, beginning with the surface as it is. Returns the largest
+/// distance; HUGE_VAL where nothing came of it. Gives up early where points will hardly come as near as `wanted`.
+double refine(PartSurface& surface, std::span<const Vec3> points, double wanted = HUGE_VAL);
+
+/// A facet as a fit sees it: a point in its middle and a unit normal.
+struct Facing {
+  Vec3 middle, normal;
+  double weight;
+};
+
+// What to refine, from a few facets beside each other and their vertices.
+
+std::optional<PartSurface> begin_plane(std::span<const Vec3> points);
+std::optional<PartSurface> begin_cylinder(std::span<const Facing> facings, std::span<const Vec3> points);
+std::optional<PartSurface> begin_cone(std::span<const Facing> facings, std::span<const Vec3> points);
+std::optional<PartSurface> begin_sphere(std::span<const Vec3> points);
+/// Normals meet the axis: the line nearest to doing so (Pottmann, Wallner: Computational Line Geometry, 2001). Exact
+/// for nets of meridians and parallels.
+std::optional<PartSurface> begin_torus_by_normals(std::span<const Facing> facings, std::span<const Vec3> points);
+/// The best of several that have the curvatures of the surface through the points. The first facing is in the middle.
+std::optional<PartSurface> begin_torus_by_curvatures(std::span<const Facing> facings, std::span<const Vec3> points);
+
+}  // namespace epura

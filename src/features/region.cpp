@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "features/region.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "base/portable_math.hpp"
+#include "features/least_squares.hpp"
+
+namespace epura {
+
+namespace {
+
+constexpr double turn = 2 * std::numbers::pi;
+constexpr double degree = std::numbers::pi / 180;
+// A facet takes at most 45 degrees of its surface, so a corner of it is turned by half of that.
+constexpr double least_agreement = 0.913;       // cosine of 24 degrees
+constexpr double most_relative_sagitta = 0.09;  // of the radius
+constexpr double least_fold_cosine = 0.62;
+// Twelve facets a turn or more, on average.
+constexpr double most_mean_turn = 15.5 * degree;
+constexpr double most_mean_turn_both_ways = 21.5 * degree;
+// One facet stands at most four times as high over its chord as others: it takes twice the angle.
+constexpr double most_sagittas = 16;
+constexpr double tangent_cosine = 0.99966;  // of 1.5 degrees
+// Places around a surface, with ends at which a neighbour touches it, from which three would follow anyway.
+constexpr int least_places = 5;
+constexpr std::size_t most_fitted = 192;
+// What vertices beyond those that determine a surface must say together, as the binary logarithm of how unlikely it is
+// that they lie on it by chance: of each the height of the arc over its distance from the surface.
+constexpr double least_bits = 40;
+
+double angle_of_cosine(double cosine) { return std::sqrt(std::max(0.0, 2 * (1 - cosine))); }
+
+}  // namespace
+
+double allowance_of(const Facets& facets, double sagitta) {
+  return std::clamp(sagitta / 64, 4 * facets.tolerance, 16 * facets.tolerance);
+}
+
+namespace {
+
+// Angle of a point around the axis of a surface, or around the tube of a torus, from 0 to a turn.
+double angle_of(const PartSurface& surface, const Vec3& point, bool around_tube) {
+  const Vec3 from = point - surface.origin;
+  const auto across = square_to(surface.axis);
+  const double x = glm::dot(from, across[0]), y = glm::dot(from, across[1]);
+  const double angle = around_tube ? portable_atan2(glm::dot(from, surface.axis), std::hypot(x, y) - surface.radius)
+                                   : portable_atan2(y, x);
+  return angle < 0 ? angle + turn : angle;
+}
+
+/// Facets that are too thin to face anywhere: lower than the arcs that the tessellation leaves out. Where those are
+/// higher than a coarse tessellation leaves, it is none.
+bool has_no_say(const Facets& facets, int facet, const PartSurface& surface, double sagitta) {
+  const double least_radius = surface.kind == SurfaceKind::torus ? surface.minor : surface.radius;
+  return facets.is_sliver(facet) ||
+         facets.facets[facet].width <= 2 * std::min(sagitta, most_relative_sagitta * least_radius);
+}
+
+}  // namespace
+
+bool approximates(const Facets& facets, int facet, const PartSurface& surface, double allowance, double sagitta) {
+  const Facet& f = facets.facets[facet];
+  for (const int v : facets.vertices_of(facet))
+    if (!(std::abs(signed_distance(surface, facets.points[v])) <= allowance)) return false;
+  if (has_no_say(facets, facet, surface, sagitta)) return true;
+  for (const int v : facets.vertices_of(facet)) {
+    const Vec3 normal = normal_near(surface, facets.points[v]);
+    if (normal != Vec3(0) && std::abs(glm::dot(normal, f.normal)) < least_agreement) return false;
+  }
+  return sagitta == 0 || std::abs(signed_distance(surface, f.middle)) <= most_sagittas * sagitta + allowance;
+}
+
+Places places_of(const PartSurface& s, std::span<const Vec3> points, bool around_tube, double allowance) {
+  const double radius = around_tube ? s.minor : s.radius;
+  const double same = std::max(1e-5, 16 * allowance / radius);
+  std::vector<double> angles;
+  for (const Vec3& p : points) {
+    // On the axis there is no angle.
+    const Vec3 from = p - s.origin;
+    if (glm::length(from - glm::dot(from, s.axis) * s.axis) > 1e-3 * s.radius)
+      angles.push_back(angle_of(s, p, around_tube));
+  }
+  if (angles.empty()) return {};
+  std::sort(angles.begin(), angles.end());
+  std::vector<double> places{angles.front()};
+  for (const double a : angles)
+    if (a > places.back() + same) places.push_back(a);
+  if (places.size() > 1 && places.front() + turn - places.back() <= same) places.pop_back();
+  double gap = places.front() + turn - places.back();
+  double from = places.front();
+  for (std::size_t i = 1; i < places.size(); ++i)
+    if (places[i] - places[i - 1] > gap) {
+      gap = places[i] - places[i - 1];
+      from = places[i];
+    }
+  const auto count = static_cast<int>(places.size());
+  const bool closed = gap < 46 * degree && gap <= 4 * turn / count;
+  return {count, from, closed ? turn : turn - gap, closed};
+}
+
+RegionGrower::RegionGrower(const Facets& facets, const std::vector<int>& region_of, const std::vector<Region>& regions)
+    : facets_(facets),
+      region_of_(region_of),
+      regions_(regions),
+      stamp_(facets.facets.size(), 0),
+      vertex_stamp_(facets.points.size(), 0) {}
+
+bool RegionGrower::may_cross(int triangle, int side) const {
+  const int other = facets_.facet_of[facets_.sides[triangle][side].neighbour];
+  if (region_of_[other] >= 0) return false;
+  return facets_.is_sliver(other) || facets_.is_sliver(facets_.facet_of[triangle]) ||
+         facets_.cosine_of_fold(triangle, side) > least_fold_cosine;
+}
+
+void RegionGrower::add(Region& region, int facet) {
+  stamp_[facet] = number_;
+  region.facets.push_back(facet);
+  sagittas_ += std::abs(signed_distance(region.surface, facets_.facets[facet].middle));
+  region.sagitta = sagittas_ / static_cast<double>(region.facets.size());
+}
+
+std::vector<Vec3> RegionGrower::points_of(const Region& region, std::size_t most) {
+  ++vertex_number_;
+  std::vector<Vec3> points;
+  for (const int f : region.facets)
+    for (const int v : facets_.vertices_of(f))
+      if (std::exchange(vertex_stamp_[v], vertex_number_) != vertex_number_) points.push_back(facets_.points[v]);
+  if (points.size() <= most) return points;
+  std::vector<Vec3> some;
+  for (std::size_t i = 0; i < most; ++i) some.push_back(points[i * points.size() / most]);
+  return some;
+}
+
+// Vertices that lie beside the surface, as on the border to a blend that is not exact, shall not bend it: it is fitted
+// to the others once they are known.
+bool RegionGrower::fit_again(Region& region) {
+  const std::vector<Vec3> points = points_of(region, most_fitted);
+  region.residual = refine(region.surface, points);
+  if (region.residual > 4 * facets_.tolerance && region.residual < HUGE_VAL) {
+    std::vector<double> distances;
+    for (const Vec3& p : points) distances.push_back(std::abs(signed_distance(region.surface, p)));
+    const auto middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+    std::vector<double> sorted = distances;
+    std::nth_element(sorted.begin(), sorted.begin() + (middle - distances.begin()), sorted.end());
+    const double near =
+        std::max(2 * facets_.tolerance, 1.5 * sorted[static_cast<std::size_t>(middle - distances.begin())]);
+    std::vector<Vec3> kept;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (distances[i] <= near) kept.push_back(points[i]);
+    PartSurface other = region.surface;
+    if (static_cast<int>(kept.size()) > 2 * unknowns_of(other.kind) && refine(other, kept) < near) {
+      region.surface = other;
+      region.residual = residual_of(other, points);
+    }
+  }
+  sagittas_ = 0;
+  for (const int f : region.facets) sagittas_ += std::abs(signed_distance(region.surface, facets_.facets[f].middle));
+  region.sagitta = sagittas_ / static_cast<double>(region.facets.size());
+  return region.residual <= allowance_of(facets_, region.sagitta);
+}
+
+// Adds neighbours until none lies on the surface any more, and fits it again whenever the region has doubled. Whether
+// anything was added.
+bool RegionGrower::spread(Region& region) {
+  const std::size_t before = region.facets.size();
+  std::size_t fitted = before;
+  for (std::size_t next = 0; next < region.facets.size(); ++next) {
+    for (const int t : facets_.triangles_of(region.facets[next]))
+      for (int side = 0; side < 3; ++side) {
+        const int neighbour = facets_.sides[t][side].neighbour;
+        if (neighbour < 0) continue;
+        const int facet = facets_.facet_of[neighbour];
+        if (stamp_[facet] == number_ || !may_cross(t, side)) continue;
+        // What a fit to few facets says of the next ones is not as sure as the fit.
+        const double allowance = allowance_of(facets_, region.sagitta) * (region.facets.size() < 12 ? 8 : 2);
+        if (approximates(facets_, facet, region.surface, allowance, region.sagitta)) add(region, facet);
+      }
+    if (region.facets.size() < 2 * fitted) continue;
+    if (!fit_again(region)) drop_misfits(region);
+    fitted = region.facets.size();
+  }
+  return region.facets.size() > before;
+}
+
+// Facets that are so askew that they face elsewhere, but lie among those of the region.
+void RegionGrower::take_enclosed(Region& region) {
+  const double allowance = allowance_of(facets_, region.sagitta);
+  const double sagitta = region.sagitta;
+  const auto is_enclosed = [&](int facet) {
+    double within = 0, all = 0;
+    for (const int t : facets_.triangles_of(facet))
+      for (int side = 0; side < 3; ++side) {
+        const int neighbour = facets_.sides[t][side].neighbour;
+        if (neighbour >= 0 && facets_.facet_of[neighbour] == facet) continue;
+        const double length =
+            glm::distance(facets_.points[facets_.corners[t][side]], facets_.points[facets_.corners[t][(side + 1) % 3]]);
+        all += length;
+        if (neighbour >= 0 && stamp_[facets_.facet_of[neighbour]] == number_) within += length;
+      }
+    return 2 * within > all;
+  };
+  const auto lies_on = [&](int facet) {
+    const auto vertices = facets_.vertices_of(facet);
+    const auto is_near = [&](int v) {
+      return std::abs(signed_distance(region.surface, facets_.points[v])) <= allowance;
+    };
+    return std::all_of(vertices.begin(), vertices.end(), is_near) &&
+           std::abs(signed_distance(region.surface, facets_.facets[facet].middle)) <= most_sagittas * sagitta;
+  };
+  for (std::size_t next = 0; next < region.facets.size(); ++next)
+    for (const int t : facets_.triangles_of(region.facets[next]))
+      for (const Side& side : facets_.sides[t]) {
+        if (side.neighbour < 0) continue;
+        const int facet = facets_.facet_of[side.neighbour];
+        if (stamp_[facet] == number_ || region_of_[facet] >= 0 || facets_.facets[facet].is_plane) continue;
+        if (lies_on(facet) && is_enclosed(facet)) add(region, facet);
+      }
+}
+
+void RegionGrower::drop_misfits(Region& region) {
+  const double allowance = allowance_of(facets_, region.sagitta);
+  std::vector<int> kept;
+  for (const int f : region.facets) {
+    const bool stays = approximates(facets_, f, region.surface, allowance, region.sagitta);
+    if (stays)
+      kept.push_back(f);
+    else
+      stamp_[f] = 0;
+  }
+  region.facets = std::move(kept);
+  if (!region.facets.empty()) fit_again(region);
+}
+
+std::optional<Region> RegionGrower::grow(const PartSurface& beginning, std::span<const int> seeds) {
+  ++number_;
+  sagittas_ = 0;
+  Region region{beginning, {}};
+  for (const int f : seeds) add(region, f);
+  for (int round = 0; round < 4; ++round) {
+    const bool grew = spread(region);
+    if (!fit_again(region)) return std::nullopt;
+    drop_misfits(region);
+    if (region.facets.size() < 2) return std::nullopt;
+    if (!grew) break;
+  }
+  // A surface is only told from the polyhedron where the two differ.
+  if (region.residual > allowance_of(facets_, region.sagitta) || region.sagitta < 4 * region.residual)
+    return std::nullopt;
+  take_enclosed(region);
+  return region;
+}
+
+double RegionGrower::mean_turn_of(const Region& region) const {
+  double sum = 0;
+  int count = 0;
+  for (const int f : region.facets) {
+    if (has_no_say(facets_, f, region.surface, region.sagitta)) continue;
+    double least = 1;
+    for (const int v : facets_.vertices_of(f)) {
+      const Vec3 normal = normal_near(region.surface, facets_.points[v]);
+      if (normal != Vec3(0)) least = std::min(least, std::abs(glm::dot(normal, facets_.facets[f].normal)));
+    }
+    sum += angle_of_cosine(least);
+    ++count;
+  }
+  // Too few have a say for the rest to be thin ones among them.
+  return 4 * count >= static_cast<int>(region.facets.size()) ? sum / count : turn;
+}
+
+Places RegionGrower::places_around(const Region& region, bool around_tube) {
+  return places_of(region.surface, points_of(region, facets_.points.size()), around_tube,
+                   allowance_of(facets_, region.sagitta));
+}
+
+// At how many ends of the arc neighbours go on without an edge.
+int RegionGrower::tangent_ends(const Region& region, const Places& places, bool around_tube) {
+  if (places.closed) return 0;
+  ++number_;
+  for (const int f : region.facets) stamp_[f] = number_;
+  const double near = 1e-3 + places.sweep / (16 * places.count);
+  std::array<double, 2> lengths{}, tangent{};
+  const auto end_at = [&](const Vec3& p) {
+    double along = angle_of(region.surface, p, around_tube) - places.from;
+    if (along < -turn / 4) along += turn;
+    return std::abs(along) < near || std::abs(along - turn) < near ? 0 : std::abs(along - places.sweep) < near ? 1 : -1;
+  };
+  for (const int f : region.facets)
+    for (const int t : facets_.triangles_of(f))
+      for (int side = 0; side < 3; ++side) {
+        const int neighbour = facets_.sides[t][side].neighbour;
+        if (neighbour < 0 || stamp_[facets_.facet_of[neighbour]] == number_) continue;
+        const Vec3& a = facets_.points[facets_.corners[t][side]];
+        const Vec3& b = facets_.points[facets_.corners[t][(side + 1) % 3]];
+        const int end = end_at(a);
+        if (end < 0 || end_at(b) != end) continue;
+        const int other = facets_.facet_of[neighbour];
+        const Vec3 normal =
+            region_of_[other] >= 0 ? normal_near(regions_[region_of_[other]].surface, a) : facets_.facets[other].normal;
+        const double length = glm::distance(a, b);
+        lengths[end] += length;
+        if (std::abs(glm::dot(normal, normal_near(region.surface, a))) > tangent_cosine) tangent[end] += length;
+      }
+  int count = 0;
+  for (int end = 0; end < 2; ++end) count += lengths[end] > 0 && tangent[end] > 0.5 * lengths[end] ? 1 : 0;
+  return count;
+}
+
+bool RegionGrower::is_evident_arc(const Region& region, bool around_tube, double mean_turn) {
+  const Places places = places_around(region, around_tube);
+  const double most = around_tube ? most_mean_turn_both_ways : most_mean_turn;
+  if (places.closed) return places.count >= 12 && mean_turn <= most;
+  const int tangent = tangent_ends(region, places, around_tube);
+  if (tangent < 2 && mean_turn > most) return false;
+  return places.count >= 3 && places.count + tangent >= least_places;
+}
+
+// Vertices of two circles about one axis lie on a sphere, too.
+bool RegionGrower::is_evident_sphere(const Region& region) {
+  const std::vector<Vec3> points = points_of(region, most_fitted);
+  if (points.size() < 8 || region.facets.size() < 5) return false;
+  std::vector<Facing> facings;
+  for (const int f : region.facets)
+    if (!facets_.is_sliver(f)) facings.push_back({facets_.facets[f].middle, facets_.facets[f].normal, 1});
+  if (facings.empty()) return false;
+  for (auto simpler : {begin_cylinder(facings, points), begin_cone(facings, points)})
+    if (simpler && refine(*simpler, points) <= allowance_of(facets_, region.sagitta)) return false;
+  return true;
+}
+
+bool RegionGrower::is_beyond_chance(const Region& region) {
+  const auto vertices = static_cast<double>(points_of(region, most_fitted).size());
+  const double distance = std::max(region.residual, facets_.tolerance / 4);
+  return (vertices - unknowns_of(region.surface.kind)) * std::log2(region.sagitta / distance) >= least_bits;
+}
+
+bool RegionGrower::is_evident(const Region& region) {
+  if (!is_beyond_chance(region)) return false;
+  const double mean_turn = mean_turn_of(region);
+  switch (region.surface.kind) {
+    case SurfaceKind::cylinder:
+    case SurfaceKind::cone:
+      return is_evident_arc(region, false, mean_turn);
+    case SurfaceKind::sphere:
+      return mean_turn <= most_mean_turn_both_ways && is_evident_sphere(region);
+    case SurfaceKind::torus:
+      return places_around(region, false).count >= 4 && is_evident_arc(region, true, mean_turn);
+    case SurfaceKind::plane:
+    case SurfaceKind::free_form:
+      break;
+  }
+  return true;
+}
+
+}  // namespace epura

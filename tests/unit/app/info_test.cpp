@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// epura info, as users run it.
+#include <gtest/gtest.h>
+
+#include "../output/json_reader.hpp"
+#include "errors.hpp"
+#include "folder.hpp"
+#include "program.hpp"
+
+namespace epura::test {
+namespace {
+
+const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 2 3\nf 1 3 4\nf 1 1 2\n";
+
+Outcome info(std::vector<std::string> options, const Folder& folder) {
+  options.insert(options.begin(), "info");
+  return epura(options, folder / "");
+}
+
+TEST(InfoCommand, TellsWhatAPartIs) {
+  const Outcome run = info({sample("bracket.obj")}, Folder());
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.err, "");
+  for (const char* words :
+       {"bracket.obj\n", "OBJ, 584 vertices, 896 faces, 1184 triangles\n",
+        "80 x 70 x 75, from (0, 0, 0) to (80, 70, 75)\n", "not in the file; probably mm\n", "1, closed\n",
+        "20; 100 % of the area is recognised\n", "12 planes\n", "8 cylinders: R 3.5 (2), R 5.5 (4), R 12, R 13\n",
+        "\u00d826, through, 10 long, along y, from (40, 60, 48)\n",
+        "2 x \u00d87, through, 10 long, along y, from (14, 60, 62), (66, 60, 62)\n", "repairs   none\n"})
+    EXPECT_TRUE(contains(run.out, words)) << words << "\n" << run.out;
+}
+
+TEST(InfoCommand, OfASurfaceThatIsNoPartItTellsTheRest) {
+  const Outcome run = info({sample("sombrero.obj")}, Folder());
+  EXPECT_EQ(run.code, 0);
+  EXPECT_TRUE(contains(run.out, "open: 192 edges with one face")) << run.out;
+  EXPECT_TRUE(contains(run.out, "no surfaces of a part recognised")) << run.out;
+  EXPECT_FALSE(contains(run.out, "holes")) << run.out;
+}
+
+TEST(InfoCommand, TellsRepairs) {
+  const Folder folder;
+  folder.file("square.obj", square);
+  const Outcome run = info({"square.obj"}, folder);
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "1 face without area left out\n")) << run.out;
+  EXPECT_TRUE(contains(run.out, "1 face left out that is there twice\n")) << run.out;
+}
+
+TEST(InfoCommand, JsonHasTheSameForSeveralModels) {
+  const Outcome run = info({sample("bracket.obj"), sample("flange.obj"), "--json", "-"}, Folder());
+  EXPECT_EQ(run.code, 0) << run.err;
+  const Json json = JsonReader(run.out).read();
+  EXPECT_EQ(json["epura_info"].text, "1");
+  ASSERT_EQ(json["models"].items.size(), 2U);
+  const Json& bracket = json["models"].items[0];
+  EXPECT_EQ(bracket["unit"].text, "mm");
+  EXPECT_EQ(bracket["part_faces"].items.size(), 20U);
+  EXPECT_EQ(bracket["part_edges"]["sharp"].text, "41");
+  EXPECT_EQ(bracket["box"]["max"].items[2].text, "75");
+  const Json& flange = json["models"].items[1];
+  ASSERT_EQ(flange["holes"].items.size(), 9U);
+  EXPECT_EQ(flange["holes"].items[0]["through"].type, 't');
+  EXPECT_NEAR(std::stod(flange["holes"].items[0]["diameters"].items[0].text), 82.5, 1e-4);
+}
+
+TEST(InfoCommand, JsonGoesToAFile) {
+  const Folder folder;
+  const Outcome run = info({sample("bracket.obj"), "--json", "part.json"}, folder);
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, "12 planes")) << run.out;
+  EXPECT_EQ(JsonReader(read_file(folder / "part.json")).read()["models"].items.size(), 1U);
+}
+
+TEST(InfoCommand, RefusesWhatItCannotRead) {
+  const Folder folder;
+  EXPECT_EQ(info({"missing.stl"}, folder).code, 2);
+  EXPECT_EQ(info({}, folder).code, 2);
+  folder.file("broken.obj", "v 0 0\n");
+  const Outcome broken = info({"broken.obj"}, folder);
+  EXPECT_EQ(broken.code, 2);
+  EXPECT_TRUE(contains(broken.err, "broken.obj:1")) << broken.err;
+  folder.file("cube.obj", read_file(sample("bracket.obj")));
+  const Outcome over = info({"cube.obj", "--json", "cube.obj"}, folder);
+  EXPECT_EQ(over.code, 2);
+  EXPECT_EQ(read_file(folder / "cube.obj"), read_file(sample("bracket.obj")));
+}
+
+}  // namespace
+}  // namespace epura::test

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+// What would break if this were wrong: callouts of holes.
+#include "features/holes.hpp"
+
+#include <gtest/gtest.h>
+
+#include "shapes.hpp"
+
+namespace epura {
+namespace {
+
+using namespace test;
+
+std::vector<Hole> holes_of(const Part& part) {
+  const Mesh mesh = part.mesh();
+  return find_holes(mesh, recognise_faces(mesh));
+}
+
+TEST(Holes, ABoreGoesThrough) {
+  const auto holes = holes_of(plate_with_hole(20, 5, 8, 8));
+  ASSERT_EQ(holes.size(), 1U);
+  EXPECT_TRUE(holes[0].through);
+  ASSERT_EQ(holes[0].diameters.size(), 1U);
+  EXPECT_NEAR(holes[0].diameters[0], 16, 1e-9);
+  EXPECT_NEAR(glm::distance(holes[0].from, holes[0].to), 5, 1e-9);
+}
+
+// Round blocks of radius 20 and height 30, bored from above.
+Part bored(const std::vector<Vec2>& bore) { return revolved(joined({{{0, 0}, {20, 0}, {20, 30}}, bore}), 36); }
+
+TEST(Holes, ADrillPointAndABottomEndThem) {
+  for (const double tip : {12.0, 10.0}) {
+    const auto holes = holes_of(bored({{4, 30}, {4, 12}, {0, tip == 12 ? 12 : tip}}));
+    ASSERT_EQ(holes.size(), 1U) << tip;
+    EXPECT_FALSE(holes[0].through);
+    EXPECT_NEAR(holes[0].diameters.at(0), 8, 1e-9);
+    EXPECT_NEAR(glm::distance(holes[0].from, holes[0].to), 30 - tip, 1e-9);
+  }
+}
+
+TEST(Holes, StepsAndCountersinksBelongTogether) {
+  const auto holes = holes_of(revolved({{4, 0}, {20, 0}, {20, 30}, {9, 30}, {7, 28}, {7, 20}, {4, 20}, {4, 0}}, 36));
+  ASSERT_EQ(holes.size(), 1U);
+  EXPECT_TRUE(holes[0].through);
+  EXPECT_EQ(holes[0].faces.size(), 3U);
+  ASSERT_EQ(holes[0].diameters.size(), 2U);
+  EXPECT_NEAR(holes[0].diameters[0], 8, 1e-9);
+  EXPECT_NEAR(holes[0].diameters[1], 14, 1e-9);
+  EXPECT_NEAR(glm::distance(holes[0].from, holes[0].to), 30, 1e-9);
+}
+
+TEST(Holes, ShaftsAndFilletsAreNone) {
+  EXPECT_TRUE(holes_of(revolved({{0, 0}, {5, 0}, {5, 8}, {0, 8}}, 24)).empty());
+  EXPECT_TRUE(
+      holes_of(revolved(joined({{{0, 0}, {20, 0}}, arc({20, 5}, 3, -90, -180, 5), {{17, 20}, {0, 20}}}), 48)).empty());
+}
+
+}  // namespace
+}  // namespace epura

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tessellated parts whose faces are known.
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "base/vec.hpp"
+#include "features/recognise.hpp"
+#include "mesh/read.hpp"
+
+namespace epura::test {
+
+inline constexpr double pi = std::numbers::pi;
+
+/// Points and polygons; the outside is where corners are seen counterclockwise.
+struct Part {
+  std::vector<Vec3> points;
+  std::vector<std::vector<int>> faces;
+
+  int add(const Vec3& p) {
+    points.push_back(p);
+    return static_cast<int>(points.size()) - 1;
+  }
+  Part& move(const std::function<Vec3(const Vec3&)>& where) {
+    for (Vec3& p : points) p = where(p);
+    return *this;
+  }
+  Part& turn_inside_out() {
+    for (auto& face : faces) face = {face.rbegin(), face.rend()};
+    return *this;
+  }
+  /// What a binary STL keeps.
+  Part& round_to_float() {
+    is_float = true;
+    return move([](const Vec3& p) { return Vec3(float(p.x), float(p.y), float(p.z)); });
+  }
+  Part& triangulate() {
+    std::vector<std::vector<int>> triangles;
+    for (const auto& f : faces)
+      for (std::size_t i = 2; i < f.size(); ++i) triangles.push_back({f[0], f[i - 1], f[i]});
+    faces = triangles;
+    return *this;
+  }
+  Part& shuffle(unsigned seed) {
+    std::mt19937 random(seed);
+    std::shuffle(faces.begin(), faces.end(), random);
+    for (auto& f : faces) std::rotate(f.begin(), f.begin() + int(random() % f.size()), f.end());
+    return *this;
+  }
+
+  [[nodiscard]] Mesh mesh() const {
+    Soup soup;
+    for (const Vec3& p : points) soup.points.push_back({p.x, p.y, p.z});
+    for (const auto& f : faces) {
+      soup.corners.insert(soup.corners.end(), f.begin(), f.end());
+      soup.end_face();
+    }
+    soup.single_precision = is_float;
+    return make_mesh(soup, "part");
+  }
+
+  bool is_float = false;
+};
+
+/// A turn of (radius, height) about z; points of radius 0 are poles. Outside is right of the profile.
+inline Part revolved(const std::vector<Vec2>& profile, int segments, double sweep = 2 * pi) {
+  Part part;
+  const bool whole = sweep > 6.28;
+  const int columns = whole ? segments : segments + 1;
+  std::vector<std::vector<int>> rings;
+  for (const Vec2& p : profile) {
+    std::vector<int> ring;
+    for (int i = 0; i < columns; ++i) {
+      if (p.x == 0 && i > 0) {
+        ring.push_back(ring[0]);
+        continue;
+      }
+      const double a = sweep * i / segments;
+      ring.push_back(part.add({p.x * std::cos(a), p.x * std::sin(a), p.y}));
+    }
+    rings.push_back(ring);
+  }
+  for (std::size_t r = 0; r + 1 < rings.size(); ++r)
+    for (int i = 0; i < segments; ++i) {
+      const int j = (i + 1) % columns;
+      std::vector<int> face{rings[r][i], rings[r][j], rings[r + 1][j], rings[r + 1][i]};
+      if (face[0] == face[1]) face.erase(face.begin());
+      if (face[face.size() - 1] == face[face.size() - 2]) face.pop_back();
+      part.faces.push_back(face);
+    }
+  return part;
+}
+
+/// Points of an arc in the plane of a profile, both ends included.
+inline std::vector<Vec2> arc(Vec2 centre, double radius, double from, double to, int steps) {
+  std::vector<Vec2> points;
+  for (int i = 0; i <= steps; ++i) {
+    const double a = (from + (to - from) * i / steps) * pi / 180;
+    points.push_back(centre + radius * Vec2(std::cos(a), std::sin(a)));
+  }
+  return points;
+}
+
+/// Joins profiles; points that stand twice in succession are one.
+inline std::vector<Vec2> joined(const std::vector<std::vector<Vec2>>& parts) {
+  std::vector<Vec2> all;
+  for (const auto& part : parts)
+    for (const Vec2& p : part)
+      if (all.empty() || glm::distance(all.back(), p) > 1e-12) all.push_back(p);
+  return all;
+}
+
+/// A prism over an outline that runs counterclockwise.
+inline Part prism(const std::vector<Vec2>& outline, double height) {
+  Part part;
+  const int n = static_cast<int>(outline.size());
+  for (const double z : {0.0, height})
+    for (const Vec2& p : outline) part.add({p.x, p.y, z});
+  std::vector<int> top, bottom;
+  for (int i = 0; i < n; ++i) {
+    const int j = (i + 1) % n;
+    part.faces.push_back({i, j, n + j, n + i});
+    bottom.insert(bottom.begin(), i);
+    top.push_back(n + i);
+  }
+  part.faces.push_back(bottom);
+  part.faces.push_back(top);
+  return part;
+}
+
+inline std::vector<Vec2> regular_polygon(int corners, double radius) {
+  std::vector<Vec2> all = arc({0, 0}, radius, 0, 360, corners);
+  all.pop_back();
+  return all;
+}
+
+/// A square plate with a hole through its middle.
+inline Part plate_with_hole(double half_width, double height, double radius, int steps_of_a_side) {
+  Part part;
+  const int n = 4 * steps_of_a_side;
+  std::vector<std::vector<int>> rings(4);
+  for (int i = 0; i < n; ++i) {
+    const double a = 2 * pi * i / n + pi / 4;
+    const int side = i / steps_of_a_side;
+    const double t = 2.0 * (i % steps_of_a_side) / steps_of_a_side - 1;
+    const Vec2 corner = side == 0 ? Vec2(-t, 1) : side == 1 ? Vec2(-1, -t) : side == 2 ? Vec2(t, -1) : Vec2(1, t);
+    const Vec2 out = half_width * corner, in = radius * Vec2(std::cos(a), std::sin(a));
+    rings[0].push_back(part.add({in.x, in.y, 0}));
+    rings[1].push_back(part.add({out.x, out.y, 0}));
+    rings[2].push_back(part.add({out.x, out.y, height}));
+    rings[3].push_back(part.add({in.x, in.y, height}));
+  }
+  for (int r = 0; r < 4; ++r)
+    for (int i = 0; i < n; ++i) {
+      const int j = (i + 1) % n, q = (r + 1) % 4;
+      part.faces.push_back({rings[r][i], rings[r][j], rings[q][j], rings[q][i]});
+    }
+  return part;
+}
+
+inline int count(const PartFaces& part, SurfaceKind kind) {
+  int count = 0;
+  for (const PartFace& face : part.faces) count += face.surface.kind == kind ? 1 : 0;
+  return count;
+}
+
+inline int count(const PartFaces& part, BorderKind kind) {
+  int count = 0;
+  for (const PartBorder& border : part.borders) count += border.kind == kind ? 1 : 0;
+  return count;
+}
+
+/// The only face of a kind.
+inline const PartFace& only(const PartFaces& part, SurfaceKind kind) {
+  for (const PartFace& face : part.faces)
+    if (face.surface.kind == kind) return face;
+  throw std::logic_error("no such face");
+}
+
+}  // namespace epura::test
