@@ -65,6 +65,7 @@ class SvgReader {
     all.map = {{size.x / box[2], 0}, {0, size.y / box[3]}, {0, 0}};
     all.map.shift = -Vec2(box[0], box[1]) * Vec2(all.map.along.x, all.map.across.y);
     for (const pugi::xml_node style : svg.children("style")) rules_.merge(read_svg_rules(style.text().get()));
+    all.style = style_of(svg, {}, rules_);
     for (const pugi::xml_node child : svg.children()) read_element(child, all);
     return picture_.finish();
   }

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "output/svg_paths.hpp"
+#include "output/xml_text.hpp"
 
 namespace epura {
 

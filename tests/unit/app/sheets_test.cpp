@@ -26,7 +26,7 @@ class Sheets : public testing::Test {
 
 // Places of the texts in a layer of an SVG whose texts are texts: y of their base lines.
 std::vector<double> heights_of(const std::string& svg, const std::string& layer) {
-  const std::size_t begin = svg.find("id=\"" + layer + "\"");
+  const std::size_t begin = svg.find("-" + layer + "\" inkscape:groupmode");
   if (begin == std::string::npos) return {};
   const std::string group = svg.substr(begin, svg.find("</g>\n</g>", begin) - begin);
   static const std::regex place("<text[^>]* y=\"([-0-9.]+)\"");
