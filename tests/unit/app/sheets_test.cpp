@@ -65,6 +65,15 @@ TEST_F(Sheets, ManyMakeOneFileOfPagesAndManyOfOnePage) {
   EXPECT_TRUE(contains(read_file(folder / "x-2.svg"), "width=\"297mm\""));
 }
 
+TEST_F(Sheets, HaveIdsOfTheirOwn) {
+  folder.file("scene.toml", model() +
+                                "[[sheet]]\n[[sheet]]\n[[view]]\nprojection = 'front'\n"
+                                "[[view]]\nprojection = 'front'\nsheet = 2\n");
+  ASSERT_EQ(epura({"draw", "scene.toml", "--id-prefix", "part", "-o", "x.svg"}, folder / "").code, 0);
+  for (const std::string number : {"1", "2"})
+    EXPECT_TRUE(contains(read_file(folder / ("x-" + number + ".svg")), "<svg id=\"part-" + number + "\""));
+}
+
 // A projection of a stranger that is a front view stands where front views stand.
 TEST_F(Sheets, ViewsStandByTheirGeometryNotByTheirNames) {
   const std::string plugins = EPURA_TEST_BAD_PLUGINS "/anything";
