@@ -19,6 +19,7 @@
 #include "output/svg_paths.hpp"
 #include "output/write.hpp"
 #include "output/xml_text.hpp"
+#include "scene/line_roles.hpp"
 
 namespace epura {
 
@@ -162,7 +163,9 @@ void LayerWriter::append_look(const LineStyle& style) {
 void LayerWriter::append_origin(const Layer& layer) {
   const auto is_edge = [](const Stroke& stroke) { return stroke.kind.has_value(); };
   if (std::none_of(layer.strokes.begin(), layer.strokes.end(), is_edge)) return;
-  svg_ += layer.style.name.starts_with("hidden") ? " data-visible=\"0\"" : " data-visible=\"1\"";
+  const SheetLineRow* row = find_line(layer.style.name);
+  const bool is_hidden = row != nullptr && row->is_hidden;
+  svg_ += is_hidden ? " data-visible=\"0\"" : " data-visible=\"1\"";
   if (const auto model = common_model(layer)) svg_.append(" data-model=\"").append(std::to_string(*model)) += '"';
 }
 

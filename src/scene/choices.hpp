@@ -41,11 +41,6 @@ struct Words<HiddenLines> {
   static constexpr std::array list{"none", "dashed", "solid"};
 };
 
-template <>
-struct Words<LineRole> {
-  static constexpr std::array list{"visible", "narrow", "neighbour"};
-};
-
 inline constexpr std::array<std::pair<const char*, bool EdgeKinds::*>, 6> edge_kind_words{
     {{"contour", &EdgeKinds::contour},
      {"crease", &EdgeKinds::crease},

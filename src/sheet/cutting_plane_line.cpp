@@ -105,7 +105,7 @@ std::optional<Layer> cutting_plane_line(const ViewDrawing& parent, const Cutting
   const double past = (past_outline + wide_end) * height;
   const Vec2 from = trace->point + (trace->from - past) * trace->along;
   const Vec2 to = trace->point + (trace->to + past) * trace->along;
-  Layer layer{parent.name + "/cutting-plane", {"cutting-plane", widths.narrow}, {}};
+  Layer layer = empty_layer(parent.name, SheetLine::cutting_plane, widths);
   Stroke chain{{from + wide_end * height * trace->along, to - wide_end * height * trace->along}};
   chain.dashes = fit_open(glm::distance(chain.points[0], chain.points[1]), widths.narrow, long_dash_dot);
   layer.strokes.push_back(chain);

@@ -13,6 +13,7 @@
 #include "sheet/dimensions/box_index.hpp"
 #include "sheet/dimensions/forms.hpp"
 #include "sheet/dimensions/measure.hpp"
+#include "sheet/line_styles.hpp"
 
 namespace epura {
 
@@ -118,7 +119,7 @@ Layer dimension_layer(const World& world, const ViewDrawing& drawing, std::span<
     measured.push_back(measure(drawing, dimension, diameter_sign(look.lettering)));
     expect_letters(measured.back().text, dimension, look.lettering);
   }
-  Layer layer{drawing.name + "/dimensions", {"dimension", look.line}, {}};
+  Layer layer = empty_layer(drawing.name, SheetLine::dimension, {2 * look.line, look.line});
   for (auto& dimension : place(measured, drawing, look, neighbours, progress)) {
     if (!dimension) continue;
     std::move(dimension->strokes.begin(), dimension->strokes.end(), std::back_inserter(layer.strokes));
