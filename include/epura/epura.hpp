@@ -132,6 +132,7 @@ struct SvgOptions {
   bool plain = false;  ///< leave the origin of lines out
   int decimals = 4;    ///< of coordinates in millimetres, 1 to 5
   SvgText text = SvgText::outlines;
+  std::string id_prefix{};  ///< of ids and classes; empty: made from the drawing, so that two on one page do not clash
 };
 
 // The bytes of files. The same drawing gives the same bytes, always. `sheet` counts from 1. Throw Failure.

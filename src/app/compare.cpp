@@ -28,7 +28,7 @@ bool is_html(const std::string& path) {
 std::vector<Target> overlay_targets(const std::string& path) {
   if (path.empty() || is_html(path)) return {};
   std::vector<Target> targets = targets_of({path}, "");
-  if (path == "-" || targets.front().format == Format::json)
+  if (path == "-" || targets.front().format->has_drawings)
     throw Error(ErrorKind::input, "--overlay " + path, "is not a picture", "name an .svg, .png or .html file");
   return targets;
 }

@@ -18,10 +18,8 @@ namespace epura {
 
 namespace {
 
-// JSON alone has drawings in it, all other formats have sheets.
 bool want_drawings(const std::vector<Target>& targets) {
-  return std::any_of(targets.begin(), targets.end(),
-                     [](const Target& target) { return target.format == Format::json; });
+  return std::any_of(targets.begin(), targets.end(), [](const Target& target) { return target.format->has_drawings; });
 }
 
 void expect_outputs(const DrawOptions& options) {
@@ -44,7 +42,7 @@ std::string draw_again(const DrawOptions& options, const SceneDescription& scene
   again.verify = again.explain = false;
   again.why.clear();
   again.dump.reset();
-  if (targets.empty()) targets.push_back({"explain.svg", Format::svg});
+  if (targets.empty()) targets.push_back({"explain.svg", find_format("svg")});
   again.keeps_drawings = want_drawings(targets);
   Stopwatch watch;
   const Messages silent{[](const std::string&) {}, [](std::string_view) {}};
@@ -55,9 +53,9 @@ std::string draw_again(const DrawOptions& options, const SceneDescription& scene
 }
 
 PlanStep formats_step(const std::vector<Target>& targets) {
-  std::set<Format> wanted;
+  std::set<const Format*> wanted;
   for (const Target& target : targets) wanted.insert(target.format);
-  return {"formats", false, "only those of outputs are made", static_cast<long long>(format_names().size()),
+  return {"formats", false, "only those of outputs are made", static_cast<long long>(formats().size()),
           static_cast<long long>(wanted.size())};
 }
 

@@ -53,6 +53,10 @@ ValueKind<Visibility> visibility_kind() {
           }};
 }
 
+ValueKind<std::string> id_prefix() {
+  return {{"text", "PREFIX"}, [](const TomlValue& value) { return checked_id_prefix(read_text(value), value.where); }};
+}
+
 ValueKind<Shortcuts> certificate_names() {
   ValueForm form{"list of texts", "NAMES", {"all", "none"}};
   for (const auto& [name, member] : shortcut_names()) form.words.push_back(name);
@@ -138,6 +142,10 @@ Options<Draw> format_options() {
           vector(&VectorOptions::text), choice<SvgText>().shown_as("HOW")),
       option<Draw>({.flag = "--decimals", .help = "digits behind the point of millimetres in SVG", .usual = "4"},
                    vector(&VectorOptions::decimals), whole_number(1, 5)),
+      option<Draw>({.flag = "--id-prefix",
+                    .help = "what ids and classes of SVG begin with, for drawings that share a page",
+                    .usual = "made from the drawing"},
+                   vector(&VectorOptions::id_prefix), id_prefix()),
       option<Draw>({.flag = "--dpi", .help = "resolution of PNG", .usual = "300"}, vector(&VectorOptions::dpi),
                    number_between(1, 1200, "").shown_as("N")),
   };

@@ -67,20 +67,18 @@ struct Place {
   }
 };
 
-constexpr std::array drawn_lines = {EdgeLine::hidden, EdgeLine::tangent, EdgeLine::section, EdgeLine::visible};
-constexpr int cut_face = drawn_lines.size();  // the look behind those of lines
+// The look behind those of all lines.
+constexpr int cut_face = sheet_lines.size();
 
-int number_of(EdgeLine line) {
-  return static_cast<int>(std::find(drawn_lines.begin(), drawn_lines.end(), line) - drawn_lines.begin());
-}
-
-// As sheets below A1 draw them.
+// As sheets below A1 draw them, by number of the line.
 std::vector<PictureLook> looks() {
   std::vector<PictureLook> looks;
-  for (const EdgeLine line : drawn_lines) {
-    const LineStyle style = line_style(line, line_widths(Paper()));
-    PictureLook& look = looks.emplace_back(PictureLook{style.name, line != EdgeLine::hidden, false, style.width});
+  for (const SheetLineRow& row : sheet_lines) {
+    const LineStyle style = line_style(row.line, line_widths(Paper()));
+    PictureLook& look = looks.emplace_back(PictureLook{style.name, !row.is_hidden, false, style.width});
     if (style.dashes.dash > 0) look.dashes = {style.dashes.dash, style.dashes.gap};
+    for (int i = 0; i < style.dashes.dots; ++i)
+      look.dashes.insert(look.dashes.end(), {style.dashes.dot, style.dashes.gap});
   }
   looks.push_back({"cut face", true, true});
   return looks;
@@ -102,11 +100,12 @@ std::string edge_of(const Place& segment) {
 }
 
 void add_segment(PictureMaker& picture, const Place& segment, int view) {
-  const EdgeLine line = edge_line(kind_named(segment.at("kind").text()), segment.at("visible").boolean());
-  if (line == EdgeLine::none) return;
+  const std::optional<SheetLine> line =
+      edge_line(kind_named(segment.at("kind").text()), segment.at("visible").boolean());
+  if (!line) return;
   int origin = -1;
   if (std::string edge = edge_of(segment); !edge.empty()) origin = picture.add_origins({std::move(edge)});
-  picture.add({segment.at("from").point(), segment.at("to").point(), number_of(line), view, origin});
+  picture.add({segment.at("from").point(), segment.at("to").point(), static_cast<int>(*line), view, origin});
 }
 
 void add_ring(PictureMaker& picture, const Place& ring, int view) {

@@ -13,6 +13,7 @@
 #include "compare/picture_maker.hpp"
 #include "compare/read_pictures.hpp"
 #include "output/pdf/library.hpp"
+#include "scene/line_roles.hpp"
 
 namespace epura {
 
@@ -39,11 +40,6 @@ bool has_dashes(std::string_view content) {
   bool found = false;
   for_each_operation(content, [&](const PdfOperation& operation) { found = found || sets_dashes(operation); });
   return found;
-}
-
-// Layers whose lines are all of one broken style; the others have lines of several.
-bool has_broken_style(const std::string& role) {
-  return role.starts_with("hidden") || role == "centre" || role == "neighbour";
 }
 
 class PdfReader {
@@ -83,7 +79,9 @@ class PdfReader {
     view_ = picture_.view(slash == std::string::npos ? "" : layer.substr(0, slash));
     role_ = layer.substr(slash == std::string::npos ? 0 : slash + 1);
     role_ = role_.substr(0, role_.find(' '));
-    broken_ = has_broken_style(role_) && has_dashes(form.mapped());
+    const SheetLineRow* row = find_line(role_);
+    hidden_ = row != nullptr && row->is_hidden;
+    broken_ = row != nullptr && row->dashes.is_broken() && has_dashes(form.mapped());
     run(form.mapped(), pen, [&](const PdfOperation& operation, const PenState& now) {
       if (operation.name == "Do") refuse("has pictures in its layers");
       paint(operation.name, now);
@@ -143,8 +141,7 @@ class PdfReader {
   void paint(std::string_view name, const PenState& pen) {
     if (name == "S" || name == "s") {
       const bool dashed = broken_ || pen.dashed;
-      add_path({role_, !role_.starts_with("hidden"), false, pen.width * pen.map.scale(),
-                dashed ? some_dashes : std::vector<double>()});
+      add_path({role_, !hidden_, false, pen.width * pen.map.scale(), dashed ? some_dashes : std::vector<double>()});
     }
     if (name == "f" || name == "f*") add_path({role_ + " area", true, true});
     if (name == "S" || name == "s" || name == "f" || name == "f*" || name == "n") path_.clear();
@@ -166,6 +163,7 @@ class PdfReader {
   std::vector<SubPath> path_{};
   int view_ = 0;
   std::string role_{};
+  bool hidden_ = false;
   bool broken_ = false;  // all lines of the layer: those without dashes are short
 };
 

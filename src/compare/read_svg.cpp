@@ -14,6 +14,7 @@
 #include "compare/read_pictures.hpp"
 #include "compare/svg_path.hpp"
 #include "compare/svg_style.hpp"
+#include "scene/line_roles.hpp"
 #include "sheet/lettering.hpp"
 
 namespace epura {
@@ -65,6 +66,7 @@ class SvgReader {
     all.map = {{size.x / box[2], 0}, {0, size.y / box[3]}, {0, 0}};
     all.map.shift = -Vec2(box[0], box[1]) * Vec2(all.map.along.x, all.map.across.y);
     for (const pugi::xml_node style : svg.children("style")) rules_.merge(read_svg_rules(style.text().get()));
+    all.style = style_of(svg, {}, rules_);
     for (const pugi::xml_node child : svg.children()) read_element(child, all);
     return picture_.finish();
   }
@@ -101,7 +103,8 @@ class SvgReader {
     if (const std::string label = element.attribute("inkscape:label").value(); !label.empty()) {
       if (context.view.empty()) context.view = label;
       context.layer = label;
-      context.visible = !label.starts_with("hidden");
+      const SheetLineRow* row = find_line(label);
+      context.visible = row == nullptr || !row->is_hidden;
     }
     if (const pugi::xml_attribute visible = element.attribute("data-visible")) context.visible = visible.as_bool();
     if (const pugi::xml_attribute model = element.attribute("data-model")) context.model = model.value();
@@ -169,9 +172,9 @@ class SvgReader {
     if (!units) refuse("has a width of lines that is not understood: '" + std::string(width) + "'");
     look.width = scale * *units;
     for (const double length : svg_numbers(context.style.of("stroke-dasharray"))) look.dashes.push_back(scale * length);
-    // The first dash is the one that is fitted; ISO 128-2 has it 12 widths long, or 24 in lines with dots.
+    // The first dash is the one that is fitted.
     if (context.style.has_fitted_dashes && look.dashes.size() > 1)
-      look.dashes[0] = (look.dashes.size() == 2 ? 12 : 24) * look.width;
+      look.dashes[0] = type_with_dots(static_cast<int>(look.dashes.size()) / 2 - 1).dash * look.width;
     look.colour = svg_colour(context.style.of("stroke"));
     room_.take(look.dashes.size());
     return picture_.look(look);

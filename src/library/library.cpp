@@ -103,7 +103,8 @@ Drawing draw_file(const std::filesystem::path& file, const Settings& settings) {
 
 std::string to_svg(const Drawing& drawing, int sheet, const SvgOptions& options) {
   return guarded([&] {
-    const VectorOptions vector{options.plain, 300, std::clamp(options.decimals, 1, 5), options.text};
+    if (!options.id_prefix.empty()) checked_id_prefix(options.id_prefix, "options.id_prefix");
+    const VectorOptions vector{options.plain, 300, std::clamp(options.decimals, 1, 5), options.text, options.id_prefix};
     return to_svg(sheet_of(drawing, sheet).sheet, vector);
   });
 }

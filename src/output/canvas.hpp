@@ -40,8 +40,6 @@ struct Free {
 using CairoSurface = std::unique_ptr<cairo_surface_t, Free<cairo_surface_destroy>>;
 using Pen = std::unique_ptr<cairo_t, Free<cairo_destroy>>;
 
-using CairoPath = std::unique_ptr<cairo_path_t, Free<cairo_path_destroy>>;
-
 /// Black, round ends and joins.
 Pen make_pen(const CairoSurface& surface);
 

@@ -5,8 +5,11 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <string_view>
 #include <utility>
+
+#include "scene/line_roles.hpp"
 
 namespace epura {
 
@@ -47,9 +50,6 @@ void add_viewports(DxfWriter& dxf, const Sheet& sheet) {
   });
 }
 
-// Line types, by their dots, under names that all programs know.
-constexpr std::array<std::string_view, 3> pattern_names = {"DASHED", "DASHDOT", "DIVIDE"};
-
 struct LineType {
   Dashes dashes;
   std::string name;
@@ -67,11 +67,10 @@ std::vector<LineType> line_types(const Sheet& sheet) {
   std::stable_sort(types.begin(), types.end(), [](const LineType& a, const LineType& b) {
     return std::pair(a.dashes.dots, a.dashes.dash) < std::pair(b.dashes.dots, b.dashes.dash);
   });
-  std::array<int, pattern_names.size()> named{};
+  std::map<std::string_view, int> named;
   for (LineType& type : types) {
-    const std::size_t kind = std::min(static_cast<std::size_t>(type.dashes.dots), pattern_names.size() - 1);
-    const int number = ++named[kind];
-    type.name = pattern_names[kind];
+    type.name = type_with_dots(type.dashes.dots).dxf;
+    const int number = ++named[type_with_dots(type.dashes.dots).dxf];
     if (number > 1) type.name += number == 2 ? "X2" : std::to_string(number);
   }
   return types;
@@ -80,7 +79,7 @@ std::vector<LineType> line_types(const Sheet& sheet) {
 std::string line_type_of(const std::vector<LineType>& types, const Dashes& dashes) {
   for (const LineType& type : types)
     if (type.dashes == dashes) return type.name;
-  return "CONTINUOUS";
+  return continuous_line.dxf;
 }
 
 void add_line_type(DxfWriter& dxf, int table, std::string_view name, std::string_view remark,

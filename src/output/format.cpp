@@ -1,32 +1,76 @@
 // SPDX-License-Identifier: Apache-2.0
+// The table of formats. A new one is a file beside this and a row: whatever asks what formats there are reads it here.
 #include <algorithm>
+#include <array>
 
 #include "base/text.hpp"
 #include "output/write.hpp"
 
 namespace epura {
 
-const std::vector<std::string>& format_names() {
-  static const std::vector<std::string> names = {"svg", "pdf", "ps", "eps", "png", "dxf", "json"};
-  return names;
+namespace {
+
+template <std::string (*write)(const Sheet&, const Progress&)>
+std::string one_sheet(const FileContent& file, const Progress& progress) {
+  return write(file.sheets.front().sheet, progress);
 }
 
-std::optional<Format> format_of(std::string_view extension) {
+template <std::string (*write)(const Pages&, const Progress&)>
+std::string all_sheets(const FileContent& file, const Progress& progress) {
+  Pages pages;
+  for (const SheetContent& content : file.sheets) pages.push_back(&content.sheet);
+  return write(pages, progress);
+}
+
+std::string svg(const FileContent& file, const Progress& progress) {
+  return to_svg(file.sheets.front().sheet, file.options, progress);
+}
+
+std::string png(const FileContent& file, const Progress& progress) {
+  return to_png(file.sheets.front().sheet, file.options.dpi, progress);
+}
+
+std::string json(const FileContent& file, const Progress& progress) {
+  const SheetContent& content = file.sheets.front();
+  return to_json(content.sheet, content.scale, content.drawings, file.report, progress);
+}
+
+constexpr bool pages = true, drawings = true;
+
+constexpr std::array table = {
+    Format{"svg", !pages, !drawings, "emf wmf svgz", svg},
+    Format{"pdf", pages, !drawings, "ai", all_sheets<to_pdf>},
+    Format{"ps", pages, !drawings, "", all_sheets<to_ps>},
+    Format{"eps", !pages, !drawings, "", one_sheet<to_eps>},
+    Format{"png", !pages, !drawings, "jpg jpeg gif bmp tif tiff webp", png},
+    Format{"dxf", !pages, !drawings, "dwg", one_sheet<to_dxf>},
+    Format{"json", !pages, drawings, "", json},
+};
+
+}  // namespace
+
+std::span<const Format> formats() { return table; }
+
+const Format* find_format(std::string_view extension) {
   if (extension.starts_with('.')) extension.remove_prefix(1);
-  const std::vector<std::string>& names = format_names();
-  const auto found = std::find(names.begin(), names.end(), to_lower(extension));
-  if (found == names.end()) return std::nullopt;
-  return static_cast<Format>(found - names.begin());
+  const auto is_it = [name = to_lower(extension)](const Format& format) { return format.name == name; };
+  const auto found = std::find_if(table.begin(), table.end(), is_it);
+  return found == table.end() ? nullptr : &*found;
 }
 
 std::string format_hint(std::string_view extension) {
-  // What people mean by formats that are not written.
-  static const std::vector<std::pair<std::string, std::string>> meant = {
-      {"dwg", "dxf"},  {"jpg", "png"},  {"jpeg", "png"}, {"gif", "png"}, {"bmp", "png"},  {"tif", "png"},
-      {"tiff", "png"}, {"webp", "png"}, {"emf", "svg"},  {"wmf", "svg"}, {"svgz", "svg"}, {"ai", "pdf"}};
-  for (const auto& [other, name] : meant)
-    if (to_lower(extension) == other) return "write " + name + " instead, which programs for " + other + " read";
+  const std::string wanted = to_lower(extension);
+  for (const Format& format : table)
+    for (const std::string_view other : split(format.instead_of, ' '))
+      if (!wanted.empty() && other == wanted)
+        return "write " + std::string(format.name) + " instead, which programs for " + wanted + " read";
   return did_you_mean(extension, format_names());
+}
+
+std::vector<std::string> format_names() {
+  std::vector<std::string> names;
+  for (const Format& format : table) names.emplace_back(format.name);
+  return names;
 }
 
 }  // namespace epura

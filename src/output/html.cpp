@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output/html.hpp"
 
-#include "output/svg_paths.hpp"
+#include "output/xml_text.hpp"
 
 namespace epura {
 
@@ -11,9 +11,6 @@ std::string html_text(std::string_view text) {
   return html;
 }
 
-std::string inline_svg(const Sheet& sheet, const VectorOptions& options) {
-  const std::string svg = to_svg(sheet, options);
-  return svg.substr(svg.find("<svg"));
-}
+std::string inline_svg(const Sheet& sheet, const VectorOptions& options) { return svg_element(sheet, options); }
 
 }  // namespace epura

@@ -1,80 +1,172 @@
 // SPDX-License-Identifier: Apache-2.0
-// SVG: pugixml makes the document, Cairo draws the paths of its layers.
+// SVG in one pass over the sheet. Documents may stand in the page of somebody else: nothing of it has the names of
+// theirs, and none of its rules is for other elements.
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <map>
-#include <pugixml.hpp>
 #include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "base/error.hpp"
-#include "output/canvas.hpp"
 #include "output/glyphs.hpp"
+#include "output/metadata.hpp"
 #include "output/svg_lettering.hpp"
-#include "output/svg_metadata.hpp"
+#include "output/svg_path_text.hpp"
 #include "output/svg_paths.hpp"
 #include "output/write.hpp"
+#include "output/xml_text.hpp"
+#include "scene/line_roles.hpp"
 
 namespace epura {
 
 namespace {
 
-// Stands in the document where the paths of a layer go.
-constexpr std::string_view paths_here = "<path />\n";
-
-std::string millimetres(double value) {
-  std::string text;
-  append_millimetres(text, value);
-  return text;
-}
-
-// A name that ids and style sheets take.
-std::string identifier(std::string_view name) {
-  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_";
-  std::string id(name);
-  for (char& c : id)
-    if (letters.find(c) == std::string_view::npos) c = '-';
-  return id;
-}
-
-class Ids {
+/// Of what is seen on a sheet. Places count as they are written, to 0.0001 mm.
+class SheetHash {
  public:
-  /// An id like the name that nothing else in the document has, lines included.
-  std::string unique(std::string_view name) {
-    std::string id = identifier(name);
-    if (id.empty() || id[0] < 'A') id.insert(0, "_");
-    const bool like_a_line = id[0] == 'p' && id.find_first_not_of("0123456789", 1) == std::string::npos;
-    if (like_a_line) id += '-';
-    while (!used_.insert(id).second) id += '-';
-    return id;
+  explicit SheetHash(const Sheet& sheet) {
+    add(Vec2(sheet.width, sheet.height));
+    add(sheet.title);
+    for (const Layer& layer : sheet.layers) add(layer);
   }
 
+  [[nodiscard]] std::uint64_t value() const { return value_; }
+
  private:
-  std::set<std::string> used_;
+  void add(std::uint64_t word) {
+    value_ = (value_ ^ word) * 0x9e3779b97f4a7c15;
+    value_ ^= value_ >> 32;
+  }
+  void add(double millimetres) { add(static_cast<std::uint64_t>(parts_of(millimetres, 1e4))); }
+  void add(const Vec2& p) {
+    add(p.x);
+    add(p.y);
+  }
+  void add(std::string_view text) {
+    add(text.size());
+    for (const char c : text) add(std::uint64_t{static_cast<unsigned char>(c)});
+  }
+  void add(const std::vector<Vec2>& points) {
+    add(points.size());
+    for (const Vec2& p : points) add(p);
+  }
+  void add(const Layer& layer) {
+    add(layer.name);
+    for (const Stroke& stroke : layer.strokes) add(stroke.points);
+    for (const Fill& fill : layer.fills)
+      for (const std::vector<Vec2>& ring : fill.rings) add(ring);
+    for (const Text& text : layer.texts) {
+      add(text.text);
+      add(text.at);
+    }
+  }
+
+  std::uint64_t value_ = 0;
 };
 
-pugi::xml_node add_group(pugi::xml_node parent, const std::string& id, std::string_view label) {
-  pugi::xml_node g = parent.append_child("g");
-  g.append_attribute("id") = id.c_str();
-  g.append_attribute("inkscape:groupmode") = "layer";
-  g.append_attribute("inkscape:label") = xml_text(label).c_str();
-  return g;
+// Four characters, of which the second is a digit: no word, and short enough to stand before the id of every line.
+std::string prefix_of(const Sheet& sheet) {
+  constexpr std::string_view characters = "0123456789abcdefghijklmnopqrstuvwxyz";
+  std::uint64_t rest = SheetHash(sheet).value();
+  std::string prefix;
+  const auto add = [&](std::size_t from, std::size_t count) {
+    prefix += characters[from + static_cast<std::size_t>(rest % count)];
+    rest /= count;
+  };
+  add(10, 26);
+  add(0, 10);
+  add(0, 36);
+  add(0, 36);
+  return prefix;
 }
 
-// What all lines of the layer share is said once. Layers of lines that are no edges have none of it.
-void add_origin(pugi::xml_node g, const Layer& layer) {
-  const auto is_edge = [](const Stroke& stroke) { return stroke.kind.has_value(); };
-  if (std::none_of(layer.strokes.begin(), layer.strokes.end(), is_edge)) return;
-  g.append_attribute("data-visible") = layer.style.name.starts_with("hidden") ? "0" : "1";
-  if (const auto model = common_model(layer)) g.append_attribute("data-model") = *model;
-}
+/// Writes the layers, each id once.
+class LayerWriter {
+ public:
+  LayerWriter(std::string& svg, const Sheet& sheet, const SvgDocument& document)
+      : svg_(svg), document_(document), lettering_(lettering_of(sheet)) {}
+
+  void append(const std::vector<const Layer*>& layers, const Progress& progress);
+
+ private:
+  void begin_group(std::string_view name, std::string_view label);
+  void append(const Layer& layer, std::string_view name_in_view, const Progress& progress);
+  void append_look(const LineStyle& style);
+  void append_origin(const Layer& layer);
+
+  std::string& svg_;
+  const SvgDocument& document_;
+  std::optional<Lettering> lettering_;
+  std::set<std::string> ids_{};
+  std::size_t lines_ = 0;
+};
 
 // Of VIEW/ROLE the view; empty where there is none.
 std::string_view view_of(const Layer& layer) {
   const std::size_t slash = layer.name.rfind('/');
   return std::string_view(layer.name).substr(0, slash == std::string::npos ? 0 : slash);
+}
+
+// VIEW/ROLE is a layer ROLE in a layer VIEW.
+void LayerWriter::append(const std::vector<const Layer*>& layers, const Progress& progress) {
+  std::string_view open;
+  for (const Layer* layer : layers) {
+    const std::string_view view = view_of(*layer);
+    if (view != open) {
+      if (!open.empty()) svg_ += "</g>\n";
+      if (!view.empty()) {
+        begin_group(view, view);
+        svg_ += ">\n";
+      }
+      open = view;
+    }
+    append(*layer, std::string_view(layer->name).substr(view.empty() ? 0 : view.size() + 1), progress);
+  }
+  if (!open.empty()) svg_ += "</g>\n";
+}
+
+void LayerWriter::begin_group(std::string_view name, std::string_view label) {
+  std::string id = identifier(name);
+  // Numbers are the ids of lines.
+  if (id.find_first_not_of("0123456789") == std::string::npos) id += '-';
+  while (!ids_.insert(id).second) id += '-';
+  svg_.append("<g id=\"").append(document_.prefix).append(id).append("\" inkscape:groupmode=\"layer\"");
+  append_attribute(svg_, "inkscape:label", label);
+}
+
+void LayerWriter::append(const Layer& layer, std::string_view name_in_view, const Progress& progress) {
+  begin_group(layer.name, name_in_view);
+  append_look(layer.style);
+  if (!document_.plain) append_origin(layer);
+  svg_ += ">\n";
+  append_fills(svg_, layer, document_);
+  append_paths(svg_, layer, document_, lines_, progress);
+  if (lettering_) append_texts(svg_, layer, document_, *lettering_);
+  lines_ += layer.strokes.size();
+  svg_ += "</g>\n";
+}
+
+// What differs from the document. As attributes, which every program reads, and which a path's own dashes win over.
+void LayerWriter::append_look(const LineStyle& style) {
+  append_attribute(svg_, "class", document_.prefix + identifier(style.name));
+  if (style.colour != Colour{}) svg_.append(" stroke=\"").append(hexadecimal(style.colour)) += '"';
+  append_millimetres(svg_ += " stroke-width=\"", style.width);
+  svg_ += '"';
+  if (style.dashes.dash > 0) svg_.append(" stroke-dasharray=\"").append(dash_array(style.dashes)) += '"';
+}
+
+// What all lines of the layer share is said once. Layers of lines that are no edges have none of it.
+void LayerWriter::append_origin(const Layer& layer) {
+  const auto is_edge = [](const Stroke& stroke) { return stroke.kind.has_value(); };
+  if (std::none_of(layer.strokes.begin(), layer.strokes.end(), is_edge)) return;
+  const SheetLineRow* row = find_line(layer.style.name);
+  const bool is_hidden = row != nullptr && row->is_hidden;
+  svg_ += is_hidden ? " data-visible=\"0\"" : " data-visible=\"1\"";
+  if (const auto model = common_model(layer)) svg_.append(" data-model=\"").append(std::to_string(*model)) += '"';
 }
 
 // The layers of a view side by side: all ink is black, so that any order does.
@@ -90,123 +182,117 @@ std::vector<const Layer*> by_view(const Sheet& sheet) {
   return layers;
 }
 
-// VIEW/ROLE is a layer ROLE in a layer VIEW.
-void add_layers(pugi::xml_node svg, const std::vector<const Layer*>& layers, bool plain) {
-  Ids ids;
-  pugi::xml_node view;
-  const Layer* previous = nullptr;
-  for (const Layer* layer : layers) {
-    const std::string_view name = view_of(*layer), whole = layer->name;
-    const bool has_view = !name.empty();
-    if (has_view && (previous == nullptr || view_of(*previous) != name)) view = add_group(svg, ids.unique(name), name);
-    pugi::xml_node g = has_view ? add_group(view, ids.unique(whole), whole.substr(name.size() + 1))
-                                : add_group(svg, ids.unique(whole), whole);
-    g.append_attribute("class") = identifier(layer->style.name).c_str();
-    if (!plain) add_origin(g, *layer);
-    if (has_ink(*layer)) g.append_child("path");
-    previous = layer;
-  }
-}
-
-// "#1f7a3d"
-std::string hexadecimal(const Colour& colour) {
-  constexpr std::string_view digits = "0123456789abcdef";
-  std::string text = "#";
-  for (const int part : {colour.red, colour.green, colour.blue})
-    for (const int digit : {part / 16, part % 16}) text += digits[static_cast<std::size_t>(digit)];
-  return text;
-}
-
-// One class a line style. It stands on the layers, so that a path's own dashes win over it.
-std::string style_sheet(const Sheet& sheet) {
-  std::map<std::string, std::string> rules;
-  std::string common;
-  for (const Layer& layer : sheet.layers) {
-    const std::string name = "." + identifier(layer.style.name);
-    std::string rule = "stroke-width:" + millimetres(layer.style.width);
-    if (layer.style.dashes.dash > 0) rule += ";stroke-dasharray:" + dash_array(layer.style.dashes);
-    if (layer.style.colour != Colour{}) rule += ";stroke:" + hexadecimal(layer.style.colour);
-    const auto [place, added] = rules.emplace(name, rule);
-    check(place->second == rule, "two line styles have one name");
-    if (added) common += (common.empty() ? "" : ",") + name;
-  }
-  if (common.empty()) return {};
-  std::string text = common + "{fill:none;stroke:#000;stroke-linecap:round;stroke-linejoin:round}";
-  for (const auto& [name, rule] : rules) text += "\n" + name + "{" + rule + "}";
-  return text;
-}
-
-// Fills and letters of layers that are not black.
-std::string colours_of_areas(const Sheet& sheet) {
-  std::set<std::string> rules;
-  for (const Layer& layer : sheet.layers) {
-    if (layer.style.colour == Colour{} || (layer.fills.empty() && layer.texts.empty())) continue;
-    const std::string name = "." + identifier(layer.style.name);
-    rules.insert("\n" + name + " .filled," + name + " .lettering{fill:" + hexadecimal(layer.style.colour) + "}");
-  }
-  std::string text;
-  for (const std::string& rule : rules) text += rule;
-  return text;
-}
-
-pugi::xml_node add_head(pugi::xml_document& document, const Sheet& sheet) {
-  pugi::xml_node declaration = document.append_child(pugi::node_declaration);
-  declaration.append_attribute("version") = "1.0";
-  declaration.append_attribute("encoding") = "UTF-8";
-  const std::string width = millimetres(sheet.width), height = millimetres(sheet.height);
-  pugi::xml_node svg = document.append_child("svg");
-  svg.append_attribute("xmlns") = "http://www.w3.org/2000/svg";
-  svg.append_attribute("xmlns:inkscape") = "http://www.inkscape.org/namespaces/inkscape";
-  svg.append_attribute("xmlns:sodipodi") = "http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd";
-  svg.append_attribute("width") = (width + "mm").c_str();
-  svg.append_attribute("height") = (height + "mm").c_str();
-  svg.append_attribute("viewBox") = ("0 0 " + width + " " + height).c_str();
-  pugi::xml_node view = svg.append_child("sodipodi:namedview");
-  view.append_attribute("inkscape:document-units") = "mm";
-  add_svg_metadata(svg, sheet);
-  svg.append_child("style").text() = (style_sheet(sheet) + lettering_style(sheet) + colours_of_areas(sheet)).c_str();
-  return svg;
-}
-
-struct StringWriter : pugi::xml_writer {
-  std::string bytes;
-  void write(const void* data, std::size_t size) override { bytes.append(static_cast<const char*>(data), size); }
+/// A fact of the sheet and its element of Dublin Core. Agents are people and companies.
+struct Element {
+  std::string_view fact, name;
+  bool agent;
 };
+constexpr std::array<Element, 6> elements = {{{"author", "dc:creator", true},
+                                              {"approver", "dc:contributor", true},
+                                              {"owner", "dc:rights", true},
+                                              {"number", "dc:identifier", false},
+                                              {"date", "dc:date", false},
+                                              {"language", "dc:language", false}}};
 
-// The document without its paths.
-std::string frame_of(const Sheet& sheet, const std::vector<const Layer*>& layers, bool plain) {
-  pugi::xml_document document;
-  add_layers(add_head(document, sheet), layers, plain);
-  StringWriter writer;
-  document.save(writer, "", pugi::format_default, pugi::encoding_utf8);
-  return writer.bytes;
+// All that Dublin Core has no element for.
+std::string remarks(const Sheet& sheet) {
+  std::string text = description_of(sheet);
+  for (const auto& [fact, value] : sheet.facts) {
+    bool told = value.empty();
+    for (const Element& element : elements) told = told || fact == element.fact;
+    if (!told) text += (text.empty() ? "" : "\n") + fact + ": " + value;
+  }
+  return text;
+}
+
+// Title, description and metadata, as Inkscape shows them under Document Properties: RDF with the elements of Dublin
+// Core, as Creative Commons' works have them.
+void append_metadata(std::string& svg, const Sheet& sheet) {
+  const auto add = [&svg](std::string_view name, const std::string& text) {
+    if (!text.empty()) append_element(svg, name, text);
+  };
+  append_element(svg, "title", sheet.title);
+  add("desc", description_of(sheet));
+  svg +=
+      "<metadata>\n<rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\" "
+      "xmlns:cc=\"http://creativecommons.org/ns#\" xmlns:dc=\"http://purl.org/dc/elements/1.1/\">\n"
+      "<cc:Work rdf:about=\"\">\n<dc:format>image/svg+xml</dc:format>\n";
+  add("dc:title", sheet.title);
+  for (const Element& element : elements) {
+    const std::string value = fact_of(sheet, element.fact);
+    if (value.empty() || !element.agent) {
+      add(element.name, value);
+      continue;
+    }
+    svg.append("<").append(element.name).append("><cc:Agent>");
+    append_element(svg, "dc:title", value);
+    svg.append("</cc:Agent></").append(element.name).append(">\n");
+  }
+  add("dc:description", remarks(sheet));
+  svg += "</cc:Work>\n</rdf:RDF>\n</metadata>\n";
+}
+
+// What a page says of all paths, or hands on to its elements, must not change a drawing in it: its elements go back to
+// their attributes, and what they would inherit is set. An id is above all that pages say of elements and classes.
+// Programs that are no browsers need none of this.
+void append_style(std::string& svg, const std::string& id, bool has_text) {
+  svg += "<style>#" + id +
+         "{fill:none;fill-opacity:1;fill-rule:nonzero;stroke:#000;stroke-opacity:1;stroke-linecap:round;"
+         "stroke-linejoin:round;stroke-dasharray:none;stroke-dashoffset:0;paint-order:normal;marker:none}\n#" +
+         id + " *{all:revert-layer}";
+  if (has_text)
+    svg += "\n#" + id + " ." + id +
+           "-lettering{font-style:normal;font-variant:normal;font-weight:normal;font-stretch:normal;font-kerning:none;"
+           "letter-spacing:normal;word-spacing:normal;text-transform:none;text-anchor:start;direction:ltr}";
+  svg += "</style>\n";
+}
+
+void append_document(std::string& svg, const Sheet& sheet, const VectorOptions& options, const Progress& progress) {
+  const std::string id = options.id_prefix.empty() ? prefix_of(sheet) : options.id_prefix;
+  const std::vector<const Layer*> layers = by_view(sheet);
+  // Memory that is never touched costs nothing, moving a long text does.
+  std::size_t max = 0;
+  for (const Layer* layer : layers) max += most_bytes(*layer);
+  svg.reserve(svg.size() + max);
+  svg += "<svg id=\"" + id +
+         "\" xmlns=\"http://www.w3.org/2000/svg\" xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" "
+         "xmlns:sodipodi=\"http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd\" fill=\"none\" stroke=\"#000\" "
+         "stroke-linecap=\"round\" stroke-linejoin=\"round\" width=\"";
+  std::string width, height;
+  append_millimetres(width, sheet.width);
+  append_millimetres(height, sheet.height);
+  svg += width + "mm\" height=\"" + height + "mm\" viewBox=\"0 0 " + width + " " + height + "\">\n";
+  svg += "<sodipodi:namedview inkscape:document-units=\"mm\"/>\n";
+  append_metadata(svg, sheet);
+  const auto has_texts = [](const Layer* layer) { return !layer->texts.empty(); };
+  append_style(svg, id, options.text == SvgText::text && std::any_of(layers.begin(), layers.end(), has_texts));
+  const SvgDocument document{sheet.height, options.decimals, options.plain, options.text, id + "-"};
+  LayerWriter(svg, sheet, document).append(layers, progress);
+  svg += "</svg>\n";
 }
 
 }  // namespace
 
 std::string to_svg(const Sheet& sheet, const VectorOptions& options, const Progress& progress) {
-  const std::vector<const Layer*> layers = by_view(sheet);
-  const std::string frame = frame_of(sheet, layers, options.plain);
-  const Canvas canvas = enlarged_canvas(sheet);
-  const std::optional<Lettering> lettering = lettering_of(sheet);
-  std::string svg;
-  // Memory that is never touched costs nothing, moving a long text does.
-  std::size_t max = frame.size();
-  for (const Layer* layer : layers) max += most_bytes(*layer);
-  svg.reserve(max);
-  std::size_t copied = 0, lines = 0;
-  for (const Layer* layer : layers) {
-    if (!has_ink(*layer)) continue;
-    const std::size_t here = frame.find(paths_here, copied);
-    svg.append(frame, copied, here - copied);
-    append_fills(svg, *layer, sheet.height);
-    append_paths(svg, *layer, canvas, {sheet.height, options.decimals, options.plain, lines}, progress);
-    if (lettering) append_texts(svg, *layer, sheet.height, *lettering, options.text);
-    copied = here + paths_here.size();
-    lines += layer->strokes.size();
-  }
-  svg.append(frame, copied);
+  std::string svg = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
+  append_document(svg, sheet, options, progress);
   return svg;
+}
+
+std::string svg_element(const Sheet& sheet, const VectorOptions& options) {
+  std::string svg;
+  append_document(svg, sheet, options, {});
+  return svg;
+}
+
+std::string checked_id_prefix(std::string prefix, const std::string& where) {
+  constexpr std::string_view characters = "0123456789-_ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz";
+  constexpr std::size_t first_letter = 12, longest = 64;
+  if (prefix.empty() || prefix.size() > longest || characters.find(prefix[0]) < first_letter ||
+      prefix.find_first_not_of(characters) != std::string::npos)
+    throw Error(ErrorKind::input, where, "'" + prefix + "' cannot begin an id",
+                "a letter is possible, and then letters, digits, '-' and '_', 64 in all");
+  return prefix;
 }
 
 }  // namespace epura

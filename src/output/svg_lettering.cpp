@@ -10,7 +10,7 @@
 #include "base/utf8.hpp"
 #include "output/glyphs.hpp"
 #include "output/svg_path_text.hpp"
-#include "output/svg_paths.hpp"
+#include "output/xml_text.hpp"
 
 namespace epura {
 
@@ -71,23 +71,31 @@ void append_outlines(std::string& svg, const Text& text, double height, const Le
   }
 }
 
-// Line styles have names of their own, which may be the same words.
-std::string class_of(const Text& text) { return "text-" + text.role; }
+// Colour of the areas in the layer.
+void begin_group(std::string& svg, const SvgDocument& document, std::string_view name, const Colour& colour) {
+  svg.append("<g class=\"").append(document.prefix).append(name).append("\" fill=\"").append(hexadecimal(colour));
+  svg += "\" stroke=\"none\"";
+}
 
-void append_outlined(std::string& svg, const Text& text, double height, const Lettering& lettering) {
+// Line styles have names of their own, which may be the same words.
+void append_role(std::string& svg, const SvgDocument& document, const Text& text) {
+  if (!text.role.empty()) append_attribute(svg, "class", document.prefix + "text-" + identifier(text.role));
+}
+
+void append_outlined(std::string& svg, const Text& text, const SvgDocument& document, const Lettering& lettering) {
   svg += "<g";
-  if (!text.role.empty()) append_attribute(svg, "class", class_of(text));
+  append_role(svg, document, text);
   append_attribute(svg, "aria-label", text.text);
   svg += '>';
-  append_outlines(svg, text, height, lettering);
+  append_outlines(svg, text, document.height, lettering);
   svg += "</g>\n";
 }
 
-void append_written(std::string& svg, const Text& text, double height, const Lettering& lettering) {
+void append_written(std::string& svg, const Text& text, const SvgDocument& document, const Lettering& lettering) {
   constexpr std::string_view anchors[] = {"start", "middle", "end"};
-  const double y = height - text.at.y;
+  const double y = document.height - text.at.y;
   svg += "<text";
-  if (!text.role.empty()) append_attribute(svg, "class", class_of(text));
+  append_role(svg, document, text);
   append_millimetres(svg += " x=\"", text.at.x);
   append_millimetres(svg += "\" y=\"", y);
   append_millimetres(svg += "\" font-size=\"", text.height * lettering.em());
@@ -105,31 +113,41 @@ void append_written(std::string& svg, const Text& text, double height, const Let
 
 }  // namespace
 
-std::string lettering_style(const Sheet& sheet) {
-  const auto any = [&](const auto& has) { return std::any_of(sheet.layers.begin(), sheet.layers.end(), has); };
-  std::string rules;
-  if (any([](const Layer& layer) { return !layer.fills.empty(); }))
-    rules += "\n.filled{fill:#000;stroke:none;fill-rule:evenodd}";
-  if (any([](const Layer& layer) { return !layer.texts.empty(); }))
-    rules += "\n.lettering{fill:#000;stroke:none;font-family:osifont,'ISOCPEUR',sans-serif;font-kerning:none}";
-  return rules;
+std::string identifier(std::string_view name) {
+  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789_";
+  std::string id(name);
+  for (char& c : id)
+    if (letters.find(c) == std::string_view::npos) c = '-';
+  return id;
 }
 
-void append_fills(std::string& svg, const Layer& layer, double height) {
+std::string hexadecimal(const Colour& colour) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  if (colour == Colour{}) return "#000";
+  std::string text = "#";
+  for (const int part : {colour.red, colour.green, colour.blue})
+    for (const int digit : {part / 16, part % 16}) text += digits[static_cast<std::size_t>(digit)];
+  return text;
+}
+
+void append_fills(std::string& svg, const Layer& layer, const SvgDocument& document) {
   if (layer.fills.empty()) return;
-  svg += "<g class=\"filled\">\n";
-  for (const Fill& fill : layer.fills) append_area(svg, fill, height);
+  begin_group(svg, document, "filled", layer.style.colour);
+  svg += " fill-rule=\"evenodd\">\n";
+  for (const Fill& fill : layer.fills) append_area(svg, fill, document.height);
   svg += "</g>\n";
 }
 
-void append_texts(std::string& svg, const Layer& layer, double height, const Lettering& lettering, SvgText how) {
+void append_texts(std::string& svg, const Layer& layer, const SvgDocument& document, const Lettering& lettering) {
   if (layer.texts.empty()) return;
-  svg += how == SvgText::text ? "<g class=\"lettering\" xml:space=\"preserve\">\n" : "<g class=\"lettering\">\n";
+  begin_group(svg, document, "lettering", layer.style.colour);
+  const bool as_text = document.text == SvgText::text;
+  svg += as_text ? " font-family=\"osifont,'ISOCPEUR',sans-serif\" xml:space=\"preserve\">\n" : ">\n";
   for (const Text& text : layer.texts) {
-    if (how == SvgText::outlines) {
-      append_outlined(svg, text, height, lettering);
+    if (as_text) {
+      append_written(svg, text, document, lettering);
     } else {
-      append_written(svg, text, height, lettering);
+      append_outlined(svg, text, document, lettering);
     }
   }
   svg += "</g>\n";

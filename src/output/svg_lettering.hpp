@@ -3,20 +3,24 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
-#include "output/write.hpp"
+#include "output/svg_paths.hpp"
 #include "sheet/lettering.hpp"
 #include "sheet/sheet.hpp"
 
 namespace epura {
 
-/// Rules of the style sheet for what append_fills and append_texts write; empty when the sheet has neither.
-std::string lettering_style(const Sheet& sheet);
+/// A name as ids and classes take it.
+std::string identifier(std::string_view name);
 
-/// Appends a line for each area, in a group. `height` of the sheet in mm: SVG has y down.
-void append_fills(std::string& svg, const Layer& layer, double height);
+/// "#1f7a3d"; black is "#000".
+std::string hexadecimal(const Colour& colour);
+
+/// Appends a line for each area, in a group.
+void append_fills(std::string& svg, const Layer& layer, const SvgDocument& document);
 
 /// Appends a line for each text, in a group. Outlines have their text as `aria-label`.
-void append_texts(std::string& svg, const Layer& layer, double height, const Lettering& lettering, SvgText how);
+void append_texts(std::string& svg, const Layer& layer, const SvgDocument& document, const Lettering& lettering);
 
 }  // namespace epura

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "base/error.hpp"
 #include "base/text.hpp"
 
 namespace epura {
@@ -52,7 +53,7 @@ void SvgPathText::arc(const Vec2& radii, double turn, bool clockwise, const Vec2
 void SvgPathText::close() { command('Z'); }
 
 SvgPathText::Rounded SvgPathText::round(const Vec2& point) const {
-  return {std::llround(point.x * parts_), std::llround(point.y * parts_)};
+  return {parts_of(point.x, parts_), parts_of(point.y, parts_)};
 }
 
 void SvgPathText::command(char letter) {
@@ -69,11 +70,19 @@ void SvgPathText::number(long long rounded) {
   after_number_ = true;
 }
 
+long long parts_of(double millimetres, double parts) {
+  constexpr double farthest = 1e12;
+  check(std::abs(millimetres) < farthest, "ink lies at infinity");
+  return std::llround(millimetres * parts);
+}
+
 void append_short(std::string& text, double value, int decimals) {
   const std::size_t begin = text.size();
   append_fixed(text, value, decimals);
   const std::size_t first = begin + (text[begin] == '-' ? 1 : 0);
   if (text.compare(first, 2, "0.") == 0) text.erase(first, 1);
 }
+
+void append_millimetres(std::string& text, double value) { append_short(text, value, 4); }
 
 }  // namespace epura

@@ -38,7 +38,13 @@ class SvgPathText {
   bool after_number_ = false;
 };
 
+/// How many times a part of a millimetre, of which a millimetre has `parts`, is in a length, rounded.
+long long parts_of(double millimetres, double parts);
+
 /// The number without a zero before its point: .25
 void append_short(std::string& text, double value, int decimals);
+
+/// Millimetres beside the lines: at most four decimals.
+void append_millimetres(std::string& text, double value);
 
 }  // namespace epura

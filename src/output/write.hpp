@@ -16,15 +16,6 @@
 
 namespace epura {
 
-enum class Format { svg, pdf, ps, eps, png, dxf, json };
-
-/// By file extension, in any case; nothing when unknown.
-std::optional<Format> format_of(std::string_view extension);
-/// What to write instead of a format that is unknown.
-std::string format_hint(std::string_view extension);
-/// All extensions, for help and hints.
-const std::vector<std::string>& format_names();
-
 template <>
 struct Words<SvgText> {
   static constexpr std::array list{"outlines", "text"};
@@ -35,7 +26,12 @@ struct VectorOptions {
   double dpi = 300;    ///< PNG only
   int decimals = 4;    ///< of coordinates in millimetres, SVG only: no point is off by more than 0.0001 mm
   SvgText text = SvgText::outlines;
+  std::string id_prefix{};  ///< of ids and classes in SVG; empty: made from what is on the sheet
 };
+
+/// Returns the prefix. Throws Error{input} that names `where` it comes from, unless it is a letter, and then letters,
+/// digits, hyphens and underscores, 64 in all.
+std::string checked_id_prefix(std::string prefix, const std::string& where);
 
 /// Sheets that become pages of one file, at least one.
 using Pages = std::vector<const Sheet*>;
@@ -43,6 +39,8 @@ using Pages = std::vector<const Sheet*>;
 // The same sheet gives the same bytes, always: no clock, no counter, no locale. A file is written as a whole, or
 // OutOfTime is thrown.
 std::string to_svg(const Sheet& sheet, const VectorOptions& options, const Progress& progress = {});
+/// The same as an element of a page: without the declaration of a document of its own.
+std::string svg_element(const Sheet& sheet, const VectorOptions& options);
 std::string to_pdf(const Pages& sheets, const Progress& progress = {});
 std::string to_ps(const Pages& sheets, const Progress& progress = {});
 std::string to_eps(const Sheet& sheet, const Progress& progress = {});
@@ -53,5 +51,36 @@ std::string to_dxf(const Sheet& sheet, const Progress& progress = {});
 /// Drawing JSON, schema 1 (docs/formats.md).
 std::string to_json(const Sheet& sheet, double scale, std::span<const ViewDrawing> drawings, const Report& report,
                     const Progress& progress = {});
+
+/// A sheet, and what JSON says of it beside.
+struct SheetContent {
+  const Sheet& sheet;
+  double scale = 1;  ///< mm of paper per unit of the world
+  std::span<const ViewDrawing> drawings{};
+};
+
+struct FileContent {
+  std::vector<SheetContent> sheets;  ///< at least one; one where the format has no pages
+  const VectorOptions& options;
+  const Report& report;
+};
+
+/// A row of the table of formats.
+struct Format {
+  std::string_view name;        ///< and the extension of its files
+  bool has_pages;               ///< several sheets make one file, and not one each
+  bool has_drawings;            ///< it holds the drawings of the sheets, and is no picture
+  std::string_view instead_of;  ///< extensions that are not written, and for which this one serves
+  std::string (*encode)(const FileContent&, const Progress&);
+};
+
+/// All that there are.
+std::span<const Format> formats();
+/// By file extension, in any case; nothing when unknown.
+const Format* find_format(std::string_view extension);
+/// What to write instead of a format that is unknown.
+std::string format_hint(std::string_view extension);
+/// All extensions, for help and hints.
+std::vector<std::string> format_names();
 
 }  // namespace epura

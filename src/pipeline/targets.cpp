@@ -15,35 +15,17 @@ namespace epura {
 
 namespace {
 
-bool has_pages(Format format) { return format == Format::pdf || format == Format::ps; }
-
-Pages pages_of(std::span<const FinishedSheet> sheets) {
-  Pages pages;
-  for (const FinishedSheet& sheet : sheets) pages.push_back(&sheet.sheet);
-  return pages;
+std::string encode(const Format& format, std::span<const FinishedSheet> sheets, const VectorOptions& options,
+                   const Report& report, const Progress& progress) {
+  FileContent content{{}, options, report};
+  for (const FinishedSheet& sheet : sheets) content.sheets.push_back({sheet.sheet, sheet.scale, sheet.drawings});
+  return format.encode(content, progress);
 }
 
-// One sheet for formats without pages.
-std::string encode(Format format, std::span<const FinishedSheet> sheets, const VectorOptions& options,
-                   const Report& report, const Progress& progress) {
-  const FinishedSheet& sheet = sheets.front();
-  switch (format) {
-    case Format::svg:
-      return to_svg(sheet.sheet, options, progress);
-    case Format::eps:
-      return to_eps(sheet.sheet, progress);
-    case Format::png:
-      return to_png(sheet.sheet, options.dpi, progress);
-    case Format::dxf:
-      return to_dxf(sheet.sheet, progress);
-    case Format::json:
-      return to_json(sheet.sheet, sheet.scale, sheet.drawings, report, progress);
-    case Format::pdf:
-      return to_pdf(pages_of(sheets), progress);
-    case Format::ps:
-      return to_ps(pages_of(sheets), progress);
-  }
-  return {};
+// Sheets of one run may come to stand on one page.
+VectorOptions options_of_sheet(VectorOptions options, std::size_t number) {
+  if (!options.id_prefix.empty()) options.id_prefix += "-" + std::to_string(number);
+  return options;
 }
 
 std::size_t lines_of(std::span<const FinishedSheet> sheets) {
@@ -65,7 +47,7 @@ std::vector<std::string> one_for_each(const std::string& path, std::size_t sheet
 }
 
 std::vector<std::string> files_of(const Target& target, std::size_t sheets) {
-  return one_for_each(target.path, has_pages(target.format) || target.path == "-" ? 1 : sheets);
+  return one_for_each(target.path, target.format->has_pages || target.path == "-" ? 1 : sheets);
 }
 
 std::vector<std::string> files_of(const std::vector<Target>& targets, std::size_t sheets) {
@@ -109,13 +91,13 @@ std::vector<Target> targets_of(const std::vector<std::string>& paths, const std:
   for (const std::string& path : paths) {
     std::string extension = path == "-" ? dash_format : std::filesystem::path(path).extension().string();
     if (extension.starts_with(".")) extension.erase(0, 1);
-    const auto format = format_of(extension);
+    const Format* format = find_format(extension);
     if (!format && path == "-") throw Error(ErrorKind::input, "--output -", "wants --format", format_hint(extension));
     if (!format)
       throw Error(ErrorKind::input, path,
                   extension.empty() ? "has no extension to tell the format" : "has an unknown format",
                   format_hint(extension));
-    targets.push_back({path, *format});
+    targets.push_back({path, format});
   }
   return targets;
 }
@@ -125,14 +107,16 @@ std::vector<FileBytes> encode_all(const std::vector<Target>& targets, std::span<
   progress.begin("writing", targets.size() * lines_of(sheets));
   std::vector<FileBytes> files;
   for (const Target& target : targets) {
-    const bool one_each = sheets.size() > 1 && !has_pages(target.format);
+    const bool one_each = sheets.size() > 1 && !target.format->has_pages;
     if (one_each && target.path == "-")
       throw Error(ErrorKind::input, "--output -", "takes one sheet, and there are " + std::to_string(sheets.size()),
                   "write PDF, or to a file");
     const std::vector<std::string> paths = files_of(target, sheets.size());
-    for (std::size_t i = 0; i < paths.size(); ++i)
-      files.push_back(
-          {paths[i], encode(target.format, one_each ? sheets.subspan(i, 1) : sheets, options, report, progress)});
+    const auto encoded = [&](std::size_t i) {
+      if (!one_each) return encode(*target.format, sheets, options, report, progress);
+      return encode(*target.format, sheets.subspan(i, 1), options_of_sheet(options, i + 1), report, progress);
+    };
+    for (std::size_t i = 0; i < paths.size(); ++i) files.push_back({paths[i], encoded(i)});
     progress.expect_time();
   }
   return files;

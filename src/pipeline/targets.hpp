@@ -16,7 +16,7 @@ namespace epura {
 
 struct Target {
   std::string path;  ///< "-" for standard output
-  Format format;
+  const Format* format;
 };
 
 /// Formats are settled before any work is done: a long run must not end in a typing error. `dash_format` is that of
@@ -27,7 +27,7 @@ std::vector<Target> targets_of(const std::vector<std::string>& paths, const std:
 /// there are several.
 std::vector<std::string> one_for_each(const std::string& path, std::size_t sheets);
 
-/// The same, where PDF and PostScript have one file for all sheets.
+/// The same, where formats with pages have one file for all sheets.
 std::vector<std::string> files_of(const Target& target, std::size_t sheets);
 std::vector<std::string> files_of(const std::vector<Target>& targets, std::size_t sheets);
 

@@ -42,11 +42,6 @@ struct Words<HiddenLines> {
 };
 
 template <>
-struct Words<LineRole> {
-  static constexpr std::array list{"visible", "narrow", "neighbour"};
-};
-
-template <>
 struct Words<EdgeKind> {
   static constexpr std::array list{"contour", "boundary", "crease", "intersection", "section", "tangent", "smooth"};
 };

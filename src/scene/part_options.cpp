@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "scene/line_roles.hpp"
 #include "scene/title_fields.hpp"
 
 namespace epura {

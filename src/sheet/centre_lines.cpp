@@ -279,7 +279,7 @@ std::vector<SeenCircle> seen_circles(const ViewDrawing& drawing, std::span<const
 Layer centre_lines(const ViewDrawing& drawing, std::span<const PlacedCircle> circles, const LineWidths& widths,
                    const std::vector<ModelStyle>& looks, std::span<const Layer> drawn, const Progress& progress) {
   const double width = widths.narrow;
-  Layer layer{drawing.name + "/centre", {"centre", width, long_dash_dot.nominal(width)}, {}};
+  Layer layer = empty_layer(drawing.name, SheetLine::centre, widths);
   if (drawing.projection.central) return layer;
   const std::vector<SeenCircle> seen = seen_circles(drawing, circles, looks);
   std::vector<Piece> pieces = axes(seen);

@@ -110,7 +110,7 @@ std::optional<Layer> cutting_plane_line(const ViewDrawing& parent, const Cutting
   if (!trace) return std::nullopt;
   const double height = letter_widths * widths.narrow;
   const Vec2 from = end_of(*trace, -1, height), to = end_of(*trace, 1, height);
-  Layer layer{parent.name + "/cutting-plane", {"cutting-plane", widths.narrow}, {}};
+  Layer layer = empty_layer(parent.name, SheetLine::cutting_plane, widths);
   Stroke chain{{from + wide_end * height * trace->along, to - wide_end * height * trace->along}};
   chain.dashes = fit_open(glm::distance(chain.points[0], chain.points[1]), widths.narrow, long_dash_dot);
   layer.strokes.push_back(chain);

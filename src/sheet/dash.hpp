@@ -6,26 +6,10 @@
 #include <vector>
 
 #include "base/vec.hpp"
+#include "scene/line_roles.hpp"
 #include "sheet/sheet.hpp"
 
 namespace epura {
-
-/// Nominal lengths of a line type in line widths.
-struct DashType {
-  double dash, gap, dot;
-  int dots;
-
-  /// All but the dash.
-  [[nodiscard]] constexpr double rest() const { return gap + dots * (dot + gap); }
-  /// Lines below two dashes and what is between them are continuous.
-  [[nodiscard]] constexpr double shortest() const { return 2 * dash + rest(); }
-  /// The pattern for lines of this width, not fitted to any.
-  [[nodiscard]] constexpr Dashes nominal(double width) const { return {dash * width, gap * width, dot * width, dots}; }
-};
-
-inline constexpr DashType dashed{12, 3, 0, 0};                  ///< type 02
-inline constexpr DashType long_dash_dot{24, 3, 0.5, 1};         ///< type 04
-inline constexpr DashType long_dash_double_dot{24, 3, 0.5, 2};  ///< type 05
 
 /// n = round((L - dash) / period) periods and one more dash fill the line exactly; the dashes are made to fit, about as
 /// long as the type says. Continuous when the line is too short.

@@ -288,7 +288,7 @@ std::vector<Hatching> choose_hatching(std::span<const ViewDrawing* const> drawin
 
 Layer hatch_layer(const ViewDrawing& drawing, std::span<const Hatching> hatching, const LineWidths& widths,
                   const Progress& progress) {
-  Layer layer{drawing.name + "/hatch", {"hatch", widths.narrow}, {}};
+  Layer layer = empty_layer(drawing.name, SheetLine::hatch, widths);
   for (const CutFace& face : drawing.cut_faces) {
     const auto found = std::find_if(hatching.begin(), hatching.end(),
                                     [&](const Hatching& h) { return h.model == face.model && h.body == face.body; });

@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "sheet/line_styles.hpp"
 
 namespace epura {
 
@@ -72,7 +73,8 @@ Layer partial_mark(const Paper& paper, const std::string& stage) {
   const double unit = std::min(height_in_margin * paper.other / letter_height, paper.width / width);
   const Vec2 start(std::min(paper.left, paper.width - unit * width),
                    paper.height - paper.other / 2 - unit * letter_height / 2);
-  Layer layer{"sheet/partial", {"partial", line_per_height * letter_height * unit}, {}};
+  Layer layer = empty_layer("sheet", SheetLine::partial, line_widths(paper));
+  layer.style.width = line_per_height * letter_height * unit;
   for (std::size_t i = 0; i < letters.size(); ++i)
     for (const std::vector<Vec2>& line : letters[i]) {
       Stroke stroke;

@@ -3,15 +3,9 @@
 
 #include <utility>
 
+#include "sheet/line_styles.hpp"
+
 namespace epura {
-
-namespace {
-
-void add(std::vector<Layer>& layers, Layer layer) {
-  if (!layer.strokes.empty() || !layer.fills.empty() || !layer.texts.empty()) layers.push_back(std::move(layer));
-}
-
-}  // namespace
 
 FurnitureLayers sheet_layers(const SheetFurniture& furniture, const Lettering& lettering) {
   DrawnTitleBlock block;
@@ -26,11 +20,18 @@ FurnitureLayers sheet_layers(const SheetFurniture& furniture, const Lettering& l
   append(border.texts, furniture.labels);
 
   FurnitureLayers result{{}, std::move(block.warnings)};
-  add(result.layers, {"sheet/frame", {"frame", wide_line}, std::move(border.wide), std::move(border.fills)});
-  add(result.layers, {"sheet/grid", {"grid", medium_line}, std::move(border.medium)});
-  add(result.layers, {"sheet/title-block", {"title-block", medium_line}, std::move(block.ink.medium)});
-  add(result.layers, {"sheet/centre-lines", {"centre-lines", narrow_line}, std::move(block.ink.narrow)});
-  add(result.layers, {"sheet/text", {"text", medium_line}, {}, {}, std::move(border.texts)});
+  const auto add = [&, widths = line_widths(furniture.paper)](SheetLine line, std::vector<Stroke> strokes) -> Layer& {
+    Layer& layer = result.layers.emplace_back(empty_layer("sheet", line, widths));
+    layer.strokes = std::move(strokes);
+    return layer;
+  };
+  add(SheetLine::frame, std::move(border.wide)).fills = std::move(border.fills);
+  add(SheetLine::grid, std::move(border.medium));
+  add(SheetLine::title_block, std::move(block.ink.medium));
+  add(SheetLine::symbol_axes, std::move(block.ink.narrow));
+  add(SheetLine::text, {}).texts = std::move(border.texts);
+  std::erase_if(result.layers,
+                [](const Layer& layer) { return layer.strokes.empty() && layer.fills.empty() && layer.texts.empty(); });
   return result;
 }
 

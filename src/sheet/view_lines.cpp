@@ -128,12 +128,11 @@ void draw_dashed(Stroke* strokes, const ViewDrawing& drawing, std::size_t number
   for (const DashRun& run : dash_runs(chain, width)) *strokes++ = dashed_chain.stroke(run);
 }
 
-// Lines of neighbouring parts, each fitted as a whole.
-Stroke double_dotted(const ViewDrawing& drawing, const Chain& chain, double width) {
+// With dots, the line as a whole is fitted.
+Stroke dotted(const ViewDrawing& drawing, const Chain& chain, double width, const DashType& type) {
   Stroke stroke = continuous(drawing, chain);
   const double length = length_of(chain.points, chain.closed, chain.curves);
-  stroke.dashes =
-      chain.closed ? fit_closed(length, width, long_dash_double_dot) : fit_open(length, width, long_dash_double_dot);
+  stroke.dashes = chain.closed ? fit_closed(length, width, type) : fit_open(length, width, type);
   return stroke;
 }
 
@@ -174,20 +173,17 @@ Stroke tangent(const ViewDrawing& drawing, const Chain& chain, double gap, const
   return stroke;
 }
 
-// Layers in the order in which they are painted.
-enum Place : std::size_t { hidden_dashed, hidden_solid, neighbour, narrow, tangent_edges, section, visible, places };
-using Strokes = std::array<std::vector<Stroke>, places>;
+using Strokes = std::array<std::vector<Stroke>, sheet_lines.size()>;
 
-Place place_of(const Chain& chain, const ModelStyle& look) {
-  if (!chain.visible) return look.hidden == HiddenLines::solid ? hidden_solid : hidden_dashed;
-  if (look.line == LineRole::neighbour) return neighbour;
-  if (look.line == LineRole::narrow) return narrow;
-  const EdgeLine line = edge_line(chain.kind, true);
-  return line == EdgeLine::section ? section : line == EdgeLine::tangent ? tangent_edges : visible;
+std::vector<Stroke>& strokes_of(Strokes& strokes, SheetLine line) { return strokes[static_cast<std::size_t>(line)]; }
+
+SheetLine line_of(const Chain& chain, const ModelStyle& look) {
+  if (!chain.visible) return look.hidden == HiddenLines::solid ? SheetLine::hidden_solid : SheetLine::hidden;
+  return look.line == LineRole::visible ? edge_line(chain.kind, true).value() : line_of(look.line);
 }
 
 bool is_drawn(const Chain& chain, const ModelStyle& look) {
-  return chain.visible || (look.hidden != HiddenLines::none && edge_line(chain.kind, false) != EdgeLine::none);
+  return chain.visible || (look.hidden != HiddenLines::none && edge_line(chain.kind, false));
 }
 
 struct Looks {
@@ -200,25 +196,26 @@ struct Looks {
 
 /// How a chain is drawn.
 struct ChainPlan {
-  Place place;
+  SheetLine line;
   bool in_dashes;
   std::size_t strokes;  ///< 0: it is not drawn
 };
 
 ChainPlan plan_of(const Chain& chain, const ModelStyle& look, const LineWidths& widths) {
-  const Place place = place_of(chain, look);
-  if (!is_drawn(chain, look)) return {place, false, 0};
-  if (place != hidden_dashed || !is_dashed(chain, widths.narrow)) return {place, false, 1};
-  return {place, true, dash_runs(chain, widths.narrow).size()};
+  const SheetLine line = line_of(chain, look);
+  if (!is_drawn(chain, look)) return {line, false, 0};
+  if (line != SheetLine::hidden || !is_dashed(chain, widths.narrow)) return {line, false, 1};
+  return {line, true, dash_runs(chain, widths.narrow).size()};
 }
 
 void draw_chain(Stroke* strokes, const ChainPlan& plan, const ViewDrawing& drawing, std::size_t number,
                 const LineWidths& widths, const Crossings& crossings) {
   const Chain& chain = drawing.chains[number];
   if (plan.in_dashes) return draw_dashed(strokes, drawing, number, widths.narrow, crossings);
-  *strokes = plan.place == neighbour       ? double_dotted(drawing, chain, widths.narrow)
-             : plan.place == tangent_edges ? tangent(drawing, chain, tangent_gap * widths.wide, crossings)
-                                           : continuous(drawing, chain);
+  const DashType& type = row_of(plan.line).dashes;
+  *strokes = type.dots > 0                     ? dotted(drawing, chain, line_style(plan.line, widths).width, type)
+             : plan.line == SheetLine::tangent ? tangent(drawing, chain, tangent_gap * widths.wide, crossings)
+                                               : continuous(drawing, chain);
 }
 
 // Where lines lie so closely that any gap would meet one, dashes cannot heed them.
@@ -246,7 +243,7 @@ std::vector<std::size_t> crossed_chains(const ViewDrawing& drawing, const LineWi
   std::vector<std::size_t> with_dashes, chains;
   for (std::size_t i = 0; i < plans.size(); ++i) {
     if (plans[i].in_dashes) with_dashes.push_back(i);
-    if (plans[i].place == tangent_edges && plans[i].strokes > 0) chains.push_back(i);
+    if (plans[i].line == SheetLine::tangent && plans[i].strokes > 0) chains.push_back(i);
   }
   with_dashes = without_crowded(with_dashes, drawing, widths.narrow, progress);
   const auto middle = chains.insert(chains.end(), with_dashes.begin(), with_dashes.end());
@@ -264,17 +261,17 @@ Strokes strokes_of(const ViewDrawing& drawing, const LineWidths& widths, const L
   });
   const Crossings crossings(drawing.chains, crossed_chains(drawing, widths, plans, progress), progress);
   std::vector<std::size_t> first(count);  // stroke of each chain, in its place
-  std::array<std::size_t, places> all{};
+  std::array<std::size_t, sheet_lines.size()> all{};
   for (std::size_t i = 0; i < count; ++i) {
-    first[i] = all[plans[i].place];
-    all[plans[i].place] += plans[i].strokes;
+    std::size_t& counted = all[static_cast<std::size_t>(plans[i].line)];
+    first[i] = std::exchange(counted, counted + plans[i].strokes);
   }
   Strokes strokes;
-  for (std::size_t place = 0; place < places; ++place) strokes[place].resize(all[place]);
+  for (std::size_t line = 0; line < all.size(); ++line) strokes[line].resize(all[line]);
   parallel_for(count, chains_a_part, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       if (plans[i].strokes > 0)
-        draw_chain(strokes[plans[i].place].data() + first[i], plans[i], drawing, i, widths, crossings);
+        draw_chain(strokes_of(strokes, plans[i].line).data() + first[i], plans[i], drawing, i, widths, crossings);
     progress.advance(end - begin);
   });
   return strokes;
@@ -282,32 +279,10 @@ Strokes strokes_of(const ViewDrawing& drawing, const LineWidths& widths, const L
 
 }  // namespace
 
-LineWidths line_widths(const Paper& paper) {
-  if (paper.width * paper.height >= 841.0 * 594.0) return {0.7, 0.35};
-  return {0.5, 0.25};
-}
-
-EdgeLine edge_line(EdgeKind kind, bool visible) {
-  if (!visible) return is_within_surface(kind) ? EdgeLine::none : EdgeLine::hidden;
-  if (kind == EdgeKind::section) return EdgeLine::section;
-  return is_within_surface(kind) ? EdgeLine::tangent : EdgeLine::visible;
-}
-
-LineStyle line_style(EdgeLine line, const LineWidths& widths) {
-  switch (line) {
-    case EdgeLine::none:
-      break;
-    case EdgeLine::hidden:
-      return {"hidden", widths.narrow, dashed.nominal(widths.narrow)};
-    case EdgeLine::tangent:
-      return {"tangent", widths.narrow};
-    case EdgeLine::section:
-      return {"section", widths.wide};
-    case EdgeLine::visible:
-      return {"visible", widths.wide};
-  }
-  check(false, "what is not drawn has no style");
-  return {};
+std::optional<SheetLine> edge_line(EdgeKind kind, bool visible) {
+  if (!visible) return is_within_surface(kind) ? std::nullopt : std::optional(SheetLine::hidden);
+  if (kind == EdgeKind::section) return SheetLine::section;
+  return is_within_surface(kind) ? SheetLine::tangent : SheetLine::visible;
 }
 
 std::vector<Layer> view_layers(const ViewDrawing& drawing, const LineWidths& widths,
@@ -317,20 +292,19 @@ std::vector<Layer> view_layers(const ViewDrawing& drawing, const LineWidths& wid
   const auto wants = [&](HiddenLines hidden) {
     return std::any_of(looks.begin(), looks.end(), [&](const ModelStyle& look) { return look.hidden == hidden; });
   };
-  std::vector<Layer> layers;
-  const auto add = [&](Place place, const std::string& name, const LineStyle& style, bool always) {
-    if (always || !strokes[place].empty())
-      layers.push_back({drawing.name + "/" + name, style, std::move(strokes[place])});
+  const auto is_always_there = [&](SheetLine line) {
+    return line == SheetLine::visible || (line == SheetLine::hidden && wants(HiddenLines::dashed)) ||
+           (line == SheetLine::hidden_solid && wants(HiddenLines::solid));
   };
-  const double narrow_line = widths.narrow;
-  const bool both = wants(HiddenLines::dashed) && wants(HiddenLines::solid);
-  add(hidden_dashed, "hidden", line_style(EdgeLine::hidden, widths), wants(HiddenLines::dashed));
-  add(hidden_solid, both ? "hidden-solid" : "hidden", {"hidden-solid", narrow_line}, wants(HiddenLines::solid));
-  add(neighbour, "neighbour", {"neighbour", narrow_line, long_dash_double_dot.nominal(narrow_line)}, false);
-  add(narrow, "narrow", {"narrow", narrow_line}, false);
-  add(tangent_edges, "tangent", line_style(EdgeLine::tangent, widths), false);
-  add(section, "section", line_style(EdgeLine::section, widths), false);
-  add(visible, "visible", line_style(EdgeLine::visible, widths), true);
+  std::vector<Layer> layers;
+  for (const SheetLineRow& row : sheet_lines) {
+    std::vector<Stroke>& drawn = strokes_of(strokes, row.line);
+    if (drawn.empty() && !is_always_there(row.line)) continue;
+    Layer& layer = layers.emplace_back(empty_layer(drawing.name, row.line, widths));
+    layer.strokes = std::move(drawn);
+    const bool alone = row.line == SheetLine::hidden_solid && !wants(HiddenLines::dashed);
+    if (alone) layer.name = drawing.name + "/" + row_of(SheetLine::hidden).layer;
+  }
   return layers;
 }
 

@@ -9,25 +9,13 @@
 
 #include "base/progress.hpp"
 #include "drawing/drawing.hpp"
-#include "scene/choices.hpp"
-#include "sheet/paper.hpp"
+#include "sheet/line_styles.hpp"
 #include "sheet/sheet.hpp"
 
 namespace epura {
 
-/// Widths of lines on a sheet, mm: 0.7 and 0.35 from A1 on, 0.5 and 0.25 below.
-struct LineWidths {
-  double wide, narrow;
-};
-LineWidths line_widths(const Paper& paper);
-
 /// What an edge is on a sheet, where its model has no role of its own. Hidden edges between smooth faces are nothing.
-enum class EdgeLine { none, hidden, tangent, section, visible };
-
-EdgeLine edge_line(EdgeKind kind, bool visible);
-
-/// Of any but `none`.
-LineStyle line_style(EdgeLine line, const LineWidths& widths);
+std::optional<SheetLine> edge_line(EdgeKind kind, bool visible);
 
 /// How one model is drawn.
 struct ModelStyle {

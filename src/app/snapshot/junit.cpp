@@ -5,7 +5,7 @@
 #include <pugixml.hpp>
 #include <sstream>
 
-#include "output/svg_paths.hpp"
+#include "output/xml_text.hpp"
 
 namespace epura {
 

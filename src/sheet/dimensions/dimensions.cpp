@@ -13,6 +13,7 @@
 #include "sheet/dimensions/box_index.hpp"
 #include "sheet/dimensions/forms.hpp"
 #include "sheet/dimensions/measure.hpp"
+#include "sheet/line_styles.hpp"
 
 namespace epura {
 
@@ -119,7 +120,7 @@ Layer dimension_layer(const DimensionedView& view, const DimensionStyle& style, 
     measured.push_back(measure(view.drawing, dimension, diameter_sign(style.lettering)));
     expect_letters(measured.back().text, dimension, style.lettering);
   }
-  Layer layer{view.drawing.name + "/dimensions", {"dimension", style.line}, {}};
+  Layer layer = empty_layer(view.drawing.name, SheetLine::dimension, {2 * style.line, style.line});
   for (auto& dimension : place(measured, view.drawing, style, neighbours, progress)) {
     if (!dimension) continue;
     std::move(dimension->strokes.begin(), dimension->strokes.end(), std::back_inserter(layer.strokes));

@@ -50,9 +50,9 @@ TEST(DrawCentreLines, AreALayerOfTheirView) {
       epura({"draw", sample("flange.obj"), "--projection", "top", "--centre-lines", "-o", "x.svg"}, folder / "");
   ASSERT_EQ(run.code, 0) << run.err;
   const std::string svg = read_file(folder / "x.svg");
-  EXPECT_NE(svg.find("id=\"top-centre\""), std::string::npos);
+  EXPECT_NE(svg.find("-top-centre\" inkscape:groupmode"), std::string::npos);
   // Crosses of eight holes and of the flange itself.
-  const std::size_t begin = svg.find("id=\"top-centre\""), end = svg.find("</g>", begin);
+  const std::size_t begin = svg.find("-top-centre\" inkscape:groupmode"), end = svg.find("</g>", begin);
   std::size_t lines = 0;
   for (std::size_t at = begin; (at = svg.find("<path", at)) < end; ++at) ++lines;
   EXPECT_EQ(lines, 18U);

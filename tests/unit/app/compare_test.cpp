@@ -59,7 +59,7 @@ TEST(CompareCommand, WritesWhatDiffers) {
   EXPECT_EQ(json["differences"].items[0]["of"].text, "line");
   for (const std::string name : {"o.svg", "o.png", "o.html"})
     EXPECT_EQ(drawn.compare({"a.svg", "b.svg", "--overlay", name}).code, 1);
-  EXPECT_TRUE(contains(drawn.read("o.svg"), "stroke:#cd0000"));
+  EXPECT_TRUE(contains(drawn.read("o.svg"), "stroke=\"#cd0000\""));
   EXPECT_TRUE(drawn.read("o.png").starts_with("\x89PNG"));
   EXPECT_TRUE(contains(drawn.read("o.html"), "data:image/svg+xml,"));
   EXPECT_TRUE(contains(drawn.read("o.html"), "8 removed"));

@@ -16,7 +16,7 @@ using Words = std::vector<std::string>;
 // The texts of a view's dimensions, each followed by a space.
 std::string dimensions_in(const std::string& svg, const std::string& view) {
   const std::size_t begin =
-      svg.find("id=\"" + view + "-dimensions\" inkscape:groupmode=\"layer\" inkscape:label=\"dimensions\"");
+      svg.find("-" + view + "-dimensions\" inkscape:groupmode=\"layer\" inkscape:label=\"dimensions\"");
   if (begin == std::string::npos) return {};
   const std::string layer = svg.substr(begin, svg.find("<g id=", begin) - begin);
   static const std::regex text("aria-label=\"([^\"]*)\"");

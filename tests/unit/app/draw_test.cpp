@@ -176,6 +176,19 @@ TEST(Draw, LetteringOfSvgIsOutlinesOrText) {
   EXPECT_TRUE(contains(refused.err, "--svg-text")) << refused.err;
 }
 
+TEST(Draw, IdsOfSvgBeginAsAskedFor) {
+  const Folder folder;
+  const auto draw = [&](const std::string& prefix) {
+    return epura({"draw", sample("bracket.obj"), "-o", "-", "--format", "svg", "--id-prefix", prefix}, folder / "");
+  };
+  const std::string svg = draw("left").out;
+  EXPECT_TRUE(contains(svg, "<svg id=\"left\"") && contains(svg, "<g id=\"left-isometric-hidden\"") &&
+              contains(svg, "<path id=\"left-0\""));
+  const Outcome refused = draw("1st");
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_TRUE(contains(refused.err, "--id-prefix: '1st' cannot begin an id")) << refused.err;
+}
+
 TEST(Draw, CoordinatesNearTheEndOfTheDoublesAreDrawn) {
   const Folder folder;
   const std::string small = folder.file("small.obj", "v -1 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 -1\nf 1 2 3\nf 1 2 4\n");

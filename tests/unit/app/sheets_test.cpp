@@ -8,6 +8,7 @@
 #include "errors.hpp"
 #include "folder.hpp"
 #include "program.hpp"
+#include "scene/line_roles.hpp"
 
 namespace epura::test {
 namespace {
@@ -26,7 +27,7 @@ class Sheets : public testing::Test {
 
 // Places of the texts in a layer of an SVG whose texts are texts: y of their base lines.
 std::vector<double> heights_of(const std::string& svg, const std::string& layer) {
-  const std::size_t begin = svg.find("id=\"" + layer + "\"");
+  const std::size_t begin = svg.find("-" + layer + "\" inkscape:groupmode");
   if (begin == std::string::npos) return {};
   const std::string group = svg.substr(begin, svg.find("</g>\n</g>", begin) - begin);
   static const std::regex place("<text[^>]* y=\"([-0-9.]+)\"");
@@ -63,6 +64,46 @@ TEST_F(Sheets, ManyMakeOneFileOfPagesAndManyOfOnePage) {
                                           "x-1.dxf", "x-2.dxf", "x-1.png", "x-2.png", "x.ps", "x-1.eps", "x-2.eps"}));
   EXPECT_TRUE(contains(read_file(folder / "x-1.svg"), "width=\"420mm\""));
   EXPECT_TRUE(contains(read_file(folder / "x-2.svg"), "width=\"297mm\""));
+}
+
+// Layers of a view are painted in the order of the table, and each is in it.
+TEST_F(Sheets, PaintTheLinesOfAViewInOneOrder) {
+  folder.file(
+      "scene.toml",
+      model() +
+          "line = 'visible'\n[sheet]\nsize = 'A3'\n[[section]]\nname = 'A'\npoint = [40, 0, 0]\nnormal = [-1, 0, 0]\n"
+          "[[view]]\nprojection = 'front'\nedges = ['contour', 'crease', 'tangent']\n"
+          "[[view]]\nprojection = 'left'\nsection = 'A'\n[[dimension]]\ntype = 'overall'\n");
+  const Outcome run = epura({"draw", "scene.toml", "--centre-lines", "-o", "x.svg"}, folder / "");
+  ASSERT_EQ(run.code, 0) << run.err;
+  const std::string svg = read_file(folder / "x.svg");
+  static const std::regex group("inkscape:label=\"([^\"]+)\"( class)?");
+  std::set<std::string> seen;
+  int before = -1;
+  for (std::sregex_iterator it(svg.begin(), svg.end(), group), end; it != end; ++it) {
+    const std::string name = (*it)[1];
+    if (!(*it)[2].matched) {
+      before = -1;  // a view
+      continue;
+    }
+    const SheetLineRow* row = find_line(name);
+    ASSERT_TRUE(row != nullptr) << name;
+    EXPECT_GT(static_cast<int>(row->line), before) << name;
+    before = static_cast<int>(row->line);
+    seen.insert(name);
+  }
+  for (const char* name :
+       {"frame", "text", "hatch", "centre", "hidden", "tangent", "section", "visible", "dimensions", "cutting-plane"})
+    EXPECT_TRUE(seen.contains(name)) << name;
+}
+
+TEST_F(Sheets, HaveIdsOfTheirOwn) {
+  folder.file("scene.toml", model() +
+                                "[[sheet]]\n[[sheet]]\n[[view]]\nprojection = 'front'\n"
+                                "[[view]]\nprojection = 'front'\nsheet = 2\n");
+  ASSERT_EQ(epura({"draw", "scene.toml", "--id-prefix", "part", "-o", "x.svg"}, folder / "").code, 0);
+  for (const std::string number : {"1", "2"})
+    EXPECT_TRUE(contains(read_file(folder / ("x-" + number + ".svg")), "<svg id=\"part-" + number + "\""));
 }
 
 // A projection of a stranger that is a front view stands where front views stand.

@@ -103,7 +103,7 @@ TEST_P(StageOfLines, WhatIsShownIsAPartOfTheWholeDrawing) {
   EXPECT_EQ(run.error, "");
   ASSERT_FALSE(run.stages.empty());
   EXPECT_EQ(run.stages.front(), GetParam());
-  EXPECT_TRUE(contains(read_file(svg), "id=\"sheet-partial\""));
+  EXPECT_TRUE(contains(read_file(svg), "-sheet-partial\" inkscape:groupmode"));
   EXPECT_LT(read_file(svg).size(), whole_svg.size());
   EXPECT_EQ(JsonReader(read_file(json)).read()["partial"]["stages"].items.at(0).text, GetParam());
   const std::set<std::string> shown = segments_of(read_file(json));

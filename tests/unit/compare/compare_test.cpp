@@ -95,7 +95,7 @@ TEST(Compare, SeesWhatInkscapeMovedOrSwitchedOff) {
   const std::string svg = to_svg(plate(), {});
   const auto with = [&](const std::string& attribute) {
     std::string edited = svg;
-    const std::string group = "<g id=\"front-hidden\"";
+    const std::string group = "-front-hidden\"";
     edited.insert(edited.find(group) + group.size(), " " + attribute);
     return changes(compare(as_svg(plate()), {false, false, {picture_of_svg(edited, "test.svg")}}, 0.001));
   };

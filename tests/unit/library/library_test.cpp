@@ -215,6 +215,12 @@ TEST(Library, TimeThatIsOverIsAFailure) {
   EXPECT_EQ(failure_of(in_memory(), how).kind(), Failure::Kind::time);
 }
 
+TEST(Library, NamesTheIdsOfSvg) {
+  const Drawing drawing = draw(in_memory(), settings());
+  EXPECT_NE(to_svg(drawing, 1, {.id_prefix = "cube"}).find("<svg id=\"cube\""), std::string::npos);
+  EXPECT_THROW(static_cast<void>(to_svg(drawing, 1, {.id_prefix = "a\"b"})), Failure);
+}
+
 TEST(Library, OverwritesNoInput) {
   const FolderOfFiles folder;
   std::ofstream(folder / "a.svg") << "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\n"

@@ -90,14 +90,39 @@ TEST(Png, RefusesAbsurdSizes) {
 }
 
 TEST(Formats, AreKnownByTheirExtension) {
-  EXPECT_EQ(format_of("svg"), Format::svg);
-  EXPECT_EQ(format_of(".PDF"), Format::pdf);
-  EXPECT_EQ(format_of("json"), Format::json);
-  EXPECT_EQ(format_of("eps"), Format::eps);
-  EXPECT_EQ(format_of("dxf"), Format::dxf);
-  EXPECT_EQ(format_of("dwg"), std::nullopt);
-  EXPECT_EQ(format_of(""), std::nullopt);
-  for (const std::string& name : format_names()) EXPECT_TRUE(format_of(name)) << name;
+  for (const char* name : {"svg", "pdf", "ps", "eps", "png", "dxf", "json"}) {
+    const Format* format = find_format("." + std::string(name));
+    ASSERT_TRUE(format != nullptr) << name;
+    EXPECT_EQ(format->name, name);
+    EXPECT_EQ(format->has_pages, name == std::string("pdf") || name == std::string("ps"));
+    EXPECT_EQ(format->has_drawings, name == std::string("json"));
+  }
+  EXPECT_EQ(find_format("PDF"), find_format("pdf"));
+  EXPECT_EQ(find_format("dwg"), nullptr);
+  EXPECT_EQ(find_format(""), nullptr);
+  EXPECT_EQ(format_names().size(), 7U);
+}
+
+TEST(Formats, AreNamedInsteadOfOthers) {
+  EXPECT_EQ(format_hint("DWG"), "write dxf instead, which programs for dwg read");
+  EXPECT_EQ(format_hint("jpeg"), "write png instead, which programs for jpeg read");
+  EXPECT_EQ(format_hint("emf"), "write svg instead, which programs for emf read");
+}
+
+TEST(Formats, EncodeAsTheirWritersDo) {
+  const Sheet first = random_sheet(100, 50), second = random_sheet(60, 60);
+  const VectorOptions options;
+  const Report report;
+  const auto encoded = [&](const char* name, std::vector<SheetContent> sheets) {
+    return find_format(name)->encode({std::move(sheets), options, report}, {});
+  };
+  EXPECT_EQ(encoded("svg", {{first}}), to_svg(first, options));
+  EXPECT_EQ(encoded("pdf", {{first}, {second}}), to_pdf({&first, &second}));
+  EXPECT_EQ(encoded("ps", {{first}, {second}}), to_ps({&first, &second}));
+  EXPECT_EQ(encoded("eps", {{first}}), to_eps(first));
+  EXPECT_EQ(encoded("png", {{first}}), to_png(first, options.dpi));
+  EXPECT_EQ(encoded("dxf", {{first}}), to_dxf(first));
+  EXPECT_EQ(encoded("json", {{first, 0.5}}), to_json(first, 0.5, {}, report));
 }
 
 }  // namespace

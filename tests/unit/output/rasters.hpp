@@ -30,10 +30,6 @@ inline std::string run(const std::string& command) {
   return text;
 }
 
-inline bool is_installed(const std::string& program) {
-  return std::system(("command -v " + program + " >/dev/null").c_str()) == 0;
-}
-
 /// Shades from 0, black, to 255.
 struct GreyPicture {
   int width = 0, height = 0;
@@ -81,6 +77,18 @@ class Rasters : public testing::Test {
     run("rsvg-convert --background-color=white -d " + resolution + " -p " + resolution + " -o " + path("svg.png") +
         " " + path("sheet.svg"));
     return picture("svg.png");
+  }
+
+  /// A page or picture of the folder in Chromium, one pixel to a pixel of CSS. Nothing is fetched, and nothing is kept.
+  [[nodiscard]] GreyPicture in_browser(const std::string& name, int width, int height) const {
+    std::filesystem::remove_all(folder_ / "profile");
+    run("HOME=" + path("") +
+        " timeout 120 chromium --headless --no-sandbox --disable-gpu --hide-scrollbars --force-device-scale-factor=1 "
+        "--no-first-run --disable-background-networking --disable-component-update --disable-dev-shm-usage "
+        "--host-resolver-rules='MAP * ~NOTFOUND' --window-size=" +
+        std::to_string(width) + "," + std::to_string(height) + " --user-data-dir=" + path("profile") +
+        " --screenshot=" + path("shown.png") + " " + path(name) + " 2>/dev/null");
+    return picture("shown.png");
   }
 
  private:

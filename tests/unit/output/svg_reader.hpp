@@ -20,6 +20,11 @@ inline pugi::xml_document parse_svg(const std::string& svg) {
   return document;
 }
 
+/// What its ids and classes begin with.
+inline std::string prefix_of(const pugi::xml_document& document) {
+  return document.child("svg").attribute("id").value();
+}
+
 /// A piece of a path: its command, where it ends (y down) and its other numbers.
 struct SvgPiece {
   char command;

@@ -3,6 +3,8 @@
 
 #include <set>
 
+#include "base/error.hpp"
+#include "base/text.hpp"
 #include "output/write.hpp"
 #include "support.hpp"
 #include "svg_reader.hpp"
@@ -44,7 +46,56 @@ TEST(Svg, ViewsAreLayersOfLayers) {
     EXPECT_TRUE(ids.insert(node.node().attribute("id").value()).second) << node.node().attribute("id").value();
   for (const pugi::xpath_node& node : document.select_nodes("//g"))
     EXPECT_STREQ(node.node().attribute("inkscape:groupmode").value(), "layer");
-  EXPECT_STREQ(layers_of(document)[0].attribute("class").value(), "hidden");
+  EXPECT_STREQ(layers_of(document)[0].attribute("class").value(), (prefix_of(document) + "-hidden").c_str());
+}
+
+TEST(Svg, NamesAndRulesAreItsOwn) {
+  Sheet sheet = random_sheet(100, 100, 3);
+  sheet.layers[0].fills = {{{{{10, 10}, {20, 10}, {10, 20}}}}};
+  sheet.layers[0].texts = {{"hidden", {10, 10}, 3.5, 0, Align::left, "border hidden"}, {"12", {10, 10}, 3.5}};
+  VectorOptions as_text, named;
+  as_text.text = SvgText::text;
+  named.id_prefix = "left_1-x";
+  std::set<std::string> prefixes;
+  for (const VectorOptions& options : {VectorOptions(), as_text, named}) {
+    const auto document = parse_svg(to_svg(sheet, options));
+    const std::string prefix = prefix_of(document);
+    prefixes.insert(prefix);
+    std::vector<std::string> names;
+    for (const char* attribute : {"id", "class"})
+      for (const pugi::xpath_node& node : document.select_nodes((std::string("//*[@") + attribute + "]").c_str()))
+        if (node.node() != document.child("svg")) names.emplace_back(node.node().attribute(attribute).value());
+    EXPECT_GT(names.size(), 10U);
+    for (const std::string& name : names) {
+      EXPECT_TRUE(name.starts_with(prefix + "-")) << name;
+      EXPECT_EQ(name.find(' '), std::string::npos) << name;
+    }
+    const std::string rules = document.child("svg").child("style").text().get();
+    for (const std::string_view rule : split(rules, '}'))
+      EXPECT_TRUE(rule.empty() || rule.starts_with((&rule[0] == rules.data() ? "#" : "\n#") + prefix)) << rule;
+  }
+  ASSERT_EQ(prefixes.size(), 2U);
+  EXPECT_TRUE(prefixes.contains(named.id_prefix));
+}
+
+TEST(Svg, DrawingsThatDifferHaveOtherPrefixes) {
+  const Sheet sheet = random_sheet(100, 100, 9);
+  Sheet moved = sheet, renamed = sheet, titled = sheet, cut = sheet;
+  moved.layers[1].strokes[4].points[1].x += 0.001;
+  renamed.layers[0].name = "other/hidden";
+  titled.title = "Bracket";
+  cut.layers[1].strokes.pop_back();
+  std::set<std::string> prefixes;
+  for (const Sheet& one : {sheet, moved, renamed, titled, cut}) prefixes.insert(prefix_of(parse_svg(to_svg(one, {}))));
+  EXPECT_EQ(prefixes.size(), 5U);
+  EXPECT_EQ(prefixes.count(prefix_of(parse_svg(to_svg(sheet, {true})))), 1U);
+}
+
+TEST(Svg, PrefixesBeginIds) {
+  for (const char* good : {"a", "Left-2_b"}) EXPECT_EQ(checked_id_prefix(good, "--id-prefix"), good);
+  for (const std::string& bad :
+       std::vector<std::string>{"", "1a", "-a", "_a", "a b", "a.b", "\xC3\xA4", "a\">", std::string(65, 'a')})
+    EXPECT_THROW(checked_id_prefix(bad, "--id-prefix"), Error) << bad;
 }
 
 TEST(Svg, IsInMillimetres) {
@@ -53,8 +104,10 @@ TEST(Svg, IsInMillimetres) {
   EXPECT_STREQ(svg.attribute("width").value(), "297mm");
   EXPECT_STREQ(svg.attribute("height").value(), "210.5mm");
   EXPECT_STREQ(svg.attribute("viewBox").value(), "0 0 297 210.5");
-  EXPECT_NE(std::string(svg.child("style").text().get()).find(".hidden{stroke-width:.25;stroke-dasharray:3 .75}"),
-            std::string::npos);
+  const pugi::xml_node hidden = layers_of(document)[0];
+  EXPECT_STREQ(hidden.attribute("stroke-width").value(), ".25");
+  EXPECT_STREQ(hidden.attribute("stroke-dasharray").value(), "3 .75");
+  EXPECT_FALSE(hidden.next_sibling().attribute("stroke-dasharray"));
 }
 
 TEST(Svg, LinesKnowWhereTheyComeFrom) {
@@ -65,7 +118,7 @@ TEST(Svg, LinesKnowWhereTheyComeFrom) {
   EXPECT_STREQ(layers[1].attribute("data-visible").value(), "1");
   EXPECT_STREQ(layers[0].attribute("data-model").value(), "0");
   const pugi::xml_node second = layers[0].child("path").next_sibling();
-  EXPECT_STREQ(second.attribute("id").value(), "p1");
+  EXPECT_STREQ(second.attribute("id").value(), (prefix_of(document) + "-1").c_str());
   EXPECT_STREQ(second.attribute("data-edge").value(), "1-2");
   EXPECT_STREQ(second.attribute("data-kind").value(), "crease");
   EXPECT_STREQ(second.attribute("stroke-dasharray").value(), "2.51 .75");

@@ -34,7 +34,7 @@ TEST_P(TextAtAngle, KeepsCoordinates) {
   const Text text{"HZI \xC3\x98 8g", {150, 100}, 7, angle, align, "label"};
   const pugi::xml_document document = parse_svg(to_svg(sheet_of({text}), {}));
   const pugi::xml_node g = document.select_node("//g[@aria-label]").node();
-  EXPECT_STREQ(g.attribute("class").value(), "text-label");
+  EXPECT_STREQ(g.attribute("class").value(), (prefix_of(document) + "-text-label").c_str());
   const std::vector<Ink> read = ink_of(std::string_view(g.child("path").attribute("d").value()), 210);
 
   const Lettering lettering;

@@ -4,6 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
+#include <string>
+#include <string_view>
 
 #include "base/error.hpp"
 #include "sheet/dash.hpp"
@@ -45,6 +48,19 @@ TEST(ViewLines, HiddenLinesLieUnderVisibleOnes) {
   EXPECT_EQ(layers[1].style.dashes.dash, 0);
   ASSERT_EQ(layers[1].strokes.size(), 2u);
   EXPECT_TRUE(layers[1].strokes[0].closed);
+}
+
+TEST(LineRoles, HaveNamesThatAreFoundAndWordsOfModels) {
+  std::set<std::string_view> names, layers;
+  for (const SheetLineRow& row : sheet_lines) {
+    EXPECT_TRUE(names.insert(row.name).second && layers.insert(row.layer).second) << row.name;
+    EXPECT_EQ(find_line(row.name), &row);
+    EXPECT_EQ(find_line(row.layer), &row);
+  }
+  EXPECT_EQ(find_line("front/visible"), nullptr);
+  const std::vector<std::string> words(Words<LineRole>::list.begin(), Words<LineRole>::list.end());
+  EXPECT_EQ(words, (std::vector<std::string>{"visible", "narrow", "neighbour"}));
+  EXPECT_EQ(word_of(LineRole::neighbour), "neighbour");
 }
 
 TEST(ViewLines, LargeSheetsHaveWiderLines) {
@@ -123,7 +139,7 @@ TEST(ViewLines, ModelsHaveLooksOfTheirOwn) {
   ASSERT_EQ(layers.size(), 3u);
   EXPECT_EQ(layers[0].strokes.size(), 1u);  // the hidden line of the other model is left out
   EXPECT_EQ(layers[1].name, "front/neighbour");
-  EXPECT_EQ(layers[1].style.dashes, long_dash_double_dot.nominal(0.25));
+  EXPECT_EQ(layers[1].style.dashes, nominal_dashes(long_dash_double_dot, 0.25));
   EXPECT_EQ(layers[1].strokes[0].dashes.dots, 2);
   EXPECT_EQ(layers[2].strokes.size(), 1u);
 }

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Texts, attributes and elements of XML and HTML, in which nothing can be taken for markup. Control characters, which
+// XML has no way to write, become blanks.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace epura {
+
+/// Text of an element or an attribute.
+void append_escaped(std::string& text, std::string_view value);
+/// ` name="value"`
+void append_attribute(std::string& text, std::string_view name, std::string_view value);
+/// `<name>value</name>` and the end of the line.
+void append_element(std::string& text, std::string_view name, std::string_view value);
+
+}  // namespace epura

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+// The lines that sheets have, one row each: how they are called, how wide they are, and their dashes. ISO 128-2.
+// Sheets, writers and comparison read them here. The table stands in `scene` since a model chooses its role in the
+// scene.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+#include "scene/choices.hpp"
+
+namespace epura {
+
+/// Nominal lengths of a line type in line widths; dash 0: continuous.
+struct DashType {
+  double dash = 0, gap = 0, dot = 0;
+  int dots = 0;
+  const char* dxf = "CONTINUOUS";  ///< name that all programs know
+
+  [[nodiscard]] constexpr bool is_broken() const { return dash > 0; }
+  /// All but the dash.
+  [[nodiscard]] constexpr double rest() const { return gap + dots * (dot + gap); }
+  /// Lines below two dashes and what is between them are continuous.
+  [[nodiscard]] constexpr double shortest() const { return 2 * dash + rest(); }
+};
+
+inline constexpr DashType continuous_line{};                              ///< type 01
+inline constexpr DashType dashed{12, 3, 0, 0, "DASHED"};                  ///< type 02
+inline constexpr DashType long_dash_dot{24, 3, 0.5, 1, "DASHDOT"};        ///< type 04
+inline constexpr DashType long_dash_double_dot{24, 3, 0.5, 2, "DIVIDE"};  ///< type 05
+
+/// The broken type with so many dots between its dashes; more dots than there are count as two.
+constexpr const DashType& type_with_dots(int dots) {
+  return dots == 0 ? dashed : dots == 1 ? long_dash_dot : long_dash_double_dot;
+}
+
+/// `wide` and `narrow` follow the size of the sheet, the others are the same on all sheets (ISO 5457, ISO 7200).
+enum class LineWidth { wide, narrow, frame, grid, symbol };
+
+/// In the order in which they are painted in one view.
+enum class SheetLine {
+  frame,
+  grid,
+  title_block,
+  symbol_axes,
+  text,
+  hatch,
+  centre,
+  hidden,
+  hidden_solid,
+  neighbour,
+  narrow,
+  tangent,
+  section,
+  visible,
+  dimension,
+  cutting_plane,
+  partial
+};
+
+struct SheetLineRow {
+  SheetLine line;
+  const char* name;   ///< of the style: class in SVG
+  const char* layer;  ///< behind VIEW/
+  LineWidth width;
+  DashType dashes{};  ///< of all lines of the layer; single ones of other layers may be broken, too
+  bool is_hidden = false;
+  std::optional<LineRole> role{};  ///< of models whose visible lines these are
+};
+
+inline constexpr std::array sheet_lines = {
+    SheetLineRow{SheetLine::frame, "frame", "frame", LineWidth::frame},
+    SheetLineRow{SheetLine::grid, "grid", "grid", LineWidth::grid},
+    SheetLineRow{SheetLine::title_block, "title-block", "title-block", LineWidth::grid},
+    SheetLineRow{SheetLine::symbol_axes, "centre-lines", "centre-lines", LineWidth::symbol},
+    SheetLineRow{SheetLine::text, "text", "text", LineWidth::grid},
+    SheetLineRow{SheetLine::hatch, "hatch", "hatch", LineWidth::narrow},
+    SheetLineRow{SheetLine::centre, "centre", "centre", LineWidth::narrow, long_dash_dot},
+    SheetLineRow{SheetLine::hidden, "hidden", "hidden", LineWidth::narrow, dashed, true},
+    SheetLineRow{SheetLine::hidden_solid, "hidden-solid", "hidden-solid", LineWidth::narrow, continuous_line, true},
+    SheetLineRow{SheetLine::neighbour, "neighbour", "neighbour", LineWidth::narrow, long_dash_double_dot, false,
+                 LineRole::neighbour},
+    SheetLineRow{SheetLine::narrow, "narrow", "narrow", LineWidth::narrow, continuous_line, false, LineRole::narrow},
+    SheetLineRow{SheetLine::tangent, "tangent", "tangent", LineWidth::narrow},
+    SheetLineRow{SheetLine::section, "section", "section", LineWidth::wide},
+    SheetLineRow{SheetLine::visible, "visible", "visible", LineWidth::wide, continuous_line, false, LineRole::visible},
+    SheetLineRow{SheetLine::dimension, "dimension", "dimensions", LineWidth::narrow},
+    SheetLineRow{SheetLine::cutting_plane, "cutting-plane", "cutting-plane", LineWidth::narrow},
+    SheetLineRow{SheetLine::partial, "partial", "partial", LineWidth::wide},
+};
+
+static_assert(std::all_of(sheet_lines.begin(), sheet_lines.end(), [](const SheetLineRow& row) {
+  return &sheet_lines[static_cast<std::size_t>(row.line)] == &row;
+}));
+
+constexpr const SheetLineRow& row_of(SheetLine line) { return sheet_lines[static_cast<std::size_t>(line)]; }
+
+/// The visible lines of models of a role.
+constexpr SheetLine line_of(LineRole role) {
+  return std::find_if(sheet_lines.begin(), sheet_lines.end(),
+                      [role](const SheetLineRow& row) { return row.role == role; })
+      ->line;
+}
+
+/// By a style's name or a layer's name without its view; nothing for others.
+constexpr const SheetLineRow* find_line(std::string_view name) {
+  const auto is_it = [name](const SheetLineRow& row) { return row.name == name || row.layer == name; };
+  const auto found = std::find_if(sheet_lines.begin(), sheet_lines.end(), is_it);
+  return found == sheet_lines.end() ? nullptr : &*found;
+}
+
+template <>
+struct Words<LineRole> {
+  static constexpr auto list = [] {
+    constexpr auto has_role = [](const SheetLineRow& row) { return row.role.has_value(); };
+    std::array<const char*, std::count_if(sheet_lines.begin(), sheet_lines.end(), has_role)> words{};
+    for (const SheetLineRow& row : sheet_lines)
+      if (row.role) words[static_cast<std::size_t>(*row.role)] = row.name;
+    return words;
+  }();
+};
+
+}  // namespace epura

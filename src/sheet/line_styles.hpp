@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// How the lines of scene/line_roles.hpp look on a sheet of some size.
+#pragma once
+
+#include <string>
+
+#include "scene/line_roles.hpp"
+#include "sheet/paper.hpp"
+#include "sheet/sheet.hpp"
+
+namespace epura {
+
+/// Widths of lines that follow the sheet, mm: 0.7 and 0.35 from A1 on, 0.5 and 0.25 below.
+struct LineWidths {
+  double wide, narrow;
+};
+LineWidths line_widths(const Paper& paper);
+
+/// The pattern for lines of this width, not fitted to any.
+Dashes nominal_dashes(const DashType& type, double width);
+
+LineStyle line_style(SheetLine line, const LineWidths& widths);
+
+/// Layer "VIEW/...", without ink.
+Layer empty_layer(const std::string& view, SheetLine line, const LineWidths& widths);
+
+}  // namespace epura
