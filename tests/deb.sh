@@ -58,8 +58,8 @@ inside bash -c 'source /usr/share/bash-completion/completions/epura; COMP_LINE="
   COMP_WORDS=(epura draw --projection cab) COMP_CWORD=3; _epura epura; [ "${COMPREPLY[*]}" = cabinet ]' || fail "no completion"
 zcat "$system/usr/share/man/man1/epura.1.gz" | grep cabinet >/dev/null || fail "the manual page does not know the projections"
 
-inside epura study stability --cases P1 2>&1 | grep 'install the package epura-study' >/dev/null ||
-  fail "epura does not tell that the study is missing"
+inside epura study stability --cases P1 2>"$scratch/log" && fail "there is no study, and that is no failure"
+grep 'install the package epura-study' "$scratch/log" >/dev/null || fail "epura does not tell that the study is missing"
 inside sh -c 'apt-get -q install --yes --no-install-recommends /tmp/epura-study_*.deb' >"$scratch/log" 2>&1 ||
   { cat "$scratch/log" >&2; fail "the study cannot be installed"; }
 inside epura study stability --cases P1 | grep '^P1 ' >/dev/null || fail "the study is not found"
