@@ -7,6 +7,8 @@ add_test(NAME gallery_page_is_fresh
          COMMAND bash -c "diff <(samples/draw --gallery-page) samples/gallery.md" WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
 # Whatever links to a sanitized library must be sanitized, too: strangers' projects are not.
 if(NOT EPURA_SANITIZE)
+  add_test(NAME library_symbols COMMAND ${CMAKE_CURRENT_LIST_DIR}/symbols.sh $<TARGET_FILE:epura_library>
+           libepura.so.${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
   add_test(NAME sdk_works COMMAND ${CMAKE_CURRENT_LIST_DIR}/sdk.sh ${CMAKE_BINARY_DIR})
 endif()
 add_test(NAME accuracy_page_is_fresh COMMAND ${CMAKE_CURRENT_LIST_DIR}/accuracy.sh $<TARGET_FILE:epura>)
