@@ -31,8 +31,9 @@ make_it() {  # folder build-folder [CMake option...]
     try cmake --build "$to"
 }
 
-draw() {  # folder-of-plugins projection svg
-  try "$epura" draw "$samples/models/bracket.obj" --plugin-path "$1" --projection "$2" -o "$3" && [ -s "$3" ]
+draw() {  # folder-of-plugins projection svg; without the prefix, ids would tell views apart by their names
+  try "$epura" draw "$samples/models/bracket.obj" --plugin-path "$1" --projection "$2" --id-prefix part -o "$3" &&
+    [ -s "$3" ]
 }
 
 # One compiler after the other: what they draw must have the same bytes.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table of formats. A new one is a file beside this and a row: whatever asks what formats there are reads it here.
+// The table of formats, which everything reads that asks what formats there are. A new one is a file beside this, whose
+// function may be declared here, and a row.
 #include <algorithm>
 #include <array>
 

@@ -233,18 +233,18 @@ void append_metadata(std::string& svg, const Sheet& sheet) {
 }
 
 // What a page says of all paths, or hands on to its elements, must not change a drawing in it: its elements go back to
-// their attributes, and what they would inherit is set. An id is above all that pages say of elements and classes.
-// Programs that are no browsers need none of this.
+// their attributes, and what they would inherit is set. An id is above all that pages say of elements and classes. A
+// document of its own has no page around it, and is spared the time that this takes; nor do programs other than
+// browsers need it.
 void append_style(std::string& svg, const std::string& id, bool has_text) {
   svg += "<style>#" + id +
          "{fill:none;fill-opacity:1;fill-rule:nonzero;stroke:#000;stroke-opacity:1;stroke-linecap:round;"
-         "stroke-linejoin:round;stroke-dasharray:none;stroke-dashoffset:0;paint-order:normal;marker:none}\n#" +
-         id + " *{all:revert-layer}";
+         "stroke-linejoin:round;stroke-dasharray:none;stroke-dashoffset:0;paint-order:normal;marker:none}\n";
   if (has_text)
-    svg += "\n#" + id + " ." + id +
+    svg += "#" + id + " ." + id +
            "-lettering{font-style:normal;font-variant:normal;font-weight:normal;font-stretch:normal;font-kerning:none;"
-           "letter-spacing:normal;word-spacing:normal;text-transform:none;text-anchor:start;direction:ltr}";
-  svg += "</style>\n";
+           "letter-spacing:normal;word-spacing:normal;text-transform:none;text-anchor:start;direction:ltr}\n";
+  svg += "#" + id + ":where(:not(:root)) *{all:revert-layer}</style>\n";
 }
 
 void append_document(std::string& svg, const Sheet& sheet, const VectorOptions& options, const Progress& progress) {

@@ -91,6 +91,32 @@ TEST(Compare, TellsByHowMuchALineMoved) {
   EXPECT_EQ(comparison.differences[0].origin, "0:5-6");
 }
 
+// As files were before styles were attributes and names had prefixes.
+TEST(Compare, ReadsStylesThatAreRulesForClasses) {
+  const std::string old =
+      "<svg width='210mm' height='148mm' viewBox='0 0 210 148'>\n"
+      "<style>.hidden,.visible{fill:none;stroke:#000;stroke-linecap:round;stroke-linejoin:round}\n"
+      ".hidden{stroke-width:.25;stroke-dasharray:3 .75}\n.visible{stroke-width:.5}\n"
+      ".filled{fill:#000;stroke:none;fill-rule:evenodd}</style>\n"
+      "<g id='front' inkscape:groupmode='layer' inkscape:label='front'>\n"
+      "<g id='front-hidden' inkscape:label='hidden' class='hidden' data-visible='0' data-model='0'>\n"
+      "<path id='p0' data-kind='crease' data-edge='1-2' stroke-dasharray='2.9 .75' d='M30 88h60'/>\n"
+      "<path id='p1' data-kind='crease' data-edge='3-4' stroke-dasharray='none' d='M30 78h2'/>\n</g>\n"
+      "<g id='front-visible' inkscape:label='visible' class='visible' data-visible='1' data-model='0'>\n"
+      "<g class='filled'>\n<path d='M20 118l3.5 .6v-1.2Z'/>\n</g>\n"
+      "<path id='p2' data-kind='contour' data-edge='5-6' d='M20 98h80v-50'/>\n</g>\n</g>\n</svg>\n";
+  Sheet sheet{
+      210, 148, "", {{"front/hidden", {"hidden", 0.25, {3, 0.75}}, {}}, {"front/visible", {"visible", 0.5}, {}}}};
+  sheet.layers[0].strokes = {line({30, 60}, {90, 60}, {{0, {1, 2}}}), line({30, 70}, {32, 70}, {{0, {3, 4}}})};
+  sheet.layers[0].strokes[0].dashes = {2.9, 0.75};
+  sheet.layers[1].strokes = {{{{20, 50}, {100, 50}, {100, 100}}}};
+  sheet.layers[1].fills = {{{{{20, 30}, {23.5, 29.4}, {23.5, 30.6}}}}};
+  const PictureFile before{false, false, {picture_of_svg(old, "old.svg")}};
+  EXPECT_EQ(changes(compare(before, as_svg(sheet), 0.001)), "");
+  sheet.layers[0].style.width = 0.35;
+  EXPECT_EQ(changes(compare(before, as_svg(sheet), 0.001)), "restyled restyled");
+}
+
 TEST(Compare, SeesWhatInkscapeMovedOrSwitchedOff) {
   const std::string svg = to_svg(plate(), {});
   const auto with = [&](const std::string& attribute) {
