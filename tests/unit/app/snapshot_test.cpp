@@ -59,7 +59,7 @@ TEST(SnapshotCommand, ReportsTheLineThatDiffers) {
   EXPECT_TRUE(contains(html, "<figcaption>overlay</figcaption><img"));
   EXPECT_TRUE(contains(xml, "tests=\"2\" failures=\"1\" errors=\"0\"")) << xml;
   EXPECT_TRUE(contains(xml, "<failure message=\"added      isometric")) << xml;
-  EXPECT_TRUE(contains(xml, "name=\"cube-cavalier/expected.json\" />")) << xml;
+  EXPECT_TRUE(contains(xml, "name=\"cube-cavalier/expected.json\"/>")) << xml;
 }
 
 TEST(SnapshotCommand, AcceptsWhatDiffersAndWhatIsNew) {
