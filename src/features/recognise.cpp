@@ -69,7 +69,7 @@ class Recogniser {
       ++in_vain;
       if (grow_from(f, beside)) {
         ++grown;
-        in_vain = std::max(in_vain - 16, -patience);
+        in_vain = std::max(in_vain - 8, -patience);
       }
       if (tried >= least_seeds && tried > seeds_for_one * grown) return;
     }
