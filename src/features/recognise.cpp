@@ -203,6 +203,7 @@ class Recogniser {
     };
     if (const auto cylinder = begin_cylinder(patch.facings, patch.points); is_near(cylinder))
       consider(guesses, cylinder, patch);
+    if (!guesses.empty() && guesses.front().explained == patch.nearby.size()) return;
     if (const auto cone = begin_cone(patch.facings, patch.points); is_near(cone)) consider(guesses, cone, patch);
     if (patch.points.size() < 5) return;
     if (const auto sphere = begin_sphere(patch.points); is_near(sphere)) consider(guesses, sphere, patch);
@@ -213,8 +214,14 @@ class Recogniser {
     std::vector<Guess> guesses;
     const auto try_strip = [&](const std::vector<int>& seeds) { guess_strip(guesses, patch_of(seeds, nearby)); };
     if (beside.size() == 1) try_strip({facet, beside[0]});
+    // Most faces are cylinders that are alone.
+    const auto explains_all = [&] {
+      return guesses.size() == 1 && guesses.front().surface.kind == SurfaceKind::cylinder && nearby.size() > 5 &&
+             guesses.front().explained == nearby.size();
+    };
     // The longest edges of a strip are those along it; neighbours across them are on one surface most often.
-    for (std::size_t i = 0; i + 1 < beside.size(); ++i) try_strip({facet, beside[i], beside[i + 1]});
+    for (std::size_t i = 0; i + 1 < beside.size() && !explains_all(); ++i) try_strip({facet, beside[i], beside[i + 1]});
+    if (explains_all()) return guesses;
     if (beside.size() > 2) try_strip({facet, beside[0], beside[2]});
     std::size_t size = std::min<std::size_t>(9, nearby.size());
     while (size < nearby.size() && size < 13 && points_of(std::span(nearby).first(size)).size() < 14) ++size;

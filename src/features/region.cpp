@@ -179,7 +179,7 @@ bool RegionGrower::spread(Region& region) {
         const double allowance = allowance_of(facets_, region.sagitta) * (region.facets.size() < 12 ? 8 : 2);
         if (approximates(facets_, facet, region.surface, allowance, region.sagitta)) add(region, facet);
       }
-    if (region.facets.size() < 2 * fitted) continue;
+    if (region.facets.size() < 3 * fitted) continue;
     if (!fit_again(region)) drop_misfits(region);
     fitted = region.facets.size();
   }
@@ -231,8 +231,9 @@ void RegionGrower::drop_misfits(Region& region) {
     else
       stamp_[f] = 0;
   }
+  const bool dropped = kept.size() < region.facets.size();
   region.facets = std::move(kept);
-  if (!region.facets.empty()) fit_again(region);
+  if (dropped && !region.facets.empty()) fit_again(region);
 }
 
 std::optional<Region> RegionGrower::grow(const PartSurface& beginning, std::span<const int> seeds) {
@@ -241,11 +242,10 @@ std::optional<Region> RegionGrower::grow(const PartSurface& beginning, std::span
   Region region{beginning, {}};
   for (const int f : seeds) add(region, f);
   for (int round = 0; round < 4; ++round) {
-    const bool grew = spread(region);
+    if (!spread(region) && round > 0) break;
     if (!fit_again(region)) return std::nullopt;
     drop_misfits(region);
     if (region.facets.size() < 2) return std::nullopt;
-    if (!grew) break;
   }
   // A surface is only told from the polyhedron where the two differ.
   if (region.residual > allowance_of(facets_, region.sagitta) || region.sagitta < 4 * region.residual)
