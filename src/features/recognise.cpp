@@ -26,6 +26,7 @@ constexpr int patience = 512;
 constexpr char enough_failures = 8;
 // Of the area of a part.
 constexpr double least_recognised = 0.25;
+constexpr std::size_t most_alone = 256;
 
 /// A surface that some facets around a seed lie on.
 struct Guess {
@@ -288,12 +289,13 @@ class Result {
   }
 
  private:
-  // A triangle alone beside a smooth edge may be part of anything.
+  // A triangle alone beside a smooth edge may be part of anything, and so may one of very many.
   [[nodiscard]] bool is_sure(const Region& region) const {
     if (region.surface.kind == SurfaceKind::free_form) return false;
     if (region.surface.kind != SurfaceKind::plane || region.facets.size() > 1) return true;
     const int facet = region.facets.front();
     if (facets_.triangles_of(facet).size() > 1) return true;
+    if (facets_.facets.size() > most_alone) return false;
     const int t = facets_.triangles_of(facet).front();
     for (int side = 0; side < 3; ++side)
       if (facets_.sides[t][side].neighbour >= 0 && facets_.cosine_of_fold(t, side) > smooth_cosine) return false;
@@ -363,20 +365,35 @@ class Result {
   const std::vector<Region>& regions_;
 };
 
+// Whether so little lies on round surfaces and in planes of several triangles that no part will be recognised.
+bool is_scan(const Facets& facets, const std::vector<int>& region_of) {
+  if (facets.facets.size() <= most_alone) return false;
+  double all = 0, sure = 0;
+  for (std::size_t f = 0; f < facets.facets.size(); ++f) {
+    all += facets.facets[f].area;
+    if (region_of[f] >= 0 || facets.triangles_of(static_cast<int>(f)).size() > 1) sure += facets.facets[f].area;
+  }
+  return sure < least_recognised * all;
+}
+
 }  // namespace
 
 PartFaces recognise_faces(const Mesh& mesh, const RecogniseOptions& options) {
   const Facets facets = make_facets(mesh);
   Recogniser recogniser(facets);
   recogniser.run();
+  // A scan, or a mesh that an artist made: its few flat places are none of a part.
+  PartFaces nothing{{}, std::vector<int>(mesh.polygon.size(), -1), {}, facets.tolerance / facets.scale, 0};
+  if (is_scan(facets, recogniser.region_of())) return nothing;
   std::vector<int> region_of = recogniser.region_of();
   std::vector<Region> regions = recogniser.regions();
+  merge_regions(facets, region_of, regions);
+  dissolve_rows(facets, region_of, regions);
   complete_regions(facets, region_of, regions);
   merge_regions(facets, region_of, regions);
   PartFaces result = Result(mesh, facets, region_of, regions).faces();
-  // A scan, or a mesh that an artist made: its few flat places are none of a part.
-  if (result.recognised < least_recognised)
-    return {{}, std::vector<int>(mesh.polygon.size(), -1), {}, result.tolerance, result.recognised};
+  nothing.recognised = result.recognised;
+  if (result.recognised < least_recognised) return nothing;
   result.borders = find_borders(mesh, facets, region_of, regions, options.tangent_angle);
   return result;
 }
