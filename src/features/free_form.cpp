@@ -227,53 +227,69 @@ bool is_one_face(const Facets& facets, const Region& one, const Region& two) {
   return lies_on(facets, smaller, larger.surface, larger.sagitta);
 }
 
-/// Strips of cylinders and cones that are rows of a free form's tessellation.
+/// Strips of cylinders and cones that are rows of a free form's tessellation: beside facets of a free form, or several
+/// beside each other.
 class Rows {
  public:
   Rows(const Facets& facets, const std::vector<int>& region_of, const std::vector<Region>& regions)
-      : facets_(facets), region_of_(region_of), regions_(regions), is_row_(regions.size()) {}
+      : facets_(facets), region_of_(region_of), strips_(regions.size()), is_row_(regions.size()) {
+    for (std::size_t r = 0; r < regions.size(); ++r) strips_[r] = strip_of(regions[r], static_cast<int>(r));
+  }
 
   std::vector<char> find() {
+    find_chains();
     // A row may be known by the next one only.
     for (bool changed = true; changed;) {
       changed = false;
-      for (std::size_t r = 0; r < regions_.size(); ++r)
-        if (is_row_[r] == 0 && is_row(regions_[r])) is_row_[r] = changed = true;
+      for (std::size_t r = 0; r < strips_.size(); ++r)
+        if (is_row_[r] == 0 && lies_beside_free_form(strips_[r])) is_row_[r] = changed = true;
     }
     return is_row_;
   }
 
  private:
-  [[nodiscard]] bool is_free(int facet) const {
-    const int region = region_of_[facet];
-    return region < 0 ? !facets_.facets[facet].is_plane && !facets_.is_sliver(facet) : is_row_[region] != 0;
-  }
+  /// A part of a long side at which the surface goes on with a fold that tessellations have, and facets as wide.
+  struct LongSide {
+    int beyond;  ///< facet
+    double length, fold;
+  };
 
-  // Along half of one of its long sides at least, as wide facets go on with a fold that is none of the surface's edges.
-  [[nodiscard]] bool is_row(const Region& region) const {
+  /// A region that is one facet wide; others have no sides.
+  struct Strip {
+    std::vector<LongSide> sides;
+    double across = 0;  ///< length of all long sides
+  };
+
+  [[nodiscard]] Strip strip_of(const Region& region, int number) const {
     const SurfaceKind kind = region.surface.kind;
-    if (kind != SurfaceKind::cylinder && kind != SurfaceKind::cone) return false;
-    double across = 0, free = 0;
+    if (kind != SurfaceKind::cylinder && kind != SurfaceKind::cone) return {};
+    Strip strip;
     std::size_t at_border = 0;
     for (const int f : region.facets) {
-      const double before = across;
+      const double before = strip.across;
       for (const int t : facets_.triangles_of(f))
         for (int side = 0; side < 3; ++side) {
           const int neighbour = facets_.sides[t][side].neighbour;
-          if (neighbour < 0) continue;
-          const int other = facets_.facet_of[neighbour];
-          if (other == f || (region_of_[other] >= 0 && &regions_[region_of_[other]] == &region)) continue;
-          const Vec3& a = facets_.points[facets_.corners[t][side]];
-          const Vec3 along = facets_.points[facets_.corners[t][(side + 1) % 3]] - a;
-          if (std::abs(glm::dot(along, generator(region.surface, a))) > 0.7 * glm::length(along)) continue;
-          across += glm::length(along);
-          const double ratio = facets_.facets[other].width / facets_.facets[f].width;
-          if (is_free(other) && ratio > 1 / row_ratio && ratio < row_ratio && is_fold_of_tessellation(t, side))
-            free += glm::length(along);
+          if (neighbour >= 0 && facets_.facet_of[neighbour] != f && region_of_[facets_.facet_of[neighbour]] != number)
+            add_side(strip, region.surface, t, side);
         }
-      at_border += across > before ? 1 : 0;
+      at_border += strip.across > before ? 1 : 0;
     }
-    return 10 * at_border > 9 * region.facets.size() && free > 0.25 * across;
+    return 10 * at_border > 9 * region.facets.size() ? strip : Strip{};
+  }
+
+  void add_side(Strip& strip, const PartSurface& surface, int triangle, int side) const {
+    const Vec3& a = facets_.points[facets_.corners[triangle][side]];
+    const Vec3 along = facets_.points[facets_.corners[triangle][(side + 1) % 3]] - a;
+    const double length = glm::length(along);
+    if (std::abs(glm::dot(along, generator(surface, a))) > 0.7 * length) return;
+    strip.across += length;
+    const int other = facets_.facet_of[facets_.sides[triangle][side].neighbour];
+    const double ratio = facets_.facets[other].width / facets_.facets[facets_.facet_of[triangle]].width;
+    const double cosine = std::clamp(facets_.cosine_of_fold(triangle, side), -1.0, 1.0);
+    const double fold = std::sqrt((1 - cosine) / std::max(1 + cosine, 1e-9));
+    if (ratio > 1 / row_ratio && ratio < row_ratio && fold > least_fold && fold < most_smooth)
+      strip.sides.push_back({other, length, fold});
   }
 
   [[nodiscard]] static Vec3 generator(const PartSurface& surface, const Vec3& point) {
@@ -283,17 +299,43 @@ class Rows {
     return length > 0 ? along / length : surface.axis;
   }
 
-  [[nodiscard]] bool is_fold_of_tessellation(int triangle, int side) const {
-    constexpr double flat_cosine = 0.99985, smooth_cosine = 0.857;  // 1 and 31 degrees
-    const double cosine = facets_.cosine_of_fold(triangle, side);
-    return cosine < flat_cosine && cosine > smooth_cosine;
+  [[nodiscard]] bool lies_beside_free_form(const Strip& strip) const {
+    double free = 0;
+    for (const LongSide& side : strip.sides) {
+      const int region = region_of_[side.beyond];
+      const bool is_free =
+          region < 0 ? !facets_.facets[side.beyond].is_plane && !facets_.is_sliver(side.beyond) : is_row_[region] != 0;
+      if (is_free) free += side.length;
+    }
+    return free > 0.25 * strip.across;
+  }
+
+  // Strips beside each other with folds about as large. Designers make two or three, but not so many.
+  void find_chains() {
+    constexpr int least_rows = 4;
+    constexpr double fold_ratio_of_rows = 1.5;
+    Sets sets(strips_.size());
+    for (std::size_t r = 0; r < strips_.size(); ++r) {
+      const auto [least, most] = std::minmax_element(strips_[r].sides.begin(), strips_[r].sides.end(),
+                                                     [](const auto& a, const auto& b) { return a.fold < b.fold; });
+      if (strips_[r].sides.empty() || most->fold > fold_ratio_of_rows * least->fold) continue;
+      for (const LongSide& side : strips_[r].sides) {
+        const int other = region_of_[side.beyond];
+        if (other >= 0 && !strips_[other].sides.empty()) sets.join(static_cast<int>(r), other);
+      }
+    }
+    std::vector<int> members(strips_.size());
+    for (std::size_t r = 0; r < strips_.size(); ++r) ++members[sets.root(static_cast<int>(r))];
+    for (std::size_t r = 0; r < strips_.size(); ++r)
+      if (members[sets.root(static_cast<int>(r))] >= least_rows) is_row_[r] = 1;
   }
 
   static constexpr double row_ratio = 3;
+  static constexpr double least_fold = 0.0087;  // 1 degree
 
   const Facets& facets_;
   const std::vector<int>& region_of_;
-  const std::vector<Region>& regions_;
+  std::vector<Strip> strips_;
   std::vector<char> is_row_;
 };
 
