@@ -278,10 +278,13 @@ class Result {
     result.tolerance = facets_.tolerance / facets_.scale;
     for (const Region& region : regions_) result.faces.push_back(face_of(region));
     for (const int facet : facets_.facet_of) result.face_of_triangle.push_back(region_of_[facet]);
-    double area = 0;
-    for (std::size_t r = 0; r < regions_.size(); ++r) {
-      area += result.faces[r].area;
-      if (is_sure(regions_[r])) result.recognised += result.faces[r].area;
+    double area = 0;  // in which the file's unit may be beyond all doubles
+    for (const Region& region : regions_) {
+      const bool sure = is_sure(region);
+      for (const int f : region.facets) {
+        area += facets_.facets[f].area;
+        if (sure) result.recognised += facets_.facets[f].area;
+      }
     }
     if (area > 0) result.recognised /= area;
     turn_bodies(result);

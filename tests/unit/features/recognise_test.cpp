@@ -183,7 +183,7 @@ TEST(RecogniseFaces, HolesFaceInwards) {
 
 TEST(RecogniseFaces, PoseAndUnitDoNotMatter) {
   const Mat4 turn = glm::rotate(Mat4(1), 1.234, glm::normalize(Vec3(1, 2, -3)));
-  for (const double scale : {1e-3, 1.0, 1e3})
+  for (const double scale : {1e-200, 1e-3, 1.0, 1e3, 1e200})
     for (const bool mirrored : {false, true}) {
       Part part = revolved(shaft_profile(4), 36).triangulate();
       part.move([&](const Vec3& p) {
