@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t grain = 8192;
 // Of the size of the model: what kernels of CAD programs keep of the places of vertices.
-constexpr double least_tolerance = 2.5e-7;
+constexpr double least_tolerance = 3e-7;
 // Roundings by which a vertex may lie beside its surface: three coordinates, and those of its neighbours in the fit.
 constexpr double roundings = 4;
 

@@ -186,6 +186,19 @@ bool RegionGrower::spread(Region& region) {
   return region.facets.size() > before;
 }
 
+// A cone that hardly opens is a cylinder with vertices that are not exact.
+void RegionGrower::prefer_cylinder(Region& region) {
+  constexpr double least_slope = 0.01;
+  if (std::abs(region.surface.slope) > least_slope) return;
+  PartSurface cylinder = region.surface;
+  cylinder.kind = SurfaceKind::cylinder;
+  cylinder.slope = 0;
+  const double residual = refine(cylinder, points_of(region, most_fitted));
+  if (residual > 2 * allowance_of(facets_, region.sagitta)) return;
+  region.surface = cylinder;
+  region.residual = residual;
+}
+
 // Facets that are so askew that they face elsewhere, but lie among those of the region.
 void RegionGrower::take_enclosed(Region& region) {
   const double allowance = allowance_of(facets_, region.sagitta);
@@ -250,6 +263,7 @@ std::optional<Region> RegionGrower::grow(const PartSurface& beginning, std::span
   // A surface is only told from the polyhedron where the two differ.
   if (region.residual > allowance_of(facets_, region.sagitta) || region.sagitta < 4 * region.residual)
     return std::nullopt;
+  if (region.surface.kind == SurfaceKind::cone) prefer_cylinder(region);
   take_enclosed(region);
   return region;
 }
