@@ -349,7 +349,7 @@ double refine(PartSurface& surface, std::span<const Vec3> points, double wanted)
       continue;
     }
     // Near a surface that the points lie on, steps square the distance.
-    const bool hopeless = step >= 2 && next.sum > 0.3 * fit.sum && next.sum > count * wanted * wanted;
+    const bool hopeless = step >= 1 && next.sum > 0.3 * fit.sum && next.sum > count * wanted * wanted;
     const bool done = hopeless || next.sum > 0.999 * fit.sum;
     std::swap(fit, next);
     damping *= 0.02;
@@ -476,15 +476,23 @@ std::optional<PartSurface> begin_torus_by_curvatures(std::span<const Facing> fac
   if (!curvatures) return std::nullopt;
   std::optional<PartSurface> best;
   double least = HUGE_VAL;
+  int best_meridian = 0, best_turn = 0;
+  const auto consider = [&](int meridian, int turn) {
+    const auto count = static_cast<int>(turns.size());
+    const auto torus = torus_of(*curvatures, meridian, turns[static_cast<std::size_t>((turn + count) % count)]);
+    if (!torus) return;
+    const double sum = sum_of_squares(*torus, points);
+    if (!(sum < least)) return;
+    least = sum;
+    best = torus;
+    best_meridian = meridian;
+    best_turn = turn;
+  };
+  constexpr int stride = 4;
   for (const int meridian : {0, 1})
-    for (const Vec2& turn : turns) {
-      const auto torus = torus_of(*curvatures, meridian, turn);
-      if (!torus) continue;
-      const double sum = sum_of_squares(*torus, points);
-      if (!(sum < least)) continue;
-      least = sum;
-      best = torus;
-    }
+    for (int turn = 0; turn < static_cast<int>(turns.size()); turn += stride) consider(meridian, turn);
+  const int meridian = best_meridian, middle = best_turn;
+  for (int turn = middle - stride + 1; best && turn < middle + stride; ++turn) consider(meridian, turn);
   return best;
 }
 
