@@ -99,16 +99,19 @@ ModelInfo info_of(const std::string& path) {
 /// Numbers with as many decimals as the file is sure of.
 class Rounded {
  public:
-  explicit Rounded(double tolerance)
-      : decimals_(tolerance > 0 ? std::clamp(static_cast<int>(std::floor(-std::log10(2 * tolerance))), 0, 9) : 6) {}
+  explicit Rounded(double tolerance) : decimals_(std::floor(-std::log10(2 * tolerance))) {}
 
-  std::string operator()(double value) const { return format_fixed(value, decimals_); }
+  std::string operator()(double value) const {
+    constexpr int most_decimals = 9, digits = 7;
+    const bool readable = decimals_ <= most_decimals && std::abs(value) < 1e9;
+    return readable ? format_fixed(value, std::max(static_cast<int>(decimals_), 0)) : format_rounded(value, digits);
+  }
   std::string operator()(const Vec3& p) const {
     return "(" + (*this)(p.x) + ", " + (*this)(p.y) + ", " + (*this)(p.z) + ")";
   }
 
  private:
-  int decimals_;
+  double decimals_;
 };
 
 std::string counted(int count, const std::string& one, const std::string& many) {
@@ -289,8 +292,11 @@ std::string text_of(const ModelInfo& info) {
 
 // JSON
 
+// Areas of huge models may be beyond all doubles.
+std::string json_number(double value) { return std::isfinite(value) ? format_number(value) : "null"; }
+
 std::string json_of(const Vec3& p) {
-  return "[" + format_number(p.x) + ", " + format_number(p.y) + ", " + format_number(p.z) + "]";
+  return "[" + json_number(p.x) + ", " + json_number(p.y) + ", " + json_number(p.z) + "]";
 }
 
 template <class Items, class Write>
@@ -308,23 +314,22 @@ std::string json_of(const PartFace& face) {
   const PartSurface& s = face.surface;
   std::string text = "{\"kind\": " + json_string(surface_kind_names[static_cast<std::size_t>(s.kind)]) +
                      ", \"body\": " + std::to_string(face.body) + ", \"triangles\": " + std::to_string(face.triangles) +
-                     ", \"area\": " + format_number(face.area);
+                     ", \"area\": " + json_number(face.area);
   if (s.kind == SurfaceKind::free_form) return text + "}";
   text += ", \"origin\": " + json_of(s.origin);
   if (s.kind != SurfaceKind::sphere) text += ", \"axis\": " + json_of(s.axis);
-  if (s.kind != SurfaceKind::plane) text += ", \"radius\": " + format_number(s.radius);
-  if (s.kind == SurfaceKind::torus) text += ", \"tube_radius\": " + format_number(s.minor);
-  if (s.kind == SurfaceKind::cone) text += ", \"slope\": " + format_number(s.slope);
+  if (s.kind != SurfaceKind::plane) text += ", \"radius\": " + json_number(s.radius);
+  if (s.kind == SurfaceKind::torus) text += ", \"tube_radius\": " + json_number(s.minor);
+  if (s.kind == SurfaceKind::cone) text += ", \"slope\": " + json_number(s.slope);
   if (face.sweep > 0)
-    text += ", \"along\": [" + format_number(face.from) + ", " + format_number(face.to) +
-            "], \"sweep\": " + format_number(face.sweep);
+    text += ", \"along\": [" + json_number(face.from) + ", " + json_number(face.to) +
+            "], \"sweep\": " + json_number(face.sweep);
   if (s.kind != SurfaceKind::plane) text += std::string(", \"inwards\": ") + (face.inwards ? "true" : "false");
-  return text + ", \"residual\": " + format_number(face.residual) + ", \"sagitta\": " + format_number(face.sagitta) +
-         "}";
+  return text + ", \"residual\": " + json_number(face.residual) + ", \"sagitta\": " + json_number(face.sagitta) + "}";
 }
 
 std::string json_of(const Hole& hole) {
-  return "{\"diameters\": " + json_list(hole.diameters, format_number) + ", \"from\": " + json_of(hole.from) +
+  return "{\"diameters\": " + json_list(hole.diameters, json_number) + ", \"from\": " + json_of(hole.from) +
          ", \"to\": " + json_of(hole.to) + ", \"through\": " + (hole.through ? "true" : "false") +
          ", \"faces\": " + json_list(hole.faces, [](int f) { return std::to_string(f); }) + "}";
 }
@@ -344,8 +349,8 @@ std::string json_of(const ModelInfo& info) {
   text += number("bodies", report.bodies) + ", \"closed\": " + truth(info.closed()) +
           number("open_edges", report.open_edges) + number("non_manifold_edges", report.non_manifold_edges) +
           number("misoriented_edges", report.misoriented_edges);
-  text += ",\n   \"tolerance\": " + format_number(info.part.tolerance) +
-          ", \"recognised\": " + format_number(info.part.recognised);
+  text += ",\n   \"tolerance\": " + json_number(info.part.tolerance) +
+          ", \"recognised\": " + json_number(info.part.recognised);
   text += ",\n   \"part_faces\": " + json_list(
                                          info.part.faces, [](const auto& f) { return json_of(f); }, ",\n    ");
   text += ",\n   \"part_edges\": {\"sharp\": " + std::to_string(count_borders(info.part, BorderKind::sharp)) +

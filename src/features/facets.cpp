@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t grain = 8192;
 // Of the size of the model: what kernels of CAD programs keep of the places of vertices.
-constexpr double least_tolerance = 2e-7;
+constexpr double least_tolerance = 3e-7;
 // Roundings by which a vertex may lie beside its surface: three coordinates, and those of its neighbours in the fit.
 constexpr double roundings = 4;
 
@@ -26,11 +26,11 @@ void read_triangles(const Mesh& mesh, Facets& f) {
   const std::size_t count = mesh.polygon.size();
   f.corners.resize(count);
   f.sides.resize(count);
+  parallel_for(count, grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) f.corners[t] = mesh.triangle(static_cast<int>(t));
+  });
   int last = -1;
-  for (std::size_t t = 0; t < count; ++t) {
-    f.corners[t] = mesh.triangle(static_cast<int>(t));
-    last = std::max({last, f.corners[t][0], f.corners[t][1], f.corners[t][2]});
-  }
+  for (const auto& corners : f.corners) last = std::max({last, corners[0], corners[1], corners[2]});
   f.points.resize(static_cast<std::size_t>(last + 1));
   std::vector<char> used(f.points.size());
   for (const auto& corners : f.corners)
@@ -39,34 +39,39 @@ void read_triangles(const Mesh& mesh, Facets& f) {
   double farthest = 0;
   for (std::size_t v = 0; v < f.points.size(); ++v) {
     if (used[v] == 0) continue;
-    const Vec3 p = mesh.point(static_cast<int>(v));
-    f.points[v] = {p[0], p[1], p[2]};
+    f.points[v] = mesh.point(static_cast<int>(v));
     box.add(f.points[v]);
     farthest = std::max({farthest, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
   }
   if (box.empty()) box.add(Vec3(0));
   f.origin = box.centre();
-  const double size = glm::length(box.size());
-  f.scale = size > 0 ? std::ldexp(1.0, -std::ilogb(size)) : 1;
+  // Not the diagonal, which may be beyond the largest double.
+  const Vec3 half = box.max * 0.5 - box.min * 0.5;
+  const double size = 2 * std::max({half.x, half.y, half.z});
+  f.scale = size > 0 ? std::ldexp(1.0, -std::clamp(std::ilogb(size), -1000, 1000)) : 1;
   for (Vec3& p : f.points) p = (p - f.origin) * f.scale;
   const double rounding = std::max(farthest * (mesh.report.single_precision ? 0x1p-24 : 0x1p-51),
                                    std::max(mesh.report.resolution / 2, mesh.report.weld_distance));
   f.tolerance = std::max(roundings * rounding, least_tolerance * size) * f.scale;
 }
 
-void find_sides(const Mesh& mesh, Facets& f) {
-  for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
-    const MeshEdge& edge = mesh.edges[e];
-    const auto triangles = mesh.triangles_of(edge);
-    for (std::size_t i = 0; i < triangles.size(); ++i) {
-      const auto& corners = f.corners[triangles[i]];
-      for (int k = 0; k < 3; ++k) {
-        const auto [low, high] = std::minmax(corners[k], corners[(k + 1) % 3]);
-        if (low != edge.vertex[0] || high != edge.vertex[1]) continue;
-        f.sides[triangles[i]][k] = {triangles.size() == 2 ? triangles[1 - i] : -1, static_cast<int>(e)};
-      }
+void find_sides_at(const Mesh& mesh, int number, Facets& f) {
+  const MeshEdge& edge = mesh.edges[number];
+  const auto triangles = mesh.triangles_of(edge);
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const auto& corners = f.corners[triangles[i]];
+    for (int k = 0; k < 3; ++k) {
+      const auto [low, high] = std::minmax(corners[k], corners[(k + 1) % 3]);
+      if (low == edge.vertex[0] && high == edge.vertex[1])
+        f.sides[triangles[i]][k] = {triangles.size() == 2 ? triangles[1 - i] : -1, number};
     }
   }
+}
+
+void find_sides(const Mesh& mesh, Facets& f) {
+  parallel_for(mesh.edges.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t e = begin; e < end; ++e) find_sides_at(mesh, static_cast<int>(e), f);
+  });
 }
 
 /// Pieces of the file's polygons become facets, largest first, so that their order in the file does not matter.
@@ -83,6 +88,10 @@ class Flattening {
     f_.first_vertex = {0};
     for (const Key& key : order_)
       if (f_.facet_of[key.triangle] < 0) grow(key.triangle);
+    f_.facets.resize(f_.first_triangle.size() - 1);
+    parallel_for(f_.facets.size(), grain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t facet = begin; facet < end; ++facet) f_.facets[facet] = facet_at(static_cast<int>(facet));
+    });
   }
 
  private:
@@ -168,7 +177,7 @@ class Flattening {
   }
 
   void grow(int seed) {
-    number_ = static_cast<int>(f_.facets.size());
+    number_ = static_cast<int>(f_.first_triangle.size()) - 1;
     add_polygon(seed);
     auto plane_found = plane();
     const auto all_in = [&](double reach) {
@@ -192,7 +201,8 @@ class Flattening {
         refit = 2 * (f_.triangles.size() - begin);
       }
     }
-    finish(begin);
+    f_.first_triangle.push_back(static_cast<int>(f_.triangles.size()));
+    f_.first_vertex.push_back(static_cast<int>(f_.vertices.size()));
   }
 
   [[nodiscard]] bool polygon_lies_in(const PartSurface& plane, int triangle, double reach) {
@@ -207,44 +217,39 @@ class Flattening {
     return true;
   }
 
-  void finish(std::size_t begin) {
+  [[nodiscard]] Facet facet_at(int number) const {
     Facet facet{Vec3(0), Vec3(0), 0, 0, false};
     // Where triangles run different ways round, the first one says where the facet faces.
-    for (std::size_t i = begin; i < f_.triangles.size(); ++i) {
-      const int t = f_.triangles[i];
-      const double turned = glm::dot(f_.normals[t], f_.normals[f_.triangles[begin]]) < 0 ? -1 : 1;
+    for (const int t : f_.triangles_of(number)) {
+      const double turned = glm::dot(f_.normals[t], f_.normals[f_.triangles_of(number).front()]) < 0 ? -1 : 1;
       facet.normal += turned * areas_[t] * f_.normals[t];
       facet.area += areas_[t];
       facet.width = std::max(facet.width, widths_[t]);
     }
     const double length = glm::length(facet.normal);
     facet.normal = length > 0 ? facet.normal / length : Vec3(0);
-    const std::span<const int> vertices(f_.vertices.data() + f_.first_vertex.back(),
-                                        f_.vertices.data() + f_.vertices.size());
+    const auto vertices = f_.vertices_of(number);
     for (const int v : vertices) facet.middle += f_.points[v] / static_cast<double>(vertices.size());
-    f_.first_triangle.push_back(static_cast<int>(f_.triangles.size()));
-    f_.first_vertex.push_back(static_cast<int>(f_.vertices.size()));
     facet.is_plane = facet.normal != Vec3(0) && vertices.size() > 4 && has_many_corners(facet, vertices);
-    f_.facets.push_back(facet);
+    return facet;
   }
 
   // A plane meets a cylinder or cone in two lines and a net of meridians and parallels in four points: facets of these
   // have at most four corners, and every vertex on the line between two of them.
-  [[nodiscard]] bool has_many_corners(const Facet& facet, std::span<const int> vertices) {
+  [[nodiscard]] bool has_many_corners(const Facet& facet, std::span<const int> vertices) const {
     const Vec3 u =
         glm::normalize(glm::cross(facet.normal, std::abs(facet.normal.x) < 0.6 ? Vec3(1, 0, 0) : Vec3(0, 1, 0)));
     const Vec3 v = glm::cross(facet.normal, u);
-    seen_from_above_.clear();
+    std::vector<Vec2> seen;
     for (const int vertex : vertices) {
       const Vec3 from = f_.points[vertex] - facet.middle;
-      seen_from_above_.emplace_back(glm::dot(from, u), glm::dot(from, v));
+      seen.emplace_back(glm::dot(from, u), glm::dot(from, v));
     }
-    return count_corners() > 4;
+    return count_corners(std::move(seen)) > 4;
   }
 
   // Of the convex hull; vertices that are not on its sides count, too.
-  [[nodiscard]] int count_corners() {
-    std::vector<Vec2>& p = seen_from_above_;
+  [[nodiscard]] int count_corners(std::vector<Vec2> p) const {
     std::sort(p.begin(), p.end(), [](const Vec2& a, const Vec2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
     const double near = 4 * f_.tolerance;
     std::vector<Vec2> hull(2 * p.size());
@@ -280,7 +285,6 @@ class Flattening {
   std::vector<Key> order_;
   std::vector<int> seen_, has_vertex_;  ///< the last facet that met a triangle or has a vertex
   std::vector<int> polygon_;
-  std::vector<Vec2> seen_from_above_;
   int number_ = 0;
 };
 

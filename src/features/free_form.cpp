@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <span>
+#include <tuple>
 #include <utility>
 
 namespace epura {
@@ -17,7 +17,6 @@ constexpr double fold_ratio = 3;
 constexpr double fold_slack = 0.0175;  // 2 degrees
 // Facets of one tessellation have chords of about the same height, so their widths differ little.
 constexpr double width_ratio = 8;
-constexpr std::size_t most_compared = 96;
 
 class Sets {
  public:
@@ -213,22 +212,132 @@ class Completion {
   std::vector<Folds> folds_;
 };
 
-std::vector<Vec3> some_points_of(const Facets& facets, const Region& region) {
-  std::vector<Vec3> points;
-  const std::size_t step = 1 + region.facets.size() / most_compared;
-  for (std::size_t i = 0; i < region.facets.size(); i += step)
-    for (const int v : facets.vertices_of(region.facets[i])) points.push_back(facets.points[v]);
-  return points;
+bool lies_on(const Facets& facets, const Region& region, const PartSurface& surface, double sagitta) {
+  const double allowance = allowance_of(facets, sagitta);
+  return std::all_of(region.facets.begin(), region.facets.end(),
+                     [&](int f) { return approximates(facets, f, surface, allowance, sagitta); });
 }
 
-bool is_one_surface(const Facets& facets, const Region& one, const Region& two) {
-  if (one.surface.kind != two.surface.kind || one.surface.kind == SurfaceKind::free_form) return false;
-  const double allowance = allowance_of(facets, std::min(one.sagitta, two.sagitta));
-  const auto lie_on = [&](const Region& points, const Region& surface) {
-    return residual_of(surface.surface, some_points_of(facets, points)) <= allowance;
-  };
-  return lie_on(one, two) && lie_on(two, one);
+// Whether the region with fewer facets, which determine its surface less well, is a part of the other one.
+bool is_one_face(const Facets& facets, const Region& one, const Region& two) {
+  const auto& [smaller, larger] = one.facets.size() < two.facets.size() ? std::tie(one, two) : std::tie(two, one);
+  if (larger.surface.kind == SurfaceKind::free_form) return false;
+  const bool flat = larger.surface.kind == SurfaceKind::plane;
+  if (flat != (smaller.surface.kind == SurfaceKind::plane)) return false;
+  return lies_on(facets, smaller, larger.surface, larger.sagitta);
 }
+
+/// Strips of cylinders and cones that are rows of a free form's tessellation: beside facets of a free form, or several
+/// beside each other.
+class Rows {
+ public:
+  Rows(const Facets& facets, const std::vector<int>& region_of, const std::vector<Region>& regions)
+      : facets_(facets), region_of_(region_of), strips_(regions.size()), is_row_(regions.size()) {
+    for (std::size_t r = 0; r < regions.size(); ++r) strips_[r] = strip_of(regions[r], static_cast<int>(r));
+  }
+
+  std::vector<char> find() {
+    find_chains();
+    // A row may be known by the next one only.
+    for (bool changed = true; changed;) {
+      changed = false;
+      for (std::size_t r = 0; r < strips_.size(); ++r)
+        if (is_row_[r] == 0 && lies_beside_free_form(strips_[r])) is_row_[r] = changed = true;
+    }
+    return is_row_;
+  }
+
+ private:
+  /// A part of a long side at which the surface goes on with a fold that tessellations have, and facets as wide.
+  struct LongSide {
+    int beyond;  ///< facet
+    double length, fold;
+  };
+
+  /// A region that is one facet wide; others have no sides.
+  struct Strip {
+    std::vector<LongSide> sides;
+    double across = 0;  ///< length of all long sides
+  };
+
+  [[nodiscard]] Strip strip_of(const Region& region, int number) const {
+    const SurfaceKind kind = region.surface.kind;
+    if (kind != SurfaceKind::cylinder && kind != SurfaceKind::cone) return {};
+    Strip strip;
+    std::size_t at_border = 0;
+    for (const int f : region.facets) {
+      const double before = strip.across;
+      for (const int t : facets_.triangles_of(f))
+        for (int side = 0; side < 3; ++side) {
+          const int neighbour = facets_.sides[t][side].neighbour;
+          if (neighbour >= 0 && facets_.facet_of[neighbour] != f && region_of_[facets_.facet_of[neighbour]] != number)
+            add_side(strip, region.surface, t, side);
+        }
+      at_border += strip.across > before ? 1 : 0;
+    }
+    return 10 * at_border > 9 * region.facets.size() ? strip : Strip{};
+  }
+
+  void add_side(Strip& strip, const PartSurface& surface, int triangle, int side) const {
+    const Vec3& a = facets_.points[facets_.corners[triangle][side]];
+    const Vec3 along = facets_.points[facets_.corners[triangle][(side + 1) % 3]] - a;
+    const double length = glm::length(along);
+    if (std::abs(glm::dot(along, generator(surface, a))) > 0.7 * length) return;
+    strip.across += length;
+    const int other = facets_.facet_of[facets_.sides[triangle][side].neighbour];
+    const double ratio = facets_.facets[other].width / facets_.facets[facets_.facet_of[triangle]].width;
+    const double cosine = std::clamp(facets_.cosine_of_fold(triangle, side), -1.0, 1.0);
+    const double fold = std::sqrt((1 - cosine) / std::max(1 + cosine, 1e-9));
+    if (ratio > 1 / row_ratio && ratio < row_ratio && fold > least_fold && fold < most_smooth)
+      strip.sides.push_back({other, length, fold});
+  }
+
+  [[nodiscard]] static Vec3 generator(const PartSurface& surface, const Vec3& point) {
+    const Vec3 around = glm::cross(surface.axis, point - surface.origin);
+    const Vec3 along = glm::cross(around, normal_near(surface, point));
+    const double length = glm::length(along);
+    return length > 0 ? along / length : surface.axis;
+  }
+
+  [[nodiscard]] bool lies_beside_free_form(const Strip& strip) const {
+    double free = 0;
+    for (const LongSide& side : strip.sides) {
+      const int region = region_of_[side.beyond];
+      const bool is_free =
+          region < 0 ? !facets_.facets[side.beyond].is_plane && !facets_.is_sliver(side.beyond) : is_row_[region] != 0;
+      if (is_free) free += side.length;
+    }
+    return free > 0.25 * strip.across;
+  }
+
+  // Strips beside each other with folds about as large. Designers make two or three, but not so many.
+  void find_chains() {
+    constexpr int least_rows = 4;
+    constexpr double fold_ratio_of_rows = 1.5;
+    Sets sets(strips_.size());
+    for (std::size_t r = 0; r < strips_.size(); ++r) {
+      const auto [least, most] = std::minmax_element(strips_[r].sides.begin(), strips_[r].sides.end(),
+                                                     [](const auto& a, const auto& b) { return a.fold < b.fold; });
+      if (strips_[r].sides.empty() || most->fold > fold_ratio_of_rows * least->fold) continue;
+      for (const LongSide& side : strips_[r].sides) {
+        const int other = region_of_[side.beyond];
+        if (other >= 0 && !strips_[other].sides.empty()) sets.join(static_cast<int>(r), other);
+      }
+    }
+    std::vector<int> members(strips_.size());
+    for (std::size_t r = 0; r < strips_.size(); ++r) ++members[sets.root(static_cast<int>(r))];
+    for (std::size_t r = 0; r < strips_.size(); ++r)
+      if (members[sets.root(static_cast<int>(r))] >= least_rows) is_row_[r] = 1;
+  }
+
+  static constexpr double row_ratio = 3;
+  static constexpr double least_fold = 0.0087;  // 1 degree
+
+  const Facets& facets_;
+  const std::vector<int>& region_of_;
+  std::vector<Strip> strips_;
+  std::vector<char> is_row_;
+};
 
 }  // namespace
 
@@ -236,35 +345,56 @@ void complete_regions(const Facets& facets, std::vector<int>& region_of, std::ve
   Completion(facets, region_of, regions).run();
 }
 
+void dissolve_rows(const Facets& facets, std::vector<int>& region_of, std::vector<Region>& regions) {
+  const std::vector<char> is_row = Rows(facets, region_of, regions).find();
+  std::vector<int> number(regions.size(), -1);
+  std::vector<Region> kept;
+  for (std::size_t r = 0; r < regions.size(); ++r) {
+    if (is_row[r] != 0) continue;
+    number[r] = static_cast<int>(kept.size());
+    kept.push_back(std::move(regions[r]));
+  }
+  for (int& region : region_of)
+    if (region >= 0) region = number[region];
+  regions = std::move(kept);
+}
+
 void merge_regions(const Facets& facets, std::vector<int>& region_of, std::vector<Region>& regions) {
   std::vector<std::pair<int, int>> neighbours;
   for (std::size_t t = 0; t < facets.corners.size(); ++t)
-    for (int side = 0; side < 3; ++side) {
-      const int other = facets.sides[t][side].neighbour;
-      if (other < 0) continue;
-      const int one = region_of[facets.facet_of[t]], two = region_of[facets.facet_of[other]];
-      if (one < two && regions[one].surface.kind == regions[two].surface.kind) neighbours.emplace_back(one, two);
+    for (const Side& side : facets.sides[t]) {
+      if (side.neighbour < 0) continue;
+      const int one = region_of[facets.facet_of[t]], two = region_of[facets.facet_of[side.neighbour]];
+      if (one >= 0 && one < two) neighbours.emplace_back(one, two);
     }
   std::sort(neighbours.begin(), neighbours.end());
   neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
   Sets sets(regions.size());
   for (const auto& [one, two] : neighbours)
-    if (is_one_surface(facets, regions[one], regions[two])) sets.join(one, two);
+    if (is_one_face(facets, regions[one], regions[two])) sets.join(one, two);
   std::vector<int> number(regions.size(), -1);
   std::vector<Region> merged;
+  std::vector<std::size_t> largest;  // what the surface of each was fitted to
   for (int r = 0; r < static_cast<int>(regions.size()); ++r) {
     const int root = sets.root(r);
+    number[r] = number[root];
     if (root == r) {
       number[r] = static_cast<int>(merged.size());
+      largest.push_back(regions[r].facets.size());
       merged.push_back(std::move(regions[r]));
-    } else {
-      Region& to = merged[number[root]];
-      to.facets.insert(to.facets.end(), regions[r].facets.begin(), regions[r].facets.end());
-      to.residual = std::max(to.residual, regions[r].residual);
-      number[r] = number[root];
+      continue;
     }
+    Region& to = merged[number[root]];
+    if (regions[r].facets.size() >
+        std::exchange(largest[number[root]], std::max(largest[number[root]], regions[r].facets.size()))) {
+      to.surface = regions[r].surface;
+      to.sagitta = regions[r].sagitta;
+    }
+    to.facets.insert(to.facets.end(), regions[r].facets.begin(), regions[r].facets.end());
+    to.residual = std::max(to.residual, regions[r].residual);
   }
-  for (int& region : region_of) region = number[region];
+  for (int& region : region_of)
+    if (region >= 0) region = number[region];
   regions = std::move(merged);
 }
 

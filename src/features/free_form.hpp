@@ -13,7 +13,11 @@ namespace epura {
 /// surface they are small, go on from one to the next, and the facets on either side are about as wide.
 void complete_regions(const Facets& facets, std::vector<int>& region_of, std::vector<Region>& regions);
 
-/// Makes one region of neighbours that lie on one surface.
+/// Takes the regions away that are rows of a free form's tessellation: facets between two circles lie on a cone, and
+/// narrow strips of anything nearly do.
+void dissolve_rows(const Facets& facets, std::vector<int>& region_of, std::vector<Region>& regions);
+
+/// Makes one region of neighbours that lie on the surface of the largest of them.
 void merge_regions(const Facets& facets, std::vector<int>& region_of, std::vector<Region>& regions);
 
 }  // namespace epura

@@ -1,43 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "features/least_squares.hpp"
 
-#include <algorithm>
-
 namespace epura {
-
-void NormalEquations::add(const Unknowns& slopes, double value) {
-  for (int i = 0; i < unknowns_; ++i) {
-    for (int j = 0; j <= i; ++j) matrix_[i][j] += slopes[i] * slopes[j];
-    right_[i] += slopes[i] * value;
-  }
-}
-
-std::optional<NormalEquations::Unknowns> NormalEquations::solve(double damping) const {
-  auto lower = matrix_;
-  double largest = 0;
-  for (int i = 0; i < unknowns_; ++i) largest = std::max(largest, matrix_[i][i]);
-  // Cholesky. What the equations do not determine is held by a little of the largest entry.
-  for (int i = 0; i < unknowns_; ++i) lower[i][i] += damping * matrix_[i][i] + 1e-14 * largest;
-  for (int j = 0; j < unknowns_; ++j) {
-    for (int k = 0; k < j; ++k) lower[j][j] -= lower[j][k] * lower[j][k];
-    if (!(lower[j][j] > 0)) return std::nullopt;
-    lower[j][j] = std::sqrt(lower[j][j]);
-    for (int i = j + 1; i < unknowns_; ++i) {
-      for (int k = 0; k < j; ++k) lower[i][j] -= lower[i][k] * lower[j][k];
-      lower[i][j] /= lower[j][j];
-    }
-  }
-  Unknowns x = right_;
-  for (int i = 0; i < unknowns_; ++i) {
-    for (int k = 0; k < i; ++k) x[i] -= lower[i][k] * x[k];
-    x[i] /= lower[i][i];
-  }
-  for (int i = unknowns_ - 1; i >= 0; --i) {
-    for (int k = i + 1; k < unknowns_; ++k) x[i] -= lower[k][i] * x[k];
-    x[i] /= lower[i][i];
-  }
-  return x;
-}
 
 // Jacobi's rotations.
 Vec3 smallest_axis(const Mat3& symmetric) {

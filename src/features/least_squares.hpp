@@ -2,33 +2,68 @@
 // Small dense problems: normal equations of few unknowns, and axes of symmetric matrices.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <optional>
 
 #include "base/vec.hpp"
 
 namespace epura {
 
-/// Normal equations of up to ten unknowns.
+/// Normal equations of `size` unknowns.
+template <int size>
 class NormalEquations {
  public:
-  static constexpr int max_unknowns = 10;
-  using Unknowns = std::array<double, max_unknowns>;
-
-  explicit NormalEquations(int unknowns) : unknowns_(unknowns) {}
+  using Unknowns = std::array<double, size>;
 
   /// One equation: slopes . x = value.
-  void add(const Unknowns& slopes, double value);
+  void add(const Unknowns& slopes, double value) {
+    for (int i = 0; i < size; ++i) {
+      for (int j = 0; j <= i; ++j) matrix_[i][j] += slopes[i] * slopes[j];
+      right_[i] += slopes[i] * value;
+    }
+  }
 
   /// The least-squares solution with the diagonal enlarged by the factor 1 + damping (Marquardt). Nothing where the
   /// matrix is not positive definite.
-  [[nodiscard]] std::optional<Unknowns> solve(double damping) const;
+  [[nodiscard]] std::optional<Unknowns> solve(double damping) const {
+    auto lower = matrix_;
+    double largest = 0;
+    for (int i = 0; i < size; ++i) largest = std::max(largest, matrix_[i][i]);
+    // What the equations do not determine is held by a little of the largest entry.
+    for (int i = 0; i < size; ++i) lower[i][i] += damping * matrix_[i][i] + 1e-14 * largest;
+    if (!decompose(lower)) return std::nullopt;
+    Unknowns x = right_;
+    for (int i = 0; i < size; ++i) {
+      for (int k = 0; k < i; ++k) x[i] -= lower[i][k] * x[k];
+      x[i] /= lower[i][i];
+    }
+    for (int i = size - 1; i >= 0; --i) {
+      for (int k = i + 1; k < size; ++k) x[i] -= lower[k][i] * x[k];
+      x[i] /= lower[i][i];
+    }
+    return x;
+  }
 
  private:
-  int unknowns_;
-  std::array<std::array<double, max_unknowns>, max_unknowns> matrix_{};
+  using Matrix = std::array<std::array<double, size>, size>;
+
+  // Cholesky, in place.
+  static bool decompose(Matrix& lower) {
+    for (int j = 0; j < size; ++j) {
+      for (int k = 0; k < j; ++k) lower[j][j] -= lower[j][k] * lower[j][k];
+      if (!(lower[j][j] > 0)) return false;
+      lower[j][j] = std::sqrt(lower[j][j]);
+      for (int i = j + 1; i < size; ++i) {
+        for (int k = 0; k < j; ++k) lower[i][j] -= lower[i][k] * lower[j][k];
+        lower[i][j] /= lower[j][j];
+      }
+    }
+    return true;
+  }
+
+  Matrix matrix_{};
   Unknowns right_{};
 };
 

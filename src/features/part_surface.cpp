@@ -15,7 +15,8 @@ namespace epura {
 
 namespace {
 
-using Unknowns = NormalEquations::Unknowns;
+// As many as a torus has.
+using Unknowns = std::array<double, 7>;
 
 /// A point seen from the axis of a surface.
 struct Polar {
@@ -36,6 +37,32 @@ Polar polar_of(const PartSurface& surface, const Vec3& point) {
 // Of the angle between the axis of a cone and its generators.
 double cosine_of(const PartSurface& cone) { return 1 / std::sqrt(1 + cone.slope * cone.slope); }
 
+/// A surface beside a point.
+struct Beside {
+  Polar polar;
+  Vec3 normal;
+  double distance;
+};
+
+Beside beside(const PartSurface& s, const Vec3& point) {
+  if (s.kind == SurfaceKind::sphere) {
+    const Vec3 from = point - s.origin;
+    const double length = glm::length(from);
+    return {{}, length > 0 ? from / length : Vec3(0), length - s.radius};
+  }
+  const Polar polar = polar_of(s, point);
+  if (s.kind == SurfaceKind::cone) {
+    const double c = cosine_of(s);
+    return {polar, c * (polar.outwards - s.slope * s.axis), (polar.radius - s.radius - polar.height * s.slope) * c};
+  }
+  if (s.kind == SurfaceKind::torus) {
+    const Vec3 from = (polar.radius - s.radius) * polar.outwards + polar.height * s.axis;
+    const double length = glm::length(from);
+    return {polar, length > 0 ? from / length : Vec3(0), length - s.minor};
+  }
+  return {polar, polar.outwards, polar.radius - s.radius};
+}
+
 /// How a surface may move: as a whole, turned about the middle of the points, and larger or smaller so that it stays
 /// where it is there. Otherwise radii and moves are hard to tell apart where points take a small part of a surface.
 struct Motion {
@@ -52,36 +79,19 @@ Motion motion_of(const PartSurface& s, const Vec3& middle) {
 }
 
 /// How the distance of a point changes with each way to move, in the order in which `moved` takes them.
-Unknowns slopes_at(const PartSurface& s, const Vec3& point, const Motion& motion) {
-  const Vec3 n = normal_near(s, point);
+Unknowns slopes_at(const PartSurface& s, const Vec3& point, const Beside& there, const Motion& motion) {
+  const Vec3& n = there.normal;
+  if (s.kind == SurfaceKind::sphere) return {-n.x, -n.y, -n.z, glm::dot(n, motion.radial) - 1};
   const Vec3 turning = glm::cross(n, point - motion.middle);
   const double one = glm::dot(turning, motion.across[0]), two = glm::dot(turning, motion.across[1]);
-  const double in = -glm::dot(n, motion.across[0]), beside = -glm::dot(n, motion.across[1]);
-  switch (s.kind) {
-    case SurfaceKind::plane:
-      return {-1, one, two};
-    case SurfaceKind::cylinder:
-      return {in, beside, one, two, glm::dot(n, motion.radial) - 1};
-    case SurfaceKind::cone: {
-      const Polar polar = polar_of(s, point);
-      const double c = cosine_of(s);
-      const double turn = -(polar.radius - s.radius) * s.slope * c - polar.height * c;
-      return {in, beside, one, two, glm::dot(n, motion.radial) - c, turn * c * c};
-    }
-    case SurfaceKind::sphere:
-      return {-n.x, -n.y, -n.z, glm::dot(n, motion.radial) - 1};
-    case SurfaceKind::torus:
-      return {-n.x,
-              -n.y,
-              -n.z,
-              one,
-              two,
-              glm::dot(n, motion.radial - polar_of(s, point).outwards),
-              glm::dot(n, motion.normal) - 1};
-    case SurfaceKind::free_form:
-      break;
-  }
-  return {};
+  if (s.kind == SurfaceKind::torus)
+    return {
+        -n.x, -n.y, -n.z, one, two, glm::dot(n, motion.radial - there.polar.outwards), glm::dot(n, motion.normal) - 1};
+  const double in = -glm::dot(n, motion.across[0]), aside = -glm::dot(n, motion.across[1]);
+  if (s.kind == SurfaceKind::cylinder) return {in, aside, one, two, glm::dot(n, motion.radial) - 1};
+  const double c = cosine_of(s);
+  const double opening = -((there.polar.radius - s.radius) * s.slope + there.polar.height) * c * c * c;
+  return {in, aside, one, two, glm::dot(n, motion.radial) - c, opening};
 }
 
 // Cayley's form of a rotation by a small vector.
@@ -97,10 +107,6 @@ PartSurface moved(PartSurface s, const Unknowns& by, const Motion& motion) {
     s.origin = motion.middle + turned(s.origin - motion.middle, rotation);
   };
   switch (s.kind) {
-    case SurfaceKind::plane:
-      turn(by[1], by[2]);
-      s.origin += by[0] * s.axis;
-      break;
     case SurfaceKind::cylinder:
     case SurfaceKind::cone:
       turn(by[2], by[3]);
@@ -118,6 +124,7 @@ PartSurface moved(PartSurface s, const Unknowns& by, const Motion& motion) {
       s.radius += by[5];
       s.minor += by[6];
       break;
+    case SurfaceKind::plane:
     case SurfaceKind::free_form:
       break;
   }
@@ -133,10 +140,58 @@ double sum_of_squares(const PartSurface& surface, std::span<const Vec3> points) 
   return sum;
 }
 
+/// A surface with what it is beside points.
+struct Fit {
+  PartSurface surface;
+  std::vector<Beside> there;
+  double sum = 0;  ///< of squared distances
+
+  void look(std::span<const Vec3> points) {
+    there.clear();
+    sum = 0;
+    for (const Vec3& p : points) {
+      there.push_back(beside(surface, p));
+      sum += there.back().distance * there.back().distance;
+    }
+  }
+};
+
+template <int size>
+std::optional<Unknowns> next_move(const Fit& fit, std::span<const Vec3> points, const Motion& motion, double damping) {
+  NormalEquations<size> equations;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Unknowns slopes = slopes_at(fit.surface, points[i], fit.there[i], motion);
+    std::array<double, size> used;
+    std::copy_n(slopes.begin(), size, used.begin());
+    equations.add(used, -fit.there[i].distance);
+  }
+  const auto found = equations.solve(damping);
+  if (!found) return std::nullopt;
+  Unknowns by{};
+  std::copy(found->begin(), found->end(), by.begin());
+  return by;
+}
+
+std::optional<Unknowns> next_move(const Fit& fit, std::span<const Vec3> points, const Motion& motion, double damping) {
+  switch (fit.surface.kind) {
+    case SurfaceKind::cylinder:
+      return next_move<5>(fit, points, motion, damping);
+    case SurfaceKind::cone:
+      return next_move<6>(fit, points, motion, damping);
+    case SurfaceKind::sphere:
+      return next_move<4>(fit, points, motion, damping);
+    case SurfaceKind::torus:
+      return next_move<7>(fit, points, motion, damping);
+    case SurfaceKind::plane:
+    case SurfaceKind::free_form:
+      break;
+  }
+  return std::nullopt;
+}
+
 // Turned inside out or past a right angle, a fit has lost its way.
 bool is_sound(const PartSurface& s) {
-  const bool radii = s.kind == SurfaceKind::plane || s.radius > 0;
-  return finite(s.origin) && finite(s.axis) && radii && (s.kind != SurfaceKind::torus || s.minor > 0) &&
+  return finite(s.origin) && finite(s.axis) && s.radius > 0 && (s.kind != SurfaceKind::torus || s.minor > 0) &&
          std::abs(s.slope) < 50;
 }
 
@@ -149,7 +204,7 @@ Vec3 mean_of(std::span<const Vec3> points) {
 // The point nearest to the lines through the middles of facets along their normals, seen along an axis: normals of a
 // surface of revolution meet its axis.
 std::optional<Vec3> meeting_of_normals(std::span<const Facing> facings, const Vec3& axis) {
-  NormalEquations equations(2);
+  NormalEquations<2> equations;
   const auto across = square_to(axis);
   const Vec3 from = facings.front().middle;
   for (const Facing& f : facings) {
@@ -175,8 +230,7 @@ std::optional<Curvatures> curvatures_of(const Facing& middle, std::span<const Ve
   const auto across = square_to(middle.normal);
   double size = 0;
   for (const Vec3& p : points) size = std::max(size, glm::distance(p, middle.middle));
-  constexpr std::size_t enough_for_cubes = 12;
-  NormalEquations equations(points.size() < enough_for_cubes ? 6 : 10);
+  NormalEquations<10> equations;
   for (const Vec3& p : points) {
     const Vec3 from = (p - middle.middle) / size;
     const double x = glm::dot(from, across[0]), y = glm::dot(from, across[1]);
@@ -242,50 +296,21 @@ double signed_distance(const PartSurface& s, const Vec3& point) {
   switch (s.kind) {
     case SurfaceKind::plane:
       return glm::dot(point - s.origin, s.axis);
-    case SurfaceKind::cylinder:
-      return polar_of(s, point).radius - s.radius;
-    case SurfaceKind::cone: {
-      const Polar polar = polar_of(s, point);
-      return (polar.radius - s.radius - polar.height * s.slope) * cosine_of(s);
-    }
     case SurfaceKind::sphere:
       return glm::distance(point, s.origin) - s.radius;
-    case SurfaceKind::torus: {
-      const Polar polar = polar_of(s, point);
-      const double out = polar.radius - s.radius;
-      return std::sqrt(out * out + polar.height * polar.height) - s.minor;
-    }
     case SurfaceKind::free_form:
-      break;
+      return 0;
+    default:
+      return beside(s, point).distance;
   }
-  return 0;
 }
 
 Vec3 normal_near(const PartSurface& s, const Vec3& point) {
-  const auto unit = [](const Vec3& v) {
-    const double length = glm::length(v);
-    return length > 0 ? v / length : Vec3(0);
-  };
-  switch (s.kind) {
-    case SurfaceKind::plane:
-      return s.axis;
-    case SurfaceKind::cylinder:
-      return polar_of(s, point).outwards;
-    case SurfaceKind::cone: {
-      const Vec3 outwards = polar_of(s, point).outwards;
-      if (outwards == Vec3(0)) return outwards;
-      return cosine_of(s) * (outwards - s.slope * s.axis);
-    }
-    case SurfaceKind::sphere:
-      return unit(point - s.origin);
-    case SurfaceKind::torus: {
-      const Polar polar = polar_of(s, point);
-      return unit((polar.radius - s.radius) * polar.outwards + polar.height * s.axis);
-    }
-    case SurfaceKind::free_form:
-      break;
-  }
-  return Vec3(0);
+  if (s.kind == SurfaceKind::plane) return s.axis;
+  if (s.kind == SurfaceKind::free_form) return Vec3(0);
+  const Beside there = beside(s, point);
+  // An apex has none.
+  return s.kind == SurfaceKind::cone && there.polar.outwards == Vec3(0) ? Vec3(0) : there.normal;
 }
 
 double residual_of(const PartSurface& surface, std::span<const Vec3> points) {
@@ -300,44 +325,41 @@ double refine(PartSurface& surface, std::span<const Vec3> points, double wanted)
   const Vec3 middle = mean_of(points);
   // Beside the points, so that tilts and moves of the axis are told apart.
   const auto recentre = [&] {
-    if (surface.kind == SurfaceKind::sphere || surface.kind == SurfaceKind::torus) return;
+    if (surface.kind != SurfaceKind::cylinder && surface.kind != SurfaceKind::cone) return;
     const double along = glm::dot(middle - surface.origin, surface.axis);
-    if (surface.kind == SurfaceKind::plane) {
-      surface.origin = middle - along * surface.axis;
-      return;
-    }
     surface.origin += along * surface.axis;
-    if (surface.kind == SurfaceKind::cone) surface.radius += along * surface.slope;
+    surface.radius += along * surface.slope;
   };
   recentre();
   if (!is_sound(surface)) return HUGE_VAL;
-  double sum = sum_of_squares(surface, points);
-  double damping = 1e-8;
+  Fit fit{surface, {}}, next;
+  fit.look(points);
   const double rounding = 4e-16 * (surface.radius + surface.minor + glm::distance(surface.origin, middle));
-  for (int step = 0; step < most_steps && sum > count * rounding * rounding; ++step) {
-    const Motion motion = motion_of(surface, middle);
-    NormalEquations equations(unknowns_of(surface.kind));
-    for (const Vec3& p : points) equations.add(slopes_at(surface, p, motion), -signed_distance(surface, p));
-    const auto by = equations.solve(damping);
+  double damping = 1e-8;
+  for (int step = 0; step < most_steps && fit.sum > count * rounding * rounding; ++step) {
+    const Motion motion = motion_of(fit.surface, middle);
+    const auto by = next_move(fit, points, motion, damping);
     if (!by) break;
-    const PartSurface next = moved(surface, *by, motion);
-    const double next_sum = is_sound(next) ? sum_of_squares(next, points) : HUGE_VAL;
-    if (!(next_sum < sum)) {
+    next.surface = moved(fit.surface, *by, motion);
+    next.sum = HUGE_VAL;
+    if (is_sound(next.surface)) next.look(points);
+    if (!(next.sum < fit.sum)) {
       damping *= 16;
       if (damping > 1e4) break;
       continue;
     }
     // Near a surface that the points lie on, steps square the distance.
-    const bool hopeless = step >= 2 && next_sum > 0.3 * sum && next_sum > count * wanted * wanted;
-    const bool done = hopeless || next_sum > 0.999 * sum || next_sum == 0;
-    surface = next;
-    sum = next_sum;
+    const bool hopeless = step >= 1 && next.sum > 0.3 * fit.sum && next.sum > count * wanted * wanted;
+    const bool done = hopeless || next.sum > 0.999 * fit.sum;
+    std::swap(fit, next);
     damping *= 0.02;
     if (done) break;
   }
+  surface = fit.surface;
   recentre();
-  const double residual = is_sound(surface) ? residual_of(surface, points) : HUGE_VAL;
-  return std::isfinite(residual) ? residual : HUGE_VAL;
+  double largest = 0;
+  for (const Beside& there : fit.there) largest = std::max(largest, std::abs(there.distance));
+  return is_sound(surface) && std::isfinite(largest) ? largest : HUGE_VAL;
 }
 
 std::optional<PartSurface> begin_plane(std::span<const Vec3> points) {
@@ -400,7 +422,7 @@ std::optional<PartSurface> begin_cone(std::span<const Facing> facings, std::span
 
 std::optional<PartSurface> begin_sphere(std::span<const Vec3> points) {
   const Vec3 middle = mean_of(points);
-  NormalEquations equations(4);
+  NormalEquations<4> equations;
   for (const Vec3& p : points) {
     const Vec3 d = p - middle;
     equations.add({2 * d.x, 2 * d.y, 2 * d.z, 1}, glm::dot(d, d));
@@ -454,15 +476,23 @@ std::optional<PartSurface> begin_torus_by_curvatures(std::span<const Facing> fac
   if (!curvatures) return std::nullopt;
   std::optional<PartSurface> best;
   double least = HUGE_VAL;
+  int best_meridian = 0, best_turn = 0;
+  const auto consider = [&](int meridian, int turn) {
+    const auto count = static_cast<int>(turns.size());
+    const auto torus = torus_of(*curvatures, meridian, turns[static_cast<std::size_t>((turn + count) % count)]);
+    if (!torus) return;
+    const double sum = sum_of_squares(*torus, points);
+    if (!(sum < least)) return;
+    least = sum;
+    best = torus;
+    best_meridian = meridian;
+    best_turn = turn;
+  };
+  constexpr int stride = 4;
   for (const int meridian : {0, 1})
-    for (const Vec2& turn : turns) {
-      const auto torus = torus_of(*curvatures, meridian, turn);
-      if (!torus) continue;
-      const double sum = sum_of_squares(*torus, points);
-      if (!(sum < least)) continue;
-      least = sum;
-      best = torus;
-    }
+    for (int turn = 0; turn < static_cast<int>(turns.size()); turn += stride) consider(meridian, turn);
+  const int meridian = best_meridian, middle = best_turn;
+  for (int turn = middle - stride + 1; best && turn < middle + stride; ++turn) consider(meridian, turn);
   return best;
 }
 

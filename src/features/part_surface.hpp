@@ -42,7 +42,8 @@ Vec3 normal_near(const PartSurface& surface, const Vec3& point);
 double residual_of(const PartSurface& surface, std::span<const Vec3> points);
 
 /// Makes the sum of squared distances as small as it can be, beginning with the surface as it is. Returns the largest
-/// distance; HUGE_VAL where nothing came of it. Gives up early where points will hardly come as near as `wanted`.
+/// distance; HUGE_VAL where nothing came of it, as of planes, which begin_plane fits. Gives up early where points will
+/// hardly come as near as `wanted`.
 double refine(PartSurface& surface, std::span<const Vec3> points, double wanted = HUGE_VAL);
 
 /// A facet as a fit sees it: a point in its middle and a unit normal.

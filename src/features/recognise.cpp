@@ -26,6 +26,7 @@ constexpr int patience = 512;
 constexpr char enough_failures = 8;
 // Of the area of a part.
 constexpr double least_recognised = 0.25;
+constexpr std::size_t most_alone = 256;
 
 /// A surface that some facets around a seed lie on.
 struct Guess {
@@ -69,7 +70,7 @@ class Recogniser {
       ++in_vain;
       if (grow_from(f, beside)) {
         ++grown;
-        in_vain = std::max(in_vain - 16, -patience);
+        in_vain = std::max(in_vain - 8, -patience);
       }
       if (tried >= least_seeds && tried > seeds_for_one * grown) return;
     }
@@ -203,6 +204,7 @@ class Recogniser {
     };
     if (const auto cylinder = begin_cylinder(patch.facings, patch.points); is_near(cylinder))
       consider(guesses, cylinder, patch);
+    if (!guesses.empty() && guesses.front().explained == patch.nearby.size()) return;
     if (const auto cone = begin_cone(patch.facings, patch.points); is_near(cone)) consider(guesses, cone, patch);
     if (patch.points.size() < 5) return;
     if (const auto sphere = begin_sphere(patch.points); is_near(sphere)) consider(guesses, sphere, patch);
@@ -213,8 +215,14 @@ class Recogniser {
     std::vector<Guess> guesses;
     const auto try_strip = [&](const std::vector<int>& seeds) { guess_strip(guesses, patch_of(seeds, nearby)); };
     if (beside.size() == 1) try_strip({facet, beside[0]});
+    // Most faces are cylinders that are alone.
+    const auto explains_all = [&] {
+      return guesses.size() == 1 && guesses.front().surface.kind == SurfaceKind::cylinder && nearby.size() > 5 &&
+             guesses.front().explained == nearby.size();
+    };
     // The longest edges of a strip are those along it; neighbours across them are on one surface most often.
-    for (std::size_t i = 0; i + 1 < beside.size(); ++i) try_strip({facet, beside[i], beside[i + 1]});
+    for (std::size_t i = 0; i + 1 < beside.size() && !explains_all(); ++i) try_strip({facet, beside[i], beside[i + 1]});
+    if (explains_all()) return guesses;
     if (beside.size() > 2) try_strip({facet, beside[0], beside[2]});
     std::size_t size = std::min<std::size_t>(9, nearby.size());
     while (size < nearby.size() && size < 13 && points_of(std::span(nearby).first(size)).size() < 14) ++size;
@@ -270,10 +278,13 @@ class Result {
     result.tolerance = facets_.tolerance / facets_.scale;
     for (const Region& region : regions_) result.faces.push_back(face_of(region));
     for (const int facet : facets_.facet_of) result.face_of_triangle.push_back(region_of_[facet]);
-    double area = 0;
-    for (std::size_t r = 0; r < regions_.size(); ++r) {
-      area += result.faces[r].area;
-      if (is_sure(regions_[r])) result.recognised += result.faces[r].area;
+    double area = 0;  // in which the file's unit may be beyond all doubles
+    for (const Region& region : regions_) {
+      const bool sure = is_sure(region);
+      for (const int f : region.facets) {
+        area += facets_.facets[f].area;
+        if (sure) result.recognised += facets_.facets[f].area;
+      }
     }
     if (area > 0) result.recognised /= area;
     turn_bodies(result);
@@ -281,12 +292,13 @@ class Result {
   }
 
  private:
-  // A triangle alone beside a smooth edge may be part of anything.
+  // A triangle alone beside a smooth edge may be part of anything, and so may one of very many.
   [[nodiscard]] bool is_sure(const Region& region) const {
     if (region.surface.kind == SurfaceKind::free_form) return false;
     if (region.surface.kind != SurfaceKind::plane || region.facets.size() > 1) return true;
     const int facet = region.facets.front();
     if (facets_.triangles_of(facet).size() > 1) return true;
+    if (facets_.facets.size() > most_alone) return false;
     const int t = facets_.triangles_of(facet).front();
     for (int side = 0; side < 3; ++side)
       if (facets_.sides[t][side].neighbour >= 0 && facets_.cosine_of_fold(t, side) > smooth_cosine) return false;
@@ -356,20 +368,35 @@ class Result {
   const std::vector<Region>& regions_;
 };
 
+// Whether so little lies on round surfaces and in planes of several triangles that no part will be recognised.
+bool is_scan(const Facets& facets, const std::vector<int>& region_of) {
+  if (facets.facets.size() <= most_alone) return false;
+  double all = 0, sure = 0;
+  for (std::size_t f = 0; f < facets.facets.size(); ++f) {
+    all += facets.facets[f].area;
+    if (region_of[f] >= 0 || facets.triangles_of(static_cast<int>(f)).size() > 1) sure += facets.facets[f].area;
+  }
+  return sure < least_recognised * all;
+}
+
 }  // namespace
 
 PartFaces recognise_faces(const Mesh& mesh, const RecogniseOptions& options) {
   const Facets facets = make_facets(mesh);
   Recogniser recogniser(facets);
   recogniser.run();
+  // A scan, or a mesh that an artist made: its few flat places are none of a part.
+  PartFaces nothing{{}, std::vector<int>(mesh.polygon.size(), -1), {}, facets.tolerance / facets.scale, 0};
+  if (is_scan(facets, recogniser.region_of())) return nothing;
   std::vector<int> region_of = recogniser.region_of();
   std::vector<Region> regions = recogniser.regions();
+  merge_regions(facets, region_of, regions);
+  dissolve_rows(facets, region_of, regions);
   complete_regions(facets, region_of, regions);
   merge_regions(facets, region_of, regions);
   PartFaces result = Result(mesh, facets, region_of, regions).faces();
-  // A scan, or a mesh that an artist made: its few flat places are none of a part.
-  if (result.recognised < least_recognised)
-    return {{}, std::vector<int>(mesh.polygon.size(), -1), {}, result.tolerance, result.recognised};
+  nothing.recognised = result.recognised;
+  if (result.recognised < least_recognised) return nothing;
   result.borders = find_borders(mesh, facets, region_of, regions, options.tangent_angle);
   return result;
 }

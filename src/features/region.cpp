@@ -179,11 +179,24 @@ bool RegionGrower::spread(Region& region) {
         const double allowance = allowance_of(facets_, region.sagitta) * (region.facets.size() < 12 ? 8 : 2);
         if (approximates(facets_, facet, region.surface, allowance, region.sagitta)) add(region, facet);
       }
-    if (region.facets.size() < 2 * fitted) continue;
+    if (region.facets.size() < 3 * fitted) continue;
     if (!fit_again(region)) drop_misfits(region);
     fitted = region.facets.size();
   }
   return region.facets.size() > before;
+}
+
+// A cone that hardly opens is a cylinder with vertices that are not exact.
+void RegionGrower::prefer_cylinder(Region& region) {
+  constexpr double least_slope = 0.01;
+  if (std::abs(region.surface.slope) > least_slope) return;
+  PartSurface cylinder = region.surface;
+  cylinder.kind = SurfaceKind::cylinder;
+  cylinder.slope = 0;
+  const double residual = refine(cylinder, points_of(region, most_fitted));
+  if (residual > 2 * allowance_of(facets_, region.sagitta)) return;
+  region.surface = cylinder;
+  region.residual = residual;
 }
 
 // Facets that are so askew that they face elsewhere, but lie among those of the region.
@@ -231,8 +244,9 @@ void RegionGrower::drop_misfits(Region& region) {
     else
       stamp_[f] = 0;
   }
+  const bool dropped = kept.size() < region.facets.size();
   region.facets = std::move(kept);
-  if (!region.facets.empty()) fit_again(region);
+  if (dropped && !region.facets.empty()) fit_again(region);
 }
 
 std::optional<Region> RegionGrower::grow(const PartSurface& beginning, std::span<const int> seeds) {
@@ -241,15 +255,15 @@ std::optional<Region> RegionGrower::grow(const PartSurface& beginning, std::span
   Region region{beginning, {}};
   for (const int f : seeds) add(region, f);
   for (int round = 0; round < 4; ++round) {
-    const bool grew = spread(region);
+    if (!spread(region) && round > 0) break;
     if (!fit_again(region)) return std::nullopt;
     drop_misfits(region);
     if (region.facets.size() < 2) return std::nullopt;
-    if (!grew) break;
   }
   // A surface is only told from the polyhedron where the two differ.
   if (region.residual > allowance_of(facets_, region.sagitta) || region.sagitta < 4 * region.residual)
     return std::nullopt;
+  if (region.surface.kind == SurfaceKind::cone) prefer_cylinder(region);
   take_enclosed(region);
   return region;
 }

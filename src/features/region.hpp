@@ -56,6 +56,7 @@ class RegionGrower {
   bool spread(Region& region);
   bool fit_again(Region& region);
   void drop_misfits(Region& region);
+  void prefer_cylinder(Region& region);
   void take_enclosed(Region& region);
   [[nodiscard]] std::vector<Vec3> points_of(const Region& region, std::size_t most);
   [[nodiscard]] double mean_turn_of(const Region& region) const;

@@ -183,7 +183,7 @@ TEST(RecogniseFaces, HolesFaceInwards) {
 
 TEST(RecogniseFaces, PoseAndUnitDoNotMatter) {
   const Mat4 turn = glm::rotate(Mat4(1), 1.234, glm::normalize(Vec3(1, 2, -3)));
-  for (const double scale : {1e-3, 1.0, 1e3})
+  for (const double scale : {1e-200, 1e-3, 1.0, 1e3, 1e200})
     for (const bool mirrored : {false, true}) {
       Part part = revolved(shaft_profile(4), 36).triangulate();
       part.move([&](const Vec3& p) {
@@ -267,6 +267,85 @@ TEST(RecogniseFaces, FreeFormsAreOneFace) {
   EXPECT_EQ(count(faces, SurfaceKind::plane), 5);
   EXPECT_EQ(faces.faces.size(), 6U);
   EXPECT_EQ(count(faces, BorderKind::sharp), 12);
+}
+
+// Between outlines of equally many points, with caps.
+Part loft(const std::vector<std::vector<Vec2>>& outlines, double height) {
+  Part part;
+  const int n = static_cast<int>(outlines[0].size()), last = static_cast<int>(outlines.size()) - 1;
+  for (int k = 0; k <= last; ++k)
+    for (const Vec2& p : outlines[k]) part.add({p.x, p.y, height * k / last});
+  for (int k = 0; k < last; ++k)
+    for (int i = 0; i < n; ++i) {
+      const int j = (i + 1) % n;
+      const std::array<int, 4> c{k * n + i, k * n + j, (k + 1) * n + j, (k + 1) * n + i};
+      part.faces.push_back({c[0], c[1], c[2]});
+      part.faces.push_back({c[0], c[2], c[3]});
+    }
+  std::vector<int> bottom, top;
+  for (int i = 0; i < n; ++i) {
+    bottom.insert(bottom.begin(), i);
+    top.push_back(last * n + i);
+  }
+  part.faces.push_back(bottom);
+  part.faces.push_back(top);
+  return part;
+}
+
+TEST(RecogniseFaces, AFilletOfVaryingRadiusIsOneFreeForm) {
+  std::vector<std::vector<Vec2>> outlines;
+  for (int k = 0; k <= 24; ++k) {
+    const double u = k / 24.0, r = 2 + 3 * u * u;
+    outlines.push_back(joined({{{0, 0}, {10, 0}, {10, 10}}, arc({r, 10 - r}, r, 90, 180, 6)}));
+  }
+  const PartFaces part = recognise(loft(outlines, 30));
+  EXPECT_EQ(count(part, SurfaceKind::plane), 6);
+  EXPECT_EQ(count(part, SurfaceKind::free_form), 1);
+  EXPECT_EQ(part.faces.size(), 7U);
+  EXPECT_EQ(count(part, BorderKind::tangent), 2);
+  EXPECT_EQ(count(part, BorderKind::sharp), 13);
+}
+
+// A net of triangles with its vertices moved along the surface, and diagonals either way.
+Part askew(int rows, int columns, const std::function<Vec3(double, double)>& place) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> part_of_step(-0.25, 0.25);
+  Part part;
+  std::vector<std::vector<int>> net(columns);
+  for (int i = 0; i < columns; ++i)
+    for (int j = 0; j <= rows; ++j) {
+      const double u = i + part_of_step(random), v = j == 0 || j == rows ? j : j + part_of_step(random);
+      net[i].push_back(part.add(place(2 * pi * u / columns, v / rows)));
+    }
+  for (int i = 0; i < columns; ++i)
+    for (int j = 0; j < rows; ++j) {
+      const int a = net[i][j], b = net[(i + 1) % columns][j], c = net[(i + 1) % columns][j + 1], d = net[i][j + 1];
+      const bool turned = random() % 2 == 0;
+      part.faces.push_back(turned ? std::vector{a, b, c} : std::vector{a, b, d});
+      part.faces.push_back(turned ? std::vector{a, c, d} : std::vector{b, c, d});
+    }
+  return part.round_to_float();
+}
+
+TEST(RecogniseFaces, TrianglesNeedNotLieAlongTheSurface) {
+  const auto ring = [](double u, double r, double z) { return Vec3(r * std::cos(u), r * std::sin(u), z); };
+  const std::vector<std::pair<SurfaceKind, Part>> parts{
+      {SurfaceKind::cylinder, askew(12, 36, [&](double u, double v) { return ring(u, 10, 20 * v); })},
+      {SurfaceKind::cylinder, askew(1, 36, [&](double u, double v) { return ring(u, 10, 20 * v); })},
+      {SurfaceKind::cone, askew(1, 48, [&](double u, double v) { return ring(u, 10 - 4 * v, 9 * v); })},
+      {SurfaceKind::sphere,
+       askew(16, 36,
+             [&](double u, double v) { return ring(u, 10 * std::cos(2.4 * v - 1.2), 10 * std::sin(2.4 * v - 1.2)); })},
+      {SurfaceKind::torus,
+       askew(24, 60, [&](double u, double v) { return ring(u, 10 + 3 * std::cos(6 * v), 3 * std::sin(6 * v)); })}};
+  for (const auto& [kind, part] : parts) {
+    const PartFaces faces = recognise(part);
+    ASSERT_EQ(faces.faces.size(), 1U) << int(kind);
+    EXPECT_EQ(faces.faces[0].surface.kind, kind);
+    if (kind != SurfaceKind::cone) {
+      EXPECT_NEAR(faces.faces[0].surface.radius, 10, 1e-5);
+    }
+  }
 }
 
 TEST(RecogniseFaces, EveryTriangleHasAFaceAndEveryBorderTwo) {
