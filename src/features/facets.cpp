@@ -39,7 +39,7 @@ void read_triangles(const Mesh& mesh, Facets& f) {
   double farthest = 0;
   for (std::size_t v = 0; v < f.points.size(); ++v) {
     if (used[v] == 0) continue;
-    f.points[v] = mesh.point(static_cast<int>(v));
+    const Vec3 p = f.points[v] = mesh.point(static_cast<int>(v));
     box.add(f.points[v]);
     farthest = std::max({farthest, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
   }
