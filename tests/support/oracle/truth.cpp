@@ -285,8 +285,7 @@ class Judge {
   [[nodiscard]] EdgeTruth truth_of(int e, std::atomic<std::size_t>& pairs) const {
     const FeatureEdge& edge = claim_.drawn.edges[e];
     const std::array<Vec3, 2> ends = claim_.ends_of(edge);
-    const Line line{page_.place(position_on<Exact>(ends, edge.t[0])),
-                    page_.place(position_on<Exact>(ends, edge.t[1]))};
+    const Line line{page_.place(position_on<Exact>(ends, edge.t[0])), page_.place(position_on<Exact>(ends, edge.t[1]))};
     const double extent = view_.extent;
     EdgeTruth truth{e, {}, {}};
     for (const int triangle : near(edge, line)) {
