@@ -55,7 +55,7 @@ int compare(const CompareOptions& options) {
   write_overlay(targets, comparison);
   if (is_html(options.overlay))
     write_file(options.overlay, html_report(options.before + " | " + options.after,
-                                            {reported_case(options.after, same, words, before, after, comparison)}));
+                                            {add_pictures({options.after, same, words}, before, after, comparison)}));
   if (!options.json.empty())
     write({options.json, to_json(comparison, options.tolerance, options.before, options.after)}, {});
   if (options.json != "-") std::fputs(words.c_str(), stdout);

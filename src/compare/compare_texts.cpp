@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <tuple>
@@ -54,8 +55,8 @@ class TextPairs {
           return pair_if(overlap(a, b), glm::distance(middle(a), middle(b)), HUGE_VAL);
         },
         Change::text);
-    for (const PictureText& text : old_) report(Change::removed, text, before_, text.words, "", Mark::removed);
-    for (const PictureText& text : new_) report(Change::added, text, after_, "", text.words, Mark::added);
+    for (const PictureText& text : old_) report(Change::removed, text, {text.words, ""});
+    for (const PictureText& text : new_) report(Change::added, text, {"", text.words});
     return std::move(found_);
   }
 
@@ -92,18 +93,21 @@ class TextPairs {
       found_.marked.push_back({b, Mark::same});
       return;
     }
-    report(*change, b, after_, a.words, b.words, Mark::changed);
+    report(*change, b, {a.words, b.words});
     if (*change == Change::moved) found_.differences.back().distance = apart(a, b);
   }
 
-  void report(Change change, const PictureText& text, const Picture& picture, const std::string& before,
-              const std::string& after, Mark how) {
-    found_.marked.push_back({text, how});
+  // `words` before and after.
+  void report(Change change, const PictureText& text, const std::array<std::string, 2>& words) {
+    const Picture& picture = change == Change::removed ? before_ : after_;
+    found_.marked.push_back({text, change == Change::removed ? Mark::removed
+                                   : change == Change::added ? Mark::added
+                                                             : Mark::changed});
     Difference& found = found_.differences.emplace_back();
     found.change = change;
     found.view = picture.views[static_cast<std::size_t>(text.view)];
-    found.before = before;
-    found.after = after;
+    found.before = words[0];
+    found.after = words[1];
     found.from = text.min;
     found.to = text.max;
     found.is_text = true;

@@ -126,7 +126,7 @@ class SvgReader {
     const SvgPath path = path_of(element, room_);
     const std::string_view stroke = context.style.of("stroke"), fill = context.style.of("fill");
     const int view = picture_.view(context.view);
-    if (fill != "none") add_lines(path, context, area_look(context), view, -1, true);
+    if (fill != "none") add_lines(path, context, {.look = area_look(context), .view = view, .are_areas = true});
     if (stroke.empty() || stroke == "none") return;
     const int look = line_look(context);
     const std::vector<std::string> edges = edges_of(element, context);
@@ -138,7 +138,7 @@ class SvgReader {
     if (!one_each)
       for (const std::string& edge : edges) all += (all.empty() ? "" : " ") + edge;
     const int first = edges.empty() ? -1 : picture_.add_origins(one_each ? edges : std::vector{all});
-    add_lines(path, context, look, view, first, false, one_each);
+    add_lines(path, context, {.look = look, .view = view, .origin = first, .one_origin_each = one_each});
   }
 
   [[nodiscard]] std::vector<std::string> edges_of(const pugi::xml_node& element, const Context& context) const {
@@ -152,14 +152,19 @@ class SvgReader {
     return edges;
   }
 
-  void add_lines(const SvgPath& path, const Context& context, int look, int view, int origin, bool areas,
-                 bool one_each = false) {
+  struct LineMarks {
+    int look = 0, view = 0, origin = -1;
+    bool are_areas = false;        ///< closed, whether or not the path says so
+    bool one_origin_each = false;  ///< the first piece has `origin`, the next the one after it
+  };
+
+  void add_lines(const SvgPath& path, const Context& context, LineMarks marks) {
     for (const SvgLine& line : path.lines) {
       const std::size_t count = line.points.size();
-      for (std::size_t i = 0; i + (line.closed || areas ? 0 : 1) < count; ++i) {
+      for (std::size_t i = 0; i + (line.closed || marks.are_areas ? 0 : 1) < count; ++i) {
         const Vec2 from = on_page(context, line.points[i]), to = on_page(context, line.points[(i + 1) % count]);
-        picture_.add({from, to, look, view, origin});
-        if (one_each) ++origin;
+        picture_.add({from, to, marks.look, marks.view, marks.origin});
+        if (marks.one_origin_each) ++marks.origin;
       }
     }
   }

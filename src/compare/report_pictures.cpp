@@ -23,9 +23,10 @@ std::vector<std::string> svgs_of(const PictureFile& file) {
 
 }  // namespace
 
-ReportedCase reported_case(const std::string& name, bool good, const std::string& words, const PictureFile& expected,
-                           const PictureFile& actual, const Comparison& comparison) {
-  ReportedCase reported{name, good, words, svgs_of(expected), {}, svgs_of(actual)};
+ReportedCase add_pictures(ReportedCase reported, const PictureFile& expected, const PictureFile& actual,
+                          const Comparison& comparison) {
+  reported.expected = svgs_of(expected);
+  reported.actual = svgs_of(actual);
   for (const PageComparison& page : comparison.pages) reported.overlays.push_back(svg_of(overlay_of(page)));
   return reported;
 }

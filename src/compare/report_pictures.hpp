@@ -9,7 +9,7 @@
 
 namespace epura {
 
-ReportedCase reported_case(const std::string& name, bool good, const std::string& words, const PictureFile& expected,
-                           const PictureFile& actual, const Comparison& comparison);
+ReportedCase add_pictures(ReportedCase reported, const PictureFile& expected, const PictureFile& actual,
+                          const Comparison& comparison);
 
 }  // namespace epura

@@ -79,7 +79,7 @@ std::vector<Layer> centre_layers(const ViewResult& view, const ViewOptions& opti
                                  const std::vector<Layer>& lines, const Progress& progress) {
   if (!options.centre_lines) return {};
   progress.begin("drawing centre lines");
-  return {centre_lines(view.drawing, view.circles, widths, options.styles, lines, progress)};
+  return {centre_lines({view.drawing, view.circles, options.styles}, widths, lines, progress)};
 }
 
 // One for each view; none for those without cut faces.

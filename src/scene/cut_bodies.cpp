@@ -52,8 +52,8 @@ BodyCut cut_of(Outlines outlines) {
   return cut;
 }
 
-std::map<int, BodyCut> cuts_of(const World& world, int model, const CutMesh& cut, const CutPlaces& places,
-                               const PlaneFrame& frame) {
+std::map<int, BodyCut> cuts_of(const CutModel& model) {
+  const auto& [world, number, cut, places, frame] = model;
   std::map<int, BodyCut> cuts;
   for (std::size_t begin = 0, end = 0; begin < cut.segments.size(); begin = end) {
     const int body = cut.segments[begin].body;
@@ -61,9 +61,9 @@ std::map<int, BodyCut> cuts_of(const World& world, int model, const CutMesh& cut
     cuts[body] = cut_of(flatten(std::span(cut.segments).subspan(begin, end - begin), places, frame).outlines);
   }
   for (const int t : cut.in_plane) {
-    const auto [found, made] = cuts.try_emplace(world.models[model].mesh->body[t]);
+    const auto [found, made] = cuts.try_emplace(world.models[number].mesh->body[t]);
     if (!made) continue;
-    const std::array<int, 3>& corners = world.triangles[world.first_triangle[model] + t];
+    const std::array<int, 3>& corners = world.triangles[world.first_triangle[number] + t];
     for (const int v : corners) found->second.sample += frame.flat(world.points[v]) / 3.0;
   }
   return cuts;
@@ -71,16 +71,15 @@ std::map<int, BodyCut> cuts_of(const World& world, int model, const CutMesh& cut
 
 }  // namespace
 
-std::vector<int> material_of(const World& world, int model, const CutMesh& cut, const CutPlaces& places,
-                             const PlaneFrame& frame, const std::vector<std::optional<int>>& open) {
-  const int bodies = body_count(*world.models[model].mesh);
+std::vector<int> material_of(const CutModel& model, const std::vector<std::optional<int>>& open) {
+  const int bodies = body_count(*model.world.models[model.model].mesh);
   std::vector<int> material(static_cast<std::size_t>(bodies));
   for (int b = 0; b < bodies; ++b) material[b] = b;
   if (bodies < 2) return material;
-  const std::vector<bool> negative = inside_out(world, model, bodies, frame);
+  const std::vector<bool> negative = inside_out(model.world, model.model, bodies, model.frame);
   if (std::adjacent_find(negative.begin(), negative.end(), std::not_equal_to<>()) == negative.end()) return material;
 
-  std::map<int, BodyCut> cuts = cuts_of(world, model, cut, places, frame);
+  std::map<int, BodyCut> cuts = cuts_of(model);
   std::erase_if(cuts, [&](const auto& entry) { return open[entry.first].has_value(); });
   for (const auto& [body, here] : cuts) {
     std::vector<std::pair<double, int>> around;  // bodies around it, the innermost first

@@ -9,11 +9,19 @@
 
 namespace epura {
 
+/// A model of a world, and what a plane cuts of it.
+struct CutModel {
+  const World& world;
+  int model;
+  const CutMesh& cut;
+  CutPlaces places;
+  const PlaneFrame& frame;
+};
+
 /// For each body the body to whose material it belongs: itself, or, for a cavity, the one around it. A cavity is a
 /// closed surface of its own inside of another that runs the other way round. Only bodies that the cut meets are
 /// looked at. `open` is what open_edges says.
-std::vector<int> material_of(const World& world, int model, const CutMesh& cut, const CutPlaces& places,
-                             const PlaneFrame& frame, const std::vector<std::optional<int>>& open);
+std::vector<int> material_of(const CutModel& model, const std::vector<std::optional<int>>& open);
 
 /// By body: an edge at which an odd number of its triangles meet, if there is one. Then it bounds no volume.
 std::vector<std::optional<int>> open_edges(const Mesh& mesh);

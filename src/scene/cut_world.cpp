@@ -54,7 +54,7 @@ struct ModelCut {
 void ModelCut::close() {
   const std::vector<std::optional<int>> open_edge = open_edges(mesh());
   keep_odd(cut.segments);
-  const std::vector<int> material = material_of(world, model, cut, places(), frame, open_edge);
+  const std::vector<int> material = material_of({world, model, cut, places(), frame}, open_edge);
   for (CutSegment& segment : cut.segments) segment.body = material[segment.body];
   keep_odd(cut.segments);
   take_faces_in_plane(material, open_edge);

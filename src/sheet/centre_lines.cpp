@@ -259,16 +259,16 @@ bool is_visible(const PlacedCircle& placed, const std::vector<Edge>& edges) {
   return false;
 }
 
-std::vector<SeenCircle> seen_circles(const ViewDrawing& drawing, std::span<const PlacedCircle> circles,
-                                     const std::vector<ModelStyle>& looks) {
-  const bool some_without_hidden =
-      std::any_of(looks.begin(), looks.end(), [](const ModelStyle& look) { return look.hidden == HiddenLines::none; });
-  const std::vector<Edge> edges = some_without_hidden ? visible_edges(drawing) : std::vector<Edge>();
+std::vector<SeenCircle> seen_circles(const CentredView& view) {
+  const bool some_without_hidden = std::any_of(view.styles.begin(), view.styles.end(), [](const ModelStyle& style) {
+    return style.hidden == HiddenLines::none;
+  });
+  const std::vector<Edge> edges = some_without_hidden ? visible_edges(view.drawing) : std::vector<Edge>();
   std::vector<SeenCircle> seen;
-  for (const PlacedCircle& placed : circles) {
-    const bool hides = looks[static_cast<std::size_t>(placed.model)].hidden == HiddenLines::none;
+  for (const PlacedCircle& placed : view.circles) {
+    const bool hides = view.styles[static_cast<std::size_t>(placed.model)].hidden == HiddenLines::none;
     if (hides && !is_visible(placed, edges)) continue;
-    const SeenCircle circle = see(drawing.world_to_page, placed.circle);
+    const SeenCircle circle = see(view.drawing.world_to_page, placed.circle);
     if (2 * circle.radius() >= least_diameter) seen.push_back(circle);
   }
   return seen;
@@ -276,12 +276,12 @@ std::vector<SeenCircle> seen_circles(const ViewDrawing& drawing, std::span<const
 
 }  // namespace
 
-Layer centre_lines(const ViewDrawing& drawing, std::span<const PlacedCircle> circles, const LineWidths& widths,
-                   const std::vector<ModelStyle>& looks, std::span<const Layer> drawn, const Progress& progress) {
+Layer centre_lines(const CentredView& view, const LineWidths& widths, std::span<const Layer> drawn,
+                   const Progress& progress) {
   const double width = widths.narrow;
-  Layer layer = empty_layer(drawing.name, SheetLine::centre, widths);
-  if (drawing.projection.central) return layer;
-  const std::vector<SeenCircle> seen = seen_circles(drawing, circles, looks);
+  Layer layer = empty_layer(view.drawing.name, SheetLine::centre, widths);
+  if (view.drawing.projection.central) return layer;
+  const std::vector<SeenCircle> seen = seen_circles(view);
   std::vector<Piece> pieces = axes(seen);
   for (const Piece& piece : crosses(seen)) pieces.push_back(piece);
   pieces = merged(pieces);

@@ -13,6 +13,13 @@
 
 namespace epura {
 
+/// A drawing that is in its place, and the circles of its models.
+struct CentredView {
+  const ViewDrawing& drawing;
+  std::span<const PlacedCircle> circles;
+  const std::vector<ModelStyle>& styles;  ///< by model
+};
+
 /// The layer VIEW/centre, narrow long-dashed dotted lines; without strokes in a central projection.
 ///
 /// A circle that is seen as a circle has a cross, its lines through the middle of a dash; the largest of concentric
@@ -20,7 +27,7 @@ namespace epura {
 /// seen: one line through all of them. All lines reach 3 mm beyond the outline; overlapping ones are one line. Where a
 /// line of `drawn`, the view's other layers, coincides with them it wins. Circles below 1 mm in diameter have no
 /// lines, nor have those that a model without hidden lines does not show. Throws OutOfTime.
-Layer centre_lines(const ViewDrawing& drawing, std::span<const PlacedCircle> circles, const LineWidths& widths,
-                   const std::vector<ModelStyle>& looks, std::span<const Layer> drawn, const Progress& progress = {});
+Layer centre_lines(const CentredView& view, const LineWidths& widths, std::span<const Layer> drawn,
+                   const Progress& progress = {});
 
 }  // namespace epura

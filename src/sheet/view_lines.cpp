@@ -208,8 +208,14 @@ ChainPlan plan_of(const Chain& chain, const ModelStyle& look, const LineWidths& 
   return {line, true, dash_runs(chain, widths.narrow).size()};
 }
 
-void draw_chain(Stroke* strokes, const ChainPlan& plan, const ViewDrawing& drawing, std::size_t number,
-                const LineWidths& widths, const Crossings& crossings) {
+struct ChainsToDraw {
+  const ViewDrawing& drawing;
+  const LineWidths& widths;
+  const Crossings& crossings;
+};
+
+void draw_chain(Stroke* strokes, const ChainPlan& plan, const ChainsToDraw& all, std::size_t number) {
+  const auto& [drawing, widths, crossings] = all;
   const Chain& chain = drawing.chains[number];
   if (plan.in_dashes) return draw_dashed(strokes, drawing, number, widths.narrow, crossings);
   const DashType& type = row_of(plan.line).dashes;
@@ -252,12 +258,13 @@ std::vector<std::size_t> crossed_chains(const ViewDrawing& drawing, const LineWi
 }
 
 // In order of the chains. Strokes are most of what a large drawing needs: they are counted first, and made in place.
-Strokes strokes_of(const ViewDrawing& drawing, const LineWidths& widths, const Looks& looks, const Progress& progress) {
+Strokes strokes_of(const ViewDrawing& drawing, const LineWidths& widths, const Looks& styles,
+                   const Progress& progress) {
   const std::size_t count = drawing.chains.size();
   std::vector<ChainPlan> plans(count);
   parallel_for(count, chains_a_part, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      plans[i] = plan_of(drawing.chains[i], looks(drawing, drawing.chains[i]), widths);
+      plans[i] = plan_of(drawing.chains[i], styles(drawing, drawing.chains[i]), widths);
   });
   const Crossings crossings(drawing.chains, crossed_chains(drawing, widths, plans, progress), progress);
   std::vector<std::size_t> first(count);  // stroke of each chain, in its place
@@ -271,7 +278,7 @@ Strokes strokes_of(const ViewDrawing& drawing, const LineWidths& widths, const L
   parallel_for(count, chains_a_part, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       if (plans[i].strokes > 0)
-        draw_chain(strokes_of(strokes, plans[i].line).data() + first[i], plans[i], drawing, i, widths, crossings);
+        draw_chain(strokes_of(strokes, plans[i].line).data() + first[i], plans[i], {drawing, widths, crossings}, i);
     progress.advance(end - begin);
   });
   return strokes;
@@ -286,11 +293,11 @@ std::optional<SheetLine> edge_line(EdgeKind kind, bool visible) {
 }
 
 std::vector<Layer> view_layers(const ViewDrawing& drawing, const LineWidths& widths,
-                               const std::vector<ModelStyle>& looks, const Progress& progress) {
+                               const std::vector<ModelStyle>& styles, const Progress& progress) {
   progress.begin("fitting dashes", drawing.chains.size());
-  Strokes strokes = strokes_of(drawing, widths, {looks}, progress);
+  Strokes strokes = strokes_of(drawing, widths, {styles}, progress);
   const auto wants = [&](HiddenLines hidden) {
-    return std::any_of(looks.begin(), looks.end(), [&](const ModelStyle& look) { return look.hidden == hidden; });
+    return std::any_of(styles.begin(), styles.end(), [&](const ModelStyle& look) { return look.hidden == hidden; });
   };
   const auto is_always_there = [&](SheetLine line) {
     return line == SheetLine::visible || (line == SheetLine::hidden && wants(HiddenLines::dashed)) ||

@@ -23,7 +23,7 @@ struct ModelStyle {
   HiddenLines hidden = HiddenLines::dashed;
 };
 
-/// Layers of a drawing that is in its place, to be painted in this order; `looks` are by model.
+/// Layers of a drawing that is in its place, to be painted in this order; `styles` are by model.
 ///   VIEW/hidden     hidden lines: narrow, dashed (type 02.1) or continuous
 ///   VIEW/neighbour, VIEW/narrow   visible lines of models with that role
 ///   VIEW/tangent    visible edges between smooth faces: narrow, continuous, short of the lines that they end at
@@ -33,6 +33,6 @@ struct ModelStyle {
 /// ink at their ends, at corners and where other lines cross them, unless too many do. Hidden edges between smooth
 /// faces are left out.
 std::vector<Layer> view_layers(const ViewDrawing& drawing, const LineWidths& widths,
-                               const std::vector<ModelStyle>& looks, const Progress& progress = {});
+                               const std::vector<ModelStyle>& styles, const Progress& progress = {});
 
 }  // namespace epura

@@ -25,7 +25,7 @@ namespace epura {
 
 namespace {
 
-// From coarse to fine: the knobs of each method.
+// From coarse to fine: the parameters of each method.
 const std::vector<std::string> usual_methods{"exact:bits=10",
                                              "exact:bits=14",
                                              "exact:bits=18",

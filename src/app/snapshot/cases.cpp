@@ -54,7 +54,7 @@ void compare_with_expectation(SnapshotResult& result, double tolerance, bool wit
                            : SnapshotVerdict::different;
   result.words = exists ? format_comparison(comparison, tolerance) : "nothing is expected yet\n";
   if (with_pictures && result.verdict != SnapshotVerdict::as_expected)
-    result.pictures = reported_case(result.name, false, result.words, expected, actual, comparison);
+    result.pictures = add_pictures({result.name, false, result.words}, expected, actual, comparison);
 }
 
 // Others than regular files may have no end, or wait for one who never comes.

@@ -59,7 +59,7 @@ void expect_spans(const Layer& layer, const std::vector<Span>& wanted) {
 
 Layer lines(const ViewDrawing& drawing, const std::vector<PlacedCircle>& circles,
             const std::vector<Layer>& drawn = {}) {
-  return centre_lines(drawing, circles, widths, {ModelStyle{}}, drawn);
+  return centre_lines({drawing, circles, {ModelStyle{}}}, widths, drawn);
 }
 
 TEST(CentreLines, OfACircleAreACross) {
@@ -131,8 +131,9 @@ TEST(CentreLines, WithoutHiddenLinesOnlyWhatIsSeenHasThem) {
   drawing.segments.push_back({{0, 0}, {1, 1}, false, EdgeKind::crease, 0, {20, 21}, -1, {0, 1}});
   const std::vector<PlacedCircle> circles{circle({0, 0, 0}, {0, 0, 1}, 10, {4, 5, 6, 7}),
                                           circle({50, 0, 0}, {0, 0, 1}, 10, {20, 21, 22, 23})};
-  EXPECT_EQ(centre_lines(drawing, circles, widths, {{LineRole::visible, HiddenLines::none}}, {}).strokes.size(), 2U);
-  EXPECT_EQ(centre_lines(drawing, circles, widths, {{LineRole::visible, HiddenLines::dashed}}, {}).strokes.size(), 4U);
+  EXPECT_EQ(centre_lines({drawing, circles, {{LineRole::visible, HiddenLines::none}}}, widths, {}).strokes.size(), 2U);
+  EXPECT_EQ(centre_lines({drawing, circles, {{LineRole::visible, HiddenLines::dashed}}}, widths, {}).strokes.size(),
+            4U);
 }
 
 }  // namespace

@@ -64,8 +64,8 @@ TEST(Method, IsRefusedWithARemedy) {
   expect_refused("sampled:density=0", "number from 1e-06 to 1e+06");
   expect_refused("sampled:density=nan", "is not possible");
   expect_refused("exact:bits=24.5", "whole number from 4 to 30");
-  expect_refused("float:bits=24", "has no knob 'bits'");
-  expect_refused("exact:", "has no knob ''");
+  expect_refused("float:bits=24", "has no parameter 'bits'");
+  expect_refused("exact:", "has no parameter ''");
 }
 
 TEST(Method, NoneHidesNothing) {

@@ -56,7 +56,7 @@ double share_of_wrong(const Errors& errors, bool all) {
 }  // namespace
 
 Contender contender(const StudiedView& studied, const Method& method) {
-  return {name_of(method.way), knobs_of(method), [&studied, method] {
+  return {name_of(method.algorithm), parameters_of(method), [&studied, method] {
             return find_hidden(studied.world, studied.view, studied.drawn, method, studied.paper.scale);
           }};
 }
@@ -90,7 +90,7 @@ ViewMeasurements measure(const StudiedView& studied, std::span<const Contender> 
   for (const Contender& contender : contenders) {
     Measurement& one = result.methods.emplace_back();
     one.method = contender.method;
-    one.knobs = contender.knobs;
+    one.parameters = contender.parameters;
     HiddenSpans found;
     one.memory = peak_memory_of([&] { found = contender.run(); });
     one.errors = errors_of(studied, truth, found);

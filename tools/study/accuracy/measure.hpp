@@ -27,14 +27,14 @@ struct StudiedView {
 
 /// What is measured: a way to hidden spans under a name.
 struct Contender {
-  std::string method, knobs;
+  std::string method, parameters;
   std::function<HiddenSpans()> run;
 };
 
 Contender contender(const StudiedView& studied, const Method& method);
 
 struct Measurement {
-  std::string method, knobs;
+  std::string method, parameters;
   Errors errors;                 ///< mm
   std::vector<double> seconds;   ///< of its runs
   double median = 0;             ///< of these

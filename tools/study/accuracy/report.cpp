@@ -110,7 +110,8 @@ std::vector<PlotCurve> curves_of(const ViewMeasurements& view) {
   for (const Measurement& one : view.methods) {
     auto curve = std::find_if(curves.begin(), curves.end(), [&](const auto& c) { return c.name == one.method; });
     if (curve == curves.end()) curve = curves.insert(curves.end(), {one.method, {}});
-    curve->points.push_back({{std::max(one.median, 1e-9), one.errors.longest / view.size}, one.knobs, one.on_front});
+    curve->points.push_back(
+        {{std::max(one.median, 1e-9), one.errors.longest / view.size}, one.parameters, one.on_front});
   }
   return curves;
 }

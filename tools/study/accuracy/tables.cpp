@@ -54,7 +54,7 @@ std::vector<std::string> row_of(const ViewMeasurements& view, const Measurement&
   return {view.scene,
           view.view,
           one.method,
-          one.knobs,
+          one.parameters,
           number(e.longest),
           number(e.sum),
           number(e.ink),

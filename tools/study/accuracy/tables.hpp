@@ -22,7 +22,7 @@ struct Table {
   std::vector<std::vector<std::string>> rows;
 };
 
-/// A row for each method at each knob.
+/// A row for each method at each setting.
 Table table_of(std::span<const ViewMeasurements> views);
 
 /// RFC 4180.

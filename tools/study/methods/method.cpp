@@ -16,8 +16,8 @@ namespace epura {
 
 namespace {
 
-struct Knob {
-  Way way;
+struct Parameter {
+  Algorithm algorithm;
   std::string key;
   double Method::*value;
   double min, max;
@@ -25,48 +25,49 @@ struct Knob {
   bool always_said;
 };
 
-const std::vector<std::pair<std::string, Way>>& ways() {
-  static const std::vector<std::pair<std::string, Way>> all{{"exact", Way::exact},
-                                                            {"float", Way::floats},
-                                                            {"sampled", Way::sampled},
-                                                            {"item-buffer", Way::item_buffer},
-                                                            {"none", Way::none}};
+const std::vector<std::pair<std::string, Algorithm>>& algorithms() {
+  static const std::vector<std::pair<std::string, Algorithm>> all{{"exact", Algorithm::exact},
+                                                                  {"float", Algorithm::floats},
+                                                                  {"sampled", Algorithm::sampled},
+                                                                  {"item-buffer", Algorithm::item_buffer},
+                                                                  {"none", Algorithm::none}};
   return all;
 }
 
-const std::vector<Knob>& knobs() {
-  static const std::vector<Knob> all{{Way::exact, "bits", &Method::bits, 4, 30, true, false},
-                                     {Way::sampled, "density", &Method::density, 1e-6, 1e6, false, true},
-                                     {Way::sampled, "halvings", &Method::halvings, 0, 60, true, false},
-                                     {Way::item_buffer, "dpi", &Method::dpi, 1, 1e5, false, true}};
+const std::vector<Parameter>& parameters() {
+  static const std::vector<Parameter> all{{Algorithm::exact, "bits", &Method::bits, 4, 30, true, false},
+                                          {Algorithm::sampled, "density", &Method::density, 1e-6, 1e6, false, true},
+                                          {Algorithm::sampled, "halvings", &Method::halvings, 0, 60, true, false},
+                                          {Algorithm::item_buffer, "dpi", &Method::dpi, 1, 1e5, false, true}};
   return all;
 }
 
-Way way_of(std::string_view name, const std::string& where) {
+Algorithm algorithm_of(std::string_view name, const std::string& where) {
   std::vector<std::string> names;
-  for (const auto& [known, way] : ways()) {
-    if (known == name) return way;
+  for (const auto& [known, algorithm] : algorithms()) {
+    if (known == name) return algorithm;
     names.push_back(known);
   }
   throw Error(ErrorKind::input, where, "unknown value '" + std::string(name) + "'", did_you_mean(name, names));
 }
 
-void turn(Method& method, std::string_view assignment, const std::string& where) {
+void set(Method& method, std::string_view assignment, const std::string& where) {
   const std::string_view key = assignment.substr(0, assignment.find('='));
   std::vector<std::string> names;
-  for (const Knob& knob : knobs()) {
-    if (knob.way != method.way) continue;
-    names.push_back(knob.key);
-    if (knob.key != key) continue;
+  for (const Parameter& parameter : parameters()) {
+    if (parameter.algorithm != method.algorithm) continue;
+    names.push_back(parameter.key);
+    if (parameter.key != key) continue;
     const auto value = parse_number(assignment.substr(std::min(key.size() + 1, assignment.size())));
-    if (!value || !(*value >= knob.min && *value <= knob.max) || (knob.whole && *value != std::floor(*value)))
+    if (!value || !(*value >= parameter.min && *value <= parameter.max) ||
+        (parameter.whole && *value != std::floor(*value)))
       throw Error(ErrorKind::input, where, "'" + std::string(assignment) + "' is not possible",
-                  knob.key + " is a " + (knob.whole ? "whole " : "") + "number from " + format_number(knob.min) +
-                      " to " + format_number(knob.max));
-    method.*knob.value = *value;
+                  parameter.key + " is a " + (parameter.whole ? "whole " : "") + "number from " +
+                      format_number(parameter.min) + " to " + format_number(parameter.max));
+    method.*parameter.value = *value;
     return;
   }
-  throw Error(ErrorKind::input, where, name_of(method.way) + " has no knob '" + std::string(key) + "'",
+  throw Error(ErrorKind::input, where, name_of(method.algorithm) + " has no parameter '" + std::string(key) + "'",
               names.empty() ? "it has none" : did_you_mean(key, names));
 }
 
@@ -75,45 +76,46 @@ void turn(Method& method, std::string_view assignment, const std::string& where)
 Method parse_method(std::string_view text, const std::string& where) {
   const std::vector<std::string_view> parts = split(text, ':');
   Method method;
-  method.way = way_of(parts.front(), where);
-  for (std::size_t i = 1; i < parts.size(); ++i) turn(method, parts[i], where);
+  method.algorithm = algorithm_of(parts.front(), where);
+  for (std::size_t i = 1; i < parts.size(); ++i) set(method, parts[i], where);
   return method;
 }
 
-std::string name_of(Way way) {
-  for (const auto& [name, known] : ways())
-    if (known == way) return name;
+std::string name_of(Algorithm algorithm) {
+  for (const auto& [name, known] : algorithms())
+    if (known == algorithm) return name;
   return {};
 }
 
-std::string knobs_of(const Method& method) {
+std::string parameters_of(const Method& method) {
   std::string text;
-  for (const Knob& knob : knobs()) {
-    if (knob.way != method.way || (!knob.always_said && method.*knob.value == Method().*knob.value)) continue;
-    text += (text.empty() ? "" : ":") + knob.key + "=" + format_number(method.*knob.value);
+  for (const Parameter& parameter : parameters()) {
+    if (parameter.algorithm != method.algorithm ||
+        (!parameter.always_said && method.*parameter.value == Method().*parameter.value))
+      continue;
+    text += (text.empty() ? "" : ":") + parameter.key + "=" + format_number(method.*parameter.value);
   }
   return text;
 }
 
 std::string text_of(const Method& method) {
-  const std::string turned = knobs_of(method);
-  return name_of(method.way) + (turned.empty() ? "" : ":") + turned;
+  const std::string turned = parameters_of(method);
+  return name_of(method.algorithm) + (turned.empty() ? "" : ":") + turned;
 }
 
 HiddenSpans find_hidden(const World& world, const ProjectedScene& view, const FeatureEdges& drawn, const Method& method,
-                        double mm, Progress progress) {
-  switch (method.way) {
-    case Way::exact:
-      if (method.bits == Method().bits) return find_hidden(world, view, drawn, progress);
-      return find_hidden(world, on_coarser_grid(view, static_cast<int>(method.bits)), drawn, progress);
-    case Way::floats:
-      return find_hidden(world, in_floats(view), drawn, progress);
-    case Way::sampled:
-      return find_hidden_by_samples(world, view, drawn, {method.density * mm, static_cast<int>(method.halvings)},
-                                    progress);
-    case Way::item_buffer:
-      return find_hidden_by_item_buffer(world, view, drawn, mm * method.dpi / 25.4, progress);
-    case Way::none:
+                        double mm) {
+  switch (method.algorithm) {
+    case Algorithm::exact:
+      if (method.bits == Method().bits) return find_hidden(world, view, drawn);
+      return find_hidden(world, on_coarser_grid(view, static_cast<int>(method.bits)), drawn);
+    case Algorithm::floats:
+      return find_hidden(world, in_floats(view), drawn);
+    case Algorithm::sampled:
+      return find_hidden_by_samples(world, view, drawn, {method.density * mm, static_cast<int>(method.halvings)});
+    case Algorithm::item_buffer:
+      return find_hidden_by_item_buffer(world, view, drawn, mm * method.dpi / 25.4);
+    case Algorithm::none:
       return nothing_hidden(drawn);
   }
   return nothing_hidden(drawn);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ways to decide what is hidden behind one interface, each with the knob that trades error for time.
+// Ways to decide what is hidden behind one interface, each with the parameter that trades error for time.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace epura {
 
-enum class Way {
+enum class Algorithm {
   exact,        ///< signs of whole numbers on the page grid (visibility.hpp)
   floats,       ///< the same with page coordinates and depth rounded to 32-bit floats
   sampled,      ///< points along the edges looked up among the triangles, changes between them bisected
@@ -18,7 +18,7 @@ enum class Way {
 };
 
 struct Method {
-  Way way = Way::exact;
+  Algorithm algorithm = Algorithm::exact;
   double bits = 30;      ///< exact: log2 of the grid's cells across the window, a whole number
   double density = 4;    ///< sampled: points per mm of paper
   double halvings = 48;  ///< sampled: bisections of a change, a whole number; 0: in the middle between two points
@@ -31,14 +31,14 @@ struct Method {
 /// "item-buffer:dpi=600" or "none". Throws Error{input} that names `where`.
 Method parse_method(std::string_view text, const std::string& where);
 
-/// "sampled", and "density=4": knobs that only experiments turn are left out where they stand as usual.
-std::string name_of(Way way);
-std::string knobs_of(const Method& method);
+/// "sampled", and "density=4": parameters that only experiments set are left out where they stand as usual.
+std::string name_of(Algorithm algorithm);
+std::string parameters_of(const Method& method);
 /// Both, as parse_method reads them.
 std::string text_of(const Method& method);
 
-/// Decides by any method. `mm` of paper are a view unit long. Only the exact methods heed a time limit.
+/// Decides by any method. `mm` of paper are a view unit long.
 HiddenSpans find_hidden(const World& world, const ProjectedScene& view, const FeatureEdges& drawn, const Method& method,
-                        double mm, Progress progress = {});
+                        double mm);
 
 }  // namespace epura
