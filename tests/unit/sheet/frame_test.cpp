@@ -105,7 +105,7 @@ TEST(Frame, TrimmingMarksAreTwoRectanglesInEachCorner) {
       const Vec2& p = ring[i];
       const Vec2& q = ring[(i + 1) % ring.size()];
       area += (p.x * q.y - p.y * q.x) / 2;
-      EXPECT_TRUE(Rectangle({0, 0}, {420, 297}).holds({p, p}));
+      EXPECT_TRUE((Rectangle{{0, 0}, {420, 297}}.holds({p, p})));
     }
     EXPECT_NEAR(std::abs(area), 2 * 50 - 25, 1e-9);  // the rectangles share 5 x 5 mm
   }
