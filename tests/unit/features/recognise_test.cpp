@@ -335,6 +335,7 @@ TEST(RecogniseFaces, TrianglesNeedNotLieAlongTheSurface) {
   const std::vector<std::pair<SurfaceKind, Part>> parts{
       {SurfaceKind::cylinder, askew(12, 36, [&](double u, double v) { return ring(u, 10, 20 * v); })},
       {SurfaceKind::cylinder, askew(1, 36, [&](double u, double v) { return ring(u, 10, 20 * v); })},
+      {SurfaceKind::cone, askew(12, 36, [&](double u, double v) { return ring(u, 10 - 4 * v, 9 * v); })},
       {SurfaceKind::cone, askew(1, 48, [&](double u, double v) { return ring(u, 10 - 4 * v, 9 * v); })},
       {SurfaceKind::sphere,
        askew(16, 36,
