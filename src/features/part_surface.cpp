@@ -462,7 +462,10 @@ std::optional<PartSurface> begin_torus_by_normals(std::span<const Facing> facing
   return torus;
 }
 
-std::optional<PartSurface> begin_torus_by_curvatures(std::span<const Facing> facings, std::span<const Vec3> points) {
+namespace {
+
+// Cosines and sines of angles all round.
+const std::vector<Vec2>& all_turns() {
   static const std::vector<Vec2> turns = [] {
     constexpr int count = 72;
     std::vector<Vec2> all;
@@ -472,28 +475,60 @@ std::optional<PartSurface> begin_torus_by_curvatures(std::span<const Facing> fac
     }
     return all;
   }();
-  const auto curvatures = curvatures_of(facings.front(), points);
-  if (!curvatures) return std::nullopt;
+  return turns;
+}
+
+// The best of the surfaces that `make` has for a principal direction and an angle: a coarse scan, and a fine one beside
+// its best.
+template <class Make>
+std::optional<PartSurface> best_turned(std::span<const Vec3> points, const Make& make) {
+  constexpr int stride = 4;
+  const std::vector<Vec2>& turns = all_turns();
+  const auto count = static_cast<int>(turns.size());
   std::optional<PartSurface> best;
   double least = HUGE_VAL;
-  int best_meridian = 0, best_turn = 0;
-  const auto consider = [&](int meridian, int turn) {
-    const auto count = static_cast<int>(turns.size());
-    const auto torus = torus_of(*curvatures, meridian, turns[static_cast<std::size_t>((turn + count) % count)]);
-    if (!torus) return;
-    const double sum = sum_of_squares(*torus, points);
+  std::array<int, 2> at{};
+  const auto consider = [&](int direction, int turn) {
+    const auto surface = make(direction, turns[static_cast<std::size_t>((turn + count) % count)]);
+    if (!surface) return;
+    const double sum = sum_of_squares(*surface, points);
     if (!(sum < least)) return;
     least = sum;
-    best = torus;
-    best_meridian = meridian;
-    best_turn = turn;
+    best = surface;
+    at = {direction, turn};
   };
-  constexpr int stride = 4;
-  for (const int meridian : {0, 1})
-    for (int turn = 0; turn < static_cast<int>(turns.size()); turn += stride) consider(meridian, turn);
-  const int meridian = best_meridian, middle = best_turn;
-  for (int turn = middle - stride + 1; best && turn < middle + stride; ++turn) consider(meridian, turn);
+  for (const int direction : {0, 1})
+    for (int turn = 0; turn < count; turn += stride) consider(direction, turn);
+  const auto [direction, middle] = at;
+  for (int turn = middle - stride + 1; best && turn < middle + stride; ++turn) consider(direction, turn);
   return best;
+}
+
+// A cone that touches the surface, with its generator along direction `g` and the curvature across it; `turn` is the
+// angle between its axis and generators.
+std::optional<PartSurface> cone_of(const Curvatures& at, int g, const Vec2& turn) {
+  const double around = at.value[1 - g];
+  const double c = turn.x, s = turn.y;
+  if (!(std::abs(around) > 1e-9) || !(c > 0.15) || std::abs(at.value[g]) > std::abs(around)) return std::nullopt;
+  const Vec3 outwards = around > 0 ? -at.normal : at.normal;
+  const Vec3 radial = c * outwards + s * at.direction[g];
+  const double radius = c / std::abs(around);
+  return PartSurface{
+      SurfaceKind::cone, at.point - radius * radial, c * at.direction[g] - s * outwards, radius, 0, s / c};
+}
+
+}  // namespace
+
+std::optional<PartSurface> begin_cone_by_curvatures(std::span<const Facing> facings, std::span<const Vec3> points) {
+  const auto at = curvatures_of(facings.front(), points);
+  if (!at) return std::nullopt;
+  return best_turned(points, [&](int direction, const Vec2& turn) { return cone_of(*at, direction, turn); });
+}
+
+std::optional<PartSurface> begin_torus_by_curvatures(std::span<const Facing> facings, std::span<const Vec3> points) {
+  const auto at = curvatures_of(facings.front(), points);
+  if (!at) return std::nullopt;
+  return best_turned(points, [&](int direction, const Vec2& turn) { return torus_of(*at, direction, turn); });
 }
 
 }  // namespace epura

@@ -61,7 +61,10 @@ std::optional<PartSurface> begin_sphere(std::span<const Vec3> points);
 /// Normals meet the axis: the line nearest to doing so (Pottmann, Wallner: Computational Line Geometry, 2001). Exact
 /// for nets of meridians and parallels.
 std::optional<PartSurface> begin_torus_by_normals(std::span<const Facing> facings, std::span<const Vec3> points);
-/// The best of several that have the curvatures of the surface through the points. The first facing is in the middle.
+// The best of several that have the curvatures of the surface through the points, however these lie. The first facing
+// is in the middle.
+
+std::optional<PartSurface> begin_cone_by_curvatures(std::span<const Facing> facings, std::span<const Vec3> points);
 std::optional<PartSurface> begin_torus_by_curvatures(std::span<const Facing> facings, std::span<const Vec3> points);
 
 }  // namespace epura

@@ -229,7 +229,8 @@ class Recogniser {
     if (size >= 7) {
       const Patch patch = patch_of(std::span(nearby).first(size), nearby);
       consider(guesses, begin_cylinder(patch.facings, patch.points), patch);
-      consider(guesses, begin_cone(patch.facings, patch.points), patch);
+      if (!consider(guesses, begin_cone(patch.facings, patch.points), patch))
+        consider(guesses, begin_cone_by_curvatures(patch.facings, patch.points), patch);
       if (!consider(guesses, begin_torus_by_normals(patch.facings, patch.points), patch))
         consider(guesses, begin_torus_by_curvatures(patch.facings, patch.points), patch);
     }

@@ -361,7 +361,9 @@ bool RegionGrower::is_evident(const Region& region) {
     case SurfaceKind::sphere:
       return mean_turn <= most_mean_turn_both_ways && is_evident_sphere(region);
     case SurfaceKind::torus:
-      return places_around(region, false).count >= 4 && is_evident_arc(region, true, mean_turn);
+      // Every small smooth patch is nearly one, so it must be exact.
+      return region.residual <= 2 * facets_.tolerance && places_around(region, false).count >= 4 &&
+             is_evident_arc(region, true, mean_turn);
     case SurfaceKind::plane:
     case SurfaceKind::free_form:
       break;

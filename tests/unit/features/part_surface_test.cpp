@@ -120,6 +120,21 @@ TEST(PartSurface, TwoWaysBeginATorus) {
   }
 }
 
+TEST(PartSurface, CurvaturesBeginACone) {
+  std::vector<Vec3> points;
+  for (int i = -2; i <= 2; ++i)
+    for (int j = -2; j <= 2; ++j) {
+      const double v = 0.05 * j + 0.01 * i;
+      points.push_back(centre + (0.5 + 0.6 * v) * around(0.4 + 0.1 * i) + v * axis);
+    }
+  const Vec3 normal = glm::normalize(around(0.4) - 0.6 * axis);
+  auto begun = begin_cone_by_curvatures(std::vector<Facing>{{centre + 0.5 * around(0.4), normal, 1}}, points);
+  ASSERT_TRUE(begun);
+  EXPECT_LT(refine(*begun, points), 1e-12);
+  EXPECT_NEAR(std::abs(begun->slope), 0.6, 1e-9);
+  expect_axis(*begun);
+}
+
 TEST(PartSurface, GivesUpWhereNothingFits) {
   const auto points = points_of([](double u, double v) { return Vec3(u, v, std::sin(9 * u) * std::cos(7 * v)); });
   PartSurface surface{SurfaceKind::cylinder, Vec3(0), Vec3(0, 0, 1), 1};

@@ -138,17 +138,16 @@ inline std::vector<Vec2> regular_polygon(int corners, double radius) {
   return all;
 }
 
-/// A square plate with a hole through its middle.
-inline Part plate_with_hole(double half_width, double height, double radius, int steps_of_a_side) {
+/// A plate with a hole through its middle, which is the origin; each side of its outline has so many steps.
+inline Part plate_with_hole(const std::vector<Vec2>& outline, double height, double radius, int steps) {
   Part part;
-  const int n = 4 * steps_of_a_side;
+  const int n = static_cast<int>(outline.size()) * steps;
   std::vector<std::vector<int>> rings(4);
   for (int i = 0; i < n; ++i) {
-    const double a = 2 * pi * i / n + pi / 4;
-    const int side = i / steps_of_a_side;
-    const double t = 2.0 * (i % steps_of_a_side) / steps_of_a_side - 1;
-    const Vec2 corner = side == 0 ? Vec2(-t, 1) : side == 1 ? Vec2(-1, -t) : side == 2 ? Vec2(t, -1) : Vec2(1, t);
-    const Vec2 out = half_width * corner, in = radius * Vec2(std::cos(a), std::sin(a));
+    const Vec2 &from = outline[i / steps], &to = outline[(i / steps + 1) % outline.size()];
+    const Vec2 out = from + (to - from) * (double(i % steps) / steps);
+    const double angle = 2 * pi * i / n;
+    const Vec2 in = radius * Vec2(std::cos(angle), std::sin(angle));
     rings[0].push_back(part.add({in.x, in.y, 0}));
     rings[1].push_back(part.add({out.x, out.y, 0}));
     rings[2].push_back(part.add({out.x, out.y, height}));
@@ -160,6 +159,11 @@ inline Part plate_with_hole(double half_width, double height, double radius, int
       part.faces.push_back({rings[r][i], rings[r][j], rings[q][j], rings[q][i]});
     }
   return part;
+}
+
+/// Of a square.
+inline Part plate_with_hole(double half_width, double height, double radius, int steps) {
+  return plate_with_hole(regular_polygon(4, half_width * std::sqrt(2)), height, radius, steps);
 }
 
 inline int count(const PartFaces& part, SurfaceKind kind) {
