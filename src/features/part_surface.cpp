@@ -11,7 +11,7 @@
 #include "base/portable_math.hpp"
 #include "features/least_squares.hpp"
 
-namespace epura {
+namespace epura::features {
 
 namespace {
 
@@ -496,4 +496,4 @@ std::optional<PartSurface> begin_torus_by_curvatures(std::span<const Facing> fac
   return best;
 }
 
-}  // namespace epura
+}  // namespace epura::features

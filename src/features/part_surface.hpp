@@ -14,7 +14,7 @@
 
 #include "base/vec.hpp"
 
-namespace epura {
+namespace epura::features {
 
 enum class SurfaceKind : std::uint8_t { plane, cylinder, cone, sphere, torus, free_form };
 
@@ -64,4 +64,4 @@ std::optional<PartSurface> begin_torus_by_normals(std::span<const Facing> facing
 /// The best of several that have the curvatures of the surface through the points. The first facing is in the middle.
 std::optional<PartSurface> begin_torus_by_curvatures(std::span<const Facing> facings, std::span<const Vec3> points);
 
-}  // namespace epura
+}  // namespace epura::features
