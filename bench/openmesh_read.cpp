@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   const double start = epura::bench::now();
-  epura::Surface surface;
+  epura::mesh::Surface surface;
   if (!OpenMesh::IO::read_mesh(surface, argv[1])) {
     std::fprintf(stderr, "openmesh_read: cannot read %s\n", argv[1]);
     return 2;

@@ -27,9 +27,9 @@ namespace {
 using namespace epura;
 using benchmark::DoNotOptimize;
 
-Projection isometric() {
+projection::Projection isometric() {
   const Vec3 n = glm::normalize(Vec3(1, -1, 1)), u = glm::normalize(glm::cross(Vec3(0, 0, 1), n));
-  Projection projection;
+  projection::Projection projection;
   projection.name = "isometric";
   projection.u = u;
   projection.v = glm::cross(n, u);
@@ -37,45 +37,49 @@ Projection isometric() {
   return projection;
 }
 
-World world_of(const Mesh& mesh) { return make_world({{std::make_shared<const Mesh>(mesh), Mat4(1.0)}}); }
+scene::World world_of(const mesh::Mesh& mesh) {
+  return scene::make_world({{std::make_shared<const mesh::Mesh>(mesh), Mat4(1.0)}});
+}
 
-constexpr EdgeOptions mesh_edges{.intersection = false};
-constexpr EdgeOptions intersections{.contour = false, .boundary = false, .crease = false};
+constexpr edges::EdgeOptions mesh_edges{.intersection = false};
+constexpr edges::EdgeOptions intersections{.contour = false, .boundary = false, .crease = false};
 
 /// What each stage hands to the next.
 struct Run {
   explicit Run(const bench::Scene& scene)
       : file(bench::ply_bytes(scene)),
-        soup(read_ply(file, "scene")),
-        mesh(build_mesh(soup, "scene")),
+        soup(mesh::read_ply(file, "scene")),
+        mesh(mesh::build_mesh(soup, "scene")),
         world(world_of(mesh)),
-        view(project_scene(world, isometric(), {})),
+        view(view::project_scene(world, isometric(), {})),
         seen(view),
-        drawn(find_feature_edges(world, seen, {})),
-        hidden(find_hidden(world, seen, drawn)),
-        placement(place_ink(drawn_box(seen).min, drawn_box(seen).max, {}, {})),
-        paper(make_paper_map(seen, placement.scale, placement.shift)),
+        drawn(edges::find_feature_edges(world, seen, {})),
+        hidden(visibility::find_hidden(world, seen, drawn)),
+        placement(sheet::place_ink(view::drawn_box(seen).min, view::drawn_box(seen).max, {}, {})),
+        paper(view::make_paper_map(seen, placement.scale, placement.shift)),
         drawing(draw()),
         sheet{placement.paper.width, placement.paper.height, {}, layers()} {}
 
-  [[nodiscard]] ViewDrawing draw() const {
-    return make_drawing({world, seen, drawn, hidden}, paper, {"isometric", true});
+  [[nodiscard]] drawing::ViewDrawing draw() const {
+    return drawing::make_drawing({world, seen, drawn, hidden}, paper, {"isometric", true});
   }
 
-  [[nodiscard]] std::vector<Layer> layers() const { return view_layers(drawing, line_widths(placement.paper), {{}}); }
+  [[nodiscard]] std::vector<sheet::Layer> layers() const {
+    return sheet::view_layers(drawing, sheet::line_widths(placement.paper), {{}});
+  }
 
   std::string file;
-  Soup soup;
-  Mesh mesh;
-  World world;
-  ProjectedScene view;  ///< before edges add their points
-  ProjectedScene seen;
-  FeatureEdges drawn;
-  HiddenSpans hidden;
-  Placement placement;
-  PaperMap paper;
-  ViewDrawing drawing;
-  Sheet sheet;
+  mesh::Soup soup;
+  mesh::Mesh mesh;
+  scene::World world;
+  view::ProjectedScene view;  ///< before edges add their points
+  view::ProjectedScene seen;
+  edges::FeatureEdges drawn;
+  visibility::HiddenSpans hidden;
+  sheet::Placement placement;
+  view::PaperMap paper;
+  drawing::ViewDrawing drawing;
+  sheet::Sheet sheet;
 };
 
 /// Made when the first stage of its scene is measured, and kept for the others.
@@ -90,12 +94,12 @@ struct Case {
   }
 };
 
-void find_edges(benchmark::State& state, const Run& run, const EdgeOptions& options) {
+void find_edges(benchmark::State& state, const Run& run, const edges::EdgeOptions& options) {
   for (auto _ : state) {
     state.PauseTiming();
-    ProjectedScene view = run.view;
+    view::ProjectedScene view = run.view;
     state.ResumeTiming();
-    DoNotOptimize(find_feature_edges(run.world, view, options));
+    DoNotOptimize(edges::find_feature_edges(run.world, view, options));
   }
 }
 
@@ -109,20 +113,20 @@ Stage timed(const std::function<void(const Run&)>& work) {
 
 std::vector<std::pair<std::string, Stage>> stages() {
   return {
-      {"read", timed([](const Run& r) { DoNotOptimize(read_ply(r.file, "scene")); })},
-      {"mesh", timed([](const Run& r) { DoNotOptimize(build_mesh(r.soup, "scene")); })},
-      {"scene", timed([](const Run& r) { DoNotOptimize(make_world(r.world.models)); })},
-      {"view", timed([](const Run& r) { DoNotOptimize(project_scene(r.world, isometric(), {})); })},
+      {"read", timed([](const Run& r) { DoNotOptimize(mesh::read_ply(r.file, "scene")); })},
+      {"mesh", timed([](const Run& r) { DoNotOptimize(mesh::build_mesh(r.soup, "scene")); })},
+      {"scene", timed([](const Run& r) { DoNotOptimize(scene::make_world(r.world.models)); })},
+      {"view", timed([](const Run& r) { DoNotOptimize(view::project_scene(r.world, isometric(), {})); })},
       {"edges", [](benchmark::State& state, Run& r) { find_edges(state, r, mesh_edges); }},
       {"intersections", [](benchmark::State& state, Run& r) { find_edges(state, r, intersections); }},
-      {"visibility", timed([](const Run& r) { DoNotOptimize(find_hidden(r.world, r.seen, r.drawn)); })},
+      {"visibility", timed([](const Run& r) { DoNotOptimize(visibility::find_hidden(r.world, r.seen, r.drawn)); })},
       {"drawing", timed([](const Run& r) { DoNotOptimize(r.draw()); })},
-      {"chains", timed([](const Run& r) { DoNotOptimize(chain_segments(r.drawing.segments, 1e-6)); })},
+      {"chains", timed([](const Run& r) { DoNotOptimize(drawing::chain_segments(r.drawing.segments, 1e-6)); })},
       {"sheet", timed([](const Run& r) { DoNotOptimize(r.layers()); })},
-      {"svg", timed([](const Run& r) { DoNotOptimize(to_svg(r.sheet, {})); })},
-      {"pdf", timed([](const Run& r) { DoNotOptimize(to_pdf({&r.sheet})); })},
+      {"svg", timed([](const Run& r) { DoNotOptimize(output::to_svg(r.sheet, {})); })},
+      {"pdf", timed([](const Run& r) { DoNotOptimize(output::to_pdf({&r.sheet})); })},
       {"json", timed([](const Run& r) {
-         DoNotOptimize(to_json(r.sheet, r.placement.scale, {&r.drawing, 1}, {}));
+         DoNotOptimize(output::to_json(r.sheet, r.placement.scale, {&r.drawing, 1}, {}));
        })},
   };
 }

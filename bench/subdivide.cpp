@@ -17,8 +17,8 @@ namespace {
 
 using namespace epura;
 
-bench::Scene subdivided(Surface surface, int steps) {
-  OpenMesh::Subdivider::Uniform::LoopT<Surface, double> loop;
+bench::Scene subdivided(mesh::Surface surface, int steps) {
+  OpenMesh::Subdivider::Uniform::LoopT<mesh::Surface, double> loop;
   loop.attach(surface);
   loop(static_cast<std::size_t>(steps));
   loop.detach();
@@ -46,8 +46,8 @@ int main(int argc, char** argv) {
     return static_cast<int>(ErrorKind::input);
   }
   try {
-    write_file(argv[3],
-               bench::ply_bytes(subdivided(to_openmesh(read_mesh(argv[1])).surface, static_cast<int>(*steps))));
+    write_file(argv[3], bench::ply_bytes(
+                            subdivided(mesh::to_openmesh(mesh::read_mesh(argv[1])).surface, static_cast<int>(*steps))));
     return 0;
   } catch (const Error& error) {
     std::fprintf(stderr, "subdivide: %s\n", error.what());

@@ -11,25 +11,25 @@ namespace epura {
 
 namespace {
 
-const char* word(Verdict verdict) {
+const char* word(projection::Verdict verdict) {
   switch (verdict) {
-    case Verdict::passed:
+    case projection::Verdict::passed:
       return "passed";
-    case Verdict::failed:
+    case projection::Verdict::failed:
       return "FAILED";
-    case Verdict::skipped:
+    case projection::Verdict::skipped:
       return "skipped";
   }
   return "";
 }
 
 /// Prints the table; the number of failures.
-int print_checks(const ProjectionEntry& entry) {
+int print_checks(const projection::ProjectionEntry& entry) {
   int failed = 0;
   std::printf("%s (%s)\n", entry.name.c_str(), entry.family.c_str());
   std::fflush(stdout);
-  check_projection(entry, [&](const CheckResult& result) {
-    failed += result.verdict == Verdict::failed ? 1 : 0;
+  projection::check_projection(entry, [&](const projection::CheckResult& result) {
+    failed += result.verdict == projection::Verdict::failed ? 1 : 0;
     std::printf("  %-11s %-8s %s\n", result.name.c_str(), word(result.verdict), result.what.c_str());
     if (!result.fault.empty()) std::printf("  %-20s %s\n", "", result.fault.c_str());
     std::fflush(stdout);
@@ -37,9 +37,9 @@ int print_checks(const ProjectionEntry& entry) {
   return failed;
 }
 
-std::vector<ProjectionEntry> entries_of(const CheckPluginOptions& options) {
+std::vector<projection::ProjectionEntry> entries_of(const CheckPluginOptions& options) {
   try {
-    return read_plugin_apart(options.file, Afterwards::waits, options.time_limit);
+    return projection::read_plugin_apart(options.file, projection::Afterwards::waits, options.time_limit);
   } catch (const Error& error) {
     throw Error(ErrorKind::plugin, options.file.string(), error.what(), "docs/plugins.md tells what is expected");
   }
@@ -49,7 +49,7 @@ std::vector<ProjectionEntry> entries_of(const CheckPluginOptions& options) {
 
 int check_plugin(const CheckPluginOptions& options) {
   int failed = 0;
-  for (const ProjectionEntry& entry : entries_of(options)) failed += print_checks(entry);
+  for (const projection::ProjectionEntry& entry : entries_of(options)) failed += print_checks(entry);
   return failed > 0 ? found_wrong_exit_code : 0;
 }
 

@@ -33,14 +33,14 @@ struct ProgramTexts {
 struct DefinedCommand {
   const CLI::App* app;
   std::function<int()> run;  ///< returns the exit code
-  std::vector<OptionInfo> options;
+  std::vector<scene::OptionInfo> options;
 };
 
 /// A command that does `run(part)` with what the options say.
 template <class Part, class Run>
-DefinedCommand define_command(CLI::App* app, Options<Part> options, Run run) {
-  for (const OptionInfo& option : options) define(*app, option);
-  std::vector<OptionInfo> infos(options.begin(), options.end());
+DefinedCommand define_command(CLI::App* app, scene::Options<Part> options, Run run) {
+  for (const scene::OptionInfo& option : options) define(*app, option);
+  std::vector<scene::OptionInfo> infos(options.begin(), options.end());
   return {app,
           [app, options = std::move(options), run = std::move(run)] {
             Part part;

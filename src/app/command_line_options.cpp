@@ -10,17 +10,17 @@ namespace epura {
 
 namespace {
 
-std::string heading_of(Nature nature) {
+std::string heading_of(scene::Nature nature) {
   switch (nature) {
-    case Nature::unsaid:
+    case scene::Nature::unsaid:
       return "Options";
-    case Nature::drawing:
+    case scene::Nature::drawing:
       return "Drawing";
-    case Nature::file:
+    case scene::Nature::file:
       return "Files";
-    case Nature::code:
+    case scene::Nature::code:
       return "Plugins";
-    case Nature::run:
+    case scene::Nature::run:
       return "Run";
   }
   return "";
@@ -40,12 +40,12 @@ std::vector<std::string> names_of_commands(const CLI::App& app) {
 }
 
 // "-o,--output" by its long name.
-std::string name_of(const OptionInfo& option) { return option.flag.substr(option.flag.rfind(',') + 1); }
+std::string name_of(const scene::OptionInfo& option) { return option.flag.substr(option.flag.rfind(',') + 1); }
 
-bool is_argument(const OptionInfo& option) { return !option.flag.starts_with('-'); }
+bool is_argument(const scene::OptionInfo& option) { return !option.flag.starts_with('-'); }
 
-CLI::Option* add(CLI::App& app, const OptionInfo& option) {
-  const ValueForm& form = option.form;
+CLI::Option* add(CLI::App& app, const scene::OptionInfo& option) {
+  const scene::ValueForm& form = option.form;
   if (form.placeholder.empty()) return app.add_flag(option.flag)->description(option.meaning());
   if (!form.implied.empty())
     return app.add_flag(option.flag + "{" + form.implied + "}")
@@ -74,24 +74,24 @@ std::string joined(const std::vector<std::string>& names) {
   return text;
 }
 
-void define(CLI::App& app, const OptionInfo& option) {
+void define(CLI::App& app, const scene::OptionInfo& option) {
   const std::string heading = heading_of(option.nature);
-  for (const Switch& one : option.switches) app.add_flag(one.flag)->description(one.help)->group(heading);
+  for (const scene::Switch& one : option.switches) app.add_flag(one.flag)->description(one.help)->group(heading);
   if (option.flag.empty()) return;
   CLI::Option* added = add(app, option)->group(heading)->required(option.required);
   if (!option.usual.empty()) added->default_str(option.usual);
 }
 
-std::vector<TomlValue> given_values(const CLI::App& app, const OptionInfo& option) {
-  std::vector<TomlValue> values;
-  for (const Switch& one : option.switches)
-    if (app.count(one.flag) > 0) values.push_back(value_of_option(one.flag, one.word));
+std::vector<scene::TomlValue> given_values(const CLI::App& app, const scene::OptionInfo& option) {
+  std::vector<scene::TomlValue> values;
+  for (const scene::Switch& one : option.switches)
+    if (app.count(one.flag) > 0) values.push_back(scene::value_of_option(one.flag, one.word));
   if (option.flag.empty() || app.count(name_of(option)) == 0) return values;
   const std::string name = name_of(option);
   const std::vector<std::string> texts = app.get_option(name)->results();
   for (std::size_t i = option.repeatable ? 0 : texts.size() - 1; i < texts.size(); ++i) {
     if (!is_argument(option)) refuse_option_as_value(app, name, texts[i]);
-    values.push_back(value_of_option(name, texts[i]));
+    values.push_back(scene::value_of_option(name, texts[i]));
   }
   return values;
 }

@@ -14,21 +14,21 @@ namespace epura {
 /// Words with spaces between them.
 std::string joined(const std::vector<std::string>& words);
 
-void define(CLI::App& app, const OptionInfo& option);
+void define(CLI::App& app, const scene::OptionInfo& option);
 
 /// What the command line gives it, in order; of an option that is not repeatable the last value alone. Throws
 /// Error{input} where another option stands in the place of a value.
-std::vector<TomlValue> given_values(const CLI::App& app, const OptionInfo& option);
+std::vector<scene::TomlValue> given_values(const CLI::App& app, const scene::OptionInfo& option);
 
 /// To be called when `app` is parsed. Throws Error{input}.
 template <class Part>
-void read_options(const CLI::App& app, const Options<Part>& options, Part& part) {
-  for (const Option<Part>& option : options)
-    for (const TomlValue& value : given_values(app, option)) option.read(part, value);
+void read_options(const CLI::App& app, const scene::Options<Part>& options, Part& part) {
+  for (const scene::Option<Part>& option : options)
+    for (const scene::TomlValue& value : given_values(app, option)) option.read(part, value);
 }
 
 /// The options of each command.
-using OptionTables = std::map<const CLI::App*, std::vector<OptionInfo>>;
+using OptionTables = std::map<const CLI::App*, std::vector<scene::OptionInfo>>;
 
 /// The innermost command that was named.
 const CLI::App& chosen_command(const CLI::App& app);

@@ -10,87 +10,93 @@ namespace epura {
 
 namespace {
 
-ValueKind<std::filesystem::path> path_of_file(const std::string& placeholder) {
+scene::ValueKind<std::filesystem::path> path_of_file(const std::string& placeholder) {
   return {file_name(placeholder).form,
-          [](const TomlValue& value) { return std::filesystem::path(std::get<std::string>(value.content)); }};
+          [](const scene::TomlValue& value) { return std::filesystem::path(std::get<std::string>(value.content)); }};
 }
 
 template <class Command>
-Option<Command> tolerance_option(double Command::*tolerance, const std::string& help) {
-  return option<Command>({.flag = "--tolerance", .help = help, .usual = "0.001"}, tolerance,
-                         number_between(1e-6, 10, "mm").shown_as("MM"));
+scene::Option<Command> tolerance_option(double Command::*tolerance, const std::string& help) {
+  return scene::option<Command>({.flag = "--tolerance", .help = help, .usual = "0.001"}, tolerance,
+                                scene::number_between(1e-6, 10, "mm").shown_as("MM"));
 }
 
 }  // namespace
 
-Options<CompareOptions> compare_options() {
+scene::Options<CompareOptions> compare_options() {
   using Compare = CompareOptions;
   return {
-      option<Compare>({.flag = "before", .help = "drawing to compare with: json svg pdf", .required = true},
-                      &Compare::before, file_name("A")),
-      option<Compare>({.flag = "after", .help = "drawing that may differ from it", .required = true}, &Compare::after,
-                      file_name("B")),
+      scene::option<Compare>({.flag = "before", .help = "drawing to compare with: json svg pdf", .required = true},
+                             &Compare::before, file_name("A")),
+      scene::option<Compare>({.flag = "after", .help = "drawing that may differ from it", .required = true},
+                             &Compare::after, file_name("B")),
       tolerance_option(&Compare::tolerance, "mm by which lines may lie beside each other"),
-      option<Compare>({.flag = "--overlay", .help = "picture of both, what differs in colour: svg, png, pdf or html"},
-                      &Compare::overlay, file_name("FILE")),
-      option<Compare>({.flag = "--json", .help = "what differs, for programs; - for standard output"}, &Compare::json,
-                      file_name("FILE")),
+      scene::option<Compare>(
+          {.flag = "--overlay", .help = "picture of both, what differs in colour: svg, png, pdf or html"},
+          &Compare::overlay, file_name("FILE")),
+      scene::option<Compare>({.flag = "--json", .help = "what differs, for programs; - for standard output"},
+                             &Compare::json, file_name("FILE")),
   };
 }
 
-Options<InfoOptions> info_options() {
+scene::Options<InfoOptions> info_options() {
   using Info = InfoOptions;
   return {
-      option<Info>({.flag = "models", .help = "model files: obj stl ply off", .required = true, .repeatable = true},
-                   &Info::models, file_name("MODEL...")),
-      option<Info>({.flag = "--json", .help = "the same for programs; - for standard output"}, &Info::json,
-                   file_name("FILE")),
+      scene::option<Info>(
+          {.flag = "models", .help = "model files: obj stl ply off", .required = true, .repeatable = true},
+          &Info::models, file_name("MODEL...")),
+      scene::option<Info>({.flag = "--json", .help = "the same for programs; - for standard output"}, &Info::json,
+                          file_name("FILE")),
   };
 }
 
-Options<SnapshotOptions> snapshot_options() {
+scene::Options<SnapshotOptions> snapshot_options() {
   using Snapshot = SnapshotOptions;
   return {
-      option<Snapshot>({.flag = "folders",
-                        .help = "folders of cases: each has scene.toml and expected.json, .svg or .pdf",
-                        .required = true,
-                        .repeatable = true},
-                       &Snapshot::folders, file_name("DIR...").completed_by(Completion::folders)),
-      option<Snapshot>({.flag = "--accept", .help = "make what comes the expectation; refused where CI is set"},
-                       &Snapshot::accept, truth()),
+      scene::option<Snapshot>({.flag = "folders",
+                               .help = "folders of cases: each has scene.toml and expected.json, .svg or .pdf",
+                               .required = true,
+                               .repeatable = true},
+                              &Snapshot::folders, file_name("DIR...").completed_by(scene::Completion::folders)),
+      scene::option<Snapshot>({.flag = "--accept", .help = "make what comes the expectation; refused where CI is set"},
+                              &Snapshot::accept, scene::truth()),
       tolerance_option(&Snapshot::tolerance, "mm, as of 'epura compare'"),
-      option<Snapshot>({.flag = "--report", .help = "page with pictures of the cases: html"}, &Snapshot::report,
-                       file_name("FILE")),
-      option<Snapshot>({.flag = "--junit", .help = "results for CI: JUnit XML"}, &Snapshot::junit, file_name("FILE")),
-      option<Snapshot>({.flag = "--threads", .help = "cases at the same time, 0 for one a core", .usual = "0"},
-                       &Snapshot::threads, whole_number(0, 1024)),
+      scene::option<Snapshot>({.flag = "--report", .help = "page with pictures of the cases: html"}, &Snapshot::report,
+                              file_name("FILE")),
+      scene::option<Snapshot>({.flag = "--junit", .help = "results for CI: JUnit XML"}, &Snapshot::junit,
+                              file_name("FILE")),
+      scene::option<Snapshot>({.flag = "--threads", .help = "cases at the same time, 0 for one a core", .usual = "0"},
+                              &Snapshot::threads, scene::whole_number(0, 1024)),
   };
 }
 
-Options<PluginsOptions> plugins_options() {
+scene::Options<PluginsOptions> plugins_options() {
   using Plugins = PluginsOptions;
   return {
-      option<Plugins>({.flag = "name", .help = "projection to show: parameters, matrix, vanishing points"},
-                      &Plugins::name, any_text().shown_as("NAME").completed_by(Completion::projections)),
+      scene::option<Plugins>({.flag = "name", .help = "projection to show: parameters, matrix, vanishing points"},
+                             &Plugins::name,
+                             scene::any_text().shown_as("NAME").completed_by(scene::Completion::projections)),
       plugin_path_option<Plugins>(&Plugins::plugin_path),
   };
 }
 
-Options<CheckPluginOptions> check_plugin_options() {
+scene::Options<CheckPluginOptions> check_plugin_options() {
   using Check = CheckPluginOptions;
   return {
-      option<Check>({.flag = "file", .help = "the library, e.g. build/mine.so", .required = true}, &Check::file,
-                    path_of_file("FILE.so")),
-      option<Check>({.flag = "--time-limit",
-                     .help = "seconds for loading it, and again for each answer; those built in take some milliseconds",
-                     .usual = format_number(plugin_seconds)},
-                    &Check::time_limit, number_between(0, 1e6, "s").shown_as("S")),
+      scene::option<Check>({.flag = "file", .help = "the library, e.g. build/mine.so", .required = true}, &Check::file,
+                           path_of_file("FILE.so")),
+      scene::option<Check>(
+          {.flag = "--time-limit",
+           .help = "seconds for loading it, and again for each answer; those built in take some milliseconds",
+           .usual = format_number(projection::plugin_seconds)},
+          &Check::time_limit, scene::number_between(0, 1e6, "s").shown_as("S")),
   };
 }
 
-Options<NewProjectionOptions> new_projection_options() {
-  return {option<NewProjectionOptions>({.flag = "name", .help = "its name; a folder NAME is made", .required = true},
-                                       &NewProjectionOptions::name, field_text().shown_as("NAME"))};
+scene::Options<NewProjectionOptions> new_projection_options() {
+  return {
+      scene::option<NewProjectionOptions>({.flag = "name", .help = "its name; a folder NAME is made", .required = true},
+                                          &NewProjectionOptions::name, scene::field_text().shown_as("NAME"))};
 }
 
 }  // namespace epura

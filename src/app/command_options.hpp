@@ -7,11 +7,11 @@
 
 namespace epura {
 
-Options<CompareOptions> compare_options();
-Options<SnapshotOptions> snapshot_options();
-Options<InfoOptions> info_options();
-Options<PluginsOptions> plugins_options();
-Options<CheckPluginOptions> check_plugin_options();
-Options<NewProjectionOptions> new_projection_options();
+scene::Options<CompareOptions> compare_options();
+scene::Options<SnapshotOptions> snapshot_options();
+scene::Options<InfoOptions> info_options();
+scene::Options<PluginsOptions> plugins_options();
+scene::Options<CheckPluginOptions> check_plugin_options();
+scene::Options<NewProjectionOptions> new_projection_options();
 
 }  // namespace epura

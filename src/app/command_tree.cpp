@@ -18,8 +18,8 @@ OptionDescription describe_option(const CLI::Option& option) {
   return described;
 }
 
-void add_form(OptionDescription& described, const std::vector<OptionInfo>& table) {
-  for (const OptionInfo& info : table)
+void add_form(OptionDescription& described, const std::vector<scene::OptionInfo>& table) {
+  for (const scene::OptionInfo& info : table)
     if (info.flag.substr(info.flag.rfind(',') + 1) == described.names.back()) described.form = info.form;
 }
 

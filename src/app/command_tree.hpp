@@ -17,7 +17,7 @@ struct OptionDescription {
   std::string usual;        ///< value by default; empty if there is none to tell
   bool takes_word = false;  ///< the next word is its value
   bool is_required = false;
-  ValueForm form{};  ///< of its value, for completion
+  scene::ValueForm form{};  ///< of its value, for completion
 
   [[nodiscard]] bool is_argument() const { return !names.front().starts_with('-'); }
 

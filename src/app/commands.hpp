@@ -15,7 +15,7 @@ int draw(const DrawOptions& options);
 int plugins(const PluginsOptions& options);
 int check_plugin(const CheckPluginOptions& options);
 int new_projection(const NewProjectionOptions& options);
-int compare(const CompareOptions& options);
+int compare_files(const CompareOptions& options);
 int snapshot(const SnapshotOptions& options);
 int info(const InfoOptions& options);
 

@@ -25,39 +25,41 @@ bool is_html(const std::string& path) {
 }
 
 // Looked at before any work is done.
-std::vector<Target> overlay_targets(const std::string& path) {
+std::vector<pipeline::Target> overlay_targets(const std::string& path) {
   if (path.empty() || is_html(path)) return {};
-  std::vector<Target> targets = targets_of({path}, "");
+  std::vector<pipeline::Target> targets = pipeline::targets_of({path}, "");
   if (path == "-" || targets.front().format->has_drawings)
     throw Error(ErrorKind::input, "--overlay " + path, "is not a picture", "name an .svg, .png or .html file");
   return targets;
 }
 
-void write_overlay(const std::vector<Target>& targets, const Comparison& comparison) {
+void write_overlay(const std::vector<pipeline::Target>& targets, const compare::Comparison& comparison) {
   if (targets.empty()) return;
-  std::vector<FinishedSheet> sheets;
-  for (const PageComparison& page : comparison.pages) sheets.push_back({overlay_of(page)});
-  for (const FileBytes& file : encode_all(targets, sheets, {}, {}, {})) write(file, {});
+  std::vector<pipeline::FinishedSheet> sheets;
+  for (const compare::PageComparison& page : comparison.pages) sheets.push_back({compare::overlay_of(page)});
+  for (const pipeline::FileBytes& file : pipeline::encode_all(targets, sheets, {}, {}, {})) pipeline::write(file, {});
 }
 
 }  // namespace
 
-int compare(const CompareOptions& options) {
-  const std::vector<Target> targets = overlay_targets(options.overlay);
-  const PictureFile before = read_pictures(options.before), after = read_pictures(options.after);
-  const Comparison comparison = compare(before, after, options.tolerance);
-  const std::string words = format_comparison(comparison, options.tolerance);
+int compare_files(const CompareOptions& options) {
+  const std::vector<pipeline::Target> targets = overlay_targets(options.overlay);
+  const compare::PictureFile before = compare::read_pictures(options.before),
+                             after = compare::read_pictures(options.after);
+  const compare::Comparison comparison = compare::compare(before, after, options.tolerance);
+  const std::string words = compare::format_comparison(comparison, options.tolerance);
   const bool same = comparison.differences.empty();
-  std::vector<std::string> outputs = files_of(targets, comparison.pages.size());
+  std::vector<std::string> outputs = pipeline::files_of(targets, comparison.pages.size());
   for (const std::string& file : {options.json, is_html(options.overlay) ? options.overlay : ""})
     if (!file.empty()) outputs.push_back(file);
-  refuse_overwriting(outputs, {options.before, options.after});
+  pipeline::refuse_overwriting(outputs, {options.before, options.after});
   write_overlay(targets, comparison);
   if (is_html(options.overlay))
-    write_file(options.overlay, html_report(options.before + " | " + options.after,
-                                            {add_pictures({options.after, same, words}, before, after, comparison)}));
+    write_file(options.overlay,
+               compare::html_report(options.before + " | " + options.after,
+                                    {compare::add_pictures({options.after, same, words}, before, after, comparison)}));
   if (!options.json.empty())
-    write({options.json, to_json(comparison, options.tolerance, options.before, options.after)}, {});
+    pipeline::write({options.json, compare::to_json(comparison, options.tolerance, options.before, options.after)}, {});
   if (options.json != "-") std::fputs(words.c_str(), stdout);
   return same ? 0 : 1;
 }

@@ -95,11 +95,11 @@ std::string lines(const std::vector<Suggestion>& suggestions, const std::string&
 
 std::string values(const Place& place, const OptionDescription& option, const std::string& text,
                    const std::string& before = {}) {
-  const ValueForm& form = option.form;
-  const auto suggestions = value_suggestions(form, text, plugin_folders(place.plugin_path));
+  const scene::ValueForm& form = option.form;
+  const auto suggestions = value_suggestions(form, text, projection::plugin_folders(place.plugin_path));
   if (!suggestions.empty()) return lines(suggestions, text, before);
-  if (form.completion == Completion::folders) return ":folders\n";
-  return form.completion == Completion::files ? ":files\n" : "";
+  if (form.completion == scene::Completion::folders) return ":folders\n";
+  return form.completion == scene::Completion::files ? ":files\n" : "";
 }
 
 std::string options(const CommandDescription& command, const std::string& begin) {
@@ -129,7 +129,7 @@ const std::vector<std::string>& shells() {
   return names;
 }
 
-std::string completion_script(const std::string& shell) { return choose("completion", shell, scripts()); }
+std::string completion_script(const std::string& shell) { return pipeline::choose("completion", shell, scripts()); }
 
 std::string complete(const CommandDescription& program, const std::vector<std::string>& words) {
   Place place{&program, nullptr, false, 0, {}};

@@ -102,16 +102,16 @@ int Console::wait_ms(bool is_first) const {
   const int for_line = is_first ? first_wait_ms : next_wait_ms;
   if (!time_limit_ || !board_.has_limit()) return shows_progress_ ? for_line : -1;
   constexpr double longest = 1e6;
-  const double left = std::clamp(1000 * (last_second(*time_limit_) - board_.seconds()), 0.0, longest);
+  const double left = std::clamp(1000 * (pipeline::last_second(*time_limit_) - board_.seconds()), 0.0, longest);
   const int until_over = static_cast<int>(std::ceil(left));
   return shows_progress_ ? std::min(for_line, until_over) : until_over;
 }
 
 // As if it were cancelled.
 void Console::give_up_when_over() {
-  if (!time_limit_ || !board_.has_limit() || board_.seconds() < last_second(*time_limit_)) return;
+  if (!time_limit_ || !board_.has_limit() || board_.seconds() < pipeline::last_second(*time_limit_)) return;
   std::unique_lock files(board_.ending(), patience);
-  const Error error = nothing_drawn(board_.standing().stage);
+  const Error error = pipeline::nothing_drawn(board_.standing().stage);
   print("epura: " + std::string(error.what()) + "\n  hint: " + error.hint() + "\n");
   ::_exit(static_cast<int>(error.kind()));
 }
@@ -143,7 +143,7 @@ bool shows_progress(ShowProgress when) {
   return when == ShowProgress::always || (when == ShowProgress::automatic && ::isatty(STDERR_FILENO) != 0);
 }
 
-Messages messages_to(Console& console) {
+pipeline::Messages messages_to(Console& console) {
   return {[&console](const std::string& sentence) { console.warn(sentence); },
           [&console](std::string_view lines) { console.print(lines); }};
 }

@@ -56,6 +56,6 @@ class Console {
 bool shows_progress(ShowProgress when);
 
 /// Says what a run has to say on the console.
-Messages messages_to(Console& console);
+pipeline::Messages messages_to(Console& console);
 
 }  // namespace epura

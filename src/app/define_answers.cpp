@@ -28,7 +28,7 @@ struct WordOptions {
 
 /// A command that prints what `text` makes of its options.
 template <class Part, class Text>
-DefinedCommand answering(CLI::App* app, const Options<Part>& options, const Text& text) {
+DefinedCommand answering(CLI::App* app, const scene::Options<Part>& options, const Text& text) {
   return define_command(app, options, [text](const Part& part) {
     std::fputs(text(part).c_str(), stdout);
     return 0;
@@ -52,24 +52,28 @@ void define_answers(CLI::App& program, const ProgramTexts& texts, std::vector<De
   commands.push_back(answering<ManualOptions>(
       manual, {plugin_path_option<ManualOptions>(&ManualOptions::plugin_path)},
       [describe, &texts](const ManualOptions& options) {
-        const auto found = [&] { return load_catalogue(plugin_folders(options.plugin_path)).entries; };
-        return manual_page(describe(), texts, texts.lists_projections ? found() : std::vector<ProjectionEntry>());
+        const auto found = [&] {
+          return projection::load_catalogue(projection::plugin_folders(options.plugin_path)).entries;
+        };
+        return manual_page(describe(), texts,
+                           texts.lists_projections ? found() : std::vector<projection::ProjectionEntry>());
       }));
 
   CLI::App* completion = program.add_subcommand("completion", "print the script by which a shell completes words");
   if (texts.has_completion_scripts) {
-    const OptionInfo shell{.flag = "shell", .help = joined(shells())};
+    const scene::OptionInfo shell{.flag = "shell", .help = joined(shells())};
     commands.push_back(answering<WordOptions>(
-        completion, {option<WordOptions>(shell, &WordOptions::shell, any_text().shown_as("SHELL").such_as(shells()))},
+        completion,
+        {scene::option<WordOptions>(shell, &WordOptions::shell, scene::any_text().shown_as("SHELL").such_as(shells()))},
         script_for));
   } else {
     completion->group("")->require_subcommand(1);
   }
 
   CLI::App* words = completion->add_subcommand("words", "words that may stand last")->group("");
-  const OptionInfo written{.flag = "words", .help = "what was written so far, behind --", .repeatable = true};
+  const scene::OptionInfo written{.flag = "words", .help = "what was written so far, behind --", .repeatable = true};
   commands.push_back(answering<WordOptions>(
-      words, {option<WordOptions>(written, &WordOptions::words, field_text().shown_as("TEXT ..."))},
+      words, {scene::option<WordOptions>(written, &WordOptions::words, scene::field_text().shown_as("TEXT ..."))},
       [describe](const WordOptions& options) { return complete(describe(), options.words); }));
 
   for (const DefinedCommand& command : commands) tables->emplace(command.app, command.options);

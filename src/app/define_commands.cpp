@@ -52,7 +52,7 @@ std::vector<DefinedCommand> define_commands(CLI::App& program) {
                      }),
       define_command(add("info", "tell what a model is: size, bodies, faces, holes, repairs"), info_options(), info),
       define_command(add("compare", "tell what a person sees that differs in two drawings"), compare_options(),
-                     static_cast<int (*)(const CompareOptions&)>(compare)),
+                     compare_files),
       define_command(add("snapshot", "draw cases and compare them with what is expected"), snapshot_options(),
                      snapshot)};
   CLI::App* list = add("plugins", "list projections, show one, or check a library of them");

@@ -20,11 +20,11 @@ bool is_scene_file(const std::string& path) {
 }
 
 // The n-th transform belongs to the n-th model; a single one to all.
-std::vector<ModelDescription> models_of(const DrawOptions& options) {
+std::vector<scene::ModelDescription> models_of(const DrawOptions& options) {
   const std::size_t transforms = options.transforms.size();
   if (transforms > 1 && transforms != options.models.size())
     throw Error(ErrorKind::input, "--transform", "is given neither once nor once for each model");
-  std::vector<ModelDescription> models(options.models.size(), options.model);
+  std::vector<scene::ModelDescription> models(options.models.size(), options.model);
   for (std::size_t i = 0; i < models.size(); ++i) {
     models[i].file = {options.models[i], options.models[i]};
     if (transforms > 0) models[i].transform = options.transforms[transforms == 1 ? 0 : i];
@@ -32,14 +32,14 @@ std::vector<ModelDescription> models_of(const DrawOptions& options) {
   return models;
 }
 
-std::vector<ViewDescription> views_of(const DrawOptions& options) {
-  std::vector<ViewDescription> views;
+std::vector<scene::ViewDescription> views_of(const DrawOptions& options) {
+  std::vector<scene::ViewDescription> views;
   for (const auto& projection : options.views) views.emplace_back().projection = projection;
   for (const auto& projection : options.projections) views.emplace_back().projection = projection;
   return views;
 }
 
-SceneDescription described_by_file(const DrawOptions& options) {
+scene::SceneDescription described_by_file(const DrawOptions& options) {
   const std::string& file = options.models.front();
   if (options.models.size() > 1)
     throw Error(ErrorKind::input, file, "is a scene file and stands beside other models",
@@ -47,8 +47,8 @@ SceneDescription described_by_file(const DrawOptions& options) {
   if (!options.transforms.empty() || options.model.unit.given() || options.model.up.given())
     throw Error(ErrorKind::input, file, "--transform, --unit and --up are for models that the command line names",
                 "say it in the [[model]] of the scene file");
-  SceneDescription scene = read_scene_file(file);
-  std::vector<ViewDescription> views = views_of(options);
+  scene::SceneDescription scene = scene::read_scene_file(file);
+  std::vector<scene::ViewDescription> views = views_of(options);
   if (!views.empty() && !scene.views.empty())
     throw Error(ErrorKind::input, file, "has views of its own",
                 "leave out --views and --projection, or the views of the scene file");
@@ -56,7 +56,7 @@ SceneDescription described_by_file(const DrawOptions& options) {
   return scene;
 }
 
-void cut_by_option(SceneDescription& scene, const Located<SectionDescription>& section) {
+void cut_by_option(scene::SceneDescription& scene, const scene::Located<scene::SectionDescription>& section) {
   if (scene.views.size() > 1 || !scene.sections.empty())
     throw Error(ErrorKind::input, section.where, "is for a single view and a scene without sections of its own",
                 "write a [[section]] into the scene file and name it in the [[view]] that shows it");
@@ -64,38 +64,38 @@ void cut_by_option(SceneDescription& scene, const Located<SectionDescription>& s
   scene.views.front().section = section->name;
 }
 
-void add_dimensions(SceneDescription& scene, const std::string& option) {
-  DimensionDescription& dimension = scene.dimensions.emplace_back();
+void add_dimensions(scene::SceneDescription& scene, const std::string& option) {
+  scene::DimensionDescription& dimension = scene.dimensions.emplace_back();
   dimension.where = option;
   dimension.type = {DimensionType::overall, option};
 }
 
 }  // namespace
 
-SceneDescription describe(const DrawOptions& options) {
-  SceneDescription scene;
+scene::SceneDescription describe(const DrawOptions& options) {
+  scene::SceneDescription scene;
   if (std::any_of(options.models.begin(), options.models.end(), is_scene_file)) {
     scene = described_by_file(options);
   } else {
     scene.models = models_of(options);
     scene.views = views_of(options);
   }
-  for (ViewDescription& view : scene.views) overrule(view, options.view, view_options());
+  for (scene::ViewDescription& view : scene.views) scene::overrule(view, options.view, scene::view_options());
   if (scene.views.empty())
-    (scene.views.emplace_back() = options.view).projection = {ProjectionRequest{"isometric"}, "--projection"};
+    (scene.views.emplace_back() = options.view).projection = {scene::ProjectionRequest{"isometric"}, "--projection"};
   if (options.section.given()) cut_by_option(scene, options.section);
   if (options.dimensions.given()) add_dimensions(scene, options.dimensions.where);
-  complete_scene(scene);
-  for (SheetDescription& sheet : scene.sheets) {
-    overrule(sheet, options.sheet, sheet_options());
-    overrule(sheet.title_block, options.sheet.title_block, title_block_options());
+  pipeline::complete_scene(scene);
+  for (scene::SheetDescription& sheet : scene.sheets) {
+    scene::overrule(sheet, options.sheet, scene::sheet_options());
+    scene::overrule(sheet.title_block, options.sheet.title_block, scene::title_block_options());
   }
   return scene;
 }
 
-std::vector<std::string> inputs_of(const DrawOptions& options, const SceneDescription& scene) {
+std::vector<std::string> inputs_of(const DrawOptions& options, const scene::SceneDescription& scene) {
   std::vector<std::string> files = options.models;
-  for (std::string& model : inputs_of(scene)) files.push_back(std::move(model));
+  for (std::string& model : pipeline::inputs_of(scene)) files.push_back(std::move(model));
   return files;
 }
 

@@ -12,9 +12,9 @@ namespace epura {
 
 /// What an option says wins over what the scene file says. Every description has models, views and sheets.
 /// Throws Error{input} for a scene file beside models, and for options that a scene file leaves no room for.
-SceneDescription describe(const DrawOptions& options);
+scene::SceneDescription describe(const DrawOptions& options);
 
 /// The files that are read for it.
-std::vector<std::string> inputs_of(const DrawOptions& options, const SceneDescription& scene);
+std::vector<std::string> inputs_of(const DrawOptions& options, const scene::SceneDescription& scene);
 
 }  // namespace epura

@@ -18,8 +18,9 @@ namespace epura {
 
 namespace {
 
-bool want_drawings(const std::vector<Target>& targets) {
-  return std::any_of(targets.begin(), targets.end(), [](const Target& target) { return target.format->has_drawings; });
+bool want_drawings(const std::vector<pipeline::Target>& targets) {
+  return std::any_of(targets.begin(), targets.end(),
+                     [](const pipeline::Target& target) { return target.format->has_drawings; });
 }
 
 void expect_outputs(const DrawOptions& options) {
@@ -35,103 +36,109 @@ void expect_outputs(const DrawOptions& options) {
 }
 
 // The whole run once more, from reading on, by other certificates.
-std::string draw_again(const DrawOptions& options, const SceneDescription& scene, std::vector<Target> targets,
-                       const Shortcuts& leave_out) {
-  RunOptions again = options.run;
+std::string draw_again(const DrawOptions& options, const scene::SceneDescription& scene,
+                       std::vector<pipeline::Target> targets, const pipeline::Shortcuts& leave_out) {
+  pipeline::RunOptions again = options.run;
   again.plan = leave_out;
   again.verify = again.explain = false;
   again.why.clear();
   again.dump.reset();
-  if (targets.empty()) targets.push_back({"explain.svg", find_format("svg")});
+  if (targets.empty()) targets.push_back({"explain.svg", output::find_format("svg")});
   again.keeps_drawings = want_drawings(targets);
-  Stopwatch watch;
-  const Messages silent{[](const std::string&) {}, [](std::string_view) {}};
-  const DrawnScene drawn = draw_scene(scene, again, {silent, {}, watch});
+  pipeline::Stopwatch watch;
+  const pipeline::Messages silent{[](const std::string&) {}, [](std::string_view) {}};
+  const pipeline::DrawnScene drawn = pipeline::draw_scene(scene, again, {silent, {}, watch});
   std::string bytes;
-  for (const FileBytes& file : encode_all(targets, drawn.sheets, options.vector, {}, {})) bytes += file.bytes;
+  for (const pipeline::FileBytes& file : pipeline::encode_all(targets, drawn.sheets, options.vector, {}, {}))
+    bytes += file.bytes;
   return bytes;
 }
 
-PlanStep formats_step(const std::vector<Target>& targets) {
-  std::set<const Format*> wanted;
-  for (const Target& target : targets) wanted.insert(target.format);
-  return {"formats", false, "only those of outputs are made", static_cast<long long>(formats().size()),
+report::PlanStep formats_step(const std::vector<pipeline::Target>& targets) {
+  std::set<const output::Format*> wanted;
+  for (const pipeline::Target& target : targets) wanted.insert(target.format);
+  return {"formats", false, "only those of outputs are made", static_cast<long long>(output::formats().size()),
           static_cast<long long>(wanted.size())};
 }
 
 // The formats of a run are told to people alone: what is in a file does not depend on the files beside it.
-std::string explanation(const Report& report, const PlanStep& formats) {
-  std::vector<PlanStep> plan = report.plan;
+std::string explanation(const report::Report& report, const report::PlanStep& formats) {
+  std::vector<report::PlanStep> plan = report.plan;
   plan.push_back(formats);
   std::string text = plan_table(plan);
-  for (const ViewCondition& view : report.conditions) text += format_condition(view);
+  for (const report::ViewCondition& view : report.conditions) text += pipeline::format_condition(view);
   return text;
 }
 
 // Where there is no time to write all lines, the longest ones.
-std::vector<FileBytes> encode_in_time(const std::vector<Target>& targets, std::vector<FinishedSheet>& sheets,
-                                      const VectorOptions& vector_options, Report& report, const Progress& progress) {
-  const auto make = [&](const Progress& until) { return encode_all(targets, sheets, vector_options, report, until); };
+std::vector<pipeline::FileBytes> encode_in_time(const std::vector<pipeline::Target>& targets,
+                                                std::vector<pipeline::FinishedSheet>& sheets,
+                                                const output::VectorOptions& vector_options, report::Report& report,
+                                                const Progress& progress) {
+  const auto make = [&](const Progress& until) {
+    return pipeline::encode_all(targets, sheets, vector_options, report, until);
+  };
   const auto leave_out = [&](const std::string& stage) {
     report.partial.add_stage(stage);
-    for (FinishedSheet& sheet : sheets) mark_partial(sheet, report.partial.stages.front());
-    return keep_longest_lines(sheets, report.partial);
+    for (pipeline::FinishedSheet& sheet : sheets) pipeline::mark_partial(sheet, report.partial.stages.front());
+    return pipeline::keep_longest_lines(sheets, report.partial);
   };
-  return make_in_time(progress, Budget{progress, progress, report.partial}.last(), make, leave_out);
+  return make_in_time(progress, pipeline::Budget{progress, progress, report.partial}.last(), make, leave_out);
 }
 
-std::vector<std::string> paths_of(const std::vector<FileBytes>& files) {
+std::vector<std::string> paths_of(const std::vector<pipeline::FileBytes>& files) {
   std::vector<std::string> paths;
-  for (const FileBytes& file : files) paths.push_back(file.path);
+  for (const pipeline::FileBytes& file : files) paths.push_back(file.path);
   return paths;
 }
 
-void forget_times(std::vector<PlanStep>& plan) {
-  for (PlanStep& step : plan) step.times = {};
+void forget_times(std::vector<report::PlanStep>& plan) {
+  for (report::PlanStep& step : plan) step.times = {};
 }
 
-DrawnFiles draw_within(const DrawOptions& options, const Messages& messages, Progress progress) {
-  Stopwatch watch;
+DrawnFiles draw_within(const DrawOptions& options, const pipeline::Messages& messages, Progress progress) {
+  pipeline::Stopwatch watch;
   progress.begin("preparing");
   const ThreadLimit threads(options.run.threads);
-  const std::vector<Target> targets = targets_of(options.outputs, options.format);
+  const std::vector<pipeline::Target> targets = pipeline::targets_of(options.outputs, options.format);
   expect_outputs(options);
-  const SceneDescription scene = describe(options);
-  refuse_overwriting(files_of(targets, scene.sheets.size()), inputs_of(options, scene));
+  const scene::SceneDescription scene = describe(options);
+  pipeline::refuse_overwriting(pipeline::files_of(targets, scene.sheets.size()), inputs_of(options, scene));
 
-  RunOptions run = options.run;
+  pipeline::RunOptions run = options.run;
   run.keeps_drawings = want_drawings(targets);
-  DrawnScene drawn = draw_scene(scene, run, {messages, progress, watch});
-  Report& report = drawn.report;
+  pipeline::DrawnScene drawn = pipeline::draw_scene(scene, run, {messages, progress, watch});
+  report::Report& report = drawn.report;
   estimate_savings(report.plan);
   if (options.measure) {
-    const auto again = [&](const Shortcuts& other) { return draw_again(options, scene, targets, other); };
+    const auto again = [&](const pipeline::Shortcuts& other) { return draw_again(options, scene, targets, other); };
     measure_savings(report.plan, run.plan, again);
   }
   if (run.explain) drawn.answers += explanation(report, formats_step(targets));
 
   if (options.timings) report.seconds = watch.laps();
   if (!options.timings && !options.measure) forget_times(report.plan);
-  const std::vector<FileBytes> files = encode_in_time(targets, drawn.sheets, options.vector, report, progress);
+  const std::vector<pipeline::FileBytes> files =
+      encode_in_time(targets, drawn.sheets, options.vector, report, progress);
   progress.lift_limit();
-  for (const FileBytes& file : files) write(file, progress);
+  for (const pipeline::FileBytes& file : files) pipeline::write(file, progress);
   watch.lap("write");
   return {paths_of(files), std::move(report), std::move(drawn.answers), watch, std::move(drawn.sheets)};
 }
 
 }  // namespace
 
-DrawnFiles draw_files(const DrawOptions& options, const Messages& messages, Progress progress) {
+DrawnFiles draw_files(const DrawOptions& options, const pipeline::Messages& messages, Progress progress) {
   try {
     return draw_within(options, messages, progress);
   } catch (const OutOfTime& cut) {
-    throw nothing_drawn(cut.stage);
+    throw pipeline::nothing_drawn(cut.stage);
   }
 }
 
-void tell_the_end(const Messages& messages, const DrawOptions& options, const DrawnFiles& drawn) {
-  if (options.timings) tell_timings(messages, drawn.watch);
-  if (!drawn.report.partial.stages.empty()) warn_about(messages, drawn.report.partial);
+void tell_the_end(const pipeline::Messages& messages, const DrawOptions& options, const DrawnFiles& drawn) {
+  if (options.timings) pipeline::tell_timings(messages, drawn.watch);
+  if (!drawn.report.partial.stages.empty()) pipeline::warn_about(messages, drawn.report.partial);
 }
 
 }  // namespace epura

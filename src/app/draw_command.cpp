@@ -19,13 +19,13 @@ int exit_code_of(const DrawnFiles& drawn) {
 int draw(const DrawOptions& options) {
   ProgressBoard board;
   Console console(board, shows_progress(options.progress), options.run.time_limit);
-  const Messages messages = messages_to(console);
+  const pipeline::Messages messages = messages_to(console);
   DrawnFiles drawn = draw_files(options, messages, Progress(board, options.run.time_limit));
   console.print("");  // the line of progress makes room
   std::fputs(drawn.answers.c_str(), stdout);
   tell_the_end(messages, options, drawn);
   // Never freed one by one: a million small pieces of memory go at once with the program.
-  static_cast<void>(new std::vector<FinishedSheet>(std::move(drawn.sheets)));
+  static_cast<void>(new std::vector<pipeline::FinishedSheet>(std::move(drawn.sheets)));
   return exit_code_of(drawn);
 }
 

@@ -16,10 +16,10 @@ namespace epura {
 
 struct DrawnFiles {
   std::vector<std::string> paths;  ///< that were written
-  Report report;
+  report::Report report;
   std::string answers;  ///< to --why and --dump
-  Stopwatch watch;
-  std::vector<FinishedSheet> sheets;  ///< what the files show; theirs is most of the memory
+  pipeline::Stopwatch watch;
+  std::vector<pipeline::FinishedSheet> sheets;  ///< what the files show; theirs is most of the memory
 
   [[nodiscard]] bool is_wrong() const { return report.verification && !report.verification->is_right(); }
 };
@@ -28,9 +28,9 @@ struct DrawnFiles {
 int exit_code_of(const DrawnFiles& drawn);
 
 /// Draws and writes all files. Throws Error: Error{time} where time is over before there is a line to show.
-DrawnFiles draw_files(const DrawOptions& options, const Messages& messages, Progress progress);
+DrawnFiles draw_files(const DrawOptions& options, const pipeline::Messages& messages, Progress progress);
 
 /// Says what --timings and --verify were to tell, and what --time-limit left out.
-void tell_the_end(const Messages& messages, const DrawOptions& options, const DrawnFiles& drawn);
+void tell_the_end(const pipeline::Messages& messages, const DrawOptions& options, const DrawnFiles& drawn);
 
 }  // namespace epura

@@ -21,210 +21,225 @@ auto run(Member member) {
   return [member](auto& draw) -> auto& { return draw.run.*member; };
 }
 
-ValueKind<SectionDescription> cutting_plane() {
+scene::ValueKind<scene::SectionDescription> cutting_plane() {
   return {{"text", "POINT:NORMAL"},
-          [](const TomlValue& value) { return parse_section(read_text(value), value.where); }};
+          [](const scene::TomlValue& value) { return scene::parse_section(scene::read_text(value), value.where); }};
 }
 
-ValueKind<EdgeQuestion> edge_question() {
-  return {{"text", "EDGE"}, [](const TomlValue& value) { return parse_edge_question(read_text(value)); }};
+scene::ValueKind<explain::EdgeQuestion> edge_question() {
+  return {{"text", "EDGE"},
+          [](const scene::TomlValue& value) { return explain::parse_edge_question(scene::read_text(value)); }};
 }
 
-ValueKind<double> curve_tolerance() {
-  ValueForm form{"number, mm", "MM"};
+scene::ValueKind<double> curve_tolerance() {
+  scene::ValueForm form{"number, mm", "MM"};
   form.implied = "0.01";
-  return {form, [](const TomlValue& value) {
-            const std::string text = read_text(value);
+  return {form, [](const scene::TomlValue& value) {
+            const std::string text = scene::read_text(value);
             const auto tolerance = parse_number(text);
             if (!tolerance || !(*tolerance > 0 && *tolerance <= 1))
-              refuse(value, "'" + text + "' is not a tolerance", "more than 0 and at most 1 mm are possible");
+              scene::refuse(value, "'" + text + "' is not a tolerance", "more than 0 and at most 1 mm are possible");
             return *tolerance;
           }};
 }
 
-ValueKind<Visibility> visibility_kind() {
-  const ValueKind<Visibility> known = choice<Visibility>();
-  return {known.form, [known](const TomlValue& value) {
+scene::ValueKind<pipeline::Visibility> visibility_kind() {
+  const scene::ValueKind<pipeline::Visibility> known = scene::choice<pipeline::Visibility>();
+  return {known.form, [known](const scene::TomlValue& value) {
             for (const char* measured : {"float", "sampled", "item-buffer", "exact:"})
-              if (read_text(value).starts_with(measured))
-                refuse(value, "'" + read_text(value) + "' is not a method for drawings",
-                       "'epura study accuracy' measures it; drawings take exact or none");
+              if (scene::read_text(value).starts_with(measured))
+                scene::refuse(value, "'" + scene::read_text(value) + "' is not a method for drawings",
+                              "'epura study accuracy' measures it; drawings take exact or none");
             return known.read(value);
           }};
 }
 
-ValueKind<std::string> id_prefix() {
-  return {{"text", "PREFIX"}, [](const TomlValue& value) { return checked_id_prefix(read_text(value), value.where); }};
+scene::ValueKind<std::string> id_prefix() {
+  return {{"text", "PREFIX"}, [](const scene::TomlValue& value) {
+            return output::checked_id_prefix(scene::read_text(value), value.where);
+          }};
 }
 
-ValueKind<Shortcuts> certificate_names() {
-  ValueForm form{"list of texts", "NAMES", {"all", "none"}};
-  for (const auto& [name, member] : shortcut_names()) form.words.push_back(name);
+scene::ValueKind<pipeline::Shortcuts> certificate_names() {
+  scene::ValueForm form{"list of texts", "NAMES", {"all", "none"}};
+  for (const auto& [name, member] : pipeline::shortcut_names()) form.words.push_back(name);
   form.is_list = true;
-  return {std::move(form), [](const TomlValue& value) { return parse_shortcuts(read_text(value)); }};
+  return {std::move(form),
+          [](const scene::TomlValue& value) { return pipeline::parse_shortcuts(scene::read_text(value)); }};
 }
 
-void add_views(Draw& draw, const TomlValue& value) {
-  for (const LocatedText& name : each_word(value))
-    draw.views.push_back({projection_request().read(value_of_option(name.where, *name)), name.where});
+void add_views(Draw& draw, const scene::TomlValue& value) {
+  for (const scene::LocatedText& name : scene::each_word(value))
+    draw.views.push_back({scene::projection_request().read(scene::value_of_option(name.where, *name)), name.where});
 }
 
-void append(Options<Draw>& all, Options<Draw> more, Nature nature = Nature::drawing) {
-  for (OptionInfo& option : more) option.nature = nature;
+void append(scene::Options<Draw>& all, scene::Options<Draw> more, scene::Nature nature = scene::Nature::drawing) {
+  for (scene::OptionInfo& option : more) option.nature = nature;
   std::move(more.begin(), more.end(), std::back_inserter(all));
 }
 
-Options<Draw> file_options() {
+scene::Options<Draw> file_options() {
   return {
-      option<Draw>({.flag = "models",
-                    .help = "model files: obj stl ply off; or one scene file: toml",
-                    .nature = Nature::file,
-                    .required = true,
-                    .repeatable = true},
-                   &Draw::models, file_name("MODEL...")),
-      option<Draw>({.flag = "-o,--output",
-                    .help = "file to write, by extension: " + joined(format_names()) + "; - for standard output",
-                    .nature = Nature::file,
-                    .repeatable = true},
-                   &Draw::outputs, file_name("FILE")),
-      option<Draw>({.flag = "--format", .help = "format of '-'", .nature = Nature::file}, &Draw::format,
-                   any_text().shown_as("NAME").such_as(format_names())),
-      plugin_path_option<Draw>(run(&RunOptions::plugin_path)),
-      option<Draw>(
+      scene::option<Draw>({.flag = "models",
+                           .help = "model files: obj stl ply off; or one scene file: toml",
+                           .nature = scene::Nature::file,
+                           .required = true,
+                           .repeatable = true},
+                          &Draw::models, file_name("MODEL...")),
+      scene::option<Draw>(
+          {.flag = "-o,--output",
+           .help = "file to write, by extension: " + joined(output::format_names()) + "; - for standard output",
+           .nature = scene::Nature::file,
+           .repeatable = true},
+          &Draw::outputs, file_name("FILE")),
+      scene::option<Draw>({.flag = "--format", .help = "format of '-'", .nature = scene::Nature::file}, &Draw::format,
+                          scene::any_text().shown_as("NAME").such_as(output::format_names())),
+      plugin_path_option<Draw>(run(&pipeline::RunOptions::plugin_path)),
+      scene::option<Draw>(
           {.flag = "--transform",
            .help = "where models stand, e.g. \"rotate:z,30 translate:0,0,5\"; once for all models, or once for "
                    "each",
            .repeatable = true},
-          &Draw::transforms, transform_steps()),
+          &Draw::transforms, scene::transform_steps()),
   };
 }
 
-Options<Draw> picture_options() {
+scene::Options<Draw> picture_options() {
   return {
       projections_option("NAME[:key=value...]; 'epura plugins' lists them; each time one more view",
                          &Draw::projections),
       {{.flag = "--views",
-        .form = {.placeholder = "NAMES", .completion = Completion::projections},
+        .form = {.placeholder = "NAMES", .completion = scene::Completion::projections},
         .help = "several views on one sheet: front,top,left,isometric"},
        add_views},
-      option<Draw>({.flag = "--section",
-                    .help = "cut through the models, e.g. 0,0,10:0,-1,0; what lies on the side to which the normal "
-                            "points is taken away"},
-                   &Draw::section, cutting_plane()),
-      option<Draw>({.flag = "--arcs",
-                    .help = "draw circles, ellipses and their arcs as such, through corners within so many mm"},
-                   run(&RunOptions::arcs), curve_tolerance()),
-      option<Draw>({.flag = "--centre-lines", .help = "draw centre lines and axes of circles of the models"},
-                   run(&RunOptions::centre_lines), truth()),
-      option<Draw>({.flag = "--dimensions", .help = "width, height and depth of the models, each in the clearest view"},
-                   &Draw::dimensions, choice<AutomaticDimensions>().shown_as("WHICH")),
-      option<Draw>(
+      scene::option<Draw>(
+          {.flag = "--section",
+           .help = "cut through the models, e.g. 0,0,10:0,-1,0; what lies on the side to which the normal "
+                   "points is taken away"},
+          &Draw::section, cutting_plane()),
+      scene::option<Draw>({.flag = "--arcs",
+                           .help = "draw circles, ellipses and their arcs as such, through corners within so many mm"},
+                          run(&pipeline::RunOptions::arcs), curve_tolerance()),
+      scene::option<Draw>({.flag = "--centre-lines", .help = "draw centre lines and axes of circles of the models"},
+                          run(&pipeline::RunOptions::centre_lines), scene::truth()),
+      scene::option<Draw>(
+          {.flag = "--dimensions", .help = "width, height and depth of the models, each in the clearest view"},
+          &Draw::dimensions, scene::choice<AutomaticDimensions>().shown_as("WHICH")),
+      scene::option<Draw>(
           {.flag = "--visibility", .help = "how hidden lines are found, none for a wireframe", .usual = "exact"},
-          run(&RunOptions::visibility), visibility_kind()),
-      option<Draw>(
+          run(&pipeline::RunOptions::visibility), visibility_kind()),
+      scene::option<Draw>(
           {.flag = "--max-error",
            .help = "say what is guaranteed, and refuse views in which a span longer than so many mm might be wrong"},
-          run(&RunOptions::max_error), number_between(1e-12, 1e6, "mm").shown_as("MM")),
-      option<Draw>({.flag = "--contact", .help = "length below which faces touch and hide nothing", .usual = "found"},
-                   run(&RunOptions::contact), number_between(0, HUGE_VAL, "")),
+          run(&pipeline::RunOptions::max_error), scene::number_between(1e-12, 1e6, "mm").shown_as("MM")),
+      scene::option<Draw>(
+          {.flag = "--contact", .help = "length below which faces touch and hide nothing", .usual = "found"},
+          run(&pipeline::RunOptions::contact), scene::number_between(0, HUGE_VAL, "")),
   };
 }
 
-Options<Draw> format_options() {
+scene::Options<Draw> format_options() {
   const auto vector = [](auto member) {
     return [member](auto& draw) -> auto& { return draw.vector.*member; };
   };
   return {
-      option<Draw>({.flag = "--plain", .help = "SVG without the origin of lines"}, vector(&VectorOptions::plain),
-                   truth()),
-      option<Draw>(
+      scene::option<Draw>({.flag = "--plain", .help = "SVG without the origin of lines"},
+                          vector(&output::VectorOptions::plain), scene::truth()),
+      scene::option<Draw>(
           {.flag = "--svg-text", .help = "lettering of SVG; text needs the font to look right", .usual = "outlines"},
-          vector(&VectorOptions::text), choice<SvgText>().shown_as("HOW")),
-      option<Draw>({.flag = "--decimals", .help = "digits behind the point of millimetres in SVG", .usual = "4"},
-                   vector(&VectorOptions::decimals), whole_number(1, 5)),
-      option<Draw>({.flag = "--id-prefix",
-                    .help = "what ids and classes of SVG begin with, for drawings that share a page",
-                    .usual = "made from the drawing"},
-                   vector(&VectorOptions::id_prefix), id_prefix()),
-      option<Draw>({.flag = "--dpi", .help = "resolution of PNG", .usual = "300"}, vector(&VectorOptions::dpi),
-                   number_between(1, 1200, "").shown_as("N")),
+          vector(&output::VectorOptions::text), scene::choice<SvgText>().shown_as("HOW")),
+      scene::option<Draw>({.flag = "--decimals", .help = "digits behind the point of millimetres in SVG", .usual = "4"},
+                          vector(&output::VectorOptions::decimals), scene::whole_number(1, 5)),
+      scene::option<Draw>({.flag = "--id-prefix",
+                           .help = "what ids and classes of SVG begin with, for drawings that share a page",
+                           .usual = "made from the drawing"},
+                          vector(&output::VectorOptions::id_prefix), id_prefix()),
+      scene::option<Draw>({.flag = "--dpi", .help = "resolution of PNG", .usual = "300"},
+                          vector(&output::VectorOptions::dpi), scene::number_between(1, 1200, "").shown_as("N")),
   };
 }
 
-Options<Draw> question_options() {
+scene::Options<Draw> question_options() {
   return {
-      option<Draw>({.flag = "--why",
-                    .help = "tell why an edge is drawn and what hides it: [MODEL:]V0-V1 as in JSON, or @X,Y for those "
-                            "nearest to a place of the page",
-                    .repeatable = true},
-                   run(&RunOptions::why), edge_question()),
-      option<Draw>({.flag = "--dump", .help = "print a table of all drawn edges, or of their spans"},
-                   run(&RunOptions::dump), choice<DumpTable>().shown_as("TABLE")),
-      option<Draw>(
+      scene::option<Draw>(
+          {.flag = "--why",
+           .help = "tell why an edge is drawn and what hides it: [MODEL:]V0-V1 as in JSON, or @X,Y for those "
+                   "nearest to a place of the page",
+           .repeatable = true},
+          run(&pipeline::RunOptions::why), edge_question()),
+      scene::option<Draw>({.flag = "--dump", .help = "print a table of all drawn edges, or of their spans"},
+                          run(&pipeline::RunOptions::dump), scene::choice<pipeline::DumpTable>().shown_as("TABLE")),
+      scene::option<Draw>(
           {.flag = "--verify", .help = "test the drawing by an independent exact method; exit code 1 if it is wrong"},
-          run(&RunOptions::verify), truth()),
-      option<Draw>({.flag = "--verify-samples", .help = "number of points at random for --verify", .usual = "2000"},
-                   run(&RunOptions::verify_samples), whole_number(1, 10'000'000)),
-      option<Draw>({.flag = "--explain",
-                    .help = "tell which stages ran and why, and how many digits each view can have, as 'epura explain' "
-                            "does"},
-                   run(&RunOptions::explain), truth()),
+          run(&pipeline::RunOptions::verify), scene::truth()),
+      scene::option<Draw>(
+          {.flag = "--verify-samples", .help = "number of points at random for --verify", .usual = "2000"},
+          run(&pipeline::RunOptions::verify_samples), scene::whole_number(1, 10'000'000)),
+      scene::option<Draw>(
+          {.flag = "--explain",
+           .help = "tell which stages ran and why, and how many digits each view can have, as 'epura explain' "
+                   "does"},
+          run(&pipeline::RunOptions::explain), scene::truth()),
   };
 }
 
-Options<Draw> run_options() {
+scene::Options<Draw> run_options() {
   return {
-      threads_option<Draw>(run(&RunOptions::threads)),
-      option<Draw>({.flag = "--timings", .help = "say how long each stage took"}, &Draw::timings, truth()),
-      option<Draw>({.flag = "--plan",
-                    .help = "certificates by which stages are left out: all, none, or some of clip intersections "
-                            "visibility hidden text, with commas; the drawing is the same",
-                    .usual = "all"},
-                   run(&RunOptions::plan), certificate_names()),
+      threads_option<Draw>(run(&pipeline::RunOptions::threads)),
+      scene::option<Draw>({.flag = "--timings", .help = "say how long each stage took"}, &Draw::timings,
+                          scene::truth()),
+      scene::option<Draw>(
+          {.flag = "--plan",
+           .help = "certificates by which stages are left out: all, none, or some of clip intersections "
+                   "visibility hidden text, with commas; the drawing is the same",
+           .usual = "all"},
+          run(&pipeline::RunOptions::plan), certificate_names()),
       progress_option(&Draw::progress),
-      option<Draw>(
+      scene::option<Draw>(
           {.flag = "--time-limit",
            .help = "seconds that a run may take: what there is no time for is left out, the longest edges come "
                    "first; marks the drawing PARTIAL"},
-          run(&RunOptions::time_limit), number_between(0, HUGE_VAL, "s").shown_as("S")),
+          run(&pipeline::RunOptions::time_limit), scene::number_between(0, HUGE_VAL, "s").shown_as("S")),
   };
 }
 
-Options<Draw> title_options() {
-  Options<Draw> options;
-  for (const Option<TitleBlockFields>& field : title_block_options())
-    options.push_back(
-        {field, [read = field.read](Draw& draw, const TomlValue& value) { read(draw.sheet.title_block, value); }});
+scene::Options<Draw> title_options() {
+  scene::Options<Draw> options;
+  for (const scene::Option<scene::TitleBlockFields>& field : scene::title_block_options())
+    options.push_back({field, [read = field.read](Draw& draw, const scene::TomlValue& value) {
+                         read(draw.sheet.title_block, value);
+                       }});
   return options;
 }
 
 }  // namespace
 
-ValueKind<std::string> file_name(const std::string& placeholder) {
+scene::ValueKind<std::string> file_name(const std::string& placeholder) {
   // Names may have any characters.
-  const ValueKind<std::string> any{{"text", placeholder},
-                                   [](const TomlValue& value) { return std::get<std::string>(value.content); }};
-  return any.completed_by(Completion::files);
+  const scene::ValueKind<std::string> any{
+      {"text", placeholder}, [](const scene::TomlValue& value) { return std::get<std::string>(value.content); }};
+  return any.completed_by(scene::Completion::files);
 }
 
-Options<DrawOptions> draw_options() {
-  Options<Draw> all = file_options();
-  append_options(all, model_options(), &Draw::model);
+scene::Options<DrawOptions> draw_options() {
+  scene::Options<Draw> all = file_options();
+  scene::append_options(all, scene::model_options(), &Draw::model);
   append(all, picture_options());
-  append_options(all, view_options(), &Draw::view);
-  append_options(all, sheet_options(), &Draw::sheet);
+  scene::append_options(all, scene::view_options(), &Draw::view);
+  scene::append_options(all, scene::sheet_options(), &Draw::sheet);
   append(all, title_options());
   append(all, format_options());
-  append(all, question_options(), Nature::run);
-  append(all, run_options(), Nature::run);
+  append(all, question_options(), scene::Nature::run);
+  append(all, run_options(), scene::Nature::run);
   return all;
 }
 
-Options<DrawOptions> explain_options() {
-  Options<Draw> all = draw_options();
-  all.push_back(option<Draw>(
-      {.flag = "--measure", .help = "measure what is saved, by runs without each certificate", .nature = Nature::run},
-      &Draw::measure, truth()));
+scene::Options<DrawOptions> explain_options() {
+  scene::Options<Draw> all = draw_options();
+  all.push_back(scene::option<Draw>({.flag = "--measure",
+                                     .help = "measure what is saved, by runs without each certificate",
+                                     .nature = scene::Nature::run},
+                                    &Draw::measure, scene::truth()));
   return all;
 }
 

@@ -23,7 +23,7 @@ const std::vector<std::pair<std::string, double>>& usual_seconds() {
 }
 
 // Of all cores together: other programs have little influence on it.
-double seconds_of(const DrawAgain& again, const Shortcuts& leave_out, const std::string& expected) {
+double seconds_of(const DrawAgain& again, const pipeline::Shortcuts& leave_out, const std::string& expected) {
   const std::clock_t start = std::clock();
   const bool same = again(leave_out) == expected;
   const std::clock_t end = std::clock();
@@ -32,7 +32,7 @@ double seconds_of(const DrawAgain& again, const Shortcuts& leave_out, const std:
 }
 
 // Both ways in every round, in alternating order: what runs first warms what runs next.
-double measured_saving(const Shortcuts& with, const Shortcuts& without, const DrawAgain& again,
+double measured_saving(const pipeline::Shortcuts& with, const pipeline::Shortcuts& without, const DrawAgain& again,
                        const std::string& expected) {
   std::vector<double> differences;
   for (int round = 0; round < rounds; ++round) {
@@ -51,7 +51,7 @@ std::string milliseconds(const std::optional<double>& seconds) {
 
 using Row = std::vector<std::string>;
 
-Row row_of(const PlanStep& step) {
+Row row_of(const report::PlanStep& step) {
   return {step.stage,
           step.view.empty() ? "-" : step.view,
           step.run ? "run" : "left out",
@@ -87,27 +87,27 @@ std::string aligned(const std::vector<Row>& rows) {
 
 }  // namespace
 
-void estimate_savings(std::vector<PlanStep>& plan) {
-  for (PlanStep& step : plan)
+void estimate_savings(std::vector<report::PlanStep>& plan) {
+  for (report::PlanStep& step : plan)
     for (const auto& [stage, seconds] : usual_seconds())
       if (step.stage == stage && step.skipped > 0) step.times.estimated = seconds * static_cast<double>(step.skipped);
 }
 
-void measure_savings(std::vector<PlanStep>& plan, const Shortcuts& used, const DrawAgain& again) {
+void measure_savings(std::vector<report::PlanStep>& plan, const pipeline::Shortcuts& used, const DrawAgain& again) {
   const std::string expected = again(used);
-  for (const auto& entry : shortcut_names()) {
-    const auto spares = [&](const PlanStep& step) { return step.stage == entry.first && step.skipped > 0; };
+  for (const auto& entry : pipeline::shortcut_names()) {
+    const auto spares = [&](const report::PlanStep& step) { return step.stage == entry.first && step.skipped > 0; };
     const auto step = std::find_if(plan.begin(), plan.end(), spares);
     if (step == plan.end()) continue;
-    Shortcuts without = used;
+    pipeline::Shortcuts without = used;
     without.*entry.second = false;
     step->times.measured = measured_saving(used, without, again, expected);
   }
 }
 
-std::string plan_table(const std::vector<PlanStep>& plan) {
+std::string plan_table(const std::vector<report::PlanStep>& plan) {
   std::vector<Row> rows{{"stage", "view", "plan", "certificate", "took", "saved about", "saved", "in", "out", "why"}};
-  for (const PlanStep& step : plan) rows.push_back(row_of(step));
+  for (const report::PlanStep& step : plan) rows.push_back(row_of(step));
   return "times in ms\n" + aligned(rows);
 }
 

@@ -31,16 +31,16 @@ constexpr std::size_t most_radii = 12;
 
 /// What is told of one model.
 struct ModelInfo {
-  MeshReport report;
+  mesh::MeshReport report;
   Box box;
   std::optional<Unit> unit;  ///< what it most likely is; no format of these says it
-  PartFaces part;
-  std::vector<Hole> holes;
+  features::PartFaces part;
+  std::vector<features::Hole> holes;
 
   [[nodiscard]] bool closed() const { return report.triangles > 0 && report.open_edges == 0; }
 };
 
-Box box_of(const Mesh& mesh) {
+Box box_of(const mesh::Mesh& mesh) {
   Box box;
   for (int t = 0; t < mesh.report.triangles; ++t)
     for (const int v : mesh.triangle(t)) {
@@ -62,7 +62,7 @@ double share_of_round(const std::vector<double>& diameters, double step) {
 }
 
 // Designers choose round diameters, and parts have the size of things.
-std::optional<Unit> guess_unit(const Box& box, const PartFaces& part) {
+std::optional<Unit> guess_unit(const Box& box, const features::PartFaces& part) {
   struct Guess {
     Unit unit;
     double step, least, most;  ///< of diameters; sizes of things
@@ -73,8 +73,9 @@ std::optional<Unit> guess_unit(const Box& box, const PartFaces& part) {
   const Vec3 size = box.size();
   const double largest = std::max({size.x, size.y, size.z});
   std::vector<double> diameters;
-  for (const PartFace& face : part.faces)
-    if (face.surface.kind == SurfaceKind::cylinder && face.sweep > 359) diameters.push_back(2 * face.surface.radius);
+  for (const features::PartFace& face : part.faces)
+    if (face.surface.kind == features::SurfaceKind::cylinder && face.sweep > 359)
+      diameters.push_back(2 * face.surface.radius);
   std::optional<Unit> best;
   double best_share = 0.5;
   for (const Guess& guess : guesses) {
@@ -88,10 +89,10 @@ std::optional<Unit> guess_unit(const Box& box, const PartFaces& part) {
 }
 
 ModelInfo info_of(const std::string& path) {
-  const Mesh mesh = read_mesh(path);
-  ModelInfo info{mesh.report, box_of(mesh), std::nullopt, recognise_faces(mesh), {}};
+  const mesh::Mesh mesh = mesh::read_mesh(path);
+  ModelInfo info{mesh.report, box_of(mesh), std::nullopt, features::recognise_faces(mesh), {}};
   info.report.name = path;
-  info.holes = find_holes(mesh, info.part);
+  info.holes = features::find_holes(mesh, info.part);
   info.unit = guess_unit(info.box, info.part);
   return info;
 }
@@ -136,7 +137,7 @@ std::string axis_text(Vec3 axis) {
 }
 
 std::string bodies_text(const ModelInfo& info) {
-  const MeshReport& report = info.report;
+  const mesh::MeshReport& report = info.report;
   std::string text = std::to_string(report.bodies) + ", ";
   if (info.closed())
     text += "closed";
@@ -149,15 +150,15 @@ std::string bodies_text(const ModelInfo& info) {
 }
 
 // "R 3.5 (6), R 18": what a kind is known by, and how often each comes.
-std::string radii_text(const PartFaces& part, SurfaceKind kind, const Rounded& rounded) {
+std::string radii_text(const features::PartFaces& part, features::SurfaceKind kind, const Rounded& rounded) {
   std::map<std::pair<double, double>, std::pair<std::string, int>> radii;
-  for (const PartFace& face : part.faces) {
+  for (const features::PartFace& face : part.faces) {
     if (face.surface.kind != kind) continue;
-    const PartSurface& s = face.surface;
+    const features::PartSurface& s = face.surface;
     std::string text = "R " + rounded(s.radius);
     std::pair key{s.radius, s.minor};
-    if (kind == SurfaceKind::torus) text += " r " + rounded(s.minor);
-    if (kind == SurfaceKind::cone) {
+    if (kind == features::SurfaceKind::torus) text += " r " + rounded(s.minor);
+    if (kind == features::SurfaceKind::cone) {
       const double angle = portable_atan2(std::abs(s.slope), 1) * (360 / std::numbers::pi);
       text = format_fixed(angle, 2) + "\u00b0";
       key = {angle, 0};
@@ -180,38 +181,39 @@ std::string radii_text(const PartFaces& part, SurfaceKind kind, const Rounded& r
 
 std::string faces_text(const ModelInfo& info, const Rounded& rounded) {
   if (info.part.faces.empty()) return line_of("faces", "no surfaces of a part recognised");
-  constexpr std::array kinds{SurfaceKind::plane,  SurfaceKind::cylinder, SurfaceKind::cone,
-                             SurfaceKind::sphere, SurfaceKind::torus,    SurfaceKind::free_form};
+  constexpr std::array kinds{features::SurfaceKind::plane, features::SurfaceKind::cylinder,
+                             features::SurfaceKind::cone,  features::SurfaceKind::sphere,
+                             features::SurfaceKind::torus, features::SurfaceKind::free_form};
   constexpr std::array one{"plane", "cylinder", "cone", "sphere", "torus", "free form"};
   constexpr std::array many{"planes", "cylinders", "cones", "spheres", "tori", "free forms"};
   std::string text = line_of("faces", std::to_string(info.part.faces.size()) + "; " + percent(info.part.recognised) +
                                           " of the area is recognised");
-  for (const SurfaceKind kind : kinds) {
+  for (const features::SurfaceKind kind : kinds) {
     const auto k = static_cast<std::size_t>(kind);
     const auto count = static_cast<int>(std::count_if(info.part.faces.begin(), info.part.faces.end(),
                                                       [&](const auto& f) { return f.surface.kind == kind; }));
     if (count == 0) continue;
     std::string what = counted(count, one[k], many[k]);
-    if (kind != SurfaceKind::plane && kind != SurfaceKind::free_form)
+    if (kind != features::SurfaceKind::plane && kind != features::SurfaceKind::free_form)
       what += ": " + radii_text(info.part, kind, rounded);
     text += line_of("", what);
   }
   return text;
 }
 
-int count_borders(const PartFaces& part, BorderKind kind) {
-  return static_cast<int>(
-      std::count_if(part.borders.begin(), part.borders.end(), [&](const PartBorder& b) { return b.kind == kind; }));
+int count_borders(const features::PartFaces& part, features::BorderKind kind) {
+  return static_cast<int>(std::count_if(part.borders.begin(), part.borders.end(),
+                                        [&](const features::PartBorder& b) { return b.kind == kind; }));
 }
 
-std::string edges_text(const PartFaces& part) {
-  std::string text = std::to_string(count_borders(part, BorderKind::sharp)) + " sharp, " +
-                     std::to_string(count_borders(part, BorderKind::tangent)) + " tangent";
-  const int open = count_borders(part, BorderKind::open);
+std::string edges_text(const features::PartFaces& part) {
+  std::string text = std::to_string(count_borders(part, features::BorderKind::sharp)) + " sharp, " +
+                     std::to_string(count_borders(part, features::BorderKind::tangent)) + " tangent";
+  const int open = count_borders(part, features::BorderKind::open);
   return open > 0 ? text + ", " + std::to_string(open) + " open" : text;
 }
 
-std::string hole_text(const Hole& hole, const Rounded& rounded) {
+std::string hole_text(const features::Hole& hole, const Rounded& rounded) {
   std::string text;
   for (const double diameter : hole.diameters) text += (text.empty() ? "\u00d8" : ", \u00d8") + rounded(diameter);
   const double length = glm::distance(hole.from, hole.to);
@@ -220,10 +222,10 @@ std::string hole_text(const Hole& hole, const Rounded& rounded) {
 }
 
 // Equal holes on one line.
-std::string holes_text(const std::vector<Hole>& holes, const Rounded& rounded) {
+std::string holes_text(const std::vector<features::Hole>& holes, const Rounded& rounded) {
   if (holes.empty()) return line_of("holes", "none");
   std::vector<std::pair<std::string, std::vector<Vec3>>> groups;
-  for (const Hole& hole : holes) {
+  for (const features::Hole& hole : holes) {
     const std::string text = hole_text(hole, rounded);
     const auto same = std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.first == text; });
     if (same == groups.end())
@@ -242,7 +244,7 @@ std::string holes_text(const std::vector<Hole>& holes, const Rounded& rounded) {
   return text;
 }
 
-std::vector<std::string> repairs_of(const MeshReport& report) {
+std::vector<std::string> repairs_of(const mesh::MeshReport& report) {
   std::vector<std::string> repairs;
   const auto add = [&](int count, const std::string& one, const std::string& many) {
     if (count > 0) repairs.push_back(counted(count, one, many));
@@ -261,7 +263,7 @@ std::vector<std::string> repairs_of(const MeshReport& report) {
 }
 
 std::string text_of(const ModelInfo& info) {
-  const MeshReport& report = info.report;
+  const mesh::MeshReport& report = info.report;
   const Rounded rounded(info.part.tolerance);
   std::string format = report.format;
   std::transform(format.begin(), format.end(), format.begin(),
@@ -276,8 +278,8 @@ std::string text_of(const ModelInfo& info) {
     text += line_of("box", rounded(size.x) + " x " + rounded(size.y) + " x " + rounded(size.z) + ", from " +
                                rounded(info.box.min) + " to " + rounded(info.box.max));
   }
-  text +=
-      line_of("unit", info.unit ? "not in the file; probably " + std::string(word_of(*info.unit)) : "not in the file");
+  text += line_of(
+      "unit", info.unit ? "not in the file; probably " + std::string(scene::word_of(*info.unit)) : "not in the file");
   text += line_of("bodies", bodies_text(info));
   text += faces_text(info, rounded);
   if (!info.part.faces.empty()) {
@@ -310,42 +312,45 @@ std::string json_list(const Items& items, const Write& write, const std::string&
   return text + "]";
 }
 
-std::string json_of(const PartFace& face) {
-  const PartSurface& s = face.surface;
-  std::string text = "{\"kind\": " + json_string(surface_kind_names[static_cast<std::size_t>(s.kind)]) +
-                     ", \"body\": " + std::to_string(face.body) + ", \"triangles\": " + std::to_string(face.triangles) +
-                     ", \"area\": " + json_number(face.area);
-  if (s.kind == SurfaceKind::free_form) return text + "}";
+std::string json_of(const features::PartFace& face) {
+  const features::PartSurface& s = face.surface;
+  std::string text =
+      "{\"kind\": " + output::json_string(features::surface_kind_names[static_cast<std::size_t>(s.kind)]) +
+      ", \"body\": " + std::to_string(face.body) + ", \"triangles\": " + std::to_string(face.triangles) +
+      ", \"area\": " + json_number(face.area);
+  if (s.kind == features::SurfaceKind::free_form) return text + "}";
   text += ", \"origin\": " + json_of(s.origin);
-  if (s.kind != SurfaceKind::sphere) text += ", \"axis\": " + json_of(s.axis);
-  if (s.kind != SurfaceKind::plane) text += ", \"radius\": " + json_number(s.radius);
-  if (s.kind == SurfaceKind::torus) text += ", \"tube_radius\": " + json_number(s.minor);
-  if (s.kind == SurfaceKind::cone) text += ", \"slope\": " + json_number(s.slope);
+  if (s.kind != features::SurfaceKind::sphere) text += ", \"axis\": " + json_of(s.axis);
+  if (s.kind != features::SurfaceKind::plane) text += ", \"radius\": " + json_number(s.radius);
+  if (s.kind == features::SurfaceKind::torus) text += ", \"tube_radius\": " + json_number(s.minor);
+  if (s.kind == features::SurfaceKind::cone) text += ", \"slope\": " + json_number(s.slope);
   if (face.sweep > 0)
     text += ", \"along\": [" + json_number(face.from) + ", " + json_number(face.to) +
             "], \"sweep\": " + json_number(face.sweep);
-  if (s.kind != SurfaceKind::plane) text += std::string(", \"inwards\": ") + (face.inwards ? "true" : "false");
+  if (s.kind != features::SurfaceKind::plane)
+    text += std::string(", \"inwards\": ") + (face.inwards ? "true" : "false");
   return text + ", \"residual\": " + json_number(face.residual) + ", \"sagitta\": " + json_number(face.sagitta) + "}";
 }
 
-std::string json_of(const Hole& hole) {
+std::string json_of(const features::Hole& hole) {
   return "{\"diameters\": " + json_list(hole.diameters, json_number) + ", \"from\": " + json_of(hole.from) +
          ", \"to\": " + json_of(hole.to) + ", \"through\": " + (hole.through ? "true" : "false") +
          ", \"faces\": " + json_list(hole.faces, [](int f) { return std::to_string(f); }) + "}";
 }
 
 std::string json_of(const ModelInfo& info) {
-  const MeshReport& report = info.report;
+  const mesh::MeshReport& report = info.report;
   const auto number = [](const char* key, int value) {
     return std::string(", \"") + key + "\": " + std::to_string(value);
   };
   const auto truth = [](bool value) { return value ? "true" : "false"; };
-  std::string text = "{\"name\": " + json_string(report.name) + ", \"format\": " + json_string(report.format);
+  std::string text =
+      "{\"name\": " + output::json_string(report.name) + ", \"format\": " + output::json_string(report.format);
   text += number("vertices", report.vertices) + number("faces", report.faces) + number("triangles", report.triangles);
   text += std::string(", \"single_precision\": ") + truth(report.single_precision);
   if (!info.box.empty())
     text += ",\n   \"box\": {\"min\": " + json_of(info.box.min) + ", \"max\": " + json_of(info.box.max) + "}";
-  text += ",\n   \"unit\": " + (info.unit ? json_string(word_of(*info.unit)) : "null");
+  text += ",\n   \"unit\": " + (info.unit ? output::json_string(scene::word_of(*info.unit)) : "null");
   text += number("bodies", report.bodies) + ", \"closed\": " + truth(info.closed()) +
           number("open_edges", report.open_edges) + number("non_manifold_edges", report.non_manifold_edges) +
           number("misoriented_edges", report.misoriented_edges);
@@ -353,24 +358,24 @@ std::string json_of(const ModelInfo& info) {
           ", \"recognised\": " + json_number(info.part.recognised);
   text += ",\n   \"part_faces\": " + json_list(
                                          info.part.faces, [](const auto& f) { return json_of(f); }, ",\n    ");
-  text += ",\n   \"part_edges\": {\"sharp\": " + std::to_string(count_borders(info.part, BorderKind::sharp)) +
-          number("tangent", count_borders(info.part, BorderKind::tangent)) +
-          number("open", count_borders(info.part, BorderKind::open)) + "}";
+  text += ",\n   \"part_edges\": {\"sharp\": " + std::to_string(count_borders(info.part, features::BorderKind::sharp)) +
+          number("tangent", count_borders(info.part, features::BorderKind::tangent)) +
+          number("open", count_borders(info.part, features::BorderKind::open)) + "}";
   text += ",\n   \"holes\": " + json_list(
                                     info.holes, [](const auto& h) { return json_of(h); }, ",\n    ");
-  return text + ",\n   \"repairs\": " + json_list(repairs_of(report), json_string) + "}";
+  return text + ",\n   \"repairs\": " + json_list(repairs_of(report), output::json_string) + "}";
 }
 
 }  // namespace
 
 int info(const InfoOptions& options) {
-  if (!options.json.empty()) refuse_overwriting({options.json}, options.models);
+  if (!options.json.empty()) pipeline::refuse_overwriting({options.json}, options.models);
   std::vector<ModelInfo> models;
   for (const std::string& model : options.models) models.push_back(info_of(model));
   if (!options.json.empty()) {
     const std::string list = json_list(
         models, [](const auto& m) { return json_of(m); }, ",\n  ");
-    write({options.json, "{\"epura_info\": 1, \"models\": " + list + "}\n"}, {});
+    pipeline::write({options.json, "{\"epura_info\": 1, \"models\": " + list + "}\n"}, {});
   }
   if (options.json == "-") return 0;
   for (std::size_t i = 0; i < models.size(); ++i)

@@ -90,21 +90,21 @@ std::string commands(const std::string& path, const CommandDescription& command,
   return text;
 }
 
-std::string projection(const ProjectionEntry& entry) {
+std::string projection(const projection::ProjectionEntry& entry) {
   std::string text = item(bold(entry.name) + " (" + escaped(entry.family) + ")", escaped(entry.summary));
   if (entry.parameters.empty()) return text;
   text += ".RS\n";
-  for (const Parameter& parameter : entry.parameters)
+  for (const projection::Parameter& parameter : entry.parameters)
     text += item(bold(parameter.name), escaped(parameter.help) + " (" + escaped(values_text(parameter)) + ")");
   return text + ".RE\n";
 }
 
-std::string projections_section(const std::vector<ProjectionEntry>& projections) {
+std::string projections_section(const std::vector<projection::ProjectionEntry>& projections) {
   std::string text = section("PROJECTIONS") + bold("--projection ") + italic("NAME[:key=value...]") +
                      " takes one of these, found when this page was made, with their parameters. More come as plugins, "
                      "and are told by " +
                      bold("epura plugins") + ".\n";
-  for (const ProjectionEntry& entry : projections) text += projection(entry);
+  for (const projection::ProjectionEntry& entry : projections) text += projection(entry);
   return text;
 }
 
@@ -124,7 +124,7 @@ std::string title_of(std::string name) {
 }  // namespace
 
 std::string manual_page(const CommandDescription& program, const ProgramTexts& texts,
-                        const std::vector<ProjectionEntry>& projections) {
+                        const std::vector<projection::ProjectionEntry>& projections) {
   const std::string title = title_of(texts.name);
   std::string text = ".TH " + title + " 1 \"\" \"epura " EPURA_VERSION "\" \"User Commands\"\n" + section("NAME") +
                      escaped(to_lower(title)) + " \\- " + escaped(texts.summary) + "\n" + section("SYNOPSIS") +

@@ -13,6 +13,6 @@ namespace epura {
 
 /// The source of a page of section 1, by the macros of man(7). Without projections it has no section of them.
 std::string manual_page(const CommandDescription& program, const ProgramTexts& texts,
-                        const std::vector<ProjectionEntry>& projections);
+                        const std::vector<projection::ProjectionEntry>& projections);
 
 }  // namespace epura

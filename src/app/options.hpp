@@ -17,13 +17,13 @@ namespace epura {
 
 enum class ShowProgress { automatic, always, never };
 template <>
-struct Words<ShowProgress> {
+struct scene::Words<ShowProgress> {
   static constexpr std::array list{"auto", "always", "never"};
 };
 
 enum class AutomaticDimensions { overall };
 template <>
-struct Words<AutomaticDimensions> {
+struct scene::Words<AutomaticDimensions> {
   static constexpr std::array list{"overall"};
 };
 
@@ -31,16 +31,16 @@ struct DrawOptions {
   std::vector<std::string> models;   ///< or one scene file
   std::vector<std::string> outputs;  ///< "-" is standard output
   std::string format;                ///< of "-"
-  std::vector<Located<ProjectionRequest>> projections, views;
-  std::vector<Located<Mat4>> transforms;
+  std::vector<scene::Located<scene::ProjectionRequest>> projections, views;
+  std::vector<scene::Located<Mat4>> transforms;
   // These win over what a scene file says.
-  ModelDescription model;
-  ViewDescription view;
-  SheetDescription sheet;
-  Located<SectionDescription> section;
-  Located<AutomaticDimensions> dimensions;
-  VectorOptions vector;
-  RunOptions run;
+  scene::ModelDescription model;
+  scene::ViewDescription view;
+  scene::SheetDescription sheet;
+  scene::Located<scene::SectionDescription> section;
+  scene::Located<AutomaticDimensions> dimensions;
+  output::VectorOptions vector;
+  pipeline::RunOptions run;
   bool timings = false;
   ShowProgress progress = ShowProgress::automatic;
   bool measure = false;  ///< what certificates save, by runs without them
@@ -53,7 +53,7 @@ struct PluginsOptions {
 
 struct CheckPluginOptions {
   std::filesystem::path file;
-  double time_limit = plugin_seconds;
+  double time_limit = projection::plugin_seconds;
 };
 
 struct NewProjectionOptions {

@@ -15,8 +15,8 @@ std::string numbers(const std::vector<double>& values) {
   return text;
 }
 
-std::string range_text(const Parameter& parameter) {
-  if (parameter.type == ParameterType::choice) {
+std::string range_text(const projection::Parameter& parameter) {
+  if (parameter.type == projection::ParameterType::choice) {
     std::string text;
     for (const std::string& choice : parameter.choices) text += (text.empty() ? "" : "|") + choice;
     return text;
@@ -29,14 +29,15 @@ std::string range_text(const Parameter& parameter) {
 
 }  // namespace
 
-std::string usual_value(const Parameter& parameter) {
+std::string usual_value(const projection::Parameter& parameter) {
   for (const double value : parameter.initial)
     if (std::isnan(value)) return "";
-  if (parameter.type == ParameterType::choice) return parameter.choices[static_cast<std::size_t>(parameter.initial[0])];
+  if (parameter.type == projection::ParameterType::choice)
+    return parameter.choices[static_cast<std::size_t>(parameter.initial[0])];
   return numbers(parameter.initial);
 }
 
-std::string values_text(const Parameter& parameter) {
+std::string values_text(const projection::Parameter& parameter) {
   const std::string usual = usual_value(parameter), range = range_text(parameter);
   return "default " + (usual.empty() ? "from the model" : usual) + (range.empty() ? "" : "; " + range) +
          (parameter.unit.empty() || parameter.unit == "1" ? "" : " [" + parameter.unit + "]");

@@ -9,9 +9,9 @@
 namespace epura {
 
 /// The value by default, as it may be given: "45", "0,0,1" or a word; empty if it is found from the model.
-std::string usual_value(const Parameter& parameter);
+std::string usual_value(const projection::Parameter& parameter);
 
 /// "default 45; 0..90 [deg]"
-std::string values_text(const Parameter& parameter);
+std::string values_text(const projection::Parameter& parameter);
 
 }  // namespace epura

@@ -30,9 +30,9 @@ void print_matrix(const Mat4& matrix) {
   }
 }
 
-void print_vanishing_points(const Projection& projection) {
+void print_vanishing_points(const projection::Projection& projection) {
   const char* const axes[] = {"x", "y", "z"};
-  const auto points = vanishing_points(projection);
+  const auto points = projection::vanishing_points(projection);
   int count = 0;
   for (const auto& point : points) count += point ? 1 : 0;
   print("\nprincipal vanishing points: " + std::to_string(count));
@@ -41,36 +41,36 @@ void print_vanishing_points(const Projection& projection) {
       print(std::string("  ") + axes[i] + "  " + format_fixed(points[i]->x, 6) + ", " + format_fixed(points[i]->y, 6));
 }
 
-void show(const ProjectionEntry& entry) {
+void show(const projection::ProjectionEntry& entry) {
   print(entry.name + " (" + entry.family + "): " + entry.summary);
   if (!entry.reference.empty()) print("after " + entry.reference);
   print("from " + entry.plugin.string());
   if (!entry.parameters.empty()) print("\nparameters (--projection " + entry.name + ":key=value)");
-  for (const Parameter& p : entry.parameters) {
+  for (const projection::Parameter& p : entry.parameters) {
     print("  " + padded(p.name, 16) + p.help);
     print("  " + padded("", 16) + values_text(p));
   }
   Box box;
   box.add(Vec3(0));
   box.add(Vec3(1));
-  const Projection projection = make_projection(entry, {entry.name, {}}, box);
+  const projection::Projection projection = projection::make_projection(entry, {entry.name, {}}, box);
   print(std::string("\n") + (projection.central ? "M_per" : "M_par") + " with the defaults, for the unit cube");
-  print_matrix(plane_matrix(projection));
+  print_matrix(projection::plane_matrix(projection));
   print_vanishing_points(projection);
-  const Condition condition = condition_of(projection, box);
+  const view::Condition condition = view::condition_of(projection, box);
   print("condition of the map: " + format_rounded(condition.number, 2) + ", " +
         format_fixed(std::floor(condition.digits_left()), 0) + " digits left");
 }
 
 int list(const std::vector<std::filesystem::path>& folders) {
-  const Catalogue catalogue = load_catalogue(folders);
+  const projection::Catalogue catalogue = projection::load_catalogue(folders);
   std::string family;
-  for (const ProjectionEntry& entry : catalogue.entries) {
+  for (const projection::ProjectionEntry& entry : catalogue.entries) {
     if (entry.family != family) print((family.empty() ? "" : "\n") + entry.family);
     family = entry.family;
     print("  " + padded(entry.name, 18) + entry.summary);
   }
-  for (const BadPlugin& bad : catalogue.bad)
+  for (const projection::BadPlugin& bad : catalogue.bad)
     std::fprintf(stderr, "epura: %s: %s\n", printable(bad.path.string()).c_str(), bad.reason.c_str());
   if (!catalogue.entries.empty()) return 0;
   throw Error(ErrorKind::plugin, "plugins", "none found", "name their folder with --plugin-path or $EPURA_PLUGIN_PATH");
@@ -79,9 +79,9 @@ int list(const std::vector<std::filesystem::path>& folders) {
 }  // namespace
 
 int plugins(const PluginsOptions& options) {
-  const auto folders = plugin_folders(options.plugin_path);
+  const auto folders = projection::plugin_folders(options.plugin_path);
   if (options.name.empty()) return list(folders);
-  show(find_projection(options.name, folders));
+  show(projection::find_projection(options.name, folders));
   return 0;
 }
 

@@ -30,12 +30,12 @@ std::vector<Suggestion> continue_list(const std::string& text, const std::vector
 
 std::vector<Suggestion> projections(const Folders& folders) {
   std::vector<Suggestion> suggestions;
-  for (const ProjectionEntry& entry : load_catalogue(folders).entries)
+  for (const projection::ProjectionEntry& entry : projection::load_catalogue(folders).entries)
     suggestions.push_back({entry.name, entry.summary});
   return suggestions;
 }
 
-std::vector<Suggestion> values_of(const Parameter& parameter, const std::string& before) {
+std::vector<Suggestion> values_of(const projection::Parameter& parameter, const std::string& before) {
   std::vector<Suggestion> suggestions;
   for (const std::string& choice : parameter.choices) suggestions.push_back({before + choice, parameter.help});
   if (suggestions.empty() && !usual_value(parameter).empty())
@@ -44,11 +44,11 @@ std::vector<Suggestion> values_of(const Parameter& parameter, const std::string&
 }
 
 /// Parameters that have no value yet, or the values of the one that waits for its.
-std::vector<Suggestion> parameters(const ProjectionEntry& entry, const std::string& text) {
+std::vector<Suggestion> parameters(const projection::ProjectionEntry& entry, const std::string& text) {
   const std::string before = before_last(text, ':');
   const std::string last = text.substr(before.size());
   std::vector<Suggestion> suggestions;
-  for (const Parameter& parameter : entry.parameters) {
+  for (const projection::Parameter& parameter : entry.parameters) {
     const std::string key = parameter.name + "=";
     if (last.starts_with(key)) return values_of(parameter, before + key);
     if (before.find(":" + key) == std::string::npos)
@@ -62,7 +62,7 @@ std::vector<Suggestion> continue_request(const std::string& text, const Folders&
   const std::size_t colon = text.find(':');
   if (colon == std::string::npos) return projections(folders);
   try {
-    return parameters(find_projection(text.substr(0, colon), folders), text);
+    return parameters(projection::find_projection(text.substr(0, colon), folders), text);
   } catch (const Error&) {
     return {};  // a name that is not known has no parameters
   }
@@ -70,9 +70,10 @@ std::vector<Suggestion> continue_request(const std::string& text, const Folders&
 
 }  // namespace
 
-std::vector<Suggestion> value_suggestions(const ValueForm& form, const std::string& text, const Folders& folders) {
-  if (form.completion == Completion::projection) return continue_request(text, folders);
-  if (form.completion == Completion::projections) return continue_list(text, projections(folders));
+std::vector<Suggestion> value_suggestions(const scene::ValueForm& form, const std::string& text,
+                                          const Folders& folders) {
+  if (form.completion == scene::Completion::projection) return continue_request(text, folders);
+  if (form.completion == scene::Completion::projections) return continue_list(text, projections(folders));
   std::vector<Suggestion> words;
   for (const std::string& word : form.words) words.push_back({word, ""});
   return form.is_list ? continue_list(text, words) : words;

@@ -17,7 +17,7 @@ struct Suggestion {
 
 /// `text` is what the value begins with so far; suggestions are whole values, some of which do not begin like it.
 /// Projections and their parameters are asked of the plugins in `folders`. Nothing where every text would do.
-std::vector<Suggestion> value_suggestions(const ValueForm& form, const std::string& text,
+std::vector<Suggestion> value_suggestions(const scene::ValueForm& form, const std::string& text,
                                           const std::vector<std::filesystem::path>& folders);
 
 }  // namespace epura

@@ -9,7 +9,7 @@
 #include "compare/comparison.hpp"
 #include "compare/page_differences.hpp"
 
-namespace epura {
+namespace epura::compare {
 
 namespace {
 
@@ -75,4 +75,4 @@ Comparison compare(const PictureFile& before, const PictureFile& after, double t
   return comparison;
 }
 
-}  // namespace epura
+}  // namespace epura::compare

@@ -7,7 +7,7 @@
 #include "compare/ink_parts.hpp"
 #include "compare/page_differences.hpp"
 
-namespace epura {
+namespace epura::compare {
 
 namespace {
 
@@ -156,4 +156,4 @@ InkDifferences compare_ink(const Picture& before, const Picture& after, double t
   return found;
 }
 
-}  // namespace epura
+}  // namespace epura::compare

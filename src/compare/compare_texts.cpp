@@ -7,7 +7,7 @@
 
 #include "compare/page_differences.hpp"
 
-namespace epura {
+namespace epura::compare {
 
 namespace {
 
@@ -125,4 +125,4 @@ TextDifferences compare_texts(const Picture& before, const Picture& after, doubl
   return TextPairs(before, after, tolerance).compare();
 }
 
-}  // namespace epura
+}  // namespace epura::compare

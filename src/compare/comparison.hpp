@@ -9,7 +9,7 @@
 #include "compare/picture.hpp"
 #include "compare/read_pictures.hpp"
 
-namespace epura {
+namespace epura::compare {
 
 /// `visibility`: a visible line became hidden, or the other way round. `restyled`: another width, dashes or colour.
 enum class Change { size, removed, added, moved, visibility, restyled, text };
@@ -73,4 +73,4 @@ std::string format_comparison(const Comparison& comparison, double tolerance);
 std::string to_json(const Comparison& comparison, double tolerance, const std::string& before,
                     const std::string& after);
 
-}  // namespace epura
+}  // namespace epura::compare

@@ -7,7 +7,7 @@
 
 #include "compare/ink_parts.hpp"
 
-namespace epura {
+namespace epura::compare {
 
 /// A part that is not the same, with the number of the look in the other picture that is in its place; -1 for none.
 struct DifferingPart {
@@ -41,4 +41,4 @@ struct MovedLine {
 std::vector<MovedLine> find_moved(const std::vector<DifferingLine>& before, const std::vector<DifferingLine>& after,
                                   double tolerance);
 
-}  // namespace epura
+}  // namespace epura::compare

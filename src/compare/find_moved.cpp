@@ -10,7 +10,7 @@
 #include "compare/differing_lines.hpp"
 #include "drawing/ink.hpp"
 
-namespace epura {
+namespace epura::compare {
 
 namespace {
 
@@ -44,7 +44,7 @@ double farthest_ends(const DifferingLine& a, const DifferingLine& b) {
 // Whether one goes on along the other: then it got longer or shorter, or did both.
 bool in_one_line(const DifferingLine& a, const DifferingLine& b, double tolerance) {
   if (a.from == a.to) return false;
-  const Ruler line(a.from, a.to);
+  const drawing::Ruler line(a.from, a.to);
   return std::abs(line.local(b.from).y) <= 2 * tolerance && std::abs(line.local(b.to).y) <= 2 * tolerance;
 }
 
@@ -119,4 +119,4 @@ std::vector<MovedLine> find_moved(const Lines& before, const Lines& after, doubl
   return pairing.pairs;
 }
 
-}  // namespace epura
+}  // namespace epura::compare

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace epura {
+namespace epura::compare {
 
 int parts_of_curve(double sagitta) {
   constexpr double flatness = 1e-4;
@@ -25,4 +25,4 @@ void append_cubic(std::vector<Vec2>& points, const CubicCurve& curve, PieceRoom&
   points.push_back(to);
 }
 
-}  // namespace epura
+}  // namespace epura::compare

@@ -7,7 +7,7 @@
 #include "base/vec.hpp"
 #include "compare/picture_maker.hpp"
 
-namespace epura {
+namespace epura::compare {
 
 /// How many equal parts a curve is cut into, whose chord would be off by `sagitta` mm if it were one: that falls with
 /// the square of the number. The parts stay within 0.0001 mm of it.
@@ -21,4 +21,4 @@ struct CubicCurve {
 /// Appends points of a curve, without its beginning, as far as there is room.
 void append_cubic(std::vector<Vec2>& points, const CubicCurve& curve, PieceRoom& room);
 
-}  // namespace epura
+}  // namespace epura::compare

@@ -7,7 +7,7 @@
 
 #include "output/html.hpp"
 
-namespace epura {
+namespace epura::compare {
 
 namespace {
 
@@ -47,7 +47,7 @@ void append_figure(std::string& html, const std::string& caption, const std::vec
 }
 
 void append_case(std::string& html, const ReportedCase& one) {
-  html += "<h2>" + html_text(one.name) + "</h2>\n<pre>" + html_text(one.words) + "</pre>\n";
+  html += "<h2>" + output::html_text(one.name) + "</h2>\n<pre>" + output::html_text(one.words) + "</pre>\n";
   const std::size_t pages = std::max({one.expected.size(), one.overlays.size(), one.actual.size()});
   for (std::size_t page = 0; page < pages; ++page) {
     html += "<div class=\"pictures\">\n";
@@ -65,18 +65,19 @@ std::string html_report(const std::string& title, const std::vector<ReportedCase
   std::size_t failed = 0;
   for (const ReportedCase& one : cases) {
     if (one.good) {
-      good += "<li>" + html_text(one.name) + "</li>\n";
+      good += "<li>" + output::html_text(one.name) + "</li>\n";
     } else {
       append_case(bad, one);
       ++failed;
     }
   }
   std::string html(head);
-  html += "<title>" + html_text(title) + "</title>\n</head>\n<body>\n<h1>" + html_text(title) + "</h1>\n<p>" +
-          std::to_string(cases.size() - failed) + " of " + std::to_string(cases.size()) + " are as expected.</p>\n";
+  html += "<title>" + output::html_text(title) + "</title>\n</head>\n<body>\n<h1>" + output::html_text(title) +
+          "</h1>\n<p>" + std::to_string(cases.size() - failed) + " of " + std::to_string(cases.size()) +
+          " are as expected.</p>\n";
   if (failed > 0) html += std::string(legend) + bad;
   if (!good.empty()) html += "<h2>As expected</h2>\n<ul>\n" + good + "</ul>\n";
   return html + "</body>\n</html>\n";
 }
 
-}  // namespace epura
+}  // namespace epura::compare

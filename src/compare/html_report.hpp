@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace epura {
+namespace epura::compare {
 
 /// One drawing, or one case of a suite. Pictures are whole SVG documents.
 struct ReportedCase {
@@ -18,4 +18,4 @@ struct ReportedCase {
 /// A page of HTML that needs no other file: cases with differences first, those that are good as a list of names.
 std::string html_report(const std::string& title, const std::vector<ReportedCase>& cases);
 
-}  // namespace epura
+}  // namespace epura::compare

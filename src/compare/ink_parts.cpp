@@ -12,7 +12,7 @@
 #include "drawing/ink.hpp"
 #include "search/line_cells.hpp"
 
-namespace epura {
+namespace epura::compare {
 
 namespace {
 
@@ -71,7 +71,8 @@ InkPart cut(const InkPart& part, double from, double to) {
 }
 
 // The overlaps of one part, joined where remainders between them do not count.
-void append_divided(const InkPart& part, std::span<const Cover> covers, double tolerance, DividedInk& divided) {
+void append_divided(const InkPart& part, std::span<const drawing::Cover> covers, double tolerance,
+                    DividedInk& divided) {
   const double length = length_of(part);
   if (covers.empty()) {
     if (length > least_reported) divided.rest.push_back(part);
@@ -79,7 +80,7 @@ void append_divided(const InkPart& part, std::span<const Cover> covers, double t
   }
   const double min = std::max(tolerance, least_reported);
   double done = 0, met = 0;  // what is met begins at `met`, and nothing is open before `done`
-  for (const Cover& cover : covers) {
+  for (const drawing::Cover& cover : covers) {
     if (cover.from - done > min) {
       if (done > met) divided.met.push_back(cut(part, met, done));
       divided.rest.push_back(cut(part, done, cover.from));
@@ -95,15 +96,16 @@ void append_divided(const InkPart& part, std::span<const Cover> covers, double t
 DividedInk divide_by(const std::vector<InkPart>& parts, const std::vector<InkPart>& others, double tolerance,
                      double min) {
   // All of a side have one rank: they do not cover each other.
-  std::vector<Piece> pieces;
+  std::vector<drawing::Piece> pieces;
   pieces.reserve(others.size() + parts.size());
   for (const InkPart& part : others) pieces.push_back({part.from, part.to, true, EdgeKind{}, 0, {0, 0}});
   for (const InkPart& part : parts) pieces.push_back({part.from, part.to, false, EdgeKind{}, 0, {0, 0}});
-  const std::vector<Cover> covers = find_covers(pieces, tolerance, min);
-  pieces = std::vector<Piece>();  // so that so many are hardly ever there twice
+  const std::vector<drawing::Cover> covers = drawing::find_covers(pieces, tolerance, min);
+  pieces = std::vector<drawing::Piece>();  // so that so many are hardly ever there twice
   DividedInk divided;
   std::size_t next = static_cast<std::size_t>(
-      std::lower_bound(covers.begin(), covers.end(), Cover{static_cast<int>(others.size()), 0, 0}) - covers.begin());
+      std::lower_bound(covers.begin(), covers.end(), drawing::Cover{static_cast<int>(others.size()), 0, 0}) -
+      covers.begin());
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const std::size_t first = next;
     while (next < covers.size() && covers[next].piece == static_cast<int>(others.size() + i)) ++next;
@@ -123,11 +125,11 @@ std::vector<InkPart> those_near(const std::vector<InkPart>& others, const std::v
   }
   min -= tolerance;
   max += tolerance;
-  const CellGrid grid{min, (max - min) / double(cells), cells, cells};
+  const search::CellGrid grid{min, (max - min) / double(cells), cells, cells};
   std::vector<char> used(static_cast<std::size_t>(grid.count()));
   const auto visit = [&](const InkPart& part, const auto& see) {
-    visit_cells(grid, part.from, part.to, tolerance,
-                [&](int cell, double, double) { see(used[static_cast<std::size_t>(cell)]); });
+    search::visit_cells(grid, part.from, part.to, tolerance,
+                        [&](int cell, double, double) { see(used[static_cast<std::size_t>(cell)]); });
   };
   for (const InkPart& part : parts) visit(part, [](char& cell) { cell = 1; });
   std::vector<InkPart> near;
@@ -175,14 +177,14 @@ std::vector<InkPart> seen_parts(const Picture& picture, const CommonLooks& table
     if (is_seen(piece)) parts.push_back(in_one_direction(part_of(piece)));
   std::stable_sort(parts.begin(), parts.end(),
                    [](const InkPart& a, const InkPart& b) { return by_look_and_place(a) < by_look_and_place(b); });
-  std::vector<Piece> pieces;
+  std::vector<drawing::Piece> pieces;
   pieces.reserve(parts.size());
   for (std::size_t i = 0; i < parts.size(); ++i)
     pieces.push_back({parts[i].from, parts[i].to, true, EdgeKind{}, static_cast<int>(i), {0, 0}});
-  pieces = resolve_coincident(std::move(pieces), same_place, shortest);
+  pieces = drawing::resolve_coincident(std::move(pieces), same_place, shortest);
   std::vector<InkPart> seen;
   seen.reserve(pieces.size());
-  for (const Piece& piece : pieces) {
+  for (const drawing::Piece& piece : pieces) {
     seen.push_back(parts[static_cast<std::size_t>(piece.edge)]);
     seen.back().from = piece.from;
     seen.back().to = piece.to;
@@ -202,4 +204,4 @@ DividedInk divide(const std::vector<InkPart>& parts, const std::vector<InkPart>&
   return divided;
 }
 
-}  // namespace epura
+}  // namespace epura::compare

@@ -6,7 +6,7 @@
 
 #include "compare/picture.hpp"
 
-namespace epura {
+namespace epura::compare {
 
 /// A straight part of a line, with the number of its look in a table of both drawings. The others are numbers of the
 /// picture that it comes from.
@@ -39,4 +39,4 @@ DividedInk divide(const std::vector<InkPart>& parts, const std::vector<InkPart>&
 
 double length_of(const InkPart& part);
 
-}  // namespace epura
+}  // namespace epura::compare

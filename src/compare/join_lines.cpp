@@ -10,7 +10,7 @@
 #include "base/text.hpp"
 #include "compare/differing_lines.hpp"
 
-namespace epura {
+namespace epura::compare {
 
 namespace {
 
@@ -153,4 +153,4 @@ std::vector<DifferingLine> join_lines(std::vector<DifferingPart> parts, const Pi
   return lines;
 }
 
-}  // namespace epura
+}  // namespace epura::compare

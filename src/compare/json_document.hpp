@@ -9,18 +9,18 @@
 #include <cstddef>
 #include <vector>
 
-namespace epura {
+namespace epura::compare {
 
 /// Stands for that stack among the types that rapidjson is given.
 struct JsonStackMemory : rapidjson::CrtAllocator {};
 
-}  // namespace epura
+}  // namespace epura::compare
 
 /// The names are rapidjson's.
 template <>
-class rapidjson::internal::Stack<epura::JsonStackMemory> {
+class rapidjson::internal::Stack<epura::compare::JsonStackMemory> {
  public:
-  Stack(epura::JsonStackMemory*, std::size_t capacity) : bytes_(std::max<std::size_t>(capacity, 1)) {}
+  Stack(epura::compare::JsonStackMemory*, std::size_t capacity) : bytes_(std::max<std::size_t>(capacity, 1)) {}
 
   template <class Item>
   void Reserve(std::size_t count = 1) {
@@ -58,18 +58,18 @@ class rapidjson::internal::Stack<epura::JsonStackMemory> {
   void Clear() { filled_ = 0; }
   void ShrinkToFit() {}
   [[nodiscard]] bool HasAllocator() const { return false; }
-  epura::JsonStackMemory& GetAllocator() { return memory_; }
+  epura::compare::JsonStackMemory& GetAllocator() { return memory_; }
   [[nodiscard]] bool Empty() const { return filled_ == 0; }
   [[nodiscard]] std::size_t GetSize() const { return filled_; }
 
  private:
   std::vector<char> bytes_;
   std::size_t filled_ = 0;
-  epura::JsonStackMemory memory_{};
+  epura::compare::JsonStackMemory memory_{};
 };
 
-namespace epura {
+namespace epura::compare {
 
 using JsonDocument = rapidjson::GenericDocument<rapidjson::UTF8<>, rapidjson::MemoryPoolAllocator<>, JsonStackMemory>;
 
-}  // namespace epura
+}  // namespace epura::compare

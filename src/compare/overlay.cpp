@@ -11,7 +11,7 @@
 
 #include "sheet/lettering.hpp"
 
-namespace epura {
+namespace epura::compare {
 
 namespace {
 
@@ -23,14 +23,14 @@ constexpr double border_width = 0.13;  // of areas, whose inside is not filled
 
 struct MarkStyle {
   const char* name;
-  Colour colour;
+  sheet::Colour colour;
 };
 
 // In order of painting, as `Mark` counts them.
 constexpr std::array<MarkStyle, 4> marks = {
     {{"same", {160, 160, 160}}, {"changed", {225, 145, 0}}, {"removed", {205, 0, 0}}, {"added", {0, 140, 60}}}};
 
-Dashes dashes_of(const std::vector<double>& lengths) {
+sheet::Dashes dashes_of(const std::vector<double>& lengths) {
   if (lengths.size() < 2) return {};
   const double dot = lengths.size() > 3 ? lengths[2] : 0;
   return {lengths[0], lengths[1], dot, static_cast<int>(lengths.size()) / 2 - 1};
@@ -44,9 +44,9 @@ class LookLayers {
 
   void add_line(const Vec2& from, const Vec2& to, const PictureLook& look) {
     const double width = std::max(look.filled ? border_width : look.width, least_width_);
-    const Dashes dashes = dashes_of(look.dashes);
+    const sheet::Dashes dashes = dashes_of(look.dashes);
     const bool is_short = glm::distance(from, to) < 2 * (dashes.dash + dashes.gap);
-    Stroke stroke{{from + shift_, to + shift_}};
+    sheet::Stroke stroke{{from + shift_, to + shift_}};
     if (!is_short) stroke.dashes = dashes;
     layer({width, look.dashes}).strokes.push_back(std::move(stroke));
   }
@@ -55,8 +55,8 @@ class LookLayers {
   void add_text(const PictureText& text) {
     if (!lettering_) lettering_.emplace();
     Vec2 min(HUGE_VAL), max(-HUGE_VAL);
-    for (const GlyphOutline& glyph : lettering_->outlines(text.words, 1))
-      for (const GlyphOutline::Curve& curve : glyph.curves)
+    for (const sheet::GlyphOutline& glyph : lettering_->outlines(text.words, 1))
+      for (const sheet::GlyphOutline::Curve& curve : glyph.curves)
         for (const Vec2& p : {curve.control, curve.end}) {
           min = glm::min(min, p);
           max = glm::max(max, p);
@@ -72,19 +72,19 @@ class LookLayers {
   }
 
   void add_legend(double x) {
-    Text word{mark_.name, {x, (strip - letters) / 2}, letters};
+    sheet::Text word{mark_.name, {x, (strip - letters) / 2}, letters};
     word.role = "legend";
     layer({border_width, {}}).texts.push_back(std::move(word));
   }
 
-  void append_to(std::vector<Layer>& layers) {
+  void append_to(std::vector<sheet::Layer>& layers) {
     for (auto& [look, layer] : layers_) layers.push_back(std::move(layer));
   }
 
  private:
   using LookKey = std::pair<double, std::vector<double>>;
 
-  Layer& layer(const LookKey& look) {
+  sheet::Layer& layer(const LookKey& look) {
     const auto [place, added] = layers_.try_emplace(look);
     if (added) {
       const std::string name = mark_.name + ("-" + std::to_string(layers_.size()));
@@ -96,14 +96,14 @@ class LookLayers {
   MarkStyle mark_;
   Vec2 shift_;
   double least_width_;
-  std::optional<Lettering> lettering_{};
-  std::map<LookKey, Layer> layers_{};
+  std::optional<sheet::Lettering> lettering_{};
+  std::map<LookKey, sheet::Layer> layers_{};
 };
 
 }  // namespace
 
-Sheet overlay_of(const PageComparison& page) {
-  Sheet sheet{std::max(page.size.x, column * double(marks.size())), page.size.y + strip, "comparison", {}};
+sheet::Sheet overlay_of(const PageComparison& page) {
+  sheet::Sheet sheet{std::max(page.size.x, column * double(marks.size())), page.size.y + strip, "comparison", {}};
   for (std::size_t i = 0; i < marks.size(); ++i) {
     LookLayers layers(marks[i], {0, strip}, i == 0 ? 0 : seen_width);
     for (const MarkedPiece& piece : page.pieces)
@@ -116,8 +116,8 @@ Sheet overlay_of(const PageComparison& page) {
   return sheet;
 }
 
-Sheet sheet_of(const Picture& picture) {
-  Sheet sheet{picture.size.x, picture.size.y, "drawing", {}};
+sheet::Sheet sheet_of(const Picture& picture) {
+  sheet::Sheet sheet{picture.size.x, picture.size.y, "drawing", {}};
   LookLayers layers({"drawing", {}}, {0, 0}, 0);
   for (const PicturePiece& piece : picture.pieces)
     layers.add_line(piece.from, piece.to, picture.looks[static_cast<std::size_t>(piece.look)]);
@@ -126,4 +126,4 @@ Sheet sheet_of(const Picture& picture) {
   return sheet;
 }
 
-}  // namespace epura
+}  // namespace epura::compare

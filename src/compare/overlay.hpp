@@ -5,13 +5,13 @@
 #include "compare/comparison.hpp"
 #include "sheet/sheet.hpp"
 
-namespace epura {
+namespace epura::compare {
 
 /// Both drawings on one sheet: what is the same grey, what was removed red, added green, changed amber; a line that
 /// moved is red in its old and green in its new place. A strip of 8 mm under it says so.
-Sheet overlay_of(const PageComparison& page);
+sheet::Sheet overlay_of(const PageComparison& page);
 
 /// The picture in black.
-Sheet sheet_of(const Picture& picture);
+sheet::Sheet sheet_of(const Picture& picture);
 
-}  // namespace epura
+}  // namespace epura::compare

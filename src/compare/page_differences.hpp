@@ -6,7 +6,7 @@
 
 #include "compare/comparison.hpp"
 
-namespace epura {
+namespace epura::compare {
 
 struct InkDifferences {
   std::vector<Difference> differences{};
@@ -25,4 +25,4 @@ struct TextDifferences {
 /// others, one with the same words and size within 5 mm has moved.
 TextDifferences compare_texts(const Picture& before, const Picture& after, double tolerance);
 
-}  // namespace epura
+}  // namespace epura::compare

@@ -7,7 +7,7 @@
 
 #include "base/text.hpp"
 
-namespace epura {
+namespace epura::compare {
 
 namespace {
 
@@ -89,4 +89,4 @@ void for_each_operation(std::string_view content, const std::function<void(const
   }
 }
 
-}  // namespace epura
+}  // namespace epura::compare

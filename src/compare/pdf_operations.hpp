@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace epura {
+namespace epura::compare {
 
 /// An operator of a content stream with its operands. ISO 32000-1, 7.8.2.
 struct PdfOperation {
@@ -19,4 +19,4 @@ struct PdfOperation {
 /// In their order; `take` sees each while it is called. Texts, dictionaries and comments are passed over.
 void for_each_operation(std::string_view content, const std::function<void(const PdfOperation&)>& take);
 
-}  // namespace epura
+}  // namespace epura::compare

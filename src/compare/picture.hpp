@@ -8,7 +8,7 @@
 
 #include "base/vec.hpp"
 
-namespace epura {
+namespace epura::compare {
 
 /// How a line looks, or the border of a filled area.
 struct PictureLook {
@@ -55,4 +55,4 @@ int number_of_name(std::vector<std::string>& names, const std::string& name);
 /// The same of a look with its name.
 int number_of_look(std::vector<PictureLook>& looks, const PictureLook& look);
 
-}  // namespace epura
+}  // namespace epura::compare

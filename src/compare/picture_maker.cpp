@@ -9,14 +9,14 @@
 #include "base/text.hpp"
 #include "sheet/paper.hpp"
 
-namespace epura {
+namespace epura::compare {
 
 namespace {
 
 constexpr std::size_t always_room = 250'000, most_looks = 200, most_views = 2000;
 
 // Views may lie beside their sheet.
-constexpr double farthest = 10 * longest_side;
+constexpr double farthest = 10 * scene::longest_side;
 
 constexpr const char* is_it_ours = "is it a drawing of epura?";
 
@@ -85,4 +85,4 @@ void PictureMaker::add(const PictureText& text) {
   picture_.texts.push_back(text);
 }
 
-}  // namespace epura
+}  // namespace epura::compare

@@ -9,7 +9,7 @@
 
 #include "compare/picture.hpp"
 
-namespace epura {
+namespace epura::compare {
 
 /// How many more pieces of lines a file may stand for. No line takes less than two bytes, but curves do.
 class PieceRoom {
@@ -50,4 +50,4 @@ class PictureMaker {
   Picture picture_;
 };
 
-}  // namespace epura
+}  // namespace epura::compare

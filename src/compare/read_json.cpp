@@ -15,7 +15,7 @@
 #include "sheet/paper.hpp"
 #include "sheet/view_lines.hpp"
 
-namespace epura {
+namespace epura::compare {
 
 namespace {
 
@@ -68,13 +68,13 @@ struct Place {
 };
 
 // The look behind those of all lines.
-constexpr int cut_face = sheet_lines.size();
+constexpr int cut_face = scene::sheet_lines.size();
 
 // As sheets below A1 draw them, by number of the line.
 std::vector<PictureLook> looks() {
   std::vector<PictureLook> looks;
-  for (const SheetLineRow& row : sheet_lines) {
-    const LineStyle style = line_style(row.line, line_widths(Paper()));
+  for (const scene::SheetLineRow& row : scene::sheet_lines) {
+    const sheet::LineStyle style = sheet::line_style(row.line, sheet::line_widths(sheet::Paper()));
     PictureLook& look = looks.emplace_back(PictureLook{style.name, !row.is_hidden, false, style.width});
     if (style.dashes.dash > 0) look.dashes = {style.dashes.dash, style.dashes.gap};
     for (int i = 0; i < style.dashes.dots; ++i)
@@ -88,7 +88,7 @@ std::vector<PictureLook> looks() {
 EdgeKind kind_named(const std::string& name) {
   auto kind = EdgeKind::contour;
   for (int i = 0; i <= static_cast<int>(EdgeKind::smooth); ++i)
-    if (name == name_of(static_cast<EdgeKind>(i))) kind = static_cast<EdgeKind>(i);
+    if (name == edges::name_of(static_cast<EdgeKind>(i))) kind = static_cast<EdgeKind>(i);
   return kind;
 }
 
@@ -100,8 +100,8 @@ std::string edge_of(const Place& segment) {
 }
 
 void add_segment(PictureMaker& picture, const Place& segment, int view) {
-  const std::optional<SheetLine> line =
-      edge_line(kind_named(segment.at("kind").text()), segment.at("visible").boolean());
+  const std::optional<scene::SheetLine> line =
+      sheet::edge_line(kind_named(segment.at("kind").text()), segment.at("visible").boolean());
   if (!line) return;
   int origin = -1;
   if (std::string edge = edge_of(segment); !edge.empty()) origin = picture.add_origins({std::move(edge)});
@@ -145,4 +145,4 @@ Picture picture_of_json(std::string_view bytes, const std::string& where) {
   return picture.finish();
 }
 
-}  // namespace epura
+}  // namespace epura::compare

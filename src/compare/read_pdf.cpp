@@ -15,7 +15,7 @@
 #include "output/pdf/library.hpp"
 #include "scene/line_roles.hpp"
 
-namespace epura {
+namespace epura::compare {
 
 namespace {
 
@@ -44,7 +44,7 @@ bool has_dashes(std::string_view content) {
 
 class PdfReader {
  public:
-  PdfReader(PdfContent page, const std::string& where, PieceRoom& room)
+  PdfReader(output::PdfContent page, const std::string& where, PieceRoom& room)
       : page_(std::move(page)), where_(where), room_(room), picture_(where) {
     picture_.set_size(Vec2(page_.width, page_.height) * millimetres_per_point);
   }
@@ -79,7 +79,7 @@ class PdfReader {
     view_ = picture_.view(slash == std::string::npos ? "" : layer.substr(0, slash));
     role_ = layer.substr(slash == std::string::npos ? 0 : slash + 1);
     role_ = role_.substr(0, role_.find(' '));
-    const SheetLineRow* row = find_line(role_);
+    const scene::SheetLineRow* row = scene::find_line(role_);
     hidden_ = row != nullptr && row->is_hidden;
     broken_ = row != nullptr && row->dashes.is_broken() && has_dashes(form.mapped());
     run(form.mapped(), pen, [&](const PdfOperation& operation, const PenState& now) {
@@ -156,7 +156,7 @@ class PdfReader {
         picture_.add({line.points[i], line.points[(i + 1) % line.points.size()], number, view_, -1});
   }
 
-  PdfContent page_;
+  output::PdfContent page_;
   const std::string& where_;
   PieceRoom& room_;
   PictureMaker picture_;
@@ -172,9 +172,9 @@ class PdfReader {
 std::vector<Picture> pictures_of_pdf(const std::string& bytes, const std::string& where) {
   std::vector<Picture> pictures;
   PieceRoom room(2 * bytes.size(), where);  // they are packed
-  for (PdfContent& page : pdf_library().read_contents(bytes, where))
+  for (output::PdfContent& page : output::pdf_library().read_contents(bytes, where))
     pictures.push_back(PdfReader(std::move(page), where, room).read());
   return pictures;
 }
 
-}  // namespace epura
+}  // namespace epura::compare

@@ -7,7 +7,7 @@
 #include "base/file.hpp"
 #include "base/text.hpp"
 
-namespace epura {
+namespace epura::compare {
 
 namespace {
 
@@ -40,4 +40,4 @@ PictureFile pictures_of(const std::string& bytes, const std::filesystem::path& p
   return {false, true, pictures_of_pdf(bytes, where)};
 }
 
-}  // namespace epura
+}  // namespace epura::compare

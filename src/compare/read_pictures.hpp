@@ -9,7 +9,7 @@
 
 #include "compare/picture.hpp"
 
-namespace epura {
+namespace epura::compare {
 
 struct PictureFile {
   bool is_json = false;  ///< views without their sheet: no frame, no texts, no hatching
@@ -35,4 +35,4 @@ Picture picture_of_svg(std::string_view bytes, const std::string& where);
 /// parts all lines are broken: the short ones have no dashes.
 std::vector<Picture> pictures_of_pdf(const std::string& bytes, const std::string& where);
 
-}  // namespace epura
+}  // namespace epura::compare

@@ -17,7 +17,7 @@
 #include "scene/line_roles.hpp"
 #include "sheet/lettering.hpp"
 
-namespace epura {
+namespace epura::compare {
 
 namespace {
 
@@ -103,7 +103,7 @@ class SvgReader {
     if (const std::string label = element.attribute("inkscape:label").value(); !label.empty()) {
       if (context.view.empty()) context.view = label;
       context.layer = label;
-      const SheetLineRow* row = find_line(label);
+      const scene::SheetLineRow* row = scene::find_line(label);
       context.visible = row == nullptr || !row->is_hidden;
     }
     if (const pugi::xml_attribute visible = element.attribute("data-visible")) context.visible = visible.as_bool();
@@ -179,7 +179,7 @@ class SvgReader {
     for (const double length : svg_numbers(context.style.of("stroke-dasharray"))) look.dashes.push_back(scale * length);
     // The first dash is the one that is fitted.
     if (context.style.has_fitted_dashes && look.dashes.size() > 1)
-      look.dashes[0] = type_with_dots(static_cast<int>(look.dashes.size()) / 2 - 1).dash * look.width;
+      look.dashes[0] = scene::type_with_dots(static_cast<int>(look.dashes.size()) / 2 - 1).dash * look.width;
     look.colour = svg_colour(context.style.of("stroke"));
     room_.take(look.dashes.size());
     return picture_.look(look);
@@ -192,7 +192,7 @@ class SvgReader {
   }
 
   void add_text(const std::string& words, const Context& context, const std::vector<Vec2>& outline) {
-    PictureText text{written(words), Vec2(HUGE_VAL), Vec2(-HUGE_VAL), picture_.view(context.view)};
+    PictureText text{sheet::written(words), Vec2(HUGE_VAL), Vec2(-HUGE_VAL), picture_.view(context.view)};
     for (const Vec2& p : outline) {
       text.min = glm::min(text.min, on_page(context, p));
       text.max = glm::max(text.max, on_page(context, p));
@@ -224,8 +224,8 @@ class SvgReader {
     const Vec2 start = at - Vec2(before * lettering_->width(words, height), 0);
     std::vector<Vec2> outline;
     const auto add = [&](const Vec2& p) { outline.push_back(start + Vec2(p.x, -p.y)); };
-    for (const GlyphOutline& glyph : lettering_->outlines(words, height))
-      for (const GlyphOutline::Curve& curve : glyph.curves) {
+    for (const sheet::GlyphOutline& glyph : lettering_->outlines(words, height))
+      for (const sheet::GlyphOutline::Curve& curve : glyph.curves) {
         add(curve.control);
         add(curve.end);
       }
@@ -235,7 +235,7 @@ class SvgReader {
   std::string_view bytes_;
   const std::string& where_;
   SvgRules rules_{};
-  std::optional<Lettering> lettering_{};
+  std::optional<sheet::Lettering> lettering_{};
   PieceRoom room_;
   PictureMaker picture_;
 };
@@ -244,4 +244,4 @@ class SvgReader {
 
 Picture picture_of_svg(std::string_view bytes, const std::string& where) { return SvgReader(bytes, where).read(); }
 
-}  // namespace epura
+}  // namespace epura::compare

@@ -8,7 +8,7 @@
 #include "compare/comparison.hpp"
 #include "output/json_text.hpp"
 
-namespace epura {
+namespace epura::compare {
 
 namespace {
 
@@ -63,9 +63,9 @@ std::array<int, kinds> counts(const Comparison& comparison) {
 std::string point(const Vec2& p) { return "[" + format_number(p.x) + ", " + format_number(p.y) + "]"; }
 
 std::string json_of(const Difference& d) {
-  const auto text_or_null = [](const std::string& text) { return text.empty() ? "null" : json_string(text); };
-  std::string json = "{\"change\": " + json_string(name_of(d.change)) + ", \"page\": " + std::to_string(d.page) +
-                     ", \"view\": " + text_or_null(d.view) + ", \"of\": " +
+  const auto text_or_null = [](const std::string& text) { return text.empty() ? "null" : output::json_string(text); };
+  std::string json = "{\"change\": " + output::json_string(name_of(d.change)) +
+                     ", \"page\": " + std::to_string(d.page) + ", \"view\": " + text_or_null(d.view) + ", \"of\": " +
                      (d.change == Change::size ? "\"sheet\""
                       : d.is_text              ? "\"text\""
                                                : "\"line\"") +
@@ -76,7 +76,8 @@ std::string json_of(const Difference& d) {
   if (d.change == Change::moved) json += ", \"distance\": " + format_number(d.distance);
   std::string edges;
   if (!d.origin.empty())
-    for (const std::string_view edge : split(d.origin, ' ')) edges += (edges.empty() ? "" : ", ") + json_string(edge);
+    for (const std::string_view edge : split(d.origin, ' '))
+      edges += (edges.empty() ? "" : ", ") + output::json_string(edge);
   return edges.empty() ? json + "}" : json + ", \"edges\": [" + edges + "]}";
 }
 
@@ -103,17 +104,18 @@ std::string format_comparison(const Comparison& comparison, double tolerance) {
 
 std::string to_json(const Comparison& comparison, double tolerance, const std::string& before,
                     const std::string& after) {
-  std::string json = "{\"epura_compare\": 1, \"before\": " + json_string(before) +
-                     ", \"after\": " + json_string(after) + ",\n \"tolerance\": " + format_number(tolerance) +
+  std::string json = "{\"epura_compare\": 1, \"before\": " + output::json_string(before) +
+                     ", \"after\": " + output::json_string(after) + ",\n \"tolerance\": " + format_number(tolerance) +
                      ", \"same\": " + (comparison.differences.empty() ? "true" : "false") +
                      ", \"texts_compared\": " + (comparison.compares_texts ? "true" : "false") + ",\n \"counts\": {";
   const std::array<int, kinds> count = counts(comparison);
   for (std::size_t i = 0; i < kinds; ++i)
-    json += (i > 0 ? ", " : "") + json_string(name_of(static_cast<Change>(i))) + ": " + std::to_string(count[i]);
+    json +=
+        (i > 0 ? ", " : "") + output::json_string(name_of(static_cast<Change>(i))) + ": " + std::to_string(count[i]);
   json += "},\n \"differences\": [";
   for (const Difference& d : comparison.differences)
     json += (&d == comparison.differences.data() ? "\n  " : ",\n  ") + json_of(d);
   return json + "]}\n";
 }
 
-}  // namespace epura
+}  // namespace epura::compare

@@ -4,15 +4,15 @@
 #include "compare/overlay.hpp"
 #include "output/write.hpp"
 
-namespace epura {
+namespace epura::compare {
 
 namespace {
 
-std::string svg_of(const Sheet& sheet) {
-  VectorOptions options;
+std::string svg_of(const sheet::Sheet& sheet) {
+  output::VectorOptions options;
   options.plain = true;
   options.decimals = 3;
-  return to_svg(sheet, options);
+  return output::to_svg(sheet, options);
 }
 
 std::vector<std::string> svgs_of(const PictureFile& file) {
@@ -31,4 +31,4 @@ ReportedCase add_pictures(ReportedCase reported, const PictureFile& expected, co
   return reported;
 }
 
-}  // namespace epura
+}  // namespace epura::compare

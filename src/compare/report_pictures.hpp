@@ -7,9 +7,9 @@
 #include "compare/comparison.hpp"
 #include "compare/html_report.hpp"
 
-namespace epura {
+namespace epura::compare {
 
 ReportedCase add_pictures(ReportedCase reported, const PictureFile& expected, const PictureFile& actual,
                           const Comparison& comparison);
 
-}  // namespace epura
+}  // namespace epura::compare

@@ -11,7 +11,7 @@
 
 #include "compare/flatten.hpp"
 
-namespace epura {
+namespace epura::compare {
 
 namespace {
 
@@ -158,4 +158,4 @@ class PathParser {
 
 std::optional<SvgPath> read_svg_path(std::string_view data, PieceRoom& room) { return PathParser(data, room).parse(); }
 
-}  // namespace epura
+}  // namespace epura::compare

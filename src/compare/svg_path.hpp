@@ -9,7 +9,7 @@
 #include "base/vec.hpp"
 #include "compare/picture_maker.hpp"
 
-namespace epura {
+namespace epura::compare {
 
 /// A line without a break; the first point is not repeated at the end of a closed one.
 struct SvgLine {
@@ -26,4 +26,4 @@ struct SvgPath {
 /// Throws Error{input} where there is no room for all of it.
 std::optional<SvgPath> read_svg_path(std::string_view data, PieceRoom& room);
 
-}  // namespace epura
+}  // namespace epura::compare

@@ -9,7 +9,7 @@
 
 #include "base/text.hpp"
 
-namespace epura {
+namespace epura::compare {
 
 namespace {
 
@@ -119,4 +119,4 @@ std::vector<double> svg_numbers(std::string_view text) {
   }
 }
 
-}  // namespace epura
+}  // namespace epura::compare

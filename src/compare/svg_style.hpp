@@ -11,7 +11,7 @@
 
 #include "compare/affine_map.hpp"
 
-namespace epura {
+namespace epura::compare {
 
 /// Of an attribute `transform`: matrix, translate, scale and rotate. Nothing for other text.
 std::optional<AffineMap> read_svg_transform(std::string_view text);
@@ -42,4 +42,4 @@ std::string svg_colour(std::string_view text);
 /// Numbers with spaces or commas between them; empty for "none" and what is not a list of numbers.
 std::vector<double> svg_numbers(std::string_view text);
 
-}  // namespace epura
+}  // namespace epura::compare

@@ -12,7 +12,7 @@
 #include "base/portable_math.hpp"
 #include "drawing/conic_fit.hpp"
 
-namespace epura {
+namespace epura::drawing {
 
 namespace {
 
@@ -195,4 +195,4 @@ CurveReport find_curves(std::vector<Chain>& chains, double tolerance, const Prog
   return all;
 }
 
-}  // namespace epura
+}  // namespace epura::drawing

@@ -7,7 +7,7 @@
 #include "base/progress.hpp"
 #include "drawing/drawing.hpp"
 
-namespace epura {
+namespace epura::drawing {
 
 /// What find_curves found; lengths in mm.
 struct CurveReport {
@@ -25,4 +25,4 @@ struct CurveReport {
 /// is moved onto it. A closed line begins where no curve runs on past its end. Throws OutOfTime.
 CurveReport find_curves(std::vector<Chain>& chains, double tolerance, const Progress& progress = {});
 
-}  // namespace epura
+}  // namespace epura::drawing

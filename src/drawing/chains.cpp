@@ -11,7 +11,7 @@
 
 #include "base/same_key.hpp"
 
-namespace epura {
+namespace epura::drawing {
 
 namespace {
 
@@ -130,4 +130,4 @@ std::vector<Chain> chain_segments(const std::vector<Segment>& segments, double t
   return chains;
 }
 
-}  // namespace epura
+}  // namespace epura::drawing

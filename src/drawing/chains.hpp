@@ -7,11 +7,11 @@
 #include "base/progress.hpp"
 #include "drawing/drawing.hpp"
 
-namespace epura {
+namespace epura::drawing {
 
 /// Every segment is in exactly one chain. Where more than two ends meet, those that run on most straightly are joined.
 /// Corners where a chain runs straight on within `tolerance` mm are left out. Throws OutOfTime.
 std::vector<Chain> chain_segments(const std::vector<Segment>& segments, double tolerance,
                                   const Progress& progress = {});
 
-}  // namespace epura
+}  // namespace epura::drawing

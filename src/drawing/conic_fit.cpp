@@ -10,7 +10,7 @@
 
 #include "base/portable_math.hpp"
 
-namespace epura {
+namespace epura::drawing {
 
 namespace {
 
@@ -118,4 +118,4 @@ std::optional<Ellipse> fit_ellipse(std::span<const Vec2> points) {
   return from_matrix(white->middle + glm::inverse(white->matrix) * centre, matrix * (1 / level));
 }
 
-}  // namespace epura
+}  // namespace epura::drawing

@@ -9,7 +9,7 @@
 #include "base/portable_math.hpp"
 #include "base/vec.hpp"
 
-namespace epura {
+namespace epura::drawing {
 
 /// Points centre + cos(a) u + sin(a) v; u is perpendicular to v and turns into it counterclockwise.
 struct Ellipse {
@@ -31,4 +31,4 @@ struct Ellipse {
 /// none.
 std::optional<Ellipse> fit_ellipse(std::span<const Vec2> points);
 
-}  // namespace epura
+}  // namespace epura::drawing

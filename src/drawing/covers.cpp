@@ -11,7 +11,7 @@
 #include "drawing/strands.hpp"
 #include "visibility/spans.hpp"
 
-namespace epura {
+namespace epura::drawing {
 
 namespace {
 
@@ -142,17 +142,17 @@ class CoverSearch {
     }
   }
 
-  [[nodiscard]] Spans parts_covered(const PieceTree& tree, int piece) const {
+  [[nodiscard]] visibility::Spans parts_covered(const PieceTree& tree, int piece) const {
     const Ruler line(pieces_[piece].from, pieces_[piece].to);
-    Spans covered;
-    const auto open = [&] { return open_part(covered, 0, line.length, least_, line.length); };
+    visibility::Spans covered;
+    const auto open = [&] { return visibility::open_part(covered, 0, line.length, least_, line.length); };
     auto rest = open();
     if (!rest) return covered;
     PieceTree::Bounds wanted = tree.covering(piece, *rest);
     tree.visit(wanted, [&](int upper) {
       const auto part = covered_part(line, pieces_[upper].from, pieces_[upper].to, tolerance_, least_);
       if (!(part[1] > part[0])) return true;
-      add_span(covered, part);
+      visibility::add_span(covered, part);
       rest = open();
       if (rest) wanted = tree.covering(piece, *rest);
       return rest.has_value();
@@ -178,4 +178,4 @@ std::vector<Cover> find_covers(const std::vector<Piece>& pieces, double toleranc
   return covers;
 }
 
-}  // namespace epura
+}  // namespace epura::drawing

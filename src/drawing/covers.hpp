@@ -7,7 +7,7 @@
 
 #include "drawing/ink.hpp"
 
-namespace epura {
+namespace epura::drawing {
 
 /// A part of a piece that a piece of higher rank draws already, in mm from its beginning.
 struct Cover {
@@ -23,4 +23,4 @@ struct Cover {
 std::vector<Cover> find_covers(const std::vector<Piece>& pieces, double tolerance, double min,
                                const Progress& progress = {});
 
-}  // namespace epura
+}  // namespace epura::drawing

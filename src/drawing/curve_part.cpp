@@ -9,7 +9,7 @@
 
 #include "base/portable_math.hpp"
 
-namespace epura {
+namespace epura::drawing {
 
 namespace {
 
@@ -93,4 +93,4 @@ std::vector<double> distances_along(const std::vector<Vec2>& points, bool closed
   return distances;
 }
 
-}  // namespace epura
+}  // namespace epura::drawing

@@ -7,7 +7,7 @@
 
 #include "drawing/drawing.hpp"
 
-namespace epura {
+namespace epura::drawing {
 
 /// The point of a curve at its angle.
 Vec2 position_on_curve(const CurvePart& curve, double angle);
@@ -26,4 +26,4 @@ std::vector<CurvePart> curves_between(std::span<const CurvePart> curves, const s
 /// How far each point is from the first one along lines and curves; of a closed polyline one more: all its length.
 std::vector<double> distances_along(const std::vector<Vec2>& points, bool closed, std::span<const CurvePart> curves);
 
-}  // namespace epura
+}  // namespace epura::drawing

@@ -3,29 +3,29 @@
 
 #include <utility>
 
-namespace epura {
+namespace epura::drawing {
 
 namespace {
 
 // Planes closer to the viewer's direction than this angle (radians) are lines on the page.
 constexpr double edge_on = 1e-9;
 
-bool is_seen(const CuttingPlane& plane, const Projection& projection) {
+bool is_seen(const scene::CuttingPlane& plane, const projection::Projection& projection) {
   const Vec3 to_viewer = projection.central ? projection.projector - plane.point : projection.projector;
   return glm::dot(plane.normal, to_viewer) > edge_on * glm::length(to_viewer);
 }
 
 }  // namespace
 
-std::vector<CutFace> cut_faces_on_paper(const std::vector<WorldCutFace>& faces, const CuttingPlane& plane,
-                                        ProjectedScene& view, const PaperMap& paper) {
+std::vector<CutFace> cut_faces_on_paper(const std::vector<scene::WorldCutFace>& faces, const scene::CuttingPlane& plane,
+                                        view::ProjectedScene& view, const view::PaperMap& paper) {
   std::vector<CutFace> seen;
   if (!is_seen(plane, view.projection)) return seen;
-  for (const WorldCutFace& face : faces) {
+  for (const scene::WorldCutFace& face : faces) {
     CutFace on_paper{face.model, face.body, {}};
     for (const std::vector<int>& ring : face.rings) {
       std::vector<Vec2> places;
-      for (const int v : clip_ring(view, ring)) places.push_back(paper(view.vertices[v]));
+      for (const int v : view::clip_ring(view, ring)) places.push_back(paper(view.vertices[v]));
       if (!places.empty()) on_paper.rings.push_back(std::move(places));
     }
     if (!on_paper.rings.empty()) seen.push_back(std::move(on_paper));
@@ -33,4 +33,4 @@ std::vector<CutFace> cut_faces_on_paper(const std::vector<WorldCutFace>& faces, 
   return seen;
 }
 
-}  // namespace epura
+}  // namespace epura::drawing

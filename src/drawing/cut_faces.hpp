@@ -8,11 +8,11 @@
 #include "scene/cut_world.hpp"
 #include "view/paper_map.hpp"
 
-namespace epura {
+namespace epura::drawing {
 
 /// The cut faces that are seen, on paper. Seen from in front of the plane, where all is taken away, nothing hides them;
 /// seen from behind it, none is seen, and the result is empty. `view` is of the cut world.
-std::vector<CutFace> cut_faces_on_paper(const std::vector<WorldCutFace>& faces, const CuttingPlane& plane,
-                                        ProjectedScene& view, const PaperMap& paper);
+std::vector<CutFace> cut_faces_on_paper(const std::vector<scene::WorldCutFace>& faces, const scene::CuttingPlane& plane,
+                                        view::ProjectedScene& view, const view::PaperMap& paper);
 
-}  // namespace epura
+}  // namespace epura::drawing

@@ -12,7 +12,7 @@
 #include "edges/edge_kind.hpp"
 #include "projection/projection.hpp"
 
-namespace epura {
+namespace epura::drawing {
 
 /// A straight piece of ink and where it comes from. Coincident pieces are resolved, touching ones of one edge merged.
 struct Segment {
@@ -59,7 +59,7 @@ struct CutFace {
 
 struct ViewDrawing {
   std::string name;  ///< of the view
-  Projection projection;
+  projection::Projection projection;
   double scale = 1;    ///< mm of paper per unit of the world, in the projection plane
   Mat4 world_to_page;  ///< page = (row0/row3, row1/row3) in mm; row2/row3 grows towards the viewer
   std::array<std::optional<Vec2>, 3> vanishing_points;  ///< of the world axes, on the page
@@ -70,4 +70,4 @@ struct ViewDrawing {
   Vec2 min{0, 0}, max{0, 0};  ///< box of the ink
 };
 
-}  // namespace epura
+}  // namespace epura::drawing

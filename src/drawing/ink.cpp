@@ -11,7 +11,7 @@
 #include "base/same_key.hpp"
 #include "drawing/covers.hpp"
 
-namespace epura {
+namespace epura::drawing {
 
 namespace {
 
@@ -98,4 +98,4 @@ std::vector<Piece> resolve_coincident(std::vector<Piece> pieces, double toleranc
   return pieces;
 }
 
-}  // namespace epura
+}  // namespace epura::drawing

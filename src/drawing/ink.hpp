@@ -11,7 +11,7 @@
 #include "base/vec.hpp"
 #include "edges/edge_kind.hpp"
 
-namespace epura {
+namespace epura::drawing {
 
 /// A straight piece of a drawn edge on the paper.
 struct Piece {
@@ -52,4 +52,4 @@ std::array<double, 2> covered_part(const Ruler& line, Vec2 a, Vec2 b, double tol
 std::vector<Piece> resolve_coincident(std::vector<Piece> pieces, double tolerance, double min,
                                       const Progress& progress = {});
 
-}  // namespace epura
+}  // namespace epura::drawing

@@ -8,16 +8,16 @@
 #include "drawing/chains.hpp"
 #include "drawing/ink.hpp"
 
-namespace epura {
+namespace epura::drawing {
 
 namespace {
 
 constexpr double coincident_cells = 4;
 constexpr double straight_mm = 1e-6;
 
-std::vector<Piece> pieces_of(const ResolvedView& lines, const PaperMap& paper, bool keep_hidden,
+std::vector<Piece> pieces_of(const visibility::ResolvedView& lines, const view::PaperMap& paper, bool keep_hidden,
                              const Progress& progress) {
-  const FeatureEdges& drawn = lines.drawn;
+  const edges::FeatureEdges& drawn = lines.drawn;
   const auto visit_drawn = [&](std::size_t e, const auto& visit) {
     lines.hidden.visit_parts(e, [&](double from, double to, bool visible) {
       if (visible || keep_hidden) visit(from, to, visible);
@@ -31,7 +31,7 @@ std::vector<Piece> pieces_of(const ResolvedView& lines, const PaperMap& paper, b
   std::vector<Piece> pieces(first.back());
   parallel_for(drawn.edges.size(), 1024, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e) {
-      const FeatureEdge& edge = drawn.edges[e];
+      const edges::FeatureEdge& edge = drawn.edges[e];
       Piece* piece = pieces.data() + first[e];
       visit_drawn(e, [&](double from, double to, bool visible) {
         *piece++ = {position_on_paper(lines.view, paper, edge, from),
@@ -47,16 +47,16 @@ std::vector<Piece> pieces_of(const ResolvedView& lines, const PaperMap& paper, b
 }
 
 // The edge of a file that a line is; nothing for intersection lines and cuts through faces.
-std::optional<std::array<int, 2>> edge_in_file(const World& world, const FeatureEdge& edge) {
+std::optional<std::array<int, 2>> edge_in_file(const scene::World& world, const edges::FeatureEdge& edge) {
   if (edge.mesh_edge < 0) return std::nullopt;
-  const Mesh& mesh = *world.models[edge.model].mesh;
-  const EdgeOrigin origin = mesh.origin_of(mesh.edges[edge.mesh_edge]);
+  const mesh::Mesh& mesh = *world.models[edge.model].mesh;
+  const mesh::EdgeOrigin origin = mesh.origin_of(mesh.edges[edge.mesh_edge]);
   return origin.in_file ? std::optional(origin.vertex) : std::nullopt;
 }
 
 // `crossing` is its number among the lines that are no edges of a file, if it is one.
-Segment segment_of(const ResolvedView& lines, const Piece& piece, int crossing) {
-  const FeatureEdge& edge = lines.drawn.edges[piece.edge];
+Segment segment_of(const visibility::ResolvedView& lines, const Piece& piece, int crossing) {
+  const edges::FeatureEdge& edge = lines.drawn.edges[piece.edge];
   const auto in_file = edge_in_file(lines.world, edge);
   return {piece.from,
           piece.to,
@@ -68,9 +68,9 @@ Segment segment_of(const ResolvedView& lines, const Piece& piece, int crossing) 
           {parameter_in_space(lines.view, edge, piece.s[0]), parameter_in_space(lines.view, edge, piece.s[1])}};
 }
 
-CrossingSegment cut_segment(const World& world, const FeatureEdge& edge, const std::array<double, 2>& t) {
-  const Mesh& mesh = *world.models[edge.model].mesh;
-  const MeshEdge& cut = mesh.edges[edge.mesh_edge];
+CrossingSegment cut_segment(const scene::World& world, const edges::FeatureEdge& edge, const std::array<double, 2>& t) {
+  const mesh::Mesh& mesh = *world.models[edge.model].mesh;
+  const mesh::MeshEdge& cut = mesh.edges[edge.mesh_edge];
   const int first = world.first_vertex[edge.model];
   const Vec3& p = world.points[first + cut.vertex[0]];
   const Vec3& q = world.points[first + cut.vertex[1]];
@@ -79,21 +79,22 @@ CrossingSegment cut_segment(const World& world, const FeatureEdge& edge, const s
           {p + t[0] * (q - p), p + t[1] * (q - p)}};
 }
 
-CrossingSegment crossing_segment(const World& world, const FaceCrossing& crossing, const std::array<double, 2>& t) {
+CrossingSegment crossing_segment(const scene::World& world, const edges::FaceCrossing& crossing,
+                                 const std::array<double, 2>& t) {
   CrossingSegment segment;
   for (int i = 0; i < 2; ++i) {
     const int model = world.model_of_triangle(crossing.triangles[i]);
-    const Mesh& mesh = *world.models[model].mesh;
+    const mesh::Mesh& mesh = *world.models[model].mesh;
     segment.faces[i] = {model, mesh.polygon[crossing.triangles[i] - world.first_triangle[model]]};
     segment.world[i] = crossing.ends[0] + t[i] * (crossing.ends[1] - crossing.ends[0]);
   }
   return segment;
 }
 
-void add_segments(const ResolvedView& lines, const std::vector<Piece>& pieces, ViewDrawing& drawing,
+void add_segments(const visibility::ResolvedView& lines, const std::vector<Piece>& pieces, ViewDrawing& drawing,
                   const Progress& progress) {
-  const World& world = lines.world;
-  const FeatureEdges& drawn = lines.drawn;
+  const scene::World& world = lines.world;
+  const edges::FeatureEdges& drawn = lines.drawn;
   std::vector<int> crossing(pieces.size());  // how many of them come before
   int crossings = 0;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -107,7 +108,7 @@ void add_segments(const ResolvedView& lines, const std::vector<Piece>& pieces, V
       Segment& segment = drawing.segments[i];
       segment = segment_of(lines, pieces[i], crossing[i]);
       if (segment.crossing < 0) continue;
-      const FeatureEdge& edge = drawn.edges[pieces[i].edge];
+      const edges::FeatureEdge& edge = drawn.edges[pieces[i].edge];
       drawing.crossings[segment.crossing] = edge.crossing < 0
                                                 ? cut_segment(world, edge, segment.t)
                                                 : crossing_segment(world, drawn.crossings[edge.crossing], segment.t);
@@ -117,15 +118,16 @@ void add_segments(const ResolvedView& lines, const std::vector<Piece>& pieces, V
 
 }  // namespace
 
-Vec2 position_on_paper(const ProjectedScene& view, const PaperMap& paper, const FeatureEdge& edge, double s) {
+Vec2 position_on_paper(const view::ProjectedScene& view, const view::PaperMap& paper, const edges::FeatureEdge& edge,
+                       double s) {
   if (s == 0) return paper(view.vertices[edge.vertex[0]]);
   if (s == 1) return paper(view.vertices[edge.vertex[1]]);
-  const PageVertex& p = view.vertices[edge.vertex[0]];
-  const PageVertex& q = view.vertices[edge.vertex[1]];
+  const view::PageVertex& p = view.vertices[edge.vertex[0]];
+  const view::PageVertex& q = view.vertices[edge.vertex[1]];
   return paper({p.x + s * (q.x - p.x), p.y + s * (q.y - p.y), 0, 1});
 }
 
-double parameter_in_space(const ProjectedScene& view, const FeatureEdge& edge, double s) {
+double parameter_in_space(const view::ProjectedScene& view, const edges::FeatureEdge& edge, double s) {
   if (s == 0) return edge.t[0];
   if (s == 1) return edge.t[1];
   const double wp = view.vertices[edge.vertex[0]].w;
@@ -135,19 +137,19 @@ double parameter_in_space(const ProjectedScene& view, const FeatureEdge& edge, d
   return edge.t[0] + part * (edge.t[1] - edge.t[0]);
 }
 
-Coincidence coincidence_on_paper(const ProjectedScene& view, const PaperMap& paper) {
+Coincidence coincidence_on_paper(const view::ProjectedScene& view, const view::PaperMap& paper) {
   const double tolerance = std::max(coincident_cells * view.cell, view.contact.touching) * paper.scale;
-  return {tolerance, std::max(least_piece * view.extent * paper.scale, 8 * tolerance)};
+  return {tolerance, std::max(visibility::least_piece * view.extent * paper.scale, 8 * tolerance)};
 }
 
-ViewDrawing make_drawing(const ResolvedView& lines, const PaperMap& paper, const DrawingOptions& options,
-                         const Progress& progress) {
-  const ProjectedScene& view = lines.view;
+ViewDrawing make_drawing(const visibility::ResolvedView& lines, const view::PaperMap& paper,
+                         const DrawingOptions& options, const Progress& progress) {
+  const view::ProjectedScene& view = lines.view;
   ViewDrawing drawing;
   drawing.name = options.name;
   drawing.projection = view.projection;
-  drawing.world_to_page = world_to_page(view, paper);
-  drawing.vanishing_points = vanishing_points_on_page(view, paper);
+  drawing.world_to_page = view::world_to_page(view, paper);
+  drawing.vanishing_points = view::vanishing_points_on_page(view, paper);
 
   const Coincidence limits = coincidence_on_paper(view, paper);
   progress.begin("merging lines");
@@ -171,4 +173,4 @@ ViewDrawing make_drawing(const ResolvedView& lines, const PaperMap& paper, const
   return drawing;
 }
 
-}  // namespace epura
+}  // namespace epura::drawing

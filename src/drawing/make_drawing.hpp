@@ -9,7 +9,7 @@
 #include "view/paper_map.hpp"
 #include "visibility/visibility.hpp"
 
-namespace epura {
+namespace epura::drawing {
 
 struct DrawingOptions {
   std::string name;    ///< of the view
@@ -19,19 +19,20 @@ struct DrawingOptions {
 };
 
 /// The place at page parameter `s` of an edge, in mm.
-Vec2 position_on_paper(const ProjectedScene& view, const PaperMap& paper, const FeatureEdge& edge, double s);
+Vec2 position_on_paper(const view::ProjectedScene& view, const view::PaperMap& paper, const edges::FeatureEdge& edge,
+                       double s);
 
 /// A page parameter of an edge as the parameter along the edge in space that it was clipped from.
-double parameter_in_space(const ProjectedScene& view, const FeatureEdge& edge, double s);
+double parameter_in_space(const view::ProjectedScene& view, const edges::FeatureEdge& edge, double s);
 
 /// Lines within `tolerance` of each other over at least `min` are one line; mm.
 struct Coincidence {
   double tolerance, min;
 };
-Coincidence coincidence_on_paper(const ProjectedScene& view, const PaperMap& paper);
+Coincidence coincidence_on_paper(const view::ProjectedScene& view, const view::PaperMap& paper);
 
 /// Throws OutOfTime.
-ViewDrawing make_drawing(const ResolvedView& lines, const PaperMap& paper, const DrawingOptions& options,
-                         const Progress& progress = {});
+ViewDrawing make_drawing(const visibility::ResolvedView& lines, const view::PaperMap& paper,
+                         const DrawingOptions& options, const Progress& progress = {});
 
-}  // namespace epura
+}  // namespace epura::drawing

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-namespace epura {
+namespace epura::drawing {
 
 namespace {
 
@@ -95,4 +95,4 @@ PieceTree::Bounds PieceTree::covering(int piece, const std::array<double, 2>& pa
   return bounds;
 }
 
-}  // namespace epura
+}  // namespace epura::drawing

@@ -8,13 +8,13 @@
 #include "drawing/ink.hpp"
 #include "search/bounds_tree.hpp"
 
-namespace epura {
+namespace epura::drawing {
 
 /// Places are measured along and across the longest piece, and across two others in the most different directions. So
 /// lines side by side are told apart however near they are.
 class PieceTree {
  public:
-  using Bounds = epura::Bounds<7>;
+  using Bounds = epura::search::Bounds<7>;
 
   PieceTree() = default;
   /// `spread` is by how much pieces may differ in direction that cover each other.
@@ -44,7 +44,7 @@ class PieceTree {
   std::array<Vec2, 4> normals_{};
   std::vector<int> members_;
   std::vector<double> place_;  ///< of members in order of rank
-  BoundsTree<7> tree_;
+  search::BoundsTree<7> tree_;
 };
 
-}  // namespace epura
+}  // namespace epura::drawing

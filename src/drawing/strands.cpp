@@ -9,7 +9,7 @@
 
 #include "base/parallel.hpp"
 
-namespace epura {
+namespace epura::drawing {
 
 namespace {
 
@@ -232,4 +232,4 @@ Strands DirectionClasses::strands(std::size_t number) const {
   return strands;
 }
 
-}  // namespace epura
+}  // namespace epura::drawing

@@ -17,7 +17,7 @@
 #include "base/progress.hpp"
 #include "drawing/ink.hpp"
 
-namespace epura {
+namespace epura::drawing {
 
 /// The part of a piece that runs through a cell of the paper. x goes about along the direction of those in the cell.
 struct Strand {
@@ -56,4 +56,4 @@ class DirectionClasses {
   std::vector<int> members_;
 };
 
-}  // namespace epura
+}  // namespace epura::drawing

@@ -8,7 +8,7 @@
 
 #include "drawing/curve_part.hpp"
 
-namespace epura {
+namespace epura::drawing {
 
 namespace {
 
@@ -59,4 +59,4 @@ std::size_t keep_longest_chains(ViewDrawing& drawing, std::size_t count) {
   return before - drawing.segments.size();
 }
 
-}  // namespace epura
+}  // namespace epura::drawing

@@ -6,9 +6,9 @@
 
 #include "drawing/drawing.hpp"
 
-namespace epura {
+namespace epura::drawing {
 
 /// Keeps the `count` longest chains and the segments that are in them, in their order. Returns how many segments go.
 std::size_t keep_longest_chains(ViewDrawing& drawing, std::size_t count);
 
-}  // namespace epura
+}  // namespace epura::drawing

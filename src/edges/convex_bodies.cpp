@@ -11,7 +11,7 @@
 
 #include "base/parallel.hpp"
 
-namespace epura {
+namespace epura::edges {
 
 namespace {
 
@@ -63,7 +63,7 @@ struct Finding {
 
 class ConvexityTest {
  public:
-  ConvexityTest(const World& world, std::span<const Vec3> points, const BodyTable& bodies, double contact)
+  ConvexityTest(const scene::World& world, std::span<const Vec3> points, const BodyTable& bodies, double contact)
       : world_(world), points_(points), bodies_(bodies), contact_(contact), found_(bodies.box.size()) {
     for (std::size_t b = 0; b < found_.size(); ++b) found_[b].reach = glm::length(bodies.box[b].size());
   }
@@ -123,7 +123,7 @@ class ConvexityTest {
   }
 
   // Closed: every edge has two triangles that run along it in opposite directions.
-  void test_edge(int model, const MeshEdge& edge) {
+  void test_edge(int model, const mesh::MeshEdge& edge) {
     const auto all = world_.models[model].mesh->triangles_of(edge);
     const int first = world_.first_triangle[model];
     Finding& body = of(first + all[0]);
@@ -200,7 +200,7 @@ class ConvexityTest {
     return rise(body, body.flatness) + rounding <= contact_;
   }
 
-  const World& world_;
+  const scene::World& world_;
   std::span<const Vec3> points_;
   const BodyTable& bodies_;
   double contact_;
@@ -209,10 +209,10 @@ class ConvexityTest {
 
 }  // namespace
 
-BodyTable bodies_of(const World& world, std::span<const Vec3> points) {
+BodyTable bodies_of(const scene::World& world, std::span<const Vec3> points) {
   BodyTable bodies;
   bodies.of_triangle.reserve(world.triangles.size());
-  for (const Placed& model : world.models) {
+  for (const scene::Placed& model : world.models) {
     const int first = static_cast<int>(bodies.box.size());
     for (const int body : model.mesh->body) {
       const int number = first + body;
@@ -224,9 +224,9 @@ BodyTable bodies_of(const World& world, std::span<const Vec3> points) {
   return bodies;
 }
 
-void keep_convex(const World& world, std::span<const Vec3> points, const BodyTable& bodies, double contact,
+void keep_convex(const scene::World& world, std::span<const Vec3> points, const BodyTable& bodies, double contact,
                  std::vector<char>& candidates) {
   ConvexityTest(world, points, bodies, contact).run(candidates);
 }
 
-}  // namespace epura
+}  // namespace epura::edges

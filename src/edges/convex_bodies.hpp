@@ -7,14 +7,14 @@
 
 #include "scene/scene.hpp"
 
-namespace epura {
+namespace epura::edges {
 
 /// The bodies of all models in one numbering.
 struct BodyTable {
   std::vector<int> of_triangle;  ///< of the world
   std::vector<Box> box;          ///< by body; empty where it has no triangles
 };
-BodyTable bodies_of(const World& world, std::span<const Vec3> points);
+BodyTable bodies_of(const scene::World& world, std::span<const Vec3> points);
 
 /// Of the bodies that are marked in `candidates`, those keep their mark that are closed, run once around their middle,
 /// and lie at most `contact` before the plane of any of their triangles, planes and distances computed in double.
@@ -29,7 +29,7 @@ BodyTable bodies_of(const World& world, std::span<const Vec3> points);
 /// than R times its length. The length is at most pi r^2 / rho where r is the greatest distance from c, and R at most
 /// the sum over all edges that are folded inwards of the angle times pi / 2 * r / rho: a plane crosses an edge once.
 /// (Local tests: Mehlhorn, Naeher, Seel, Seidel, Schilz, Schirra, Uhrig. Checking geometric programs. CGTA 1999.)
-void keep_convex(const World& world, std::span<const Vec3> points, const BodyTable& bodies, double contact,
+void keep_convex(const scene::World& world, std::span<const Vec3> points, const BodyTable& bodies, double contact,
                  std::vector<char>& candidates);
 
-}  // namespace epura
+}  // namespace epura::edges

@@ -13,7 +13,7 @@
 #include "edges/intersections.hpp"
 #include "search/triangle_tree.hpp"
 
-namespace epura {
+namespace epura::edges {
 
 namespace {
 
@@ -44,7 +44,7 @@ std::vector<char> isolated_bodies(const std::vector<Box>& boxes, const Progress&
   std::vector<char> isolated(boxes.size(), 1);
   const std::vector<int> there = unlike_bodies(boxes, isolated);
   if (there.size() < 2) return isolated;
-  const TriangleTree tree(there.size(), [&](int i) { return boxes[there[i]]; });
+  const search::TriangleTree tree(there.size(), [&](int i) { return boxes[there[i]]; });
   const auto tasks = tree.tasks(256);
   const auto mark = [&](int body) { std::atomic_ref(isolated[body]).store(0, std::memory_order_relaxed); };
   parallel_for(tasks.size(), 1, [&](std::size_t begin, std::size_t end) {
@@ -61,7 +61,7 @@ std::vector<char> isolated_bodies(const std::vector<Box>& boxes, const Progress&
 
 using Corners = std::array<double, 9>;
 
-Corners corners_of(const World& world, int triangle) {
+Corners corners_of(const scene::World& world, int triangle) {
   Corners corners{};
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3& p = world.points[world.triangles[triangle][i]];
@@ -72,7 +72,7 @@ Corners corners_of(const World& world, int triangle) {
 
 // Parts in one place cross other parts there alike. Two stay, since a face crosses a copy where it does not cross its
 // own neighbour. What the others would add are copies of lines that come before them, and so are not drawn.
-void drop_third_copies(const World& world, const Progress& progress, std::vector<int>& triangles) {
+void drop_third_copies(const scene::World& world, const Progress& progress, std::vector<int>& triangles) {
   if (world.models.size() < 3) return;  // no mesh has a triangle twice
   const std::vector<char> is_third = mark_third_copies(
       static_cast<int>(triangles.size()), [&](int i) { return corners_of(world, triangles[i]); }, progress);
@@ -84,7 +84,7 @@ void drop_third_copies(const World& world, const Progress& progress, std::vector
 
 }  // namespace
 
-std::vector<int> crossing_candidates(const World& world, double normalisation, double contact,
+std::vector<int> crossing_candidates(const scene::World& world, double normalisation, double contact,
                                      const Progress& progress) {
   progress.expect_time();
   const UnsetVector<Vec3> points = normalised_points(world, normalisation);
@@ -106,10 +106,10 @@ std::vector<int> crossing_candidates(const World& world, double normalisation, d
   return candidates;
 }
 
-std::vector<int> all_triangles(const World& world) {
+std::vector<int> all_triangles(const scene::World& world) {
   std::vector<int> all(world.triangles.size());
   std::iota(all.begin(), all.end(), 0);
   return all;
 }
 
-}  // namespace epura
+}  // namespace epura::edges

@@ -7,7 +7,7 @@
 #include "base/progress.hpp"
 #include "scene/scene.hpp"
 
-namespace epura {
+namespace epura::edges {
 
 /// Triangles of the world that may cross, ascending. With the others find_intersections finds nothing, to the last bit,
 /// or copies of lines that come before them and so are drawn in their place:
@@ -20,10 +20,10 @@ namespace epura {
 /// Left out are low triangles, those of convex bodies whose box meets that of no other body, and of copies of a
 /// triangle in one place all but two: lines that only others would add are drawn already. `normalisation` and
 /// `contact` are those of find_intersections. Throws OutOfTime.
-std::vector<int> crossing_candidates(const World& world, double normalisation, double contact,
+std::vector<int> crossing_candidates(const scene::World& world, double normalisation, double contact,
                                      const Progress& progress = {});
 
 /// Without any certificate: all triangles.
-std::vector<int> all_triangles(const World& world);
+std::vector<int> all_triangles(const scene::World& world);
 
-}  // namespace epura
+}  // namespace epura::edges

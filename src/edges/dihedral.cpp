@@ -7,7 +7,7 @@
 
 #include "base/portable_math.hpp"
 
-namespace epura {
+namespace epura::edges {
 
 namespace {
 
@@ -15,12 +15,13 @@ std::array<int, 2> sorted(int a, int b) { return {std::min(a, b), std::max(a, b)
 
 }  // namespace
 
-const MeshEdge* find_edge(const EdgeSurroundings& around, const std::array<int, 2>& side) {
-  const Mesh& mesh = around.mesh();
+const mesh::MeshEdge* find_edge(const EdgeSurroundings& around, const std::array<int, 2>& side) {
+  const mesh::Mesh& mesh = around.mesh();
   const int first = around.world.first_vertex[around.model];
   const std::array<int, 2> key{side[0] - first, side[1] - first};
-  const auto found = std::lower_bound(mesh.edges.begin(), mesh.edges.end(), key,
-                                      [](const MeshEdge& e, const std::array<int, 2>& k) { return e.vertex < k; });
+  const auto found =
+      std::lower_bound(mesh.edges.begin(), mesh.edges.end(), key,
+                       [](const mesh::MeshEdge& e, const std::array<int, 2>& k) { return e.vertex < k; });
   return found != mesh.edges.end() && found->vertex == key ? &*found : nullptr;
 }
 
@@ -77,11 +78,11 @@ bool folds_by(const std::array<Vec3, 2>& normals, const FoldLimit& limit) {
 
 double turn_of_surface(const EdgeSurroundings& around, int triangle, double crease_angle) {
   const std::array<int, 3> corners = around.corners(triangle);
-  const Mesh& mesh = around.mesh();
+  const mesh::Mesh& mesh = around.mesh();
   double turn = 0;
   for (int i = 0; i < 3; ++i) {
     const std::array<int, 2> side = sorted(corners[i], corners[(i + 1) % 3]);
-    const MeshEdge* edge = find_edge(around, side);
+    const mesh::MeshEdge* edge = find_edge(around, side);
     if (edge == nullptr || edge->count != 2) continue;
     const auto both = mesh.triangles_of(*edge);
     const double fold = fold_angle(around, side, both[0], both[1]);
@@ -98,4 +99,4 @@ double height_of(const EdgeSurroundings& around, int triangle) {
   return longest > 0 ? glm::length(glm::cross(ab, ac)) / longest : 0;
 }
 
-}  // namespace epura
+}  // namespace epura::edges

@@ -6,17 +6,17 @@
 
 #include "scene/scene.hpp"
 
-namespace epura {
+namespace epura::edges {
 
 /// One model of a world, with what edge decisions need of it.
 struct EdgeSurroundings {
-  const World& world;
+  const scene::World& world;
   int model;
   double normalisation;  ///< power of two that brings lengths near 1, so that products of them stay in range
   /// The mesh before a plane cut it, to be judged in its place: edges and triangles below are of that then.
-  const Mesh* uncut = nullptr;
+  const mesh::Mesh* uncut = nullptr;
 
-  [[nodiscard]] const Mesh& mesh() const { return uncut != nullptr ? *uncut : *world.models[model].mesh; }
+  [[nodiscard]] const mesh::Mesh& mesh() const { return uncut != nullptr ? *uncut : *world.models[model].mesh; }
   /// The corners of a triangle, as vertices of the world.
   [[nodiscard]] std::array<int, 3> corners(int triangle) const {
     if (uncut == nullptr) return world.triangles[world.first_triangle[model] + triangle];
@@ -31,7 +31,7 @@ struct EdgeSurroundings {
 };
 
 /// The edge between two vertices of the world, the lower number first; null when the model has none there.
-const MeshEdge* find_edge(const EdgeSurroundings& around, const std::array<int, 2>& side);
+const mesh::MeshEdge* find_edge(const EdgeSurroundings& around, const std::array<int, 2>& side);
 
 /// Normals of two triangles at their common edge, of any length, equal in direction where one continues the other
 /// flatly.
@@ -61,4 +61,4 @@ double turn_of_surface(const EdgeSurroundings& around, int triangle, double crea
 /// The height of a triangle over its longest side.
 double height_of(const EdgeSurroundings& around, int triangle);
 
-}  // namespace epura
+}  // namespace epura::edges

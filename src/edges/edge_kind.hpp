@@ -6,11 +6,11 @@
 
 #include "scene/choices.hpp"
 
-namespace epura {
+namespace epura::edges {
 
 /// Whether the edge lies inside of a surface that goes on across it: such lines are drawn narrow.
 constexpr bool is_within_surface(EdgeKind kind) { return kind >= EdgeKind::tangent; }
 
-inline std::string_view name_of(EdgeKind kind) { return word_of(kind); }
+inline std::string_view name_of(EdgeKind kind) { return scene::word_of(kind); }
 
-}  // namespace epura
+}  // namespace epura::edges

@@ -11,7 +11,7 @@
 #include "edges/slivers.hpp"
 #include "edges/tangent_edges.hpp"
 
-namespace epura {
+namespace epura::edges {
 
 namespace {
 
@@ -23,8 +23,8 @@ constexpr double flatness = 0x1p-29;
 // The vector areas of the polygons of the file, by number: normals of polygons that may be bent (Newell). Empty where
 // all are triangles.
 std::vector<Vec3> mean_normals(const EdgeSurroundings& around) {
-  const Mesh& mesh = around.mesh();
-  if (std::none_of(mesh.edges.begin(), mesh.edges.end(), [](const MeshEdge& e) { return e.diagonal; })) return {};
+  const mesh::Mesh& mesh = around.mesh();
+  if (std::none_of(mesh.edges.begin(), mesh.edges.end(), [](const mesh::MeshEdge& e) { return e.diagonal; })) return {};
   std::vector<Vec3> sums(static_cast<std::size_t>(*std::max_element(mesh.polygon.begin(), mesh.polygon.end())) + 1);
   for (std::size_t t = 0; t < mesh.polygon.size(); ++t) {
     const std::array<int, 3> c = around.corners(static_cast<int>(t));
@@ -36,7 +36,7 @@ std::vector<Vec3> mean_normals(const EdgeSurroundings& around) {
 
 struct Judge {
   EdgeSurroundings around;
-  const ProjectedScene& view;
+  const view::ProjectedScene& view;
   const EdgeOptions& options;
   const Slivers& slivers;
   const std::vector<char>& is_tangent;       ///< by edge; empty where nobody asks
@@ -44,7 +44,7 @@ struct Judge {
   FoldLimit crease;
   double edge_on;  ///< cells from the line of an edge within which a corner is on it
 
-  [[nodiscard]] const Mesh& mesh() const { return around.mesh(); }
+  [[nodiscard]] const mesh::Mesh& mesh() const { return around.mesh(); }
 
   // Where the third corner of a triangle lies: 1 left of the edge on the page, -1 right, 0 on its line.
   [[nodiscard]] int side(const std::array<int, 2>& edge, int triangle) const {
@@ -68,9 +68,9 @@ struct Judge {
   }
 
   [[nodiscard]] int side_on_grid(const std::array<int, 2>& edge, int corner) const {
-    const GridPoint& a = view.grid[edge[0]];
-    const GridPoint& b = view.grid[edge[1]];
-    const double area = static_cast<double>(cross(a, b, view.grid[corner]));
+    const view::GridPoint& a = view.grid[edge[0]];
+    const view::GridPoint& b = view.grid[edge[1]];
+    const double area = static_cast<double>(view::cross(a, b, view.grid[corner]));
     const double dx = static_cast<double>(b.x) - a.x, dy = static_cast<double>(b.y) - a.y;
     // The way along the axes is longer, and found without a root: nearly always it is enough.
     const bool beside = std::abs(area) > edge_on * (std::abs(dx) + std::abs(dy));
@@ -80,9 +80,9 @@ struct Judge {
 
   // The same without division, for corners that may lie behind the viewer: the side of the plane through edge and eye.
   [[nodiscard]] int side_in_space(const std::array<int, 2>& edge, int corner) const {
-    const Mapped& a = view.clipper.vertices[edge[0]];
-    const Mapped& b = view.clipper.vertices[edge[1]];
-    const Mapped& c = view.clipper.vertices[corner];
+    const view::Mapped& a = view.clipper.vertices[edge[0]];
+    const view::Mapped& b = view.clipper.vertices[edge[1]];
+    const view::Mapped& c = view.clipper.vertices[corner];
     const Vec3 normal = glm::cross(Vec3(a.x, a.y, a.w), Vec3(b.x, b.y, b.w));
     const double volume = glm::dot(normal, Vec3(c.x, c.y, c.w));
     const double rounding = 0x1p-44 * glm::length(normal) * glm::length(Vec3(c.x, c.y, c.w));
@@ -118,7 +118,7 @@ struct Judge {
       const std::array<int, 2> third{a, b};
       if (third == one || third == other) continue;
       if (glm::length(around.point(b) - around.point(a)) <= 2 * height_of(around, folded)) return true;
-      const MeshEdge* edge = find_edge(around, third);
+      const mesh::MeshEdge* edge = find_edge(around, third);
       if (edge == nullptr || edge->count != 2) return false;
       const auto both = mesh().triangles_of(*edge);
       return is_folded_over(third, normals_at(around, third, both[0] == folded ? both[1] : both[0], folded));
@@ -143,8 +143,8 @@ struct Judge {
   }
 
   // Two triangles at an edge.
-  [[nodiscard]] std::optional<EdgeKind> judge_pair(const MeshEdge& edge, const std::array<int, 2>& ends, int first,
-                                                   int second) const {
+  [[nodiscard]] std::optional<EdgeKind> judge_pair(const mesh::MeshEdge& edge, const std::array<int, 2>& ends,
+                                                   int first, int second) const {
     const Beyond one = slivers.beyond(ends, first);
     const Beyond two = slivers.beyond(ends, second);
     if (one.covered || two.covered) return std::nullopt;
@@ -183,7 +183,7 @@ struct Judge {
   }
 
   // Triangles of one body at an edge.
-  [[nodiscard]] std::optional<EdgeKind> judge_body(const MeshEdge& edge, const std::array<int, 2>& ends,
+  [[nodiscard]] std::optional<EdgeKind> judge_body(const mesh::MeshEdge& edge, const std::array<int, 2>& ends,
                                                    const std::vector<int>& triangles) const {
     if (triangles.size() == 1) return if_wanted(EdgeKind::boundary);
     if (triangles.size() == 2) return judge_pair(edge, ends, triangles[0], triangles[1]);
@@ -192,11 +192,11 @@ struct Judge {
 
   // An edge of the mesh that is drawn. A cut leaves faces in their planes but may leave thin pieces of them, so what it
   // left of an edge is judged by the whole faces.
-  [[nodiscard]] std::optional<EdgeKind> kind_of(const MeshEdge& edge) const {
-    if (edge.cut == CutEdge::inside) return std::nullopt;
-    if (edge.cut == CutEdge::outline) return EdgeKind::section;
+  [[nodiscard]] std::optional<EdgeKind> kind_of(const mesh::MeshEdge& edge) const {
+    if (edge.cut == mesh::CutEdge::inside) return std::nullopt;
+    if (edge.cut == mesh::CutEdge::outline) return EdgeKind::section;
     if (around.uncut == nullptr) return judge(edge);
-    const EdgeOrigin origin = around.world.models[around.model].mesh->origin_of(edge);
+    const mesh::EdgeOrigin origin = around.world.models[around.model].mesh->origin_of(edge);
     return judge(*find_edge(around, in_world(origin.vertex)));
   }
 
@@ -205,7 +205,7 @@ struct Judge {
     return {first + vertex[0], first + vertex[1]};
   }
 
-  [[nodiscard]] std::optional<EdgeKind> judge(const MeshEdge& edge) const {
+  [[nodiscard]] std::optional<EdgeKind> judge(const mesh::MeshEdge& edge) const {
     const std::array<int, 2> ends = in_world(edge.vertex);
     const auto all = mesh().triangles_of(edge);
     if (all.size() == 2) return judge_pair(edge, ends, all[0], all[1]);
@@ -225,13 +225,13 @@ struct Judge {
 
 }  // namespace
 
-std::vector<std::optional<EdgeKind>> feature_edges(const World& world, const ProjectedScene& view, int model,
-                                                   const EdgeOptions& options, const Progress& progress) {
+std::vector<std::optional<EdgeKind>> feature_edges(const scene::World& world, const view::ProjectedScene& view,
+                                                   int model, const EdgeOptions& options, const Progress& progress) {
   const EdgeSurroundings around{world, model, view.map.normalisation, world.models[model].mesh->uncut.get()};
   return feature_edges(view, options, around, Slivers(around, view, progress), progress);
 }
 
-std::vector<std::optional<EdgeKind>> feature_edges(const ProjectedScene& view, const EdgeOptions& options,
+std::vector<std::optional<EdgeKind>> feature_edges(const view::ProjectedScene& view, const EdgeOptions& options,
                                                    const EdgeSurroundings& around, const Slivers& slivers,
                                                    const Progress& progress) {
   const double crease_angle = options.crease_angle - angle_rounding;
@@ -254,4 +254,4 @@ std::vector<std::optional<EdgeKind>> feature_edges(const ProjectedScene& view, c
   return kinds;
 }
 
-}  // namespace epura
+}  // namespace epura::edges

@@ -12,7 +12,7 @@
 #include "edges/feature_edges.hpp"
 #include "edges/slivers.hpp"
 
-namespace epura {
+namespace epura::edges {
 
 namespace {
 
@@ -21,7 +21,8 @@ constexpr double part_for_search = 0.4;
 constexpr std::size_t crossings_a_look = 1024;
 
 // What meets in the edge, the slivers beside it among it; empty where there are none.
-std::vector<int> met_across_slivers(const EdgeSurroundings& around, const Slivers& slivers, const MeshEdge& edge) {
+std::vector<int> met_across_slivers(const EdgeSurroundings& around, const Slivers& slivers,
+                                    const mesh::MeshEdge& edge) {
   const auto triangles = around.world.models[around.model].mesh->triangles_of(edge);
   if (std::none_of(triangles.begin(), triangles.end(), [&](int t) { return slivers.contain(t); })) return {};
   const int first = around.world.first_vertex[around.model];
@@ -32,11 +33,11 @@ std::vector<int> met_across_slivers(const EdgeSurroundings& around, const Sliver
   return met;
 }
 
-void add_mesh_edges(const EdgeSurroundings& around, ProjectedScene& view, const EdgeOptions& options,
+void add_mesh_edges(const EdgeSurroundings& around, view::ProjectedScene& view, const EdgeOptions& options,
                     FeatureEdges& drawn, const Progress& progress) {
-  const World& world = around.world;
+  const scene::World& world = around.world;
   const int model = around.model;
-  const Mesh* uncut = world.models[model].mesh->uncut.get();
+  const mesh::Mesh* uncut = world.models[model].mesh->uncut.get();
   const EdgeSurroundings whole{world, model, around.normalisation, uncut};
   const Slivers of_whole(whole, view, progress);
   const std::vector<std::optional<EdgeKind>> kinds = feature_edges(view, options, whole, of_whole, progress);
@@ -47,7 +48,7 @@ void add_mesh_edges(const EdgeSurroundings& around, ProjectedScene& view, const 
   const int first = world.first_vertex[model];
   for (std::size_t e = 0; e < edges.size(); ++e) {
     if (!kinds[e]) continue;
-    const auto part = clip_edge(view, first + edges[e].vertex[0], first + edges[e].vertex[1]);
+    const auto part = view::clip_edge(view, first + edges[e].vertex[0], first + edges[e].vertex[1]);
     if (!part) continue;
     const std::array<double, 2> from_to = world.models[model].mesh->origin_of(edges[e]).t;
     const auto in_file = [&](double t) { return t == 0 ? from_to[0] : from_to[0] + t * (from_to[1] - from_to[0]); };
@@ -60,7 +61,8 @@ void add_mesh_edges(const EdgeSurroundings& around, ProjectedScene& view, const 
 
 // Facets of curved surfaces that coincide (a bolt in its hole) cross by as much as their surfaces turn from facet to
 // facet: such lines are made by the tessellation, not by the bodies.
-bool is_tessellation(const World& world, double normalisation, const FaceCrossing& crossing, double crease_angle) {
+bool is_tessellation(const scene::World& world, double normalisation, const FaceCrossing& crossing,
+                     double crease_angle) {
   double turn = 0;
   for (const int triangle : crossing.triangles) {
     const int model = world.model_of_triangle(triangle);
@@ -70,7 +72,7 @@ bool is_tessellation(const World& world, double normalisation, const FaceCrossin
 }
 
 // Crossings that there is no time to judge count as not searched.
-void drop_tessellation(const World& world, double normalisation, double crease_angle, FeatureEdges& drawn,
+void drop_tessellation(const scene::World& world, double normalisation, double crease_angle, FeatureEdges& drawn,
                        const Progress& progress) {
   enum : char { unjudged, real, of_tessellation };
   std::vector<char> verdicts(drawn.crossings.size(), unjudged);
@@ -89,12 +91,12 @@ void drop_tessellation(const World& world, double normalisation, double crease_a
   drawn.crossings = std::move(judged_real);
 }
 
-void add_intersections(const World& world, ProjectedScene& view, FeatureEdges& drawn) {
+void add_intersections(const scene::World& world, view::ProjectedScene& view, FeatureEdges& drawn) {
   for (std::size_t i = 0; i < drawn.crossings.size(); ++i) {
     const FaceCrossing& crossing = drawn.crossings[i];
-    const int a = add_point(view, crossing.ends[0]);
-    const int b = add_point(view, crossing.ends[1]);
-    if (const auto part = clip_edge(view, a, b))
+    const int a = view::add_point(view, crossing.ends[0]);
+    const int b = view::add_point(view, crossing.ends[1]);
+    if (const auto part = view::clip_edge(view, a, b))
       drawn.edges.push_back({part->vertex, part->t, EdgeKind::intersection,
                              world.model_of_triangle(crossing.triangles[0]), -1, static_cast<int>(i)});
   }
@@ -102,15 +104,15 @@ void add_intersections(const World& world, ProjectedScene& view, FeatureEdges& d
 
 }  // namespace
 
-FeatureEdges find_feature_edges(const World& world, ProjectedScene& view, const EdgeOptions& options,
+FeatureEdges find_feature_edges(const scene::World& world, view::ProjectedScene& view, const EdgeOptions& options,
                                 Progress progress) {
   return find_feature_edges(world, view, options, all_triangles(world), progress);
 }
 
-FeatureEdges find_feature_edges(const World& world, ProjectedScene& view, const EdgeOptions& options,
+FeatureEdges find_feature_edges(const scene::World& world, view::ProjectedScene& view, const EdgeOptions& options,
                                 const std::vector<int>& candidates, Progress progress) {
   std::size_t edges = 0;
-  for (const Placed& model : world.models) edges += model.mesh->edges.size();
+  for (const scene::Placed& model : world.models) edges += model.mesh->edges.size();
   progress.begin("finding edges", edges);
   FeatureEdges drawn;
   for (int model = 0; model < static_cast<int>(world.models.size()); ++model)
@@ -126,4 +128,4 @@ FeatureEdges find_feature_edges(const World& world, ProjectedScene& view, const 
   return drawn;
 }
 
-}  // namespace epura
+}  // namespace epura::edges

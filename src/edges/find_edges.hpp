@@ -9,7 +9,7 @@
 #include "edges/intersections.hpp"
 #include "view/projected_scene.hpp"
 
-namespace epura {
+namespace epura::edges {
 
 struct EdgeOptions {
   bool contour = true, boundary = true, crease = true, intersection = true;
@@ -43,11 +43,11 @@ struct FeatureEdges {
 
 /// Without time for all crossings those that were found are there; without time for the edges of the meshes, OutOfTime
 /// is thrown. `view` gets the vertices that clipping and crossings make.
-FeatureEdges find_feature_edges(const World& world, ProjectedScene& view, const EdgeOptions& options,
+FeatureEdges find_feature_edges(const scene::World& world, view::ProjectedScene& view, const EdgeOptions& options,
                                 Progress progress = {});
 
 /// The same, with intersection lines only between triangles in `candidates` (crossing_candidates.hpp).
-FeatureEdges find_feature_edges(const World& world, ProjectedScene& view, const EdgeOptions& options,
+FeatureEdges find_feature_edges(const scene::World& world, view::ProjectedScene& view, const EdgeOptions& options,
                                 const std::vector<int>& candidates, Progress progress = {});
 
-}  // namespace epura
+}  // namespace epura::edges

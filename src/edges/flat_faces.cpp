@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-namespace epura {
+namespace epura::edges {
 
 namespace {
 
@@ -37,7 +37,7 @@ class Regions {
 
 class FlatFaces {
  public:
-  FlatFaces(const World& world, std::span<const Vec3> points, double contact, const std::vector<int>& triangles)
+  FlatFaces(const scene::World& world, std::span<const Vec3> points, double contact, const std::vector<int>& triangles)
       : world_(world), points_(points), contact_(contact), triangles_(triangles), regions_(triangles.size()) {}
 
   std::vector<int> find() {
@@ -76,11 +76,11 @@ class FlatFaces {
 
   // `count` triangles of the model from the given place of the list on.
   void join_neighbours(std::size_t model, std::ptrdiff_t first, std::ptrdiff_t count) {
-    const Mesh& mesh = *world_.models[model].mesh;
+    const mesh::Mesh& mesh = *world_.models[model].mesh;
     std::vector<int> place(mesh.polygon.size(), -1);
     for (std::ptrdiff_t i = first; i < first + count; ++i)
       place[triangles_[i] - world_.first_triangle[model]] = static_cast<int>(i);
-    for (const MeshEdge& edge : mesh.edges) {
+    for (const mesh::MeshEdge& edge : mesh.edges) {
       const auto both = mesh.triangles_of(edge);
       if (both.size() != 2 || place[both[0]] < 0 || place[both[1]] < 0) continue;
       const int a = place[both[0]], b = place[both[1]];
@@ -124,7 +124,7 @@ class FlatFaces {
     return faces;
   }
 
-  const World& world_;
+  const scene::World& world_;
   std::span<const Vec3> points_;
   double contact_;
   const std::vector<int>& triangles_;
@@ -133,10 +133,10 @@ class FlatFaces {
 
 }  // namespace
 
-std::vector<int> flat_faces(const World& world, std::span<const Vec3> points, double contact,
+std::vector<int> flat_faces(const scene::World& world, std::span<const Vec3> points, double contact,
                             const std::vector<int>& triangles) {
   if (triangles.size() < least_triangles) return {};
   return FlatFaces(world, points, contact, triangles).find();
 }
 
-}  // namespace epura
+}  // namespace epura::edges

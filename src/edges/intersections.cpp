@@ -15,7 +15,7 @@
 #include "edges/flat_faces.hpp"
 #include "search/triangle_tree.hpp"
 
-namespace epura {
+namespace epura::edges {
 
 namespace {
 
@@ -34,11 +34,11 @@ struct Piece {
   std::array<Vec3, 2> ends;
 };
 
-Vec3 middle_of(const World& world, double normalisation) { return world.box.centre() * normalisation; }
+Vec3 middle_of(const scene::World& world, double normalisation) { return world.box.centre() * normalisation; }
 
 class Crossings {
  public:
-  Crossings(const World& world, double normalisation, double contact)
+  Crossings(const scene::World& world, double normalisation, double contact)
       : world_(world),
         normalisation_(normalisation),
         contact_(contact),
@@ -155,7 +155,7 @@ class Crossings {
 
   [[nodiscard]] bool goes_on_behind(int triangle, int a, int b, const Plane& plane) const {
     const int model = world_.model_of_triangle(triangle);
-    const MeshEdge* edge = find_edge({world_, model, normalisation_}, {std::min(a, b), std::max(a, b)});
+    const mesh::MeshEdge* edge = find_edge({world_, model, normalisation_}, {std::min(a, b), std::max(a, b)});
     check(edge != nullptr, "the sides of a triangle are edges of its mesh");
     for (const int other : world_.models[model].mesh->triangles_of(*edge))
       for (const int v : world_.triangles[world_.first_triangle[model] + other])
@@ -174,7 +174,7 @@ class Crossings {
     return Piece{{from, to}};
   }
 
-  const World& world_;
+  const scene::World& world_;
   double normalisation_, contact_;
   Vec3 middle_;
   UnsetVector<Vec3> points_;  ///< normalised and moved to the middle
@@ -195,7 +195,7 @@ bool boxes_overlap(const Box& a, const Box& b) {
          b.min.z <= a.max.z;
 }
 
-UnsetVector<Vec3> normalised_points(const World& world, double normalisation) {
+UnsetVector<Vec3> normalised_points(const scene::World& world, double normalisation) {
   const Vec3 middle = middle_of(world, normalisation);
   UnsetVector<Vec3> points(world.points.size());
   parallel_for(points.size(), 8192, [&](std::size_t begin, std::size_t end) {
@@ -204,16 +204,16 @@ UnsetVector<Vec3> normalised_points(const World& world, double normalisation) {
   return points;
 }
 
-FaceCrossings find_intersections(const World& world, double normalisation, double contact,
+FaceCrossings find_intersections(const scene::World& world, double normalisation, double contact,
                                  const std::vector<int>& candidates, Progress progress) {
   if (candidates.empty()) return {{}, 1};
   if (progress.is_out_of_time()) return {{}, 0};
   Crossings crossings(world, normalisation, contact);
-  const TriangleTree tree(
+  const search::TriangleTree tree(
       candidates.size(), [&](int i) { return crossings.box(candidates[i]); }, crossings.flat_faces_of(candidates));
   crossings.find_planes(candidates);
 
-  const std::vector<TriangleTree::NodePair> tasks = tree.tasks(1024);
+  const std::vector<search::TriangleTree::NodePair> tasks = tree.tasks(1024);
   progress.begin("finding intersections", tasks.size());
   std::vector<std::vector<FaceCrossing>> found(tasks.size());
   std::atomic<std::size_t> finished = 0;
@@ -237,4 +237,4 @@ FaceCrossings find_intersections(const World& world, double normalisation, doubl
   return all;
 }
 
-}  // namespace epura
+}  // namespace epura::edges

@@ -8,7 +8,7 @@
 #include "base/progress.hpp"
 #include "scene/scene.hpp"
 
-namespace epura {
+namespace epura::edges {
 
 struct FaceCrossing {
   std::array<Vec3, 2> ends;      ///< in the world
@@ -28,11 +28,11 @@ struct FaceCrossings {
 /// in the other plane counts when its surface goes on to the other side. `normalisation` is a power of two that brings
 /// the world's size near 1; `contact` is a length normalised. Only triangles in `candidates` are searched,
 /// ascending.
-FaceCrossings find_intersections(const World& world, double normalisation, double contact,
+FaceCrossings find_intersections(const scene::World& world, double normalisation, double contact,
                                  const std::vector<int>& candidates, Progress progress = {});
 
 /// The world's points as the search has them: normalised and moved to the middle of their box.
-UnsetVector<Vec3> normalised_points(const World& world, double normalisation);
+UnsetVector<Vec3> normalised_points(const scene::World& world, double normalisation);
 
 /// Whether a triangle (its corners normalised) is so low that its normal is not a direction. Such a one crosses
 /// nothing.
@@ -41,4 +41,4 @@ bool is_low(const Vec3& a, const Vec3& b, const Vec3& c, double contact);
 /// Whether boxes have a place in common, touching included.
 bool boxes_overlap(const Box& a, const Box& b);
 
-}  // namespace epura
+}  // namespace epura::edges

@@ -7,7 +7,7 @@
 
 #include "base/parallel.hpp"
 
-namespace epura {
+namespace epura::edges {
 
 namespace {
 
@@ -66,7 +66,7 @@ Vec3 middle_of(const EdgeSurroundings& around, const std::array<int, 2>& edge) {
 
 // The only other triangle at a side of one.
 std::optional<int> other_side(const EdgeSurroundings& around, const std::array<int, 2>& side, int triangle) {
-  const MeshEdge* edge = find_edge(around, side);
+  const mesh::MeshEdge* edge = find_edge(around, side);
   if (edge == nullptr || edge->count != 2) return std::nullopt;
   const auto both = around.mesh().triangles_of(*edge);
   return both[0] == triangle ? both[1] : both[0];
@@ -90,7 +90,7 @@ bool spans(const EdgeSurroundings& around, const std::array<int, 2>& side, const
 }
 
 // Height over the longest side on the page; no number for a triangle that reaches behind the viewer.
-double height_on_page(const ProjectedScene& view, const std::array<int, 3>& corners) {
+double height_on_page(const view::ProjectedScene& view, const std::array<int, 3>& corners) {
   std::array<Vec2, 3> p{};
   for (int i = 0; i < 3; ++i) {
     if (!(view.clipper.vertices[corners[i]].w > 0)) return NAN;
@@ -106,14 +106,14 @@ double longest_side(const EdgeSurroundings& around, const std::array<int, 3>& co
   return std::max({length_of(around, {a, b}), length_of(around, {b, c}), length_of(around, {c, a})});
 }
 
-double nearest_w(const ProjectedScene& view, const std::array<int, 3>& corners) {
+double nearest_w(const view::ProjectedScene& view, const std::array<int, 3>& corners) {
   return std::min(
       {view.clipper.vertices[corners[0]].w, view.clipper.vertices[corners[1]].w, view.clipper.vertices[corners[2]].w});
 }
 
 }  // namespace
 
-SliverRule::SliverRule(const EdgeSurroundings& around, const ProjectedScene& view)
+SliverRule::SliverRule(const EdgeSurroundings& around, const view::ProjectedScene& view)
     : around_(around),
       view_(&view),
       lowest_(std::max(scene_rounding, around.world.rounding * view.map.normalisation)),
@@ -142,7 +142,7 @@ bool SliverRule::is_of_a_step(int triangle) const {
   return false;
 }
 
-Slivers::Slivers(const EdgeSurroundings& around, const ProjectedScene& view, const Progress& progress)
+Slivers::Slivers(const EdgeSurroundings& around, const view::ProjectedScene& view, const Progress& progress)
     : around_(around), is_sliver_(around.mesh().polygon.size()) {
   const SliverRule rule(around, view);
   parallel_for(is_sliver_.size(), 8192, progress, [&](std::size_t begin, std::size_t end) {
@@ -171,10 +171,10 @@ Exit Slivers::way_out(const std::array<int, 2>& edge, int triangle) const {
   return exit_at(around_, edge, triangle, middle_of(around_, edge));
 }
 
-double page_resolution(const World& world, const ProjectedScene& view) {
+double page_resolution(const scene::World& world, const view::ProjectedScene& view) {
   // Both ends of a line and the point beside it were rounded to the grid.
   constexpr double grid = 2;
   return std::max(grid * view.cell, world.rounding * view.map.normalisation * view.map.unit);
 }
 
-}  // namespace epura
+}  // namespace epura::edges

@@ -17,11 +17,11 @@
 #include "edges/dihedral.hpp"
 #include "view/projected_scene.hpp"
 
-namespace epura {
+namespace epura::edges {
 
 /// Distances on the page up to which a point may be on either side of a line: the page grid or, where that is more,
 /// what rounding in the files may have moved (view units).
-double page_resolution(const World& world, const ProjectedScene& view);
+double page_resolution(const scene::World& world, const view::ProjectedScene& view);
 
 /// What continues a surface at an edge.
 struct Beyond {
@@ -38,7 +38,7 @@ struct Exit {
 /// Which triangles of a model are slivers in a view.
 class SliverRule {
  public:
-  SliverRule(const EdgeSurroundings& around, const ProjectedScene& view);
+  SliverRule(const EdgeSurroundings& around, const view::ProjectedScene& view);
 
   [[nodiscard]] bool holds_for(int triangle) const;
 
@@ -46,7 +46,7 @@ class SliverRule {
   [[nodiscard]] bool is_of_a_step(int triangle) const;
 
   EdgeSurroundings around_;
-  const ProjectedScene* view_;
+  const view::ProjectedScene* view_;
   double lowest_, on_page_;
 };
 
@@ -56,7 +56,7 @@ class Slivers {
   /// For few questions: each triangle is looked at when it is asked about. The view is to outlive them.
   Slivers(const EdgeSurroundings& around, const SliverRule& rule) : around_(around), rule_(rule) {}
   /// For many: all are looked at beforehand. Throws OutOfTime.
-  Slivers(const EdgeSurroundings& around, const ProjectedScene& view, const Progress& progress = {});
+  Slivers(const EdgeSurroundings& around, const view::ProjectedScene& view, const Progress& progress = {});
   /// For tests: these and no others.
   Slivers(const EdgeSurroundings& around, std::vector<char> slivers)
       : around_(around), is_sliver_(std::move(slivers)) {}
@@ -82,4 +82,4 @@ class Slivers {
   std::vector<char> is_sliver_;  ///< by triangle; where there is no rule
 };
 
-}  // namespace epura
+}  // namespace epura::edges

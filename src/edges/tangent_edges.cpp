@@ -9,7 +9,7 @@
 
 #include "base/parallel.hpp"
 
-namespace epura {
+namespace epura::edges {
 
 namespace {
 
@@ -20,16 +20,16 @@ constexpr double no_fold = -1;           // of an edge that has not two triangle
 // Large faces are compared by their size alone, so that time stays in proportion to the number of edges.
 constexpr std::size_t most_sides = 64;
 
-std::array<int, 2> ends_of(const EdgeSurroundings& around, const MeshEdge& edge) {
+std::array<int, 2> ends_of(const EdgeSurroundings& around, const mesh::MeshEdge& edge) {
   const int first = around.world.first_vertex[around.model];
   return {first + edge.vertex[0], first + edge.vertex[1]};
 }
 
-std::vector<double> folds_of(const EdgeSurroundings& around, const Mesh& mesh) {
+std::vector<double> folds_of(const EdgeSurroundings& around, const mesh::Mesh& mesh) {
   std::vector<double> folds(mesh.edges.size(), no_fold);
   parallel_for(folds.size(), 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e) {
-      const MeshEdge& edge = mesh.edges[e];
+      const mesh::MeshEdge& edge = mesh.edges[e];
       if (edge.count != 2) continue;
       const auto triangles = mesh.triangles_of(edge);
       folds[e] = edge.diagonal ? 0 : fold_angle(around, ends_of(around, edge), triangles[0], triangles[1]);
@@ -41,7 +41,7 @@ std::vector<double> folds_of(const EdgeSurroundings& around, const Mesh& mesh) {
 /// Triangles that lie in one plane next to each other, and the edges around them.
 class Facets {
  public:
-  Facets(const Mesh& mesh, const std::vector<double>& folds) : root_(mesh.polygon.size()) {
+  Facets(const mesh::Mesh& mesh, const std::vector<double>& folds) : root_(mesh.polygon.size()) {
     std::iota(root_.begin(), root_.end(), 0);
     for (std::size_t e = 0; e < folds.size(); ++e)
       if (folds[e] >= 0 && folds[e] <= flat) join(mesh.triangles_of(mesh.edges[e]));
@@ -80,7 +80,7 @@ class Facets {
 
 struct Judge {
   const EdgeSurroundings& around;
-  const Mesh& mesh;
+  const mesh::Mesh& mesh;
   const std::vector<double>& folds;
   const Facets& facets;
   double crease_angle;
@@ -127,7 +127,7 @@ struct Judge {
 }  // namespace
 
 std::vector<char> tangent_edges(const EdgeSurroundings& around, double crease_angle) {
-  const Mesh& mesh = around.mesh();
+  const mesh::Mesh& mesh = around.mesh();
   const std::vector<double> folds = folds_of(around, mesh);
   const Facets facets(mesh, folds);
   const Judge judge{around, mesh, folds, facets, crease_angle};
@@ -138,4 +138,4 @@ std::vector<char> tangent_edges(const EdgeSurroundings& around, double crease_an
   return tangent;
 }
 
-}  // namespace epura
+}  // namespace epura::edges

@@ -7,7 +7,7 @@
 
 #include "edges/dihedral.hpp"
 
-namespace epura {
+namespace epura::edges {
 
 /// By edge of the model: whether it is a tangent edge. A mesh tells curvature by its folds: those of a facet's sides,
 /// over the distance between them. An edge that folds by less than `crease_angle` degrees, but is not flat, is tangent
@@ -16,4 +16,4 @@ namespace epura {
 /// meant.
 std::vector<char> tangent_edges(const EdgeSurroundings& around, double crease_angle);
 
-}  // namespace epura
+}  // namespace epura::edges

@@ -7,7 +7,7 @@
 #include "explain/reason.hpp"
 #include "explain/wording.hpp"
 
-namespace epura {
+namespace epura::explain {
 
 namespace {
 
@@ -17,12 +17,14 @@ constexpr double steps_of_coincidence = 2;
 
 struct Storyteller {
   const ExplainInput& drawn_view;
-  const FeatureEdge& edge;
+  const edges::FeatureEdge& edge;
   Subject subject;
 
-  [[nodiscard]] Vec2 position(double s) const { return position_on_paper(drawn_view.view, drawn_view.paper, edge, s); }
+  [[nodiscard]] Vec2 position(double s) const {
+    return drawing::position_on_paper(drawn_view.view, drawn_view.paper, edge, s);
+  }
   [[nodiscard]] std::string in_space(double s) const {
-    return format_value(parameter_in_space(drawn_view.view, edge, s));
+    return format_value(drawing::parameter_in_space(drawn_view.view, edge, s));
   }
 
   [[nodiscard]] std::string story(const Span& span, const std::vector<Occlusion>& hiders) const {
@@ -51,53 +53,54 @@ struct Storyteller {
     return text;
   }
 
-  [[nodiscard]] bool is_own(const Segment& segment) const {
+  [[nodiscard]] bool is_own(const drawing::Segment& segment) const {
     if (segment.model != edge.model) return false;
     const std::vector<FaceName> faces = faces_at(drawn_view, subject);
     if (subject.mesh_edge < 0)
       return segment.crossing >= 0 && std::equal(faces.begin(), faces.end(), faces_of(segment).begin());
-    const Mesh& mesh = *drawn_view.world.models[edge.model].mesh;
-    const EdgeOrigin origin = mesh.origin_of(mesh.edges[edge.mesh_edge]);
+    const mesh::Mesh& mesh = *drawn_view.world.models[edge.model].mesh;
+    const mesh::EdgeOrigin origin = mesh.origin_of(mesh.edges[edge.mesh_edge]);
     if (!origin.in_file) return segment.kind == EdgeKind::section && faces_of(segment)[0] == faces[0];
     return segment.edge == origin.vertex;
   }
 
   // Where a span has no ink of its own: which edges draw that place, or why nothing does.
   [[nodiscard]] std::string ink_of(const Span& span) const {
-    const Coincidence limits = coincidence_on_paper(drawn_view.view, drawn_view.paper);
+    const drawing::Coincidence limits = drawing::coincidence_on_paper(drawn_view.view, drawn_view.paper);
     if (!span.visible && !drawn_view.keep_hidden) return "    no ink: hidden lines are not wanted\n";
     if (!(glm::distance(position(span.from), position(span.to)) > limits.tolerance))
       return "    no ink: a point on the page\n";
-    const Ruler line(position(span.from), position(span.to));
-    Spans inked;
+    const drawing::Ruler line(position(span.from), position(span.to));
+    visibility::Spans inked;
     std::vector<std::string> others;
-    for (const Segment& segment : drawn_view.drawing.segments) {
+    for (const drawing::Segment& segment : drawn_view.drawing.segments) {
       const bool own = segment.visible == span.visible && is_own(segment);
       const double tolerance = steps_of_coincidence * limits.tolerance;
-      const auto part = covered_part(line, segment.from, segment.to, tolerance, own ? 0 : limits.min);
+      const auto part = drawing::covered_part(line, segment.from, segment.to, tolerance, own ? 0 : limits.min);
       if (!(part[0] < part[1])) continue;
       if (own)
-        add_span(inked, part);
+        visibility::add_span(inked, part);
       else
         others.push_back(over(line, part) + name_of(segment));
     }
-    if (covers(inked, limits.min, line.length - limits.min)) return "";
+    if (visibility::covers(inked, limits.min, line.length - limits.min)) return "";
     std::string text;
     for (const std::string& other : others) text += "    no ink " + other + " is drawn there\n";
     return text.empty() ? "    no ink: shorter than " + format_value(limits.min) + " mm\n" : text;
   }
 
-  [[nodiscard]] static std::string over(const Ruler& line, const std::array<double, 2>& part) {
+  [[nodiscard]] static std::string over(const drawing::Ruler& line, const std::array<double, 2>& part) {
     return "from " + format_value(line.from + part[0] * line.along) + " to " +
            format_value(line.from + part[1] * line.along) + " mm: ";
   }
 
-  [[nodiscard]] static std::string name_of(const FaceName& face) { return epura::name_of(face); }
-  [[nodiscard]] const std::array<FaceName, 2>& faces_of(const Segment& segment) const {
+  [[nodiscard]] static std::string name_of(const FaceName& face) { return explain::name_of(face); }
+  [[nodiscard]] const std::array<FaceName, 2>& faces_of(const drawing::Segment& segment) const {
     return drawn_view.drawing.crossings[segment.crossing].faces;
   }
-  [[nodiscard]] std::string name_of(const Segment& segment) const {
-    const std::string kind = (segment.visible ? "visible " : "hidden ") + std::string(epura::name_of(segment.kind));
+  [[nodiscard]] std::string name_of(const drawing::Segment& segment) const {
+    const std::string kind =
+        (segment.visible ? "visible " : "hidden ") + std::string(epura::edges::name_of(segment.kind));
     if (segment.edge[0] < 0) {
       const auto& [face, other] = faces_of(segment);
       return kind + " " + name_of(face) + (other[0] < 0 ? "" : "x" + name_of(other));
@@ -121,4 +124,4 @@ std::string explain(const ExplainInput& drawn_view, const TriangleBoxes& boxes, 
   return text;
 }
 
-}  // namespace epura
+}  // namespace epura::explain

@@ -10,13 +10,13 @@
 #include "view/projected_scene.hpp"
 #include "visibility/visibility.hpp"
 
-namespace epura {
+namespace epura::explain {
 
-struct ExplainInput : ResolvedView {
-  const EdgeOptions& options;
-  const PaperMap& paper;
-  const ViewDrawing& drawing;
+struct ExplainInput : visibility::ResolvedView {
+  const edges::EdgeOptions& options;
+  const view::PaperMap& paper;
+  const drawing::ViewDrawing& drawing;
   bool keep_hidden;  ///< hidden lines are drawn, too
 };
 
-}  // namespace epura
+}  // namespace epura::explain

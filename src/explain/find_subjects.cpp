@@ -10,7 +10,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 
-namespace epura {
+namespace epura::explain {
 
 namespace {
 
@@ -52,18 +52,18 @@ std::optional<EdgeQuestion> parse(std::string_view text) {
 }
 
 // Drawn edges stand in the order of models and their edges.
-int drawn_number(const FeatureEdges& drawn, int model, int mesh_edge) {
-  const auto found = std::find_if(drawn.edges.begin(), drawn.edges.end(), [&](const FeatureEdge& edge) {
+int drawn_number(const edges::FeatureEdges& drawn, int model, int mesh_edge) {
+  const auto found = std::find_if(drawn.edges.begin(), drawn.edges.end(), [&](const edges::FeatureEdge& edge) {
     return edge.model == model && edge.mesh_edge == mesh_edge;
   });
   return found == drawn.edges.end() ? -1 : static_cast<int>(found - drawn.edges.begin());
 }
 
 // "0-1 0-2 ...": the edges at a vertex.
-std::string edges_at(const Mesh& mesh, int vertex) {
+std::string edges_at(const mesh::Mesh& mesh, int vertex) {
   std::string text = "edges at " + std::to_string(vertex) + ":";
   std::size_t count = 0;
-  for (const MeshEdge& edge : mesh.edges) {
+  for (const mesh::MeshEdge& edge : mesh.edges) {
     if (edge.vertex[0] != vertex && edge.vertex[1] != vertex) continue;
     if (++count <= most_named) text += " " + std::to_string(edge.vertex[0]) + "-" + std::to_string(edge.vertex[1]);
   }
@@ -71,7 +71,7 @@ std::string edges_at(const Mesh& mesh, int vertex) {
   return count > most_named ? text + " and " + std::to_string(count - most_named) + " more" : text;
 }
 
-const Mesh& checked_model(const World& world, int model) {
+const mesh::Mesh& checked_model(const scene::World& world, int model) {
   const int count = static_cast<int>(world.models.size());
   if (model >= count)
     throw Error(ErrorKind::input, option, "there is no model " + std::to_string(model),
@@ -80,13 +80,13 @@ const Mesh& checked_model(const World& world, int model) {
 }
 
 std::vector<Subject> find(const ExplainInput& drawn_view, const ByVertices& wanted) {
-  const Mesh& mesh = checked_model(drawn_view.world, wanted.model);
+  const mesh::Mesh& mesh = checked_model(drawn_view.world, wanted.model);
   for (const int vertex : wanted.vertex)
     if (vertex >= mesh.report.vertices)
       throw Error(ErrorKind::input, option, mesh.report.name + " has no vertex " + std::to_string(vertex),
                   "its vertices are 0 to " + std::to_string(mesh.report.vertices - 1));
-  const auto edge = std::find_if(mesh.edges.begin(), mesh.edges.end(), [&](const MeshEdge& e) {
-    const EdgeOrigin origin = mesh.origin_of(e);
+  const auto edge = std::find_if(mesh.edges.begin(), mesh.edges.end(), [&](const mesh::MeshEdge& e) {
+    const mesh::EdgeOrigin origin = mesh.origin_of(e);
     return origin.in_file && origin.vertex == wanted.vertex;
   });
   if (edge == mesh.edges.end())
@@ -123,11 +123,11 @@ double distance(const Vec2& p, const Vec2& a, const Vec2& b) {
 }
 
 std::vector<Subject> find(const ExplainInput& drawn_view, const ByPlace& wanted) {
-  const std::vector<FeatureEdge>& edges = drawn_view.drawn.edges;
+  const std::vector<edges::FeatureEdge>& edges = drawn_view.drawn.edges;
   std::vector<std::pair<double, std::size_t>> near;
   for (std::size_t e = 0; e < edges.size(); ++e)
-    near.emplace_back(distance(wanted.place, position_on_paper(drawn_view.view, drawn_view.paper, edges[e], 0),
-                               position_on_paper(drawn_view.view, drawn_view.paper, edges[e], 1)),
+    near.emplace_back(distance(wanted.place, drawing::position_on_paper(drawn_view.view, drawn_view.paper, edges[e], 0),
+                               drawing::position_on_paper(drawn_view.view, drawn_view.paper, edges[e], 1)),
                       e);
   if (near.empty()) throw Error(ErrorKind::input, option, "nothing is drawn");
   const std::size_t count = std::min(nearest_edges, near.size());
@@ -149,4 +149,4 @@ std::vector<Subject> find_subjects(const ExplainInput& drawn_view, const EdgeQue
   return std::visit([&](const auto& wanted) { return find(drawn_view, wanted); }, question);
 }
 
-}  // namespace epura
+}  // namespace epura::explain

@@ -9,7 +9,7 @@
 
 #include "explain/subject.hpp"
 
-namespace epura {
+namespace epura::explain {
 
 /// "MODEL:VERTEX-VERTEX", or without "MODEL:" for model 0.
 struct ByVertices {
@@ -36,4 +36,4 @@ EdgeQuestion parse_edge_question(std::string_view text);
 /// Throws Error{input} when there is none, and says what there is instead.
 std::vector<Subject> find_subjects(const ExplainInput& drawn_view, const EdgeQuestion& question);
 
-}  // namespace epura
+}  // namespace epura::explain

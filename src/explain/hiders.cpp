@@ -7,7 +7,7 @@
 
 #include "base/parallel.hpp"
 
-namespace epura {
+namespace epura::explain {
 
 namespace {
 
@@ -15,8 +15,8 @@ constexpr std::size_t grain = 4096;
 
 // Vertices lie within a cell of the page grid of their place.
 template <class Vertices>
-Window box_of(const ProjectedScene& view, const Vertices& vertices) {
-  Window box{Vec2(HUGE_VAL), Vec2(-HUGE_VAL)};
+projection::Window box_of(const view::ProjectedScene& view, const Vertices& vertices) {
+  projection::Window box{Vec2(HUGE_VAL), Vec2(-HUGE_VAL)};
   for (const int v : vertices) {
     const Vec2 place(view.vertices[v].x, view.vertices[v].y);
     box.min = glm::min(box.min, place - view.cell);
@@ -26,8 +26,8 @@ Window box_of(const ProjectedScene& view, const Vertices& vertices) {
 }
 
 template <class Make>
-std::vector<Window> boxes(std::size_t count, Make make) {
-  std::vector<Window> made(count);
+std::vector<projection::Window> boxes(std::size_t count, Make make) {
+  std::vector<projection::Window> made(count);
   parallel_for(count, grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) made[i] = make(i);
   });
@@ -36,7 +36,7 @@ std::vector<Window> boxes(std::size_t count, Make make) {
 
 // How far a triangle lies in front of a point, along the line of sight through it; 0 where that runs in its plane.
 double ahead_of(const ExplainInput& drawn_view, int triangle, const Vec3& point) {
-  const Projection& projection = drawn_view.view.projection;
+  const projection::Projection& projection = drawn_view.view.projection;
   const Vec3 sight = glm::normalize(projection.central ? projection.projector - point : projection.projector);
   const auto& corners = drawn_view.world.triangles[triangle];
   const Vec3 a = drawn_view.world.points[corners[0]];
@@ -47,13 +47,13 @@ double ahead_of(const ExplainInput& drawn_view, int triangle, const Vec3& point)
 
 }  // namespace
 
-TriangleBoxes::TriangleBoxes(const ProjectedScene& view) {
+TriangleBoxes::TriangleBoxes(const view::ProjectedScene& view) {
   levels_.push_back(
       boxes(view.triangles.size(), [&](std::size_t i) { return box_of(view, view.triangles[i].vertex); }));
   while (levels_.back().size() > run) {
-    const std::vector<Window>& below = levels_.back();
+    const std::vector<projection::Window>& below = levels_.back();
     levels_.push_back(boxes((below.size() + run - 1) / run, [&](std::size_t i) {
-      Window box = below[i * run];
+      projection::Window box = below[i * run];
       for (std::size_t j = i * run; j < std::min((i + 1) * run, below.size()); ++j) {
         box.min = glm::min(box.min, below[j].min);
         box.max = glm::max(box.max, below[j].max);
@@ -64,26 +64,26 @@ TriangleBoxes::TriangleBoxes(const ProjectedScene& view) {
 }
 
 std::vector<Occlusion> find_hiders(const ExplainInput& drawn_view, const TriangleBoxes& boxes, std::size_t e) {
-  const ProjectedScene& view = drawn_view.view;
-  const FeatureEdge& edge = drawn_view.drawn.edges[e];
-  const PageEdge line{edge.vertex[0], edge.vertex[1]};
+  const view::ProjectedScene& view = drawn_view.view;
+  const edges::FeatureEdge& edge = drawn_view.drawn.edges[e];
+  const visibility::PageEdge line{edge.vertex[0], edge.vertex[1]};
   const auto ends = ends_of(drawn_view, drawn_subject(drawn_view, e));
 
-  const OwnTriangles own(drawn_view.world, drawn_view.drawn, edge);
+  const visibility::OwnTriangles own(drawn_view.world, drawn_view.drawn, edge);
   std::map<FaceName, Occlusion> found;
   boxes.meeting(box_of(view, edge.vertex), [&](int number) {
-    const ViewTriangle& triangle = view.triangles[number];
+    const view::ViewTriangle& triangle = view.triangles[number];
     const auto& [i, j, k] = triangle.vertex;
     // Seen edge-on it hides nothing.
-    if (cross(view.grid[i], view.grid[j], view.grid[k]) == 0) return;
+    if (view::cross(view.grid[i], view.grid[j], view.grid[k]) == 0) return;
     if (own.contain(triangle.source)) return;
-    const auto part = hidden_part(view, line, triangle);
+    const auto part = visibility::hidden_part(view, line, triangle);
     if (!part) return;
-    const double t = parameter_in_space(view, edge, ((*part)[0] + (*part)[1]) / 2);
+    const double t = drawing::parameter_in_space(view, edge, ((*part)[0] + (*part)[1]) / 2);
     const double ahead = ahead_of(drawn_view, triangle.source, ends[0] + t * (ends[1] - ends[0]));
     const FaceName face = face_of(drawn_view.world, triangle.source);
     Occlusion& hider = found.try_emplace(face, Occlusion{face, {}, ahead}).first->second;
-    add_span(hider.parts, *part);
+    visibility::add_span(hider.parts, *part);
     hider.ahead = std::min(hider.ahead, ahead);
   });
 
@@ -94,4 +94,4 @@ std::vector<Occlusion> find_hiders(const ExplainInput& drawn_view, const Triangl
   return hiders;
 }
 
-}  // namespace epura
+}  // namespace epura::explain

@@ -8,35 +8,35 @@
 #include "explain/subject.hpp"
 #include "visibility/spans.hpp"
 
-namespace epura {
+namespace epura::explain {
 
 /// A face that hides parts of an edge.
 struct Occlusion {
   FaceName face;
-  Spans parts;   ///< page parameters of the edge
+  visibility::Spans parts;  ///< page parameters of the edge
   double ahead;  ///< how far in front, along the line of sight: the least over the middles of its triangles' parts
 };
 
 /// Finds the triangles of a view that meet a box of the page: a tree of boxes over runs of triangles, in their order.
 class TriangleBoxes {
  public:
-  explicit TriangleBoxes(const ProjectedScene& view);
+  explicit TriangleBoxes(const view::ProjectedScene& view);
 
   /// Calls `visit(triangle)` for all triangles of the view whose boxes meet `box`, in order.
   template <class Visit>
-  void meeting(const Window& box, Visit visit) const {
+  void meeting(const projection::Window& box, Visit visit) const {
     for (std::size_t i = 0; i < levels_.back().size(); ++i) search(levels_.size() - 1, i, box, visit);
   }
 
  private:
   static constexpr std::size_t run = 16;
 
-  static bool meet(const Window& a, const Window& b) {
+  static bool meet(const projection::Window& a, const projection::Window& b) {
     return a.min.x <= b.max.x && b.min.x <= a.max.x && a.min.y <= b.max.y && b.min.y <= a.max.y;
   }
 
   template <class Visit>
-  void search(std::size_t level, std::size_t number, const Window& box, Visit& visit) const {
+  void search(std::size_t level, std::size_t number, const projection::Window& box, Visit& visit) const {
     if (!meet(levels_[level][number], box)) return;
     if (level == 0) return visit(static_cast<int>(number));
     const std::size_t end = std::min((number + 1) * run, levels_[level - 1].size());
@@ -44,10 +44,10 @@ class TriangleBoxes {
   }
 
   /// By level the boxes: of triangles, of runs of them, of runs of runs.
-  std::vector<std::vector<Window>> levels_;
+  std::vector<std::vector<projection::Window>> levels_;
 };
 
 /// The faces that hide parts of the e-th drawn edge, the nearest to it first.
 std::vector<Occlusion> find_hiders(const ExplainInput& drawn_view, const TriangleBoxes& boxes, std::size_t e);
 
-}  // namespace epura
+}  // namespace epura::explain

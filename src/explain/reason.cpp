@@ -6,16 +6,17 @@
 #include "edges/feature_edges.hpp"
 #include "explain/wording.hpp"
 
-namespace epura {
+namespace epura::explain {
 
 namespace {
 
-const Mesh& mesh_of(const ExplainInput& drawn_view, const Subject& subject) {
+const mesh::Mesh& mesh_of(const ExplainInput& drawn_view, const Subject& subject) {
   return *drawn_view.world.models[subject.model].mesh;
 }
 
-std::optional<EdgeKind> kind_under(const ExplainInput& drawn_view, const Subject& subject, const EdgeOptions& options) {
-  return feature_edges(drawn_view.world, drawn_view.view, subject.model, options)[subject.mesh_edge];
+std::optional<EdgeKind> kind_under(const ExplainInput& drawn_view, const Subject& subject,
+                                   const edges::EdgeOptions& options) {
+  return edges::feature_edges(drawn_view.world, drawn_view.view, subject.model, options)[subject.mesh_edge];
 }
 
 std::string fold_of(const ExplainInput& drawn_view, const Subject& subject, bool crease) {
@@ -46,11 +47,12 @@ std::string reason_for(const ExplainInput& drawn_view, const Subject& subject, E
 
 std::string reason_not_drawn(const ExplainInput& drawn_view, const Subject& subject) {
   if (const auto kind = kind_under(drawn_view, subject, drawn_view.options))
-    return "a " + std::string(name_of(*kind)) + ", but outside of what is drawn";
-  const EdgeOptions all{.smooth = true, .crease_angle = drawn_view.options.crease_angle};
+    return "a " + std::string(edges::name_of(*kind)) + ", but outside of what is drawn";
+  const edges::EdgeOptions all{.smooth = true, .crease_angle = drawn_view.options.crease_angle};
   const auto kind = kind_under(drawn_view, subject, all);
-  if (kind && is_within_surface(*kind)) return reason_for(drawn_view, subject, *kind);
-  if (kind) return std::string(name_of(*kind)) + " edges are not wanted; " + reason_for(drawn_view, subject, *kind);
+  if (kind && edges::is_within_surface(*kind)) return reason_for(drawn_view, subject, *kind);
+  if (kind)
+    return std::string(edges::name_of(*kind)) + " edges are not wanted; " + reason_for(drawn_view, subject, *kind);
   if (mesh_of(drawn_view, subject).edges[subject.mesh_edge].diagonal)
     return "a diagonal of " + names_of(faces_at(drawn_view, subject));
   return "the long side of a sliver; its short sides are judged instead";
@@ -60,19 +62,19 @@ std::string reason_not_drawn(const ExplainInput& drawn_view, const Subject& subj
 
 std::optional<double> angle_at(const ExplainInput& drawn_view, const Subject& subject) {
   if (subject.mesh_edge < 0) return drawn_view.drawn.crossings[drawn_view.drawn.edges[subject.drawn].crossing].angle;
-  const Mesh& mesh = mesh_of(drawn_view, subject);
-  const MeshEdge& edge = mesh.edges[subject.mesh_edge];
+  const mesh::Mesh& mesh = mesh_of(drawn_view, subject);
+  const mesh::MeshEdge& edge = mesh.edges[subject.mesh_edge];
   if (edge.count != 2) return std::nullopt;
   const auto both = mesh.triangles_of(edge);
   const int first = drawn_view.world.first_vertex[subject.model];
-  return fold_angle({drawn_view.world, subject.model, drawn_view.view.map.normalisation},
-                    {first + edge.vertex[0], first + edge.vertex[1]}, both[0], both[1]);
+  return edges::fold_angle({drawn_view.world, subject.model, drawn_view.view.map.normalisation},
+                           {first + edge.vertex[0], first + edge.vertex[1]}, both[0], both[1]);
 }
 
 std::string reason_of(const ExplainInput& drawn_view, const Subject& subject) {
   if (subject.drawn < 0) return "not drawn: " + reason_not_drawn(drawn_view, subject);
   const EdgeKind kind = drawn_view.drawn.edges[subject.drawn].kind;
-  return "drawn as " + std::string(name_of(kind)) + ": " + reason_for(drawn_view, subject, kind);
+  return "drawn as " + std::string(edges::name_of(kind)) + ": " + reason_for(drawn_view, subject, kind);
 }
 
-}  // namespace epura
+}  // namespace epura::explain

@@ -7,7 +7,7 @@
 
 #include "explain/subject.hpp"
 
-namespace epura {
+namespace epura::explain {
 
 /// Degrees by which the two triangles at an edge turn, or at which faces cross; nothing for other numbers of triangles.
 std::optional<double> angle_at(const ExplainInput& drawn_view, const Subject& subject);
@@ -15,4 +15,4 @@ std::optional<double> angle_at(const ExplainInput& drawn_view, const Subject& su
 /// One line, such as "drawn as crease: faces 0:1 and 0:2 turn by 90 degrees; a crease turns by 30 or more".
 std::string reason_of(const ExplainInput& drawn_view, const Subject& subject);
 
-}  // namespace epura
+}  // namespace epura::explain

@@ -3,22 +3,22 @@
 
 #include <algorithm>
 
-namespace epura {
+namespace epura::explain {
 
-FaceName face_of(const World& world, int triangle) {
+FaceName face_of(const scene::World& world, int triangle) {
   const int model = world.model_of_triangle(triangle);
   return {model, world.models[model].mesh->polygon[triangle - world.first_triangle[model]]};
 }
 
 std::vector<FaceName> faces_at(const ExplainInput& drawn_view, const Subject& subject) {
-  const World& world = drawn_view.world;
+  const scene::World& world = drawn_view.world;
   std::vector<FaceName> faces;
   if (subject.mesh_edge < 0) {
     const int crossing = drawn_view.drawn.edges[subject.drawn].crossing;
     for (const int triangle : drawn_view.drawn.crossings[crossing].triangles) faces.push_back(face_of(world, triangle));
     return faces;
   }
-  const Mesh& mesh = *world.models[subject.model].mesh;
+  const mesh::Mesh& mesh = *world.models[subject.model].mesh;
   for (const int triangle : mesh.triangles_of(mesh.edges[subject.mesh_edge]))
     faces.push_back({subject.model, mesh.polygon[triangle]});
   std::sort(faces.begin(), faces.end());
@@ -33,8 +33,8 @@ std::string name_of(const ExplainInput& drawn_view, const Subject& subject) {
     const std::vector<FaceName> faces = faces_at(drawn_view, subject);
     return name_of(faces[0]) + "x" + name_of(faces[1]);
   }
-  const Mesh& mesh = *drawn_view.world.models[subject.model].mesh;
-  const EdgeOrigin origin = mesh.origin_of(mesh.edges[subject.mesh_edge]);
+  const mesh::Mesh& mesh = *drawn_view.world.models[subject.model].mesh;
+  const mesh::EdgeOrigin origin = mesh.origin_of(mesh.edges[subject.mesh_edge]);
   if (!origin.in_file) return name_of(faces_at(drawn_view, subject).front());
   const auto [a, b] = origin.vertex;
   return std::to_string(subject.model) + ":" + std::to_string(a) + "-" + std::to_string(b);
@@ -48,23 +48,23 @@ std::string names_of(const std::vector<FaceName>& faces) {
 }
 
 std::array<Vec3, 2> ends_of(const ExplainInput& drawn_view, const Subject& subject) {
-  const World& world = drawn_view.world;
+  const scene::World& world = drawn_view.world;
   if (subject.mesh_edge < 0) return drawn_view.drawn.crossings[drawn_view.drawn.edges[subject.drawn].crossing].ends;
-  const Mesh& mesh = *world.models[subject.model].mesh;
+  const mesh::Mesh& mesh = *world.models[subject.model].mesh;
   const auto [a, b] = mesh.origin_of(mesh.edges[subject.mesh_edge]).vertex;
   const int first = world.first_vertex[subject.model];
   return {world.points[first + a], world.points[first + b]};
 }
 
 Subject drawn_subject(const ExplainInput& drawn_view, std::size_t e) {
-  const FeatureEdge& edge = drawn_view.drawn.edges[e];
+  const edges::FeatureEdge& edge = drawn_view.drawn.edges[e];
   return {edge.model, edge.mesh_edge, static_cast<int>(e)};
 }
 
-std::vector<Span> spans_of(const HiddenSpans& hidden, std::size_t e) {
+std::vector<Span> spans_of(const visibility::HiddenSpans& hidden, std::size_t e) {
   std::vector<Span> spans;
   hidden.visit_parts(e, [&](double from, double to, bool visible) { spans.push_back({from, to, visible}); });
   return spans;
 }
 
-}  // namespace epura
+}  // namespace epura::explain

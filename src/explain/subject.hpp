@@ -11,7 +11,7 @@
 
 #include "explain/explain_input.hpp"
 
-namespace epura {
+namespace epura::explain {
 
 struct Subject {
   int model;
@@ -23,7 +23,7 @@ struct Subject {
 using FaceName = std::array<int, 2>;
 
 /// The face that a triangle of the world is part of.
-FaceName face_of(const World& world, int triangle);
+FaceName face_of(const scene::World& world, int triangle);
 
 /// The faces of the file that meet in an edge, each once, or that cross in an intersection line.
 std::vector<FaceName> faces_at(const ExplainInput& drawn_view, const Subject& subject);
@@ -46,6 +46,6 @@ struct Span {
 };
 
 /// All of the e-th drawn edge, in order.
-std::vector<Span> spans_of(const HiddenSpans& hidden, std::size_t e);
+std::vector<Span> spans_of(const visibility::HiddenSpans& hidden, std::size_t e);
 
-}  // namespace epura
+}  // namespace epura::explain

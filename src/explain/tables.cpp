@@ -7,7 +7,7 @@
 #include "base/text.hpp"
 #include "explain/reason.hpp"
 
-namespace epura {
+namespace epura::explain {
 
 namespace {
 
@@ -17,15 +17,15 @@ std::string cells(const Vec2& p) { return format_number(p.x) + "\t" + format_num
 
 std::string row_of_edge(const ExplainInput& drawn_view, std::size_t e) {
   const Subject subject = drawn_subject(drawn_view, e);
-  const FeatureEdge& edge = drawn_view.drawn.edges[e];
+  const edges::FeatureEdge& edge = drawn_view.drawn.edges[e];
   const auto angle = angle_at(drawn_view, subject);
   std::string faces;
   for (const FaceName& face : faces_at(drawn_view, subject)) faces += (faces.empty() ? "" : ",") + name_of(face);
   const auto ends = ends_of(drawn_view, subject);
-  return name_of(drawn_view, subject) + "\t" + std::string(name_of(edge.kind)) + "\t" +
+  return name_of(drawn_view, subject) + "\t" + std::string(edges::name_of(edge.kind)) + "\t" +
          (angle ? format_number(*angle) : "-") + "\t" + faces + "\t" +
-         cells(position_on_paper(drawn_view.view, drawn_view.paper, edge, 0)) + "\t" +
-         cells(position_on_paper(drawn_view.view, drawn_view.paper, edge, 1)) + "\t" +
+         cells(drawing::position_on_paper(drawn_view.view, drawn_view.paper, edge, 0)) + "\t" +
+         cells(drawing::position_on_paper(drawn_view.view, drawn_view.paper, edge, 1)) + "\t" +
          format_number((edge.t[1] - edge.t[0]) * glm::distance(ends[0], ends[1])) + "\n";
 }
 
@@ -38,24 +38,25 @@ std::string hiders_of(const Span& span, const std::vector<Occlusion>& hiders) {
     const auto meets = [&](const auto& part) { return part[0] < span.to && span.from < part[1]; };
     if (!std::any_of(hider.parts.begin(), hider.parts.end(), meets)) continue;
     ++count;
-    if (nearest == nullptr && covers(hider.parts, middle, middle)) nearest = &hider;
+    if (nearest == nullptr && visibility::covers(hider.parts, middle, middle)) nearest = &hider;
   }
   return std::to_string(count) + "\t" +
          (nearest == nullptr ? "-\t-" : name_of(nearest->face) + "\t" + format_number(nearest->ahead));
 }
 
 std::string rows_of_spans(const ExplainInput& drawn_view, const TriangleBoxes& boxes, std::size_t e) {
-  const FeatureEdge& edge = drawn_view.drawn.edges[e];
+  const edges::FeatureEdge& edge = drawn_view.drawn.edges[e];
   const std::vector<Span> spans = spans_of(drawn_view.hidden, e);
   const bool hidden = std::any_of(spans.begin(), spans.end(), [](const Span& span) { return !span.visible; });
   const std::vector<Occlusion> hiders = hidden ? find_hiders(drawn_view, boxes, e) : std::vector<Occlusion>{};
-  const std::string name = name_of(drawn_view, drawn_subject(drawn_view, e)) + "\t" + std::string(name_of(edge.kind));
+  const std::string name =
+      name_of(drawn_view, drawn_subject(drawn_view, e)) + "\t" + std::string(edges::name_of(edge.kind));
   std::string rows;
   for (const Span& span : spans)
-    rows += name + "\t" + cells(position_on_paper(drawn_view.view, drawn_view.paper, edge, span.from)) + "\t" +
-            cells(position_on_paper(drawn_view.view, drawn_view.paper, edge, span.to)) + "\t" +
-            format_number(parameter_in_space(drawn_view.view, edge, span.from)) + "\t" +
-            format_number(parameter_in_space(drawn_view.view, edge, span.to)) + "\t" +
+    rows += name + "\t" + cells(drawing::position_on_paper(drawn_view.view, drawn_view.paper, edge, span.from)) + "\t" +
+            cells(drawing::position_on_paper(drawn_view.view, drawn_view.paper, edge, span.to)) + "\t" +
+            format_number(drawing::parameter_in_space(drawn_view.view, edge, span.from)) + "\t" +
+            format_number(drawing::parameter_in_space(drawn_view.view, edge, span.to)) + "\t" +
             (span.visible ? "visible\t0\t-\t-" : "hidden\t" + hiders_of(span, hiders)) + "\n";
   return rows;
 }
@@ -89,4 +90,4 @@ std::string span_table(const ExplainInput& drawn_view, const TriangleBoxes& boxe
                [&](std::size_t e) { return rows_of_spans(drawn_view, boxes, e); });
 }
 
-}  // namespace epura
+}  // namespace epura::explain

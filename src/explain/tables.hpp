@@ -9,7 +9,7 @@
 #include "explain/hiders.hpp"
 #include "explain/subject.hpp"
 
-namespace epura {
+namespace epura::explain {
 
 /// edge, kind, angle (degrees, "-" where not two triangles meet), faces, ends on the page (mm), length in the world.
 std::string edge_table(const ExplainInput& drawn_view, const Progress& progress = {});
@@ -18,4 +18,4 @@ std::string edge_table(const ExplainInput& drawn_view, const Progress& progress 
 /// hide them, which of those over its middle is the nearest to it, and how far it lies in front.
 std::string span_table(const ExplainInput& drawn_view, const TriangleBoxes& boxes, const Progress& progress = {});
 
-}  // namespace epura
+}  // namespace epura::explain

@@ -7,7 +7,7 @@
 #include "base/text.hpp"
 #include "base/vec.hpp"
 
-namespace epura {
+namespace epura::explain {
 
 inline std::string format_value(double number) { return format_rounded(number, 6); }
 
@@ -17,4 +17,4 @@ inline std::string format_value(const Vec3& p) {
   return "(" + format_value(p.x) + ", " + format_value(p.y) + ", " + format_value(p.z) + ")";
 }
 
-}  // namespace epura
+}  // namespace epura::explain

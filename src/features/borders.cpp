@@ -10,7 +10,7 @@
 #include "base/groups.hpp"
 #include "base/portable_math.hpp"
 
-namespace epura {
+namespace epura::features {
 
 namespace {
 
@@ -30,7 +30,7 @@ struct BorderEdge {
 
 class BorderFinder {
  public:
-  BorderFinder(const Mesh& mesh, const Facets& facets, const std::vector<int>& region_of,
+  BorderFinder(const mesh::Mesh& mesh, const Facets& facets, const std::vector<int>& region_of,
                const std::vector<Region>& regions)
       : mesh_(mesh), facets_(facets), region_of_(region_of), regions_(regions) {}
 
@@ -55,7 +55,7 @@ class BorderFinder {
   };
 
   void consider(int number) {
-    const MeshEdge& edge = mesh_.edges[number];
+    const mesh::MeshEdge& edge = mesh_.edges[number];
     const auto triangles = mesh_.triangles_of(edge);
     const auto region = [&](int t) { return region_of_[facets_.facet_of[t]]; };
     BorderEdge border{number, {}, edge.vertex, 0, 0, triangles.size() != 2};
@@ -117,7 +117,7 @@ class BorderFinder {
   }
 
   // Degrees between the faces on both sides, at the better end of the edge: at a corner a third face may decide.
-  [[nodiscard]] double angle_at(const MeshEdge& edge, std::span<const int> triangles) const {
+  [[nodiscard]] double angle_at(const mesh::MeshEdge& edge, std::span<const int> triangles) const {
     const int side = side_between(triangles[0], triangles[1]);
     double angle = 180;
     for (const int v : edge.vertex) {
@@ -177,7 +177,7 @@ class BorderFinder {
     return border;
   }
 
-  const Mesh& mesh_;
+  const mesh::Mesh& mesh_;
   const Facets& facets_;
   const std::vector<int>& region_of_;
   const std::vector<Region>& regions_;
@@ -187,9 +187,9 @@ class BorderFinder {
 
 }  // namespace
 
-std::vector<PartBorder> find_borders(const Mesh& mesh, const Facets& facets, const std::vector<int>& region_of,
+std::vector<PartBorder> find_borders(const mesh::Mesh& mesh, const Facets& facets, const std::vector<int>& region_of,
                                      const std::vector<Region>& regions, double tangent_angle) {
   return BorderFinder(mesh, facets, region_of, regions).find(tangent_angle);
 }
 
-}  // namespace epura
+}  // namespace epura::features

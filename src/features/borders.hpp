@@ -8,11 +8,11 @@
 #include "features/recognise.hpp"
 #include "features/region.hpp"
 
-namespace epura {
+namespace epura::features {
 
 /// A border is sharp or tangent as a whole, by the surfaces on both sides: tangent where they meet within
 /// `tangent_angle` degrees along all of it, but for a tenth of its length. Ordered by their first edges.
-std::vector<PartBorder> find_borders(const Mesh& mesh, const Facets& facets, const std::vector<int>& region_of,
+std::vector<PartBorder> find_borders(const mesh::Mesh& mesh, const Facets& facets, const std::vector<int>& region_of,
                                      const std::vector<Region>& regions, double tangent_angle);
 
-}  // namespace epura
+}  // namespace epura::features

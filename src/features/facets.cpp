@@ -11,7 +11,7 @@
 #include "base/parallel.hpp"
 #include "features/part_surface.hpp"
 
-namespace epura {
+namespace epura::features {
 
 namespace {
 
@@ -22,7 +22,7 @@ constexpr double least_tolerance = 3e-7;
 constexpr double roundings = 4;
 
 // The corners of triangles in coordinates near 1, and which lie beside each other.
-void read_triangles(const Mesh& mesh, Facets& f) {
+void read_triangles(const mesh::Mesh& mesh, Facets& f) {
   const std::size_t count = mesh.polygon.size();
   f.corners.resize(count);
   f.sides.resize(count);
@@ -55,8 +55,8 @@ void read_triangles(const Mesh& mesh, Facets& f) {
   f.tolerance = std::max(roundings * rounding, least_tolerance * size) * f.scale;
 }
 
-void find_sides_at(const Mesh& mesh, int number, Facets& f) {
-  const MeshEdge& edge = mesh.edges[number];
+void find_sides_at(const mesh::Mesh& mesh, int number, Facets& f) {
+  const mesh::MeshEdge& edge = mesh.edges[number];
   const auto triangles = mesh.triangles_of(edge);
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const auto& corners = f.corners[triangles[i]];
@@ -68,7 +68,7 @@ void find_sides_at(const Mesh& mesh, int number, Facets& f) {
   }
 }
 
-void find_sides(const Mesh& mesh, Facets& f) {
+void find_sides(const mesh::Mesh& mesh, Facets& f) {
   parallel_for(mesh.edges.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e) find_sides_at(mesh, static_cast<int>(e), f);
   });
@@ -77,7 +77,7 @@ void find_sides(const Mesh& mesh, Facets& f) {
 /// Pieces of the file's polygons become facets, largest first, so that their order in the file does not matter.
 class Flattening {
  public:
-  Flattening(const Mesh& mesh, Facets& f) : mesh_(mesh), f_(f) {}
+  Flattening(const mesh::Mesh& mesh, Facets& f) : mesh_(mesh), f_(f) {}
 
   void run() {
     measure();
@@ -279,7 +279,7 @@ class Flattening {
     return corners;
   }
 
-  const Mesh& mesh_;
+  const mesh::Mesh& mesh_;
   Facets& f_;
   std::vector<double> areas_, widths_;
   std::vector<Key> order_;
@@ -301,7 +301,7 @@ double Facets::cosine_of_fold(int triangle, int side) const {
   return same_way != (turned(triangle) != turned(other)) ? -cosine : cosine;
 }
 
-Facets make_facets(const Mesh& mesh, double looseness) {
+Facets make_facets(const mesh::Mesh& mesh, double looseness) {
   Facets facets;
   read_triangles(mesh, facets);
   facets.tolerance *= looseness;
@@ -310,4 +310,4 @@ Facets make_facets(const Mesh& mesh, double looseness) {
   return facets;
 }
 
-}  // namespace epura
+}  // namespace epura::features

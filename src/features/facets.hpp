@@ -10,7 +10,7 @@
 #include "base/vec.hpp"
 #include "mesh/mesh.hpp"
 
-namespace epura {
+namespace epura::features {
 
 /// Triangles that are one flat piece, or a polygon of the file.
 struct Facet {
@@ -54,6 +54,6 @@ struct Facets {
 };
 
 /// `looseness` enlarges the tolerance that follows from how precisely the file holds its coordinates.
-Facets make_facets(const Mesh& mesh, double looseness = 1);
+Facets make_facets(const mesh::Mesh& mesh, double looseness = 1);
 
-}  // namespace epura
+}  // namespace epura::features

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <utility>
 
-namespace epura {
+namespace epura::features {
 
 namespace {
 
@@ -398,4 +398,4 @@ void merge_regions(const Facets& facets, std::vector<int>& region_of, std::vecto
   regions = std::move(merged);
 }
 
-}  // namespace epura
+}  // namespace epura::features

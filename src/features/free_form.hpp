@@ -7,7 +7,7 @@
 #include "features/facets.hpp"
 #include "features/region.hpp"
 
-namespace epura {
+namespace epura::features {
 
 /// Gives every facet a region. Facets of free forms are told from planes by their folds: between facets of one smooth
 /// surface they are small, go on from one to the next, and the facets on either side are about as wide.
@@ -20,4 +20,4 @@ void dissolve_rows(const Facets& facets, std::vector<int>& region_of, std::vecto
 /// Makes one region of neighbours that lie on the surface of the largest of them.
 void merge_regions(const Facets& facets, std::vector<int>& region_of, std::vector<Region>& regions);
 
-}  // namespace epura
+}  // namespace epura::features

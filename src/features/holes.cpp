@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <numbers>
 
-namespace epura {
+namespace epura::features {
 
 namespace {
 
@@ -21,7 +21,7 @@ bool has_axis(const PartFace& face) {
 
 class HoleFinder {
  public:
-  HoleFinder(const Mesh& mesh, const PartFaces& part)
+  HoleFinder(const mesh::Mesh& mesh, const PartFaces& part)
       : mesh_(mesh), part_(part), beside_(part.faces.size()), used_(part.faces.size()) {
     for (const PartBorder& border : part.borders)
       if (border.faces[0] >= 0 && border.faces[0] != border.faces[1]) {
@@ -146,7 +146,7 @@ class HoleFinder {
     return height >= -slack && height <= length + slack;
   }
 
-  const Mesh& mesh_;
+  const mesh::Mesh& mesh_;
   const PartFaces& part_;
   std::vector<std::vector<int>> beside_, triangles_;
   std::vector<char> used_;
@@ -154,6 +154,6 @@ class HoleFinder {
 
 }  // namespace
 
-std::vector<Hole> find_holes(const Mesh& mesh, const PartFaces& part) { return HoleFinder(mesh, part).find(); }
+std::vector<Hole> find_holes(const mesh::Mesh& mesh, const PartFaces& part) { return HoleFinder(mesh, part).find(); }
 
-}  // namespace epura
+}  // namespace epura::features

@@ -6,7 +6,7 @@
 
 #include "features/recognise.hpp"
 
-namespace epura {
+namespace epura::features {
 
 struct Hole {
   std::vector<int> faces;         ///< round ones about its axis: bores, countersinks, the tip of a drill
@@ -16,6 +16,6 @@ struct Hole {
 };
 
 /// Whole bores, those about one axis that follow each other as one hole; ordered by their lowest face.
-std::vector<Hole> find_holes(const Mesh& mesh, const PartFaces& part);
+std::vector<Hole> find_holes(const mesh::Mesh& mesh, const PartFaces& part);
 
-}  // namespace epura
+}  // namespace epura::features

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "features/least_squares.hpp"
 
-namespace epura {
+namespace epura::features {
 
 // Jacobi's rotations.
 Vec3 smallest_axis(const Mat3& symmetric) {
@@ -36,4 +36,4 @@ std::array<Vec3, 2> square_to(const Vec3& axis) {
   return {u, glm::cross(axis, u)};
 }
 
-}  // namespace epura
+}  // namespace epura::features

@@ -9,7 +9,7 @@
 
 #include "base/vec.hpp"
 
-namespace epura {
+namespace epura::features {
 
 /// Normal equations of `size` unknowns.
 template <int size>
@@ -73,4 +73,4 @@ Vec3 smallest_axis(const Mat3& symmetric);
 /// Two unit vectors square to a unit vector and to one another.
 std::array<Vec3, 2> square_to(const Vec3& axis);
 
-}  // namespace epura
+}  // namespace epura::features

@@ -11,7 +11,7 @@
 #include "base/portable_math.hpp"
 #include "features/least_squares.hpp"
 
-namespace epura {
+namespace epura::features {
 
 namespace {
 
@@ -531,4 +531,4 @@ std::optional<PartSurface> begin_torus_by_curvatures(std::span<const Facing> fac
   return best_turned(points, [&](int direction, const Vec2& turn) { return torus_of(*at, direction, turn); });
 }
 
-}  // namespace epura
+}  // namespace epura::features

@@ -14,7 +14,7 @@
 
 #include "base/vec.hpp"
 
-namespace epura {
+namespace epura::features {
 
 enum class SurfaceKind : std::uint8_t { plane, cylinder, cone, sphere, torus, free_form };
 
@@ -67,4 +67,4 @@ std::optional<PartSurface> begin_torus_by_normals(std::span<const Facing> facing
 std::optional<PartSurface> begin_cone_by_curvatures(std::span<const Facing> facings, std::span<const Vec3> points);
 std::optional<PartSurface> begin_torus_by_curvatures(std::span<const Facing> facings, std::span<const Vec3> points);
 
-}  // namespace epura
+}  // namespace epura::features

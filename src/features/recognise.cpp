@@ -12,7 +12,7 @@
 #include "features/free_form.hpp"
 #include "features/region.hpp"
 
-namespace epura {
+namespace epura::features {
 
 namespace {
 
@@ -271,7 +271,8 @@ class Recogniser {
 /// Regions as faces, in the lengths of the file.
 class Result {
  public:
-  Result(const Mesh& mesh, const Facets& facets, const std::vector<int>& region_of, const std::vector<Region>& regions)
+  Result(const mesh::Mesh& mesh, const Facets& facets, const std::vector<int>& region_of,
+         const std::vector<Region>& regions)
       : mesh_(mesh), facets_(facets), region_of_(region_of), regions_(regions) {}
 
   [[nodiscard]] PartFaces faces() const {
@@ -363,7 +364,7 @@ class Result {
     }
   }
 
-  const Mesh& mesh_;
+  const mesh::Mesh& mesh_;
   const Facets& facets_;
   const std::vector<int>& region_of_;
   const std::vector<Region>& regions_;
@@ -382,7 +383,7 @@ bool is_scan(const Facets& facets, const std::vector<int>& region_of) {
 
 }  // namespace
 
-PartFaces recognise_faces(const Mesh& mesh, const RecogniseOptions& options) {
+PartFaces recognise_faces(const mesh::Mesh& mesh, const RecogniseOptions& options) {
   const Facets facets = make_facets(mesh);
   Recogniser recogniser(facets);
   recogniser.run();
@@ -402,4 +403,4 @@ PartFaces recognise_faces(const Mesh& mesh, const RecogniseOptions& options) {
   return result;
 }
 
-}  // namespace epura
+}  // namespace epura::features

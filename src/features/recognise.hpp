@@ -9,7 +9,7 @@
 #include "features/part_surface.hpp"
 #include "mesh/mesh.hpp"
 
-namespace epura {
+namespace epura::features {
 
 /// Triangles that are one face of the part. Lengths and places are the file's.
 struct PartFace {
@@ -49,6 +49,6 @@ struct RecogniseOptions {
 
 /// Finds the faces of a tessellated part. A scan or an artist's mesh, where no surface fits, gives no faces. Neither
 /// the order of the faces in the file nor the unit matters.
-PartFaces recognise_faces(const Mesh& mesh, const RecogniseOptions& options = {});
+PartFaces recognise_faces(const mesh::Mesh& mesh, const RecogniseOptions& options = {});
 
-}  // namespace epura
+}  // namespace epura::features

@@ -9,7 +9,7 @@
 #include "base/portable_math.hpp"
 #include "features/least_squares.hpp"
 
-namespace epura {
+namespace epura::features {
 
 namespace {
 
@@ -371,4 +371,4 @@ bool RegionGrower::is_evident(const Region& region) {
   return true;
 }
 
-}  // namespace epura
+}  // namespace epura::features

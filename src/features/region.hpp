@@ -9,7 +9,7 @@
 #include "features/facets.hpp"
 #include "features/part_surface.hpp"
 
-namespace epura {
+namespace epura::features {
 
 struct Region {
   PartSurface surface;
@@ -74,4 +74,4 @@ class RegionGrower {
   double sagittas_ = 0;
 };
 
-}  // namespace epura
+}  // namespace epura::features

@@ -24,18 +24,18 @@ double checked(double number, const std::string& where, double min = -HUGE_VAL, 
   return number;
 }
 
-Located<double> located(const std::optional<double>& number, const std::string& where) {
+scene::Located<double> located(const std::optional<double>& number, const std::string& where) {
   if (!number) return {};
   return {checked(*number, where), where};
 }
 
-LocatedText located(const std::string& text, const std::string& where) {
+scene::LocatedText located(const std::string& text, const std::string& where) {
   if (text.empty()) return {};
   return {text, where};
 }
 
 template <class Value>
-Located<Value> located(const std::optional<Value>& value, const std::string& where) {
+scene::Located<Value> located(const std::optional<Value>& value, const std::string& where) {
   return {value, where};
 }
 
@@ -46,8 +46,8 @@ glm::vec<count, double> vector_of(const std::array<double, count>& numbers, cons
   return vector;
 }
 
-std::shared_ptr<const Soup> soup_of(const Polygons& polygons, const std::string& where) {
-  auto soup = std::make_shared<Soup>();
+std::shared_ptr<const mesh::Soup> soup_of(const Polygons& polygons, const std::string& where) {
+  auto soup = std::make_shared<mesh::Soup>();
   soup->format = "memory";
   soup->points = polygons.points;
   soup->single_precision = polygons.single_precision;
@@ -64,13 +64,13 @@ std::shared_ptr<const Soup> soup_of(const Polygons& polygons, const std::string&
   return soup;
 }
 
-ModelDescription describe(const Model& model, const std::string& where) {
+scene::ModelDescription describe(const Model& model, const std::string& where) {
   const bool in_memory = !model.polygons.faces.empty() || !model.polygons.points.empty();
   if (in_memory != model.file.empty())
     throw Error(ErrorKind::input, where,
                 in_memory ? "has a file, and polygons, too" : "has neither a file nor polygons",
                 "a model is one of them");
-  ModelDescription description;
+  scene::ModelDescription description;
   if (in_memory)
     description.soup = soup_of(model.polygons, where + ".polygons");
   else
@@ -97,9 +97,9 @@ std::string text_of(const ParameterValue& value) {
   return text;
 }
 
-ViewDescription describe(const View& view, const std::string& where) {
-  ViewDescription description;
-  ProjectionRequest request{view.projection, {}};
+scene::ViewDescription describe(const View& view, const std::string& where) {
+  scene::ViewDescription description;
+  scene::ProjectionRequest request{view.projection, {}};
   for (const auto& [name, value] : view.parameters) request.assignments.emplace_back(name, text_of(value));
   description.projection = {std::move(request), where + ".projection"};
   description.name = located(view.name, where + ".name");
@@ -111,7 +111,7 @@ ViewDescription describe(const View& view, const std::string& where) {
   if (view.scale) {
     if (!(checked(*view.scale, where + ".scale") > 0))
       throw Error(ErrorKind::input, where + ".scale", "is not above 0");
-    description.scale = {ScaleChoice{view.scale, false}, where + ".scale"};
+    description.scale = {scene::ScaleChoice{view.scale, false}, where + ".scale"};
   }
   if (view.at) description.at = {vector_of(*view.at, where + ".at"), where + ".at"};
   description.sheet = {static_cast<int>(checked(view.sheet, where + ".sheet", 1)), where + ".sheet"};
@@ -120,14 +120,14 @@ ViewDescription describe(const View& view, const std::string& where) {
   return description;
 }
 
-SectionDescription describe(const Section& section, const std::string& where) {
+scene::SectionDescription describe(const Section& section, const std::string& where) {
   if (section.name.empty()) throw Error(ErrorKind::input, where + ".name", "is empty", "views call sections by names");
   return {
       {section.name, where}, vector_of(section.point, where + ".point"), vector_of(section.normal, where + ".normal")};
 }
 
-DimensionDescription describe(const Dimension& dimension, const std::string& where) {
-  DimensionDescription description;
+scene::DimensionDescription describe(const Dimension& dimension, const std::string& where) {
+  scene::DimensionDescription description;
   description.where = where;
   description.view = located(dimension.view, where + ".view");
   description.type = {dimension.type, where + ".type"};
@@ -143,22 +143,24 @@ DimensionDescription describe(const Dimension& dimension, const std::string& whe
   return description;
 }
 
-PaperChoice paper_of(const PaperSize& size, const std::string& where) {
-  if (const auto* name = std::get_if<std::string>(&size)) return parse_paper_size(*name, where);
+scene::PaperChoice paper_of(const PaperSize& size, const std::string& where) {
+  if (const auto* name = std::get_if<std::string>(&size)) return scene::parse_paper_size(*name, where);
   if (const auto* automatic = std::get_if<AutomaticSize>(&size))
-    return {*automatic == AutomaticSize::cut ? PaperChoice::Kind::none : PaperChoice::Kind::automatic, 0, {0, 0}};
+    return {*automatic == AutomaticSize::cut ? scene::PaperChoice::Kind::none : scene::PaperChoice::Kind::automatic,
+            0,
+            {0, 0}};
   const auto [width, height] = std::get<std::array<double, 2>>(size);
-  return parse_paper_size(format_number(width) + "x" + format_number(height), where);
+  return scene::parse_paper_size(format_number(width) + "x" + format_number(height), where);
 }
 
-ScaleChoice scale_of(const Scale& scale, const std::string& where) {
+scene::ScaleChoice scale_of(const Scale& scale, const std::string& where) {
   if (const auto* automatic = std::get_if<AutomaticScale>(&scale))
     return {std::nullopt, *automatic == AutomaticScale::standard};
-  return parse_scale(format_number(std::get<double>(scale)), where);
+  return scene::parse_scale(format_number(std::get<double>(scale)), where);
 }
 
-SheetDescription describe(const SheetOptions& sheet, const std::string& where) {
-  SheetDescription description;
+scene::SheetDescription describe(const SheetOptions& sheet, const std::string& where) {
+  scene::SheetDescription description;
   description.where = where;
   if (sheet.size) description.size = {paper_of(*sheet.size, where + ".size"), where + ".size"};
   description.orientation = {sheet.orientation, where + ".orientation"};
@@ -166,7 +168,7 @@ SheetDescription describe(const SheetOptions& sheet, const std::string& where) {
   description.angle = {sheet.angle, where + ".angle"};
   description.frame = {sheet.frame, where + ".frame"};
   for (const auto& [name, text] : sheet.title_block)
-    description.title_block.emplace_back(name, LocatedText{text, where + ".title_block"});
+    description.title_block.emplace_back(name, scene::LocatedText{text, where + ".title_block"});
   return description;
 }
 
@@ -179,9 +181,9 @@ std::array<double, 2> pair_of(const Vec2& p) { return {p.x, p.y}; }
 
 }  // namespace
 
-SceneDescription describe_scene(const Scene& scene) {
+scene::SceneDescription describe_scene(const Scene& scene) {
   if (scene.models.empty()) throw Error(ErrorKind::input, "models", "there is none", "give a file, or polygons");
-  SceneDescription description;
+  scene::SceneDescription description;
   describe_all(description.models, scene.models, "models");
   describe_all(description.views, scene.views, "views");
   describe_all(description.sections, scene.sections, "sections");
@@ -190,10 +192,10 @@ SceneDescription describe_scene(const Scene& scene) {
   return description;
 }
 
-RunOptions run_options_of(const Settings& settings) {
-  RunOptions options;
+pipeline::RunOptions run_options_of(const Settings& settings) {
+  pipeline::RunOptions options;
   options.plugin_path = settings.plugin_path;
-  if (settings.wireframe) options.visibility = Visibility::none;
+  if (settings.wireframe) options.visibility = pipeline::Visibility::none;
   if (settings.contact) options.contact = checked(*settings.contact, "settings.contact", 0);
   if (settings.arcs) options.arcs = checked(*settings.arcs, "settings.arcs", 1e-6, 1);
   options.centre_lines = settings.centre_lines;
@@ -207,27 +209,27 @@ RunOptions run_options_of(const Settings& settings) {
   return options;
 }
 
-DrawnView drawn_view(const ViewDrawing& drawing, int sheet) {
+DrawnView drawn_view(const drawing::ViewDrawing& drawing, int sheet) {
   DrawnView view{drawing.name, drawing.projection.name, sheet, drawing.scale, {}, {}, {}};
   for (int row = 0; row < 4; ++row)
     for (int column = 0; column < 4; ++column)
       view.world_to_page[static_cast<std::size_t>(4 * row + column)] = drawing.world_to_page[column][row];
   view.lines.reserve(drawing.segments.size());
-  for (const Segment& segment : drawing.segments)
+  for (const drawing::Segment& segment : drawing.segments)
     view.lines.push_back({pair_of(segment.from), pair_of(segment.to), segment.kind, segment.visible, segment.model,
                           segment.edge, segment.t});
-  for (const Chain& chain : drawing.chains)
-    for (const CurvePart& curve : chain.curves)
+  for (const drawing::Chain& chain : drawing.chains)
+    for (const drawing::CurvePart& curve : chain.curves)
       view.arcs.push_back(
           {pair_of(curve.centre), pair_of(curve.u), pair_of(curve.v), curve.from, curve.to, chain.kind, chain.visible});
   return view;
 }
 
-std::vector<SheetLayer> layers_of(const Sheet& sheet) {
+std::vector<SheetLayer> layers_of(const sheet::Sheet& sheet) {
   std::vector<SheetLayer> layers;
-  for (const Layer& layer : sheet.layers) {
+  for (const sheet::Layer& layer : sheet.layers) {
     SheetLayer& made = layers.emplace_back(SheetLayer{layer.name, layer.style.width, {}});
-    for (const Stroke& stroke : layer.strokes) {
+    for (const sheet::Stroke& stroke : layer.strokes) {
       auto& points = made.strokes.emplace_back();
       for (const Vec2& p : stroke.points) points.push_back(pair_of(p));
       if (stroke.closed && !points.empty()) points.push_back(points.front());

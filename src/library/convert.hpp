@@ -13,14 +13,14 @@
 namespace epura {
 
 /// Places are members of the scene: "models[0].faces[3]". Throws Error{input} for values that mean nothing.
-SceneDescription describe_scene(const Scene& scene);
+scene::SceneDescription describe_scene(const Scene& scene);
 
 /// Throws Error{input} for values out of their range.
-RunOptions run_options_of(const Settings& settings);
+pipeline::RunOptions run_options_of(const Settings& settings);
 
 /// `sheet` counts from 1.
-DrawnView drawn_view(const ViewDrawing& drawing, int sheet);
+DrawnView drawn_view(const drawing::ViewDrawing& drawing, int sheet);
 
-std::vector<SheetLayer> layers_of(const Sheet& sheet);
+std::vector<SheetLayer> layers_of(const sheet::Sheet& sheet);
 
 }  // namespace epura

@@ -17,11 +17,11 @@ namespace epura {
 
 class Drawing::Content {
  public:
-  std::vector<FinishedSheet> sheets;
+  std::vector<pipeline::FinishedSheet> sheets;
   std::vector<DrawnView> views;
   std::vector<std::string> warnings;
   std::vector<std::string> inputs;  ///< files that were read
-  Report report;
+  report::Report report;
 };
 
 namespace {
@@ -41,37 +41,37 @@ auto guarded(const Work& work) {
   }
 }
 
-Drawing draw_described(SceneDescription scene, const Settings& settings) {
-  complete_scene(scene);
+Drawing draw_described(scene::SceneDescription scene, const Settings& settings) {
+  pipeline::complete_scene(scene);
   auto content = std::make_shared<Drawing::Content>();
-  content->inputs = inputs_of(scene);
-  const Messages messages{[&](const std::string& sentence) { content->warnings.push_back(sentence); },
-                          [](std::string_view) {}};
+  content->inputs = pipeline::inputs_of(scene);
+  const pipeline::Messages messages{[&](const std::string& sentence) { content->warnings.push_back(sentence); },
+                                    [](std::string_view) {}};
   ProgressBoard board;
   board.observe({settings.progress, settings.stop});
-  Stopwatch watch;
-  DrawnScene drawn =
-      draw_scene(scene, run_options_of(settings), {messages, Progress(board, settings.time_limit), watch});
+  pipeline::Stopwatch watch;
+  pipeline::DrawnScene drawn =
+      pipeline::draw_scene(scene, run_options_of(settings), {messages, Progress(board, settings.time_limit), watch});
   // A time belongs to a run, not to a drawing.
-  for (PlanStep& step : drawn.report.plan) step.times = {};
+  for (report::PlanStep& step : drawn.report.plan) step.times = {};
   for (std::size_t i = 0; i < drawn.sheets.size(); ++i)
-    for (const ViewDrawing& view : drawn.sheets[i].drawings)
+    for (const drawing::ViewDrawing& view : drawn.sheets[i].drawings)
       content->views.push_back(drawn_view(view, static_cast<int>(i) + 1));
   content->sheets = std::move(drawn.sheets);
   content->report = std::move(drawn.report);
   return Drawing(std::move(content));
 }
 
-const FinishedSheet& sheet_of(const Drawing& drawing, int sheet) {
+const pipeline::FinishedSheet& sheet_of(const Drawing& drawing, int sheet) {
   if (sheet < 1 || sheet > drawing.sheets())
     throw Error(ErrorKind::input, "sheet", "is " + std::to_string(sheet) + " of " + std::to_string(drawing.sheets()),
                 "sheets count from 1");
   return drawing.content().sheets[static_cast<std::size_t>(sheet) - 1];
 }
 
-Pages pages_of(const Drawing& drawing) {
-  Pages pages;
-  for (const FinishedSheet& sheet : drawing.content().sheets) pages.push_back(&sheet.sheet);
+output::Pages pages_of(const Drawing& drawing) {
+  output::Pages pages;
+  for (const pipeline::FinishedSheet& sheet : drawing.content().sheets) pages.push_back(&sheet.sheet);
   return pages;
 }
 
@@ -96,57 +96,58 @@ Drawing draw(const Scene& scene, const Settings& settings) {
 
 Drawing draw_file(const std::filesystem::path& file, const Settings& settings) {
   return guarded([&] {
-    if (file.extension() == ".toml") return draw_described(read_scene_file(file), settings);
+    if (file.extension() == ".toml") return draw_described(scene::read_scene_file(file), settings);
     return draw_described(describe_scene({.models = {{.file = file.string()}}}), settings);
   });
 }
 
 std::string to_svg(const Drawing& drawing, int sheet, const SvgOptions& options) {
   return guarded([&] {
-    if (!options.id_prefix.empty()) checked_id_prefix(options.id_prefix, "options.id_prefix");
-    const VectorOptions vector{options.plain, 300, std::clamp(options.decimals, 1, 5), options.text, options.id_prefix};
-    return to_svg(sheet_of(drawing, sheet).sheet, vector);
+    if (!options.id_prefix.empty()) output::checked_id_prefix(options.id_prefix, "options.id_prefix");
+    const output::VectorOptions vector{options.plain, 300, std::clamp(options.decimals, 1, 5), options.text,
+                                       options.id_prefix};
+    return output::to_svg(sheet_of(drawing, sheet).sheet, vector);
   });
 }
 
 std::string to_png(const Drawing& drawing, int sheet, double dpi) {
   return guarded([&] {
     if (!(dpi >= 1 && dpi <= 1200)) throw Error(ErrorKind::input, "dpi", "is not between 1 and 1200");
-    return to_png(sheet_of(drawing, sheet).sheet, dpi);
+    return output::to_png(sheet_of(drawing, sheet).sheet, dpi);
   });
 }
 
 std::string to_eps(const Drawing& drawing, int sheet) {
-  return guarded([&] { return to_eps(sheet_of(drawing, sheet).sheet); });
+  return guarded([&] { return output::to_eps(sheet_of(drawing, sheet).sheet); });
 }
 
 std::string to_dxf(const Drawing& drawing, int sheet) {
-  return guarded([&] { return to_dxf(sheet_of(drawing, sheet).sheet); });
+  return guarded([&] { return output::to_dxf(sheet_of(drawing, sheet).sheet); });
 }
 
 std::string to_json(const Drawing& drawing, int sheet) {
   return guarded([&] {
-    const FinishedSheet& finished = sheet_of(drawing, sheet);
-    return to_json(finished.sheet, finished.scale, finished.drawings, drawing.content().report);
+    const pipeline::FinishedSheet& finished = sheet_of(drawing, sheet);
+    return output::to_json(finished.sheet, finished.scale, finished.drawings, drawing.content().report);
   });
 }
 
 std::string to_pdf(const Drawing& drawing) {
-  return guarded([&] { return to_pdf(pages_of(drawing)); });
+  return guarded([&] { return output::to_pdf(pages_of(drawing)); });
 }
 
 std::string to_ps(const Drawing& drawing) {
-  return guarded([&] { return to_ps(pages_of(drawing)); });
+  return guarded([&] { return output::to_ps(pages_of(drawing)); });
 }
 
 std::vector<std::filesystem::path> write(const Drawing& drawing, const std::filesystem::path& file) {
   return guarded([&] {
     if (file == "-") throw Error(ErrorKind::input, "-", "is not a file", "name a file and its extension");
     const Drawing::Content& content = drawing.content();
-    const std::vector<Target> targets = targets_of({file.string()}, "");
-    refuse_overwriting(files_of(targets, content.sheets.size()), content.inputs);
+    const std::vector<pipeline::Target> targets = pipeline::targets_of({file.string()}, "");
+    pipeline::refuse_overwriting(pipeline::files_of(targets, content.sheets.size()), content.inputs);
     std::vector<std::filesystem::path> written;
-    for (const FileBytes& bytes : encode_all(targets, content.sheets, {}, content.report, {})) {
+    for (const pipeline::FileBytes& bytes : pipeline::encode_all(targets, content.sheets, {}, content.report, {})) {
       write_file(bytes.path, bytes.bytes);
       written.emplace_back(bytes.path);
     }

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace epura {
+namespace epura::mesh {
 
 namespace {
 
@@ -44,4 +44,4 @@ std::vector<int> renumber_labels(std::vector<int>& labels) {
   return found;
 }
 
-}  // namespace epura
+}  // namespace epura::mesh

@@ -14,7 +14,7 @@
 #include "mesh/triangulate.hpp"
 #include "mesh/weld.hpp"
 
-namespace epura {
+namespace epura::mesh {
 
 namespace {
 
@@ -172,4 +172,4 @@ Mesh build_mesh(Soup soup, std::string name, const Progress& progress) {
   return mesh;
 }
 
-}  // namespace epura
+}  // namespace epura::mesh

@@ -8,9 +8,9 @@
 #include "mesh/mesh.hpp"
 #include "mesh/soup.hpp"
 
-namespace epura {
+namespace epura::mesh {
 
 /// Never fails on imperfect data: what was dropped or found open stands in the report. Throws OutOfTime.
 Mesh build_mesh(Soup soup, std::string name, const Progress& progress = {});
 
-}  // namespace epura
+}  // namespace epura::mesh

@@ -7,7 +7,7 @@
 #include <bit>
 #include <cstring>
 
-namespace epura {
+namespace epura::mesh {
 
 /// The number at `from`, which need not be aligned.
 template <class Number>
@@ -18,4 +18,4 @@ Number load(const char* from, std::endian order) {
   return std::bit_cast<Number>(bytes);
 }
 
-}  // namespace epura
+}  // namespace epura::mesh

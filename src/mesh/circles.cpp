@@ -13,7 +13,7 @@
 #include "base/curve_runs.hpp"
 #include "base/portable_math.hpp"
 
-namespace epura {
+namespace epura::mesh {
 
 namespace {
 
@@ -144,4 +144,4 @@ std::vector<MeshCircle> find_circles(const Mesh& mesh, double crease_angle, doub
   return find_circles(PlacedMesh{mesh, points, triangles}, crease_angle, tolerance);
 }
 
-}  // namespace epura
+}  // namespace epura::mesh

@@ -7,7 +7,7 @@
 #include "base/vec.hpp"
 #include "mesh/feature_lines.hpp"
 
-namespace epura {
+namespace epura::mesh {
 
 /// Edges that run round on a circle.
 struct MeshCircle {
@@ -32,4 +32,4 @@ std::vector<MeshCircle> find_circles(const PlacedMesh& mesh, double crease_angle
 /// The same in coordinates of the model's file.
 std::vector<MeshCircle> find_circles(const Mesh& mesh, double crease_angle = 30, double tolerance = 1e-3);
 
-}  // namespace epura
+}  // namespace epura::mesh

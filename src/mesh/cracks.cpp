@@ -10,7 +10,7 @@
 
 #include "base/vec.hpp"
 
-namespace epura {
+namespace epura::mesh {
 
 namespace {
 
@@ -151,4 +151,4 @@ Mending mend_cracks(const Points& points, std::span<const int> corners, const Ed
   return mending;
 }
 
-}  // namespace epura
+}  // namespace epura::mesh

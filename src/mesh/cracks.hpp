@@ -5,7 +5,7 @@
 #include "mesh/edge_table.hpp"
 #include "mesh/soup.hpp"
 
-namespace epura {
+namespace epura::mesh {
 
 struct Mending {
   std::vector<int> representative;  ///< for each vertex the lowest one it is joined with; empty when none is joined
@@ -18,4 +18,4 @@ struct Mending {
 /// from 1 to the next number that the file can hold.
 Mending mend_cracks(const Points& points, std::span<const int> corners, const EdgeTable& table, double precision);
 
-}  // namespace epura
+}  // namespace epura::mesh

@@ -10,7 +10,7 @@
 #include "base/parallel.hpp"
 #include "base/unset_vector.hpp"
 
-namespace epura {
+namespace epura::mesh {
 
 namespace {
 
@@ -105,4 +105,4 @@ bool has_equal_triangles(const EdgeTable& table, std::span<const int> corners) {
   return found;
 }
 
-}  // namespace epura
+}  // namespace epura::mesh

@@ -7,7 +7,7 @@
 
 #include "mesh/mesh.hpp"
 
-namespace epura {
+namespace epura::mesh {
 
 /// Half-edge 3t + k runs along triangle t from its corner k to the next one.
 struct EdgeTable {
@@ -33,4 +33,4 @@ inline bool is_two_sided(const EdgeTable& table, const MeshEdge& edge, std::span
   return edge.count == 2 && corners[table.halfedges[edge.first]] != corners[table.halfedges[edge.first + 1]];
 }
 
-}  // namespace epura
+}  // namespace epura::mesh

@@ -10,7 +10,7 @@
 #include <map>
 #include <utility>
 
-namespace epura {
+namespace epura::mesh {
 
 namespace {
 
@@ -161,4 +161,4 @@ bool is_inside(const Outlines& outlines, const Vec2& point) {
   return inside;
 }
 
-}  // namespace epura
+}  // namespace epura::mesh

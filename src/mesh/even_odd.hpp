@@ -8,7 +8,7 @@
 
 #include "base/vec.hpp"
 
-namespace epura {
+namespace epura::mesh {
 
 /// The places of closed outlines, and segments between them in any order. From a point inside, a ray crosses an odd
 /// number of segments.
@@ -24,4 +24,4 @@ std::vector<std::array<int, 3>> fill_even_odd(Outlines& outlines);
 /// Whether a point lies inside. On the outline either may be said.
 bool is_inside(const Outlines& outlines, const Vec2& point);
 
-}  // namespace epura
+}  // namespace epura::mesh

@@ -6,7 +6,7 @@
 
 #include "base/parallel.hpp"
 
-namespace epura {
+namespace epura::mesh {
 
 namespace {
 
@@ -117,4 +117,4 @@ int drop_duplicate_faces(Faces& faces, int vertex_count) {
                     [&](std::size_t face, std::span<const int> ring) { return duplicate[face] ? 0 : ring.size(); });
 }
 
-}  // namespace epura
+}  // namespace epura::mesh

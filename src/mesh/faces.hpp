@@ -7,7 +7,7 @@
 
 #include "mesh/soup.hpp"
 
-namespace epura {
+namespace epura::mesh {
 
 struct Faces {
   std::vector<int> corners;  ///< all rings, one after the other
@@ -31,4 +31,4 @@ int drop_faces_with_non_finite_corners(Faces& faces, const Points& points);
 /// Keeps the first of faces that go through the same vertices in the same order, whatever their start and direction.
 int drop_duplicate_faces(Faces& faces, int vertex_count);
 
-}  // namespace epura
+}  // namespace epura::mesh

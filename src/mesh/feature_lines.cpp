@@ -14,7 +14,7 @@
 #include "base/portable_math.hpp"
 #include "base/vec.hpp"
 
-namespace epura {
+namespace epura::mesh {
 
 namespace {
 
@@ -160,4 +160,4 @@ std::vector<FeatureLine> find_feature_lines(const PlacedMesh& placed, double cre
   return lines;
 }
 
-}  // namespace epura
+}  // namespace epura::mesh

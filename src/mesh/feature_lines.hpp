@@ -9,7 +9,7 @@
 #include "base/vec.hpp"
 #include "mesh/mesh.hpp"
 
-namespace epura {
+namespace epura::mesh {
 
 /// The places of a mesh's vertices and the corners of its triangles: those of its file, or where it stands in a
 /// world.
@@ -32,4 +32,4 @@ struct FeatureLine {
 /// lines end where they would turn by more than `most_turn` radians.
 std::vector<FeatureLine> find_feature_lines(const PlacedMesh& mesh, double crease_angle, double most_turn);
 
-}  // namespace epura
+}  // namespace epura::mesh

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mesh/mesh.hpp"
 
-namespace epura {
+namespace epura::mesh {
 
 EdgeOrigin Mesh::origin_of(const MeshEdge& edge) const {
   const auto [low, high] = edge.vertex;
@@ -12,4 +12,4 @@ EdgeOrigin Mesh::origin_of(const MeshEdge& edge) const {
   return {edge.vertex, {0, 1}, false};
 }
 
-}  // namespace epura
+}  // namespace epura::mesh

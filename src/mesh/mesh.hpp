@@ -17,7 +17,7 @@
 #include "base/vec.hpp"
 #include "mesh/soup.hpp"
 
-namespace epura {
+namespace epura::mesh {
 
 /// What a cutting plane has to do with an edge.
 enum class CutEdge : std::uint8_t {
@@ -101,4 +101,4 @@ struct Mesh {
   [[nodiscard]] Vec3 point(int vertex) const { return {points[vertex][0], points[vertex][1], points[vertex][2]}; }
 };
 
-}  // namespace epura
+}  // namespace epura::mesh

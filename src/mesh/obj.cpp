@@ -11,7 +11,7 @@
 #include "mesh/read.hpp"
 #include "mesh/text_cursor.hpp"
 
-namespace epura {
+namespace epura::mesh {
 
 namespace {
 
@@ -176,4 +176,4 @@ Soup read_obj(std::string_view bytes, std::string_view name, const Progress& pro
   return joiner.finish();
 }
 
-}  // namespace epura
+}  // namespace epura::mesh

@@ -7,7 +7,7 @@
 
 #include "mesh/text_cursor.hpp"
 
-namespace epura {
+namespace epura::mesh {
 
 namespace {
 
@@ -84,4 +84,4 @@ void join(ObjIgnored& ignored, const ObjIgnored& later, std::size_t lines_before
   for (const std::string& keyword : later.keywords) add_keyword(ignored, keyword);
 }
 
-}  // namespace epura
+}  // namespace epura::mesh

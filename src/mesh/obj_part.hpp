@@ -8,7 +8,7 @@
 
 #include "mesh/soup.hpp"
 
-namespace epura {
+namespace epura::mesh {
 
 /// A name for the faces that follow.
 struct ObjNaming {
@@ -51,4 +51,4 @@ ObjPart read_obj_part(std::string_view text, std::string_view name, std::size_t 
 /// Adds the lines of a part that begins `lines_before` lines later.
 void join(ObjIgnored& ignored, const ObjIgnored& later, std::size_t lines_before);
 
-}  // namespace epura
+}  // namespace epura::mesh

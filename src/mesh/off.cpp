@@ -6,7 +6,7 @@
 #include "mesh/read.hpp"
 #include "mesh/text_cursor.hpp"
 
-namespace epura {
+namespace epura::mesh {
 
 namespace {
 
@@ -117,4 +117,4 @@ Soup read_off(std::string_view bytes, std::string_view name, const Progress& pro
   return soup;
 }
 
-}  // namespace epura
+}  // namespace epura::mesh

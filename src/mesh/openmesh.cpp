@@ -7,7 +7,7 @@
 #include "base/parallel.hpp"
 #include "mesh/edge_table.hpp"
 
-namespace epura {
+namespace epura::mesh {
 
 namespace {
 
@@ -105,4 +105,4 @@ HalfedgeMesh to_openmesh(const Mesh& mesh) {
   return made;
 }
 
-}  // namespace epura
+}  // namespace epura::mesh

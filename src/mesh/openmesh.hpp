@@ -12,7 +12,7 @@
 
 #include "mesh/mesh.hpp"
 
-namespace epura {
+namespace epura::mesh {
 
 struct DoubleTraits : OpenMesh::DefaultTraits {
   using Point = OpenMesh::Vec3d;
@@ -36,4 +36,4 @@ struct HalfedgeMesh {
 
 HalfedgeMesh to_openmesh(const Mesh& mesh);
 
-}  // namespace epura
+}  // namespace epura::mesh

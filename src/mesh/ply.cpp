@@ -10,7 +10,7 @@
 #include "mesh/read.hpp"
 #include "mesh/text_cursor.hpp"
 
-namespace epura {
+namespace epura::mesh {
 
 namespace {
 
@@ -291,4 +291,4 @@ Soup read_ply(std::string_view bytes, std::string_view name, const Progress& pro
   return PlyReader(source, name, progress).read(header.elements);
 }
 
-}  // namespace epura
+}  // namespace epura::mesh

@@ -6,7 +6,7 @@
 
 #include "mesh/text_cursor.hpp"
 
-namespace epura {
+namespace epura::mesh {
 
 namespace {
 
@@ -123,4 +123,4 @@ PlyHeader read_ply_header(std::string_view bytes, std::string_view name) {
   text.fail("the header has no end", "is the file complete?");
 }
 
-}  // namespace epura
+}  // namespace epura::mesh

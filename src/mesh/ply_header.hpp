@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace epura {
+namespace epura::mesh {
 
 enum class PlyEncoding { text, little_endian, big_endian };
 enum class PlyType { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
@@ -39,4 +39,4 @@ struct PlyHeader {
 
 PlyHeader read_ply_header(std::string_view bytes, std::string_view name);
 
-}  // namespace epura
+}  // namespace epura::mesh

@@ -15,7 +15,7 @@
 #include "mesh/stl_kind.hpp"
 #include "mesh/text_cursor.hpp"
 
-namespace epura {
+namespace epura::mesh {
 
 namespace {
 
@@ -100,4 +100,4 @@ Mesh read_mesh(const std::filesystem::path& path, const Progress& progress) {
   return mesh;
 }
 
-}  // namespace epura
+}  // namespace epura::mesh

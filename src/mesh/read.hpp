@@ -10,7 +10,7 @@
 #include "mesh/mesh.hpp"
 #include "mesh/soup.hpp"
 
-namespace epura {
+namespace epura::mesh {
 
 /// Reads OBJ, STL (text, binary), PLY (text, both byte orders) or OFF, by what the file holds and then by its
 /// extension. Coordinates arrive as the file's doubles. Throws Error{input} with path and line (text) or byte (binary),
@@ -26,4 +26,4 @@ Soup read_stl(std::string_view bytes, std::string_view name, const Progress& pro
 Soup read_ply(std::string_view bytes, std::string_view name, const Progress& progress = {});
 Soup read_off(std::string_view bytes, std::string_view name, const Progress& progress = {});
 
-}  // namespace epura
+}  // namespace epura::mesh

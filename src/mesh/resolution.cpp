@@ -12,7 +12,7 @@
 #include "base/parallel.hpp"
 #include "base/text.hpp"
 
-namespace epura {
+namespace epura::mesh {
 
 namespace {
 
@@ -120,4 +120,4 @@ double decimal_resolution(const Points& points) {
   return decimals > 0 || !finite ? decimals : digits_of(points);
 }
 
-}  // namespace epura
+}  // namespace epura::mesh

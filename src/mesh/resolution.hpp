@@ -4,7 +4,7 @@
 
 #include "mesh/soup.hpp"
 
-namespace epura {
+namespace epura::mesh {
 
 /// 10^-d when all coordinates are multiples of it, with 5 to 9 decimals, and so many need the last one that they look
 /// rounded: a quarter of them, of a hundred points at least. Where not the decimals but the digits are alike (5 to 8,
@@ -12,4 +12,4 @@ namespace epura {
 /// say.
 double decimal_resolution(const Points& points);
 
-}  // namespace epura
+}  // namespace epura::mesh

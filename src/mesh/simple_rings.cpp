@@ -7,7 +7,7 @@
 
 #include "base/vec.hpp"
 
-namespace epura {
+namespace epura::mesh {
 
 namespace {
 
@@ -109,4 +109,4 @@ std::vector<std::vector<int>> simple_rings(std::span<const int> ring, const Poin
   return rings;
 }
 
-}  // namespace epura
+}  // namespace epura::mesh

@@ -7,7 +7,7 @@
 
 #include "mesh/soup.hpp"
 
-namespace epura {
+namespace epura::mesh {
 
 /// The polygons of which a ring of corners consists. It is divided at a corner that it names twice where both parts
 /// turn the same way round, as two loops that touch do; a part that turns the other way is a hole with a bridge to it
@@ -17,4 +17,4 @@ std::vector<std::vector<int>> simple_rings(std::span<const int> ring, const Poin
 /// Whether a corner is named twice.
 bool repeats_corner(std::span<const int> ring);
 
-}  // namespace epura
+}  // namespace epura::mesh

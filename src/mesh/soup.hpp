@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace epura {
+namespace epura::mesh {
 
 using Points = std::vector<std::array<double, 3>>;
 
@@ -26,4 +26,4 @@ struct Soup {
   void end_face() { face_ends.push_back(static_cast<int>(corners.size())); }
 };
 
-}  // namespace epura
+}  // namespace epura::mesh

@@ -10,7 +10,7 @@
 #include "mesh/stl_kind.hpp"
 #include "mesh/text_cursor.hpp"
 
-namespace epura {
+namespace epura::mesh {
 
 namespace {
 
@@ -138,4 +138,4 @@ Soup read_stl(std::string_view bytes, std::string_view name, const Progress& pro
   return soup;
 }
 
-}  // namespace epura
+}  // namespace epura::mesh

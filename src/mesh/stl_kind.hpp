@@ -4,11 +4,11 @@
 
 #include <string_view>
 
-namespace epura {
+namespace epura::mesh {
 
 enum class StlKind { text, binary, neither };
 
 /// Binary files are known by their size alone, since their headers may begin with "solid" as well.
 StlKind stl_kind(std::string_view bytes);
 
-}  // namespace epura
+}  // namespace epura::mesh

@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 
-namespace epura {
+namespace epura::mesh {
 
 namespace {
 
@@ -121,4 +121,4 @@ std::string quoted(std::string_view word) {
   return text + (word.size() > longest ? "...'" : "'");
 }
 
-}  // namespace epura
+}  // namespace epura::mesh

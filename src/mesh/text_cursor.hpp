@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-namespace epura {
+namespace epura::mesh {
 
 class TextCursor {
  public:
@@ -53,4 +53,4 @@ class TextCursor {
 /// A word of a file for a message: quoted, cut short, without bytes that are no printable text.
 std::string quoted(std::string_view word);
 
-}  // namespace epura
+}  // namespace epura::mesh

@@ -10,7 +10,7 @@
 #include "base/vec.hpp"
 #include "mesh/simple_rings.hpp"
 
-namespace epura {
+namespace epura::mesh {
 
 namespace {
 
@@ -191,4 +191,4 @@ Faces triangulate(Faces faces, const Points& points, const Progress& progress) {
   return triangles;
 }
 
-}  // namespace epura
+}  // namespace epura::mesh

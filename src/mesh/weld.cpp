@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <numeric>
 
-namespace epura {
+namespace epura::mesh {
 
 namespace {
 
@@ -84,4 +84,4 @@ void renumber(Points& points, std::vector<int>& corners, std::vector<int> repres
   for (int& corner : corners) corner = representative[corner];
 }
 
-}  // namespace epura
+}  // namespace epura::mesh

@@ -11,9 +11,9 @@
 #include "output/curve_pieces.hpp"
 #include "sheet/walk_stroke.hpp"
 
-namespace epura {
+namespace epura::output {
 
-Canvas enlarged_canvas(const Sheet& sheet) {
+Canvas enlarged_canvas(const sheet::Sheet& sheet) {
   Vec2 min(0, 0), max(sheet.width, sheet.height);
   double tallest = 0;
   const auto add = [&](const Vec2& p) {
@@ -21,17 +21,17 @@ Canvas enlarged_canvas(const Sheet& sheet) {
     min = glm::min(min, p);
     max = glm::max(max, p);
   };
-  for (const Layer& layer : sheet.layers) {
-    for (const Stroke& stroke : layer.strokes) {
+  for (const sheet::Layer& layer : sheet.layers) {
+    for (const sheet::Stroke& stroke : layer.strokes) {
       for (const Vec2& p : stroke.points) add(p);
-      for (const CurvePart& part : stroke.curves)
+      for (const drawing::CurvePart& part : stroke.curves)
         for (const BezierPiece& piece : bezier_pieces(part))
           for (const Vec2& p : piece.controls) add(p);
     }
-    for (const Fill& fill : layer.fills)
+    for (const sheet::Fill& fill : layer.fills)
       for (const std::vector<Vec2>& ring : fill.rings)
         for (const Vec2& p : ring) add(p);
-    for (const Text& text : layer.texts) {
+    for (const sheet::Text& text : layer.texts) {
       add(text.at);
       tallest = std::max(tallest, text.height);
     }
@@ -69,8 +69,8 @@ void begin_vector_file(const Pen& pen, const Canvas& canvas) {
 
 namespace {
 
-void set_dashes(cairo_t* cairo, const Stroke& stroke, double units) {
-  const Dashes& dashes = stroke.dashes;
+void set_dashes(cairo_t* cairo, const sheet::Stroke& stroke, double units) {
+  const sheet::Dashes& dashes = stroke.dashes;
   std::vector<double> lengths = stroke.pattern;
   if (lengths.empty() && dashes.dash > 0) lengths = {dashes.dash, dashes.gap};
   for (int i = 0; i < dashes.dots; ++i) lengths.insert(lengths.end(), {dashes.dot, dashes.gap});
@@ -80,18 +80,18 @@ void set_dashes(cairo_t* cairo, const Stroke& stroke, double units) {
 
 }  // namespace
 
-void set_colour(const Pen& pen, const Colour& colour) {
+void set_colour(const Pen& pen, const sheet::Colour& colour) {
   cairo_set_source_rgb(pen.get(), colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
 }
 
-void add_path(const Pen& pen, const Canvas& canvas, const Stroke& stroke) {
+void add_path(const Pen& pen, const Canvas& canvas, const sheet::Stroke& stroke) {
   cairo_t* cairo = pen.get();
   cairo_new_sub_path(cairo);
   const auto line = [&](const Vec2& point) {
     const Vec2 p = canvas.to_surface(point);
     cairo_line_to(cairo, p.x, p.y);
   };
-  const auto curve = [&](const CurvePart& part) {
+  const auto curve = [&](const drawing::CurvePart& part) {
     for (const BezierPiece& piece : bezier_pieces(part)) {
       const Vec2 a = canvas.to_surface(piece.controls[0]), b = canvas.to_surface(piece.controls[1]);
       const Vec2 to = canvas.to_surface(piece.to);
@@ -99,14 +99,14 @@ void add_path(const Pen& pen, const Canvas& canvas, const Stroke& stroke) {
     }
   };
   if (!stroke.points.empty()) line(stroke.points.front());
-  walk_stroke(stroke, line, curve);
+  sheet::walk_stroke(stroke, line, curve);
   if (stroke.closed) cairo_close_path(cairo);
 }
 
-void draw(const Pen& pen, const Canvas& canvas, const Layer& layer, const Progress& progress) {
+void draw(const Pen& pen, const Canvas& canvas, const sheet::Layer& layer, const Progress& progress) {
   cairo_t* cairo = pen.get();
   cairo_set_line_width(cairo, layer.style.width * canvas.units);
-  for (const Stroke& stroke : layer.strokes) {
+  for (const sheet::Stroke& stroke : layer.strokes) {
     progress.expect_time();
     progress.advance(1);
     set_dashes(cairo, stroke, canvas.units);
@@ -136,4 +136,4 @@ void finish(const CairoSurface& surface, const char* format) {
   require(cairo_surface_status(surface.get()), format);
 }
 
-}  // namespace epura
+}  // namespace epura::output

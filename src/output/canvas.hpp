@@ -13,7 +13,7 @@
 #include "base/progress.hpp"
 #include "sheet/sheet.hpp"
 
-namespace epura {
+namespace epura::output {
 
 /// How a surface lies on the sheet. Surfaces have y down.
 struct Canvas {
@@ -27,7 +27,7 @@ struct Canvas {
 
 /// Holds the sheet and all ink: what lies wholly beside a surface would be dropped. 1000 units per millimetre, fewer
 /// where the ink is more than 8 m long or letters are more than 40 mm high.
-Canvas enlarged_canvas(const Sheet& sheet);
+Canvas enlarged_canvas(const sheet::Sheet& sheet);
 
 /// Frees with a function of Cairo's.
 template <auto function>
@@ -49,13 +49,13 @@ Pen make_pen(const CairoSurface& surface);
 void begin_vector_file(const Pen& pen, const Canvas& canvas);
 
 /// For all that is drawn from now on.
-void set_colour(const Pen& pen, const Colour& colour);
+void set_colour(const Pen& pen, const sheet::Colour& colour);
 
 /// Adds a stroke to the pen's path, as a part of its own.
-void add_path(const Pen& pen, const Canvas& canvas, const Stroke& stroke);
+void add_path(const Pen& pen, const Canvas& canvas, const sheet::Stroke& stroke);
 
 /// Draws every stroke of a layer for itself. Throws OutOfTime.
-void draw(const Pen& pen, const Canvas& canvas, const Layer& layer, const Progress& progress);
+void draw(const Pen& pen, const Canvas& canvas, const sheet::Layer& layer, const Progress& progress);
 
 /// For Cairo's streams: appends to the std::string `bytes`.
 cairo_status_t append_bytes(void* bytes, const unsigned char* data, unsigned length);
@@ -66,4 +66,4 @@ void require(cairo_status_t status, const char* format);
 /// Ends the page and the file, and looks for errors of all that was done before.
 void finish(const CairoSurface& surface, const char* format);
 
-}  // namespace epura
+}  // namespace epura::output

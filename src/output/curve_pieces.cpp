@@ -7,19 +7,19 @@
 
 #include "drawing/curve_part.hpp"
 
-namespace epura {
+namespace epura::output {
 
 namespace {
 
 constexpr double quarter = std::numbers::pi / 2;
 
-int pieces_of(const CurvePart& curve, double longest) {
+int pieces_of(const drawing::CurvePart& curve, double longest) {
   return std::max(1, static_cast<int>(std::ceil(std::abs(curve.to - curve.from) / longest - 1e-9)));
 }
 
 }  // namespace
 
-std::vector<BezierPiece> bezier_pieces(const CurvePart& curve, double tolerance) {
+std::vector<BezierPiece> bezier_pieces(const drawing::CurvePart& curve, double tolerance) {
   constexpr double error_of_quarter = 2.73e-4;
   const double radius = std::max(glm::length(curve.u), glm::length(curve.v));
   const double longest = quarter * std::min(1.0, std::pow(tolerance / (error_of_quarter * radius), 1.0 / 6));
@@ -29,18 +29,18 @@ std::vector<BezierPiece> bezier_pieces(const CurvePart& curve, double tolerance)
   std::vector<BezierPiece> pieces;
   for (int i = 0; i < count; ++i) {
     const double a = curve.from + i * step, b = a + step;
-    const Vec2 from = position_on_curve(curve, a), to = position_on_curve(curve, b);
+    const Vec2 from = drawing::position_on_curve(curve, a), to = drawing::position_on_curve(curve, b);
     pieces.push_back({{from + reach * tangent(a), to - reach * tangent(b)}, to});
   }
   return pieces;
 }
 
-std::vector<Vec2> quarter_ends(const CurvePart& curve) {
+std::vector<Vec2> quarter_ends(const drawing::CurvePart& curve) {
   const int count = pieces_of(curve, quarter);
   std::vector<Vec2> ends;
   for (int i = 1; i <= count; ++i)
-    ends.push_back(position_on_curve(curve, curve.from + (curve.to - curve.from) * i / count));
+    ends.push_back(drawing::position_on_curve(curve, curve.from + (curve.to - curve.from) * i / count));
   return ends;
 }
 
-}  // namespace epura
+}  // namespace epura::output

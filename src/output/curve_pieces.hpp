@@ -7,7 +7,7 @@
 
 #include "drawing/drawing.hpp"
 
-namespace epura {
+namespace epura::output {
 
 /// A cubic curve from where the pen stands.
 struct BezierPiece {
@@ -18,9 +18,9 @@ struct BezierPiece {
 /// Within `tolerance` mm of the curve: pieces of angle t have their control points 4/3 tan(t/4) tangents away, which
 /// leaves an error of 2.73e-4 (t / 90 degrees)^6 radii (Goldapp. Approximation of circular arcs by cubic polynomials.
 /// CAGD 8, 1991).
-std::vector<BezierPiece> bezier_pieces(const CurvePart& curve, double tolerance = 1e-5);
+std::vector<BezierPiece> bezier_pieces(const drawing::CurvePart& curve, double tolerance = 1e-5);
 
 /// Where arcs of at most a quarter end; from these and the radii programs find the centre well.
-std::vector<Vec2> quarter_ends(const CurvePart& curve);
+std::vector<Vec2> quarter_ends(const drawing::CurvePart& curve);
 
-}  // namespace epura
+}  // namespace epura::output

@@ -11,7 +11,7 @@
 #include "output/dxf_writer.hpp"
 #include "output/write.hpp"
 
-namespace epura {
+namespace epura::output {
 
 namespace {
 
@@ -74,7 +74,7 @@ void add_shape(DxfWriter& dxf, const Place& place, const EllipseArc& arc) {
 }
 
 // One hatch, whose rings are filled by the even-odd rule.
-void add_fill(DxfWriter& dxf, const Place& place, const Fill& fill) {
+void add_fill(DxfWriter& dxf, const Place& place, const sheet::Fill& fill) {
   begin_entity(dxf, place, "HATCH", "AcDbHatch");
   dxf.add(10, Vec2(0, 0));
   dxf.add(30, 0);
@@ -97,7 +97,7 @@ void add_fill(DxfWriter& dxf, const Place& place, const Fill& fill) {
   dxf.add(98, 0);
 }
 
-void add_text(DxfWriter& dxf, const Place& place, const Text& text) {
+void add_text(DxfWriter& dxf, const Place& place, const sheet::Text& text) {
   begin_entity(dxf, place, "TEXT", "AcDbText");
   dxf.add(10, text.at);
   dxf.add(40, text.height);
@@ -105,15 +105,16 @@ void add_text(DxfWriter& dxf, const Place& place, const Text& text) {
   dxf.add(50, text.angle);
   dxf.add(7, dxf_text_style);
   dxf.add(72, static_cast<int>(text.align));
-  if (text.align != Align::left) dxf.add(11, text.at);
+  if (text.align != sheet::Align::left) dxf.add(11, text.at);
   dxf.add(100, "AcDbText");
 }
 
-void add_layer(DxfWriter& dxf, int model_space, const std::string& name, const Layer& layer, const Progress& progress) {
+void add_layer(DxfWriter& dxf, int model_space, const std::string& name, const sheet::Layer& layer,
+               const Progress& progress) {
   const bool dashed = layer.style.dashes.dash > 0;
-  for (const Fill& fill : layer.fills)
+  for (const sheet::Fill& fill : layer.fills)
     if (!fill.rings.empty()) add_fill(dxf, {model_space, name, false, true}, fill);
-  for (const Stroke& stroke : layer.strokes) {
+  for (const sheet::Stroke& stroke : layer.strokes) {
     progress.expect_time();
     progress.advance(1);
     if (stroke.points.size() < 2) continue;
@@ -121,14 +122,14 @@ void add_layer(DxfWriter& dxf, int model_space, const std::string& name, const L
     for (const DxfShape& shape : dxf_shapes(stroke))
       std::visit([&](const auto& kind) { add_shape(dxf, place, kind); }, shape);
   }
-  for (const Text& text : layer.texts) add_text(dxf, {model_space, name, false, true}, text);
+  for (const sheet::Text& text : layer.texts) add_text(dxf, {model_space, name, false, true}, text);
 }
 
 }  // namespace
 
-std::string to_dxf(const Sheet& sheet, const Progress& progress) {
+std::string to_dxf(const sheet::Sheet& sheet, const Progress& progress) {
   std::vector<std::string> names;
-  for (const Layer& layer : sheet.layers) names.push_back(layer.name);
+  for (const sheet::Layer& layer : sheet.layers) names.push_back(layer.name);
   names = dxf_names(names, {"0"});
   DxfWriter dxf;
   const int model_space = add_dxf_tables(dxf, sheet, names);
@@ -140,4 +141,4 @@ std::string to_dxf(const Sheet& sheet, const Progress& progress) {
   return dxf_header(sheet, dxf.handles()) + dxf.take();
 }
 
-}  // namespace epura
+}  // namespace epura::output

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-namespace epura {
+namespace epura::output {
 
 namespace {
 
@@ -16,17 +16,17 @@ constexpr double slack = 1e-9;  // of angles and ratios, which are computed
 
 double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
-bool is_circle(const CurvePart& curve) {
+bool is_circle(const drawing::CurvePart& curve) {
   const double u = glm::length(curve.u), v = glm::length(curve.v);
   return std::abs(u - v) <= slack * std::max(u, v);
 }
 
-Vec2 point_at(const CurvePart& curve, double angle) {
+Vec2 point_at(const drawing::CurvePart& curve, double angle) {
   return curve.centre + std::cos(angle) * curve.u + std::sin(angle) * curve.v;
 }
 
 // With v to the left of u, u the longer half axis, and angles that grow.
-EllipseArc arc_of(CurvePart curve) {
+EllipseArc arc_of(drawing::CurvePart curve) {
   if (cross(curve.u, curve.v) < 0) {
     curve.v = -curve.v;
     curve.from = -curve.from;
@@ -43,7 +43,7 @@ EllipseArc arc_of(CurvePart curve) {
 }
 
 // Arcs of a quarter turn at most: bulges grow without bounds towards a full turn.
-void add_bulges(BulgedLine& line, const Vec2& start, const CurvePart& curve) {
+void add_bulges(BulgedLine& line, const Vec2& start, const drawing::CurvePart& curve) {
   const double sweep = cross(curve.u, curve.v) < 0 ? curve.from - curve.to : curve.to - curve.from;
   const int pieces = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / (full_turn / 4) - slack)));
   const double bulge = std::tan(sweep / pieces / 4);
@@ -61,7 +61,7 @@ void add_line(std::vector<DxfShape>& shapes, BulgedLine& line) {
 
 bool EllipseArc::whole() const { return to - from >= full_turn - slack; }
 
-std::vector<DxfShape> dxf_shapes(const Stroke& stroke) {
+std::vector<DxfShape> dxf_shapes(const sheet::Stroke& stroke) {
   const int count = static_cast<int>(stroke.points.size());
   const auto point = [&](int i) { return stroke.points[static_cast<std::size_t>(i % count)]; };
   const auto& curves = stroke.curves;
@@ -72,7 +72,7 @@ std::vector<DxfShape> dxf_shapes(const Stroke& stroke) {
   std::vector<DxfShape> shapes;
   BulgedLine line;
   int here = start;
-  for (const CurvePart& curve : curves) {
+  for (const drawing::CurvePart& curve : curves) {
     for (; here < curve.first; ++here) line.corners.push_back({point(here)});
     if (is_circle(curve)) {
       add_bulges(line, point(here), curve);
@@ -90,4 +90,4 @@ std::vector<DxfShape> dxf_shapes(const Stroke& stroke) {
   return shapes;
 }
 
-}  // namespace epura
+}  // namespace epura::output

@@ -7,7 +7,7 @@
 
 #include "sheet/sheet.hpp"
 
-namespace epura {
+namespace epura::output {
 
 /// A corner and the bulge of the line that begins there: the tangent of a quarter of its arc's angle, positive
 /// counterclockwise; 0 for a straight line.
@@ -36,6 +36,6 @@ using DxfShape = std::variant<BulgedLine, EllipseArc>;
 
 /// The shapes of a stroke in its order, without repetitions: arcs of circles among straight lines are bulges; arcs of
 /// ellipses and strokes that are nothing but one arc stand alone.
-std::vector<DxfShape> dxf_shapes(const Stroke& stroke);
+std::vector<DxfShape> dxf_shapes(const sheet::Stroke& stroke);
 
-}  // namespace epura
+}  // namespace epura::output

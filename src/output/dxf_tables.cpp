@@ -11,7 +11,7 @@
 
 #include "scene/line_roles.hpp"
 
-namespace epura {
+namespace epura::output {
 
 namespace {
 
@@ -39,7 +39,7 @@ int begin_entry(DxfWriter& dxf, std::string_view type, int table, std::string_vi
 }
 
 // The whole sheet in the window.
-void add_viewports(DxfWriter& dxf, const Sheet& sheet) {
+void add_viewports(DxfWriter& dxf, const sheet::Sheet& sheet) {
   add_table(dxf, "VPORT", 1, [&](int table) {
     begin_entry(dxf, "VPORT", table, "AcDbViewportTableRecord", "*ACTIVE");
     dxf.add(10, Vec2(0, 0));
@@ -51,16 +51,16 @@ void add_viewports(DxfWriter& dxf, const Sheet& sheet) {
 }
 
 struct LineType {
-  Dashes dashes;
+  sheet::Dashes dashes;
   std::string name;
 };
 
 // One for each pattern of the sheet, finest first. The second of one kind is in AutoCAD's words twice as long, as that
 // of wide lines is.
-std::vector<LineType> line_types(const Sheet& sheet) {
+std::vector<LineType> line_types(const sheet::Sheet& sheet) {
   std::vector<LineType> types;
-  for (const Layer& layer : sheet.layers) {
-    const Dashes& dashes = layer.style.dashes;
+  for (const sheet::Layer& layer : sheet.layers) {
+    const sheet::Dashes& dashes = layer.style.dashes;
     const auto same = [&](const LineType& type) { return type.dashes == dashes; };
     if (dashes.dash > 0 && std::none_of(types.begin(), types.end(), same)) types.push_back({dashes, {}});
   }
@@ -69,17 +69,17 @@ std::vector<LineType> line_types(const Sheet& sheet) {
   });
   std::map<std::string_view, int> named;
   for (LineType& type : types) {
-    type.name = type_with_dots(type.dashes.dots).dxf;
-    const int number = ++named[type_with_dots(type.dashes.dots).dxf];
+    type.name = scene::type_with_dots(type.dashes.dots).dxf;
+    const int number = ++named[scene::type_with_dots(type.dashes.dots).dxf];
     if (number > 1) type.name += number == 2 ? "X2" : std::to_string(number);
   }
   return types;
 }
 
-std::string line_type_of(const std::vector<LineType>& types, const Dashes& dashes) {
+std::string line_type_of(const std::vector<LineType>& types, const sheet::Dashes& dashes) {
   for (const LineType& type : types)
     if (type.dashes == dashes) return type.name;
-  return continuous_line.dxf;
+  return scene::continuous_line.dxf;
 }
 
 void add_line_type(DxfWriter& dxf, int table, std::string_view name, std::string_view remark,
@@ -98,7 +98,7 @@ void add_line_type(DxfWriter& dxf, int table, std::string_view name, std::string
 }
 
 // Gaps are negative.
-std::vector<double> lengths_of(const Dashes& dashes) {
+std::vector<double> lengths_of(const sheet::Dashes& dashes) {
   std::vector<double> lengths = {dashes.dash, -dashes.gap};
   for (int i = 0; i < dashes.dots; ++i) lengths.insert(lengths.end(), {dashes.dot, -dashes.gap});
   return lengths;
@@ -126,12 +126,12 @@ void add_layer(DxfWriter& dxf, int table, std::string_view name, std::string_vie
   dxf.add(370, weight);
 }
 
-void add_layers(DxfWriter& dxf, const Sheet& sheet, const std::vector<std::string>& names,
+void add_layers(DxfWriter& dxf, const sheet::Sheet& sheet, const std::vector<std::string>& names,
                 const std::vector<LineType>& types) {
   add_table(dxf, "LAYER", names.size() + 1, [&](int table) {
     add_layer(dxf, table, "0", "CONTINUOUS", 25);
     for (std::size_t i = 0; i < names.size(); ++i) {
-      const LineStyle& style = sheet.layers[i].style;
+      const sheet::LineStyle& style = sheet.layers[i].style;
       add_layer(dxf, table, names[i], line_type_of(types, style.dashes), line_weight(style.width));
     }
   });
@@ -193,7 +193,7 @@ void add_blocks(DxfWriter& dxf, int model_space) {
 
 }  // namespace
 
-int add_dxf_tables(DxfWriter& dxf, const Sheet& sheet, const std::vector<std::string>& layers) {
+int add_dxf_tables(DxfWriter& dxf, const sheet::Sheet& sheet, const std::vector<std::string>& layers) {
   const std::vector<LineType> types = line_types(sheet);
   dxf.add(0, "SECTION");
   dxf.add(2, "TABLES");
@@ -224,7 +224,7 @@ void add_dxf_objects(DxfWriter& dxf) {
   dxf.add(0, "EOF");
 }
 
-std::string dxf_header(const Sheet& sheet, int handles) {
+std::string dxf_header(const sheet::Sheet& sheet, int handles) {
   DxfWriter dxf;
   dxf.add(999, "epura");
   if (!sheet.title.empty()) dxf.add(999, dxf_text(sheet.title));
@@ -254,4 +254,4 @@ std::string dxf_header(const Sheet& sheet, int handles) {
   return dxf.take();
 }
 
-}  // namespace epura
+}  // namespace epura::output

@@ -9,19 +9,19 @@
 #include "output/dxf_writer.hpp"
 #include "sheet/sheet.hpp"
 
-namespace epura {
+namespace epura::output {
 
 /// Name of the text style, of the font of the sheet.
 inline constexpr const char* dxf_text_style = "OSIFONT";
 
 /// Everything before the entities but the header, which comes last: it counts the handles. `layers` are the names of
 /// the sheet's layers in the file. Returns the handle of the model space, which owns all entities.
-int add_dxf_tables(DxfWriter& dxf, const Sheet& sheet, const std::vector<std::string>& layers);
+int add_dxf_tables(DxfWriter& dxf, const sheet::Sheet& sheet, const std::vector<std::string>& layers);
 
 /// What stands behind the entities.
 void add_dxf_objects(DxfWriter& dxf);
 
 /// Remarks with the title, and the header of a file of so many handles: millimetres, no scale of line types.
-std::string dxf_header(const Sheet& sheet, int handles);
+std::string dxf_header(const sheet::Sheet& sheet, int handles);
 
-}  // namespace epura
+}  // namespace epura::output

@@ -12,7 +12,7 @@
 #include "base/text.hpp"
 #include "base/utf8.hpp"
 
-namespace epura {
+namespace epura::output {
 
 namespace {
 
@@ -128,4 +128,4 @@ std::vector<std::string> dxf_names(const std::vector<std::string>& names, const 
   return clean;
 }
 
-}  // namespace epura
+}  // namespace epura::output

@@ -9,7 +9,7 @@
 
 #include "base/vec.hpp"
 
-namespace epura {
+namespace epura::output {
 
 /// Appends groups: a code, which tells the type of the value, and the value.
 class DxfWriter {
@@ -48,4 +48,4 @@ std::string dxf_text(std::string_view text);
 /// characters long. `taken` are in the table already.
 std::vector<std::string> dxf_names(const std::vector<std::string>& names, const std::vector<std::string>& taken);
 
-}  // namespace epura
+}  // namespace epura::output

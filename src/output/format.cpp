@@ -7,11 +7,11 @@
 #include "base/text.hpp"
 #include "output/write.hpp"
 
-namespace epura {
+namespace epura::output {
 
 namespace {
 
-template <std::string (*write)(const Sheet&, const Progress&)>
+template <std::string (*write)(const sheet::Sheet&, const Progress&)>
 std::string one_sheet(const FileContent& file, const Progress& progress) {
   return write(file.sheets.front().sheet, progress);
 }
@@ -74,4 +74,4 @@ std::vector<std::string> format_names() {
   return names;
 }
 
-}  // namespace epura
+}  // namespace epura::output

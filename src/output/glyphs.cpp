@@ -12,7 +12,7 @@
 #include FT_FREETYPE_H
 #include <cairo-ft.h>
 
-namespace epura {
+namespace epura::output {
 
 namespace {
 
@@ -35,7 +35,7 @@ using CairoFont = std::unique_ptr<cairo_font_face_t, Free<cairo_font_face_destro
 using CairoFontOptions = std::unique_ptr<cairo_font_options_t, Free<cairo_font_options_destroy>>;
 
 // Cairo may need the file until the surface is finished.
-CairoFont font_of(const Lettering& lettering) {
+CairoFont font_of(const sheet::Lettering& lettering) {
   static const cairo_user_data_key_t key{};
   auto file = std::make_unique<FontFile>(lettering.file());
   CairoFont font(cairo_ft_font_face_create_for_ft_face(file->face, FT_LOAD_NO_HINTING));
@@ -46,7 +46,7 @@ CairoFont font_of(const Lettering& lettering) {
 }
 
 // Widths as they are in the font, whatever the system has set for screens.
-void set_font(cairo_t* cairo, const Lettering& lettering) {
+void set_font(cairo_t* cairo, const sheet::Lettering& lettering) {
   cairo_set_font_face(cairo, font_of(lettering).get());
   const CairoFontOptions options(cairo_font_options_create());
   cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);
@@ -57,7 +57,7 @@ void set_font(cairo_t* cairo, const Lettering& lettering) {
 
 // Calls `draw` with the pen at the beginning of a text's base line, turned along it.
 template <class Draw>
-void along_base_line(cairo_t* cairo, const Canvas& canvas, const Text& text, const Lettering& lettering,
+void along_base_line(cairo_t* cairo, const Canvas& canvas, const sheet::Text& text, const sheet::Lettering& lettering,
                      const Draw& draw) {
   const Vec2 start = canvas.to_surface(start_of(text, lettering));
   cairo_save(cairo);
@@ -68,11 +68,11 @@ void along_base_line(cairo_t* cairo, const Canvas& canvas, const Text& text, con
   require(cairo_status(cairo), "lettering");
 }
 
-void add_outline(cairo_t* cairo, const GlyphOutline& outline, double units) {
+void add_outline(cairo_t* cairo, const sheet::GlyphOutline& outline, double units) {
   const auto down = [units](const Vec2& p) { return Vec2(p.x, -p.y) * units; };
   Vec2 at = down(outline.curves.back().end);
   cairo_move_to(cairo, at.x, at.y);
-  for (const GlyphOutline::Curve& curve : outline.curves) {
+  for (const sheet::GlyphOutline::Curve& curve : outline.curves) {
     const Vec2 control = down(curve.control), end = down(curve.end);
     const Vec2 first = at + (control - at) * (2.0 / 3), second = end + (control - end) * (2.0 / 3);
     cairo_curve_to(cairo, first.x, first.y, second.x, second.y, end.x, end.y);
@@ -83,48 +83,48 @@ void add_outline(cairo_t* cairo, const GlyphOutline& outline, double units) {
 
 }  // namespace
 
-std::optional<Lettering> lettering_of(const Sheet& sheet) {
-  const bool written =
-      std::any_of(sheet.layers.begin(), sheet.layers.end(), [](const Layer& layer) { return !layer.texts.empty(); });
-  return written ? std::optional<Lettering>(std::in_place) : std::nullopt;
+std::optional<sheet::Lettering> lettering_of(const sheet::Sheet& sheet) {
+  const bool written = std::any_of(sheet.layers.begin(), sheet.layers.end(),
+                                   [](const sheet::Layer& layer) { return !layer.texts.empty(); });
+  return written ? std::optional<sheet::Lettering>(std::in_place) : std::nullopt;
 }
 
-Vec2 start_of(const Text& text, const Lettering& lettering) {
+Vec2 start_of(const sheet::Text& text, const sheet::Lettering& lettering) {
   const Vec2 along(std::cos(radians(text.angle)), std::sin(radians(text.angle)));
-  const double before = text.align == Align::left ? 0 : text.align == Align::middle ? 0.5 : 1;
+  const double before = text.align == sheet::Align::left ? 0 : text.align == sheet::Align::middle ? 0.5 : 1;
   return text.at - along * (before * lettering.width(text.text, text.height));
 }
 
-void write_texts(const Pen& pen, const Canvas& canvas, const Layer& layer, const Lettering& lettering) {
+void write_texts(const Pen& pen, const Canvas& canvas, const sheet::Layer& layer, const sheet::Lettering& lettering) {
   if (layer.texts.empty()) return;
   cairo_t* cairo = pen.get();
   set_font(cairo, lettering);
-  for (const Text& text : layer.texts) {
+  for (const sheet::Text& text : layer.texts) {
     along_base_line(cairo, canvas, text, lettering, [&] {
       cairo_set_font_size(cairo, text.height * lettering.em() * canvas.units);
       cairo_move_to(cairo, 0, 0);
-      cairo_show_text(cairo, written(text.text).c_str());
+      cairo_show_text(cairo, sheet::written(text.text).c_str());
     });
   }
 }
 
-void fill_texts(const Pen& pen, const Canvas& canvas, const Layer& layer, const Lettering& lettering) {
+void fill_texts(const Pen& pen, const Canvas& canvas, const sheet::Layer& layer, const sheet::Lettering& lettering) {
   cairo_t* cairo = pen.get();
   cairo_set_fill_rule(cairo, CAIRO_FILL_RULE_WINDING);
-  for (const Text& text : layer.texts) {
+  for (const sheet::Text& text : layer.texts) {
     along_base_line(cairo, canvas, text, lettering, [&] {
       cairo_new_path(cairo);
-      for (const GlyphOutline& outline : lettering.outlines(text.text, text.height))
+      for (const sheet::GlyphOutline& outline : lettering.outlines(text.text, text.height))
         add_outline(cairo, outline, canvas.units);
       cairo_fill(cairo);
     });
   }
 }
 
-void draw_fills(const Pen& pen, const Canvas& canvas, const Layer& layer) {
+void draw_fills(const Pen& pen, const Canvas& canvas, const sheet::Layer& layer) {
   cairo_t* cairo = pen.get();
   cairo_set_fill_rule(cairo, CAIRO_FILL_RULE_EVEN_ODD);
-  for (const Fill& fill : layer.fills) {
+  for (const sheet::Fill& fill : layer.fills) {
     for (const std::vector<Vec2>& ring : fill.rings) {
       cairo_new_sub_path(cairo);
       for (const Vec2& point : ring) {
@@ -138,4 +138,4 @@ void draw_fills(const Pen& pen, const Canvas& canvas, const Layer& layer) {
   }
 }
 
-}  // namespace epura
+}  // namespace epura::output

@@ -10,21 +10,21 @@
 #include "sheet/lettering.hpp"
 #include "sheet/sheet.hpp"
 
-namespace epura {
+namespace epura::output {
 
 /// The font, if anything is written on the sheet: without text no font is opened.
-std::optional<Lettering> lettering_of(const Sheet& sheet);
+std::optional<sheet::Lettering> lettering_of(const sheet::Sheet& sheet);
 
 /// Where the base line of a text begins on the sheet, mm.
-Vec2 start_of(const Text& text, const Lettering& lettering);
+Vec2 start_of(const sheet::Text& text, const sheet::Lettering& lettering);
 
 /// Draws the texts of a layer as text, which vector files keep as such, with the font embedded.
-void write_texts(const Pen& pen, const Canvas& canvas, const Layer& layer, const Lettering& lettering);
+void write_texts(const Pen& pen, const Canvas& canvas, const sheet::Layer& layer, const sheet::Lettering& lettering);
 
 /// Draws them as filled outlines: no font is needed to look at them.
-void fill_texts(const Pen& pen, const Canvas& canvas, const Layer& layer, const Lettering& lettering);
+void fill_texts(const Pen& pen, const Canvas& canvas, const sheet::Layer& layer, const sheet::Lettering& lettering);
 
 /// Fills the areas of a layer.
-void draw_fills(const Pen& pen, const Canvas& canvas, const Layer& layer);
+void draw_fills(const Pen& pen, const Canvas& canvas, const sheet::Layer& layer);
 
-}  // namespace epura
+}  // namespace epura::output

@@ -3,7 +3,7 @@
 
 #include "output/xml_text.hpp"
 
-namespace epura {
+namespace epura::output {
 
 std::string html_text(std::string_view text) {
   std::string html;
@@ -11,6 +11,6 @@ std::string html_text(std::string_view text) {
   return html;
 }
 
-std::string inline_svg(const Sheet& sheet, const VectorOptions& options) { return svg_element(sheet, options); }
+std::string inline_svg(const sheet::Sheet& sheet, const VectorOptions& options) { return svg_element(sheet, options); }
 
-}  // namespace epura
+}  // namespace epura::output

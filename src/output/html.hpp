@@ -7,12 +7,12 @@
 
 #include "output/write.hpp"
 
-namespace epura {
+namespace epura::output {
 
 /// Text in which nothing can be taken for markup.
 std::string html_text(std::string_view text);
 
 /// A picture as an element of a page: an SVG without the declaration of a document of its own.
-std::string inline_svg(const Sheet& sheet, const VectorOptions& options);
+std::string inline_svg(const sheet::Sheet& sheet, const VectorOptions& options);
 
-}  // namespace epura
+}  // namespace epura::output

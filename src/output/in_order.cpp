@@ -7,7 +7,7 @@
 
 #include "base/parallel.hpp"
 
-namespace epura {
+namespace epura::output {
 
 void append_in_order(std::string& text, std::size_t count, const Progress& progress,
                      const std::function<std::string(std::size_t)>& write) {
@@ -22,4 +22,4 @@ void append_in_order(std::string& text, std::size_t count, const Progress& progr
   }
 }
 
-}  // namespace epura
+}  // namespace epura::output

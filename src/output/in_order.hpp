@@ -8,11 +8,11 @@
 
 #include "base/progress.hpp"
 
-namespace epura {
+namespace epura::output {
 
 /// Appends write(0), write(1) ... write(count - 1). Several are written at the same time, never many of them are kept.
 /// Throws OutOfTime.
 void append_in_order(std::string& text, std::size_t count, const Progress& progress,
                      const std::function<std::string(std::size_t)>& write);
 
-}  // namespace epura
+}  // namespace epura::output

@@ -13,7 +13,7 @@
 #include "output/write.hpp"
 #include "report/report.hpp"
 
-namespace epura {
+namespace epura::output {
 
 namespace {
 
@@ -76,11 +76,11 @@ std::string point(const Vec2& p) { return numbers(coordinates(p)); }
 
 std::string point(const Vec3& p) { return numbers(coordinates(p)); }
 
-void append_segment(std::string& text, const ViewDrawing& drawing, const Segment& segment) {
+void append_segment(std::string& text, const drawing::ViewDrawing& drawing, const drawing::Segment& segment) {
   append_numbers(text += "{\"from\": ", coordinates(segment.from));
   append_numbers(text += ", \"to\": ", coordinates(segment.to));
   text += segment.visible ? ", \"visible\": true" : ", \"visible\": false";
-  text.append(", \"kind\": \"").append(name_of(segment.kind));
+  text.append(", \"kind\": \"").append(edges::name_of(segment.kind));
   append(text += "\", \"model\": ", segment.model);
   if (segment.edge[0] >= 0) {
     append_numbers(text += ", \"edge\": ", segment.edge);
@@ -88,7 +88,7 @@ void append_segment(std::string& text, const ViewDrawing& drawing, const Segment
   } else {
     // An edge leads to the place in the world, an intersection line or a cut does not.
     append_numbers(text += ", \"edge\": null, \"t\": ", segment.t);
-    const CrossingSegment& crossing = drawing.crossings[segment.crossing];
+    const drawing::CrossingSegment& crossing = drawing.crossings[segment.crossing];
     append_numbers(text += ", \"faces\": [", crossing.faces[0]);
     if (crossing.faces[1][0] >= 0) append_numbers(text += ", ", crossing.faces[1]);
     append_numbers(text += "], \"world\": [", coordinates(crossing.world[0]));
@@ -98,8 +98,8 @@ void append_segment(std::string& text, const ViewDrawing& drawing, const Segment
   text += '}';
 }
 
-void append_segments(std::string& text, const ViewDrawing& drawing, const Progress& progress) {
-  const std::vector<Segment>& segments = drawing.segments;
+void append_segments(std::string& text, const drawing::ViewDrawing& drawing, const Progress& progress) {
+  const std::vector<drawing::Segment>& segments = drawing.segments;
   constexpr std::size_t at_once = 4096, most_bytes = 512;
   text.reserve(text.size() + most_bytes * segments.size());  // what is not touched costs nothing
   text += '[';
@@ -115,23 +115,23 @@ void append_segments(std::string& text, const ViewDrawing& drawing, const Progre
 }
 
 // Nothing for a drawing without curves.
-void append_curves(std::string& text, const ViewDrawing& drawing) {
+void append_curves(std::string& text, const drawing::ViewDrawing& drawing) {
   std::string lines;
-  for (const Chain& chain : drawing.chains) {
-    for (const CurvePart& curve : chain.curves) {
+  for (const drawing::Chain& chain : drawing.chains) {
+    for (const drawing::CurvePart& curve : chain.curves) {
       lines += lines.empty() ? "\n    {\"centre\": " : ",\n    {\"centre\": ";
       append_numbers(lines, coordinates(curve.centre));
       append_numbers(lines += ", \"u\": ", coordinates(curve.u));
       append_numbers(lines += ", \"v\": ", coordinates(curve.v));
       append_numbers(lines += ", \"angles\": ", std::array{curve.from, curve.to});
       lines += chain.visible ? ", \"visible\": true" : ", \"visible\": false";
-      lines.append(", \"kind\": \"").append(name_of(chain.kind)).append("\"}");
+      lines.append(", \"kind\": \"").append(edges::name_of(chain.kind)).append("\"}");
     }
   }
   if (!lines.empty()) text += ",\n   \"curves\": [" + lines + "]";
 }
 
-std::string parameters_of(const Projection& projection) {
+std::string parameters_of(const projection::Projection& projection) {
   std::string text;
   for (const auto& [name, values] : projection.values) {
     if (!text.empty()) text += ", ";
@@ -147,14 +147,14 @@ std::string matrix(const Mat4& m) {
   return numbers(by_rows);
 }
 
-std::string cut_face_of(const CutFace& face) {
+std::string cut_face_of(const drawing::CutFace& face) {
   const auto ring_of = [](const std::vector<Vec2>& ring) { return list(ring, [](const Vec2& p) { return point(p); }); };
   return "{\"model\": " + number(face.model) + ", \"body\": " + number(face.body) +
          ", \"rings\": " + list(face.rings, ring_of) + "}";
 }
 
-void append_view(std::string& text, const ViewDrawing& drawing, double main_scale, const Progress& progress) {
-  const Projection& projection = drawing.projection;
+void append_view(std::string& text, const drawing::ViewDrawing& drawing, double main_scale, const Progress& progress) {
+  const projection::Projection& projection = drawing.projection;
   const auto vanishing_point = [](const std::optional<Vec2>& p) { return p ? point(*p) : "null"; };
   text += "{\"name\": " + json_string(drawing.name) + ", \"projection\": " + json_string(projection.name) +
           ", \"parameters\": " + parameters_of(projection) +
@@ -168,7 +168,7 @@ void append_view(std::string& text, const ViewDrawing& drawing, double main_scal
   text += '}';
 }
 
-std::string mesh_of(const MeshReport& mesh) {
+std::string mesh_of(const mesh::MeshReport& mesh) {
   std::string text = "{\"name\": " + json_string(mesh.name) + ", \"format\": " + json_string(mesh.format);
   const auto add = [&text](std::string_view key, const std::string& value) {
     text.append(", \"").append(key).append("\": ").append(value);
@@ -194,7 +194,7 @@ std::string mesh_of(const MeshReport& mesh) {
   return text + "}";
 }
 
-std::string step_of(const PlanStep& step) {
+std::string step_of(const report::PlanStep& step) {
   std::string text = "{\"stage\": " + json_string(step.stage);
   if (!step.view.empty()) text += ", \"view\": " + json_string(step.view);
   text += ", \"run\": " + boolean(step.run) + ", \"why\": " + json_string(step.why) +
@@ -209,22 +209,22 @@ std::string step_of(const PlanStep& step) {
   return text + "}";
 }
 
-std::string partial_of(const Partial& partial) {
+std::string partial_of(const report::Partial& partial) {
   return "{\"reason\": \"time limit\", \"stages\": " + list(partial.stages, json_string) +
          ", \"edges\": " + number(partial.edges) + ", \"undecided\": " + number(partial.undecided) +
          ", \"searched\": " + number(partial.searched) + ", \"undrawn\": " + number(partial.undrawn) + "}";
 }
 
-std::string facet_of(const FacetName& facet) { return numbers(std::array{facet.model, facet.face}); }
+std::string facet_of(const report::FacetName& facet) { return numbers(std::array{facet.model, facet.face}); }
 
-std::string stratum_of(const Stratum& stratum) {
-  return "{\"visible\": " + boolean(stratum.visible) + ", \"kind\": " + json_string(name_of(stratum.kind)) +
+std::string stratum_of(const report::Stratum& stratum) {
+  return "{\"visible\": " + boolean(stratum.visible) + ", \"kind\": " + json_string(edges::name_of(stratum.kind)) +
          ", \"least\": " + number(stratum.min) + ", \"length\": " + number(stratum.length) +
          ", \"samples\": " + number(stratum.samples) + ", \"undecided\": " + number(stratum.undecided) +
          ", \"wrong\": " + number(stratum.wrong) + "}";
 }
 
-std::string offence_of(const Mismatch& offence) {
+std::string offence_of(const report::Mismatch& offence) {
   const bool has_edge = offence.edge[0] >= 0;
   return "{\"what\": " + json_string(offence.what) + ", \"model\": " + number(offence.model) +
          ", \"edge\": " + (has_edge ? numbers(offence.edge) : "null") + ", \"t\": " + number(offence.t) +
@@ -232,14 +232,14 @@ std::string offence_of(const Mismatch& offence) {
          ", \"hider\": " + (offence.hider ? facet_of(*offence.hider) : "null") + "}";
 }
 
-std::string fault_of(const OutlineFault& fault) {
+std::string fault_of(const report::OutlineFault& fault) {
   return "{\"what\": " + json_string(fault.what) + ", \"page\": " + point(fault.page) +
          ", \"length\": " + number(fault.length) + ", \"model\": " + number(fault.model) +
          ", \"edge\": " + (fault.edge[0] >= 0 ? numbers(fault.edge) : "null") +
          ", \"facets\": " + list(fault.facets, facet_of) + "}";
 }
 
-std::string outline_of(const OutlineCheck& outline) {
+std::string outline_of(const report::OutlineCheck& outline) {
   return "{\"lines\": " + number(outline.lines) + ", \"asked\": " + number(outline.asked) +
          ", \"missing\": " + number(outline.missing) + ", \"ink\": " + number(outline.ink) +
          ", \"unfounded\": " + number(outline.unfounded) + ", \"doubled\": " + number(outline.doubled) +
@@ -248,7 +248,7 @@ std::string outline_of(const OutlineCheck& outline) {
          "}";
 }
 
-std::string verification_of(const Verification& found) {
+std::string verification_of(const report::Verification& found) {
   return "{\"points\": " + number(found.points) + ", \"decided\": " + number(found.decided) +
          ", \"wrong\": " + number(found.wrong) + ", \"samples\": " + number(found.samples) +
          ", \"length\": " + number(found.length) + ", \"misclassified\": " + number(found.misclassified) +
@@ -258,13 +258,13 @@ std::string verification_of(const Verification& found) {
          ",\n   \"outline\": " + outline_of(found.outline) + "}";
 }
 
-std::string condition_of_view(const ViewCondition& view) {
+std::string condition_of_view(const report::ViewCondition& view) {
   return "{\"view\": " + json_string(view.name) + ", \"number\": " + number(view.condition.number) +
          ", \"digits_left\": " + number(view.condition.digits_left()) +
          ", \"why\": " + json_string(view.condition.why) + "}";
 }
 
-std::string report_of(const Report& report) {
+std::string report_of(const report::Report& report) {
   std::string text =
       "{\"meshes\": " + list(report.meshes, mesh_of, "\n   ") + ",\n  \"plan\": " + list(report.plan, step_of, "\n   ");
   std::string times;
@@ -278,14 +278,14 @@ std::string report_of(const Report& report) {
 
 }  // namespace
 
-std::string to_json(const Sheet& sheet, double scale, std::span<const ViewDrawing> drawings, const Report& report,
-                    const Progress& progress) {
+std::string to_json(const sheet::Sheet& sheet, double scale, std::span<const drawing::ViewDrawing> drawings,
+                    const report::Report& report, const Progress& progress) {
   std::string text =
       "{\"epura\": 1, \"unit\": \"mm\", \"sheet\": {\"size\": " + point(Vec2(sheet.width, sheet.height)) +
       ", \"scale\": " + number(scale) + "},";
   if (!report.partial.stages.empty()) text += "\n \"partial\": " + partial_of(report.partial) + ",";
   text += "\n \"views\": [";
-  for (const ViewDrawing& drawing : drawings) {
+  for (const drawing::ViewDrawing& drawing : drawings) {
     text += &drawing == drawings.data() ? "\n  " : ",\n  ";
     append_view(text, drawing, scale, progress);
   }
@@ -293,4 +293,4 @@ std::string to_json(const Sheet& sheet, double scale, std::span<const ViewDrawin
   return text;
 }
 
-}  // namespace epura
+}  // namespace epura::output

@@ -3,7 +3,7 @@
 
 #include "base/utf8.hpp"
 
-namespace epura {
+namespace epura::output {
 
 std::string json_string(std::string_view text) {
   constexpr std::string_view digits = "0123456789abcdef";
@@ -23,4 +23,4 @@ std::string json_string(std::string_view text) {
   return result + '"';
 }
 
-}  // namespace epura
+}  // namespace epura::output

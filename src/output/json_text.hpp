@@ -5,9 +5,9 @@
 #include <string>
 #include <string_view>
 
-namespace epura {
+namespace epura::output {
 
 /// The text as a string of JSON, in quotation marks. Bytes that are no UTF-8 become U+FFFD.
 std::string json_string(std::string_view text);
 
-}  // namespace epura
+}  // namespace epura::output

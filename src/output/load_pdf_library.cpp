@@ -3,7 +3,7 @@
 #include "base/shared_library.hpp"
 #include "output/pdf/library.hpp"
 
-namespace epura {
+namespace epura::output {
 
 const PdfLibrary& pdf_library() {
   const std::filesystem::path path = own_folder() / EPURA_PDF_LIBRARY;
@@ -17,4 +17,4 @@ const PdfLibrary& pdf_library() {
   }
 }
 
-}  // namespace epura
+}  // namespace epura::output

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output/metadata.hpp"
 
-namespace epura {
+namespace epura::output {
 
-std::string fact_of(const Sheet& sheet, std::string_view name) {
+std::string fact_of(const sheet::Sheet& sheet, std::string_view name) {
   for (const auto& [fact, value] : sheet.facts)
     if (fact == name) return value;
   return {};
 }
 
-std::string description_of(const Sheet& sheet) {
+std::string description_of(const sheet::Sheet& sheet) {
   std::string text;
-  for (const ViewFrame& view : sheet.views) {
+  for (const sheet::ViewFrame& view : sheet.views) {
     if (!text.empty()) text += ", ";
     text += view.name;
     if (!view.projection.empty() && view.projection != view.name) text += " (" + view.projection + ")";
@@ -20,4 +20,4 @@ std::string description_of(const Sheet& sheet) {
   return text;
 }
 
-}  // namespace epura
+}  // namespace epura::output

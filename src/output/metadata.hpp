@@ -7,12 +7,12 @@
 
 #include "sheet/sheet.hpp"
 
-namespace epura {
+namespace epura::output {
 
 /// The value of a fact; empty where there is none.
-std::string fact_of(const Sheet& sheet, std::string_view name);
+std::string fact_of(const sheet::Sheet& sheet, std::string_view name);
 
 /// The views in words: "front 1:2, axonometric (isometric) 1:5".
-std::string description_of(const Sheet& sheet);
+std::string description_of(const sheet::Sheet& sheet);
 
-}  // namespace epura
+}  // namespace epura::output

@@ -13,7 +13,7 @@
 #include "output/glyphs.hpp"
 #include "output/write.hpp"
 
-namespace epura {
+namespace epura::output {
 
 namespace {
 
@@ -51,19 +51,19 @@ cairo_status_t append_in_time(void* png, const unsigned char* data, unsigned len
 }
 
 // Whole points, rounded up.
-Vec2 paper_size(const Sheet& sheet) {
+Vec2 paper_size(const sheet::Sheet& sheet) {
   return glm::max(glm::ceil(Vec2(sheet.width, sheet.height) * points_per_millimetre), Vec2(1, 1));
 }
 
-void draw_page(const CairoSurface& surface, const Sheet& sheet, const Progress& progress) {
+void draw_page(const CairoSurface& surface, const sheet::Sheet& sheet, const Progress& progress) {
   const Vec2 whole = paper_size(sheet);
   cairo_ps_surface_set_size(surface.get(), whole.x, whole.y);
   // The lower left corners meet: PostScript measures from there.
   const Canvas canvas{points_per_millimetre, {0, whole.y / points_per_millimetre}, whole};
   const Pen pen = make_pen(surface);
   begin_vector_file(pen, canvas);
-  const std::optional<Lettering> lettering = lettering_of(sheet);
-  for (const Layer& layer : sheet.layers) {
+  const std::optional<sheet::Lettering> lettering = lettering_of(sheet);
+  for (const sheet::Layer& layer : sheet.layers) {
     set_colour(pen, layer.style.colour);
     draw_fills(pen, canvas, layer);
     draw(pen, canvas, layer, progress);
@@ -78,7 +78,7 @@ std::string postscript(const Pages& sheets, bool encapsulated, const Progress& p
   const CairoSurface surface(cairo_ps_surface_create_for_stream(append_bytes, &bytes, first.x, first.y));
   cairo_ps_surface_set_eps(surface.get(), encapsulated);
   cairo_ps_surface_dsc_comment(surface.get(), ("%%Title: " + comment_text(sheets.front()->title)).c_str());
-  for (const Sheet* const& sheet : sheets) {
+  for (const sheet::Sheet* const& sheet : sheets) {
     if (&sheet != &sheets.front()) cairo_surface_show_page(surface.get());
     draw_page(surface, *sheet, progress);
   }
@@ -87,7 +87,7 @@ std::string postscript(const Pages& sheets, bool encapsulated, const Progress& p
   return bytes;
 }
 
-Vec2 pixels_of(const Sheet& sheet, double dpi) {
+Vec2 pixels_of(const sheet::Sheet& sheet, double dpi) {
   if (!(dpi >= 1 && dpi <= most_dpi))
     throw Error(ErrorKind::input, "--dpi", "PNG cannot be drawn at " + format_number(dpi) + " dots per inch",
                 "1 to " + format_number(most_dpi) + " are possible");
@@ -105,7 +105,7 @@ Vec2 pixels_of(const Sheet& sheet, double dpi) {
 
 std::string to_ps(const Pages& sheets, const Progress& progress) { return postscript(sheets, false, progress); }
 
-std::string to_eps(const Sheet& sheet, const Progress& progress) {
+std::string to_eps(const sheet::Sheet& sheet, const Progress& progress) {
   std::string bytes = postscript({&sheet}, true, progress);
   // An EPS file is as large as its sheet: Cairo would leave the margins out.
   const Vec2 whole = paper_size(sheet), size = Vec2(sheet.width, sheet.height) * points_per_millimetre;
@@ -115,7 +115,7 @@ std::string to_eps(const Sheet& sheet, const Progress& progress) {
   return bytes;
 }
 
-std::string to_png(const Sheet& sheet, double dpi, const Progress& progress) {
+std::string to_png(const sheet::Sheet& sheet, double dpi, const Progress& progress) {
   const Vec2 pixels = pixels_of(sheet, dpi);
   const Canvas canvas{dpi / 25.4, {0, sheet.height}, pixels};
   const CairoSurface surface(
@@ -124,8 +124,8 @@ std::string to_png(const Sheet& sheet, double dpi, const Progress& progress) {
     const Pen pen = make_pen(surface);
     cairo_set_source_rgb(pen.get(), 1, 1, 1);
     cairo_paint(pen.get());
-    const std::optional<Lettering> lettering = lettering_of(sheet);
-    for (const Layer& layer : sheet.layers) {
+    const std::optional<sheet::Lettering> lettering = lettering_of(sheet);
+    for (const sheet::Layer& layer : sheet.layers) {
       set_colour(pen, layer.style.colour);
       draw_fills(pen, canvas, layer);
       draw(pen, canvas, layer, progress);
@@ -139,4 +139,4 @@ std::string to_png(const Sheet& sheet, double dpi, const Progress& progress) {
   return std::move(png.bytes);
 }
 
-}  // namespace epura
+}  // namespace epura::output

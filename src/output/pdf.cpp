@@ -10,7 +10,7 @@
 #include "output/pdf/library.hpp"
 #include "output/write.hpp"
 
-namespace epura {
+namespace epura::output {
 
 namespace {
 
@@ -28,7 +28,7 @@ std::string placement(const Canvas& canvas) {
   return scale + " 0 0 " + scale + " " + real(corner.x) + " " + real(corner.y);
 }
 
-std::string cairo_pdf(const Canvas& canvas, const Layer& layer, const std::optional<Lettering>& lettering,
+std::string cairo_pdf(const Canvas& canvas, const sheet::Layer& layer, const std::optional<sheet::Lettering>& lettering,
                       const Progress& progress) {
   std::string bytes;
   const CairoSurface surface(cairo_pdf_surface_create_for_stream(append_bytes, &bytes, canvas.size.x, canvas.size.y));
@@ -45,21 +45,21 @@ std::string cairo_pdf(const Canvas& canvas, const Layer& layer, const std::optio
 }
 
 // A little more than the ink.
-std::string view_of(const ViewFrame& frame) {
+std::string view_of(const sheet::ViewFrame& frame) {
   constexpr double margin = 5;  // mm
   const Vec2 min = (frame.min - margin) * points_per_millimetre, max = (frame.max + margin) * points_per_millimetre;
   return "/FitR " + real(min.x) + " " + real(min.y) + " " + real(max.x) + " " + real(max.y);
 }
 
-PdfPage page_of(const Sheet& sheet, std::size_t number, const Progress& progress) {
+PdfPage page_of(const sheet::Sheet& sheet, std::size_t number, const Progress& progress) {
   const Canvas canvas = enlarged_canvas(sheet);
   const Vec2 size = Vec2(sheet.width, sheet.height) * points_per_millimetre;
   const std::string title = "Sheet " + std::to_string(number) + (sheet.title.empty() ? "" : ": " + sheet.title);
   PdfPage page{{}, box(size), box(canvas.size), placement(canvas), {title, "/Fit"}, {}};
-  const std::optional<Lettering> lettering = lettering_of(sheet);
-  for (const Layer& layer : sheet.layers)
+  const std::optional<sheet::Lettering> lettering = lettering_of(sheet);
+  for (const sheet::Layer& layer : sheet.layers)
     page.layers.push_back({layer.name, cairo_pdf(canvas, layer, lettering, progress)});
-  for (const ViewFrame& view : sheet.views) page.views.push_back({view.name, view_of(view)});
+  for (const sheet::ViewFrame& view : sheet.views) page.views.push_back({view.name, view_of(view)});
   return page;
 }
 
@@ -76,4 +76,4 @@ std::string to_pdf(const Pages& sheets, const Progress& progress) {
   return pdf_library().join_layers(document);
 }
 
-}  // namespace epura
+}  // namespace epura::output

@@ -21,17 +21,17 @@
 #include "output/xml_text.hpp"
 #include "scene/line_roles.hpp"
 
-namespace epura {
+namespace epura::output {
 
 namespace {
 
 /// Of what is seen on a sheet. Places count as they are written, to 0.0001 mm.
 class SheetHash {
  public:
-  explicit SheetHash(const Sheet& sheet) {
+  explicit SheetHash(const sheet::Sheet& sheet) {
     add(Vec2(sheet.width, sheet.height));
     add(sheet.title);
-    for (const Layer& layer : sheet.layers) add(layer);
+    for (const sheet::Layer& layer : sheet.layers) add(layer);
   }
 
   [[nodiscard]] std::uint64_t value() const { return value_; }
@@ -54,12 +54,12 @@ class SheetHash {
     add(points.size());
     for (const Vec2& p : points) add(p);
   }
-  void add(const Layer& layer) {
+  void add(const sheet::Layer& layer) {
     add(layer.name);
-    for (const Stroke& stroke : layer.strokes) add(stroke.points);
-    for (const Fill& fill : layer.fills)
+    for (const sheet::Stroke& stroke : layer.strokes) add(stroke.points);
+    for (const sheet::Fill& fill : layer.fills)
       for (const std::vector<Vec2>& ring : fill.rings) add(ring);
-    for (const Text& text : layer.texts) {
+    for (const sheet::Text& text : layer.texts) {
       add(text.text);
       add(text.at);
     }
@@ -69,7 +69,7 @@ class SheetHash {
 };
 
 // Four characters, of which the second is a digit: no word, and short enough to stand before the id of every line.
-std::string prefix_of(const Sheet& sheet) {
+std::string prefix_of(const sheet::Sheet& sheet) {
   constexpr std::string_view characters = "0123456789abcdefghijklmnopqrstuvwxyz";
   std::uint64_t rest = SheetHash(sheet).value();
   std::string prefix;
@@ -87,34 +87,34 @@ std::string prefix_of(const Sheet& sheet) {
 /// Writes the layers, each id once.
 class LayerWriter {
  public:
-  LayerWriter(std::string& svg, const Sheet& sheet, const SvgDocument& document)
+  LayerWriter(std::string& svg, const sheet::Sheet& sheet, const SvgDocument& document)
       : svg_(svg), document_(document), lettering_(lettering_of(sheet)) {}
 
-  void append(const std::vector<const Layer*>& layers, const Progress& progress);
+  void append(const std::vector<const sheet::Layer*>& layers, const Progress& progress);
 
  private:
   void begin_group(std::string_view name, std::string_view label);
-  void append(const Layer& layer, std::string_view name_in_view, const Progress& progress);
-  void append_look(const LineStyle& style);
-  void append_origin(const Layer& layer);
+  void append(const sheet::Layer& layer, std::string_view name_in_view, const Progress& progress);
+  void append_look(const sheet::LineStyle& style);
+  void append_origin(const sheet::Layer& layer);
 
   std::string& svg_;
   const SvgDocument& document_;
-  std::optional<Lettering> lettering_;
+  std::optional<sheet::Lettering> lettering_;
   std::set<std::string> ids_{};
   std::size_t lines_ = 0;
 };
 
 // Of VIEW/ROLE the view; empty where there is none.
-std::string_view view_of(const Layer& layer) {
+std::string_view view_of(const sheet::Layer& layer) {
   const std::size_t slash = layer.name.rfind('/');
   return std::string_view(layer.name).substr(0, slash == std::string::npos ? 0 : slash);
 }
 
 // VIEW/ROLE is a layer ROLE in a layer VIEW.
-void LayerWriter::append(const std::vector<const Layer*>& layers, const Progress& progress) {
+void LayerWriter::append(const std::vector<const sheet::Layer*>& layers, const Progress& progress) {
   std::string_view open;
-  for (const Layer* layer : layers) {
+  for (const sheet::Layer* layer : layers) {
     const std::string_view view = view_of(*layer);
     if (view != open) {
       if (!open.empty()) svg_ += "</g>\n";
@@ -138,7 +138,7 @@ void LayerWriter::begin_group(std::string_view name, std::string_view label) {
   append_attribute(svg_, "inkscape:label", label);
 }
 
-void LayerWriter::append(const Layer& layer, std::string_view name_in_view, const Progress& progress) {
+void LayerWriter::append(const sheet::Layer& layer, std::string_view name_in_view, const Progress& progress) {
   begin_group(layer.name, name_in_view);
   append_look(layer.style);
   if (!document_.plain) append_origin(layer);
@@ -151,34 +151,35 @@ void LayerWriter::append(const Layer& layer, std::string_view name_in_view, cons
 }
 
 // What differs from the document. As attributes, which every program reads, and which a path's own dashes win over.
-void LayerWriter::append_look(const LineStyle& style) {
+void LayerWriter::append_look(const sheet::LineStyle& style) {
   append_attribute(svg_, "class", document_.prefix + identifier(style.name));
-  if (style.colour != Colour{}) svg_.append(" stroke=\"").append(hexadecimal(style.colour)) += '"';
+  if (style.colour != sheet::Colour{}) svg_.append(" stroke=\"").append(hexadecimal(style.colour)) += '"';
   append_millimetres(svg_ += " stroke-width=\"", style.width);
   svg_ += '"';
   if (style.dashes.dash > 0) svg_.append(" stroke-dasharray=\"").append(dash_array(style.dashes)) += '"';
 }
 
 // What all lines of the layer share is said once. Layers of lines that are no edges have none of it.
-void LayerWriter::append_origin(const Layer& layer) {
-  const auto is_edge = [](const Stroke& stroke) { return stroke.kind.has_value(); };
+void LayerWriter::append_origin(const sheet::Layer& layer) {
+  const auto is_edge = [](const sheet::Stroke& stroke) { return stroke.kind.has_value(); };
   if (std::none_of(layer.strokes.begin(), layer.strokes.end(), is_edge)) return;
-  const SheetLineRow* row = find_line(layer.style.name);
+  const scene::SheetLineRow* row = scene::find_line(layer.style.name);
   const bool is_hidden = row != nullptr && row->is_hidden;
   svg_ += is_hidden ? " data-visible=\"0\"" : " data-visible=\"1\"";
   if (const auto model = common_model(layer)) svg_.append(" data-model=\"").append(std::to_string(*model)) += '"';
 }
 
 // The layers of a view side by side: all ink is black, so that any order does.
-std::vector<const Layer*> by_view(const Sheet& sheet) {
+std::vector<const sheet::Layer*> by_view(const sheet::Sheet& sheet) {
   std::map<std::string_view, std::size_t> places;
-  std::vector<const Layer*> layers;
-  for (const Layer& layer : sheet.layers) {
+  std::vector<const sheet::Layer*> layers;
+  for (const sheet::Layer& layer : sheet.layers) {
     places.emplace(view_of(layer), places.size());
     layers.push_back(&layer);
   }
-  const auto place = [&](const Layer* layer) { return places.at(view_of(*layer)); };
-  std::stable_sort(layers.begin(), layers.end(), [&](const Layer* a, const Layer* b) { return place(a) < place(b); });
+  const auto place = [&](const sheet::Layer* layer) { return places.at(view_of(*layer)); };
+  std::stable_sort(layers.begin(), layers.end(),
+                   [&](const sheet::Layer* a, const sheet::Layer* b) { return place(a) < place(b); });
   return layers;
 }
 
@@ -195,7 +196,7 @@ constexpr std::array<Element, 6> elements = {{{"author", "dc:creator", true},
                                               {"language", "dc:language", false}}};
 
 // All that Dublin Core has no element for.
-std::string remarks(const Sheet& sheet) {
+std::string remarks(const sheet::Sheet& sheet) {
   std::string text = description_of(sheet);
   for (const auto& [fact, value] : sheet.facts) {
     bool told = value.empty();
@@ -207,7 +208,7 @@ std::string remarks(const Sheet& sheet) {
 
 // Title, description and metadata, as Inkscape shows them under Document Properties: RDF with the elements of Dublin
 // Core, as Creative Commons' works have them.
-void append_metadata(std::string& svg, const Sheet& sheet) {
+void append_metadata(std::string& svg, const sheet::Sheet& sheet) {
   const auto add = [&svg](std::string_view name, const std::string& text) {
     if (!text.empty()) append_element(svg, name, text);
   };
@@ -247,12 +248,13 @@ void append_style(std::string& svg, const std::string& id, bool has_text) {
   svg += "#" + id + ":where(:not(:root)) *{all:revert-layer}</style>\n";
 }
 
-void append_document(std::string& svg, const Sheet& sheet, const VectorOptions& options, const Progress& progress) {
+void append_document(std::string& svg, const sheet::Sheet& sheet, const VectorOptions& options,
+                     const Progress& progress) {
   const std::string id = options.id_prefix.empty() ? prefix_of(sheet) : options.id_prefix;
-  const std::vector<const Layer*> layers = by_view(sheet);
+  const std::vector<const sheet::Layer*> layers = by_view(sheet);
   // Memory that is never touched costs nothing, moving a long text does.
   std::size_t max = 0;
-  for (const Layer* layer : layers) max += most_bytes(*layer);
+  for (const sheet::Layer* layer : layers) max += most_bytes(*layer);
   svg.reserve(svg.size() + max);
   svg += "<svg id=\"" + id +
          "\" xmlns=\"http://www.w3.org/2000/svg\" xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" "
@@ -264,7 +266,7 @@ void append_document(std::string& svg, const Sheet& sheet, const VectorOptions& 
   svg += width + "mm\" height=\"" + height + "mm\" viewBox=\"0 0 " + width + " " + height + "\">\n";
   svg += "<sodipodi:namedview inkscape:document-units=\"mm\"/>\n";
   append_metadata(svg, sheet);
-  const auto has_texts = [](const Layer* layer) { return !layer->texts.empty(); };
+  const auto has_texts = [](const sheet::Layer* layer) { return !layer->texts.empty(); };
   append_style(svg, id, options.text == SvgText::text && std::any_of(layers.begin(), layers.end(), has_texts));
   const SvgDocument document{sheet.height, options.decimals, options.plain, options.text, id + "-"};
   LayerWriter(svg, sheet, document).append(layers, progress);
@@ -273,13 +275,13 @@ void append_document(std::string& svg, const Sheet& sheet, const VectorOptions& 
 
 }  // namespace
 
-std::string to_svg(const Sheet& sheet, const VectorOptions& options, const Progress& progress) {
+std::string to_svg(const sheet::Sheet& sheet, const VectorOptions& options, const Progress& progress) {
   std::string svg = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
   append_document(svg, sheet, options, progress);
   return svg;
 }
 
-std::string svg_element(const Sheet& sheet, const VectorOptions& options) {
+std::string svg_element(const sheet::Sheet& sheet, const VectorOptions& options) {
   std::string svg;
   append_document(svg, sheet, options, {});
   return svg;
@@ -295,4 +297,4 @@ std::string checked_id_prefix(std::string prefix, const std::string& where) {
   return prefix;
 }
 
-}  // namespace epura
+}  // namespace epura::output

@@ -12,7 +12,7 @@
 #include "output/svg_path_text.hpp"
 #include "output/xml_text.hpp"
 
-namespace epura {
+namespace epura::output {
 
 namespace {
 
@@ -21,7 +21,7 @@ constexpr std::size_t letters_of_path = 100;
 
 constexpr int decimals = 4;  // of a millimetre
 
-void append_area(std::string& svg, const Fill& fill, double height) {
+void append_area(std::string& svg, const sheet::Fill& fill, double height) {
   svg += "<path d=\"";
   SvgPathText path(svg, decimals);
   for (const std::vector<Vec2>& ring : fill.rings) {
@@ -35,10 +35,10 @@ void append_area(std::string& svg, const Fill& fill, double height) {
 }
 
 // Straight pieces as lines, without the last one, which Z draws.
-void append_outline(SvgPathText& path, const GlyphOutline& outline, const auto& on_page) {
+void append_outline(SvgPathText& path, const sheet::GlyphOutline& outline, const auto& on_page) {
   Vec2 at = outline.curves.back().end;
   path.move(on_page(at));
-  for (const GlyphOutline::Curve& curve : outline.curves) {
+  for (const sheet::GlyphOutline::Curve& curve : outline.curves) {
     const bool straight = glm::distance(curve.control, (at + curve.end) / 2.0) < 1e-9;
     at = curve.end;
     if (!straight) {
@@ -51,7 +51,7 @@ void append_outline(SvgPathText& path, const GlyphOutline& outline, const auto& 
 }
 
 // Outlines in millimetres of the sheet.
-void append_outlines(std::string& svg, const Text& text, double height, const Lettering& lettering) {
+void append_outlines(std::string& svg, const sheet::Text& text, double height, const sheet::Lettering& lettering) {
   const double angle = text.angle * std::numbers::pi / 180;
   const Vec2 along(std::cos(angle), std::sin(angle));
   Vec2 start = start_of(text, lettering);
@@ -59,30 +59,32 @@ void append_outlines(std::string& svg, const Text& text, double height, const Le
     const Vec2 at = start + p.x * along + p.y * Vec2(-along.y, along.x);
     return Vec2(at.x, height - at.y);
   };
-  const std::vector<char32_t> letters = characters(written(text.text));
+  const std::vector<char32_t> letters = characters(sheet::written(text.text));
   for (std::size_t begin = 0; begin < letters.size(); begin += letters_of_path) {
     std::string part;
     for (std::size_t i = begin; i < std::min(begin + letters_of_path, letters.size()); ++i) part += utf8(letters[i]);
     svg += "<path d=\"";
     SvgPathText path(svg, decimals);
-    for (const GlyphOutline& outline : lettering.outlines(part, text.height)) append_outline(path, outline, on_page);
+    for (const sheet::GlyphOutline& outline : lettering.outlines(part, text.height))
+      append_outline(path, outline, on_page);
     svg += "\"/>";
     start += along * lettering.width(part, text.height);
   }
 }
 
 // Colour of the areas in the layer.
-void begin_group(std::string& svg, const SvgDocument& document, std::string_view name, const Colour& colour) {
+void begin_group(std::string& svg, const SvgDocument& document, std::string_view name, const sheet::Colour& colour) {
   svg.append("<g class=\"").append(document.prefix).append(name).append("\" fill=\"").append(hexadecimal(colour));
   svg += "\" stroke=\"none\"";
 }
 
 // Line styles have names of their own, which may be the same words.
-void append_role(std::string& svg, const SvgDocument& document, const Text& text) {
+void append_role(std::string& svg, const SvgDocument& document, const sheet::Text& text) {
   if (!text.role.empty()) append_attribute(svg, "class", document.prefix + "text-" + identifier(text.role));
 }
 
-void append_outlined(std::string& svg, const Text& text, const SvgDocument& document, const Lettering& lettering) {
+void append_outlined(std::string& svg, const sheet::Text& text, const SvgDocument& document,
+                     const sheet::Lettering& lettering) {
   svg += "<g";
   append_role(svg, document, text);
   append_attribute(svg, "aria-label", text.text);
@@ -91,7 +93,8 @@ void append_outlined(std::string& svg, const Text& text, const SvgDocument& docu
   svg += "</g>\n";
 }
 
-void append_written(std::string& svg, const Text& text, const SvgDocument& document, const Lettering& lettering) {
+void append_written(std::string& svg, const sheet::Text& text, const SvgDocument& document,
+                    const sheet::Lettering& lettering) {
   constexpr std::string_view anchors[] = {"start", "middle", "end"};
   const double y = document.height - text.at.y;
   svg += "<text";
@@ -100,14 +103,14 @@ void append_written(std::string& svg, const Text& text, const SvgDocument& docum
   append_millimetres(svg += "\" y=\"", y);
   append_millimetres(svg += "\" font-size=\"", text.height * lettering.em());
   svg += '"';
-  if (text.align != Align::left) append_attribute(svg, "text-anchor", anchors[static_cast<int>(text.align)]);
+  if (text.align != sheet::Align::left) append_attribute(svg, "text-anchor", anchors[static_cast<int>(text.align)]);
   if (text.angle != 0) {
     append_millimetres(svg += " transform=\"rotate(", -text.angle);
     append_millimetres(svg += ' ', text.at.x);
     append_millimetres(svg += ' ', y);
     svg += ")\"";
   }
-  append_escaped(svg += '>', written(text.text));
+  append_escaped(svg += '>', sheet::written(text.text));
   svg += "</text>\n";
 }
 
@@ -121,29 +124,30 @@ std::string identifier(std::string_view name) {
   return id;
 }
 
-std::string hexadecimal(const Colour& colour) {
+std::string hexadecimal(const sheet::Colour& colour) {
   constexpr std::string_view digits = "0123456789abcdef";
-  if (colour == Colour{}) return "#000";
+  if (colour == sheet::Colour{}) return "#000";
   std::string text = "#";
   for (const int part : {colour.red, colour.green, colour.blue})
     for (const int digit : {part / 16, part % 16}) text += digits[static_cast<std::size_t>(digit)];
   return text;
 }
 
-void append_fills(std::string& svg, const Layer& layer, const SvgDocument& document) {
+void append_fills(std::string& svg, const sheet::Layer& layer, const SvgDocument& document) {
   if (layer.fills.empty()) return;
   begin_group(svg, document, "filled", layer.style.colour);
   svg += " fill-rule=\"evenodd\">\n";
-  for (const Fill& fill : layer.fills) append_area(svg, fill, document.height);
+  for (const sheet::Fill& fill : layer.fills) append_area(svg, fill, document.height);
   svg += "</g>\n";
 }
 
-void append_texts(std::string& svg, const Layer& layer, const SvgDocument& document, const Lettering& lettering) {
+void append_texts(std::string& svg, const sheet::Layer& layer, const SvgDocument& document,
+                  const sheet::Lettering& lettering) {
   if (layer.texts.empty()) return;
   begin_group(svg, document, "lettering", layer.style.colour);
   const bool as_text = document.text == SvgText::text;
   svg += as_text ? " font-family=\"osifont,'ISOCPEUR',sans-serif\" xml:space=\"preserve\">\n" : ">\n";
-  for (const Text& text : layer.texts) {
+  for (const sheet::Text& text : layer.texts) {
     if (as_text) {
       append_written(svg, text, document, lettering);
     } else {
@@ -153,4 +157,4 @@ void append_texts(std::string& svg, const Layer& layer, const SvgDocument& docum
   svg += "</g>\n";
 }
 
-}  // namespace epura
+}  // namespace epura::output

@@ -9,18 +9,19 @@
 #include "sheet/lettering.hpp"
 #include "sheet/sheet.hpp"
 
-namespace epura {
+namespace epura::output {
 
 /// A name as ids and classes take it.
 std::string identifier(std::string_view name);
 
 /// "#1f7a3d"; black is "#000".
-std::string hexadecimal(const Colour& colour);
+std::string hexadecimal(const sheet::Colour& colour);
 
 /// Appends a line for each area, in a group.
-void append_fills(std::string& svg, const Layer& layer, const SvgDocument& document);
+void append_fills(std::string& svg, const sheet::Layer& layer, const SvgDocument& document);
 
 /// Appends a line for each text, in a group. Outlines have their text as `aria-label`.
-void append_texts(std::string& svg, const Layer& layer, const SvgDocument& document, const Lettering& lettering);
+void append_texts(std::string& svg, const sheet::Layer& layer, const SvgDocument& document,
+                  const sheet::Lettering& lettering);
 
-}  // namespace epura
+}  // namespace epura::output

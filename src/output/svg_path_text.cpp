@@ -7,7 +7,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 
-namespace epura {
+namespace epura::output {
 
 SvgPathText::SvgPathText(std::string& text, int decimals)
     : text_(text), decimals_(decimals), parts_(std::pow(10, decimals)) {}
@@ -85,4 +85,4 @@ void append_short(std::string& text, double value, int decimals) {
 
 void append_millimetres(std::string& text, double value) { append_short(text, value, 4); }
 
-}  // namespace epura
+}  // namespace epura::output

@@ -7,7 +7,7 @@
 
 #include "base/vec.hpp"
 
-namespace epura {
+namespace epura::output {
 
 /// Points are rounded to `decimals` of a millimetre before the way from one to the next is written, so that errors do
 /// not add up along a line. Each line begins with an absolute place: readers that add up in 32 bits stay near.
@@ -47,4 +47,4 @@ void append_short(std::string& text, double value, int decimals);
 /// Millimetres beside the lines: at most four decimals.
 void append_millimetres(std::string& text, double value);
 
-}  // namespace epura
+}  // namespace epura::output

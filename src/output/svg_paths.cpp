@@ -15,7 +15,7 @@
 #include "output/xml_text.hpp"
 #include "sheet/walk_stroke.hpp"
 
-namespace epura {
+namespace epura::output {
 
 namespace {
 
@@ -23,8 +23,8 @@ constexpr std::size_t points_at_once = 8192;
 // About 80 kB: libxml2, and what reads with it, refuses files above 10 MB with attributes of some 100 kB.
 constexpr std::size_t most_points_of_path = 4000;
 
-std::string dash_array(const Stroke& stroke) {
-  if (stroke.pattern.empty()) return dash_array(stroke.dashes);
+std::string dash_array(const sheet::Stroke& stroke) {
+  if (stroke.pattern.empty()) return output::dash_array(stroke.dashes);
   std::string text;
   for (const double length : stroke.pattern) append_millimetres(text.empty() ? text : text += ' ', length);
   return text;
@@ -32,7 +32,7 @@ std::string dash_array(const Stroke& stroke) {
 
 // A stroke and the number of the <path> that it goes into. Strokes of one path follow each other.
 struct Part {
-  const Stroke* stroke;
+  const sheet::Stroke* stroke;
   std::size_t path;
 };
 
@@ -53,11 +53,11 @@ void split_long_paths(std::vector<Part>& parts) {
 }
 
 // A stroke of fewer than two points has no ink.
-std::vector<Part> parts_of(const Layer& layer, bool plain) {
+std::vector<Part> parts_of(const sheet::Layer& layer, bool plain) {
   std::vector<Part> parts;
   parts.reserve(layer.strokes.size());
   std::map<std::string, std::size_t> path_of_dashes;
-  for (const Stroke& stroke : layer.strokes) {
+  for (const sheet::Stroke& stroke : layer.strokes) {
     if (stroke.points.size() < 2) continue;
     const std::size_t path =
         plain ? path_of_dashes.emplace(dash_array(stroke), path_of_dashes.size()).first->second : parts.size();
@@ -80,7 +80,7 @@ std::vector<Chunk> chunks_of(const std::vector<Part>& parts) {
 }
 
 // Arcs as SVG knows them. What turns counterclockwise with y up does so on the page.
-void append_arcs(SvgPathText& path, const CurvePart& part, double height) {
+void append_arcs(SvgPathText& path, const drawing::CurvePart& part, double height) {
   constexpr double degrees = 180 / std::numbers::pi;
   const Vec2 radii(glm::length(part.u), glm::length(part.v));
   const bool turned_over = part.u.x * part.v.y < part.u.y * part.v.x;
@@ -89,21 +89,21 @@ void append_arcs(SvgPathText& path, const CurvePart& part, double height) {
   for (const Vec2& end : quarter_ends(part)) path.arc(radii, turn, !counterclockwise, {end.x, height - end.y});
 }
 
-void append_line(std::string& svg, const Stroke& stroke, const SvgDocument& document) {
+void append_line(std::string& svg, const sheet::Stroke& stroke, const SvgDocument& document) {
   SvgPathText path(svg, document.decimals);
   const auto on_page = [&](const Vec2& p) { return Vec2(p.x, document.height - p.y); };
   path.move(on_page(stroke.points.front()));
-  walk_stroke(
+  sheet::walk_stroke(
       stroke, [&](const Vec2& point) { path.line(on_page(point)); },
-      [&](const CurvePart& part) { append_arcs(path, part, document.height); });
+      [&](const drawing::CurvePart& part) { append_arcs(path, part, document.height); });
   if (stroke.closed) path.close();
 }
 
 // The model that has all edges; nothing where there are several, or no edges.
-std::optional<int> model_of(std::span<const ModelEdge> edges) {
+std::optional<int> model_of(std::span<const sheet::ModelEdge> edges) {
   if (edges.empty()) return std::nullopt;
   const int model = edges.front().model;
-  const auto differs = [model](const ModelEdge& edge) { return edge.model != model; };
+  const auto differs = [model](const sheet::ModelEdge& edge) { return edge.model != model; };
   return std::any_of(edges.begin(), edges.end(), differs) ? std::nullopt : std::optional(model);
 }
 
@@ -113,13 +113,13 @@ struct Common {
   std::optional<int> model;
 };
 
-void append_origin(std::string& svg, const Stroke& stroke, std::optional<int> common_model) {
-  if (stroke.kind) svg.append(" data-kind=\"").append(name_of(*stroke.kind)) += '"';
+void append_origin(std::string& svg, const sheet::Stroke& stroke, std::optional<int> common_model) {
+  if (stroke.kind) svg.append(" data-kind=\"").append(edges::name_of(*stroke.kind)) += '"';
   if (stroke.edges.empty()) return;
   const std::optional<int> model = model_of(stroke.edges);
   if (model && !common_model) svg.append(" data-model=\"").append(std::to_string(*model)) += '"';
   svg += " data-edge=\"";
-  for (const ModelEdge& edge : stroke.edges) {
+  for (const sheet::ModelEdge& edge : stroke.edges) {
     if (&edge != &stroke.edges.front()) svg += ' ';
     if (!model) svg.append(std::to_string(edge.model)) += ':';
     svg.append(std::to_string(edge.vertex[0])).append("-").append(std::to_string(edge.vertex[1]));
@@ -129,7 +129,7 @@ void append_origin(std::string& svg, const Stroke& stroke, std::optional<int> co
 
 }  // namespace
 
-std::string dash_array(const Dashes& dashes) {
+std::string dash_array(const sheet::Dashes& dashes) {
   if (!(dashes.dash > 0)) return "none";
   std::string text;
   append_millimetres(text, dashes.dash);
@@ -142,9 +142,9 @@ std::string dash_array(const Dashes& dashes) {
   return text;
 }
 
-std::optional<int> common_model(const Layer& layer) {
+std::optional<int> common_model(const sheet::Layer& layer) {
   std::optional<int> common;
-  for (const Stroke& stroke : layer.strokes) {
+  for (const sheet::Stroke& stroke : layer.strokes) {
     if (stroke.edges.empty()) continue;
     const std::optional<int> model = model_of(stroke.edges);
     if (!model || (common && model != common)) return std::nullopt;
@@ -153,15 +153,15 @@ std::optional<int> common_model(const Layer& layer) {
   return common;
 }
 
-std::size_t most_bytes(const Layer& layer) {
+std::size_t most_bytes(const sheet::Layer& layer) {
   constexpr std::size_t of_head = 120, of_edge = 24, of_point = 32;
   std::size_t bytes = 0;
-  for (const Stroke& stroke : layer.strokes)
+  for (const sheet::Stroke& stroke : layer.strokes)
     bytes += of_head + of_edge * stroke.edges.size() + of_point * stroke.points.size();
   return bytes;
 }
 
-void append_paths(std::string& svg, const Layer& layer, const SvgDocument& document, std::size_t first_line,
+void append_paths(std::string& svg, const sheet::Layer& layer, const SvgDocument& document, std::size_t first_line,
                   const Progress& progress) {
   const Common common{dash_array(layer.style.dashes), common_model(layer)};
   const std::vector<Part> parts = parts_of(layer, document.plain);
@@ -191,4 +191,4 @@ void append_paths(std::string& svg, const Layer& layer, const SvgDocument& docum
   append_in_order(svg, chunks.size(), progress, [&](std::size_t i) { return write(chunks[i]); });
 }
 
-}  // namespace epura
+}  // namespace epura::output

@@ -10,7 +10,7 @@
 #include "scene/choices.hpp"
 #include "sheet/sheet.hpp"
 
-namespace epura {
+namespace epura::output {
 
 /// What holds of a whole document.
 struct SvgDocument {
@@ -22,17 +22,17 @@ struct SvgDocument {
 };
 
 /// Value of stroke-dasharray.
-std::string dash_array(const Dashes& dashes);
+std::string dash_array(const sheet::Dashes& dashes);
 
 /// The model that has all edges of the layer; nothing when there are several, or no edges.
-std::optional<int> common_model(const Layer& layer);
+std::optional<int> common_model(const sheet::Layer& layer);
 
 /// About as many bytes as append_paths appends, rather more.
-std::size_t most_bytes(const Layer& layer);
+std::size_t most_bytes(const sheet::Layer& layer);
 
 /// Appends one line of text for each stroke; of a plain document, for each dash pattern. The ids are numbers behind the
 /// prefix, counted from `first_line` on. Throws OutOfTime.
-void append_paths(std::string& svg, const Layer& layer, const SvgDocument& document, std::size_t first_line,
+void append_paths(std::string& svg, const sheet::Layer& layer, const SvgDocument& document, std::size_t first_line,
                   const Progress& progress);
 
-}  // namespace epura
+}  // namespace epura::output

@@ -14,12 +14,12 @@
 #include "scene/choices.hpp"
 #include "sheet/sheet.hpp"
 
-namespace epura {
-
 template <>
-struct Words<SvgText> {
+struct epura::scene::Words<epura::SvgText> {
   static constexpr std::array list{"outlines", "text"};
 };
+
+namespace epura::output {
 
 struct VectorOptions {
   bool plain = false;  ///< leave the origin of lines out
@@ -34,35 +34,35 @@ struct VectorOptions {
 std::string checked_id_prefix(std::string prefix, const std::string& where);
 
 /// Sheets that become pages of one file, at least one.
-using Pages = std::vector<const Sheet*>;
+using Pages = std::vector<const sheet::Sheet*>;
 
 // The same sheet gives the same bytes, always: no clock, no counter, no locale. A file is written as a whole, or
 // OutOfTime is thrown.
-std::string to_svg(const Sheet& sheet, const VectorOptions& options, const Progress& progress = {});
+std::string to_svg(const sheet::Sheet& sheet, const VectorOptions& options, const Progress& progress = {});
 /// The same as an element of a page: without the declaration of a document of its own.
-std::string svg_element(const Sheet& sheet, const VectorOptions& options);
+std::string svg_element(const sheet::Sheet& sheet, const VectorOptions& options);
 std::string to_pdf(const Pages& sheets, const Progress& progress = {});
 std::string to_ps(const Pages& sheets, const Progress& progress = {});
-std::string to_eps(const Sheet& sheet, const Progress& progress = {});
-std::string to_png(const Sheet& sheet, double dpi, const Progress& progress = {});
+std::string to_eps(const sheet::Sheet& sheet, const Progress& progress = {});
+std::string to_png(const sheet::Sheet& sheet, double dpi, const Progress& progress = {});
 /// AutoCAD 2000 (AC1015), in millimetres.
-std::string to_dxf(const Sheet& sheet, const Progress& progress = {});
+std::string to_dxf(const sheet::Sheet& sheet, const Progress& progress = {});
 
 /// Drawing JSON, schema 1 (docs/formats.md).
-std::string to_json(const Sheet& sheet, double scale, std::span<const ViewDrawing> drawings, const Report& report,
-                    const Progress& progress = {});
+std::string to_json(const sheet::Sheet& sheet, double scale, std::span<const drawing::ViewDrawing> drawings,
+                    const report::Report& report, const Progress& progress = {});
 
 /// A sheet, and what JSON says of it beside.
 struct SheetContent {
-  const Sheet& sheet;
+  const sheet::Sheet& sheet;
   double scale = 1;  ///< mm of paper per unit of the world
-  std::span<const ViewDrawing> drawings{};
+  std::span<const drawing::ViewDrawing> drawings{};
 };
 
 struct FileContent {
   std::vector<SheetContent> sheets;  ///< at least one; one where the format has no pages
   const VectorOptions& options;
-  const Report& report;
+  const report::Report& report;
 };
 
 /// A row of the table of formats.
@@ -83,4 +83,4 @@ std::string format_hint(std::string_view extension);
 /// All extensions, for help and hints.
 std::vector<std::string> format_names();
 
-}  // namespace epura
+}  // namespace epura::output

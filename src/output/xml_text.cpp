@@ -3,7 +3,7 @@
 
 #include "base/utf8.hpp"
 
-namespace epura {
+namespace epura::output {
 
 void append_escaped(std::string& text, std::string_view value) {
   for (const char c : valid_utf8(value)) {
@@ -34,4 +34,4 @@ void append_element(std::string& text, std::string_view name, std::string_view v
   text.append("</").append(name).append(">\n");
 }
 
-}  // namespace epura
+}  // namespace epura::output

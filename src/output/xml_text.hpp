@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace epura {
+namespace epura::output {
 
 /// Text of an element or an attribute.
 void append_escaped(std::string& text, std::string_view value);
@@ -15,4 +15,4 @@ void append_attribute(std::string& text, std::string_view name, std::string_view
 /// `<name>value</name>` and the end of the line.
 void append_element(std::string& text, std::string_view name, std::string_view value);
 
-}  // namespace epura
+}  // namespace epura::output

@@ -9,80 +9,82 @@
 #include "sheet/dimensions/dimensions.hpp"
 #include "sheet/frame.hpp"
 
-namespace epura {
+namespace epura::pipeline {
 
 namespace {
 
 // A drawing that lacks lines may lack its ends: its overall dimensions are left out.
-std::vector<DimensionDescription> dimensions_of(const Annotations& annotations, const ViewResult& view) {
-  std::vector<DimensionDescription> dimensions = annotations.dimensions;
+std::vector<scene::DimensionDescription> dimensions_of(const Annotations& annotations, const ViewResult& view) {
+  std::vector<scene::DimensionDescription> dimensions = annotations.dimensions;
   if (!view.partial.stages.empty())
     std::erase_if(dimensions, [](const auto& one) { return one.type.value == DimensionType::overall; });
   return dimensions;
 }
 
 // By the names of their sections.
-std::vector<Layer> marks_of(std::span<const Annotations> annotations, std::span<const ViewResult> views,
-                            const LineWidths& widths) {
-  std::map<std::string, Layer> by_name;
+std::vector<sheet::Layer> marks_of(std::span<const Annotations> annotations, std::span<const ViewResult> views,
+                                   const sheet::LineWidths& widths) {
+  std::map<std::string, sheet::Layer> by_name;
   for (std::size_t i = 0; i < views.size(); ++i)
-    for (const CuttingPlane& plane : annotations[i].planes)
-      if (auto mark = cutting_plane_line(views[i].drawing, plane, widths))
+    for (const scene::CuttingPlane& plane : annotations[i].planes)
+      if (auto mark = sheet::cutting_plane_line(views[i].drawing, plane, widths))
         by_name.emplace(plane.name, std::move(*mark));
-  std::vector<Layer> marks;
+  std::vector<sheet::Layer> marks;
   for (auto& [name, mark] : by_name) marks.push_back(std::move(mark));
   return marks;
 }
 
-void add_boxes(std::vector<TurnedBox>& boxes, const Layer& layer, const Lettering& lettering) {
-  const std::vector<TurnedBox> more = boxes_of(layer, lettering);
+void add_boxes(std::vector<sheet::TurnedBox>& boxes, const sheet::Layer& layer, const sheet::Lettering& lettering) {
+  const std::vector<sheet::TurnedBox> more = sheet::boxes_of(layer, lettering);
   boxes.insert(boxes.end(), more.begin(), more.end());
 }
 
 // What stands on the sheet beside all views.
-Neighbours neighbours_of(const SheetFurniture& furniture, const std::vector<Text>& labels,
-                         const std::vector<Layer>& marks, const Lettering& lettering) {
-  const Paper& paper = furniture.paper;
-  Neighbours neighbours;
-  neighbours.paper =
-      furniture.frame == FrameKind::none ? Rectangle{{0, 0}, {paper.width, paper.height}} : drawing_area(paper);
+sheet::Neighbours neighbours_of(const sheet::SheetFurniture& furniture, const std::vector<sheet::Text>& labels,
+                                const std::vector<sheet::Layer>& marks, const sheet::Lettering& lettering) {
+  const sheet::Paper& paper = furniture.paper;
+  sheet::Neighbours neighbours;
+  neighbours.paper = furniture.frame == FrameKind::none ? sheet::Rectangle{{0, 0}, {paper.width, paper.height}}
+                                                        : sheet::drawing_area(paper);
   if (furniture.title_block)
-    if (const auto box = title_block_box(*furniture.title_block, paper)) neighbours.boxes.push_back(turned_box(*box));
-  for (const Text& label : labels) neighbours.boxes.push_back(box_of(label, lettering));
-  for (const Layer& mark : marks) add_boxes(neighbours.boxes, mark, lettering);
+    if (const auto box = sheet::title_block_box(*furniture.title_block, paper))
+      neighbours.boxes.push_back(sheet::turned_box(*box));
+  for (const sheet::Text& label : labels) neighbours.boxes.push_back(sheet::box_of(label, lettering));
+  for (const sheet::Layer& mark : marks) add_boxes(neighbours.boxes, mark, lettering);
   return neighbours;
 }
 
-Neighbours with_other_views(Neighbours neighbours, std::span<const ViewResult> views, std::size_t view) {
+sheet::Neighbours with_other_views(sheet::Neighbours neighbours, std::span<const ViewResult> views, std::size_t view) {
   for (std::size_t i = 0; i < views.size(); ++i)
-    if (i != view) neighbours.boxes.push_back(turned_box({views[i].drawing.min, views[i].drawing.max}));
+    if (i != view) neighbours.boxes.push_back(sheet::turned_box({views[i].drawing.min, views[i].drawing.max}));
   return neighbours;
 }
 
 }  // namespace
 
 AnnotationLayers annotation_layers(const SheetInput& input, std::span<const ViewResult> views,
-                                   const std::vector<Text>& labels, const Budget& budget) {
-  const SheetFurniture& furniture = input.plan.furniture;
-  const Paper& paper = furniture.paper;
-  const LineWidths widths = line_widths(paper);
+                                   const std::vector<sheet::Text>& labels, const Budget& budget) {
+  const sheet::SheetFurniture& furniture = input.plan.furniture;
+  const sheet::Paper& paper = furniture.paper;
+  const sheet::LineWidths widths = sheet::line_widths(paper);
   AnnotationLayers result;
-  std::vector<Layer> marks = marks_of(input.annotations, views, widths);
-  std::optional<Lettering> lettering;
-  Neighbours around;
+  std::vector<sheet::Layer> marks = marks_of(input.annotations, views, widths);
+  std::optional<sheet::Lettering> lettering;
+  sheet::Neighbours around;
   for (std::size_t i = 0; i < views.size(); ++i) {
-    const std::vector<DimensionDescription> dimensions = dimensions_of(input.annotations[i], views[i]);
+    const std::vector<scene::DimensionDescription> dimensions = dimensions_of(input.annotations[i], views[i]);
     if (dimensions.empty()) continue;
     if (!lettering) around = neighbours_of(furniture, labels, marks, lettering.emplace());
-    const DimensionStyle style{*lettering, widths.narrow, dimension_text_height(paper, views.size())};
-    const ViewDrawing& drawing = views[i].drawing;
-    Layer layer = dimension_layer({input.world, drawing, dimensions}, style, with_other_views(around, views, i),
-                                  budget.run.with_part_of_the_time(0.5));
+    const sheet::DimensionStyle style{*lettering, widths.narrow, dimension_text_height(paper, views.size())};
+    const drawing::ViewDrawing& drawing = views[i].drawing;
+    sheet::Layer layer =
+        sheet::dimension_layer({input.world, drawing, dimensions}, style, with_other_views(around, views, i),
+                               budget.run.with_part_of_the_time(0.5));
     if (const std::size_t left_out = dimensions.size() - layer.texts.size(); left_out > 0) {
       budget.partial.add_stage("placing dimensions");
       budget.partial.undrawn += static_cast<long long>(left_out);
     }
-    if (!on_paper(layer, {paper.width, paper.height}))
+    if (!sheet::on_paper(layer, {paper.width, paper.height}))
       result.warnings.push_back("dimensions of the view '" + drawing.name +
                                 "' reach beyond the paper\n  hint: use a smaller scale or a larger sheet");
     add_boxes(around.boxes, layer, *lettering);
@@ -92,4 +94,4 @@ AnnotationLayers annotation_layers(const SheetInput& input, std::span<const View
   return result;
 }
 
-}  // namespace epura
+}  // namespace epura::pipeline

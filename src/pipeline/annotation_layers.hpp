@@ -11,16 +11,16 @@
 #include "pipeline/draw_view.hpp"
 #include "pipeline/layout.hpp"
 
-namespace epura {
+namespace epura::pipeline {
 
 struct AnnotationLayers {
-  std::vector<Layer> layers;  ///< dimensions of each view that has some, then the marks of sections
+  std::vector<sheet::Layer> layers;  ///< dimensions of each view that has some, then the marks of sections
   std::vector<std::string> warnings;
 };
 
 /// `views` are in order of the sheet; `labels` stand above them. Throws Error{input} for dimensions that cannot be
 /// drawn. Opens no font where there is nothing to write.
 AnnotationLayers annotation_layers(const SheetInput& input, std::span<const ViewResult> views,
-                                   const std::vector<Text>& labels, const Budget& budget);
+                                   const std::vector<sheet::Text>& labels, const Budget& budget);
 
-}  // namespace epura
+}  // namespace epura::pipeline

@@ -10,54 +10,54 @@
 #include "sheet/cutting_plane_line.hpp"
 #include "sheet/dimensions/overall.hpp"
 
-namespace epura {
+namespace epura::pipeline {
 
 namespace {
 
-bool is_open(const DimensionDescription& dimension) {
+bool is_open(const scene::DimensionDescription& dimension) {
   return dimension.type.value == DimensionType::overall && !dimension.direction.given();
 }
 
-const std::string& view_of(const DimensionDescription& dimension, const SceneDescription& scene) {
+const std::string& view_of(const scene::DimensionDescription& dimension, const scene::SceneDescription& scene) {
   return dimension.view.given() ? *dimension.view : *scene.views.front().name;
 }
 
 // A section may have cut off an end of the models: it shows their size only where no other view does.
-std::vector<NamedProjection> views_to_measure(std::span<const ViewDescription> views,
-                                              std::span<const ProjectedScene> seen) {
-  std::vector<NamedProjection> whole, cut;
+std::vector<sheet::NamedProjection> views_to_measure(std::span<const scene::ViewDescription> views,
+                                                     std::span<const view::ProjectedScene> seen) {
+  std::vector<sheet::NamedProjection> whole, cut;
   for (std::size_t i = 0; i < seen.size(); ++i)
     (views[i].section.given() ? cut : whole).push_back({*views[i].name, seen[i].projection});
   whole.insert(whole.end(), cut.begin(), cut.end());
   return whole;
 }
 
-void add_dimensions(std::vector<Annotations>& annotations, const SceneDescription& scene, int sheet,
-                    std::span<const ViewDescription> views, std::span<const ProjectedScene> seen) {
-  const std::vector<NamedProjection> projections = views_to_measure(views, seen);
+void add_dimensions(std::vector<Annotations>& annotations, const scene::SceneDescription& scene, int sheet,
+                    std::span<const scene::ViewDescription> views, std::span<const view::ProjectedScene> seen) {
+  const std::vector<sheet::NamedProjection> projections = views_to_measure(views, seen);
   const auto here = [&views](const std::string& name) {
-    return std::find_if(views.begin(), views.end(), [&](const ViewDescription& v) { return *v.name == name; });
+    return std::find_if(views.begin(), views.end(), [&](const scene::ViewDescription& v) { return *v.name == name; });
   };
-  const auto add = [&](const DimensionDescription& dimension) {
+  const auto add = [&](const scene::DimensionDescription& dimension) {
     const auto view = here(view_of(dimension, scene));
     if (view != views.end()) annotations[std::size_t(view - views.begin())].dimensions.push_back(dimension);
   };
-  for (const DimensionDescription& dimension : scene.dimensions) {
+  for (const scene::DimensionDescription& dimension : scene.dimensions) {
     if (!is_open(dimension)) {
       add(dimension);
     } else if (dimension.view.given() ? here(*dimension.view) != views.end() : sheet == 0) {
-      for (const DimensionDescription& one : overall_dimensions(dimension, projections)) add(one);
+      for (const scene::DimensionDescription& one : sheet::overall_dimensions(dimension, projections)) add(one);
     }
   }
 }
 
-void add_planes(std::vector<Annotations>& annotations, std::span<const ViewDescription> views,
-                std::span<const ProjectedScene> seen, const CutSections& sections) {
+void add_planes(std::vector<Annotations>& annotations, std::span<const scene::ViewDescription> views,
+                std::span<const view::ProjectedScene> seen, const CutSections& sections) {
   for (const auto& [name, section] : sections) {
-    const auto shows = [&name = name](const ViewDescription& view) { return view.section.value == name; };
+    const auto shows = [&name = name](const scene::ViewDescription& view) { return view.section.value == name; };
     if (std::none_of(views.begin(), views.end(), shows)) continue;
     for (std::size_t i = 0; i < views.size(); ++i) {
-      if (views[i].section.given() || !sees_edge_on(seen[i].projection, section.plane)) continue;
+      if (views[i].section.given() || !sheet::sees_edge_on(seen[i].projection, section.plane)) continue;
       annotations[i].planes.push_back(section.plane);
       break;
     }
@@ -66,21 +66,22 @@ void add_planes(std::vector<Annotations>& annotations, std::span<const ViewDescr
 
 }  // namespace
 
-std::vector<Annotations> annotate(const SceneDescription& scene, int sheet, std::span<const ViewDescription> views,
-                                  std::span<const ProjectedScene> seen, const CutSections& sections) {
+std::vector<Annotations> annotate(const scene::SceneDescription& scene, int sheet,
+                                  std::span<const scene::ViewDescription> views,
+                                  std::span<const view::ProjectedScene> seen, const CutSections& sections) {
   std::vector<Annotations> annotations(views.size());
   add_dimensions(annotations, scene, sheet, views, seen);
   add_planes(annotations, views, seen, sections);
   return annotations;
 }
 
-void expect_views_of_dimensions(const SceneDescription& scene) {
+void expect_views_of_dimensions(const scene::SceneDescription& scene) {
   std::vector<std::string> names;
-  for (const ViewDescription& view : scene.views) names.push_back(*view.name);
-  for (const DimensionDescription& dimension : scene.dimensions)
+  for (const scene::ViewDescription& view : scene.views) names.push_back(*view.name);
+  for (const scene::DimensionDescription& dimension : scene.dimensions)
     if (dimension.view.given() && std::count(names.begin(), names.end(), *dimension.view) == 0)
       throw Error(ErrorKind::input, dimension.view.where, "there is no view '" + *dimension.view + "'",
                   did_you_mean(*dimension.view, names));
 }
 
-}  // namespace epura
+}  // namespace epura::pipeline

@@ -8,7 +8,7 @@
 #include "base/progress.hpp"
 #include "report/report.hpp"
 
-namespace epura {
+namespace epura::pipeline {
 
 /// By when a run whose time is over has made what it began again, in seconds.
 constexpr double last_line(double limit) { return std::max(1.05 * limit, limit + 0.05); }
@@ -19,9 +19,9 @@ constexpr double last_second(double limit) { return std::max(1.1 * limit, limit 
 
 /// Of a view or of a whole run.
 struct Budget {
-  Progress run;      ///< all is to be done by then
-  Progress lines;    ///< the lines of the view are to be decided and drawn by then
-  Partial& partial;  ///< what is left undone
+  Progress run;              ///< all is to be done by then
+  Progress lines;            ///< the lines of the view are to be decided and drawn by then
+  report::Partial& partial;  ///< what is left undone
 
   /// For what is begun again with less to do, and has to come to an end.
   [[nodiscard]] Progress last() const {
@@ -47,4 +47,4 @@ constexpr std::size_t few_lines = 64;
 /// What is made again of fewer lines is made of the longest eighth of them.
 constexpr std::size_t fewer(std::size_t lines) { return std::min(lines, std::max(lines / 8, few_lines)); }
 
-}  // namespace epura
+}  // namespace epura::pipeline

@@ -10,7 +10,7 @@
 #include "base/text.hpp"
 #include "scene/description.hpp"
 
-namespace epura {
+namespace epura::pipeline {
 
 /// The value of the word. Throws Error{input} that names `where` it comes from, with the words that would do.
 template <class Value>
@@ -27,7 +27,7 @@ Value choose(const std::string& where, const std::string& word,
 /// What `use` makes of the value. An error over one in a scene file names the place there first; an option names
 /// itself.
 template <class Value, class Use>
-auto at_place(const Located<Value>& located, const Use& use) {
+auto at_place(const scene::Located<Value>& located, const Use& use) {
   try {
     return use(*located);
   } catch (const Error& error) {
@@ -36,4 +36,4 @@ auto at_place(const Located<Value>& located, const Use& use) {
   }
 }
 
-}  // namespace epura
+}  // namespace epura::pipeline

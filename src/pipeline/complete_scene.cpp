@@ -7,16 +7,17 @@
 #include "scene/scene_file.hpp"
 #include "scene/view_names.hpp"
 
-namespace epura {
+namespace epura::pipeline {
 
-void complete_scene(SceneDescription& scene) {
-  if (scene.views.empty()) scene.views.emplace_back().projection = {ProjectionRequest{"isometric"}, "--projection"};
+void complete_scene(scene::SceneDescription& scene) {
+  if (scene.views.empty())
+    scene.views.emplace_back().projection = {scene::ProjectionRequest{"isometric"}, "--projection"};
   int sheets = 1;
-  for (const ViewDescription& view : scene.views) sheets = std::max(sheets, view.sheet.value_or(1));
+  for (const scene::ViewDescription& view : scene.views) sheets = std::max(sheets, view.sheet.value_or(1));
   if (scene.sheets.empty()) scene.sheets.resize(static_cast<std::size_t>(sheets));
-  name_views(scene.views);
-  expect_sound_names(scene);
+  scene::name_views(scene.views);
+  scene::expect_sound_names(scene);
   expect_views_of_dimensions(scene);
 }
 
-}  // namespace epura
+}  // namespace epura::pipeline

@@ -4,10 +4,10 @@
 
 #include "scene/description.hpp"
 
-namespace epura {
+namespace epura::pipeline {
 
 /// Afterwards there are views, all of them named, and a sheet for each that a view stands on. Throws Error{input} for
 /// names that lead nowhere, or to two things.
-void complete_scene(SceneDescription& scene);
+void complete_scene(scene::SceneDescription& scene);
 
-}  // namespace epura
+}  // namespace epura::pipeline

@@ -15,48 +15,48 @@
 #include "sheet/view_labels.hpp"
 #include "sheet/view_lines.hpp"
 
-namespace epura {
+namespace epura::pipeline {
 
 namespace {
 
-std::string title_of(const SheetDescription& sheet) {
+std::string title_of(const scene::SheetDescription& sheet) {
   for (const auto& [name, text] : sheet.title_block)
     if (name == "title") return *text;
   return {};
 }
 
-void append(std::vector<Layer>& layers, std::vector<Layer> more) {
+void append(std::vector<sheet::Layer>& layers, std::vector<sheet::Layer> more) {
   std::move(more.begin(), more.end(), std::back_inserter(layers));
 }
 
 // Names of sections, and scales where they differ from the sheet's.
-std::vector<Text> labels_of(const SheetPlan& plan, std::span<const ViewDescription> descriptions,
-                            const std::vector<ViewResult>& views) {
-  std::vector<Text> labels;
+std::vector<sheet::Text> labels_of(const SheetPlan& plan, std::span<const scene::ViewDescription> descriptions,
+                                   const std::vector<ViewResult>& views) {
+  std::vector<sheet::Text> labels;
   for (std::size_t i = 0; i < views.size(); ++i) {
-    const ViewDescription& view = descriptions[i];
-    const ViewDrawing& drawing = views[i].drawing;
+    const scene::ViewDescription& view = descriptions[i];
+    const drawing::ViewDrawing& drawing = views[i].drawing;
     std::string name = view.label.value_or("");
     if (name.empty() && view.section.given() && views.size() > 1) name = *view.section + "-" + *view.section;
     const auto scale = drawing.projection.central ? std::nullopt : std::optional(drawing.scale);
-    const std::string label = view_label(name, scale, plan.scale);
-    if (!label.empty()) labels.push_back(label_above(label, {drawing.min, drawing.max}));
+    const std::string label = sheet::view_label(name, scale, plan.scale);
+    if (!label.empty()) labels.push_back(sheet::label_above(label, {drawing.min, drawing.max}));
   }
   return labels;
 }
 
-std::vector<ViewFrame> frames_of(const std::vector<ViewResult>& views) {
-  std::vector<ViewFrame> frames;
+std::vector<sheet::ViewFrame> frames_of(const std::vector<ViewResult>& views) {
+  std::vector<sheet::ViewFrame> frames;
   for (const ViewResult& view : views) {
-    const ViewDrawing& drawing = view.drawing;
-    const std::string scale = drawing.projection.central ? "" : ratio_text(drawing.scale);
+    const drawing::ViewDrawing& drawing = view.drawing;
+    const std::string scale = drawing.projection.central ? "" : sheet::ratio_text(drawing.scale);
     frames.push_back({drawing.name, drawing.projection.name, scale, drawing.min, drawing.max});
   }
   return frames;
 }
 
 // The fields of the title block but the title, for the metadata of files. The creator of a drawing is its author there.
-std::vector<std::pair<std::string, std::string>> facts_of(const SheetDescription& sheet) {
+std::vector<std::pair<std::string, std::string>> facts_of(const scene::SheetDescription& sheet) {
   std::vector<std::pair<std::string, std::string>> facts;
   for (const auto& [name, text] : sheet.title_block)
     if (name != "title" && !text->empty()) facts.emplace_back(name == "creator" ? "author" : name, *text);
@@ -64,45 +64,47 @@ std::vector<std::pair<std::string, std::string>> facts_of(const SheetDescription
 }
 
 // Nothing is written where there is no frame and no label: then no font is opened.
-FurnitureLayers furniture_layers(const SheetFurniture& furniture) {
+sheet::FurnitureLayers furniture_layers(const sheet::SheetFurniture& furniture) {
   if (furniture.frame == FrameKind::none && furniture.labels.empty()) return {};
-  return sheet_layers(furniture, Lettering());
+  return sheet::sheet_layers(furniture, sheet::Lettering());
 }
 
-std::vector<const ViewDrawing*> drawings_of(const std::vector<ViewResult>& views) {
-  std::vector<const ViewDrawing*> drawings;
+std::vector<const drawing::ViewDrawing*> drawings_of(const std::vector<ViewResult>& views) {
+  std::vector<const drawing::ViewDrawing*> drawings;
   for (const ViewResult& view : views) drawings.push_back(&view.drawing);
   return drawings;
 }
 
-std::vector<Layer> centre_layers(const ViewResult& view, const ViewOptions& options, const LineWidths& widths,
-                                 const std::vector<Layer>& lines, const Progress& progress) {
+std::vector<sheet::Layer> centre_layers(const ViewResult& view, const ViewOptions& options,
+                                        const sheet::LineWidths& widths, const std::vector<sheet::Layer>& lines,
+                                        const Progress& progress) {
   if (!options.centre_lines) return {};
   progress.begin("drawing centre lines");
-  return {centre_lines({view.drawing, view.circles, options.styles}, widths, lines, progress)};
+  return {sheet::centre_lines({view.drawing, view.circles, options.styles}, widths, lines, progress)};
 }
 
 // One for each view; none for those without cut faces.
-std::vector<std::vector<Layer>> hatch_layers(const std::vector<ViewResult>& results, const LineWidths& widths,
-                                             const Progress& progress) {
+std::vector<std::vector<sheet::Layer>> hatch_layers(const std::vector<ViewResult>& results,
+                                                    const sheet::LineWidths& widths, const Progress& progress) {
   std::size_t faces = 0;
   for (const ViewResult& view : results) faces += view.drawing.cut_faces.size();
   progress.begin("hatching", faces);
-  const std::vector<Hatching> hatching = choose_hatching(drawings_of(results), progress);
-  std::vector<std::vector<Layer>> layers(results.size());
+  const std::vector<sheet::Hatching> hatching = sheet::choose_hatching(drawings_of(results), progress);
+  std::vector<std::vector<sheet::Layer>> layers(results.size());
   for (std::size_t i = 0; i < results.size(); ++i)
     if (!results[i].drawing.cut_faces.empty())
-      layers[i].push_back(hatch_layer(results[i].drawing, hatching, widths, progress));
+      layers[i].push_back(sheet::hatch_layer(results[i].drawing, hatching, widths, progress));
   return layers;
 }
 
 // Where there is no time for all lines, of the longest ones.
-std::vector<Layer> line_layers(ViewDrawing& drawing, const LineWidths& widths, const std::vector<ModelStyle>& styles,
-                               const Budget& budget) {
-  const auto make = [&](const Progress& progress) { return view_layers(drawing, widths, styles, progress); };
+std::vector<sheet::Layer> line_layers(drawing::ViewDrawing& drawing, const sheet::LineWidths& widths,
+                                      const std::vector<sheet::ModelStyle>& styles, const Budget& budget) {
+  const auto make = [&](const Progress& progress) { return sheet::view_layers(drawing, widths, styles, progress); };
   const auto leave_out = [&](const std::string& stage) {
     budget.partial.add_stage(stage);
-    budget.partial.undrawn += static_cast<long long>(keep_longest_chains(drawing, fewer(drawing.chains.size())));
+    budget.partial.undrawn +=
+        static_cast<long long>(drawing::keep_longest_chains(drawing, fewer(drawing.chains.size())));
     return drawing.chains.size() <= few_lines;
   };
   constexpr double part = 0.6;  // of the time that is left; the rest is for writing
@@ -110,8 +112,8 @@ std::vector<Layer> line_layers(ViewDrawing& drawing, const LineWidths& widths, c
 }
 
 // The sheet has the lines; JSON asks for their curves.
-void keep_curves(std::vector<Chain>& chains) {
-  std::erase_if(chains, [](const Chain& chain) { return chain.curves.empty(); });
+void keep_curves(std::vector<drawing::Chain>& chains) {
+  std::erase_if(chains, [](const drawing::Chain& chain) { return chain.curves.empty(); });
   chains.shrink_to_fit();
 }
 
@@ -119,24 +121,25 @@ void keep_curves(std::vector<Chain>& chains) {
 
 FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results, const Budget& budget) {
   const SheetPlan& plan = input.plan;
-  const SheetDescription& sheet = input.scene.sheets[static_cast<std::size_t>(input.views.sheet)];
-  const Paper& paper = plan.furniture.paper;
-  SheetFurniture furniture = plan.furniture;
+  const scene::SheetDescription& sheet = input.scene.sheets[static_cast<std::size_t>(input.views.sheet)];
+  const sheet::Paper& paper = plan.furniture.paper;
+  sheet::SheetFurniture furniture = plan.furniture;
   furniture.labels = labels_of(plan, input.views.descriptions, results);
-  FurnitureLayers around = furniture_layers(furniture);
+  sheet::FurnitureLayers around = furniture_layers(furniture);
   FinishedSheet finished{
       {paper.width, paper.height, title_of(sheet), std::move(around.layers), frames_of(results), facts_of(sheet)},
       plan.scale,
       {},
       std::move(around.warnings),
       paper};
-  const LineWidths widths = line_widths(paper);
+  const sheet::LineWidths widths = sheet::line_widths(paper);
   AnnotationLayers beside = annotation_layers(input, results, furniture.labels, budget);
   auto hatching = budget.or_nothing([&](const Progress& p) { return hatch_layers(results, widths, p); });
   hatching.resize(results.size());
   for (std::size_t i = 0; i < results.size(); ++i) {
     append(finished.sheet.layers, std::move(hatching[i]));
-    std::vector<Layer> lines = line_layers(results[i].drawing, widths, input.views.plans[i].options.styles, budget);
+    std::vector<sheet::Layer> lines =
+        line_layers(results[i].drawing, widths, input.views.plans[i].options.styles, budget);
     append(finished.sheet.layers, budget.or_nothing([&](const Progress& progress) {
       return centre_layers(results[i], input.views.plans[i].options, widths, lines, progress);
     }));
@@ -150,4 +153,4 @@ FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results,
   return finished;
 }
 
-}  // namespace epura
+}  // namespace epura::pipeline

@@ -13,10 +13,10 @@
 #include "pipeline/view_plan.hpp"
 #include "scene/description.hpp"
 
-namespace epura {
+namespace epura::pipeline {
 
 /// `results` are the views of the sheet, in their order, with all that belongs to them, and what a sheet has around.
 /// What there is no time for is left out, and noted in the budget.
 FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results, const Budget& budget);
 
-}  // namespace epura
+}  // namespace epura::pipeline

@@ -17,28 +17,28 @@
 #include "verify/verify.hpp"
 #include "view/condition.hpp"
 
-namespace epura {
+namespace epura::pipeline {
 
 namespace {
 
-using WorldOfView = std::function<const World&(std::size_t)>;
+using WorldOfView = std::function<const scene::World&(std::size_t)>;
 
 /// What a run needs from beginning to end.
 struct Run {
-  const SceneDescription& scene;
+  const scene::SceneDescription& scene;
   const RunOptions& options;
   const Messages& messages;
   Progress progress;
   Stopwatch& watch;
   std::size_t views_left;  ///< to be drawn
-  Report report{};
+  report::Report report{};
   bool has_lines = false;
   std::string answers{};
 
   void note(const ViewResult& result);
   ViewTime time_of_next_view();
-  std::vector<ProjectedScene> map_views(const WorldOfView& world, const SheetOfViews& views);
-  FinishedSheet draw_sheet(const World& whole, const CutSections& sections, const SheetOfViews& views);
+  std::vector<view::ProjectedScene> map_views(const WorldOfView& world, const SheetOfViews& views);
+  FinishedSheet draw_sheet(const scene::World& whole, const CutSections& sections, const SheetOfViews& views);
   std::vector<FinishedSheet> draw_sheets(const std::vector<SheetOfViews>& sheets);
 };
 
@@ -48,7 +48,7 @@ void Run::note(const ViewResult& result) {
   report.plan.insert(report.plan.end(), result.plan.begin(), result.plan.end());
   has_lines = has_lines || !result.drawing.segments.empty();
   if (!result.verification) return;
-  const auto wrong = [](const Verification& found) { return found.wrong + found.outline.wrong(); };
+  const auto wrong = [](const report::Verification& found) { return found.wrong + found.outline.wrong(); };
   if (!report.verification || wrong(*report.verification) < wrong(*result.verification))
     report.verification = result.verification;
 }
@@ -59,14 +59,14 @@ ViewTime Run::time_of_next_view() {
   return {progress, progress.with_part_of_the_time(1 / (static_cast<double>(views_left--) + views_for_the_rest))};
 }
 
-std::vector<ProjectedScene> Run::map_views(const WorldOfView& world, const SheetOfViews& views) {
+std::vector<view::ProjectedScene> Run::map_views(const WorldOfView& world, const SheetOfViews& views) {
   progress.begin("mapping", views.plans.size());
-  std::vector<ProjectedScene> seen;
+  std::vector<view::ProjectedScene> seen;
   for (std::size_t i = 0; i < views.plans.size(); ++i) {
     progress.expect_time();
     seen.push_back(project_scene(world(i), views.plans[i], views.descriptions[i]));
-    const Condition map = condition_of(seen.back().projection, world(i).box, world(i).one_rounding);
-    const ViewCondition condition{views.plans[i].options.name, map};
+    const view::Condition map = view::condition_of(seen.back().projection, world(i).box, world(i).one_rounding);
+    const report::ViewCondition condition{views.plans[i].options.name, map};
     warn_about(messages, condition);
     if (options.explain) report.conditions.push_back(condition);
     progress.advance(1);
@@ -75,17 +75,18 @@ std::vector<ProjectedScene> Run::map_views(const WorldOfView& world, const Sheet
   return seen;
 }
 
-FinishedSheet Run::draw_sheet(const World& whole, const CutSections& sections, const SheetOfViews& views) {
+FinishedSheet Run::draw_sheet(const scene::World& whole, const CutSections& sections, const SheetOfViews& views) {
   const auto section = [&](std::size_t view) { return section_of(sections, views.descriptions[view]); };
-  const auto world = [&](std::size_t view) -> const World& {
+  const auto world = [&](std::size_t view) -> const scene::World& {
     return section(view) == nullptr ? whole : section(view)->cut.world;
   };
-  std::vector<ProjectedScene> seen = map_views(world, views);
+  std::vector<view::ProjectedScene> seen = map_views(world, views);
   const std::vector<Annotations> annotations = annotate(scene, views.sheet, views.descriptions, seen, sections);
   const SheetPlan plan = plan_sheet(whole, scene, views, seen, annotations);
-  if (plan.chosen) messages.warn("the scale is " + ratio_text(plan.scale) + ", the largest of ISO 5455 that fits");
+  if (plan.chosen)
+    messages.warn("the scale is " + sheet::ratio_text(plan.scale) + ", the largest of ISO 5455 that fits");
   std::vector<ViewResult> results;
-  Partial partial;
+  report::Partial partial;
   const Budget budget{progress, progress, partial};
   for (std::size_t i = 0; i < seen.size(); ++i) {
     const ViewInput input{world(i), section(i), views.plans[i].options, plan.places[i]};
@@ -110,7 +111,7 @@ FinishedSheet Run::draw_sheet(const World& whole, const CutSections& sections, c
 }
 
 std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& sheets) {
-  World world = read_models(scene.models, report.meshes, messages, progress);
+  scene::World world = read_models(scene.models, report.meshes, messages, progress);
   watch.lap("read");
   const CutSections sections = cut_sections(world, scene, messages, progress);
   if (!sections.empty()) watch.lap("section");
@@ -121,7 +122,7 @@ std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& she
 
 }  // namespace
 
-DrawnScene draw_scene(const SceneDescription& scene, const RunOptions& options, const RunContext& context) {
+DrawnScene draw_scene(const scene::SceneDescription& scene, const RunOptions& options, const RunContext& context) {
   const ThreadLimit threads(options.threads);
   const std::vector<SheetOfViews> sheets = views_by_sheet(scene, plan_views(scene, options));
   context.watch.lap("prepare");
@@ -134,4 +135,4 @@ DrawnScene draw_scene(const SceneDescription& scene, const RunOptions& options, 
   return {std::move(finished), std::move(run.report), std::move(run.answers)};
 }
 
-}  // namespace epura
+}  // namespace epura::pipeline

@@ -13,7 +13,7 @@
 #include "report/report.hpp"
 #include "scene/description.hpp"
 
-namespace epura {
+namespace epura::pipeline {
 
 /// What a run has to do with the world around it.
 struct RunContext {
@@ -24,12 +24,12 @@ struct RunContext {
 
 struct DrawnScene {
   std::vector<FinishedSheet> sheets;  ///< most of the memory
-  Report report;
+  report::Report report;
   std::string answers;  ///< to RunOptions::why and dump
 };
 
 /// Reads the models and draws all views. The scene has models, named views and sheets. Several threads may draw at
 /// once. Throws Error; OutOfTime where time is over before there is a line to show.
-DrawnScene draw_scene(const SceneDescription& scene, const RunOptions& options, const RunContext& context);
+DrawnScene draw_scene(const scene::SceneDescription& scene, const RunOptions& options, const RunContext& context);
 
-}  // namespace epura
+}  // namespace epura::pipeline

@@ -12,7 +12,7 @@
 #include "verify/verify.hpp"
 #include "visibility/height_field.hpp"
 
-namespace epura {
+namespace epura::pipeline {
 
 namespace {
 
@@ -27,12 +27,12 @@ auto timed(std::optional<double>& seconds, const Compute& compute) {
   return result;
 }
 
-std::string why_not_clipped(const ProjectedScene& view) {
+std::string why_not_clipped(const view::ProjectedScene& view) {
   if (view.idle_planes.empty()) return "a parallel view has no near plane, and no window or depth is given";
   return "everything lies inside the view volume";
 }
 
-PlanStep clip_step(const World& world, const ProjectedScene& view, const ViewOptions& options) {
+report::PlanStep clip_step(const scene::World& world, const view::ProjectedScene& view, const ViewOptions& options) {
   const bool cuts = !view.triangle_planes.empty();
   const bool run = cuts || (!options.leave_out.clip && !view.idle_planes.empty());
   return {"clip",
@@ -49,7 +49,7 @@ PlanStep clip_step(const World& world, const ProjectedScene& view, const ViewOpt
 // What is known of intersections before they are searched.
 struct Candidates {
   std::vector<int> triangles;
-  PlanStep step;
+  report::PlanStep step;
 };
 
 // For what may be spared of the search for crossings.
@@ -59,7 +59,7 @@ constexpr double part_for_hiding = 0.7;
 // No span longer than this part of the drawing is shown wrongly (docs/numerics.md).
 constexpr double guaranteed_part = 1e-6;
 
-std::string why_searched(const World& world, const ViewOptions& options, std::size_t candidates) {
+std::string why_searched(const scene::World& world, const ViewOptions& options, std::size_t candidates) {
   const std::string all = std::to_string(world.triangles.size());
   if (!options.edges.intersection) return "not wanted";
   if (candidates == 0) return "all bodies are convex, and their boxes stand apart";
@@ -69,7 +69,7 @@ std::string why_searched(const World& world, const ViewOptions& options, std::si
          " triangles; the others are of convex bodies that stand apart, or copies";
 }
 
-PlanStep hidden_step(const ViewOptions& options, const HiddenSpans& hidden) {
+report::PlanStep hidden_step(const ViewOptions& options, const visibility::HiddenSpans& hidden) {
   const bool run = options.keep_hidden() || !options.leave_out.hidden;
   return {"hidden",
           run,
@@ -83,8 +83,8 @@ PlanStep hidden_step(const ViewOptions& options, const HiddenSpans& hidden) {
 }
 
 // What is guaranteed, in mm, where so much is allowed.
-std::optional<double> error_within(const std::optional<double>& allowed, const ProjectedScene& view,
-                                   const PaperMap& paper) {
+std::optional<double> error_within(const std::optional<double>& allowed, const view::ProjectedScene& view,
+                                   const view::PaperMap& paper) {
   if (!allowed) return std::nullopt;
   const double guaranteed = guaranteed_part * view.extent * paper.scale;
   if (guaranteed <= *allowed) return guaranteed;
@@ -93,20 +93,20 @@ std::optional<double> error_within(const std::optional<double>& allowed, const P
       "the exact method guarantees " + format_rounded(guaranteed, 3) + " mm, a millionth of the drawing, in this view");
 }
 
-PlanStep section_step(const CutSection& section) {
+report::PlanStep section_step(const CutSection& section) {
   return {"section", true, "the view shows section " + section.plane.name, count_of(section.cut.world.models.size()),
           count_of(section.cut.faces.size())};
 }
 
 struct DrawnLines {
-  ViewDrawing drawing;
-  CurveReport curves;
+  drawing::ViewDrawing drawing;
+  drawing::CurveReport curves;
 };
 
 /// One view on its way through the stages.
 class ViewRun {
  public:
-  ViewRun(const ViewInput& input, ProjectedScene view, const ViewTime& time, Stopwatch& watch)
+  ViewRun(const ViewInput& input, view::ProjectedScene view, const ViewTime& time, Stopwatch& watch)
       : input_(input),
         options_(input.options),
         view_(std::move(view)),
@@ -119,11 +119,11 @@ class ViewRun {
   ViewResult run() {
     find_edges();
     watch_.lap("edges");
-    const PaperMap paper = make_paper_map(view_, input_.place.scale, input_.place.shift);
+    const view::PaperMap paper = view::make_paper_map(view_, input_.place.scale, input_.place.shift);
     const std::optional<double> max_error = error_within(options_.max_error, view_, paper);
     hide();
     plan_.push_back(hidden_step(options_, hidden_));
-    for (PlanStep& step : plan_) step.view = options_.name;
+    for (report::PlanStep& step : plan_) step.view = options_.name;
     watch_.lap("visibility");
     DrawnLines lines = draw_lines(paper);
     watch_.lap("drawing");
@@ -131,8 +131,8 @@ class ViewRun {
         budget_.or_nothing([&](const Progress& progress) { return verified(lines.drawing, paper, progress); });
     if (options_.verify) watch_.lap("verify");
     auto circles = budget_.or_nothing([&](const Progress& progress) {
-      return options_.centre_lines ? find_placed_circles(input_.world, options_.edges.crease_angle, progress)
-                                   : std::vector<PlacedCircle>();
+      return options_.centre_lines ? scene::find_placed_circles(input_.world, options_.edges.crease_angle, progress)
+                                   : std::vector<scene::PlacedCircle>();
     });
     return {{std::move(view_), std::move(drawn_), std::move(hidden_), paper},
             std::move(lines.drawing),
@@ -150,28 +150,29 @@ class ViewRun {
   Candidates find_candidates_in_time() const;
   void find_edges();
   void hide();
-  HiddenSpans hidden_in_time();
+  visibility::HiddenSpans hidden_in_time();
   bool keep_longest(const std::string& stage);
-  DrawnLines draw_lines(const PaperMap& paper);
-  std::optional<Verification> verified(const ViewDrawing& drawing, const PaperMap& paper, Progress progress) const;
+  DrawnLines draw_lines(const view::PaperMap& paper);
+  std::optional<report::Verification> verified(const drawing::ViewDrawing& drawing, const view::PaperMap& paper,
+                                               Progress progress) const;
 
   const ViewInput& input_;
   const ViewOptions& options_;
-  ProjectedScene view_;
-  FeatureEdges drawn_{};
-  HiddenSpans hidden_{};
-  std::vector<PlanStep> plan_{};
-  Partial partial_{};
+  view::ProjectedScene view_;
+  edges::FeatureEdges drawn_{};
+  visibility::HiddenSpans hidden_{};
+  std::vector<report::PlanStep> plan_{};
+  report::Partial partial_{};
   Stopwatch& watch_;
   Budget budget_;
 };
 
 Candidates ViewRun::find_candidates(bool may_leave_out, const Progress& progress) const {
-  const World& world = input_.world;
+  const scene::World& world = input_.world;
   Candidates candidates{{}, {"intersections", false, "", count_of(world.triangles.size()), 0}};
   if (options_.edges.intersection)
-    candidates.triangles = !may_leave_out ? all_triangles(world) : timed(candidates.step.times.certificate, [&] {
-      return crossing_candidates(world, view_.map.normalisation, view_.contact.in_space, progress);
+    candidates.triangles = !may_leave_out ? edges::all_triangles(world) : timed(candidates.step.times.certificate, [&] {
+      return edges::crossing_candidates(world, view_.map.normalisation, view_.contact.in_space, progress);
     });
   candidates.step.run = !candidates.triangles.empty();
   if (options_.edges.intersection)
@@ -196,7 +197,7 @@ Candidates ViewRun::find_candidates_in_time() const {
 void ViewRun::find_edges() {
   Candidates candidates = find_candidates_in_time();
   try {
-    drawn_ = find_feature_edges(input_.world, view_, options_.edges, candidates.triangles, budget_.lines);
+    drawn_ = edges::find_feature_edges(input_.world, view_, options_.edges, candidates.triangles, budget_.lines);
     if (drawn_.searched < 1) partial_.add_stage("finding intersections");
     partial_.searched = drawn_.searched;
   } catch (const OutOfTime& cut) {
@@ -209,25 +210,25 @@ void ViewRun::find_edges() {
 
 // All but the longest edges are left undecided. Says whether so few are left that they take no time.
 bool ViewRun::keep_longest(const std::string& stage) {
-  hidden_.undecided = all_but_longest(view_, drawn_.edges, fewer(drawn_.edges.size()));
+  hidden_.undecided = visibility::all_but_longest(view_, drawn_.edges, fewer(drawn_.edges.size()));
   partial_.add_stage(stage);
   partial_.undecided += count_of(hidden_.undecided.size());
-  keep_decided(drawn_, hidden_);
+  visibility::keep_decided(drawn_, hidden_);
   return drawn_.edges.size() <= few_lines;
 }
 
-HiddenSpans ViewRun::hidden_in_time() {
+visibility::HiddenSpans ViewRun::hidden_in_time() {
   int cuts = 0;
   // After two tries in vain it is faces that take the time, and ever fewer lines do not help.
   const auto is_direct = [&] { return cuts == 2; };
   const auto make = [&](const Progress& progress) {
-    return is_direct() ? find_hidden_directly(input_.world, view_, drawn_, progress)
-                       : find_hidden(input_.world, view_, drawn_, progress);
+    return is_direct() ? visibility::find_hidden_directly(input_.world, view_, drawn_, progress)
+                       : visibility::find_hidden(input_.world, view_, drawn_, progress);
   };
   const auto leave_out = [&](const std::string& stage) {
     if (is_direct()) throw OutOfTime{stage};
     ++cuts;
-    hidden_ = nothing_hidden(drawn_);
+    hidden_ = visibility::nothing_hidden(drawn_);
     keep_longest(stage);
     return false;
   };
@@ -235,18 +236,19 @@ HiddenSpans ViewRun::hidden_in_time() {
     return make_in_time(budget_.lines.with_part_of_the_time(part_for_hiding), budget_.last(), make, leave_out);
   } catch (const OutOfTime& cut) {
     partial_.add_stage(cut.stage);
-    HiddenSpans nothing = nothing_hidden(drawn_);
-    nothing.undecided = all_but_longest(view_, drawn_.edges, 0);
+    visibility::HiddenSpans nothing = visibility::nothing_hidden(drawn_);
+    nothing.undecided = visibility::all_but_longest(view_, drawn_.edges, 0);
     return nothing;
   }
 }
 
 void ViewRun::hide() {
-  PlanStep step{"visibility", false, "a wireframe is wanted", count_of(drawn_.edges.size()), 0};
-  hidden_ = nothing_hidden(drawn_);
+  report::PlanStep step{"visibility", false, "a wireframe is wanted", count_of(drawn_.edges.size()), 0};
+  hidden_ = visibility::nothing_hidden(drawn_);
   const bool wanted = !options_.wireframe;
-  const bool is_one_sheet = wanted && options_.leave_out.visibility &&
-                            timed(step.times.certificate, [&] { return is_height_field(input_.world, view_, drawn_); });
+  const bool is_one_sheet = wanted && options_.leave_out.visibility && timed(step.times.certificate, [&] {
+                              return visibility::is_height_field(input_.world, view_, drawn_);
+                            });
   if (is_one_sheet) {
     step.why = "the page shows the surface as one sheet";
     step.skipped = step.items_in;
@@ -257,41 +259,42 @@ void ViewRun::hide() {
   }
   if (!hidden_.undecided.empty()) partial_.add_stage("hiding lines");
   partial_.undecided += count_of(hidden_.undecided.size());
-  keep_decided(drawn_, hidden_);
+  visibility::keep_decided(drawn_, hidden_);
   step.items_out = count_of(hidden_.spans.size());
   plan_.push_back(std::move(step));
 }
 
 // Where there is no time for all lines, of the longest edges.
-DrawnLines ViewRun::draw_lines(const PaperMap& paper) {
+DrawnLines ViewRun::draw_lines(const view::PaperMap& paper) {
   const auto make = [&](const Progress& progress) {
     DrawnLines lines;
-    lines.drawing = make_drawing({input_.world, view_, drawn_, hidden_}, paper,
-                                 {options_.name, options_.keep_hidden(), options_.leave_out.hidden}, progress);
-    if (options_.arcs) lines.curves = find_curves(lines.drawing.chains, *options_.arcs, progress);
+    lines.drawing = drawing::make_drawing({input_.world, view_, drawn_, hidden_}, paper,
+                                          {options_.name, options_.keep_hidden(), options_.leave_out.hidden}, progress);
+    if (options_.arcs) lines.curves = drawing::find_curves(lines.drawing.chains, *options_.arcs, progress);
     return lines;
   };
   const auto leave_out = [&](const std::string& stage) { return keep_longest(stage); };
   DrawnLines lines = make_in_time(budget_.lines, budget_.last(), make, leave_out);
   if (const CutSection* section = input_.section)
-    lines.drawing.cut_faces = cut_faces_on_paper(section->cut.faces, section->plane, view_, paper);
+    lines.drawing.cut_faces = drawing::cut_faces_on_paper(section->cut.faces, section->plane, view_, paper);
   lines.drawing.scale = input_.place.scale;
   return lines;
 }
 
-std::optional<Verification> ViewRun::verified(const ViewDrawing& drawing, const PaperMap& paper,
-                                              Progress progress) const {
+std::optional<report::Verification> ViewRun::verified(const drawing::ViewDrawing& drawing, const view::PaperMap& paper,
+                                                      Progress progress) const {
   if (!options_.verify) return std::nullopt;
   progress.begin("verifying");
   const bool keep_hidden = options_.keep_hidden(), complete = partial_.stages.empty();
-  const Tolerance tolerance{view_.extent * paper.scale, view_.contact.touching * paper.scale};
-  const VerifyInput input{input_.world, view_.projection, options_.limits, drawn_, hidden_, drawing};
-  Verification found = verify(input, tolerance, *options_.verify, keep_hidden, progress);
+  const verify::Tolerance tolerance{view_.extent * paper.scale, view_.contact.touching * paper.scale};
+  const verify::VerifyInput input{input_.world, view_.projection, options_.limits, drawn_, hidden_, drawing};
+  report::Verification found = verify::verify(input, tolerance, *options_.verify, keep_hidden, progress);
   // A window that is given cuts lines off; otherwise it is the box of what is seen, and lines lie on its border.
   const double margin = view_.window_given ? 0 : 0.01 * view_.extent;
   const auto to_page = [&](const Vec2& corner) { return paper.origin + paper.scale * (corner - view_.middle); };
-  const Window window{to_page(view_.window.min - margin), to_page(view_.window.max + margin)};
-  found.outline = verify_outline(input, tolerance, {options_.edges, *options_.verify, complete, window, progress});
+  const projection::Window window{to_page(view_.window.min - margin), to_page(view_.window.max + margin)};
+  found.outline =
+      verify::verify_outline(input, tolerance, {options_.edges, *options_.verify, complete, window, progress});
   return found;
 }
 
@@ -299,7 +302,7 @@ std::optional<Verification> ViewRun::verified(const ViewDrawing& drawing, const 
 
 bool ViewOptions::keep_hidden() const {
   return std::any_of(styles.begin(), styles.end(),
-                     [](const ModelStyle& style) { return style.hidden != HiddenLines::none; });
+                     [](const sheet::ModelStyle& style) { return style.hidden != HiddenLines::none; });
 }
 
 void Stopwatch::lap(const std::string& stage) {
@@ -308,8 +311,8 @@ void Stopwatch::lap(const std::string& stage) {
   start_ = now;
 }
 
-ViewResult draw_view(const ViewInput& input, ProjectedScene view, const ViewTime& time, Stopwatch& watch) {
+ViewResult draw_view(const ViewInput& input, view::ProjectedScene view, const ViewTime& time, Stopwatch& watch) {
   return ViewRun(input, std::move(view), time, watch).run();
 }
 
-}  // namespace epura
+}  // namespace epura::pipeline

@@ -23,18 +23,18 @@
 #include "view/projected_scene.hpp"
 #include "visibility/visibility.hpp"
 
-namespace epura {
+namespace epura::pipeline {
 
 /// What is wanted of a view beside its projection.
 struct ViewOptions {
   std::string name;
-  ViewLimits limits;
-  EdgeOptions edges;
-  bool wireframe = false;           ///< nothing is hidden
-  std::optional<double> max_error;  ///< mm; no longer span may be shown wrongly
-  std::vector<ModelStyle> styles;   ///< by model
-  std::optional<int> verify;        ///< by so many points at random
-  std::optional<double> arcs;       ///< lines within so many mm of circles and ellipses become these
+  view::ViewLimits limits;
+  edges::EdgeOptions edges;
+  bool wireframe = false;                 ///< nothing is hidden
+  std::optional<double> max_error;        ///< mm; no longer span may be shown wrongly
+  std::vector<sheet::ModelStyle> styles;  ///< by model
+  std::optional<int> verify;              ///< by so many points at random
+  std::optional<double> arcs;             ///< lines within so many mm of circles and ellipses become these
   bool centre_lines = false;
   Shortcuts leave_out{};
 
@@ -44,22 +44,22 @@ struct ViewOptions {
 
 /// What was computed on the way to a drawing.
 struct ViewWork {
-  ProjectedScene view;
-  FeatureEdges drawn;
-  HiddenSpans hidden;
-  PaperMap paper;
+  view::ProjectedScene view;
+  edges::FeatureEdges drawn;
+  visibility::HiddenSpans hidden;
+  view::PaperMap paper;
 };
 
 struct ViewResult {
   ViewWork work;  ///< large; of use only for questions about the drawing
-  ViewDrawing drawing;
-  std::vector<PlanStep> plan;  ///< what was done, and left out
-  Partial partial;             ///< what is left out because time was over
-  std::optional<Verification> verification;
-  std::optional<CuttingPlane> section;  ///< that the view shows
-  CurveReport curves{};
-  std::vector<PlacedCircle> circles{};  ///< for centre lines, where they are wanted
-  std::optional<double> max_error{};    ///< mm; where one was allowed, no longer span is shown wrongly
+  drawing::ViewDrawing drawing;
+  std::vector<report::PlanStep> plan;  ///< what was done, and left out
+  report::Partial partial;             ///< what is left out because time was over
+  std::optional<report::Verification> verification;
+  std::optional<scene::CuttingPlane> section;  ///< that the view shows
+  drawing::CurveReport curves{};
+  std::vector<scene::PlacedCircle> circles{};  ///< for centre lines, where they are wanted
+  std::optional<double> max_error{};           ///< mm; where one was allowed, no longer span is shown wrongly
 };
 
 /// Seconds since the last call of `lap`, under a name.
@@ -87,13 +87,13 @@ struct ViewTime {
 
 /// A view that is to be drawn, and where it stands on its sheet.
 struct ViewInput {
-  const World& world;         ///< the cut one where the view shows a section
+  const scene::World& world;  ///< the cut one where the view shows a section
   const CutSection* section;  ///< null where it shows the whole
   const ViewOptions& options;
   PlaceOnPage place;
 };
 
 /// Throws OutOfTime where time is over before there is a line to show; else what was left out is noted in the result.
-ViewResult draw_view(const ViewInput& input, ProjectedScene view, const ViewTime& time, Stopwatch& watch);
+ViewResult draw_view(const ViewInput& input, view::ProjectedScene view, const ViewTime& time, Stopwatch& watch);
 
-}  // namespace epura
+}  // namespace epura::pipeline

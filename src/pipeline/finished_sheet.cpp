@@ -5,12 +5,12 @@
 
 #include "sheet/partial_mark.hpp"
 
-namespace epura {
+namespace epura::pipeline {
 
 void mark_partial(FinishedSheet& sheet, const std::string& stage) {
-  Layer mark = partial_mark(sheet.paper, stage);
-  std::erase_if(sheet.sheet.layers, [&](const Layer& layer) { return layer.name == mark.name; });
+  sheet::Layer mark = sheet::partial_mark(sheet.paper, stage);
+  std::erase_if(sheet.sheet.layers, [&](const sheet::Layer& layer) { return layer.name == mark.name; });
   sheet.sheet.layers.push_back(std::move(mark));
 }
 
-}  // namespace epura
+}  // namespace epura::pipeline

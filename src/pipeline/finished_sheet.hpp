@@ -9,18 +9,18 @@
 #include "sheet/paper.hpp"
 #include "sheet/sheet.hpp"
 
-namespace epura {
+namespace epura::pipeline {
 
 /// A sheet, and what JSON says of it beside.
 struct FinishedSheet {
-  Sheet sheet;
-  double scale = 1;                     ///< main scale, mm of paper per unit of the world
-  std::vector<ViewDrawing> drawings{};  ///< in order of the views; none where no target wants them
-  std::vector<std::string> warnings{};  ///< what of it is not as was wished
-  Paper paper{};
+  sheet::Sheet sheet;
+  double scale = 1;                              ///< main scale, mm of paper per unit of the world
+  std::vector<drawing::ViewDrawing> drawings{};  ///< in order of the views; none where no target wants them
+  std::vector<std::string> warnings{};           ///< what of it is not as was wished
+  sheet::Paper paper{};
 };
 
 /// Marks a sheet that lacks something since time was over in a stage; once more by another stage.
 void mark_partial(FinishedSheet& sheet, const std::string& stage);
 
-}  // namespace epura
+}  // namespace epura::pipeline

@@ -12,14 +12,14 @@
 #include "sheet/standard_scale.hpp"
 #include "view/paper_map.hpp"
 
-namespace epura {
+namespace epura::pipeline {
 
 namespace {
 
 constexpr double usual_text_height = 3.5;
 
 // A title alone goes into the metadata of files.
-FrameKind frame_of(const SheetDescription& sheet, std::size_t views) {
+FrameKind frame_of(const scene::SheetDescription& sheet, std::size_t views) {
   const bool has_fields = std::any_of(sheet.title_block.begin(), sheet.title_block.end(),
                                       [](const auto& field) { return field.first != "title"; });
   const FrameKind usual = has_fields || views > 1 ? FrameKind::full : FrameKind::none;
@@ -28,40 +28,41 @@ FrameKind frame_of(const SheetDescription& sheet, std::size_t views) {
 }
 
 // Where a point that all views share, the middle of the world, lies in the plane of a view.
-Vec2 common_point(const World& world, const ProjectedScene& view) {
-  const Mat4 to_plane = world_to_page(view, make_paper_map(view, 1, {0, 0}));
+Vec2 common_point(const scene::World& world, const view::ProjectedScene& view) {
+  const Mat4 to_plane = view::world_to_page(view, view::make_paper_map(view, 1, {0, 0}));
   const Vec4 p = to_plane * Vec4(world.box.centre(), 1);
   return Vec2(p) / p.w;
 }
 
 // Dimensions stand outside the marks of sections.
-Room room_around(const Annotations& annotations, const Projection& projection, const LineWidths& widths) {
-  Room room = dimension_room(annotations.dimensions, projection, usual_text_height);
+sheet::Room room_around(const Annotations& annotations, const projection::Projection& projection,
+                        const sheet::LineWidths& widths) {
+  sheet::Room room = sheet::dimension_room(annotations.dimensions, projection, usual_text_height);
   Vec2 marks(0, 0);
-  for (const CuttingPlane& plane : annotations.planes)
-    marks = glm::max(marks, cutting_plane_room(projection, plane, widths));
+  for (const scene::CuttingPlane& plane : annotations.planes)
+    marks = glm::max(marks, sheet::cutting_plane_room(projection, plane, widths));
   room.before += marks;
   room.after += marks;
   return room;
 }
 
 struct Views {
-  std::vector<ViewToPlace> to_place;
+  std::vector<sheet::ViewToPlace> to_place;
   std::vector<Vec2> origins;  ///< what their boxes are measured from
 };
 
-Views views_to_place(const World& world, std::span<const ViewDescription> descriptions,
-                     std::span<const ProjectedScene> views, const std::vector<Annotations>& annotations,
-                     const LineWidths& widths) {
+Views views_to_place(const scene::World& world, std::span<const scene::ViewDescription> descriptions,
+                     std::span<const view::ProjectedScene> views, const std::vector<Annotations>& annotations,
+                     const sheet::LineWidths& widths) {
   Views result;
   for (std::size_t i = 0; i < views.size(); ++i) {
     // One view alone needs nothing in common with others.
     const Vec2 origin = views.size() > 1 ? common_point(world, views[i]) : Vec2(0, 0);
-    const Window box = drawn_box(views[i]);
-    ViewToPlace view{view_place(views[i].projection), {box.min - origin, box.max - origin}};
+    const projection::Window box = view::drawn_box(views[i]);
+    sheet::ViewToPlace view{sheet::view_place(views[i].projection), {box.min - origin, box.max - origin}};
     view.scale = descriptions[i].scale.value_or({}).fixed;
     view.at = descriptions[i].at.value;
-    const Room room = room_around(annotations[i], views[i].projection, widths);
+    const sheet::Room room = room_around(annotations[i], views[i].projection, widths);
     view.before = room.before;
     view.after = room.after;
     result.to_place.push_back(view);
@@ -71,10 +72,10 @@ Views views_to_place(const World& world, std::span<const ViewDescription> descri
 }
 
 struct LayoutOptions {
-  ScaleChoice scale;
+  scene::ScaleChoice scale;
   bool portrait;
   FrameKind frame;
-  std::optional<TitleBlock> title_block;
+  std::optional<sheet::TitleBlock> title_block;
   ProjectionAngle angle;
 };
 
@@ -84,47 +85,49 @@ double clearance_of(FrameKind frame) {
   return frame == FrameKind::full ? 12 : 5;
 }
 
-Arrangement arranged_on(const PaperChoice& size, const LayoutOptions& options, std::span<const ViewToPlace> views) {
-  const Paper paper = make_paper(size, options.portrait);
-  DrawingRoom room{options.frame == FrameKind::none ? paper : with_frame_margins(paper)};
+sheet::Arrangement arranged_on(const scene::PaperChoice& size, const LayoutOptions& options,
+                               std::span<const sheet::ViewToPlace> views) {
+  const sheet::Paper paper = sheet::make_paper(size, options.portrait);
+  sheet::DrawingRoom room{options.frame == FrameKind::none ? paper : sheet::with_frame_margins(paper)};
   room.clearance = clearance_of(options.frame);
-  if (options.title_block) room.title_block = title_block_box(*options.title_block, room.paper);
-  return arrange(views, options.scale, options.angle, room);
+  if (options.title_block) room.title_block = sheet::title_block_box(*options.title_block, room.paper);
+  return sheet::arrange(views, options.scale, options.angle, room);
 }
 
-bool is_sized_by_scale(const SheetDescription& sheet) {
-  return sheet.size.value_or({}).kind == PaperChoice::Kind::automatic;
+bool is_sized_by_scale(const scene::SheetDescription& sheet) {
+  return sheet.size.value_or({}).kind == scene::PaperChoice::Kind::automatic;
 }
 
-PaperChoice iso_size(int number) { return {PaperChoice::Kind::iso, number, {0, 0}}; }
+scene::PaperChoice iso_size(int number) { return {scene::PaperChoice::Kind::iso, number, {0, 0}}; }
 
-PaperChoice usual_size(const SheetDescription& sheet, std::size_t views) {
+scene::PaperChoice usual_size(const scene::SheetDescription& sheet, std::size_t views) {
   if (sheet.size.given() && !is_sized_by_scale(sheet)) return *sheet.size;
   return iso_size(views > 1 ? 3 : 4);
 }
 
 // "auto": the smallest paper on which the views have room at the scale that is given. `size` is the usual one, and
 // becomes the one that is taken.
-Arrangement arranged(const SheetDescription& sheet, const LayoutOptions& options, std::span<const ViewToPlace> views,
-                     PaperChoice& size) {
+sheet::Arrangement arranged(const scene::SheetDescription& sheet, const LayoutOptions& options,
+                            std::span<const sheet::ViewToPlace> views, scene::PaperChoice& size) {
   if (!is_sized_by_scale(sheet) || !options.scale.fixed) return arranged_on(size, options, views);
   for (const int larger : {4, 3, 2, 1}) {
-    Arrangement arrangement = arranged_on(size = iso_size(larger), options, views);
+    sheet::Arrangement arrangement = arranged_on(size = iso_size(larger), options, views);
     if (arrangement.inside) return arrangement;
   }
   return arranged_on(size = iso_size(0), options, views);
 }
 
 // For the title block: "A3", "300x200".
-std::string size_text(const PaperChoice& size) {
-  if (size.kind == PaperChoice::Kind::iso) return "A" + std::to_string(size.number);
-  if (size.kind == PaperChoice::Kind::custom) return format_number(size.size[0]) + "x" + format_number(size.size[1]);
+std::string size_text(const scene::PaperChoice& size) {
+  if (size.kind == scene::PaperChoice::Kind::iso) return "A" + std::to_string(size.number);
+  if (size.kind == scene::PaperChoice::Kind::custom)
+    return format_number(size.size[0]) + "x" + format_number(size.size[1]);
   return "none";
 }
 
 // Scale and size of paper are filled in when they are known.
-TitleBlock title_block_of(const SceneDescription& scene, int sheet) {
-  TitleBlock block;
+sheet::TitleBlock title_block_of(const scene::SceneDescription& scene, int sheet) {
+  sheet::TitleBlock block;
   for (const auto& [name, text] : scene.sheets[static_cast<std::size_t>(sheet)].title_block)
     block.fields.emplace_back(name, *text);
   block.sheet = sheet + 1;
@@ -132,8 +135,8 @@ TitleBlock title_block_of(const SceneDescription& scene, int sheet) {
   return block;
 }
 
-LayoutOptions options_of(const SceneDescription& scene, int number, std::size_t views) {
-  const SheetDescription& sheet = scene.sheets[static_cast<std::size_t>(number)];
+LayoutOptions options_of(const scene::SceneDescription& scene, int number, std::size_t views) {
+  const scene::SheetDescription& sheet = scene.sheets[static_cast<std::size_t>(number)];
   LayoutOptions options{};
   options.frame = frame_of(sheet, views);
   options.portrait = sheet.orientation.value_or(Orientation::landscape) == Orientation::portrait;
@@ -145,21 +148,21 @@ LayoutOptions options_of(const SceneDescription& scene, int number, std::size_t 
 
 }  // namespace
 
-double dimension_text_height(const Paper& paper, std::size_t views) {
+double dimension_text_height(const sheet::Paper& paper, std::size_t views) {
   constexpr double a4 = 210 * 297;
   return views > 1 && paper.width * paper.height <= a4 ? 2.5 : usual_text_height;
 }
 
-SheetPlan plan_sheet(const World& world, const SceneDescription& scene, const SheetOfViews& sheet,
-                     std::span<const ProjectedScene> views, const std::vector<Annotations>& annotations) {
+SheetPlan plan_sheet(const scene::World& world, const scene::SceneDescription& scene, const SheetOfViews& sheet,
+                     std::span<const view::ProjectedScene> views, const std::vector<Annotations>& annotations) {
   LayoutOptions options = options_of(scene, sheet.sheet, views.size());
-  const SheetDescription& description = scene.sheets[static_cast<std::size_t>(sheet.sheet)];
-  PaperChoice size = usual_size(description, views.size());
-  const LineWidths widths = line_widths(make_paper(size, false));
+  const scene::SheetDescription& description = scene.sheets[static_cast<std::size_t>(sheet.sheet)];
+  scene::PaperChoice size = usual_size(description, views.size());
+  const sheet::LineWidths widths = sheet::line_widths(sheet::make_paper(size, false));
   const Views placing = views_to_place(world, sheet.descriptions, views, annotations, widths);
-  const Arrangement arrangement = arranged(description, options, placing.to_place, size);
+  const sheet::Arrangement arrangement = arranged(description, options, placing.to_place, size);
   if (options.title_block) {
-    options.title_block->scale = ratio_text(arrangement.scale);
+    options.title_block->scale = sheet::ratio_text(arrangement.scale);
     options.title_block->size = size_text(size);
     if (views.size() > 1) options.title_block->angle = options.angle;
   }
@@ -169,10 +172,10 @@ SheetPlan plan_sheet(const World& world, const SceneDescription& scene, const Sh
                  options.scale.standard,
                  arrangement.inside};
   for (std::size_t i = 0; i < views.size(); ++i) {
-    const ViewSpot& spot = arrangement.views[i];
+    const sheet::ViewSpot& spot = arrangement.views[i];
     plan.places.push_back({spot.scale, spot.shift - spot.scale * placing.origins[i]});
   }
   return plan;
 }
 
-}  // namespace epura
+}  // namespace epura::pipeline

@@ -14,11 +14,11 @@
 #include "sheet/projection_symbol.hpp"
 #include "sheet/sheet_layers.hpp"
 
-namespace epura {
+namespace epura::pipeline {
 
 /// A sheet before anything is drawn on it.
 struct SheetPlan {
-  SheetFurniture furniture;         ///< with its paper, without labels of views
+  sheet::SheetFurniture furniture;  ///< with its paper, without labels of views
   std::vector<PlaceOnPage> places;  ///< of its views, in their order
   double scale = 1;                 ///< main scale, mm of paper per unit of the world
   bool chosen = false;              ///< the scale is the largest of ISO 5455 that fits
@@ -26,20 +26,20 @@ struct SheetPlan {
 };
 
 /// Height of the texts of dimensions, mm: 2.5 for several views on A4, 3.5 elsewhere. ISO 3098.
-double dimension_text_height(const Paper& paper, std::size_t views);
+double dimension_text_height(const sheet::Paper& paper, std::size_t views);
 
 /// Where the views of a sheet stand, with room for what is written beside them. Throws Error{input} for words that say
 /// nothing.
-SheetPlan plan_sheet(const World& world, const SceneDescription& scene, const SheetOfViews& sheet,
-                     std::span<const ProjectedScene> views, const std::vector<Annotations>& annotations);
+SheetPlan plan_sheet(const scene::World& world, const scene::SceneDescription& scene, const SheetOfViews& sheet,
+                     std::span<const view::ProjectedScene> views, const std::vector<Annotations>& annotations);
 
 /// A sheet whose views have their places, for what is drawn on it.
 struct SheetInput {
-  const World& world;
-  const SceneDescription& scene;
+  const scene::World& world;
+  const scene::SceneDescription& scene;
   const SheetOfViews& views;
   const SheetPlan& plan;
   const std::vector<Annotations>& annotations;  ///< by view
 };
 
-}  // namespace epura
+}  // namespace epura::pipeline

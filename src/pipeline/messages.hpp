@@ -6,11 +6,11 @@
 #include <string>
 #include <string_view>
 
-namespace epura {
+namespace epura::pipeline {
 
 struct Messages {
   std::function<void(const std::string& sentence)> warn;
   std::function<void(std::string_view lines)> print;
 };
 
-}  // namespace epura
+}  // namespace epura::pipeline

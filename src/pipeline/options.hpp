@@ -10,20 +10,24 @@
 #include "pipeline/shortcuts.hpp"
 #include "scene/choices.hpp"
 
-namespace epura {
+namespace epura::pipeline {
 
 enum class DumpTable { edges, spans };
-template <>
-struct Words<DumpTable> {
-  static constexpr std::array list{"edges", "spans"};
-};
-
 /// Which lines count as hidden: `none` is a wireframe.
 enum class Visibility { exact, none };
+
+}  // namespace epura::pipeline
+
 template <>
-struct Words<Visibility> {
+struct epura::scene::Words<epura::pipeline::DumpTable> {
+  static constexpr std::array list{"edges", "spans"};
+};
+template <>
+struct epura::scene::Words<epura::pipeline::Visibility> {
   static constexpr std::array list{"exact", "none"};
 };
+
+namespace epura::pipeline {
 
 struct RunOptions {
   std::vector<std::filesystem::path> plugin_path;  ///< more folders with projection plugins
@@ -32,7 +36,7 @@ struct RunOptions {
   std::optional<double> contact;    ///< world length
   std::optional<double> arcs;       ///< tolerance, mm; nothing: lines stay straight
   bool centre_lines = false;
-  std::vector<EdgeQuestion> why;  ///< edges to explain
+  std::vector<explain::EdgeQuestion> why;  ///< edges to explain
   std::optional<DumpTable> dump;
   int threads = 0;                   ///< 0: all cores
   std::optional<double> time_limit;  ///< seconds
@@ -43,4 +47,4 @@ struct RunOptions {
   bool keeps_drawings = false;  ///< beside the sheets
 };
 
-}  // namespace epura
+}  // namespace epura::pipeline

@@ -6,9 +6,9 @@
 
 #include "sheet/lettering.hpp"
 
-namespace epura {
+namespace epura::pipeline {
 
-PlanStep plugins_step(const std::vector<SheetOfViews>& sheets) {
+report::PlanStep plugins_step(const std::vector<SheetOfViews>& sheets) {
   std::set<std::filesystem::path> opened;
   long long views = 0;
   for (const SheetOfViews& sheet : sheets)
@@ -19,10 +19,10 @@ PlanStep plugins_step(const std::vector<SheetOfViews>& sheets) {
   return {"plugins", false, "only those that views name are opened", views, static_cast<long long>(opened.size())};
 }
 
-PlanStep text_step(const Sheet& sheet, bool leave_out) {
+report::PlanStep text_step(const sheet::Sheet& sheet, bool leave_out) {
   long long texts = 0;
-  for (const Layer& layer : sheet.layers) texts += static_cast<long long>(layer.texts.size());
-  if (texts == 0 && !leave_out) Lettering();
+  for (const sheet::Layer& layer : sheet.layers) texts += static_cast<long long>(layer.texts.size());
+  if (texts == 0 && !leave_out) sheet::Lettering();
   return {"text",
           texts > 0 || !leave_out,
           texts > 0    ? "there are texts"
@@ -34,4 +34,4 @@ PlanStep text_step(const Sheet& sheet, bool leave_out) {
           texts == 0 && leave_out ? 1 : 0};
 }
 
-}  // namespace epura
+}  // namespace epura::pipeline

@@ -8,11 +8,11 @@
 #include "report/report.hpp"
 #include "sheet/sheet.hpp"
 
-namespace epura {
+namespace epura::pipeline {
 
 /// Views in, plugins opened out.
-PlanStep plugins_step(const std::vector<SheetOfViews>& sheets);
+report::PlanStep plugins_step(const std::vector<SheetOfViews>& sheets);
 /// Texts in and out. Without texts no font is opened, unless `leave_out` is false.
-PlanStep text_step(const Sheet& sheet, bool leave_out);
+report::PlanStep text_step(const sheet::Sheet& sheet, bool leave_out);
 
-}  // namespace epura
+}  // namespace epura::pipeline

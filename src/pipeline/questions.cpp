@@ -7,25 +7,25 @@
 #include "explain/explain_input.hpp"
 #include "explain/tables.hpp"
 
-namespace epura {
+namespace epura::pipeline {
 
 std::string answer(const RunOptions& questions, const ViewInput& input, const ViewResult& result,
                    const Progress& progress) {
   const auto& [view, drawn, hidden, paper] = result.work;
-  const ExplainInput drawn_view{
+  const explain::ExplainInput drawn_view{
       {input.world, view, drawn, hidden}, input.options.edges, paper, result.drawing, input.options.keep_hidden()};
   std::string text;
-  if (questions.dump == DumpTable::edges) text += edge_table(drawn_view, progress);
+  if (questions.dump == DumpTable::edges) text += explain::edge_table(drawn_view, progress);
   if (questions.why.empty() && questions.dump != DumpTable::spans) return text;
-  const TriangleBoxes boxes(view);
-  if (questions.dump == DumpTable::spans) text += span_table(drawn_view, boxes, progress);
+  const explain::TriangleBoxes boxes(view);
+  if (questions.dump == DumpTable::spans) text += explain::span_table(drawn_view, boxes, progress);
   progress.begin("answering");
-  for (const EdgeQuestion& question : questions.why)
-    for (const Subject& subject : find_subjects(drawn_view, question)) {
+  for (const explain::EdgeQuestion& question : questions.why)
+    for (const explain::Subject& subject : explain::find_subjects(drawn_view, question)) {
       progress.expect_time();
-      text += explain(drawn_view, boxes, subject);
+      text += explain::explain(drawn_view, boxes, subject);
     }
   return text;
 }
 
-}  // namespace epura
+}  // namespace epura::pipeline

@@ -7,11 +7,11 @@
 #include "pipeline/draw_view.hpp"
 #include "pipeline/options.hpp"
 
-namespace epura {
+namespace epura::pipeline {
 
 /// The answers as text; empty where nothing is asked. Throws Error{input} when an edge that was asked for does not
 /// exist.
 std::string answer(const RunOptions& questions, const ViewInput& input, const ViewResult& result,
                    const Progress& progress = {});
 
-}  // namespace epura
+}  // namespace epura::pipeline

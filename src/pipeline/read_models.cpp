@@ -12,30 +12,30 @@
 #include "pipeline/choose.hpp"
 #include "scene/transform.hpp"
 
-namespace epura {
+namespace epura::pipeline {
 
 namespace {
 
-bool is_drawn(const ModelDescription& model) { return model.drawn.value_or(true); }
+bool is_drawn(const scene::ModelDescription& model) { return model.drawn.value_or(true); }
 
-Mat4 place_of(const ModelDescription& model) {
-  Mat4 place = parse_transform("scale:" + format_number(millimetres(model.unit.value_or(Unit::mm))));
-  if (model.up.value_or(UpAxis::z) == UpAxis::y) place = y_up_to_z_up() * place;
+Mat4 place_of(const scene::ModelDescription& model) {
+  Mat4 place = scene::parse_transform("scale:" + format_number(scene::millimetres(model.unit.value_or(Unit::mm))));
+  if (model.up.value_or(UpAxis::z) == UpAxis::y) place = scene::y_up_to_z_up() * place;
   if (model.transform.given()) place = *model.transform * place;
   return place;
 }
 
 // Where a scene file names the model, an error of reading says where.
-Mesh read(const ModelDescription& model, const Progress& progress) {
-  if (model.soup != nullptr) return make_mesh(*model.soup, *model.name, progress);
-  const auto read_it = [&](const std::string& file) { return read_mesh(file, progress); };
+mesh::Mesh read(const scene::ModelDescription& model, const Progress& progress) {
+  if (model.soup != nullptr) return mesh::make_mesh(*model.soup, *model.name, progress);
+  const auto read_it = [&](const std::string& file) { return mesh::read_mesh(file, progress); };
   return model.file.where == *model.file ? read_it(*model.file) : at_place(model.file, read_it);
 }
 
 // As read_mesh counts it; 0 where it is not known, as of a pipe.
-std::size_t work_of(const std::vector<ModelDescription>& models) {
+std::size_t work_of(const std::vector<scene::ModelDescription>& models) {
   std::size_t bytes = 0;
-  for (const ModelDescription& model : models) {
+  for (const scene::ModelDescription& model : models) {
     std::error_code kind;
     if (is_drawn(model) && model.soup == nullptr) bytes += 2 * std::filesystem::file_size(*model.file, kind);
     if (kind) return 0;
@@ -44,7 +44,7 @@ std::size_t work_of(const std::vector<ModelDescription>& models) {
 }
 
 // A drawing of a damaged model must not look like one of a sound model.
-void warn_about(const Messages& messages, const MeshReport& report) {
+void warn_about(const Messages& messages, const mesh::MeshReport& report) {
   const auto say = [&](int count, const std::string& one, const std::string& many) {
     if (count > 0) messages.warn(report.name + ": " + std::to_string(count) + " " + (count == 1 ? one : many));
   };
@@ -52,7 +52,7 @@ void warn_about(const Messages& messages, const MeshReport& report) {
     say(faces, "face left out: " + what, "faces left out: " + what);
   };
   // Such a face bounds its only edge twice: leaving it out opens nothing.
-  if (are_many(report.dropped_degenerate, report.faces + report.dropped_degenerate))
+  if (mesh::are_many(report.dropped_degenerate, report.faces + report.dropped_degenerate))
     say_left_out(report.dropped_degenerate, "fewer than three distinct corners");
   say_left_out(report.dropped_duplicates, "the corners of an earlier face");
   say_left_out(report.dropped_non_finite, "coordinates that are no finite numbers");
@@ -63,21 +63,21 @@ void warn_about(const Messages& messages, const MeshReport& report) {
 
 }  // namespace
 
-World read_models(const std::vector<ModelDescription>& models, std::vector<MeshReport>& reports,
-                  const Messages& messages, Progress progress) {
+scene::World read_models(const std::vector<scene::ModelDescription>& models, std::vector<mesh::MeshReport>& reports,
+                         const Messages& messages, Progress progress) {
   std::vector<Mat4> places;
-  for (const ModelDescription& model : models) places.push_back(place_of(model));
+  for (const scene::ModelDescription& model : models) places.push_back(place_of(model));
   progress.begin("reading", work_of(models));
-  std::vector<Placed> placed;
+  std::vector<scene::Placed> placed;
   for (std::size_t i = 0; i < models.size(); ++i) {
     // What is not drawn keeps its number.
     const bool drawn = is_drawn(models[i]);
-    placed.push_back({std::make_shared<const Mesh>(drawn ? read(models[i], progress) : Mesh{}), places[i]});
+    placed.push_back({std::make_shared<const mesh::Mesh>(drawn ? read(models[i], progress) : mesh::Mesh{}), places[i]});
     if (!drawn) continue;
     reports.push_back(placed.back().mesh->report);
     warn_about(messages, reports.back());
   }
-  return make_world(std::move(placed));
+  return scene::make_world(std::move(placed));
 }
 
-}  // namespace epura
+}  // namespace epura::pipeline

@@ -10,11 +10,11 @@
 #include "scene/description.hpp"
 #include "scene/scene.hpp"
 
-namespace epura {
+namespace epura::pipeline {
 
 /// Reads the models and puts them in their places; `reports` gets one more for each. Says what was
 /// repaired. The half-edge structures of its meshes are given up; edges and reports stay.
-World read_models(const std::vector<ModelDescription>& models, std::vector<MeshReport>& reports,
-                  const Messages& messages, Progress progress);
+scene::World read_models(const std::vector<scene::ModelDescription>& models, std::vector<mesh::MeshReport>& reports,
+                         const Messages& messages, Progress progress);
 
-}  // namespace epura
+}  // namespace epura::pipeline

@@ -9,20 +9,20 @@
 #include "scene/cut_world.hpp"
 #include "scene/description.hpp"
 
-namespace epura {
+namespace epura::pipeline {
 
 struct CutSection {
-  CuttingPlane plane;
-  CutWorld cut;
+  scene::CuttingPlane plane;
+  scene::CutWorld cut;
 };
 
 /// By name, those that some view shows. Throws Error{input} for planes that cut nothing.
 using CutSections = std::map<std::string, CutSection>;
 /// Throws OutOfTime.
-CutSections cut_sections(const World& world, const SceneDescription& scene, const Messages& messages,
+CutSections cut_sections(const scene::World& world, const scene::SceneDescription& scene, const Messages& messages,
                          const Progress& progress = {});
 
 /// The section that a view shows; null where it shows the whole.
-const CutSection* section_of(const CutSections& sections, const ViewDescription& view);
+const CutSection* section_of(const CutSections& sections, const scene::ViewDescription& view);
 
-}  // namespace epura
+}  // namespace epura::pipeline

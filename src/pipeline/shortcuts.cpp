@@ -3,7 +3,7 @@
 
 #include "pipeline/choose.hpp"
 
-namespace epura {
+namespace epura::pipeline {
 
 const std::vector<std::pair<std::string, bool Shortcuts::*>>& shortcut_names() {
   static const std::vector<std::pair<std::string, bool Shortcuts::*>> table{
@@ -24,4 +24,4 @@ Shortcuts parse_shortcuts(const std::string& text) {
   return chosen;
 }
 
-}  // namespace epura
+}  // namespace epura::pipeline

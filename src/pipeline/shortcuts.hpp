@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace epura {
+namespace epura::pipeline {
 
 /// Which certificates are used. Tests and measurements take them away: every drawing stays the same, to the byte.
 struct Shortcuts {
@@ -25,4 +25,4 @@ const std::vector<std::pair<std::string, bool Shortcuts::*>>& shortcut_names();
 /// "all", "none", or names with commas. Throws Error{input}.
 Shortcuts parse_shortcuts(const std::string& text);
 
-}  // namespace epura
+}  // namespace epura::pipeline

@@ -11,19 +11,19 @@
 #include "base/file.hpp"
 #include "base/text.hpp"
 
-namespace epura {
+namespace epura::pipeline {
 
 namespace {
 
-std::string encode(const Format& format, std::span<const FinishedSheet> sheets, const VectorOptions& options,
-                   const Report& report, const Progress& progress) {
-  FileContent content{{}, options, report};
+std::string encode(const output::Format& format, std::span<const FinishedSheet> sheets,
+                   const output::VectorOptions& options, const report::Report& report, const Progress& progress) {
+  output::FileContent content{{}, options, report};
   for (const FinishedSheet& sheet : sheets) content.sheets.push_back({sheet.sheet, sheet.scale, sheet.drawings});
   return format.encode(content, progress);
 }
 
 // Sheets of one run may come to stand on one page.
-VectorOptions options_of_sheet(VectorOptions options, std::size_t number) {
+output::VectorOptions options_of_sheet(output::VectorOptions options, std::size_t number) {
   if (!options.id_prefix.empty()) options.id_prefix += "-" + std::to_string(number);
   return options;
 }
@@ -31,7 +31,7 @@ VectorOptions options_of_sheet(VectorOptions options, std::size_t number) {
 std::size_t lines_of(std::span<const FinishedSheet> sheets) {
   std::size_t lines = 0;
   for (const FinishedSheet& sheet : sheets)
-    for (const Layer& layer : sheet.sheet.layers) lines += layer.strokes.size();
+    for (const sheet::Layer& layer : sheet.sheet.layers) lines += layer.strokes.size();
   return lines;
 }
 
@@ -57,9 +57,9 @@ std::vector<std::string> files_of(const std::vector<Target>& targets, std::size_
   return all;
 }
 
-std::vector<std::string> inputs_of(const SceneDescription& scene) {
+std::vector<std::string> inputs_of(const scene::SceneDescription& scene) {
   std::vector<std::string> files;
-  for (const ModelDescription& model : scene.models)
+  for (const scene::ModelDescription& model : scene.models)
     if (model.file.given()) files.push_back(*model.file);
   return files;
 }
@@ -91,19 +91,21 @@ std::vector<Target> targets_of(const std::vector<std::string>& paths, const std:
   for (const std::string& path : paths) {
     std::string extension = path == "-" ? dash_format : std::filesystem::path(path).extension().string();
     if (extension.starts_with(".")) extension.erase(0, 1);
-    const Format* format = find_format(extension);
-    if (!format && path == "-") throw Error(ErrorKind::input, "--output -", "wants --format", format_hint(extension));
+    const output::Format* format = output::find_format(extension);
+    if (!format && path == "-")
+      throw Error(ErrorKind::input, "--output -", "wants --format", output::format_hint(extension));
     if (!format)
       throw Error(ErrorKind::input, path,
                   extension.empty() ? "has no extension to tell the format" : "has an unknown format",
-                  format_hint(extension));
+                  output::format_hint(extension));
     targets.push_back({path, format});
   }
   return targets;
 }
 
 std::vector<FileBytes> encode_all(const std::vector<Target>& targets, std::span<const FinishedSheet> sheets,
-                                  const VectorOptions& options, const Report& report, Progress progress) {
+                                  const output::VectorOptions& options, const report::Report& report,
+                                  Progress progress) {
   progress.begin("writing", targets.size() * lines_of(sheets));
   std::vector<FileBytes> files;
   for (const Target& target : targets) {
@@ -128,4 +130,4 @@ void write(const FileBytes& file, Progress progress) {
     throw Error(ErrorKind::output, "standard output", "cannot be written");
 }
 
-}  // namespace epura
+}  // namespace epura::pipeline

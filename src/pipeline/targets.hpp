@@ -12,11 +12,11 @@
 #include "report/report.hpp"
 #include "scene/description.hpp"
 
-namespace epura {
+namespace epura::pipeline {
 
 struct Target {
   std::string path;  ///< "-" for standard output
-  const Format* format;
+  const output::Format* format;
 };
 
 /// Formats are settled before any work is done: a long run must not end in a typing error. `dash_format` is that of
@@ -32,7 +32,7 @@ std::vector<std::string> files_of(const Target& target, std::size_t sheets);
 std::vector<std::string> files_of(const std::vector<Target>& targets, std::size_t sheets);
 
 /// The models that a scene reads.
-std::vector<std::string> inputs_of(const SceneDescription& scene);
+std::vector<std::string> inputs_of(const scene::SceneDescription& scene);
 
 /// To be asked before anything is written: an output that is an input, by whatever name, would take from the user what
 /// it is made of; of two that are one file the first would be lost. Throws Error{input}.
@@ -44,9 +44,10 @@ struct FileBytes {
 
 /// All files of all targets. Throws OutOfTime.
 std::vector<FileBytes> encode_all(const std::vector<Target>& targets, std::span<const FinishedSheet> sheets,
-                                  const VectorOptions& options, const Report& report, Progress progress);
+                                  const output::VectorOptions& options, const report::Report& report,
+                                  Progress progress);
 
 /// Throws Error{output}.
 void write(const FileBytes& file, Progress progress);
 
-}  // namespace epura
+}  // namespace epura::pipeline

@@ -11,18 +11,20 @@
 #include "sheet/lettering.hpp"
 #include "view/condition.hpp"
 
-namespace epura {
+namespace epura::pipeline {
 
 namespace {
 
-std::string digits_left(const Condition& condition) { return format_fixed(std::floor(condition.digits_left()), 0); }
+std::string digits_left(const view::Condition& condition) {
+  return format_fixed(std::floor(condition.digits_left()), 0);
+}
 
-std::string in_digits(const Condition& condition) {
+std::string in_digits(const view::Condition& condition) {
   const std::string number = digits_left(condition);
   return number + (number == "1" ? " digit" : " digits");
 }
 
-std::string numbers_of(const Condition& condition) {
+std::string numbers_of(const view::Condition& condition) {
   return "condition " + format_rounded(condition.number, 2) + ", " + in_digits(condition) + " left";
 }
 
@@ -33,7 +35,7 @@ constexpr const char* more_digits =
 
 void warn_if_empty(const Messages& messages, const ViewResult& result, const ViewInput& input) {
   if (!result.drawing.segments.empty() || !result.partial.stages.empty()) return;
-  const EdgeOptions& edges = input.options.edges;
+  const edges::EdgeOptions& edges = input.options.edges;
   if (!edges.contour || !edges.boundary || !edges.crease)
     return messages.warn("nothing is drawn: no edge of the wanted kinds is visible");
   if (result.work.view.window_given) return messages.warn("nothing is drawn: no edge is visible in the window");
@@ -45,13 +47,14 @@ void warn_if_empty(const Messages& messages, const ViewResult& result, const Vie
 }
 
 void warn_about(const Messages& messages, const ViewResult& result) {
-  if (result.verification) messages.print(result.drawing.name + ": " + format_verification(*result.verification));
+  if (result.verification)
+    messages.print(result.drawing.name + ": " + report::format_verification(*result.verification));
   if (result.max_error)
     messages.print(result.drawing.name + ": hidden lines by the exact method; no span longer than " +
                    format_rounded(*result.max_error, 3) + " mm is wrong\n");
 }
 
-void warn_about(const Messages& messages, const Partial& partial) {
+void warn_about(const Messages& messages, const report::Partial& partial) {
   std::string sentence = "the drawing is partial: the time limit cut ";
   for (const std::string& stage : partial.stages)
     sentence += (&stage == &partial.stages.front() ? "'" : ", '") + stage + "'";
@@ -68,24 +71,24 @@ Error nothing_drawn(const std::string& stage) {
           "give a longer --time-limit"};
 }
 
-void warn_about(const Messages& messages, const ViewCondition& view) {
-  const Condition& condition = view.condition;
-  if (condition.moved_by_files > std::pow(10, -fewest_digits_of_files))
+void warn_about(const Messages& messages, const report::ViewCondition& view) {
+  const view::Condition& condition = view.condition;
+  if (condition.moved_by_files > std::pow(10, -view::fewest_digits_of_files))
     return messages.warn("view '" + view.name + "': coordinates in the files are rounded too coarsely for it (" +
                          in_digits(condition) + " left): lines may be off by " +
                          format_rounded(condition.moved_by_files, 2) + " of the drawing\n  hint: " + more_digits);
-  if (condition.digits_lost() < too_many_lost_digits) return;
+  if (condition.digits_lost() < view::too_many_lost_digits) return;
   messages.warn("view '" + view.name + "': its map keeps few digits (" + numbers_of(condition) + "), because " +
                 condition.why + "\n  hint: rounding of the input moves lines by 1e-" + digits_left(condition) +
                 " of the drawing; move the model or the viewer");
 }
 
-std::string format_condition(const ViewCondition& view) {
+std::string format_condition(const report::ViewCondition& view) {
   return "view '" + view.name + "': map: " + numbers_of(view.condition) + "\n";
 }
 
 void tell_of_curves(const Messages& messages, const std::vector<ViewResult>& results) {
-  CurveReport all;
+  drawing::CurveReport all;
   for (const ViewResult& result : results) all += result.curves;
   messages.print("arcs: " + std::to_string(all.circles) + " of circles, " + std::to_string(all.ellipses) +
                  " of ellipses; corners lie within " + format_rounded(all.deviation, 2) +
@@ -93,8 +96,8 @@ void tell_of_curves(const Messages& messages, const std::vector<ViewResult>& res
                  " mm\n");
 }
 
-void warn_about(const Messages& messages, const Sheet& sheet) {
-  for (const MissingCharacter& missing : missing_characters(sheet))
+void warn_about(const Messages& messages, const sheet::Sheet& sheet) {
+  for (const sheet::MissingCharacter& missing : sheet::missing_characters(sheet))
     messages.warn("the font has no glyph for '" + missing.character + "' (in the " + missing.role + ")");
 }
 
@@ -108,4 +111,4 @@ void tell_timings(const Messages& messages, const Stopwatch& watch) {
   messages.print(text);
 }
 
-}  // namespace epura
+}  // namespace epura::pipeline

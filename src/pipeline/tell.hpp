@@ -11,25 +11,25 @@
 #include "report/report.hpp"
 #include "sheet/sheet.hpp"
 
-namespace epura {
+namespace epura::pipeline {
 
 /// Warns of a view that has no line of the kinds that were asked for, or none in its window. Throws Error{input} for
 /// one that should have lines, but all of them are lost in the rounding of coordinates.
 void warn_if_empty(const Messages& messages, const ViewResult& result, const ViewInput& input);
 void warn_about(const Messages& messages, const ViewResult& result);
-void warn_about(const Messages& messages, const Partial& partial);
+void warn_about(const Messages& messages, const report::Partial& partial);
 /// What is said where the time limit leaves nothing to show.
 Error nothing_drawn(const std::string& stage);
 /// Warns where the map of a view keeps few digits.
-void warn_about(const Messages& messages, const ViewCondition& view);
+void warn_about(const Messages& messages, const report::ViewCondition& view);
 /// Warns of characters that the font has not.
-void warn_about(const Messages& messages, const Sheet& sheet);
+void warn_about(const Messages& messages, const sheet::Sheet& sheet);
 
 /// A line of what the map of a view can keep.
-std::string format_condition(const ViewCondition& view);
+std::string format_condition(const report::ViewCondition& view);
 
 /// Tells how many curves were found in the lines.
 void tell_of_curves(const Messages& messages, const std::vector<ViewResult>& results);
 void tell_timings(const Messages& messages, const Stopwatch& watch);
 
-}  // namespace epura
+}  // namespace epura::pipeline

@@ -11,38 +11,39 @@
 #include "drawing/thin.hpp"
 #include "pipeline/budget.hpp"
 
-namespace epura {
+namespace epura::pipeline {
 
 namespace {
 
-double length_of(const Stroke& stroke) {
-  return stroke.points.empty() ? 0 : distances_along(stroke.points, stroke.closed, stroke.curves).back();
+double length_of(const sheet::Stroke& stroke) {
+  return stroke.points.empty() ? 0 : drawing::distances_along(stroke.points, stroke.closed, stroke.curves).back();
 }
 
 // Frames, dimensions and marks draw no edges: they stay. In the order of the strokes.
-void keep_longest(std::vector<Stroke>& strokes, std::size_t count) {
+void keep_longest(std::vector<sheet::Stroke>& strokes, std::size_t count) {
   std::vector<double> length;
-  for (const Stroke& stroke : strokes) length.push_back(length_of(stroke));
+  for (const sheet::Stroke& stroke : strokes) length.push_back(length_of(stroke));
   std::vector<std::size_t> order(strokes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return length[a] > length[b]; });
   order.resize(std::min(count, order.size()));
   std::sort(order.begin(), order.end());
-  std::vector<Stroke> kept;
+  std::vector<sheet::Stroke> kept;
   for (const std::size_t i : order) kept.push_back(std::move(strokes[i]));
   strokes = std::move(kept);
 }
 
-bool draws_edges(const Layer& layer) {
-  return std::any_of(layer.strokes.begin(), layer.strokes.end(), [](const Stroke& s) { return s.kind.has_value(); });
+bool draws_edges(const sheet::Layer& layer) {
+  return std::any_of(layer.strokes.begin(), layer.strokes.end(),
+                     [](const sheet::Stroke& s) { return s.kind.has_value(); });
 }
 
 }  // namespace
 
-bool keep_longest_lines(std::span<FinishedSheet> sheets, Partial& partial) {
+bool keep_longest_lines(std::span<FinishedSheet> sheets, report::Partial& partial) {
   std::size_t left = 0, layers = 0;
   for (FinishedSheet& sheet : sheets) {
-    for (Layer& layer : sheet.sheet.layers) {
+    for (sheet::Layer& layer : sheet.sheet.layers) {
       if (!draws_edges(layer)) continue;
       const std::size_t before = layer.strokes.size();
       keep_longest(layer.strokes, fewer(before));
@@ -50,9 +51,10 @@ bool keep_longest_lines(std::span<FinishedSheet> sheets, Partial& partial) {
       left += layer.strokes.size();
       ++layers;
     }
-    for (ViewDrawing& drawing : sheet.drawings) keep_longest_chains(drawing, fewer(drawing.chains.size()));
+    for (drawing::ViewDrawing& drawing : sheet.drawings)
+      drawing::keep_longest_chains(drawing, fewer(drawing.chains.size()));
   }
   return left <= few_lines * layers;
 }
 
-}  // namespace epura
+}  // namespace epura::pipeline

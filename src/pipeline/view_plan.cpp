@@ -5,33 +5,34 @@
 
 #include "pipeline/choose.hpp"
 
-namespace epura {
+namespace epura::pipeline {
 
 namespace {
 
-EdgeOptions edge_options(const ViewDescription& view) {
+edges::EdgeOptions edge_options(const scene::ViewDescription& view) {
   const EdgeKinds kinds = view.edges.value_or({});
-  EdgeOptions edges{.contour = kinds.contour,
-                    .boundary = kinds.boundary,
-                    .crease = kinds.crease,
-                    .intersection = kinds.intersection,
-                    .tangent = kinds.tangent,
-                    .smooth = kinds.smooth};
+  edges::EdgeOptions edges{.contour = kinds.contour,
+                           .boundary = kinds.boundary,
+                           .crease = kinds.crease,
+                           .intersection = kinds.intersection,
+                           .tangent = kinds.tangent,
+                           .smooth = kinds.smooth};
   edges.crease_angle = view.crease_angle.value_or(edges.crease_angle);
   return edges;
 }
 
 // What a model says of itself wins over what the view says.
-std::vector<ModelStyle> styles_of(const SceneDescription& scene, const ViewDescription& view) {
-  std::vector<ModelStyle> styles;
-  for (const ModelDescription& model : scene.models) {
-    const ModelStyle usual;
+std::vector<sheet::ModelStyle> styles_of(const scene::SceneDescription& scene, const scene::ViewDescription& view) {
+  std::vector<sheet::ModelStyle> styles;
+  for (const scene::ModelDescription& model : scene.models) {
+    const sheet::ModelStyle usual;
     styles.push_back({model.line.value_or(usual.line), model.hidden.value_or(view.hidden.value_or(usual.hidden))});
   }
   return styles;
 }
 
-ViewOptions view_options(const SceneDescription& scene, const ViewDescription& view, const RunOptions& run) {
+ViewOptions view_options(const scene::SceneDescription& scene, const scene::ViewDescription& view,
+                         const RunOptions& run) {
   ViewOptions options;
   options.name = *view.name;
   options.limits = {view.near.value, view.far.value, run.contact};
@@ -52,17 +53,18 @@ ViewOptions view_options(const SceneDescription& scene, const ViewDescription& v
 
 }  // namespace
 
-std::vector<PlannedView> plan_views(const SceneDescription& scene, const RunOptions& options) {
-  const auto folders = plugin_folders(options.plugin_path);
-  std::map<std::string, ProjectionEntry> found;  // views of one projection ask one process
+std::vector<PlannedView> plan_views(const scene::SceneDescription& scene, const RunOptions& options) {
+  const auto folders = projection::plugin_folders(options.plugin_path);
+  std::map<std::string, projection::ProjectionEntry> found;  // views of one projection ask one process
   const auto find = [&](const std::string& name) {
     const auto known = found.find(name);
-    return known != found.end() ? known->second : found.emplace(name, find_projection(name, folders)).first->second;
+    return known != found.end() ? known->second
+                                : found.emplace(name, projection::find_projection(name, folders)).first->second;
   };
   std::vector<PlannedView> plans;
-  for (const ViewDescription& view : scene.views) {
+  for (const scene::ViewDescription& view : scene.views) {
     const ViewOptions of_view = view_options(scene, view, options);
-    const auto plan = [&](const ProjectionRequest& request) -> PlannedView {
+    const auto plan = [&](const scene::ProjectionRequest& request) -> PlannedView {
       return {request, find(request.name), of_view};
     };
     plans.push_back(at_place(view.projection, plan));
@@ -70,7 +72,7 @@ std::vector<PlannedView> plan_views(const SceneDescription& scene, const RunOpti
   return plans;
 }
 
-std::vector<SheetOfViews> views_by_sheet(const SceneDescription& scene, const std::vector<PlannedView>& plans) {
+std::vector<SheetOfViews> views_by_sheet(const scene::SceneDescription& scene, const std::vector<PlannedView>& plans) {
   std::vector<SheetOfViews> sheets;
   for (int sheet = 0; sheet < static_cast<int>(scene.sheets.size()); ++sheet) {
     SheetOfViews& here = sheets.emplace_back();
@@ -88,12 +90,14 @@ std::vector<SheetOfViews> views_by_sheet(const SceneDescription& scene, const st
   return sheets;
 }
 
-ProjectedScene project_scene(const World& world, const PlannedView& plan, const ViewDescription& description) {
-  const auto look = [&](const ProjectionRequest&) {
-    return project_scene(world, make_projection(plan.entry, plan.request, world.box), plan.options.limits,
-                         plan.options.leave_out.clip ? Clipping::where_needed : Clipping::everywhere);
+view::ProjectedScene project_scene(const scene::World& world, const PlannedView& plan,
+                                   const scene::ViewDescription& description) {
+  const auto look = [&](const scene::ProjectionRequest&) {
+    return view::project_scene(world, projection::make_projection(plan.entry, plan.request, world.box),
+                               plan.options.limits,
+                               plan.options.leave_out.clip ? view::Clipping::where_needed : view::Clipping::everywhere);
   };
   return at_place(description.projection, look);
 }
 
-}  // namespace epura
+}  // namespace epura::pipeline

@@ -9,29 +9,30 @@
 #include "projection/catalogue.hpp"
 #include "scene/description.hpp"
 
-namespace epura {
+namespace epura::pipeline {
 
 /// A view before the models are read: all that can be wrong about its words has been found.
 struct PlannedView {
-  ProjectionRequest request;
-  ProjectionEntry entry;
+  scene::ProjectionRequest request;
+  projection::ProjectionEntry entry;
   ViewOptions options;
 };
 
 /// Throws Error{input}, or Error{plugin} for projections that are not there.
-std::vector<PlannedView> plan_views(const SceneDescription& scene, const RunOptions& options);
+std::vector<PlannedView> plan_views(const scene::SceneDescription& scene, const RunOptions& options);
 
 /// One of the sheets, and which of the scene's views stand on it.
 struct SheetOfViews {
   int sheet;
-  std::vector<ViewDescription> descriptions;
+  std::vector<scene::ViewDescription> descriptions;
   std::vector<PlannedView> plans;
 };
 
 /// In the order of the sheets; a sheet may have no views.
-std::vector<SheetOfViews> views_by_sheet(const SceneDescription& scene, const std::vector<PlannedView>& plans);
+std::vector<SheetOfViews> views_by_sheet(const scene::SceneDescription& scene, const std::vector<PlannedView>& plans);
 
 /// The view of the world, not on paper yet. Throws Error{input} for values of parameters that do not fit the world.
-ProjectedScene project_scene(const World& world, const PlannedView& plan, const ViewDescription& description);
+view::ProjectedScene project_scene(const scene::World& world, const PlannedView& plan,
+                                   const scene::ViewDescription& description);
 
-}  // namespace epura
+}  // namespace epura::pipeline

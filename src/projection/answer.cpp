@@ -7,7 +7,7 @@
 #include "base/error.hpp"
 #include "base/kept_arithmetic.hpp"
 
-namespace epura {
+namespace epura::projection {
 
 namespace {
 
@@ -119,4 +119,4 @@ Projection projection_of(const epura_view& view) {
   return p;
 }
 
-}  // namespace epura
+}  // namespace epura::projection

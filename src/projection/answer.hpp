@@ -11,7 +11,7 @@
 #include "base/vec.hpp"
 #include "projection/catalogue.hpp"
 
-namespace epura {
+namespace epura::projection {
 
 /// The values of a projection: for each row of its table one number, or the components of the vector; a choice is its
 /// place in the list. NaN: found from the model's box.
@@ -45,4 +45,4 @@ std::string fault_of(const epura_view& view);
 /// Of an answer without fault: all but its name and values.
 Projection projection_of(const epura_view& view);
 
-}  // namespace epura
+}  // namespace epura::projection

@@ -13,7 +13,7 @@
 #include "projection/loader.hpp"
 #include "projection/plugin_process.hpp"
 
-namespace epura {
+namespace epura::projection {
 
 namespace {
 
@@ -126,4 +126,4 @@ ProjectionEntry find_projection(std::string_view name, const std::vector<fs::pat
   throw_unknown(name, catalogue);
 }
 
-}  // namespace epura
+}  // namespace epura::projection

@@ -12,7 +12,7 @@
 #include "projection/projection.hpp"
 #include "scene/choices.hpp"
 
-namespace epura {
+namespace epura::projection {
 
 enum class ParameterType { number, vector, choice };
 
@@ -72,6 +72,6 @@ ProjectionEntry find_projection(std::string_view name, const std::vector<std::fi
 /// Checks the values against the table, calls the plugin and checks its answer. `scene` is the box of everything.
 /// Throws Error{input} for wrong values, and for values to which the answer is not a projection; Error{plugin} if
 /// already the defaults have no answer.
-Projection make_projection(const ProjectionEntry& entry, const ProjectionRequest& request, const Box& scene);
+Projection make_projection(const ProjectionEntry& entry, const scene::ProjectionRequest& request, const Box& scene);
 
-}  // namespace epura
+}  // namespace epura::projection

@@ -12,7 +12,7 @@
 #include "projection/matrices.hpp"
 #include "projection/probes.hpp"
 
-namespace epura {
+namespace epura::projection {
 
 namespace {
 
@@ -243,4 +243,4 @@ std::vector<CheckResult> check_projection(const ProjectionEntry& entry,
   return results;
 }
 
-}  // namespace epura
+}  // namespace epura::projection

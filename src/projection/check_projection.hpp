@@ -8,7 +8,7 @@
 
 #include "projection/catalogue.hpp"
 
-namespace epura {
+namespace epura::projection {
 
 enum class Verdict { passed, failed, skipped };
 
@@ -25,4 +25,4 @@ struct CheckResult {
 std::vector<CheckResult> check_projection(const ProjectionEntry& entry,
                                           const std::function<void(const CheckResult&)>& tell = {});
 
-}  // namespace epura
+}  // namespace epura::projection

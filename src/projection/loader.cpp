@@ -12,7 +12,7 @@
 #include "base/text.hpp"
 #include "projection/answer.hpp"
 
-namespace epura {
+namespace epura::projection {
 
 namespace {
 
@@ -148,4 +148,4 @@ std::vector<ProjectionEntry> read_plugin(const std::filesystem::path& path) {
   return entries;
 }
 
-}  // namespace epura
+}  // namespace epura::projection

@@ -7,7 +7,7 @@
 
 #include "projection/catalogue.hpp"
 
-namespace epura {
+namespace epura::projection {
 
 /// What the library offers. A library is used whole or not at all: Error{plugin} says what is wrong with it, without
 /// its path.
@@ -16,4 +16,4 @@ std::vector<ProjectionEntry> read_plugin(const std::filesystem::path& path);
 /// Lower case, digits and '-'.
 bool is_projection_name(std::string_view name);
 
-}  // namespace epura
+}  // namespace epura::projection

@@ -8,7 +8,7 @@
 #include "projection/answer.hpp"
 #include "projection/catalogue.hpp"
 
-namespace epura {
+namespace epura::projection {
 
 namespace {
 
@@ -49,7 +49,7 @@ std::vector<double> value_of(const Parameter& parameter, const std::string& text
   return *numbers;
 }
 
-ParameterValues values_of(const ProjectionEntry& entry, const ProjectionRequest& request) {
+ParameterValues values_of(const ProjectionEntry& entry, const scene::ProjectionRequest& request) {
   ParameterValues values = default_values(entry);
   std::vector<std::string> names;
   for (const Parameter& parameter : entry.parameters) names.push_back(parameter.name);
@@ -64,7 +64,7 @@ ParameterValues values_of(const ProjectionEntry& entry, const ProjectionRequest&
 }
 
 /// A plugin must answer for its own defaults; what the user gave is the user's to mend.
-[[noreturn]] void refuse_answer(const ProjectionEntry& entry, const ProjectionRequest& request,
+[[noreturn]] void refuse_answer(const ProjectionEntry& entry, const scene::ProjectionRequest& request,
                                 const std::string& reason) {
   if (!request.assignments.empty()) refuse_value(entry.name, reason);
   throw Error(ErrorKind::plugin, entry.plugin.string(), "'" + entry.name + "': " + reason);
@@ -72,7 +72,7 @@ ParameterValues values_of(const ProjectionEntry& entry, const ProjectionRequest&
 
 }  // namespace
 
-Projection make_projection(const ProjectionEntry& entry, const ProjectionRequest& request, const Box& scene) {
+Projection make_projection(const ProjectionEntry& entry, const scene::ProjectionRequest& request, const Box& scene) {
   const ParameterValues values = values_of(entry, request);
   const PluginAnswer answer = ask_plugin(entry, values, scene);
   if (answer.refusal) refuse_answer(entry, request, *answer.refusal);
@@ -85,4 +85,4 @@ Projection make_projection(const ProjectionEntry& entry, const ProjectionRequest
   return projection;
 }
 
-}  // namespace epura
+}  // namespace epura::projection

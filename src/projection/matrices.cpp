@@ -3,7 +3,7 @@
 
 #include <glm/gtc/matrix_access.hpp>
 
-namespace epura {
+namespace epura::projection {
 
 namespace {
 
@@ -131,4 +131,4 @@ std::array<std::optional<Vec2>, 3> vanishing_points(const Projection& p) {
   return points;
 }
 
-}  // namespace epura
+}  // namespace epura::projection

@@ -6,7 +6,7 @@
 #include "base/vec.hpp"
 #include "projection/projection.hpp"
 
-namespace epura {
+namespace epura::projection {
 
 /// M_per (3.10, 3.19): central projection from `centre` onto the plane through `point` with unit normal `normal`.
 Mat4 m_per(const Vec3& point, const Vec3& normal, const Vec3& centre);
@@ -49,4 +49,4 @@ Mat4 view_matrix(const Projection& projection);
 /// the plane (cosine to the normal at most 1e-12), or for parallel projectors.
 std::array<std::optional<Vec2>, 3> vanishing_points(const Projection& projection);
 
-}  // namespace epura
+}  // namespace epura::projection

@@ -11,7 +11,7 @@
 #include "base/error.hpp"
 #include "base/utf8.hpp"
 
-namespace epura {
+namespace epura::projection {
 
 template <class Value>
 concept Flat = std::is_trivially_copyable_v<Value>;
@@ -75,4 +75,4 @@ class Unpacker {
   std::string_view rest_;
 };
 
-}  // namespace epura
+}  // namespace epura::projection

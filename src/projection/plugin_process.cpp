@@ -27,7 +27,7 @@
 #include "projection/loader.hpp"
 #include "projection/packing.hpp"
 
-namespace epura {
+namespace epura::projection {
 
 namespace {
 
@@ -319,4 +319,4 @@ std::vector<ProjectionEntry> read_plugin_apart(const std::filesystem::path& path
   return entries;
 }
 
-}  // namespace epura
+}  // namespace epura::projection

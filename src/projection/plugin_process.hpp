@@ -8,7 +8,7 @@
 
 #include "projection/catalogue.hpp"
 
-namespace epura {
+namespace epura::projection {
 
 /// Seconds that a plugin may take to load, and again for each answer.
 inline constexpr double plugin_seconds = 10;
@@ -22,4 +22,4 @@ enum class Afterwards { waits, rests };
 std::vector<ProjectionEntry> read_plugin_apart(const std::filesystem::path& path, Afterwards afterwards,
                                                double seconds = plugin_seconds);
 
-}  // namespace epura
+}  // namespace epura::projection

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace epura {
+namespace epura::projection {
 
 namespace {
 
@@ -60,4 +60,4 @@ std::array<Vec3, 8> points_before_viewer(const Projection& p, const Box& box) {
   return points;
 }
 
-}  // namespace epura
+}  // namespace epura::projection

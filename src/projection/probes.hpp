@@ -7,7 +7,7 @@
 
 #include "projection/catalogue.hpp"
 
-namespace epura {
+namespace epura::projection {
 
 /// A model that is neither a cube nor stands at the origin.
 inline Box probe_box() { return {{-1, -2, 0.5}, {3, 1, 4}}; }
@@ -24,4 +24,4 @@ std::vector<std::vector<double>> end_values(const Parameter& parameter);
 /// The corners of the box; those that do not stand before the viewer are moved straight to the plane.
 std::array<Vec3, 8> points_before_viewer(const Projection& projection, const Box& box);
 
-}  // namespace epura
+}  // namespace epura::projection

@@ -12,7 +12,7 @@
 
 #include "base/vec.hpp"
 
-namespace epura {
+namespace epura::projection {
 
 /// A rectangle of the projection plane, in its coordinates (u, v) from the plane's point.
 struct Window {
@@ -35,4 +35,4 @@ struct Projection {
   double back = -std::numeric_limits<double>::infinity();
 };
 
-}  // namespace epura
+}  // namespace epura::projection

@@ -3,7 +3,7 @@
 
 #include "base/text.hpp"
 
-namespace epura {
+namespace epura::report {
 
 namespace {
 
@@ -70,4 +70,4 @@ std::string format_verification(const Verification& v) {
   return text + format_outline(v.outline);
 }
 
-}  // namespace epura
+}  // namespace epura::report

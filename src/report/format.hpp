@@ -6,9 +6,9 @@
 
 #include "report/report.hpp"
 
-namespace epura {
+namespace epura::report {
 
 /// One sentence a line.
 std::string format_verification(const Verification& verification);
 
-}  // namespace epura
+}  // namespace epura::report

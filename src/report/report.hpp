@@ -13,7 +13,7 @@
 #include "report/verification.hpp"
 #include "view/condition.hpp"
 
-namespace epura {
+namespace epura::report {
 
 /// What a stage took and what leaving it out saves, in seconds.
 struct PlanTimes {
@@ -57,11 +57,11 @@ struct Partial {
 /// How many digits a view can have.
 struct ViewCondition {
   std::string name;  ///< of the view
-  Condition condition;
+  view::Condition condition;
 };
 
 struct Report {
-  std::vector<MeshReport> meshes;
+  std::vector<mesh::MeshReport> meshes;
   std::vector<PlanStep> plan;
   std::vector<std::pair<std::string, double>> seconds;  ///< empty unless asked for: outputs are byte-stable
   Partial partial{};                                    ///< without stages: the drawing is complete
@@ -69,4 +69,4 @@ struct Report {
   std::vector<ViewCondition> conditions;                ///< by view, where they were asked for
 };
 
-}  // namespace epura
+}  // namespace epura::report

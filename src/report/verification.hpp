@@ -10,7 +10,7 @@
 #include "base/vec.hpp"
 #include "edges/edge_kind.hpp"
 
-namespace epura {
+namespace epura::report {
 
 /// A facet of a model: face number of the file.
 struct FacetName {
@@ -78,4 +78,4 @@ struct Verification {
   [[nodiscard]] bool is_right() const { return wrong == 0 && outline.wrong() == 0; }
 };
 
-}  // namespace epura
+}  // namespace epura::report

@@ -6,7 +6,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 
-namespace epura {
+namespace epura::scene {
 
 namespace {
 
@@ -80,4 +80,4 @@ ProjectionRequest parse_request(std::string_view text) {
   return request;
 }
 
-}  // namespace epura
+}  // namespace epura::scene

@@ -13,7 +13,7 @@
 
 #include "base/vec.hpp"
 
-namespace epura {
+namespace epura::scene {
 
 /// The words for the values of an enum, in the order of its enumerators. One specialisation stands beside each enum.
 template <class Enum>
@@ -115,4 +115,4 @@ ScaleChoice parse_scale(std::string_view text, const std::string& where);       
 PaperChoice parse_paper_size(std::string_view text, const std::string& where);  ///< A4 to A0, 300x200, none, auto
 ProjectionRequest parse_request(std::string_view text);                         ///< NAME[:key=value]...; names the text
 
-}  // namespace epura
+}  // namespace epura::scene

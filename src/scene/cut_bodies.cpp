@@ -5,17 +5,17 @@
 #include <cmath>
 #include <map>
 
-namespace epura {
+namespace epura::scene {
 
 namespace {
 
-int body_count(const Mesh& mesh) {
+int body_count(const mesh::Mesh& mesh) {
   return mesh.body.empty() ? 0 : *std::max_element(mesh.body.begin(), mesh.body.end()) + 1;
 }
 
 // Whether each body's surface is inside out: its volume by the divergence theorem is negative.
 std::vector<bool> inside_out(const World& world, int model, int bodies, const PlaneFrame& frame) {
-  const Mesh& mesh = *world.models[model].mesh;
+  const mesh::Mesh& mesh = *world.models[model].mesh;
   std::vector<double> volume(static_cast<std::size_t>(bodies), 0);
   for (std::size_t t = 0; t < mesh.body.size(); ++t) {
     std::array<Vec3, 3> p;
@@ -29,7 +29,7 @@ std::vector<bool> inside_out(const World& world, int model, int bodies, const Pl
 }
 
 struct BodyCut {
-  Outlines outlines;
+  mesh::Outlines outlines;
   Vec2 min{HUGE_VAL}, max{-HUGE_VAL};  ///< box around them
   Vec2 sample{0.0};                    ///< a place of the body
 
@@ -37,11 +37,11 @@ struct BodyCut {
   [[nodiscard]] bool is_around(const BodyCut& other) const {
     const Vec2& p = other.sample;
     const bool in_box = min.x <= p.x && p.x <= max.x && min.y <= p.y && p.y <= max.y;
-    return in_box && extent() > other.extent() && is_inside(outlines, p);
+    return in_box && extent() > other.extent() && mesh::is_inside(outlines, p);
   }
 };
 
-BodyCut cut_of(Outlines outlines) {
+BodyCut cut_of(mesh::Outlines outlines) {
   BodyCut cut{std::move(outlines)};
   for (const Vec2& p : cut.outlines.places) {
     cut.min = glm::min(cut.min, p);
@@ -95,7 +95,7 @@ std::vector<int> material_of(const CutModel& model, const std::vector<std::optio
   return material;
 }
 
-std::vector<std::optional<int>> open_edges(const Mesh& mesh) {
+std::vector<std::optional<int>> open_edges(const mesh::Mesh& mesh) {
   std::vector<std::optional<int>> open(static_cast<std::size_t>(body_count(mesh)));
   std::vector<int> bodies;
   for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
@@ -111,4 +111,4 @@ std::vector<std::optional<int>> open_edges(const Mesh& mesh) {
   return open;
 }
 
-}  // namespace epura
+}  // namespace epura::scene

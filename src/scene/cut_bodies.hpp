@@ -7,7 +7,7 @@
 
 #include "scene/cut_outline.hpp"
 
-namespace epura {
+namespace epura::scene {
 
 /// A model of a world, and what a plane cuts of it.
 struct CutModel {
@@ -24,6 +24,6 @@ struct CutModel {
 std::vector<int> material_of(const CutModel& model, const std::vector<std::optional<int>>& open);
 
 /// By body: an edge at which an odd number of its triangles meet, if there is one. Then it bounds no volume.
-std::vector<std::optional<int>> open_edges(const Mesh& mesh);
+std::vector<std::optional<int>> open_edges(const mesh::Mesh& mesh);
 
-}  // namespace epura
+}  // namespace epura::scene

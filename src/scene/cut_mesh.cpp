@@ -9,7 +9,7 @@
 
 #include "base/parallel.hpp"
 
-namespace epura {
+namespace epura::scene {
 
 namespace {
 
@@ -81,7 +81,7 @@ class Knife {
   const World& world_;
   const Sides& sides_;
   int first_, file_vertices_;
-  const Mesh& mesh_;
+  const mesh::Mesh& mesh_;
   CutMesh result_;
   std::unordered_map<std::uint64_t, int> made_;  ///< edge -> vertex; only looked up, so its order does not matter
 };
@@ -120,4 +120,4 @@ void keep_odd(std::vector<CutSegment>& segments) {
   segments.resize(kept);
 }
 
-}  // namespace epura
+}  // namespace epura::scene

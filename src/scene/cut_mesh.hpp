@@ -10,7 +10,7 @@
 #include "scene/cutting_plane.hpp"
 #include "scene/scene.hpp"
 
-namespace epura {
+namespace epura::scene {
 
 /// The vertices of a world as a plane has them.
 struct Sides {
@@ -34,7 +34,7 @@ struct CutMesh {
   std::vector<std::array<int, 3>> triangles;
   std::vector<int> polygon, body;  ///< of each triangle
   std::vector<Vec3> points;        ///< of new vertices
-  std::vector<CutVertex> vertices;
+  std::vector<mesh::CutVertex> vertices;
   std::vector<CutSegment> segments;  ///< one for each triangle that is cut just behind the plane
   std::vector<int> in_plane;         ///< triangles of the uncut mesh that lie in the plane; not among `triangles`
 };
@@ -44,4 +44,4 @@ CutMesh cut_mesh(const World& world, int model, const Sides& sides);
 /// Sorts segments and takes away pairs of the same: an even number of faces meets there.
 void keep_odd(std::vector<CutSegment>& segments);
 
-}  // namespace epura
+}  // namespace epura::scene

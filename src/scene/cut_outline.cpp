@@ -6,7 +6,7 @@
 #include <numeric>
 #include <utility>
 
-namespace epura {
+namespace epura::scene {
 
 namespace {
 
@@ -92,7 +92,7 @@ std::vector<std::vector<int>> rings_of(std::span<const CutSegment> segments) {
 
 std::vector<bool> lie_inside(std::span<const std::array<int, 3>> triangles, std::span<const CutSegment> segments,
                              const CutPlaces& places, const PlaneFrame& frame) {
-  const Outlines outlines = flatten(segments, places, frame).outlines;
+  const mesh::Outlines outlines = flatten(segments, places, frame).outlines;
   const std::vector<int> label = patches(triangles, segments);
   std::vector<std::pair<double, Vec2>> largest(triangles.size(), {-1, Vec2(0)});  // by label: area and middle
   for (std::size_t t = 0; t < triangles.size(); ++t) {
@@ -103,9 +103,9 @@ std::vector<bool> lie_inside(std::span<const std::array<int, 3>> triangles, std:
   }
   std::vector<bool> inside(triangles.size(), false);
   for (std::size_t t = 0; t < triangles.size(); ++t)
-    if (label[t] == static_cast<int>(t)) inside[t] = is_inside(outlines, largest[t].second);
+    if (label[t] == static_cast<int>(t)) inside[t] = mesh::is_inside(outlines, largest[t].second);
   for (std::size_t t = 0; t < triangles.size(); ++t) inside[t] = inside[label[t]];
   return inside;
 }
 
-}  // namespace epura
+}  // namespace epura::scene

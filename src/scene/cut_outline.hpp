@@ -9,7 +9,7 @@
 #include "mesh/even_odd.hpp"
 #include "scene/cut_mesh.hpp"
 
-namespace epura {
+namespace epura::scene {
 
 /// The cutting plane with coordinates of its own: normalised, from near the middle of the world.
 struct PlaneFrame {
@@ -40,7 +40,7 @@ struct CutPlaces {
 /// Segments with the places of their vertices in the plane.
 struct FlatOutlines {
   std::vector<int> vertices;  ///< of each place
-  Outlines outlines;
+  mesh::Outlines outlines;
 };
 FlatOutlines flatten(std::span<const CutSegment> segments, const CutPlaces& places, const PlaneFrame& frame);
 
@@ -52,4 +52,4 @@ std::vector<std::vector<int>> rings_of(std::span<const CutSegment> segments);
 std::vector<bool> lie_inside(std::span<const std::array<int, 3>> triangles, std::span<const CutSegment> segments,
                              const CutPlaces& places, const PlaneFrame& frame);
 
-}  // namespace epura
+}  // namespace epura::scene

@@ -12,7 +12,7 @@
 #include "scene/cut_mesh.hpp"
 #include "scene/cut_outline.hpp"
 
-namespace epura {
+namespace epura::scene {
 
 namespace {
 
@@ -26,7 +26,7 @@ struct ModelCut {
   std::vector<WorldCutFace> faces{};
   std::vector<OpenBody> open{};
 
-  [[nodiscard]] const Mesh& mesh() const { return *world.models[model].mesh; }
+  [[nodiscard]] const mesh::Mesh& mesh() const { return *world.models[model].mesh; }
   [[nodiscard]] int file_vertices() const { return world.first_vertex[model + 1] - world.first_vertex[model]; }
   [[nodiscard]] CutPlaces places() const {
     const auto first = static_cast<std::size_t>(world.first_vertex[model]);
@@ -48,7 +48,7 @@ struct ModelCut {
   void keep_triangle(int triangle, int body);
   void add_open(int body, std::span<const CutSegment> segments, int open_edge);
   void add_face(int body, std::span<const CutSegment> segments);
-  [[nodiscard]] Mesh make_mesh() const;
+  [[nodiscard]] mesh::Mesh make_mesh() const;
 };
 
 void ModelCut::close() {
@@ -115,7 +115,7 @@ void ModelCut::add_open(int body, std::span<const CutSegment> segments, int open
 void ModelCut::add_face(int body, std::span<const CutSegment> segments) {
   faces.push_back({model, body, rings_of(segments)});
   FlatOutlines flat = flatten(segments, places(), frame);
-  const std::vector<std::array<int, 3>> triangles = fill_even_odd(flat.outlines);
+  const std::vector<std::array<int, 3>> triangles = mesh::fill_even_odd(flat.outlines);
   for (std::size_t i = flat.vertices.size(); i < flat.outlines.places.size(); ++i) {
     flat.vertices.push_back(file_vertices() + static_cast<int>(cut.points.size()));
     cut.points.push_back(frame.in_space(flat.outlines.places[i]));
@@ -130,8 +130,8 @@ void ModelCut::add_face(int body, std::span<const CutSegment> segments) {
   }
 }
 
-Mesh ModelCut::make_mesh() const {
-  Mesh cut_away;
+mesh::Mesh ModelCut::make_mesh() const {
+  mesh::Mesh cut_away;
   cut_away.points = mesh().points;
   const Mat4 to_file = glm::inverse(world.models[model].to_world);
   for (const Vec3& made : cut.points) {
@@ -147,7 +147,8 @@ Mesh ModelCut::make_mesh() const {
   cut_away.cut_vertices = cut.vertices;
   cut_away.first_cut_vertex = file_vertices();
   cut_away.uncut = world.models[model].mesh;
-  EdgeTable table = make_edge_table(cut_away.corners, cut.polygon, static_cast<int>(cut_away.points.size()));
+  mesh::EdgeTable table =
+      mesh::make_edge_table(cut_away.corners, cut.polygon, static_cast<int>(cut_away.points.size()));
   for (int& halfedge : table.halfedges) halfedge /= 3;
   cut_away.edges = std::move(table.edges);
   cut_away.edge_triangles = std::move(table.halfedges);
@@ -155,13 +156,13 @@ Mesh ModelCut::make_mesh() const {
   std::vector<std::array<int, 2>> outline;
   for (const CutSegment& segment : cut.segments) outline.push_back(segment.vertex);
   std::sort(outline.begin(), outline.end());
-  for (MeshEdge& edge : cut_away.edges) {
+  for (mesh::MeshEdge& edge : cut_away.edges) {
     // Triangles of cut faces come last.
     const bool in_face = cut_away.triangles_of(edge).front() >= static_cast<int>(of_surface);
     if (std::binary_search(outline.begin(), outline.end(), edge.vertex))
-      edge.cut = CutEdge::outline;
+      edge.cut = mesh::CutEdge::outline;
     else if (in_face || !cut_away.origin_of(edge).in_file)
-      edge.cut = CutEdge::inside;
+      edge.cut = mesh::CutEdge::inside;
   }
   return cut_away;
 }
@@ -177,7 +178,7 @@ void append(World& world, const ModelCut& cut) {
   }
   world.first_vertex.push_back(static_cast<int>(world.points.size()));
   world.first_triangle.push_back(static_cast<int>(world.triangles.size()));
-  world.models.push_back({std::make_shared<const Mesh>(cut.make_mesh()), cut.world.models[cut.model].to_world});
+  world.models.push_back({std::make_shared<const mesh::Mesh>(cut.make_mesh()), cut.world.models[cut.model].to_world});
 }
 
 [[noreturn]] void refuse(const CuttingPlane& plane, const std::string& what) {
@@ -217,4 +218,4 @@ CutWorld cut_world(const World& world, const CuttingPlane& plane, const Progress
   return result;
 }
 
-}  // namespace epura
+}  // namespace epura::scene

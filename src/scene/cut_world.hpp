@@ -14,7 +14,7 @@
 #include "scene/cutting_plane.hpp"
 #include "scene/scene.hpp"
 
-namespace epura {
+namespace epura::scene {
 
 /// Where the plane cuts through material.
 struct WorldCutFace {
@@ -40,4 +40,4 @@ struct CutWorld {
 /// Throws Error{input} when the plane cuts no body, or leaves nothing; and OutOfTime.
 CutWorld cut_world(const World& world, const CuttingPlane& plane, const Progress& progress = {});
 
-}  // namespace epura
+}  // namespace epura::scene

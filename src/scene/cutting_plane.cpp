@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 
-namespace epura {
+namespace epura::scene {
 
 namespace {
 
@@ -45,4 +45,4 @@ SectionDescription parse_section(std::string_view text, const std::string& where
   return {{"A", where}, *point, *normal};
 }
 
-}  // namespace epura
+}  // namespace epura::scene

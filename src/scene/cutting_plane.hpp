@@ -8,7 +8,7 @@
 #include "base/vec.hpp"
 #include "scene/description.hpp"
 
-namespace epura {
+namespace epura::scene {
 
 /// What lies on the side to which the normal points is taken away.
 struct CuttingPlane {
@@ -25,4 +25,4 @@ CuttingPlane make_cutting_plane(const SectionDescription& section);
 /// "X,Y,Z:NX,NY,NZ": a point of the plane and its normal. Throws Error{input} that names `where` the text comes from.
 SectionDescription parse_section(std::string_view text, const std::string& where);
 
-}  // namespace epura
+}  // namespace epura::scene

@@ -15,7 +15,7 @@
 #include "mesh/soup.hpp"
 #include "scene/choices.hpp"
 
-namespace epura {
+namespace epura::scene {
 
 /// A value, and where it was given: an option such as "--scale", or "scene.toml:12:9".
 template <class Value>
@@ -33,15 +33,15 @@ struct Located {
 using LocatedText = Located<std::string>;
 
 struct ModelDescription {
-  LocatedText file;                    ///< in a scene file relative to its folder
-  std::shared_ptr<const Soup> soup{};  ///< instead of a file
-  LocatedText name;                    ///< by which dimensions call it; the file's name without extension by default
-  Located<Unit> unit;                  ///< mm by default
-  Located<UpAxis> up;                  ///< z by default
-  Located<Mat4> transform;             ///< steps as in scene/transform.hpp
-  Located<LineRole> line;              ///< of its visible lines
-  Located<HiddenLines> hidden;         ///< the view's by default
-  Located<bool> drawn;                 ///< true by default
+  LocatedText file;                          ///< in a scene file relative to its folder
+  std::shared_ptr<const mesh::Soup> soup{};  ///< instead of a file
+  LocatedText name;             ///< by which dimensions call it; the file's name without extension by default
+  Located<Unit> unit;           ///< mm by default
+  Located<UpAxis> up;           ///< z by default
+  Located<Mat4> transform;      ///< steps as in scene/transform.hpp
+  Located<LineRole> line;       ///< of its visible lines
+  Located<HiddenLines> hidden;  ///< the view's by default
+  Located<bool> drawn;          ///< true by default
 };
 
 /// A view of the models. Views without a place are arranged: ISO 5456-2.
@@ -102,4 +102,4 @@ struct SceneDescription {
   std::vector<SheetDescription> sheets;  ///< the first one where a file has none
 };
 
-}  // namespace epura
+}  // namespace epura::scene

@@ -12,7 +12,7 @@
 
 #include "scene/choices.hpp"
 
-namespace epura {
+namespace epura::scene {
 
 /// Nominal lengths of a line type in line widths; dash 0: continuous.
 struct DashType {
@@ -123,4 +123,4 @@ struct Words<LineRole> {
   }();
 };
 
-}  // namespace epura
+}  // namespace epura::scene

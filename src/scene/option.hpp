@@ -11,7 +11,7 @@
 #include "scene/description.hpp"
 #include "scene/scene_values.hpp"
 
-namespace epura {
+namespace epura::scene {
 
 /// What an option has to do with: the look of a drawing, files that are read or written, code that is loaded, or the
 /// run and what it says. In the hands of strangers only the first is harmless.
@@ -97,4 +97,4 @@ void append_options(Options<Whole>& all, const Options<Part>& options, Part Whol
     }
 }
 
-}  // namespace epura
+}  // namespace epura::scene

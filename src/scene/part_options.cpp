@@ -6,7 +6,7 @@
 #include "scene/line_roles.hpp"
 #include "scene/title_fields.hpp"
 
-namespace epura {
+namespace epura::scene {
 
 namespace {
 
@@ -188,4 +188,4 @@ Options<TitleBlockFields> title_block_options() {
   return options;
 }
 
-}  // namespace epura
+}  // namespace epura::scene

@@ -8,7 +8,7 @@
 
 #include "scene/option.hpp"
 
-namespace epura {
+namespace epura::scene {
 
 /// A dimension whose anchors stand under their keys and do not know their models yet.
 struct DimensionWords {
@@ -39,4 +39,4 @@ void overrule(Part& part, const Part& other, const Options<Part>& options) {
 /// One field alone has this name.
 void set_field(TitleBlockFields& fields, const std::string& name, const LocatedText& text);
 
-}  // namespace epura
+}  // namespace epura::scene

@@ -8,11 +8,11 @@
 
 #include "base/portable_math.hpp"
 
-namespace epura {
+namespace epura::scene {
 
 namespace {
 
-double sweep_of(const World& world, int model, const MeshCircle& circle) {
+double sweep_of(const World& world, int model, const mesh::MeshCircle& circle) {
   const auto spoke = [&](std::size_t i) {
     return world.points[world.first_vertex[model] + circle.vertices[i]] - circle.centre;
   };
@@ -24,12 +24,12 @@ double sweep_of(const World& world, int model, const MeshCircle& circle) {
 
 }  // namespace
 
-std::vector<MeshCircle> find_circles(const World& world, int model, double crease_angle) {
+std::vector<mesh::MeshCircle> find_circles(const World& world, int model, double crease_angle) {
   const int first = world.first_triangle[model], count = world.first_triangle[model + 1] - first;
   const auto triangles =
       std::span(world.triangles).subspan(static_cast<std::size_t>(first), static_cast<std::size_t>(count));
-  return find_circles(PlacedMesh{*world.models[model].mesh, world.points, triangles, world.first_vertex[model]},
-                      crease_angle);
+  return mesh::find_circles(
+      mesh::PlacedMesh{*world.models[model].mesh, world.points, triangles, world.first_vertex[model]}, crease_angle);
 }
 
 std::vector<PlacedCircle> find_placed_circles(const World& world, double crease_angle, const Progress& progress) {
@@ -38,11 +38,11 @@ std::vector<PlacedCircle> find_placed_circles(const World& world, double crease_
   std::vector<PlacedCircle> placed;
   for (int model = 0; model < static_cast<int>(world.models.size()); ++model) {
     progress.expect_time();
-    for (MeshCircle& circle : find_circles(world, model, crease_angle))
+    for (mesh::MeshCircle& circle : find_circles(world, model, crease_angle))
       if (circle.whole || sweep_of(world, model, circle) >= half_turn) placed.push_back({model, std::move(circle)});
     progress.advance(1);
   }
   return placed;
 }
 
-}  // namespace epura
+}  // namespace epura::scene

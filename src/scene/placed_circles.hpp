@@ -8,14 +8,14 @@
 #include "mesh/circles.hpp"
 #include "scene/scene.hpp"
 
-namespace epura {
+namespace epura::scene {
 
 /// Circles and arcs of a model where it stands; what a transform with unequal scales made ellipses of is none.
-std::vector<MeshCircle> find_circles(const World& world, int model, double crease_angle = 30);
+std::vector<mesh::MeshCircle> find_circles(const World& world, int model, double crease_angle = 30);
 
 struct PlacedCircle {
   int model;
-  MeshCircle circle;  ///< in world coordinates; vertices are those of the model's file
+  mesh::MeshCircle circle;  ///< in world coordinates; vertices are those of the model's file
 };
 
 /// Of all models what drawings give centre lines: whole circles, and arcs of half a turn or more. Throws
@@ -23,4 +23,4 @@ struct PlacedCircle {
 std::vector<PlacedCircle> find_placed_circles(const World& world, double crease_angle = 30,
                                               const Progress& progress = {});
 
-}  // namespace epura
+}  // namespace epura::scene

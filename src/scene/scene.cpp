@@ -11,7 +11,7 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 
-namespace epura {
+namespace epura::scene {
 
 namespace {
 
@@ -49,7 +49,7 @@ Vec3 place(const Mat4& to_world, const Vec3& point) {
 }
 
 // By vertex, 1 where a triangle uses it.
-std::vector<char> used_vertices(const Mesh& mesh) {
+std::vector<char> used_vertices(const mesh::Mesh& mesh) {
   std::vector<char> used(mesh.points.size(), 0);
   for (const int vertex : mesh.corners) used[vertex] = 1;
   return used;
@@ -76,7 +76,7 @@ Box box_of(const std::vector<char>& used, const Place& place) {
   return box;
 }
 
-void append_triangles(World& world, const Mesh& mesh) {
+void append_triangles(World& world, const mesh::Mesh& mesh) {
   const int first_vertex = world.first_vertex.back();
   const auto first_triangle = static_cast<std::size_t>(world.first_triangle.back());
   const std::size_t count = mesh.polygon.size();
@@ -91,7 +91,7 @@ void append_triangles(World& world, const Mesh& mesh) {
 }
 
 void append(World& world, const Placed& placed) {
-  const Mesh& mesh = *placed.mesh;
+  const mesh::Mesh& mesh = *placed.mesh;
   const auto first_vertex = static_cast<std::size_t>(world.first_vertex.back());
   const std::vector<char> used = used_vertices(mesh);
   world.points.resize(first_vertex + mesh.points.size());
@@ -129,4 +129,4 @@ World make_world(std::vector<Placed> models) {
   return world;
 }
 
-}  // namespace epura
+}  // namespace epura::scene

@@ -10,11 +10,11 @@
 #include "base/vec.hpp"
 #include "mesh/mesh.hpp"
 
-namespace epura {
+namespace epura::scene {
 
 /// A model and where it stands.
 struct Placed {
-  std::shared_ptr<const Mesh> mesh;  ///< by worlds that are cut from one another
+  std::shared_ptr<const mesh::Mesh> mesh;  ///< by worlds that are cut from one another
   Mat4 to_world{1.0};
 };
 
@@ -34,4 +34,4 @@ struct World {
 /// Throws Error{input} when a transform throws a model out of the range of doubles.
 World make_world(std::vector<Placed> models);
 
-}  // namespace epura
+}  // namespace epura::scene

@@ -12,7 +12,7 @@
 #include "scene/toml_tree.hpp"
 #include "scene/view_names.hpp"
 
-namespace epura {
+namespace epura::scene {
 
 namespace {
 
@@ -154,4 +154,4 @@ void expect_sound_names(const SceneDescription& scene) {
   names_of(scene.views, "view");
 }
 
-}  // namespace epura
+}  // namespace epura::scene

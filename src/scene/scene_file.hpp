@@ -6,7 +6,7 @@
 
 #include "scene/description.hpp"
 
-namespace epura {
+namespace epura::scene {
 
 /// What the file says, with at least one model and one sheet; model files are found from the folder of the scene file.
 /// Views may be missing; those that are there have names. Throws Error{input} for what cannot be read, unknown keys,
@@ -17,4 +17,4 @@ SceneDescription read_scene_file(const std::filesystem::path& path);
 /// there, and for views on sheets that are not there.
 void expect_sound_names(const SceneDescription& scene);
 
-}  // namespace epura
+}  // namespace epura::scene

@@ -10,7 +10,7 @@
 #include "scene/title_fields.hpp"
 #include "scene/view_names.hpp"
 
-namespace epura {
+namespace epura::scene {
 
 namespace {
 
@@ -179,4 +179,4 @@ std::string describe_scene_keys() {
   return table;
 }
 
-}  // namespace epura
+}  // namespace epura::scene

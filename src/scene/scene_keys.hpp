@@ -9,7 +9,7 @@
 #include "scene/description.hpp"
 #include "scene/part_options.hpp"
 
-namespace epura {
+namespace epura::scene {
 
 /// What a scene file says, before its parts are brought together.
 struct SceneWords {
@@ -24,4 +24,4 @@ SceneWords read_scene_words(const TomlValue& file);
 /// A table in Markdown with the keys of all sections: section, key, value, default, meaning.
 std::string describe_scene_keys();
 
-}  // namespace epura
+}  // namespace epura::scene

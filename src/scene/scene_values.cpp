@@ -12,7 +12,7 @@
 #include "base/text.hpp"
 #include "scene/transform.hpp"
 
-namespace epura {
+namespace epura::scene {
 
 namespace {
 
@@ -312,4 +312,4 @@ std::vector<const TomlValue*> tables_of(const TomlValue& value) {
   return tables;
 }
 
-}  // namespace epura
+}  // namespace epura::scene

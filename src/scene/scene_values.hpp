@@ -12,7 +12,7 @@
 #include "scene/description.hpp"
 #include "scene/toml_tree.hpp"
 
-namespace epura {
+namespace epura::scene {
 
 /// Throws Error{input} at the value: "scene.toml:12:9: 'at' " + reason.
 [[noreturn]] void refuse(const TomlValue& value, const std::string& reason, const std::string& hint = {});
@@ -107,4 +107,4 @@ const TomlTable& table_of(const TomlValue& value);
 /// Several tables, or a single one.
 std::vector<const TomlValue*> tables_of(const TomlValue& value);
 
-}  // namespace epura
+}  // namespace epura::scene

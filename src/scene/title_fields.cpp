@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/title_fields.hpp"
 
-namespace epura {
+namespace epura::scene {
 
 const std::vector<TitleField>& title_fields() {
   static const std::vector<TitleField> fields = {
@@ -25,4 +25,4 @@ const std::vector<TitleField>& title_fields() {
   return fields;
 }
 
-}  // namespace epura
+}  // namespace epura::scene

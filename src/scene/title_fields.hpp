@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace epura {
+namespace epura::scene {
 
 struct TitleField {
   std::string name;  ///< "document_type": key of scene files, and option of the command line with "-" for "_"
@@ -15,4 +15,4 @@ struct TitleField {
 /// The table from which options, keys of scene files and the documentation are made.
 const std::vector<TitleField>& title_fields();
 
-}  // namespace epura
+}  // namespace epura::scene

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace epura {
+namespace epura::scene {
 
 namespace {
 
@@ -51,4 +51,4 @@ std::optional<std::size_t> line_of_deep_key(std::string_view text, std::size_t m
   return std::nullopt;
 }
 
-}  // namespace epura
+}  // namespace epura::scene

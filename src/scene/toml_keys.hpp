@@ -6,9 +6,9 @@
 #include <optional>
 #include <string_view>
 
-namespace epura {
+namespace epura::scene {
 
 /// The line, from 1, of the first key with more than `most_dots` dots in it. Dots in strings and comments are none.
 std::optional<std::size_t> line_of_deep_key(std::string_view text, std::size_t most_dots);
 
-}  // namespace epura
+}  // namespace epura::scene

@@ -11,7 +11,7 @@
 #include "scene/toml_keys.hpp"
 #include "scene/toml_library.hpp"
 
-namespace epura {
+namespace epura::scene {
 
 namespace {
 
@@ -116,4 +116,4 @@ TomlValue read_toml(const std::filesystem::path& path) {
   }
 }
 
-}  // namespace epura
+}  // namespace epura::scene

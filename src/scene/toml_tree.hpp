@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-namespace epura {
+namespace epura::scene {
 
 struct TomlValue;
 
@@ -46,4 +46,4 @@ bool is_control(char c);
 /// than the reader can follow.
 TomlValue read_toml(const std::filesystem::path& path);
 
-}  // namespace epura
+}  // namespace epura::scene

@@ -12,7 +12,7 @@
 #include "base/portable_math.hpp"
 #include "base/text.hpp"
 
-namespace epura {
+namespace epura::scene {
 
 namespace {
 
@@ -91,4 +91,4 @@ Mat4 parse_transform(std::string_view text) {
 
 Mat4 y_up_to_z_up() { return rotation({1, 0, 0}, 90); }
 
-}  // namespace epura
+}  // namespace epura::scene

@@ -6,7 +6,7 @@
 
 #include "base/vec.hpp"
 
-namespace epura {
+namespace epura::scene {
 
 /// Steps separated by spaces, applied from left to right: "scale:2", "scale:1,2,3", "translate:1,2,3",
 /// "rotate:x,30" (x, y or z axis, degrees, right-handed), "matrix:16 numbers row-major".
@@ -16,4 +16,4 @@ Mat4 parse_transform(std::string_view text);
 /// Turns a model whose y axis points up (z towards the viewer) so that z points up.
 Mat4 y_up_to_z_up();
 
-}  // namespace epura
+}  // namespace epura::scene

@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 
-namespace epura {
+namespace epura::scene {
 
 void expect_few_views(std::size_t views, const std::string& where) {
   constexpr std::size_t max = 1000;
@@ -35,4 +35,4 @@ void name_views(std::vector<ViewDescription>& views) {
   }
 }
 
-}  // namespace epura
+}  // namespace epura::scene

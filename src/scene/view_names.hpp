@@ -8,7 +8,7 @@
 
 #include "scene/description.hpp"
 
-namespace epura {
+namespace epura::scene {
 
 /// Throws Error{input} for more than 1000 views, all of which `where` asks for.
 void expect_few_views(std::size_t views, const std::string& where);
@@ -17,4 +17,4 @@ void expect_few_views(std::size_t views, const std::string& where);
 /// Error{input} for more than 1000 views.
 void name_views(std::vector<ViewDescription>& views);
 
-}  // namespace epura
+}  // namespace epura::scene

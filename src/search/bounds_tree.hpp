@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace epura {
+namespace epura::search {
 
 /// Least and greatest of each of several measures.
 template <std::size_t measures>
@@ -86,4 +86,4 @@ class BoundsTree {
   std::vector<Bounds<measures>> nodes_;
 };
 
-}  // namespace epura
+}  // namespace epura::search

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace epura {
+namespace epura::search {
 
 CellGrid choose_grid(const PageBox& page, const Cuts& lines, const Cuts& areas, const GridLimits& limits) {
   const Vec2 size = glm::max(page.max - page.min, Vec2(limits.side));
@@ -27,4 +27,4 @@ CellGrid choose_grid(const PageBox& page, const Cuts& lines, const Cuts& areas, 
   return grid;
 }
 
-}  // namespace epura
+}  // namespace epura::search

@@ -7,7 +7,7 @@
 
 #include "search/line_cells.hpp"
 
-namespace epura {
+namespace epura::search {
 
 struct PageBox {
   Vec2 min, max;
@@ -53,4 +53,4 @@ CellGrid grid_over_lines(const Lines& lines, const GridLimits& limits) {
   return choose_grid(page, cuts, {}, limits);
 }
 
-}  // namespace epura
+}  // namespace epura::search

@@ -7,7 +7,7 @@
 
 #include "base/vec.hpp"
 
-namespace epura {
+namespace epura::search {
 
 /// Equal cells from `origin`, `columns` by `rows` of them; what lies outside belongs to the nearest one.
 struct CellGrid {
@@ -63,4 +63,4 @@ void visit_cells(const CellGrid& grid, const Vec2& a, const Vec2& b, double marg
   }
 }
 
-}  // namespace epura
+}  // namespace epura::search

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace epura {
+namespace epura::search {
 
 TriangleOnGrid::TriangleOnGrid(const CellGrid& grid, const std::array<Vec2, 3>& corners, const Vec2& slack)
     : grid_(grid), corners_(corners), slack_(slack) {
@@ -74,4 +74,4 @@ RowOfCells TriangleOnGrid::cut_row(int row) const {
   return cells;
 }
 
-}  // namespace epura
+}  // namespace epura::search

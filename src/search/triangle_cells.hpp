@@ -9,7 +9,7 @@
 #include "base/vec.hpp"
 #include "search/line_cells.hpp"
 
-namespace epura {
+namespace epura::search {
 
 /// Columns `from` to `to` of a row may be touched; `inner_from` to `inner_to` lie inside the triangle. Either may be
 /// empty (from > to).
@@ -65,4 +65,4 @@ class TriangleOnGrid {
   int left_, right_, bottom_, top_;  ///< cells of its box; right < left where it lies beside the grid
 };
 
-}  // namespace epura
+}  // namespace epura::search

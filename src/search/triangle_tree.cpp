@@ -7,7 +7,7 @@
 
 #include "base/parallel.hpp"
 
-namespace epura {
+namespace epura::search {
 
 namespace {
 
@@ -188,4 +188,4 @@ std::vector<TriangleTree::NodePair> TriangleTree::tasks(std::size_t count) const
   return parts;
 }
 
-}  // namespace epura
+}  // namespace epura::search

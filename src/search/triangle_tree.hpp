@@ -12,7 +12,7 @@
 #include "base/unset_vector.hpp"
 #include "base/vec.hpp"
 
-namespace epura {
+namespace epura::search {
 
 /// Leaves hold sixteen triangles each, in the order of a space-filling curve, and boxes are rounded outwards to 32
 /// bits: many boxes are tested at once, and the tree takes about 32 bytes a triangle.
@@ -100,4 +100,4 @@ class TriangleTree {
   UnsetVector<Node> nodes_;
 };
 
-}  // namespace epura
+}  // namespace epura::search

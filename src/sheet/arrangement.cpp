@@ -11,7 +11,7 @@
 #include "sheet/arranger.hpp"
 #include "sheet/standard_scale.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 namespace {
 
@@ -68,7 +68,7 @@ std::optional<Found> at_free_scale(const Arranger& arranger, bool standard, doub
 
 struct Question {
   std::span<const ViewToPlace> views;
-  ScaleChoice choice;
+  scene::ScaleChoice choice;
   ProjectionAngle angle;
   DrawingRoom room;
 };
@@ -140,7 +140,7 @@ Arrangement on_cut_paper(Question question) {
   Paper trial = make_paper({}, false);
   question.room.title_block.reset();
   auto found = find_on(question, trial);
-  for (; !found && question.choice.fixed && trial.width < 2 * longest_side; trial.width *= 2, trial.height *= 2)
+  for (; !found && question.choice.fixed && trial.width < 2 * scene::longest_side; trial.width *= 2, trial.height *= 2)
     found = find_on(question, trial);
   if (!found) found = overflow(question, trial);
   const Rectangle box = box_of(found->spots);
@@ -164,7 +164,7 @@ bool stands_alone(const Question& question) {
 }
 
 Arrangement alone(const Question& question) {
-  const Window& box = question.views.front().box;
+  const projection::Window& box = question.views.front().box;
   const Paper& paper = question.room.paper;
   std::optional<double> scale = question.choice.fixed;
   if (!scale && question.choice.standard)
@@ -176,7 +176,7 @@ Arrangement alone(const Question& question) {
 
 }  // namespace
 
-ViewPlace view_place(const Projection& projection) {
+ViewPlace view_place(const projection::Projection& projection) {
   constexpr double same_direction = 1e-9;
   const auto same = [](const Vec3& a, const Vec3& b) { return glm::length(a - b) < same_direction; };
   if (projection.central || !same(glm::normalize(projection.projector), projection.n)) return ViewPlace::pictorial;
@@ -193,7 +193,7 @@ ViewPlace view_place(const Projection& projection) {
   return std::min({size.x, size.y, size.z}) < same_direction ? ViewPlace::other : ViewPlace::pictorial;
 }
 
-Arrangement arrange(std::span<const ViewToPlace> views, const ScaleChoice& choice, ProjectionAngle angle,
+Arrangement arrange(std::span<const ViewToPlace> views, const scene::ScaleChoice& choice, ProjectionAngle angle,
                     const DrawingRoom& room) {
   Question question{views, choice, angle, room};
   std::vector<ViewToPlace> single;
@@ -206,4 +206,4 @@ Arrangement arrange(std::span<const ViewToPlace> views, const ScaleChoice& choic
   return room.paper.width == 0 ? on_cut_paper(question) : on_paper(question);
 }
 
-}  // namespace epura
+}  // namespace epura::sheet

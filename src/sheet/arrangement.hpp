@@ -14,7 +14,7 @@
 #include "sheet/rectangle.hpp"
 #include "sheet/view_table.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 /// What a view is to the others. The first six have fixed places; `other` views share their scale (auxiliary views,
 /// sections); `pictorial` ones have another scale where theirs has no room.
@@ -23,12 +23,12 @@ enum class ViewPlace { front, back, left, right, top, bottom, pictorial, other }
 /// By what the projection does, whatever its name: principal where the projectors are perpendicular to the plane, along
 /// a world axis, and the page stands as ISO 128-3 has it; `other` for other directions perpendicular to a world axis;
 /// all else is pictorial.
-ViewPlace view_place(const Projection& projection);
+ViewPlace view_place(const projection::Projection& projection);
 
 /// A view that is to be placed. Windows of one world have a common origin.
 struct ViewToPlace {
   ViewPlace place = ViewPlace::other;
-  Window box;                      ///< of its ink in the projection plane
+  projection::Window box;          ///< of its ink in the projection plane
   std::optional<double> scale{};   ///< its own
   std::optional<Vec2> at{};        ///< middle of its ink, mm, where it has to stand
   Vec2 before{0, 0}, after{0, 0};  ///< mm to be kept free around the ink: left and below, right and above
@@ -57,7 +57,7 @@ struct Arrangement {
 /// front view, there or not; a second view with the same place is an `other` one, and so is one with its own scale. The
 /// others stand in the largest part of the sheet that is left. Each group is centred in its room. One view alone stands
 /// as place_ink says. `views` has at least one. Throws Error{input} beyond `longest_side`.
-Arrangement arrange(std::span<const ViewToPlace> views, const ScaleChoice& choice, ProjectionAngle angle,
+Arrangement arrange(std::span<const ViewToPlace> views, const scene::ScaleChoice& choice, ProjectionAngle angle,
                     const DrawingRoom& room);
 
-}  // namespace epura
+}  // namespace epura::sheet

@@ -9,7 +9,7 @@
 #include "sheet/free_rectangles.hpp"
 #include "sheet/standard_scale.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 namespace {
 
@@ -242,4 +242,4 @@ std::vector<ViewSpot> Arranger::overflowing(double scale) const {
   return all;
 }
 
-}  // namespace epura
+}  // namespace epura::sheet

@@ -12,7 +12,7 @@
 #include "sheet/rectangle.hpp"
 #include "sheet/view_table.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 /// Where to arrange, and how strictly.
 struct ArrangerRoom {
@@ -64,4 +64,4 @@ class Arranger {
   Tables others_, pictorials_, labelled_pictorials_;                // by number of columns
 };
 
-}  // namespace epura
+}  // namespace epura::sheet

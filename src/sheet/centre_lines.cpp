@@ -16,7 +16,7 @@
 #include "base/portable_math.hpp"
 #include "sheet/dash.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 namespace {
 
@@ -44,7 +44,7 @@ struct SeenCircle {
   }
 };
 
-SeenCircle see(const Mat4& world_to_page, const MeshCircle& circle) {
+SeenCircle see(const Mat4& world_to_page, const mesh::MeshCircle& circle) {
   const auto place = [&](const Vec3& p, double w) {
     const Vec4 image = world_to_page * Vec4(p, w);
     return Vec2(image.x, image.y) / world_to_page[3][3];
@@ -241,16 +241,16 @@ std::vector<Piece> uncovered(const std::vector<Piece>& pieces, std::span<const L
 
 using Edge = std::array<int, 3>;  // model, vertices
 
-std::vector<Edge> visible_edges(const ViewDrawing& drawing) {
+std::vector<Edge> visible_edges(const drawing::ViewDrawing& drawing) {
   std::vector<Edge> edges;
-  for (const Segment& s : drawing.segments)
+  for (const drawing::Segment& s : drawing.segments)
     if (s.visible && s.edge[0] >= 0)
       edges.push_back({s.model, std::min(s.edge[0], s.edge[1]), std::max(s.edge[0], s.edge[1])});
   std::sort(edges.begin(), edges.end());
   return edges;
 }
 
-bool is_visible(const PlacedCircle& placed, const std::vector<Edge>& edges) {
+bool is_visible(const scene::PlacedCircle& placed, const std::vector<Edge>& edges) {
   const std::vector<int>& v = placed.circle.vertices;
   for (std::size_t i = 0; i < v.size(); ++i) {
     const auto [low, high] = std::minmax(v[i], v[(i + 1) % v.size()]);
@@ -265,7 +265,7 @@ std::vector<SeenCircle> seen_circles(const CentredView& view) {
   });
   const std::vector<Edge> edges = some_without_hidden ? visible_edges(view.drawing) : std::vector<Edge>();
   std::vector<SeenCircle> seen;
-  for (const PlacedCircle& placed : view.circles) {
+  for (const scene::PlacedCircle& placed : view.circles) {
     const bool hides = view.styles[static_cast<std::size_t>(placed.model)].hidden == HiddenLines::none;
     if (hides && !is_visible(placed, edges)) continue;
     const SeenCircle circle = see(view.drawing.world_to_page, placed.circle);
@@ -279,7 +279,7 @@ std::vector<SeenCircle> seen_circles(const CentredView& view) {
 Layer centre_lines(const CentredView& view, const LineWidths& widths, std::span<const Layer> drawn,
                    const Progress& progress) {
   const double width = widths.narrow;
-  Layer layer = empty_layer(view.drawing.name, SheetLine::centre, widths);
+  Layer layer = empty_layer(view.drawing.name, scene::SheetLine::centre, widths);
   if (view.drawing.projection.central) return layer;
   const std::vector<SeenCircle> seen = seen_circles(view);
   std::vector<Piece> pieces = axes(seen);
@@ -287,11 +287,11 @@ Layer centre_lines(const CentredView& view, const LineWidths& widths, std::span<
   pieces = merged(pieces);
   for (const Piece& piece : uncovered(pieces, drawn, width / 2, progress)) {
     const double length = piece.to - piece.from;
-    const Dashes dashes =
-        piece.centred ? fit_centred(length, width, long_dash_dot) : fit_open(length, width, long_dash_dot);
+    const Dashes dashes = piece.centred ? fit_centred(length, width, scene::long_dash_dot)
+                                        : fit_open(length, width, scene::long_dash_dot);
     layer.strokes.push_back({{piece.at(piece.from), piece.at(piece.to)}, false, dashes});
   }
   return layer;
 }
 
-}  // namespace epura
+}  // namespace epura::sheet

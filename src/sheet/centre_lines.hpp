@@ -11,12 +11,12 @@
 #include "sheet/sheet.hpp"
 #include "sheet/view_lines.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 /// A drawing that is in its place, and the circles of its models.
 struct CentredView {
-  const ViewDrawing& drawing;
-  std::span<const PlacedCircle> circles;
+  const drawing::ViewDrawing& drawing;
+  std::span<const scene::PlacedCircle> circles;
   const std::vector<ModelStyle>& styles;  ///< by model
 };
 
@@ -30,4 +30,4 @@ struct CentredView {
 Layer centre_lines(const CentredView& view, const LineWidths& widths, std::span<const Layer> drawn,
                    const Progress& progress = {});
 
-}  // namespace epura
+}  // namespace epura::sheet

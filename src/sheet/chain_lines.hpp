@@ -6,13 +6,13 @@
 
 #include "drawing/drawing.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 /// Calls visit(from, to) for one after the other.
 template <class Visit>
-void visit_lines(const Chain& chain, const Visit& visit) {
+void visit_lines(const drawing::Chain& chain, const Visit& visit) {
   const std::size_t lines = chain.points.size() - (chain.closed ? 0 : 1);
   for (std::size_t i = 0; i < lines; ++i) visit(chain.points[i], chain.points[(i + 1) % chain.points.size()]);
 }
 
-}  // namespace epura
+}  // namespace epura::sheet

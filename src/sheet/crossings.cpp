@@ -12,7 +12,7 @@
 #include "search/choose_grid.hpp"
 #include "sheet/chain_lines.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 namespace {
 
@@ -43,14 +43,14 @@ constexpr std::size_t grain = 1024;
 
 }  // namespace
 
-Crossings::Crossings(std::span<const Chain> chains, std::vector<std::size_t> asked, const Progress& progress)
+Crossings::Crossings(std::span<const drawing::Chain> chains, std::vector<std::size_t> asked, const Progress& progress)
     : chains_(chains), asked_(std::move(asked)) {
   if (asked_.empty()) return;
   for (std::size_t i = 0; i < chains.size(); ++i)
-    if (!is_within_surface(chains[i].kind))
+    if (!edges::is_within_surface(chains[i].kind))
       visit_lines(chains[i], [&](const Vec2& from, const Vec2& to) { lines_.push_back({from, to, i}); });
   // At most one cell for each line, and not so many that lines would run through too many of them.
-  grid_ = grid_over_lines(lines_, {static_cast<double>(lines_.size()), 1e-3, 8, 0});
+  grid_ = search::grid_over_lines(lines_, {static_cast<double>(lines_.size()), 1e-3, 8, 0});
   fill(wanted_cells(progress), progress);
 }
 
@@ -60,7 +60,7 @@ std::vector<char> Crossings::wanted_cells(const Progress& progress) const {
   parallel_for(asked_.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       visit_lines(chains_[asked_[i]], [&](const Vec2& from, const Vec2& to) {
-        visit_cells(grid_, from, to, touching, [&](int cell, double, double) {
+        search::visit_cells(grid_, from, to, touching, [&](int cell, double, double) {
           std::atomic_ref(cells[cell]).store(1, std::memory_order_relaxed);
         });
       });
@@ -72,7 +72,7 @@ void Crossings::fill(const std::vector<char>& wanted, const Progress& progress) 
   lines_of_cells_ = Groups<int>(wanted.size(), [&](const auto& add) {
     parallel_for(lines_.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
-        visit_cells(grid_, lines_[i].from, lines_[i].to, touching, [&](int cell, double, double) {
+        search::visit_cells(grid_, lines_[i].from, lines_[i].to, touching, [&](int cell, double, double) {
           if (wanted[cell] != 0) add(static_cast<std::size_t>(cell), static_cast<int>(i));
         });
     });
@@ -94,7 +94,7 @@ std::vector<double> Crossings::along(std::size_t chain, double apart) const {
   if (!std::binary_search(asked_.begin(), asked_.end(), chain)) return found;
   double travelled = 0;
   visit_lines(chains_[chain], [&](const Vec2& from, const Vec2& to) {
-    visit_cells(grid_, from, to, touching, [&](int cell, double, double) {
+    search::visit_cells(grid_, from, to, touching, [&](int cell, double, double) {
       for (const int number : lines_of_cells_[static_cast<std::size_t>(cell)]) {
         const Line& line = lines_[number];
         if (line.chain == chain) continue;
@@ -113,4 +113,4 @@ std::vector<double> Crossings::along(std::size_t chain, double apart) const {
   return found;
 }
 
-}  // namespace epura
+}  // namespace epura::sheet

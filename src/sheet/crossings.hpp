@@ -11,13 +11,13 @@
 #include "drawing/drawing.hpp"
 #include "search/line_cells.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 /// Looks for crossings among the lines of one drawing by means of a grid.
 class Crossings {
  public:
   /// What crosses the chains `asked`, ascending. Others have no crossings. Throws OutOfTime.
-  Crossings(std::span<const Chain> chains, std::vector<std::size_t> asked, const Progress& progress = {});
+  Crossings(std::span<const drawing::Chain> chains, std::vector<std::size_t> asked, const Progress& progress = {});
 
   /// Distances along a chain from its first point, ascending, at which another chain that is not a tangent edge crosses
   /// it, touches it or ends on it. Points nearer than `apart` mm count once.
@@ -34,11 +34,11 @@ class Crossings {
   [[nodiscard]] std::vector<char> wanted_cells(const Progress& progress) const;
   void fill(const std::vector<char>& wanted, const Progress& progress);
 
-  std::span<const Chain> chains_;
+  std::span<const drawing::Chain> chains_;
   std::vector<std::size_t> asked_;
-  CellGrid grid_{};
+  search::CellGrid grid_{};
   std::vector<Line> lines_;
   Groups<int> lines_of_cells_;  ///< numbers of lines_
 };
 
-}  // namespace epura
+}  // namespace epura::sheet

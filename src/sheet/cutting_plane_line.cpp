@@ -9,7 +9,7 @@
 #include "base/portable_math.hpp"
 #include "sheet/dash.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 namespace {
 
@@ -28,7 +28,7 @@ Vec2 on_page(const Mat4& world_to_page, const Vec3& p) {
 }
 
 // In the world: along the plane, and across the projectors.
-Vec3 along_trace(const Projection& projection, const CuttingPlane& plane) {
+Vec3 along_trace(const projection::Projection& projection, const scene::CuttingPlane& plane) {
   return glm::cross(glm::normalize(projection.projector), plane.normal);
 }
 
@@ -39,7 +39,7 @@ struct Trace {
   double from, to;  ///< of the ink along it, from the point
 };
 
-std::optional<Trace> trace_of(const ViewDrawing& parent, const CuttingPlane& plane) {
+std::optional<Trace> trace_of(const drawing::ViewDrawing& parent, const scene::CuttingPlane& plane) {
   if (!sees_edge_on(parent.projection, plane)) return std::nullopt;
   const Mat4& map = parent.world_to_page;
   Trace trace{on_page(map, plane.point), Vec2(0), Vec2(0), HUGE_VAL, -HUGE_VAL};
@@ -47,7 +47,7 @@ std::optional<Trace> trace_of(const ViewDrawing& parent, const CuttingPlane& pla
   trace.along = glm::normalize(direction(along_trace(parent.projection, plane)));
   trace.seen = {-trace.along.y, trace.along.x};
   if (glm::dot(trace.seen, direction(plane.normal)) > 0) trace.seen = -trace.seen;
-  for (const Segment& segment : parent.segments)
+  for (const drawing::Segment& segment : parent.segments)
     for (const Vec2& p : {segment.from, segment.to}) {
       trace.from = std::min(trace.from, glm::dot(p - trace.point, trace.along));
       trace.to = std::max(trace.to, glm::dot(p - trace.point, trace.along));
@@ -93,30 +93,31 @@ void add_end(Layer& layer, const Trace& trace, double side, const std::string& n
 
 }  // namespace
 
-bool sees_edge_on(const Projection& projection, const CuttingPlane& plane) {
+bool sees_edge_on(const projection::Projection& projection, const scene::CuttingPlane& plane) {
   return !projection.central && std::abs(glm::dot(glm::normalize(projection.projector), plane.normal)) <= edge_on;
 }
 
-Vec2 cutting_plane_room(const Projection& projection, const CuttingPlane& plane, const LineWidths& widths) {
+Vec2 cutting_plane_room(const projection::Projection& projection, const scene::CuttingPlane& plane,
+                        const LineWidths& widths) {
   const Vec3 trace = along_trace(projection, plane), p = projection.projector;
   const Vec3 image = trace - glm::dot(trace, projection.n) / glm::dot(p, projection.n) * p;
   const Vec2 along = glm::normalize(Vec2(glm::dot(image, projection.u), glm::dot(image, projection.v)));
   return (past_outline + wide_end / 2 + letter_gap + 1) * letter_widths * widths.narrow * glm::abs(along);
 }
 
-std::optional<Layer> cutting_plane_line(const ViewDrawing& parent, const CuttingPlane& plane,
+std::optional<Layer> cutting_plane_line(const drawing::ViewDrawing& parent, const scene::CuttingPlane& plane,
                                         const LineWidths& widths) {
   const auto trace = trace_of(parent, plane);
   if (!trace) return std::nullopt;
   const double height = letter_widths * widths.narrow;
   const Vec2 from = end_of(*trace, -1, height), to = end_of(*trace, 1, height);
-  Layer layer = empty_layer(parent.name, SheetLine::cutting_plane, widths);
+  Layer layer = empty_layer(parent.name, scene::SheetLine::cutting_plane, widths);
   Stroke chain{{from + wide_end * height * trace->along, to - wide_end * height * trace->along}};
-  chain.dashes = fit_open(glm::distance(chain.points[0], chain.points[1]), widths.narrow, long_dash_dot);
+  chain.dashes = fit_open(glm::distance(chain.points[0], chain.points[1]), widths.narrow, scene::long_dash_dot);
   layer.strokes.push_back(chain);
   add_end(layer, *trace, -1, plane.name, widths);
   add_end(layer, *trace, 1, plane.name, widths);
   return layer;
 }
 
-}  // namespace epura
+}  // namespace epura::sheet

@@ -9,17 +9,19 @@
 #include "sheet/sheet.hpp"
 #include "sheet/view_lines.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 /// Whether a parallel projection sees the plane as a line.
-bool sees_edge_on(const Projection& projection, const CuttingPlane& plane);
+bool sees_edge_on(const projection::Projection& projection, const scene::CuttingPlane& plane);
 
 /// How far the marks of a plane that is seen edge-on reach past the ink of a view: to either side, up and down, mm.
-Vec2 cutting_plane_room(const Projection& projection, const CuttingPlane& plane, const LineWidths& widths);
+Vec2 cutting_plane_room(const projection::Projection& projection, const scene::CuttingPlane& plane,
+                        const LineWidths& widths);
 
 /// Layer "VIEW/cutting-plane": a narrow long-dashed dotted line (ISO 128-2, type 04.1) across the ink of `parent` with
 /// wide ends (04.2) past its outline, arrows onto them in the direction in which the section is seen, and its name
 /// beside them. Nothing where the view does not see the plane edge-on, and in central projections.
-std::optional<Layer> cutting_plane_line(const ViewDrawing& parent, const CuttingPlane& plane, const LineWidths& widths);
+std::optional<Layer> cutting_plane_line(const drawing::ViewDrawing& parent, const scene::CuttingPlane& plane,
+                                        const LineWidths& widths);
 
-}  // namespace epura
+}  // namespace epura::sheet

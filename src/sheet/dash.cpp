@@ -10,7 +10,7 @@
 
 #include "drawing/curve_part.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 namespace {
 
@@ -18,9 +18,11 @@ const Vec2& at(const std::vector<Vec2>& points, int index) {
   return points[static_cast<std::size_t>(index) % points.size()];
 }
 
-bool is_corner(const std::vector<Vec2>& points, int index, std::span<const CurvePart> curves) {
+bool is_corner(const std::vector<Vec2>& points, int index, std::span<const drawing::CurvePart> curves) {
   const int count = static_cast<int>(points.size());
-  const auto inside = [&](const CurvePart& curve) { return curve.first < index % count && index % count < curve.last; };
+  const auto inside = [&](const drawing::CurvePart& curve) {
+    return curve.first < index % count && index % count < curve.last;
+  };
   if (std::any_of(curves.begin(), curves.end(), inside)) return false;
   const Vec2 in = at(points, index) - at(points, index + count - 1), out = at(points, index + 1) - at(points, index);
   constexpr double cosine = 0.8660254037844386;  // of 30 degrees
@@ -38,7 +40,7 @@ bool inks_all(const Dashes& dashes, std::span<const double> crossings) {
 // Dashes of one length that have ink at all crossings, as near to the usual ones as can be.
 std::optional<Dashes> try_lengths(double length, double width, bool closed, std::span<const double> crossings) {
   for (const double gap_widths : {3.0, 2.5, 3.5}) {
-    const double gap = gap_widths * width, usual = dashed.dash * width + gap;
+    const double gap = gap_widths * width, usual = scene::dashed.dash * width + gap;
     const double dashes_more = closed ? 0 : 1;  // than gaps
     const double gaps = std::round((length + gap * dashes_more) / usual) - dashes_more;
     for (const double more : {0.0, 1.0, -1.0, 2.0, -2.0, 3.0, -3.0}) {
@@ -54,7 +56,8 @@ std::optional<Dashes> try_lengths(double length, double width, bool closed, std:
 
 // A dash around each crossing and at the ends; what is between them is filled as evenly as it goes.
 std::vector<double> pattern_for(double length, double width, bool closed, std::span<const double> crossings) {
-  const double half = dashed.dash / 2 * width, gap = dashed.gap * width, dash = dashed.dash * width;
+  const double half = scene::dashed.dash / 2 * width, gap = scene::dashed.gap * width,
+               dash = scene::dashed.dash * width;
   const double at_ends = closed ? half : dash;  // the halves at the seam of a closed line make one dash
   std::vector<std::array<double, 2>> inked{{0, at_ends}};
   const auto add = [&](double from, double to) {
@@ -83,7 +86,7 @@ std::vector<double> pattern_for(double length, double width, bool closed, std::s
 }
 
 // With a number of periods that is a multiple of `of`.
-Dashes fit_multiple(double length, double width, const DashType& type, double of) {
+Dashes fit_multiple(double length, double width, const scene::DashType& type, double of) {
   if (!(length >= type.shortest() * width)) return {};
   const double rest = type.rest() * width;
   const double periods = of * std::round((length - type.dash * width) / (of * (type.dash * width + rest)));
@@ -92,11 +95,15 @@ Dashes fit_multiple(double length, double width, const DashType& type, double of
 
 }  // namespace
 
-Dashes fit_open(double length, double width, const DashType& type) { return fit_multiple(length, width, type, 1); }
+Dashes fit_open(double length, double width, const scene::DashType& type) {
+  return fit_multiple(length, width, type, 1);
+}
 
-Dashes fit_centred(double length, double width, const DashType& type) { return fit_multiple(length, width, type, 2); }
+Dashes fit_centred(double length, double width, const scene::DashType& type) {
+  return fit_multiple(length, width, type, 2);
+}
 
-Dashes fit_closed(double length, double width, const DashType& type) {
+Dashes fit_closed(double length, double width, const scene::DashType& type) {
   if (!(length >= type.shortest() * width)) return {};
   const double rest = type.rest() * width;
   const double periods = std::round(length / (type.dash * width + rest));
@@ -115,7 +122,7 @@ FittedDashes fit_crossings(double length, double width, bool closed, std::span<c
 }
 
 std::vector<DashRun> cut_at_corners(const std::vector<Vec2>& points, bool closed, double shortest,
-                                    std::span<const CurvePart> curves) {
+                                    std::span<const drawing::CurvePart> curves) {
   const int count = static_cast<int>(points.size());
   int first = 0, last = count - 1;
   if (closed) {
@@ -123,7 +130,7 @@ std::vector<DashRun> cut_at_corners(const std::vector<Vec2>& points, bool closed
     if (first == count) return {{0, count, true}};
     last = first + count;
   }
-  const std::vector<double> distances = distances_along(points, closed, curves);
+  const std::vector<double> distances = drawing::distances_along(points, closed, curves);
   const auto travelled = [&](int i) { return i < count ? distances[i] : distances[i - count] + distances.back(); };
   const auto length = [&](int from, int to) { return travelled(to) - travelled(from); };
 
@@ -138,8 +145,8 @@ std::vector<DashRun> cut_at_corners(const std::vector<Vec2>& points, bool closed
   return runs;
 }
 
-double length_of(const std::vector<Vec2>& points, bool closed, std::span<const CurvePart> curves) {
-  return points.empty() ? 0 : distances_along(points, closed, curves).back();
+double length_of(const std::vector<Vec2>& points, bool closed, std::span<const drawing::CurvePart> curves) {
+  return points.empty() ? 0 : drawing::distances_along(points, closed, curves).back();
 }
 
-}  // namespace epura
+}  // namespace epura::sheet

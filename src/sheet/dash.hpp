@@ -9,17 +9,17 @@
 #include "scene/line_roles.hpp"
 #include "sheet/sheet.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 /// n = round((L - dash) / period) periods and one more dash fill the line exactly; the dashes are made to fit, about as
 /// long as the type says. Continuous when the line is too short.
-Dashes fit_open(double length, double width, const DashType& type = dashed);
+Dashes fit_open(double length, double width, const scene::DashType& type = scene::dashed);
 
 /// The same on a closed line: n = round(L / period) periods go round it exactly.
-Dashes fit_closed(double length, double width, const DashType& type = dashed);
+Dashes fit_closed(double length, double width, const scene::DashType& type = scene::dashed);
 
 /// The same as fit_open with a dash in the middle, where a centre line crosses another.
-Dashes fit_centred(double length, double width, const DashType& type);
+Dashes fit_centred(double length, double width, const scene::DashType& type);
 
 /// Dashed lines of type 02 that have ink at each of the `crossings`, ascending distances from their beginning: `dashes`
 /// with other lengths where these will do, otherwise a `pattern` for the whole line. Where that would have ink for
@@ -40,9 +40,9 @@ struct DashRun {
 /// run has at least `shortest` mm, so that corners too close together stay inside one. A closed line begins at a corner
 /// when it has one.
 std::vector<DashRun> cut_at_corners(const std::vector<Vec2>& points, bool closed, double shortest,
-                                    std::span<const CurvePart> curves = {});
+                                    std::span<const drawing::CurvePart> curves = {});
 
 /// Along lines and curves.
-double length_of(const std::vector<Vec2>& points, bool closed, std::span<const CurvePart> curves = {});
+double length_of(const std::vector<Vec2>& points, bool closed, std::span<const drawing::CurvePart> curves = {});
 
-}  // namespace epura
+}  // namespace epura::sheet

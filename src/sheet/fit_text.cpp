@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <utility>
 
-namespace epura {
+namespace epura::sheet {
 
 namespace {
 
@@ -71,4 +71,4 @@ FittedText fit_text(std::string_view text, double width, double height, const Le
   return in_two_lines(line, width, standard_heights.back(), lettering);
 }
 
-}  // namespace epura
+}  // namespace epura::sheet

@@ -8,7 +8,7 @@
 
 #include "sheet/lettering.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 struct FittedText {
   std::vector<std::string> lines;  ///< none for an empty text
@@ -21,4 +21,4 @@ struct FittedText {
 /// are spaces, several of them one.
 FittedText fit_text(std::string_view text, double width, double height, const Lettering& lettering);
 
-}  // namespace epura
+}  // namespace epura::sheet

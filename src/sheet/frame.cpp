@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace epura {
+namespace epura::sheet {
 
 namespace {
 
@@ -120,4 +120,4 @@ Furniture frame(const Paper& paper, FrameKind kind, const std::optional<Rectangl
   return all;
 }
 
-}  // namespace epura
+}  // namespace epura::sheet

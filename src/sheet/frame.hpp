@@ -8,7 +8,7 @@
 #include "sheet/furniture.hpp"
 #include "sheet/paper.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 /// The paper with the margins that a frame wants, 20 mm on the left and 10 mm elsewhere, if it is not smaller than A5;
 /// smaller sheets keep their margins.
@@ -19,4 +19,4 @@ Paper with_frame_margins(const Paper& paper);
 /// at the top and on the right only. Centring marks stop at the frame where they would reach into the title block.
 Furniture frame(const Paper& paper, FrameKind kind, const std::optional<Rectangle>& title_block);
 
-}  // namespace epura
+}  // namespace epura::sheet

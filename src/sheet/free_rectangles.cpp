@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-namespace epura {
+namespace epura::sheet {
 
 namespace {
 
@@ -45,4 +45,4 @@ std::vector<Rectangle> free_rectangles(const Rectangle& room, std::span<const Re
   return free;
 }
 
-}  // namespace epura
+}  // namespace epura::sheet

@@ -7,10 +7,10 @@
 
 #include "sheet/rectangle.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 /// The maximal rectangles of `room` that none of the `taken` ones reach into: each part of the room that is free lies
 /// in one of them, and none lies in another. They may overlap each other.
 std::vector<Rectangle> free_rectangles(const Rectangle& room, std::span<const Rectangle> taken);
 
-}  // namespace epura
+}  // namespace epura::sheet

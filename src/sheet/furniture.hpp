@@ -9,7 +9,7 @@
 #include "sheet/rectangle.hpp"
 #include "sheet/sheet.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 /// Widths of the lines, mm. ISO 5457: frame 0.7, grid 0.35.
 inline constexpr double wide_line = 0.7, medium_line = 0.35, narrow_line = 0.18;
@@ -29,4 +29,4 @@ void append(std::vector<Thing>& all, std::vector<Thing> more) {
   std::move(more.begin(), more.end(), std::back_inserter(all));
 }
 
-}  // namespace epura
+}  // namespace epura::sheet

@@ -13,7 +13,7 @@
 #include "base/portable_math.hpp"
 #include "mesh/even_odd.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 namespace {
 
@@ -77,7 +77,7 @@ Vec2 direction(double degrees) {
 }
 
 // Lines of all faces of a part in a view fall on one family, counted from the origin of the sheet.
-std::vector<Line> lines_of(const CutFace& face, double degrees, double spacing, const Progress& progress) {
+std::vector<Line> lines_of(const drawing::CutFace& face, double degrees, double spacing, const Progress& progress) {
   const Vec2 along = direction(degrees), n(-along.y, along.x);
   double min = HUGE_VAL, max = -HUGE_VAL;
   visit_sides(face.rings, [&](const Vec2& a, const Vec2&) {
@@ -96,8 +96,8 @@ std::vector<Line> lines_of(const CutFace& face, double degrees, double spacing, 
   return lines;
 }
 
-Outlines outlines_of(const CutFace& face) {
-  Outlines outlines;
+mesh::Outlines outlines_of(const drawing::CutFace& face) {
+  mesh::Outlines outlines;
   for (const Ring& ring : face.rings) {
     const int first = static_cast<int>(outlines.places.size()), count = static_cast<int>(ring.size());
     outlines.places.insert(outlines.places.end(), ring.begin(), ring.end());
@@ -106,24 +106,24 @@ Outlines outlines_of(const CutFace& face) {
   return outlines;
 }
 
-double area_of(const CutFace& face) {
-  Outlines outlines = outlines_of(face);
+double area_of(const drawing::CutFace& face) {
+  mesh::Outlines outlines = outlines_of(face);
   double area = 0;
-  for (const auto& [i, j, k] : fill_even_odd(outlines)) {
+  for (const auto& [i, j, k] : mesh::fill_even_odd(outlines)) {
     const Vec2 ab = outlines.places[j] - outlines.places[i], ac = outlines.places[k] - outlines.places[i];
     area += (ab.x * ac.y - ab.y * ac.x) / 2;
   }
   return area;
 }
 
-double length_of(const CutFace& face) {
+double length_of(const drawing::CutFace& face) {
   double length = 0;
   visit_sides(face.rings, [&](const Vec2& a, const Vec2& b) { length += glm::distance(a, b); });
   return length;
 }
 
 // A strip of width w and length l >> w has the area w l and the outline 2 l.
-bool is_thin(const CutFace& face) { return 2 * area_of(face) < thin_width * length_of(face); }
+bool is_thin(const drawing::CutFace& face) { return 2 * area_of(face) < thin_width * length_of(face); }
 
 double distance(const Vec2& p, const Line& line) {
   const Vec2 along = line[1] - line[0];
@@ -147,17 +147,17 @@ struct Frame {
 /// What the faces of one part have in common.
 struct Part {
   int model, body;
-  std::vector<std::pair<int, const CutFace*>> faces;  ///< and the number of the drawing
-  double largest = 0;                                 ///< mm2
+  std::vector<std::pair<int, const drawing::CutFace*>> faces;  ///< and the number of the drawing
+  double largest = 0;                                          ///< mm2
 };
 
-Frame frame_of(const CutFace& face) {
+Frame frame_of(const drawing::CutFace& face) {
   Frame frame;
   visit_sides(face.rings, [&](const Vec2& a, const Vec2&) { frame.add(a); });
   return frame;
 }
 
-std::vector<Line> sides_near(const CutFace& face, const Frame& frame) {
+std::vector<Line> sides_near(const drawing::CutFace& face, const Frame& frame) {
   std::vector<Line> near;
   visit_sides(face.rings, [&](const Vec2& a, const Vec2& b) {
     if (frame.meets(glm::min(a, b), glm::max(a, b))) near.push_back({a, b});
@@ -167,14 +167,14 @@ std::vector<Line> sides_near(const CutFace& face, const Frame& frame) {
 
 // Closer than `nearest`, or over one another. (Outlines that only cross come close at a corner, or each has corners in
 // the other.)
-bool touch(const CutFace& one, const CutFace& two) {
+bool touch(const drawing::CutFace& one, const drawing::CutFace& two) {
   const Frame of_one = frame_of(one), of_two = frame_of(two);
   if (!of_one.meets(of_two.min, of_two.max)) return false;
   const std::vector<Line> first = sides_near(one, of_two), second = sides_near(two, of_one);
   for (const Line& a : first)
     for (const Line& b : second)
       if (distance(a[0], b) < nearest || distance(b[0], a) < nearest) return true;
-  return is_inside(outlines_of(one), two.rings[0][0]) || is_inside(outlines_of(two), one.rings[0][0]);
+  return mesh::is_inside(outlines_of(one), two.rings[0][0]) || mesh::is_inside(outlines_of(two), one.rings[0][0]);
 }
 
 bool touch(const Part& one, const Part& two) {
@@ -206,10 +206,10 @@ PlaceOnSheet place_of(const Part& part) {
 }
 
 // In an order that does not know how files number their bodies and faces.
-std::vector<Part> parts_of(std::span<const ViewDrawing* const> drawings) {
+std::vector<Part> parts_of(std::span<const drawing::ViewDrawing* const> drawings) {
   std::map<std::pair<int, int>, Part> parts;
   for (std::size_t d = 0; d < drawings.size(); ++d)
-    for (const CutFace& face : drawings[d]->cut_faces) {
+    for (const drawing::CutFace& face : drawings[d]->cut_faces) {
       Part& part = parts.try_emplace({face.model, face.body}, Part{face.model, face.body, {}}).first->second;
       part.faces.emplace_back(static_cast<int>(d), &face);
       part.largest = std::max(part.largest, area_of(face));
@@ -270,7 +270,7 @@ Hatching hatching_of(const Part& part, const std::vector<Hatching>& neighbours) 
 
 }  // namespace
 
-std::vector<Hatching> choose_hatching(std::span<const ViewDrawing* const> drawings, const Progress& progress) {
+std::vector<Hatching> choose_hatching(std::span<const drawing::ViewDrawing* const> drawings, const Progress& progress) {
   const std::vector<Part> parts = parts_of(drawings);
   std::vector<Hatching> chosen;
   for (std::size_t p = 0; p < parts.size(); ++p) {
@@ -286,10 +286,10 @@ std::vector<Hatching> choose_hatching(std::span<const ViewDrawing* const> drawin
   return chosen;
 }
 
-Layer hatch_layer(const ViewDrawing& drawing, std::span<const Hatching> hatching, const LineWidths& widths,
+Layer hatch_layer(const drawing::ViewDrawing& drawing, std::span<const Hatching> hatching, const LineWidths& widths,
                   const Progress& progress) {
-  Layer layer = empty_layer(drawing.name, SheetLine::hatch, widths);
-  for (const CutFace& face : drawing.cut_faces) {
+  Layer layer = empty_layer(drawing.name, scene::SheetLine::hatch, widths);
+  for (const drawing::CutFace& face : drawing.cut_faces) {
     const auto found = std::find_if(hatching.begin(), hatching.end(),
                                     [&](const Hatching& h) { return h.model == face.model && h.body == face.body; });
     check(found != hatching.end(), "every part that is cut has a hatching");
@@ -305,4 +305,4 @@ Layer hatch_layer(const ViewDrawing& drawing, std::span<const Hatching> hatching
   return layer;
 }
 
-}  // namespace epura
+}  // namespace epura::sheet

@@ -11,7 +11,7 @@
 #include "sheet/sheet.hpp"
 #include "sheet/view_lines.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 /// How the cut faces of one part are hatched, in all views.
 struct Hatching {
@@ -23,11 +23,12 @@ struct Hatching {
 /// A hatching for each part that is cut, sorted by model and body. Spacing grows with the largest cut face, from 1 to
 /// 4 mm. Lines do not run along the part's own outlines nor straight across, and parts whose cut faces come closer than
 /// 0.7 mm differ by angle or spacing. Throws OutOfTime.
-std::vector<Hatching> choose_hatching(std::span<const ViewDrawing* const> drawings, const Progress& progress = {});
+std::vector<Hatching> choose_hatching(std::span<const drawing::ViewDrawing* const> drawings,
+                                      const Progress& progress = {});
 
 /// Layer "VIEW/hatch". Hatching lines end at the outlines; faces that are less than 1 mm wide on average are fills.
 /// Throws OutOfTime.
-Layer hatch_layer(const ViewDrawing& drawing, std::span<const Hatching> hatching, const LineWidths& widths,
+Layer hatch_layer(const drawing::ViewDrawing& drawing, std::span<const Hatching> hatching, const LineWidths& widths,
                   const Progress& progress = {});
 
-}  // namespace epura
+}  // namespace epura::sheet

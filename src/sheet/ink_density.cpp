@@ -8,15 +8,15 @@
 #include "base/parallel.hpp"
 #include "sheet/chain_lines.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 namespace {
 
 constexpr double nanometres = 1e6;  // in a millimetre
 
-CellGrid grid_over(std::span<const Chain> chains, double side) {
+search::CellGrid grid_over(std::span<const drawing::Chain> chains, double side) {
   Vec2 min(HUGE_VAL), max(-HUGE_VAL);
-  for (const Chain& chain : chains)
+  for (const drawing::Chain& chain : chains)
     for (const Vec2& point : chain.points) {
       min = glm::min(min, point);
       max = glm::max(max, point);
@@ -32,20 +32,20 @@ CellGrid grid_over(std::span<const Chain> chains, double side) {
 
 /// Calls visit(cell, length) for the part of each line of a chain in each cell.
 template <class Visit>
-void visit_parts(const CellGrid& grid, const Chain& chain, const Visit& visit) {
+void visit_parts(const search::CellGrid& grid, const drawing::Chain& chain, const Visit& visit) {
   visit_lines(chain, [&](const Vec2& from, const Vec2& to) {
     const double length = glm::distance(from, to);
-    visit_cells(grid, from, to, 0, [&](int cell, double s, double t) { visit(cell, (t - s) * length); });
+    search::visit_cells(grid, from, to, 0, [&](int cell, double s, double t) { visit(cell, (t - s) * length); });
   });
 }
 
 }  // namespace
 
-InkDensity::InkDensity(std::span<const Chain> chains, double cell_side, const Progress& progress)
+InkDensity::InkDensity(std::span<const drawing::Chain> chains, double cell_side, const Progress& progress)
     : grid_(grid_over(chains, cell_side)), ink_(static_cast<std::size_t>(grid_.count()), 0) {
   parallel_for(chains.size(), 1024, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      if (is_within_surface(chains[i].kind)) continue;
+      if (edges::is_within_surface(chains[i].kind)) continue;
       visit_parts(grid_, chains[i], [&](int cell, double length) {
         std::atomic_ref(ink_[cell]).fetch_add(std::llround(length * nanometres), std::memory_order_relaxed);
       });
@@ -53,7 +53,7 @@ InkDensity::InkDensity(std::span<const Chain> chains, double cell_side, const Pr
   });
 }
 
-double InkDensity::along(const Chain& chain) const {
+double InkDensity::along(const drawing::Chain& chain) const {
   double all = 0, inked = 0;
   visit_parts(grid_, chain, [&](int cell, double length) {
     all += length;
@@ -62,4 +62,4 @@ double InkDensity::along(const Chain& chain) const {
   return all > 0 ? inked / (all * grid_.side.x * grid_.side.y) : 0;
 }
 
-}  // namespace epura
+}  // namespace epura::sheet

@@ -14,7 +14,7 @@
 #include FT_FREETYPE_H
 #include FT_OUTLINE_H
 
-namespace epura {
+namespace epura::sheet {
 
 namespace {
 
@@ -199,4 +199,4 @@ std::vector<MissingCharacter> missing_characters(const Sheet& sheet) {
   return all;
 }
 
-}  // namespace epura
+}  // namespace epura::sheet

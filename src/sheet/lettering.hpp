@@ -10,7 +10,7 @@
 
 #include "sheet/sheet.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 /// A closed outline of quadratic curves (TrueType): from the end of one to the end of the next, the first one from the
 /// end of the last. A straight piece has its control point in its middle.
@@ -60,4 +60,4 @@ struct MissingCharacter {
 /// Each such character once, in the order of the texts. Opens the font where there are texts.
 std::vector<MissingCharacter> missing_characters(const Sheet& sheet);
 
-}  // namespace epura
+}  // namespace epura::sheet

@@ -4,21 +4,21 @@
 #include "base/error.hpp"
 #include "sheet/furniture.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 namespace {
 
-double width_of(LineWidth width, const LineWidths& widths) {
+double width_of(scene::LineWidth width, const LineWidths& widths) {
   switch (width) {
-    case LineWidth::wide:
+    case scene::LineWidth::wide:
       return widths.wide;
-    case LineWidth::narrow:
+    case scene::LineWidth::narrow:
       return widths.narrow;
-    case LineWidth::frame:
+    case scene::LineWidth::frame:
       return wide_line;
-    case LineWidth::grid:
+    case scene::LineWidth::grid:
       return medium_line;
-    case LineWidth::symbol:
+    case scene::LineWidth::symbol:
       return narrow_line;
   }
   check(false, "a line has a width");
@@ -32,18 +32,18 @@ LineWidths line_widths(const Paper& paper) {
   return {0.5, 0.25};
 }
 
-Dashes nominal_dashes(const DashType& type, double width) {
+Dashes nominal_dashes(const scene::DashType& type, double width) {
   return {type.dash * width, type.gap * width, type.dot * width, type.dots};
 }
 
-LineStyle line_style(SheetLine line, const LineWidths& widths) {
-  const SheetLineRow& row = row_of(line);
+LineStyle line_style(scene::SheetLine line, const LineWidths& widths) {
+  const scene::SheetLineRow& row = scene::row_of(line);
   const double width = width_of(row.width, widths);
   return {row.name, width, nominal_dashes(row.dashes, width)};
 }
 
-Layer empty_layer(const std::string& view, SheetLine line, const LineWidths& widths) {
-  return {view + "/" + row_of(line).layer, line_style(line, widths), {}};
+Layer empty_layer(const std::string& view, scene::SheetLine line, const LineWidths& widths) {
+  return {view + "/" + scene::row_of(line).layer, line_style(line, widths), {}};
 }
 
-}  // namespace epura
+}  // namespace epura::sheet

@@ -8,7 +8,7 @@
 #include "sheet/paper.hpp"
 #include "sheet/sheet.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 /// Widths of lines that follow the sheet, mm: 0.7 and 0.35 from A1 on, 0.5 and 0.25 below.
 struct LineWidths {
@@ -17,11 +17,11 @@ struct LineWidths {
 LineWidths line_widths(const Paper& paper);
 
 /// The pattern for lines of this width, not fitted to any.
-Dashes nominal_dashes(const DashType& type, double width);
+Dashes nominal_dashes(const scene::DashType& type, double width);
 
-LineStyle line_style(SheetLine line, const LineWidths& widths);
+LineStyle line_style(scene::SheetLine line, const LineWidths& widths);
 
 /// Layer "VIEW/...", without ink.
-Layer empty_layer(const std::string& view, SheetLine line, const LineWidths& widths);
+Layer empty_layer(const std::string& view, scene::SheetLine line, const LineWidths& widths);
 
-}  // namespace epura
+}  // namespace epura::sheet

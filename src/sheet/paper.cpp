@@ -10,7 +10,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 namespace {
 
@@ -28,19 +28,19 @@ double fitting_scale(const Vec2& ink, const Vec2& room) {
 
 }  // namespace
 
-Paper make_paper(const PaperChoice& size, bool portrait) {
+Paper make_paper(const scene::PaperChoice& size, bool portrait) {
   switch (size.kind) {
-    case PaperChoice::Kind::iso: {
+    case scene::PaperChoice::Kind::iso: {
       const auto& [longer, shorter] = a_sizes[static_cast<std::size_t>(size.number)];
       return portrait ? Paper{shorter, longer, 20, 10} : Paper{longer, shorter, 20, 10};
     }
-    case PaperChoice::Kind::custom: {
+    case scene::PaperChoice::Kind::custom: {
       const auto [width, height] = size.size;
       const double margin = std::min(5.0, std::min(width, height) / 10);
       return {width, height, margin, margin};
     }
-    case PaperChoice::Kind::none:
-    case PaperChoice::Kind::automatic:
+    case scene::PaperChoice::Kind::none:
+    case scene::PaperChoice::Kind::automatic:
       break;
   }
   return {};
@@ -60,7 +60,7 @@ Rectangle drawing_area(const Paper& paper) {
 }
 
 void check_drawing_size(const Vec2& size) {
-  if (!(size.x <= longest_side && size.y <= longest_side))
+  if (!(size.x <= scene::longest_side && size.y <= scene::longest_side))
     throw Error(ErrorKind::input, "--scale",
                 "the drawing would be " + format_fixed(std::max(size.x, size.y) / 1000, 1) + " m long",
                 "use fit or a smaller scale");
@@ -87,4 +87,4 @@ Placement place_ink(const Vec2& min, const Vec2& max, std::optional<double> scal
   return placement;
 }
 
-}  // namespace epura
+}  // namespace epura::sheet

@@ -10,7 +10,7 @@
 #include "scene/choices.hpp"
 #include "sheet/rectangle.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 /// Millimetres. Width 0: the paper is cut to the drawing.
 struct Paper {
@@ -19,7 +19,7 @@ struct Paper {
 };
 
 /// A sizes lie on their side unless `portrait`. An automatic size is none.
-Paper make_paper(const PaperChoice& size, bool portrait);
+Paper make_paper(const scene::PaperChoice& size, bool portrait);
 
 /// "A3" for a sheet of that size, however it lies; otherwise "300x200"; empty for paper that is cut to the drawing.
 std::string paper_name(const Paper& paper);
@@ -42,4 +42,4 @@ void check_drawing_size(const Vec2& size);
 /// made as large as fits; without paper, as large as fits on A4. Throws Error{input} beyond `longest_side`.
 Placement place_ink(const Vec2& min, const Vec2& max, std::optional<double> scale, const Paper& paper);
 
-}  // namespace epura
+}  // namespace epura::sheet

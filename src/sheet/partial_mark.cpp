@@ -9,7 +9,7 @@
 #include "base/text.hpp"
 #include "sheet/line_styles.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 namespace {
 
@@ -73,7 +73,7 @@ Layer partial_mark(const Paper& paper, const std::string& stage) {
   const double unit = std::min(height_in_margin * paper.other / letter_height, paper.width / width);
   const Vec2 start(std::min(paper.left, paper.width - unit * width),
                    paper.height - paper.other / 2 - unit * letter_height / 2);
-  Layer layer = empty_layer("sheet", SheetLine::partial, line_widths(paper));
+  Layer layer = empty_layer("sheet", scene::SheetLine::partial, line_widths(paper));
   layer.style.width = line_per_height * letter_height * unit;
   for (std::size_t i = 0; i < letters.size(); ++i)
     for (const std::vector<Vec2>& line : letters[i]) {
@@ -85,4 +85,4 @@ Layer partial_mark(const Paper& paper, const std::string& stage) {
   return layer;
 }
 
-}  // namespace epura
+}  // namespace epura::sheet

@@ -8,7 +8,7 @@
 #include "base/portable_math.hpp"
 #include "sheet/dash.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 namespace {
 
@@ -31,7 +31,7 @@ Stroke circle(const Vec2& centre, double radius) {
 
 Stroke centre_line(const Vec2& from, const Vec2& to) {
   Stroke stroke = line(from, to);
-  stroke.dashes = fit_open(glm::length(to - from), narrow_line, long_dash_dot);
+  stroke.dashes = fit_open(glm::length(to - from), narrow_line, scene::long_dash_dot);
   return stroke;
 }
 
@@ -57,4 +57,4 @@ Furniture projection_symbol(ProjectionAngle angle, double height, const Vec2& ce
   return symbol;
 }
 
-}  // namespace epura
+}  // namespace epura::sheet

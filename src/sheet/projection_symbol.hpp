@@ -5,7 +5,7 @@
 #include "scene/choices.hpp"
 #include "sheet/furniture.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 /// A truncated cone, and beside it the view of its small end: two circles. `height` is that of the lettering around it:
 /// the diameter of the small end; the large end is twice that, as is the cone's length. The small end points to the
@@ -16,4 +16,4 @@ Furniture projection_symbol(ProjectionAngle angle, double height, const Vec2& ce
 /// Of the symbol with its centre lines, mm.
 Vec2 projection_symbol_size(double height);
 
-}  // namespace epura
+}  // namespace epura::sheet

@@ -4,7 +4,7 @@
 
 #include "base/vec.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 struct Rectangle {
   Vec2 min, max;
@@ -29,4 +29,4 @@ inline Rectangle united(const Rectangle& a, const Rectangle& b) {
   return {glm::min(a.min, b.min), glm::max(a.max, b.max)};
 }
 
-}  // namespace epura
+}  // namespace epura::sheet

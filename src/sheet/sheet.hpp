@@ -12,7 +12,7 @@
 #include "base/vec.hpp"
 #include "drawing/drawing.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 /// The pattern of a line in millimetres of paper: a dash and a gap, then `dots` times a dot and a gap. ISO 128-2.
 /// dash 0: continuous.
@@ -51,11 +51,11 @@ struct ModelEdge {
 struct Stroke {
   std::vector<Vec2> points;  ///< y up, origin at the lower left corner of the sheet
   bool closed = false;
-  Dashes dashes{};                  ///< fitted to this stroke, so that it ends on dashes
-  std::vector<double> pattern{};    ///< instead, where crossings want it: ink, gap, ink, gap ... for the whole stroke
-  std::optional<EdgeKind> kind{};   ///< of what it draws; a frame has none
-  std::vector<ModelEdge> edges{};   ///< that it draws, in its order
-  std::vector<CurvePart> curves{};  ///< parts of the points that are arcs, ascending and disjoint
+  Dashes dashes{};                 ///< fitted to this stroke, so that it ends on dashes
+  std::vector<double> pattern{};   ///< instead, where crossings want it: ink, gap, ink, gap ... for the whole stroke
+  std::optional<EdgeKind> kind{};  ///< of what it draws; a frame has none
+  std::vector<ModelEdge> edges{};  ///< that it draws, in its order
+  std::vector<drawing::CurvePart> curves{};  ///< parts of the points that are arcs, ascending and disjoint
 };
 
 /// An area filled with black, by the even-odd rule. Rings as in a stroke, not repeating their first point.
@@ -99,4 +99,4 @@ struct Sheet {
   std::vector<std::pair<std::string, std::string>> facts{};  ///< more metadata: ("author", "N. N."), ("scale", "1:2")
 };
 
-}  // namespace epura
+}  // namespace epura::sheet

@@ -5,7 +5,7 @@
 
 #include "sheet/line_styles.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 FurnitureLayers sheet_layers(const SheetFurniture& furniture, const Lettering& lettering) {
   DrawnTitleBlock block;
@@ -20,19 +20,20 @@ FurnitureLayers sheet_layers(const SheetFurniture& furniture, const Lettering& l
   append(border.texts, furniture.labels);
 
   FurnitureLayers result{{}, std::move(block.warnings)};
-  const auto add = [&, widths = line_widths(furniture.paper)](SheetLine line, std::vector<Stroke> strokes) -> Layer& {
+  const auto add = [&, widths = line_widths(furniture.paper)](scene::SheetLine line,
+                                                              std::vector<Stroke> strokes) -> Layer& {
     Layer& layer = result.layers.emplace_back(empty_layer("sheet", line, widths));
     layer.strokes = std::move(strokes);
     return layer;
   };
-  add(SheetLine::frame, std::move(border.wide)).fills = std::move(border.fills);
-  add(SheetLine::grid, std::move(border.medium));
-  add(SheetLine::title_block, std::move(block.ink.medium));
-  add(SheetLine::symbol_axes, std::move(block.ink.narrow));
-  add(SheetLine::text, {}).texts = std::move(border.texts);
+  add(scene::SheetLine::frame, std::move(border.wide)).fills = std::move(border.fills);
+  add(scene::SheetLine::grid, std::move(border.medium));
+  add(scene::SheetLine::title_block, std::move(block.ink.medium));
+  add(scene::SheetLine::symbol_axes, std::move(block.ink.narrow));
+  add(scene::SheetLine::text, {}).texts = std::move(border.texts);
   std::erase_if(result.layers,
                 [](const Layer& layer) { return layer.strokes.empty() && layer.fills.empty() && layer.texts.empty(); });
   return result;
 }
 
-}  // namespace epura
+}  // namespace epura::sheet

@@ -9,7 +9,7 @@
 #include "sheet/frame.hpp"
 #include "sheet/title_block.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 struct SheetFurniture {
   Paper paper;  ///< with its size settled and the margins of its frame
@@ -31,4 +31,4 @@ struct FurnitureLayers {
 ///   sheet/text          all lettering
 FurnitureLayers sheet_layers(const SheetFurniture& furniture, const Lettering& lettering);
 
-}  // namespace epura
+}  // namespace epura::sheet

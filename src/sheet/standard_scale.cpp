@@ -6,7 +6,7 @@
 
 #include "base/text.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 namespace {
 
@@ -39,4 +39,4 @@ std::string ratio_text(double scale) {
   return scale >= 1 ? plain + ":1" : "1:" + plain;
 }
 
-}  // namespace epura
+}  // namespace epura::sheet

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace epura {
+namespace epura::sheet {
 
 /// The largest standard scale that is not above `scale`, a positive number; one that is above by a rounding error only
 /// counts as not above. Between 1:10^300 and 5*10^301:1.
@@ -15,4 +15,4 @@ double standard_scale_up_to(double scale);
 /// more than 10^9.
 std::string ratio_text(double scale);
 
-}  // namespace epura
+}  // namespace epura::sheet

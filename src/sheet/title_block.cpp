@@ -8,7 +8,7 @@
 
 #include "sheet/fit_text.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 namespace {
 
@@ -204,4 +204,4 @@ DrawnTitleBlock draw_title_block(const TitleBlock& block, const Paper& paper, co
   return writer.result();
 }
 
-}  // namespace epura
+}  // namespace epura::sheet

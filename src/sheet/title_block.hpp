@@ -12,7 +12,7 @@
 #include "sheet/paper.hpp"
 #include "sheet/projection_symbol.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 /// What is to stand in a title block. Nothing is invented: a cell without a value has its caption only.
 struct TitleBlock {
@@ -38,4 +38,4 @@ std::optional<Rectangle> title_block_box(const TitleBlock& block, const Paper& p
 /// Lines, captions and values. Long values are fitted as fit_text does.
 DrawnTitleBlock draw_title_block(const TitleBlock& block, const Paper& paper, const Lettering& lettering);
 
-}  // namespace epura
+}  // namespace epura::sheet

@@ -3,7 +3,7 @@
 
 #include "sheet/standard_scale.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 namespace {
 
@@ -22,4 +22,4 @@ Text label_above(const std::string& label, const Rectangle& ink) {
   return {label, {ink.centre().x, ink.max.y + above_ink}, height, 0, Align::middle, "label"};
 }
 
-}  // namespace epura
+}  // namespace epura::sheet

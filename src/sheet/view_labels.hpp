@@ -8,7 +8,7 @@
 #include "sheet/rectangle.hpp"
 #include "sheet/sheet.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 /// What stands above a view: its label, and its scale where that is not the sheet's: "A-A", "A-A (2:1)", "(1:2)". Views
 /// without a scale, perspectives, have `scale` nothing. A scale that is not a simple ratio is not written.
@@ -17,4 +17,4 @@ std::string view_label(const std::string& label, std::optional<double> scale, do
 /// The label above the middle of the view's ink, 5 mm high.
 Text label_above(const std::string& label, const Rectangle& ink);
 
-}  // namespace epura
+}  // namespace epura::sheet

@@ -17,7 +17,7 @@
 #include "sheet/dash.hpp"
 #include "sheet/ink_density.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 namespace {
 
@@ -25,10 +25,10 @@ constexpr double tangent_gap = 2;  // wide lines
 constexpr std::size_t chains_a_part = 1024;
 
 // What the chain and its segments say about a stroke: their kind, and the model edges, each run of one edge once.
-void add_origin(Stroke& stroke, const ViewDrawing& drawing, EdgeKind kind, std::span<const int> segments) {
+void add_origin(Stroke& stroke, const drawing::ViewDrawing& drawing, EdgeKind kind, std::span<const int> segments) {
   stroke.kind = kind;
   for (const int index : segments) {
-    const Segment& segment = drawing.segments[static_cast<std::size_t>(index)];
+    const drawing::Segment& segment = drawing.segments[static_cast<std::size_t>(index)];
     if (segment.edge[0] < 0) continue;
     const auto [low, high] = std::minmax(segment.edge[0], segment.edge[1]);
     const ModelEdge edge{segment.model, {low, high}};
@@ -36,7 +36,7 @@ void add_origin(Stroke& stroke, const ViewDrawing& drawing, EdgeKind kind, std::
   }
 }
 
-Stroke continuous(const ViewDrawing& drawing, const Chain& chain) {
+Stroke continuous(const drawing::ViewDrawing& drawing, const drawing::Chain& chain) {
   Stroke stroke;
   stroke.points = chain.points;
   stroke.closed = chain.closed;
@@ -46,7 +46,7 @@ Stroke continuous(const ViewDrawing& drawing, const Chain& chain) {
 }
 
 // The segments that draw a run; all of the chain where segments and points do not go side by side.
-std::vector<int> segments_of(const Chain& chain, const DashRun& run) {
+std::vector<int> segments_of(const drawing::Chain& chain, const DashRun& run) {
   const std::size_t lines = chain.points.size() - (chain.closed ? 0 : 1);
   if (chain.segments.size() != lines) return chain.segments;
   std::vector<int> segments;
@@ -66,9 +66,10 @@ std::vector<double> crossings_of_run(const std::vector<double>& crossings, doubl
 }
 
 // Places along the straight lines of a chain as places along its curves.
-std::vector<double> onto_curves(std::vector<double> places, const Chain& chain, const std::vector<double>& distances) {
+std::vector<double> onto_curves(std::vector<double> places, const drawing::Chain& chain,
+                                const std::vector<double>& distances) {
   if (chain.curves.empty()) return places;
-  const std::vector<double> straight = distances_along(chain.points, chain.closed, {});
+  const std::vector<double> straight = drawing::distances_along(chain.points, chain.closed, {});
   std::size_t i = 0;
   for (double& place : places) {
     while (i + 2 < straight.size() && straight[i + 1] < place) ++i;
@@ -81,8 +82,8 @@ std::vector<double> onto_curves(std::vector<double> places, const Chain& chain, 
 
 /// A chain to be dashed.
 struct DashedChain {
-  const ViewDrawing& drawing;
-  const Chain& chain;
+  const drawing::ViewDrawing& drawing;
+  const drawing::Chain& chain;
   double width;
   std::vector<double> distances;  ///< of its points
   std::vector<double> crossings;  ///< places along it
@@ -99,7 +100,7 @@ Stroke DashedChain::stroke(const DashRun& run) const {
   stroke.closed = run.closed;
   for (int i = run.first; i <= run.last - (run.closed ? 1 : 0); ++i)
     stroke.points.push_back(chain.points[static_cast<std::size_t>(i) % chain.points.size()]);
-  stroke.curves = curves_between(chain.curves, chain.points, run.first, run.last);
+  stroke.curves = drawing::curves_between(chain.curves, chain.points, run.first, run.last);
   const double start = distance(run.first), length = distance(run.last) - start;
   FittedDashes fitted =
       fit_crossings(length, width, stroke.closed, crossings_of_run(crossings, start, length, distances.back()));
@@ -110,26 +111,28 @@ Stroke DashedChain::stroke(const DashRun& run) const {
 }
 
 // Lines that are too short for two dashes stay continuous.
-bool is_dashed(const Chain& chain, double width) {
-  return chain.points.size() >= 2 && length_of(chain.points, chain.closed, chain.curves) >= dashed.shortest() * width;
+bool is_dashed(const drawing::Chain& chain, double width) {
+  return chain.points.size() >= 2 &&
+         length_of(chain.points, chain.closed, chain.curves) >= scene::dashed.shortest() * width;
 }
 
-std::vector<DashRun> dash_runs(const Chain& chain, double width) {
-  return cut_at_corners(chain.points, chain.closed, dashed.shortest() * width, chain.curves);
+std::vector<DashRun> dash_runs(const drawing::Chain& chain, double width) {
+  return cut_at_corners(chain.points, chain.closed, scene::dashed.shortest() * width, chain.curves);
 }
 
 // A stroke for each run.
-void draw_dashed(Stroke* strokes, const ViewDrawing& drawing, std::size_t number, double width,
+void draw_dashed(Stroke* strokes, const drawing::ViewDrawing& drawing, std::size_t number, double width,
                  const Crossings& crossings) {
-  const Chain& chain = drawing.chains[number];
-  std::vector<double> distances = distances_along(chain.points, chain.closed, chain.curves);
+  const drawing::Chain& chain = drawing.chains[number];
+  std::vector<double> distances = drawing::distances_along(chain.points, chain.closed, chain.curves);
   std::vector<double> places = onto_curves(crossings.along(number, width), chain, distances);
   const DashedChain dashed_chain{drawing, chain, width, std::move(distances), std::move(places)};
   for (const DashRun& run : dash_runs(chain, width)) *strokes++ = dashed_chain.stroke(run);
 }
 
 // With dots, the line as a whole is fitted.
-Stroke dotted(const ViewDrawing& drawing, const Chain& chain, double width, const DashType& type) {
+Stroke dotted(const drawing::ViewDrawing& drawing, const drawing::Chain& chain, double width,
+              const scene::DashType& type) {
   Stroke stroke = continuous(drawing, chain);
   const double length = length_of(chain.points, chain.closed, chain.curves);
   stroke.dashes = chain.closed ? fit_closed(length, width, type) : fit_open(length, width, type);
@@ -142,7 +145,7 @@ void shorten(Stroke& stroke, double by) {
   std::size_t end = points.size() - 1;
   for (; end > 1 && glm::distance(points[end], points[end - 1]) <= by; --end)
     by -= glm::distance(points[end], points[end - 1]);
-  stroke.curves = curves_between(stroke.curves, points, 0, static_cast<int>(end) - 1);
+  stroke.curves = drawing::curves_between(stroke.curves, points, 0, static_cast<int>(end) - 1);
   points.resize(end + 1);
   const Vec2 step = points[end - 1] - points[end];
   points[end] += step * (by / glm::length(step));
@@ -152,14 +155,15 @@ void turn_round(Stroke& stroke) {
   const int last = static_cast<int>(stroke.points.size()) - 1;
   std::reverse(stroke.points.begin(), stroke.points.end());
   std::reverse(stroke.curves.begin(), stroke.curves.end());
-  for (CurvePart& curve : stroke.curves) {
+  for (drawing::CurvePart& curve : stroke.curves) {
     std::swap(curve.from, curve.to);
     curve.first = last - std::exchange(curve.last, last - curve.first);
   }
 }
 
 // Tangent edges end short of outlines (ISO 128-3, imaginary intersections).
-Stroke tangent(const ViewDrawing& drawing, const Chain& chain, double gap, const Crossings& crossings) {
+Stroke tangent(const drawing::ViewDrawing& drawing, const drawing::Chain& chain, double gap,
+               const Crossings& crossings) {
   Stroke stroke = continuous(drawing, chain);
   if (chain.closed || chain.points.size() < 2 || length_of(chain.points, false) < 4 * gap) return stroke;
   const bool at_last = crossings.has_outline_at(chain.points.back());
@@ -173,59 +177,62 @@ Stroke tangent(const ViewDrawing& drawing, const Chain& chain, double gap, const
   return stroke;
 }
 
-using Strokes = std::array<std::vector<Stroke>, sheet_lines.size()>;
+using Strokes = std::array<std::vector<Stroke>, scene::sheet_lines.size()>;
 
-std::vector<Stroke>& strokes_of(Strokes& strokes, SheetLine line) { return strokes[static_cast<std::size_t>(line)]; }
-
-SheetLine line_of(const Chain& chain, const ModelStyle& look) {
-  if (!chain.visible) return look.hidden == HiddenLines::solid ? SheetLine::hidden_solid : SheetLine::hidden;
-  return look.line == LineRole::visible ? edge_line(chain.kind, true).value() : line_of(look.line);
+std::vector<Stroke>& strokes_of(Strokes& strokes, scene::SheetLine line) {
+  return strokes[static_cast<std::size_t>(line)];
 }
 
-bool is_drawn(const Chain& chain, const ModelStyle& look) {
+scene::SheetLine line_of(const drawing::Chain& chain, const ModelStyle& look) {
+  if (!chain.visible)
+    return look.hidden == HiddenLines::solid ? scene::SheetLine::hidden_solid : scene::SheetLine::hidden;
+  return look.line == LineRole::visible ? edge_line(chain.kind, true).value() : scene::line_of(look.line);
+}
+
+bool is_drawn(const drawing::Chain& chain, const ModelStyle& look) {
   return chain.visible || (look.hidden != HiddenLines::none && edge_line(chain.kind, false));
 }
 
 struct Looks {
   const std::vector<ModelStyle>& by_model;
 
-  const ModelStyle& operator()(const ViewDrawing& drawing, const Chain& chain) const {
+  const ModelStyle& operator()(const drawing::ViewDrawing& drawing, const drawing::Chain& chain) const {
     return by_model[static_cast<std::size_t>(drawing.segments[chain.segments.front()].model)];
   }
 };
 
 /// How a chain is drawn.
 struct ChainPlan {
-  SheetLine line;
+  scene::SheetLine line;
   bool in_dashes;
   std::size_t strokes;  ///< 0: it is not drawn
 };
 
-ChainPlan plan_of(const Chain& chain, const ModelStyle& look, const LineWidths& widths) {
-  const SheetLine line = line_of(chain, look);
+ChainPlan plan_of(const drawing::Chain& chain, const ModelStyle& look, const LineWidths& widths) {
+  const scene::SheetLine line = line_of(chain, look);
   if (!is_drawn(chain, look)) return {line, false, 0};
-  if (line != SheetLine::hidden || !is_dashed(chain, widths.narrow)) return {line, false, 1};
+  if (line != scene::SheetLine::hidden || !is_dashed(chain, widths.narrow)) return {line, false, 1};
   return {line, true, dash_runs(chain, widths.narrow).size()};
 }
 
 struct ChainsToDraw {
-  const ViewDrawing& drawing;
+  const drawing::ViewDrawing& drawing;
   const LineWidths& widths;
   const Crossings& crossings;
 };
 
 void draw_chain(Stroke* strokes, const ChainPlan& plan, const ChainsToDraw& all, std::size_t number) {
   const auto& [drawing, widths, crossings] = all;
-  const Chain& chain = drawing.chains[number];
+  const drawing::Chain& chain = drawing.chains[number];
   if (plan.in_dashes) return draw_dashed(strokes, drawing, number, widths.narrow, crossings);
-  const DashType& type = row_of(plan.line).dashes;
-  *strokes = type.dots > 0                     ? dotted(drawing, chain, line_style(plan.line, widths).width, type)
-             : plan.line == SheetLine::tangent ? tangent(drawing, chain, tangent_gap * widths.wide, crossings)
-                                               : continuous(drawing, chain);
+  const scene::DashType& type = scene::row_of(plan.line).dashes;
+  *strokes = type.dots > 0 ? dotted(drawing, chain, line_style(plan.line, widths).width, type)
+             : plan.line == scene::SheetLine::tangent ? tangent(drawing, chain, tangent_gap * widths.wide, crossings)
+                                                      : continuous(drawing, chain);
 }
 
 // Where lines lie so closely that any gap would meet one, dashes cannot heed them.
-std::vector<std::size_t> without_crowded(const std::vector<std::size_t>& chains, const ViewDrawing& drawing,
+std::vector<std::size_t> without_crowded(const std::vector<std::size_t>& chains, const drawing::ViewDrawing& drawing,
                                          double width, const Progress& progress) {
   if (chains.empty()) return chains;
   const double least_gap = 2.5 * width, cell = 16 * width;
@@ -244,12 +251,12 @@ std::vector<std::size_t> without_crowded(const std::vector<std::size_t>& chains,
 }
 
 // Lines that are dashed where others cross them, and lines that end short of others.
-std::vector<std::size_t> crossed_chains(const ViewDrawing& drawing, const LineWidths& widths,
+std::vector<std::size_t> crossed_chains(const drawing::ViewDrawing& drawing, const LineWidths& widths,
                                         const std::vector<ChainPlan>& plans, const Progress& progress) {
   std::vector<std::size_t> with_dashes, chains;
   for (std::size_t i = 0; i < plans.size(); ++i) {
     if (plans[i].in_dashes) with_dashes.push_back(i);
-    if (plans[i].line == SheetLine::tangent && plans[i].strokes > 0) chains.push_back(i);
+    if (plans[i].line == scene::SheetLine::tangent && plans[i].strokes > 0) chains.push_back(i);
   }
   with_dashes = without_crowded(with_dashes, drawing, widths.narrow, progress);
   const auto middle = chains.insert(chains.end(), with_dashes.begin(), with_dashes.end());
@@ -258,7 +265,7 @@ std::vector<std::size_t> crossed_chains(const ViewDrawing& drawing, const LineWi
 }
 
 // In order of the chains. Strokes are most of what a large drawing needs: they are counted first, and made in place.
-Strokes strokes_of(const ViewDrawing& drawing, const LineWidths& widths, const Looks& styles,
+Strokes strokes_of(const drawing::ViewDrawing& drawing, const LineWidths& widths, const Looks& styles,
                    const Progress& progress) {
   const std::size_t count = drawing.chains.size();
   std::vector<ChainPlan> plans(count);
@@ -268,7 +275,7 @@ Strokes strokes_of(const ViewDrawing& drawing, const LineWidths& widths, const L
   });
   const Crossings crossings(drawing.chains, crossed_chains(drawing, widths, plans, progress), progress);
   std::vector<std::size_t> first(count);  // stroke of each chain, in its place
-  std::array<std::size_t, sheet_lines.size()> all{};
+  std::array<std::size_t, scene::sheet_lines.size()> all{};
   for (std::size_t i = 0; i < count; ++i) {
     std::size_t& counted = all[static_cast<std::size_t>(plans[i].line)];
     first[i] = std::exchange(counted, counted + plans[i].strokes);
@@ -286,33 +293,33 @@ Strokes strokes_of(const ViewDrawing& drawing, const LineWidths& widths, const L
 
 }  // namespace
 
-std::optional<SheetLine> edge_line(EdgeKind kind, bool visible) {
-  if (!visible) return is_within_surface(kind) ? std::nullopt : std::optional(SheetLine::hidden);
-  if (kind == EdgeKind::section) return SheetLine::section;
-  return is_within_surface(kind) ? SheetLine::tangent : SheetLine::visible;
+std::optional<scene::SheetLine> edge_line(EdgeKind kind, bool visible) {
+  if (!visible) return edges::is_within_surface(kind) ? std::nullopt : std::optional(scene::SheetLine::hidden);
+  if (kind == EdgeKind::section) return scene::SheetLine::section;
+  return edges::is_within_surface(kind) ? scene::SheetLine::tangent : scene::SheetLine::visible;
 }
 
-std::vector<Layer> view_layers(const ViewDrawing& drawing, const LineWidths& widths,
+std::vector<Layer> view_layers(const drawing::ViewDrawing& drawing, const LineWidths& widths,
                                const std::vector<ModelStyle>& styles, const Progress& progress) {
   progress.begin("fitting dashes", drawing.chains.size());
   Strokes strokes = strokes_of(drawing, widths, {styles}, progress);
   const auto wants = [&](HiddenLines hidden) {
     return std::any_of(styles.begin(), styles.end(), [&](const ModelStyle& look) { return look.hidden == hidden; });
   };
-  const auto is_always_there = [&](SheetLine line) {
-    return line == SheetLine::visible || (line == SheetLine::hidden && wants(HiddenLines::dashed)) ||
-           (line == SheetLine::hidden_solid && wants(HiddenLines::solid));
+  const auto is_always_there = [&](scene::SheetLine line) {
+    return line == scene::SheetLine::visible || (line == scene::SheetLine::hidden && wants(HiddenLines::dashed)) ||
+           (line == scene::SheetLine::hidden_solid && wants(HiddenLines::solid));
   };
   std::vector<Layer> layers;
-  for (const SheetLineRow& row : sheet_lines) {
+  for (const scene::SheetLineRow& row : scene::sheet_lines) {
     std::vector<Stroke>& drawn = strokes_of(strokes, row.line);
     if (drawn.empty() && !is_always_there(row.line)) continue;
     Layer& layer = layers.emplace_back(empty_layer(drawing.name, row.line, widths));
     layer.strokes = std::move(drawn);
-    const bool alone = row.line == SheetLine::hidden_solid && !wants(HiddenLines::dashed);
-    if (alone) layer.name = drawing.name + "/" + row_of(SheetLine::hidden).layer;
+    const bool alone = row.line == scene::SheetLine::hidden_solid && !wants(HiddenLines::dashed);
+    if (alone) layer.name = drawing.name + "/" + scene::row_of(scene::SheetLine::hidden).layer;
   }
   return layers;
 }
 
-}  // namespace epura
+}  // namespace epura::sheet

@@ -12,10 +12,10 @@
 #include "sheet/line_styles.hpp"
 #include "sheet/sheet.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 /// What an edge is on a sheet, where its model has no role of its own. Hidden edges between smooth faces are nothing.
-std::optional<SheetLine> edge_line(EdgeKind kind, bool visible);
+std::optional<scene::SheetLine> edge_line(EdgeKind kind, bool visible);
 
 /// How one model is drawn.
 struct ModelStyle {
@@ -32,7 +32,7 @@ struct ModelStyle {
 /// The first and the last one are there also when they are empty, unless no model has hidden lines. Dashed lines have
 /// ink at their ends, at corners and where other lines cross them, unless too many do. Hidden edges between smooth
 /// faces are left out.
-std::vector<Layer> view_layers(const ViewDrawing& drawing, const LineWidths& widths,
+std::vector<Layer> view_layers(const drawing::ViewDrawing& drawing, const LineWidths& widths,
                                const std::vector<ModelStyle>& styles, const Progress& progress = {});
 
-}  // namespace epura
+}  // namespace epura::sheet

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-namespace epura {
+namespace epura::sheet {
 
 ViewTable::ViewTable(std::vector<ViewCell> cells, double gap) : cells_(std::move(cells)), gap_(gap) {
   int rows = 0;
@@ -74,4 +74,4 @@ std::vector<ViewSpot> ViewTable::spots(double scale, const Vec2& corner) const {
   return spots;
 }
 
-}  // namespace epura
+}  // namespace epura::sheet

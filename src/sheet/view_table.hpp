@@ -9,7 +9,7 @@
 
 #include "sheet/rectangle.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 /// A view in its place: page = scale * plane + shift, mm.
 struct ViewSpot {
@@ -68,4 +68,4 @@ class ViewTable {
   Lines columns_, rows_;  // rows from below
 };
 
-}  // namespace epura
+}  // namespace epura::sheet

@@ -6,7 +6,7 @@
 
 #include "sheet/sheet.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 /// Calls line(point) for each line to a point and curve(part) for each curve, from the first point on. What closes a
 /// closed stroke is left to the caller, unless a curve does.
@@ -16,7 +16,7 @@ void walk_stroke(const Stroke& stroke, const Line& line, const Curve& curve) {
   const auto lines_to = [&](std::size_t end) {
     for (; at < end; ++at) line(stroke.points[at]);
   };
-  for (const CurvePart& part : stroke.curves) {
+  for (const drawing::CurvePart& part : stroke.curves) {
     lines_to(static_cast<std::size_t>(part.first) + 1);
     curve(part);
     at = static_cast<std::size_t>(part.last) + 1;
@@ -24,4 +24,4 @@ void walk_stroke(const Stroke& stroke, const Line& line, const Curve& curve) {
   lines_to(stroke.points.size());
 }
 
-}  // namespace epura
+}  // namespace epura::sheet

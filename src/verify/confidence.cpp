@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace epura {
+namespace epura::verify {
 
 namespace {
 
@@ -28,4 +28,4 @@ double greatest_share(int failures, int trials, double confidence) {
   return high;
 }
 
-}  // namespace epura
+}  // namespace epura::verify

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace epura {
+namespace epura::verify {
 
 namespace {
 
@@ -191,4 +191,4 @@ std::optional<Portion> Lookout::look(const std::array<Vec3, 3>& corners, int tri
   return named(look_exactly(sight_from(*viewing_, position_on<Exact>(line_, t_)), corners, *tolerance_, joined));
 }
 
-}  // namespace epura
+}  // namespace epura::verify

@@ -12,7 +12,7 @@
 #include "verify/polygon.hpp"
 #include "verify/sight.hpp"
 
-namespace epura {
+namespace epura::verify {
 
 /// Lengths in mm of paper.
 struct Tolerance {
@@ -49,4 +49,4 @@ class Lookout {
   Sight<Bounded> sight_;
 };
 
-}  // namespace epura
+}  // namespace epura::verify

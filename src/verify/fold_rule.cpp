@@ -6,7 +6,7 @@
 #include <map>
 #include <numbers>
 
-namespace epura {
+namespace epura::verify {
 
 namespace {
 
@@ -20,17 +20,17 @@ constexpr double angle_margin = 1e-3;
 // Facets of curved surfaces that coincide cross by as much as these turn; so much more is a crossing beyond doubt.
 constexpr double clearly = 1.5;
 
-double size_of(const World& world) {
+double size_of(const scene::World& world) {
   const Vec3 size = world.box.size();
   return std::max({size.x, size.y, size.z});
 }
 
-double normalisation_of(const World& world) {
+double normalisation_of(const scene::World& world) {
   const double size = size_of(world);
   return size > 0 ? std::ldexp(1.0, -std::ilogb(size)) : 1;
 }
 
-double precision_of(const World& world) { return std::max(world.rounding, rounding * size_of(world)); }
+double precision_of(const scene::World& world) { return std::max(world.rounding, rounding * size_of(world)); }
 
 double angle_between(const Vec3& a, const Vec3& b) {
   return degrees * std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
@@ -38,7 +38,7 @@ double angle_between(const Vec3& a, const Vec3& b) {
 
 }  // namespace
 
-FoldRule::FoldRule(const World& world, const EdgeOptions& options, double small)
+FoldRule::FoldRule(const scene::World& world, const edges::EdgeOptions& options, double small)
     : world_(world),
       options_(options),
       normalisation_(normalisation_of(world)),
@@ -48,9 +48,9 @@ FoldRule::FoldRule(const World& world, const EdgeOptions& options, double small)
 FoldRule::Sheets FoldRule::sheets_at(const std::array<int, 2>& edge) const {
   const auto above = std::ranges::upper_bound(world_.first_vertex, edge[0]);
   const int model = static_cast<int>(above - world_.first_vertex.begin()) - 1;
-  const Mesh& mesh = *world_.models[model].mesh;
+  const mesh::Mesh& mesh = *world_.models[model].mesh;
   const std::array<int, 2> key{edge[0] - world_.first_vertex[model], edge[1] - world_.first_vertex[model]};
-  const auto found = std::ranges::lower_bound(mesh.edges, key, {}, &MeshEdge::vertex);
+  const auto found = std::ranges::lower_bound(mesh.edges, key, {}, &mesh::MeshEdge::vertex);
   if (found == mesh.edges.end() || found->vertex != key) return {};
   std::map<int, std::vector<int>> bodies;
   for (const int t : mesh.triangles_of(*found)) bodies[mesh.body[t]].push_back(world_.first_triangle[model] + t);
@@ -162,12 +162,12 @@ Need FoldRule::crossing(int first, int second, double contact) const {
 
 Need FoldRule::outline(const std::array<int, 2>& edge) const {
   const Sheets sheets = sheets_at(edge);
-  if (sheets.edge == nullptr || sheets.edge->cut == CutEdge::inside) return Need::possible;
-  if (sheets.edge->cut == CutEdge::outline) return Need::asked;
+  if (sheets.edge == nullptr || sheets.edge->cut == mesh::CutEdge::inside) return Need::possible;
+  if (sheets.edge->cut == mesh::CutEdge::outline) return Need::asked;
   const bool asked = std::ranges::any_of(sheets.bodies, [&](const std::vector<int>& body) {
     return body.size() == 1 ? options_.boundary : body.size() == 2 ? options_.contour : options_.crease;
   });
   return asked ? Need::asked : Need::possible;
 }
 
-}  // namespace epura
+}  // namespace epura::verify

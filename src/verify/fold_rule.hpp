@@ -11,7 +11,7 @@
 #include "edges/find_edges.hpp"
 #include "scene/scene.hpp"
 
-namespace epura {
+namespace epura::verify {
 
 /// Whether a line belongs to a place.
 enum class Need {
@@ -23,11 +23,11 @@ enum class Need {
 class FoldRule {
  public:
   /// `small` is the height of triangles that can hardly be seen, as a length of the world.
-  FoldRule(const World& world, const EdgeOptions& options, double small);
+  FoldRule(const scene::World& world, const edges::EdgeOptions& options, double small);
 
   /// The triangles of one body that meet in an edge.
   struct Sheets {
-    const MeshEdge* edge = nullptr;  ///< null: the mesh has no such edge
+    const mesh::MeshEdge* edge = nullptr;  ///< null: the mesh has no such edge
     std::vector<std::vector<int>> bodies;
   };
   [[nodiscard]] Sheets sheets_at(const std::array<int, 2>& edge) const;
@@ -44,7 +44,7 @@ class FoldRule {
   [[nodiscard]] bool is_needle(int triangle, Needle needle) const;
   /// Over its longest side, as a length of the world.
   [[nodiscard]] double height(int triangle) const { return normalised_height(triangle) / normalisation_; }
-  [[nodiscard]] const EdgeOptions& options() const { return options_; }
+  [[nodiscard]] const edges::EdgeOptions& options() const { return options_; }
 
  private:
   // Brought near 1, so that products of lengths stay in range.
@@ -57,10 +57,10 @@ class FoldRule {
   [[nodiscard]] double turn(int triangle) const;
   [[nodiscard]] bool same_polygon(int first, int second) const;
 
-  const World& world_;
-  EdgeOptions options_;
+  const scene::World& world_;
+  edges::EdgeOptions options_;
   double normalisation_;
   double precision_, small_;  ///< normalised
 };
 
-}  // namespace epura
+}  // namespace epura::verify

@@ -7,13 +7,13 @@
 #include "base/parallel.hpp"
 #include "verify/probe_grid.hpp"
 
-namespace epura {
+namespace epura::verify {
 
 namespace {
 
 constexpr std::size_t grain = 4096;
 
-double distance(const Vec2& place, const Segment& segment) {
+double distance(const Vec2& place, const drawing::Segment& segment) {
   const Vec2 line = segment.to - segment.from;
   const double length2 = glm::dot(line, line);
   const double part = length2 > 0 ? std::clamp(glm::dot(place - segment.from, line) / length2, 0.0, 1.0) : 0;
@@ -22,14 +22,14 @@ double distance(const Vec2& place, const Segment& segment) {
 
 }  // namespace
 
-std::vector<bool> find_ink(const ViewDrawing& drawing, const std::vector<Expected>& places, double reach) {
+std::vector<bool> find_ink(const drawing::ViewDrawing& drawing, const std::vector<Expected>& places, double reach) {
   std::vector<Extent> extents;
   for (const Expected& expected : places) extents.push_back({expected.place, expected.place, 0, 0});
   const ProbeGrid grid(extents);
   std::vector<std::atomic<bool>> found(places.size());
   parallel_for(drawing.segments.size(), grain, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      const Segment& segment = drawing.segments[i];
+      const drawing::Segment& segment = drawing.segments[i];
       const Extent extent{glm::min(segment.from, segment.to) - reach, glm::max(segment.from, segment.to) + reach, 0, 0};
       grid.overlapping(extent, [&](int place) {
         if (places[place].visible && !segment.visible) return;
@@ -40,4 +40,4 @@ std::vector<bool> find_ink(const ViewDrawing& drawing, const std::vector<Expecte
   return {found.begin(), found.end()};
 }
 
-}  // namespace epura
+}  // namespace epura::verify

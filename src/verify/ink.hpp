@@ -6,7 +6,7 @@
 
 #include "drawing/drawing.hpp"
 
-namespace epura {
+namespace epura::verify {
 
 /// A place on the page, mm, where a line is expected.
 struct Expected {
@@ -15,6 +15,6 @@ struct Expected {
 };
 
 /// For each place whether such a segment passes within `reach` mm.
-std::vector<bool> find_ink(const ViewDrawing& drawing, const std::vector<Expected>& places, double reach);
+std::vector<bool> find_ink(const drawing::ViewDrawing& drawing, const std::vector<Expected>& places, double reach);
 
-}  // namespace epura
+}  // namespace epura::verify

@@ -11,7 +11,7 @@
 #include "verify/patch.hpp"
 #include "verify/probe_grid.hpp"
 
-namespace epura {
+namespace epura::verify {
 
 namespace {
 
@@ -25,7 +25,7 @@ struct Met {
 };
 
 // For each portion the number of one that its triangle reaches across common edges of these triangles.
-std::vector<std::size_t> connected_parts(const World& world, const std::vector<Portion>& portions) {
+std::vector<std::size_t> connected_parts(const scene::World& world, const std::vector<Portion>& portions) {
   std::vector<std::size_t> part(portions.size());
   std::iota(part.begin(), part.end(), 0);
   const auto root = [&](std::size_t i) {
@@ -46,7 +46,7 @@ std::vector<std::size_t> connected_parts(const World& world, const std::vector<P
 
 // Whether triangles that hang together cover the square. Strangers that merely abut on the page leave a gap when one
 // of them moves by less than the tolerance.
-bool covered(const World& world, const std::vector<Portion>& portions) {
+bool covered(const scene::World& world, const std::vector<Portion>& portions) {
   std::map<std::size_t, std::vector<ConvexPolygon>> parts;
   const std::vector<std::size_t> part = connected_parts(world, portions);
   for (std::size_t i = 0; i < portions.size(); ++i) parts[part[i]].push_back(portions[i].corner);
@@ -113,7 +113,7 @@ class Judge {
     if (!extent) return;
     grid_.overlapping(*extent, [&](int probe) {
       if (settled_[probe].load(std::memory_order_relaxed) && !name_facets_) return;
-      const FeatureEdge& edge = claim_.drawn.edges[probes_[probe].edge];
+      const edges::FeatureEdge& edge = claim_.drawn.edges[probes_[probe].edge];
       if (claim_.contains(edge, triangle)) return;
       auto portion = lookouts_[probe].look(corners, triangle, claim_.joined(edge, triangle));
       if (!portion) return;
@@ -149,4 +149,4 @@ std::vector<ProbeVerdict> judge(const VerifyInput& claim, const Tolerance& toler
   return Judge(claim, tolerance, probes, name_facets).verdicts(progress);
 }
 
-}  // namespace epura
+}  // namespace epura::verify

@@ -12,7 +12,7 @@
 #include "verify/cover.hpp"
 #include "verify/verify_input.hpp"
 
-namespace epura {
+namespace epura::verify {
 
 /// A point of a drawn edge.
 struct Probe {
@@ -32,4 +32,4 @@ struct ProbeVerdict {
 std::vector<ProbeVerdict> judge(const VerifyInput& claim, const Tolerance& tolerance, std::span<const Probe> probes,
                                 bool name_facets, const Progress& progress = {});
 
-}  // namespace epura
+}  // namespace epura::verify

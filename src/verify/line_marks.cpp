@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace epura {
+namespace epura::verify {
 
 namespace {
 
@@ -106,8 +106,8 @@ Need LineMarks::pair(int crossing, const std::vector<int>& sheets, FoldRule::Nee
 Need LineMarks::need_at(int crossing) const {
   const FoldRule::Sheets sheets = rule_.sheets_at(slice_.crossings[crossing].edge);
   if (sheets.edge == nullptr) return Need::possible;
-  if (sheets.edge->cut == CutEdge::inside) return Need::none;
-  if (sheets.edge->cut == CutEdge::outline) return Need::asked;
+  if (sheets.edge->cut == mesh::CutEdge::inside) return Need::none;
+  if (sheets.edge->cut == mesh::CutEdge::outline) return Need::asked;
   Need strongest = Need::none;
   for (const std::vector<int>& body : sheets.bodies) {
     Need need = body.size() == 1         ? rule_.options().boundary ? Need::asked : Need::none
@@ -225,7 +225,8 @@ bool LineMarks::allows(EdgeKind kind, double u, double reach) const {
     if (!is_seen(slice_.crossings[i].u, slice_.crossings[i].depth)) continue;
     if (need_at(i) != Need::none) return true;
     const FoldRule::Sheets sheets = rule_.sheets_at(slice_.crossings[i].edge);
-    if (is_within_surface(kind) && !sheets.edge->diagonal && sheets.edge->cut != CutEdge::inside) return true;
+    if (edges::is_within_surface(kind) && !sheets.edge->diagonal && sheets.edge->cut != mesh::CutEdge::inside)
+      return true;
   }
   return kind == EdgeKind::intersection && faces_meet(u, reach);
 }
@@ -245,4 +246,4 @@ bool LineMarks::same_line(const std::array<int, 2>& first, const std::array<int,
   return false;
 }
 
-}  // namespace epura
+}  // namespace epura::verify

@@ -9,7 +9,7 @@
 #include "verify/slice.hpp"
 #include "verify/upper_envelope.hpp"
 
-namespace epura {
+namespace epura::verify {
 
 /// A place at which a line is asked for.
 struct LineMark {
@@ -75,4 +75,4 @@ class LineMarks {
   std::vector<SeenPart> seen_;
 };
 
-}  // namespace epura
+}  // namespace epura::verify

@@ -10,7 +10,7 @@
 #include "base/parallel.hpp"
 #include "verify/probe_grid.hpp"
 
-namespace epura {
+namespace epura::verify {
 
 namespace {
 
@@ -51,13 +51,13 @@ LineScan::LineScan(const VerifyInput& claim, const ScanScene& scene, const FoldR
     : claim_(claim), scene_(scene), rule_(rule), limits_(limits), window_(window) {}
 
 std::array<Vec2, 2> LineScan::segment(int number) const {
-  const Segment& segment = claim_.drawing.segments[number];
+  const drawing::Segment& segment = claim_.drawing.segments[number];
   return {segment.from - scene_.origin, segment.to - scene_.origin};
 }
 
 double LineScan::length_of_ink() const {
   double length = 0;
-  for (const Segment& segment : claim_.drawing.segments)
+  for (const drawing::Segment& segment : claim_.drawing.segments)
     if (segment.visible) length += glm::distance(segment.from, segment.to);
   return length;
 }
@@ -86,7 +86,7 @@ double LineScan::perimeter_of_triangles(double max) const {
 
 // The edge of the mesh that a segment shows, as vertices of the world; {-1, -1} if it is none.
 std::array<int, 2> LineScan::edge_of(int segment) const {
-  const Segment& s = claim_.drawing.segments[segment];
+  const drawing::Segment& s = claim_.drawing.segments[segment];
   if (s.edge[0] < 0) return {-1, -1};
   const int first = scene_.world.first_vertex[s.model];
   return {first + s.edge[0], first + s.edge[1]};
@@ -127,7 +127,7 @@ void LineScan::find_doubled(const LineMarks& marks, std::vector<InkCrossing>& in
   // A line crosses a straight edge once.
   std::map<std::array<int, 4>, std::size_t> first;
   for (std::size_t i = 0; i < ink.size(); ++i) {
-    const Segment& segment = claim_.drawing.segments[ink[i].segment];
+    const drawing::Segment& segment = claim_.drawing.segments[ink[i].segment];
     const auto [known, is_new] =
         first.try_emplace({segment.model, segment.edge[0], segment.edge[1], segment.crossing}, i);
     if (is_new) continue;
@@ -196,4 +196,4 @@ std::vector<LineFindings> LineScan::along(const std::vector<ScanLine>& lines, co
       progress);
 }
 
-}  // namespace epura
+}  // namespace epura::verify

@@ -8,7 +8,7 @@
 #include "verify/line_marks.hpp"
 #include "verify/scan_lines.hpp"
 
-namespace epura {
+namespace epura::verify {
 
 /// A place at which a line is asked for.
 struct AskedLine {
@@ -64,4 +64,4 @@ class LineScan {
   ScanWindow window_;
 };
 
-}  // namespace epura
+}  // namespace epura::verify

@@ -9,7 +9,7 @@
 
 #include "base/vec.hpp"
 
-namespace epura {
+namespace epura::verify {
 
 /// A rational number of any size: sums, products and quotients of doubles without rounding.
 using Exact = mpq_class;
@@ -85,4 +85,4 @@ Triple<N> along(const Triple<N>& a, const N& t, const Triple<N>& b) {
   return {a.x + t * b.x, a.y + t * b.y, a.z + t * b.z};
 }
 
-}  // namespace epura
+}  // namespace epura::verify

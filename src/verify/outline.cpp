@@ -13,7 +13,7 @@
 #include "verify/line_scan.hpp"
 #include "verify/sample.hpp"
 
-namespace epura {
+namespace epura::verify {
 
 namespace {
 
@@ -56,10 +56,10 @@ class Outline {
         window_(window()),
         scan_(claim, scene_, rule_, {reach_, tolerance.sideways(), tolerance.contact}, window_) {}
 
-  OutlineCheck run() {
+  report::OutlineCheck run() {
     scan_page();
     follow();
-    OutlineCheck check = std::move(check_);
+    report::OutlineCheck check = std::move(check_);
     for (const Suspect& suspect : suspects_) {
       if (!is_wrong(suspect))
         check.undecided += suspect.met;
@@ -268,19 +268,19 @@ class Outline {
     return suspect.length >= least_ || (&suspect - suspects_.data() >= most_followed && most_are_wrong_);
   }
 
-  [[nodiscard]] std::vector<OutlineFault> worst() const {
+  [[nodiscard]] std::vector<report::OutlineFault> worst() const {
     std::vector<const Suspect*> order;
     for (const Suspect& suspect : suspects_)
       if (suspect.length >= least_) order.push_back(&suspect);
     std::ranges::stable_sort(order, [](const Suspect* a, const Suspect* b) { return a->length > b->length; });
     order.resize(std::min(order.size(), most_told));
-    std::vector<OutlineFault> faults;
+    std::vector<report::OutlineFault> faults;
     for (const Suspect* suspect : order) faults.push_back(fault_of(*suspect));
     return faults;
   }
 
-  [[nodiscard]] OutlineFault fault_of(const Suspect& suspect) const {
-    OutlineFault fault{
+  [[nodiscard]] report::OutlineFault fault_of(const Suspect& suspect) const {
+    report::OutlineFault fault{
         names[static_cast<std::size_t>(suspect.kind)], suspect.place + scene_.origin, suspect.length, -1, {-1, -1}, {}};
     if (suspect.segment >= 0) {
       fault.model = claim_.drawing.segments[suspect.segment].model;
@@ -296,7 +296,7 @@ class Outline {
     }
     if (const auto sheets = suspect.edge[0] >= 0 ? rule_.sheets_at(suspect.edge) : FoldRule::Sheets{}; sheets.edge) {
       fault.model = claim_.world.model_of_triangle(sheets.bodies[0][0]);
-      const EdgeOrigin origin = claim_.world.models[fault.model].mesh->origin_of(*sheets.edge);
+      const mesh::EdgeOrigin origin = claim_.world.models[fault.model].mesh->origin_of(*sheets.edge);
       if (origin.in_file) fault.edge = origin.vertex;
     }
     return fault;
@@ -309,7 +309,7 @@ class Outline {
   FoldRule rule_;
   ScanWindow window_;
   LineScan scan_;
-  OutlineCheck check_;
+  report::OutlineCheck check_;
   std::vector<AskedLine> asked_;
   std::vector<Suspect> suspects_;  ///< the first are followed
   bool most_are_wrong_ = false;
@@ -318,9 +318,10 @@ class Outline {
 
 }  // namespace
 
-OutlineCheck verify_outline(const VerifyInput& claim, const Tolerance& tolerance, const OutlineOptions& options) {
+report::OutlineCheck verify_outline(const VerifyInput& claim, const Tolerance& tolerance,
+                                    const OutlineOptions& options) {
   if (claim.world.triangles.empty()) return {};
   return Outline(claim, tolerance, options).run();
 }
 
-}  // namespace epura
+}  // namespace epura::verify

@@ -17,17 +17,18 @@
 #include "verify/cover.hpp"
 #include "verify/verify_input.hpp"
 
-namespace epura {
+namespace epura::verify {
 
 struct OutlineOptions {
-  EdgeOptions edges;
-  int samples;                     ///< about as many places with ink are met
-  bool complete = true;            ///< nothing was left out for want of time
-  std::optional<Window> window{};  ///< of the page, mm, outside of which nothing is drawn
+  edges::EdgeOptions edges;
+  int samples;                                 ///< about as many places with ink are met
+  bool complete = true;                        ///< nothing was left out for want of time
+  std::optional<projection::Window> window{};  ///< of the page, mm, outside of which nothing is drawn
   Progress progress{};
 };
 
 /// Throws OutOfTime.
-OutlineCheck verify_outline(const VerifyInput& claim, const Tolerance& tolerance, const OutlineOptions& options);
+report::OutlineCheck verify_outline(const VerifyInput& claim, const Tolerance& tolerance,
+                                    const OutlineOptions& options);
 
-}  // namespace epura
+}  // namespace epura::verify

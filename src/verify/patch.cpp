@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-namespace epura {
+namespace epura::verify {
 
 namespace {
 
@@ -61,4 +61,4 @@ double uncovered(const std::vector<ConvexPolygon>& polygons) {
   return area;
 }
 
-}  // namespace epura
+}  // namespace epura::verify

@@ -6,7 +6,7 @@
 
 #include "base/vec.hpp"
 
-namespace epura {
+namespace epura::verify {
 
 /// A convex polygon, its corners in order, either way round.
 using ConvexPolygon = std::vector<Vec2>;
@@ -14,4 +14,4 @@ using ConvexPolygon = std::vector<Vec2>;
 /// The area of the square from (-1, -1) to (1, 1) that none of the polygons covers, 0 to 4.
 double uncovered(const std::vector<ConvexPolygon>& polygons);
 
-}  // namespace epura
+}  // namespace epura::verify

@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "verify/numbers.hpp"
 
-namespace epura {
+namespace epura::verify {
 
 /// A convex polygon in space, its corners in order. A triangle cut by at most eight planes.
 template <class N>
@@ -39,4 +39,4 @@ Polygon<N> clip(const Polygon<N>& polygon, const Height& height) {
   return rest;
 }
 
-}  // namespace epura
+}  // namespace epura::verify

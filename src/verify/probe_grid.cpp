@@ -6,7 +6,7 @@
 
 #include "verify/polygon.hpp"
 
-namespace epura {
+namespace epura::verify {
 
 namespace {
 
@@ -96,4 +96,4 @@ std::array<int, 2> ProbeGrid::cell_of(const Vec2& place) const {
   return {cell(part.x), cell(part.y)};
 }
 
-}  // namespace epura
+}  // namespace epura::verify

@@ -8,7 +8,7 @@
 
 #include "verify/sight.hpp"
 
-namespace epura {
+namespace epura::verify {
 
 /// Where something lies in the view, for certain: a box of the page, and the greatest and least depth.
 struct Extent {
@@ -63,4 +63,4 @@ class ProbeGrid {
   std::vector<int> first_, order_;
 };
 
-}  // namespace epura
+}  // namespace epura::verify

@@ -7,7 +7,7 @@
 #include <random>
 #include <tuple>
 
-namespace epura {
+namespace epura::verify {
 
 namespace {
 
@@ -15,7 +15,7 @@ namespace {
 constexpr std::array classes{1e-2, 1e-4, guaranteed};
 
 PageLine page_line(const VerifyInput& claim, const Viewing& viewing, const Tolerance& tolerance, const PageFrame& frame,
-                   const FeatureEdge& edge) {
+                   const edges::FeatureEdge& edge) {
   const std::array<Vec3, 2> ends = claim.ends_of(edge);
   PageLine line{0, edge.t, {1, 1}};
   std::array<Vec2, 2> place;
@@ -34,7 +34,7 @@ PageLine page_line(const VerifyInput& claim, const Viewing& viewing, const Toler
 }
 
 // By hand: what is tested must not help with the test.
-void add_spans(const HiddenSpans& hidden, int edge, std::vector<TestedSpan>& spans) {
+void add_spans(const visibility::HiddenSpans& hidden, int edge, std::vector<TestedSpan>& spans) {
   double at = 0;
   const auto add = [&](double from, double to, bool visible) {
     if (from < to) spans.push_back({edge, from, to, visible, -1});
@@ -47,7 +47,7 @@ void add_spans(const HiddenSpans& hidden, int edge, std::vector<TestedSpan>& spa
   add(at, 1, true);
 }
 
-void stratify(Population& population, const FeatureEdges& drawn, double size) {
+void stratify(Population& population, const edges::FeatureEdges& drawn, double size) {
   std::map<std::tuple<bool, EdgeKind, std::size_t>, std::vector<std::size_t>> members;
   for (std::size_t i = 0; i < population.spans.size(); ++i) {
     const TestedSpan& span = population.spans[i];
@@ -59,7 +59,7 @@ void stratify(Population& population, const FeatureEdges& drawn, double size) {
         i);
   }
   for (const auto& [key, list] : members) {
-    Stratum stratum{!std::get<0>(key), std::get<1>(key), classes[std::get<2>(key)]};
+    report::Stratum stratum{!std::get<0>(key), std::get<1>(key), classes[std::get<2>(key)]};
     for (const std::size_t i : list) {
       population.spans[i].stratum = static_cast<int>(population.strata.size());
       stratum.length += population.length_of(population.spans[i]);
@@ -131,9 +131,9 @@ std::vector<Sample> draw_samples(Population& population, const Tolerance& tolera
   std::mt19937_64 random(1);
   std::vector<Sample> samples;
   double length = 0;
-  for (const Stratum& stratum : population.strata) length += stratum.length;
+  for (const report::Stratum& stratum : population.strata) length += stratum.length;
   for (std::size_t i = 0; i < population.strata.size(); ++i) {
-    Stratum& stratum = population.strata[i];
+    report::Stratum& stratum = population.strata[i];
     const double share = 0.5 / static_cast<double>(population.strata.size()) + 0.5 * stratum.length / length;
     stratum.samples = static_cast<int>(std::ceil(share * count));
     draw_at_random(population, static_cast<int>(i), random, samples);
@@ -148,4 +148,4 @@ std::vector<Sample> draw_samples(Population& population, const Tolerance& tolera
 
 Probe probe_at(const Population& population, int edge, double s) { return {edge, population.lines[edge].t_at(s)}; }
 
-}  // namespace epura
+}  // namespace epura::verify

@@ -11,7 +11,7 @@
 #include "verify/probe_grid.hpp"
 #include "verify/verify_input.hpp"
 
-namespace epura {
+namespace epura::verify {
 
 /// A drawn edge as a line of the page, with the way from places on it to places in space.
 struct PageLine {
@@ -34,7 +34,7 @@ struct TestedSpan {
 struct Population {
   std::vector<PageLine> lines;  ///< of the drawn edges
   std::vector<TestedSpan> spans;
-  std::vector<Stratum> strata;
+  std::vector<report::Stratum> strata;
   double length = 0;  ///< mm
 
   [[nodiscard]] double length_of(const TestedSpan& span) const {
@@ -63,4 +63,4 @@ std::vector<Sample> draw_samples(Population& population, const Tolerance& tolera
 /// The probe of page parameter `s` on an edge.
 Probe probe_at(const Population& population, int edge, double s);
 
-}  // namespace epura
+}  // namespace epura::verify

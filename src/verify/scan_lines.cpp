@@ -6,7 +6,7 @@
 
 #include "base/portable_math.hpp"
 
-namespace epura {
+namespace epura::verify {
 
 LineBundle::LineBundle(const ScanWindow& box, double direction, double distance, unsigned seed) : distance_(distance) {
   const Vec2 along(portable_cos(direction), portable_sin(direction));
@@ -33,4 +33,4 @@ ItemsOfLines::ItemsOfLines(std::size_t lines, const std::vector<std::vector<std:
     for (const auto& [line, item] : part) items[next[line]++] = item;
 }
 
-}  // namespace epura
+}  // namespace epura::verify

@@ -11,7 +11,7 @@
 
 #include "verify/scan_scene.hpp"
 
-namespace epura {
+namespace epura::verify {
 
 /// Points of the page in order: two for a line, three for a triangle.
 using PageShape = std::span<const Vec2>;
@@ -74,4 +74,4 @@ struct ItemsOfLines {
   }
 };
 
-}  // namespace epura
+}  // namespace epura::verify

@@ -6,7 +6,7 @@
 
 #include "base/parallel.hpp"
 
-namespace epura {
+namespace epura::verify {
 
 namespace {
 
@@ -20,8 +20,8 @@ Sight<Bounded> sight_of(const VerifyInput& claim, const Vec3& reference) {
 
 // The corner of the world that is nearest to its middle and before the viewer.
 Vec3 reference_of(const VerifyInput& claim) {
-  const World& world = claim.world;
-  const Projection& p = claim.projection;
+  const scene::World& world = claim.world;
+  const projection::Projection& p = claim.projection;
   const Vec3 middle = world.box.centre();
   const auto is_seen = [&](const Vec3& x) { return !p.central || glm::dot(p.n, p.projector - x) > 0; };
   Vec3 best = middle;
@@ -75,4 +75,4 @@ std::optional<std::array<Vec2, 2>> ScanScene::line_of(const std::array<int, 2>& 
   return std::array{to_page(ends[0]), to_page(ends[1])};
 }
 
-}  // namespace epura
+}  // namespace epura::verify

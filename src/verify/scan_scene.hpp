@@ -12,7 +12,7 @@
 #include "verify/cover.hpp"
 #include "verify/verify_input.hpp"
 
-namespace epura {
+namespace epura::verify {
 
 /// A line of the page, mm from ScanScene::origin.
 struct ScanLine {
@@ -29,7 +29,7 @@ class ScanScene {
   /// `precision` is the length on the page, mm, to which places must be known.
   ScanScene(const VerifyInput& claim, double precision);
 
-  const World& world;
+  const scene::World& world;
   Vec2 origin;              ///< where the point of reference lies on the page, mm
   double page;              ///< mm of paper per length of the world, at the point of reference
   double depth;             ///< the same for depth
@@ -52,4 +52,4 @@ class ScanScene {
   UnsetVector<char> vague_;
 };
 
-}  // namespace epura
+}  // namespace epura::verify

@@ -19,11 +19,11 @@
 #include "projection/projection.hpp"
 #include "verify/numbers.hpp"
 
-namespace epura {
+namespace epura::verify {
 
 /// What is needed of a view to look along its projectors.
 struct Viewing {
-  Projection projection;
+  projection::Projection projection;
   std::optional<double> front, back;  ///< n . (x - projection.point) of the limits of depth, where there are any
   double page;                        ///< mm of paper per length in the plane's directions, times w
   double depth;                       ///< the same for the depth of ViewDrawing::world_to_page, times w squared
@@ -55,7 +55,7 @@ inline constexpr double nearest_part = 0x1p-40;
 
 template <class N>
 Sight<N> sight_from(const Viewing& viewing, const Triple<N>& place) {
-  const Projection& p = viewing.projection;
+  const projection::Projection& p = viewing.projection;
   const Triple<N> n = triple<N>(p.n), u = triple<N>(p.u), v = triple<N>(p.v), projector = triple<N>(p.projector);
   const Triple<N> ray = p.central ? projector - place : projector;
   const N ahead = dot(n, ray);
@@ -87,4 +87,4 @@ Triple<N> position_on(const std::array<Vec3, 2>& line, double t) {
   return along<N>(a, N(t), triple<N>(line[1]) - a);
 }
 
-}  // namespace epura
+}  // namespace epura::verify

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-namespace epura {
+namespace epura::verify {
 
 namespace {
 
@@ -110,4 +110,4 @@ Slice cut(const ScanScene& scene, const ScanLine& line, std::span<const int> tri
   return slice;
 }
 
-}  // namespace epura
+}  // namespace epura::verify

@@ -8,7 +8,7 @@
 
 #include "verify/scan_scene.hpp"
 
-namespace epura {
+namespace epura::verify {
 
 /// What is cut out of a triangle, from left to right along the line.
 struct SlicePiece {
@@ -46,4 +46,4 @@ struct Slice {
 
 Slice cut(const ScanScene& scene, const ScanLine& line, std::span<const int> triangles);
 
-}  // namespace epura
+}  // namespace epura::verify

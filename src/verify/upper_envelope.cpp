@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace epura {
+namespace epura::verify {
 
 namespace {
 
@@ -77,4 +77,4 @@ std::vector<SeenPart> upper_envelope(const Slice& slice) {
   return Merger(slice).envelope(wide, 0, wide.size());
 }
 
-}  // namespace epura
+}  // namespace epura::verify

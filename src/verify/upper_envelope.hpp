@@ -6,7 +6,7 @@
 
 #include "verify/slice.hpp"
 
-namespace epura {
+namespace epura::verify {
 
 /// A stretch of the line over which one piece is in front.
 struct SeenPart {
@@ -18,4 +18,4 @@ struct SeenPart {
 /// of n line segments in O(n log n) time, IPL 1989, without its refinement). Where two are equal the first one wins.
 std::vector<SeenPart> upper_envelope(const Slice& slice);
 
-}  // namespace epura
+}  // namespace epura::verify

@@ -9,7 +9,7 @@
 #include "verify/judge.hpp"
 #include "verify/sample.hpp"
 
-namespace epura {
+namespace epura::verify {
 
 namespace {
 
@@ -36,7 +36,7 @@ class Verifier {
         frame_(sight_from(viewing_, reference_), 0),
         population_(population_of(claim, viewing_, tolerance, frame_)) {}
 
-  Verification run(int count) {
+  report::Verification run(int count) {
     samples_ = draw_samples(population_, tolerance_, count);
     findings_.assign(samples_.size(), Finding::right);
     facets_.assign(samples_.size(), -1);
@@ -49,7 +49,7 @@ class Verifier {
 
  private:
   static Triple<Bounded> reference_of(const VerifyInput& claim) {
-    const FeatureEdge& edge = claim.drawn.edges[0];
+    const edges::FeatureEdge& edge = claim.drawn.edges[0];
     return position_on<Bounded>(claim.ends_of(edge), edge.t[0]);
   }
 
@@ -123,15 +123,15 @@ class Verifier {
            frame_.to_page(position_on<Bounded>(claim_.ends_of(claim_.drawn.edges[probe.edge]), probe.t));
   }
 
-  [[nodiscard]] Verification tally() {
-    Verification result;
+  [[nodiscard]] report::Verification tally() {
+    report::Verification result;
     result.points = static_cast<int>(samples_.size());
     for (std::size_t i = 0; i < samples_.size(); ++i) {
       const bool undecided = findings_[i] == Finding::undecided, wrong = is_wrong(i);
       result.decided += undecided ? 0 : 1;
       result.wrong += wrong ? 1 : 0;
       if (!samples_[i].at_random) continue;
-      Stratum& stratum = population_.strata[span_of(i).stratum];
+      report::Stratum& stratum = population_.strata[span_of(i).stratum];
       stratum.undecided += undecided ? 1 : 0;
       stratum.wrong += wrong ? 1 : 0;
     }
@@ -144,12 +144,12 @@ class Verifier {
     return findings_[sample] == Finding::misclassified || findings_[sample] == Finding::no_ink;
   }
 
-  void estimate(Verification& result) const {
+  void estimate(report::Verification& result) const {
     result.strata = population_.strata;
     result.length = population_.length;
     int wrong = 0;
     double tested = 0, most_weight = 0;
-    for (const Stratum& stratum : result.strata) {
+    for (const report::Stratum& stratum : result.strata) {
       const double share = stratum.length / result.length;
       tested += share;
       result.undecided += share * stratum.undecided / stratum.samples;
@@ -164,7 +164,7 @@ class Verifier {
     result.at_most = std::min(1.0, weight * greatest_share(wrong, result.samples, confidence));
   }
 
-  [[nodiscard]] std::vector<Mismatch> worst_offences() const {
+  [[nodiscard]] std::vector<report::Mismatch> worst_offences() const {
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < samples_.size(); ++i)
       if (is_wrong(i)) order.push_back(i);
@@ -172,37 +172,37 @@ class Verifier {
       return population_.length_of(span_of(a)) > population_.length_of(span_of(b));
     });
     order.resize(std::min(order.size(), most_offences));
-    std::vector<Mismatch> offences;
+    std::vector<report::Mismatch> offences;
     for (const std::size_t i : order) offences.push_back(offence_of(i));
     return offences;
   }
 
-  [[nodiscard]] FacetName facet_name(int triangle) const {
+  [[nodiscard]] report::FacetName facet_name(int triangle) const {
     const int model = claim_.world.model_of_triangle(triangle);
     return {model, claim_.world.models[model].mesh->polygon[triangle - claim_.world.first_triangle[model]]};
   }
 
   // Outlines of cuts are named by the face that is cut.
-  void name_edge(const FeatureEdge& edge, Mismatch& offence) const {
-    const Mesh& mesh = *claim_.world.models[edge.model].mesh;
-    const EdgeOrigin origin = mesh.origin_of(mesh.edges[edge.mesh_edge]);
+  void name_edge(const edges::FeatureEdge& edge, report::Mismatch& offence) const {
+    const mesh::Mesh& mesh = *claim_.world.models[edge.model].mesh;
+    const mesh::EdgeOrigin origin = mesh.origin_of(mesh.edges[edge.mesh_edge]);
     if (origin.in_file)
       offence.edge = origin.vertex;
     else
       offence.facets.push_back({edge.model, mesh.polygon[mesh.triangles_of(mesh.edges[edge.mesh_edge]).front()]});
   }
 
-  [[nodiscard]] Mismatch offence_of(std::size_t sample) const {
+  [[nodiscard]] report::Mismatch offence_of(std::size_t sample) const {
     const TestedSpan& span = span_of(sample);
-    const FeatureEdge& edge = claim_.drawn.edges[span.edge];
-    Mismatch offence{span.visible ? "drawn visible" : "drawn hidden",
-                     edge.model,
-                     {-1, -1},
-                     {},
-                     probe_of(sample).t,
-                     page_of(sample),
-                     {},
-                     population_.length_of(span)};
+    const edges::FeatureEdge& edge = claim_.drawn.edges[span.edge];
+    report::Mismatch offence{span.visible ? "drawn visible" : "drawn hidden",
+                             edge.model,
+                             {-1, -1},
+                             {},
+                             probe_of(sample).t,
+                             page_of(sample),
+                             {},
+                             population_.length_of(span)};
     if (findings_[sample] == Finding::no_ink) offence.what = "not drawn";
     if (edge.mesh_edge >= 0) name_edge(edge, offence);
     if (edge.crossing >= 0)
@@ -227,10 +227,10 @@ class Verifier {
 
 }  // namespace
 
-Verification verify(const VerifyInput& claim, const Tolerance& tolerance, int samples, bool hidden_drawn,
-                    const Progress& progress) {
+report::Verification verify(const VerifyInput& claim, const Tolerance& tolerance, int samples, bool hidden_drawn,
+                            const Progress& progress) {
   if (claim.drawn.edges.empty()) return {};
   return Verifier(claim, tolerance, hidden_drawn, progress).run(samples);
 }
 
-}  // namespace epura
+}  // namespace epura::verify

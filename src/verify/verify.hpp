@@ -17,11 +17,11 @@
 #include "verify/cover.hpp"
 #include "verify/verify_input.hpp"
 
-namespace epura {
+namespace epura::verify {
 
 /// `samples` points at random. Takes the drawing at its word in nothing but its units. Hidden lines are looked for in
 /// the drawing if `hidden_drawn`. Throws OutOfTime.
-Verification verify(const VerifyInput& claim, const Tolerance& tolerance, int samples, bool hidden_drawn,
-                    const Progress& progress = {});
+report::Verification verify(const VerifyInput& claim, const Tolerance& tolerance, int samples, bool hidden_drawn,
+                            const Progress& progress = {});
 
-}  // namespace epura
+}  // namespace epura::verify

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
-namespace epura {
+namespace epura::verify {
 
 namespace {
 
 Vec4 row(const Mat4& m, int i) { return glm::transpose(m)[i]; }
 
-std::array<int, 2> vertices_of(const VerifyInput& claim, const FeatureEdge& edge) {
+std::array<int, 2> vertices_of(const VerifyInput& claim, const edges::FeatureEdge& edge) {
   const int first = claim.world.first_vertex[edge.model];
   const auto& vertex = claim.world.models[edge.model].mesh->edges[edge.mesh_edge].vertex;
   return {first + vertex[0], first + vertex[1]};
@@ -18,15 +18,15 @@ std::array<int, 2> vertices_of(const VerifyInput& claim, const FeatureEdge& edge
 
 }  // namespace
 
-std::array<Vec3, 2> VerifyInput::ends_of(const FeatureEdge& edge) const {
+std::array<Vec3, 2> VerifyInput::ends_of(const edges::FeatureEdge& edge) const {
   if (edge.crossing >= 0) return drawn.crossings[edge.crossing].ends;
-  const Mesh& mesh = *world.models[edge.model].mesh;
+  const mesh::Mesh& mesh = *world.models[edge.model].mesh;
   const auto [a, b] = mesh.origin_of(mesh.edges[edge.mesh_edge]).vertex;
   const int first = world.first_vertex[edge.model];
   return {world.points[first + a], world.points[first + b]};
 }
 
-bool VerifyInput::contains(const FeatureEdge& edge, int triangle) const {
+bool VerifyInput::contains(const edges::FeatureEdge& edge, int triangle) const {
   if (edge.crossing >= 0) {
     const auto& [first, second] = drawn.crossings[edge.crossing].triangles;
     return triangle == first || triangle == second;
@@ -36,7 +36,7 @@ bool VerifyInput::contains(const FeatureEdge& edge, int triangle) const {
                              [&](int v) { return std::ranges::find(corners, v) != corners.end(); });
 }
 
-bool VerifyInput::joined(const FeatureEdge& edge, int triangle) const {
+bool VerifyInput::joined(const edges::FeatureEdge& edge, int triangle) const {
   if (edge.crossing >= 0) return false;
   const auto& corners = world.triangles[triangle];
   return std::ranges::any_of(vertices_of(*this, edge),
@@ -44,7 +44,7 @@ bool VerifyInput::joined(const FeatureEdge& edge, int triangle) const {
 }
 
 Viewing viewing_of(const VerifyInput& claim) {
-  const Projection& p = claim.projection;
+  const projection::Projection& p = claim.projection;
   const double viewer = p.central ? glm::dot(p.n, p.projector - p.point) : 0;
   double front = p.front, back = p.back;
   if (claim.limits.near) front = std::min(front, viewer - *claim.limits.near);
@@ -63,4 +63,4 @@ Viewing viewing_of(const VerifyInput& claim) {
   return viewing;
 }
 
-}  // namespace epura
+}  // namespace epura::verify

@@ -11,25 +11,25 @@
 #include "view/projected_scene.hpp"
 #include "visibility/visibility.hpp"
 
-namespace epura {
+namespace epura::verify {
 
 struct VerifyInput {
-  const World& world;
-  const Projection& projection;
-  const ViewLimits& limits;
-  const FeatureEdges& drawn;
-  const HiddenSpans& hidden;
-  const ViewDrawing& drawing;
+  const scene::World& world;
+  const projection::Projection& projection;
+  const view::ViewLimits& limits;
+  const edges::FeatureEdges& drawn;
+  const visibility::HiddenSpans& hidden;
+  const drawing::ViewDrawing& drawing;
 
   /// The ends of the whole edge, cut or not, in the world; parameters t run from the first to the second.
-  [[nodiscard]] std::array<Vec3, 2> ends_of(const FeatureEdge& edge) const;
+  [[nodiscard]] std::array<Vec3, 2> ends_of(const edges::FeatureEdge& edge) const;
   /// Whether a triangle contains the edge: by the mesh, or because it is one of the two that cross there.
-  [[nodiscard]] bool contains(const FeatureEdge& edge, int triangle) const;
+  [[nodiscard]] bool contains(const edges::FeatureEdge& edge, int triangle) const;
   /// Whether a triangle has a corner in common with the edge.
-  [[nodiscard]] bool joined(const FeatureEdge& edge, int triangle) const;
+  [[nodiscard]] bool joined(const edges::FeatureEdge& edge, int triangle) const;
 };
 
 /// How to look at it: plane and projectors from the projection, units of the page from the drawing's matrix.
 Viewing viewing_of(const VerifyInput& claim);
 
-}  // namespace epura
+}  // namespace epura::verify

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace epura {
+namespace epura::view {
 
 namespace {
 
@@ -76,4 +76,4 @@ std::optional<ClippedEdge> Clipper::clip_edge(int a, int b, std::span<const int>
   return edge;
 }
 
-}  // namespace epura
+}  // namespace epura::view

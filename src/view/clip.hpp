@@ -12,7 +12,7 @@
 #include "base/unset_vector.hpp"
 #include "view/view_map.hpp"
 
-namespace epura {
+namespace epura::view {
 
 /// What lies inside has x.x * X + x.y * Y + ... >= 0.
 struct ClipPlane {
@@ -54,4 +54,4 @@ class Clipper {
   std::vector<std::unordered_map<std::uint64_t, int>> cuts_;  ///< for each plane: edge -> vertex
 };
 
-}  // namespace epura
+}  // namespace epura::view

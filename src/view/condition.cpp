@@ -6,7 +6,7 @@
 
 #include "view/view_map.hpp"
 
-namespace epura {
+namespace epura::view {
 
 namespace {
 
@@ -15,18 +15,18 @@ double reach(const Vec3& a, const Vec3& b) { return glm::dot(glm::abs(a), glm::a
 
 // A box with its projection in units near 1, so that nothing over- or underflows.
 struct Setting {
-  Projection p;
+  projection::Projection p;
   Vec3 size;                    // of the box
   Vec3 max;                     // largest absolute coordinates in it
   std::array<Vec3, 8> corners;  // of the box
 };
 
-Setting setting_of(const Projection& projection, const Box& scene) {
+Setting setting_of(const projection::Projection& projection, const Box& scene) {
   const double k = make_view_map(projection, scene).normalisation;
   Setting s{projection, scene.max * k - scene.min * k, glm::max(glm::abs(scene.min), glm::abs(scene.max)) * k, {}};
   s.p.point = projection.point * k;
   if (projection.central) s.p.projector = projection.projector * k;
-  if (s.p.window) s.p.window = Window{s.p.window->min * k, s.p.window->max * k};
+  if (s.p.window) s.p.window = projection::Window{s.p.window->min * k, s.p.window->max * k};
   for (int i = 0; i < 8; ++i)
     s.corners[i] = Vec3((i & 1) != 0 ? scene.max.x : scene.min.x, (i & 2) != 0 ? scene.max.y : scene.min.y,
                         (i & 4) != 0 ? scene.max.z : scene.min.z) *
@@ -40,7 +40,7 @@ struct Share {
   const char* why;
 };
 
-double larger_side(const Window& window) {
+double larger_side(const projection::Window& window) {
   const Vec2 size = window.max - window.min;
   return std::max(size.x, size.y);
 }
@@ -55,7 +55,7 @@ void add_window(const Setting& s, double size, std::vector<Share>& shares) {
 }
 
 std::vector<Share> parallel_shares(const Setting& s) {
-  const Projection& p = s.p;
+  const projection::Projection& p = s.p;
   const double slope = glm::dot(p.n, p.projector);
   double size = 0, coordinates = 0, direction = 0;
   for (const Vec3& axis : {p.u, p.v}) {
@@ -92,7 +92,7 @@ Depths depths_of(const Setting& s) {
 }
 
 std::vector<Share> central_shares(const Setting& s) {
-  const Projection& p = s.p;
+  const projection::Projection& p = s.p;
   const Depths w = depths_of(s);
   const double d = glm::dot(p.n, p.projector - p.point);
   const Vec3 from_centre = glm::max(glm::abs(s.corners[0] - p.projector), glm::abs(s.corners[7] - p.projector));
@@ -127,7 +127,7 @@ std::vector<Share> shares_of(const Setting& s) { return s.p.central ? central_sh
 
 }  // namespace
 
-Condition condition_of(const Projection& projection, const Box& scene, const Vec3& one_rounding) {
+Condition condition_of(const projection::Projection& projection, const Box& scene, const Vec3& one_rounding) {
   Setting setting = setting_of(projection, scene);
   const std::vector<Share> shares = shares_of(setting);
   Condition condition{0, {}, 0};
@@ -146,4 +146,4 @@ Condition condition_of(const Projection& projection, const Box& scene, const Vec
   return condition;
 }
 
-}  // namespace epura
+}  // namespace epura::view

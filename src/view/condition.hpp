@@ -8,7 +8,7 @@
 
 #include "projection/projection.hpp"
 
-namespace epura {
+namespace epura::view {
 
 /// Relative condition number of a map, component by component (Higham, Accuracy and Stability of Numerical Algorithms,
 /// 2nd ed., 1.6): when every number of the input (coordinates, plane, projector, window) changes by the part e of
@@ -34,6 +34,6 @@ inline constexpr double too_many_lost_digits = 8;
 inline constexpr double fewest_digits_of_files = 4;
 
 /// `scene` is the box of everything that is drawn; `one_rounding` what a rounding of its coordinates is (World).
-Condition condition_of(const Projection& projection, const Box& scene, const Vec3& one_rounding = Vec3(0));
+Condition condition_of(const projection::Projection& projection, const Box& scene, const Vec3& one_rounding = Vec3(0));
 
-}  // namespace epura
+}  // namespace epura::view

@@ -3,7 +3,7 @@
 
 #include "projection/matrices.hpp"
 
-namespace epura {
+namespace epura::view {
 
 namespace {
 
@@ -15,7 +15,7 @@ Vec4 absolute(const ViewMap& map, const Vec3& row, double constant) {
 
 }  // namespace
 
-Window drawn_box(const ProjectedScene& view) {
+projection::Window drawn_box(const ProjectedScene& view) {
   return {(view.window.min - view.middle) / view.map.normalisation,
           (view.window.max - view.middle) / view.map.normalisation};
 }
@@ -33,11 +33,11 @@ Mat4 world_to_page(const ProjectedScene& view, const PaperMap& paper) {
 }
 
 std::array<std::optional<Vec2>, 3> vanishing_points_on_page(const ProjectedScene& view, const PaperMap& paper) {
-  std::array<std::optional<Vec2>, 3> points = vanishing_points(view.projection);
+  std::array<std::optional<Vec2>, 3> points = projection::vanishing_points(view.projection);
   const double unit = view.projection.scale * view.map.normalisation;
   for (auto& point : points)
     if (point) point = paper.origin + paper.scale * (*point * unit - view.map.image - view.middle);
   return points;
 }
 
-}  // namespace epura
+}  // namespace epura::view

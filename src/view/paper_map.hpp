@@ -4,7 +4,7 @@
 
 #include "view/projected_scene.hpp"
 
-namespace epura {
+namespace epura::view {
 
 /// Millimetres of paper from page vertices: paper = origin + scale * (x, y).
 struct PaperMap {
@@ -15,7 +15,7 @@ struct PaperMap {
 };
 
 /// What is drawn, as a box of the plane in the model's own lengths, from the origin of page vertices.
-Window drawn_box(const ProjectedScene& view);
+projection::Window drawn_box(const ProjectedScene& view);
 
 /// The map for paper = shift + scale * plane, with lengths of the plane as in drawn_box.
 PaperMap make_paper_map(const ProjectedScene& view, double scale, const Vec2& shift);
@@ -26,4 +26,4 @@ Mat4 world_to_page(const ProjectedScene& view, const PaperMap& paper);
 /// Images of the directions of the world axes on the paper; nothing where lines along the axis stay parallel.
 std::array<std::optional<Vec2>, 3> vanishing_points_on_page(const ProjectedScene& view, const PaperMap& paper);
 
-}  // namespace epura
+}  // namespace epura::view

@@ -9,7 +9,7 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 
-namespace epura {
+namespace epura::view {
 
 namespace {
 
@@ -27,7 +27,7 @@ constexpr double contact_part = 0x1p-29;
 constexpr double joined_part = 0x1p-44;
 
 // Adds the plane for `users`, or as idle where it cuts nothing. Returns whether it cuts.
-bool add_plane(ProjectedScene& view, const World& world, const ClipPlane& plane,
+bool add_plane(ProjectedScene& view, const scene::World& world, const ClipPlane& plane,
                std::initializer_list<std::vector<int>*> users) {
   const int number = view.clipper.add_plane(plane);
   const bool cuts = std::any_of(world.triangles.begin(), world.triangles.end(), [&](const auto& corners) {
@@ -48,8 +48,8 @@ ClipPlane depth_plane(const ProjectedScene& view, double limit, double sign) {
 }
 
 // Returns whether something lies beside or behind the viewer.
-bool add_depth_planes(ProjectedScene& view, const World& world, const ViewLimits& limits, Clipping clipping) {
-  const Projection& p = view.projection;
+bool add_depth_planes(ProjectedScene& view, const scene::World& world, const ViewLimits& limits, Clipping clipping) {
+  const projection::Projection& p = view.projection;
   const double viewer = p.central ? glm::dot(p.n, p.projector - p.point) : 0;
   double front = p.front;
   double back = p.back;
@@ -69,7 +69,7 @@ bool add_depth_planes(ProjectedScene& view, const World& world, const ViewLimits
   return around;
 }
 
-UnsetVector<ViewTriangle> clipped_triangles(ProjectedScene& view, const World& world, Clipping clipping) {
+UnsetVector<ViewTriangle> clipped_triangles(ProjectedScene& view, const scene::World& world, Clipping clipping) {
   // Idle planes first: of the world's own corners they take none, while clipping makes corners that are rounded.
   std::vector<int> planes = clipping == Clipping::everywhere ? view.idle_planes : std::vector<int>();
   planes.insert(planes.end(), view.triangle_planes.begin(), view.triangle_planes.end());
@@ -88,12 +88,12 @@ UnsetVector<ViewTriangle> clipped_triangles(ProjectedScene& view, const World& w
   return triangles;
 }
 
-Window box_of(const ProjectedScene& view) {
+projection::Window box_of(const ProjectedScene& view) {
   // Most vertices are corners of several triangles: each is divided once.
   std::vector<char> used(view.clipper.vertices.size(), 0);
   for (const ViewTriangle& triangle : view.triangles)
     for (const int v : triangle.vertex) used[v] = 1;
-  Window box{Vec2(HUGE_VAL), Vec2(-HUGE_VAL)};
+  projection::Window box{Vec2(HUGE_VAL), Vec2(-HUGE_VAL)};
   for (std::size_t v = 0; v < used.size(); ++v) {
     if (used[v] == 0) continue;
     const Mapped& p = view.clipper.vertices[v];
@@ -104,15 +104,15 @@ Window box_of(const ProjectedScene& view) {
   return box;
 }
 
-Window cone_of_vision(const ProjectedScene& view) {
-  const Projection& p = view.projection;
+projection::Window cone_of_vision(const ProjectedScene& view) {
+  const projection::Projection& p = view.projection;
   const Vec3 from_point = p.projector * view.map.normalisation - p.point * view.map.normalisation;
   const double reach = cone_tangent * p.scale * glm::dot(p.n, from_point);
   const Vec2 foot = p.scale * Vec2(glm::dot(p.u, from_point), glm::dot(p.v, from_point)) - view.map.image;
   return {foot - reach, foot + reach};
 }
 
-void choose_window(ProjectedScene& view, const World& world, bool around, Clipping clipping) {
+void choose_window(ProjectedScene& view, const scene::World& world, bool around, Clipping clipping) {
   if (const auto& given = view.projection.window) {
     const double unit = view.projection.scale * view.map.normalisation;
     view.window = {given->min * unit - view.map.image, given->max * unit - view.map.image};
@@ -122,13 +122,14 @@ void choose_window(ProjectedScene& view, const World& world, bool around, Clippi
   view.triangles = clipped_triangles(view, world, clipping);
   view.window = box_of(view);
   if (!around) return;
-  const Window cone = cone_of_vision(view);
+  const projection::Window cone = cone_of_vision(view);
   view.window = {glm::max(view.window.min, cone.min), glm::min(view.window.max, cone.max)};
   view.window_given = true;
 }
 
 // least.x <= X/W <= most.x and alike for Y, as planes.
-void add_window_planes(ProjectedScene& view, const World& world, const Window& window, std::vector<int>& user) {
+void add_window_planes(ProjectedScene& view, const scene::World& world, const projection::Window& window,
+                       std::vector<int>& user) {
   add_plane(view, world, {1, 0, 0, -window.min.x}, {&user});
   add_plane(view, world, {-1, 0, 0, window.max.x}, {&user});
   add_plane(view, world, {0, 1, 0, -window.min.y}, {&user});
@@ -166,7 +167,7 @@ void lay_out(ProjectedScene& view) {
   });
 }
 
-Contact contact_of(const World& world, const ProjectedScene& view, std::optional<double> given) {
+Contact contact_of(const scene::World& world, const ProjectedScene& view, std::optional<double> given) {
   const double unit = view.map.unit;
   const double rounding = world.rounding * view.map.normalisation;
   const double min = joined_part * view.extent;
@@ -182,8 +183,8 @@ Contact contact_of(const World& world, const ProjectedScene& view, std::optional
 
 }  // namespace
 
-ProjectedScene project_scene(const World& world, const Projection& projection, const ViewLimits& limits,
-                             Clipping clipping) {
+ProjectedScene project_scene(const scene::World& world, const projection::Projection& projection,
+                             const ViewLimits& limits, Clipping clipping) {
   const ViewMap map = make_view_map(projection, world.box);
   UnsetVector<Mapped> mapped(world.points.size());
   parallel_for(world.points.size(), grain, [&](std::size_t begin, std::size_t end) {
@@ -192,8 +193,8 @@ ProjectedScene project_scene(const World& world, const Projection& projection, c
   return project_scene(world, projection, limits, std::move(mapped), clipping);
 }
 
-ProjectedScene project_scene(const World& world, const Projection& projection, const ViewLimits& limits,
-                             UnsetVector<Mapped> mapped, Clipping clipping) {
+ProjectedScene project_scene(const scene::World& world, const projection::Projection& projection,
+                             const ViewLimits& limits, UnsetVector<Mapped> mapped, Clipping clipping) {
   ProjectedScene view;
   view.projection = projection;
   view.map = make_view_map(projection, world.box);
@@ -238,4 +239,4 @@ std::vector<int> clip_ring(ProjectedScene& view, const std::vector<int>& ring) {
   return clipped;
 }
 
-}  // namespace epura
+}  // namespace epura::view

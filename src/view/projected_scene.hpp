@@ -15,7 +15,7 @@
 #include "view/clip.hpp"
 #include "view/view_map.hpp"
 
-namespace epura {
+namespace epura::view {
 
 /// A point of the page grid; |x|, |y| < 2^30.
 struct GridPoint {
@@ -54,9 +54,9 @@ struct Contact {
 };
 
 struct ProjectedScene {
-  Projection projection;
+  projection::Projection projection;
   ViewMap map;
-  Window window;              ///< what of the plane is drawn, in view units from the image of map.centre
+  projection::Window window;  ///< what of the plane is drawn, in view units from the image of map.centre
   bool window_given = false;  ///< by the projection, or cut to a cone of vision because the viewer stands in the scene
   Vec2 middle;                ///< of the window: origin of page vertices, view units
   double extent = 0;          ///< longest side of the window, view units
@@ -78,13 +78,14 @@ struct ProjectedScene {
 enum class Clipping { where_needed, everywhere };
 
 /// Throws Error{input} when nothing of the world lies in front of the viewer and inside the window.
-ProjectedScene project_scene(const World& world, const Projection& projection, const ViewLimits& limits,
-                             Clipping clipping = Clipping::where_needed);
+ProjectedScene project_scene(const scene::World& world, const projection::Projection& projection,
+                             const ViewLimits& limits, Clipping clipping = Clipping::where_needed);
 
 /// The same with the points of the world mapped by somebody else: finite, in the coordinates of
 /// make_view_map(projection, world.box).
-ProjectedScene project_scene(const World& world, const Projection& projection, const ViewLimits& limits,
-                             UnsetVector<Mapped> mapped, Clipping clipping = Clipping::where_needed);
+ProjectedScene project_scene(const scene::World& world, const projection::Projection& projection,
+                             const ViewLimits& limits, UnsetVector<Mapped> mapped,
+                             Clipping clipping = Clipping::where_needed);
 
 /// A further point of space as a vertex.
 int add_point(ProjectedScene& view, const Vec3& point);
@@ -96,4 +97,4 @@ std::optional<ClippedEdge> clip_edge(ProjectedScene& view, int a, int b);
 /// What of the polygon of some vertices is drawn; empty where nothing is.
 std::vector<int> clip_ring(ProjectedScene& view, const std::vector<int>& ring);
 
-}  // namespace epura
+}  // namespace epura::view

@@ -6,7 +6,7 @@
 
 #include "base/error.hpp"
 
-namespace epura {
+namespace epura::view {
 
 namespace {
 
@@ -20,7 +20,7 @@ double normalisation_of(const Box& scene) {
   return std::ldexp(1.0, std::clamp(-std::ilogb(size) - 1, -1022, 1022));
 }
 
-ViewMap parallel_map(const Projection& p, ViewMap map) {
+ViewMap parallel_map(const projection::Projection& p, ViewMap map) {
   const double slope = glm::dot(p.n, p.projector);
   const double s = p.scale;
   map.u = s * (p.u - (glm::dot(p.u, p.projector) / slope) * p.n);
@@ -40,7 +40,7 @@ ViewMap parallel_map(const Projection& p, ViewMap map) {
 
 // A reference point well in front of the centre: the middle of the scene, or, where that lies beside or behind the
 // viewer, a point straight ahead at the scene's own distance.
-Vec3 reference_point(const Projection& p, const Box& scene) {
+Vec3 reference_point(const projection::Projection& p, const Box& scene) {
   const Vec3 middle = scene.centre();
   const double ahead = glm::dot(p.n, p.projector - middle);
   const double size = std::max(largest_component(scene.size()), largest_component(p.projector - middle) * 0x1p-20);
@@ -48,7 +48,7 @@ Vec3 reference_point(const Projection& p, const Box& scene) {
   return p.projector - p.n * size;
 }
 
-ViewMap central_map(const Projection& p, const Box& scene, ViewMap map) {
+ViewMap central_map(const projection::Projection& p, const Box& scene, ViewMap map) {
   map.centre = reference_point(p, scene);
   const Vec3 from_eye = map.centre * map.normalisation - p.projector * map.normalisation;
   const double w0 = -glm::dot(p.n, from_eye);
@@ -77,11 +77,11 @@ ViewMap central_map(const Projection& p, const Box& scene, ViewMap map) {
 
 }  // namespace
 
-ViewMap make_view_map(const Projection& projection, const Box& scene) {
+ViewMap make_view_map(const projection::Projection& projection, const Box& scene) {
   ViewMap map{};
   map.centre = scene.empty() ? Vec3(0) : scene.centre();
   map.normalisation = normalisation_of(scene);
   return projection.central ? central_map(projection, scene, map) : parallel_map(projection, map);
 }
 
-}  // namespace epura
+}  // namespace epura::view

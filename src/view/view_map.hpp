@@ -19,7 +19,7 @@
 #include "base/vec.hpp"
 #include "projection/projection.hpp"
 
-namespace epura {
+namespace epura::view {
 
 /// A point in homogeneous view coordinates; W > 0 in front of the viewer.
 struct Mapped {
@@ -46,6 +46,6 @@ struct ViewMap {
 };
 
 /// `scene` is the box of everything that is drawn.
-ViewMap make_view_map(const Projection& projection, const Box& scene);
+ViewMap make_view_map(const projection::Projection& projection, const Box& scene);
 
-}  // namespace epura
+}  // namespace epura::view

@@ -9,7 +9,7 @@
 #include <tuple>
 #include <utility>
 
-namespace epura {
+namespace epura::visibility {
 
 namespace {
 
@@ -25,13 +25,13 @@ constexpr std::size_t least_pile = 8;
 constexpr std::size_t least_at_hub = 16;
 constexpr std::size_t part_at_hub = 2;  // every second triangle, at least
 
-Vec3 point(const ProjectedScene& view, int vertex) {
-  const PageVertex& v = view.vertices[vertex];
+Vec3 point(const view::ProjectedScene& view, int vertex) {
+  const view::PageVertex& v = view.vertices[vertex];
   return {v.x, v.y, v.depth};
 }
 
 // Over the flattest plane through the longest side on the page.
-Vec3 over_longest_side(const ProjectedScene& view, const std::vector<int>& triangles) {
+Vec3 over_longest_side(const view::ProjectedScene& view, const std::vector<int>& triangles) {
   Vec3 longest(0);
   const auto length2 = [](const Vec3& side) { return side.x * side.x + side.y * side.y; };
   for (const int triangle : triangles) {
@@ -44,14 +44,14 @@ Vec3 over_longest_side(const ProjectedScene& view, const std::vector<int>& trian
   return length2(longest) > 0 ? Vec3(Vec2(longest) * (-longest.z / length2(longest)), 1) : Vec3(0, 0, 1);
 }
 
-std::int64_t area(const ProjectedScene& view, int triangle) {
+std::int64_t area(const view::ProjectedScene& view, int triangle) {
   const auto& [a, b, c] = view.triangles[triangle].vertex;
-  return std::abs(cross(view.grid[a], view.grid[b], view.grid[c]));
+  return std::abs(view::cross(view.grid[a], view.grid[b], view.grid[c]));
 }
 
 }  // namespace
 
-CandidateTree::CandidateTree(const ProjectedScene& view, std::vector<int> triangles)
+CandidateTree::CandidateTree(const view::ProjectedScene& view, std::vector<int> triangles)
     : touching_(view.contact.touching) {
   if (triangles.empty()) return;
   choose_directions(view, triangles);
@@ -61,7 +61,7 @@ CandidateTree::CandidateTree(const ProjectedScene& view, std::vector<int> triang
 }
 
 // A vertex that many triangles have becomes the hub.
-void CandidateTree::note_corners(const ProjectedScene& view, const std::vector<int>& triangles) {
+void CandidateTree::note_corners(const view::ProjectedScene& view, const std::vector<int>& triangles) {
   joined_.reserve(3 * triangles.size());
   for (const int triangle : triangles)
     for (const int vertex : view.triangles[triangle].vertex) joined_.emplace_back(vertex, triangle);
@@ -88,7 +88,7 @@ std::span<const std::pair<int, int>> CandidateTree::joined_at(int vertex) const 
 }
 
 // Of few triangles with one footprint, each is tried alone.
-void CandidateTree::make_piles(const ProjectedScene& view, std::vector<int> triangles) {
+void CandidateTree::make_piles(const view::ProjectedScene& view, std::vector<int> triangles) {
   std::vector<std::pair<Pile::Footprint, int>> keys;
   keys.reserve(triangles.size());
   for (const int triangle : triangles) keys.emplace_back(Pile::footprint(view, triangle), triangle);
@@ -106,9 +106,9 @@ void CandidateTree::make_piles(const ProjectedScene& view, std::vector<int> tria
   }
 }
 
-void CandidateTree::choose_directions(const ProjectedScene& view, const std::vector<int>& triangles) {
+void CandidateTree::choose_directions(const view::ProjectedScene& view, const std::vector<int>& triangles) {
   const auto by_area = [&](int a, int b) { return area(view, a) < area(view, b); };
-  const ViewTriangle& largest = view.triangles[*std::max_element(triangles.begin(), triangles.end(), by_area)];
+  const view::ViewTriangle& largest = view.triangles[*std::max_element(triangles.begin(), triangles.end(), by_area)];
   for (std::size_t i = 0; i < 3; ++i) {
     const Vec3 side = point(view, largest.vertex[(i + 1) % 3]) - point(view, largest.vertex[i]);
     const double length = std::hypot(side.x, side.y);
@@ -128,7 +128,7 @@ void CandidateTree::choose_directions(const ProjectedScene& view, const std::vec
   }
 }
 
-CandidateTree::Bounds CandidateTree::before(const ProjectedScene& view, const PageEdge& edge,
+CandidateTree::Bounds CandidateTree::before(const view::ProjectedScene& view, const PageEdge& edge,
                                             const std::array<Vec3, 2>& places) const {
   Bounds bounds;
   for (std::size_t i = 0; i < directions; ++i) {
@@ -145,7 +145,7 @@ CandidateTree::Bounds CandidateTree::before(const ProjectedScene& view, const Pa
 }
 
 // What lies less than contact before an edge ends behind it.
-CandidateTree::Bounds CandidateTree::bounds_of(const ProjectedScene& view, int triangle) const {
+CandidateTree::Bounds CandidateTree::bounds_of(const view::ProjectedScene& view, int triangle) const {
   const auto& [u, v, w] = view.triangles[triangle].vertex;
   const Vec3 a = point(view, u), b = point(view, v), c = point(view, w);
   const double forgiven = touching_ * steepness_of(view, view.triangles[triangle]);
@@ -159,7 +159,7 @@ CandidateTree::Bounds CandidateTree::bounds_of(const ProjectedScene& view, int t
   return bounds;
 }
 
-CandidateTree::Bounds CandidateTree::bounds_of_thing(const ProjectedScene& view, int thing) const {
+CandidateTree::Bounds CandidateTree::bounds_of_thing(const view::ProjectedScene& view, int thing) const {
   if (thing >= 0) return bounds_of(view, thing);
   const std::vector<int>& triangles = piles_[~thing].triangles();
   Bounds all = bounds_of(view, triangles.front());
@@ -171,7 +171,7 @@ CandidateTree::Bounds CandidateTree::bounds_of_thing(const ProjectedScene& view,
   return all;
 }
 
-void CandidateTree::make_tree(const ProjectedScene& view) {
+void CandidateTree::make_tree(const view::ProjectedScene& view) {
   std::vector<Bounds> bounds;
   bounds.reserve(things_.size());
   for (const int thing : things_) bounds.push_back(bounds_of_thing(view, thing));
@@ -186,4 +186,4 @@ void CandidateTree::make_tree(const ProjectedScene& view) {
   tree_ = {things_.size(), [&](std::size_t i) { return bounds[order[i]]; }};
 }
 
-}  // namespace epura
+}  // namespace epura::visibility

@@ -15,7 +15,7 @@
 #include "visibility/pile.hpp"
 #include "visibility/seen_from.hpp"
 
-namespace epura {
+namespace epura::visibility {
 
 /// A tree of bounds between parallel planes (Kay & Kajiya, Ray tracing complex scenes, SIGGRAPH 1986), in directions
 /// that the largest triangle gives: aside from each of its sides, and the height over its plane. So slanted lines side
@@ -28,17 +28,17 @@ namespace epura {
 /// one thing.
 class CandidateTree {
  public:
-  using Bounds = epura::Bounds<6>;
+  using Bounds = epura::search::Bounds<6>;
 
   CandidateTree() = default;
   /// Of triangles with an area on the page grid.
-  CandidateTree(const ProjectedScene& view, std::vector<int> triangles);
+  CandidateTree(const view::ProjectedScene& view, std::vector<int> triangles);
 
   [[nodiscard]] bool empty() const { return tree_.empty(); }
 
   /// Where triangles have to reach to hide something of an edge between two places: x, y and depth. Those that have an
   /// end of it as a corner may hide it from elsewhere.
-  [[nodiscard]] Bounds before(const ProjectedScene& view, const PageEdge& edge,
+  [[nodiscard]] Bounds before(const view::ProjectedScene& view, const PageEdge& edge,
                               const std::array<Vec3, 2>& places) const;
 
   /// Calls `visit(triangle)` or `visit(pile)` for those that may reach into the bounds, until it returns false. It may
@@ -51,7 +51,7 @@ class CandidateTree {
 
   /// Calls `visit(triangle)` for those that have an end of the edge as a corner and may lie over it.
   template <class Visit>
-  void visit_joined(const ProjectedScene& view, const PageEdge& edge, const Visit& visit) const {
+  void visit_joined(const view::ProjectedScene& view, const PageEdge& edge, const Visit& visit) const {
     for (const int end : {edge.p, edge.q}) {
       if (!hub_ || !hub_->is_at(view.grid[end])) {
         for (const auto& [vertex, triangle] : joined_at(end)) visit(triangle);
@@ -83,7 +83,7 @@ class CandidateTree {
     return things_[i] >= 0 ? visit(things_[i]) : visit(piles_[~things_[i]]);
   }
   template <class Visit>
-  void visit_joined_of(const ProjectedScene& view, int thing, int end, const Visit& visit) const {
+  void visit_joined_of(const view::ProjectedScene& view, int thing, int end, const Visit& visit) const {
     if (thing < 0) {
       for (const int triangle : piles_[~thing].around(end)) visit(triangle);
       return;
@@ -93,12 +93,12 @@ class CandidateTree {
   }
 
   [[nodiscard]] std::span<const std::pair<int, int>> joined_at(int vertex) const;
-  void choose_directions(const ProjectedScene& view, const std::vector<int>& triangles);
-  void note_corners(const ProjectedScene& view, const std::vector<int>& triangles);
-  void make_piles(const ProjectedScene& view, std::vector<int> triangles);
-  [[nodiscard]] Bounds bounds_of(const ProjectedScene& view, int triangle) const;
-  [[nodiscard]] Bounds bounds_of_thing(const ProjectedScene& view, int thing) const;
-  void make_tree(const ProjectedScene& view);
+  void choose_directions(const view::ProjectedScene& view, const std::vector<int>& triangles);
+  void note_corners(const view::ProjectedScene& view, const std::vector<int>& triangles);
+  void make_piles(const view::ProjectedScene& view, std::vector<int> triangles);
+  [[nodiscard]] Bounds bounds_of(const view::ProjectedScene& view, int triangle) const;
+  [[nodiscard]] Bounds bounds_of_thing(const view::ProjectedScene& view, int thing) const;
+  void make_tree(const view::ProjectedScene& view);
 
   std::vector<int> things_;  ///< triangles, or ~numbers of piles
   std::vector<Pile> piles_;
@@ -107,7 +107,7 @@ class CandidateTree {
   std::array<double, directions> slack_{};
   double touching_ = 0;
   std::optional<SeenFrom> hub_;
-  BoundsTree<6> tree_;
+  search::BoundsTree<6> tree_;
 };
 
-}  // namespace epura
+}  // namespace epura::visibility

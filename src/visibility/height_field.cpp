@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace epura {
+namespace epura::visibility {
 
 namespace {
 
@@ -22,7 +22,7 @@ struct Border {
 
 class Sheet {
  public:
-  Sheet(const World& world, const ProjectedScene& view) : world_(world), view_(view) {}
+  Sheet(const scene::World& world, const view::ProjectedScene& view) : world_(world), view_(view) {}
 
   [[nodiscard]] bool is_one() const {
     if (is_closed()) return false;
@@ -32,13 +32,13 @@ class Sheet {
 
  private:
   [[nodiscard]] std::int64_t area(int a, int b, int c) const {
-    return cross(view_.grid[a], view_.grid[b], view_.grid[c]);
+    return view::cross(view_.grid[a], view_.grid[b], view_.grid[c]);
   }
 
   // By counting: as long as no edge has more than two triangles, it is so when there are no more edges than that.
   [[nodiscard]] bool is_closed() const {
     std::size_t edges = 0;
-    for (const Placed& model : world_.models) edges += model.mesh->edges.size();
+    for (const scene::Placed& model : world_.models) edges += model.mesh->edges.size();
     return 2 * edges <= 3 * world_.triangles.size();
   }
 
@@ -52,7 +52,7 @@ class Sheet {
   [[nodiscard]] std::optional<std::vector<Border>> find_borders() const {
     std::vector<Border> borders;
     for (int model = 0; model < static_cast<int>(world_.models.size()); ++model)
-      for (const MeshEdge& edge : world_.models[model].mesh->edges) {
+      for (const mesh::MeshEdge& edge : world_.models[model].mesh->edges) {
         const auto triangles = world_.models[model].mesh->triangles_of(edge);
         const int u = world_.first_vertex[model] + edge.vertex[0];
         const int v = world_.first_vertex[model] + edge.vertex[1];
@@ -82,8 +82,8 @@ class Sheet {
   // Of borders in one line.
   [[nodiscard]] bool folds_back(const Border& a, const Border& b) const {
     const auto direction = [&](const Border& border) {
-      const GridPoint& p = view_.grid[border.from];
-      const GridPoint& q = view_.grid[border.to];
+      const view::GridPoint& p = view_.grid[border.from];
+      const view::GridPoint& q = view_.grid[border.to];
       return std::array{std::int64_t{q.x} - p.x, std::int64_t{q.y} - p.y};
     };
     const auto one = direction(a), two = direction(b);
@@ -92,21 +92,22 @@ class Sheet {
 
   // By a sweep from left to right over their boxes.
   [[nodiscard]] bool keep_apart(std::vector<Border> borders) const {
-    const auto span = [&](const Border& b, std::int32_t GridPoint::*axis) {
+    const auto span = [&](const Border& b, std::int32_t view::GridPoint::*axis) {
       return std::minmax(view_.grid[b.from].*axis, view_.grid[b.to].*axis);
     };
     std::sort(borders.begin(), borders.end(), [&](const Border& a, const Border& b) {
-      return std::pair(span(a, &GridPoint::x).first, a.from) < std::pair(span(b, &GridPoint::x).first, b.from);
+      return std::pair(span(a, &view::GridPoint::x).first, a.from) <
+             std::pair(span(b, &view::GridPoint::x).first, b.from);
     });
     std::vector<Border> open;
     std::size_t pairs = 0;
     for (const Border& border : borders) {
-      const auto x = span(border, &GridPoint::x), y = span(border, &GridPoint::y);
-      std::erase_if(open, [&](const Border& other) { return span(other, &GridPoint::x).second < x.first; });
+      const auto x = span(border, &view::GridPoint::x), y = span(border, &view::GridPoint::y);
+      std::erase_if(open, [&](const Border& other) { return span(other, &view::GridPoint::x).second < x.first; });
       pairs += open.size();
       if (pairs > most_pairs) return false;
       for (const Border& other : open) {
-        const auto other_y = span(other, &GridPoint::y);
+        const auto other_y = span(other, &view::GridPoint::y);
         if (other_y.first <= y.second && y.first <= other_y.second && meet(border, other)) return false;
       }
       open.push_back(border);
@@ -146,15 +147,15 @@ class Sheet {
     return high > 0 || (high == 0 && (low & 0xffffffff) != 0);
   }
 
-  const World& world_;
-  const ProjectedScene& view_;
+  const scene::World& world_;
+  const view::ProjectedScene& view_;
 };
 
 }  // namespace
 
-bool is_height_field(const World& world, const ProjectedScene& view, const FeatureEdges& drawn) {
+bool is_height_field(const scene::World& world, const view::ProjectedScene& view, const edges::FeatureEdges& drawn) {
   if (!view.triangle_planes.empty() || !view.edge_planes.empty() || !drawn.crossings.empty()) return false;
   return Sheet(world, view).is_one();
 }
 
-}  // namespace epura
+}  // namespace epura::visibility

@@ -5,7 +5,7 @@
 #include "edges/find_edges.hpp"
 #include "view/projected_scene.hpp"
 
-namespace epura {
+namespace epura::visibility {
 
 /// Whether no two triangles of the view have more in common on the page grid than the corner or side that they share.
 /// Then find_hidden finds nothing, to the last bit: the line of an edge that runs through a triangle other than its own
@@ -16,6 +16,6 @@ namespace epura {
 /// - sides of one triangle form closed lines that neither cross nor touch, so every place is covered as often as they
 ///   run around it; and only one of them runs around its inside like the triangles, the others are holes.
 /// So no place is covered twice. Nothing is clipped, and there are no intersection lines.
-bool is_height_field(const World& world, const ProjectedScene& view, const FeatureEdges& drawn);
+bool is_height_field(const scene::World& world, const view::ProjectedScene& view, const edges::FeatureEdges& drawn);
 
-}  // namespace epura
+}  // namespace epura::visibility

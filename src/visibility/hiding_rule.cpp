@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <utility>
 
-namespace epura {
+namespace epura::visibility {
 
 namespace {
 
@@ -18,7 +18,7 @@ double steepness(const std::optional<Vec2>& slope) { return slope ? 1 + glm::len
 
 double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
-Vec2 position(const PageVertex& v) { return {v.x, v.y}; }
+Vec2 position(const view::PageVertex& v) { return {v.x, v.y}; }
 
 // The parameter of a crossing that lies before, on or behind the edge as whole numbers decide.
 double placed(double t, std::int64_t numerator, std::int64_t denominator) {
@@ -40,11 +40,11 @@ struct GridCrossing {
   }
 };
 
-GridCrossing cross_on_grid(const ProjectedScene& view, const PageEdge& edge, int u, int v) {
-  const GridPoint& p = view.grid[edge.p];
-  const GridPoint& q = view.grid[edge.q];
-  const GridPoint& a = view.grid[u];
-  const GridPoint& b = view.grid[v];
+GridCrossing cross_on_grid(const view::ProjectedScene& view, const PageEdge& edge, int u, int v) {
+  const view::GridPoint& p = view.grid[edge.p];
+  const view::GridPoint& q = view.grid[edge.q];
+  const view::GridPoint& a = view.grid[u];
+  const view::GridPoint& b = view.grid[v];
   const std::int64_t sx = std::int64_t{b.x} - a.x, sy = std::int64_t{b.y} - a.y;
   const std::int64_t denominator = (std::int64_t{q.x} - p.x) * sy - (std::int64_t{q.y} - p.y) * sx;
   const std::int64_t numerator = (std::int64_t{a.x} - p.x) * sy - (std::int64_t{a.y} - p.y) * sx;
@@ -61,9 +61,9 @@ struct CrossedSide {
 
 // The crossing is decided on the grid and computed from the unrounded coordinates. Where those do not confirm it (lines
 // parallel within the grid cross anywhere, or nowhere), the grid's place is taken.
-SideCrossing place_crossing(const ProjectedScene& view, const PageEdge& edge, const CrossedSide& crossed) {
-  const PageVertex& u = view.vertices[crossed.u];
-  const PageVertex& v = view.vertices[crossed.v];
+SideCrossing place_crossing(const view::ProjectedScene& view, const PageEdge& edge, const CrossedSide& crossed) {
+  const view::PageVertex& u = view.vertices[crossed.u];
+  const view::PageVertex& v = view.vertices[crossed.v];
   const GridCrossing& decided = crossed.decided;
   const Vec2 p = position(view.vertices[edge.p]);
   const Vec2 along = position(view.vertices[edge.q]) - p;
@@ -84,8 +84,8 @@ SideCrossing place_crossing(const ProjectedScene& view, const PageEdge& edge, co
 }
 
 // The two sides that the line of the edge crosses; `left` says on which side of it the corners lie.
-std::array<CrossedSide, 2> crossed_sides(const ProjectedScene& view, const PageEdge& edge, const ViewTriangle& triangle,
-                                         const std::array<bool, 3>& left) {
+std::array<CrossedSide, 2> crossed_sides(const view::ProjectedScene& view, const PageEdge& edge,
+                                         const view::ViewTriangle& triangle, const std::array<bool, 3>& left) {
   std::array<CrossedSide, 2> sides{};
   std::size_t count = 0;
   for (int i = 0; i < 3; ++i) {
@@ -105,11 +105,11 @@ bool lie_beyond_an_end(const std::array<CrossedSide, 2>& sides) {
 }
 
 // The same, if the edge and the triangle meet as the grid decides.
-std::optional<std::array<CrossedSide, 2>> sides_over(const ProjectedScene& view, const PageEdge& edge,
-                                                     const ViewTriangle& triangle) {
+std::optional<std::array<CrossedSide, 2>> sides_over(const view::ProjectedScene& view, const PageEdge& edge,
+                                                     const view::ViewTriangle& triangle) {
   std::array<bool, 3> left{};
   for (int i = 0; i < 3; ++i)
-    left[i] = epura::cross(view.grid[edge.p], view.grid[edge.q], view.grid[triangle.vertex[i]]) >= 0;
+    left[i] = epura::view::cross(view.grid[edge.p], view.grid[edge.q], view.grid[triangle.vertex[i]]) >= 0;
   if (left[0] == left[1] && left[1] == left[2]) return std::nullopt;
   const std::array<CrossedSide, 2> sides = crossed_sides(view, edge, triangle, left);
   return lie_beyond_an_end(sides) ? std::nullopt : std::optional(sides);
@@ -127,10 +127,10 @@ std::optional<std::array<double, 2>> exceeding(double from, double to, double at
 
 }  // namespace
 
-std::optional<Vec2> slope_of(const ProjectedScene& view, const ViewTriangle& triangle) {
-  const PageVertex& a = view.vertices[triangle.vertex[0]];
-  const PageVertex& b = view.vertices[triangle.vertex[1]];
-  const PageVertex& c = view.vertices[triangle.vertex[2]];
+std::optional<Vec2> slope_of(const view::ProjectedScene& view, const view::ViewTriangle& triangle) {
+  const view::PageVertex& a = view.vertices[triangle.vertex[0]];
+  const view::PageVertex& b = view.vertices[triangle.vertex[1]];
+  const view::PageVertex& c = view.vertices[triangle.vertex[2]];
   const double bx = b.x - a.x, by = b.y - a.y, bz = b.depth - a.depth;
   const double cx = c.x - a.x, cy = c.y - a.y, cz = c.depth - a.depth;
   const double area = bx * cy - by * cx;
@@ -138,8 +138,8 @@ std::optional<Vec2> slope_of(const ProjectedScene& view, const ViewTriangle& tri
   return Vec2(bz * cy - by * cz, bx * cz - bz * cx) / area;
 }
 
-double rise_along(const ProjectedScene& view, const ViewTriangle& triangle, const Vec2& way) {
-  std::array<const PageVertex*, 3> corners{};
+double rise_along(const view::ProjectedScene& view, const view::ViewTriangle& triangle, const Vec2& way) {
+  std::array<const view::PageVertex*, 3> corners{};
   for (int i = 0; i < 3; ++i) corners[i] = &view.vertices[triangle.vertex[i]];
   const auto squared = [&](int i, int j) {
     const Vec2 side = position(*corners[j]) - position(*corners[i]);
@@ -154,19 +154,20 @@ double rise_along(const ProjectedScene& view, const ViewTriangle& triangle, cons
   return along * glm::dot(base, way) + across * cross(base, way);
 }
 
-double steepness_of(const ProjectedScene& view, const ViewTriangle& triangle) {
+double steepness_of(const view::ProjectedScene& view, const view::ViewTriangle& triangle) {
   return steepness(slope_of(view, triangle));
 }
 
-double least_span(const ProjectedScene& view, const PageEdge& edge) {
+double least_span(const view::ProjectedScene& view, const PageEdge& edge) {
   return least_piece * view.extent / glm::distance(position(view.vertices[edge.p]), position(view.vertices[edge.q]));
 }
 
-bool meets_on_grid(const ProjectedScene& view, const PageEdge& edge, const ViewTriangle& triangle) {
+bool meets_on_grid(const view::ProjectedScene& view, const PageEdge& edge, const view::ViewTriangle& triangle) {
   return sides_over(view, edge, triangle).has_value();
 }
 
-std::optional<Overlap> overlap_of(const ProjectedScene& view, const PageEdge& edge, const ViewTriangle& triangle) {
+std::optional<Overlap> overlap_of(const view::ProjectedScene& view, const PageEdge& edge,
+                                  const view::ViewTriangle& triangle) {
   const auto sides = sides_over(view, edge, triangle);
   if (!sides) return std::nullopt;
   auto in = place_crossing(view, edge, (*sides)[0]), out = place_crossing(view, edge, (*sides)[1]);
@@ -176,13 +177,13 @@ std::optional<Overlap> overlap_of(const ProjectedScene& view, const PageEdge& ed
   return Overlap{from, to, in, out};
 }
 
-std::optional<std::array<double, 2>> hidden_part(const ProjectedScene& view, const PageEdge& edge,
-                                                 const ViewTriangle& triangle) {
+std::optional<std::array<double, 2>> hidden_part(const view::ProjectedScene& view, const PageEdge& edge,
+                                                 const view::ViewTriangle& triangle) {
   const std::optional<Overlap> overlap = overlap_of(view, edge, triangle);
   if (!overlap) return std::nullopt;
   const double from = overlap->from, to = overlap->to;
-  const PageVertex& p = view.vertices[edge.p];
-  const PageVertex& q = view.vertices[edge.q];
+  const view::PageVertex& p = view.vertices[edge.p];
+  const view::PageVertex& q = view.vertices[edge.q];
   const auto in_front = [&](double t) {
     return overlap->depth(t, [&](int v) { return view.vertices[v].depth; }) - (p.depth + t * (q.depth - p.depth));
   };
@@ -198,8 +199,8 @@ std::optional<std::array<double, 2>> hidden_part(const ProjectedScene& view, con
   // At a common corner the difference is zero by definition; the other end decides for the whole. It is measured in the
   // triangle's plane: where the edge runs along a side, the place at which it leaves the triangle is uncertain.
   const std::optional<Vec2> slope = slope_of(view, triangle);
-  const PageVertex& corner = holds_p ? p : q;
-  const PageVertex& end = holds_p ? q : p;
+  const view::PageVertex& corner = holds_p ? p : q;
+  const view::PageVertex& end = holds_p ? q : p;
   const double part = holds_p ? to : 1 - from;
   const Vec2 way = position(end) - position(corner);
   const double ahead =
@@ -207,4 +208,4 @@ std::optional<std::array<double, 2>> hidden_part(const ProjectedScene& view, con
   return ahead > view.contact.joined * steepness(slope) ? std::optional(std::array{from, to}) : std::nullopt;
 }
 
-}  // namespace epura
+}  // namespace epura::visibility

@@ -14,17 +14,17 @@
 #include "edges/find_edges.hpp"
 #include "view/projected_scene.hpp"
 
-namespace epura {
+namespace epura::visibility {
 
 /// The gradient of depth over the page. A triangle that is a line there has none.
-std::optional<Vec2> slope_of(const ProjectedScene& view, const ViewTriangle& triangle);
+std::optional<Vec2> slope_of(const view::ProjectedScene& view, const view::ViewTriangle& triangle);
 
 /// How depth changes along a way in the plane of a triangle that has a slope: along its longest side and across it,
 /// since the slope of a needle is uncertain across alone.
-double rise_along(const ProjectedScene& view, const ViewTriangle& triangle, const Vec2& way);
+double rise_along(const view::ProjectedScene& view, const view::ViewTriangle& triangle, const Vec2& way);
 
 /// Contact is measured along the normal of a triangle, hiding along the view: by so much more.
-double steepness_of(const ProjectedScene& view, const ViewTriangle& triangle);
+double steepness_of(const view::ProjectedScene& view, const view::ViewTriangle& triangle);
 
 /// An edge on the page, between two vertices of the view.
 struct PageEdge {
@@ -35,7 +35,7 @@ struct PageEdge {
 inline constexpr double least_piece = 1e-7;
 
 /// The same as a part of the edge's length on the page.
-double least_span(const ProjectedScene& view, const PageEdge& edge);
+double least_span(const view::ProjectedScene& view, const PageEdge& edge);
 
 /// Where an edge crosses a side of a triangle.
 struct SideCrossing {
@@ -61,14 +61,15 @@ struct Overlap {
 };
 
 /// Whether the triangle lies over the edge or under it, as the page grid decides.
-bool meets_on_grid(const ProjectedScene& view, const PageEdge& edge, const ViewTriangle& triangle);
+bool meets_on_grid(const view::ProjectedScene& view, const PageEdge& edge, const view::ViewTriangle& triangle);
 
 /// Nothing where they do not meet.
-std::optional<Overlap> overlap_of(const ProjectedScene& view, const PageEdge& edge, const ViewTriangle& triangle);
+std::optional<Overlap> overlap_of(const view::ProjectedScene& view, const PageEdge& edge,
+                                  const view::ViewTriangle& triangle);
 
 /// Page parameters (0 at p, 1 at q) of the part that the triangle hides: where it covers the edge on the page and lies
 /// in front of it by more than contact. The caller has seen to it that the edge is none of the triangle's own.
-std::optional<std::array<double, 2>> hidden_part(const ProjectedScene& view, const PageEdge& edge,
-                                                 const ViewTriangle& triangle);
+std::optional<std::array<double, 2>> hidden_part(const view::ProjectedScene& view, const PageEdge& edge,
+                                                 const view::ViewTriangle& triangle);
 
-}  // namespace epura
+}  // namespace epura::visibility

@@ -5,18 +5,18 @@
 #include <cmath>
 #include <optional>
 
-namespace epura {
+namespace epura::visibility {
 
 namespace {
 
 // Depths are computed to this part of their size.
 constexpr double depth_rounding = 0x1p-40;
 
-Vec2 position(const PageVertex& v) { return {v.x, v.y}; }
+Vec2 position(const view::PageVertex& v) { return {v.x, v.y}; }
 
 }  // namespace
 
-CoverPlane::CoverPlane(const ProjectedScene& view, const ViewTriangle& triangle, const Vec2& half)
+CoverPlane::CoverPlane(const view::ProjectedScene& view, const view::ViewTriangle& triangle, const Vec2& half)
     : corner_(position(view.vertices[triangle.vertex[0]])) {
   const std::optional<Vec2> slope = slope_of(view, triangle);
   if (!slope) return;
@@ -27,11 +27,11 @@ CoverPlane::CoverPlane(const ProjectedScene& view, const ViewTriangle& triangle,
   depth_ = depth - glm::dot(half, glm::abs(*slope)) - view.contact.touching * (1 + steepness) - rounding;
 }
 
-bool OccluderPatch::add(const ViewTriangle& triangle) {
+bool OccluderPatch::add(const view::ViewTriangle& triangle) {
   const double depth = CoverPlane(view_, triangle, cell_.half).depth(cell_.middle);
   if (depth == -HUGE_VAL) return false;
   const auto& v = triangle.vertex;
-  const bool turns_left = cross(view_.grid[v[0]], view_.grid[v[1]], view_.grid[v[2]]) > 0;
+  const bool turns_left = view::cross(view_.grid[v[0]], view_.grid[v[1]], view_.grid[v[2]]) > 0;
   const int sheet = static_cast<int>(sheets_.size());
   sheets_.push_back({sheet, 0, depth});
   bool alone = true;
@@ -47,7 +47,7 @@ bool OccluderPatch::add(const ViewTriangle& triangle) {
 }
 
 // A side is closed by a triangle on its other side, and opened by any other.
-void OccluderPatch::close(int sheet, const ViewTriangle& triangle, int side, bool turns_left) {
+void OccluderPatch::close(int sheet, const view::ViewTriangle& triangle, int side, bool turns_left) {
   const int u = triangle.vertex[side], v = triangle.vertex[(side + 1) % 3];
   const bool left = turns_left == (u < v);
   const std::uint64_t key =
@@ -80,7 +80,7 @@ bool OccluderPatch::reaches_in(int u, int v) const {
   return std::abs(along.x * a.y - along.y * a.x) <= std::abs(along.x) * cell_.half.y + std::abs(along.y) * cell_.half.x;
 }
 
-bool OccluderPatch::holds_middle(const ViewTriangle& triangle) const {
+bool OccluderPatch::holds_middle(const view::ViewTriangle& triangle) const {
   int left = 0;
   for (int i = 0; i < 3; ++i) {
     const Vec2 a = position(view_.vertices[triangle.vertex[i]]) - cell_.middle;
@@ -90,4 +90,4 @@ bool OccluderPatch::holds_middle(const ViewTriangle& triangle) const {
   return left == 0 || left == 3;
 }
 
-}  // namespace epura
+}  // namespace epura::visibility

@@ -10,7 +10,7 @@
 #include "view/projected_scene.hpp"
 #include "visibility/hiding_rule.hpp"
 
-namespace epura {
+namespace epura::visibility {
 
 /// A cell of the page, already widened by what rounding may move.
 struct CellBox {
@@ -21,7 +21,7 @@ struct CellBox {
 class CoverPlane {
  public:
   /// `half` of the width and height of a cell, widened.
-  CoverPlane(const ProjectedScene& view, const ViewTriangle& triangle, const Vec2& half);
+  CoverPlane(const view::ProjectedScene& view, const view::ViewTriangle& triangle, const Vec2& half);
 
   /// What lies deeper in the cell around a place is hidden wherever the triangle covers it: deeper than any place of
   /// its plane there by more than contact and rounding. -infinity for a triangle that is a line on the page.
@@ -36,10 +36,10 @@ class CoverPlane {
 /// cell has triangles on both sides: as many triangles cover one place of the cell as another, and so at least one.
 class OccluderPatch {
  public:
-  OccluderPatch(const ProjectedScene& view, const CellBox& cell) : view_(view), cell_(cell) {}
+  OccluderPatch(const view::ProjectedScene& view, const CellBox& cell) : view_(view), cell_(cell) {}
 
   /// Whether this triangle, which has an area on the page grid, has made a sheet whole.
-  bool add(const ViewTriangle& triangle);
+  bool add(const view::ViewTriangle& triangle);
 
   /// What lies deeper in the cell is hidden by the sheet that was made whole.
   [[nodiscard]] double depth() const { return depth_; }
@@ -56,15 +56,15 @@ class OccluderPatch {
   };
 
   [[nodiscard]] bool reaches_in(int u, int v) const;
-  [[nodiscard]] bool holds_middle(const ViewTriangle& triangle) const;
+  [[nodiscard]] bool holds_middle(const view::ViewTriangle& triangle) const;
   int root(int sheet);
-  void close(int sheet, const ViewTriangle& triangle, int side, bool turns_left);
+  void close(int sheet, const view::ViewTriangle& triangle, int side, bool turns_left);
 
-  const ProjectedScene& view_;
+  const view::ProjectedScene& view_;
   CellBox cell_;
   std::vector<Sheet> sheets_;
   std::unordered_map<std::uint64_t, OpenSide> open_;
   double depth_ = -HUGE_VAL;
 };
 
-}  // namespace epura
+}  // namespace epura::visibility

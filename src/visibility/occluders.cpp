@@ -13,7 +13,7 @@
 #include "visibility/occluder_patch.hpp"
 #include "visibility/occlusion_query.hpp"
 
-namespace epura {
+namespace epura::visibility {
 
 namespace {
 
@@ -21,10 +21,10 @@ constexpr std::size_t chunk = 4096;
 // The page gets cells for about so many triangles each. Of a triangle, most cells are passed by without work, since no
 // line runs through them.
 constexpr double triangles_of_cell = 5;
-constexpr GridLimits page_limits{0x1p24, 0, 8, 128};
+constexpr search::GridLimits page_limits{0x1p24, 0, 8, 128};
 // Cells in which more pairs of edge and triangle meet than this are divided, and their parts again.
 constexpr double most_pairs = 1 << 15;
-constexpr GridLimits cell_limits{1024, 0, 8, 32};
+constexpr search::GridLimits cell_limits{1024, 0, 8, 32};
 constexpr int deepest_level = 8;
 // Triangles that are looked at to choose a grid.
 constexpr std::size_t sample = 65536;
@@ -61,16 +61,16 @@ Number count_up(Number& value) {
   return std::atomic_ref<Number>(value).fetch_add(1, std::memory_order_relaxed);
 }
 
-double greatest_depth(const ProjectedScene& view) {
+double greatest_depth(const view::ProjectedScene& view) {
   double greatest = -HUGE_VAL;
-  for (const PageVertex& vertex : view.vertices) greatest = std::max(greatest, vertex.depth);
+  for (const view::PageVertex& vertex : view.vertices) greatest = std::max(greatest, vertex.depth);
   return greatest;
 }
 
 }  // namespace
 
-OccluderGrid::OccluderGrid(const World& world, const ProjectedScene& view, const std::vector<FeatureEdge>& edges,
-                           const Progress& progress)
+OccluderGrid::OccluderGrid(const scene::World& world, const view::ProjectedScene& view,
+                           const std::vector<edges::FeatureEdge>& edges, const Progress& progress)
     : view_(view),
       edges_(edges),
       progress_(progress),
@@ -78,31 +78,31 @@ OccluderGrid::OccluderGrid(const World& world, const ProjectedScene& view, const
       copies_(world, view, progress),
       top_(make_level(whole_page(), 0)) {}
 
-Vec2 OccluderGrid::cover_slack(const CellGrid& grid) const { return 2 * margin() + cell_slack * grid.side; }
+Vec2 OccluderGrid::cover_slack(const search::CellGrid& grid) const { return 2 * margin() + cell_slack * grid.side; }
 
 Vec2 OccluderGrid::position(const PageEdge& edge, double t) const {
-  const PageVertex& p = view_.vertices[edge.p];
-  const PageVertex& q = view_.vertices[edge.q];
+  const view::PageVertex& p = view_.vertices[edge.p];
+  const view::PageVertex& q = view_.vertices[edge.q];
   if (t >= 1) return {q.x, q.y};
   return {p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)};
 }
 
-std::array<Vec2, 3> OccluderGrid::corners(const ViewTriangle& triangle) const {
+std::array<Vec2, 3> OccluderGrid::corners(const view::ViewTriangle& triangle) const {
   std::array<Vec2, 3> places;
   for (std::size_t i = 0; i < 3; ++i) {
-    const PageVertex& v = view_.vertices[triangle.vertex[i]];
+    const view::PageVertex& v = view_.vertices[triangle.vertex[i]];
     places[i] = {v.x, v.y};
   }
   return places;
 }
 
-double OccluderGrid::nearest(const ViewTriangle& triangle) const {
+double OccluderGrid::nearest(const view::ViewTriangle& triangle) const {
   const auto& [a, b, c] = triangle.vertex;
   return std::max({view_.vertices[a].depth, view_.vertices[b].depth, view_.vertices[c].depth});
 }
 
 PageEdge OccluderGrid::sightline(const Piece& piece) const {
-  const FeatureEdge& edge = edges_[piece.edge];
+  const edges::FeatureEdge& edge = edges_[piece.edge];
   return {edge.vertex[0], edge.vertex[1]};
 }
 
@@ -112,8 +112,8 @@ OccluderGrid::Content OccluderGrid::whole_page() const {
   return content;
 }
 
-PageBox OccluderGrid::box_of(const std::vector<Piece>& pieces) const {
-  PageBox box{Vec2(HUGE_VAL), Vec2(-HUGE_VAL)};
+search::PageBox OccluderGrid::box_of(const std::vector<Piece>& pieces) const {
+  search::PageBox box{Vec2(HUGE_VAL), Vec2(-HUGE_VAL)};
   for (const Piece& piece : pieces)
     for (const double t : {piece.from, piece.to}) {
       const Vec2 at = position(sightline(piece), t);
@@ -142,10 +142,10 @@ double OccluderGrid::pairs_in(const Level& level, const CellLoad& load, int cell
          static_cast<double>(level.candidates[static_cast<std::size_t>(cell)].size());
 }
 
-CellGrid OccluderGrid::grid_for(const Content& content, int depth) const {
-  const PageBox page = box_of(content.pieces);
+search::CellGrid OccluderGrid::grid_for(const Content& content, int depth) const {
+  const search::PageBox page = box_of(content.pieces);
   const Vec2 size = glm::max(page.max - page.min, Vec2(margin()));
-  Cuts lines, areas;
+  search::Cuts lines, areas;
   for (const Piece& piece : content.pieces)
     lines.add(glm::abs(position(sightline(piece), piece.to) - position(sightline(piece), piece.from)), size);
   const std::size_t step = 1 + content.triangles.size() / sample;
@@ -154,24 +154,24 @@ CellGrid OccluderGrid::grid_for(const Content& content, int depth) const {
     const Vec2 min = glm::max(glm::min(glm::min(a, b), c), page.min);
     areas.add(glm::min(glm::max(glm::max(a, b), c), page.max) - min, size);
   }
-  GridLimits limits = depth == 0 ? page_limits : cell_limits;
+  search::GridLimits limits = depth == 0 ? page_limits : cell_limits;
   limits.cells = std::min(limits.cells, static_cast<double>(content.triangles.size()) / triangles_of_cell);
   limits.side = 8 * margin();
-  return choose_grid(page, lines, areas, limits);
+  return search::choose_grid(page, lines, areas, limits);
 }
 
 void OccluderGrid::find_covers(const Content& content, Level& level) const {
-  const CellGrid& grid = level.grid;
+  const search::CellGrid& grid = level.grid;
   level.cover.assign(static_cast<std::size_t>(grid.count()), -HUGE_VAL);
   const Vec2 slack = cover_slack(grid);
   parallel_for(content.triangles.size(), chunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       progress_.expect_time();  // a large one lies over very many cells
-      const ViewTriangle& triangle = view_.triangles[content.triangles[i]];
-      const TriangleOnGrid on_grid(grid, corners(triangle), slack);
+      const view::ViewTriangle& triangle = view_.triangles[content.triangles[i]];
+      const search::TriangleOnGrid on_grid(grid, corners(triangle), slack);
       if (!on_grid.may_hold_cells()) continue;
       const CoverPlane plane(view_, triangle, grid.side / 2.0 + slack);
-      on_grid.visit_rows([&](const RowOfCells& row) {
+      on_grid.visit_rows([&](const search::RowOfCells& row) {
         for (int column = row.inner_from; column <= row.inner_to; ++column) {
           const int cell = grid.cell(column, row.row);
           raise(level.cover[cell], plane.depth(grid.middle(cell)));
@@ -189,36 +189,37 @@ OccluderGrid::CellLoad OccluderGrid::find_load(const Content& content, const Lev
       progress_.expect_time();
       const Piece& piece = content.pieces[i];
       const PageEdge line = sightline(piece);
-      visit_cells(level.grid, position(line, piece.from), position(line, piece.to), margin(),
-                  [&](int cell, double s, double t) {
-                    const double length = piece.to - piece.from;
-                    const auto [min, max] = depths(line, piece.from + s * length, piece.from + t * length);
-                    if (max < level.cover[cell]) return;
-                    lower(load.deepest[cell], min);
-                    count_up(load.pieces[cell]);
-                  });
+      search::visit_cells(level.grid, position(line, piece.from), position(line, piece.to), margin(),
+                          [&](int cell, double s, double t) {
+                            const double length = piece.to - piece.from;
+                            const auto [min, max] = depths(line, piece.from + s * length, piece.from + t * length);
+                            if (max < level.cover[cell]) return;
+                            lower(load.deepest[cell], min);
+                            count_up(load.pieces[cell]);
+                          });
     }
   });
   return load;
 }
 
 void OccluderGrid::find_candidates(const Content& content, const CellLoad& load, Level& level) const {
-  const CellGrid& grid = level.grid;
+  const search::CellGrid& grid = level.grid;
   const Vec2 slack = margin() + cell_slack * grid.side;
   const auto add_cells = [&](int number, const auto& add) {
     const auto& [a, b, c] = view_.triangles[number].vertex;
-    if (cross(view_.grid[a], view_.grid[b], view_.grid[c]) == 0) return false;  // without area it hides nothing
+    if (view::cross(view_.grid[a], view_.grid[b], view_.grid[c]) == 0) return false;  // without area it hides nothing
     const double closest = nearest(view_.triangles[number]);
     const Candidate candidate(front_ - closest, number);
     bool any = false;
-    TriangleOnGrid(grid, corners(view_.triangles[number]), slack).visit_rows([&](const RowOfCells& row) {
-      for (int column = row.from; column <= row.to; ++column) {
-        const int cell = grid.cell(column, row.row);
-        if (!(closest > load.deepest[cell]) || closest < level.cover[cell]) continue;
-        add(static_cast<std::size_t>(cell), candidate);
-        any = true;
-      }
-    });
+    search::TriangleOnGrid(grid, corners(view_.triangles[number]), slack)
+        .visit_rows([&](const search::RowOfCells& row) {
+          for (int column = row.from; column <= row.to; ++column) {
+            const int cell = grid.cell(column, row.row);
+            if (!(closest > load.deepest[cell]) || closest < level.cover[cell]) continue;
+            add(static_cast<std::size_t>(cell), candidate);
+            any = true;
+          }
+        });
     return any;
   };
   // Of smooth models, most triangles are candidates nowhere: the second time they are passed by.
@@ -241,7 +242,7 @@ void OccluderGrid::find_candidates(const Content& content, const CellLoad& load,
 
 // Cells with much in them are worth a look for sheets. Returns whether one was found, and drops what lies behind it.
 bool OccluderGrid::cover_by_sheets(const CellLoad& load, Level& level) const {
-  const CellGrid& grid = level.grid;
+  const search::CellGrid& grid = level.grid;
   std::atomic<bool> any = false;
   parallel_for(static_cast<std::size_t>(grid.count()), 64, [&](std::size_t begin, std::size_t end) {
     for (std::size_t cell = begin; cell < end; ++cell) {
@@ -271,7 +272,7 @@ void OccluderGrid::drop_covered(Level& level) const {
 // What lies in the cells that have too much in them; they get their numbers in `level.full`.
 std::vector<OccluderGrid::Content> OccluderGrid::contents_of_full_cells(const Content& content, const CellLoad& load,
                                                                         int idle, Level& level) const {
-  const CellGrid& grid = level.grid;
+  const search::CellGrid& grid = level.grid;
   std::vector<Content> parts;
   for (int cell = 0; cell < grid.count(); ++cell) {
     if (pairs_in(level, load, cell) <= most_pairs) continue;
@@ -286,13 +287,13 @@ std::vector<OccluderGrid::Content> OccluderGrid::contents_of_full_cells(const Co
   for (const Piece& piece : content.pieces) {
     progress_.expect_time();
     const PageEdge line = sightline(piece);
-    visit_cells(grid, position(line, piece.from), position(line, piece.to), margin(),
-                [&](int cell, double s, double t) {
-                  const double from = piece.from + s * (piece.to - piece.from);
-                  const double to = piece.from + t * (piece.to - piece.from);
-                  if (level.full[cell] >= 0 && !(depths(line, from, to)[1] < level.cover[cell]))
-                    parts[level.full[cell]].pieces.push_back({piece.edge, from, to});
-                });
+    search::visit_cells(grid, position(line, piece.from), position(line, piece.to), margin(),
+                        [&](int cell, double s, double t) {
+                          const double from = piece.from + s * (piece.to - piece.from);
+                          const double to = piece.from + t * (piece.to - piece.from);
+                          if (level.full[cell] >= 0 && !(depths(line, from, to)[1] < level.cover[cell]))
+                            parts[level.full[cell]].pieces.push_back({piece.edge, from, to});
+                        });
   }
   return parts;
 }
@@ -337,4 +338,4 @@ void OccluderGrid::relieve_full_cells(const Content& content, const CellLoad& lo
   for (const double pairs : saved) level.pairs -= pairs;
 }
 
-}  // namespace epura
+}  // namespace epura::visibility

@@ -16,7 +16,7 @@
 #include "visibility/hiding_rule.hpp"
 #include "visibility/third_copies.hpp"
 
-namespace epura {
+namespace epura::visibility {
 
 /// A triangle of the view that may hide something in a cell. They are ordered by distance.
 class Candidate {
@@ -50,8 +50,8 @@ struct CellSegment {
 class OccluderGrid {
  public:
   /// Throws OutOfTime.
-  OccluderGrid(const World& world, const ProjectedScene& view, const std::vector<FeatureEdge>& edges,
-               const Progress& progress = {});
+  OccluderGrid(const scene::World& world, const view::ProjectedScene& view,
+               const std::vector<edges::FeatureEdge>& edges, const Progress& progress = {});
 
   /// Calls `visit(CellSegment)` for the cells along an edge; together the stretches cover the whole edge.
   template <class Visit>
@@ -78,7 +78,7 @@ class OccluderGrid {
 
  private:
   struct Level {
-    CellGrid grid;
+    search::CellGrid grid;
     std::vector<double> cover;     ///< by cell
     Groups<Candidate> candidates;  ///< by cell
     double pairs = 0;              ///< of edge and triangle that are to be tried
@@ -105,31 +105,32 @@ class OccluderGrid {
 
   template <class Visit>
   void along(const Level& level, const PageEdge& edge, double from, double to, Visit& visit) const {
-    visit_cells(level.grid, position(edge, from), position(edge, to), margin(), [&](int cell, double s, double t) {
-      const double begin = from + s * (to - from);
-      const double end = from + t * (to - from);
-      const int full = level.full.empty() ? -1 : level.full[cell];
-      const bool divided = full >= 0 && level.trees[full].empty();
-      if (divided && !(depths(edge, begin, end)[1] < level.cover[cell]))
-        along(level.children[full], edge, begin, end, visit);
-      else
-        visit(CellSegment{begin, end, level.cover[cell], level.candidates[static_cast<std::size_t>(cell)],
-                          full < 0 || divided ? nullptr : &level.trees[full]});
-    });
+    search::visit_cells(
+        level.grid, position(edge, from), position(edge, to), margin(), [&](int cell, double s, double t) {
+          const double begin = from + s * (to - from);
+          const double end = from + t * (to - from);
+          const int full = level.full.empty() ? -1 : level.full[cell];
+          const bool divided = full >= 0 && level.trees[full].empty();
+          if (divided && !(depths(edge, begin, end)[1] < level.cover[cell]))
+            along(level.children[full], edge, begin, end, visit);
+          else
+            visit(CellSegment{begin, end, level.cover[cell], level.candidates[static_cast<std::size_t>(cell)],
+                              full < 0 || divided ? nullptr : &level.trees[full]});
+        });
   }
 
   // Vertices lie within a cell of the page grid of their place.
   [[nodiscard]] double margin() const { return 2 * view_.cell; }
-  [[nodiscard]] Vec2 cover_slack(const CellGrid& grid) const;
+  [[nodiscard]] Vec2 cover_slack(const search::CellGrid& grid) const;
   [[nodiscard]] Vec2 position(const PageEdge& edge, double t) const;
-  [[nodiscard]] std::array<Vec2, 3> corners(const ViewTriangle& triangle) const;
-  [[nodiscard]] double nearest(const ViewTriangle& triangle) const;
+  [[nodiscard]] std::array<Vec2, 3> corners(const view::ViewTriangle& triangle) const;
+  [[nodiscard]] double nearest(const view::ViewTriangle& triangle) const;
   [[nodiscard]] PageEdge sightline(const Piece& piece) const;
 
   [[nodiscard]] Content whole_page() const;
-  [[nodiscard]] PageBox box_of(const std::vector<Piece>& pieces) const;
+  [[nodiscard]] search::PageBox box_of(const std::vector<Piece>& pieces) const;
   [[nodiscard]] Level make_level(const Content& content, int depth) const;
-  [[nodiscard]] CellGrid grid_for(const Content& content, int depth) const;
+  [[nodiscard]] search::CellGrid grid_for(const Content& content, int depth) const;
   [[nodiscard]] static double pairs_in(const Level& level, const CellLoad& load, int cell);
   void find_covers(const Content& content, Level& level) const;
   [[nodiscard]] CellLoad find_load(const Content& content, const Level& level) const;
@@ -141,12 +142,12 @@ class OccluderGrid {
   [[nodiscard]] bool leaves_few_tries(const CandidateTree& tree, const std::vector<Piece>& pieces) const;
   void relieve_full_cells(const Content& content, const CellLoad& load, int idle, int depth, Level& level) const;
 
-  const ProjectedScene& view_;
-  const std::vector<FeatureEdge>& edges_;
+  const view::ProjectedScene& view_;
+  const std::vector<edges::FeatureEdge>& edges_;
   Progress progress_;
   double front_;  ///< greatest depth of all
   ThirdCopies copies_;
   Level top_;
 };
 
-}  // namespace epura
+}  // namespace epura::visibility

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-namespace epura {
+namespace epura::visibility {
 
-OcclusionQuery::OcclusionQuery(const ProjectedScene& view, const OccluderGrid& occluders, const PageEdge& line,
+OcclusionQuery::OcclusionQuery(const view::ProjectedScene& view, const OccluderGrid& occluders, const PageEdge& line,
                                const OwnTriangles& own, int most_tries)
     : view_(view), occluders_(occluders), line_(line), own_(own), most_tries_(most_tries) {
   tried_.fill(-1);
@@ -85,4 +85,4 @@ void OcclusionQuery::hide_by_tree(const CellSegment& stretch) {
   });
 }
 
-}  // namespace epura
+}  // namespace epura::visibility

@@ -11,13 +11,13 @@
 #include "visibility/spans.hpp"
 #include "visibility/visibility.hpp"
 
-namespace epura {
+namespace epura::visibility {
 
 /// What a triangle hides is computed for the whole edge, so the union does not depend on cells or order.
 class OcclusionQuery {
  public:
   /// With `most_tries`, a tree is given up after so many.
-  OcclusionQuery(const ProjectedScene& view, const OccluderGrid& occluders, const PageEdge& line,
+  OcclusionQuery(const view::ProjectedScene& view, const OccluderGrid& occluders, const PageEdge& line,
                  const OwnTriangles& own, int most_tries = std::numeric_limits<int>::max());
 
   /// What lies behind the cover of the cell is hidden; otherwise candidates are tried until the stretch is hidden or
@@ -33,7 +33,7 @@ class OcclusionQuery {
   // Whether a triangle hides something, and was not tried just now.
   bool hide_by(int triangle) {
     if (std::exchange(tried_[triangle % tried_.size()], triangle) == triangle) return false;
-    const ViewTriangle& tried = view_.triangles[triangle];
+    const view::ViewTriangle& tried = view_.triangles[triangle];
     ++tries_;
     const auto part = hidden_part(view_, line_, tried);
     if (!part || own_.contain(tried.source)) return false;  // last: beside slivers its own are many
@@ -46,7 +46,7 @@ class OcclusionQuery {
   bool hide_by_exact(const Pile& pile);
   void hide_by_tree(const CellSegment& stretch);
 
-  const ProjectedScene& view_;
+  const view::ProjectedScene& view_;
   const OccluderGrid& occluders_;
   PageEdge line_;
   OwnTriangles own_;
@@ -55,4 +55,4 @@ class OcclusionQuery {
   int most_tries_, tries_ = 0;
 };
 
-}  // namespace epura
+}  // namespace epura::visibility

@@ -3,17 +3,17 @@
 
 #include <algorithm>
 
-namespace epura {
+namespace epura::visibility {
 
 namespace {
 
-std::array<int, 3> sorted_corners(const ProjectedScene& view, int triangle) {
+std::array<int, 3> sorted_corners(const view::ProjectedScene& view, int triangle) {
   std::array<int, 3> corners = view.triangles[triangle].vertex;
   std::sort(corners.begin(), corners.end());
   return corners;
 }
 
-bool lie_alike(const ProjectedScene& view, const std::array<int, 3>& a, const std::array<int, 3>& b) {
+bool lie_alike(const view::ProjectedScene& view, const std::array<int, 3>& a, const std::array<int, 3>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), [&](int u, int v) {
     return view.vertices[u].x == view.vertices[v].x && view.vertices[u].y == view.vertices[v].y;
   });
@@ -21,12 +21,12 @@ bool lie_alike(const ProjectedScene& view, const std::array<int, 3>& a, const st
 
 }  // namespace
 
-Pile::Footprint Pile::footprint(const ProjectedScene& view, int triangle) {
+Pile::Footprint Pile::footprint(const view::ProjectedScene& view, int triangle) {
   const auto [a, b, c] = sorted_corners(view, triangle);
   return {view.grid[a].x, view.grid[a].y, view.grid[b].x, view.grid[b].y, view.grid[c].x, view.grid[c].y};
 }
 
-Pile::Pile(const ProjectedScene& view, std::vector<int> triangles) : triangles_(std::move(triangles)) {
+Pile::Pile(const view::ProjectedScene& view, std::vector<int> triangles) : triangles_(std::move(triangles)) {
   const auto nearest = [&](int triangle) {
     const auto& [a, b, c] = view.triangles[triangle].vertex;
     return std::max({view.vertices[a].depth, view.vertices[b].depth, view.vertices[c].depth});
@@ -54,4 +54,4 @@ std::vector<int> Pile::around(int vertex) const {
   return found;
 }
 
-}  // namespace epura
+}  // namespace epura::visibility

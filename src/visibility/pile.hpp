@@ -9,7 +9,7 @@
 #include "search/bounds_tree.hpp"
 #include "view/projected_scene.hpp"
 
-namespace epura {
+namespace epura::visibility {
 
 /// Whether they cover an edge is decided once for all. Where corners are the same to the last bit, so is the part of an
 /// edge that is covered: nothing can be added to a triangle that hides all of it, and depth tells which may hide some.
@@ -17,13 +17,13 @@ class Pile {
  public:
   /// Corners on the page grid, in the order of their numbers.
   using Footprint = std::array<int, 6>;
-  static Footprint footprint(const ProjectedScene& view, int triangle);
+  static Footprint footprint(const view::ProjectedScene& view, int triangle);
 
   /// Least and greatest depth of several triangles at each corner.
-  using Depths = Bounds<3>;
+  using Depths = search::Bounds<3>;
 
   /// Of triangles with one footprint.
-  Pile(const ProjectedScene& view, std::vector<int> triangles);
+  Pile(const view::ProjectedScene& view, std::vector<int> triangles);
 
   /// The nearest first.
   [[nodiscard]] const std::vector<int>& triangles() const { return triangles_; }
@@ -44,7 +44,7 @@ class Pile {
   std::vector<int> triangles_;
   std::array<int, 3> corners_{};
   std::vector<std::pair<int, int>> around_;  ///< vertex and triangle, ascending
-  BoundsTree<3> tree_;                       ///< empty where corners differ
+  search::BoundsTree<3> tree_;               ///< empty where corners differ
 };
 
-}  // namespace epura
+}  // namespace epura::visibility

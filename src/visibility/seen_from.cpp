@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace epura {
+namespace epura::visibility {
 
 namespace {
 
@@ -54,14 +54,14 @@ double turned_by_rounding(double distance) {
 
 }  // namespace
 
-SeenFrom::SeenFrom(const ProjectedScene& view, const GridPoint& place) : place_(place), cell_(view.cell) {}
+SeenFrom::SeenFrom(const view::ProjectedScene& view, const view::GridPoint& place) : place_(place), cell_(view.cell) {}
 
-Vec2 SeenFrom::way_to(const GridPoint& point) const {
+Vec2 SeenFrom::way_to(const view::GridPoint& point) const {
   return {static_cast<double>(std::int64_t{point.x} - place_.x), static_cast<double>(std::int64_t{point.y} - place_.y)};
 }
 
-Turn SeenFrom::of_triangle(const ProjectedScene& view, const ViewTriangle& triangle) const {
-  std::array<GridPoint, 3> corners{};
+Turn SeenFrom::of_triangle(const view::ProjectedScene& view, const view::ViewTriangle& triangle) const {
+  std::array<view::GridPoint, 3> corners{};
   for (std::size_t i = 0; i < 3; ++i) corners[i] = view.grid[triangle.vertex[i]];
   for (std::size_t i = 0; i < 3; ++i)
     if (is_at(corners[i]))
@@ -72,7 +72,7 @@ Turn SeenFrom::of_triangle(const ProjectedScene& view, const ViewTriangle& trian
   return turn_over(ways, turned_by_rounding(distance));
 }
 
-Turn SeenFrom::of_edge(const ProjectedScene& view, const PageEdge& edge) const {
+Turn SeenFrom::of_edge(const view::ProjectedScene& view, const PageEdge& edge) const {
   const Vec2 way = way_to(view.grid[is_at(view.grid[edge.p]) ? edge.q : edge.p]);
   return turn_over(std::array{way}, rounding);
 }
@@ -83,4 +83,4 @@ Turn SeenFrom::of_line(const Vec2& a, const Vec2& b) const {
   return turn_over(std::array{from, to}, turned_by_rounding(distance_to(from, to)));
 }
 
-}  // namespace epura
+}  // namespace epura::visibility

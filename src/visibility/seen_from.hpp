@@ -8,7 +8,7 @@
 #include "view/projected_scene.hpp"
 #include "visibility/hiding_rule.hpp"
 
-namespace epura {
+namespace epura::visibility {
 
 /// Directions from a first to a second, counterclockwise, in radians: the first from -pi to pi.
 using Turn = std::array<double, 2>;
@@ -27,20 +27,20 @@ inline bool turns_meet(const Turn& a, const Turn& b) {
 /// as rounding moves things.
 class SeenFrom {
  public:
-  SeenFrom(const ProjectedScene& view, const GridPoint& place);
+  SeenFrom(const view::ProjectedScene& view, const view::GridPoint& place);
 
-  [[nodiscard]] bool is_at(const GridPoint& point) const { return point.x == place_.x && point.y == place_.y; }
-  [[nodiscard]] Turn of_triangle(const ProjectedScene& view, const ViewTriangle& triangle) const;
+  [[nodiscard]] bool is_at(const view::GridPoint& point) const { return point.x == place_.x && point.y == place_.y; }
+  [[nodiscard]] Turn of_triangle(const view::ProjectedScene& view, const view::ViewTriangle& triangle) const;
   /// Of an edge that begins or ends here.
-  [[nodiscard]] Turn of_edge(const ProjectedScene& view, const PageEdge& edge) const;
+  [[nodiscard]] Turn of_edge(const view::ProjectedScene& view, const PageEdge& edge) const;
   /// Of a line between two places of the page.
   [[nodiscard]] Turn of_line(const Vec2& a, const Vec2& b) const;
 
  private:
-  [[nodiscard]] Vec2 way_to(const GridPoint& point) const;
+  [[nodiscard]] Vec2 way_to(const view::GridPoint& point) const;
 
-  GridPoint place_;
+  view::GridPoint place_;
   double cell_;
 };
 
-}  // namespace epura
+}  // namespace epura::visibility

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace epura {
+namespace epura::visibility {
 
 void add_span(Spans& spans, const std::array<double, 2>& span) {
   auto begin = std::lower_bound(spans.begin(), spans.end(), span[0], [](const auto& s, double t) { return s[1] < t; });
@@ -65,4 +65,4 @@ void absorb_slivers(Spans& spans, double min) {
   if (1 - spans.back()[1] < min) spans.back()[1] = 1;
 }
 
-}  // namespace epura
+}  // namespace epura::visibility

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-namespace epura {
+namespace epura::visibility {
 
 using Spans = std::vector<std::array<double, 2>>;
 
@@ -25,4 +25,4 @@ std::optional<std::array<double, 2>> open_part(const Spans& spans, double from, 
 /// one span or none, by its greater part.
 void absorb_slivers(Spans& spans, double min);
 
-}  // namespace epura
+}  // namespace epura::visibility

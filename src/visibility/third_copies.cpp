@@ -7,14 +7,14 @@
 
 #include "base/same_key.hpp"
 
-namespace epura {
+namespace epura::visibility {
 
 namespace {
 
 // All that hiding takes from a triangle. It takes the ends of sides in the order of their numbers.
-std::array<double, 10> key_of(const ProjectedScene& view, int triangle) {
+std::array<double, 10> key_of(const view::ProjectedScene& view, int triangle) {
   const auto& [a, b, c] = view.triangles[triangle].vertex;
-  const PageVertex &u = view.vertices[a], &v = view.vertices[b], &w = view.vertices[c];
+  const view::PageVertex &u = view.vertices[a], &v = view.vertices[b], &w = view.vertices[c];
   const int order = (a < b ? 1 : 0) + (b < c ? 2 : 0) + (c < a ? 4 : 0);
   return {u.x, u.y, u.depth, v.x, v.y, v.depth, w.x, w.y, w.depth, static_cast<double>(order)};
 }
@@ -29,7 +29,7 @@ std::vector<int> unmarked(const std::vector<char>& marks) {
 
 }  // namespace
 
-ThirdCopies::ThirdCopies(const World& world, const ProjectedScene& view, const Progress& progress)
+ThirdCopies::ThirdCopies(const scene::World& world, const view::ProjectedScene& view, const Progress& progress)
     : is_third_(view.triangles.size(), 0) {
   if (world.models.size() < 3) return;  // no mesh has a triangle twice
   is_third_ = mark_third_copies(
@@ -44,14 +44,15 @@ ThirdCopies::ThirdCopies(const World& world, const ProjectedScene& view, const P
 
 std::vector<int> ThirdCopies::others() const { return unmarked(is_third_); }
 
-std::vector<int> ThirdCopies::other_edges(const ProjectedScene& view, const std::vector<FeatureEdge>& edges,
+std::vector<int> ThirdCopies::other_edges(const view::ProjectedScene& view,
+                                          const std::vector<edges::FeatureEdge>& edges,
                                           const Progress& progress) const {
   if (at_.size() == 0) return unmarked(std::vector<char>(edges.size(), 0));
   const auto key = [&](int e) {
-    const PageVertex &p = view.vertices[edges[e].vertex[0]], &q = view.vertices[edges[e].vertex[1]];
+    const view::PageVertex &p = view.vertices[edges[e].vertex[0]], &q = view.vertices[edges[e].vertex[1]];
     return std::array{p.x, p.y, p.depth, q.x, q.y, q.depth};
   };
   return unmarked(mark_third_copies(static_cast<int>(edges.size()), key, progress));
 }
 
-}  // namespace epura
+}  // namespace epura::visibility

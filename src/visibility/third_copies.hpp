@@ -11,7 +11,7 @@
 #include "scene/scene.hpp"
 #include "view/projected_scene.hpp"
 
-namespace epura {
+namespace epura::visibility {
 
 /// To the last bit such a triangle hides what its copies hide: the first stands for it, and the second for the edges
 /// that are the first one's own. But edges that begin at one of its corners are decided more sharply by the triangle
@@ -19,13 +19,14 @@ namespace epura {
 class ThirdCopies {
  public:
   /// Throws OutOfTime.
-  ThirdCopies(const World& world, const ProjectedScene& view, const Progress& progress);
+  ThirdCopies(const scene::World& world, const view::ProjectedScene& view, const Progress& progress);
 
   /// Of the view, ascending: all triangles but those.
   [[nodiscard]] std::vector<int> others() const;
 
   /// The same of edges, which run through the same cells as their copies. Throws OutOfTime.
-  [[nodiscard]] std::vector<int> other_edges(const ProjectedScene& view, const std::vector<FeatureEdge>& edges,
+  [[nodiscard]] std::vector<int> other_edges(const view::ProjectedScene& view,
+                                             const std::vector<edges::FeatureEdge>& edges,
                                              const Progress& progress) const;
 
   /// Those that have this vertex of the view as a corner, ascending.
@@ -38,4 +39,4 @@ class ThirdCopies {
   Groups<int> at_;              ///< by vertex; without groups where there are none
 };
 
-}  // namespace epura
+}  // namespace epura::visibility

@@ -13,17 +13,17 @@
 #include "visibility/occlusion_query.hpp"
 #include "visibility/spans.hpp"
 
-namespace epura {
+namespace epura::visibility {
 
 namespace {
 
 struct Occlusion {
-  const World& world;
-  const ProjectedScene& view;
+  const scene::World& world;
+  const view::ProjectedScene& view;
   const OccluderGrid& occluders;
-  const FeatureEdges& drawn;
+  const edges::FeatureEdges& drawn;
 
-  [[nodiscard]] Spans hidden_spans(const FeatureEdge& edge) const {
+  [[nodiscard]] Spans hidden_spans(const edges::FeatureEdge& edge) const {
     const PageEdge line{edge.vertex[0], edge.vertex[1]};
     OcclusionQuery hider(view, occluders, line, OwnTriangles(world, drawn, edge));
     occluders.along(line, [&](const CellSegment& stretch) { hider.hide(stretch); });
@@ -33,13 +33,13 @@ struct Occlusion {
 
 constexpr std::size_t chunk = 256;
 
-std::vector<int> longest_first(const ProjectedScene& view, const std::vector<FeatureEdge>& edges) {
+std::vector<int> longest_first(const view::ProjectedScene& view, const std::vector<edges::FeatureEdge>& edges) {
   std::vector<int> order(edges.size());
   std::iota(order.begin(), order.end(), 0);
   std::vector<double> length(edges.size());
   for (std::size_t e = 0; e < edges.size(); ++e) {
-    const PageVertex& p = view.vertices[edges[e].vertex[0]];
-    const PageVertex& q = view.vertices[edges[e].vertex[1]];
+    const view::PageVertex& p = view.vertices[edges[e].vertex[0]];
+    const view::PageVertex& q = view.vertices[edges[e].vertex[1]];
     length[e] = std::hypot(q.x - p.x, q.y - p.y);
   }
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return length[a] > length[b]; });
@@ -47,7 +47,8 @@ std::vector<int> longest_first(const ProjectedScene& view, const std::vector<Fea
 }
 
 // The order in which edges are decided. It matters only where time may be over before the last.
-std::vector<int> work_order(const ProjectedScene& view, const std::vector<FeatureEdge>& edges, Progress progress) {
+std::vector<int> work_order(const view::ProjectedScene& view, const std::vector<edges::FeatureEdge>& edges,
+                            Progress progress) {
   if (progress.is_limited()) return longest_first(view, edges);
   std::vector<int> order(edges.size());
   std::iota(order.begin(), order.end(), 0);
@@ -72,7 +73,7 @@ void put_in_order(const std::vector<Spans>& found, const std::vector<int>& order
 
 // Decides edges by `spans_of(edge)`; with a time limit the longest ones first, while there is time.
 template <class SpansOf>
-HiddenSpans decide(const ProjectedScene& view, const FeatureEdges& drawn, const SpansOf& spans_of,
+HiddenSpans decide(const view::ProjectedScene& view, const edges::FeatureEdges& drawn, const SpansOf& spans_of,
                    const Progress& progress) {
   const std::size_t count = drawn.edges.size();
   progress.begin("hiding lines", count);
@@ -102,12 +103,12 @@ HiddenSpans decide(const ProjectedScene& view, const FeatureEdges& drawn, const 
 }
 
 // What all triangles hide.
-Spans hidden_by_all(const ProjectedScene& view, const PageEdge& line, const OwnTriangles& own) {
+Spans hidden_by_all(const view::ProjectedScene& view, const PageEdge& line, const OwnTriangles& own) {
   Spans spans;
-  for (const ViewTriangle& triangle : view.triangles) {
+  for (const view::ViewTriangle& triangle : view.triangles) {
     const auto& [a, b, c] = triangle.vertex;
     // Seen edge-on it hides nothing.
-    if (cross(view.grid[a], view.grid[b], view.grid[c]) == 0 || own.contain(triangle.source)) continue;
+    if (view::cross(view.grid[a], view.grid[b], view.grid[c]) == 0 || own.contain(triangle.source)) continue;
     if (const auto part = hidden_part(view, line, triangle)) add_span(spans, *part);
     if (covers(spans, 0, 1)) break;
   }
@@ -117,38 +118,40 @@ Spans hidden_by_all(const ProjectedScene& view, const PageEdge& line, const OwnT
 
 }  // namespace
 
-OwnTriangles::OwnTriangles(const World& world, const FeatureEdges& drawn, const FeatureEdge& edge) {
+OwnTriangles::OwnTriangles(const scene::World& world, const edges::FeatureEdges& drawn,
+                           const edges::FeatureEdge& edge) {
   if (edge.crossing >= 0) {
     numbers_ = drawn.crossings[edge.crossing].triangles;
     return;
   }
-  const Mesh& mesh = *world.models[edge.model].mesh;
+  const mesh::Mesh& mesh = *world.models[edge.model].mesh;
   const auto met = std::lower_bound(
       drawn.beside_slivers.begin(), drawn.beside_slivers.end(), std::pair(edge.model, edge.mesh_edge),
-      [](const MetAcrossSlivers& m, const auto& key) { return std::pair(m.model, m.mesh_edge) < key; });
+      [](const edges::MetAcrossSlivers& m, const auto& key) { return std::pair(m.model, m.mesh_edge) < key; });
   const bool beside_slivers =
       met != drawn.beside_slivers.end() && met->model == edge.model && met->mesh_edge == edge.mesh_edge;
   numbers_ = beside_slivers ? std::span(met->triangles) : mesh.triangles_of(mesh.edges[edge.mesh_edge]);
   first_ = world.first_triangle[edge.model];
 }
 
-HiddenSpans find_hidden(const World& world, const ProjectedScene& view, const FeatureEdges& drawn, Progress progress) {
+HiddenSpans find_hidden(const scene::World& world, const view::ProjectedScene& view, const edges::FeatureEdges& drawn,
+                        Progress progress) {
   progress.begin("finding what may hide lines");
   const OccluderGrid occluders(world, view, drawn.edges, progress);
   const Occlusion hider{world, view, occluders, drawn};
   return decide(
-      view, drawn, [&](const FeatureEdge& edge) { return hider.hidden_spans(edge); }, progress);
+      view, drawn, [&](const edges::FeatureEdge& edge) { return hider.hidden_spans(edge); }, progress);
 }
 
-HiddenSpans find_hidden_directly(const World& world, const ProjectedScene& view, const FeatureEdges& drawn,
-                                 Progress progress) {
-  const auto spans_of = [&](const FeatureEdge& edge) {
+HiddenSpans find_hidden_directly(const scene::World& world, const view::ProjectedScene& view,
+                                 const edges::FeatureEdges& drawn, Progress progress) {
+  const auto spans_of = [&](const edges::FeatureEdge& edge) {
     return hidden_by_all(view, {edge.vertex[0], edge.vertex[1]}, OwnTriangles(world, drawn, edge));
   };
   return decide(view, drawn, spans_of, progress);
 }
 
-void keep_decided(FeatureEdges& drawn, HiddenSpans& hidden) {
+void keep_decided(edges::FeatureEdges& drawn, HiddenSpans& hidden) {
   if (hidden.undecided.empty()) return;
   std::size_t kept = 0, spans = 0;
   auto next = hidden.undecided.begin();
@@ -167,15 +170,16 @@ void keep_decided(FeatureEdges& drawn, HiddenSpans& hidden) {
   hidden.undecided.clear();
 }
 
-std::vector<int> all_but_longest(const ProjectedScene& view, const std::vector<FeatureEdge>& edges, std::size_t count) {
+std::vector<int> all_but_longest(const view::ProjectedScene& view, const std::vector<edges::FeatureEdge>& edges,
+                                 std::size_t count) {
   std::vector<int> order = longest_first(view, edges);
   order.erase(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(std::min(count, order.size())));
   std::sort(order.begin(), order.end());
   return order;
 }
 
-HiddenSpans nothing_hidden(const FeatureEdges& drawn) {
+HiddenSpans nothing_hidden(const edges::FeatureEdges& drawn) {
   return {std::vector<std::size_t>(drawn.edges.size() + 1, 0), {}, {}};
 }
 
-}  // namespace epura
+}  // namespace epura::visibility

@@ -11,7 +11,7 @@
 #include "edges/find_edges.hpp"
 #include "visibility/hiding_rule.hpp"
 
-namespace epura {
+namespace epura::visibility {
 
 /// Hidden parts of edge e: spans[first[e]] to spans[first[e + 1]], as page parameters from its first vertex (0) to its
 /// second (1), ascending and disjoint. What is not hidden is visible.
@@ -38,9 +38,9 @@ struct HiddenSpans {
 
 /// A view whose hidden lines are found: what its drawing is made of.
 struct ResolvedView {
-  const World& world;
-  const ProjectedScene& view;
-  const FeatureEdges& drawn;
+  const scene::World& world;
+  const view::ProjectedScene& view;
+  const edges::FeatureEdges& drawn;
   const HiddenSpans& hidden;
 };
 
@@ -48,7 +48,7 @@ struct ResolvedView {
 class OwnTriangles {
  public:
   OwnTriangles() = default;  ///< none
-  OwnTriangles(const World& world, const FeatureEdges& drawn, const FeatureEdge& edge);
+  OwnTriangles(const scene::World& world, const edges::FeatureEdges& drawn, const edges::FeatureEdge& edge);
 
   /// Whether one of them is this triangle of the world.
   [[nodiscard]] bool contain(int triangle) const {
@@ -63,21 +63,22 @@ class OwnTriangles {
 /// Every edge against every triangle that meets it on the page. The result does not depend on the number of threads.
 /// Under a time limit the longest edges come first, and those that time does not suffice for stay undecided; without
 /// time for a single one OutOfTime is thrown.
-HiddenSpans find_hidden(const World& world, const ProjectedScene& view, const FeatureEdges& drawn,
+HiddenSpans find_hidden(const scene::World& world, const view::ProjectedScene& view, const edges::FeatureEdges& drawn,
                         Progress progress = {});
 
 /// The same, to the last bit, without a search for what may hide an edge: every triangle is tried. For the longest of
 /// few edges where the search itself takes too long.
-HiddenSpans find_hidden_directly(const World& world, const ProjectedScene& view, const FeatureEdges& drawn,
-                                 Progress progress = {});
+HiddenSpans find_hidden_directly(const scene::World& world, const view::ProjectedScene& view,
+                                 const edges::FeatureEdges& drawn, Progress progress = {});
 
 /// Takes the undecided edges out of both: what is drawn then is right.
-void keep_decided(FeatureEdges& drawn, HiddenSpans& hidden);
+void keep_decided(edges::FeatureEdges& drawn, HiddenSpans& hidden);
 
 /// All edges but the `count` longest ones on the page, ascending.
-std::vector<int> all_but_longest(const ProjectedScene& view, const std::vector<FeatureEdge>& edges, std::size_t count);
+std::vector<int> all_but_longest(const view::ProjectedScene& view, const std::vector<edges::FeatureEdge>& edges,
+                                 std::size_t count);
 
 /// Nothing is hidden: a wireframe.
-HiddenSpans nothing_hidden(const FeatureEdges& drawn);
+HiddenSpans nothing_hidden(const edges::FeatureEdges& drawn);
 
-}  // namespace epura
+}  // namespace epura::visibility

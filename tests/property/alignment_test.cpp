@@ -37,7 +37,7 @@ TEST(Alignment, CubeFaceOn) {
 TEST(Alignment, CubeAndItsCopyBehind) {
   Shape both = box({0, 0, 0}, {2, 2, 2});
   both.add(box({1, 1, 1}, {3, 3, 3}));
-  const EdgeOptions no_intersections{.intersection = false};
+  const edges::EdgeOptions no_intersections{.intersection = false};
   const Result result = draw(world_of(both), orthographic(diagonal), no_intersections);
   EXPECT_NEAR(result.visible(), 18 * r, 1e-8);
   EXPECT_NEAR(result.hidden_length(), 6 * r, 1e-8);
@@ -67,7 +67,7 @@ TEST(Alignment, LineAlongABorderLeavesTheInkUnchanged) {
 }
 
 TEST(Alignment, LinePiercingAPlate) {
-  const World world = world_of({plate(-2, -1, 2, 1, 0), ground()});
+  const scene::World world = world_of({plate(-2, -1, 2, 1, 0), ground()});
   for (double slope = 1; slope > 1e-6; slope /= 10) {
     const auto spans = hidden_of_line(world, from_above(), {-1, 0, -slope}, {1, 0, slope});
     ASSERT_EQ(spans.size(), 1U) << slope;
@@ -81,13 +81,13 @@ TEST(Alignment, LinePiercingAPlate) {
 }
 
 TEST(Alignment, LineInAPlateIsVisible) {
-  const World world = world_of({plate(-2, -1, 2, 1, 0), ground()});
+  const scene::World world = world_of({plate(-2, -1, 2, 1, 0), ground()});
   EXPECT_TRUE(hidden_of_line(world, from_above(), {-1, -0.3, 0}, {1, 0.7, 0}).empty());
 }
 
 TEST(Alignment, LineBehindANarrowPlate) {
   for (double w = 1e-1; w > 1e-6; w /= 10) {
-    const World world = world_of({plate(0, -1, w, 1, 1), ground()});
+    const scene::World world = world_of({plate(0, -1, w, 1, 1), ground()});
     const auto behind = hidden_of_line(world, from_above(), {-1, 0, 0}, {1, 0, 0});
     ASSERT_EQ(behind.size(), 1U) << w;
     EXPECT_NEAR(2 * (behind[0][1] - behind[0][0]), w, 1e-9) << w;
@@ -132,7 +132,7 @@ TEST(Alignment, ZigzagSheet) {
     sheet.points.push_back({0.5 * i, 1, i % 2 == 0 ? 0.0 : 0.5});
     if (i > 0) sheet.faces.push_back({2 * i - 2, 2 * i, 2 * i + 1, 2 * i - 1});
   }
-  const EdgeOptions folds{.contour = true, .boundary = false, .crease = true, .intersection = false};
+  const edges::EdgeOptions folds{.contour = true, .boundary = false, .crease = true, .intersection = false};
   const Result result = draw(world_of(sheet), orthographic({2, 0, 1}), folds);
   // Crests are visible, and so would be the front border; valleys between two crests are hidden.
   EXPECT_NEAR(result.visible(), waves, 1e-9);

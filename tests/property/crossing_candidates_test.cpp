@@ -73,12 +73,12 @@ TEST(Candidates, HaveAllIntersections) {
     std::vector<Shape> shapes;
     const int count = 1 + static_cast<int>(12 * bodies.number());
     for (int i = 0; i < count; ++i) shapes.push_back(bodies.body());
-    const World world = world_of(shapes);
+    const scene::World world = world_of(shapes);
     for (const double contact : {0.0, 0x1p-40, 0x1p-29, 0x1p-20, 0x1p-8}) {
-      const std::vector<int> all = all_triangles(world);
-      const std::vector<int> candidates = crossing_candidates(world, 0x1p-2, contact);
-      const FaceCrossings expected = find_intersections(world, 0x1p-2, contact, all);
-      const FaceCrossings found = find_intersections(world, 0x1p-2, contact, candidates);
+      const std::vector<int> all = edges::all_triangles(world);
+      const std::vector<int> candidates = edges::crossing_candidates(world, 0x1p-2, contact);
+      const edges::FaceCrossings expected = edges::find_intersections(world, 0x1p-2, contact, all);
+      const edges::FaceCrossings found = edges::find_intersections(world, 0x1p-2, contact, candidates);
       left_out += candidates.size() < all.size() ? 1 : 0;
       crossings += static_cast<int>(expected.found.size());
       EXPECT_EQ(found.searched, 1);
@@ -101,18 +101,18 @@ TEST(Candidates, AreTwoOfAllCopies) {
     shapes.push_back(box({0, 0, 0}, {2, 2, 2}));
     shapes.push_back(box({1, 1, 1}, {3, 3, 3}));
   }
-  const World world = world_of(shapes);
-  const std::vector<int> candidates = crossing_candidates(world, 0x1p-2, 0x1p-29);
+  const scene::World world = world_of(shapes);
+  const std::vector<int> candidates = edges::crossing_candidates(world, 0x1p-2, 0x1p-29);
   EXPECT_EQ(candidates.size(), 2U * 24);
   const auto places = [&](const std::vector<int>& triangles) {
     std::set<std::array<double, 6>> found;
-    for (const FaceCrossing& crossing : find_intersections(world, 0x1p-2, 0x1p-29, triangles).found) {
+    for (const edges::FaceCrossing& crossing : edges::find_intersections(world, 0x1p-2, 0x1p-29, triangles).found) {
       const auto& [a, b] = crossing.ends;
       found.insert({a.x, a.y, a.z, b.x, b.y, b.z});
     }
     return found;
   };
-  EXPECT_EQ(places(candidates), places(all_triangles(world)));
+  EXPECT_EQ(places(candidates), places(edges::all_triangles(world)));
   EXPECT_GE(places(candidates).size(), 6U);
 }
 

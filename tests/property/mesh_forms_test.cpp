@@ -96,7 +96,7 @@ TEST(Meshes, CrossingPlates) {
   // Hidden: of the lying plate x < 0 behind the upright upper half, of the upright plate z < 0 below the lying front.
   EXPECT_GT(without.hidden_length(), 1);
   double length = 0;
-  for (const CrossingSegment& s : with.drawing.crossings) length += glm::length(s.world[1] - s.world[0]);
+  for (const drawing::CrossingSegment& s : with.drawing.crossings) length += glm::length(s.world[1] - s.world[0]);
   EXPECT_NEAR(length, 1, 1e-12);
 }
 
@@ -106,7 +106,7 @@ TEST(Meshes, CrossingAlongAnEdgeOfATriangulation) {
   plates.add({{{0, -0.5, -1}, {0, 1.5, -1}, {0, 1.5, 1}, {0, -0.5, 1}}, {{0, 1, 2, 3}}, {}});
   const Result result = draw(world_of(plates), orthographic({1, -1, 1}));
   double length = 0;
-  for (const FaceCrossing& c : result.drawn.crossings) length += glm::length(c.ends[1] - c.ends[0]);
+  for (const edges::FaceCrossing& c : result.drawn.crossings) length += glm::length(c.ends[1] - c.ends[0]);
   EXPECT_NEAR(length, 1, 1e-12);
 }
 
@@ -125,7 +125,7 @@ TEST(Meshes, InterpenetratingBoxes) {
   scene.add(box({-1, 1, 1}, {4, 2, 2}));
   const Result result = draw(world_of(scene), orthographic({1, -2, 1.5}));
   double length = 0;
-  for (const FaceCrossing& c : result.drawn.crossings) length += glm::length(c.ends[1] - c.ends[0]);
+  for (const edges::FaceCrossing& c : result.drawn.crossings) length += glm::length(c.ends[1] - c.ends[0]);
   EXPECT_NEAR(length, 8, 1e-9);
 }
 
@@ -245,7 +245,8 @@ TEST(Meshes, PrismAtTheCreaseThreshold) {
       prism.points.push_back({std::cos(a), std::sin(a), 1});
     }
     for (int i = 0; i < n; ++i) prism.faces.push_back({2 * i, (2 * i + 2) % (2 * n), (2 * i + 3) % (2 * n), 2 * i + 1});
-    const EdgeOptions creases{.contour = false, .boundary = false, .intersection = false, .crease_angle = 360.0 / n};
+    const edges::EdgeOptions creases{
+        .contour = false, .boundary = false, .intersection = false, .crease_angle = 360.0 / n};
     EXPECT_EQ(draw(world_of(prism), orthographic({1, 0.3, 0.2}), creases).drawn.edges.size(), n);
   }
 }

@@ -84,7 +84,7 @@ Shape random_triangles(unsigned seed, int count) {
 }
 
 Shape sample(const std::string& name) {
-  const Mesh mesh = read_mesh(EPURA_TEST_SAMPLES "/models/" + name);
+  const mesh::Mesh mesh = mesh::read_mesh(EPURA_TEST_SAMPLES "/models/" + name);
   Shape shape;
   shape.points = mesh.points;
   for (int f = 0; f < mesh.report.triangles; ++f) {
@@ -117,7 +117,7 @@ Box box_of(const Shape& shape) {
   return box;
 }
 
-std::map<std::string, Projection> views(const Box& box) {
+std::map<std::string, projection::Projection> views(const Box& box) {
   // On a coarse lattice, so that moving and scaling the eye is exact.
   const double size = std::ldexp(1.0, std::ilogb(glm::length(box.size())) + 1);
   const Vec3 middle = glm::round(box.centre() / size * 64.0) / 64.0 * size;
@@ -133,10 +133,10 @@ std::map<std::string, Projection> views(const Box& box) {
 
 using Ink = std::map<std::string, double>;
 
-Ink ink_of(const std::vector<Segment>& segments, double unit) {
+Ink ink_of(const std::vector<drawing::Segment>& segments, double unit) {
   Ink ink;
-  for (const Segment& s : segments)
-    ink[std::string(s.visible ? "visible " : "hidden ") + std::string(name_of(s.kind))] +=
+  for (const drawing::Segment& s : segments)
+    ink[std::string(s.visible ? "visible " : "hidden ") + std::string(edges::name_of(s.kind))] +=
         unit * glm::length(s.to - s.from);
   return ink;
 }
@@ -151,9 +151,9 @@ void expect_same(const Ink& expected, Ink ink, double tolerance) {
     EXPECT_TRUE(expected.contains(name) || length <= tolerance * total(expected)) << name;
 }
 
-double distance_to(const std::vector<Segment>& segments, const Vec2& p, bool visible) {
+double distance_to(const std::vector<drawing::Segment>& segments, const Vec2& p, bool visible) {
   double nearest = HUGE_VAL;
-  for (const Segment& s : segments) {
+  for (const drawing::Segment& s : segments) {
     if (s.visible != visible) continue;
     const Vec2 along = s.to - s.from;
     const double at = std::clamp(glm::dot(p - s.from, along) / glm::dot(along, along), 0.0, 1.0);
@@ -165,7 +165,7 @@ double distance_to(const std::vector<Segment>& segments, const Vec2& p, bool vis
 // How far some point of `segments` is from what `other` shows alike, in drawings.
 double farthest(const Result& result, const Result& other) {
   double worst = 0;
-  for (const Segment& s : result.drawing.segments)
+  for (const drawing::Segment& s : result.drawing.segments)
     for (const double at : {0.001, 0.25, 0.5, 0.75, 0.999})
       worst = std::max(worst, distance_to(other.drawing.segments, s.from + at * (s.to - s.from), s.visible));
   return worst / result.view.extent;
@@ -209,13 +209,13 @@ Shape renumbered(const Shape& shape, unsigned seed) {
 }
 
 TEST(Metamorphic, NumberingDoesNotMatter) {
-  in_all_views([](const Shape& shape, const Projection& view, const Result& expected) {
+  in_all_views([](const Shape& shape, const projection::Projection& view, const Result& expected) {
     expect_same(expected, draw(world_of(renumbered(shape, 7)), view), 1e-9);
   });
 }
 
 TEST(Metamorphic, FirstCornersAndOrientationDoNotMatter) {
-  in_all_views([](const Shape& shape, const Projection& view, const Result& expected) {
+  in_all_views([](const Shape& shape, const projection::Projection& view, const Result& expected) {
     Random random(5);
     Shape turned = shape;
     for (auto& face : turned.faces) {
@@ -249,7 +249,7 @@ Shape in_quarters(const Shape& shape) {
 }
 
 TEST(Metamorphic, FinerTrianglesDoNotMatter) {
-  in_all_views([](const Shape& shape, const Projection& view, const Result& expected) {
+  in_all_views([](const Shape& shape, const projection::Projection& view, const Result& expected) {
     // Kinds may change: where bodies without names touch, their finer edges become one.
     const Result result = draw(world_of(in_quarters(shape)), view);
     EXPECT_NEAR(result.visible(), expected.visible(), 1e-9 * expected.visible());
@@ -259,15 +259,15 @@ TEST(Metamorphic, FinerTrianglesDoNotMatter) {
 }
 
 TEST(Metamorphic, PowersOfTwoInSizeAreExact) {
-  in_all_views([](const Shape& shape, const Projection& view, const Result& expected) {
+  in_all_views([](const Shape& shape, const projection::Projection& view, const Result& expected) {
     for (const int k : {-300, -1, 5, 300}) {
-      Projection scaled = view;
+      projection::Projection scaled = view;
       scaled.point *= std::ldexp(1.0, k);
       if (view.central) scaled.projector *= std::ldexp(1.0, k);
       const Result result = draw(world_of(shape.scaled(std::ldexp(1.0, k))), scaled);
       ASSERT_EQ(result.drawing.segments.size(), expected.drawing.segments.size()) << k;
       for (std::size_t i = 0; i < result.drawing.segments.size(); ++i) {
-        const Segment &a = result.drawing.segments[i], &b = expected.drawing.segments[i];
+        const drawing::Segment &a = result.drawing.segments[i], &b = expected.drawing.segments[i];
         ASSERT_TRUE(a.from == b.from && a.to == b.to && a.visible == b.visible && a.edge == b.edge) << k;
       }
     }
@@ -289,7 +289,7 @@ TEST(Metamorphic, SceneAndEyeMayMoveTogether) {
       SCOPED_TRACE(name + ", " + view);
       const Result expected = draw(world_of(shape), projection);
       for (const double far : {-2.0, 64.0, 1024.0}) {
-        Projection moved = projection;
+        projection::Projection moved = projection;
         const Vec3 by = size * far * Vec3(1, -0.5, 0.25);
         moved.point += by;
         if (moved.central) moved.projector += by;
@@ -300,7 +300,7 @@ TEST(Metamorphic, SceneAndEyeMayMoveTogether) {
 }
 
 TEST(Metamorphic, ASecondCopyDoesNotMatter) {
-  in_all_views([](const Shape& shape, const Projection& view, const Result& expected) {
+  in_all_views([](const Shape& shape, const projection::Projection& view, const Result& expected) {
     Shape twice = shape;
     twice.add(shape);
     expect_same(expected, draw(world_of(twice), view), 1e-9);
@@ -309,7 +309,7 @@ TEST(Metamorphic, ASecondCopyDoesNotMatter) {
 }
 
 TEST(Metamorphic, SomethingBehindEverythingHidesNothing) {
-  in_all_views([](const Shape& shape, const Projection& view, const Result& expected) {
+  in_all_views([](const Shape& shape, const projection::Projection& view, const Result& expected) {
     // A small triangle in the middle of the page, farther from the viewer than the whole model.
     const Box box = box_of(shape);
     const double size = glm::length(box.size());
@@ -320,21 +320,22 @@ TEST(Metamorphic, SomethingBehindEverythingHidesNothing) {
       triangle.points.push_back({p.x, p.y, p.z});
     }
     Result result = draw(world_of({shape, triangle}), view);
-    std::erase_if(result.drawing.segments, [](const Segment& s) { return s.model == 1; });
+    std::erase_if(result.drawing.segments, [](const drawing::Segment& s) { return s.model == 1; });
     expect_same(ink_of(expected.drawing.segments, expected.unit), ink_of(result.drawing.segments, result.unit), 1e-9);
   });
 }
 
 TEST(Metamorphic, VisibleAndHiddenLinesAreTheWireframe) {
-  in_all_views([](const Shape&, const Projection&, const Result& result) {
-    const ViewDrawing wireframe = make_drawing({result.world, result.view, result.drawn, nothing_hidden(result.drawn)},
-                                               {1, Vec2(0)}, {"wireframe", true});
+  in_all_views([](const Shape&, const projection::Projection&, const Result& result) {
+    const drawing::ViewDrawing wireframe =
+        drawing::make_drawing({result.world, result.view, result.drawn, visibility::nothing_hidden(result.drawn)},
+                              {1, Vec2(0)}, {"wireframe", true});
     const double all = total(ink_of(wireframe.segments, result.unit));
     EXPECT_NEAR(result.visible() + result.hidden_length(), all, 1e-7 * all);
     // No coincidence of lines makes ink.
     double edges = 0;
-    for (const FeatureEdge& e : result.drawn.edges) {
-      const PageVertex &a = result.view.vertices[e.vertex[0]], &b = result.view.vertices[e.vertex[1]];
+    for (const edges::FeatureEdge& e : result.drawn.edges) {
+      const view::PageVertex &a = result.view.vertices[e.vertex[0]], &b = result.view.vertices[e.vertex[1]];
       edges += result.unit * std::hypot(b.x - a.x, b.y - a.y);
     }
     EXPECT_LE(all, edges * (1 + 1e-12));
@@ -345,8 +346,8 @@ TEST(Metamorphic, InAGenericViewNothingCoincides) {
   for (const char* name : {"cube", "torus", "moebius", "boxes", "triangles"}) {
     const Result result = draw(world_of(zoo().at(name)), orthographic({0.3, -0.8, 0.5}));
     double edges = 0;
-    for (const FeatureEdge& e : result.drawn.edges) {
-      const PageVertex &a = result.view.vertices[e.vertex[0]], &b = result.view.vertices[e.vertex[1]];
+    for (const edges::FeatureEdge& e : result.drawn.edges) {
+      const view::PageVertex &a = result.view.vertices[e.vertex[0]], &b = result.view.vertices[e.vertex[1]];
       edges += result.unit * std::hypot(b.x - a.x, b.y - a.y);
     }
     EXPECT_NEAR(result.visible() + result.hidden_length(), edges, 1e-9 * edges) << name;
@@ -356,16 +357,18 @@ TEST(Metamorphic, InAGenericViewNothingCoincides) {
 TEST(Metamorphic, ThreadsDoNotMatter) {
   for (const auto& [name, shape] : zoo())
     for (const auto& [view, projection] : views(box_of(shape))) {
-      ViewDrawing first;
+      drawing::ViewDrawing first;
       for (const int threads : {1, 2, 3, 7}) {
         const ThreadLimit limit(threads);
-        const ViewDrawing drawing = draw(world_of(shape), projection).drawing;
+        const drawing::ViewDrawing drawing = draw(world_of(shape), projection).drawing;
         if (threads == 1) first = drawing;
-        const auto same = [](const Segment& a, const Segment& b) {
+        const auto same = [](const drawing::Segment& a, const drawing::Segment& b) {
           return a.from == b.from && a.to == b.to && a.visible == b.visible && a.kind == b.kind && a.edge == b.edge &&
                  a.t == b.t;
         };
-        const auto same_faces = [](const CrossingSegment& a, const CrossingSegment& b) { return a.faces == b.faces; };
+        const auto same_faces = [](const drawing::CrossingSegment& a, const drawing::CrossingSegment& b) {
+          return a.faces == b.faces;
+        };
         EXPECT_TRUE(std::ranges::equal(first.segments, drawing.segments, same) &&
                     std::ranges::equal(first.crossings, drawing.crossings, same_faces))
             << name << ", " << view << ", " << threads << " threads";

@@ -15,32 +15,33 @@
 namespace epura::test {
 namespace {
 
-Spans by_brute_force(const Result& r, const FeatureEdge& edge) {
-  const PageEdge line{edge.vertex[0], edge.vertex[1]};
-  Spans spans;
-  for (const ViewTriangle& t : r.view.triangles) {
+visibility::Spans by_brute_force(const Result& r, const edges::FeatureEdge& edge) {
+  const visibility::PageEdge line{edge.vertex[0], edge.vertex[1]};
+  visibility::Spans spans;
+  for (const view::ViewTriangle& t : r.view.triangles) {
     const auto& [a, b, c] = t.vertex;
-    if (cross(r.view.grid[a], r.view.grid[b], r.view.grid[c]) == 0 ||
-        OwnTriangles(r.world, r.drawn, edge).contain(t.source))
+    if (view::cross(r.view.grid[a], r.view.grid[b], r.view.grid[c]) == 0 ||
+        visibility::OwnTriangles(r.world, r.drawn, edge).contain(t.source))
       continue;
-    if (const auto part = hidden_part(r.view, line, t)) add_span(spans, *part);
+    if (const auto part = visibility::hidden_part(r.view, line, t)) visibility::add_span(spans, *part);
   }
-  absorb_slivers(spans, least_span(r.view, line));
+  visibility::absorb_slivers(spans, visibility::least_span(r.view, line));
   return spans;
 }
 
-Spans spans_of(const HiddenSpans& hidden, std::size_t e) {
+visibility::Spans spans_of(const visibility::HiddenSpans& hidden, std::size_t e) {
   return {hidden.spans.begin() + hidden.first[e], hidden.spans.begin() + hidden.first[e + 1]};
 }
 
 void expect_equal(const Result& r) {
   // What is done where there is no time for the search; of many edges it takes the test too long.
   const bool tries_all = r.drawn.edges.size() <= 500;
-  const HiddenSpans directly = tries_all ? find_hidden_directly(r.world, r.view, r.drawn) : HiddenSpans();
+  const visibility::HiddenSpans directly =
+      tries_all ? visibility::find_hidden_directly(r.world, r.view, r.drawn) : visibility::HiddenSpans();
   for (std::size_t e = 0; e < r.drawn.edges.size(); ++e) {
-    const GridPoint &p = r.view.grid[r.drawn.edges[e].vertex[0]], &q = r.view.grid[r.drawn.edges[e].vertex[1]];
+    const view::GridPoint &p = r.view.grid[r.drawn.edges[e].vertex[0]], &q = r.view.grid[r.drawn.edges[e].vertex[1]];
     if (p.x == q.x && p.y == q.y) continue;  // is a point on the page, and not drawn
-    const Spans by_all = by_brute_force(r, r.drawn.edges[e]);
+    const visibility::Spans by_all = by_brute_force(r, r.drawn.edges[e]);
     ASSERT_EQ(spans_of(r.hidden, e), by_all) << "edge " << e;
     if (tries_all) {
       ASSERT_EQ(spans_of(directly, e), by_all) << "edge " << e;
@@ -78,10 +79,11 @@ unsigned scene_count() {
 
 TEST_P(Scenes, SearchEqualsBruteForce) {
   for (unsigned seed = 1 + GetParam(); seed <= scene_count(); seed += parts) {
-    const World world = world_of(soup(seed));
-    const std::vector<Projection> views{orthographic({1, 1, 1}), orthographic({0.3, -1, 0.2}), from_above(),
-                                        perspective({3, -2, 2}, {0, 0, 0}, {3, -2, 2}, {0, 0, 1}),
-                                        perspective({0.5, -0.5, 0.5}, {0.5, 0, 0.5}, {0, -1, 0}, {0, 0, 1})};
+    const scene::World world = world_of(soup(seed));
+    const std::vector<projection::Projection> views{
+        orthographic({1, 1, 1}), orthographic({0.3, -1, 0.2}), from_above(),
+        perspective({3, -2, 2}, {0, 0, 0}, {3, -2, 2}, {0, 0, 1}),
+        perspective({0.5, -0.5, 0.5}, {0.5, 0, 0.5}, {0, -1, 0}, {0, 0, 1})};
     if (world.triangles.empty()) continue;  // all were rounded to nothing
     SCOPED_TRACE("seed " + std::to_string(seed));
     expect_equal(draw(world, views[seed % views.size()]));
@@ -95,7 +97,7 @@ TEST(Search, EqualsBruteForceFromInside) {
   for (unsigned seed = 1; seed <= 50; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     // A room around the soup, so that there is always something in front of the eye.
-    const World world = world_of({soup(seed), box({-1, -1, -1}, {3, 3, 3})});
+    const scene::World world = world_of({soup(seed), box({-1, -1, -1}, {3, 3, 3})});
     expect_equal(draw(world, perspective({0.5, 0.5, 0.5}, {0.5, 0.7, 0.5}, {0.1, -1, 0.2}, {0, 0, 1})));
   }
 }
@@ -137,7 +139,7 @@ Shape stack(unsigned seed) {
 TEST(Search, EqualsBruteForceOnStacks) {
   for (unsigned seed = 1; seed <= 6; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const World world = world_of(stack(seed));
+    const scene::World world = world_of(stack(seed));
     expect_equal(draw(world, from_above()));
     expect_equal(draw(world, orthographic({0.1, -0.2, 1}), {.smooth = true}));
     expect_equal(draw(world, perspective({2, 1, 12}, {1.5, 1.5, 0}, {0.5, -0.5, 12}, {0, 1, 0})));
@@ -167,7 +169,7 @@ Shape slanted_stack(unsigned seed) {
 TEST(Search, EqualsBruteForceOnSlantedStacks) {
   for (unsigned seed = 1; seed <= 5; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const World world = world_of(slanted_stack(seed));
+    const scene::World world = world_of(slanted_stack(seed));
     expect_equal(draw(world, orthographic({1, -1, 1})));
     expect_equal(draw(world, orthographic({1, 1, 1}), {.smooth = true}));
     expect_equal(draw(world, orthographic({0.3, -0.8, 0.5})));
@@ -202,7 +204,7 @@ std::vector<Shape> leaning(std::vector<Shape> all, double angle) {
 TEST(Search, EqualsBruteForceOnCopies) {
   for (unsigned seed = 1; seed <= 100; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const World world = world_of(std::vector<Shape>(4, soup(seed)));
+    const scene::World world = world_of(std::vector<Shape>(4, soup(seed)));
     if (world.triangles.empty()) continue;  // all were rounded to nothing
     expect_equal(draw(world, orthographic({0.3, -1, 0.2})));
     expect_equal(draw(world, perspective({0.5, -0.5, 0.5}, {0.5, 0, 0.5}, {0, -1, 0}, {0, 0, 1})));
@@ -212,7 +214,7 @@ TEST(Search, EqualsBruteForceOnCopies) {
 TEST(Search, EqualsBruteForceOnEqualParts) {
   for (unsigned seed = 1; seed <= 2; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const World world = world_of(equal_parts(seed)), slanted = world_of(leaning(equal_parts(seed), 0.7));
+    const scene::World world = world_of(equal_parts(seed)), slanted = world_of(leaning(equal_parts(seed), 0.7));
     expect_equal(draw(world, from_above()));
     expect_equal(draw(world, orthographic({1, -1, 1})));
     expect_equal(draw(world, perspective({2, 1, 40}, {2, 1, 0}, {0, 0, 1}, {0, 1, 0})));
@@ -270,7 +272,7 @@ class ThinTriangles : public testing::TestWithParam<Thin> {};
 TEST_P(ThinTriangles, AreFoundAsByBruteForce) {
   for (unsigned seed = 1; seed <= 4; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
-    const World world = world_of(thin_triangles(GetParam(), seed));
+    const scene::World world = world_of(thin_triangles(GetParam(), seed));
     expect_equal(draw(world, from_above(), {.intersection = false}));
     expect_equal(draw(world, orthographic({1, -1, 1}), {.intersection = false}));
     expect_equal(draw(world, orthographic({0.3, -0.8, 0.1}), {.smooth = true}));

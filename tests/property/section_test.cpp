@@ -16,13 +16,13 @@
 namespace epura::test {
 namespace {
 
-CuttingPlane plane_at(const Vec3& point, const Vec3& normal) {
-  return make_cutting_plane({{"A", "--section"}, point, normal});
+scene::CuttingPlane plane_at(const Vec3& point, const Vec3& normal) {
+  return scene::make_cutting_plane({{"A", "--section"}, point, normal});
 }
 
-Result draw_cut(const World& world, const CuttingPlane& plane, const Projection& projection,
-                const ViewLimits& limits = {}) {
-  return draw(cut_world(world, plane).world, projection, {}, limits);
+Result draw_cut(const scene::World& world, const scene::CuttingPlane& plane, const projection::Projection& projection,
+                const view::ViewLimits& limits = {}) {
+  return draw(scene::cut_world(world, plane).world, projection, {}, limits);
 }
 
 // A tube of square section along y, closed by a wall at each end.
@@ -50,7 +50,7 @@ Shape cup(double from, double to) {
 const std::vector<Vec3> directions = {{1, -1, 1}, {-1, -2, 0.5}, {0.3, -1, -0.7}, {1, 1, 1}, {0, -1, 0}, {0, 0, 1}};
 
 TEST(Section, OfABoxLooksLikeTheShorterBox) {
-  const World whole = world_of(box({0, 0, 0}, {4, 6, 4})), half = world_of(box({0, 2.5, 0}, {4, 6, 4}));
+  const scene::World whole = world_of(box({0, 0, 0}, {4, 6, 4})), half = world_of(box({0, 2.5, 0}, {4, 6, 4}));
   for (const Vec3& direction : directions) {
     const Vec3 up = direction.z == 1 && direction.y == 0 ? Vec3(0, 1, 0) : Vec3(0, 0, 1);
     const Result cut = draw_cut(whole, plane_at({1, 2.5, 1}, {0, -1, 0}), orthographic(direction, up));
@@ -61,7 +61,7 @@ TEST(Section, OfABoxLooksLikeTheShorterBox) {
 }
 
 TEST(Section, OfAHollowBoxLooksLikeACup) {
-  const World whole = world_of(hollow(-6, 6)), half = world_of(cup(0, 6));
+  const scene::World whole = world_of(hollow(-6, 6)), half = world_of(cup(0, 6));
   for (const Vec3& direction : directions) {
     const Vec3 up = direction.z == 1 && direction.y == 0 ? Vec3(0, 1, 0) : Vec3(0, 0, 1);
     const Result cut = draw_cut(whole, plane_at({0, 0, 0}, {0, -1, 0}), orthographic(direction, up));
@@ -69,18 +69,18 @@ TEST(Section, OfAHollowBoxLooksLikeACup) {
     EXPECT_NEAR(cut.visible(), expected.visible(), 1e-8);
     EXPECT_NEAR(cut.hidden_length(), expected.hidden_length(), 1e-8);
   }
-  const Projection eye = perspective({2, -12, 9}, {0, 0, 0}, {0, -1, 0.3}, {0, 0, 1});
+  const projection::Projection eye = perspective({2, -12, 9}, {0, 0, 0}, {0, -1, 0.3}, {0, 0, 1});
   const Result cut = draw_cut(whole, plane_at({0, 0, 0}, {0, -1, 0}), eye), expected = draw(half, eye);
   EXPECT_NEAR(cut.visible(), expected.visible(), 1e-7);
   EXPECT_NEAR(cut.hidden_length(), expected.hidden_length(), 1e-7);
 }
 
 TEST(Section, CutFacesHideWhatLiesBehind) {
-  const World world = world_of({box({0, 0, 0}, {4, 4, 4}), box({1, 5, 1}, {3, 6, 3})});
+  const scene::World world = world_of({box({0, 0, 0}, {4, 4, 4}), box({1, 5, 1}, {3, 6, 3})});
   const Result cut = draw_cut(world, plane_at({0, 2, 0}, {0, -1, 0}), orthographic({0, -1, 0}));
   EXPECT_NEAR(cut.visible(), 16, 1e-8);
   EXPECT_NEAR(cut.hidden_length(), 8, 1e-8);
-  for (const Segment& segment : cut.drawing.segments)
+  for (const drawing::Segment& segment : cut.drawing.segments)
     if (segment.model == 0) {
       EXPECT_TRUE(segment.visible);
     }
@@ -88,27 +88,27 @@ TEST(Section, CutFacesHideWhatLiesBehind) {
 
 TEST(Section, WhatIsTakenAwayNeitherHidesNorCrosses) {
   // A wall in front of a box, and a bar that runs through the wall only.
-  const World world =
+  const scene::World world =
       world_of({box({-5, -3, -5}, {5, -2, 5}), box({0, -10, 0}, {1, -1, 1}), box({-1, 0, -1}, {2, 3, 2})});
-  const CuttingPlane plane = plane_at({0, 1, 0}, {0, -1, 0});
+  const scene::CuttingPlane plane = plane_at({0, 1, 0}, {0, -1, 0});
   const Result cut = draw_cut(world, plane, orthographic({0.1, -1, 0.2}));
   const Result alone = draw_cut(world_of(box({-1, 0, -1}, {2, 3, 2})), plane, orthographic({0.1, -1, 0.2}));
   EXPECT_NEAR(cut.visible(), alone.visible(), 1e-7);
   EXPECT_NEAR(cut.hidden_length(), alone.hidden_length(), 1e-7);
-  for (const Segment& segment : cut.drawing.segments) EXPECT_NE(segment.kind, EdgeKind::intersection);
+  for (const drawing::Segment& segment : cut.drawing.segments) EXPECT_NE(segment.kind, EdgeKind::intersection);
 }
 
 TEST(Section, LinesSayWhereTheyAreInTheFile) {
-  const World whole = world_of(box({0, 0, 0}, {4, 6, 4}));
+  const scene::World whole = world_of(box({0, 0, 0}, {4, 6, 4}));
   const Result cut = draw_cut(whole, plane_at({1, 2.5, 1}, {0, -1, 0}), orthographic({1, -1, 1}));
   int along_y = 0, outline = 0;
-  for (const Segment& segment : cut.drawing.segments) {
+  for (const drawing::Segment& segment : cut.drawing.segments) {
     const auto page = [&](const Vec3& p) { return Vec2(cut.drawing.world_to_page * Vec4(p, 1)); };
     std::array<Vec3, 2> ends;
     if (segment.edge[0] < 0) {
       ++outline;
       EXPECT_EQ(segment.kind, EdgeKind::section);
-      const CrossingSegment& crossing = cut.drawing.crossings.at(segment.crossing);
+      const drawing::CrossingSegment& crossing = cut.drawing.crossings.at(segment.crossing);
       EXPECT_EQ(crossing.faces[1][0], -1);
       EXPECT_LT(crossing.faces[0][1], 6);
       ends = crossing.world;
@@ -135,19 +135,20 @@ double ring_area(const std::vector<Vec2>& ring) {
 }
 
 TEST(Section, FacesOnPaperAreSeenFromInFrontAndWithinTheWindow) {
-  const CuttingPlane plane = plane_at({1, 2.5, 1}, {0, -1, 0});
-  const CutWorld cut = cut_world(world_of(box({0, 0, 0}, {4, 6, 4})), plane);
-  Projection front = orthographic({0, -1, 0});
-  ProjectedScene view = project_scene(cut.world, front, {});
+  const scene::CuttingPlane plane = plane_at({1, 2.5, 1}, {0, -1, 0});
+  const scene::CutWorld cut = scene::cut_world(world_of(box({0, 0, 0}, {4, 6, 4})), plane);
+  projection::Projection front = orthographic({0, -1, 0});
+  view::ProjectedScene view = view::project_scene(cut.world, front, {});
   const double unit = 1 / (view.map.normalisation * view.map.normalisation);
-  const auto faces = cut_faces_on_paper(cut.faces, plane, view, {1, Vec2(0)});
+  const auto faces = drawing::cut_faces_on_paper(cut.faces, plane, view, {1, Vec2(0)});
   ASSERT_EQ(faces.size(), 1U);
   EXPECT_NEAR(ring_area(faces[0].rings.at(0)) * unit, 16, 1e-12);
-  ProjectedScene behind = project_scene(cut.world, orthographic({0, 1, 0.5}), {});
-  EXPECT_TRUE(cut_faces_on_paper(cut.faces, plane, behind, {1, Vec2(0)}).empty());
-  front.window = Window{{1, 1}, {3, 9}};
-  ProjectedScene part = project_scene(cut.world, front, {});
-  EXPECT_NEAR(ring_area(cut_faces_on_paper(cut.faces, plane, part, {1, Vec2(0)}).at(0).rings.at(0)) * unit, 6, 1e-12);
+  view::ProjectedScene behind = view::project_scene(cut.world, orthographic({0, 1, 0.5}), {});
+  EXPECT_TRUE(drawing::cut_faces_on_paper(cut.faces, plane, behind, {1, Vec2(0)}).empty());
+  front.window = projection::Window{{1, 1}, {3, 9}};
+  view::ProjectedScene part = view::project_scene(cut.world, front, {});
+  EXPECT_NEAR(ring_area(drawing::cut_faces_on_paper(cut.faces, plane, part, {1, Vec2(0)}).at(0).rings.at(0)) * unit, 6,
+              1e-12);
 }
 
 // --- planes beside vertices
@@ -194,7 +195,7 @@ Shape cube_with_a_bore(int sides) {
 }
 
 // Faces and corners in another order; coordinates as a file of 32-bit floats has them, or as they are.
-World numbered_anew(const Shape& shape, unsigned seed, bool floats) {
+scene::World numbered_anew(const Shape& shape, unsigned seed, bool floats) {
   std::mt19937 random(seed);
   std::vector<int> number(shape.points.size());
   std::iota(number.begin(), number.end(), 0);
@@ -204,7 +205,7 @@ World numbered_anew(const Shape& shape, unsigned seed, bool floats) {
     std::shuffle(faces.begin(), faces.end(), random);
     for (auto& face : faces) std::rotate(face.begin(), face.begin() + random() % face.size(), face.end());
   }
-  Soup soup;
+  mesh::Soup soup;
   soup.points = shape.points;
   soup.single_precision = floats;
   for (std::size_t v = 0; v < number.size(); ++v)
@@ -216,7 +217,7 @@ World numbered_anew(const Shape& shape, unsigned seed, bool floats) {
     for (const int v : face) soup.corners.push_back(number[v]);
     soup.end_face();
   }
-  return make_world({{std::make_shared<const Mesh>(build_mesh(std::move(soup), "test"))}});
+  return scene::make_world({{std::make_shared<const mesh::Mesh>(mesh::build_mesh(std::move(soup), "test"))}});
 }
 
 std::vector<Shape> shapes_to_cut() {
@@ -227,17 +228,17 @@ std::vector<Shape> shapes_to_cut() {
 // Planes along which no edge runs: what they leave changes steadily with their distance from the vertex.
 TEST(Section, BesideAVertexChangesSteadilyAndKnowsNoOrderOfFaces) {
   const std::vector<Vec3> normals = {{0.21, -0.9, 0.37}, {-0.55, -0.62, 0.4}};
-  const Projection view = orthographic({1, -1, 1});
+  const projection::Projection view = orthographic({1, -1, 1});
   for (const Shape& shape : shapes_to_cut())
     for (const bool floats : {false, true})
       for (const std::size_t vertex : {std::size_t{1}, shape.points.size() / 2})
         for (const Vec3& normal : normals) {
-          const World world = numbered_anew(shape, 0, floats), other = numbered_anew(shape, 7, floats);
+          const scene::World world = numbered_anew(shape, 0, floats), other = numbered_anew(shape, 7, floats);
           const Vec3 at = world.points[static_cast<int>(vertex)];
           const Result through = draw_cut(world, plane_at(at, normal), view);
           for (const double distance : {1e-15, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 3e-7, 1e-6, 3e-6, 1e-5})
             for (const double side : {-distance, distance}) {
-              const CuttingPlane plane = plane_at(at + side * glm::normalize(normal), normal);
+              const scene::CuttingPlane plane = plane_at(at + side * glm::normalize(normal), normal);
               const Result cut = draw_cut(world, plane, view), again = draw_cut(other, plane, view);
               const double min = 1e-3 * through.extent();
               const auto where = [&] {

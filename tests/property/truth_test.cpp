@@ -25,15 +25,15 @@ struct WrongSpan {
 
 // The longest span of a drawing that is shown hidden and is visible, or the other way.
 WrongSpan longest_wrong(const Result& r) {
-  const ViewLimits limits;
-  const VerifyInput drawn{r.world, r.view.projection, limits, r.drawn, r.hidden, r.drawing};
+  const view::ViewLimits limits;
+  const verify::VerifyInput drawn{r.world, r.view.projection, limits, r.drawn, r.hidden, r.drawing};
   const std::vector<EdgeTruth> truth = find_truth(drawn, r.view, {.pairs = HUGE_VAL});
   EXPECT_EQ(truth.size(), r.drawn.edges.size());
   WrongSpan wrong;
   for (const EdgeTruth& edge : truth) {
-    const Spans shown = hidden_parts(r.hidden, static_cast<std::size_t>(edge.edge));
+    const visibility::Spans shown = hidden_parts(r.hidden, static_cast<std::size_t>(edge.edge));
     const auto& [p, q] = r.drawn.edges[static_cast<std::size_t>(edge.edge)].vertex;
-    const PageVertex &from = r.view.vertices[p], &to = r.view.vertices[q];
+    const view::PageVertex &from = r.view.vertices[p], &to = r.view.vertices[q];
     const double length = std::hypot(from.x - to.x, from.y - to.y) / r.view.extent;
     for (const auto& [spans, what] : {std::pair(without(edge.surely, shown), "hidden but shown visible"),
                                       std::pair(without(shown, edge.perhaps), "visible but shown hidden")})
@@ -79,10 +79,10 @@ Shape boxes(Random& random, int count, int steps) {
   return shape;
 }
 
-std::vector<Projection> views(Random& random, bool axes) {
-  std::vector<Projection> list{orthographic({1, 1, 1}),
-                               orthographic({uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1)}),
-                               perspective({4, -3, 3.5}, {0.5, 0.5, 0.5}, {4, -3, 3}, {0, 0, 1})};
+std::vector<projection::Projection> views(Random& random, bool axes) {
+  std::vector<projection::Projection> list{
+      orthographic({1, 1, 1}), orthographic({uniform(random, -1, 1), uniform(random, -1, 1), uniform(random, -1, 1)}),
+      perspective({4, -3, 3.5}, {0.5, 0.5, 0.5}, {4, -3, 3}, {0, 0, 1})};
   if (axes) {
     list.push_back(from_above());
     list.push_back(orthographic({0, -1, 0}));
@@ -92,8 +92,8 @@ std::vector<Projection> views(Random& random, bool axes) {
 }
 
 void expect_right(const Shape& shape, Random& random, bool axes, const std::string& name) {
-  const World world = world_of(shape);
-  for (const Projection& view : views(random, axes)) {
+  const scene::World world = world_of(shape);
+  for (const projection::Projection& view : views(random, axes)) {
     const WrongSpan wrong = longest_wrong(draw(world, view));
     EXPECT_LT(wrong.longest, goal) << name << (view.central ? " central " : " parallel ") << view.n.x << "," << view.n.y
                                    << "," << view.n.z << " " << wrong.words;
@@ -143,7 +143,7 @@ TEST(Truth, MissesATriangleThatTheViewHasLost) {
   Random random(1);
   Result result = draw(world_of(boxes(random, 4, 0)), orthographic({1, 2, 3}));
   result.view.triangles.clear();
-  result.hidden = find_hidden(result.world, result.view, result.drawn);
+  result.hidden = visibility::find_hidden(result.world, result.view, result.drawn);
   ASSERT_TRUE(result.hidden.spans.empty());
   EXPECT_GT(longest_wrong(result).longest, 1e-3);
 }

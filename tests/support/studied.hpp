@@ -10,16 +10,16 @@ namespace epura::test {
 /// A view together with what a ExplainInput refers to. The paper is the page in view units.
 struct Studied {
   Result result;
-  EdgeOptions options;
-  PaperMap paper;
+  edges::EdgeOptions options;
+  view::PaperMap paper;
 
-  [[nodiscard]] ExplainInput view() const {
+  [[nodiscard]] explain::ExplainInput view() const {
     return {{result.world, result.view, result.drawn, result.hidden}, options, paper, result.drawing, true};
   }
 };
 
-inline Studied study(World world, const Projection& projection, const EdgeOptions& options = {},
-                     const ViewLimits& limits = {}) {
+inline Studied study(scene::World world, const projection::Projection& projection,
+                     const edges::EdgeOptions& options = {}, const view::ViewLimits& limits = {}) {
   Result result = draw(std::move(world), projection, options, limits);
   return {std::move(result), options, {1, Vec2(0)}};
 }

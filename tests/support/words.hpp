@@ -14,8 +14,8 @@ namespace epura::test {
 /// What the words behind "draw" ask for.
 inline DrawOptions draw_options_of(std::vector<std::string> words) {
   CLI::App app;
-  const Options<DrawOptions> table = draw_options();
-  for (const OptionInfo& option : table) define(app, option);
+  const scene::Options<DrawOptions> table = draw_options();
+  for (const scene::OptionInfo& option : table) define(app, option);
   std::reverse(words.begin(), words.end());  // as CLI11 takes them
   app.parse(words);
   DrawOptions options;

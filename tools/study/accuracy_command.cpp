@@ -21,7 +21,7 @@
 #include "study/commands.hpp"
 #include "study/report_targets.hpp"
 
-namespace epura {
+namespace epura::study {
 
 namespace {
 
@@ -59,8 +59,8 @@ Targets targets_of(const AccuracyOptions& options) {
 void write_report(const ReportTarget<ReportFormat>& target, const AccuracyReport& report,
                   const std::vector<std::string>& inputs, Progress progress) {
   const std::vector<std::string> files = to_files(report, target.format);
-  const std::vector<std::string> paths = one_for_each(target.path, files.size());
-  refuse_overwriting(paths, inputs);
+  const std::vector<std::string> paths = pipeline::one_for_each(target.path, files.size());
+  pipeline::refuse_overwriting(paths, inputs);
   for (std::size_t i = 0; i < files.size(); ++i) write_file(paths[i], files[i], progress);
 }
 
@@ -83,8 +83,8 @@ DrawOptions drawing_of(const std::string& scene, const AccuracyOptions& options)
 /// A scene with its words understood.
 struct StudiedScene {
   std::string path;
-  SceneDescription description;
-  std::vector<SheetOfViews> sheets;
+  scene::SceneDescription description;
+  std::vector<pipeline::SheetOfViews> sheets;
 };
 
 // A long run must not end in a typing error.
@@ -93,8 +93,9 @@ std::vector<StudiedScene> scenes_of(const AccuracyOptions& options) {
   for (const std::string& path : options.scenes) {
     if (!std::filesystem::exists(path)) read_file(path);  // says so
     const DrawOptions drawing = drawing_of(path, options);
-    SceneDescription scene = describe(drawing);
-    std::vector<SheetOfViews> sheets = views_by_sheet(scene, plan_views(scene, drawing.run));
+    scene::SceneDescription scene = describe(drawing);
+    std::vector<pipeline::SheetOfViews> sheets =
+        pipeline::views_by_sheet(scene, pipeline::plan_views(scene, drawing.run));
     scenes.push_back({path, std::move(scene), std::move(sheets)});
   }
   return scenes;
@@ -111,38 +112,39 @@ std::vector<std::string> inputs_of(const std::vector<StudiedScene>& scenes, cons
 /// Measures the views of one scene.
 class Study {
  public:
-  Study(const AccuracyOptions& options, const std::vector<Method>& methods, const Messages& messages, Progress progress)
+  Study(const AccuracyOptions& options, const std::vector<Method>& methods, const pipeline::Messages& messages,
+        Progress progress)
       : options_(options), methods_(methods), messages_(messages), progress_(progress) {}
 
   std::vector<ViewMeasurements> measure_scene(const StudiedScene& scene) {
-    Stopwatch watch;
-    std::vector<MeshReport> reports;
-    const World world = read_models(scene.description.models, reports, messages_, progress_);
+    pipeline::Stopwatch watch;
+    std::vector<mesh::MeshReport> reports;
+    const scene::World world = pipeline::read_models(scene.description.models, reports, messages_, progress_);
     watch.lap("read");
-    const CutSections sections = cut_sections(world, scene.description, messages_);
+    const pipeline::CutSections sections = pipeline::cut_sections(world, scene.description, messages_);
     std::vector<ViewMeasurements> measured;
-    for (const SheetOfViews& sheet : scene.sheets) measure_sheet(scene, world, sections, sheet, measured);
+    for (const pipeline::SheetOfViews& sheet : scene.sheets) measure_sheet(scene, world, sections, sheet, measured);
     for (ViewMeasurements& view : measured) view.read_seconds = watch.laps().front().second;
     return measured;
   }
 
  private:
-  void measure_sheet(const StudiedScene& scene, const World& whole, const CutSections& sections,
-                     const SheetOfViews& sheet, std::vector<ViewMeasurements>& measured) {
-    const auto world = [&](std::size_t i) -> const World& {
-      const CutSection* section = section_of(sections, sheet.descriptions[i]);
+  void measure_sheet(const StudiedScene& scene, const scene::World& whole, const pipeline::CutSections& sections,
+                     const pipeline::SheetOfViews& sheet, std::vector<ViewMeasurements>& measured) {
+    const auto world = [&](std::size_t i) -> const scene::World& {
+      const pipeline::CutSection* section = pipeline::section_of(sections, sheet.descriptions[i]);
       return section == nullptr ? whole : section->cut.world;
     };
-    std::vector<ProjectedScene> views;
+    std::vector<view::ProjectedScene> views;
     for (std::size_t i = 0; i < sheet.plans.size(); ++i)
-      views.push_back(project_scene(world(i), sheet.plans[i], sheet.descriptions[i]));
-    const std::vector<Annotations> annotations =
-        annotate(scene.description, sheet.sheet, sheet.descriptions, views, sections);
-    const SheetPlan plan = plan_sheet(whole, scene.description, sheet, views, annotations);
+      views.push_back(pipeline::project_scene(world(i), sheet.plans[i], sheet.descriptions[i]));
+    const std::vector<pipeline::Annotations> annotations =
+        pipeline::annotate(scene.description, sheet.sheet, sheet.descriptions, views, sections);
+    const pipeline::SheetPlan plan = pipeline::plan_sheet(whole, scene.description, sheet, views, annotations);
     for (std::size_t i = 0; i < views.size(); ++i) {
-      const ViewOptions& options = sheet.plans[i].options;
-      const PaperMap paper = make_paper_map(views[i], plan.places[i].scale, plan.places[i].shift);
-      const FeatureEdges drawn = find_feature_edges(world(i), views[i], options.edges, progress_);
+      const pipeline::ViewOptions& options = sheet.plans[i].options;
+      const view::PaperMap paper = view::make_paper_map(views[i], plan.places[i].scale, plan.places[i].shift);
+      const edges::FeatureEdges drawn = edges::find_feature_edges(world(i), views[i], options.edges, progress_);
       const StudiedView studied{std::filesystem::path(scene.path).stem().string(),
                                 options.name,
                                 world(i),
@@ -163,7 +165,7 @@ class Study {
 
   const AccuracyOptions& options_;
   const std::vector<Method>& methods_;
-  const Messages& messages_;
+  const pipeline::Messages& messages_;
   Progress progress_;
 };
 
@@ -178,8 +180,8 @@ int study_accuracy(const AccuracyOptions& options) {
   const std::vector<Method> methods = methods_of(options);
   const std::vector<StudiedScene> scenes = scenes_of(options);
   const std::vector<std::string> inputs = inputs_of(scenes, options);
-  refuse_overwriting(options.outputs, inputs);
-  const Messages messages = messages_to(console);
+  pipeline::refuse_overwriting(options.outputs, inputs);
+  const pipeline::Messages messages = messages_to(console);
   Study study(options, methods, messages, progress);
   AccuracyReport report;
   for (const StudiedScene& scene : scenes)
@@ -193,4 +195,4 @@ int study_accuracy(const AccuracyOptions& options) {
   return 0;
 }
 
-}  // namespace epura
+}  // namespace epura::study

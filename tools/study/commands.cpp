@@ -5,63 +5,65 @@
 #include "app/define_answers.hpp"
 #include "app/draw_options.hpp"
 
-namespace epura {
+namespace epura::study {
 
 namespace {
 
-ValueKind<Method> any_method() {
-  const ValueForm form{
+scene::ValueKind<Method> any_method() {
+  const scene::ValueForm form{
       "text", "METHOD", {"exact", "exact:bits=", "float", "sampled:density=", "item-buffer:dpi=", "none"}};
-  return {form, [](const TomlValue& value) { return parse_method(read_text(value), value.where); }};
+  return {form, [](const scene::TomlValue& value) { return parse_method(scene::read_text(value), value.where); }};
 }
 
-Options<StabilityOptions> stability_options() {
+scene::Options<StabilityOptions> stability_options() {
   using Study = StabilityOptions;
   return {
-      option<Study>({.flag = "-o,--output",
-                     .help = "file to write, by extension: html json csv svg pdf; - for standard output",
-                     .repeatable = true},
-                    &Study::outputs, file_name("FILE")),
-      option<Study>({.flag = "--format", .help = "format of '-'"}, &Study::format,
-                    any_text().shown_as("NAME").such_as({"html", "json", "csv", "svg", "pdf"})),
-      option<Study>({.flag = "--cases", .help = "only these, with commas: P1,V4,M23; shows every step", .usual = "all"},
-                    &Study::cases, any_text().shown_as("IDS")),
-      option<Study>({.flag = "--size", .help = "factor of the numbers of parts of large scenes", .usual = "1"},
-                    &Study::size, number_between(0.01, 100, "").shown_as("F")),
+      scene::option<Study>({.flag = "-o,--output",
+                            .help = "file to write, by extension: html json csv svg pdf; - for standard output",
+                            .repeatable = true},
+                           &Study::outputs, file_name("FILE")),
+      scene::option<Study>({.flag = "--format", .help = "format of '-'"}, &Study::format,
+                           scene::any_text().shown_as("NAME").such_as({"html", "json", "csv", "svg", "pdf"})),
+      scene::option<Study>(
+          {.flag = "--cases", .help = "only these, with commas: P1,V4,M23; shows every step", .usual = "all"},
+          &Study::cases, scene::any_text().shown_as("IDS")),
+      scene::option<Study>({.flag = "--size", .help = "factor of the numbers of parts of large scenes", .usual = "1"},
+                           &Study::size, scene::number_between(0.01, 100, "").shown_as("F")),
       threads_option<Study>(&Study::threads),
-      option<Study>({.flag = "--timings", .help = "say how long each case took"}, &Study::timings, truth()),
+      scene::option<Study>({.flag = "--timings", .help = "say how long each case took"}, &Study::timings,
+                           scene::truth()),
       progress_option(&Study::progress),
   };
 }
 
-Options<AccuracyOptions> accuracy_options() {
+scene::Options<AccuracyOptions> accuracy_options() {
   using Study = AccuracyOptions;
   return {
-      option<Study>({.flag = "scenes",
-                     .help = "scenes: model files or scene files, each for itself",
-                     .required = true,
-                     .repeatable = true},
-                    &Study::scenes, file_name("SCENE...")),
-      option<Study>({.flag = "-o,--output",
-                     .help = "file to write, by extension: html csv json pdf, or svg png for each diagram",
-                     .required = true,
-                     .repeatable = true},
-                    &Study::outputs, file_name("FILE")),
+      scene::option<Study>({.flag = "scenes",
+                            .help = "scenes: model files or scene files, each for itself",
+                            .required = true,
+                            .repeatable = true},
+                           &Study::scenes, file_name("SCENE...")),
+      scene::option<Study>({.flag = "-o,--output",
+                            .help = "file to write, by extension: html csv json pdf, or svg png for each diagram",
+                            .required = true,
+                            .repeatable = true},
+                           &Study::outputs, file_name("FILE")),
       projections_option("NAME[:key=value...] of models; each time one more view", &Study::projections),
       plugin_path_option<Study>(&Study::plugin_path),
-      option<Study>({.flag = "--visibility",
-                     .help = "method to measure, by default a choice of all; may be repeated",
-                     .repeatable = true},
-                    &Study::methods, any_method()),
-      option<Study>({.flag = "--runs", .help = "timed runs of each method, in turns", .usual = "5"}, &Study::runs,
-                    whole_number(1, 1000)),
-      option<Study>(
+      scene::option<Study>({.flag = "--visibility",
+                            .help = "method to measure, by default a choice of all; may be repeated",
+                            .repeatable = true},
+                           &Study::methods, any_method()),
+      scene::option<Study>({.flag = "--runs", .help = "timed runs of each method, in turns", .usual = "5"},
+                           &Study::runs, scene::whole_number(1, 1000)),
+      scene::option<Study>(
           {.flag = "--truth",
            .help = "pairs of edge and triangle looked at exactly; beyond, a random part of the edges is judged",
            .usual = "2e+05"},
-          &Study::pairs, number_between(1, 1e9, "").shown_as("N")),
+          &Study::pairs, scene::number_between(1, 1e9, "").shown_as("N")),
       {{.flag = "--no-maps", .help = "leave the projection maps out"},
-       [](Study& study, const TomlValue&) { study.maps = false; }},
+       [](Study& study, const scene::TomlValue&) { study.maps = false; }},
       threads_option<Study>(&Study::threads),
       progress_option(&Study::progress),
   };
@@ -100,4 +102,4 @@ std::vector<DefinedCommand> define_study_commands(CLI::App& program) {
   return commands;
 }
 
-}  // namespace epura
+}  // namespace epura::study

@@ -10,7 +10,7 @@
 #include "app/options.hpp"
 #include "study/methods/method.hpp"
 
-namespace epura {
+namespace epura::study {
 
 struct StabilityOptions {
   std::vector<std::string> outputs;  ///< "-" is standard output
@@ -25,7 +25,7 @@ struct StabilityOptions {
 struct AccuracyOptions {
   std::vector<std::string> scenes;
   std::vector<std::string> outputs;
-  std::vector<Located<ProjectionRequest>> projections;  ///< of scenes that are models
+  std::vector<scene::Located<scene::ProjectionRequest>> projections;  ///< of scenes that are models
   std::vector<std::filesystem::path> plugin_path;
   std::vector<Method> methods;  ///< none: a choice of all
   int runs = 5;
@@ -43,4 +43,4 @@ const ProgramTexts& study_texts();
 /// Adds the commands to the program, in the order of its help.
 std::vector<DefinedCommand> define_study_commands(CLI::App& program);
 
-}  // namespace epura
+}  // namespace epura::study

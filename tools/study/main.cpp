@@ -2,6 +2,6 @@
 #include "study/commands.hpp"
 
 int main(int argc, char** argv) {
-  using namespace epura;
-  return run_program([&] { return run_command_line(study_texts(), define_study_commands, argc, argv); });
+  using namespace epura::study;
+  return epura::run_program([&] { return epura::run_command_line(study_texts(), define_study_commands, argc, argv); });
 }

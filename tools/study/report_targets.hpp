@@ -10,7 +10,7 @@
 #include "base/text.hpp"
 #include "pipeline/choose.hpp"
 
-namespace epura {
+namespace epura::study {
 
 template <class Format>
 struct ReportTarget {
@@ -26,9 +26,10 @@ std::vector<ReportTarget<Format>> report_targets(const std::vector<std::string>&
   for (const std::string& path : paths) {
     std::string name = path == "-" ? dash_format : std::filesystem::path(path).extension().string();
     if (name.starts_with(".")) name.erase(0, 1);
-    targets.push_back({path, choose<Format>(path == "-" ? "--output -, --format" : path, to_lower(name), formats)});
+    targets.push_back(
+        {path, pipeline::choose<Format>(path == "-" ? "--output -, --format" : path, to_lower(name), formats)});
   }
   return targets;
 }
 
-}  // namespace epura
+}  // namespace epura::study

@@ -17,7 +17,7 @@
 #include "study/report_targets.hpp"
 #include "study/stability/write.hpp"
 
-namespace epura {
+namespace epura::study {
 
 namespace {
 
@@ -41,7 +41,7 @@ std::vector<stability::Case> chosen_cases(const std::string& ids) {
   for (const stability::Case& one : all) by_id.emplace_back(one.id, &one);
   std::vector<stability::Case> chosen;
   for (const std::string_view id : split(ids, ','))
-    chosen.push_back(*choose<const stability::Case*>("--cases", std::string(id), by_id));
+    chosen.push_back(*pipeline::choose<const stability::Case*>("--cases", std::string(id), by_id));
   return chosen;
 }
 
@@ -54,12 +54,12 @@ std::string encode(const stability::Report& report, ReportFormat format, bool ti
     case ReportFormat::csv:
       return to_csv(report);
     case ReportFormat::svg:
-      return to_svg(to_sheet(report), {});
+      return output::to_svg(to_sheet(report), {});
     case ReportFormat::pdf:
       break;
   }
-  const Sheet sheet = to_sheet(report);
-  return to_pdf({&sheet});
+  const sheet::Sheet sheet = to_sheet(report);
+  return output::to_pdf({&sheet});
 }
 
 void print_timings(Console& console, const stability::Report& report) {
@@ -74,13 +74,13 @@ int study_stability(const StabilityOptions& options) {
   const Progress progress(board);
   const ThreadLimit threads(options.threads);
   const Targets targets = targets_of(options);
-  refuse_overwriting(options.outputs, {});
+  pipeline::refuse_overwriting(options.outputs, {});
   const std::vector<stability::Case> cases = chosen_cases(options.cases);
   const stability::Report report = stability::run(cases, options.size, progress);
 
   bool to_stdout = false;
   for (const ReportTarget<ReportFormat>& target : targets) {
-    write({target.path, encode(report, target.format, options.timings)}, progress);
+    pipeline::write({target.path, encode(report, target.format, options.timings)}, progress);
     to_stdout = to_stdout || target.path == "-";
   }
   console.print("");  // the line of progress makes room
@@ -92,4 +92,4 @@ int study_stability(const StabilityOptions& options) {
   return broken ? found_wrong_exit_code : 0;
 }
 
-}  // namespace epura
+}  // namespace epura::study

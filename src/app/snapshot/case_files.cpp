@@ -54,7 +54,8 @@ std::vector<fs::path> files_of(const SnapshotCase& one) {
   std::vector<fs::path> files;
   for (const char* name : {"scene.toml", "options", "expected.json", "expected.svg", "expected.pdf"})
     files.push_back(one.folder / name);
-  for (const ModelDescription& model : read_scene_file(files.front()).models) files.emplace_back(*model.file);
+  for (const scene::ModelDescription& model : scene::read_scene_file(files.front()).models)
+    files.emplace_back(*model.file);
   return files;
 }
 
@@ -69,8 +70,8 @@ void refuse_links_outside(const SnapshotCase& one) {
 std::vector<std::string> drawing_options(const std::string& text, const std::string& file) {
   CLI::App program("", "epura");
   CLI::App& draw = *program.add_subcommand("draw");
-  const Options<DrawOptions> options = draw_options();
-  for (const OptionInfo& option : options) define(draw, option);
+  const scene::Options<DrawOptions> options = draw_options();
+  for (const scene::OptionInfo& option : options) define(draw, option);
   draw.get_option("models")->required(false);
   draw.set_help_flag();
   const std::vector<std::string> words = words_of(text);
@@ -81,8 +82,8 @@ std::vector<std::string> drawing_options(const std::string& text, const std::str
   } catch (const CLI::ParseError& error) {
     refuse_wrong_use(program, error);
   }
-  for (const OptionInfo& option : options)
-    if (option.nature != Nature::drawing && !given_values(draw, option).empty())
+  for (const scene::OptionInfo& option : options)
+    if (option.nature != scene::Nature::drawing && !given_values(draw, option).empty())
       throw Error(ErrorKind::input, file, "'" + option.flag + "' is not an option of the drawing itself",
                   "what is read, written, loaded and run is for those to say who run the case");
   return words;

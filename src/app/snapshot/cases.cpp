@@ -44,17 +44,18 @@ bool draw(const SnapshotCase& one, SnapshotResult& result) {
 }
 
 void compare_with_expectation(SnapshotResult& result, double tolerance, bool with_pictures) {
-  const PictureFile actual = pictures_of(result.actual, result.expected);
+  const compare::PictureFile actual = compare::pictures_of(result.actual, result.expected);
   const bool exists = fs::exists(result.expected) && fs::file_size(result.expected) > 0;
-  const PictureFile expected = exists ? read_pictures(result.expected) : PictureFile{actual.is_json, actual.is_pdf, {}};
-  const Comparison comparison = compare(expected, actual, tolerance);
+  const compare::PictureFile expected =
+      exists ? compare::read_pictures(result.expected) : compare::PictureFile{actual.is_json, actual.is_pdf, {}};
+  const compare::Comparison comparison = compare::compare(expected, actual, tolerance);
   const bool same = comparison.differences.empty();
   result.verdict = !exists ? SnapshotVerdict::new_case
                    : same  ? SnapshotVerdict::as_expected
                            : SnapshotVerdict::different;
-  result.words = exists ? format_comparison(comparison, tolerance) : "nothing is expected yet\n";
+  result.words = exists ? compare::format_comparison(comparison, tolerance) : "nothing is expected yet\n";
   if (with_pictures && result.verdict != SnapshotVerdict::as_expected)
-    result.pictures = add_pictures({result.name, false, result.words}, expected, actual, comparison);
+    result.pictures = compare::add_pictures({result.name, false, result.words}, expected, actual, comparison);
 }
 
 // Others than regular files may have no end, or wait for one who never comes.

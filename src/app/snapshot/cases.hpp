@@ -31,7 +31,7 @@ struct SnapshotResult {
   SnapshotVerdict verdict = SnapshotVerdict::failed;
   std::string words;     ///< what differs, or why nothing was drawn
   std::string actual{};  ///< bytes of the drawing
-  ReportedCase pictures{};
+  compare::ReportedCase pictures{};
 };
 
 /// Draws the case and compares each expectation; a case without any is drawn for expected.svg. `pictures` are made

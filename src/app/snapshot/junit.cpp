@@ -12,14 +12,14 @@ namespace {
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
 void append_case(std::string& xml, const SnapshotResult& result) {
-  append_attribute(xml += "  <testcase classname=\"epura.snapshot\"", "name", result.name);
+  output::append_attribute(xml += "  <testcase classname=\"epura.snapshot\"", "name", result.name);
   if (result.verdict == SnapshotVerdict::as_expected) {
     xml += "/>\n";
     return;
   }
   const std::string element = result.verdict == SnapshotVerdict::failed ? "error" : "failure";
-  append_attribute(xml += ">\n    <" + element, "message", first_line(result.words));
-  append_escaped(xml += ">", result.words);
+  output::append_attribute(xml += ">\n    <" + element, "message", first_line(result.words));
+  output::append_escaped(xml += ">", result.words);
   xml += "</" + element + ">\n  </testcase>\n";
 }
 

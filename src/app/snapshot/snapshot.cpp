@@ -91,12 +91,12 @@ int snapshot(const SnapshotOptions& options) {
     throw Error(ErrorKind::input, "--accept", "expectations are accepted by people, and CI is set in the environment",
                 "run it where you can look at the report, and commit what it writes");
   const std::vector<SnapshotCase> cases = find_cases(options.folders);
-  refuse_overwriting(outputs_of(options), inputs_of(cases));
+  pipeline::refuse_overwriting(outputs_of(options), inputs_of(cases));
   const ThreadLimit threads(options.threads);
   const std::vector<SnapshotResult> results = run_all(cases, options);
   std::size_t good = 0;
   std::string text;
-  std::vector<ReportedCase> pictures;
+  std::vector<compare::ReportedCase> pictures;
   for (const SnapshotResult& result : results) {
     const bool accepted = options.accept && can_be_accepted(result);
     if (accepted) write_file(result.expected, result.actual);
@@ -105,7 +105,7 @@ int snapshot(const SnapshotOptions& options) {
     if (result.verdict != SnapshotVerdict::as_expected) text += first_lines(result.words);
     pictures.push_back(result.pictures);
   }
-  if (!options.report.empty()) write_file(options.report, html_report("epura snapshot", pictures));
+  if (!options.report.empty()) write_file(options.report, compare::html_report("epura snapshot", pictures));
   if (!options.junit.empty()) write_file(options.junit, junit_report(results));
   text += std::to_string(good) + " of " + std::to_string(results.size()) + " as expected\n";
   std::fputs(printable(text).c_str(), stdout);

@@ -9,7 +9,7 @@
 #include "base/error.hpp"
 #include "output/pdf/packing.hpp"
 
-namespace epura {
+namespace epura::output {
 
 namespace {
 
@@ -71,4 +71,4 @@ std::vector<PdfContent> read_pdf_contents(const std::string& bytes, const std::s
   return pages;
 }
 
-}  // namespace epura
+}  // namespace epura::output

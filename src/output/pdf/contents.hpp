@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace epura {
+namespace epura::output {
 
 /// Content streams are unpacked. ISO 32000-1, 7.8.2.
 struct PdfContent {
@@ -19,4 +19,4 @@ struct PdfContent {
 /// One of each page. Throws Error{input}, also for files that unpack to more than drawings do.
 std::vector<PdfContent> read_pdf_contents(const std::string& bytes, const std::string& where);
 
-}  // namespace epura
+}  // namespace epura::output

@@ -11,7 +11,7 @@
 #include "base/error.hpp"
 #include "base/utf8.hpp"
 
-namespace epura {
+namespace epura::output {
 
 namespace {
 
@@ -171,4 +171,4 @@ std::string join_pdf_layers(const PdfDocument& document) {
   return bytes_of(pdf);
 }
 
-}  // namespace epura
+}  // namespace epura::output

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace epura {
+namespace epura::output {
 
 struct PdfLayer {
   std::string name;
@@ -38,4 +38,4 @@ struct PdfDocument {
 /// contents.
 std::string join_pdf_layers(const PdfDocument& document);
 
-}  // namespace epura
+}  // namespace epura::output

@@ -3,6 +3,6 @@
 
 // By this name the program finds it.
 extern "C" {
-__attribute__((visibility("default"))) extern const epura::PdfLibrary epura_pdf_library;
-const epura::PdfLibrary epura_pdf_library{&epura::join_pdf_layers, &epura::read_pdf_contents};
+__attribute__((visibility("default"))) extern const epura::output::PdfLibrary epura_pdf_library;
+const epura::output::PdfLibrary epura_pdf_library{&epura::output::join_pdf_layers, &epura::output::read_pdf_contents};
 }

@@ -11,7 +11,7 @@
 #include "output/pdf/contents.hpp"
 #include "output/pdf/layers.hpp"
 
-namespace epura {
+namespace epura::output {
 
 struct PdfLibrary {
   decltype(&join_pdf_layers) join_layers;
@@ -21,4 +21,4 @@ struct PdfLibrary {
 /// Throws Error{output} when it is not where it was installed.
 const PdfLibrary& pdf_library();
 
-}  // namespace epura
+}  // namespace epura::output

@@ -11,7 +11,7 @@
 
 #include "base/error.hpp"
 
-namespace epura {
+namespace epura::output {
 
 namespace {
 
@@ -189,4 +189,4 @@ void check_object_streams(QPDF& pdf, std::size_t bytes, const std::string& where
   }
 }
 
-}  // namespace epura
+}  // namespace epura::output

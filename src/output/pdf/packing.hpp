@@ -10,7 +10,7 @@
 #include <qpdf/QPDFObjectHandle.hh>
 #include <string>
 
-namespace epura {
+namespace epura::output {
 
 /// How many more bytes a file may unpack to.
 class UnpackRoom {
@@ -38,4 +38,4 @@ void check_packing(const std::string& file, const std::string& where);
 /// yet.
 void check_object_streams(QPDF& pdf, std::size_t bytes, const std::string& where);
 
-}  // namespace epura
+}  // namespace epura::output

@@ -9,7 +9,7 @@
 #include "base/text.hpp"
 #include "sheet/dimensions/rims.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 namespace {
 
@@ -35,9 +35,9 @@ constexpr std::array<TypeRule, 6> type_rules{{{2, "its two ends"},
 
 bool is_on_paper(DimensionDirection direction) { return direction <= DimensionDirection::vertical; }
 
-std::optional<DimensionDirection> direction_of(const DimensionDescription& dimension) {
+std::optional<DimensionDirection> direction_of(const scene::DimensionDescription& dimension) {
   const bool linear = *dimension.type == DimensionType::linear;
-  const Located<DimensionDirection>& direction = dimension.direction;
+  const scene::Located<DimensionDirection>& direction = dimension.direction;
   if (!linear && *dimension.type != DimensionType::overall) {
     if (direction.given()) refuse(direction.where, "only linear and overall dimensions have a direction");
     return std::nullopt;
@@ -46,13 +46,13 @@ std::optional<DimensionDirection> direction_of(const DimensionDescription& dimen
   if (!direction.given()) refuse(dimension.where, "the dimension has no direction", "give one of " + known);
   if (is_on_paper(*direction) != linear)
     refuse(direction.where,
-           "'" + std::string(word_of(*direction)) + "' is not a direction of " + (linear ? "a linear" : "an overall") +
-               " dimension",
+           "'" + std::string(scene::word_of(*direction)) + "' is not a direction of " +
+               (linear ? "a linear" : "an overall") + " dimension",
            "known: " + known);
   return *direction;
 }
 
-Vec3 place_of_vertex(const World& world, const std::array<int, 2>& vertex, const std::string& where) {
+Vec3 place_of_vertex(const scene::World& world, const std::array<int, 2>& vertex, const std::string& where) {
   const auto [model, number] = vertex;
   const int models = static_cast<int>(world.models.size());
   if (model < 0 || model >= models)
@@ -62,7 +62,7 @@ Vec3 place_of_vertex(const World& world, const std::array<int, 2>& vertex, const
     refuse(where, "model " + std::to_string(model) + " has no vertex " + std::to_string(number),
            "its vertices count from 0 to " + std::to_string(count - 1));
   const auto& edges = world.models[std::size_t(model)].mesh->edges;
-  const auto has_vertex = [number = number](const MeshEdge& edge) {
+  const auto has_vertex = [number = number](const mesh::MeshEdge& edge) {
     return edge.vertex[0] == number || edge.vertex[1] == number;
   };
   if (std::none_of(edges.begin(), edges.end(), has_vertex))
@@ -71,14 +71,14 @@ Vec3 place_of_vertex(const World& world, const std::array<int, 2>& vertex, const
   return world.points[std::size_t(world.first_vertex[std::size_t(model)] + number)];
 }
 
-Vec3 place_of(const World& world, const Anchor& anchor, const std::string& where) {
+Vec3 place_of(const scene::World& world, const scene::Anchor& anchor, const std::string& where) {
   const auto* vertex = std::get_if<std::array<int, 2>>(&anchor);
   const Vec3 place = vertex ? place_of_vertex(world, *vertex, where) : std::get<Vec3>(anchor);
   if (!finite(place)) refuse(where, "an anchor lies nowhere: its coordinates are no finite numbers");
   return place;
 }
 
-void expect_apart(const World& world, const Vec3& a, const Vec3& b, const std::string& where) {
+void expect_apart(const scene::World& world, const Vec3& a, const Vec3& b, const std::string& where) {
   if (glm::length(a - b) <= same_place * glm::length(world.box.size()))
     refuse(where, "two of its anchors are at the same place", "choose other vertices");
 }
@@ -91,7 +91,7 @@ void expect_offset(const AnchoredDimension& dimension) {
     refuse(dimension.where, "the offset of an angular dimension is the radius of its arc, which is positive");
 }
 
-AnchoredDimension anchored(const World& world, Rims& rims, const DimensionDescription& description) {
+AnchoredDimension anchored(const scene::World& world, Rims& rims, const scene::DimensionDescription& description) {
   const std::string& where = description.where;
   if (!description.type.given()) refuse(where, "the dimension has no type");
   const DimensionType type = *description.type;
@@ -100,9 +100,9 @@ AnchoredDimension anchored(const World& world, Rims& rims, const DimensionDescri
       where, type, direction_of(description), {}, {}, description.offset.value, description.text.value_or("")};
   if (description.anchors.size() != rule.anchors)
     refuse(where, "the number of its anchors is " + std::to_string(description.anchors.size()),
-           "the dimension '" + std::string(word_of(type)) + "' wants " + rule.wants);
+           "the dimension '" + std::string(scene::word_of(type)) + "' wants " + rule.wants);
   expect_offset(dimension);
-  for (const Anchor& anchor : description.anchors) dimension.points.push_back(place_of(world, anchor, where));
+  for (const scene::Anchor& anchor : description.anchors) dimension.points.push_back(place_of(world, anchor, where));
   for (std::size_t i = 1; i < dimension.points.size(); ++i)
     expect_apart(world, dimension.points[0], dimension.points[i], where);
   if (type == DimensionType::radius || type == DimensionType::diameter)
@@ -113,15 +113,16 @@ AnchoredDimension anchored(const World& world, Rims& rims, const DimensionDescri
 
 }  // namespace
 
-std::vector<AnchoredDimension> find_anchors(const World& world, std::span<const DimensionDescription> dimensions,
+std::vector<AnchoredDimension> find_anchors(const scene::World& world,
+                                            std::span<const scene::DimensionDescription> dimensions,
                                             const Progress& progress) {
   Rims rims(world);
   std::vector<AnchoredDimension> anchored_ones;
-  for (const DimensionDescription& dimension : dimensions) {
+  for (const scene::DimensionDescription& dimension : dimensions) {
     if (progress.is_out_of_time()) break;
     anchored_ones.push_back(anchored(world, rims, dimension));
   }
   return anchored_ones;
 }
 
-}  // namespace epura
+}  // namespace epura::sheet

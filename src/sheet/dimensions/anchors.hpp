@@ -12,7 +12,7 @@
 #include "scene/description.hpp"
 #include "scene/scene.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 /// A circle or an arc in the world.
 struct WorldCircle {
@@ -35,7 +35,8 @@ struct AnchoredDimension {
 /// In their order; those that there is no time for are left out. Throws Error{input} that names where the dimension was
 /// asked for: for a direction that its type lacks or wants, vertices that are not there, anchors that coincide, and
 /// anchors on no circle where one is wanted.
-std::vector<AnchoredDimension> find_anchors(const World& world, std::span<const DimensionDescription> dimensions,
+std::vector<AnchoredDimension> find_anchors(const scene::World& world,
+                                            std::span<const scene::DimensionDescription> dimensions,
                                             const Progress& progress = {});
 
-}  // namespace epura
+}  // namespace epura::sheet

@@ -6,7 +6,7 @@
 #include "base/portable_math.hpp"
 #include "sheet/dimensions/forms.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 namespace {
 
@@ -107,7 +107,7 @@ PlacedDimension arc_dimension(const MeasuredAngle& angle, const std::string& tex
 }  // namespace
 
 std::vector<DimensionPlacement> placements_of(const MeasuredAngle& angle, const MeasuredDimension& measured,
-                                              const ViewDrawing&, const DimensionStyle& style) {
+                                              const drawing::ViewDrawing&, const DimensionStyle& style) {
   std::vector<DimensionPlacement> placements;
   const double sweep = std::abs(sector_of(angle).sweep);
   for (int k = 0; k < (measured.offset ? 1 : radii); ++k) {
@@ -122,4 +122,4 @@ std::vector<DimensionPlacement> placements_of(const MeasuredAngle& angle, const 
   return placements;
 }
 
-}  // namespace epura
+}  // namespace epura::sheet

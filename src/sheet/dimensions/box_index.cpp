@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace epura {
+namespace epura::sheet {
 
 namespace {
 
@@ -54,4 +54,4 @@ int BoxIndex::overlaps(const TurnedBox& box) const {
   return count;
 }
 
-}  // namespace epura
+}  // namespace epura::sheet

@@ -10,7 +10,7 @@
 
 #include "sheet/dimensions/boxes.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 /// Boxes by square cell of the paper. Equal ones are one with a number: dimensions between the same points take the
 /// same few places again and again.
@@ -41,4 +41,4 @@ class BoxIndex {
   std::map<Cell, std::vector<std::size_t>> cells_;
 };
 
-}  // namespace epura
+}  // namespace epura::sheet

@@ -8,7 +8,7 @@
 
 #include "base/portable_math.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 namespace {
 
@@ -67,14 +67,15 @@ std::vector<TurnedBox> boxes_of(const Layer& layer, const Lettering& lettering) 
   return boxes;
 }
 
-int ink_in(const TurnedBox& box, const ViewDrawing& drawing) {
+int ink_in(const TurnedBox& box, const drawing::ViewDrawing& drawing) {
   const Vec2 half = upright_half(box);
   const Vec2 min = box.centre - half, max = box.centre + half;
-  return static_cast<int>(std::count_if(drawing.segments.begin(), drawing.segments.end(), [&](const Segment& s) {
-    if (std::max(s.from.x, s.to.x) < min.x || std::min(s.from.x, s.to.x) > max.x) return false;
-    if (std::max(s.from.y, s.to.y) < min.y || std::min(s.from.y, s.to.y) > max.y) return false;
-    return overlap(box, line_box(s.from, s.to));
-  }));
+  return static_cast<int>(
+      std::count_if(drawing.segments.begin(), drawing.segments.end(), [&](const drawing::Segment& s) {
+        if (std::max(s.from.x, s.to.x) < min.x || std::min(s.from.x, s.to.x) > max.x) return false;
+        if (std::max(s.from.y, s.to.y) < min.y || std::min(s.from.y, s.to.y) > max.y) return false;
+        return overlap(box, line_box(s.from, s.to));
+      }));
 }
 
-}  // namespace epura
+}  // namespace epura::sheet

@@ -10,7 +10,7 @@
 #include "sheet/rectangle.hpp"
 #include "sheet/sheet.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 /// A rectangle in any direction; a line where a half is 0. Millimetres of paper.
 struct TurnedBox {
@@ -35,6 +35,6 @@ TurnedBox box_of(const Text& text, const Lettering& lettering);
 std::vector<TurnedBox> boxes_of(const Layer& layer, const Lettering& lettering);
 
 /// How many lines of the drawing run through the box.
-int ink_in(const TurnedBox& box, const ViewDrawing& drawing);
+int ink_in(const TurnedBox& box, const drawing::ViewDrawing& drawing);
 
-}  // namespace epura
+}  // namespace epura::sheet

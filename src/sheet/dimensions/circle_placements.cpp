@@ -5,7 +5,7 @@
 #include "sheet/dimensions/forms.hpp"
 #include "sheet/dimensions/straight.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 namespace {
 
@@ -55,7 +55,7 @@ void add_across(std::vector<DimensionPlacement>& placements, const MeasuredCircl
 }  // namespace
 
 std::vector<DimensionPlacement> placements_of(const MeasuredCircle& circle, const MeasuredDimension& measured,
-                                              const ViewDrawing&, const DimensionStyle& style) {
+                                              const drawing::ViewDrawing&, const DimensionStyle& style) {
   std::vector<DimensionPlacement> placements;
   const bool whole = std::abs(circle.sweep) >= 2 * std::numbers::pi;
   for (int i = 0; i < directions; ++i) {
@@ -78,4 +78,4 @@ std::vector<DimensionPlacement> placements_of(const MeasuredCircle& circle, cons
   return placements;
 }
 
-}  // namespace epura
+}  // namespace epura::sheet

@@ -15,7 +15,7 @@
 #include "sheet/dimensions/measure.hpp"
 #include "sheet/line_styles.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 namespace {
 
@@ -27,7 +27,7 @@ constexpr double cost_of_ink = 0.3;  // a line of the drawing that a leader cros
 
 /// What stands on the paper already.
 struct Surroundings {
-  const ViewDrawing& drawing;
+  const drawing::ViewDrawing& drawing;
   std::optional<Rectangle> paper;
   BoxIndex zones, texts{}, lines{};
 
@@ -85,7 +85,7 @@ std::vector<std::size_t> order_of(const std::vector<MeasuredDimension>& dimensio
 }
 
 std::vector<std::optional<PlacedDimension>> place(const std::vector<MeasuredDimension>& dimensions,
-                                                  const ViewDrawing& drawing, const DimensionStyle& style,
+                                                  const drawing::ViewDrawing& drawing, const DimensionStyle& style,
                                                   const Neighbours& neighbours, const Progress& progress) {
   Surroundings surroundings{drawing, neighbours.paper, BoxIndex(neighbours.boxes)};
   std::vector<std::optional<PlacedDimension>> placed(dimensions.size());
@@ -120,7 +120,7 @@ Layer dimension_layer(const DimensionedView& view, const DimensionStyle& style, 
     measured.push_back(measure(view.drawing, dimension, diameter_sign(style.lettering)));
     expect_letters(measured.back().text, dimension, style.lettering);
   }
-  Layer layer = empty_layer(view.drawing.name, SheetLine::dimension, {2 * style.line, style.line});
+  Layer layer = empty_layer(view.drawing.name, scene::SheetLine::dimension, {2 * style.line, style.line});
   for (auto& dimension : place(measured, view.drawing, style, neighbours, progress)) {
     if (!dimension) continue;
     std::move(dimension->strokes.begin(), dimension->strokes.end(), std::back_inserter(layer.strokes));
@@ -137,4 +137,4 @@ bool on_paper(const Layer& dimensions, const Vec2& size) {
   });
 }
 
-}  // namespace epura
+}  // namespace epura::sheet

@@ -14,13 +14,13 @@
 #include "sheet/rectangle.hpp"
 #include "sheet/sheet.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 /// A view in its place, and what is to be measured in it.
 struct DimensionedView {
-  const World& world;
-  const ViewDrawing& drawing;
-  std::span<const DimensionDescription> dimensions;
+  const scene::World& world;
+  const drawing::ViewDrawing& drawing;
+  std::span<const scene::DimensionDescription> dimensions;
 };
 
 /// What stands on the sheet beside a view.
@@ -40,4 +40,4 @@ Layer dimension_layer(const DimensionedView& view, const DimensionStyle& style, 
 /// Whether all of it lies on a paper of this size, mm.
 bool on_paper(const Layer& dimensions, const Vec2& size);
 
-}  // namespace epura
+}  // namespace epura::sheet

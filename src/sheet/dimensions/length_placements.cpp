@@ -6,7 +6,7 @@
 #include "sheet/dimensions/forms.hpp"
 #include "sheet/dimensions/straight.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 namespace {
 
@@ -27,7 +27,7 @@ struct Reach {
 
 // How far the ink reaches to the left of the line through `from`: all of it for a line along the paper's sides,
 // otherwise what lies between the extension lines.
-Reach reach_of_ink(const MeasuredLength& length, const ViewDrawing& drawing) {
+Reach reach_of_ink(const MeasuredLength& length, const drawing::ViewDrawing& drawing) {
   const Vec2 across = left_of(length.along);
   const double slant = glm::dot(length.extension, length.along) / glm::dot(length.extension, across);
   // Along the dimension line, where an extension line through the point meets it, and across.
@@ -40,7 +40,7 @@ Reach reach_of_ink(const MeasuredLength& length, const ViewDrawing& drawing) {
   const bool all = std::min(std::abs(length.along.x), std::abs(length.along.y)) <= on_axis;
   Reach reach;
   reach.add(end.y);
-  for (const Segment& segment : drawing.segments) {
+  for (const drawing::Segment& segment : drawing.segments) {
     const Vec2 a = local(segment.from), b = local(segment.to);
     const auto at = [&](double t) { return b.x == a.x ? 0.0 : std::clamp((t - a.x) / (b.x - a.x), 0.0, 1.0); };
     if (!all && (std::max(a.x, b.x) < min || std::min(a.x, b.x) > max)) continue;
@@ -59,7 +59,7 @@ double sign_of_offset(const Vec2& across) {
 }  // namespace
 
 std::vector<DimensionPlacement> placements_of(const MeasuredLength& length, const MeasuredDimension& measured,
-                                              const ViewDrawing& drawing, const DimensionStyle& style) {
+                                              const drawing::ViewDrawing& drawing, const DimensionStyle& style) {
   const double end = glm::dot(length.to - length.from, left_of(length.along));
   const double upwards = sign_of_offset(left_of(length.along));
   std::vector<DimensionPlacement> placements;
@@ -88,4 +88,4 @@ std::vector<DimensionPlacement> placements_of(const MeasuredLength& length, cons
   return placements;
 }
 
-}  // namespace epura
+}  // namespace epura::sheet

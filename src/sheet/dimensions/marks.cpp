@@ -6,7 +6,7 @@
 
 #include "base/portable_math.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 namespace {
 
@@ -45,4 +45,4 @@ void set_text(PlacedDimension& dimension, const std::string& text, const TextPos
                         {style.width(text) / 2 + air * style.text, style.text / 2 + air * style.text}};
 }
 
-}  // namespace epura
+}  // namespace epura::sheet

@@ -11,7 +11,7 @@
 #include "sheet/lettering.hpp"
 #include "sheet/sheet.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 /// From the outline to the first dimension line, and from one to the next, mm.
 inline constexpr double first_dimension = 10;
@@ -63,4 +63,4 @@ struct TextPosition {
 };
 void set_text(PlacedDimension& dimension, const std::string& text, const TextPosition& at, const DimensionStyle& style);
 
-}  // namespace epura
+}  // namespace epura::sheet

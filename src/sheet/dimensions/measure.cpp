@@ -9,7 +9,7 @@
 #include "base/portable_math.hpp"
 #include "base/text.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 namespace {
 
@@ -23,7 +23,7 @@ constexpr int decimals = 2;
 
 // The view that a dimension is to stand in, as it maps the world.
 struct Sight {
-  const ViewDrawing& drawing;
+  const drawing::ViewDrawing& drawing;
   const Vec3 n = drawing.projection.n;
   const bool orthographic =
       glm::length(glm::cross(drawing.projection.projector, n)) <= 1e-9 * glm::length(drawing.projection.projector);
@@ -160,14 +160,14 @@ MeasuredDimension circular(const AnchoredDimension& dimension, const Sight& sigh
 }
 
 // The ends of the ink along a direction of the paper: of several the farthest along `side`.
-std::array<Vec2, 2> ends_of_ink(const ViewDrawing& drawing, const Vec2& along, const Vec2& side) {
+std::array<Vec2, 2> ends_of_ink(const drawing::ViewDrawing& drawing, const Vec2& along, const Vec2& side) {
   constexpr double same = 1e-6;  // mm
   std::array<Vec2, 2> ends{drawing.segments.front().from, drawing.segments.front().from};
   const auto take = [&](Vec2& end, const Vec2& direction, const Vec2& p) {
     const double farther = glm::dot(p - end, direction);
     if (farther > same || (farther >= -same && glm::dot(p - end, side) > 0)) end = p;
   };
-  for (const Segment& segment : drawing.segments) {
+  for (const drawing::Segment& segment : drawing.segments) {
     for (const Vec2& p : {segment.from, segment.to}) {
       take(ends[0], -along, p);
       take(ends[1], along, p);
@@ -201,7 +201,8 @@ MeasuredDimension overall(const AnchoredDimension& dimension, const Sight& sight
 
 }  // namespace
 
-MeasuredDimension measure(const ViewDrawing& drawing, const AnchoredDimension& dimension, const std::string& diameter) {
+MeasuredDimension measure(const drawing::ViewDrawing& drawing, const AnchoredDimension& dimension,
+                          const std::string& diameter) {
   if (drawing.projection.central)
     refuse(dimension, "the view '" + drawing.name + "' is a perspective, which shows no true lengths",
            "measure in an orthographic view");
@@ -220,4 +221,4 @@ MeasuredDimension measure(const ViewDrawing& drawing, const AnchoredDimension& d
   }
 }
 
-}  // namespace epura
+}  // namespace epura::sheet

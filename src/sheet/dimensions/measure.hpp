@@ -11,7 +11,7 @@
 #include "drawing/drawing.hpp"
 #include "sheet/dimensions/anchors.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 /// A distance along a straight dimension line. Millimetres of paper.
 struct MeasuredLength {
@@ -43,6 +43,7 @@ struct MeasuredDimension {
 /// `linear` measures between planes across the paper, and `aligned` may follow a world axis that the view shortens
 /// (the extension lines then follow another one). Throws Error{input} with the reason where a view shows none, as in
 /// perspective. Values have 2 decimals at most. `diameter` is the sign before diameters. ISO 129-1.
-MeasuredDimension measure(const ViewDrawing& drawing, const AnchoredDimension& dimension, const std::string& diameter);
+MeasuredDimension measure(const drawing::ViewDrawing& drawing, const AnchoredDimension& dimension,
+                          const std::string& diameter);
 
-}  // namespace epura
+}  // namespace epura::sheet

@@ -8,7 +8,7 @@
 #include "base/error.hpp"
 #include "sheet/dimensions/marks.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 namespace {
 
@@ -25,7 +25,7 @@ const std::array<Extent, 3> extents{
 
 constexpr double same_direction = 1e-6;
 
-bool looks_from(const Projection& projection, const Vec3& viewer) {
+bool looks_from(const projection::Projection& projection, const Vec3& viewer) {
   return !projection.central && glm::length(projection.n - viewer) < same_direction &&
          glm::length(glm::normalize(projection.projector) - viewer) < same_direction;
 }
@@ -44,9 +44,9 @@ struct Lines {
   double farthest = 0;               // offset
 };
 
-Lines lines_of(std::span<const DimensionDescription> dimensions, const Projection& projection) {
+Lines lines_of(std::span<const scene::DimensionDescription> dimensions, const projection::Projection& projection) {
   Lines lines;
-  for (const DimensionDescription& dimension : dimensions) {
+  for (const scene::DimensionDescription& dimension : dimensions) {
     const std::optional<DimensionDirection>& direction = dimension.direction.value;
     const auto extent = std::find_if(extents.begin(), extents.end(),
                                      [&direction](const Extent& e) { return e.direction == direction; });
@@ -65,13 +65,13 @@ Lines lines_of(std::span<const DimensionDescription> dimensions, const Projectio
 
 }  // namespace
 
-std::vector<DimensionDescription> overall_dimensions(const DimensionDescription& overall,
-                                                     std::span<const NamedProjection> views) {
-  std::vector<DimensionDescription> dimensions;
+std::vector<scene::DimensionDescription> overall_dimensions(const scene::DimensionDescription& overall,
+                                                            std::span<const NamedProjection> views) {
+  std::vector<scene::DimensionDescription> dimensions;
   for (const Extent& extent : extents) {
     const NamedProjection* view = clearest(views, extent, overall.view.value_or(""));
     if (view == nullptr) continue;
-    DimensionDescription& dimension = dimensions.emplace_back(overall);
+    scene::DimensionDescription& dimension = dimensions.emplace_back(overall);
     dimension.view = {view->name, overall.where};
     dimension.direction = {extent.direction, overall.where};
   }
@@ -81,7 +81,7 @@ std::vector<DimensionDescription> overall_dimensions(const DimensionDescription&
   return dimensions;
 }
 
-Room dimension_room(std::span<const DimensionDescription> dimensions, const Projection& projection,
+Room dimension_room(std::span<const scene::DimensionDescription> dimensions, const projection::Projection& projection,
                     double text_height) {
   const Lines lines = lines_of(dimensions, projection);
   const auto room = [&](int count) {
@@ -95,4 +95,4 @@ Room dimension_room(std::span<const DimensionDescription> dimensions, const Proj
   return {{beside, room(lines.below + both_rows)}, {beside, room(both_rows)}};
 }
 
-}  // namespace epura
+}  // namespace epura::sheet

@@ -9,19 +9,19 @@
 #include "projection/projection.hpp"
 #include "scene/description.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 struct NamedProjection {
   std::string name;  ///< of the view
-  Projection projection;
+  projection::Projection projection;
 };
 
 /// An overall dimension that names no direction, as overall width, height and depth: each once, in the clearest of the
 /// views - width and height from the front, depth from the side, before other orthographic views along a world axis.
 /// What no view shows in true length is left out. Where it names a view, only that one counts. Throws Error{input}
 /// when nothing is left.
-std::vector<DimensionDescription> overall_dimensions(const DimensionDescription& overall,
-                                                     std::span<const NamedProjection> views);
+std::vector<scene::DimensionDescription> overall_dimensions(const scene::DimensionDescription& overall,
+                                                            std::span<const NamedProjection> views);
 
 /// Millimetres of paper to be kept free around the ink of a view.
 struct Room {
@@ -31,6 +31,7 @@ struct Room {
 
 /// What the dimensions of one view usually take, with texts `text_height` mm high. They are placed when there is a
 /// drawing: some may want more, many take less.
-Room dimension_room(std::span<const DimensionDescription> dimensions, const Projection& projection, double text_height);
+Room dimension_room(std::span<const scene::DimensionDescription> dimensions, const projection::Projection& projection,
+                    double text_height);
 
-}  // namespace epura
+}  // namespace epura::sheet

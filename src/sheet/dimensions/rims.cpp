@@ -9,7 +9,7 @@
 #include "base/text.hpp"
 #include "scene/placed_circles.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 namespace {
 
@@ -30,7 +30,7 @@ std::string text_of(const Vec3& p) {
 const std::vector<Rims::Rim>& Rims::of_model(int model) {
   const auto [at, first_time] = rims_.try_emplace(model);
   if (!first_time) return at->second;
-  for (const MeshCircle& circle : find_circles(world_, model)) {
+  for (const mesh::MeshCircle& circle : scene::find_circles(world_, model)) {
     WorldCircle placed{circle.centre, circle.axis, circle.radius, {}, circle.whole};
     for (const int v : circle.vertices) placed.rim.push_back(world_.points[world_.first_vertex[model] + v]);
     at->second.push_back({circle.vertices, std::move(placed)});
@@ -38,7 +38,7 @@ const std::vector<Rims::Rim>& Rims::of_model(int model) {
   return at->second;
 }
 
-std::vector<WorldCircle> Rims::through(const Anchor& anchor, const Vec3& place, const std::string& where) {
+std::vector<WorldCircle> Rims::through(const scene::Anchor& anchor, const Vec3& place, const std::string& where) {
   const auto* vertex = std::get_if<std::array<int, 2>>(&anchor);
   const int first = vertex ? (*vertex)[0] : 0;
   const int last = vertex ? first : static_cast<int>(world_.models.size()) - 1;
@@ -60,4 +60,4 @@ std::vector<WorldCircle> Rims::through(const Anchor& anchor, const Vec3& place, 
                       : "no circle was found: rims of holes, bosses and shafts are circles");
 }
 
-}  // namespace epura
+}  // namespace epura::sheet

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace epura {
+namespace epura::sheet {
 
 namespace {
 
@@ -95,4 +95,4 @@ PlacedDimension straight_dimension(const MeasuredLength& length, const std::stri
   return dimension;
 }
 
-}  // namespace epura
+}  // namespace epura::sheet

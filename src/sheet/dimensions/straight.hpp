@@ -7,7 +7,7 @@
 #include "sheet/dimensions/marks.hpp"
 #include "sheet/dimensions/measure.hpp"
 
-namespace epura {
+namespace epura::sheet {
 
 /// Numbers of places for the text: 0 is the middle, or behind the right or upper end where it does not fit between the
 /// extension lines.
@@ -21,4 +21,4 @@ PlacedDimension straight_dimension(const MeasuredLength& length, const std::stri
 /// Whether the text has room above the dimension line.
 bool fits_inside(const MeasuredLength& length, const std::string& text, const DimensionStyle& style);
 
-}  // namespace epura
+}  // namespace epura::sheet

@@ -26,7 +26,7 @@ Matrix<F> of_rows(const Row<F>& r0, const Row<F>& r1, const Row<F>& r2, const Ro
 
 // M_per (3.10) and M_par (3.20) as printed: d = d0 - d1 is a difference of two products.
 template <class F>
-Matrix<F> printed_matrix(const Projection& p, F factor) {
+Matrix<F> printed_matrix(const projection::Projection& p, F factor) {
   const Vector<F> n(factor * Vector<F>(p.n)), point(p.point), q(p.projector);
   const F d0 = glm::dot(point, n), d1 = glm::dot(q, n), d = p.central ? d0 - d1 : d1;
   const auto row = [&](int i) {
@@ -44,8 +44,8 @@ Row<F> orientation_row(const Vec3& axis, const Vec3& from) {
 
 // VOM, the projection, the depth row, and the window -> viewport step onto the coordinates of `map`, in one matrix.
 template <class F>
-Matrix<F> composed_matrix(const Camera& camera, const ViewMap& map) {
-  const Projection& p = camera.projection;
+Matrix<F> composed_matrix(const Camera& camera, const view::ViewMap& map) {
+  const projection::Projection& p = camera.projection;
   const Matrix<F> orientation = of_rows<F>(orientation_row<F>(p.u, p.point), orientation_row<F>(p.v, p.point),
                                            orientation_row<F>(p.n, p.point), {0, 0, 0, 1});
   const auto factor = static_cast<F>(camera.factor);
@@ -62,9 +62,9 @@ Matrix<F> composed_matrix(const Camera& camera, const ViewMap& map) {
 }
 
 template <class F>
-UnsetVector<Mapped> map_by_matrix(std::span<const Vec3> points, const Camera& camera, const ViewMap& map) {
+UnsetVector<view::Mapped> map_by_matrix(std::span<const Vec3> points, const Camera& camera, const view::ViewMap& map) {
   const Matrix<F> matrix = composed_matrix<F>(camera, map);
-  UnsetVector<Mapped> mapped;
+  UnsetVector<view::Mapped> mapped;
   mapped.reserve(points.size());
   for (const Vec3& point : points) {
     const Row<F> p = matrix * Row<F>(Vector<F>(point), F(1));
@@ -73,15 +73,15 @@ UnsetVector<Mapped> map_by_matrix(std::span<const Vec3> points, const Camera& ca
   return mapped;
 }
 
-UnsetVector<Mapped> map_by_own(std::span<const Vec3> points, const ViewMap& map) {
-  UnsetVector<Mapped> mapped;
+UnsetVector<view::Mapped> map_by_own(std::span<const Vec3> points, const view::ViewMap& map) {
+  UnsetVector<view::Mapped> mapped;
   mapped.reserve(points.size());
   for (const Vec3& point : points) mapped.push_back(map(point));
   return mapped;
 }
 
 // Homogeneous coordinates whose quotients stay in the range of doubles.
-bool is_sound(const Mapped& p) {
+bool is_sound(const view::Mapped& p) {
   constexpr double max = 1e150;
   const double largest = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
   if (!std::isfinite(largest) || !std::isfinite(p.w) || largest > max) return false;
@@ -90,9 +90,9 @@ bool is_sound(const Mapped& p) {
 
 }  // namespace
 
-UnsetVector<Mapped> map_points(std::span<const Vec3> points, const Camera& camera, const Box& scene,
-                               Arithmetic arithmetic) {
-  const ViewMap map = make_view_map(camera.projection, scene);
+UnsetVector<view::Mapped> map_points(std::span<const Vec3> points, const Camera& camera, const Box& scene,
+                                     Arithmetic arithmetic) {
+  const view::ViewMap map = view::make_view_map(camera.projection, scene);
   switch (arithmetic) {
     case Arithmetic::single:
       return map_by_matrix<float>(points, camera, map);
@@ -104,12 +104,12 @@ UnsetVector<Mapped> map_points(std::span<const Vec3> points, const Camera& camer
   return map_by_own(points, map);
 }
 
-ProjectedScene view_by(const World& world, const Camera& camera, Arithmetic arithmetic) {
-  if (arithmetic == Arithmetic::own) return project_scene(world, camera.projection, camera.limits);
-  UnsetVector<Mapped> mapped = map_points(world.points, camera, world.box, arithmetic);
+view::ProjectedScene view_by(const scene::World& world, const Camera& camera, Arithmetic arithmetic) {
+  if (arithmetic == Arithmetic::own) return view::project_scene(world, camera.projection, camera.limits);
+  UnsetVector<view::Mapped> mapped = map_points(world.points, camera, world.box, arithmetic);
   if (!std::all_of(mapped.begin(), mapped.end(), is_sound))
     throw Error(ErrorKind::input, "map", "a point leaves the range of numbers");
-  return project_scene(world, camera.projection, camera.limits, std::move(mapped));
+  return view::project_scene(world, camera.projection, camera.limits, std::move(mapped));
 }
 
 }  // namespace epura::laboratory

@@ -24,16 +24,16 @@ inline constexpr std::array<std::string_view, arithmetics> arithmetic_names{"flo
 
 /// A projection and what else the map depends on.
 struct Camera {
-  Projection projection;
-  ViewLimits limits{};
+  projection::Projection projection;
+  view::ViewLimits limits{};
   double factor = 1;  ///< by which the composed matrix is multiplied; as a projective map it stays the same
 };
 
 /// Points of space by the arithmetic, in the coordinates of make_view_map(camera.projection, scene).
-UnsetVector<Mapped> map_points(std::span<const Vec3> points, const Camera& camera, const Box& scene,
-                               Arithmetic arithmetic);
+UnsetVector<view::Mapped> map_points(std::span<const Vec3> points, const Camera& camera, const Box& scene,
+                                     Arithmetic arithmetic);
 
 /// Throws Error{input} where a point leaves the range of the arithmetic, and as project_scene does.
-ProjectedScene view_by(const World& world, const Camera& camera, Arithmetic arithmetic);
+view::ProjectedScene view_by(const scene::World& world, const Camera& camera, Arithmetic arithmetic);
 
 }  // namespace epura::laboratory

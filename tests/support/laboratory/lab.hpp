@@ -12,21 +12,21 @@
 namespace epura::laboratory {
 
 /// Orthographic projection seen from `towards_viewer`; the plane passes through the origin.
-Projection orthographic(const Vec3& towards_viewer, const Vec3& up = {0, 0, 1});
+projection::Projection orthographic(const Vec3& towards_viewer, const Vec3& up = {0, 0, 1});
 /// Seen from above: x right, y up, larger z nearer.
-Projection from_above();
+projection::Projection from_above();
 /// Central projection from `eye` onto the plane through `point` with `normal`; u, v from `up`.
-Projection perspective(const Vec3& eye, const Vec3& point, const Vec3& normal, const Vec3& up);
+projection::Projection perspective(const Vec3& eye, const Vec3& point, const Vec3& normal, const Vec3& up);
 
 /// Everything that was computed on the way to a drawing, in model units: page = plane coordinates.
 struct Result {
-  World world;
-  ProjectedScene view;
-  FeatureEdges drawn;
-  HiddenSpans hidden;
-  ViewDrawing drawing;
+  scene::World world;
+  view::ProjectedScene view;
+  edges::FeatureEdges drawn;
+  visibility::HiddenSpans hidden;
+  drawing::ViewDrawing drawing;
   double unit;  ///< model length of a unit on the page
-  Condition condition;
+  view::Condition condition;
 
   [[nodiscard]] double visible() const { return length(true); }
   [[nodiscard]] double hidden_length() const { return length(false); }
@@ -42,10 +42,10 @@ struct Result {
 
 /// What is hidden of a straight line that belongs to no mesh.
 struct HiddenLine {
-  Spans spans;     ///< parameters in the page, 0 to 1
-  double contact;  ///< the tolerance, model units
-  double cell;     ///< of the page grid, model units
-  double extent;   ///< of the drawing, model units
+  visibility::Spans spans;  ///< parameters in the page, 0 to 1
+  double contact;           ///< the tolerance, model units
+  double cell;              ///< of the page grid, model units
+  double extent;            ///< of the drawing, model units
 
   /// Lines nearer to each other than this are one line.
   [[nodiscard]] double merge_width() const { return std::max(contact, 4 * cell); }
@@ -55,9 +55,9 @@ struct Lab {
   Arithmetic arithmetic = Arithmetic::own;
   double size = 1;  ///< factor of the sizes of large scenes
 
-  [[nodiscard]] Result draw(World world, const Camera& camera, const EdgeOptions& options = {}) const;
-  [[nodiscard]] HiddenLine hidden_of_line(const World& world, const Projection& projection, const Vec3& from,
-                                          const Vec3& to) const;
+  [[nodiscard]] Result draw(scene::World world, const Camera& camera, const edges::EdgeOptions& options = {}) const;
+  [[nodiscard]] HiddenLine hidden_of_line(const scene::World& world, const projection::Projection& projection,
+                                          const Vec3& from, const Vec3& to) const;
 };
 
 }  // namespace epura::laboratory

@@ -186,8 +186,8 @@ Shape revolved(const std::vector<std::array<double, 2>>& profile, int sides, boo
   return shape;
 }
 
-Mesh mesh_of(const Shape& shape, int digits) {
-  Soup soup;
+mesh::Mesh mesh_of(const Shape& shape, int digits) {
+  mesh::Soup soup;
   soup.points = shape.points;
   if (digits > 0) {
     soup.printed = true;
@@ -200,13 +200,13 @@ Mesh mesh_of(const Shape& shape, int digits) {
     soup.corners.insert(soup.corners.end(), face.begin(), face.end());
     soup.face_ends.push_back(static_cast<int>(soup.corners.size()));
   }
-  return build_mesh(std::move(soup), "shape");
+  return mesh::build_mesh(std::move(soup), "shape");
 }
 
-World world_of(const std::vector<Shape>& shapes) {
-  std::vector<Placed> models;
-  for (const Shape& shape : shapes) models.push_back({std::make_shared<const Mesh>(mesh_of(shape)), Mat4(1.0)});
-  return make_world(std::move(models));
+scene::World world_of(const std::vector<Shape>& shapes) {
+  std::vector<scene::Placed> models;
+  for (const Shape& shape : shapes) models.push_back({std::make_shared<const mesh::Mesh>(mesh_of(shape)), Mat4(1.0)});
+  return scene::make_world(std::move(models));
 }
 
 }  // namespace epura::laboratory

@@ -46,8 +46,8 @@ Shape uv_sphere(int meridians, int bands);
 Shape revolved(const std::vector<std::array<double, 2>>& profile, int sides, bool seam = false);
 
 /// `digits`: of a file that writes coordinates as text with so many digits; 0: as they are.
-Mesh mesh_of(const Shape& shape, int digits = 0);
-World world_of(const std::vector<Shape>& shapes);
-inline World world_of(const Shape& shape) { return world_of(std::vector<Shape>{shape}); }
+mesh::Mesh mesh_of(const Shape& shape, int digits = 0);
+scene::World world_of(const std::vector<Shape>& shapes);
+inline scene::World world_of(const Shape& shape) { return world_of(std::vector<Shape>{shape}); }
 
 }  // namespace epura::laboratory

@@ -5,24 +5,24 @@
 
 namespace epura {
 
-Spans hidden_parts(const HiddenSpans& hidden, std::size_t e) {
+visibility::Spans hidden_parts(const visibility::HiddenSpans& hidden, std::size_t e) {
   const auto at = [&](std::size_t i) { return hidden.spans.begin() + static_cast<std::ptrdiff_t>(hidden.first[i]); };
   return {at(e), at(e + 1)};
 }
 
-HiddenSpans gather(const std::vector<Spans>& by_edge) {
-  HiddenSpans hidden;
+visibility::HiddenSpans gather(const std::vector<visibility::Spans>& by_edge) {
+  visibility::HiddenSpans hidden;
   hidden.first.reserve(by_edge.size() + 1);
   hidden.first.push_back(0);
-  for (const Spans& spans : by_edge) {
+  for (const visibility::Spans& spans : by_edge) {
     hidden.spans.insert(hidden.spans.end(), spans.begin(), spans.end());
     hidden.first.push_back(hidden.spans.size());
   }
   return hidden;
 }
 
-Spans common(const Spans& a, const Spans& b) {
-  Spans both;
+visibility::Spans common(const visibility::Spans& a, const visibility::Spans& b) {
+  visibility::Spans both;
   for (auto i = a.begin(), k = b.begin(); i != a.end() && k != b.end();) {
     const double from = std::max((*i)[0], (*k)[0]), to = std::min((*i)[1], (*k)[1]);
     if (from < to) both.push_back({from, to});
@@ -31,8 +31,8 @@ Spans common(const Spans& a, const Spans& b) {
   return both;
 }
 
-Spans without(const Spans& a, const Spans& b) {
-  Spans rest;
+visibility::Spans without(const visibility::Spans& a, const visibility::Spans& b) {
+  visibility::Spans rest;
   auto cut = b.begin();
   for (const auto& [begin, end] : a) {
     double from = begin;
@@ -46,8 +46,8 @@ Spans without(const Spans& a, const Spans& b) {
   return rest;
 }
 
-Spans united(Spans a, const Spans& b) {
-  for (const auto& span : b) add_span(a, span);
+visibility::Spans united(visibility::Spans a, const visibility::Spans& b) {
+  for (const auto& span : b) visibility::add_span(a, span);
   return a;
 }
 

@@ -10,18 +10,18 @@
 namespace epura {
 
 /// Those of edge e.
-Spans hidden_parts(const HiddenSpans& hidden, std::size_t e);
+visibility::Spans hidden_parts(const visibility::HiddenSpans& hidden, std::size_t e);
 
 /// The spans of all edges in their order; nothing is undecided.
-HiddenSpans gather(const std::vector<Spans>& by_edge);
+visibility::HiddenSpans gather(const std::vector<visibility::Spans>& by_edge);
 
 /// What is in both.
-Spans common(const Spans& a, const Spans& b);
+visibility::Spans common(const visibility::Spans& a, const visibility::Spans& b);
 /// What of `a` is not in `b`.
-Spans without(const Spans& a, const Spans& b);
+visibility::Spans without(const visibility::Spans& a, const visibility::Spans& b);
 /// What is in one or both; what touches becomes one.
-Spans united(Spans a, const Spans& b);
+visibility::Spans united(visibility::Spans a, const visibility::Spans& b);
 
-inline Spans complement(const Spans& a) { return without({{0.0, 1.0}}, a); }
+inline visibility::Spans complement(const visibility::Spans& a) { return without({{0.0, 1.0}}, a); }
 
 }  // namespace epura

@@ -29,95 +29,104 @@ constexpr double nearest_seen = 0x1p-44;
 
 /// Depth grows towards the viewer. Origin and unit (about that of the view) are rounded, and the same for all points.
 struct ExactPoint {
-  Exact x, y, depth;
+  verify::Exact x, y, depth;
 };
 
 // Twice the signed area of a, b, c.
-Exact cross(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) {
+verify::Exact cross(const ExactPoint& a, const ExactPoint& b, const ExactPoint& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-Triple<Exact> along_projectors(const Triple<Exact>& axis, const Triple<Exact>& n, const Triple<Exact>& direction) {
-  return along<Exact>(axis, Exact(-dot(axis, direction) / dot(n, direction)), n);
+verify::Triple<verify::Exact> along_projectors(const verify::Triple<verify::Exact>& axis,
+                                               const verify::Triple<verify::Exact>& n,
+                                               const verify::Triple<verify::Exact>& direction) {
+  return verify::along<verify::Exact>(axis, verify::Exact(-verify::dot(axis, direction) / verify::dot(n, direction)),
+                                      n);
 }
 
 /// The page in rational numbers: corners of triangles and edges mapped to it without rounding.
 class ExactPage {
  public:
-  ExactPage(const VerifyInput& claim, const ProjectedScene& view);
+  ExactPage(const verify::VerifyInput& claim, const view::ProjectedScene& view);
 
   /// A point before the viewer.
-  [[nodiscard]] ExactPoint place(const Triple<Exact>& point) const;
+  [[nodiscard]] ExactPoint place(const verify::Triple<verify::Exact>& point) const;
   /// What of a triangle lies before the viewer and between the limits of depth: its corners in order, perhaps none.
   [[nodiscard]] std::vector<ExactPoint> place(const std::array<Vec3, 3>& corners) const;
 
  private:
-  [[nodiscard]] Polygon<Exact> clipped(const std::array<Vec3, 3>& corners) const;
+  [[nodiscard]] verify::Polygon<verify::Exact> clipped(const std::array<Vec3, 3>& corners) const;
 
-  Viewing viewing_;
-  Triple<Exact> point_, n_, u_, v_;
-  std::optional<Triple<Exact>> centre_;
-  Exact page_, depth_, nearest_;
+  verify::Viewing viewing_;
+  verify::Triple<verify::Exact> point_, n_, u_, v_;
+  std::optional<verify::Triple<verify::Exact>> centre_;
+  verify::Exact page_, depth_, nearest_;
 };
 
-ExactPage::ExactPage(const VerifyInput& claim, const ProjectedScene& view)
-    : viewing_(viewing_of(claim)),
-      point_(triple<Exact>(claim.projection.point)),
-      n_(triple<Exact>(claim.projection.n)),
-      u_(triple<Exact>(claim.projection.u)),
-      v_(triple<Exact>(claim.projection.v)) {
-  const Projection& p = claim.projection;
-  const ViewMap& map = view.map;
+ExactPage::ExactPage(const verify::VerifyInput& claim, const view::ProjectedScene& view)
+    : viewing_(verify::viewing_of(claim)),
+      point_(verify::triple<verify::Exact>(claim.projection.point)),
+      n_(verify::triple<verify::Exact>(claim.projection.n)),
+      u_(verify::triple<verify::Exact>(claim.projection.u)),
+      v_(verify::triple<verify::Exact>(claim.projection.v)) {
+  const projection::Projection& p = claim.projection;
+  const view::ViewMap& map = view.map;
   if (p.central) {
     const double w0 = 1 / (map.depth_to_one * map.depth_of_n);
-    centre_ = triple<Exact>(p.projector);
+    centre_ = verify::triple<verify::Exact>(p.projector);
     page_ = p.scale * glm::dot(p.n, p.projector * map.normalisation - p.point * map.normalisation);
     depth_ = map.depth_of_n * w0 * w0 / map.normalisation;
     nearest_ = nearest_seen * w0 / map.normalisation;
   } else {
-    u_ = along_projectors(u_, n_, triple<Exact>(p.projector));
-    v_ = along_projectors(v_, n_, triple<Exact>(p.projector));
+    u_ = along_projectors(u_, n_, verify::triple<verify::Exact>(p.projector));
+    v_ = along_projectors(v_, n_, verify::triple<verify::Exact>(p.projector));
     page_ = p.scale * map.normalisation;
     depth_ = map.depth_of_n * map.normalisation;
   }
 }
 
-ExactPoint ExactPage::place(const Triple<Exact>& point) const {
-  const Triple<Exact> l = point - (centre_ ? *centre_ : point_);
-  const Exact n = dot(n_, l);
-  if (!centre_) return {page_ * dot(u_, l), page_ * dot(v_, l), depth_ * n};
-  const Exact ahead = std::max(Exact(-n), nearest_);  // ends that were clipped there are rounded
-  return {page_ * dot(u_, l) / ahead, page_ * dot(v_, l) / ahead, depth_ / ahead};
+ExactPoint ExactPage::place(const verify::Triple<verify::Exact>& point) const {
+  const verify::Triple<verify::Exact> l = point - (centre_ ? *centre_ : point_);
+  const verify::Exact n = verify::dot(n_, l);
+  if (!centre_) return {page_ * verify::dot(u_, l), page_ * verify::dot(v_, l), depth_ * n};
+  const verify::Exact ahead = std::max(verify::Exact(-n), nearest_);  // ends that were clipped there are rounded
+  return {page_ * verify::dot(u_, l) / ahead, page_ * verify::dot(v_, l) / ahead, depth_ / ahead};
 }
 
 std::vector<ExactPoint> ExactPage::place(const std::array<Vec3, 3>& corners) const {
-  const Polygon<Exact> polygon = clipped(corners);
+  const verify::Polygon<verify::Exact> polygon = clipped(corners);
   std::vector<ExactPoint> places;
   for (std::size_t i = 0; i < polygon.count; ++i) places.push_back(place(polygon.corner[i]));
   return places;
 }
 
-Polygon<Exact> ExactPage::clipped(const std::array<Vec3, 3>& corners) const {
-  Polygon<Exact> polygon;
-  for (const Vec3& corner : corners) polygon.add(triple<Exact>(corner));
-  using Point = Triple<Exact>;
-  if (centre_) polygon = clip(polygon, [&](const Point& p) { return Exact(dot(n_, *centre_ - p) - nearest_); });
+verify::Polygon<verify::Exact> ExactPage::clipped(const std::array<Vec3, 3>& corners) const {
+  verify::Polygon<verify::Exact> polygon;
+  for (const Vec3& corner : corners) polygon.add(verify::triple<verify::Exact>(corner));
+  using Point = verify::Triple<verify::Exact>;
+  if (centre_)
+    polygon =
+        verify::clip(polygon, [&](const Point& p) { return verify::Exact(verify::dot(n_, *centre_ - p) - nearest_); });
   if (viewing_.front)
-    polygon = clip(polygon, [&](const Point& p) { return Exact(Exact(*viewing_.front) - dot(n_, p - point_)); });
+    polygon = verify::clip(polygon, [&](const Point& p) {
+      return verify::Exact(verify::Exact(*viewing_.front) - verify::dot(n_, p - point_));
+    });
   if (viewing_.back)
-    polygon = clip(polygon, [&](const Point& p) { return Exact(dot(n_, p - point_) - Exact(*viewing_.back)); });
+    polygon = verify::clip(polygon, [&](const Point& p) {
+      return verify::Exact(verify::dot(n_, p - point_) - verify::Exact(*viewing_.back));
+    });
   return polygon;
 }
 
 struct Range {
-  Exact from = 0, to = 1;
+  verify::Exact from = 0, to = 1;
 
   // Leaves the part where a function that is linear between its values at 0 and 1 is not negative.
-  void keep(const Exact& at_0, const Exact& at_1) {
+  void keep(const verify::Exact& at_0, const verify::Exact& at_1) {
     if (at_0 < 0 && at_1 < 0) to = from;
     if (at_0 >= 0 && at_1 >= 0) return;
     if (at_0 == at_1) return;
-    const Exact root = at_0 / (at_0 - at_1);
+    const verify::Exact root = at_0 / (at_0 - at_1);
     if (at_0 < 0)
       from = std::max(from, root);
     else
@@ -126,7 +135,7 @@ struct Range {
 };
 
 double distance(const ExactPoint& a, const ExactPoint& b) {
-  return std::hypot(Exact(b.x - a.x).get_d(), Exact(b.y - a.y).get_d());
+  return std::hypot(verify::Exact(b.x - a.x).get_d(), verify::Exact(b.y - a.y).get_d());
 }
 
 /// A convex polygon of the page with its depth: z + slope . (p - corner).
@@ -134,9 +143,9 @@ struct Face {
   std::vector<ExactPoint> corner;
   std::vector<bool> border;  ///< of the side from corner i on
   int turn = 0;              ///< 1: counterclockwise; 0: a line
-  Exact slope_x, slope_y;
+  verify::Exact slope_x, slope_y;
 
-  [[nodiscard]] Exact depth(const ExactPoint& p) const {
+  [[nodiscard]] verify::Exact depth(const ExactPoint& p) const {
     return corner[0].depth + slope_x * (p.x - corner[0].x) + slope_y * (p.y - corner[0].y);
   }
   [[nodiscard]] double steepness() const { return 1 + std::hypot(slope_x.get_d(), slope_y.get_d()); }
@@ -145,12 +154,12 @@ struct Face {
 Face face_from(std::vector<ExactPoint> corners) {
   Face face{std::move(corners), {}, 0, 0, 0};
   const auto& c = face.corner;
-  Exact largest = 0;
+  verify::Exact largest = 0;
   for (std::size_t i = 1; i + 1 < c.size(); ++i) {
-    const Exact area = cross(c[0], c[i], c[i + 1]);
+    const verify::Exact area = cross(c[0], c[i], c[i + 1]);
     if (abs(area) <= abs(largest)) continue;
     largest = area;
-    const Exact bz = c[i].depth - c[0].depth, cz = c[i + 1].depth - c[0].depth;
+    const verify::Exact bz = c[i].depth - c[0].depth, cz = c[i + 1].depth - c[0].depth;
     face.slope_x = (bz * (c[i + 1].y - c[0].y) - cz * (c[i].y - c[0].y)) / area;
     face.slope_y = (cz * (c[i].x - c[0].x) - bz * (c[i + 1].x - c[0].x)) / area;
   }
@@ -170,10 +179,10 @@ std::optional<std::array<double, 2>> hidden_part(const Face& face, const Line& l
   for (std::size_t i = 0; i < face.corner.size(); ++i) {
     const ExactPoint& a = face.corner[i];
     const ExactPoint& b = face.corner[(i + 1) % face.corner.size()];
-    const Exact margin(face.border[i] || inwards < 0 ? inwards * distance(a, b) : 0);
+    const verify::Exact margin(face.border[i] || inwards < 0 ? inwards * distance(a, b) : 0);
     range.keep(cross(a, b, line.p) * face.turn - margin, cross(a, b, line.q) * face.turn - margin);
   }
-  const Exact margin(ahead * face.steepness());
+  const verify::Exact margin(ahead * face.steepness());
   range.keep(face.depth(line.p) - line.p.depth - margin, face.depth(line.q) - line.q.depth - margin);
   if (range.from >= range.to) return std::nullopt;
   return std::array{range.from.get_d(), range.to.get_d()};
@@ -192,10 +201,12 @@ std::optional<std::array<double, 2>> part_along(const Face& face, const Line& li
   for (const ExactPoint& c : face.corner)
     if (std::abs(cross(a, b, c).get_d()) > margin * length) return std::nullopt;
   Range range;
-  const Exact wide(2 * margin * length);
+  const verify::Exact wide(2 * margin * length);
   for (const int sign : {1, -1}) range.keep(cross(a, b, line.p) * sign + wide, cross(a, b, line.q) * sign + wide);
-  const auto along = [&](const ExactPoint& c) { return Exact((b.x - a.x) * (c.x - a.x) + (b.y - a.y) * (c.y - a.y)); };
-  const Exact whole = along(b);
+  const auto along = [&](const ExactPoint& c) {
+    return verify::Exact((b.x - a.x) * (c.x - a.x) + (b.y - a.y) * (c.y - a.y));
+  };
+  const verify::Exact whole = along(b);
   range.keep(along(line.p) + wide, along(line.q) + wide);
   range.keep(whole - along(line.p) + wide, whole - along(line.q) + wide);
   if (range.from >= range.to) return std::nullopt;
@@ -205,7 +216,7 @@ std::optional<std::array<double, 2>> part_along(const Face& face, const Line& li
 /// Where the triangles of the world lie, in doubles: finds those that may lie before an edge.
 class TrianglePlaces {
  public:
-  TrianglePlaces(const World& world, const ExactPage& page) : corners_(world.triangles.size()) {
+  TrianglePlaces(const scene::World& world, const ExactPage& page) : corners_(world.triangles.size()) {
     const auto place = [&](std::size_t t) {
       const auto& [a, b, c] = world.triangles[t];
       return page.place({world.points[a], world.points[b], world.points[c]});
@@ -235,11 +246,12 @@ class TrianglePlaces {
 
  private:
   [[nodiscard]] Vec3 in_doubles(const ExactPoint& p) const {
-    return {Exact(p.x - origin_.x).get_d(), Exact(p.y - origin_.y).get_d(), Exact(p.depth - origin_.depth).get_d()};
+    return {verify::Exact(p.x - origin_.x).get_d(), verify::Exact(p.y - origin_.y).get_d(),
+            verify::Exact(p.depth - origin_.depth).get_d()};
   }
 
-  static Bounds<2> bounds_of(const std::vector<Vec3>& points, double slack) {
-    Bounds<2> bounds{{{HUGE_VAL, -HUGE_VAL}, {HUGE_VAL, -HUGE_VAL}}};
+  static search::Bounds<2> bounds_of(const std::vector<Vec3>& points, double slack) {
+    search::Bounds<2> bounds{{{HUGE_VAL, -HUGE_VAL}, {HUGE_VAL, -HUGE_VAL}}};
     for (const Vec3& p : points)
       for (int i = 0; i < 2; ++i)
         bounds[i] = {std::min(bounds[i][0], p[i] - slack), std::max(bounds[i][1], p[i] + slack)};
@@ -263,7 +275,7 @@ class TrianglePlaces {
 
   ExactPoint origin_;                       ///< of the doubles: a place of the drawing, so that they keep their digits
   std::vector<std::vector<Vec3>> corners_;  ///< by triangle: x, y and depth of what is seen of it
-  BoundsTree<2> tree_;
+  search::BoundsTree<2> tree_;
 };
 
 std::uint64_t side_key(int a, int b) {
@@ -273,7 +285,7 @@ std::uint64_t side_key(int a, int b) {
 
 class Judge {
  public:
-  Judge(const VerifyInput& claim, const ProjectedScene& view)
+  Judge(const verify::VerifyInput& claim, const view::ProjectedScene& view)
       : claim_(claim), view_(view), page_(claim, view), places_(claim.world, page_) {
     const auto& triangles = claim.world.triangles;
     sides_.reserve(3 * triangles.size());
@@ -283,30 +295,31 @@ class Judge {
   }
 
   [[nodiscard]] EdgeTruth truth_of(int e, std::atomic<std::size_t>& pairs) const {
-    const FeatureEdge& edge = claim_.drawn.edges[e];
+    const edges::FeatureEdge& edge = claim_.drawn.edges[e];
     const std::array<Vec3, 2> ends = claim_.ends_of(edge);
-    const Line line{page_.place(position_on<Exact>(ends, edge.t[0])), page_.place(position_on<Exact>(ends, edge.t[1]))};
+    const Line line{page_.place(verify::position_on<verify::Exact>(ends, edge.t[0])),
+                    page_.place(verify::position_on<verify::Exact>(ends, edge.t[1]))};
     const double extent = view_.extent;
     EdgeTruth truth{e, {}, {}};
     for (const int triangle : near(edge, line)) {
       ++pairs;
       Face face = face_from(page_.place(corners_of(triangle)));
       if (face.corner.empty()) continue;
-      if (const auto part = part_along(face, line, sideways * extent)) add_span(truth.perhaps, *part);
+      if (const auto part = part_along(face, line, sideways * extent)) visibility::add_span(truth.perhaps, *part);
       const auto perhaps = face.turn == 0 ? std::nullopt : hidden_part(face, line, -sideways * extent, 0);
       if (!perhaps) continue;
-      add_span(truth.perhaps, *perhaps);
+      visibility::add_span(truth.perhaps, *perhaps);
       find_borders(edge, triangle, face);
       const auto surely = hidden_part(face, line, sideways * extent, 2 * view_.contact.touching);
-      if (surely) add_span(truth.surely, *surely);
+      if (surely) visibility::add_span(truth.surely, *surely);
     }
-    for (const auto& span : truth.surely) add_span(truth.perhaps, span);
+    for (const auto& span : truth.surely) visibility::add_span(truth.perhaps, span);
     return truth;
   }
 
  private:
   // Triangles of the world that are none of the edge's own and may lie before it.
-  [[nodiscard]] std::vector<int> near(const FeatureEdge& edge, const Line& line) const {
+  [[nodiscard]] std::vector<int> near(const edges::FeatureEdge& edge, const Line& line) const {
     std::vector<int> found = places_.before(line, surely_beside * view_.extent);
     std::erase_if(found, [&](int triangle) { return claim_.contains(edge, triangle); });
     return found;
@@ -317,13 +330,13 @@ class Judge {
     return {claim_.world.points[a], claim_.world.points[b], claim_.world.points[c]};
   }
 
-  void find_borders(const FeatureEdge& edge, int triangle, Face& face) const {
+  void find_borders(const edges::FeatureEdge& edge, int triangle, Face& face) const {
     if (face.corner.size() != 3) return;
     for (std::size_t i = 0; i < 3; ++i) face.border[i] = is_border(edge, triangle, i, face);
   }
 
   // Whether no other triangle goes on behind a side.
-  [[nodiscard]] bool is_border(const FeatureEdge& edge, int triangle, std::size_t side, const Face& face) const {
+  [[nodiscard]] bool is_border(const edges::FeatureEdge& edge, int triangle, std::size_t side, const Face& face) const {
     const auto& corner = claim_.world.triangles[triangle];
     const int a = corner[side], b = corner[(side + 1) % 3];
     const auto [begin, end] = sides_.equal_range(side_key(a, b));
@@ -336,14 +349,14 @@ class Judge {
       const Face beyond = face_from(page_.place(corners_of(other)));
       if (beyond.corner.size() != 3) return false;
       return sgn(cross(face.corner[side], face.corner[(side + 1) % 3],
-                       page_.place(triple<Exact>(claim_.world.points[*apex])))) *
+                       page_.place(verify::triple<verify::Exact>(claim_.world.points[*apex])))) *
                  face.turn <
              0;
     });
   }
 
-  const VerifyInput& claim_;
-  const ProjectedScene& view_;
+  const verify::VerifyInput& claim_;
+  const view::ProjectedScene& view_;
   ExactPage page_;
   TrianglePlaces places_;
   std::unordered_multimap<std::uint64_t, int> sides_;
@@ -360,7 +373,8 @@ std::vector<int> random_order(std::size_t count) {
 
 }  // namespace
 
-std::vector<EdgeTruth> find_truth(const VerifyInput& claim, const ProjectedScene& view, const TruthEffort& effort) {
+std::vector<EdgeTruth> find_truth(const verify::VerifyInput& claim, const view::ProjectedScene& view,
+                                  const TruthEffort& effort) {
   const Judge judge(claim, view);
   const std::vector<int> order = random_order(claim.drawn.edges.size());
   std::vector<EdgeTruth> truths;
@@ -376,10 +390,13 @@ std::vector<EdgeTruth> find_truth(const VerifyInput& claim, const ProjectedScene
   return truths;
 }
 
-PointTruth truth_of_point(const std::array<PageVertex, 3>& triangle, const std::array<PageVertex, 2>& edge, double s) {
-  const auto exact = [](const PageVertex& v) { return ExactPoint{Exact(v.x), Exact(v.y), Exact(v.depth)}; };
+PointTruth truth_of_point(const std::array<view::PageVertex, 3>& triangle, const std::array<view::PageVertex, 2>& edge,
+                          double s) {
+  const auto exact = [](const view::PageVertex& v) {
+    return ExactPoint{verify::Exact(v.x), verify::Exact(v.y), verify::Exact(v.depth)};
+  };
   const ExactPoint p = exact(edge[0]), q = exact(edge[1]);
-  const Exact part(s);
+  const verify::Exact part(s);
   const ExactPoint point{p.x + part * (q.x - p.x), p.y + part * (q.y - p.y), p.depth + part * (q.depth - p.depth)};
   const Face face = face_from({exact(triangle[0]), exact(triangle[1]), exact(triangle[2])});
   double inside = HUGE_VAL;
@@ -388,10 +405,10 @@ PointTruth truth_of_point(const std::array<PageVertex, 3>& triangle, const std::
     const ExactPoint& b = face.corner[(i + 1) % 3];
     inside = std::min(inside, cross(a, b, point).get_d() * face.turn / distance(a, b));
   }
-  return {inside, Exact(face.depth(point) - point.depth).get_d(), face.steepness()};
+  return {inside, verify::Exact(face.depth(point) - point.depth).get_d(), face.steepness()};
 }
 
-Spans nearest_right(const Spans& shown, const EdgeTruth& truth) {
+visibility::Spans nearest_right(const visibility::Spans& shown, const EdgeTruth& truth) {
   return united(common(shown, truth.perhaps), truth.surely);
 }
 

@@ -20,9 +20,9 @@
 namespace epura {
 
 struct EdgeTruth {
-  int edge;       ///< of the drawn edges
-  Spans surely;   ///< hidden
-  Spans perhaps;  ///< hidden, or not to be told; contains `surely`
+  int edge;                   ///< of the drawn edges
+  visibility::Spans surely;   ///< hidden
+  visibility::Spans perhaps;  ///< hidden, or not to be told; contains `surely`
 };
 
 /// Which edges are judged: those that come first in a random order (a fixed seed), until so many pairs of edge and
@@ -32,7 +32,8 @@ struct TruthEffort {
 };
 
 /// In the order of the edges.
-std::vector<EdgeTruth> find_truth(const VerifyInput& claim, const ProjectedScene& view, const TruthEffort& effort);
+std::vector<EdgeTruth> find_truth(const verify::VerifyInput& claim, const view::ProjectedScene& view,
+                                  const TruthEffort& effort);
 
 /// A triangle and a point of an edge, exactly as their places on the page say.
 struct PointTruth {
@@ -42,9 +43,10 @@ struct PointTruth {
 };
 
 /// Of the point at page parameter `s` of the edge.
-PointTruth truth_of_point(const std::array<PageVertex, 3>& triangle, const std::array<PageVertex, 2>& edge, double s);
+PointTruth truth_of_point(const std::array<view::PageVertex, 3>& triangle, const std::array<view::PageVertex, 2>& edge,
+                          double s);
 
 /// The right classification that is nearest to the one shown: where the truth leaves the choice, as it is shown.
-Spans nearest_right(const Spans& shown, const EdgeTruth& truth);
+visibility::Spans nearest_right(const visibility::Spans& shown, const EdgeTruth& truth);
 
 }  // namespace epura

@@ -52,7 +52,7 @@ class JsonDrawing {
     std::vector<std::string> arguments{"draw", "-o", "-", "--format", "json"};
     for (const std::string& model : c.models) {
       arguments.push_back(sample(model));
-      meshes_.push_back(read_mesh(sample(model)));
+      meshes_.push_back(mesh::read_mesh(sample(model)));
     }
     arguments.insert(arguments.end(), c.options.begin(), c.options.end());
     const Outcome run = epura(arguments, folder / "");
@@ -136,7 +136,7 @@ class JsonDrawing {
 
   [[nodiscard]] std::array<Vec3, 2> ends_of_edge(const Json& segment, const Vec2& t) const {
     EXPECT_EQ(segment.keys(), "from to visible kind model edge t");
-    const Mesh& mesh = meshes_.at(static_cast<std::size_t>(segment["model"].number()));
+    const mesh::Mesh& mesh = meshes_.at(static_cast<std::size_t>(segment["model"].number()));
     const auto edge = vector<2>(segment["edge"]);
     EXPECT_TRUE(edge[0] < edge[1] && edge[1] < mesh.report.vertices);
     const Vec3 a = placed(mesh.point(static_cast<int>(edge[0])));
@@ -157,7 +157,7 @@ class JsonDrawing {
 
   // From the planes of the triangles of a face: of the nearest of them.
   [[nodiscard]] double distance_to_face(const Vec2& face, const Vec3& p) const {
-    const Mesh& mesh = meshes_.at(static_cast<std::size_t>(face[0]));
+    const mesh::Mesh& mesh = meshes_.at(static_cast<std::size_t>(face[0]));
     double nearest = HUGE_VAL;
     for (int f = 0; f < static_cast<int>(mesh.polygon.size()); ++f) {
       if (mesh.polygon[f] != static_cast<int>(face[1])) continue;
@@ -172,7 +172,7 @@ class JsonDrawing {
   [[nodiscard]] Vec3 placed(const Vec3& p) const { return Vec3(place_ * Vec4(p, 1)); }
 
   Mat4 place_;
-  std::vector<Mesh> meshes_;
+  std::vector<mesh::Mesh> meshes_;
   Json json_;
 };
 
@@ -185,7 +185,7 @@ const std::vector<std::string>& models() {
 
 // An eye to the right, before and above the model, so near that the plane through its middle cuts it.
 std::vector<std::string> look_at_with_near_plane(const std::string& model) {
-  const Mesh mesh = read_mesh(sample(model));
+  const mesh::Mesh mesh = mesh::read_mesh(sample(model));
   Box box;
   for (int v = 0; v < mesh.report.vertices; ++v) box.add(mesh.point(v));
   const double size = glm::length(box.size());

@@ -60,12 +60,12 @@ TEST(Manual, HasEveryOptionOfEveryCommand) {
 
 TEST(Manual, HasEveryProjectionWithItsParameters) {
   const std::string page = manual();
-  const Catalogue catalogue = load_catalogue({EPURA_TEST_PLUGINS});
+  const projection::Catalogue catalogue = projection::load_catalogue({EPURA_TEST_PLUGINS});
   EXPECT_GE(catalogue.entries.size(), 22U);
-  for (const ProjectionEntry& entry : catalogue.entries) {
+  for (const projection::ProjectionEntry& entry : catalogue.entries) {
     const std::size_t at = page.find("\n\\fB" + in_roff(entry.name) + "\\fR (");
     ASSERT_NE(at, std::string::npos) << entry.name;
-    for (const Parameter& parameter : entry.parameters)
+    for (const projection::Parameter& parameter : entry.parameters)
       EXPECT_NE(page.find("\\fB" + in_roff(parameter.name) + "\\fR", at), std::string::npos) << parameter.name;
   }
 }

@@ -86,7 +86,7 @@ TEST_F(Sheets, PaintTheLinesOfAViewInOneOrder) {
       before = -1;  // a view
       continue;
     }
-    const SheetLineRow* row = find_line(name);
+    const scene::SheetLineRow* row = scene::find_line(name);
     ASSERT_TRUE(row != nullptr) << name;
     EXPECT_GT(static_cast<int>(row->line), before) << name;
     before = static_cast<int>(row->line);

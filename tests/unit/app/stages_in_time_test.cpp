@@ -43,7 +43,7 @@ Drawn draw_by(const Clock& clock, const std::vector<std::string>& arguments) {
     const std::lock_guard lock(mutex);
     return clock(now, ++run.looks[now]);
   });
-  const Messages silent{[](const std::string&) {}, [](std::string_view) {}};
+  const pipeline::Messages silent{[](const std::string&) {}, [](std::string_view) {}};
   try {
     run.stages = draw_files(options, silent, Progress(board, limit)).report.partial.stages;
   } catch (const Error& error) {

@@ -65,7 +65,7 @@ TEST(Verify, AWireframeIsRefused) {
 TEST(Verify, AWrongDrawingEndsWithOne) {
   DrawnFiles drawn;
   EXPECT_EQ(exit_code_of(drawn), 0);
-  Verification& found = drawn.report.verification.emplace();
+  report::Verification& found = drawn.report.verification.emplace();
   EXPECT_EQ(exit_code_of(drawn), 0);
   drawn.report.partial.add_stage("drawing");
   EXPECT_EQ(exit_code_of(drawn), 5);

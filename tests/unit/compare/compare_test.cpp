@@ -19,73 +19,73 @@ namespace epura::test {
 namespace {
 
 TEST(Compare, SaysTheSameOfWaysToWriteAFile) {
-  VectorOptions plain, coarse, as_text;
+  output::VectorOptions plain, coarse, as_text;
   plain.plain = true;
   coarse.decimals = 3;
   as_text.text = SvgText::text;
-  for (const VectorOptions& options : {plain, coarse, as_text})
-    EXPECT_EQ(changes(compare(as_svg(plate()), as_svg(plate(), options), 0.001)), "");
+  for (const output::VectorOptions& options : {plain, coarse, as_text})
+    EXPECT_EQ(changes(compare::compare(as_svg(plate()), as_svg(plate(), options), 0.001)), "");
 }
 
 TEST(Compare, ReadsLinesAndAreasOfPdf) {
-  const auto as_pdf = [](const Sheet& sheet) {
-    return PictureFile{false, true, pictures_of_pdf(to_pdf({&sheet, &sheet}), "test.pdf")};
+  const auto as_pdf = [](const sheet::Sheet& sheet) {
+    return compare::PictureFile{false, true, compare::pictures_of_pdf(output::to_pdf({&sheet, &sheet}), "test.pdf")};
   };
-  const PictureFile before = as_pdf(plate());
+  const compare::PictureFile before = as_pdf(plate());
   ASSERT_EQ(before.pages.size(), 2U);
-  Sheet edited = plate();
+  sheet::Sheet edited = plate();
   edited.layers[hidden].strokes.pop_back();
   move(stroke(edited, visible, 1), {0, 1});
   edited.layers[dimension].fills.clear();
   edited.layers[dimension].texts.clear();
-  const Comparison comparison = compare(before, as_pdf(edited), 0.001);
+  const compare::Comparison comparison = compare::compare(before, as_pdf(edited), 0.001);
   EXPECT_FALSE(comparison.compares_texts);
   const std::string of_page = "removed removed removed removed moved";
-  EXPECT_EQ(changes(comparison), of_page + " " + of_page) << format_comparison(comparison, 0.001);
+  EXPECT_EQ(changes(comparison), of_page + " " + of_page) << compare::format_comparison(comparison, 0.001);
   EXPECT_EQ(comparison.differences.back().page, 2);
-  EXPECT_EQ(changes(compare(before, as_pdf(plate()), 0.001)), "");
+  EXPECT_EQ(changes(compare::compare(before, as_pdf(plate()), 0.001)), "");
 }
 
 TEST(Compare, TakesChainLinesOfOneTypeForTheSame) {
-  Sheet one = plate(), longer = plate();
+  sheet::Sheet one = plate(), longer = plate();
   stroke(one, dimension, 0).dashes = {5, 0.75, 0.125, 1};
   stroke(longer, dimension, 0).dashes = {6.1, 0.75, 0.125, 1};
   stroke(longer, dimension, 0).points[1].x += 2;
-  EXPECT_EQ(changes(compare(as_svg(one), as_svg(longer), 0.001)), "added");
+  EXPECT_EQ(changes(compare::compare(as_svg(one), as_svg(longer), 0.001)), "added");
 }
 
 TEST(Compare, SeesTheSameInSvgAndPdf) {
-  Sheet sheet = plate();
+  sheet::Sheet sheet = plate();
   sheet.layers[hidden].strokes.push_back(line({40, 64}, {41, 64}));  // short: continuous
   sheet.layers[dimension].strokes.push_back(line({20, 100}, {60, 100}));
   stroke(sheet, dimension, 1).dashes = {5, 0.75, 0.125, 1};
-  const PictureFile pdf{false, true, pictures_of_pdf(to_pdf({&sheet}), "test.pdf")};
-  EXPECT_EQ(changes(compare(as_svg(sheet), pdf, 0.001)), "");
-  Sheet edited = sheet;
+  const compare::PictureFile pdf{false, true, compare::pictures_of_pdf(output::to_pdf({&sheet}), "test.pdf")};
+  EXPECT_EQ(changes(compare::compare(as_svg(sheet), pdf, 0.001)), "");
+  sheet::Sheet edited = sheet;
   edited.layers[hidden].strokes.pop_back();
-  EXPECT_EQ(changes(compare(as_svg(edited), pdf, 0.001)), "added");
+  EXPECT_EQ(changes(compare::compare(as_svg(edited), pdf, 0.001)), "added");
 }
 
 TEST(Compare, TellsWhereALineIsMissingAndWhichEdgeItWas) {
-  Sheet edited = plate();
+  sheet::Sheet edited = plate();
   edited.layers[hidden].strokes.pop_back();
-  const Comparison comparison = compare(as_svg(plate()), as_svg(edited), 0.001);
+  const compare::Comparison comparison = compare::compare(as_svg(plate()), as_svg(edited), 0.001);
   ASSERT_EQ(comparison.differences.size(), 1U);
-  const Difference& difference = comparison.differences[0];
+  const compare::Difference& difference = comparison.differences[0];
   EXPECT_EQ(difference.view, "front");
   EXPECT_EQ(difference.before, "hidden");
   EXPECT_EQ(difference.origin, "0:3-4");
   EXPECT_NEAR(difference.length, 60, 1e-3);
   EXPECT_NEAR(glm::distance(difference.from, {30, 70}) + glm::distance(difference.to, {90, 70}), 0, 1e-3);
-  EXPECT_EQ(format_comparison(comparison, 0.001),
+  EXPECT_EQ(compare::format_comparison(comparison, 0.001),
             "removed    front: hidden line, 60 mm, (30, 70) to (90, 70), edge 0:3-4\n"
             "1 difference above 0.001 mm: 1 removed\n");
 }
 
 TEST(Compare, TellsByHowMuchALineMoved) {
-  Sheet edited = plate();
+  sheet::Sheet edited = plate();
   move(stroke(edited, visible, 2), {0, 0.25});
-  const Comparison comparison = compare(as_svg(plate()), as_svg(edited), 0.001);
+  const compare::Comparison comparison = compare::compare(as_svg(plate()), as_svg(edited), 0.001);
   ASSERT_EQ(changes(comparison), "moved");
   EXPECT_NEAR(comparison.differences[0].distance, 0.25, 1e-3);
   EXPECT_EQ(comparison.differences[0].origin, "0:5-6");
@@ -105,25 +105,26 @@ TEST(Compare, ReadsStylesThatAreRulesForClasses) {
       "<g id='front-visible' inkscape:label='visible' class='visible' data-visible='1' data-model='0'>\n"
       "<g class='filled'>\n<path d='M20 118l3.5 .6v-1.2Z'/>\n</g>\n"
       "<path id='p2' data-kind='contour' data-edge='5-6' d='M20 98h80v-50'/>\n</g>\n</g>\n</svg>\n";
-  Sheet sheet{
+  sheet::Sheet sheet{
       210, 148, "", {{"front/hidden", {"hidden", 0.25, {3, 0.75}}, {}}, {"front/visible", {"visible", 0.5}, {}}}};
   sheet.layers[0].strokes = {line({30, 60}, {90, 60}, {{0, {1, 2}}}), line({30, 70}, {32, 70}, {{0, {3, 4}}})};
   sheet.layers[0].strokes[0].dashes = {2.9, 0.75};
   sheet.layers[1].strokes = {{{{20, 50}, {100, 50}, {100, 100}}}};
   sheet.layers[1].fills = {{{{{20, 30}, {23.5, 29.4}, {23.5, 30.6}}}}};
-  const PictureFile before{false, false, {picture_of_svg(old, "old.svg")}};
-  EXPECT_EQ(changes(compare(before, as_svg(sheet), 0.001)), "");
+  const compare::PictureFile before{false, false, {compare::picture_of_svg(old, "old.svg")}};
+  EXPECT_EQ(changes(compare::compare(before, as_svg(sheet), 0.001)), "");
   sheet.layers[0].style.width = 0.35;
-  EXPECT_EQ(changes(compare(before, as_svg(sheet), 0.001)), "restyled restyled");
+  EXPECT_EQ(changes(compare::compare(before, as_svg(sheet), 0.001)), "restyled restyled");
 }
 
 TEST(Compare, SeesWhatInkscapeMovedOrSwitchedOff) {
-  const std::string svg = to_svg(plate(), {});
+  const std::string svg = output::to_svg(plate(), {});
   const auto with = [&](const std::string& attribute) {
     std::string edited = svg;
     const std::string group = "-front-hidden\"";
     edited.insert(edited.find(group) + group.size(), " " + attribute);
-    return changes(compare(as_svg(plate()), {false, false, {picture_of_svg(edited, "test.svg")}}, 0.001));
+    return changes(
+        compare::compare(as_svg(plate()), {false, false, {compare::picture_of_svg(edited, "test.svg")}}, 0.001));
   };
   EXPECT_EQ(with("transform=\"translate(0,1)\""), "moved moved");
   EXPECT_EQ(with("transform=\"rotate(0) scale(1)\""), "");
@@ -157,12 +158,14 @@ const std::vector<JsonLine> triangle = {{{10, 10}, {40, 10}, true, "contour", "[
                                         {{10, 40}, {10, 10}, true, "contour", "[2, 0]"},
                                         {{12, 12}, {20, 25}, false, "crease", "[3, 4]"}};
 
-PictureFile as_json(const std::string& json) { return {true, false, {picture_of_json(json, "test.json")}}; }
+compare::PictureFile as_json(const std::string& json) {
+  return {true, false, {compare::picture_of_json(json, "test.json")}};
+}
 
 std::string changes_of_json(const std::function<void(std::vector<JsonLine>&)>& edit) {
   std::vector<JsonLine> edited = triangle;
   edit(edited);
-  return changes(compare(as_json(json_of(triangle)), as_json(json_of(edited)), 0.001));
+  return changes(compare::compare(as_json(json_of(triangle)), as_json(json_of(edited)), 0.001));
 }
 
 TEST(CompareJson, DoesNotCountOrderCutsAndNumbers) {
@@ -177,7 +180,7 @@ TEST(CompareJson, DoesNotCountOrderCutsAndNumbers) {
               l[1].to = l.back().from = {30, 20};
             }),
             "");
-  EXPECT_EQ(changes(compare(as_json(json_of(triangle)), as_json(json_of(triangle, "renamed")), 0.001)), "");
+  EXPECT_EQ(changes(compare::compare(as_json(json_of(triangle)), as_json(json_of(triangle, "renamed")), 0.001)), "");
 }
 
 TEST(CompareJson, TellsLinesApart) {
@@ -192,7 +195,7 @@ TEST(CompareJson, TellsLinesApart) {
   EXPECT_EQ(changes_of_json([](Lines& l) { l[3].from.x += 0.01; }), "moved");
   EXPECT_EQ(changes_of_json([](Lines& l) { l[0].to = {41, 10}; }), "added");
   const std::string face = R"(, "cut_faces": [{"model": 0, "body": 0, "rings": [[[10, 10], [40, 10], [10, 40]]]}])";
-  EXPECT_EQ(changes(compare(as_json(json_of(triangle)), as_json(json_of(triangle, "front", face)), 0.001)),
+  EXPECT_EQ(changes(compare::compare(as_json(json_of(triangle)), as_json(json_of(triangle, "front", face)), 0.001)),
             "added added added");
 }
 
@@ -202,27 +205,29 @@ TEST(CompareJson, SeesEdgesOfAllKindsAsSheetsDrawThem) {
     for (const bool seen : {true, false}) {
       const auto kind = static_cast<EdgeKind>(i);
       const std::vector<Vec2> points = {{10, 10}, {40, 10}};
-      ViewDrawing drawing;
+      drawing::ViewDrawing drawing;
       drawing.name = "front";
       drawing.segments = {{points[0], points[1], seen, kind, 0, {0, 1}, -1, {0, 1}}};
       drawing.chains = {{points, false, seen, kind, {0}}};
-      const Paper paper = make_paper(parse_paper_size("A4", "--sheet"), false);
-      Sheet sheet{paper.width, paper.height, "one", view_layers(drawing, line_widths(paper), {ModelStyle()})};
-      const Picture drawn = picture_of_svg(to_svg(sheet, {}), "test.svg");
-      const Picture read = picture_of_json(to_json(sheet, 1, std::span(&drawing, 1), {}), "test.json");
-      const auto look_of = [](const Picture& picture) {
+      const sheet::Paper paper = sheet::make_paper(scene::parse_paper_size("A4", "--sheet"), false);
+      sheet::Sheet sheet{paper.width, paper.height, "one",
+                         sheet::view_layers(drawing, sheet::line_widths(paper), {sheet::ModelStyle()})};
+      const compare::Picture drawn = compare::picture_of_svg(output::to_svg(sheet, {}), "test.svg");
+      const compare::Picture read =
+          compare::picture_of_json(output::to_json(sheet, 1, std::span(&drawing, 1), {}), "test.json");
+      const auto look_of = [](const compare::Picture& picture) {
         if (picture.pieces.empty()) return std::tuple(0.0, false, std::vector<double>());
-        const PictureLook& look = picture.looks[static_cast<std::size_t>(picture.pieces[0].look)];
+        const compare::PictureLook& look = picture.looks[static_cast<std::size_t>(picture.pieces[0].look)];
         return std::tuple(look.width, look.visible, look.dashes);
       };
-      EXPECT_EQ(look_of(read), look_of(drawn)) << name_of(kind) << seen;
-      EXPECT_EQ(read.pieces.size(), drawn.pieces.size()) << name_of(kind) << seen;
+      EXPECT_EQ(look_of(read), look_of(drawn)) << edges::name_of(kind) << seen;
+      EXPECT_EQ(read.pieces.size(), drawn.pieces.size()) << edges::name_of(kind) << seen;
     }
 }
 
 TEST(CompareJson, RefusesWhatIsNoDrawing) {
   const auto refusal = [](const std::string& json) {
-    return std::string(error_of([&] { picture_of_json(json, "test.json"); }).what());
+    return std::string(error_of([&] { compare::picture_of_json(json, "test.json"); }).what());
   };
   EXPECT_TRUE(contains(refusal("{"), "no JSON"));
   EXPECT_TRUE(contains(refusal("{}"), "has no 'epura'"));
@@ -231,12 +236,12 @@ TEST(CompareJson, RefusesWhatIsNoDrawing) {
   broken.replace(broken.find("[12, 12]"), 8, "[12]");
   EXPECT_TRUE(contains(refusal(broken), "segments[3]: from is not a point")) << refusal(broken);
   EXPECT_TRUE(contains(refusal(std::string(100000, '[')), "no JSON"));
-  error_of([] { compare(as_json(json_of(triangle)), as_svg(plate()), 0.001); });
+  error_of([] { compare::compare(as_json(json_of(triangle)), as_svg(plate()), 0.001); });
 }
 
 TEST(Compare, RefusesWhatItWouldNotSee) {
   const auto refusal = [](const std::string& svg) {
-    return std::string(error_of([&] { picture_of_svg(svg, "test.svg"); }).what());
+    return std::string(error_of([&] { compare::picture_of_svg(svg, "test.svg"); }).what());
   };
   const std::string head = "<svg width='10mm' height='10mm' viewBox='0 0 10 10'>";
   EXPECT_TRUE(contains(refusal(head + "<rect width='3' height='3'/></svg>"), "the element 'rect'"));

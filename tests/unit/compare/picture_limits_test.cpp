@@ -28,7 +28,7 @@ std::string path(const std::string& data, const std::string& attributes = "") {
 }
 
 std::string refusal_of_svg(const std::string& content) {
-  return error_of([&] { picture_of_svg(svg_with(content), "test.svg"); }).what();
+  return error_of([&] { compare::picture_of_svg(svg_with(content), "test.svg"); }).what();
 }
 
 TEST(PictureLimits, PlacesBeyondAllPaper) {
@@ -41,7 +41,7 @@ TEST(PictureLimits, PlacesBeyondAllPaper) {
   const std::string json =
       R"({"epura":1,"sheet":{"size":[297,210]},"views":[{"name":"front","segments":[{"from":[0,0],"to":[1e300,10],)"
       R"("visible":true,"kind":"crease","model":0,"edge":[1,2]}]}]})";
-  EXPECT_TRUE(contains(error_of([&] { picture_of_json(json, "test.json"); }).what(), beyond));
+  EXPECT_TRUE(contains(error_of([&] { compare::picture_of_json(json, "test.json"); }).what(), beyond));
   EXPECT_TRUE(contains(refusal_of_svg(path("M0 0h1", "stroke-width='nan'")), "no lengths on paper"));
   EXPECT_TRUE(contains(refusal_of_svg(path("M0 0h1", "stroke-dasharray='1 1e300'")), "no lengths on paper"));
 }
@@ -55,8 +55,8 @@ TEST(PictureLimits, PiecesOfCurves) {
       contains(refusal_of_svg("<g aria-label='a'>" + repeated(path("M0 0c9e5 0 0 9e5 0 0"), 200) + "</g>"), many));
   // As many as take 256 MB to be compared: a curve of 9e3 units stands for nearly 10 000 pieces.
   const auto curves = [](int count) { return svg_with(path("M0 0" + repeated("c0 9e3 9e3 0 0 0", count))); };
-  EXPECT_NO_THROW(picture_of_svg(curves(24), "test.svg"));
-  EXPECT_TRUE(contains(error_of([&] { picture_of_svg(curves(90), "test.svg"); }).what(), many));
+  EXPECT_NO_THROW(compare::picture_of_svg(curves(24), "test.svg"));
+  EXPECT_TRUE(contains(error_of([&] { compare::picture_of_svg(curves(90), "test.svg"); }).what(), many));
   // Dashes of a group count for each of its looks.
   std::string lines;
   for (int i = 0; i < 150; ++i) lines += path("M0 0h1", "stroke-width='" + std::to_string(i) + "'");
@@ -134,7 +134,7 @@ struct PdfFile {
 };
 
 std::string refusal_of_pdf(const std::string& bytes) {
-  return error_of([&] { pictures_of_pdf(bytes, "test.pdf"); }).what();
+  return error_of([&] { compare::pictures_of_pdf(bytes, "test.pdf"); }).what();
 }
 
 PdfFile with_layer(const std::string& page_content, const std::string& layer) {
@@ -147,13 +147,13 @@ PdfFile with_layer(const std::string& page_content, const std::string& layer) {
 
 TEST(PictureLimits, PdfThatIsSound) {
   const std::string layer = "0.5 w [3 .75] 0 d 10 10 m % (\n20 10 l S [] 0 d 30 30 m 40 30 l S";
-  const std::vector<Picture> pictures =
-      pictures_of_pdf(with_layer("q /OC /P BDC /X Do EMC Q", layer).bytes(), "test.pdf");
+  const std::vector<compare::Picture> pictures =
+      compare::pictures_of_pdf(with_layer("q /OC /P BDC /X Do EMC Q", layer).bytes(), "test.pdf");
   ASSERT_EQ(pictures.size(), 1U);
   ASSERT_EQ(pictures[0].pieces.size(), 2U);
   EXPECT_EQ(pictures[0].views, std::vector<std::string>{"a"});
   for (const std::size_t i : {0, 1}) {
-    const PictureLook& look = pictures[0].looks[static_cast<std::size_t>(pictures[0].pieces[i].look)];
+    const compare::PictureLook& look = pictures[0].looks[static_cast<std::size_t>(pictures[0].pieces[i].look)];
     EXPECT_NEAR(look.width, 0.5 * 25.4 / 72, 1e-12);
     EXPECT_EQ(look.dashes.empty(), i == 1);
   }

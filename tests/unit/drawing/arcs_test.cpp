@@ -22,36 +22,36 @@ Vec2 turned(const Vec2& p, double angle) {
 }
 
 // An ellipse with half axes a along `slant` and b across it.
-Ellipse ellipse(Vec2 centre, double a, double b, double slant = 0) {
+drawing::Ellipse ellipse(Vec2 centre, double a, double b, double slant = 0) {
   return {centre, turned({a, 0}, slant), turned({0, b}, slant)};
 }
 
-std::vector<Vec2> points_of(const Ellipse& e, double from, double to, int steps) {
+std::vector<Vec2> points_of(const drawing::Ellipse& e, double from, double to, int steps) {
   std::vector<Vec2> points;
   for (int i = 0; i <= steps; ++i) points.push_back(e.at(from + (to - from) * i / steps));
   return points;
 }
 
-Chain chain_of(std::vector<Vec2> points, bool closed) {
+drawing::Chain chain_of(std::vector<Vec2> points, bool closed) {
   if (closed) points.pop_back();
   return {std::move(points), closed, true, EdgeKind::crease, {0}};
 }
 
-CurveReport find(Chain& chain) {
-  std::vector<Chain> chains{chain};
-  const CurveReport report = find_curves(chains, tolerance);
+drawing::CurveReport find(drawing::Chain& chain) {
+  std::vector<drawing::Chain> chains{chain};
+  const drawing::CurveReport report = drawing::find_curves(chains, tolerance);
   chain = chains.front();
   return report;
 }
 
 // Corners lie on their curves, at angles that go one way from `from` to `to`.
-void expect_consistent(const Chain& chain) {
-  for (const CurvePart& part : chain.curves) {
+void expect_consistent(const drawing::Chain& chain) {
+  for (const drawing::CurvePart& part : chain.curves) {
     ASSERT_LT(part.first, part.last);
     const Vec2 first = chain.points[std::size_t(part.first)];
     const Vec2 last = chain.points[std::size_t(part.last) % chain.points.size()];
-    EXPECT_LT(glm::distance(position_on_curve(part, part.from), first), 2 * tolerance);
-    EXPECT_LT(glm::distance(position_on_curve(part, part.to), last), 2 * tolerance);
+    EXPECT_LT(glm::distance(drawing::position_on_curve(part, part.from), first), 2 * tolerance);
+    EXPECT_LT(glm::distance(drawing::position_on_curve(part, part.to), last), 2 * tolerance);
     EXPECT_NEAR(glm::dot(part.u, part.v), 0, 1e-9 * glm::length(part.u) * glm::length(part.v));
   }
 }
@@ -69,16 +69,16 @@ INSTANTIATE_TEST_SUITE_P(Arcs, Whole,
 
 TEST_P(Whole, RingsAreOneCurve) {
   const auto [a, b, slant, steps] = GetParam();
-  const Ellipse e = ellipse({130, -70}, a, b, slant);
+  const drawing::Ellipse e = ellipse({130, -70}, a, b, slant);
   for (const double sign : {1.0, -1.0}) {
-    Chain chain = chain_of(points_of(e, 0.4, 0.4 + sign * 2 * pi, steps), true);
-    const CurveReport report = find(chain);
+    drawing::Chain chain = chain_of(points_of(e, 0.4, 0.4 + sign * 2 * pi, steps), true);
+    const drawing::CurveReport report = find(chain);
     EXPECT_EQ(report.circles, a == b ? 1 : 0);
     EXPECT_EQ(report.ellipses, a == b ? 0 : 1);
     EXPECT_LT(report.deviation, 1e-7);
     EXPECT_NEAR(report.bulge, a * (1 - std::cos(pi / steps)), 1e-3 * a * (1 - std::cos(pi / steps)));
     ASSERT_EQ(chain.curves.size(), 1U);
-    const CurvePart& part = chain.curves[0];
+    const drawing::CurvePart& part = chain.curves[0];
     EXPECT_EQ(part.first, 0);
     EXPECT_EQ(part.last, steps);
     EXPECT_NEAR(part.to - part.from, sign * 2 * pi, 1e-6);
@@ -92,7 +92,7 @@ TEST_P(Whole, RingsAreOneCurve) {
 TEST(Arcs, PolygonsStayPolygons) {
   for (int n = 3; n < 12; ++n)
     for (const double flat : {1.0, 0.4}) {
-      Chain chain = chain_of(points_of(ellipse({0, 0}, 30, 30 * flat, 0.2), 0, 2 * pi, n), true);
+      drawing::Chain chain = chain_of(points_of(ellipse({0, 0}, 30, 30 * flat, 0.2), 0, 2 * pi, n), true);
       EXPECT_EQ(find(chain).circles + find(chain).ellipses, 0) << n;
     }
 }
@@ -108,7 +108,7 @@ TEST(Arcs, NoiseHasNone) {
       wavy.emplace_back(place(random) / 50 + i, 0.05 * step(random));
     }
     for (const auto& points : {scattered, walk, wavy}) {
-      Chain chain = chain_of(points, false);
+      drawing::Chain chain = chain_of(points, false);
       find(chain);
       EXPECT_TRUE(chain.curves.empty());
     }
@@ -122,10 +122,10 @@ TEST(Arcs, ASlotHasTwo) {
   points.insert(points.end(), left.begin(), left.end());
   for (std::size_t turn = 0; turn < points.size(); ++turn) {
     std::rotate(points.begin(), points.begin() + 1, points.end());
-    Chain chain{points, true, true, EdgeKind::crease, {0}};
+    drawing::Chain chain{points, true, true, EdgeKind::crease, {0}};
     EXPECT_EQ(find(chain).circles, 2);
     ASSERT_EQ(chain.curves.size(), 2U);
-    for (const CurvePart& part : chain.curves) {
+    for (const drawing::CurvePart& part : chain.curves) {
       EXPECT_EQ(part.last - part.first, 10);
       EXPECT_NEAR(part.to - part.from, pi, 1e-9);
       EXPECT_NEAR(std::abs(part.centre.x), 40, 1e-9);
@@ -137,11 +137,11 @@ TEST(Arcs, ASlotHasTwo) {
 }
 
 TEST(Arcs, EndsOnChordsAreMovedOntoTheCurve) {
-  const Ellipse e = ellipse({0, 0}, 50, 20, 0.5);
+  const drawing::Ellipse e = ellipse({0, 0}, 50, 20, 0.5);
   std::vector<Vec2> points = points_of(e, 0, pi, 20);
   points.front() = 0.4 * points[0] + 0.6 * points[1];
   points.back() = 0.3 * points[19] + 0.7 * points[20];
-  Chain chain = chain_of(points, false);
+  drawing::Chain chain = chain_of(points, false);
   find(chain);
   ASSERT_EQ(chain.curves.size(), 1U);
   EXPECT_EQ(chain.curves[0].first, 0);
@@ -154,7 +154,7 @@ TEST(Arcs, EndsOnChordsAreMovedOntoTheCurve) {
 TEST(Arcs, OfALineThatGoesOnStraightTheEndStays) {
   std::vector<Vec2> points = points_of(ellipse({0, 0}, 50, 50), 0, pi / 2, 10);
   points.emplace_back(-60, 50);
-  Chain chain = chain_of(points, false);
+  drawing::Chain chain = chain_of(points, false);
   find(chain);
   ASSERT_EQ(chain.curves.size(), 1U);
   EXPECT_EQ(chain.curves[0].last, 10);
@@ -166,17 +166,18 @@ TEST(Arcs, PartsOfEllipsesAreFound) {
   std::uniform_real_distribution<double> unit(0, 1);
   for (int round = 0; round < 300; ++round) {
     const double a = 2 + 100 * unit(random), b = a * (0.05 + 0.9 * unit(random));
-    const Ellipse e = ellipse({200 * unit(random), 200 * unit(random)}, a, b, pi * unit(random));
+    const drawing::Ellipse e = ellipse({200 * unit(random), 200 * unit(random)}, a, b, pi * unit(random));
     const double from = 2 * pi * unit(random), sweep = pi * (0.5 + 1.4 * unit(random));
-    Chain chain = chain_of(points_of(e, from, from + sweep, 12 + int(60 * unit(random))), false);
-    const CurveReport report = find(chain);
+    drawing::Chain chain = chain_of(points_of(e, from, from + sweep, 12 + int(60 * unit(random))), false);
+    const drawing::CurveReport report = find(chain);
     ASSERT_EQ(chain.curves.size(), 1U) << round;
     EXPECT_EQ(chain.curves[0].last, int(chain.points.size()) - 1);
     EXPECT_LT(report.deviation, tolerance);
     // Between the corners, too.
     for (int i = 0; i <= 100; ++i) {
-      const CurvePart& part = chain.curves[0];
-      EXPECT_LT(e.distance(position_on_curve(part, part.from + (part.to - part.from) * i / 100)), 2 * tolerance)
+      const drawing::CurvePart& part = chain.curves[0];
+      EXPECT_LT(e.distance(drawing::position_on_curve(part, part.from + (part.to - part.from) * i / 100)),
+                2 * tolerance)
           << round;
     }
   }

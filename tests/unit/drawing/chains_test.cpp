@@ -11,18 +11,19 @@
 namespace epura::test {
 namespace {
 
-Segment segment(Vec2 from, Vec2 to, bool visible = true, EdgeKind kind = EdgeKind::crease) {
+drawing::Segment segment(Vec2 from, Vec2 to, bool visible = true, EdgeKind kind = EdgeKind::crease) {
   return {from, to, visible, kind, 0, {0, 1}, -1, {0, 1}};
 }
 
-double length(const Chain& chain) {
+double length(const drawing::Chain& chain) {
   double sum = 0;
   for (std::size_t i = 1; i < chain.points.size(); ++i) sum += glm::distance(chain.points[i - 1], chain.points[i]);
   return chain.closed ? sum + glm::distance(chain.points.back(), chain.points.front()) : sum;
 }
 
 TEST(Chains, JoinWhatTouchesWhicheverWayItRuns) {
-  const auto chains = chain_segments({segment({0, 0}, {1, 0}), segment({2, 1}, {1, 0}), segment({2, 1}, {2, 2})}, 1e-6);
+  const auto chains =
+      drawing::chain_segments({segment({0, 0}, {1, 0}), segment({2, 1}, {1, 0}), segment({2, 1}, {2, 2})}, 1e-6);
   ASSERT_EQ(chains.size(), 1U);
   EXPECT_EQ(chains[0].points, (std::vector<Vec2>{{0, 0}, {1, 0}, {2, 1}, {2, 2}}));
   EXPECT_EQ(chains[0].segments, (std::vector<int>{0, 1, 2}));
@@ -30,14 +31,15 @@ TEST(Chains, JoinWhatTouchesWhicheverWayItRuns) {
 }
 
 TEST(Chains, LooksAreNotMixed) {
-  const auto chains = chain_segments({segment({0, 0}, {1, 0}), segment({1, 0}, {2, 0}, false),
-                                      segment({2, 0}, {3, 0}, false, EdgeKind::contour), segment({3, 0}, {4, 0})},
-                                     1e-6);
+  const auto chains =
+      drawing::chain_segments({segment({0, 0}, {1, 0}), segment({1, 0}, {2, 0}, false),
+                               segment({2, 0}, {3, 0}, false, EdgeKind::contour), segment({3, 0}, {4, 0})},
+                              1e-6);
   EXPECT_EQ(chains.size(), 4U);
 }
 
 TEST(Chains, ARingIsClosedAndDoesNotRepeatItsStart) {
-  const auto chains = chain_segments(
+  const auto chains = drawing::chain_segments(
       {segment({0, 0}, {1, 0}), segment({1, 1}, {1, 0}), segment({1, 1}, {0, 1}), segment({0, 1}, {0, 0})}, 1e-6);
   ASSERT_EQ(chains.size(), 1U);
   EXPECT_TRUE(chains[0].closed);
@@ -47,14 +49,15 @@ TEST(Chains, ARingIsClosedAndDoesNotRepeatItsStart) {
 }
 
 TEST(Chains, StraightCornersAreLeftOut) {
-  const auto line = chain_segments({segment({0, 0}, {1, 1}), segment({1, 1}, {3, 3}), segment({3, 3}, {4, 4})}, 1e-6);
+  const auto line =
+      drawing::chain_segments({segment({0, 0}, {1, 1}), segment({1, 1}, {3, 3}), segment({3, 3}, {4, 4})}, 1e-6);
   ASSERT_EQ(line.size(), 1U);
   EXPECT_EQ(line[0].points, (std::vector<Vec2>{{0, 0}, {4, 4}}));
   EXPECT_EQ(line[0].segments.size(), 3U);
   // A square that begins in the middle of a side.
-  const auto ring = chain_segments({segment({1, 0}, {2, 0}), segment({2, 0}, {2, 2}), segment({2, 2}, {0, 2}),
-                                    segment({0, 2}, {0, 0}), segment({0, 0}, {1, 0})},
-                                   1e-6);
+  const auto ring = drawing::chain_segments({segment({1, 0}, {2, 0}), segment({2, 0}, {2, 2}), segment({2, 2}, {0, 2}),
+                                             segment({0, 2}, {0, 0}), segment({0, 0}, {1, 0})},
+                                            1e-6);
   ASSERT_EQ(ring.size(), 1U);
   EXPECT_TRUE(ring[0].closed);
   EXPECT_EQ(ring[0].points.size(), 4U);
@@ -62,15 +65,17 @@ TEST(Chains, StraightCornersAreLeftOut) {
 }
 
 TEST(Chains, CornersBeyondTheToleranceStay) {
-  EXPECT_EQ(chain_segments({segment({0, 0}, {1, 1e-3}), segment({1, 1e-3}, {2, 0})}, 1e-2)[0].points.size(), 2U);
-  EXPECT_EQ(chain_segments({segment({0, 0}, {1, 1e-3}), segment({1, 1e-3}, {2, 0})}, 1e-4)[0].points.size(), 3U);
+  EXPECT_EQ(drawing::chain_segments({segment({0, 0}, {1, 1e-3}), segment({1, 1e-3}, {2, 0})}, 1e-2)[0].points.size(),
+            2U);
+  EXPECT_EQ(drawing::chain_segments({segment({0, 0}, {1, 1e-3}), segment({1, 1e-3}, {2, 0})}, 1e-4)[0].points.size(),
+            3U);
   // Back on itself is a corner, though it lies on the line.
-  EXPECT_EQ(chain_segments({segment({0, 0}, {3, 0}), segment({3, 0}, {1, 0})}, 1e-6)[0].points.size(), 3U);
+  EXPECT_EQ(drawing::chain_segments({segment({0, 0}, {3, 0}), segment({3, 0}, {1, 0})}, 1e-6)[0].points.size(), 3U);
 }
 
 TEST(Chains, ALongArcIsNotStraightenedAway) {
   // Each corner is within the tolerance of its neighbours' chord, but the whole must not creep.
-  std::vector<Segment> arc;
+  std::vector<drawing::Segment> arc;
   const int n = 2000;
   const auto at = [&](int i) {
     const double a = std::numbers::pi * i / n;
@@ -78,7 +83,7 @@ TEST(Chains, ALongArcIsNotStraightenedAway) {
   };
   for (int i = 0; i < n; ++i) arc.push_back(segment(at(i), at(i + 1)));
   const double tolerance = 1e-3;
-  const auto chains = chain_segments(arc, tolerance);
+  const auto chains = drawing::chain_segments(arc, tolerance);
   ASSERT_EQ(chains.size(), 1U);
   const std::vector<Vec2>& points = chains[0].points;
   for (int i = 0; i <= n; ++i) {
@@ -93,16 +98,16 @@ TEST(Chains, ALongArcIsNotStraightenedAway) {
 }
 
 TEST(Chains, AtACrossingLinesRunStraightOn) {
-  const auto chains = chain_segments(
+  const auto chains = drawing::chain_segments(
       {segment({-1, 0}, {0, 0}), segment({0, 0}, {0, 1}), segment({0, 0}, {1, 0}), segment({0, -1}, {0, 0})}, 1e-6);
   ASSERT_EQ(chains.size(), 2U);
-  for (const Chain& chain : chains) EXPECT_EQ(length(chain), 2);
-  for (const Chain& chain : chains) EXPECT_EQ(chain.points.size(), 2U) << "a straight line";
+  for (const drawing::Chain& chain : chains) EXPECT_EQ(length(chain), 2);
+  for (const drawing::Chain& chain : chains) EXPECT_EQ(chain.points.size(), 2U) << "a straight line";
 }
 
 TEST(Chains, HoldEverySegmentOnceAndItsLength) {
   std::mt19937 random(3);
-  std::vector<Segment> segments;
+  std::vector<drawing::Segment> segments;
   double total = 0;
   while (segments.size() < 500) {
     const auto grid = [&] { return Vec2(static_cast<double>(random() % 8), static_cast<double>(random() % 8)); };
@@ -113,7 +118,7 @@ TEST(Chains, HoldEverySegmentOnceAndItsLength) {
   }
   std::vector<int> seen;
   double drawn = 0;
-  for (const Chain& chain : chain_segments(segments, 0)) {
+  for (const drawing::Chain& chain : drawing::chain_segments(segments, 0)) {
     for (const int s : chain.segments) {
       seen.push_back(s);
       EXPECT_EQ(segments[s].visible, chain.visible);

@@ -20,13 +20,13 @@ constexpr std::array<double, 2> leasts = {8e-6, 4e-5};
 constexpr double min = leasts[0];
 
 // Every piece against every other. Where two cover the same of a piece, they are one cover.
-std::vector<Cover> all_covers(const std::vector<Piece>& pieces, double least_overlap = min) {
-  std::vector<Cover> covers;
+std::vector<drawing::Cover> all_covers(const std::vector<drawing::Piece>& pieces, double least_overlap = min) {
+  std::vector<drawing::Cover> covers;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const Ruler line(pieces[i].from, pieces[i].to);
-    for (const Piece& upper : pieces) {
-      if (!(rank(upper) < rank(pieces[i]))) continue;
-      const auto [from, to] = covered_part(line, upper.from, upper.to, tolerance, least_overlap);
+    const drawing::Ruler line(pieces[i].from, pieces[i].to);
+    for (const drawing::Piece& upper : pieces) {
+      if (!(drawing::rank(upper) < drawing::rank(pieces[i]))) continue;
+      const auto [from, to] = drawing::covered_part(line, upper.from, upper.to, tolerance, least_overlap);
       if (to > from) covers.push_back({static_cast<int>(i), from, to});
     }
   }
@@ -36,12 +36,12 @@ std::vector<Cover> all_covers(const std::vector<Piece>& pieces, double least_ove
 }
 
 // Pieces of a few lines in all directions through a few points, moved aside by about the tolerance.
-std::vector<Piece> bundle(int count, unsigned seed) {
+std::vector<drawing::Piece> bundle(int count, unsigned seed) {
   std::mt19937 random(seed);
   const auto uniform = [&](double from, double to) {
     return from + (to - from) * static_cast<double>(random()) / 4294967296.0;
   };
-  std::vector<Piece> pieces;
+  std::vector<drawing::Piece> pieces;
   for (int i = 0; i < count; ++i) {
     const double angle = static_cast<double>(random() % 12) * std::numbers::pi / 6 + uniform(-1e-7, 1e-7);
     const Vec2 along(std::cos(angle), std::sin(angle));
@@ -61,20 +61,20 @@ std::vector<Piece> bundle(int count, unsigned seed) {
 TEST(Covers, AreThoseOfEveryPieceAgainstEveryOther) {
   for (const double least_overlap : leasts)
     for (unsigned seed = 0; seed < 3; ++seed) {
-      const std::vector<Piece> pieces = bundle(800, seed);
-      const std::vector<Cover> expected = all_covers(pieces, least_overlap);
+      const std::vector<drawing::Piece> pieces = bundle(800, seed);
+      const std::vector<drawing::Cover> expected = all_covers(pieces, least_overlap);
       EXPECT_GT(expected.size(), 250U);
-      EXPECT_EQ(find_covers(pieces, tolerance, least_overlap), expected);
+      EXPECT_EQ(drawing::find_covers(pieces, tolerance, least_overlap), expected);
     }
 }
 
 // Long and short pieces of two lines that cross, moved aside by a little more than the tolerance.
-std::vector<Piece> crowd(int count, unsigned seed) {
+std::vector<drawing::Piece> crowd(int count, unsigned seed) {
   std::mt19937 random(seed);
   const auto uniform = [&](double from, double to) {
     return from + (to - from) * static_cast<double>(random()) / 4294967296.0;
   };
-  std::vector<Piece> pieces;
+  std::vector<drawing::Piece> pieces;
   for (int i = 0; i < count; ++i) {
     const Vec2 along = random() % 2 == 0 ? Vec2(0.6, 0.8) : Vec2(1, 0);
     const Vec2 start = uniform(-5, 5) * along + uniform(-1.5e-6, 1.5e-6) * Vec2(-along.y, along.x);
@@ -87,25 +87,26 @@ std::vector<Piece> crowd(int count, unsigned seed) {
 }
 
 // What covers leave of each piece, but for what is too short to be drawn.
-std::vector<Spans> rests(const std::vector<Piece>& pieces, const std::vector<Cover>& covers, double least_overlap) {
-  std::vector<Spans> rests(pieces.size());
+std::vector<visibility::Spans> rests(const std::vector<drawing::Piece>& pieces,
+                                     const std::vector<drawing::Cover>& covers, double least_overlap) {
+  std::vector<visibility::Spans> rests(pieces.size());
   std::vector<double> end(pieces.size(), 0);
   const auto add = [&](int piece, double from, double to) {
     if (to - from >= least_overlap) rests[piece].push_back({from, to});
   };
-  for (const Cover& cover : covers) {
+  for (const drawing::Cover& cover : covers) {
     add(cover.piece, end[cover.piece], cover.from);
     end[cover.piece] = std::max(end[cover.piece], cover.to);
   }
-  for (std::size_t i = 0; i < pieces.size(); ++i) add(static_cast<int>(i), end[i], length_of(pieces[i]));
+  for (std::size_t i = 0; i < pieces.size(); ++i) add(static_cast<int>(i), end[i], drawing::length_of(pieces[i]));
   return rests;
 }
 
 TEST(Covers, OfCrowdsLeaveWhatAllWould) {
   for (const double least_overlap : leasts) {
-    const std::vector<Piece> pieces = crowd(5000, 0);
-    const std::vector<Cover> all = all_covers(pieces, least_overlap),
-                             found = find_covers(pieces, tolerance, least_overlap);
+    const std::vector<drawing::Piece> pieces = crowd(5000, 0);
+    const std::vector<drawing::Cover> all = all_covers(pieces, least_overlap),
+                                      found = drawing::find_covers(pieces, tolerance, least_overlap);
     EXPECT_LT(found.size(), all.size() / 4) << "no crowds";
     EXPECT_EQ(rests(pieces, found, least_overlap), rests(pieces, all, least_overlap));
   }
@@ -114,21 +115,21 @@ TEST(Covers, OfCrowdsLeaveWhatAllWould) {
 // Many lines that nearly meet: bundles in all directions, each in several places.
 TEST(Covers, OfManyBundlesLeaveWhatAllWould) {
   for (const double least_overlap : leasts) {
-    const std::vector<Piece> pieces = bundle(6000, 7);
-    EXPECT_EQ(rests(pieces, find_covers(pieces, tolerance, least_overlap), least_overlap),
+    const std::vector<drawing::Piece> pieces = bundle(6000, 7);
+    EXPECT_EQ(rests(pieces, drawing::find_covers(pieces, tolerance, least_overlap), least_overlap),
               rests(pieces, all_covers(pieces, least_overlap), least_overlap));
   }
 }
 
 // Each goes a little farther than all before: there are as many pairs as the square of their number.
 TEST(Covers, OfARowAreFoundInAFewTries) {
-  std::vector<Piece> pieces;
+  std::vector<drawing::Piece> pieces;
   const Vec2 along(0.6, 0.8), across(-0.8, 0.6);
   for (int i = 0; i < 10000; ++i) {
     const Vec2 start = 1e-4 * i * along + 1e-7 * (i * 7 % 10) * across;
     pieces.push_back({start, start + 100.0 * along, false, EdgeKind::crease, i, {0, 1}});
   }
-  const std::vector<Cover> covers = find_covers(pieces, tolerance, min);
+  const std::vector<drawing::Cover> covers = drawing::find_covers(pieces, tolerance, min);
   ASSERT_EQ(covers.size(), pieces.size() - 1);
   for (std::size_t i = 0; i < covers.size(); ++i) {
     EXPECT_EQ(covers[i].piece, static_cast<int>(i) + 1);
@@ -138,12 +139,14 @@ TEST(Covers, OfARowAreFoundInAFewTries) {
 }
 
 TEST(Covers, TheSameLineHalfATurnAway) {
-  const auto piece = [](Vec2 from, Vec2 to, int edge) { return Piece{from, to, true, EdgeKind::crease, edge, {0, 1}}; };
-  const std::vector<Piece> pieces{piece({0, 0}, {1, 1e-9}, 0), piece({0.25, 1e-9}, {0.75, 0}, 1),
-                                  piece({0.5, 0}, {-1, 0}, 2)};
-  EXPECT_EQ(find_covers(pieces, tolerance, min), all_covers(pieces));
-  EXPECT_EQ(find_covers(pieces, tolerance, min).size(), 3U);
-  EXPECT_TRUE(find_covers({}, tolerance, min).empty());
+  const auto piece = [](Vec2 from, Vec2 to, int edge) {
+    return drawing::Piece{from, to, true, EdgeKind::crease, edge, {0, 1}};
+  };
+  const std::vector<drawing::Piece> pieces{piece({0, 0}, {1, 1e-9}, 0), piece({0.25, 1e-9}, {0.75, 0}, 1),
+                                           piece({0.5, 0}, {-1, 0}, 2)};
+  EXPECT_EQ(drawing::find_covers(pieces, tolerance, min), all_covers(pieces));
+  EXPECT_EQ(drawing::find_covers(pieces, tolerance, min).size(), 3U);
+  EXPECT_TRUE(drawing::find_covers({}, tolerance, min).empty());
 }
 
 }  // namespace

@@ -13,22 +13,22 @@ namespace {
 constexpr double tolerance = 1e-6;
 constexpr double min = 1e-4;
 
-Piece piece(Vec2 from, Vec2 to, bool visible, int edge, EdgeKind kind = EdgeKind::crease) {
+drawing::Piece piece(Vec2 from, Vec2 to, bool visible, int edge, EdgeKind kind = EdgeKind::crease) {
   return {from, to, visible, kind, edge, {0, 1}};
 }
 
-double length(const Piece& p) { return glm::length(p.to - p.from); }
+double length(const drawing::Piece& p) { return glm::length(p.to - p.from); }
 
-double ink(const std::vector<Piece>& pieces, bool visible) {
+double ink(const std::vector<drawing::Piece>& pieces, bool visible) {
   double sum = 0;
-  for (const Piece& p : pieces) sum += p.visible == visible ? length(p) : 0;
+  for (const drawing::Piece& p : pieces) sum += p.visible == visible ? length(p) : 0;
   return sum;
 }
 
 TEST(Ink, VisibleBeatsHiddenWhoeverComesFirst) {
   for (const bool first : {false, true}) {
-    const auto kept =
-        resolve_coincident({piece({0, 0}, {4, 0}, first, 0), piece({4, 0}, {0, 0}, !first, 1)}, tolerance, min);
+    const auto kept = drawing::resolve_coincident({piece({0, 0}, {4, 0}, first, 0), piece({4, 0}, {0, 0}, !first, 1)},
+                                                  tolerance, min);
     ASSERT_EQ(kept.size(), 1U);
     EXPECT_TRUE(kept[0].visible);
     EXPECT_EQ(kept[0].edge, first ? 0 : 1);
@@ -36,13 +36,13 @@ TEST(Ink, VisibleBeatsHiddenWhoeverComesFirst) {
 }
 
 TEST(Ink, AmongEqualsTheStrongerKindThenTheEarlierEdgeStays) {
-  const auto by_kind = resolve_coincident(
+  const auto by_kind = drawing::resolve_coincident(
       {piece({0, 0}, {4, 0}, true, 0, EdgeKind::smooth), piece({0, 0}, {4, 0}, true, 1, EdgeKind::contour)}, tolerance,
       min);
   ASSERT_EQ(by_kind.size(), 1U);
   EXPECT_EQ(by_kind[0].kind, EdgeKind::contour);
   const auto by_edge =
-      resolve_coincident({piece({0, 0}, {4, 0}, true, 7), piece({0, 0}, {4, 0}, true, 3)}, tolerance, min);
+      drawing::resolve_coincident({piece({0, 0}, {4, 0}, true, 7), piece({0, 0}, {4, 0}, true, 3)}, tolerance, min);
   ASSERT_EQ(by_edge.size(), 1U);
   EXPECT_EQ(by_edge[0].edge, 3);
 }
@@ -51,7 +51,8 @@ TEST(Ink, AHiddenLineKeepsWhatNoVisibleOneCovers) {
   // Covered from 3 to 5 of 10, and by a slanted direction, given backwards.
   const Vec2 along = Vec2(3, 4) / 5.0;
   const auto at = [&](double x) { return Vec2(1, 1) + x * along; };
-  const auto kept = resolve_coincident({piece(at(0), at(10), false, 0), piece(at(5), at(3), true, 1)}, tolerance, min);
+  const auto kept =
+      drawing::resolve_coincident({piece(at(0), at(10), false, 0), piece(at(5), at(3), true, 1)}, tolerance, min);
   ASSERT_EQ(kept.size(), 3U);
   EXPECT_NEAR(glm::distance(kept[0].from, at(0)) + glm::distance(kept[0].to, at(3)), 0, 1e-12);
   EXPECT_NEAR(glm::distance(kept[1].from, at(5)) + glm::distance(kept[1].to, at(10)), 0, 1e-12);
@@ -63,25 +64,25 @@ TEST(Ink, AHiddenLineKeepsWhatNoVisibleOneCovers) {
 
 TEST(Ink, PartialOverlapsOfOneLook) {
   const auto kept =
-      resolve_coincident({piece({0, 0}, {6, 0}, true, 0), piece({4, 0}, {10, 0}, true, 1)}, tolerance, min);
+      drawing::resolve_coincident({piece({0, 0}, {6, 0}, true, 0), piece({4, 0}, {10, 0}, true, 1)}, tolerance, min);
   EXPECT_NEAR(ink(kept, true), 10, 1e-12);
   ASSERT_EQ(kept.size(), 2U);
   EXPECT_NEAR(kept[1].from.x, 6, 1e-12);
 }
 
 TEST(Ink, SeveralCoversAddUp) {
-  std::vector<Piece> pieces{piece({0, 0}, {10, 0}, false, 0)};
+  std::vector<drawing::Piece> pieces{piece({0, 0}, {10, 0}, false, 0)};
   for (int i = 0; i < 5; ++i) pieces.push_back(piece({2.0 * i, 0}, {2.0 * i + 1.5, 0}, true, i + 1));
-  const auto kept = resolve_coincident(pieces, tolerance, min);
+  const auto kept = drawing::resolve_coincident(pieces, tolerance, min);
   EXPECT_NEAR(ink(kept, false), 2.5, 1e-12);
   EXPECT_NEAR(ink(kept, true), 7.5, 1e-12);
 }
 
 TEST(Ink, CrossingParallelAndTouchingLinesStay) {
-  const std::vector<Piece> pieces{piece({0, 0}, {10, 0}, true, 0), piece({5, -5}, {5, 5}, false, 1),
-                                  piece({0, 0.1}, {10, 0.1}, false, 2), piece({10, 0}, {20, 0}, false, 3),
-                                  piece({0, 0}, {10, 0.001}, false, 4)};
-  const auto kept = resolve_coincident(pieces, tolerance, min);
+  const std::vector<drawing::Piece> pieces{piece({0, 0}, {10, 0}, true, 0), piece({5, -5}, {5, 5}, false, 1),
+                                           piece({0, 0.1}, {10, 0.1}, false, 2), piece({10, 0}, {20, 0}, false, 3),
+                                           piece({0, 0}, {10, 0.001}, false, 4)};
+  const auto kept = drawing::resolve_coincident(pieces, tolerance, min);
   ASSERT_EQ(kept.size(), 5U);
   for (int i = 0; i < 4; ++i) EXPECT_EQ(kept[i].from, pieces[i].from) << i;
   // The last one leaves the first at an angle of 1e-4: within the tolerance only over 1e-2.
@@ -89,30 +90,30 @@ TEST(Ink, CrossingParallelAndTouchingLinesStay) {
 }
 
 TEST(Ink, WithinTheToleranceLinesCoincide) {
-  const auto kept = resolve_coincident(
+  const auto kept = drawing::resolve_coincident(
       {piece({0, 0}, {10, 0}, true, 0), piece({-1, 0.9 * tolerance}, {11, -0.9 * tolerance}, false, 1)}, tolerance,
       min);
   EXPECT_NEAR(ink(kept, false), 2, 1e-9);
 }
 
 TEST(Ink, PointsAndShortRemaindersAreDropped) {
-  EXPECT_TRUE(resolve_coincident({piece({1, 1}, {1, 1}, true, 0)}, tolerance, min).empty());
-  const auto kept =
-      resolve_coincident({piece({0, 0}, {10 + min / 2, 0}, false, 0), piece({0, 0}, {10, 0}, true, 1)}, tolerance, min);
+  EXPECT_TRUE(drawing::resolve_coincident({piece({1, 1}, {1, 1}, true, 0)}, tolerance, min).empty());
+  const auto kept = drawing::resolve_coincident(
+      {piece({0, 0}, {10 + min / 2, 0}, false, 0), piece({0, 0}, {10, 0}, true, 1)}, tolerance, min);
   ASSERT_EQ(kept.size(), 1U);
   EXPECT_TRUE(kept[0].visible);
-  EXPECT_TRUE(resolve_coincident({}, tolerance, min).empty());
+  EXPECT_TRUE(drawing::resolve_coincident({}, tolerance, min).empty());
 }
 
 TEST(Ink, DirectionsNearZeroAndPiAreNeighbours) {
-  const auto kept =
-      resolve_coincident({piece({0, 0}, {10, 1e-8}, true, 0), piece({10, 0}, {0, 1e-8}, false, 1)}, tolerance, min);
+  const auto kept = drawing::resolve_coincident(
+      {piece({0, 0}, {10, 1e-8}, true, 0), piece({10, 0}, {0, 1e-8}, false, 1)}, tolerance, min);
   EXPECT_EQ(kept.size(), 1U);
   // The very same with upright lines, where nothing is special.
-  EXPECT_EQ(
-      resolve_coincident({piece({0, 0}, {1e-8, 10}, true, 0), piece({1e-8, 0}, {0, 10}, false, 1)}, tolerance, min)
-          .size(),
-      1U);
+  EXPECT_EQ(drawing::resolve_coincident({piece({0, 0}, {1e-8, 10}, true, 0), piece({1e-8, 0}, {0, 10}, false, 1)},
+                                        tolerance, min)
+                .size(),
+            1U);
 }
 
 TEST(Ink, IsTheUnionOfManyIntervalsOnALine) {
@@ -120,7 +121,7 @@ TEST(Ink, IsTheUnionOfManyIntervalsOnALine) {
   std::mt19937 random(5);
   const auto uniform = [&] { return static_cast<double>(random()) / 4294967296.0; };
   for (int round = 0; round < 50; ++round) {
-    std::vector<Piece> pieces;
+    std::vector<drawing::Piece> pieces;
     for (int i = 0; i < 30; ++i) {
       const double a = 100 * uniform(), b = a + 0.01 + 8 * uniform();
       const Vec2 along(0.6, 0.8);
@@ -128,7 +129,7 @@ TEST(Ink, IsTheUnionOfManyIntervalsOnALine) {
       if (i % 2 == 0) std::swap(pieces.back().from, pieces.back().to);
     }
     const auto covered = [&](double x, bool visible) {
-      return std::any_of(pieces.begin(), pieces.end(), [&](const Piece& p) {
+      return std::any_of(pieces.begin(), pieces.end(), [&](const drawing::Piece& p) {
         const double a = glm::length(p.from), b = glm::length(p.to);
         return p.visible == visible && std::min(a, b) <= x && x <= std::max(a, b);
       });
@@ -141,7 +142,7 @@ TEST(Ink, IsTheUnionOfManyIntervalsOnALine) {
       else if (covered(x, false))
         hidden += step;
     }
-    const auto kept = resolve_coincident(pieces, tolerance, min);
+    const auto kept = drawing::resolve_coincident(pieces, tolerance, min);
     EXPECT_NEAR(ink(kept, true), visible, 0.3);
     EXPECT_NEAR(ink(kept, false), hidden, 0.3);
   }

@@ -15,7 +15,7 @@ namespace {
 constexpr double contact = 0x1p-29;
 
 std::size_t candidates(const std::vector<Shape>& shapes) {
-  return crossing_candidates(world_of(shapes), 0x1p-3, contact).size();
+  return edges::crossing_candidates(world_of(shapes), 0x1p-3, contact).size();
 }
 
 // Around the z axis, from -1 to 1, with fans for its ends.
@@ -103,9 +103,9 @@ TEST(Candidates, AreBodiesThatAreInsideOutOrTwisted) {
 
 TEST(Candidates, AreBodiesThatRunTwiceAroundTheirMiddle) {
   // Every edge of it is folded outwards, and yet its faces cross.
-  const World world = world_of(double_pyramid(5, 2));
-  EXPECT_EQ(crossing_candidates(world, 1, contact).size(), 10U);
-  EXPECT_FALSE(find_intersections(world, 1, contact, all_triangles(world)).found.empty());
+  const scene::World world = world_of(double_pyramid(5, 2));
+  EXPECT_EQ(edges::crossing_candidates(world, 1, contact).size(), 10U);
+  EXPECT_FALSE(edges::find_intersections(world, 1, contact, edges::all_triangles(world)).found.empty());
 }
 
 TEST(Candidates, AreNotTrianglesTooLowForAPlane) {
@@ -114,22 +114,22 @@ TEST(Candidates, AreNotTrianglesTooLowForAPlane) {
   Shape fan{{{0, 0, 0}, {0, 1, 1}, {1, 0, 1}}, {{0, 1, 2}}, {}};
   for (int i = 0; i <= needles; ++i) fan.points.push_back({1 + 1.0 * i / needles, 2 + 2.0 * i / needles, 0});
   for (int i = 0; i < needles; ++i) fan.faces.push_back({0, i + 3, i + 4});
-  const World world = world_of(fan);
-  EXPECT_EQ(crossing_candidates(world, 0x1p-3, contact), std::vector<int>{0});
-  EXPECT_TRUE(find_intersections(world, 0x1p-3, contact, all_triangles(world)).found.empty());
+  const scene::World world = world_of(fan);
+  EXPECT_EQ(edges::crossing_candidates(world, 0x1p-3, contact), std::vector<int>{0});
+  EXPECT_TRUE(edges::find_intersections(world, 0x1p-3, contact, edges::all_triangles(world)).found.empty());
 }
 
 TEST(Candidates, WithoutContactNothingIsCertain) {
-  EXPECT_EQ(crossing_candidates(world_of(box({0, 0, 0}, {1, 1, 1})), 1, 0).size(), 12U);
+  EXPECT_EQ(edges::crossing_candidates(world_of(box({0, 0, 0}, {1, 1, 1})), 1, 0).size(), 12U);
 }
 
 TEST(Candidates, ConvexBodiesLieBehindTheirPlanes) {
   for (const int sides : {3, 5, 17, 64, 1000}) {
-    const World world = world_of(prism(sides));
-    const UnsetVector<Vec3> points = normalised_points(world, 0.5);
-    const BodyTable bodies = bodies_of(world, points);
+    const scene::World world = world_of(prism(sides));
+    const UnsetVector<Vec3> points = edges::normalised_points(world, 0.5);
+    const edges::BodyTable bodies = edges::bodies_of(world, points);
     std::vector<char> convex(bodies.box.size(), 1);
-    keep_convex(world, points, bodies, contact, convex);
+    edges::keep_convex(world, points, bodies, contact, convex);
     ASSERT_EQ(convex, std::vector<char>{1}) << sides;
     for (const auto& [a, b, c] : world.triangles) {
       const Vec3 normal = glm::normalize(glm::cross(points[b] - points[a], points[c] - points[a]));

@@ -19,31 +19,31 @@ Shape folded(double degrees) {
 
 TEST(Fold, IsTheAngleFromGoingOnFlatly) {
   for (const double degrees : {0.0, 1e-6, 1.0, 30.0, 89.0, 90.0, 135.0, 179.0, 180.0, -45.0}) {
-    const World world = world_of(folded(degrees));
-    const EdgeSurroundings around{world, 0, 1};
-    EXPECT_NEAR(fold_angle(around, {0, 1}, 0, 1), std::abs(degrees), 1e-9) << degrees;
-    EXPECT_NEAR(fold_angle(around, {0, 1}, 1, 0), std::abs(degrees), 1e-9) << degrees;
+    const scene::World world = world_of(folded(degrees));
+    const edges::EdgeSurroundings around{world, 0, 1};
+    EXPECT_NEAR(edges::fold_angle(around, {0, 1}, 0, 1), std::abs(degrees), 1e-9) << degrees;
+    EXPECT_NEAR(edges::fold_angle(around, {0, 1}, 1, 0), std::abs(degrees), 1e-9) << degrees;
   }
 }
 
 TEST(Fold, DoesNotDependOnOrientation) {
   Shape shape = folded(50);
   std::swap(shape.faces[1][0], shape.faces[1][1]);
-  const World world = world_of(shape);
-  EXPECT_NEAR(fold_angle({world, 0, 1}, {0, 1}, 0, 1), 50, 1e-9);
+  const scene::World world = world_of(shape);
+  EXPECT_NEAR(edges::fold_angle({world, 0, 1}, {0, 1}, 0, 1), 50, 1e-9);
 }
 
 TEST(Fold, OfTinyAndHugeShapesIsTheSame) {
   for (const int k : {-500, 500}) {
-    const World world = world_of(folded(50).scaled(std::ldexp(1.0, k)));
-    EXPECT_NEAR(fold_angle({world, 0, std::ldexp(1.0, -k)}, {0, 1}, 0, 1), 50, 1e-9) << k;
+    const scene::World world = world_of(folded(50).scaled(std::ldexp(1.0, k)));
+    EXPECT_NEAR(edges::fold_angle({world, 0, std::ldexp(1.0, -k)}, {0, 1}, 0, 1), 50, 1e-9) << k;
   }
 }
 
 TEST(Height, IsOverTheLongestSide) {
   const Shape shape{{{0, 0, 0}, {4, 0, 0}, {1, 0.5, 0}}, {{0, 1, 2}}, {}};
-  EXPECT_NEAR(height_of({world_of(shape), 0, 1}, 0), 0.5, 1e-15);
-  EXPECT_NEAR(height_of({world_of(shape), 0, 0.25}, 0), 0.125, 1e-15);
+  EXPECT_NEAR(edges::height_of({world_of(shape), 0, 1}, 0), 0.5, 1e-15);
+  EXPECT_NEAR(edges::height_of({world_of(shape), 0, 0.25}, 0), 0.125, 1e-15);
 }
 
 }  // namespace

@@ -13,16 +13,17 @@
 namespace epura::test {
 namespace {
 
-constexpr EdgeOptions everything{.smooth = true};
+constexpr edges::EdgeOptions everything{.smooth = true};
 
 using Kinds = std::map<std::string, int>;
 
 // How many edges of each kind there are.
-Kinds kinds(const World& world, const Projection& projection, const EdgeOptions& options = {}) {
-  const ProjectedScene view = project_scene(world, projection, {});
+Kinds kinds(const scene::World& world, const projection::Projection& projection,
+            const edges::EdgeOptions& options = {}) {
+  const view::ProjectedScene view = view::project_scene(world, projection, {});
   Kinds counts;
-  for (const auto& kind : feature_edges(world, view, 0, options))
-    if (kind) ++counts[std::string(name_of(*kind))];
+  for (const auto& kind : edges::feature_edges(world, view, 0, options))
+    if (kind) ++counts[std::string(edges::name_of(*kind))];
   return counts;
 }
 
@@ -67,10 +68,10 @@ TEST(FeatureEdges, WhereThreeFacesMeetIsACrease) {
 }
 
 // Two boxes that touch in the edge x = y = 1, as named groups of one file.
-World touching_boxes(const std::vector<std::string>& names) {
+scene::World touching_boxes(const std::vector<std::string>& names) {
   Shape boxes = box({0, 0, 0}, {1, 1, 1});
   boxes.add(box({1, 1, 0}, {2, 2, 1}));
-  Soup soup;
+  mesh::Soup soup;
   soup.points = boxes.points;
   soup.body_names = names;
   for (std::size_t f = 0; f < boxes.faces.size(); ++f) {
@@ -78,12 +79,13 @@ World touching_boxes(const std::vector<std::string>& names) {
     soup.end_face();
     soup.face_body.push_back(f < 6 ? 0 : static_cast<int>(names.size()) - 1);
   }
-  return make_world({{std::make_shared<const Mesh>(build_mesh(std::move(soup), "boxes")), Mat4(1.0)}});
+  return scene::make_world(
+      {{std::make_shared<const mesh::Mesh>(mesh::build_mesh(std::move(soup), "boxes")), Mat4(1.0)}});
 }
 
 TEST(FeatureEdges, BodiesThatTouchInAnEdgeAreJudgedEachByItself) {
   // The common edge is a contour of both boxes; as one body it is where four faces meet.
-  const Projection view = orthographic({1, -3, 0.5});
+  const projection::Projection view = orthographic({1, -3, 0.5});
   EXPECT_EQ(kinds(touching_boxes({"a", "b"}), view), (Kinds{{"contour", 11}, {"crease", 12}}));
   EXPECT_EQ(kinds(touching_boxes({"a"}), view), (Kinds{{"contour", 10}, {"crease", 13}}));
 }
@@ -96,7 +98,7 @@ TEST(FeatureEdges, OrientationChangesNothing) {
 }
 
 TEST(FeatureEdges, OnlyWishedKindsAreNamed) {
-  const World world = world_of(fan_of_three());
+  const scene::World world = world_of(fan_of_three());
   EXPECT_EQ(kinds(world, orthographic(corner), {.boundary = false}), (Kinds{{"crease", 1}}));
   EXPECT_EQ(kinds(world, orthographic(corner), {.crease = false}), (Kinds{{"boundary", 9}}));
   // A contour that nobody wants as such is still a crease.
@@ -117,7 +119,7 @@ TEST(FeatureEdges, TheCreaseAngleIsTheAngleBetweenTheFaces) {
                  {}};
   };
   for (const double degrees : {1.0, 30.0, 60.0, 90.0}) {
-    const World world = world_of(roof(degrees));
+    const scene::World world = world_of(roof(degrees));
     EXPECT_EQ(kinds(world, from_above(), {.crease_angle = degrees})["crease"], 1) << degrees;
     EXPECT_EQ(kinds(world, from_above(), {.crease_angle = degrees + 0.01})["crease"], 0) << degrees;
   }
@@ -131,7 +133,7 @@ TEST(FeatureEdges, ASliverInARidgeLeavesOneRidge) {
                      {}};
     double length = 0;
     const Result result = draw(world_of(roof), from_above(), {.boundary = false});
-    for (const Segment& s : result.drawing.segments) length += glm::length(s.to - s.from) * result.unit;
+    for (const drawing::Segment& s : result.drawing.segments) length += glm::length(s.to - s.from) * result.unit;
     EXPECT_NEAR(length, 2, 1e-9) << height;
   }
 }
@@ -145,7 +147,7 @@ Shape pleated_square(double overlap) {
 
 TEST(FeatureEdges, ANeedleFoldedOverInItsPlaneIsNoLine) {
   for (const double overlap : {0.1, 1e-3, 1e-6, 1e-9})
-    for (const Projection& view : {from_above(), orthographic(corner)})
+    for (const projection::Projection& view : {from_above(), orthographic(corner)})
       EXPECT_EQ(kinds(world_of(pleated_square(overlap)), view), (Kinds{{"boundary", 4}})) << overlap;
 }
 
@@ -211,8 +213,8 @@ TEST(FeatureEdges, AFlatFaceOfVeryManyCornersHasItsBoundaryOnly) {
 
 TEST(FeatureEdges, BehindTheEyeSidesAreFoundWithoutDivision) {
   // The eye stands in a long box: the edges along the view run past it.
-  const World world = world_of(box({-1, -5, -1}, {1, 5, 1}));
-  const Projection p = perspective({0, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1});
+  const scene::World world = world_of(box({-1, -5, -1}, {1, 5, 1}));
+  const projection::Projection p = perspective({0, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1});
   // From within every face turns inward alike: no contours.
   EXPECT_EQ(kinds(world, p), (Kinds{{"crease", 12}}));
 }

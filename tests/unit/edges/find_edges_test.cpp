@@ -11,21 +11,22 @@
 namespace epura::test {
 namespace {
 
-FeatureEdges edges_of(const World& world, ProjectedScene& view, const EdgeOptions& options = {}) {
-  return find_feature_edges(world, view, options);
+edges::FeatureEdges edges_of(const scene::World& world, view::ProjectedScene& view,
+                             const edges::EdgeOptions& options = {}) {
+  return edges::find_feature_edges(world, view, options);
 }
 
 TEST(FeatureEdges, KnowWhereTheyComeFrom) {
-  const World world = world_of({box({0, 0, 0}, {1, 1, 1}), box({3, 0, 0}, {4, 1, 1})});
-  ProjectedScene view = project_scene(world, orthographic({1.1, -2, 1.3}), {});
-  const FeatureEdges drawn = edges_of(world, view);
+  const scene::World world = world_of({box({0, 0, 0}, {1, 1, 1}), box({3, 0, 0}, {4, 1, 1})});
+  view::ProjectedScene view = view::project_scene(world, orthographic({1.1, -2, 1.3}), {});
+  const edges::FeatureEdges drawn = edges_of(world, view);
   ASSERT_EQ(drawn.edges.size(), 24U);
   for (std::size_t e = 0; e < drawn.edges.size(); ++e) {
-    const FeatureEdge& edge = drawn.edges[e];
+    const edges::FeatureEdge& edge = drawn.edges[e];
     EXPECT_EQ(edge.model, e < 12 ? 0 : 1);
     EXPECT_EQ(edge.t, (std::array{0.0, 1.0}));
     EXPECT_EQ(edge.crossing, -1);
-    const MeshEdge& mesh_edge = world.models[edge.model].mesh->edges[edge.mesh_edge];
+    const mesh::MeshEdge& mesh_edge = world.models[edge.model].mesh->edges[edge.mesh_edge];
     EXPECT_EQ(edge.vertex[0], mesh_edge.vertex[0] + world.first_vertex[edge.model]);
     EXPECT_EQ(edge.vertex[1], mesh_edge.vertex[1] + world.first_vertex[edge.model]);
   }
@@ -34,16 +35,16 @@ TEST(FeatureEdges, KnowWhereTheyComeFrom) {
 TEST(FeatureEdges, CrossingPlatesHaveALineInCommon) {
   Shape plates = plate(-1, -1, 1, 1, 0);
   plates.add({{{0.25, -2, -1}, {0.25, 2, -1}, {0.25, 2, 1}, {0.25, -2, 1}}, {{0, 1, 2, 3}}, {}});
-  const World world = world_of(plates);
-  ProjectedScene view = project_scene(world, orthographic({1.1, -2, 1.3}), {});
-  const FeatureEdges drawn = edges_of(world, view);
+  const scene::World world = world_of(plates);
+  view::ProjectedScene view = view::project_scene(world, orthographic({1.1, -2, 1.3}), {});
+  const edges::FeatureEdges drawn = edges_of(world, view);
   double length = 0;
   int lines = 0;
-  for (const FeatureEdge& edge : drawn.edges) {
+  for (const edges::FeatureEdge& edge : drawn.edges) {
     if (edge.kind != EdgeKind::intersection) continue;
     ++lines;
     EXPECT_EQ(edge.mesh_edge, -1);
-    const FaceCrossing& crossing = drawn.crossings.at(edge.crossing);
+    const edges::FaceCrossing& crossing = drawn.crossings.at(edge.crossing);
     for (const Vec3& end : crossing.ends) {
       EXPECT_NEAR(end.x, 0.25, 1e-15);
       EXPECT_NEAR(end.z, 0, 1e-15);
@@ -54,18 +55,18 @@ TEST(FeatureEdges, CrossingPlatesHaveALineInCommon) {
   }
   EXPECT_GT(lines, 0);
   EXPECT_NEAR(length, 2, 1e-12);
-  ProjectedScene other = project_scene(world, orthographic({1.1, -2, 1.3}), {});
+  view::ProjectedScene other = view::project_scene(world, orthographic({1.1, -2, 1.3}), {});
   EXPECT_EQ(edges_of(world, other, {.intersection = false}).edges.size(), drawn.edges.size() - lines);
 }
 
 TEST(FeatureEdges, OutsideTheWindowNothingIsDrawn) {
-  const World world = world_of(plate(-10, -10, 10, 10, 0));
-  Projection p = from_above();
-  p.window = Window{{0, 0}, {20, 20}};
-  ProjectedScene view = project_scene(world, p, {});
-  const FeatureEdges drawn = edges_of(world, view);
+  const scene::World world = world_of(plate(-10, -10, 10, 10, 0));
+  projection::Projection p = from_above();
+  p.window = projection::Window{{0, 0}, {20, 20}};
+  view::ProjectedScene view = view::project_scene(world, p, {});
+  const edges::FeatureEdges drawn = edges_of(world, view);
   ASSERT_EQ(drawn.edges.size(), 2U);
-  for (const FeatureEdge& edge : drawn.edges)
+  for (const edges::FeatureEdge& edge : drawn.edges)
     EXPECT_NEAR(edge.t[1] - edge.t[0], 0.5, 1e-15) << "half of each border lies in the window";
 }
 

@@ -27,8 +27,8 @@ Shape disk(int blades, double hub_height, double lean = 0) {
   return shape;
 }
 
-std::vector<int> faces_of(const World& world) {
-  return flat_faces(world, normalised_points(world, 1), contact, all_triangles(world));
+std::vector<int> faces_of(const scene::World& world) {
+  return edges::flat_faces(world, edges::normalised_points(world, 1), contact, edges::all_triangles(world));
 }
 
 TEST(FlatFaces, AreFoundAmongTrianglesRoundOneHub) {
@@ -60,10 +60,10 @@ TEST(FlatFaces, OfTwoPlanesAreTwo) {
 }
 
 TEST(FlatFaces, OfSomeOfTheTrianglesHaveTheirPlaces) {
-  const World world = world_of(disk(1000, 0));
+  const scene::World world = world_of(disk(1000, 0));
   std::vector<int> some(500);
   std::iota(some.begin(), some.end(), 300);
-  EXPECT_EQ(flat_faces(world, normalised_points(world, 1), contact, some), std::vector<int>(500, 0));
+  EXPECT_EQ(edges::flat_faces(world, edges::normalised_points(world, 1), contact, some), std::vector<int>(500, 0));
 }
 
 }  // namespace

@@ -22,13 +22,13 @@ Shape roof_with_a_sliver() {
 }
 
 TEST(Slivers, AreCrossedToTheFaceBehind) {
-  const World world = world_of(roof_with_a_sliver());
-  const Slivers slivers({world, 0, 1}, {0, 1, 0, 0});
+  const scene::World world = world_of(roof_with_a_sliver());
+  const edges::Slivers slivers({world, 0, 1}, {0, 1, 0, 0});
   EXPECT_EQ(slivers.across({0, 1}, 0).triangle, 0) << "no sliver, nothing to cross";
   EXPECT_TRUE(slivers.across({0, 1}, 1).covered) << "its longest side is drawn by the two others";
   // Entered by a shorter side, the sliver is left through the longest one.
   std::vector<int> passed;
-  const Beyond behind = slivers.across({0, 4}, 1, &passed);
+  const edges::Beyond behind = slivers.across({0, 4}, 1, &passed);
   ASSERT_TRUE(behind.triangle);
   EXPECT_EQ(*behind.triangle, 0);
   EXPECT_FALSE(behind.covered);
@@ -38,8 +38,8 @@ TEST(Slivers, AreCrossedToTheFaceBehind) {
 TEST(Slivers, AtTheBorderHaveNothingBehindThem) {
   Shape shape = roof_with_a_sliver();
   shape.faces.erase(shape.faces.begin());
-  const World world = world_of(shape);
-  const Beyond behind = Slivers({world, 0, 1}, {1, 0, 0}).across({0, 4}, 0);
+  const scene::World world = world_of(shape);
+  const edges::Beyond behind = edges::Slivers({world, 0, 1}, {1, 0, 0}).across({0, 4}, 0);
   EXPECT_FALSE(behind.triangle);
   EXPECT_FALSE(behind.covered);
 }
@@ -57,10 +57,10 @@ Shape roof_with_needles(int needles, double width) {
 
 TEST(Slivers, OfARowOfNeedlesOneSideIsDrawn) {
   for (const int needles : {2, 3, 6}) {
-    const World world = world_of(roof_with_needles(needles, 1e-13));
-    const ProjectedScene view = project_scene(world, from_above(), {});
+    const scene::World world = world_of(roof_with_needles(needles, 1e-13));
+    const view::ProjectedScene view = view::project_scene(world, from_above(), {});
     int creases = 0;
-    for (const auto& kind : feature_edges(world, view, 0, {.contour = false, .boundary = false}))
+    for (const auto& kind : edges::feature_edges(world, view, 0, {.contour = false, .boundary = false}))
       creases += kind ? 1 : 0;
     EXPECT_EQ(creases, 1) << needles;
   }
@@ -72,13 +72,13 @@ TEST(Slivers, AreTrianglesLowerThanThePageGridUnlessSeenEdgeOn) {
     shape.add({{{0, 0, 2}, {1, 0, 2}, {1, 1e-9, 2}}, {{0, 1, 2}}, {}});
     return shape;
   }();
-  const World world = world_of(box_and_needle);
-  const ProjectedScene view = project_scene(world, from_above(), {});
-  const Slivers slivers({world, 0, view.map.normalisation}, view);
+  const scene::World world = world_of(box_and_needle);
+  const view::ProjectedScene view = view::project_scene(world, from_above(), {});
+  const edges::Slivers slivers({world, 0, view.map.normalisation}, view);
   for (int t = 0; t < 12; ++t) EXPECT_FALSE(slivers.contain(t)) << t;
   EXPECT_TRUE(slivers.contain(12));
-  const EdgeSurroundings around{world, 0, view.map.normalisation};
-  const Slivers when_asked(around, SliverRule(around, view));
+  const edges::EdgeSurroundings around{world, 0, view.map.normalisation};
+  const edges::Slivers when_asked(around, edges::SliverRule(around, view));
   for (int t = 0; t <= 12; ++t) EXPECT_EQ(when_asked.contain(t), slivers.contain(t)) << t;
 }
 
@@ -114,8 +114,8 @@ std::vector<std::array<double, 2>> profile_of(const std::string& name, double po
   return profile;
 }
 
-World world_in(const Shape& shape, bool single_precision) {
-  Soup soup;
+scene::World world_in(const Shape& shape, bool single_precision) {
+  mesh::Soup soup;
   soup.points = shape.points;
   soup.single_precision = single_precision;
   if (single_precision)
@@ -125,7 +125,8 @@ World world_in(const Shape& shape, bool single_precision) {
     soup.corners.insert(soup.corners.end(), face.begin(), face.end());
     soup.end_face();
   }
-  return make_world({{std::make_shared<const Mesh>(build_mesh(std::move(soup), "shape")), Mat4(1.0)}});
+  return scene::make_world(
+      {{std::make_shared<const mesh::Mesh>(mesh::build_mesh(std::move(soup), "shape")), Mat4(1.0)}});
 }
 
 // Two halves of a square whose common border has a step of a needle, which both folds of 45 degrees make.
@@ -134,9 +135,9 @@ TEST(Slivers, BetweenTwoOppositeCreasesAreNoStep) {
   const Shape square{{{0, -1, 0}, {0, 1, 0}, {-1, 0, 0}, {1, 0, 0}, {step, 0, step}},
                      {{0, 1, 2}, {0, 4, 1}, {0, 3, 4}, {4, 3, 1}},
                      {}};
-  const World world = world_in(square, true);
-  const ProjectedScene view = project_scene(world, orthographic({1, -2, 3}), {});
-  for (const auto& kind : feature_edges(world, view, 0, {.boundary = false})) EXPECT_FALSE(kind);
+  const scene::World world = world_in(square, true);
+  const view::ProjectedScene view = view::project_scene(world, orthographic({1, -2, 3}), {});
+  for (const auto& kind : edges::feature_edges(world, view, 0, {.boundary = false})) EXPECT_FALSE(kind);
 }
 
 // A block with a low step, whose wall is a slender rectangle seen edge-on from above.
@@ -171,18 +172,18 @@ class Poles : public testing::TestWithParam<PoleCase> {};
 
 TEST_P(Poles, OfAnyRadiusAreDrawnAlike) {
   const auto [name, triangles, single_precision] = GetParam();
-  const Projection views[] = {orthographic({0, -1, 0}),
-                              from_above(),
-                              orthographic({1, -1, 1}),
-                              orthographic({1, 0.3, 0.2}),
-                              perspective({1, -4, 2}, {0, 0, 0}, {1, -4, 2}, {0, 0, 1}),
-                              perspective({2, -4, 3}, {0, 0, 0}, {1, -2, 0}, {0, 0, 1})};
-  const auto drawn = [&, triangles = triangles, name = name, single = single_precision](double pole,
-                                                                                        const Projection& view) {
+  const projection::Projection views[] = {orthographic({0, -1, 0}),
+                                          from_above(),
+                                          orthographic({1, -1, 1}),
+                                          orthographic({1, 0.3, 0.2}),
+                                          perspective({1, -4, 2}, {0, 0, 0}, {1, -4, 2}, {0, 0, 1}),
+                                          perspective({2, -4, 3}, {0, 0, 0}, {1, -2, 0}, {0, 0, 1})};
+  const auto drawn = [&, triangles = triangles, name = name, single = single_precision](
+                         double pole, const projection::Projection& view) {
     const Shape shape = revolved(profile_of(name, pole), 24);
     return draw(world_in(triangles ? triangulated(shape) : shape, single), view);
   };
-  for (const Projection& view : views) {
+  for (const projection::Projection& view : views) {
     const Result pointed = drawn(0, view);
     const double ink = pointed.visible() + pointed.hidden_length();
     for (int exponent = 2; exponent <= 18; ++exponent) {

@@ -19,10 +19,10 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 // The tangent edges of the only model, as pairs of vertices.
-std::set<std::pair<int, int>> tangents(const World& world) {
-  const EdgeOptions options{.contour = false, .boundary = false, .crease = false, .tangent = true};
-  const ProjectedScene view = project_scene(world, orthographic({1.1, -2, 1.3}), {});
-  const auto kinds = feature_edges(world, view, 0, options);
+std::set<std::pair<int, int>> tangents(const scene::World& world) {
+  const edges::EdgeOptions options{.contour = false, .boundary = false, .crease = false, .tangent = true};
+  const view::ProjectedScene view = view::project_scene(world, orthographic({1.1, -2, 1.3}), {});
+  const auto kinds = edges::feature_edges(world, view, 0, options);
   std::set<std::pair<int, int>> found;
   for (std::size_t e = 0; e < kinds.size(); ++e)
     if (kinds[e]) {

@@ -10,13 +10,13 @@
 namespace epura::test {
 namespace {
 
-std::string story(const ExplainInput& view, const EdgeQuestion& question) {
-  return explain(view, TriangleBoxes(view.view), find_subjects(view, question).at(0));
+std::string story(const explain::ExplainInput& view, const explain::EdgeQuestion& question) {
+  return explain::explain(view, explain::TriangleBoxes(view.view), explain::find_subjects(view, question).at(0));
 }
 
 TEST(Explain, NamesSpansAndWhatHidesThem) {
   const Studied studied = study(world_of({plate(0, 0, 4, 2, 0), plate(1, -1, 3, 1, 5)}), from_above());
-  const std::string text = story(studied.view(), ByVertices{0, {0, 1}});
+  const std::string text = story(studied.view(), explain::ByVertices{0, {0, 1}});
   EXPECT_TRUE(text.starts_with("0:0-1 of shape, (0, 0, 0) to (4, 0, 0)\n  drawn as boundary: ")) << text;
   EXPECT_TRUE(contains(text, "\n  visible t 0 to 0.25, ")) << text;
   EXPECT_TRUE(contains(text, "\n  hidden  t 0.25 to 0.75, ")) << text;
@@ -29,7 +29,7 @@ TEST(Explain, CountsWhatItDoesNotName) {
   std::vector<Shape> stack;
   for (int i = 0; i < 8; ++i) stack.push_back(plate(-i, -i, 1 + i, 1 + i, i));
   const Studied studied = study(world_of(stack), from_above());
-  const std::string text = story(studied.view(), ByVertices{0, {0, 1}});
+  const std::string text = story(studied.view(), explain::ByVertices{0, {0, 1}});
   EXPECT_TRUE(contains(text, "by face 5:0 of shape, 5 in front")) << text;
   EXPECT_FALSE(contains(text, "by face 6:0")) << text;
   EXPECT_TRUE(contains(text, "\n    and by 2 more\n")) << text;
@@ -38,18 +38,18 @@ TEST(Explain, CountsWhatItDoesNotName) {
 TEST(Explain, SaysWhoseInkLiesOnAnEdge) {
   // Seen from above, the lower rim of a box lies under the upper one; of equal lines the earlier edge has the ink.
   const Studied studied = study(world_of(box({0, 0, 0}, {1, 1, 1})), from_above());
-  const std::string lower = story(studied.view(), ByVertices{0, {0, 1}});
-  const std::string upper = story(studied.view(), ByVertices{0, {4, 5}});
+  const std::string lower = story(studied.view(), explain::ByVertices{0, {0, 1}});
+  const std::string upper = story(studied.view(), explain::ByVertices{0, {4, 5}});
   EXPECT_NE(contains(lower, "no ink"), contains(upper, "no ink")) << lower << upper;
   EXPECT_TRUE(contains(lower + upper, ": visible contour 0:")) << lower << upper;
-  EXPECT_TRUE(contains(story(studied.view(), ByVertices{0, {0, 4}}), "no ink: a point on the page"));
+  EXPECT_TRUE(contains(story(studied.view(), explain::ByVertices{0, {0, 4}}), "no ink: a point on the page"));
 }
 
 TEST(Explain, SaysThatHiddenLinesAreNotWanted) {
   const Studied studied = study(world_of({plate(0, 0, 4, 2, 0), plate(1, -1, 3, 1, 5)}), from_above());
-  ExplainInput view{studied.view()};
+  explain::ExplainInput view{studied.view()};
   view.keep_hidden = false;
-  EXPECT_TRUE(contains(story(view, ByVertices{0, {0, 1}}), "no ink: hidden lines are not wanted"));
+  EXPECT_TRUE(contains(story(view, explain::ByVertices{0, {0, 1}}), "no ink: hidden lines are not wanted"));
 }
 
 }  // namespace

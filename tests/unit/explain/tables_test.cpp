@@ -25,7 +25,7 @@ Studied plates() { return study(world_of({plate(0, 0, 4, 2, 0), plate(1, -1, 3, 
 
 TEST(EdgeTable, HasALineForEveryDrawnEdge) {
   const Studied studied = plates();
-  const std::string table = edge_table(studied.view());
+  const std::string table = explain::edge_table(studied.view());
   const std::vector<Row> rows = rows_of(table);
   ASSERT_EQ(rows.size(), 1 + studied.result.drawn.edges.size());
   EXPECT_EQ(rows[0], (Row{"edge", "kind", "angle", "faces", "x0", "y0", "x1", "y1", "length"}));
@@ -36,7 +36,7 @@ TEST(EdgeTable, HasALineForEveryDrawnEdge) {
 
 TEST(SpanTable, NamesTheNearestHiderOfEachHiddenSpan) {
   const Studied studied = plates();
-  const std::string table = span_table(studied.view(), TriangleBoxes(studied.result.view));
+  const std::string table = explain::span_table(studied.view(), explain::TriangleBoxes(studied.result.view));
   const std::vector<Row> rows = rows_of(table);
   EXPECT_EQ(rows[0],
             (Row{"edge", "kind", "x0", "y0", "x1", "y1", "t0", "t1", "visibility", "hiders", "nearest", "ahead"}));
@@ -50,7 +50,7 @@ TEST(SpanTable, NamesTheNearestHiderOfEachHiddenSpan) {
 
 TEST(SpanTable, CoversEveryEdgeFromEndToEnd) {
   const Studied studied = study(world_of(box({0, 0, 0}, {1, 1, 1})), orthographic({1, -2, 3}));
-  const std::string table = span_table(studied.view(), TriangleBoxes(studied.result.view));
+  const std::string table = explain::span_table(studied.view(), explain::TriangleBoxes(studied.result.view));
   const std::vector<Row> rows = rows_of(table);
   ASSERT_GT(rows.size(), 12U);
   for (std::size_t i = 1; i < rows.size(); ++i) {

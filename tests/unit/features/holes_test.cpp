@@ -11,9 +11,9 @@ namespace {
 
 using namespace test;
 
-std::vector<Hole> holes_of(const Part& part) {
-  const Mesh mesh = part.mesh();
-  return find_holes(mesh, recognise_faces(mesh));
+std::vector<features::Hole> holes_of(const Part& part) {
+  const mesh::Mesh mesh = part.mesh();
+  return features::find_holes(mesh, features::recognise_faces(mesh));
 }
 
 TEST(Holes, ABoreGoesThrough) {

@@ -29,7 +29,7 @@ const Vec3 across = glm::normalize(glm::cross(axis, Vec3(1, 0, 0))), upwards = g
 
 Vec3 around(double angle) { return std::cos(angle) * across + std::sin(angle) * upwards; }
 
-PartSurface disturbed(PartSurface surface) {
+features::PartSurface disturbed(features::PartSurface surface) {
   surface.origin += Vec3(0.02, -0.01, 0.015);
   if (surface.axis != Vec3(0)) surface.axis = glm::normalize(surface.axis + Vec3(0.03, 0.02, -0.02));
   surface.radius *= 1.05;
@@ -38,7 +38,7 @@ PartSurface disturbed(PartSurface surface) {
   return surface;
 }
 
-void expect_axis(const PartSurface& surface) {
+void expect_axis(const features::PartSurface& surface) {
   EXPECT_GT(std::abs(glm::dot(surface.axis, axis)), 1 - 1e-14);
   const Vec3 from = surface.origin - centre;
   EXPECT_LT(glm::length(from - glm::dot(from, axis) * axis), 1e-12);
@@ -46,8 +46,8 @@ void expect_axis(const PartSurface& surface) {
 
 TEST(PartSurface, FitFindsACylinder) {
   const auto points = points_of([](double u, double v) { return centre + 0.4 * around(2 * u) + (v - 0.5) * axis; });
-  PartSurface surface = disturbed({SurfaceKind::cylinder, centre, axis, 0.4});
-  EXPECT_LT(refine(surface, points), 1e-13);
+  features::PartSurface surface = disturbed({features::SurfaceKind::cylinder, centre, axis, 0.4});
+  EXPECT_LT(features::refine(surface, points), 1e-13);
   EXPECT_NEAR(surface.radius, 0.4, 1e-13);
   expect_axis(surface);
 }
@@ -55,8 +55,8 @@ TEST(PartSurface, FitFindsACylinder) {
 TEST(PartSurface, FitFindsACone) {
   const auto points =
       points_of([](double u, double v) { return centre + (0.4 + 0.5 * (v - 0.5)) * around(3 * u) + (v - 0.5) * axis; });
-  PartSurface surface = disturbed({SurfaceKind::cone, centre, axis, 0.4, 0, 0.5});
-  EXPECT_LT(refine(surface, points), 1e-13);
+  features::PartSurface surface = disturbed({features::SurfaceKind::cone, centre, axis, 0.4, 0, 0.5});
+  EXPECT_LT(features::refine(surface, points), 1e-13);
   EXPECT_NEAR(surface.slope, 0.5, 1e-12);
   EXPECT_NEAR(surface.radius, 0.4 + 0.5 * glm::dot(surface.origin - centre, surface.axis), 1e-12);
   expect_axis(surface);
@@ -65,9 +65,9 @@ TEST(PartSurface, FitFindsACone) {
 TEST(PartSurface, FitFindsASphereFromNothing) {
   const auto points =
       points_of([](double u, double v) { return centre + 0.6 * (std::cos(v) * around(u) + std::sin(v) * axis); });
-  auto surface = begin_sphere(points);
+  auto surface = features::begin_sphere(points);
   ASSERT_TRUE(surface);
-  EXPECT_LT(refine(*surface, points), 1e-13);
+  EXPECT_LT(features::refine(*surface, points), 1e-13);
   EXPECT_NEAR(surface->radius, 0.6, 1e-12);
   EXPECT_LT(glm::distance(surface->origin, centre), 1e-12);
 }
@@ -76,32 +76,32 @@ TEST(PartSurface, FitFindsATorus) {
   const auto points = points_of([](double u, double v) {
     return centre + (0.4 + 0.1 * std::cos(2 * v)) * around(2 * u) + 0.1 * std::sin(2 * v) * axis;
   });
-  PartSurface surface = disturbed({SurfaceKind::torus, centre, axis, 0.4, 0.1});
-  EXPECT_LT(refine(surface, points), 1e-13);
+  features::PartSurface surface = disturbed({features::SurfaceKind::torus, centre, axis, 0.4, 0.1});
+  EXPECT_LT(features::refine(surface, points), 1e-13);
   EXPECT_NEAR(surface.radius, 0.4, 1e-12);
   EXPECT_NEAR(surface.minor, 0.1, 1e-12);
   expect_axis(surface);
 }
 
 TEST(PartSurface, DistancesAndNormalsAgree) {
-  const std::vector<PartSurface> surfaces{{SurfaceKind::plane, centre, axis},
-                                          {SurfaceKind::cylinder, centre, axis, 0.4},
-                                          {SurfaceKind::cone, centre, axis, 0.4, 0, 0.7},
-                                          {SurfaceKind::sphere, centre, Vec3(0), 0.4},
-                                          {SurfaceKind::torus, centre, axis, 0.5, 0.2}};
-  for (const PartSurface& surface : surfaces)
+  const std::vector<features::PartSurface> surfaces{{features::SurfaceKind::plane, centre, axis},
+                                                    {features::SurfaceKind::cylinder, centre, axis, 0.4},
+                                                    {features::SurfaceKind::cone, centre, axis, 0.4, 0, 0.7},
+                                                    {features::SurfaceKind::sphere, centre, Vec3(0), 0.4},
+                                                    {features::SurfaceKind::torus, centre, axis, 0.5, 0.2}};
+  for (const features::PartSurface& surface : surfaces)
     for (const Vec3& p : points_of([](double u, double v) { return centre + 0.45 * around(6 * u) + 0.1 * v * axis; })) {
-      const double distance = signed_distance(surface, p);
-      const Vec3 normal = normal_near(surface, p);
+      const double distance = features::signed_distance(surface, p);
+      const Vec3 normal = features::normal_near(surface, p);
       EXPECT_NEAR(glm::length(normal), 1, 1e-12);
       // Along the normal the distance shrinks by what one goes.
-      EXPECT_NEAR(signed_distance(surface, p - distance * normal), 0, 1e-12) << int(surface.kind);
+      EXPECT_NEAR(features::signed_distance(surface, p - distance * normal), 0, 1e-12) << int(surface.kind);
     }
 }
 
 TEST(PartSurface, TwoWaysBeginATorus) {
   constexpr double step = pi / 20;
-  std::vector<Facing> facings;
+  std::vector<features::Facing> facings;
   std::vector<Vec3> points;
   const auto at = [&](double u, double v) {
     return centre + (0.5 + 0.2 * std::cos(v)) * around(u) + 0.2 * std::sin(v) * axis;
@@ -112,9 +112,10 @@ TEST(PartSurface, TwoWaysBeginATorus) {
     points.insert(points.end(), c.begin(), c.end());
     facings.push_back({(c[0] + c[1] + c[2] + c[3]) / 4.0, glm::normalize(glm::cross(c[2] - c[0], c[3] - c[1])), 1});
   }
-  for (auto begun : {begin_torus_by_normals(facings, points), begin_torus_by_curvatures(facings, points)}) {
+  for (auto begun :
+       {features::begin_torus_by_normals(facings, points), features::begin_torus_by_curvatures(facings, points)}) {
     ASSERT_TRUE(begun);
-    EXPECT_LT(refine(*begun, points), 1e-12);
+    EXPECT_LT(features::refine(*begun, points), 1e-12);
     EXPECT_NEAR(begun->radius, 0.5, 1e-10);
     EXPECT_NEAR(begun->minor, 0.2, 1e-10);
   }
@@ -128,17 +129,18 @@ TEST(PartSurface, CurvaturesBeginACone) {
       points.push_back(centre + (0.5 + 0.6 * v) * around(0.4 + 0.1 * i) + v * axis);
     }
   const Vec3 normal = glm::normalize(around(0.4) - 0.6 * axis);
-  auto begun = begin_cone_by_curvatures(std::vector<Facing>{{centre + 0.5 * around(0.4), normal, 1}}, points);
+  auto begun = features::begin_cone_by_curvatures(
+      std::vector<features::Facing>{{centre + 0.5 * around(0.4), normal, 1}}, points);
   ASSERT_TRUE(begun);
-  EXPECT_LT(refine(*begun, points), 1e-12);
+  EXPECT_LT(features::refine(*begun, points), 1e-12);
   EXPECT_NEAR(std::abs(begun->slope), 0.6, 1e-9);
   expect_axis(*begun);
 }
 
 TEST(PartSurface, GivesUpWhereNothingFits) {
   const auto points = points_of([](double u, double v) { return Vec3(u, v, std::sin(9 * u) * std::cos(7 * v)); });
-  PartSurface surface{SurfaceKind::cylinder, Vec3(0), Vec3(0, 0, 1), 1};
-  EXPECT_GT(refine(surface, points, 1e-6), 0.01);
+  features::PartSurface surface{features::SurfaceKind::cylinder, Vec3(0), Vec3(0, 0, 1), 1};
+  EXPECT_GT(features::refine(surface, points, 1e-6), 0.01);
 }
 
 }  // namespace

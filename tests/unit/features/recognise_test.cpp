@@ -16,7 +16,7 @@ namespace {
 
 using namespace test;
 
-PartFaces recognise(const Part& part) { return recognise_faces(part.mesh()); }
+features::PartFaces recognise(const Part& part) { return features::recognise_faces(part.mesh()); }
 
 /// A turned part: chamfer, shank, fillet against a shoulder, rounded edge, and a face on top. Eight faces.
 std::vector<Vec2> shaft_profile(int steps) {
@@ -28,19 +28,19 @@ std::vector<Vec2> shaft_profile(int steps) {
                  {{20, 30}, {0, 30}}});
 }
 
-void expect_shaft(const PartFaces& part, double scale = 1, double tolerance = 1e-6) {
+void expect_shaft(const features::PartFaces& part, double scale = 1, double tolerance = 1e-6) {
   ASSERT_EQ(part.faces.size(), 8U);
-  EXPECT_EQ(count(part, SurfaceKind::plane), 3);
-  EXPECT_EQ(count(part, SurfaceKind::cylinder), 2);
-  EXPECT_EQ(count(part, SurfaceKind::cone), 1);
-  EXPECT_EQ(count(part, SurfaceKind::torus), 2);
-  EXPECT_EQ(count(part, BorderKind::sharp), 3);
-  EXPECT_EQ(count(part, BorderKind::tangent), 4);
+  EXPECT_EQ(count(part, features::SurfaceKind::plane), 3);
+  EXPECT_EQ(count(part, features::SurfaceKind::cylinder), 2);
+  EXPECT_EQ(count(part, features::SurfaceKind::cone), 1);
+  EXPECT_EQ(count(part, features::SurfaceKind::torus), 2);
+  EXPECT_EQ(count(part, features::BorderKind::sharp), 3);
+  EXPECT_EQ(count(part, features::BorderKind::tangent), 4);
   std::vector<double> cylinders, tori;
-  for (const PartFace& face : part.faces) {
-    if (face.surface.kind == SurfaceKind::cylinder) cylinders.push_back(face.surface.radius);
-    if (face.surface.kind == SurfaceKind::torus) tori.push_back(face.surface.minor);
-    if (face.surface.kind == SurfaceKind::torus) {
+  for (const features::PartFace& face : part.faces) {
+    if (face.surface.kind == features::SurfaceKind::cylinder) cylinders.push_back(face.surface.radius);
+    if (face.surface.kind == features::SurfaceKind::torus) tori.push_back(face.surface.minor);
+    if (face.surface.kind == features::SurfaceKind::torus) {
       EXPECT_EQ(face.inwards, face.surface.minor > 1.5 * scale);
     }
   }
@@ -50,22 +50,22 @@ void expect_shaft(const PartFaces& part, double scale = 1, double tolerance = 1e
   EXPECT_NEAR(cylinders[1], 20 * scale, tolerance * scale);
   EXPECT_NEAR(tori[0], 1 * scale, tolerance * scale);
   EXPECT_NEAR(tori[1], 2 * scale, tolerance * scale);
-  EXPECT_NEAR(std::abs(only(part, SurfaceKind::cone).surface.slope), 1, tolerance);
+  EXPECT_NEAR(std::abs(only(part, features::SurfaceKind::cone).surface.slope), 1, tolerance);
 }
 
 TEST(RecogniseFaces, Cylinders) {
   for (const int segments : {12, 16, 24, 64, 200}) {
-    const PartFaces part = recognise(revolved({{0, 0}, {5, 0}, {5, 8}, {0, 8}}, segments));
+    const features::PartFaces part = recognise(revolved({{0, 0}, {5, 0}, {5, 8}, {0, 8}}, segments));
     ASSERT_EQ(part.faces.size(), 3U) << segments;
-    const PartFace& face = only(part, SurfaceKind::cylinder);
+    const features::PartFace& face = only(part, features::SurfaceKind::cylinder);
     EXPECT_NEAR(face.surface.radius, 5, 1e-12);
     EXPECT_EQ(face.triangles, 2 * segments);
     EXPECT_EQ(face.sweep, 360);
     EXPECT_NEAR(face.to - face.from, 8, 1e-12);
     EXPECT_FALSE(face.inwards);
-    EXPECT_EQ(count(part, BorderKind::sharp), 2);
+    EXPECT_EQ(count(part, features::BorderKind::sharp), 2);
     EXPECT_EQ(part.borders.size(), 2U);
-    for (const PartBorder& border : part.borders) {
+    for (const features::PartBorder& border : part.borders) {
       EXPECT_TRUE(border.closed);
       EXPECT_EQ(border.edges.size(), std::size_t(segments));
       EXPECT_NEAR(border.angle, 90, 1e-9);
@@ -75,9 +75,9 @@ TEST(RecogniseFaces, Cylinders) {
 
 TEST(RecogniseFaces, ConesToTheirApex) {
   for (const int segments : {12, 24, 64}) {
-    const PartFaces part = recognise(revolved({{0, 0}, {5, 0}, {0, 8}}, segments));
+    const features::PartFaces part = recognise(revolved({{0, 0}, {5, 0}, {0, 8}}, segments));
     ASSERT_EQ(part.faces.size(), 2U) << segments;
-    EXPECT_NEAR(std::abs(only(part, SurfaceKind::cone).surface.slope), 5.0 / 8, 1e-12);
+    EXPECT_NEAR(std::abs(only(part, features::SurfaceKind::cone).surface.slope), 5.0 / 8, 1e-12);
     EXPECT_EQ(part.borders.size(), 1U);
   }
 }
@@ -85,15 +85,15 @@ TEST(RecogniseFaces, ConesToTheirApex) {
 TEST(RecogniseFaces, SpheresAndTori) {
   for (const int rows : {8, 12, 32}) {
     const double first = 180.0 / rows;
-    const PartFaces ball =
+    const features::PartFaces ball =
         recognise(revolved(joined({{{0, -3}}, arc({0, 0}, 3, first - 90, 90 - first, rows - 2), {{0, 3}}}), 2 * rows)
                       .triangulate());
     ASSERT_EQ(ball.faces.size(), 1U) << rows;
-    EXPECT_NEAR(only(ball, SurfaceKind::sphere).surface.radius, 3, 1e-12);
+    EXPECT_NEAR(only(ball, features::SurfaceKind::sphere).surface.radius, 3, 1e-12);
     EXPECT_TRUE(ball.borders.empty());
   }
   for (const int rows : {12, 15, 24}) {
-    const PartFaces ring = recognise(revolved(arc({10, 0}, 3, 0, 360, rows), 2 * rows).round_to_float());
+    const features::PartFaces ring = recognise(revolved(arc({10, 0}, 3, 0, 360, rows), 2 * rows).round_to_float());
     ASSERT_EQ(ring.faces.size(), 1U) << rows;
     EXPECT_NEAR(ring.faces[0].surface.radius, 10, 1e-5);
     EXPECT_NEAR(ring.faces[0].surface.minor, 3, 1e-5);
@@ -111,16 +111,16 @@ TEST(RecogniseFaces, FilletsOfTwoFacetsAndOfMany) {
 
 TEST(RecogniseFaces, FilletsOfStraightEdges) {
   for (const int steps : {3, 4, 6}) {
-    const PartFaces part =
+    const features::PartFaces part =
         recognise(prism(joined({arc({8, 3}, 2, 0, 90, steps), arc({-8, 3}, 2, 90, 180, steps),
                                 arc({-8, -3}, 2, 180, 270, steps), arc({8, -3}, 2, 270, 360, steps)}),
                         30));
     ASSERT_EQ(part.faces.size(), 10U) << steps;
-    EXPECT_EQ(count(part, SurfaceKind::cylinder), 4);
-    EXPECT_EQ(count(part, BorderKind::tangent), 8);
-    EXPECT_EQ(count(part, BorderKind::sharp), 16);
-    for (const PartFace& face : part.faces)
-      if (face.surface.kind == SurfaceKind::cylinder) {
+    EXPECT_EQ(count(part, features::SurfaceKind::cylinder), 4);
+    EXPECT_EQ(count(part, features::BorderKind::tangent), 8);
+    EXPECT_EQ(count(part, features::BorderKind::sharp), 16);
+    for (const features::PartFace& face : part.faces)
+      if (face.surface.kind == features::SurfaceKind::cylinder) {
         EXPECT_NEAR(face.surface.radius, 2, 1e-12);
         EXPECT_NEAR(face.sweep, 90, 1e-6);
       }
@@ -129,58 +129,58 @@ TEST(RecogniseFaces, FilletsOfStraightEdges) {
 
 TEST(RecogniseFaces, APolygonIsNotRound) {
   for (const int sides : {3, 4, 5, 6, 8, 10, 11}) {
-    const PartFaces part = recognise(prism(regular_polygon(sides, 5), 7));
+    const features::PartFaces part = recognise(prism(regular_polygon(sides, 5), 7));
     EXPECT_EQ(part.faces.size(), std::size_t(sides) + 2) << sides;
-    EXPECT_EQ(count(part, SurfaceKind::plane), sides + 2);
-    EXPECT_EQ(count(part, BorderKind::sharp), 3 * sides);
+    EXPECT_EQ(count(part, features::SurfaceKind::plane), sides + 2);
+    EXPECT_EQ(count(part, features::BorderKind::sharp), 3 * sides);
   }
-  const PartFaces nut = recognise(plate_with_hole(regular_polygon(6, 9), 5, 5, 10));
-  EXPECT_EQ(count(nut, SurfaceKind::cylinder), 1);
-  EXPECT_EQ(count(nut, SurfaceKind::plane), 8);
-  const PartFaces pyramid = recognise(revolved({{0, 0}, {5, 0}, {0, 8}}, 8));
-  EXPECT_EQ(count(pyramid, SurfaceKind::plane), 9);
-  const PartFaces gem = recognise(revolved({{0, -5}, {5, 0}, {3, 2}, {0, 2}}, 8));
-  EXPECT_EQ(count(gem, SurfaceKind::plane), 17);
+  const features::PartFaces nut = recognise(plate_with_hole(regular_polygon(6, 9), 5, 5, 10));
+  EXPECT_EQ(count(nut, features::SurfaceKind::cylinder), 1);
+  EXPECT_EQ(count(nut, features::SurfaceKind::plane), 8);
+  const features::PartFaces pyramid = recognise(revolved({{0, 0}, {5, 0}, {0, 8}}, 8));
+  EXPECT_EQ(count(pyramid, features::SurfaceKind::plane), 9);
+  const features::PartFaces gem = recognise(revolved({{0, -5}, {5, 0}, {3, 2}, {0, 2}}, 8));
+  EXPECT_EQ(count(gem, features::SurfaceKind::plane), 17);
   EXPECT_EQ(gem.faces.size(), 17U);
 }
 
 TEST(RecogniseFaces, ChamfersAreSharpHoweverShallow) {
   // 14 degrees: less than any crease angle that keeps tessellations smooth.
-  const PartFaces pin = recognise(revolved({{0, 0}, {9.9, 0}, {10, 0.4}, {10, 5}, {9.9, 5.4}, {0, 5.4}}, 36));
+  const features::PartFaces pin = recognise(revolved({{0, 0}, {9.9, 0}, {10, 0.4}, {10, 5}, {9.9, 5.4}, {0, 5.4}}, 36));
   EXPECT_EQ(pin.faces.size(), 5U);
-  EXPECT_EQ(count(pin, SurfaceKind::cone), 2);
-  EXPECT_NEAR(only(pin, SurfaceKind::cylinder).surface.radius, 10, 1e-12);
-  EXPECT_EQ(count(pin, BorderKind::sharp), 4);
+  EXPECT_EQ(count(pin, features::SurfaceKind::cone), 2);
+  EXPECT_NEAR(only(pin, features::SurfaceKind::cylinder).surface.radius, 10, 1e-12);
+  EXPECT_EQ(count(pin, features::BorderKind::sharp), 4);
 }
 
 TEST(RecogniseFaces, ShallowCapsOfSpheresStayFlat) {
   // A ball with a flat: all its corners lie on the sphere, too.
-  const PartFaces knob =
+  const features::PartFaces knob =
       recognise(revolved(joined({{{0, -3}}, arc({0, 0}, 3, -85, 70, 31), {{0, 3 * std::sin(70 * pi / 180)}}}), 64));
   EXPECT_EQ(knob.faces.size(), 2U);
-  EXPECT_EQ(count(knob, SurfaceKind::sphere), 1);
-  EXPECT_EQ(count(knob, BorderKind::sharp), 1);
+  EXPECT_EQ(count(knob, features::SurfaceKind::sphere), 1);
+  EXPECT_EQ(count(knob, features::BorderKind::sharp), 1);
 }
 
 TEST(RecogniseFaces, AFlatOfAShaftIsNoPartOfIt) {
   // The flat takes 40 degrees, facets take 5.
   std::vector<Vec2> outline = arc({0, 0}, 10, 20, 340, 64);
-  const PartFaces part = recognise(prism(outline, 30));
+  const features::PartFaces part = recognise(prism(outline, 30));
   EXPECT_EQ(part.faces.size(), 4U);
-  EXPECT_NEAR(only(part, SurfaceKind::cylinder).sweep, 320, 1e-6);
-  EXPECT_EQ(count(part, BorderKind::sharp), 6);
+  EXPECT_NEAR(only(part, features::SurfaceKind::cylinder).sweep, 320, 1e-6);
+  EXPECT_EQ(count(part, features::BorderKind::sharp), 6);
 }
 
 TEST(RecogniseFaces, HolesFaceInwards) {
   for (const bool fine : {false, true}) {
     Part part = plate_with_hole(20, 5, 8, fine ? 40 : 8);
     if (fine) part.triangulate().round_to_float();
-    const PartFaces faces = recognise(part);
+    const features::PartFaces faces = recognise(part);
     EXPECT_EQ(faces.faces.size(), 7U);
-    EXPECT_TRUE(only(faces, SurfaceKind::cylinder).inwards);
-    EXPECT_NEAR(only(faces, SurfaceKind::cylinder).surface.radius, 8, 1e-6);
+    EXPECT_TRUE(only(faces, features::SurfaceKind::cylinder).inwards);
+    EXPECT_NEAR(only(faces, features::SurfaceKind::cylinder).surface.radius, 8, 1e-6);
     // A body that is stored inside out is the same part.
-    EXPECT_TRUE(only(recognise(part.turn_inside_out()), SurfaceKind::cylinder).inwards);
+    EXPECT_TRUE(only(recognise(part.turn_inside_out()), features::SurfaceKind::cylinder).inwards);
   }
 }
 
@@ -201,15 +201,15 @@ TEST(RecogniseFaces, PoseAndUnitDoNotMatter) {
 TEST(RecogniseFaces, SinglePrecisionFarFromTheOrigin) {
   Part part = revolved(shaft_profile(5), 48);
   part.move([](const Vec3& p) { return p + Vec3(300, -500, 800); }).round_to_float();
-  const PartFaces faces = recognise(part);
+  const features::PartFaces faces = recognise(part);
   expect_shaft(faces, 1, 1e-3);
   EXPECT_GT(faces.tolerance, 1e-4);
 }
 
 /// By triangle of the shuffled part, the same whatever the order of faces was.
-std::vector<std::tuple<int, int, double>> summary(const PartFaces& part) {
+std::vector<std::tuple<int, int, double>> summary(const features::PartFaces& part) {
   std::vector<std::tuple<int, int, double>> all;
-  for (const PartFace& face : part.faces)
+  for (const features::PartFace& face : part.faces)
     all.emplace_back(int(face.surface.kind), face.triangles, std::round(face.area * 1e6) / 1e6);
   std::sort(all.begin(), all.end());
   return all;
@@ -217,11 +217,11 @@ std::vector<std::tuple<int, int, double>> summary(const PartFaces& part) {
 
 TEST(RecogniseFaces, TheOrderOfFacesDoesNotMatter) {
   const auto make = [] { return revolved(shaft_profile(3), 24).triangulate(); };
-  const PartFaces plain = recognise(make());
+  const features::PartFaces plain = recognise(make());
   for (const unsigned seed : {1U, 2U, 3U}) {
-    const PartFaces shuffled = recognise(make().shuffle(seed));
+    const features::PartFaces shuffled = recognise(make().shuffle(seed));
     EXPECT_EQ(summary(shuffled), summary(plain));
-    EXPECT_EQ(count(shuffled, BorderKind::tangent), count(plain, BorderKind::tangent));
+    EXPECT_EQ(count(shuffled, features::BorderKind::tangent), count(plain, features::BorderKind::tangent));
   }
 }
 
@@ -230,7 +230,7 @@ TEST(RecogniseFaces, NothingInAScan) {
   std::normal_distribution<double> noise(0, 0.01);
   Part ball = revolved(joined({{{0, -3}}, arc({0, 0}, 3, -87, 87, 58), {{0, 3}}}), 120).triangulate();
   ball.move([&](const Vec3& p) { return p + Vec3(noise(random), noise(random), noise(random)); });
-  const PartFaces scan = recognise(ball);
+  const features::PartFaces scan = recognise(ball);
   EXPECT_TRUE(scan.faces.empty());
   EXPECT_TRUE(scan.borders.empty());
   EXPECT_LT(scan.recognised, 0.25);
@@ -265,11 +265,11 @@ TEST(RecogniseFaces, FreeFormsAreOneFace) {
     part.faces.push_back({foot[i], foot[j], rim[j], rim[i]});
   }
   part.faces.push_back({foot.rbegin(), foot.rend()});
-  const PartFaces faces = recognise(part);
-  EXPECT_EQ(count(faces, SurfaceKind::free_form), 1);
-  EXPECT_EQ(count(faces, SurfaceKind::plane), 5);
+  const features::PartFaces faces = recognise(part);
+  EXPECT_EQ(count(faces, features::SurfaceKind::free_form), 1);
+  EXPECT_EQ(count(faces, features::SurfaceKind::plane), 5);
   EXPECT_EQ(faces.faces.size(), 6U);
-  EXPECT_EQ(count(faces, BorderKind::sharp), 12);
+  EXPECT_EQ(count(faces, features::BorderKind::sharp), 12);
 }
 
 // Between outlines of equally many points, with caps.
@@ -301,12 +301,12 @@ TEST(RecogniseFaces, AFilletOfVaryingRadiusIsOneFreeForm) {
     const double u = k / 24.0, r = 2 + 3 * u * u;
     outlines.push_back(joined({{{0, 0}, {10, 0}, {10, 10}}, arc({r, 10 - r}, r, 90, 180, 6)}));
   }
-  const PartFaces part = recognise(loft(outlines, 30));
-  EXPECT_EQ(count(part, SurfaceKind::plane), 6);
-  EXPECT_EQ(count(part, SurfaceKind::free_form), 1);
+  const features::PartFaces part = recognise(loft(outlines, 30));
+  EXPECT_EQ(count(part, features::SurfaceKind::plane), 6);
+  EXPECT_EQ(count(part, features::SurfaceKind::free_form), 1);
   EXPECT_EQ(part.faces.size(), 7U);
-  EXPECT_EQ(count(part, BorderKind::tangent), 2);
-  EXPECT_EQ(count(part, BorderKind::sharp), 13);
+  EXPECT_EQ(count(part, features::BorderKind::tangent), 2);
+  EXPECT_EQ(count(part, features::BorderKind::sharp), 13);
 }
 
 // A net of triangles with its vertices moved along the surface, and diagonals either way.
@@ -332,21 +332,21 @@ Part askew(int rows, int columns, const std::function<Vec3(double, double)>& pla
 
 TEST(RecogniseFaces, TrianglesNeedNotLieAlongTheSurface) {
   const auto ring = [](double u, double r, double z) { return Vec3(r * std::cos(u), r * std::sin(u), z); };
-  const std::vector<std::pair<SurfaceKind, Part>> parts{
-      {SurfaceKind::cylinder, askew(12, 36, [&](double u, double v) { return ring(u, 10, 20 * v); })},
-      {SurfaceKind::cylinder, askew(1, 36, [&](double u, double v) { return ring(u, 10, 20 * v); })},
-      {SurfaceKind::cone, askew(12, 36, [&](double u, double v) { return ring(u, 10 - 4 * v, 9 * v); })},
-      {SurfaceKind::cone, askew(1, 48, [&](double u, double v) { return ring(u, 10 - 4 * v, 9 * v); })},
-      {SurfaceKind::sphere,
+  const std::vector<std::pair<features::SurfaceKind, Part>> parts{
+      {features::SurfaceKind::cylinder, askew(12, 36, [&](double u, double v) { return ring(u, 10, 20 * v); })},
+      {features::SurfaceKind::cylinder, askew(1, 36, [&](double u, double v) { return ring(u, 10, 20 * v); })},
+      {features::SurfaceKind::cone, askew(12, 36, [&](double u, double v) { return ring(u, 10 - 4 * v, 9 * v); })},
+      {features::SurfaceKind::cone, askew(1, 48, [&](double u, double v) { return ring(u, 10 - 4 * v, 9 * v); })},
+      {features::SurfaceKind::sphere,
        askew(16, 36,
              [&](double u, double v) { return ring(u, 10 * std::cos(2.4 * v - 1.2), 10 * std::sin(2.4 * v - 1.2)); })},
-      {SurfaceKind::torus,
+      {features::SurfaceKind::torus,
        askew(24, 60, [&](double u, double v) { return ring(u, 10 + 3 * std::cos(6 * v), 3 * std::sin(6 * v)); })}};
   for (const auto& [kind, part] : parts) {
-    const PartFaces faces = recognise(part);
+    const features::PartFaces faces = recognise(part);
     ASSERT_EQ(faces.faces.size(), 1U) << int(kind);
     EXPECT_EQ(faces.faces[0].surface.kind, kind);
-    if (kind != SurfaceKind::cone) {
+    if (kind != features::SurfaceKind::cone) {
       EXPECT_NEAR(faces.faces[0].surface.radius, 10, 1e-5);
     }
   }
@@ -354,12 +354,12 @@ TEST(RecogniseFaces, TrianglesNeedNotLieAlongTheSurface) {
 
 TEST(RecogniseFaces, EveryTriangleHasAFaceAndEveryBorderTwo) {
   const Part part = plate_with_hole(20, 5, 8, 8);
-  const Mesh mesh = part.mesh();
-  const PartFaces faces = recognise_faces(mesh);
+  const mesh::Mesh mesh = part.mesh();
+  const features::PartFaces faces = features::recognise_faces(mesh);
   std::vector<int> triangles(faces.faces.size());
   for (const int face : faces.face_of_triangle) ++triangles.at(std::size_t(face));
   for (std::size_t f = 0; f < triangles.size(); ++f) EXPECT_EQ(triangles[f], faces.faces[f].triangles);
-  for (const PartBorder& border : faces.borders)
+  for (const features::PartBorder& border : faces.borders)
     for (const int e : border.edges) {
       std::array<int, 2> sides{};
       for (std::size_t i = 0; i < 2; ++i) sides[i] = faces.face_of_triangle[mesh.triangles_of(mesh.edges[e])[i]];
@@ -369,9 +369,9 @@ TEST(RecogniseFaces, EveryTriangleHasAFaceAndEveryBorderTwo) {
 }
 
 TEST(RecogniseFaces, OpenMeshesHaveOpenBorders) {
-  const PartFaces pipe = recognise(revolved({{5, 0}, {5, 8}}, 32));
+  const features::PartFaces pipe = recognise(revolved({{5, 0}, {5, 8}}, 32));
   ASSERT_EQ(pipe.faces.size(), 1U);
-  EXPECT_EQ(count(pipe, BorderKind::open), 2);
+  EXPECT_EQ(count(pipe, features::BorderKind::open), 2);
 }
 
 }  // namespace

@@ -52,15 +52,15 @@ struct Part {
     return *this;
   }
 
-  [[nodiscard]] Mesh mesh() const {
-    Soup soup;
+  [[nodiscard]] mesh::Mesh mesh() const {
+    mesh::Soup soup;
     for (const Vec3& p : points) soup.points.push_back({p.x, p.y, p.z});
     for (const auto& f : faces) {
       soup.corners.insert(soup.corners.end(), f.begin(), f.end());
       soup.end_face();
     }
     soup.single_precision = is_float;
-    return make_mesh(soup, "part");
+    return mesh::make_mesh(soup, "part");
   }
 
   bool is_float = false;
@@ -166,21 +166,21 @@ inline Part plate_with_hole(double half_width, double height, double radius, int
   return plate_with_hole(regular_polygon(4, half_width * std::sqrt(2)), height, radius, steps);
 }
 
-inline int count(const PartFaces& part, SurfaceKind kind) {
+inline int count(const features::PartFaces& part, features::SurfaceKind kind) {
   int count = 0;
-  for (const PartFace& face : part.faces) count += face.surface.kind == kind ? 1 : 0;
+  for (const features::PartFace& face : part.faces) count += face.surface.kind == kind ? 1 : 0;
   return count;
 }
 
-inline int count(const PartFaces& part, BorderKind kind) {
+inline int count(const features::PartFaces& part, features::BorderKind kind) {
   int count = 0;
-  for (const PartBorder& border : part.borders) count += border.kind == kind ? 1 : 0;
+  for (const features::PartBorder& border : part.borders) count += border.kind == kind ? 1 : 0;
   return count;
 }
 
 /// The only face of a kind.
-inline const PartFace& only(const PartFaces& part, SurfaceKind kind) {
-  for (const PartFace& face : part.faces)
+inline const features::PartFace& only(const features::PartFaces& part, features::SurfaceKind kind) {
+  for (const features::PartFace& face : part.faces)
     if (face.surface.kind == kind) return face;
   throw std::logic_error("no such face");
 }

@@ -14,17 +14,17 @@ using test::mesh_of;
 
 constexpr double pi = std::numbers::pi;
 
-int diagonals(const Mesh& mesh) {
+int diagonals(const mesh::Mesh& mesh) {
   return static_cast<int>(std::count_if(mesh.edges.begin(), mesh.edges.end(), [](auto& e) { return e.diagonal; }));
 }
 
-double area_z(const Mesh& mesh, int triangle) {
+double area_z(const mesh::Mesh& mesh, int triangle) {
   const auto [a, b, c] = mesh.triangle(triangle);
   return glm::cross(mesh.point(b) - mesh.point(a), mesh.point(c) - mesh.point(a)).z / 2;
 }
 
 TEST(Build, CubeOfQuads) {
-  const Mesh mesh = mesh_of(test::unit_cube, test::cube_quads);
+  const mesh::Mesh mesh = mesh_of(test::unit_cube, test::cube_quads);
   expect_valid(mesh);
   EXPECT_EQ(mesh.report.faces, 6);
   EXPECT_EQ(mesh.report.triangles, 12);
@@ -37,7 +37,7 @@ TEST(Build, CubeOfQuads) {
 }
 
 TEST(Build, ThreeTrianglesOnOneEdgeShareIt) {
-  const Mesh mesh =
+  const mesh::Mesh mesh =
       mesh_of({{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {-1, 1, 0}, {-1, -1, 0}}, {{0, 1, 2}, {0, 1, 3}, {1, 0, 4}});
   expect_valid(mesh);
   EXPECT_EQ(mesh.report.non_manifold_edges, 1);
@@ -50,7 +50,7 @@ TEST(Build, ThreeTrianglesOnOneEdgeShareIt) {
 TEST(Build, AFlippedFaceSharesItsEdges) {
   auto quads = test::cube_quads;
   std::reverse(quads[1].begin(), quads[1].end());
-  const Mesh mesh = mesh_of(test::unit_cube, quads);
+  const mesh::Mesh mesh = mesh_of(test::unit_cube, quads);
   expect_valid(mesh);
   EXPECT_EQ(mesh.report.misoriented_edges, 4);
   EXPECT_EQ(mesh.report.open_edges, 0);
@@ -60,7 +60,7 @@ TEST(Build, AFlippedFaceSharesItsEdges) {
 
 TEST(Build, MoebiusBandHasOneSeam) {
   constexpr int n = 20;
-  Points points;
+  mesh::Points points;
   std::vector<std::vector<int>> quads;
   for (int i = 0; i < n; ++i) {
     const double u = 2 * pi * i / n;
@@ -71,7 +71,7 @@ TEST(Build, MoebiusBandHasOneSeam) {
     const int a = last ? 1 : 2 * i + 2, b = last ? 0 : 2 * i + 3;
     quads.push_back({2 * i, a, b, 2 * i + 1});
   }
-  const Mesh mesh = mesh_of(points, quads);
+  const mesh::Mesh mesh = mesh_of(points, quads);
   expect_valid(mesh);
   EXPECT_EQ(mesh.report.triangles, 2 * n);
   EXPECT_EQ(mesh.report.misoriented_edges, 1);
@@ -81,7 +81,7 @@ TEST(Build, MoebiusBandHasOneSeam) {
 
 TEST(Build, ATorusIsClosed) {
   constexpr int m = 12, n = 9;
-  Points points;
+  mesh::Points points;
   std::vector<std::vector<int>> quads;
   for (int i = 0; i < m; ++i)
     for (int j = 0; j < n; ++j) {
@@ -90,21 +90,21 @@ TEST(Build, ATorusIsClosed) {
       const int i1 = (i + 1) % m, j1 = (j + 1) % n;
       quads.push_back({i * n + j, i1 * n + j, i1 * n + j1, i * n + j1});
     }
-  const Mesh mesh = mesh_of(points, quads);
+  const mesh::Mesh mesh = mesh_of(points, quads);
   expect_valid(mesh);
   EXPECT_EQ(mesh.report.open_edges, 0);
   EXPECT_EQ(mesh.points.size() + mesh.polygon.size(), mesh.edges.size());  // Euler's characteristic is zero
 }
 
 TEST(Build, TwoConesMeetInAVertex) {
-  const Mesh mesh = mesh_of({{0, 0, 0}, {1, 0, 1}, {0, 1, 1}, {-1, -1, 1}, {1, 0, -1}, {0, 1, -1}, {-1, -1, -1}},
-                            {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {0, 5, 4}, {0, 6, 5}, {0, 4, 6}});
+  const mesh::Mesh mesh = mesh_of({{0, 0, 0}, {1, 0, 1}, {0, 1, 1}, {-1, -1, 1}, {1, 0, -1}, {0, 1, -1}, {-1, -1, -1}},
+                                  {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {0, 5, 4}, {0, 6, 5}, {0, 4, 6}});
   expect_valid(mesh);
   EXPECT_EQ(mesh.report.bodies, 2);  // they share no edge
 }
 
 TEST(Build, SoupBecomesClosedByWelding) {
-  Points points;
+  mesh::Points points;
   std::vector<std::vector<int>> quads;
   for (const auto& quad : test::cube_quads) {
     quads.push_back({});
@@ -114,7 +114,7 @@ TEST(Build, SoupBecomesClosedByWelding) {
     }
   }
   points[5][0] = -0.0 + points[5][0];
-  const Mesh mesh = mesh_of(points, quads);
+  const mesh::Mesh mesh = mesh_of(points, quads);
   expect_valid(mesh);
   EXPECT_EQ(mesh.report.welded_vertices, 16);
   EXPECT_EQ(mesh.report.vertices, 24);  // numbers stay those of the file
@@ -125,25 +125,26 @@ TEST(Build, SoupBecomesClosedByWelding) {
 }
 
 TEST(Build, NegativeZeroIsZero) {
-  const Mesh mesh = mesh_of({{0.0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.0, 0, 0}, {0, -1, 0}}, {{0, 1, 2}, {3, 4, 1}});
+  const mesh::Mesh mesh =
+      mesh_of({{0.0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.0, 0, 0}, {0, -1, 0}}, {{0, 1, 2}, {3, 4, 1}});
   EXPECT_EQ(mesh.report.welded_vertices, 1);
   EXPECT_EQ(mesh.report.open_edges, 4);
 }
 
 TEST(Build, DropsWhatIsNoFace) {
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = HUGE_VAL;
-  const Mesh mesh = mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {nan, 0, 0}, {0, inf, 0}, {nan, 0, 0}},
-                            {{0, 1, 2},
-                             {1, 2, 0},        // the same, turned
-                             {2, 1, 0},        // the same, seen from behind
-                             {0, 0, 1},        // two corners
-                             {0, 1},           // two corners
-                             {},               // none
-                             {0, 1, 0, 1},     // two corners, four times
-                             {0, 1, 4},        // not finite
-                             {5, 1, 2},        // not finite
-                             {1, 3, 3, 2, 1},  // one triangle, stuttering
-                             {6, 6, 6}});
+  const mesh::Mesh mesh = mesh_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {nan, 0, 0}, {0, inf, 0}, {nan, 0, 0}},
+                                  {{0, 1, 2},
+                                   {1, 2, 0},        // the same, turned
+                                   {2, 1, 0},        // the same, seen from behind
+                                   {0, 0, 1},        // two corners
+                                   {0, 1},           // two corners
+                                   {},               // none
+                                   {0, 1, 0, 1},     // two corners, four times
+                                   {0, 1, 4},        // not finite
+                                   {5, 1, 2},        // not finite
+                                   {1, 3, 3, 2, 1},  // one triangle, stuttering
+                                   {6, 6, 6}});
   expect_valid(mesh);
   EXPECT_EQ(mesh.report.triangles, 2);
   EXPECT_EQ(mesh.report.dropped_duplicates, 2);
@@ -155,14 +156,14 @@ TEST(Build, DropsWhatIsNoFace) {
 }
 
 TEST(Build, PolygonsWithOneCornerSetInTwoOrdersAreTwoFaces) {
-  const Points points{{0, 0, 0}, {1, 0, 0.5}, {1, 1, 0}, {0, 1, 0.5}};
+  const mesh::Points points{{0, 0, 0}, {1, 0, 0.5}, {1, 1, 0}, {0, 1, 0.5}};
   EXPECT_EQ(mesh_of(points, {{0, 1, 2, 3}, {2, 1, 0, 3}}).report.dropped_duplicates, 1);
   EXPECT_EQ(mesh_of(points, {{0, 1, 2, 3}, {0, 2, 1, 3}}).report.dropped_duplicates, 0);
 }
 
 TEST(Build, ATriangleWithoutAreaKeepsItsNeighboursClosed) {
   // The long edge 0-1 is split at 2 on one side only: the sliver 0 1 2 closes the gap.
-  const Mesh mesh =
+  const mesh::Mesh mesh =
       mesh_of({{0, 0, 0}, {2, 0, 0}, {1, 0, 0}, {1, 1, 0}, {1, -1, 0}}, {{0, 2, 3}, {2, 1, 3}, {1, 0, 4}, {0, 1, 2}});
   expect_valid(mesh);
   EXPECT_EQ(mesh.report.triangles, 4);
@@ -173,12 +174,12 @@ TEST(Build, ATriangleWithoutAreaKeepsItsNeighboursClosed) {
 
 TEST(Build, AFewTrianglesWithoutAreaAreRemarkedOnly) {
   // A strip of which one triangle of twelve has no area.
-  Points points;
+  mesh::Points points;
   std::vector<std::vector<int>> faces;
   for (int i = 0; i < 14; ++i) points.push_back({i < 2 ? 0.0 : i, i % 2 * 1.0, 0});
   points[2] = {0, 2, 0};
   for (int i = 0; i < 12; ++i) faces.push_back({i, i + 1, i + 2});
-  const Mesh mesh = mesh_of(points, faces);
+  const mesh::Mesh mesh = mesh_of(points, faces);
   EXPECT_TRUE(mesh.report.notes.empty());
   EXPECT_EQ(mesh.report.remarks, (std::vector<std::string>{"1 triangle has no area"}));
 }
@@ -189,14 +190,14 @@ TEST(Build, ConcavePolygonsKeepTheirArea) {
   for (std::size_t start = 0; start < 6; ++start)
     for (const bool turned : {false, true})
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        Points points(6);
+        mesh::Points points(6);
         for (std::size_t i = 0; i < 6; ++i) {
           points[i][(axis + 1) % 3] = outline[(start + i) % 6][0];
           points[i][(axis + 2) % 3] = outline[(start + i) % 6][1];
         }
         std::vector<int> face{0, 1, 2, 3, 4, 5};
         if (turned) std::reverse(face.begin(), face.end());
-        const Mesh mesh = mesh_of(points, {face});
+        const mesh::Mesh mesh = mesh_of(points, {face});
         expect_valid(mesh);
         ASSERT_EQ(mesh.report.triangles, 4);
         EXPECT_EQ(diagonals(mesh), 3);
@@ -214,8 +215,9 @@ TEST(Build, ConcavePolygonsKeepTheirArea) {
 
 TEST(Build, PolygonWithAHoleOnABridge) {
   // A square of 4 x 4 with a hole of 2 x 2; the corners 0 and 4 are visited twice.
-  const Mesh mesh = mesh_of({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {1, 1, 0}, {1, 3, 0}, {3, 3, 0}, {3, 1, 0}},
-                            {{0, 1, 2, 3, 0, 4, 5, 6, 7, 4}});
+  const mesh::Mesh mesh =
+      mesh_of({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {1, 1, 0}, {1, 3, 0}, {3, 3, 0}, {3, 1, 0}},
+              {{0, 1, 2, 3, 0, 4, 5, 6, 7, 4}});
   expect_valid(mesh);
   EXPECT_EQ(mesh.report.triangles, 8);
   EXPECT_EQ(mesh.report.open_edges, 8);
@@ -228,7 +230,8 @@ TEST(Build, PolygonWithAHoleOnABridge) {
 }
 
 TEST(Build, CornersOnALineMakeNoTriangleWithoutArea) {
-  const Mesh mesh = mesh_of({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 2, 0}, {1, 2, 0}, {0, 2, 0}}, {{0, 1, 2, 3, 4, 5}});
+  const mesh::Mesh mesh =
+      mesh_of({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 2, 0}, {1, 2, 0}, {0, 2, 0}}, {{0, 1, 2, 3, 4, 5}});
   ASSERT_EQ(mesh.report.triangles, 4);
   for (int t = 0; t < 4; ++t) EXPECT_GT(area_z(mesh, t), 0);
   EXPECT_TRUE(mesh.report.notes.empty());
@@ -237,14 +240,14 @@ TEST(Build, CornersOnALineMakeNoTriangleWithoutArea) {
 TEST(Build, PolygonsOfAnySizeAndMagnitude) {
   for (const double scale : {1e-300, 1e-9, 1.0, 1e9, 1e307}) {
     // A star with 20 points: concave at every second corner.
-    Points points;
+    mesh::Points points;
     std::vector<int> face;
     for (int i = 0; i < 40; ++i) {
       const double r = scale * (i % 2 == 0 ? 2 : 1);
       points.push_back({r * std::cos(pi * i / 20), r * std::sin(pi * i / 20), 0});
       face.push_back(i);
     }
-    const Mesh mesh = mesh_of(points, {face});
+    const mesh::Mesh mesh = mesh_of(points, {face});
     expect_valid(mesh);
     ASSERT_EQ(mesh.report.triangles, 38);
     double sum = 0;
@@ -261,13 +264,13 @@ TEST(Build, PolygonsOfAnySizeAndMagnitude) {
 // Ears lie between long teeth only, and each triangle's box is as high as a tooth.
 TEST(Build, ALargeConcavePolygonHasNoFalseTriangle) {
   const int teeth = 20000;
-  Points points{{-1, -1, 0}, {2.0 * teeth, -1, 0}};
+  mesh::Points points{{-1, -1, 0}, {2.0 * teeth, -1, 0}};
   std::vector<int> face{0, 1};
   for (int i = 2 * teeth - 1; i >= 0; --i) {
     face.push_back(static_cast<int>(points.size()));
     points.push_back({1.0 * i, i % 2 == 0 ? 100.0 : 1.0, 0});
   }
-  const Mesh mesh = mesh_of(points, {face});
+  const mesh::Mesh mesh = mesh_of(points, {face});
   ASSERT_EQ(mesh.report.triangles, 2 * teeth);
   double sum = 0, twice = 0;
   for (int t = 0; t < mesh.report.triangles; ++t) {
@@ -283,28 +286,28 @@ TEST(Build, ALargeConcavePolygonHasNoFalseTriangle) {
 }
 
 TEST(Build, PolygonsThatCrossThemselvesKeepTheirCorners) {
-  const Mesh bow_tie = mesh_of({{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2, 3}});
+  const mesh::Mesh bow_tie = mesh_of({{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2, 3}});
   expect_valid(bow_tie);
   EXPECT_EQ(bow_tie.report.triangles, 2);
-  Points points;
+  mesh::Points points;
   for (int i = 0; i < 5; ++i) points.push_back({std::cos(4 * pi * i / 5), std::sin(4 * pi * i / 5), 0});
-  const Mesh pentagram = mesh_of(points, {{0, 1, 2, 3, 4}});
+  const mesh::Mesh pentagram = mesh_of(points, {{0, 1, 2, 3, 4}});
   expect_valid(pentagram);
   EXPECT_EQ(pentagram.report.triangles, 3);
 }
 
 TEST(Build, NamedBodiesAreNumberedByTheirFirstTriangle) {
-  Soup soup = test::make_soup(test::unit_cube, test::cube_quads);
+  mesh::Soup soup = test::make_soup(test::unit_cube, test::cube_quads);
   soup.body_names = {"unused", "sides", "caps"};
   soup.face_body = {2, 2, 1, 1, 1, 1};
-  const Mesh mesh = build_mesh(soup, "test");
+  const mesh::Mesh mesh = mesh::build_mesh(soup, "test");
   EXPECT_EQ(mesh.body_names, (std::vector<std::string>{"caps", "sides"}));
   EXPECT_EQ(mesh.body, (std::vector<int>{0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1}));
   EXPECT_EQ(mesh.report.bodies, 2);
 }
 
 TEST(Build, NothingIsAMesh) {
-  const Mesh mesh = mesh_of({}, {});
+  const mesh::Mesh mesh = mesh_of({}, {});
   expect_valid(mesh);
   EXPECT_EQ(mesh.report.triangles, 0);
 }

@@ -29,7 +29,7 @@ std::vector<Vec2> ring(double radius, const std::vector<double>& angles, Vec2 ce
 }
 
 struct Shape {
-  Points points;
+  mesh::Points points;
   std::vector<std::vector<int>> faces;
 
   // The outline from z = 0 to z = height, with caps.
@@ -52,8 +52,8 @@ struct Shape {
       p = {to.x, to.y, to.z};
     }
   }
-  [[nodiscard]] std::vector<MeshCircle> circles(double tolerance = 1e-3) const {
-    return find_circles(mesh_of(points, faces), 30, tolerance);
+  [[nodiscard]] std::vector<mesh::MeshCircle> circles(double tolerance = 1e-3) const {
+    return mesh::find_circles(mesh_of(points, faces), 30, tolerance);
   }
 };
 
@@ -117,7 +117,7 @@ TEST(Circles, OfScansAreFoundWithinTheTolerance) {
   EXPECT_TRUE(shape.circles(1e-4).empty());
   const auto circles = shape.circles(1.5e-3);
   ASSERT_EQ(circles.size(), 2);
-  for (const MeshCircle& circle : circles) {
+  for (const mesh::MeshCircle& circle : circles) {
     EXPECT_TRUE(circle.whole);
     EXPECT_NEAR(circle.radius, 7, 0.004);
     EXPECT_GT(circle.deviation, 0.002);
@@ -137,7 +137,7 @@ TEST(Circles, EndsOfASlotAreArcs) {
     outline.push_back(Vec2(10, 0) + 4.0 * Vec2(std::sin(pi * i / n), -std::cos(pi * i / n)));
   const auto arcs = prism(outline).circles();
   ASSERT_EQ(arcs.size(), 4);
-  for (const MeshCircle& arc : arcs) {
+  for (const mesh::MeshCircle& arc : arcs) {
     EXPECT_FALSE(arc.whole);
     EXPECT_EQ(arc.vertices.size(), std::size_t(n + 1));
     EXPECT_NEAR(arc.radius, 4, 1e-9);
@@ -175,7 +175,7 @@ TEST(Circles, ArcsOfAQuarterAreFoundBetweenLines) {
     }
   const auto arcs = prism(outline).circles();
   ASSERT_EQ(arcs.size(), 8);
-  for (const MeshCircle& arc : arcs) {
+  for (const mesh::MeshCircle& arc : arcs) {
     EXPECT_EQ(arc.vertices.size(), 7);
     EXPECT_NEAR(arc.radius, 5, 1e-9);
   }
@@ -210,9 +210,9 @@ INSTANTIATE_TEST_SUITE_P(Circles, Samples,
                                          Sample{"gear.stl", 14, 2}, Sample{"sombrero.obj", 0, 0}));
 
 TEST_P(Samples, HaveTheirCircles) {
-  const Mesh mesh = read_mesh(std::string(EPURA_TEST_SAMPLES "/models/") + GetParam().file);
+  const mesh::Mesh mesh = mesh::read_mesh(std::string(EPURA_TEST_SAMPLES "/models/") + GetParam().file);
   int whole = 0, arcs = 0;
-  for (const MeshCircle& circle : find_circles(mesh)) ++(circle.whole ? whole : arcs);
+  for (const mesh::MeshCircle& circle : mesh::find_circles(mesh)) ++(circle.whole ? whole : arcs);
   EXPECT_EQ(whole, GetParam().whole);
   EXPECT_EQ(arcs, GetParam().arcs);
 }

@@ -12,14 +12,14 @@
 namespace epura::test {
 namespace {
 
-EdgeTable table_of(const std::vector<int>& corners, int vertices) {
+mesh::EdgeTable table_of(const std::vector<int>& corners, int vertices) {
   std::vector<int> polygon(corners.size() / 3);
   std::iota(polygon.begin(), polygon.end(), 0);
-  return make_edge_table(corners, polygon, vertices);
+  return mesh::make_edge_table(corners, polygon, vertices);
 }
 
 bool has_equal(const std::vector<int>& corners, int vertices) {
-  return has_equal_triangles(table_of(corners, vertices), corners);
+  return mesh::has_equal_triangles(table_of(corners, vertices), corners);
 }
 
 TEST(EdgeTable, HoldsEveryHalfedgeAtItsEdge) {
@@ -32,13 +32,13 @@ TEST(EdgeTable, HoldsEveryHalfedgeAtItsEdge) {
   }
   std::map<std::array<int, 2>, std::vector<int>> expected;
   for (int h = 0; h < static_cast<int>(corners.size()); ++h) {
-    const auto [low, high] = std::minmax({corners[h], corners[next_in_triangle(h)]});
+    const auto [low, high] = std::minmax({corners[h], corners[mesh::next_in_triangle(h)]});
     expected[{low, high}].push_back(h);
   }
-  const EdgeTable table = table_of(corners, vertices);
+  const mesh::EdgeTable table = table_of(corners, vertices);
   ASSERT_EQ(table.edges.size(), expected.size());
   auto next = expected.begin();
-  for (const MeshEdge& edge : table.edges) {
+  for (const mesh::MeshEdge& edge : table.edges) {
     const auto halfedges = table.halfedges_of(edge);
     EXPECT_EQ(edge.vertex, next->first);
     EXPECT_EQ(std::vector<int>(halfedges.begin(), halfedges.end()), next->second);

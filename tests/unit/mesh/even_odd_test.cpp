@@ -9,21 +9,21 @@
 namespace epura {
 namespace {
 
-void add_ring(Outlines& outlines, const std::vector<Vec2>& ring) {
+void add_ring(mesh::Outlines& outlines, const std::vector<Vec2>& ring) {
   const int first = static_cast<int>(outlines.places.size());
   const int count = static_cast<int>(ring.size());
   outlines.places.insert(outlines.places.end(), ring.begin(), ring.end());
   for (int i = 0; i < count; ++i) outlines.segments.push_back({first + i, first + (i + 1) % count});
 }
 
-double signed_area(const Outlines& outlines, const std::array<int, 3>& t) {
+double signed_area(const mesh::Outlines& outlines, const std::array<int, 3>& t) {
   const Vec2 a = outlines.places[t[0]], b = outlines.places[t[1]], c = outlines.places[t[2]];
   return ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2;
 }
 
-double filled_area(Outlines outlines) {
+double filled_area(mesh::Outlines outlines) {
   double sum = 0;
-  for (const auto& triangle : fill_even_odd(outlines)) {
+  for (const auto& triangle : mesh::fill_even_odd(outlines)) {
     EXPECT_GE(signed_area(outlines, triangle), -1e-15);  // where segments cross, places are rounded
     sum += signed_area(outlines, triangle);
   }
@@ -31,21 +31,21 @@ double filled_area(Outlines outlines) {
 }
 
 TEST(EvenOdd, FillsSquaresWithHolesAndIslands) {
-  Outlines outlines;
+  mesh::Outlines outlines;
   add_ring(outlines, {{0, 0}, {10, 0}, {10, 10}, {0, 10}});
   EXPECT_EQ(filled_area(outlines), 100);
   add_ring(outlines, {{2, 2}, {2, 8}, {8, 8}, {8, 2}});
   EXPECT_EQ(filled_area(outlines), 64);
   add_ring(outlines, {{4, 4}, {6, 4}, {6, 6}, {4, 6}});
   EXPECT_EQ(filled_area(outlines), 68);
-  EXPECT_TRUE(is_inside(outlines, {1, 5}));
-  EXPECT_FALSE(is_inside(outlines, {3, 5}));
-  EXPECT_TRUE(is_inside(outlines, {5, 5}));
-  EXPECT_FALSE(is_inside(outlines, {11, 5}));
+  EXPECT_TRUE(mesh::is_inside(outlines, {1, 5}));
+  EXPECT_FALSE(mesh::is_inside(outlines, {3, 5}));
+  EXPECT_TRUE(mesh::is_inside(outlines, {5, 5}));
+  EXPECT_FALSE(mesh::is_inside(outlines, {11, 5}));
 }
 
 TEST(EvenOdd, FillsAStarThatCrossesItself) {
-  Outlines star;
+  mesh::Outlines star;
   std::vector<Vec2> ring;
   for (int i = 0; i < 5; ++i) ring.emplace_back(std::sin(4 * M_PI * i / 5), std::cos(4 * M_PI * i / 5));
   add_ring(star, ring);
@@ -57,7 +57,7 @@ TEST(EvenOdd, FillsAStarThatCrossesItself) {
 }
 
 TEST(EvenOdd, FillsBowTiesAndCoincidentRings) {
-  Outlines tie;
+  mesh::Outlines tie;
   add_ring(tie, {{0, 0}, {4, 4}, {4, 0}, {0, 4}});
   EXPECT_NEAR(filled_area(tie), 8, 1e-12);
   add_ring(tie, {{0, 0}, {4, 4}, {4, 0}, {0, 4}});
@@ -67,14 +67,14 @@ TEST(EvenOdd, FillsBowTiesAndCoincidentRings) {
 TEST(EvenOdd, AgreesWithCrossingNumbers) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> place(0, 1);
-  Outlines outlines;
+  mesh::Outlines outlines;
   for (int r = 0; r < 6; ++r) {
     std::vector<Vec2> ring;
     for (int i = 0; i < 9; ++i) ring.emplace_back(place(random), place(random));
     add_ring(outlines, ring);
   }
-  Outlines filled = outlines;
-  const auto triangles = fill_even_odd(filled);
+  mesh::Outlines filled = outlines;
+  const auto triangles = mesh::fill_even_odd(filled);
   for (int i = 0; i < 4000; ++i) {
     const Vec2 p(place(random), place(random));
     int holding = 0;
@@ -84,18 +84,18 @@ TEST(EvenOdd, AgreesWithCrossingNumbers) {
                           signed_area({{filled.places[c], filled.places[a], p}, {}}, {0, 1, 2}) >= 0;
       holding += inside ? 1 : 0;
     }
-    EXPECT_EQ(holding, is_inside(outlines, p) ? 1 : 0) << p.x << " " << p.y;
+    EXPECT_EQ(holding, mesh::is_inside(outlines, p) ? 1 : 0) << p.x << " " << p.y;
   }
 }
 
 TEST(EvenOdd, TakesTimeInProportionToManyPlaces) {
-  Outlines comb;
+  mesh::Outlines comb;
   std::vector<Vec2> ring;
   constexpr int teeth = 20000;
   for (int i = 0; i < teeth; ++i) ring.insert(ring.end(), {Vec2(i, 1 + 1e-6 * i), Vec2(i + 0.5, 0)});
   ring.insert(ring.end(), {Vec2(teeth, -1), Vec2(0, -1)});
   add_ring(comb, ring);
-  Outlines turned = comb;
+  mesh::Outlines turned = comb;
   for (Vec2& p : turned.places) p = {-p.y, p.x};
   EXPECT_NEAR(filled_area(turned) / (teeth * 1.5), 1, 0.01);
 }

@@ -11,10 +11,10 @@ namespace {
 
 using test::error_of;
 
-Soup soup_of(std::string_view text) { return read_obj(text, "m.obj"); }
+mesh::Soup soup_of(std::string_view text) { return mesh::read_obj(text, "m.obj"); }
 
 TEST(Obj, AllFormsOfCorners) {
-  const Soup soup = soup_of(
+  const mesh::Soup soup = soup_of(
       "v 0 0 0\nv 1 0 0 1.0\nv 0 1 0 0.5 0.5 0.5\nvt 0 0\nvn 0 0 1\n"
       "f 1 2 3\nf 1/1 2/1 3/1\nf 1//1 2//1 3//1\nf 1/1/1 2/1/1 3/1/1\nf -3 -2/1 -1//1\n");
   EXPECT_EQ(soup.points.size(), 3u);
@@ -25,27 +25,30 @@ TEST(Obj, AllFormsOfCorners) {
 }
 
 TEST(Obj, DoublesArriveExactly) {
-  const Soup soup = soup_of("v 10000000.123456789 1e-300 0.1\nv +1.5E+3 -.5 4.9e-324\nv 1e308 -1e308 1.000000001\n");
+  const mesh::Soup soup =
+      soup_of("v 10000000.123456789 1e-300 0.1\nv +1.5E+3 -.5 4.9e-324\nv 1e308 -1e308 1.000000001\n");
   EXPECT_EQ(soup.points[0], (std::array{10000000.123456789, 1e-300, 0.1}));
   EXPECT_EQ(soup.points[1], (std::array{1500.0, -0.5, 4.9e-324}));
   EXPECT_EQ(soup.points[2], (std::array{1e308, -1e308, 1.000000001}));
 }
 
 TEST(Obj, ValuesThatAreNoNumbersAsWindowsWroteThem) {
-  const Soup soup = soup_of("v 1.#INF -1.#INF00 +1.#INF# c\nv 1.#IND -1.#IND000 1.#QNAN0\nv 1.#SNAN nan(ind) -nan\n");
+  const mesh::Soup soup =
+      soup_of("v 1.#INF -1.#INF00 +1.#INF# c\nv 1.#IND -1.#IND000 1.#QNAN0\nv 1.#SNAN nan(ind) -nan\n");
   ASSERT_EQ(soup.points.size(), 3U);
   constexpr double infinity = std::numeric_limits<double>::infinity();
   EXPECT_EQ(soup.points[0], (std::array{infinity, -infinity, infinity}));
   for (const std::size_t v : {1, 2})
     for (const double x : soup.points[v]) EXPECT_TRUE(std::isnan(x));
   // Any other '#' begins a comment.
-  EXPECT_EQ(soup_of("v 3 2 1.#\nv 3 2 1.#INFO\nv 3 2 1#INF\n").points, (Points(3, {3, 2, 1})));
+  EXPECT_EQ(soup_of("v 3 2 1.#\nv 3 2 1.#INFO\nv 3 2 1#INF\n").points, (mesh::Points(3, {3, 2, 1})));
 }
 
 TEST(Obj, EveryLineEndAndContinuedLines) {
   for (const std::string end : {"\n", "\r", "\r\n"}) {
-    const Soup soup = soup_of("v 0 0 0" + end + "v 1 \\" + end + " 0 0 # comment \\" + end + end + "\tv\t0 1 0" + end +
-                              "f 1 2\\" + end + "  3" + end + "curv 0 1 \\" + end + "1 2" + end + "f 3 2 1");
+    const mesh::Soup soup =
+        soup_of("v 0 0 0" + end + "v 1 \\" + end + " 0 0 # comment \\" + end + end + "\tv\t0 1 0" + end + "f 1 2\\" +
+                end + "  3" + end + "curv 0 1 \\" + end + "1 2" + end + "f 3 2 1");
     EXPECT_EQ(soup.points.size(), 3u);
     EXPECT_EQ(soup.corners, (std::vector<int>{0, 1, 2, 2, 1, 0}));
     EXPECT_EQ(soup.notes.size(), 1u);
@@ -57,20 +60,20 @@ TEST(Obj, FacesMayComeBeforeTheirVertices) {
 }
 
 TEST(Obj, ObjectsAreBodiesAndReturn) {
-  const Soup soup = soup_of(
+  const mesh::Soup soup = soup_of(
       "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\no left arm\nf 1 2 3\no empty\no right\nf 1 2 3\no left arm\nf 1 2 3\n");
   EXPECT_EQ(soup.body_names, (std::vector<std::string>{"default", "left arm", "right"}));
   EXPECT_EQ(soup.face_body, (std::vector<int>{0, 1, 2, 1}));
 }
 
 TEST(Obj, GroupsAreBodiesWhereThereAreNoObjects) {
-  const Soup soup = soup_of("o all\nv 0 0 0\nv 1 0 0\nv 0 1 0\ng a b\nf 1 2 3\ng\nf 1 2 3\n");
+  const mesh::Soup soup = soup_of("o all\nv 0 0 0\nv 1 0 0\nv 0 1 0\ng a b\nf 1 2 3\ng\nf 1 2 3\n");
   EXPECT_EQ(soup.body_names, (std::vector<std::string>{"a b", "default"}));
   EXPECT_EQ(soup.face_body, (std::vector<int>{0, 1}));
 }
 
 TEST(Obj, OtherStatementsAreNotedOnce) {
-  const Soup soup =
+  const mesh::Soup soup =
       soup_of("# a comment\nmtllib x\nusemtl y#z\ns off\nv 0 0 0\nv 1 0 0\nl 1 2\np 1\nl 2 1\n\x7F\xC3 3\n");
   EXPECT_EQ(soup.notes, (std::vector<std::string>{"ignored 4 lines of other kinds ('l', 'p', '?"
                                                   "?'), the first of them line 7"}));
@@ -105,7 +108,7 @@ TEST(Obj, ErrorsNameTheLine) {
 // backslash, once stands where a part ends.
 struct LongFile {
   std::string text;
-  Soup soup;
+  mesh::Soup soup;
   std::size_t lines = 0;
 
   void add(const std::string& line, const std::string& end = "\n") {
@@ -140,7 +143,7 @@ LongFile make_long_file() {
 
 TEST(Obj, LongFilesAreReadAsIfInOne) {
   const LongFile file = make_long_file();
-  const Soup soup = soup_of(file.text);
+  const mesh::Soup soup = soup_of(file.text);
   EXPECT_EQ(soup.points, file.soup.points);
   EXPECT_EQ(soup.corners, file.soup.corners);
   EXPECT_EQ(soup.face_ends, file.soup.face_ends);

@@ -7,22 +7,22 @@ namespace {
 
 using test::error_of;
 
-Soup soup_of(std::string_view text) { return read_off(text, "m.off"); }
+mesh::Soup soup_of(std::string_view text) { return mesh::read_off(text, "m.off"); }
 
 TEST(Off, CountsAndCommentsAnywhere) {
   for (const std::string head : {"OFF\n3 1 0\n", "OFF 3 1 0\n", "OFF 3 1\n", "# c\n OFF # c\n# c\n3 # c\n1\n0\n",
                                  "3 1 0\n", "OFF\r3 1 0\r", "OFF\n3 1\n0\n", "OFF3 1 0\n", "OFF3\n1\n0\n"}) {
-    const Soup soup = soup_of(head + "0 0 0\n# c\n1 0 0 # c\n\n0 1\n0.1\n3 0 1\n2 # c\n");
-    EXPECT_EQ(soup.points, (Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0.1}})) << head;
+    const mesh::Soup soup = soup_of(head + "0 0 0\n# c\n1 0 0 # c\n\n0 1\n0.1\n3 0 1\n2 # c\n");
+    EXPECT_EQ(soup.points, (mesh::Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0.1}})) << head;
     EXPECT_EQ(soup.corners, (std::vector<int>{0, 1, 2})) << head;
   }
 }
 
 TEST(Off, ColoursNormalsAndTexturesAreSkipped) {
   for (const std::string keyword : {"COFF\n", "NOFF\n", "STOFF\n", "STCNOFF\n", "COFF"}) {
-    const Soup soup =
+    const mesh::Soup soup =
         soup_of(keyword + "3 2 0\n0 0 0 255 0 0 255\n1 0 0 0 255 0 255\n0 1 0 0 0 255 255\n3 0 1 2 1 0 0\n3 2 1 0\n");
-    EXPECT_EQ(soup.points, (Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
+    EXPECT_EQ(soup.points, (mesh::Points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
     EXPECT_EQ(soup.face_ends, (std::vector<int>{3, 6}));
   }
 }

@@ -12,8 +12,8 @@ namespace {
 
 using test::mesh_of;
 
-void expect_valid_vertices(const Mesh& mesh, const HalfedgeMesh& made) {
-  const Surface& surface = made.surface;
+void expect_valid_vertices(const mesh::Mesh& mesh, const mesh::HalfedgeMesh& made) {
+  const mesh::Surface& surface = made.surface;
   ASSERT_EQ(made.vertex_of.size(), surface.n_vertices());
   for (const auto vertex : surface.vertices()) {
     const int original = made.vertex_of[static_cast<std::size_t>(vertex.idx())];
@@ -32,7 +32,7 @@ void expect_valid_vertices(const Mesh& mesh, const HalfedgeMesh& made) {
   }
 }
 
-void expect_valid_halfedges(const Surface& surface) {
+void expect_valid_halfedges(const mesh::Surface& surface) {
   for (const auto halfedge : surface.halfedges()) {
     const auto next = surface.next_halfedge_handle(halfedge);
     ASSERT_TRUE(next.is_valid());
@@ -43,7 +43,7 @@ void expect_valid_halfedges(const Surface& surface) {
 }
 
 // Circulators begin at the first corner.
-void expect_faces_of(const Mesh& mesh, const HalfedgeMesh& made) {
+void expect_faces_of(const mesh::Mesh& mesh, const mesh::HalfedgeMesh& made) {
   ASSERT_EQ(made.surface.n_faces(), mesh.polygon.size());
   for (int t = 0; t < mesh.triangle_count(); ++t) {
     std::vector<int> corners;
@@ -55,27 +55,28 @@ void expect_faces_of(const Mesh& mesh, const HalfedgeMesh& made) {
 }
 
 /// With what OpenMesh's algorithms rely on.
-HalfedgeMesh valid_halfedges_of(const Mesh& mesh) {
-  HalfedgeMesh made = to_openmesh(mesh);
+mesh::HalfedgeMesh valid_halfedges_of(const mesh::Mesh& mesh) {
+  mesh::HalfedgeMesh made = mesh::to_openmesh(mesh);
   expect_faces_of(mesh, made);
   expect_valid_vertices(mesh, made);
   expect_valid_halfedges(made.surface);
   // Every edge of the mesh is there once, but for those that are cut open.
   std::size_t cut_open = 0;
-  for (const MeshEdge& edge : mesh.edges) cut_open += edge.count > 2 ? static_cast<std::size_t>(edge.count - 1) : 0;
+  for (const mesh::MeshEdge& edge : mesh.edges)
+    cut_open += edge.count > 2 ? static_cast<std::size_t>(edge.count - 1) : 0;
   EXPECT_EQ(made.surface.n_edges(),
             mesh.edges.size() + cut_open + static_cast<std::size_t>(mesh.report.misoriented_edges));
   return made;
 }
 
 TEST(OpenMesh, ACubeStaysWhole) {
-  const HalfedgeMesh made = valid_halfedges_of(mesh_of(test::unit_cube, test::cube_quads));
+  const mesh::HalfedgeMesh made = valid_halfedges_of(mesh_of(test::unit_cube, test::cube_quads));
   EXPECT_EQ(made.surface.n_edges(), 18u);
   EXPECT_EQ(made.surface.n_vertices(), 8u);
 }
 
 TEST(OpenMesh, ThreeTrianglesOnOneEdgeAreCutApart) {
-  const HalfedgeMesh made = valid_halfedges_of(
+  const mesh::HalfedgeMesh made = valid_halfedges_of(
       mesh_of({{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {-1, 1, 0}, {-1, -1, 0}}, {{0, 1, 2}, {0, 1, 3}, {1, 0, 4}}));
   EXPECT_EQ(made.surface.n_vertices(), 9u);  // 5 and two copies each of vertices 0 and 1
   EXPECT_EQ(made.surface.n_edges(), 9u);
@@ -85,13 +86,13 @@ TEST(OpenMesh, ThreeTrianglesOnOneEdgeAreCutApart) {
 TEST(OpenMesh, AFlippedFaceIsCutOut) {
   auto quads = test::cube_quads;
   std::reverse(quads[1].begin(), quads[1].end());
-  const HalfedgeMesh made = valid_halfedges_of(mesh_of(test::unit_cube, quads));
+  const mesh::HalfedgeMesh made = valid_halfedges_of(mesh_of(test::unit_cube, quads));
   EXPECT_EQ(made.surface.n_edges(), 22u);
   EXPECT_EQ(made.surface.n_vertices(), 12u);
 }
 
 TEST(OpenMesh, ConesThatMeetInAVertexAreCutApart) {
-  const HalfedgeMesh made =
+  const mesh::HalfedgeMesh made =
       valid_halfedges_of(mesh_of({{0, 0, 0}, {1, 0, 1}, {0, 1, 1}, {-1, -1, 1}, {1, 0, -1}, {0, 1, -1}, {-1, -1, -1}},
                                  {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {0, 5, 4}, {0, 6, 5}, {0, 4, 6}}));
   EXPECT_EQ(made.surface.n_vertices(), 8u);
@@ -99,9 +100,10 @@ TEST(OpenMesh, ConesThatMeetInAVertexAreCutApart) {
 }
 
 TEST(OpenMesh, VerticesWithoutFacesAreIsolated) {
-  const HalfedgeMesh made = valid_halfedges_of(mesh_of({{0, 0, 0}, {9, 9, 9}, {1, 0, 0}, {0, 1, 0}}, {{0, 2, 3}}));
+  const mesh::HalfedgeMesh made =
+      valid_halfedges_of(mesh_of({{0, 0, 0}, {9, 9, 9}, {1, 0, 0}, {0, 1, 0}}, {{0, 2, 3}}));
   EXPECT_TRUE(made.surface.is_isolated(OpenMesh::VertexHandle(1)));
-  EXPECT_EQ(to_openmesh(mesh_of({}, {})).surface.n_vertices(), 0u);
+  EXPECT_EQ(mesh::to_openmesh(mesh_of({}, {})).surface.n_vertices(), 0u);
 }
 
 TEST(OpenMesh, TakesWhateverFilesHold) {
@@ -109,7 +111,7 @@ TEST(OpenMesh, TakesWhateverFilesHold) {
   for (const char* folder : {EPURA_TEST_SAMPLES "/models", EPURA_TEST_GOLDEN "/models"})
     for (const auto& file : std::filesystem::directory_iterator(folder)) {
       SCOPED_TRACE(file.path());
-      const HalfedgeMesh made = valid_halfedges_of(read_mesh(file.path()));
+      const mesh::HalfedgeMesh made = valid_halfedges_of(mesh::read_mesh(file.path()));
       ++models;
       // The band with one side has one seam, which has two sides.
       if (file.path().stem() != "moebius") continue;

@@ -10,13 +10,13 @@ namespace {
 using test::append;
 using test::error_of;
 
-Soup soup_of(std::string_view bytes) { return read_ply(bytes, "m.ply"); }
+mesh::Soup soup_of(std::string_view bytes) { return mesh::read_ply(bytes, "m.ply"); }
 
 const std::string vertex_header = "element vertex 3\nproperty double x\nproperty double y\nproperty double z\n";
 const std::string face_header = "element face 1\nproperty list uchar int vertex_indices\n";
 
 TEST(Ply, TextWithEverythingBesides) {
-  const Soup soup = soup_of(
+  const mesh::Soup soup = soup_of(
       "ply\r\nformat ascii 1.0\r\ncomment # format binary\r\nobj_info x\r\nelement material 1\r\nproperty list int "
       "float k\r\n"
       "element face 2\r\nproperty uchar red\r\nproperty list uint8 uint32 vertex_index\r\nproperty list uchar float "
@@ -25,7 +25,7 @@ TEST(Ply, TextWithEverythingBesides) {
       "nothing 7\r\n"
       "end_header\r\n2 0.5 0.5\r\n255 3 0 1 2 2 0.1 0.2\r\n0 3 2 1\r\n0 0\r\n9 5 10000000.123456789 0.1\r\n9 6 1 "
       "0\r\n9 7 0 1\r\n");
-  EXPECT_EQ(soup.points, (Points{{10000000.123456789, 0.1, 5}, {1, 0, 6}, {0, 1, 7}}));
+  EXPECT_EQ(soup.points, (mesh::Points{{10000000.123456789, 0.1, 5}, {1, 0, 6}, {0, 1, 7}}));
   EXPECT_EQ(soup.corners, (std::vector<int>{0, 1, 2, 2, 1, 0}));
   EXPECT_EQ(soup.face_ends, (std::vector<int>{3, 6}));
   EXPECT_TRUE(soup.single_precision);
@@ -46,8 +46,8 @@ TEST(Ply, BinaryInBothByteOrdersWithFacesFirst) {
       append(bytes, x, order);
       if (x == -0.0 || x == 3.0 || x == 6.0) append(bytes, std::uint8_t{255}, order);
     }
-    const Soup soup = soup_of(bytes);
-    EXPECT_EQ(soup.points, (Points{{1e-300, 0.1, 0}, {1, 2, 3}, {4, 5, 6}}));
+    const mesh::Soup soup = soup_of(bytes);
+    EXPECT_EQ(soup.points, (mesh::Points{{1e-300, 0.1, 0}, {1, 2, 3}, {4, 5, 6}}));
     EXPECT_EQ(soup.corners, (std::vector<int>{2, 0, 1}));
     EXPECT_FALSE(soup.single_precision);
   }
@@ -72,7 +72,7 @@ TEST(Ply, EveryScalarType) {
     add(bytes);
     add(bytes);
     append(bytes, std::uint16_t{65535});
-    EXPECT_EQ(soup_of(bytes).points, (Points{{-7, -7, 65535}})) << name;
+    EXPECT_EQ(soup_of(bytes).points, (mesh::Points{{-7, -7, 65535}})) << name;
   }
 }
 
@@ -81,11 +81,11 @@ TEST(Ply, HeaderWithCarriageReturnsBeforeDataThatBeginsWithALineFeed) {
       "ply\rformat binary_little_endian 1.0\relement vertex 1\rproperty uchar x\rproperty uchar y\r"
       "property uchar z\rend_header\r";
   bytes += "\n\x01\x02";
-  EXPECT_EQ(soup_of(bytes).points, (Points{{10, 1, 2}}));
+  EXPECT_EQ(soup_of(bytes).points, (mesh::Points{{10, 1, 2}}));
 }
 
 TEST(Ply, StripsTurnEverySecondTriangle) {
-  const Soup soup = soup_of(
+  const mesh::Soup soup = soup_of(
       "ply\nformat ascii 1.0\nelement vertex 5\nproperty int x\nproperty int y\nproperty int z\n"
       "element tristrips 1\nproperty list int int vertex_indices\nend_header\n"
       "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n11 0 1 2 3 -1 4 3 2 2 -1 1\n");

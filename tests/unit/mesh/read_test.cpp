@@ -19,7 +19,7 @@ const std::string triangle_stl =
     "solid t\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1.5 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid "
     "t\n";
 
-void expect_triangle(const Mesh& mesh, const std::string& format) {
+void expect_triangle(const mesh::Mesh& mesh, const std::string& format) {
   test::expect_valid(mesh);
   EXPECT_EQ(mesh.report.format, format);
   ASSERT_EQ(mesh.report.triangles, 1);
@@ -38,10 +38,10 @@ TEST(ReadMesh, EveryFormatInEveryEncoding) {
   for (const auto& [format, text] :
        {std::pair{"obj", triangle_obj}, {"off", triangle_off}, {"ply", triangle_ply}, {"stl", triangle_stl}}) {
     const std::string name = std::string("m.") + format;
-    expect_triangle(read_mesh(folder.file(name, text)), format);
-    expect_triangle(read_mesh(folder.file(name, "\xEF\xBB\xBF" + text)), format);
-    expect_triangle(read_mesh(folder.file(name, utf16(text, std::endian::little))), format);
-    expect_triangle(read_mesh(folder.file(name, utf16(text, std::endian::big))), format);
+    expect_triangle(mesh::read_mesh(folder.file(name, text)), format);
+    expect_triangle(mesh::read_mesh(folder.file(name, "\xEF\xBB\xBF" + text)), format);
+    expect_triangle(mesh::read_mesh(folder.file(name, utf16(text, std::endian::little))), format);
+    expect_triangle(mesh::read_mesh(folder.file(name, utf16(text, std::endian::big))), format);
   }
 }
 
@@ -50,31 +50,31 @@ TEST(ReadMesh, NamesInUtf16BecomeUtf8) {
   std::string bytes = utf16("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\no a\nf 1 2 3\no ", std::endian::little);
   for (const int unit : {0xC9, 0x20AC, 0xD83D, 0xDE00, 0xDC00}) test::append(bytes, static_cast<std::uint16_t>(unit));
   for (const char c : std::string("\nf 1 2 4\n")) test::append(bytes, static_cast<std::uint16_t>(c));
-  const Mesh mesh = read_mesh(folder.file("m.obj", bytes));
+  const mesh::Mesh mesh = mesh::read_mesh(folder.file("m.obj", bytes));
   EXPECT_EQ(mesh.body_names, (std::vector<std::string>{"a", "\xC3\x89\xE2\x82\xAC\xF0\x9F\x98\x80\xEF\xBF\xBD"}));
 }
 
 TEST(ReadMesh, ContentWinsOverTheExtension) {
   const Folder folder;
-  const Mesh mesh = read_mesh(folder.file("m.obj", triangle_ply));
+  const mesh::Mesh mesh = mesh::read_mesh(folder.file("m.obj", triangle_ply));
   expect_triangle(mesh, "ply");
   EXPECT_EQ(mesh.report.notes, (std::vector<std::string>{"the file is named .obj, but holds ply"}));
-  expect_triangle(read_mesh(folder.file("m.ply", triangle_off)), "off");
-  expect_triangle(read_mesh(folder.file("m.off", triangle_stl)), "stl");
-  const Mesh unnamed = read_mesh(folder.file("m.dat", triangle_stl));
+  expect_triangle(mesh::read_mesh(folder.file("m.ply", triangle_off)), "off");
+  expect_triangle(mesh::read_mesh(folder.file("m.off", triangle_stl)), "stl");
+  const mesh::Mesh unnamed = mesh::read_mesh(folder.file("m.dat", triangle_stl));
   EXPECT_TRUE(unnamed.report.notes.empty());
   const std::string binary = test::binary_stl({{{{{0, 0, 0}}, {{1.5, 0, 0}}, {{0, 1, 0}}}}}, "solid");
-  expect_triangle(read_mesh(folder.file("m", binary)), "stl");
-  expect_triangle(read_mesh(folder.file("m.OBJ", triangle_obj)), "obj");
+  expect_triangle(mesh::read_mesh(folder.file("m", binary)), "stl");
+  expect_triangle(mesh::read_mesh(folder.file("m.OBJ", triangle_obj)), "obj");
 }
 
 TEST(ReadMesh, FormsThatAreSoundThoughUnusual) {
   const Folder folder;
   const std::string one_line = "OFF3 1 0" + triangle_off.substr(triangle_off.find("\n0 0 0"));
-  for (const char* name : {"m.off", "m.dat"}) expect_triangle(read_mesh(folder.file(name, one_line)), "off");
+  for (const char* name : {"m.off", "m.dat"}) expect_triangle(mesh::read_mesh(folder.file(name, one_line)), "off");
   const std::string facets = triangle_stl.substr(triangle_stl.find("facet"), triangle_stl.find("endsolid") - 8);
   for (const std::string& text : {facets, " \nFACET" + facets.substr(5), "# c\n" + facets})
-    for (const char* name : {"m.stl", "m.dat"}) expect_triangle(read_mesh(folder.file(name, text)), "stl");
+    for (const char* name : {"m.stl", "m.dat"}) expect_triangle(mesh::read_mesh(folder.file(name, text)), "stl");
 }
 
 TEST(ReadMesh, FacesThatCollapseOpenNothing) {
@@ -84,7 +84,7 @@ TEST(ReadMesh, FacesThatCollapseOpenNothing) {
     for (const int last : {2, 3})
       cube += "f " + std::to_string(quad[0] + 1) + " " + std::to_string(quad[last - 1] + 1) + " " +
               std::to_string(quad[last] + 1) + "\n";
-  const MeshReport report = read_mesh(folder.file("m.obj", cube + "f 1 1 2\nf 3 4 3 4\n")).report;
+  const mesh::MeshReport report = mesh::read_mesh(folder.file("m.obj", cube + "f 1 1 2\nf 3 4 3 4\n")).report;
   EXPECT_EQ(report.dropped_degenerate, 2);
   EXPECT_EQ(report.open_edges + report.non_manifold_edges + report.misoriented_edges, 0);
 }
@@ -93,7 +93,7 @@ TEST(ReadMesh, ErrorsNameTheFileAndTheReason) {
   const Folder folder;
   const auto error = [&](const std::string& name, const std::string& bytes) {
     const std::string path = folder.file(name, bytes);
-    std::string text = error_of([&] { read_mesh(path); });
+    std::string text = error_of([&] { mesh::read_mesh(path); });
     for (std::size_t at; (at = text.find(path)) != std::string::npos;) text.replace(at, path.size(), "FILE");
     return text;
   };
@@ -113,7 +113,7 @@ TEST(ReadMesh, ErrorsNameTheFileAndTheReason) {
 }
 
 TEST(ReadMesh, MissingFileIsAnError) {
-  EXPECT_NE(error_of([] { read_mesh("no/such/file.obj"); }).find("no/such/file.obj"), std::string::npos);
+  EXPECT_NE(error_of([] { mesh::read_mesh("no/such/file.obj"); }).find("no/such/file.obj"), std::string::npos);
 }
 
 /// Numbers as German or Swiss programs print them.
@@ -129,7 +129,7 @@ TEST(ReadMesh, NoLocaleChangesANumber) {
   const char* const named = std::setlocale(LC_ALL, "de_DE.UTF-8");  // where the system has it
   for (const auto& [format, text] :
        {std::pair{"obj", triangle_obj}, {"off", triangle_off}, {"ply", triangle_ply}, {"stl", triangle_stl}})
-    expect_triangle(read_mesh(folder.file(std::string("m.") + format, text)), format);
+    expect_triangle(mesh::read_mesh(folder.file(std::string("m.") + format, text)), format);
   if (named != nullptr) std::setlocale(LC_ALL, "C");
   std::locale::global(before);
 }

@@ -11,10 +11,10 @@ namespace {
 using Rings = std::vector<std::vector<int>>;
 
 // A square 0 to 3, a square 4 to 7 inside of it the other way round, and a triangle 2, 8, 9 that touches it.
-const Points points{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {1, 1, 0},
-                    {1, 3, 0}, {3, 3, 0}, {3, 1, 0}, {6, 4, 0}, {6, 6, 0}};
+const mesh::Points points{{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {1, 1, 0},
+                          {1, 3, 0}, {3, 3, 0}, {3, 1, 0}, {6, 4, 0}, {6, 6, 0}};
 
-Rings rings(const std::vector<int>& ring) { return simple_rings(ring, points); }
+Rings rings(const std::vector<int>& ring) { return mesh::simple_rings(ring, points); }
 
 TEST(SimpleRings, AreDividedWhereLoopsTouch) {
   EXPECT_EQ(rings({0, 1, 2, 8, 9, 2, 3}), (Rings{{2, 8, 9}, {0, 1, 2, 3}}));
@@ -35,13 +35,13 @@ TEST(SimpleRings, LeaveOutWaysThereAndBack) {
 }
 
 TEST(SimpleRings, RepeatCorners) {
-  EXPECT_TRUE(repeats_corner(std::vector<int>{0, 1, 2, 1}));
-  EXPECT_FALSE(repeats_corner(std::vector<int>{0, 1, 2, 3}));
+  EXPECT_TRUE(mesh::repeats_corner(std::vector<int>{0, 1, 2, 1}));
+  EXPECT_FALSE(mesh::repeats_corner(std::vector<int>{0, 1, 2, 3}));
   std::vector<int> many;
   for (int i = 0; i < 40; ++i) many.push_back(i);
-  EXPECT_FALSE(repeats_corner(many));
+  EXPECT_FALSE(mesh::repeats_corner(many));
   many.push_back(17);
-  EXPECT_TRUE(repeats_corner(many));
+  EXPECT_TRUE(mesh::repeats_corner(many));
 }
 
 }  // namespace

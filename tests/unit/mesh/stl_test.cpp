@@ -27,10 +27,10 @@ std::vector<Triangle> cube() {
   return triangles;
 }
 
-Mesh mesh_of(std::string_view bytes) { return build_mesh(read_stl(bytes, "m.stl"), "m.stl"); }
+mesh::Mesh mesh_of(std::string_view bytes) { return mesh::build_mesh(mesh::read_stl(bytes, "m.stl"), "m.stl"); }
 
 TEST(Stl, BinaryCubeIsWelded) {
-  const Mesh mesh = mesh_of(binary_stl(cube()));
+  const mesh::Mesh mesh = mesh_of(binary_stl(cube()));
   expect_valid(mesh);
   EXPECT_EQ(mesh.report.vertices, 8);
   EXPECT_EQ(mesh.report.triangles, 12);
@@ -46,16 +46,16 @@ TEST(Stl, BinaryMayCallItselfSolid) {
 }
 
 TEST(Stl, BytesBehindTheLastTriangleAreNoted) {
-  const Mesh mesh = mesh_of(binary_stl(cube()) + "tail");
+  const mesh::Mesh mesh = mesh_of(binary_stl(cube()) + "tail");
   EXPECT_EQ(mesh.report.triangles, 12);
   EXPECT_EQ(mesh.report.notes, (std::vector<std::string>{"ignored 4 bytes behind the last triangle"}));
 }
 
 TEST(Stl, TruncatedBinaryNamesTheByte) {
   const std::string bytes = binary_stl(cube());
-  EXPECT_EQ(error_of([&] { read_stl(std::string_view(bytes).substr(0, 200), "m.stl"); }),
+  EXPECT_EQ(error_of([&] { mesh::read_stl(std::string_view(bytes).substr(0, 200), "m.stl"); }),
             "m.stl: byte 200 | m.stl: byte 200: the file ends at triangle 3 of 12 | is the file complete?");
-  EXPECT_EQ(error_of([&] { read_stl(std::string_view(bytes).substr(0, 50), "m.stl"); }),
+  EXPECT_EQ(error_of([&] { mesh::read_stl(std::string_view(bytes).substr(0, 50), "m.stl"); }),
             "m.stl: byte 50 | m.stl: byte 50: the file ends inside the header of a binary STL | is the file complete?");
 }
 
@@ -64,7 +64,7 @@ TEST(Stl, CornersThatDifferInTheLastBitsAreJoined) {
   // Each triangle of the top gets its own rounding of the coordinate 1.
   for (std::size_t t = 2; t < 4; ++t)
     for (auto& corner : triangles[t]) corner[2] = std::nextafter(1.0f, t == 2 ? 2.0f : 0.0f);
-  const Mesh mesh = mesh_of(binary_stl(triangles));
+  const mesh::Mesh mesh = mesh_of(binary_stl(triangles));
   expect_valid(mesh);
   EXPECT_EQ(mesh.report.vertices, 8);
   EXPECT_EQ(mesh.report.open_edges, 0);
@@ -76,7 +76,7 @@ TEST(Stl, CornersThatDifferInTheLastBitsAreJoined) {
 TEST(Stl, WiderCracksStayOpen) {
   auto triangles = cube();
   for (auto& corner : triangles[2]) corner[2] = 1.0001f;
-  const Mesh mesh = mesh_of(binary_stl(triangles));
+  const mesh::Mesh mesh = mesh_of(binary_stl(triangles));
   EXPECT_EQ(mesh.report.welded_vertices, 0);
   EXPECT_EQ(mesh.report.open_edges, 6);
 }
@@ -86,7 +86,7 @@ TEST(Stl, TinyFacesSurvive) {
   const float e = 0x1p-23f;
   const std::vector<Triangle> triangles{{{{{0, 0, 0}}, {{e, 0, 0}}, {{0, e, 0}}}},
                                         {{{{1, 0, 0}}, {{1, 1, 0}}, {{0, 1, 1}}}}};
-  const Mesh mesh = mesh_of(binary_stl(triangles));
+  const mesh::Mesh mesh = mesh_of(binary_stl(triangles));
   EXPECT_EQ(mesh.report.triangles, 2);
   EXPECT_EQ(mesh.report.vertices, 6);
 }
@@ -103,7 +103,7 @@ TEST(Stl, ManyCornersAtOnePlaceAreJoined) {
     const std::string tip = "vertex " + format_number(1e-12 * (i * 389 % n)) + " " + format_number(1e-12 * i) + " 1\n";
     text += "facet normal 0 0 1\nouter loop\n" + tip + rim(i) + rim(i + 1) + "endloop\nendfacet\n";
   }
-  const Mesh mesh = mesh_of(text);
+  const mesh::Mesh mesh = mesh_of(text);
   expect_valid(mesh);
   EXPECT_EQ(mesh.report.vertices, n + 1);
   EXPECT_EQ(mesh.report.open_edges, n);
@@ -114,7 +114,7 @@ TEST(Stl, FacesThatBecomeEqualAreDropped) {
   const float one = std::nextafter(1.0f, 2.0f);
   const std::vector<Triangle> triangles{{{{{0, 0, 1}}, {{1, 0, 1}}, {{0, 1, 1}}}},
                                         {{{{0, 0, one}}, {{1, 0, one}}, {{0, 1, one}}}}};
-  const Mesh mesh = mesh_of(binary_stl(triangles));
+  const mesh::Mesh mesh = mesh_of(binary_stl(triangles));
   expect_valid(mesh);
   EXPECT_EQ(mesh.report.triangles, 1);
   EXPECT_EQ(mesh.report.faces, 1);
@@ -122,7 +122,7 @@ TEST(Stl, FacesThatBecomeEqualAreDropped) {
 }
 
 TEST(Stl, TextInAnyCaseWithSeveralSolids) {
-  const Mesh mesh = mesh_of(
+  const mesh::Mesh mesh = mesh_of(
       "solid lower part # of 2\r\nFACET NORMAL nan nan nan\r\nOuter Loop\r\nvertex 0 0 0\r\nVERTEX 1e0 +0 0\r\n"
       "vertex 0 1. -0\r\nendloop\r\nendfacet\r\nendsolid lower part\r\n"
       "solid\rfacet normal 0 0 1 outer loop vertex 0 0 5 vertex 1 0 5 vertex 1 1 5 vertex 0 1 5 endloop endfacet\r");
@@ -135,7 +135,7 @@ TEST(Stl, TextInAnyCaseWithSeveralSolids) {
 
 TEST(Stl, TextErrorsNameTheLine) {
   const auto error = [](const std::string& body) {
-    return error_of([&] { read_stl("solid s\nfacet normal 0 0 1\n" + body, "m.stl"); });
+    return error_of([&] { mesh::read_stl("solid s\nfacet normal 0 0 1\n" + body, "m.stl"); });
   };
   EXPECT_EQ(error("vertex 0 0\n"), "m.stl:3 | m.stl:3: the z coordinate is missing | ");
   EXPECT_EQ(error("vertex 0 0 zero\n"), "m.stl:3 | m.stl:3: 'zero' is not a number that a double can hold | ");

@@ -17,8 +17,8 @@
 
 namespace epura::test {
 
-inline Soup make_soup(Points points, const std::vector<std::vector<int>>& faces) {
-  Soup soup;
+inline mesh::Soup make_soup(mesh::Points points, const std::vector<std::vector<int>>& faces) {
+  mesh::Soup soup;
   soup.points = std::move(points);
   soup.format = "obj";
   for (const auto& face : faces) {
@@ -28,8 +28,8 @@ inline Soup make_soup(Points points, const std::vector<std::vector<int>>& faces)
   return soup;
 }
 
-inline Mesh mesh_of(Points points, const std::vector<std::vector<int>>& faces) {
-  return build_mesh(make_soup(std::move(points), faces), "test");
+inline mesh::Mesh mesh_of(mesh::Points points, const std::vector<std::vector<int>>& faces) {
+  return mesh::build_mesh(make_soup(std::move(points), faces), "test");
 }
 
 /// What `action` throws, as "where | sentence | hint"; empty if nothing.
@@ -63,7 +63,7 @@ inline std::string binary_stl(const std::vector<Triangle>& triangles, std::strin
   return header;
 }
 
-inline void expect_valid(const Mesh& mesh) {
+inline void expect_valid(const mesh::Mesh& mesh) {
   const auto triangles = static_cast<std::size_t>(mesh.report.triangles);
   ASSERT_EQ(mesh.corners.size(), 3 * triangles);
   ASSERT_EQ(mesh.polygon.size(), triangles);
@@ -71,7 +71,7 @@ inline void expect_valid(const Mesh& mesh) {
   ASSERT_EQ(mesh.points.size(), static_cast<std::size_t>(mesh.report.vertices));
   std::size_t sides = 0;
   for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
-    const MeshEdge& edge = mesh.edges[e];
+    const mesh::MeshEdge& edge = mesh.edges[e];
     ASSERT_LT(edge.vertex[0], edge.vertex[1]);
     ASSERT_TRUE(e == 0 || mesh.edges[e - 1].vertex < edge.vertex);
     const auto around = mesh.triangles_of(edge);
@@ -85,7 +85,8 @@ inline void expect_valid(const Mesh& mesh) {
   ASSERT_EQ(sides, 3 * mesh.polygon.size());
 }
 
-inline const Points unit_cube{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
+inline const mesh::Points unit_cube{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+                                    {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
 inline const std::vector<std::vector<int>> cube_quads{{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
                                                       {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
 

@@ -25,25 +25,26 @@ Vec2 turned(const Vec2& p, double angle) {
   return {std::cos(angle) * p.x - std::sin(angle) * p.y, std::sin(angle) * p.x + std::cos(angle) * p.y};
 }
 
-CurvePart curve(Vec2 centre, double a, double b, double slant, double from, double to) {
+drawing::CurvePart curve(Vec2 centre, double a, double b, double slant, double from, double to) {
   return {0, 0, centre, turned({a, 0}, slant), turned({0, b}, slant), from, to};
 }
 
-const std::vector<CurvePart> curves{curve({50, 50}, 40, 40, 0, 0, 2 * pi),
-                                    curve({50, 50}, 40, 12, 0.5, 0.3, 0.3 - 2 * pi), curve({60, 40}, 30, 30, 0, 1, 3.5),
-                                    curve({60, 40}, 10, 25, 2.2, 1, -3), curve({-900, 50}, 950, 950, 0, -0.03, 0.03)};
+const std::vector<drawing::CurvePart> curves{curve({50, 50}, 40, 40, 0, 0, 2 * pi),
+                                             curve({50, 50}, 40, 12, 0.5, 0.3, 0.3 - 2 * pi),
+                                             curve({60, 40}, 30, 30, 0, 1, 3.5), curve({60, 40}, 10, 25, 2.2, 1, -3),
+                                             curve({-900, 50}, 950, 950, 0, -0.03, 0.03)};
 
 // Distance of a point from a curve, by its affine image on the unit circle; near it, to first order.
-double off(const CurvePart& part, const Vec2& p) {
+double off(const drawing::CurvePart& part, const Vec2& p) {
   const Vec2 d = p - part.centre;
   const Vec2 unit(glm::dot(d, part.u) / glm::dot(part.u, part.u), glm::dot(d, part.v) / glm::dot(part.v, part.v));
   return std::abs(glm::length(unit) - 1) * std::min(glm::length(part.u), glm::length(part.v));
 }
 
 TEST(CurvePieces, BeziersLieOnTheCurve) {
-  for (const CurvePart& part : curves) {
-    Vec2 from = position_on_curve(part, part.from);
-    for (const BezierPiece& piece : bezier_pieces(part, 1e-5)) {
+  for (const drawing::CurvePart& part : curves) {
+    Vec2 from = drawing::position_on_curve(part, part.from);
+    for (const output::BezierPiece& piece : output::bezier_pieces(part, 1e-5)) {
       for (int i = 0; i <= 20; ++i) {
         const double t = i / 20.0, s = 1 - t;
         const Vec2 p = s * s * s * from + 3 * s * s * t * piece.controls[0] + 3 * s * t * t * piece.controls[1] +
@@ -52,28 +53,29 @@ TEST(CurvePieces, BeziersLieOnTheCurve) {
       }
       from = piece.to;
     }
-    EXPECT_LT(glm::distance(from, position_on_curve(part, part.to)), 1e-9);
+    EXPECT_LT(glm::distance(from, drawing::position_on_curve(part, part.to)), 1e-9);
   }
 }
 
 // The stroke of a curve between two lines; a whole one for itself.
-Stroke stroke_of(CurvePart part, int steps) {
-  Stroke stroke;
+sheet::Stroke stroke_of(drawing::CurvePart part, int steps) {
+  sheet::Stroke stroke;
   stroke.closed = std::abs(std::abs(part.to - part.from) - 2 * pi) < 1e-9;
-  if (!stroke.closed) stroke.points.push_back(position_on_curve(part, part.from) + Vec2(0, 7));
+  if (!stroke.closed) stroke.points.push_back(drawing::position_on_curve(part, part.from) + Vec2(0, 7));
   part.first = static_cast<int>(stroke.points.size());
   part.last = part.first + steps;
   for (int i = 0; i < steps + (stroke.closed ? 0 : 1); ++i)
-    stroke.points.push_back(position_on_curve(part, part.from + (part.to - part.from) * i / steps));
+    stroke.points.push_back(drawing::position_on_curve(part, part.from + (part.to - part.from) * i / steps));
   if (!stroke.closed) stroke.points.push_back(stroke.points.back() + Vec2(3, 8));
   stroke.curves.push_back(part);
   return stroke;
 }
 
-Sheet sheet_of(bool curved, int steps) {
-  Sheet sheet{120, 100, "curves", {{"a/hidden", {"hidden", 0.25, {3, 0.75}}, {}}, {"a/visible", {"visible", 0.5}, {}}}};
+sheet::Sheet sheet_of(bool curved, int steps) {
+  sheet::Sheet sheet{
+      120, 100, "curves", {{"a/hidden", {"hidden", 0.25, {3, 0.75}}, {}}, {"a/visible", {"visible", 0.5}, {}}}};
   for (std::size_t i = 0; i < curves.size(); ++i) {
-    Stroke stroke = stroke_of(curves[i], steps);
+    sheet::Stroke stroke = stroke_of(curves[i], steps);
     if (!curved) stroke.curves.clear();
     if (i % 2 == 1) stroke.dashes = {3, 0.75};
     sheet.layers[i % 2 == 1 ? 0 : 1].strokes.push_back(stroke);
@@ -95,13 +97,13 @@ Vec2 middle_of_arc(const Vec2& from, const SvgPiece& arc) {
 }
 
 TEST(Curves, AreArcsInSvg) {
-  const Sheet sheet = sheet_of(true, 24);
-  const auto document = parse_svg(to_svg(sheet, {}));
+  const sheet::Sheet sheet = sheet_of(true, 24);
+  const auto document = parse_svg(output::to_svg(sheet, {}));
   const std::vector<pugi::xml_node> layers = layers_of(document);
   for (const std::size_t layer : {0, 1}) {
     pugi::xml_node path = layers[layer].child("path");
-    for (const Stroke& stroke : sheet.layers[layer].strokes) {
-      const CurvePart& part = stroke.curves[0];
+    for (const sheet::Stroke& stroke : sheet.layers[layer].strokes) {
+      const drawing::CurvePart& part = stroke.curves[0];
       Vec2 pen(0);
       int arcs = 0;
       for (const SvgPiece& piece : SvgPathReader(path.attribute("d").value()).pieces()) {
@@ -162,10 +164,10 @@ Pixels pixels_of(const std::string& png) {
 
 // Against polylines so fine that they are the curves.
 TEST(Curves, LieInPicturesWhereFinePolylinesDo) {
-  Sheet curved = sheet_of(true, 24), fine = sheet_of(false, 2000);
-  for (Sheet* sheet : {&curved, &fine})
-    for (Stroke& stroke : sheet->layers[0].strokes) stroke.dashes = {};
-  const Pixels a = pixels_of(to_png(curved, 200)), b = pixels_of(to_png(fine, 200));
+  sheet::Sheet curved = sheet_of(true, 24), fine = sheet_of(false, 2000);
+  for (sheet::Sheet* sheet : {&curved, &fine})
+    for (sheet::Stroke& stroke : sheet->layers[0].strokes) stroke.dashes = {};
+  const Pixels a = pixels_of(output::to_png(curved, 200)), b = pixels_of(output::to_png(fine, 200));
   ASSERT_EQ(a.grey.size(), b.grey.size());
   int dark = 0;
   for (int y = 0; y < a.height; ++y)
@@ -178,10 +180,10 @@ TEST(Curves, LieInPicturesWhereFinePolylinesDo) {
 }
 
 TEST(Curves, AreCurvesInPdfAndPostScript) {
-  const Sheet sheet = sheet_of(true, 24);
-  const std::string ps = to_ps({&sheet});
+  const sheet::Sheet sheet = sheet_of(true, 24);
+  const std::string ps = output::to_ps({&sheet});
   EXPECT_NE(ps.find(" c "), std::string::npos);
-  EXPECT_GT(to_pdf({&sheet}).size(), 1000U);
+  EXPECT_GT(output::to_pdf({&sheet}).size(), 1000U);
 }
 
 }  // namespace

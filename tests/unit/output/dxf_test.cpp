@@ -19,8 +19,8 @@ constexpr double pi = std::numbers::pi;
 class DxfOfSize : public testing::TestWithParam<Vec2> {};
 
 TEST_P(DxfOfSize, KeepsEveryBitOfCoordinates) {
-  const Sheet sheet = random_sheet(GetParam().x, GetParam().y);
-  const std::string dxf = to_dxf(sheet);
+  const sheet::Sheet sheet = random_sheet(GetParam().x, GetParam().y);
+  const std::string dxf = output::to_dxf(sheet);
   EXPECT_EQ(largest_error(sheet.layers[0].strokes, ink_of(entities_of(dxf, "a view-hidden"))), 0);
   EXPECT_EQ(largest_error(sheet.layers[1].strokes, ink_of(entities_of(dxf, "a view-visible"))), 0);
 }
@@ -28,18 +28,18 @@ TEST_P(DxfOfSize, KeepsEveryBitOfCoordinates) {
 INSTANTIATE_TEST_SUITE_P(Sizes, DxfOfSize,
                          testing::Values(Vec2(297, 210), Vec2(1189, 841), Vec2(123.4567, 33.3333), Vec2(20000, 20000)));
 
-Sheet one_stroke(const Stroke& stroke) {
-  Sheet sheet{200, 200, "", {{"v/visible", {"visible", 0.5}, {}}}};
+sheet::Sheet one_stroke(const sheet::Stroke& stroke) {
+  sheet::Sheet sheet{200, 200, "", {{"v/visible", {"visible", 0.5}, {}}}};
   sheet.layers[0].strokes.push_back(stroke);
   return sheet;
 }
 
-Vec2 on(const CurvePart& curve, double angle) {
+Vec2 on(const drawing::CurvePart& curve, double angle) {
   return curve.centre + std::cos(angle) * curve.u + std::sin(angle) * curve.v;
 }
 
 // Points along the curve, as many as the part says.
-std::vector<Vec2> corners_of(const CurvePart& curve) {
+std::vector<Vec2> corners_of(const drawing::CurvePart& curve) {
   std::vector<Vec2> points;
   for (int i = curve.first; i <= curve.last; ++i)
     points.push_back(on(curve, curve.from + (curve.to - curve.from) * (i - curve.first) / (curve.last - curve.first)));
@@ -47,10 +47,10 @@ std::vector<Vec2> corners_of(const CurvePart& curve) {
 }
 
 TEST(DxfCurves, AWholeCircleIsACircle) {
-  const CurvePart curve{0, 24, {60, 70}, {0, 30}, {30, 0}, 1, 1 - 2 * pi};
-  Stroke stroke{corners_of(curve), true, {}, {}, {}, {}, {curve}};
+  const drawing::CurvePart curve{0, 24, {60, 70}, {0, 30}, {30, 0}, 1, 1 - 2 * pi};
+  sheet::Stroke stroke{corners_of(curve), true, {}, {}, {}, {}, {curve}};
   stroke.points.pop_back();
-  const auto entities = entities_of(to_dxf(one_stroke(stroke)), "v-visible");
+  const auto entities = entities_of(output::to_dxf(one_stroke(stroke)), "v-visible");
   ASSERT_EQ(entities.size(), 1u);
   EXPECT_EQ(entities[0].type, "CIRCLE");
   EXPECT_EQ(entities[0].point(10), Vec2(60, 70));
@@ -58,9 +58,9 @@ TEST(DxfCurves, AWholeCircleIsACircle) {
 }
 
 TEST(DxfCurves, AnArcAloneRunsCounterclockwise) {
-  const CurvePart curve{0, 12, {60, 70}, {30, 0}, {0, 30}, pi / 2, -pi / 4};
+  const drawing::CurvePart curve{0, 12, {60, 70}, {30, 0}, {0, 30}, pi / 2, -pi / 4};
   const auto entities =
-      entities_of(to_dxf(one_stroke({corners_of(curve), false, {}, {}, {}, {}, {curve}})), "v-visible");
+      entities_of(output::to_dxf(one_stroke({corners_of(curve), false, {}, {}, {}, {}, {curve}})), "v-visible");
   ASSERT_EQ(entities.size(), 1u);
   EXPECT_EQ(entities[0].type, "ARC");
   EXPECT_NEAR(entities[0].number(50), -45, 1e-12);
@@ -77,8 +77,8 @@ TEST(DxfCurves, EllipsesOfAllDirectionsKeepTheirPlaces) {
   const Vec2 long_axis(24, 18), short_axis(-6, 8);
   for (const auto& [u, v] : {std::pair{long_axis, short_axis}, {short_axis, long_axis}, {long_axis, -short_axis}}) {
     for (const auto& [from, to] : {std::pair{0.5, 2.5}, {2.5, 0.5}, {-1.0, 4.0}}) {
-      const CurvePart curve{0, 12, {90, 100}, u, v, from, to};
-      const auto dxf = to_dxf(one_stroke({corners_of(curve), false, {}, {}, {}, {}, {curve}}));
+      const drawing::CurvePart curve{0, 12, {90, 100}, u, v, from, to};
+      const auto dxf = output::to_dxf(one_stroke({corners_of(curve), false, {}, {}, {}, {}, {curve}}));
       const auto entities = entities_of(dxf, "v-visible");
       ASSERT_EQ(entities.size(), 1u);
       const DxfRecord& ellipse = entities[0];
@@ -102,15 +102,15 @@ Vec2 middle_of(const Vec2& a, const Vec2& b, double bulge) {
 
 TEST(DxfCurves, ArcsAmongLinesAreBulges) {
   // The outline of a slot: its arcs turn clockwise, the second one goes on past the first point.
-  Stroke slot{{}, true};
-  const CurvePart right{2, 14, {80, 50}, {20, 0}, {0, 20}, pi / 2, -pi / 2};
+  sheet::Stroke slot{{}, true};
+  const drawing::CurvePart right{2, 14, {80, 50}, {20, 0}, {0, 20}, pi / 2, -pi / 2};
   slot.points = {{20, 70}, {50, 70}};
   for (const Vec2& p : corners_of(right)) slot.points.push_back(p);
-  const CurvePart left{15, 27, {20, 50}, {20, 0}, {0, 20}, 1.5 * pi, pi / 2};
+  const drawing::CurvePart left{15, 27, {20, 50}, {20, 0}, {0, 20}, 1.5 * pi, pi / 2};
   for (const Vec2& p : corners_of(left)) slot.points.push_back(p);
   slot.points.pop_back();  // the first point
   slot.curves = {right, left};
-  const auto entities = entities_of(to_dxf(one_stroke(slot)), "v-visible");
+  const auto entities = entities_of(output::to_dxf(one_stroke(slot)), "v-visible");
   ASSERT_EQ(entities.size(), 1u);
   EXPECT_EQ(entities[0].text(70), "1");
   EXPECT_EQ(entities[0].all(42).size(), 4u);  // quarters
@@ -131,11 +131,11 @@ TEST(DxfCurves, ArcsAmongLinesAreBulges) {
 }
 
 TEST(DxfCurves, EllipsesCutPolylines) {
-  const CurvePart curve{1, 13, {60, 50}, {30, 0}, {0, 10}, pi / 2, -pi / 2};
-  Stroke stroke{{{20, 60}}, true, {}, {}, {}, {}, {curve}};
+  const drawing::CurvePart curve{1, 13, {60, 50}, {30, 0}, {0, 10}, pi / 2, -pi / 2};
+  sheet::Stroke stroke{{{20, 60}}, true, {}, {}, {}, {}, {curve}};
   for (const Vec2& p : corners_of(curve)) stroke.points.push_back(p);
   stroke.points.emplace_back(20, 40);
-  const auto entities = entities_of(to_dxf(one_stroke(stroke)), "v-visible");
+  const auto entities = entities_of(output::to_dxf(one_stroke(stroke)), "v-visible");
   ASSERT_EQ(entities.size(), 2u);
   EXPECT_EQ(entities[0].type, "ELLIPSE");
   EXPECT_EQ(entities[1].type, "LWPOLYLINE");
@@ -147,11 +147,11 @@ TEST(DxfCurves, EllipsesCutPolylines) {
 }
 
 TEST(DxfLayers, HaveLineTypesAndWidthsInMillimetres) {
-  Sheet sheet = random_sheet(100, 100, 2);
+  sheet::Sheet sheet = random_sheet(100, 100, 2);
   sheet.layers[0].strokes[1].dashes = {};
   sheet.layers.push_back({"v/cut", {"cut", 0.7, {16.8, 2.1, 0.35, 1}}, {}});
   sheet.layers.push_back({"v/centre", {"centre", 0.35, {8.4, 1.05, 0.175, 1}}, {}});
-  const std::string dxf = to_dxf(sheet);
+  const std::string dxf = output::to_dxf(sheet);
   const auto layers = table_of(dxf, "LAYER");
   ASSERT_EQ(layers.size(), 5u);
   EXPECT_EQ(layers[1].text(6), "DASHED");
@@ -171,12 +171,12 @@ TEST(DxfLayers, HaveLineTypesAndWidthsInMillimetres) {
 }
 
 TEST(DxfTexts, CannotBreakOut) {
-  Sheet sheet = random_sheet(100, 100, 1);
+  sheet::Sheet sheet = random_sheet(100, 100, 1);
   sheet.title = "a\n  0\nSECTION\r\n" + std::string(10000, 'x');
   sheet.layers[0].name = "<script>&\"'/b\n0\nLINE" + std::string(10000, 'y');
   sheet.layers[1].name = "<SCRIPT>&\"'/b\n0\nLINE" + std::string(10000, 'Y');
   sheet.layers[0].texts = {{"one\n0\nLINE\\P%%u 100 %^J \xC3\xB8 \xF0\x9F\x98\x80 \xFF", {5, 5}, 3.5}};
-  const auto records = dxf_records(to_dxf(sheet));
+  const auto records = dxf_records(output::to_dxf(sheet));
   std::set<std::string> layers;
   std::string text;
   int lines = 0, sections = 0;
@@ -196,9 +196,9 @@ TEST(DxfTexts, CannotBreakOut) {
 }
 
 TEST(DxfTexts, StandWhereTheyBelong) {
-  Sheet sheet = random_sheet(100, 100, 0);
-  sheet.layers[0].texts = {{"left", {5, 6}, 3.5}, {"right", {50, 60}, 7, 90, Align::right}};
-  const auto texts = entities_of(to_dxf(sheet), "a view-hidden");
+  sheet::Sheet sheet = random_sheet(100, 100, 0);
+  sheet.layers[0].texts = {{"left", {5, 6}, 3.5}, {"right", {50, 60}, 7, 90, sheet::Align::right}};
+  const auto texts = entities_of(output::to_dxf(sheet), "a view-hidden");
   ASSERT_EQ(texts.size(), 2u);
   EXPECT_EQ(texts[0].point(10), Vec2(5, 6));
   EXPECT_EQ(texts[0].number(40), 3.5);
@@ -209,7 +209,7 @@ TEST(DxfTexts, StandWhereTheyBelong) {
 }
 
 TEST(DxfNames, AreCleanAndDifferent) {
-  EXPECT_EQ(dxf_names({"a/b", "A-B", "0", "", "  ", "\xC3\xA9"}, {"0"}),
+  EXPECT_EQ(output::dxf_names({"a/b", "A-B", "0", "", "  ", "\xC3\xA9"}, {"0"}),
             (std::vector<std::string>{"a-b", "A-B-2", "0-2", "layer", "layer-2", "\\U+00E9"}));
 }
 
@@ -217,15 +217,15 @@ using Ezdxf = Rasters;
 
 TEST_F(Ezdxf, FindsNoFault) {
   if (std::system("/usr/bin/python3 -c 'import ezdxf' 2>/dev/null") != 0) GTEST_SKIP() << "no package python3-ezdxf";
-  Sheet sheet = random_sheet(297, 210);
-  const CurvePart curve{0, 24, {60, 50}, {30, 0}, {0, 10}, 0, 2 * pi};
-  Stroke ellipse{corners_of(curve), true, {}, {}, {}, {}, {curve}};
+  sheet::Sheet sheet = random_sheet(297, 210);
+  const drawing::CurvePart curve{0, 24, {60, 50}, {30, 0}, {0, 10}, 0, 2 * pi};
+  sheet::Stroke ellipse{corners_of(curve), true, {}, {}, {}, {}, {curve}};
   ellipse.points.pop_back();
   sheet.layers[1].strokes.push_back(ellipse);
   sheet.layers[1].fills.push_back({{{{80, 20}, {110, 20}, {95, 40}}, {{90, 24}, {100, 24}, {95, 30}}}});
-  sheet.layers[1].texts = {{"Gehäuse ⌀12 50% \\P ^J", {10, 65}, 5, 30, Align::middle}};
+  sheet.layers[1].texts = {{"Gehäuse ⌀12 50% \\P ^J", {10, 65}, 5, 30, sheet::Align::middle}};
   sheet.layers[1].name = "<ä\n>/visible";
-  write("sheet.dxf", to_dxf(sheet));
+  write("sheet.dxf", output::to_dxf(sheet));
   const std::string program =
       "import sys; from ezdxf import recover; document, audit = recover.readfile(sys.argv[1]); "
       "model = document.modelspace(); text = model.query('TEXT')[0]; "

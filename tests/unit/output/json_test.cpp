@@ -11,8 +11,8 @@
 namespace epura {
 namespace {
 
-ViewDrawing example() {
-  ViewDrawing drawing;
+drawing::ViewDrawing example() {
+  drawing::ViewDrawing drawing;
   drawing.name = "front \"A\"";
   drawing.scale = 0.5;
   drawing.projection.name = "look-at";
@@ -30,10 +30,10 @@ ViewDrawing example() {
 Json parse(const std::string& text) { return JsonReader(text).read(); }
 
 TEST(Json, HasTheKeysOfSchemaOneInOrder) {
-  Report report;
+  report::Report report;
   report.meshes.emplace_back();
   report.plan.push_back({"clip", false, "all inside", 12, 34});
-  const Json json = parse(to_json({420, 297, "", {}}, 0.5, std::array{example()}, report));
+  const Json json = parse(output::to_json({420, 297, "", {}}, 0.5, std::array{example()}, report));
   EXPECT_EQ(json.keys(), "epura unit sheet views report");
   EXPECT_EQ(json["epura"].number(), 1);
   EXPECT_EQ(json["unit"].text, "mm");
@@ -44,7 +44,7 @@ TEST(Json, HasTheKeysOfSchemaOneInOrder) {
   EXPECT_EQ(view["segments"].items.at(0).keys(), "from to visible kind model edge t");
   EXPECT_EQ(view["segments"].items.at(1).keys(), "from to visible kind model edge t faces world");
   // A view says its scale where it is not that of the sheet.
-  const Json other = parse(to_json({420, 297, "", {}}, 0.25, std::array{example()}, report));
+  const Json other = parse(output::to_json({420, 297, "", {}}, 0.25, std::array{example()}, report));
   EXPECT_EQ(other["views"].items.at(0)["scale"].number(), 0.5);
   EXPECT_EQ(json["report"].keys(), "meshes plan");
   EXPECT_EQ(
@@ -58,7 +58,7 @@ TEST(Json, HasTheKeysOfSchemaOneInOrder) {
 }
 
 TEST(Json, SaysWhatTheViewIs) {
-  const Json json = parse(to_json({420, 297, "", {}}, 0.5, std::array{example()}, {}));
+  const Json json = parse(output::to_json({420, 297, "", {}}, 0.5, std::array{example()}, {}));
   const Json& view = json["views"].items.at(0);
   EXPECT_EQ(view["name"].text, "front \"A\"");
   EXPECT_EQ(view["parameters"]["fovy"].number(), 30);
@@ -69,15 +69,15 @@ TEST(Json, SaysWhatTheViewIs) {
   EXPECT_EQ(view["vanishing_points"].items.at(0).type, 'n');
   EXPECT_EQ(view["vanishing_points"].items.at(1).items.at(0).number(), -1.5);
 
-  ViewDrawing parallel = example();
+  drawing::ViewDrawing parallel = example();
   parallel.projection.central = false;
-  EXPECT_EQ(parse(to_json({1, 1, "", {}}, 1, std::array{parallel}, {}))["views"].items[0]["viewer"].keys(),
+  EXPECT_EQ(parse(output::to_json({1, 1, "", {}}, 1, std::array{parallel}, {}))["views"].items[0]["viewer"].keys(),
             "direction");
 }
 
 TEST(Json, NumbersComeBackExactly) {
-  const ViewDrawing drawing = example();
-  const Json json = parse(to_json({420, 297, "", {}}, 1 / 3.0, std::array{drawing}, {}));
+  const drawing::ViewDrawing drawing = example();
+  const Json json = parse(output::to_json({420, 297, "", {}}, 1 / 3.0, std::array{drawing}, {}));
   const Json& segment = json["views"].items.at(0)["segments"].items.at(0);
   EXPECT_EQ(json["sheet"]["scale"].number(), 1 / 3.0);
   EXPECT_EQ(segment["from"].items[0].number(), 0.1);
@@ -91,7 +91,7 @@ TEST(Json, NumbersComeBackExactly) {
 }
 
 TEST(Json, IntersectionLinesNameTheirFacesAndPlaces) {
-  const Json json = parse(to_json({420, 297, "", {}}, 1, std::array{example()}, {}));
+  const Json json = parse(output::to_json({420, 297, "", {}}, 1, std::array{example()}, {}));
   const Json& segment = json["views"].items.at(0)["segments"].items.at(1);
   EXPECT_EQ(segment["edge"].type, 'n');
   EXPECT_EQ(segment["faces"].items.at(1).items.at(0).number(), 1);
@@ -100,15 +100,15 @@ TEST(Json, IntersectionLinesNameTheirFacesAndPlaces) {
 }
 
 TEST(Json, SegmentsStandOnLinesOfTheirOwn) {
-  const std::string text = to_json({420, 297, "", {}}, 1, std::array{example()}, {});
+  const std::string text = output::to_json({420, 297, "", {}}, 1, std::array{example()}, {});
   for (std::size_t at = text.find("{\"from\""); at != std::string::npos; at = text.find("{\"from\"", at + 1))
     EXPECT_EQ(text[text.find_last_not_of(' ', at - 1)], '\n');
 }
 
 TEST(Json, PartialDrawingsSayWhatIsMissing) {
-  Report report;
+  report::Report report;
   report.partial = {{"hiding lines", "writing"}, 500, 123, 0.75, 7};
-  const Json json = parse(to_json({1, 1, "", {}}, 1, {}, report));
+  const Json json = parse(output::to_json({1, 1, "", {}}, 1, {}, report));
   EXPECT_EQ(json.keys(), "epura unit sheet partial views report");
   EXPECT_EQ(json["partial"].keys(), "reason stages edges undecided searched undrawn");
   EXPECT_EQ(json["partial"]["reason"].text, "time limit");
@@ -120,21 +120,21 @@ TEST(Json, PartialDrawingsSayWhatIsMissing) {
 }
 
 TEST(Json, TimesStandThereOnlyWhenAskedFor) {
-  Report report;
+  report::Report report;
   report.seconds = {{"read", 0.25}};
-  const Json json = parse(to_json({1, 1, "", {}}, 1, {}, report));
+  const Json json = parse(output::to_json({1, 1, "", {}}, 1, {}, report));
   EXPECT_EQ(json["report"].keys(), "meshes plan time");
   EXPECT_EQ(json["report"]["time"]["read"].number(), 0.25);
   EXPECT_TRUE(json["views"].items.empty());
 }
 
 TEST(Json, StringsAreEscapedAndValid) {
-  Report report;
-  MeshReport mesh;
+  report::Report report;
+  mesh::MeshReport mesh;
   mesh.name = "a\"b\\c\n\x01\x1f\x7f W\xC3\xBCrfel";
   mesh.notes = {"lone \xC3 overlong \xC0\xAF surrogate \xED\xA0\x80 high \xF4\x90\x80\x80 cut \xE2\x82"};
   report.meshes = {mesh};
-  const Json json = parse(to_json({1, 1, "", {}}, 1, {}, report));
+  const Json json = parse(output::to_json({1, 1, "", {}}, 1, {}, report));
   const Json& read = json["report"]["meshes"].items.at(0);
   EXPECT_EQ(read["name"].text, mesh.name);
   const std::string u = "\xEF\xBF\xBD";
@@ -143,17 +143,17 @@ TEST(Json, StringsAreEscapedAndValid) {
 }
 
 TEST(JsonDeathTest, NumbersThatAreNoneAreNeverWritten) {
-  ViewDrawing drawing = example();
+  drawing::ViewDrawing drawing = example();
   drawing.segments[0].to.x = std::nan("");
-  EXPECT_DEATH(to_json({1, 1, "", {}}, 1, std::array{drawing}, {}), "not finite");
+  EXPECT_DEATH(output::to_json({1, 1, "", {}}, 1, std::array{drawing}, {}), "not finite");
 }
 
 TEST(Json, TellsWhatVerificationFoundWrong) {
-  Report report;
-  OutlineCheck& outline = report.verification.emplace().outline;
+  report::Report report;
+  report::OutlineCheck& outline = report.verification.emplace().outline;
   outline.missing = 2;
   outline.worst.push_back({"missing", {10, 20}, 3.5, 1, {7, 3}, {}});
-  const Json json = parse(to_json({420, 297, "", {}}, 0.5, std::array{example()}, report));
+  const Json json = parse(output::to_json({420, 297, "", {}}, 0.5, std::array{example()}, report));
   const Json& found = json["report"]["verify"]["outline"];
   EXPECT_EQ(found["missing"].number(), 2);
   ASSERT_EQ(found["worst"].items.size(), 1U);

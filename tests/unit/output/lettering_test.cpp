@@ -10,16 +10,16 @@
 namespace epura {
 namespace {
 
-Sheet lettered() {
-  Sheet sheet{120, 80, "lettered", {}};
-  Layer layer{"sheet/text", {"frame", 0.35}, {}};
+sheet::Sheet lettered() {
+  sheet::Sheet sheet{120, 80, "lettered", {}};
+  sheet::Layer layer{"sheet/text", {"frame", 0.35}, {}};
   layer.strokes.push_back({{{5, 5}, {115, 5}, {115, 75}, {5, 75}}, true});
   layer.fills.push_back({{{{80, 20}, {110, 20}, {110, 40}, {80, 40}}, {{90, 25}, {100, 25}, {100, 35}, {90, 35}}}});
-  layer.texts = {{"Gehäuse Ø12 <&>", {10, 65}, 5, 0, Align::left, "title"},
-                 {"middle", {60, 52}, 3.5, 0, Align::middle, "label"},
-                 {"right", {110, 52}, 3.5, 0, Align::right, "label"},
-                 {"upright", {10, 10}, 7, 90, Align::left, "label"},
-                 {"aslant 30", {25, 10}, 3.5, 30, Align::left, "label"}};
+  layer.texts = {{"Gehäuse Ø12 <&>", {10, 65}, 5, 0, sheet::Align::left, "title"},
+                 {"middle", {60, 52}, 3.5, 0, sheet::Align::middle, "label"},
+                 {"right", {110, 52}, 3.5, 0, sheet::Align::right, "label"},
+                 {"upright", {10, 10}, 7, 90, sheet::Align::left, "label"},
+                 {"aslant 30", {25, 10}, 3.5, 30, sheet::Align::left, "label"}};
   sheet.layers.push_back(std::move(layer));
   return sheet;
 }
@@ -31,18 +31,18 @@ class LetteredRasters : public Rasters {
 
 // Cairo moves the glyphs of the PDF to whole pixels, by half a pixel at most: no pixel turns from black to white.
 TEST_F(LetteredRasters, SvgAndPdfLookTheSame) {
-  const Sheet sheet = lettered();
+  const sheet::Sheet sheet = lettered();
   const GreyPicture pdf = of_pdf(sheet, dpi);
   ASSERT_GT(pdf.width, 900);
   EXPECT_LT(difference(pdf, of_svg(sheet, dpi)), 1e-4);
-  Sheet shifted = sheet;
-  for (Text& text : shifted.layers[0].texts) text.at.x += 0.2;
+  sheet::Sheet shifted = sheet;
+  for (sheet::Text& text : shifted.layers[0].texts) text.at.x += 0.2;
   EXPECT_GT(difference(pdf, of_svg(shifted, dpi)), 2e-3);
 }
 
 TEST_F(LetteredRasters, PdfKeepsTextAsText) {
-  const Sheet sheet = lettered();
-  write("sheet.pdf", to_pdf({&sheet}));
+  const sheet::Sheet sheet = lettered();
+  write("sheet.pdf", output::to_pdf({&sheet}));
   const std::string text = run("pdftotext -layout " + path("sheet.pdf") + " -");
   EXPECT_NE(text.find("Gehäuse Ø12 <&>"), std::string::npos) << text;
   EXPECT_NE(text.find("upright"), std::string::npos) << text;
@@ -50,19 +50,19 @@ TEST_F(LetteredRasters, PdfKeepsTextAsText) {
 }
 
 TEST(Lettered, TheSameBytesEachTime) {
-  const Sheet sheet = lettered();
-  EXPECT_EQ(to_pdf({&sheet}), to_pdf({&sheet}));
-  EXPECT_EQ(to_ps({&sheet}), to_ps({&sheet}));
-  EXPECT_EQ(to_svg(sheet, {}), to_svg(sheet, {}));
+  const sheet::Sheet sheet = lettered();
+  EXPECT_EQ(output::to_pdf({&sheet}), output::to_pdf({&sheet}));
+  EXPECT_EQ(output::to_ps({&sheet}), output::to_ps({&sheet}));
+  EXPECT_EQ(output::to_svg(sheet, {}), output::to_svg(sheet, {}));
 }
 
 TEST(Lettered, SvgHasOutlinesOrText) {
-  const std::string outlines = to_svg(lettered(), {});
+  const std::string outlines = output::to_svg(lettered(), {});
   EXPECT_NE(outlines.find("aria-label=\"Gehäuse Ø12 &lt;&amp;&gt;\""), std::string::npos);
   EXPECT_EQ(outlines.find("<text"), std::string::npos);
-  VectorOptions options;
+  output::VectorOptions options;
   options.text = SvgText::text;
-  const std::string text = to_svg(lettered(), options);
+  const std::string text = output::to_svg(lettered(), options);
   EXPECT_NE(text.find(">Gehäuse Ø12 &lt;&amp;&gt;</text>"), std::string::npos);
   EXPECT_NE(text.find("transform=\"rotate(-30 25 70)\""), std::string::npos);
 }

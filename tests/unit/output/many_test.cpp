@@ -12,9 +12,9 @@ namespace epura {
 namespace {
 
 // Short lines here and there: the area they cover is not a simple one.
-Sheet scattered(int strokes) {
+sheet::Sheet scattered(int strokes) {
   std::mt19937 random(1);
-  Sheet sheet{1000, 1000, "scattered", {{"view/visible", {"visible", 0.25}, {}}}};
+  sheet::Sheet sheet{1000, 1000, "scattered", {{"view/visible", {"visible", 0.25}, {}}}};
   for (int i = 0; i < strokes; ++i) {
     const Vec2 place(static_cast<double>(random() % 1000), static_cast<double>(random() % 1000));
     sheet.layers[0].strokes.push_back({{place, place + Vec2(5.3, 2.7)}, false});
@@ -24,7 +24,7 @@ Sheet scattered(int strokes) {
 
 template <class Write>
 double seconds_for(int strokes, const Write& write) {
-  const Sheet sheet = scattered(strokes);
+  const sheet::Sheet sheet = scattered(strokes);
   const std::clock_t begin = std::clock();
   write(sheet);
   return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
@@ -37,10 +37,10 @@ void expect_linear(const Write& write) {
 }
 
 TEST(ManyStrokes, TakeLinearTime) {
-  expect_linear([](const Sheet& sheet) { return to_svg(sheet, {}); });
-  expect_linear([](const Sheet& sheet) { return to_svg(sheet, {true}); });
-  expect_linear([](const Sheet& sheet) { return to_pdf({&sheet}); });
-  expect_linear([](const Sheet& sheet) { return to_eps(sheet); });
+  expect_linear([](const sheet::Sheet& sheet) { return output::to_svg(sheet, {}); });
+  expect_linear([](const sheet::Sheet& sheet) { return output::to_svg(sheet, {true}); });
+  expect_linear([](const sheet::Sheet& sheet) { return output::to_pdf({&sheet}); });
+  expect_linear([](const sheet::Sheet& sheet) { return output::to_eps(sheet); });
 }
 
 }  // namespace

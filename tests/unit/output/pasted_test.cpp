@@ -46,19 +46,20 @@ constexpr const char* own_elements = R"(
 )";
 
 // Areas, texts at an angle, and lines of all sorts.
-Sheet drawn_sheet(int strokes) {
-  Sheet sheet = random_sheet(100, 75, strokes);
-  Layer& layer = sheet.layers[1];
+sheet::Sheet drawn_sheet(int strokes) {
+  sheet::Sheet sheet = random_sheet(100, 75, strokes);
+  sheet::Layer& layer = sheet.layers[1];
   layer.fills = {{{{{60, 10}, {80, 10}, {80, 30}, {60, 30}}, {{65, 15}, {75, 15}, {70, 25}}}}};
-  layer.texts = {{"Gauge 8", {10, 40}, 5, 30, Align::left, "title"}, {"Ring", {50, 60}, 7, 0, Align::middle, "label"}};
+  layer.texts = {{"Gauge 8", {10, 40}, 5, 30, sheet::Align::left, "title"},
+                 {"Ring", {50, 60}, 7, 0, sheet::Align::middle, "label"}};
   return sheet;
 }
 
 class Pasted : public Rasters {
  protected:
   // The first one as outlines, the second one as text.
-  static std::string first() { return svg_element(drawn_sheet(6), {}); }
-  static std::string second() { return svg_element(drawn_sheet(8), {.text = SvgText::text}); }
+  static std::string first() { return output::svg_element(drawn_sheet(6), {}); }
+  static std::string second() { return output::svg_element(drawn_sheet(8), {.text = SvgText::text}); }
 
   [[nodiscard]] GreyPicture page(const std::string& rules, const std::string& left, const std::string& right,
                                  const std::string& own) const {

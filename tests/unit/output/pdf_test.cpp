@@ -62,8 +62,8 @@ std::vector<Ink> ink_of(const std::string& content, const Map& to_page) {
 class PdfOfSize : public testing::TestWithParam<Vec2> {};
 
 TEST_P(PdfOfSize, KeepsCoordinatesAndLayers) {
-  const Sheet sheet = random_sheet(GetParam().x, GetParam().y);
-  const std::string bytes = to_pdf({&sheet});
+  const sheet::Sheet sheet = random_sheet(GetParam().x, GetParam().y);
+  const std::string bytes = output::to_pdf({&sheet});
   const PdfReader pdf(bytes);
   const PdfObject page = pdf.page();
   EXPECT_EQ(pdf.pages(), 1);
@@ -91,8 +91,8 @@ INSTANTIATE_TEST_SUITE_P(Sizes, PdfOfSize,
                                          Vec2(20000, 20000)));
 
 TEST(Pdf, EveryLayerIsOptionalContent) {
-  const Sheet sheet = random_sheet(100, 100);
-  const std::string bytes = to_pdf({&sheet});
+  const sheet::Sheet sheet = random_sheet(100, 100);
+  const std::string bytes = output::to_pdf({&sheet});
   EXPECT_GE(bytes.substr(0, 8), "%PDF-1.5");
   const PdfReader pdf(bytes);
   const PdfObject properties = pdf.root()["/OCProperties"];
@@ -107,9 +107,9 @@ TEST(Pdf, EveryLayerIsOptionalContent) {
 }
 
 TEST(Pdf, WidthsAndDashesAreInMillimetres) {
-  Sheet sheet = random_sheet(100, 100, 0);
+  sheet::Sheet sheet = random_sheet(100, 100, 0);
   sheet.layers[0].strokes.push_back({{{10, 10}, {60, 10}}, false, {2.9, 0.75}});
-  const std::string bytes = to_pdf({&sheet});
+  const std::string bytes = output::to_pdf({&sheet});
   const PdfReader pdf(bytes);
   const PdfObject page = pdf.page();
   const double scale = map_of(tokens_of(page["/Contents"].stream())).scale.x / millimetre;
@@ -125,9 +125,9 @@ TEST(Pdf, WidthsAndDashesAreInMillimetres) {
 }
 
 TEST(Pdf, SheetsBecomePages) {
-  Sheet first = random_sheet(100, 50, 3), second = random_sheet(200, 100, 4);
+  sheet::Sheet first = random_sheet(100, 50, 3), second = random_sheet(200, 100, 4);
   second.layers.push_back({"notes", {"visible", 0.5}, {}});
-  const std::string bytes = to_pdf({&first, &second});
+  const std::string bytes = output::to_pdf({&first, &second});
   const PdfReader pdf(bytes);
   ASSERT_EQ(pdf.pages(), 2);
   EXPECT_NEAR(pdf.page(1)["/MediaBox"][2].number(), 200 * millimetre, 1e-9);
@@ -148,11 +148,11 @@ TEST(Pdf, SheetsBecomePages) {
 }
 
 TEST(Pdf, BookmarksLeadToViews) {
-  Sheet sheet = random_sheet(100, 100, 1);
+  sheet::Sheet sheet = random_sheet(100, 100, 1);
   sheet.views = {{"front", "front", "1:2", {10, 20}, {40, 50}}, {"top", "top", "", {50, 20}, {80, 50}}};
-  Sheet bare = random_sheet(50, 50, 1);
+  sheet::Sheet bare = random_sheet(50, 50, 1);
   bare.title = "";
-  const std::string bytes = to_pdf({&sheet, &bare});
+  const std::string bytes = output::to_pdf({&sheet, &bare});
   const PdfReader pdf(bytes);
   const PdfObject outlines = pdf.root()["/Outlines"];
   EXPECT_EQ(outlines["/Count"].number(), 4);
@@ -173,10 +173,10 @@ TEST(Pdf, BookmarksLeadToViews) {
 }
 
 TEST(Pdf, SaysWhoDrewWhat) {
-  Sheet sheet = random_sheet(100, 100, 1);
+  sheet::Sheet sheet = random_sheet(100, 100, 1);
   sheet.views = {{"front", "front", "1:2", {10, 20}, {40, 50}}, {"round", "isometric", "", {50, 20}, {80, 50}}};
   sheet.facts = {{"author", "N\xC3\xA4. <&)"}};
-  const std::string bytes = to_pdf({&sheet});
+  const std::string bytes = output::to_pdf({&sheet});
   const PdfReader pdf(bytes);
   const PdfObject information = pdf.trailer()["/Info"];
   EXPECT_EQ(information["/Author"].text(), "N\xC3\xA4. <&)");
@@ -185,9 +185,9 @@ TEST(Pdf, SaysWhoDrewWhat) {
 }
 
 TEST(Pdf, TitleIsKeptAndNoDateIsWritten) {
-  Sheet sheet = random_sheet(100, 100, 1);
+  sheet::Sheet sheet = random_sheet(100, 100, 1);
   sheet.title = "<script>&\"') W\xC3\xBCrfel \xE2\x82\xAC";
-  const std::string bytes = to_pdf({&sheet});
+  const std::string bytes = output::to_pdf({&sheet});
   const PdfReader pdf(bytes);
   const PdfObject information = pdf.trailer()["/Info"];
   EXPECT_EQ(information["/Title"].text(), sheet.title);

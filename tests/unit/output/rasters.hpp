@@ -37,7 +37,7 @@ struct GreyPicture {
 };
 
 inline GreyPicture read_png(const std::filesystem::path& file) {
-  const CairoSurface image(cairo_image_surface_create_from_png(file.c_str()));
+  const output::CairoSurface image(cairo_image_surface_create_from_png(file.c_str()));
   GreyPicture picture{cairo_image_surface_get_width(image.get()), cairo_image_surface_get_height(image.get()), {}};
   const unsigned char* rows = cairo_image_surface_get_data(image.get());
   for (int y = 0; y < picture.height; ++y)
@@ -66,13 +66,13 @@ class Rasters : public testing::Test {
   [[nodiscard]] std::string path(const std::string& name) const { return "'" + (folder_ / name).string() + "'"; }
   [[nodiscard]] GreyPicture picture(const std::string& name) const { return read_png(folder_ / name); }
 
-  [[nodiscard]] GreyPicture of_pdf(const Sheet& sheet, double dpi) const {
-    write("sheet.pdf", to_pdf({&sheet}));
+  [[nodiscard]] GreyPicture of_pdf(const sheet::Sheet& sheet, double dpi) const {
+    write("sheet.pdf", output::to_pdf({&sheet}));
     run("pdftocairo -png -r " + format_number(dpi) + " -singlefile " + path("sheet.pdf") + " " + path("pdf"));
     return picture("pdf.png");
   }
-  [[nodiscard]] GreyPicture of_svg(const Sheet& sheet, double dpi) const {
-    write("sheet.svg", to_svg(sheet, {}));
+  [[nodiscard]] GreyPicture of_svg(const sheet::Sheet& sheet, double dpi) const {
+    write("sheet.svg", output::to_svg(sheet, {}));
     const std::string resolution = format_number(dpi);
     run("rsvg-convert --background-color=white -d " + resolution + " -p " + resolution + " -o " + path("svg.png") +
         " " + path("sheet.svg"));

@@ -13,13 +13,13 @@ constexpr double dpi = 150;
 
 class Rendered : public Rasters {
  protected:
-  const Sheet sheet = random_sheet(297, 210, 12);
+  const sheet::Sheet sheet = random_sheet(297, 210, 12);
 
   // A fifth of a millimetre is more than a pixel.
-  [[nodiscard]] Sheet shifted() const {
-    Sheet moved = sheet;
-    for (Layer& layer : moved.layers)
-      for (Stroke& stroke : layer.strokes)
+  [[nodiscard]] sheet::Sheet shifted() const {
+    sheet::Sheet moved = sheet;
+    for (sheet::Layer& layer : moved.layers)
+      for (sheet::Stroke& stroke : layer.strokes)
         for (Vec2& point : stroke.points) point += Vec2(0.2, 0.2);
     return moved;
   }
@@ -38,8 +38,8 @@ TEST_F(Rendered, PdfAndSvgLookTheSame) {
 
 TEST_F(Rendered, BrowsersShowSvgTheSame) {
   const GreyPicture svg = of_svg(sheet, 96);
-  const auto shown = [&](const Sheet& one) {
-    write("shown.svg", to_svg(one, {}));
+  const auto shown = [&](const sheet::Sheet& one) {
+    write("shown.svg", output::to_svg(one, {}));
     return in_browser("shown.svg", svg.width, svg.height);
   };
   EXPECT_LT(difference(shown(sheet), svg), same);
@@ -47,25 +47,25 @@ TEST_F(Rendered, BrowsersShowSvgTheSame) {
 }
 
 TEST_F(Rendered, SvgIsValidXml) {
-  Sheet odd = sheet;
+  sheet::Sheet odd = sheet;
   odd.title = "<script>&\"']]> \x01 " + std::string(10000, '<');
   odd.layers[0].name = odd.title + "/hidden";
   odd.views = {{odd.title, "front", "1:2", {0, 0}, {9, 9}}};
   odd.facts = {{"author", odd.title}, {odd.title, odd.title}};
-  write("odd.svg", to_svg(odd, {}));
+  write("odd.svg", output::to_svg(odd, {}));
   EXPECT_EQ(run("xmllint --noout " + path("odd.svg") + " 2>&1"), "");
 }
 
 TEST_F(Rendered, PdfFilesAreSound) {
-  Sheet odd = sheet;
+  sheet::Sheet odd = sheet;
   odd.title = "(<script>&\"') " + std::string(10000, ')');
   odd.layers[0].name = odd.title;
   odd.views = {{odd.title, "front", "1:2", {0, 0}, {9, 9}}};
   odd.facts = {{"author", odd.title}};
-  write("odd.pdf", to_pdf({&odd, &sheet, &odd}));
+  write("odd.pdf", output::to_pdf({&odd, &sheet, &odd}));
   EXPECT_NE(run("qpdf --check " + path("odd.pdf") + " 2>&1").find("No syntax or stream encoding errors"),
             std::string::npos);
-  write("odd.ps", to_ps({&odd, &sheet, &odd}));
+  write("odd.ps", output::to_ps({&odd, &sheet, &odd}));
   EXPECT_EQ(run("grep -ac '^%%Page: ' " + path("odd.ps")), "3\n");
 }
 

@@ -12,14 +12,14 @@ namespace epura {
 namespace {
 
 // Lines as drawings of parts have them: half of them straight, the others around curves; some dashed.
-Sheet many_strokes() {
+sheet::Sheet many_strokes() {
   std::mt19937 random(3);
   const auto number = [&random](double max) { return max * (static_cast<double>(random()) / 4294967295.0); };
-  Sheet sheet{
+  sheet::Sheet sheet{
       420, 297, "many", {{"front/hidden", {"hidden", 0.25, {3, 0.75}}, {}}, {"front/visible", {"visible", 0.5}, {}}}};
   for (int i = 0; i < 3000; ++i) {
-    Layer& layer = sheet.layers[i % 4 == 0 ? 0 : 1];
-    Stroke stroke;
+    sheet::Layer& layer = sheet.layers[i % 4 == 0 ? 0 : 1];
+    sheet::Stroke stroke;
     const Vec2 centre(number(420), number(297));
     const int lines = i % 2 == 0 ? 1 : 12;
     for (int k = 0; k <= lines; ++k) stroke.points.push_back(centre + 8.0 * Vec2(std::cos(k * 0.2), std::sin(k * 0.2)));
@@ -34,20 +34,20 @@ Sheet many_strokes() {
   return sheet;
 }
 
-double bare_bytes(const Sheet& sheet) {
+double bare_bytes(const sheet::Sheet& sheet) {
   std::string text;
-  for (const Layer& layer : sheet.layers)
-    for (const Stroke& stroke : layer.strokes)
+  for (const sheet::Layer& layer : sheet.layers)
+    for (const sheet::Stroke& stroke : layer.strokes)
       for (const Vec2& p : stroke.points)
         text += format_fixed(p.x, 4) + " " + format_fixed(sheet.height - p.y, 4) + " ";
   return static_cast<double>(text.size());
 }
 
 TEST(SvgSize, IsNearThatOfTheCoordinates) {
-  const Sheet sheet = many_strokes();
+  const sheet::Sheet sheet = many_strokes();
   const double bare = bare_bytes(sheet);
-  EXPECT_LT(static_cast<double>(to_svg(sheet, {true}).size()), 1.3 * bare);
-  EXPECT_LT(static_cast<double>(to_svg(sheet, {}).size()), 2.5 * bare);
+  EXPECT_LT(static_cast<double>(output::to_svg(sheet, {true}).size()), 1.3 * bare);
+  EXPECT_LT(static_cast<double>(output::to_svg(sheet, {}).size()), 2.5 * bare);
 }
 
 }  // namespace

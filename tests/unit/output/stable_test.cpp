@@ -17,16 +17,22 @@ namespace epura {
 namespace {
 
 std::vector<std::string> all_formats() {
-  Sheet sheet = random_sheet(297, 210);
+  sheet::Sheet sheet = random_sheet(297, 210);
   sheet.views = {{"front", "front", "1:2", {10.5, 20.25}, {1234.5, 90}}};
   sheet.facts = {{"author", "N. N."}, {"scale", "1:2"}};
-  ViewDrawing drawing;
+  drawing::ViewDrawing drawing;
   drawing.name = "front";
   drawing.world_to_page = Mat4(1234.5678);
   drawing.projection.projector = {0.5, -1234567.25, 1e-9};
-  return {to_svg(sheet, {}), to_svg(sheet, {true}),    to_pdf({&sheet}),
-          to_ps({&sheet}),   to_pdf({&sheet, &sheet}), to_eps(sheet),
-          to_dxf(sheet),     to_png(sheet, 100),       to_json(sheet, 0.5, std::array{drawing}, {})};
+  return {output::to_svg(sheet, {}),
+          output::to_svg(sheet, {true}),
+          output::to_pdf({&sheet}),
+          output::to_ps({&sheet}),
+          output::to_pdf({&sheet, &sheet}),
+          output::to_eps(sheet),
+          output::to_dxf(sheet),
+          output::to_png(sheet, 100),
+          output::to_json(sheet, 0.5, std::array{drawing}, {})};
 }
 
 class Stable : public testing::Test {

@@ -15,16 +15,16 @@
 namespace epura {
 
 /// Polylines with corners everywhere, at the corners of the sheet as well, open and closed, continuous and dashed.
-inline Sheet random_sheet(double width, double height, int strokes = 50) {
+inline sheet::Sheet random_sheet(double width, double height, int strokes = 50) {
   std::mt19937 random(7);
   const auto coordinate = [&random](double max) { return max * (static_cast<double>(random()) / 4294967295.0); };
-  Sheet sheet{width,
-              height,
-              "random",
-              {{"a view/hidden", {"hidden", 0.25, {3, 0.75}}, {}}, {"a view/visible", {"visible", 0.5}, {}}}};
-  for (Layer& layer : sheet.layers) {
+  sheet::Sheet sheet{width,
+                     height,
+                     "random",
+                     {{"a view/hidden", {"hidden", 0.25, {3, 0.75}}, {}}, {"a view/visible", {"visible", 0.5}, {}}}};
+  for (sheet::Layer& layer : sheet.layers) {
     for (int i = 0; i < strokes; ++i) {
-      Stroke stroke;
+      sheet::Stroke stroke;
       for (int corner = 0; corner < 2 + i % 4; ++corner)
         stroke.points.emplace_back(coordinate(width), coordinate(height));
       stroke.closed = i % 4 == 3;
@@ -34,7 +34,7 @@ inline Sheet random_sheet(double width, double height, int strokes = 50) {
       layer.strokes.push_back(stroke);
     }
   }
-  Stroke frame;
+  sheet::Stroke frame;
   // All corners of the sheet, but no rectangle: that is another operator in PDF.
   frame.points = {{0, 0}, {width, 0}, {width, height}, {width / 2, height * 0.9}, {0, height}};
   frame.closed = true;
@@ -51,7 +51,7 @@ struct Ink {
 inline double number_in(std::string_view text) { return parse_number(text).value(); }
 
 /// Largest distance between corners of what was drawn and what was read; infinite when the lines do not match.
-inline double largest_error(const std::vector<Stroke>& drawn, const std::vector<Ink>& read) {
+inline double largest_error(const std::vector<sheet::Stroke>& drawn, const std::vector<Ink>& read) {
   if (drawn.size() != read.size()) return HUGE_VAL;
   double error = 0;
   for (std::size_t i = 0; i < drawn.size(); ++i) {

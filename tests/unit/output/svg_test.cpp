@@ -17,8 +17,8 @@ constexpr double tolerance = 1e-4;  // mm
 class SvgOfSize : public testing::TestWithParam<Vec2> {};
 
 TEST_P(SvgOfSize, KeepsCoordinates) {
-  const Sheet sheet = random_sheet(GetParam().x, GetParam().y);
-  const auto document = parse_svg(to_svg(sheet, {}));
+  const sheet::Sheet sheet = random_sheet(GetParam().x, GetParam().y);
+  const auto document = parse_svg(output::to_svg(sheet, {}));
   const std::vector<pugi::xml_node> layers = layers_of(document);
   ASSERT_EQ(layers.size(), sheet.layers.size());
   for (std::size_t i = 0; i < layers.size(); ++i)
@@ -30,10 +30,10 @@ INSTANTIATE_TEST_SUITE_P(Sizes, SvgOfSize,
                                          Vec2(20000, 20000)));
 
 TEST(Svg, ViewsAreLayersOfLayers) {
-  Sheet sheet = random_sheet(100, 100, 1);
+  sheet::Sheet sheet = random_sheet(100, 100, 1);
   for (const char* name : {"top/visible", "a view/visible", "notes", "p12"})
     sheet.layers.push_back({name, sheet.layers[1].style, sheet.layers[1].strokes});
-  const auto document = parse_svg(to_svg(sheet, {}));
+  const auto document = parse_svg(output::to_svg(sheet, {}));
   std::vector<std::string> outline;
   std::set<std::string> ids;
   for (const pugi::xml_node g : document.child("svg").children("g")) {
@@ -50,15 +50,15 @@ TEST(Svg, ViewsAreLayersOfLayers) {
 }
 
 TEST(Svg, NamesAndRulesAreItsOwn) {
-  Sheet sheet = random_sheet(100, 100, 3);
+  sheet::Sheet sheet = random_sheet(100, 100, 3);
   sheet.layers[0].fills = {{{{{10, 10}, {20, 10}, {10, 20}}}}};
-  sheet.layers[0].texts = {{"hidden", {10, 10}, 3.5, 0, Align::left, "border hidden"}, {"12", {10, 10}, 3.5}};
-  VectorOptions as_text, named;
+  sheet.layers[0].texts = {{"hidden", {10, 10}, 3.5, 0, sheet::Align::left, "border hidden"}, {"12", {10, 10}, 3.5}};
+  output::VectorOptions as_text, named;
   as_text.text = SvgText::text;
   named.id_prefix = "left_1-x";
   std::set<std::string> prefixes;
-  for (const VectorOptions& options : {VectorOptions(), as_text, named}) {
-    const auto document = parse_svg(to_svg(sheet, options));
+  for (const output::VectorOptions& options : {output::VectorOptions(), as_text, named}) {
+    const auto document = parse_svg(output::to_svg(sheet, options));
     const std::string prefix = prefix_of(document);
     prefixes.insert(prefix);
     std::vector<std::string> names;
@@ -79,27 +79,28 @@ TEST(Svg, NamesAndRulesAreItsOwn) {
 }
 
 TEST(Svg, DrawingsThatDifferHaveOtherPrefixes) {
-  const Sheet sheet = random_sheet(100, 100, 9);
-  Sheet moved = sheet, renamed = sheet, titled = sheet, cut = sheet;
+  const sheet::Sheet sheet = random_sheet(100, 100, 9);
+  sheet::Sheet moved = sheet, renamed = sheet, titled = sheet, cut = sheet;
   moved.layers[1].strokes[4].points[1].x += 0.001;
   renamed.layers[0].name = "other/hidden";
   titled.title = "Bracket";
   cut.layers[1].strokes.pop_back();
   std::set<std::string> prefixes;
-  for (const Sheet& one : {sheet, moved, renamed, titled, cut}) prefixes.insert(prefix_of(parse_svg(to_svg(one, {}))));
+  for (const sheet::Sheet& one : {sheet, moved, renamed, titled, cut})
+    prefixes.insert(prefix_of(parse_svg(output::to_svg(one, {}))));
   EXPECT_EQ(prefixes.size(), 5U);
-  EXPECT_EQ(prefixes.count(prefix_of(parse_svg(to_svg(sheet, {true})))), 1U);
+  EXPECT_EQ(prefixes.count(prefix_of(parse_svg(output::to_svg(sheet, {true})))), 1U);
 }
 
 TEST(Svg, PrefixesBeginIds) {
-  for (const char* good : {"a", "Left-2_b"}) EXPECT_EQ(checked_id_prefix(good, "--id-prefix"), good);
+  for (const char* good : {"a", "Left-2_b"}) EXPECT_EQ(output::checked_id_prefix(good, "--id-prefix"), good);
   for (const std::string& bad :
        std::vector<std::string>{"", "1a", "-a", "_a", "a b", "a.b", "\xC3\xA4", "a\">", std::string(65, 'a')})
-    EXPECT_THROW(checked_id_prefix(bad, "--id-prefix"), Error) << bad;
+    EXPECT_THROW(output::checked_id_prefix(bad, "--id-prefix"), Error) << bad;
 }
 
 TEST(Svg, IsInMillimetres) {
-  const auto document = parse_svg(to_svg(random_sheet(297, 210.5), {}));
+  const auto document = parse_svg(output::to_svg(random_sheet(297, 210.5), {}));
   const pugi::xml_node svg = document.child("svg");
   EXPECT_STREQ(svg.attribute("width").value(), "297mm");
   EXPECT_STREQ(svg.attribute("height").value(), "210.5mm");
@@ -111,8 +112,8 @@ TEST(Svg, IsInMillimetres) {
 }
 
 TEST(Svg, LinesKnowWhereTheyComeFrom) {
-  const Sheet sheet = random_sheet(100, 100, 3);
-  const auto document = parse_svg(to_svg(sheet, {}));
+  const sheet::Sheet sheet = random_sheet(100, 100, 3);
+  const auto document = parse_svg(output::to_svg(sheet, {}));
   const std::vector<pugi::xml_node> layers = layers_of(document);
   EXPECT_STREQ(layers[0].attribute("data-visible").value(), "0");
   EXPECT_STREQ(layers[1].attribute("data-visible").value(), "1");
@@ -125,12 +126,12 @@ TEST(Svg, LinesKnowWhereTheyComeFrom) {
 }
 
 TEST(Svg, LinesOfSeveralModelsSayWhichTheyDraw) {
-  Sheet sheet = random_sheet(100, 100, 3);
-  const std::vector<std::vector<ModelEdge>> edges = {
+  sheet::Sheet sheet = random_sheet(100, 100, 3);
+  const std::vector<std::vector<sheet::ModelEdge>> edges = {
       {{12, {0, 1}}, {12, {1, 2}}}, {{1, {0, 1}}}, {{1, {0, 1}}, {12, {0, 1}}}, {}};
   sheet.layers[0].strokes.assign(edges.size(), sheet.layers[0].strokes[0]);
   for (std::size_t i = 0; i < edges.size(); ++i) sheet.layers[0].strokes[i].edges = edges[i];
-  const auto document = parse_svg(to_svg(sheet, {}));
+  const auto document = parse_svg(output::to_svg(sheet, {}));
   const pugi::xml_node layer = layers_of(document)[0];
   EXPECT_FALSE(layer.attribute("data-model"));
   std::vector<std::string> found;
@@ -140,11 +141,11 @@ TEST(Svg, LinesOfSeveralModelsSayWhichTheyDraw) {
 }
 
 TEST(Svg, HasTheMetadataThatInkscapeShows) {
-  Sheet sheet = random_sheet(100, 100, 1);
+  sheet::Sheet sheet = random_sheet(100, 100, 1);
   sheet.title = "Bracket <&";
   sheet.views = {{"front", "front", "1:2", {0, 0}, {50, 50}}, {"round", "isometric", "", {50, 0}, {99, 50}}};
   sheet.facts = {{"author", "N. N."}, {"number", "B-7"}, {"scale", "1:2"}};
-  const auto document = parse_svg(to_svg(sheet, {}));
+  const auto document = parse_svg(output::to_svg(sheet, {}));
   const pugi::xml_node svg = document.child("svg");
   EXPECT_STREQ(svg.child("desc").text().get(), "front 1:2, round (isometric)");
   const pugi::xml_node work = svg.child("metadata").child("rdf:RDF").child("cc:Work");
@@ -155,12 +156,12 @@ TEST(Svg, HasTheMetadataThatInkscapeShows) {
 }
 
 TEST(Svg, DecimalsAreThoseAskedForAndDoNotAddUp) {
-  Sheet sheet{1000, 1000, "", {{"view/visible", {"visible", 0.5}, {}}}};
-  Stroke stroke;
+  sheet::Sheet sheet{1000, 1000, "", {{"view/visible", {"visible", 0.5}, {}}}};
+  sheet::Stroke stroke;
   for (int i = 0; i < 5000; ++i) stroke.points.emplace_back(i * 0.1333333, 500 + 100 * std::sin(i * 0.01));
   sheet.layers[0].strokes.push_back(stroke);
   for (const auto& [decimals, max] : {std::pair{1, 0.0708}, {3, 0.000708}, {4, 0.0000758}, {5, 0.0000121}}) {
-    const auto document = parse_svg(to_svg(sheet, {false, 300, decimals}));
+    const auto document = parse_svg(output::to_svg(sheet, {false, 300, decimals}));
     const double error = largest_error(sheet.layers[0].strokes, ink_of(layers_of(document)[0], 1000));
     EXPECT_LT(error, max) << decimals;
     EXPECT_GT(error, max / 4) << decimals;
@@ -168,11 +169,11 @@ TEST(Svg, DecimalsAreThoseAskedForAndDoNotAddUp) {
 }
 
 TEST(Svg, DashesStandOnlyWhereTheyDiffer) {
-  Sheet sheet = random_sheet(100, 100, 3);
-  std::vector<Stroke>& strokes = sheet.layers[0].strokes;
+  sheet::Sheet sheet = random_sheet(100, 100, 3);
+  std::vector<sheet::Stroke>& strokes = sheet.layers[0].strokes;
   strokes[0].dashes.dash = 3;  // as the style says
   strokes[1].dashes.dash = 0;  // continuous
-  const auto document = parse_svg(to_svg(sheet, {}));
+  const auto document = parse_svg(output::to_svg(sheet, {}));
   const pugi::xml_node first = layers_of(document)[0].child("path");
   EXPECT_FALSE(first.attribute("stroke-dasharray"));
   EXPECT_STREQ(first.next_sibling().attribute("stroke-dasharray").value(), "none");
@@ -180,18 +181,18 @@ TEST(Svg, DashesStandOnlyWhereTheyDiffer) {
 
 TEST(Svg, PointsAndClosedLinesKeepTheirPlaceAmongManyOthers) {
   // Cairo is given many lines at once; what it wrote must fall apart into the same lines.
-  Sheet sheet{100, 100, "many", {{"view/visible", {"visible", 0.5}, {}}}};
-  std::vector<Stroke>& strokes = sheet.layers[0].strokes;
+  sheet::Sheet sheet{100, 100, "many", {{"view/visible", {"visible", 0.5}, {}}}};
+  std::vector<sheet::Stroke>& strokes = sheet.layers[0].strokes;
   for (int i = 0; i < 9000; ++i) {
     const Vec2 at(i % 100, i / 100.0);
-    Stroke stroke;
+    sheet::Stroke stroke;
     stroke.points.push_back(at);
     stroke.points.push_back(i % 3 == 0 ? at : at + Vec2(1, 0.5));
     if (i % 5 == 0) stroke.points.emplace_back(at + Vec2(0.5, 2));
     stroke.closed = i % 10 == 0;
     strokes.push_back(stroke);
   }
-  const auto document = parse_svg(to_svg(sheet, {}));
+  const auto document = parse_svg(output::to_svg(sheet, {}));
   std::size_t i = 0;
   for (const pugi::xml_node path : layers_of(document)[0].children("path")) {
     const std::vector<Ink> ink = ink_of(std::string_view(path.attribute("d").value()), 100);
@@ -205,9 +206,9 @@ TEST(Svg, PointsAndClosedLinesKeepTheirPlaceAmongManyOthers) {
 }
 
 TEST(Svg, PlainHasOnePathForEachPatternAndNoOrigin) {
-  Sheet sheet = random_sheet(100, 100, 8);
+  sheet::Sheet sheet = random_sheet(100, 100, 8);
   for (std::size_t i = 0; i < 8; ++i) sheet.layers[0].strokes[i].dashes.dash = i < 4 ? 3 : 2.5;
-  const std::string svg = to_svg(sheet, {true});
+  const std::string svg = output::to_svg(sheet, {true});
   EXPECT_EQ(svg.find("data-"), std::string::npos);
   const auto document = parse_svg(svg);
   const pugi::xml_node hidden = layers_of(document)[0];
@@ -219,13 +220,13 @@ TEST(Svg, PlainHasOnePathForEachPatternAndNoOrigin) {
 }
 
 TEST(Svg, PlainKeepsPathsShort) {
-  Sheet sheet{100, 100, "many", {{"view/visible", {"visible", 0.5}, {}}}};
+  sheet::Sheet sheet{100, 100, "many", {{"view/visible", {"visible", 0.5}, {}}}};
   for (int i = 0; i < 60; ++i) {
-    Stroke stroke;
+    sheet::Stroke stroke;
     for (int k = 0; k < 300; ++k) stroke.points.emplace_back(i + k % 7 / 3.0, k / 3.3);
     sheet.layers[0].strokes.push_back(stroke);
   }
-  const auto document = parse_svg(to_svg(sheet, {true}));
+  const auto document = parse_svg(output::to_svg(sheet, {true}));
   const pugi::xml_node layer = layers_of(document)[0];
   for (const pugi::xml_node path : layer.children("path"))
     EXPECT_LT(std::string_view(path.attribute("d").value()).size(), 100'000U);
@@ -234,10 +235,10 @@ TEST(Svg, PlainKeepsPathsShort) {
 }
 
 TEST(Svg, TextCannotBreakOut) {
-  Sheet sheet = random_sheet(100, 100, 1);
+  sheet::Sheet sheet = random_sheet(100, 100, 1);
   sheet.title = "<script>&\"' \x01 \xFF </title>\xC3\xA9";
   sheet.layers[0].name = "\"><script>/hidden";
-  const std::string svg = to_svg(sheet, {});
+  const std::string svg = output::to_svg(sheet, {});
   EXPECT_EQ(svg.find("<script"), std::string::npos);
   const auto document = parse_svg(svg);
   EXPECT_STREQ(document.child("svg").child("title").text().get(), "<script>&\"'   \xEF\xBF\xBD </title>\xC3\xA9");
@@ -246,22 +247,22 @@ TEST(Svg, TextCannotBreakOut) {
 }
 
 TEST(Svg, DotsTouchingLinesAndInkBesideTheSheetStay) {
-  Sheet sheet = random_sheet(100, 100, 0);
-  std::vector<Stroke>& strokes = sheet.layers[1].strokes;
+  sheet::Sheet sheet = random_sheet(100, 100, 0);
+  std::vector<sheet::Stroke>& strokes = sheet.layers[1].strokes;
   const auto add = [&strokes](std::vector<Vec2> points, bool closed) {
     strokes.push_back({std::move(points), closed});
   };
   add({{50, 50}, {50, 50}}, false);
   add({{-300, -200}, {-310, -200.5}}, false);
   add({{1000, 50}, {1010, 51}, {1010, 60}}, true);
-  const auto document = parse_svg(to_svg(sheet, {}));
+  const auto document = parse_svg(output::to_svg(sheet, {}));
   EXPECT_LT(largest_error(strokes, ink_of(layers_of(document)[1], 100)), tolerance);
 }
 
 TEST(Svg, AnEmptySheetIsADocument) {
-  const auto document = parse_svg(to_svg({10, 10, "", {{"v/visible", {"visible", 0.5}, {}}}}, {}));
+  const auto document = parse_svg(output::to_svg({10, 10, "", {{"v/visible", {"visible", 0.5}, {}}}}, {}));
   EXPECT_EQ(layers_of(document).size(), 1u);
-  EXPECT_TRUE(parse_svg(to_svg({10, 10, "", {}}, {})).child("svg"));
+  EXPECT_TRUE(parse_svg(output::to_svg({10, 10, "", {}}, {})).child("svg"));
 }
 
 }  // namespace

@@ -17,9 +17,9 @@
 namespace epura {
 namespace {
 
-Sheet sheet_of(std::vector<Text> texts) {
-  Sheet sheet{297, 210, "texts", {}};
-  Layer& layer = sheet.layers.emplace_back();
+sheet::Sheet sheet_of(std::vector<sheet::Text> texts) {
+  sheet::Sheet sheet{297, 210, "texts", {}};
+  sheet::Layer& layer = sheet.layers.emplace_back();
   layer.name = "sheet/grid";
   layer.style = {"grid", 0.35};
   layer.strokes.push_back({{{5, 5}, {290, 5}}});
@@ -27,26 +27,28 @@ Sheet sheet_of(std::vector<Text> texts) {
   return sheet;
 }
 
-class TextAtAngle : public testing::TestWithParam<std::tuple<double, Align>> {};
+class TextAtAngle : public testing::TestWithParam<std::tuple<double, sheet::Align>> {};
 
 TEST_P(TextAtAngle, KeepsCoordinates) {
   const auto [angle, align] = GetParam();
-  const Text text{"HZI \xC3\x98 8g", {150, 100}, 7, angle, align, "label"};
-  const pugi::xml_document document = parse_svg(to_svg(sheet_of({text}), {}));
+  const sheet::Text text{"HZI \xC3\x98 8g", {150, 100}, 7, angle, align, "label"};
+  const pugi::xml_document document = parse_svg(output::to_svg(sheet_of({text}), {}));
   const pugi::xml_node g = document.select_node("//g[@aria-label]").node();
   EXPECT_STREQ(g.attribute("class").value(), (prefix_of(document) + "-text-label").c_str());
   const std::vector<Ink> read = ink_of(std::string_view(g.child("path").attribute("d").value()), 210);
 
-  const Lettering lettering;
+  const sheet::Lettering lettering;
   const double radians = angle * std::atan(1) / 45, c = std::cos(radians), s = std::sin(radians);
-  const double before = lettering.width(text.text, 7) * (align == Align::left ? 0 : align == Align::middle ? 0.5 : 1);
+  const double before = lettering.width(text.text, 7) * (align == sheet::Align::left     ? 0
+                                                         : align == sheet::Align::middle ? 0.5
+                                                                                         : 1);
   const auto place = [&](const Vec2& p) {
     return text.at + Vec2((p.x - before) * c - p.y * s, (p.x - before) * s + p.y * c);
   };
-  const std::vector<GlyphOutline> outlines = lettering.outlines(text.text, 7);
+  const std::vector<sheet::GlyphOutline> outlines = lettering.outlines(text.text, 7);
   ASSERT_EQ(read.size(), outlines.size());
   for (std::size_t i = 0; i < read.size(); ++i) {
-    const std::vector<GlyphOutline::Curve>& curves = outlines[i].curves;
+    const std::vector<sheet::GlyphOutline::Curve>& curves = outlines[i].curves;
     EXPECT_TRUE(read[i].closed);
     // It begins where it ends; a straight last piece is left to Z.
     EXPECT_LT(glm::distance(read[i].points.at(0), place(curves.back().end)), 1e-4);
@@ -58,7 +60,8 @@ TEST_P(TextAtAngle, KeepsCoordinates) {
 
 INSTANTIATE_TEST_SUITE_P(Angles, TextAtAngle,
                          testing::Combine(testing::Values(0.0, 90.0, 30.0),
-                                          testing::Values(Align::left, Align::middle, Align::right)));
+                                          testing::Values(sheet::Align::left, sheet::Align::middle,
+                                                          sheet::Align::right)));
 
 class TextFiles : public testing::Test {
  protected:
@@ -75,8 +78,8 @@ class TextFiles : public testing::Test {
 // thousandths of the em. Tall letters would be too many units high for FreeType at the usual enlargement.
 TEST_F(TextFiles, PdfHasTheWidthsOfTheFont) {
   for (const double height : {1.8, 20.0, 70.0}) {
-    const Sheet sheet = sheet_of({{"HOME", {10, 20}, height}});
-    write("a.pdf", to_pdf({&sheet}));
+    const sheet::Sheet sheet = sheet_of({{"HOME", {10, 20}, height}});
+    write("a.pdf", output::to_pdf({&sheet}));
     expect_run("pdftotext -bbox a.pdf a.html");
     const std::string words = read("a.html");
     const auto value = [&](const std::string& name) {
@@ -84,14 +87,15 @@ TEST_F(TextFiles, PdfHasTheWidthsOfTheFont) {
       return parse_number(words.substr(begin, words.find('"', begin) - begin)).value() * 25.4 / 72;
     };
     EXPECT_NEAR(value("xMin"), 10, 1e-3);
-    const Lettering lettering;
+    const sheet::Lettering lettering;
     EXPECT_NEAR(value("xMax") - value("xMin"), lettering.width("HOME", height), 4e-3 * lettering.em() * height);
   }
 }
 
 TEST_F(TextFiles, RolesMayHaveTheNamesOfLineStyles) {
   for (const char* role : {"grid", "other"}) {
-    write(std::string(role) + ".svg", to_svg(sheet_of({{"Grid", {20, 100}, 20, 0, Align::left, role}}), {}));
+    write(std::string(role) + ".svg",
+          output::to_svg(sheet_of({{"Grid", {20, 100}, 20, 0, sheet::Align::left, role}}), {}));
     expect_run(std::string("rsvg-convert -o ") + role + ".png " + role + ".svg");
   }
   EXPECT_EQ(read("grid.png"), read("other.png"));
@@ -120,37 +124,37 @@ const std::vector<std::string>& hostile_texts() {
 }
 
 TEST_F(TextFiles, NothingBreaksThem) {
-  std::vector<Text> texts;
+  std::vector<sheet::Text> texts;
   for (const std::string& text : hostile_texts()) {
     const double y = 20 + 10 * static_cast<double>(texts.size());
-    texts.push_back({text, {20, y}, 3.5, 0, Align::left, text.substr(0, 50)});
+    texts.push_back({text, {20, y}, 3.5, 0, sheet::Align::left, text.substr(0, 50)});
   }
   texts.push_back({"no height", {20, 20}, 0});
-  const Sheet sheet = sheet_of(std::move(texts));
-  VectorOptions as_text;
+  const sheet::Sheet sheet = sheet_of(std::move(texts));
+  output::VectorOptions as_text;
   as_text.text = SvgText::text;
-  for (const VectorOptions& options : {VectorOptions{}, as_text}) {
-    write("a.svg", to_svg(sheet, options));
+  for (const output::VectorOptions& options : {output::VectorOptions{}, as_text}) {
+    write("a.svg", output::to_svg(sheet, options));
     expect_run("xmllint --noout a.svg");
     expect_run("rsvg-convert -o a.png a.svg");
     EXPECT_EQ(read("a.svg").find("<script"), std::string::npos);
   }
-  const std::string bytes = to_pdf({&sheet});
+  const std::string bytes = output::to_pdf({&sheet});
   EXPECT_FALSE(PdfReader(bytes).has_trouble());
   write("a.pdf", bytes);
   expect_run("qpdf --check a.pdf >/dev/null");
   expect_run("pdftotext a.pdf a.txt");
   EXPECT_NE(read("a.txt").find("<script>&\"')( \\ ]]>-->"), std::string::npos);
-  for (const std::string& page : {to_ps({&sheet}), to_eps(sheet)}) {
+  for (const std::string& page : {output::to_ps({&sheet}), output::to_eps(sheet)}) {
     EXPECT_TRUE(page.starts_with("%!PS-Adobe"));
     EXPECT_EQ(page.find('\0'), std::string::npos);
   }
-  EXPECT_FALSE(to_png(sheet, 50).empty());
+  EXPECT_FALSE(output::to_png(sheet, 50).empty());
 }
 
 TEST_F(TextFiles, LongOutlinesAreSeveralPathsOfWholeLetters) {
   pugi::xml_document document;
-  ASSERT_TRUE(document.load_string(to_svg(sheet_of({{std::string(5000, '8'), {20, 20}, 3.5}}), {}).c_str()));
+  ASSERT_TRUE(document.load_string(output::to_svg(sheet_of({{std::string(5000, '8'), {20, 20}, 3.5}}), {}).c_str()));
   int paths = 0;
   for (const pugi::xml_node path : document.select_node("//g[@aria-label]").node().children("path")) {
     const std::string_view d = path.attribute("d").value();

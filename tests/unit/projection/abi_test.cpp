@@ -22,13 +22,14 @@ TEST(the_abi, has_its_version_in_the_name_of_the_entry_point) {
 
 TEST(a_newer_plugin, is_read_as_far_as_this_program_knows_it) {
   const std::vector<std::filesystem::path> folders{std::filesystem::path(EPURA_TEST_BAD_PLUGINS) / "newer"};
-  const Catalogue found = load_catalogue(folders);
+  const projection::Catalogue found = projection::load_catalogue(folders);
   EXPECT_TRUE(found.bad.empty());
   ASSERT_EQ(found.entries.size(), 2U);
   EXPECT_EQ(found.entries[1].name, "newest");
   ASSERT_EQ(found.entries[1].parameters.size(), 2U);
   EXPECT_EQ(found.entries[1].parameters[1].name, "scale");
-  const Projection p = make_projection(found.entries[1], parse_request("newest:scale=4"), a_box());
+  const projection::Projection p =
+      projection::make_projection(found.entries[1], scene::parse_request("newest:scale=4"), a_box());
   EXPECT_EQ(p.scale, 4);
   expect_near<2>(step(p, {0, 1, 0}), {0.5, 0}, 1e-15);
 }

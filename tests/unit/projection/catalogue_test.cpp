@@ -43,7 +43,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Refusal{"bad-default", "'scale' has a default outside"}));
 
 TEST_P(refused_when_loaded, is_named_with_the_reason) {
-  const Catalogue found = load_catalogue({bad(GetParam().folder)});
+  const projection::Catalogue found = projection::load_catalogue({bad(GetParam().folder)});
   EXPECT_TRUE(found.entries.empty());
   ASSERT_EQ(found.bad.size(), 1);
   EXPECT_EQ(found.bad[0].path, bad(GetParam().folder) / "plain.so");
@@ -51,7 +51,7 @@ TEST_P(refused_when_loaded, is_named_with_the_reason) {
 }
 
 TEST_P(refused_when_loaded, is_named_when_it_is_looked_up) {
-  const Error error = error_of([] { find_projection("plain", {bad(GetParam().folder)}); });
+  const Error error = error_of([] { projection::find_projection("plain", {bad(GetParam().folder)}); });
   EXPECT_EQ(error.kind(), ErrorKind::plugin);
   EXPECT_EQ(error.where(), (bad(GetParam().folder) / "plain.so").string());
   EXPECT_TRUE(contains(error.what(), GetParam().reason)) << error.what();
@@ -69,8 +69,8 @@ INSTANTIATE_TEST_SUITE_P(bad_plugins, refused_when_asked,
                                          Refusal{"crosses", "threw an exception"}));
 
 TEST_P(refused_when_asked, is_named_with_the_reason) {
-  const ProjectionEntry entry = find_projection("plain", {bad(GetParam().folder)});
-  const Error error = error_of([&] { make_projection(entry, {"plain", {}}, a_box()); });
+  const projection::ProjectionEntry entry = projection::find_projection("plain", {bad(GetParam().folder)});
+  const Error error = error_of([&] { projection::make_projection(entry, {"plain", {}}, a_box()); });
   EXPECT_EQ(error.kind(), ErrorKind::plugin);
   EXPECT_EQ(error.where(), entry.plugin.string());
   EXPECT_TRUE(contains(error.what(), GetParam().reason)) << error.what();
@@ -78,9 +78,9 @@ TEST_P(refused_when_asked, is_named_with_the_reason) {
 
 TEST(a_plugin, that_has_a_sentence_to_say_is_heard) {
   const auto answer = [](const char* folder, const char* text) {
-    const ProjectionRequest request = parse_request(text);
-    const ProjectionEntry entry = find_projection(request.name, {bad(folder)});
-    return error_of([&] { make_projection(entry, request, a_box()); });
+    const scene::ProjectionRequest request = scene::parse_request(text);
+    const projection::ProjectionEntry entry = projection::find_projection(request.name, {bad(folder)});
+    return error_of([&] { projection::make_projection(entry, request, a_box()); });
   };
   EXPECT_STREQ(answer("sentence", "plain:scale=2").what(), "plain: not today");
   EXPECT_EQ(answer("sentence", "plain:scale=2").kind(), ErrorKind::input);
@@ -91,10 +91,10 @@ TEST(a_plugin, that_has_a_sentence_to_say_is_heard) {
 }
 
 TEST(a_plugin, in_plain_c_is_as_good_as_any) {
-  const ProjectionEntry entry = find_projection("plain", {bad("good")});
+  const projection::ProjectionEntry entry = projection::find_projection("plain", {bad("good")});
   EXPECT_EQ(entry.summary, "a slanted view");
   EXPECT_EQ(entry.reference, "");
-  const Projection p = make_projection(entry, parse_request("plain:scale=2"), a_box());
+  const projection::Projection p = projection::make_projection(entry, scene::parse_request("plain:scale=2"), a_box());
   EXPECT_EQ(p.scale, 2);
   EXPECT_FALSE(p.window);
   EXPECT_EQ(p.front, HUGE_VAL);
@@ -103,9 +103,12 @@ TEST(a_plugin, in_plain_c_is_as_good_as_any) {
 }
 
 TEST(a_plugin, receives_each_value_in_its_place) {
-  const ProjectionEntry entry = find_projection("every-type", {bad("good")});
-  const auto make_it = [&](const char* text) { return make_projection(entry, parse_request(text), a_box()); };
-  const Projection p = make_it("every-type:pair=5,-6:word=double:point=7,8,9:ratio=-2:central=yes:window=-1,-2,3,4");
+  const projection::ProjectionEntry entry = projection::find_projection("every-type", {bad("good")});
+  const auto make_it = [&](const char* text) {
+    return projection::make_projection(entry, scene::parse_request(text), a_box());
+  };
+  const projection::Projection p =
+      make_it("every-type:pair=5,-6:word=double:point=7,8,9:ratio=-2:central=yes:window=-1,-2,3,4");
   EXPECT_EQ(p.front, 5);
   EXPECT_EQ(p.back, -6);
   EXPECT_EQ(p.scale, 2);
@@ -119,25 +122,25 @@ TEST(a_plugin, receives_each_value_in_its_place) {
 }
 
 TEST(a_plugin, finds_defaults_from_the_box_and_they_are_not_recorded) {
-  const ProjectionEntry entry = find_projection("every-type", {bad("good")});
-  const Projection p = make_projection(entry, {"every-type", {}}, a_box());
+  const projection::ProjectionEntry entry = projection::find_projection("every-type", {bad("good")});
+  const projection::Projection p = projection::make_projection(entry, {"every-type", {}}, a_box());
   EXPECT_EQ(p.point, a_box().max);
   for (const auto& [name, value] : p.values) EXPECT_NE(name, "point");
 }
 
 TEST(a_plugin, from_the_manual_draws_what_the_manual_says) {
   const auto make_it = [](const char* text) {
-    const ProjectionRequest request = parse_request(text);
-    return make_projection(find_projection(request.name, {bad("manual")}), request, a_box());
+    const scene::ProjectionRequest request = scene::parse_request(text);
+    return projection::make_projection(projection::find_projection(request.name, {bad("manual")}), request, a_box());
   };
-  const Projection slanted = make_it("slanted:ratio=0.7:angle=90"), military = make_it("military");
+  const projection::Projection slanted = make_it("slanted:ratio=0.7:angle=90"), military = make_it("military");
   expect_near<2>(step(slanted, {0, 1, 0}), {0, 0.7}, 1e-15);
   expect_near<2>(step(military, {0, 1, 0}), {0, 1}, 1e-15);
   expect_near<2>(step(military, {0, 0, 1}), {0, 1}, 1e-15);
 }
 
 TEST(two_libraries, with_one_name_in_a_folder_are_reported) {
-  const Catalogue found = load_catalogue({bad("duplicate")});
+  const projection::Catalogue found = projection::load_catalogue({bad("duplicate")});
   ASSERT_EQ(found.entries.size(), 1);
   EXPECT_EQ(found.entries[0].plugin.filename(), "first.so");
   ASSERT_EQ(found.bad.size(), 1);
@@ -146,14 +149,14 @@ TEST(two_libraries, with_one_name_in_a_folder_are_reported) {
 }
 
 TEST(two_libraries, with_one_name_in_two_folders_hide_each_other_in_order) {
-  const Catalogue found = load_catalogue({bad("good"), bad("sentence")});
+  const projection::Catalogue found = projection::load_catalogue({bad("good"), bad("sentence")});
   EXPECT_TRUE(found.bad.empty());
   ASSERT_EQ(found.entries.size(), 2);
   EXPECT_EQ(found.entries[1].plugin, bad("good") / "plain.so");
-  EXPECT_EQ(find_projection("plain", {bad("sentence"), bad("good")}).plugin, bad("sentence") / "plain.so");
+  EXPECT_EQ(projection::find_projection("plain", {bad("sentence"), bad("good")}).plugin, bad("sentence") / "plain.so");
   // The library of that name wins over an earlier one that offers it, too.
-  EXPECT_EQ(load_catalogue({bad("duplicate"), bad("good")}).entries[1].plugin, bad("good") / "plain.so");
-  EXPECT_EQ(find_projection("plain", {bad("duplicate"), bad("good")}).plugin, bad("good") / "plain.so");
+  EXPECT_EQ(projection::load_catalogue({bad("duplicate"), bad("good")}).entries[1].plugin, bad("good") / "plain.so");
+  EXPECT_EQ(projection::find_projection("plain", {bad("duplicate"), bad("good")}).plugin, bad("good") / "plain.so");
 }
 
 TEST_F(with_folder, junk_is_named_and_other_files_are_left_alone) {
@@ -161,7 +164,7 @@ TEST_F(with_folder, junk_is_named_and_other_files_are_left_alone) {
   write_file(folder / "empty.so", "");
   write_file(folder / "notes.txt", "nor is this");
   fs::create_directory(folder / "folder.so");
-  const Catalogue found = load_catalogue({folder});
+  const projection::Catalogue found = projection::load_catalogue({folder});
   ASSERT_EQ(found.bad.size(), 2);
   EXPECT_EQ(found.bad[0].path, folder / "empty.so");
   EXPECT_EQ(found.bad[0].reason, "file too short");
@@ -170,7 +173,7 @@ TEST_F(with_folder, junk_is_named_and_other_files_are_left_alone) {
 }
 
 TEST_F(with_folder, missing_folder_is_named) {
-  const Catalogue found = load_catalogue({folder / "none"});
+  const projection::Catalogue found = projection::load_catalogue({folder / "none"});
   ASSERT_EQ(found.bad.size(), 1);
   EXPECT_TRUE(contains(found.bad[0].reason, "not a folder")) << found.bad[0].reason;
 }
@@ -179,9 +182,9 @@ TEST_F(with_folder, only_the_library_of_the_name_is_opened) {
   fs::copy(built("front"), folder / "front.so");
   fs::copy(bad("mark") / "plain.so", folder / "mark.so");
   const test::Variable mark("EPURA_TEST_MARK", (folder / "mark").c_str());
-  EXPECT_EQ(find_projection("front", {folder}).name, "front");
+  EXPECT_EQ(projection::find_projection("front", {folder}).name, "front");
   EXPECT_FALSE(fs::exists(folder / "mark"));
-  EXPECT_EQ(find_projection("plain", {folder}).plugin, folder / "mark.so");
+  EXPECT_EQ(projection::find_projection("plain", {folder}).plugin, folder / "mark.so");
   EXPECT_TRUE(fs::exists(folder / "mark"));
 }
 
@@ -189,7 +192,7 @@ TEST_F(with_folder, a_library_cut_short_beside_good_ones_is_named_and_hides_none
   fs::copy(built("front"), folder / "front.so");
   const std::string whole = read_file(built("back"));
   write_file(folder / "short.so", whole.substr(0, whole.size() / 2));
-  const Error error = error_of([&] { find_projection("fornt", {folder}); });
+  const Error error = error_of([&] { projection::find_projection("fornt", {folder}); });
   EXPECT_EQ(error.kind(), ErrorKind::plugin);
   EXPECT_TRUE(error.hint().starts_with("did you mean 'front'?\n" + (folder / "short.so").string() + ": "))
       << error.hint();
@@ -197,11 +200,11 @@ TEST_F(with_folder, a_library_cut_short_beside_good_ones_is_named_and_hides_none
 
 TEST_F(with_folder, projection_in_a_library_of_another_name_is_found) {
   fs::copy(built("front"), folder / "views.so");
-  EXPECT_EQ(find_projection("front", {folder}).plugin, folder / "views.so");
+  EXPECT_EQ(projection::find_projection("front", {folder}).plugin, folder / "views.so");
 }
 
 TEST(find_projection, says_what_was_perhaps_meant) {
-  const Error error = error_of([] { find_projection("isometrik", built_plugins()); });
+  const Error error = error_of([] { projection::find_projection("isometrik", built_plugins()); });
   EXPECT_EQ(error.kind(), ErrorKind::plugin);
   EXPECT_STREQ(error.what(), "isometrik: no such projection");
   EXPECT_EQ(error.hint(), "did you mean 'isometric'?");
@@ -210,13 +213,15 @@ TEST(find_projection, says_what_was_perhaps_meant) {
 TEST_F(with_folder, name_does_not_lead_out_of_it) {
   fs::create_directory(folder / "inside");
   fs::copy(built("front"), folder / "outside.so");
-  EXPECT_EQ(error_of([&] { find_projection("../outside", {folder / "inside"}); }).kind(), ErrorKind::plugin);
-  EXPECT_EQ(error_of([&] { find_projection("../outside", {folder / "inside"}); }).hint(), "no projections were found");
+  EXPECT_EQ(error_of([&] { projection::find_projection("../outside", {folder / "inside"}); }).kind(),
+            ErrorKind::plugin);
+  EXPECT_EQ(error_of([&] { projection::find_projection("../outside", {folder / "inside"}); }).hint(),
+            "no projections were found");
 }
 
 TEST(plugin_folders, are_those_given_then_the_environment_then_beside_the_program) {
   setenv("EPURA_PLUGIN_PATH", "/a::/b", 1);
-  const std::vector<fs::path> folders = plugin_folders({"/x"});
+  const std::vector<fs::path> folders = projection::plugin_folders({"/x"});
   unsetenv("EPURA_PLUGIN_PATH");
   ASSERT_EQ(folders.size(), 4);
   EXPECT_EQ(folders[0], "/x");
@@ -227,7 +232,7 @@ TEST(plugin_folders, are_those_given_then_the_environment_then_beside_the_progra
 }
 
 TEST(parse_request, takes_names_and_assignments_apart) {
-  const ProjectionRequest request = parse_request("look-at:eye=4,-9,5:ref=0,0,0");
+  const scene::ProjectionRequest request = scene::parse_request("look-at:eye=4,-9,5:ref=0,0,0");
   EXPECT_EQ(request.name, "look-at");
   ASSERT_EQ(request.assignments.size(), 2);
   EXPECT_EQ(request.assignments[0], (std::pair<std::string, std::string>{"eye", "4,-9,5"}));
@@ -235,7 +240,7 @@ TEST(parse_request, takes_names_and_assignments_apart) {
 
 TEST(parse_request, refuses_what_is_no_assignment) {
   for (const char* text : {"", ":x=1", "front:", "front:x", "front:=1", "front::x=1", "front:x=1:x=2"})
-    EXPECT_EQ(error_of([&] { parse_request(text); }).kind(), ErrorKind::input) << text;
+    EXPECT_EQ(error_of([&] { scene::parse_request(text); }).kind(), ErrorKind::input) << text;
 }
 
 struct Wrong {

@@ -9,8 +9,8 @@ namespace {
 
 std::filesystem::path bad(const std::string& folder) { return std::filesystem::path(EPURA_TEST_BAD_PLUGINS) / folder; }
 
-std::vector<CheckResult> checks_of(const std::string& folder, const std::string& name) {
-  return check_projection(find_projection(name, {bad(folder)}));
+std::vector<projection::CheckResult> checks_of(const std::string& folder, const std::string& name) {
+  return projection::check_projection(projection::find_projection(name, {bad(folder)}));
 }
 
 struct Mistake {
@@ -38,30 +38,31 @@ INSTANTIATE_TEST_SUITE_P(bad_plugins, mistake,
                                          Mistake{"flat-model", "models", "without a model: the scale is not finite"}));
 
 TEST_P(mistake, fails_its_check) {
-  for (const CheckResult& result : checks_of(GetParam().folder, "plain")) {
+  for (const projection::CheckResult& result : checks_of(GetParam().folder, "plain")) {
     if (result.name != GetParam().check) continue;
-    EXPECT_EQ(result.verdict, Verdict::failed);
+    EXPECT_EQ(result.verdict, projection::Verdict::failed);
     EXPECT_TRUE(contains(result.fault, GetParam().fault)) << result.fault;
   }
 }
 
 TEST_P(mistake, is_the_first_that_is_found) {
   std::string first;
-  for (const CheckResult& result : checks_of(GetParam().folder, "plain"))
-    if (result.verdict == Verdict::failed && first.empty()) first = result.name;
+  for (const projection::CheckResult& result : checks_of(GetParam().folder, "plain"))
+    if (result.verdict == projection::Verdict::failed && first.empty()) first = result.name;
   EXPECT_EQ(first, GetParam().check);
 }
 
 TEST(a_projection_without_an_answer, is_not_looked_at_further) {
-  const std::vector<CheckResult> results = checks_of("nan", "plain");
-  for (std::size_t i = 2; i < results.size(); ++i) EXPECT_EQ(results[i].verdict, Verdict::skipped) << results[i].name;
+  const std::vector<projection::CheckResult> results = checks_of("nan", "plain");
+  for (std::size_t i = 2; i < results.size(); ++i)
+    EXPECT_EQ(results[i].verdict, projection::Verdict::skipped) << results[i].name;
 }
 
 TEST(good_plugins, pass_every_check) {
   for (const auto& [folder, name] : {std::pair("good", "plain"), std::pair("good", "every-type"),
                                      std::pair("manual", "slanted"), std::pair("manual", "military")})
-    for (const CheckResult& result : checks_of(folder, name))
-      EXPECT_EQ(result.verdict, Verdict::passed) << name << ", " << result.name << ": " << result.fault;
+    for (const projection::CheckResult& result : checks_of(folder, name))
+      EXPECT_EQ(result.verdict, projection::Verdict::passed) << name << ", " << result.name << ": " << result.fault;
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ TEST(orthographic, views_show_the_axes_where_a_draughtsman_expects_them) {
   for (const auto& [name, x, y, z] : {Case{"front", {1, 0}, {0, 0}, {0, 1}}, Case{"back", {-1, 0}, {0, 0}, {0, 1}},
                                       Case{"left", {0, 0}, {-1, 0}, {0, 1}}, Case{"right", {0, 0}, {1, 0}, {0, 1}},
                                       Case{"top", {1, 0}, {0, 1}, {0, 0}}, Case{"bottom", {1, 0}, {0, -1}, {0, 0}}}) {
-    const Projection p = make(name, a_box());
+    const projection::Projection p = make(name, a_box());
     EXPECT_EQ(step(p, ex), x) << name;
     EXPECT_EQ(step(p, ey), y) << name;
     EXPECT_EQ(step(p, ez), z) << name;
@@ -33,7 +33,7 @@ TEST(orthographic, nearer_side_is_the_one_the_view_is_named_after) {
 }
 
 TEST(orthographic, auxiliary_shows_a_slanted_face_in_true_shape) {
-  const Projection p = make("auxiliary:direction=1,-2,2:up=0,1,1", a_box());
+  const projection::Projection p = make("auxiliary:direction=1,-2,2:up=0,1,1", a_box());
   const Vec3 a{2, 1, 0}, b{2, -1, -2};  // both perpendicular to the direction
   EXPECT_NEAR(glm::length(step(p, a)), glm::length(a), 1e-14);
   EXPECT_NEAR(glm::length(step(p, b)), glm::length(b), 1e-14);
@@ -41,7 +41,7 @@ TEST(orthographic, auxiliary_shows_a_slanted_face_in_true_shape) {
 }
 
 TEST(axonometric, isometric_axes_are_equally_long_and_120_degrees_apart) {
-  const Projection p = make("isometric", a_box());
+  const projection::Projection p = make("isometric", a_box());
   for (const Vec3& axis : {ex, ey, ez}) EXPECT_NEAR(glm::length(step(p, axis)), std::sqrt(2.0 / 3), 1e-15);
   EXPECT_NEAR(angle(step(p, ex)), -30, 1e-12);
   EXPECT_NEAR(angle(step(p, ey)), 30, 1e-12);
@@ -51,7 +51,7 @@ TEST(axonometric, isometric_axes_are_equally_long_and_120_degrees_apart) {
 }
 
 TEST(axonometric, dimetric_has_the_angles_and_scales_of_the_standard) {
-  const Projection p = make("dimetric:foreshortened=false", a_box());
+  const projection::Projection p = make("dimetric:foreshortened=false", a_box());
   EXPECT_NEAR(angle(step(p, ex)), -degrees(std::asin(1.0 / 8)), 1e-12);
   EXPECT_NEAR(angle(step(p, ey)), degrees(std::acos(0.75)), 1e-12);
   EXPECT_NEAR(angle(step(p, ez)), 90, 1e-12);
@@ -63,7 +63,7 @@ TEST(axonometric, dimetric_has_the_angles_and_scales_of_the_standard) {
 
 TEST(axonometric, trimetric_draws_its_axes_at_the_angles_asked_for) {
   for (const auto& [x, y] : {std::pair{15.0, 35.0}, std::pair{7.0, 42.0}, std::pair{60.0, 20.0}}) {
-    const Projection p =
+    const projection::Projection p =
         make("trimetric:foreshortened=false:x-angle=" + std::to_string(x) + ":y-angle=" + std::to_string(y), a_box());
     EXPECT_NEAR(angle(step(p, ex)), -x, 1e-12);
     EXPECT_NEAR(angle(step(p, ey)), y, 1e-12);
@@ -79,11 +79,11 @@ TEST(axonometric, trimetric_draws_its_axes_at_the_angles_asked_for) {
 }
 
 /// Between projector and normal.
-double slant(const Projection& p) { return degrees(std::acos(glm::dot(p.projector, p.n))); }
+double slant(const projection::Projection& p) { return degrees(std::acos(glm::dot(p.projector, p.n))); }
 
 TEST(oblique, cavalier_keeps_the_front_and_the_length_of_depth) {
   for (const double paper : {45.0, 30.0, 135.0}) {
-    const Projection p = make("cavalier:angle=" + std::to_string(paper), a_box());
+    const projection::Projection p = make("cavalier:angle=" + std::to_string(paper), a_box());
     EXPECT_NEAR(glm::length(step(p, ex) - Vec2(1, 0)), 0, 1e-15);
     EXPECT_NEAR(glm::length(step(p, ez) - Vec2(0, 1)), 0, 1e-15);
     EXPECT_NEAR(glm::length(step(p, ey)), 1, 1e-14);
@@ -93,7 +93,7 @@ TEST(oblique, cavalier_keeps_the_front_and_the_length_of_depth) {
 }
 
 TEST(oblique, cabinet_halves_depth_at_63_435_degrees_to_the_plane) {
-  const Projection p = make("cabinet", a_box());
+  const projection::Projection p = make("cabinet", a_box());
   EXPECT_NEAR(glm::length(step(p, ey)), 0.5, 1e-14);
   EXPECT_NEAR(angle(step(p, ey)), 45, 1e-12);
   EXPECT_NEAR(90 - slant(p), degrees(std::atan(2.0)), 1e-12);
@@ -101,13 +101,13 @@ TEST(oblique, cabinet_halves_depth_at_63_435_degrees_to_the_plane) {
 }
 
 TEST(oblique, general_one_takes_angle_and_ratio) {
-  const Projection p = make("oblique:angle=20:ratio=0.8", a_box());
+  const projection::Projection p = make("oblique:angle=20:ratio=0.8", a_box());
   EXPECT_NEAR(glm::length(step(p, ey)), 0.8, 1e-14);
   EXPECT_NEAR(angle(step(p, ey)), 20, 1e-12);
 }
 
 TEST(oblique, planometric_turns_the_true_plan_and_raises_heights) {
-  const Projection p = make("planometric:angle=30:height=0.6667", a_box());
+  const projection::Projection p = make("planometric:angle=30:height=0.6667", a_box());
   EXPECT_NEAR(glm::length(step(p, ex)), 1, 1e-14);
   EXPECT_NEAR(glm::length(step(p, ey)), 1, 1e-14);
   EXPECT_NEAR(angle(step(p, ex)), -30, 1e-12);
@@ -119,15 +119,15 @@ TEST(pictorial, views_look_from_the_right_the_front_and_above) {
   for (const char* name :
        {"isometric", "dimetric", "trimetric", "cavalier", "cabinet", "planometric", "oblique", "one-point", "two-point",
         "three-point", "look-at", "frustum", "observer", "phigs", "vanishing-points"}) {
-    const Projection p = make(name, a_box());
+    const projection::Projection p = make(name, a_box());
     const Vec3 centre = a_box().centre();
     for (const Vec3& towards : {ex, -ey, ez})
       EXPECT_GT(glm::dot(p.central ? p.projector - centre : p.projector, towards), 0) << name;
   }
 }
 
-std::array<bool, 3> vanishing(const Projection& p) {
-  const auto points = vanishing_points(p);
+std::array<bool, 3> vanishing(const projection::Projection& p) {
+  const auto points = projection::vanishing_points(p);
   return {points[0].has_value(), points[1].has_value(), points[2].has_value()};
 }
 
@@ -152,13 +152,13 @@ TEST(perspective, one_two_and_three_point_have_that_many_over_their_whole_range)
 }
 
 TEST(perspective, two_point_keeps_verticals_vertical) {
-  const Projection p = make("two-point:azimuth=25:above=-0.4", a_box());
+  const projection::Projection p = make("two-point:azimuth=25:above=-0.4", a_box());
   for (const Vec3& foot : {Vec3(-1, -2, 0.5), Vec3(3, 1, 0.5)})
     EXPECT_NEAR(place(p, foot).x, place(p, foot + 3.0 * ez).x, 1e-13);
 }
 
 TEST(perspective, one_point_keeps_the_front_true) {
-  const Projection p = make("one-point", a_box());
+  const projection::Projection p = make("one-point", a_box());
   const Vec3 corner = a_box().min;
   expect_near<2>(place(p, corner + 2.0 * ex) - place(p, corner), {2, 0}, 1e-13);
   expect_near<2>(place(p, corner + 3.0 * ez) - place(p, corner), {0, 3}, 1e-13);
@@ -174,7 +174,7 @@ TEST(perspective, any_model_lies_in_a_calm_cone_unless_told_otherwise) {
   for (const char* name :
        {"one-point", "two-point", "three-point", "look-at", "frustum", "observer", "phigs", "vanishing-points"})
     for (const Box& box : boxes) {
-      const Projection p = make(name, box);
+      const projection::Projection p = make(name, box);
       for (int i = 0; i < 8; ++i) {
         const Vec3 corner{i & 1 ? box.max.x : box.min.x, i & 2 ? box.max.y : box.min.y, i & 4 ? box.max.z : box.min.z};
         const Vec3 sight = glm::normalize(corner - p.projector);
@@ -195,8 +195,8 @@ class vanishing_points_plugin : public testing::Test {
  protected:
   const Box box = a_box();
   void expect_places(const std::string& request, const std::array<std::optional<Vec2>, 3>& places) {
-    const Projection p = make("vanishing-points:" + request, box);
-    const auto found = vanishing_points(p);
+    const projection::Projection p = make("vanishing-points:" + request, box);
+    const auto found = projection::vanishing_points(p);
     for (std::size_t i = 0; i < 3; ++i) {
       ASSERT_EQ(found[i].has_value(), places[i].has_value()) << request << ", axis " << i;
       if (found[i]) expect_near<2>(*found[i], *places[i], 1e-9);
@@ -212,7 +212,7 @@ TEST_F(vanishing_points_plugin, puts_three_where_they_were_asked_for) {
 }
 
 TEST_F(vanishing_points_plugin, has_the_eye_over_the_orthocentre) {
-  const Projection p = make("vanishing-points:x=-30,12:y=25,10:z=2,-40", box);
+  const projection::Projection p = make("vanishing-points:x=-30,12:y=25,10:z=2,-40", box);
   const Vec3 eye = p.projector - p.point;
   const Vec2 h{glm::dot(eye, p.u), glm::dot(eye, p.v)}, x{-30, 12}, y{25, 10}, z{2, -40};
   EXPECT_NEAR(glm::dot(h - x, y - z), 0, 1e-10);
@@ -232,7 +232,7 @@ TEST_F(vanishing_points_plugin, puts_one_where_it_was_asked_for_and_leaves_the_f
   expect_places("x=-3,4", {Vec2(-3, 4), std::nullopt, std::nullopt});
   expect_places("y=3,4:distance=30", {std::nullopt, Vec2(3, 4), std::nullopt});
   expect_places("z=1,-2", {std::nullopt, std::nullopt, Vec2(1, -2)});
-  const Projection front = make("vanishing-points:y=3,4", box), top = make("vanishing-points:z=3,4", box);
+  const projection::Projection front = make("vanishing-points:y=3,4", box), top = make("vanishing-points:z=3,4", box);
   EXPECT_EQ(front.u, ex);
   EXPECT_EQ(front.v, ez);
   EXPECT_EQ(top.v, ey);
@@ -241,7 +241,7 @@ TEST_F(vanishing_points_plugin, puts_one_where_it_was_asked_for_and_leaves_the_f
 
 TEST_F(vanishing_points_plugin, keeps_the_model_upright_and_x_to_the_right) {
   for (const char* request : {"x=-30,12:y=25,10:z=2,-40", "x=30,-12:y=-25,-10:z=2,40", "x=40,1:y=-25,1"}) {
-    const Projection p = make(std::string("vanishing-points:") + request, box);
+    const projection::Projection p = make(std::string("vanishing-points:") + request, box);
     const Vec3 centre = box.centre();
     EXPECT_GT(place(p, centre + 0.01 * ez).y, 0) << request;
     EXPECT_GT(place(p, centre + 0.01 * ex).x, 0) << request;

@@ -26,12 +26,13 @@ std::filesystem::path plain(const std::string& folder) {
   return std::filesystem::path(EPURA_TEST_BAD_PLUGINS) / folder / "plain.so";
 }
 
-ProjectionEntry entry_of(const std::string& folder, Afterwards afterwards = Afterwards::waits) {
-  return read_plugin_apart(plain(folder), afterwards, 1).at(0);
+projection::ProjectionEntry entry_of(const std::string& folder,
+                                     projection::Afterwards afterwards = projection::Afterwards::waits) {
+  return projection::read_plugin_apart(plain(folder), afterwards, 1).at(0);
 }
 
-Projection projection_of(const std::string& folder) {
-  return make_projection(entry_of(folder), {"plain", {}}, a_box());
+projection::Projection projection_of(const std::string& folder) {
+  return projection::make_projection(entry_of(folder), {"plain", {}}, a_box());
 }
 
 struct Deed {
@@ -63,9 +64,9 @@ INSTANTIATE_TEST_SUITE_P(plugins, deed_when_asked,
                                          Deed{"rounds-up", "leaves another rounding mode"}));
 
 TEST_P(deed_when_asked, is_told_with_the_library_and_the_name_each_time) {
-  const ProjectionEntry entry = entry_of(GetParam().folder);
+  const projection::ProjectionEntry entry = entry_of(GetParam().folder);
   for (int time = 0; time < 2; ++time) {
-    const Error error = error_of([&] { make_projection(entry, {"plain", {}}, a_box()); });
+    const Error error = error_of([&] { projection::make_projection(entry, {"plain", {}}, a_box()); });
     EXPECT_EQ(error.kind(), ErrorKind::plugin);
     EXPECT_TRUE(
         std::string(error.what()).starts_with(plain(GetParam().folder).string() + ": 'plain' " + GetParam().sentence))
@@ -74,11 +75,11 @@ TEST_P(deed_when_asked, is_told_with_the_library_and_the_name_each_time) {
 }
 
 TEST(what_a_plugin_changes, stays_with_it) {
-  const Projection good = projection_of("good");
+  const projection::Projection good = projection_of("good");
   for (const char* folder : {"rounds-up-when-loaded", "hangs-at-its-end", "prints"}) {
     SCOPED_TRACE(folder);
     const auto start = std::chrono::steady_clock::now();
-    EXPECT_EQ(view_matrix(projection_of(folder)), view_matrix(good));
+    EXPECT_EQ(projection::view_matrix(projection_of(folder)), projection::view_matrix(good));
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(1));
     EXPECT_EQ(std::fegetround(), FE_TONEAREST);
   }
@@ -86,10 +87,10 @@ TEST(what_a_plugin_changes, stays_with_it) {
 
 TEST(what_a_plugin_changes, is_mended_where_it_is_loaded) {
   for (const char* folder : {"rounds-up-when-loaded", "rounds-up"}) {
-    const ProjectionEntry entry = read_plugin(plain(folder)).at(0);
+    const projection::ProjectionEntry entry = projection::read_plugin(plain(folder)).at(0);
     EXPECT_EQ(std::fegetround(), FE_TONEAREST) << folder;
     try {
-      ask_plugin(entry, default_values(entry), a_box());
+      projection::ask_plugin(entry, projection::default_values(entry), a_box());
     } catch (const Error&) {
       EXPECT_STREQ(folder, "rounds-up");
     }
@@ -102,9 +103,10 @@ TEST(what_a_plugin_says, is_fit_for_a_terminal) {
       "a\xEF\xBF\xBD[2Jb\xEF\xBF\xBD"
       "31mc\xEF\xBF\xBD"
       "d epura: e\xEF\xBF\xBD";
-  const ProjectionEntry entry = entry_of("escapes");
+  const projection::ProjectionEntry entry = entry_of("escapes");
   EXPECT_EQ(entry.summary, shown);
-  const Error error = error_of([&] { make_projection(entry, parse_request("plain:scale=2"), a_box()); });
+  const Error error =
+      error_of([&] { projection::make_projection(entry, scene::parse_request("plain:scale=2"), a_box()); });
   EXPECT_EQ(error.what(), "plain: " + shown);
 }
 
@@ -114,7 +116,7 @@ std::string children() { return read_file("/proc/thread-self/children"); }
 TEST(a_plugin_process, lives_no_longer_than_its_entries) {
   const std::string before = children();
   {
-    const ProjectionEntry waiting = entry_of("good");
+    const projection::ProjectionEntry waiting = entry_of("good");
     EXPECT_NE(children(), before);
   }
   EXPECT_EQ(children(), before);
@@ -122,9 +124,9 @@ TEST(a_plugin_process, lives_no_longer_than_its_entries) {
 
 TEST(a_plugin_process, that_rests_is_made_again_for_questions) {
   const std::string before = children();
-  const ProjectionEntry resting = entry_of("good", Afterwards::rests);
+  const projection::ProjectionEntry resting = entry_of("good", projection::Afterwards::rests);
   EXPECT_EQ(children(), before);
-  EXPECT_EQ(make_projection(resting, parse_request("plain:scale=2"), a_box()).scale, 2);
+  EXPECT_EQ(projection::make_projection(resting, scene::parse_request("plain:scale=2"), a_box()).scale, 2);
 }
 
 // A process that is forked in the meantime may hang in the loader.
@@ -143,10 +145,10 @@ TEST(a_plugin_process, begins_when_no_other_thread_is_loading) {
 }
 
 TEST(packed_values, end_where_the_bytes_end) {
-  Packer pack;
+  projection::Packer pack;
   pack(std::vector<std::string>{"a", "bc"}), pack(7.5);
   for (std::size_t size = 0; size <= pack.bytes().size(); ++size) {
-    Unpacker unpack(std::string_view(pack.bytes()).substr(0, size));
+    projection::Unpacker unpack(std::string_view(pack.bytes()).substr(0, size));
     std::vector<std::string> texts;
     double number = 0;
     const auto take_all = [&] { unpack(texts), unpack(number); };
@@ -161,10 +163,10 @@ TEST(packed_values, end_where_the_bytes_end) {
 }
 
 TEST(packed_values, are_not_believed_to_be_more_than_there_are) {
-  Packer pack;
+  projection::Packer pack;
   pack(~std::size_t{0});
   std::vector<double> numbers;
-  Unpacker unpack(pack.bytes());
+  projection::Unpacker unpack(pack.bytes());
   EXPECT_STREQ(error_of([&] { unpack(numbers); }).what(), "damages its process");
 }
 

@@ -15,9 +15,9 @@ Vec3 cube_corner(int i) {
 }
 
 TEST(seed_001, cube_reaches_the_device_through_a_look_at) {
-  const Projection p = make("look-at:eye=0,0,2:ref=0,0,0:vup=0,1,0:fovy=67", {{-1, -1, -1}, {1, 1, 1}});
+  const projection::Projection p = make("look-at:eye=0,0,2:ref=0,0,0:vup=0,1,0:fovy=67", {{-1, -1, -1}, {1, 1, 1}});
   ASSERT_TRUE(p.window);
-  const Mat4 device = window_to_viewport(*p.window, {{0, 400}, {400, 0}});
+  const Mat4 device = projection::window_to_viewport(*p.window, {{0, 400}, {400, 0}});
   const double table[8][2] = {{86.41, 283.15},  {241.99, 314.72}, {86.41, 116.85},  {241.99, 85.28},
                               {179.39, 256.31}, {294.54, 269.21}, {179.39, 143.69}, {294.54, 130.79}};
   for (int i = 0; i < 8; ++i) {
@@ -46,8 +46,9 @@ struct Camera {
 class seed_000 : public testing::Test {
  protected:
   const Camera camera{};
-  const Projection p = make("frustum:eye=4,-9,5:ref=1,0,1:vup=0,0,1:l=-2:r=3:b=-1:t=2.5:n=1.5:f=40:d=4", a_box());
-  const Mat4 eye = view_orientation({4, -9, 5}, Vec3(4, -9, 5) - Vec3(1, 0, 1), {0, 0, 1});  // [C] = [R][T]
+  const projection::Projection p =
+      make("frustum:eye=4,-9,5:ref=1,0,1:vup=0,0,1:l=-2:r=3:b=-1:t=2.5:n=1.5:f=40:d=4", a_box());
+  const Mat4 eye = projection::view_orientation({4, -9, 5}, Vec3(4, -9, 5) - Vec3(1, 0, 1), {0, 0, 1});  // [C] = [R][T]
 };
 
 TEST_F(seed_000, frustum_plugin_projects_like_the_matrix_P) {
@@ -62,16 +63,17 @@ TEST_F(seed_000, frustum_plugin_projects_like_the_matrix_P) {
 TEST_F(seed_000, frustum_is_drawn_to_its_window_and_planes) {
   EXPECT_NEAR(p.front, camera.d - camera.n, 1e-12);
   EXPECT_NEAR(p.back, camera.d - camera.f, 1e-12);
-  const Mat4 normalise = window_to_viewport(*p.window, {{-1, -1}, {1, 1}});
+  const Mat4 normalise = projection::window_to_viewport(*p.window, {{-1, -1}, {1, 1}});
   const Vec3 x{0.25, 2, 1.75};
   const Vec4 ours = normalise * image(p, x), theirs = camera.frustum() * (eye * Vec4(x, 1));
   expect_near<2>(Vec2(ours) / ours.w, Vec2(theirs) / theirs.w, 1e-12);
 }
 
 TEST_F(seed_000, normalised_volume_of_phigs_agrees_with_the_frustum_matrix) {
-  const ViewVolume volume{{{camera.l, camera.b}, {camera.r, camera.t}}, -camera.d, -camera.n, -camera.f, Vec3(0)};
-  const Mat4 npc =
-      window_to_viewport(npc_window(volume, true), {{-1, -1}, {1, 1}}) * m_per_npc(volume) * n_per(volume) * eye;
+  const projection::ViewVolume volume{
+      {{camera.l, camera.b}, {camera.r, camera.t}}, -camera.d, -camera.n, -camera.f, Vec3(0)};
+  const Mat4 npc = projection::window_to_viewport(projection::npc_window(volume, true), {{-1, -1}, {1, 1}}) *
+                   projection::m_per_npc(volume) * projection::n_per(volume) * eye;
   const Vec3 x{0.25, 2, 1.75};
   const Vec4 ours = npc * Vec4(x, 1), theirs = camera.frustum() * (eye * Vec4(x, 1));
   expect_near<2>(Vec2(ours) / ours.w, Vec2(theirs) / theirs.w, 1e-12);
@@ -89,7 +91,8 @@ TEST_F(seed_000, frustum_matrix_is_N_P_so_that_its_third_row_begins_with_a_minus
 class seed_002 : public testing::Test {
  protected:
   const Box box{{0, 0, 0}, {40, 60, 40}};
-  const Projection p = make("observer:o=40,60,40:c=0,20,20:u=0,20,21:d=0.5:window=-0.15,-0.1,0.15,0.1", box);
+  const projection::Projection p =
+      make("observer:o=40,60,40:c=0,20,20:u=0,20,21:d=0.5:window=-0.15,-0.1,0.15,0.1", box);
 };
 
 TEST_F(seed_002, helicopter_sees_by_the_axes_of_the_document) {
@@ -116,25 +119,28 @@ TEST_F(seed_002, depth_is_that_of_P_d) {
 }
 
 TEST_F(seed_002, poster_hung_high_keeps_its_window) {
-  const Projection poster = make("observer:o=40,60,40:c=0,20,20:u=0,20,21:d=0.5:window=-0.15,0.3,0.15,0.7", box);
+  const projection::Projection poster =
+      make("observer:o=40,60,40:c=0,20,20:u=0,20,21:d=0.5:window=-0.15,0.3,0.15,0.7", box);
   ASSERT_TRUE(poster.window);
   EXPECT_EQ(poster.window->min, Vec2(-0.15, 0.3));
   EXPECT_EQ(poster.window->max, Vec2(0.15, 0.7));
   // h = (h1 - h0) / (X1 - X0) (X - X0) + h0 (6.6)
-  const Vec4 h = window_to_viewport(*poster.window, {{0, 400}, {300, 0}}) * image(poster, {0, 0, 0});
+  const Vec4 h = projection::window_to_viewport(*poster.window, {{0, 400}, {300, 0}}) * image(poster, {0, 0, 0});
   EXPECT_NEAR(h.x / h.w, 300 / 0.3 * (-std::sqrt(2.0) / 16 + 0.15), 1e-9);
   EXPECT_NEAR(h.y / h.w, -400 / 0.4 * (-std::sqrt(2.0) / 16 - 0.3) + 400, 1e-9);
 }
 
 TEST(seed_003, phigs_plugin_projects_like_n_per_and_n_par) {
-  const ViewVolume volume{{{-3, -2}, {5, 4}}, 1, 3, -9, {2, -1, 20}};
+  const projection::ViewVolume volume{{{-3, -2}, {5, 4}}, 1, 3, -9, {2, -1, 20}};
   const std::string rest = ":vrp=1,2,3:vpn=1,-2,2:vup=0,0,1:prp=2,-1,20:window=-3,-2,5,4:vpd=1:f=3:b=-9";
-  const Mat4 vom = view_orientation({1, 2, 3}, {1, -2, 2}, {0, 0, 1});
+  const Mat4 vom = projection::view_orientation({1, 2, 3}, {1, -2, 2}, {0, 0, 1});
   const Vec4 x{0.5, 1, 2.5, 1};
   for (const bool central : {true, false}) {
-    const Projection p = make(std::string("phigs:kind=") + (central ? "perspective" : "parallel") + rest, a_box());
-    const Mat4 npc = central ? m_per_npc(volume) * n_per(volume) * vom : n_par(volume) * vom;
-    const Mat4 back = window_to_viewport(npc_window(volume, central), volume.window);
+    const projection::Projection p =
+        make(std::string("phigs:kind=") + (central ? "perspective" : "parallel") + rest, a_box());
+    const Mat4 npc =
+        central ? projection::m_per_npc(volume) * projection::n_per(volume) * vom : projection::n_par(volume) * vom;
+    const Mat4 back = projection::window_to_viewport(projection::npc_window(volume, central), volume.window);
     const Vec4 h = back * npc * x;
     expect_near<2>(place(p, Vec3(x)), Vec2(h) / h.w, 1e-12);
     EXPECT_EQ(p.central, central);
@@ -145,7 +151,7 @@ TEST(seed_003, phigs_plugin_projects_like_n_per_and_n_par) {
 }
 
 TEST(seed_004, look_at_of_a_cube_from_1_1_1_is_isometric) {
-  const Projection p = make("look-at:eye=1,1,1:ref=0,0,0:vup=0,1,0", a_box());
+  const projection::Projection p = make("look-at:eye=1,1,1:ref=0,0,0:vup=0,1,0", a_box());
   expect_near<3>(p.n, Vec3(1, 1, 1) / std::sqrt(3.0), 1e-15);
   expect_near<3>(p.u, Vec3(1, 0, -1) / std::sqrt(2.0), 1e-15);
   expect_near<3>(p.v, Vec3(-1, 2, -1) / std::sqrt(6.0), 1e-15);

@@ -19,28 +19,29 @@ inline const std::vector<std::filesystem::path>& built_plugins() {
   return folders;
 }
 
-inline Projection make(const std::string& request, const Box& box) {
-  static std::map<std::string, ProjectionEntry> found;  // one process each, however often it is asked
-  const ProjectionRequest parsed = parse_request(request);
-  if (!found.contains(parsed.name)) found.emplace(parsed.name, find_projection(parsed.name, built_plugins()));
-  return make_projection(found.at(parsed.name), parsed, box);
+inline projection::Projection make(const std::string& request, const Box& box) {
+  static std::map<std::string, projection::ProjectionEntry> found;  // one process each, however often it is asked
+  const scene::ProjectionRequest parsed = scene::parse_request(request);
+  if (!found.contains(parsed.name))
+    found.emplace(parsed.name, projection::find_projection(parsed.name, built_plugins()));
+  return projection::make_projection(found.at(parsed.name), parsed, box);
 }
 
 /// Neither centred nor a cube.
 inline Box a_box() { return {{-1, -2, 0.5}, {3, 1, 4}}; }
 
-inline Vec4 image(const Projection& p, const Vec3& x) { return view_matrix(p) * Vec4(x, 1); }
+inline Vec4 image(const projection::Projection& p, const Vec3& x) { return projection::view_matrix(p) * Vec4(x, 1); }
 /// Place on the plane.
-inline Vec2 place(const Projection& p, const Vec3& x) {
+inline Vec2 place(const projection::Projection& p, const Vec3& x) {
   const Vec4 h = image(p, x);
   return Vec2(h) / h.w;
 }
-inline double depth(const Projection& p, const Vec3& x) {
+inline double depth(const projection::Projection& p, const Vec3& x) {
   const Vec4 h = image(p, x);
   return h.z / h.w;
 }
 /// How a step along a world vector appears under a parallel projection.
-inline Vec2 step(const Projection& p, const Vec3& by) { return place(p, by) - place(p, Vec3(0)); }
+inline Vec2 step(const projection::Projection& p, const Vec3& by) { return place(p, by) - place(p, Vec3(0)); }
 
 inline double degrees(double radians) { return radians * 180 / 3.14159265358979323846; }
 inline double cot(double radians) { return 1 / std::tan(radians); }

@@ -18,26 +18,26 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-CuttingPlane plane_at(const Vec3& point, const Vec3& normal) {
-  return make_cutting_plane({{"A", "--section"}, point, normal});
+scene::CuttingPlane plane_at(const Vec3& point, const Vec3& normal) {
+  return scene::make_cutting_plane({{"A", "--section"}, point, normal});
 }
 
-CutWorld cut(const World& world, const Vec3& point, const Vec3& normal) {
-  return cut_world(world, plane_at(point, normal));
+scene::CutWorld cut(const scene::World& world, const Vec3& point, const Vec3& normal) {
+  return scene::cut_world(world, plane_at(point, normal));
 }
 
-double area(const World& world, int triangle) {
+double area(const scene::World& world, int triangle) {
   const auto [a, b, c] = world.triangles[triangle];
   return glm::length(glm::cross(world.points[b] - world.points[a], world.points[c] - world.points[a])) / 2;
 }
 
 // Of the triangles of cut faces: their polygons are numbered behind those of the file.
-double cut_area(const World& whole, const CutWorld& cut) {
+double cut_area(const scene::World& whole, const scene::CutWorld& cut) {
   double sum = 0;
   for (std::size_t m = 0; m < whole.models.size(); ++m) {
     const std::vector<int>& polygons = whole.models[m].mesh->polygon;
     const int last = *std::max_element(polygons.begin(), polygons.end());
-    const Mesh& mesh = *cut.world.models[m].mesh;
+    const mesh::Mesh& mesh = *cut.world.models[m].mesh;
     for (std::size_t t = 0; t < mesh.polygon.size(); ++t)
       if (mesh.polygon[t] > last) sum += area(cut.world, cut.world.first_triangle[m] + static_cast<int>(t));
   }
@@ -45,7 +45,7 @@ double cut_area(const World& whole, const CutWorld& cut) {
 }
 
 // The same from rings. The sums of all are alike where rings of one face are nested no deeper than holes.
-double ring_area(const World& world, const std::vector<int>& ring) {
+double ring_area(const scene::World& world, const std::vector<int>& ring) {
   Vec3 sum(0);
   for (std::size_t i = 0; i < ring.size(); ++i)
     sum += glm::cross(world.points[ring[i]] - world.points[ring[0]],
@@ -53,18 +53,18 @@ double ring_area(const World& world, const std::vector<int>& ring) {
   return glm::length(sum) / 2;
 }
 
-double surface_area(const World& world) {
+double surface_area(const scene::World& world) {
   double sum = 0;
   for (std::size_t t = 0; t < world.triangles.size(); ++t) sum += area(world, static_cast<int>(t));
   return sum;
 }
 
-double outline_length(const CutWorld& cut) {
+double outline_length(const scene::CutWorld& cut) {
   double sum = 0;
   for (std::size_t m = 0; m < cut.world.models.size(); ++m)
-    for (const MeshEdge& edge : cut.world.models[m].mesh->edges) {
+    for (const mesh::MeshEdge& edge : cut.world.models[m].mesh->edges) {
       const int first = cut.world.first_vertex[m];
-      if (edge.cut == CutEdge::outline)
+      if (edge.cut == mesh::CutEdge::outline)
         sum += glm::distance(cut.world.points[first + edge.vertex[0]], cut.world.points[first + edge.vertex[1]]);
     }
   return sum;
@@ -132,8 +132,8 @@ Shape torus(double large, double small, int around, int across) {
 double polygon_area(int n, double radius) { return n / 2.0 * std::sin(2 * pi / n) * radius * radius; }
 
 TEST(CutWorld, OfACubeIsHalfACube) {
-  const World cube = world_of(box({0, 0, 0}, {2, 2, 2}));
-  const CutWorld half = cut(cube, {0, 0.5, 0}, {0, -3, 0});
+  const scene::World cube = world_of(box({0, 0, 0}, {2, 2, 2}));
+  const scene::CutWorld half = cut(cube, {0, 0.5, 0}, {0, -3, 0});
   ASSERT_EQ(half.faces.size(), 1U);
   ASSERT_EQ(half.faces[0].rings.size(), 1U);
   EXPECT_TRUE(half.open.empty());
@@ -146,15 +146,15 @@ TEST(CutWorld, OfACubeIsHalfACube) {
 }
 
 TEST(CutWorld, EdgesKeepTheirNumbersAndParameters) {
-  const World cube = world_of({plate(0, 0, 1, 1, -9), box({0, 0, 0}, {2, 2, 2})});
-  const CutWorld half = cut(cube, {0, 0.5, 0}, {0, -1, 0});
-  const Mesh& mesh = *half.world.models[1].mesh;
+  const scene::World cube = world_of({plate(0, 0, 1, 1, -9), box({0, 0, 0}, {2, 2, 2})});
+  const scene::CutWorld half = cut(cube, {0, 0.5, 0}, {0, -1, 0});
+  const mesh::Mesh& mesh = *half.world.models[1].mesh;
   int cut_edges = 0, whole = 0;
-  for (const MeshEdge& edge : mesh.edges) {
-    if (edge.cut == CutEdge::inside || edge.diagonal) continue;
-    const EdgeOrigin origin = mesh.origin_of(edge);
+  for (const mesh::MeshEdge& edge : mesh.edges) {
+    if (edge.cut == mesh::CutEdge::inside || edge.diagonal) continue;
+    const mesh::EdgeOrigin origin = mesh.origin_of(edge);
     if (!origin.in_file) {
-      EXPECT_EQ(edge.cut, CutEdge::outline);
+      EXPECT_EQ(edge.cut, mesh::CutEdge::outline);
       continue;
     }
     const int old = cube.first_vertex[1], first = half.world.first_vertex[1];
@@ -171,24 +171,25 @@ TEST(CutWorld, EdgesKeepTheirNumbersAndParameters) {
 
 TEST(CutWorld, DoesNotDependOnHowAPartStands) {
   const Shape shape = box({-1, -2, -3}, {1, 2, 3});
-  const World straight = world_of(shape);
+  const scene::World straight = world_of(shape);
   const Vec3 point(0.1, 0.2, 0.3), normal(0.3, 0.5, 0.8);
   const double expected = cut_area(straight, cut(straight, point, normal));
   EXPECT_GT(expected, 8);
   const Mat4 turn = glm::translate(glm::rotate(Mat4(1), 0.7, Vec3(0.2, -0.6, 0.77)), Vec3(5, 6, 7));
-  const World moved = make_world({{std::make_shared<const Mesh>(mesh_of(shape)), turn}});
+  const scene::World moved = scene::make_world({{std::make_shared<const mesh::Mesh>(mesh_of(shape)), turn}});
   const Vec3 new_point(turn * Vec4(point, 1)), new_normal(turn * Vec4(normal, 0));
   EXPECT_NEAR(cut_area(moved, cut(moved, new_point, new_normal)), expected, 1e-12);
 }
 
 TEST(CutWorld, LeavesAMeshOfItsOwn) {
   const Mat4 turn = glm::translate(glm::rotate(Mat4(1), 0.7, Vec3(0.2, -0.6, 0.77)), Vec3(5, 6, 7));
-  const World whole = make_world(
-      {{std::make_shared<const Mesh>(mesh_of(box({-1, -2, -3}, {1, 2, 3}))), turn},
-       {std::make_shared<const Mesh>(mesh_of(torus(5, 2, 12, 8))), parse_transform("scale:2,1,1 translate:5,6,7")}});
-  const World left = cut(whole, {5, 6, 7}, {0.3, 0.5, 0.8}).world;
+  const scene::World whole =
+      scene::make_world({{std::make_shared<const mesh::Mesh>(mesh_of(box({-1, -2, -3}, {1, 2, 3}))), turn},
+                         {std::make_shared<const mesh::Mesh>(mesh_of(torus(5, 2, 12, 8))),
+                          scene::parse_transform("scale:2,1,1 translate:5,6,7")}});
+  const scene::World left = cut(whole, {5, 6, 7}, {0.3, 0.5, 0.8}).world;
   for (std::size_t m = 0; m < 2; ++m) {
-    const Mesh& mesh = *left.models[m].mesh;
+    const mesh::Mesh& mesh = *left.models[m].mesh;
     ASSERT_EQ(mesh.uncut, whole.models[m].mesh);
     ASSERT_FALSE(mesh.cut_vertices.empty());
     ASSERT_EQ(static_cast<int>(mesh.points.size()), left.first_vertex[m + 1] - left.first_vertex[m]);
@@ -205,9 +206,9 @@ TEST(CutWorld, LeavesAMeshOfItsOwn) {
 }
 
 TEST(CutWorld, BothSidesAreCutAlike) {
-  const World world = world_of(torus(5, 2, 48, 24));
+  const scene::World world = world_of(torus(5, 2, 48, 24));
   const Vec3 normal(0.2, 0.3, 0.9), point(0.4, 0.1, 0.2);
-  const CutWorld one = cut(world, point, normal), other = cut(world, point, -normal);
+  const scene::CutWorld one = cut(world, point, normal), other = cut(world, point, -normal);
   EXPECT_NEAR(cut_area(world, one), cut_area(world, other), 1e-12);
   EXPECT_NEAR(surface_area(one.world) + surface_area(other.world), surface_area(world) + 2 * cut_area(world, one),
               1e-10);
@@ -217,15 +218,15 @@ TEST(CutWorld, OfASphereThroughAndBetweenItsRings) {
   std::vector<std::array<double, 2>> profile;
   constexpr int bands = 16, around = 40;
   for (int i = 1; i < bands; ++i) profile.push_back({10 * std::sin(pi * i / bands), -10 * std::cos(pi * i / bands)});
-  const World sphere = world_of(turned(profile, around, false));
-  const CutWorld middle = cut(sphere, {0, 0, 0}, {0, 0, 1});
+  const scene::World sphere = world_of(turned(profile, around, false));
+  const scene::CutWorld middle = cut(sphere, {0, 0, 0}, {0, 0, 1});
   ASSERT_EQ(middle.faces.size(), 1U);
   EXPECT_EQ(middle.faces[0].rings[0].size(), std::size_t{around});
   EXPECT_NEAR(cut_area(sphere, middle), polygon_area(around, 10), 1e-11);
   const double radius = (10 + profile[8][0]) / 2, height = profile[8][1] / 2;
   EXPECT_NEAR(cut_area(sphere, cut(sphere, {0, 0, height}, {0, 0, 1})), polygon_area(around, radius), 1e-11);
   // Through both poles, along edges.
-  const CutWorld along = cut(sphere, {0, 0, 0}, {0, 1, 0});
+  const scene::CutWorld along = cut(sphere, {0, 0, 0}, {0, 1, 0});
   double expected = 0;
   for (std::size_t i = 1; i < profile.size(); ++i)
     expected += (profile[i][0] + profile[i - 1][0]) * (profile[i][1] - profile[i - 1][1]);
@@ -234,12 +235,12 @@ TEST(CutWorld, OfASphereThroughAndBetweenItsRings) {
 
 TEST(CutWorld, OfATorusIsTwoDiscsOrARing) {
   constexpr int around = 32, across = 20;
-  const World world = world_of(torus(10, 3, around, across));
-  const CutWorld discs = cut(world, {0, 0, 0}, {0, 1, 0});
+  const scene::World world = world_of(torus(10, 3, around, across));
+  const scene::CutWorld discs = cut(world, {0, 0, 0}, {0, 1, 0});
   ASSERT_EQ(discs.faces.size(), 1U);  // of one body
   EXPECT_EQ(discs.faces[0].rings.size(), 2U);
   EXPECT_NEAR(cut_area(world, discs), 2 * polygon_area(across, 3), 1e-11);
-  const CutWorld ring = cut(world, {0, 0, 0}, {0, 0, -1});
+  const scene::CutWorld ring = cut(world, {0, 0, 0}, {0, 0, -1});
   ASSERT_EQ(ring.faces.size(), 1U);
   EXPECT_EQ(ring.faces[0].rings.size(), 2U);
   EXPECT_NEAR(cut_area(world, ring), polygon_area(around, 13) - polygon_area(around, 7), 1e-10);
@@ -251,32 +252,33 @@ TEST(CutWorld, OfATorusIsTwoDiscsOrARing) {
 TEST(CutWorld, CavitiesAreHolesAndNestedBodiesAreNot) {
   const Shape outside = box({0, 0, 0}, {10, 10, 10}), inside = box({2, 2, 2}, {8, 8, 8}),
               ball = box({4, 4, 4}, {6, 6, 6});
-  const World hollow = world_of(joined(outside, inside_out(inside)));
-  const CutWorld hole = cut(hollow, {0, 5, 0}, {0, -1, 0});
+  const scene::World hollow = world_of(joined(outside, inside_out(inside)));
+  const scene::CutWorld hole = cut(hollow, {0, 5, 0}, {0, -1, 0});
   ASSERT_EQ(hole.faces.size(), 1U);
   EXPECT_EQ(hole.faces[0].rings.size(), 2U);
   EXPECT_DOUBLE_EQ(cut_area(hollow, hole), 100 - 36);
 
-  const World nested = world_of(joined(outside, inside));
-  const CutWorld two = cut(nested, {0, 5, 0}, {0, -1, 0});
+  const scene::World nested = world_of(joined(outside, inside));
+  const scene::CutWorld two = cut(nested, {0, 5, 0}, {0, -1, 0});
   ASSERT_EQ(two.faces.size(), 2U);
   EXPECT_DOUBLE_EQ(cut_area(nested, two), 100 + 36);
 
-  const World rattle = world_of(joined(joined(outside, inside_out(inside)), ball));
-  const CutWorld three = cut(rattle, {0, 5, 0}, {0, -1, 0});
+  const scene::World rattle = world_of(joined(joined(outside, inside_out(inside)), ball));
+  const scene::CutWorld three = cut(rattle, {0, 5, 0}, {0, -1, 0});
   ASSERT_EQ(three.faces.size(), 2U);
   EXPECT_DOUBLE_EQ(cut_area(rattle, three), 100 - 36 + 4);
   EXPECT_EQ(three.faces[0].body, 0);
   EXPECT_EQ(three.faces[1].body, 2);
 
   // A file that is inside out as a whole.
-  const World wrong = world_of(joined(inside_out(outside), inside));
+  const scene::World wrong = world_of(joined(inside_out(outside), inside));
   EXPECT_DOUBLE_EQ(cut_area(wrong, cut(wrong, {0, 5, 0}, {0, -1, 0})), 100 - 36);
 }
 
 TEST(CutWorld, OfOtherModelsAndTouchingBoxesEachHasItsFace) {
-  const World world = world_of({box({0, 0, 0}, {1, 1, 1}), box({1, 0, 0}, {3, 1, 1}), box({0.5, 0, 0.5}, {1.5, 1, 2})});
-  const CutWorld faces = cut(world, {0, 0.5, 0}, {0, -1, 0});
+  const scene::World world =
+      world_of({box({0, 0, 0}, {1, 1, 1}), box({1, 0, 0}, {3, 1, 1}), box({0.5, 0, 0.5}, {1.5, 1, 2})});
+  const scene::CutWorld faces = cut(world, {0, 0.5, 0}, {0, -1, 0});
   ASSERT_EQ(faces.faces.size(), 3U);
   for (int m = 0; m < 3; ++m) EXPECT_EQ(faces.faces[m].model, m);
   EXPECT_DOUBLE_EQ(cut_area(world, faces), 1 + 2 + 1.5);
@@ -285,20 +287,20 @@ TEST(CutWorld, OfOtherModelsAndTouchingBoxesEachHasItsFace) {
 TEST(CutWorld, AFaceInThePlaneIsNotCut) {
   // A step at z = 1, a column from x = 0 to 1 up to z = 3, and a notch from below up to z = 1 at x = 0.2 to 0.4.
   const Shape step = prism({{0, 0}, {0.2, 0}, {0.2, 1}, {0.4, 1}, {0.4, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}}, 2);
-  const World world = world_of(step);
-  const CutWorld low = cut(world, {0, 0, 1}, {0, 0, 1});
+  const scene::World world = world_of(step);
+  const scene::CutWorld low = cut(world, {0, 0, 1}, {0, 0, 1});
   EXPECT_NEAR(cut_area(world, low), (1 - 0.2) * 2, 1e-15);
   // All of the cut, the step, and the sides.
   EXPECT_NEAR(surface_area(low.world), 2 * (3 - 0.2) * 2 + 2 * 2.8 + 2 * 2 + 2 * 2, 1e-12);
-  const CutWorld high = cut(world, {0, 0, 1}, {0, 0, -1});
+  const scene::CutWorld high = cut(world, {0, 0, 1}, {0, 0, -1});
   EXPECT_NEAR(cut_area(world, high), (1 - 0.2) * 2, 1e-15);
   EXPECT_NEAR(surface_area(high.world), 2 * 1 * 2 + 2 * (1 + 2) * 2, 1e-12);
 }
 
 TEST(CutWorld, ACavityMayEndInThePlane) {
-  const World hollow = world_of(joined(box({0, 0, 0}, {10, 10, 10}), inside_out(box({2, 2, 2}, {8, 8, 8}))));
+  const scene::World hollow = world_of(joined(box({0, 0, 0}, {10, 10, 10}), inside_out(box({2, 2, 2}, {8, 8, 8}))));
   for (const double sign : {1.0, -1.0}) {
-    const CutWorld at_end = cut(hollow, {0, 0, 8}, {0, 0, sign});
+    const scene::CutWorld at_end = cut(hollow, {0, 0, 8}, {0, 0, sign});
     EXPECT_DOUBLE_EQ(cut_area(hollow, at_end), 100 - 36);
     // Above, the ceiling stays, below, the walls of the cavity.
     const double expected = sign > 0 ? 100 + 4 * 80 + 64 + 36 + 4 * 36 : 100 + 4 * 20 + 64 + 36;
@@ -307,10 +309,10 @@ TEST(CutWorld, ACavityMayEndInThePlane) {
 }
 
 TEST(CutWorld, ThroughVerticesAndDiagonals) {
-  const World cube = world_of(triangulated_cube()), other = world_of(triangulated_cube(true));
-  for (const World* world : {&cube, &other})
+  const scene::World cube = world_of(triangulated_cube()), other = world_of(triangulated_cube(true));
+  for (const scene::World* world : {&cube, &other})
     for (const Vec3& normal : {Vec3(1, 1, 0), Vec3(1, -1, 0), Vec3(0, 1, 1), Vec3(-1, 0, 1)}) {
-      const CutWorld half = cut(*world, {0.5, 0.5, 0.5}, normal);
+      const scene::CutWorld half = cut(*world, {0.5, 0.5, 0.5}, normal);
       EXPECT_NEAR(cut_area(*world, half), std::sqrt(2), 1e-15);
       EXPECT_NEAR(surface_area(half.world), 3 + std::sqrt(2), 1e-14);
     }
@@ -325,16 +327,16 @@ TEST(CutWorld, RoundingDoesNotMoveVerticesOffThePlane) {
   std::uniform_real_distribution<double> noise(-1e-14, 1e-14);
   for (Point& p : shape.points)
     for (double& x : p) x += noise(random);
-  const World world = world_of(shape);
-  const CutWorld half = cut(world, {0, 0, 0}, {0, 1, 0});
+  const scene::World world = world_of(shape);
+  const scene::CutWorld half = cut(world, {0, 0, 0}, {0, 1, 0});
   EXPECT_TRUE(half.world.models[0].mesh->cut_vertices.empty() ||
               half.world.models[0].mesh->cut_vertices[0].edge[0] == -1);
   EXPECT_NEAR(cut_area(world, half), 2 * polygon_area(32, 3), 1e-11);
 }
 
 TEST(CutWorld, OpenSurfacesAreReportedAndNotFilled) {
-  const World strip = world_of(moebius(24));
-  const CutWorld cut_strip = cut(strip, {0, 0, 0}, {0, 1, 0});
+  const scene::World strip = world_of(moebius(24));
+  const scene::CutWorld cut_strip = cut(strip, {0, 0, 0}, {0, 1, 0});
   EXPECT_TRUE(cut_strip.faces.empty());
   ASSERT_EQ(cut_strip.open.size(), 1U);
   EXPECT_TRUE(cut_strip.open[0].in_outline);
@@ -346,9 +348,9 @@ TEST(CutWorld, OpenSurfacesAreReportedAndNotFilled) {
     return std::all_of(f.begin(), f.end(), [&](int v) { return open.points[v][2] == 2; });
   });
   ASSERT_EQ(open.faces.size(), 5U);
-  const World world = world_of({open, box({4, 0, 0}, {5, 2, 2})});
+  const scene::World world = world_of({open, box({4, 0, 0}, {5, 2, 2})});
   for (const Vec3& normal : {Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(0, 0, -1)}) {
-    const CutWorld half = cut(world, {1, 1, 1}, normal);
+    const scene::CutWorld half = cut(world, {1, 1, 1}, normal);
     ASSERT_EQ(half.open.size(), 1U);
     EXPECT_EQ(half.open[0].model, 0);
     EXPECT_EQ(half.open[0].in_outline, normal.y != 0);
@@ -366,9 +368,9 @@ TEST(CutWorld, OfASoupKeepsWhatLiesBehind) {
     soup.points.push_back({place(random), place(random), place(random)});
     if (i % 3 == 2) soup.faces.push_back({i - 2, i - 1, i});
   }
-  const World world = world_of(soup);
+  const scene::World world = world_of(soup);
   const Vec3 normal(0.3, 0.9, -0.2);
-  const CutWorld one = cut(world, {0.05, 0.1, 0}, normal), other = cut(world, {0.05, 0.1, 0}, -normal);
+  const scene::CutWorld one = cut(world, {0.05, 0.1, 0}, normal), other = cut(world, {0.05, 0.1, 0}, -normal);
   EXPECT_TRUE(one.faces.empty());
   EXPECT_FALSE(one.open.empty());
   EXPECT_NEAR(surface_area(one.world) + surface_area(other.world), surface_area(world), 1e-11);
@@ -376,17 +378,17 @@ TEST(CutWorld, OfASoupKeepsWhatLiesBehind) {
 }
 
 TEST(CutWorld, FarAndSmallWorldsAreCutAlike) {
-  const World small = world_of(torus(10, 3, 32, 16).scaled(1e-150)),
-              large = world_of(torus(10, 3, 32, 16).scaled(1e140));
+  const scene::World small = world_of(torus(10, 3, 32, 16).scaled(1e-150)),
+                     large = world_of(torus(10, 3, 32, 16).scaled(1e140));
   EXPECT_EQ(cut(small, {0, 0, 0}, {0, 1, 0}).faces[0].rings.size(), 2U);
   EXPECT_EQ(cut(large, {0, 0, 0}, {0, 1, 0}).faces[0].rings.size(), 2U);
-  const World far = world_of(box({0, 0, 0}, {2, 2, 2}).moved(1e9, 2e9, 3e9));
+  const scene::World far = world_of(box({0, 0, 0}, {2, 2, 2}).moved(1e9, 2e9, 3e9));
   EXPECT_NEAR(cut_area(far, cut(far, {1e9, 2e9 + 0.5, 3e9}, {0, 1, 0})), 4, 1e-6);
 }
 
 TEST(CutWorld, RefusesPlanesThatCutNothing) {
-  const World cube = world_of(box({0, 0, 0}, {2, 2, 2}));
-  const auto refusal = [&](const World& world, const Vec3& point, const Vec3& normal) {
+  const scene::World cube = world_of(box({0, 0, 0}, {2, 2, 2}));
+  const auto refusal = [&](const scene::World& world, const Vec3& point, const Vec3& normal) {
     const Error error = error_of([&] { cut(world, point, normal); });
     EXPECT_EQ(error.kind(), ErrorKind::input);
     EXPECT_EQ(error.where(), "--section");
@@ -396,22 +398,23 @@ TEST(CutWorld, RefusesPlanesThatCutNothing) {
   EXPECT_TRUE(contains(refusal(cube, {0, 0, 2}, {0, 0, 1}), "cuts nothing"));
   EXPECT_TRUE(contains(refusal(cube, {0, 0, 5}, {0, 0, -1}), "everything"));
   EXPECT_TRUE(contains(refusal(cube, {0, 0, 2}, {0, 0, -1}), "everything"));
-  const World stack = world_of({box({0, 0, 0}, {2, 2, 2}), box({0, 0, 2}, {2, 2, 4})});
+  const scene::World stack = world_of({box({0, 0, 0}, {2, 2, 2}), box({0, 0, 2}, {2, 2, 4})});
   EXPECT_TRUE(contains(refusal(stack, {0, 0, 2}, {0, 0, 1}), "cuts nothing"));
 }
 
 TEST(CuttingPlane, IsParsedAndNormalised) {
-  const CuttingPlane plane = make_cutting_plane(parse_section("1,2,3:0,-2e-200,0", "--section"));
+  const scene::CuttingPlane plane = scene::make_cutting_plane(scene::parse_section("1,2,3:0,-2e-200,0", "--section"));
   EXPECT_EQ(plane.point, Vec3(1, 2, 3));
   EXPECT_EQ(plane.normal, Vec3(0, -1, 0));
   EXPECT_LT(glm::distance(glm::cross(plane.right, plane.up), plane.normal), 1e-15);
-  const CuttingPlane oblique = plane_at({0, 0, 0}, {1e200, 2e200, -3e200});
+  const scene::CuttingPlane oblique = plane_at({0, 0, 0}, {1e200, 2e200, -3e200});
   EXPECT_NEAR(glm::length(oblique.normal), 1, 1e-15);
   EXPECT_LT(glm::distance(glm::cross(oblique.right, oblique.up), oblique.normal), 1e-15);
   for (const char* text : {"", "1,2,3", "1,2,3:0,0", "1,2:0,0,1", "a,b,c:0,0,1", "1,2,3:0,0,1:5", "1,2,3:0 0 1"})
-    EXPECT_TRUE(contains(error_of([&] { parse_section(text, "--section"); }).what(), "not a cutting plane")) << text;
+    EXPECT_TRUE(contains(error_of([&] { scene::parse_section(text, "--section"); }).what(), "not a cutting plane"))
+        << text;
   for (const char* text : {"1,2,3:0,0,0", "nan,2,3:0,0,1", "1,2,3:0,inf,1"})
-    EXPECT_EQ(error_of([&] { make_cutting_plane(parse_section(text, "x")); }).where(), "x") << text;
+    EXPECT_EQ(error_of([&] { scene::make_cutting_plane(scene::parse_section(text, "x")); }).where(), "x") << text;
 }
 
 }  // namespace

@@ -14,19 +14,19 @@
 namespace epura {
 namespace {
 
-World world_of(const std::string& transform) {
-  const auto mesh = std::make_shared<const Mesh>(read_mesh(EPURA_TEST_SAMPLES "/models/bracket.obj"));
-  const auto other = std::make_shared<const Mesh>(read_mesh(EPURA_TEST_SAMPLES "/models/flange.obj"));
-  return make_world({{other, Mat4(1)}, {mesh, parse_transform(transform)}});
+scene::World world_of(const std::string& transform) {
+  const auto mesh = std::make_shared<const mesh::Mesh>(mesh::read_mesh(EPURA_TEST_SAMPLES "/models/bracket.obj"));
+  const auto other = std::make_shared<const mesh::Mesh>(mesh::read_mesh(EPURA_TEST_SAMPLES "/models/flange.obj"));
+  return scene::make_world({{other, Mat4(1)}, {mesh, scene::parse_transform(transform)}});
 }
 
 TEST(PlacedCircles, AreWhereTheModelStands) {
-  const Mat4 place = parse_transform("scale:2 rotate:y,35 translate:300,0,-20");
-  const World world = world_of("scale:2 rotate:y,35 translate:300,0,-20");
-  const auto circles = find_circles(world, 1);
+  const Mat4 place = scene::parse_transform("scale:2 rotate:y,35 translate:300,0,-20");
+  const scene::World world = world_of("scale:2 rotate:y,35 translate:300,0,-20");
+  const auto circles = scene::find_circles(world, 1);
   ASSERT_EQ(circles.size(), 16U);
   int found = 0;
-  for (const MeshCircle& circle : circles) {
+  for (const mesh::MeshCircle& circle : circles) {
     for (const int v : circle.vertices)
       EXPECT_NEAR(glm::distance(world.points[world.first_vertex[1] + v], circle.centre), circle.radius, 1e-4);
     if (std::abs(circle.radius - 2 * 13) > 1e-4) continue;
@@ -40,15 +40,15 @@ TEST(PlacedCircles, AreWhereTheModelStands) {
 
 TEST(PlacedCircles, UnequalScalesMakeEllipses) {
   // Holes along y become ellipses, slots along z, and the fillets along x stay round.
-  const auto circles = find_circles(world_of("scale:2,1,1"), 1);
+  const auto circles = scene::find_circles(world_of("scale:2,1,1"), 1);
   ASSERT_EQ(circles.size(), 2U);
-  for (const MeshCircle& circle : circles) EXPECT_NEAR(circle.radius, 12, 1e-4);
+  for (const mesh::MeshCircle& circle : circles) EXPECT_NEAR(circle.radius, 12, 1e-4);
 }
 
 TEST(PlacedCircles, ThoseWithCentreLinesAreHalfATurnAtLeast) {
-  const auto circles = find_placed_circles(world_of("scale:1"));
+  const auto circles = scene::find_placed_circles(world_of("scale:1"));
   int of_bracket = 0;
-  for (const PlacedCircle& placed : circles) of_bracket += placed.model;
+  for (const scene::PlacedCircle& placed : circles) of_bracket += placed.model;
   EXPECT_EQ(of_bracket, 6 + 8);  // the fillets are quarters
   EXPECT_EQ(circles.size(), 24U + 6 + 8);
 }

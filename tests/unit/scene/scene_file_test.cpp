@@ -14,9 +14,9 @@ namespace {
 const std::string model = "[[model]]\nfile = \"a.obj\"\n";
 const std::string view = "[[view]]\nprojection = \"front\"\n";
 
-SceneDescription scene_of(const std::string& text) {
+scene::SceneDescription scene_of(const std::string& text) {
   const Folder folder;
-  return read_scene_file(folder.file("scene.toml", text));
+  return scene::read_scene_file(folder.file("scene.toml", text));
 }
 
 // What stands between ```toml and ``` in the documentation.
@@ -28,7 +28,7 @@ std::string example_of(const std::string& page) {
 
 std::string documentation() { return read_file(EPURA_TEST_SAMPLES "/../docs/formats.md"); }
 
-std::string field(const SheetDescription& sheet, const std::string& name) {
+std::string field(const scene::SheetDescription& sheet, const std::string& name) {
   std::string texts;
   for (const auto& [key, text] : sheet.title_block)
     if (key == name) texts += *text + ";";
@@ -36,7 +36,7 @@ std::string field(const SheetDescription& sheet, const std::string& name) {
 }
 
 TEST(SceneFile, AModelIsEnough) {
-  const SceneDescription scene = scene_of(model);
+  const scene::SceneDescription scene = scene_of(model);
   ASSERT_EQ(scene.models.size(), 1U);
   EXPECT_FALSE(scene.models[0].drawn.given());
   EXPECT_FALSE(scene.models[0].unit.given());
@@ -49,7 +49,7 @@ TEST(SceneFile, AModelIsEnough) {
 TEST(SceneFile, ValuesKnowTheirPlace) {
   const Folder folder;
   const std::string path = folder.file("scene.toml", "[[model]]\nfile = \"a.obj\"\n  unit =  'IN'  # why not\n");
-  const ModelDescription read = read_scene_file(path).models.at(0);
+  const scene::ModelDescription read = scene::read_scene_file(path).models.at(0);
   EXPECT_EQ(*read.unit, Unit::in);
   EXPECT_EQ(read.unit.where, path + ":3:11");
 }
@@ -57,31 +57,31 @@ TEST(SceneFile, ValuesKnowTheirPlace) {
 TEST(SceneFile, ModelsAreFoundFromItsFolder) {
   const Folder folder;
   const std::string path = folder.file("scene.toml", "model = [{file = 'sub/a.obj'}, {file = '/b.stl'}]");
-  const SceneDescription scene = read_scene_file(path);
+  const scene::SceneDescription scene = scene::read_scene_file(path);
   EXPECT_EQ(*scene.models.at(0).file, (folder / "sub/a.obj").string());
   EXPECT_EQ(*scene.models.at(1).file, "/b.stl");
 }
 
 TEST(SceneFile, AllKeysOfAModel) {
-  const ModelDescription read = scene_of(model +
-                                         "name = 'plate'\nunit = 'in'\nup = 'y'\ntransform = 'scale:2'\n"
-                                         "line = 'narrow'\nhidden = 'none'\ndrawn = false")
-                                    .models.at(0);
+  const scene::ModelDescription read = scene_of(model +
+                                                "name = 'plate'\nunit = 'in'\nup = 'y'\ntransform = 'scale:2'\n"
+                                                "line = 'narrow'\nhidden = 'none'\ndrawn = false")
+                                           .models.at(0);
   EXPECT_EQ(*read.name, "plate");
   EXPECT_EQ(*read.unit, Unit::in);
   EXPECT_EQ(*read.up, UpAxis::y);
-  EXPECT_EQ(*read.transform, parse_transform("scale:2"));
+  EXPECT_EQ(*read.transform, scene::parse_transform("scale:2"));
   EXPECT_EQ(*read.line, LineRole::narrow);
   EXPECT_EQ(*read.hidden, HiddenLines::none);
   EXPECT_FALSE(*read.drawn);
 }
 
 TEST(SceneFile, AllKeysOfAView) {
-  const SceneDescription scene = scene_of(
+  const scene::SceneDescription scene = scene_of(
       model + "[[sheet]]\n[[sheet]]\n[[section]]\nname = 'A'\npoint = [1, 2.5, 3]\nnormal = [0, 0, 1]\n" + view +
       "name = 'cut'\nscale = '2:1'\nhidden = 'none'\nedges = ['contour', 'smooth']\nsection = 'A'\n"
       "label = 'cut A'\ncrease_angle = 20\nnear = -1\nfar = 1e3\nat = [100, 50.5]\nsheet = 2\n");
-  const ViewDescription& read = scene.views.at(0);
+  const scene::ViewDescription& read = scene.views.at(0);
   EXPECT_EQ(read.projection->text(), "front");
   EXPECT_EQ(*read.name, "cut");
   EXPECT_EQ(read.scale->fixed, 2);
@@ -108,7 +108,7 @@ TEST(SceneFile, AProjectionIsATextOrATable) {
 }
 
 TEST(SceneFile, ViewsHaveAShortForm) {
-  const SceneDescription scene = scene_of("views = ['front', 'top', 'look-at:eye=4,-9,5']\n" + model + view);
+  const scene::SceneDescription scene = scene_of("views = ['front', 'top', 'look-at:eye=4,-9,5']\n" + model + view);
   ASSERT_EQ(scene.views.size(), 4U);
   EXPECT_EQ(scene.views[1].projection->text(), "top");
   EXPECT_TRUE(scene.views[1].projection.where.ends_with("scene.toml:1:19"));
@@ -119,13 +119,13 @@ TEST(SceneFile, ViewsHaveAShortForm) {
 }
 
 TEST(SceneFile, AGivenNameComesBeforeOneOfAProjection) {
-  const SceneDescription scene = scene_of(model + view + "[[view]]\nprojection = 'top'\nname = 'front'\n");
+  const scene::SceneDescription scene = scene_of(model + view + "[[view]]\nprojection = 'top'\nname = 'front'\n");
   EXPECT_EQ(*scene.views.at(0).name, "front-2");
   EXPECT_EQ(*scene.views.at(1).name, "front");
 }
 
 TEST(SceneFile, AnchorsAreVerticesOrPoints) {
-  const SceneDescription scene =
+  const scene::SceneDescription scene =
       scene_of(model + "[[model]]\nfile = 'b.stl'\n[[model]]\nfile = 'b.stl'\nname = 'plate'\n" + view +
                "[[dimension]]\ntype = 'angular'\nto = [2, 9]\nfrom = ['plate', 7]\ncorner = ['a', 0]\n"
                "view = 'front'\noffset = -12\ntext = '<> max.'\n"
@@ -133,26 +133,26 @@ TEST(SceneFile, AnchorsAreVerticesOrPoints) {
                "[[dimension]]\ntype = 'radius'\nat = [0, 5]\n"
                "[[dimension]]\ntype = 'overall'\ndirection = 'width'\n");
   ASSERT_EQ(scene.dimensions.size(), 4U);
-  const DimensionDescription& angle = scene.dimensions[0];
-  const auto vertex = [](int number, int of_model) { return Anchor(std::array<int, 2>{of_model, number}); };
-  EXPECT_EQ(angle.anchors, (std::vector<Anchor>{vertex(0, 0), vertex(7, 2), vertex(9, 2)}));
+  const scene::DimensionDescription& angle = scene.dimensions[0];
+  const auto vertex = [](int number, int of_model) { return scene::Anchor(std::array<int, 2>{of_model, number}); };
+  EXPECT_EQ(angle.anchors, (std::vector<scene::Anchor>{vertex(0, 0), vertex(7, 2), vertex(9, 2)}));
   EXPECT_EQ(*angle.view, "front");
   EXPECT_EQ(*angle.offset, -12);
   EXPECT_EQ(*angle.text, "<> max.");
   EXPECT_TRUE(angle.where.ends_with("scene.toml:10:1"));
-  EXPECT_EQ(scene.dimensions[1].anchors, (std::vector<Anchor>{Vec3(1, 2, 3.5), vertex(4, 1)}));
+  EXPECT_EQ(scene.dimensions[1].anchors, (std::vector<scene::Anchor>{Vec3(1, 2, 3.5), vertex(4, 1)}));
   EXPECT_EQ(*scene.dimensions[1].direction, DimensionDirection::vertical);
-  EXPECT_EQ(scene.dimensions[2].anchors, (std::vector<Anchor>{vertex(5, 0)}));
+  EXPECT_EQ(scene.dimensions[2].anchors, (std::vector<scene::Anchor>{vertex(5, 0)}));
   EXPECT_TRUE(scene.dimensions[3].anchors.empty());
 }
 
 TEST(SceneFile, SheetsShareWhatIsSaidForAll) {
-  const SceneDescription scene = scene_of(
+  const scene::SceneDescription scene = scene_of(
       "[[sheet]]\nscale = '1:2'\n[[sheet]]\nframe = 'none'\n[sheet.title_block]\ntitle = 'Two'\nnumber = ''\n" + model +
       "[all_sheets]\nsize = 'A2'\nscale = '1:5'\nangle = 'third'\norientation = 'portrait'\n"
       "[title_block]\ntitle = 'One'\nnumber = '7'\ndate = 2026-11-21\n[title_block.free]\n'Surface finish' = 'Ra 3.2'");
   ASSERT_EQ(scene.sheets.size(), 2U);
-  for (const SheetDescription& sheet : scene.sheets) {
+  for (const scene::SheetDescription& sheet : scene.sheets) {
     EXPECT_EQ(sheet.size->number, 2);
     EXPECT_EQ(*sheet.angle, ProjectionAngle::third);
     EXPECT_EQ(*sheet.orientation, Orientation::portrait);
@@ -168,7 +168,7 @@ TEST(SceneFile, SheetsShareWhatIsSaidForAll) {
 }
 
 TEST(SceneFile, ASingleSheetMayBeATable) {
-  const SceneDescription scene = scene_of(model + "[sheet]\nsize = 'A3'\n");
+  const scene::SceneDescription scene = scene_of(model + "[sheet]\nsize = 'A3'\n");
   ASSERT_EQ(scene.sheets.size(), 1U);
   EXPECT_EQ(scene.sheets[0].size->number, 3);
   EXPECT_EQ(field(scene_of(model + "[title_block]\ntitle = 'One'\n").sheets.at(0), "title"), "One;");
@@ -184,11 +184,11 @@ TEST(SceneFile, LinesMayEndAsOnOtherSystems) {
 }
 
 TEST(SceneFile, TheDocumentationListsItsKeys) {
-  EXPECT_TRUE(contains(documentation(), "\n" + describe_scene_keys() + "\n")) << describe_scene_keys();
+  EXPECT_TRUE(contains(documentation(), "\n" + scene::describe_scene_keys() + "\n")) << scene::describe_scene_keys();
 }
 
 TEST(SceneFile, TheExampleOfTheDocumentationIsOne) {
-  const SceneDescription scene = scene_of(example_of(documentation()));
+  const scene::SceneDescription scene = scene_of(example_of(documentation()));
   EXPECT_FALSE(scene.views.empty());
   EXPECT_FALSE(scene.sections.empty());
   EXPECT_FALSE(scene.dimensions.empty());
@@ -197,7 +197,7 @@ TEST(SceneFile, TheExampleOfTheDocumentationIsOne) {
 TEST(SceneFile, SamplesFindTheirModels) {
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(EPURA_TEST_SAMPLES "/scenes"))
-    for (const ModelDescription& read : read_scene_file(entry.path()).models) {
+    for (const scene::ModelDescription& read : scene::read_scene_file(entry.path()).models) {
       EXPECT_TRUE(std::filesystem::exists(*read.file)) << *read.file;
       ++count;
     }

@@ -19,7 +19,7 @@ void expect_refusals(const std::string& head, const std::vector<Refusal>& refusa
   const Folder folder;
   for (const Refusal& refusal : refusals) {
     const std::string path = folder.file("scene.toml", head + refusal.text);
-    const Error error = error_of([&] { read_scene_file(path); });
+    const Error error = error_of([&] { scene::read_scene_file(path); });
     EXPECT_EQ(error.kind(), ErrorKind::input);
     EXPECT_EQ(error.what(), path + ":" + refusal.sentence) << refusal.text.substr(0, 200);
     EXPECT_EQ(error.hint(), refusal.hint) << refusal.text.substr(0, 200);
@@ -222,7 +222,7 @@ TEST(SceneRefusal, KeysWithManyDotsAnywhere) {
 TEST(SceneFile, DotsThatNestNothingAreFine) {
   const Folder folder;
   const auto models = [&](const std::string& text) {
-    return read_scene_file(folder.file("scene.toml", text)).models.size();
+    return scene::read_scene_file(folder.file("scene.toml", text)).models.size();
   };
   std::string many = "model=[";
   for (int i = 0; i < 200; ++i)
@@ -237,9 +237,10 @@ TEST(SceneFile, DotsThatNestNothingAreFine) {
 TEST(SceneRefusal, FilesThatAreNone) {
   const Folder folder;
   const std::string missing = folder / "missing.toml";
-  EXPECT_EQ(error_of([&] { read_scene_file(missing); }).what(), missing + ": cannot read: No such file or directory");
+  EXPECT_EQ(error_of([&] { scene::read_scene_file(missing); }).what(),
+            missing + ": cannot read: No such file or directory");
   const std::string path = folder / "";
-  EXPECT_EQ(error_of([&] { read_scene_file(path); }).what(), path + ": is a directory, not a file");
+  EXPECT_EQ(error_of([&] { scene::read_scene_file(path); }).what(), path + ": is a directory, not a file");
 }
 
 }  // namespace

@@ -12,13 +12,13 @@
 namespace epura::test {
 namespace {
 
-Placed placed(const Shape& shape, const char* steps = "") {
-  return {std::make_shared<const Mesh>(mesh_of(shape)), parse_transform(steps)};
+scene::Placed placed(const Shape& shape, const char* steps = "") {
+  return {std::make_shared<const mesh::Mesh>(mesh_of(shape)), scene::parse_transform(steps)};
 }
 
 TEST(Scene, ModelsShareOneNumbering) {
-  const World world =
-      make_world({placed(triangulated_cube()), placed(plate(0, 0, 1, 1, 5)), placed(triangulated_cube())});
+  const scene::World world =
+      scene::make_world({placed(triangulated_cube()), placed(plate(0, 0, 1, 1, 5)), placed(triangulated_cube())});
   EXPECT_EQ(world.first_vertex, (std::vector<int>{0, 8, 12, 20}));
   EXPECT_EQ(world.first_triangle, (std::vector<int>{0, 12, 14, 26}));
   ASSERT_EQ(world.points.size(), 20U);
@@ -35,8 +35,8 @@ TEST(Scene, ModelsShareOneNumbering) {
 }
 
 TEST(Scene, ModelsStandWhereTheirTransformsPutThem) {
-  const World world =
-      make_world({placed(triangulated_cube(), "scale:2 translate:10,0,0"), placed(triangulated_cube())});
+  const scene::World world =
+      scene::make_world({placed(triangulated_cube(), "scale:2 translate:10,0,0"), placed(triangulated_cube())});
   EXPECT_EQ(world.points[0], Vec3(10, 0, 0));
   EXPECT_EQ(world.points[7], Vec3(12, 2, 2));
   EXPECT_EQ(world.points[8], Vec3(0, 0, 0));
@@ -52,7 +52,7 @@ TEST(Scene, VerticesWithoutFacesDoNotCount) {
 TEST(Scene, AnUnmovedModelKeepsItsBits) {
   Shape cube = triangulated_cube();
   cube.points[1] = {0x1.fffffffffffffp1023, -0.0, 0x1p-1074};
-  const World world = world_of(cube);
+  const scene::World world = world_of(cube);
   EXPECT_EQ(world.points[1].x, 0x1.fffffffffffffp1023);
   EXPECT_TRUE(std::signbit(world.points[1].y));
   EXPECT_EQ(world.points[1].z, 0x1p-1074);
@@ -60,7 +60,7 @@ TEST(Scene, AnUnmovedModelKeepsItsBits) {
 
 TEST(Scene, ATransformOutOfTheDoublesIsRefused) {
   for (const char* steps : {"scale:1e200 scale:1e200", "translate:1e308,0,0 scale:10"}) {
-    const Error error = error_of([&] { make_world({placed(triangulated_cube(), steps)}); });
+    const Error error = error_of([&] { scene::make_world({placed(triangulated_cube(), steps)}); });
     EXPECT_EQ(error.kind(), ErrorKind::input);
     EXPECT_EQ(error.where(), "shape");
     EXPECT_TRUE(contains(error.what(), "range")) << error.what();
@@ -68,28 +68,28 @@ TEST(Scene, ATransformOutOfTheDoublesIsRefused) {
 }
 
 TEST(Scene, TheLeastPreciseModelCounts) {
-  const World exact = world_of(triangulated_cube());
+  const scene::World exact = world_of(triangulated_cube());
   EXPECT_EQ(exact.rounding, 0);
-  Mesh mesh = mesh_of(triangulated_cube());
+  mesh::Mesh mesh = mesh_of(triangulated_cube());
   mesh.report.single_precision = true;
-  const auto coarse = std::make_shared<const Mesh>(std::move(mesh));
-  EXPECT_EQ(make_world({placed(plate(0, 0, 1, 1, 0)), {coarse, Mat4(1.0)}}).rounding, 0x1p-22);
-  EXPECT_EQ(make_world({{coarse, parse_transform("translate:7,0,0")}}).rounding, 8 * 0x1p-22);
+  const auto coarse = std::make_shared<const mesh::Mesh>(std::move(mesh));
+  EXPECT_EQ(scene::make_world({placed(plate(0, 0, 1, 1, 0)), {coarse, Mat4(1.0)}}).rounding, 0x1p-22);
+  EXPECT_EQ(scene::make_world({{coarse, scene::parse_transform("translate:7,0,0")}}).rounding, 8 * 0x1p-22);
 }
 
 // Moving a model to the origin gives no digits back that its file has not.
 TEST(Scene, RoundingIsThatOfTheFileWhereverTheModelStands) {
-  Mesh floats = mesh_of(triangulated_cube().moved(99, 0, 0));
+  mesh::Mesh floats = mesh_of(triangulated_cube().moved(99, 0, 0));
   floats.report.single_precision = true;
-  const auto shared = std::make_shared<const Mesh>(std::move(floats));
+  const auto shared = std::make_shared<const mesh::Mesh>(std::move(floats));
   for (const char* steps : {"", "translate:-99,0,0", "translate:0,1e7,0"}) {
-    const World world = make_world({{shared, parse_transform(steps)}});
+    const scene::World world = scene::make_world({{shared, scene::parse_transform(steps)}});
     EXPECT_GE(world.rounding, 100 * 0x1p-22) << steps;
     EXPECT_EQ(world.one_rounding, Vec3(100, 1, 1) * 0x1p-24) << steps;
   }
-  const World turned = make_world({{shared, parse_transform("scale:10 rotate:z,90")}});
+  const scene::World turned = scene::make_world({{shared, scene::parse_transform("scale:10 rotate:z,90")}});
   EXPECT_NEAR(turned.one_rounding.y, 1000 * 0x1p-24, 1e-12);
-  EXPECT_EQ(make_world({placed(triangulated_cube())}).one_rounding, Vec3(0));
+  EXPECT_EQ(scene::make_world({placed(triangulated_cube())}).one_rounding, Vec3(0));
 }
 
 }  // namespace

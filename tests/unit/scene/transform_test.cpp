@@ -11,11 +11,11 @@ namespace epura::test {
 namespace {
 
 Vec3 moved(const Mat4& matrix, const Vec3& p) { return Vec3(matrix * Vec4(p, 1)); }
-Vec3 moved(const char* steps, const Vec3& p) { return moved(parse_transform(steps), p); }
+Vec3 moved(const char* steps, const Vec3& p) { return moved(scene::parse_transform(steps), p); }
 
 TEST(Transform, NothingMovesNothing) {
-  EXPECT_EQ(parse_transform(""), Mat4(1.0));
-  EXPECT_EQ(parse_transform("  "), Mat4(1.0));
+  EXPECT_EQ(scene::parse_transform(""), Mat4(1.0));
+  EXPECT_EQ(scene::parse_transform("  "), Mat4(1.0));
 }
 
 TEST(Transform, QuarterTurnsAreExactAndRightHanded) {
@@ -26,11 +26,11 @@ TEST(Transform, QuarterTurnsAreExactAndRightHanded) {
   EXPECT_EQ(moved("rotate:z,180", p), Vec3(-2, -3, 5));
   EXPECT_EQ(moved("rotate:z,-90", p), Vec3(3, -2, 5));
   for (const char* same : {"rotate:z,90", "rotate:z,450", "rotate:z,-270", "rotate:z,3600090"})
-    EXPECT_EQ(parse_transform(same), parse_transform("rotate:z,90")) << same;
-  EXPECT_EQ(parse_transform("rotate:y,720"), Mat4(1.0));
+    EXPECT_EQ(scene::parse_transform(same), scene::parse_transform("rotate:z,90")) << same;
+  EXPECT_EQ(scene::parse_transform("rotate:y,720"), Mat4(1.0));
   for (const char* axis : {"x", "y", "z"}) {
     const std::string quarter = std::string("rotate:") + axis + ",90";
-    EXPECT_EQ(parse_transform(quarter + " " + quarter + " " + quarter + " " + quarter), Mat4(1.0)) << axis;
+    EXPECT_EQ(scene::parse_transform(quarter + " " + quarter + " " + quarter + " " + quarter), Mat4(1.0)) << axis;
   }
 }
 
@@ -82,7 +82,7 @@ TEST(Transform, WrongStepsAreNamed) {
            {"matrix:1,0,0,0,0,1,0,0,0,0,1,0,0,0,1,1", "matrix:", "not affine"},
            {"matrix:1,0,0,0,0,1,0,0,0,0,1,0,0,0,0,2", "matrix:", "not affine"},
        }) {
-    const Error error = error_of([text = text] { parse_transform(text); });
+    const Error error = error_of([text = text] { scene::parse_transform(text); });
     EXPECT_EQ(error.kind(), ErrorKind::input);
     EXPECT_TRUE(contains(error.where(), step)) << error.where();
     EXPECT_TRUE(contains(error.what(), reason)) << error.what();
@@ -91,9 +91,9 @@ TEST(Transform, WrongStepsAreNamed) {
 }
 
 TEST(Transform, YUpBecomesZUp) {
-  EXPECT_EQ(moved(y_up_to_z_up(), {0, 1, 0}), Vec3(0, 0, 1));
-  EXPECT_EQ(moved(y_up_to_z_up(), {0, 0, 1}), Vec3(0, -1, 0));
-  EXPECT_EQ(moved(y_up_to_z_up(), {1, 0, 0}), Vec3(1, 0, 0));
+  EXPECT_EQ(moved(scene::y_up_to_z_up(), {0, 1, 0}), Vec3(0, 0, 1));
+  EXPECT_EQ(moved(scene::y_up_to_z_up(), {0, 0, 1}), Vec3(0, -1, 0));
+  EXPECT_EQ(moved(scene::y_up_to_z_up(), {1, 0, 0}), Vec3(1, 0, 0));
 }
 
 }  // namespace

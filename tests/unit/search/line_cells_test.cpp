@@ -14,7 +14,7 @@ double uniform(std::mt19937& random, double min, double max) {
 }
 
 TEST(CellGrid, WhatLiesOutsideBelongsToTheNearestCell) {
-  const CellGrid grid{{-2, 7}, {0.5, 0.25}, 6, 4};
+  const search::CellGrid grid{{-2, 7}, {0.5, 0.25}, 6, 4};
   EXPECT_EQ(grid.column(-1e300), 0);
   EXPECT_EQ(grid.column(-1.4), 1);
   EXPECT_EQ(grid.column(1e300), 5);
@@ -25,7 +25,7 @@ TEST(CellGrid, WhatLiesOutsideBelongsToTheNearestCell) {
 
 TEST(LineCells, EveryPlaceOfTheLineIsVisitedWithItsParameter) {
   std::mt19937 random(2);
-  const CellGrid grid{{-1, -2}, {0.5, 0.75}, 9, 5};
+  const search::CellGrid grid{{-1, -2}, {0.5, 0.75}, 9, 5};
   for (int round = 0; round < 2000; ++round) {
     // Upright, level, along the borders of cells, into corners, out of the grid.
     const auto coordinate = [&] {
@@ -36,7 +36,7 @@ TEST(LineCells, EveryPlaceOfTheLineIsVisitedWithItsParameter) {
                    : round % 5 == 1 ? Vec2(coordinate(), a.y)
                                     : Vec2(coordinate(), coordinate());
     std::map<int, std::array<double, 2>> visited;
-    visit_cells(grid, a, b, 1e-9, [&](int cell, double from, double to) {
+    search::visit_cells(grid, a, b, 1e-9, [&](int cell, double from, double to) {
       ASSERT_TRUE(visited.emplace(cell, std::array{from, to}).second) << "twice";
       ASSERT_LE(from, to);
       ASSERT_GE(from, 0);
@@ -53,12 +53,12 @@ TEST(LineCells, EveryPlaceOfTheLineIsVisitedWithItsParameter) {
 }
 
 TEST(LineCells, AShortLineVisitsFewCells) {
-  const CellGrid grid{{0, 0}, Vec2(1), 1000, 1000};
+  const search::CellGrid grid{{0, 0}, Vec2(1), 1000, 1000};
   int visits = 0;
-  visit_cells(grid, {500.5, 500.5}, {500.6, 500.6}, 1e-9, [&](int, double, double) { ++visits; });
+  search::visit_cells(grid, {500.5, 500.5}, {500.6, 500.6}, 1e-9, [&](int, double, double) { ++visits; });
   EXPECT_EQ(visits, 1);
   visits = 0;
-  visit_cells(grid, {0.5, 0.5}, {999.5, 999.5}, 1e-9, [&](int, double, double) { ++visits; });
+  search::visit_cells(grid, {0.5, 0.5}, {999.5, 999.5}, 1e-9, [&](int, double, double) { ++visits; });
   EXPECT_LE(visits, 3 * 1000);
 }
 

@@ -40,9 +40,9 @@ struct Cells {
   std::vector<char> touched, inner;
 };
 
-Cells cells_of(const CellGrid& grid, const std::array<Vec2, 3>& corners, const Vec2& slack) {
+Cells cells_of(const search::CellGrid& grid, const std::array<Vec2, 3>& corners, const Vec2& slack) {
   Cells cells{std::vector<char>(grid.count(), 0), std::vector<char>(grid.count(), 0)};
-  TriangleOnGrid(grid, corners, slack).visit_rows([&](const RowOfCells& row) {
+  search::TriangleOnGrid(grid, corners, slack).visit_rows([&](const search::RowOfCells& row) {
     for (int column = row.from; column <= row.to; ++column) cells.touched[grid.cell(column, row.row)] = 1;
     for (int column = row.inner_from; column <= row.inner_to; ++column) cells.inner[grid.cell(column, row.row)] = 1;
   });
@@ -51,7 +51,7 @@ Cells cells_of(const CellGrid& grid, const std::array<Vec2, 3>& corners, const V
 
 TEST(TriangleCells, EveryPlaceOfTheTriangleIsInATouchedCell) {
   std::mt19937 random(1);
-  const CellGrid grid{{0, 0}, {1, 0.5}, 8, 12};
+  const search::CellGrid grid{{0, 0}, {1, 0.5}, 8, 12};
   for (int round = 0; round < 3000; ++round) {
     const std::array<Vec2, 3> corners = random_triangle(random);
     const Cells cells = cells_of(grid, corners, Vec2(1e-9));
@@ -67,7 +67,7 @@ TEST(TriangleCells, EveryPlaceOfTheTriangleIsInATouchedCell) {
 
 TEST(TriangleCells, InnerCellsLieWhollyInside) {
   std::mt19937 random(2);
-  const CellGrid grid{{0, 0}, {1, 0.5}, 8, 12};
+  const search::CellGrid grid{{0, 0}, {1, 0.5}, 8, 12};
   int inner = 0;
   for (int round = 0; round < 12000; ++round) {
     const std::array<Vec2, 3> corners = random_triangle(random);
@@ -76,7 +76,7 @@ TEST(TriangleCells, InnerCellsLieWhollyInside) {
       if (!cells.inner[cell]) continue;
       ++inner;
       ASSERT_TRUE(cells.touched[cell]) << round;
-      ASSERT_TRUE(TriangleOnGrid(grid, corners, Vec2(1e-6)).may_hold_cells()) << round;
+      ASSERT_TRUE(search::TriangleOnGrid(grid, corners, Vec2(1e-6)).may_hold_cells()) << round;
       for (const Vec2& corner : {Vec2(-1, -1), Vec2(-1, 1), Vec2(1, -1), Vec2(1, 1)})
         ASSERT_TRUE(contains(corners, grid.middle(cell) + corner * (grid.side / 2.0))) << round << ", cell " << cell;
     }
@@ -86,20 +86,20 @@ TEST(TriangleCells, InnerCellsLieWhollyInside) {
 
 TEST(TriangleCells, ACellThatIsWideAndLowLiesInsideToo) {
   // One row of narrow columns, as long parallel lines get them.
-  const CellGrid grid{{0, 0}, {0.01, 1}, 100, 1};
+  const search::CellGrid grid{{0, 0}, {0.01, 1}, 100, 1};
   const Cells cells = cells_of(grid, {Vec2(-1, -1), Vec2(5, -1), Vec2(-1, 5)}, Vec2(1e-6));
   EXPECT_EQ(std::count(cells.inner.begin(), cells.inner.end(), 1), 100);
 }
 
 TEST(TriangleCells, ATriangleWithLessThanTwoCellsOfAreaHoldsNone) {
-  const CellGrid grid{{0, 0}, {1, 1}, 8, 8};
-  EXPECT_FALSE(TriangleOnGrid(grid, {Vec2(0, 0), Vec2(8, 7), Vec2(7, 6.2)}, Vec2(1e-6)).may_hold_cells());
-  EXPECT_FALSE(TriangleOnGrid(grid, {Vec2(0, 0), Vec2(1.9, 0), Vec2(0, 1.9)}, Vec2(1e-6)).may_hold_cells());
-  EXPECT_TRUE(TriangleOnGrid(grid, {Vec2(0, 0), Vec2(2.1, 0), Vec2(0, 2.1)}, Vec2(1e-6)).may_hold_cells());
+  const search::CellGrid grid{{0, 0}, {1, 1}, 8, 8};
+  EXPECT_FALSE(search::TriangleOnGrid(grid, {Vec2(0, 0), Vec2(8, 7), Vec2(7, 6.2)}, Vec2(1e-6)).may_hold_cells());
+  EXPECT_FALSE(search::TriangleOnGrid(grid, {Vec2(0, 0), Vec2(1.9, 0), Vec2(0, 1.9)}, Vec2(1e-6)).may_hold_cells());
+  EXPECT_TRUE(search::TriangleOnGrid(grid, {Vec2(0, 0), Vec2(2.1, 0), Vec2(0, 2.1)}, Vec2(1e-6)).may_hold_cells());
 }
 
 TEST(TriangleCells, ATriangleBesideTheGridVisitsNothing) {
-  const CellGrid grid{{0, 0}, {1, 1}, 4, 4};
+  const search::CellGrid grid{{0, 0}, {1, 1}, 4, 4};
   const Cells cells = cells_of(grid, {Vec2(5, 1), Vec2(9, 1), Vec2(6, 3)}, Vec2(1e-6));
   EXPECT_EQ(std::count(cells.touched.begin(), cells.touched.end(), 1), 0);
 }

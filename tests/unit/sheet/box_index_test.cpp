@@ -11,12 +11,12 @@ namespace epura::test {
 namespace {
 
 // Small and long boxes and lines in all directions, on the paper and far off it, some of them again and again.
-std::vector<TurnedBox> boxes(int count, unsigned seed) {
+std::vector<sheet::TurnedBox> boxes(int count, unsigned seed) {
   std::mt19937 random(seed);
   const auto uniform = [&](double from, double to) {
     return from + (to - from) * static_cast<double>(random()) / 4294967296.0;
   };
-  std::vector<TurnedBox> boxes;
+  std::vector<sheet::TurnedBox> boxes;
   for (int i = 0; i < count; ++i) {
     if (i > 0 && random() % 4 == 0) {
       boxes.push_back(boxes[random() % boxes.size()]);
@@ -31,17 +31,17 @@ std::vector<TurnedBox> boxes(int count, unsigned seed) {
 }
 
 TEST(BoxIndex, CountsWhatOverlapsAmongAll) {
-  const std::vector<TurnedBox> all = boxes(500, 1);
-  const BoxIndex index(all);
+  const std::vector<sheet::TurnedBox> all = boxes(500, 1);
+  const sheet::BoxIndex index(all);
   int max = 0;
-  for (const TurnedBox& box : boxes(300, 2)) {
-    const auto meets = [&](const TurnedBox& other) { return overlap(box, other); };
+  for (const sheet::TurnedBox& box : boxes(300, 2)) {
+    const auto meets = [&](const sheet::TurnedBox& other) { return sheet::overlap(box, other); };
     const auto expected = static_cast<int>(std::count_if(all.begin(), all.end(), meets));
     EXPECT_EQ(index.overlaps(box), expected);
     max = std::max(max, expected);
   }
   EXPECT_GT(max, 50);
-  EXPECT_EQ(BoxIndex().overlaps(all.front()), 0);
+  EXPECT_EQ(sheet::BoxIndex().overlaps(all.front()), 0);
 }
 
 }  // namespace

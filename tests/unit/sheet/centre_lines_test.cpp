@@ -10,35 +10,35 @@
 namespace epura {
 namespace {
 
-constexpr LineWidths widths{0.5, 0.25};
+constexpr sheet::LineWidths widths{0.5, 0.25};
 
-PlacedCircle circle(Vec3 centre, Vec3 axis, double radius, std::vector<int> vertices = {}) {
+scene::PlacedCircle circle(Vec3 centre, Vec3 axis, double radius, std::vector<int> vertices = {}) {
   return {0, {centre, axis, radius, 0, std::move(vertices), true}};
 }
 
 // A view whose page has x and y (right and up) along two directions of the world.
-ViewDrawing view(Vec3 right, Vec3 up) {
-  ViewDrawing drawing;
+drawing::ViewDrawing view(Vec3 right, Vec3 up) {
+  drawing::ViewDrawing drawing;
   drawing.name = "front";
   const Vec3 towards = glm::cross(right, up);
   drawing.world_to_page = rows(Vec4(right, 0), Vec4(up, 0), Vec4(towards, 0), Vec4(0, 0, 0, 1));
   return drawing;
 }
 
-const ViewDrawing top = view({1, 0, 0}, {0, 1, 0});
-const ViewDrawing front = view({1, 0, 0}, {0, 0, 1});
+const drawing::ViewDrawing top = view({1, 0, 0}, {0, 1, 0});
+const drawing::ViewDrawing front = view({1, 0, 0}, {0, 0, 1});
 
 struct Span {
   Vec2 from, to;
 };
 
 // Ends of the lines, each from its lower left end, in order.
-std::vector<Span> spans(const Layer& layer) {
+std::vector<Span> spans(const sheet::Layer& layer) {
   std::vector<Span> all;
   const auto less = [](const Vec2& a, const Vec2& b) {
     return std::abs(a.x - b.x) > 1e-3 ? a.x < b.x : a.y < b.y - 1e-3;
   };
-  for (const Stroke& stroke : layer.strokes) {
+  for (const sheet::Stroke& stroke : layer.strokes) {
     Span span{stroke.points.at(0), stroke.points.at(1)};
     if (less(span.to, span.from)) std::swap(span.from, span.to);
     all.push_back(span);
@@ -47,7 +47,7 @@ std::vector<Span> spans(const Layer& layer) {
   return all;
 }
 
-void expect_spans(const Layer& layer, const std::vector<Span>& wanted) {
+void expect_spans(const sheet::Layer& layer, const std::vector<Span>& wanted) {
   const std::vector<Span> found = spans(layer);
   ASSERT_EQ(found.size(), wanted.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
@@ -57,20 +57,20 @@ void expect_spans(const Layer& layer, const std::vector<Span>& wanted) {
   }
 }
 
-Layer lines(const ViewDrawing& drawing, const std::vector<PlacedCircle>& circles,
-            const std::vector<Layer>& drawn = {}) {
-  return centre_lines({drawing, circles, {ModelStyle{}}}, widths, drawn);
+sheet::Layer lines(const drawing::ViewDrawing& drawing, const std::vector<scene::PlacedCircle>& circles,
+                   const std::vector<sheet::Layer>& drawn = {}) {
+  return sheet::centre_lines({drawing, circles, {sheet::ModelStyle{}}}, widths, drawn);
 }
 
 TEST(CentreLines, OfACircleAreACross) {
-  const Layer layer = lines(top, {circle({30, 20, 5}, {0, 0, 1}, 10)});
+  const sheet::Layer layer = lines(top, {circle({30, 20, 5}, {0, 0, 1}, 10)});
   EXPECT_EQ(layer.name, "front/centre");
   EXPECT_EQ(layer.style.width, 0.25);
   EXPECT_EQ(layer.style.dashes.dots, 1);
   expect_spans(layer, {{{17, 20}, {43, 20}}, {{30, 7}, {30, 33}}});
-  for (const Stroke& stroke : layer.strokes) {
+  for (const sheet::Stroke& stroke : layer.strokes) {
     // An odd number of dashes: the middle is a dash, not a dot.
-    const Dashes& d = stroke.dashes;
+    const sheet::Dashes& d = stroke.dashes;
     const double period = d.dash + 2 * d.gap + d.dot, dashes = (26 - d.dash) / period + 1;
     EXPECT_NEAR(std::remainder(dashes - 1, 2), 0, 1e-9) << dashes;
     EXPECT_GT(d.dash, 0);
@@ -83,7 +83,8 @@ TEST(CentreLines, OfConcentricCirclesTheLargestCounts) {
 }
 
 TEST(CentreLines, OfShortLinesAreContinuous) {
-  for (const Stroke& stroke : lines(top, {circle({0, 0, 0}, {0, 0, 1}, 2)}).strokes) EXPECT_EQ(stroke.dashes.dash, 0);
+  for (const sheet::Stroke& stroke : lines(top, {circle({0, 0, 0}, {0, 0, 1}, 2)}).strokes)
+    EXPECT_EQ(stroke.dashes.dash, 0);
 }
 
 TEST(CentreLines, OfAShaftSeenFromTheSideAreItsAxis) {
@@ -98,7 +99,7 @@ TEST(CentreLines, OneCircleEdgeOnHasAnAxis) {
 
 TEST(CentreLines, ObliqueCirclesHaveAnAxisWhenThereAreTwo) {
   const double root = std::sqrt(0.5);
-  const ViewDrawing slanted = view({1, 0, 0}, {0, root, root});
+  const drawing::ViewDrawing slanted = view({1, 0, 0}, {0, root, root});
   EXPECT_TRUE(lines(slanted, {circle({0, 0, 0}, {0, 0, 1}, 10)}).strokes.empty());
   // Seen at 45 degrees, circles reach 10 sqrt(1/2) along the image of their axis.
   expect_spans(lines(slanted, {circle({0, 0, 0}, {0, 0, 1}, 10), circle({0, 0, 20}, {0, 0, 1}, 10)}),
@@ -113,27 +114,29 @@ TEST(CentreLines, OverlappingOnesAreOneLine) {
 }
 
 TEST(CentreLines, OtherLinesWin) {
-  const Stroke edge{{{10, 20.01}, {35, 20}}};
-  const Stroke crossing{{{40, 0}, {40, 40}}};
-  const std::vector<Layer> drawn{{"front/visible", {"visible", 0.5}, {edge, crossing}}};
+  const sheet::Stroke edge{{{10, 20.01}, {35, 20}}};
+  const sheet::Stroke crossing{{{40, 0}, {40, 40}}};
+  const std::vector<sheet::Layer> drawn{{"front/visible", {"visible", 0.5}, {edge, crossing}}};
   expect_spans(lines(top, {circle({30, 20, 5}, {0, 0, 1}, 10)}, drawn), {{{30, 7}, {30, 33}}, {{35, 20}, {43, 20}}});
 }
 
 TEST(CentreLines, CentralProjectionsHaveNone) {
-  ViewDrawing central = top;
+  drawing::ViewDrawing central = top;
   central.projection.central = true;
   EXPECT_TRUE(lines(central, {circle({30, 20, 5}, {0, 0, 1}, 10)}).strokes.empty());
 }
 
 TEST(CentreLines, WithoutHiddenLinesOnlyWhatIsSeenHasThem) {
-  ViewDrawing drawing = top;
+  drawing::ViewDrawing drawing = top;
   drawing.segments.push_back({{0, 0}, {1, 1}, true, EdgeKind::crease, 0, {7, 4}, -1, {0, 1}});
   drawing.segments.push_back({{0, 0}, {1, 1}, false, EdgeKind::crease, 0, {20, 21}, -1, {0, 1}});
-  const std::vector<PlacedCircle> circles{circle({0, 0, 0}, {0, 0, 1}, 10, {4, 5, 6, 7}),
-                                          circle({50, 0, 0}, {0, 0, 1}, 10, {20, 21, 22, 23})};
-  EXPECT_EQ(centre_lines({drawing, circles, {{LineRole::visible, HiddenLines::none}}}, widths, {}).strokes.size(), 2U);
-  EXPECT_EQ(centre_lines({drawing, circles, {{LineRole::visible, HiddenLines::dashed}}}, widths, {}).strokes.size(),
-            4U);
+  const std::vector<scene::PlacedCircle> circles{circle({0, 0, 0}, {0, 0, 1}, 10, {4, 5, 6, 7}),
+                                                 circle({50, 0, 0}, {0, 0, 1}, 10, {20, 21, 22, 23})};
+  EXPECT_EQ(
+      sheet::centre_lines({drawing, circles, {{LineRole::visible, HiddenLines::none}}}, widths, {}).strokes.size(), 2U);
+  EXPECT_EQ(
+      sheet::centre_lines({drawing, circles, {{LineRole::visible, HiddenLines::dashed}}}, widths, {}).strokes.size(),
+      4U);
 }
 
 }  // namespace

@@ -11,27 +11,27 @@
 namespace epura::test {
 namespace {
 
-constexpr LineWidths widths{0.5, 0.25};
+constexpr sheet::LineWidths widths{0.5, 0.25};
 
-CuttingPlane plane_at(const Vec3& point, const Vec3& normal) {
-  return make_cutting_plane({{"B", "--section"}, point, normal});
+scene::CuttingPlane plane_at(const Vec3& point, const Vec3& normal) {
+  return scene::make_cutting_plane({{"B", "--section"}, point, normal});
 }
 
 // Page coordinates are x and y of the world.
-ViewDrawing from_top() {
+drawing::ViewDrawing from_top() {
   Result top = draw(world_of(box({10, 20, 0}, {50, 40, 5})), from_above());
-  return make_drawing({top.world, top.view, top.drawn, top.hidden}, make_paper_map(top.view, 1, Vec2(0)),
-                      {"top", true});
+  return drawing::make_drawing({top.world, top.view, top.drawn, top.hidden}, view::make_paper_map(top.view, 1, Vec2(0)),
+                               {"top", true});
 }
 
 TEST(CuttingPlaneLine, CrossesTheInkAndEndsPastIt) {
-  const ViewDrawing parent = from_top();
-  const CuttingPlane plane = plane_at({0, 30, 0}, {0, -1, 0});
-  const auto layer = cutting_plane_line(parent, plane, widths);
+  const drawing::ViewDrawing parent = from_top();
+  const scene::CuttingPlane plane = plane_at({0, 30, 0}, {0, -1, 0});
+  const auto layer = sheet::cutting_plane_line(parent, plane, widths);
   ASSERT_TRUE(layer);
   EXPECT_EQ(layer->name, parent.name + "/cutting-plane");
   const double y = (parent.min.y + parent.max.y) / 2;
-  const Stroke& chain = layer->strokes.at(0);
+  const sheet::Stroke& chain = layer->strokes.at(0);
   EXPECT_GT(chain.dashes.dots, 0);
   for (const Vec2& p : chain.points) EXPECT_NEAR(p.y, y, 1e-12);
   const auto [left, right] = std::minmax(chain.points[0].x, chain.points[1].x);
@@ -39,18 +39,18 @@ TEST(CuttingPlaneLine, CrossesTheInkAndEndsPastIt) {
   EXPECT_GT(right, parent.max.x + 3);
 
   ASSERT_EQ(layer->texts.size(), 2U);
-  for (const Text& text : layer->texts) {
+  for (const sheet::Text& text : layer->texts) {
     EXPECT_EQ(text.text, "B");
     EXPECT_EQ(text.angle, 0);
     EXPECT_LT(text.at.y, y);  // on the side of the viewer
     EXPECT_TRUE(text.at.x < left || text.at.x > right);
     const double past = std::max(parent.min.x - text.at.x, text.at.x - parent.max.x) + text.height / 2;
-    EXPECT_NEAR(past, cutting_plane_room(parent.projection, plane, widths).x, 1e-12);
+    EXPECT_NEAR(past, sheet::cutting_plane_room(parent.projection, plane, widths).x, 1e-12);
   }
   // Two wide ends and two arrow heads, whose tips come to the wide ends from below.
   ASSERT_EQ(layer->fills.size(), 4U);
   int heads = 0;
-  for (const Fill& fill : layer->fills) {
+  for (const sheet::Fill& fill : layer->fills) {
     if (fill.rings[0].size() != 3) continue;
     ++heads;
     EXPECT_NEAR(fill.rings[0][0].y, y - widths.wide / 2, 1e-12);
@@ -60,20 +60,20 @@ TEST(CuttingPlaneLine, CrossesTheInkAndEndsPastIt) {
 }
 
 TEST(CuttingPlaneLine, PointsWhereTheSectionIsSeen) {
-  const auto layer = cutting_plane_line(from_top(), plane_at({30, 0, 7}, {3, 0, 0}), widths);
+  const auto layer = sheet::cutting_plane_line(from_top(), plane_at({30, 0, 7}, {3, 0, 0}), widths);
   ASSERT_TRUE(layer);
-  for (const Fill& fill : layer->fills)
+  for (const sheet::Fill& fill : layer->fills)
     if (fill.rings[0].size() == 3) {
       EXPECT_GT(fill.rings[0][1].x, fill.rings[0][0].x);
     }
 }
 
 TEST(CuttingPlaneLine, IsOnlyWhereThePlaneIsALine) {
-  EXPECT_FALSE(cutting_plane_line(from_top(), plane_at({0, 30, 0}, {0, -1, 0.01}), widths));
-  EXPECT_FALSE(cutting_plane_line(from_top(), plane_at({0, 30, 2}, {0, 0, 1}), widths));
-  const ViewDrawing central =
+  EXPECT_FALSE(sheet::cutting_plane_line(from_top(), plane_at({0, 30, 0}, {0, -1, 0.01}), widths));
+  EXPECT_FALSE(sheet::cutting_plane_line(from_top(), plane_at({0, 30, 2}, {0, 0, 1}), widths));
+  const drawing::ViewDrawing central =
       draw(world_of(box({0, 0, 0}, {1, 1, 1})), perspective({0.5, -5, 0.5}, {0, 0, 0}, {0, -1, 0}, {0, 0, 1})).drawing;
-  EXPECT_FALSE(cutting_plane_line(central, plane_at({0.5, 0, 0}, {1, 0, 0}), widths));
+  EXPECT_FALSE(sheet::cutting_plane_line(central, plane_at({0.5, 0, 0}, {1, 0, 0}), widths));
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 
 TEST(Dash, OpenLinesBeginAndEndWithADash) {
   for (double length = 6.75; length < 500; length *= 1.0373) {
-    const Dashes dashes = fit_open(length, 0.25);
+    const sheet::Dashes dashes = sheet::fit_open(length, 0.25);
     EXPECT_DOUBLE_EQ(dashes.gap, 0.75);
     // A whole number of gaps, and one dash more.
     const double gaps = (length - dashes.dash) / (dashes.dash + dashes.gap);
@@ -23,12 +23,12 @@ TEST(Dash, OpenLinesBeginAndEndWithADash) {
     EXPECT_GT(dashes.dash, 2) << length;
     EXPECT_LT(dashes.dash, 4) << length;
   }
-  EXPECT_NEAR(fit_open(95, 0.25).dash, (95 - 25 * 0.75) / 26, 1e-12);  // n = round(92 / 3.75) = 25
+  EXPECT_NEAR(sheet::fit_open(95, 0.25).dash, (95 - 25 * 0.75) / 26, 1e-12);  // n = round(92 / 3.75) = 25
 }
 
 TEST(Dash, ClosedLinesHaveAsManyDashesAsGaps) {
   for (double length = 6.75; length < 500; length *= 1.0373) {
-    const Dashes dashes = fit_closed(length, 0.25);
+    const sheet::Dashes dashes = sheet::fit_closed(length, 0.25);
     const double periods = length / (dashes.dash + dashes.gap);
     EXPECT_NEAR(periods, std::round(periods), 1e-9) << length;
     EXPECT_GT(dashes.dash, 1.8) << length;
@@ -37,44 +37,45 @@ TEST(Dash, ClosedLinesHaveAsManyDashesAsGaps) {
 }
 
 TEST(Dash, ShortLinesAreContinuous) {
-  EXPECT_EQ(fit_open(6.74, 0.25).dash, 0);
-  EXPECT_GT(fit_open(6.75, 0.25).dash, 0);
-  EXPECT_EQ(fit_closed(6.74, 0.25).dash, 0);
-  EXPECT_EQ(fit_open(0, 0.25).dash, 0);
+  EXPECT_EQ(sheet::fit_open(6.74, 0.25).dash, 0);
+  EXPECT_GT(sheet::fit_open(6.75, 0.25).dash, 0);
+  EXPECT_EQ(sheet::fit_closed(6.74, 0.25).dash, 0);
+  EXPECT_EQ(sheet::fit_open(0, 0.25).dash, 0);
 }
 
 TEST(Dash, LinesAreCutAtCornersFarEnoughApart) {
-  const auto runs = cut_at_corners({{0, 0}, {20, 0}, {20, 3}, {20, 30}}, false, 6.75);
+  const auto runs = sheet::cut_at_corners({{0, 0}, {20, 0}, {20, 3}, {20, 30}}, false, 6.75);
   ASSERT_EQ(runs.size(), 2u);
   EXPECT_EQ(runs[0].first, 0);
   EXPECT_EQ(runs[0].last, 1);
   EXPECT_EQ(runs[1].first, 1);
   EXPECT_EQ(runs[1].last, 3);
-  EXPECT_EQ(cut_at_corners({{0, 0}, {20, 0}, {20, 3}}, false, 6.75).size(), 1u);  // 3 mm are too short for dashes
-  EXPECT_EQ(cut_at_corners({{0, 0}, {20, 0}, {40, 5}}, false, 6.75).size(), 1u);  // 14 degrees are no corner
+  EXPECT_EQ(sheet::cut_at_corners({{0, 0}, {20, 0}, {20, 3}}, false, 6.75).size(),
+            1u);  // 3 mm are too short for dashes
+  EXPECT_EQ(sheet::cut_at_corners({{0, 0}, {20, 0}, {40, 5}}, false, 6.75).size(), 1u);  // 14 degrees are no corner
 }
 
 TEST(Dash, ClosedLinesBeginAtACorner) {
   // A square whose list of points begins in the middle of a side.
-  const auto runs = cut_at_corners({{10, 0}, {20, 0}, {20, 20}, {0, 20}, {0, 0}}, true, 6.75);
+  const auto runs = sheet::cut_at_corners({{10, 0}, {20, 0}, {20, 20}, {0, 20}, {0, 0}}, true, 6.75);
   ASSERT_EQ(runs.size(), 4u);
   EXPECT_EQ(runs[0].first, 1);
   EXPECT_EQ(runs[3].last, 6);
-  for (const DashRun& run : runs) EXPECT_FALSE(run.closed);
+  for (const sheet::DashRun& run : runs) EXPECT_FALSE(run.closed);
 }
 
 TEST(Dash, RoundClosedLinesStayClosed) {
   std::vector<Vec2> circle;
   for (int i = 0; i < 40; ++i)
     circle.emplace_back(10 * std::cos(i * std::acos(-1) / 20), 10 * std::sin(i * std::acos(-1) / 20));
-  const auto runs = cut_at_corners(circle, true, 6.75);
+  const auto runs = sheet::cut_at_corners(circle, true, 6.75);
   ASSERT_EQ(runs.size(), 1u);
   EXPECT_TRUE(runs[0].closed);
-  EXPECT_NEAR(length_of(circle, true), 800 * std::sin(std::acos(-1) / 40), 1e-9);
+  EXPECT_NEAR(sheet::length_of(circle, true), 800 * std::sin(std::acos(-1) / 40), 1e-9);
 }
 
 // Whether there is ink at a distance from the beginning.
-bool has_ink(const FittedDashes& fitted, double at) {
+bool has_ink(const sheet::FittedDashes& fitted, double at) {
   constexpr double slack = 1e-9;
   if (fitted.pattern.empty())
     return std::fmod(at + slack, fitted.dashes.dash + fitted.dashes.gap) <= fitted.dashes.dash + 2 * slack;
@@ -109,11 +110,11 @@ TEST(Dash, CrossingsHaveInk) {
       crossings.push_back(length * static_cast<double>(random() % 1001) / 1000);
     std::sort(crossings.begin(), crossings.end());
     const bool closed = round % 2 == 0;
-    const FittedDashes fitted = fit_crossings(length, 0.25, closed, crossings);
+    const sheet::FittedDashes fitted = sheet::fit_crossings(length, 0.25, closed, crossings);
     const auto inked = [&](double at) { return has_ink(fitted, at); };
     if (!std::all_of(crossings.begin(), crossings.end(), inked)) {
       ++unheeded;
-      EXPECT_EQ(fitted.dashes, closed ? fit_closed(length, 0.25) : fit_open(length, 0.25));
+      EXPECT_EQ(fitted.dashes, closed ? sheet::fit_closed(length, 0.25) : sheet::fit_open(length, 0.25));
       EXPECT_GT(crowded_stretch(crossings, length), 3) << round;
     }
     EXPECT_TRUE(has_ink(fitted, 0));
@@ -131,8 +132,8 @@ TEST(Dash, CrossingsHaveInk) {
 }
 
 TEST(Dash, OtherLengthsComeBeforePatterns) {
-  const Dashes usual = fit_open(60, 0.25);
-  const FittedDashes fitted = fit_crossings(60, 0.25, false, std::vector{usual.dash + usual.gap / 2});
+  const sheet::Dashes usual = sheet::fit_open(60, 0.25);
+  const sheet::FittedDashes fitted = sheet::fit_crossings(60, 0.25, false, std::vector{usual.dash + usual.gap / 2});
   EXPECT_TRUE(fitted.pattern.empty());
   EXPECT_NE(fitted.dashes, usual);
   const double gaps = (60 - fitted.dashes.dash) / (fitted.dashes.dash + fitted.dashes.gap);
@@ -141,14 +142,14 @@ TEST(Dash, OtherLengthsComeBeforePatterns) {
 
 // ISO 128-2: n = round((L - 24 d) / 30.5 d), long dash = (L - 6.5 d n) / (n + 1).
 TEST(Dash, ChainLinesAreFittedToo) {
-  const Dashes dashes = fit_open(100, 0.25, long_dash_dot);
+  const sheet::Dashes dashes = sheet::fit_open(100, 0.25, scene::long_dash_dot);
   const double n = std::round((100 - 6) / 7.625);
   EXPECT_DOUBLE_EQ(dashes.dash, (100 - 1.625 * n) / (n + 1));
   EXPECT_EQ(dashes.dots, 1);
-  EXPECT_EQ(fit_open(54.4 * 0.25, 0.25, long_dash_dot).dash, 0);
-  EXPECT_GT(fit_open(54.5 * 0.25, 0.25, long_dash_dot).dash, 0);
-  EXPECT_EQ(fit_open(57.9 * 0.25, 0.25, long_dash_double_dot).dash, 0);
-  EXPECT_EQ(fit_open(58 * 0.25, 0.25, long_dash_double_dot).dots, 2);
+  EXPECT_EQ(sheet::fit_open(54.4 * 0.25, 0.25, scene::long_dash_dot).dash, 0);
+  EXPECT_GT(sheet::fit_open(54.5 * 0.25, 0.25, scene::long_dash_dot).dash, 0);
+  EXPECT_EQ(sheet::fit_open(57.9 * 0.25, 0.25, scene::long_dash_double_dot).dash, 0);
+  EXPECT_EQ(sheet::fit_open(58 * 0.25, 0.25, scene::long_dash_double_dot).dots, 2);
 }
 
 }  // namespace

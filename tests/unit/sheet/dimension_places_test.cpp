@@ -12,27 +12,28 @@
 namespace epura::test {
 namespace {
 
-TurnedBox box_of(const Text& text) {
+sheet::TurnedBox box_of(const sheet::Text& text) {
   const double angle = text.angle * std::numbers::pi / 180;
   const Vec2 along(std::cos(angle), std::sin(angle)), up(-along.y, along.x);
-  EXPECT_EQ(text.align, Align::middle);
-  static const Lettering lettering;
+  EXPECT_EQ(text.align, sheet::Align::middle);
+  static const sheet::Lettering lettering;
   return {text.at + up * (text.height / 2), along, {lettering.width(text.text, text.height) / 2, text.height / 2}};
 }
 
-void expect_texts_apart(const Layer& layer) {
+void expect_texts_apart(const sheet::Layer& layer) {
   for (std::size_t i = 0; i < layer.texts.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
-      EXPECT_FALSE(overlap(box_of(layer.texts[i]), box_of(layer.texts[j])))
+      EXPECT_FALSE(sheet::overlap(box_of(layer.texts[i]), box_of(layer.texts[j])))
           << layer.texts[i].text << " over " << layer.texts[j].text;
 }
 
-void expect_no_line_through_a_text(const Layer& layer, const ViewDrawing& drawing) {
-  for (const Text& text : layer.texts) {
-    EXPECT_EQ(ink_in(box_of(text), drawing), 0) << text.text;
-    for (const Stroke& stroke : layer.strokes)
+void expect_no_line_through_a_text(const sheet::Layer& layer, const drawing::ViewDrawing& drawing) {
+  for (const sheet::Text& text : layer.texts) {
+    EXPECT_EQ(sheet::ink_in(box_of(text), drawing), 0) << text.text;
+    for (const sheet::Stroke& stroke : layer.strokes)
       for (std::size_t i = 1; i < stroke.points.size(); ++i)
-        EXPECT_FALSE(overlap(box_of(text), line_box(stroke.points[i - 1], stroke.points[i]))) << text.text;
+        EXPECT_FALSE(sheet::overlap(box_of(text), sheet::line_box(stroke.points[i - 1], stroke.points[i])))
+            << text.text;
   }
 }
 
@@ -44,9 +45,10 @@ Shape stairs(int steps) {
 }
 
 TEST(DimensionPlaces, LookLikeDimensions) {
-  const World world = placed(box({0, 0, 0}, {60, 10, 40}));
-  const ViewDrawing front = drawing_of(world, orthographic(from_front));
-  const Layer layer = layer_of(world, front, {dimension("overall", {}, "width"), dimension("overall", {}, "height")});
+  const scene::World world = placed(box({0, 0, 0}, {60, 10, 40}));
+  const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front));
+  const sheet::Layer layer =
+      layer_of(world, front, {dimension("overall", {}, "width"), dimension("overall", {}, "height")});
   EXPECT_EQ(layer.name, "view/dimensions");
   EXPECT_EQ(layer.style.width, 0.25);
   ASSERT_EQ(layer.strokes.size(), 6u);  // two extension lines and the dimension line of each
@@ -69,13 +71,13 @@ TEST(DimensionPlaces, LookLikeDimensions) {
 }
 
 TEST(DimensionPlaces, SmallInsideLarge) {
-  const World world = placed(stairs(3));  // boxes 36, 24 and 12 wide
-  const ViewDrawing front = drawing_of(world, orthographic(from_front), 2);
-  std::vector<DimensionDescription> dimensions{dimension("overall", {}, "width")};
+  const scene::World world = placed(stairs(3));  // boxes 36, 24 and 12 wide
+  const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front), 2);
+  std::vector<scene::DimensionDescription> dimensions{dimension("overall", {}, "width")};
   for (const int v : {9, 1, 17}) dimensions.push_back(dimension("linear", {0, v}, "horizontal"));
-  for (DimensionDescription& one : dimensions)
+  for (scene::DimensionDescription& one : dimensions)
     if (*one.type == DimensionType::linear) one.anchors[0] = Vec3(0, 0, 0);
-  const Layer layer = layer_of(world, front, dimensions);
+  const sheet::Layer layer = layer_of(world, front, dimensions);
   std::vector<std::pair<double, double>> lines;  // span and distance from the outline
   for (std::size_t i = 0; i < dimensions.size(); ++i) {
     const auto [a, b] = tips(layer, i);
@@ -95,45 +97,46 @@ TEST(DimensionPlaces, SmallInsideLarge) {
 }
 
 TEST(DimensionPlaces, NeighboursShareALine) {
-  const World world = placed(box({0, 0, 0}, {60, 10, 40}));
-  const ViewDrawing front = drawing_of(world, orthographic(from_front));
-  DimensionDescription left = dimension("linear", {0}, "horizontal"), right = dimension("linear", {1}, "horizontal");
-  for (DimensionDescription* one : {&left, &right}) one->anchors.emplace_back(Vec3(25, 0, 0));
-  const Layer layer = layer_of(world, front, {left, right});
+  const scene::World world = placed(box({0, 0, 0}, {60, 10, 40}));
+  const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front));
+  scene::DimensionDescription left = dimension("linear", {0}, "horizontal"),
+                              right = dimension("linear", {1}, "horizontal");
+  for (scene::DimensionDescription* one : {&left, &right}) one->anchors.emplace_back(Vec3(25, 0, 0));
+  const sheet::Layer layer = layer_of(world, front, {left, right});
   EXPECT_NEAR(tips(layer, 0)[0].y, tips(layer, 1)[0].y, 1e-9);
   expect_texts_apart(layer);
 }
 
 TEST(DimensionPlaces, ArrowsAndTextsGoOutsideWhereThereIsNoRoom) {
-  const World world = placed(box({0, 0, 0}, {60, 10, 40}));
-  const ViewDrawing front = drawing_of(world, orthographic(from_front));
-  DimensionDescription narrow = dimension("linear", {0}, "horizontal"), wide = narrow;
+  const scene::World world = placed(box({0, 0, 0}, {60, 10, 40}));
+  const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front));
+  scene::DimensionDescription narrow = dimension("linear", {0}, "horizontal"), wide = narrow;
   narrow.anchors.emplace_back(Vec3(2.25, 0, 0));
   wide.anchors.emplace_back(Vec3(30, 0, 0));
-  const auto arrow_points_right = [&](const DimensionDescription& one) {
+  const auto arrow_points_right = [&](const scene::DimensionDescription& one) {
     const std::vector<Vec2> ring = layer_of(world, front, {one}).fills[0].rings[0];  // at the left end
     return ring[0].x > ring[1].x;
   };
   EXPECT_TRUE(arrow_points_right(narrow));
   EXPECT_FALSE(arrow_points_right(wide));
-  const Layer layer = layer_of(world, front, {narrow});
+  const sheet::Layer layer = layer_of(world, front, {narrow});
   EXPECT_EQ(layer.texts[0].text, "2.25");
-  const TurnedBox text = box_of(layer.texts[0]);
+  const sheet::TurnedBox text = box_of(layer.texts[0]);
   EXPECT_GT(text.centre.x - text.half.x, 72.25);
   // The line runs on under the text.
   EXPECT_GE(layer.strokes[2].points[1].x, text.centre.x + text.half.x);
 }
 
 TEST(DimensionPlaces, AnOffsetIsObeyed) {
-  const World world = placed(wedge());
-  const ViewDrawing front = drawing_of(world, orthographic(from_front));
+  const scene::World world = placed(wedge());
+  const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front));
   const auto page = [&](int v) { return Vec2(front.world_to_page * Vec4(world.points[std::size_t(v)], 1)); };
-  const auto tip_of = [&](DimensionDescription one, double offset) {
+  const auto tip_of = [&](scene::DimensionDescription one, double offset) {
     one.offset = {offset, ""};
     return tips(layer_of(world, front, {one}))[0];
   };
-  const DimensionDescription width = dimension("linear", {0, 2}, "horizontal");
-  const DimensionDescription height = dimension("linear", {0, 2}, "vertical");
+  const scene::DimensionDescription width = dimension("linear", {0, 2}, "horizontal");
+  const scene::DimensionDescription height = dimension("linear", {0, 2}, "vertical");
   EXPECT_NEAR(tip_of(width, 13).y, page(2).y + 13, 1e-6);
   EXPECT_NEAR(tip_of(width, -13).y, page(0).y - 13, 1e-6);
   EXPECT_NEAR(tip_of(height, 7).x, page(2).x + 7, 1e-6);
@@ -146,9 +149,9 @@ TEST(DimensionPlaces, AnOffsetIsObeyed) {
 }
 
 TEST(DimensionPlaces, LeadersOfAnOffset) {
-  const World world = placed(cylinder(64, 20, 7));
-  const ViewDrawing top = drawing_of(world, from_above());
-  DimensionDescription radius = dimension("radius", {0});
+  const scene::World world = placed(cylinder(64, 20, 7));
+  const drawing::ViewDrawing top = drawing_of(world, from_above());
+  scene::DimensionDescription radius = dimension("radius", {0});
   for (const double offset : {12.0, -12.0}) {
     radius.offset = {offset, ""};
     const std::vector<Vec2> leader = layer_of(world, top, {radius}).strokes[0].points;
@@ -158,14 +161,14 @@ TEST(DimensionPlaces, LeadersOfAnOffset) {
 }
 
 TEST(DimensionPlaces, ManyAtOnce) {
-  const World world = placed(wedge());
-  const ViewDrawing front = drawing_of(world, orthographic(from_front), 2);
-  const std::vector<DimensionDescription> dimensions{
+  const scene::World world = placed(wedge());
+  const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front), 2);
+  const std::vector<scene::DimensionDescription> dimensions{
       dimension("linear", {0, 1}, "horizontal"), dimension("overall", {}, "width"),
       dimension("overall", {}, "height"),        dimension("aligned", {0, 2}),
       dimension("linear", {1, 2}, "vertical"),   dimension("angular", {0, 1, 2}),
       dimension("angular", {2, 0, 1}),           dimension("angular", {1, 2, 0})};
-  const Layer layer = layer_of(world, front, dimensions);
+  const sheet::Layer layer = layer_of(world, front, dimensions);
   ASSERT_EQ(layer.texts.size(), dimensions.size());
   EXPECT_EQ(layer.fills.size(), 2 * dimensions.size());
   expect_texts_apart(layer);
@@ -178,50 +181,50 @@ TEST(DimensionPlaces, ManyCircles) {
     const double a = i * std::numbers::pi / 3;
     plates.add(cylinder(48, 6, 5).moved(35 * std::cos(a), 35 * std::sin(a), 10));
   }
-  const World world = placed(plates);
-  const ViewDrawing top = drawing_of(world, from_above());
-  std::vector<DimensionDescription> dimensions{dimension("diameter", {0})};
+  const scene::World world = placed(plates);
+  const drawing::ViewDrawing top = drawing_of(world, from_above());
+  std::vector<scene::DimensionDescription> dimensions{dimension("diameter", {0})};
   for (int i = 0; i < 6; ++i) dimensions.push_back(dimension("diameter", {128 + 96 * i}));
-  const Layer layer = layer_of(world, top, dimensions);
+  const sheet::Layer layer = layer_of(world, top, dimensions);
   EXPECT_EQ(layer.texts[0].text, "⌀100");
   EXPECT_EQ(layer.texts[6].text, "⌀12");
   expect_texts_apart(layer);
   expect_no_line_through_a_text(layer, top);
 }
 
-bool reaches_into(const Layer& layer, const Rectangle& box) {
-  static const Lettering lettering;
-  const std::vector<TurnedBox> boxes = boxes_of(layer, lettering);
-  return BoxIndex(boxes).overlaps(turned_box(box)) > 0;
+bool reaches_into(const sheet::Layer& layer, const sheet::Rectangle& box) {
+  static const sheet::Lettering lettering;
+  const std::vector<sheet::TurnedBox> boxes = sheet::boxes_of(layer, lettering);
+  return sheet::BoxIndex(boxes).overlaps(sheet::turned_box(box)) > 0;
 }
 
 TEST(DimensionPlaces, AwayFromNeighboursAndOnThePaper) {
-  const World world = placed(box({0, 0, 0}, {60, 10, 40}));
-  const ViewDrawing front = drawing_of(world, orthographic(from_front));  // (70, 80) to (130, 120)
-  const std::vector<DimensionDescription> width{dimension("overall", {}, "width")};
-  const auto layer = [&](const Neighbours& neighbours) {
-    return dimension_layer({world, front, width}, {Lettering(), 0.25}, neighbours);
+  const scene::World world = placed(box({0, 0, 0}, {60, 10, 40}));
+  const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front));  // (70, 80) to (130, 120)
+  const std::vector<scene::DimensionDescription> width{dimension("overall", {}, "width")};
+  const auto layer = [&](const sheet::Neighbours& neighbours) {
+    return sheet::dimension_layer({world, front, width}, {sheet::Lettering(), 0.25}, neighbours);
   };
-  const Rectangle below{{60, 62}, {140, 75}}, above{{60, 125}, {140, 200}}, far_below{{60, 0}, {140, 20}};
+  const sheet::Rectangle below{{60, 62}, {140, 75}}, above{{60, 125}, {140, 200}}, far_below{{60, 0}, {140, 20}};
   EXPECT_TRUE(reaches_into(layer({}), below));
-  const Layer on_top = layer({{}, {turned_box(below)}});
+  const sheet::Layer on_top = layer({{}, {sheet::turned_box(below)}});
   EXPECT_FALSE(reaches_into(on_top, below));
   // What is far enough away does not matter; what bars the other side leads past the first.
-  EXPECT_TRUE(reaches_into(layer({{}, {turned_box(far_below)}}), below));
-  const Layer past = layer({{}, {turned_box(below), turned_box(above)}});
+  EXPECT_TRUE(reaches_into(layer({{}, {sheet::turned_box(far_below)}}), below));
+  const sheet::Layer past = layer({{}, {sheet::turned_box(below), sheet::turned_box(above)}});
   EXPECT_LT(past.texts.front().at.y, below.min.y);
-  const Layer inside = layer({Rectangle{{0, 75}, {200, 200}}, {}});
+  const sheet::Layer inside = layer({sheet::Rectangle{{0, 75}, {200, 200}}, {}});
   EXPECT_GT(inside.texts.front().at.y, 120);
 }
 
 TEST(DimensionPlaces, ArcsKnowTheirCircles) {
-  const World world = placed(wedge());
-  const ViewDrawing front = drawing_of(world, orthographic(from_front));
-  const Layer layer = layer_of(world, front, {dimension("angular", {0, 1, 2})});
+  const scene::World world = placed(wedge());
+  const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front));
+  const sheet::Layer layer = layer_of(world, front, {dimension("angular", {0, 1, 2})});
   const auto arc = std::find_if(layer.strokes.begin(), layer.strokes.end(),
-                                [](const Stroke& stroke) { return !stroke.curves.empty(); });
+                                [](const sheet::Stroke& stroke) { return !stroke.curves.empty(); });
   ASSERT_NE(arc, layer.strokes.end());
-  const CurvePart& part = arc->curves[0];
+  const drawing::CurvePart& part = arc->curves[0];
   EXPECT_EQ(part.last, static_cast<int>(arc->points.size()) - 1);
   for (std::size_t i = 0; i < arc->points.size(); ++i) {
     const double a = part.from + (part.to - part.from) * double(i) / part.last;
@@ -229,50 +232,51 @@ TEST(DimensionPlaces, ArcsKnowTheirCircles) {
   }
 }
 
-NamedProjection view(const std::string& name, const Vec3& viewer, const Vec3& up = {0, 0, 1}) {
+sheet::NamedProjection view(const std::string& name, const Vec3& viewer, const Vec3& up = {0, 0, 1}) {
   return {name, orthographic(viewer, up)};
 }
 
-std::string format_dimensions(const std::vector<DimensionDescription>& dimensions) {
+std::string format_dimensions(const std::vector<scene::DimensionDescription>& dimensions) {
   std::string text;
-  for (const DimensionDescription& one : dimensions)
-    text += std::string(word_of(*one.direction)) + ' ' + *one.view + ' ';
+  for (const scene::DimensionDescription& one : dimensions)
+    text += std::string(scene::word_of(*one.direction)) + ' ' + *one.view + ' ';
   return text;
 }
 
 TEST(OverallDimensions, EachOnceInTheClearestView) {
-  const NamedProjection front = view("front", from_front), top = view("top", {0, 0, 1}, {0, 1, 0}),
-                        left = view("left", from_left), corner = view("corner", from_corner);
-  const DimensionDescription open = dimension("overall", {});
-  const auto chosen = [&](const std::vector<NamedProjection>& views, const DimensionDescription& options) {
-    return format_dimensions(overall_dimensions(options, views));
+  const sheet::NamedProjection front = view("front", from_front), top = view("top", {0, 0, 1}, {0, 1, 0}),
+                               left = view("left", from_left), corner = view("corner", from_corner);
+  const scene::DimensionDescription open = dimension("overall", {});
+  const auto chosen = [&](const std::vector<sheet::NamedProjection>& views,
+                          const scene::DimensionDescription& options) {
+    return format_dimensions(sheet::overall_dimensions(options, views));
   };
   EXPECT_EQ(chosen({corner, top, left, front}, open), "width front height front depth left ");
   EXPECT_EQ(chosen({front, top}, open), "width front height front depth top ");
   EXPECT_EQ(chosen({top}, open), "width top depth top ");
   EXPECT_EQ(chosen({left, corner}, open), "height left depth left ");
-  DimensionDescription at_the_left = open;
+  scene::DimensionDescription at_the_left = open;
   at_the_left.view = {"left", "scene.toml:1:1"};
   EXPECT_EQ(chosen({front, top, left}, at_the_left), "height left depth left ");
   EXPECT_TRUE(contains(error_of([&] { chosen({corner}, open); }).what(), "no view shows"));
 }
 
 TEST(OverallDimensions, HaveTheRoomThatWasKeptFree) {
-  const World world = placed(box({0, 0, 0}, {60, 10, 40}));
-  const Projection front = orthographic(from_front);
-  const ViewDrawing drawing = drawing_of(world, front);
-  const std::vector<DimensionDescription> dimensions{dimension("overall", {}, "width"),
-                                                     dimension("overall", {}, "height")};
-  const Room room = dimension_room(dimensions, front, 3.5);
+  const scene::World world = placed(box({0, 0, 0}, {60, 10, 40}));
+  const projection::Projection front = orthographic(from_front);
+  const drawing::ViewDrawing drawing = drawing_of(world, front);
+  const std::vector<scene::DimensionDescription> dimensions{dimension("overall", {}, "width"),
+                                                            dimension("overall", {}, "height")};
+  const sheet::Room room = sheet::dimension_room(dimensions, front, 3.5);
   EXPECT_EQ(room.before.x, room.after.x);
   EXPECT_EQ(room.after.y, 0);
-  for (const Stroke& stroke : layer_of(world, drawing, dimensions).strokes) {
+  for (const sheet::Stroke& stroke : layer_of(world, drawing, dimensions).strokes) {
     for (const Vec2& p : stroke.points) {
       EXPECT_GE(p.y, drawing.min.y - room.before.y);
       EXPECT_LE(p.x, drawing.max.x + room.after.x);
     }
   }
-  EXPECT_EQ(dimension_room({}, front, 3.5).before, Vec2(0, 0));
+  EXPECT_EQ(sheet::dimension_room({}, front, 3.5).before, Vec2(0, 0));
 }
 
 }  // namespace

@@ -17,8 +17,8 @@ namespace epura::test {
 
 inline const Vec3 from_front{0, -1, 0}, from_left{-1, 0, 0}, from_corner{1, -1, 1};
 
-inline World placed(const Shape& shape, const std::string& steps = "") {
-  return make_world({{std::make_shared<const Mesh>(mesh_of(shape)), parse_transform(steps)}});
+inline scene::World placed(const Shape& shape, const std::string& steps = "") {
+  return scene::make_world({{std::make_shared<const mesh::Mesh>(mesh_of(shape)), scene::parse_transform(steps)}});
 }
 
 /// Its front is the triangle 40, 30, 50; 10 deep. Vertices 0 (right angle at 1) to 2, and 3 to 5 behind them.
@@ -48,23 +48,25 @@ inline Shape cylinder(int n, double radius, double height) {
 }
 
 /// A view in its place, `scale` mm for a unit of the world, its middle at (100, 100).
-inline ViewDrawing drawing_of(const World& world, const Projection& projection, double scale = 1) {
-  ProjectedScene view = project_scene(world, projection, {});
-  const FeatureEdges drawn = find_feature_edges(world, view, {});
-  const HiddenSpans hidden = find_hidden(world, view, drawn);
-  return make_drawing({world, view, drawn, hidden}, make_paper_map(view, scale, {100, 100}), {"view", true});
+inline drawing::ViewDrawing drawing_of(const scene::World& world, const projection::Projection& projection,
+                                       double scale = 1) {
+  view::ProjectedScene view = view::project_scene(world, projection, {});
+  const edges::FeatureEdges drawn = edges::find_feature_edges(world, view, {});
+  const visibility::HiddenSpans hidden = visibility::find_hidden(world, view, drawn);
+  return drawing::make_drawing({world, view, drawn, hidden}, view::make_paper_map(view, scale, {100, 100}),
+                               {"view", true});
 }
 
 template <class Enum>
-Located<Enum> located_word(const std::string& word, const std::string& where) {
-  for (std::size_t i = 0; i < Words<Enum>::list.size(); ++i)
-    if (Words<Enum>::list[i] == word) return {static_cast<Enum>(i), where};
+scene::Located<Enum> located_word(const std::string& word, const std::string& where) {
+  for (std::size_t i = 0; i < scene::Words<Enum>::list.size(); ++i)
+    if (scene::Words<Enum>::list[i] == word) return {static_cast<Enum>(i), where};
   return {{}, where};
 }
 
-inline DimensionDescription dimension(const std::string& type, const std::vector<int>& vertices,
-                                      const std::string& direction = "") {
-  DimensionDescription description;
+inline scene::DimensionDescription dimension(const std::string& type, const std::vector<int>& vertices,
+                                             const std::string& direction = "") {
+  scene::DimensionDescription description;
   description.where = "scene.toml:7";
   description.type = located_word<DimensionType>(type, "scene.toml:8:8");
   description.direction = located_word<DimensionDirection>(direction, "scene.toml:9:13");
@@ -72,18 +74,19 @@ inline DimensionDescription dimension(const std::string& type, const std::vector
   return description;
 }
 
-inline Layer layer_of(const World& world, const ViewDrawing& drawing,
-                      const std::vector<DimensionDescription>& dimensions) {
-  return dimension_layer({world, drawing, dimensions}, {Lettering(), 0.25});
+inline sheet::Layer layer_of(const scene::World& world, const drawing::ViewDrawing& drawing,
+                             const std::vector<scene::DimensionDescription>& dimensions) {
+  return sheet::dimension_layer({world, drawing, dimensions}, {sheet::Lettering(), 0.25});
 }
 
 /// What is written at the only dimension.
-inline std::string text_of(const World& world, const ViewDrawing& drawing, const DimensionDescription& dimension) {
+inline std::string text_of(const scene::World& world, const drawing::ViewDrawing& drawing,
+                           const scene::DimensionDescription& dimension) {
   return layer_of(world, drawing, {dimension}).texts.at(0).text;
 }
 
 /// Where the arrows of the n-th dimension point to.
-inline std::array<Vec2, 2> tips(const Layer& layer, std::size_t n = 0) {
+inline std::array<Vec2, 2> tips(const sheet::Layer& layer, std::size_t n = 0) {
   return {layer.fills.at(2 * n).rings[0][0], layer.fills.at(2 * n + 1).rings[0][0]};
 }
 

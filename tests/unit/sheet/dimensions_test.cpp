@@ -13,9 +13,9 @@ namespace {
 void expect_at(const Vec2& p, const Vec2& q) { EXPECT_LT(glm::length(p - q), 1e-6) << p.x << ' ' << p.y; }
 
 TEST(Dimensions, LengthsOfATriangle) {
-  const World world = placed(wedge());
+  const scene::World world = placed(wedge());
   for (const double scale : {0.2, 1.0, 5.0}) {
-    const ViewDrawing front = drawing_of(world, orthographic(from_front), scale);
+    const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front), scale);
     EXPECT_EQ(text_of(world, front, dimension("aligned", {0, 2})), "50");
     EXPECT_EQ(text_of(world, front, dimension("linear", {0, 2}, "horizontal")), "40");
     EXPECT_EQ(text_of(world, front, dimension("linear", {2, 0}, "vertical")), "30");
@@ -24,14 +24,14 @@ TEST(Dimensions, LengthsOfATriangle) {
     EXPECT_EQ(text_of(world, front, dimension("overall", {}, "width")), "40");
     EXPECT_EQ(text_of(world, front, dimension("overall", {}, "height")), "30");
   }
-  const ViewDrawing left = drawing_of(world, orthographic(from_left));
+  const drawing::ViewDrawing left = drawing_of(world, orthographic(from_left));
   EXPECT_EQ(text_of(world, left, dimension("overall", {}, "depth")), "10");
   EXPECT_EQ(text_of(world, left, dimension("aligned", {0, 3})), "10");
 }
 
 TEST(Dimensions, AnglesOfATriangle) {
-  const World world = placed(wedge());
-  const ViewDrawing front = drawing_of(world, orthographic(from_front));
+  const scene::World world = placed(wedge());
+  const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front));
   EXPECT_EQ(text_of(world, front, dimension("angular", {0, 1, 2})), "36.87°");
   EXPECT_EQ(text_of(world, front, dimension("angular", {2, 0, 1})), "53.13°");
   EXPECT_EQ(text_of(world, front, dimension("angular", {1, 2, 0})), "90°");
@@ -39,9 +39,9 @@ TEST(Dimensions, AnglesOfATriangle) {
 
 TEST(Dimensions, FollowTheModel) {
   for (const char* steps : {"", "rotate:y,30", "translate:1000,-300,20", "rotate:y,-200 translate:7,0,0"}) {
-    const World world = placed(wedge(), steps);
-    const ViewDrawing front = drawing_of(world, orthographic(from_front), 2);
-    const Layer layer = layer_of(world, front, {dimension("aligned", {0, 2}), dimension("angular", {0, 1, 2})});
+    const scene::World world = placed(wedge(), steps);
+    const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front), 2);
+    const sheet::Layer layer = layer_of(world, front, {dimension("aligned", {0, 2}), dimension("angular", {0, 1, 2})});
     EXPECT_EQ(layer.texts[0].text, "50") << steps;
     EXPECT_EQ(layer.texts[1].text, "36.87°") << steps;
     // The dimension line is the edge, moved square to it.
@@ -59,13 +59,13 @@ TEST(Dimensions, FollowTheModel) {
 }
 
 TEST(Dimensions, CirclesSeenAsCircles) {
-  const World world = placed(cylinder(64, 10, 7), "scale:2 translate:5,6,7");
-  const ViewDrawing top = drawing_of(world, from_above());
-  const Layer layer = layer_of(world, top, {dimension("diameter", {3}), dimension("radius", {70})});
+  const scene::World world = placed(cylinder(64, 10, 7), "scale:2 translate:5,6,7");
+  const drawing::ViewDrawing top = drawing_of(world, from_above());
+  const sheet::Layer layer = layer_of(world, top, {dimension("diameter", {3}), dimension("radius", {70})});
   EXPECT_EQ(layer.texts[0].text, "⌀40");
   EXPECT_EQ(layer.texts[1].text, "R20");
   const Vec2 centre(top.world_to_page * Vec4(5, 6, 7, 1));
-  for (const Fill& arrow : layer.fills) {
+  for (const sheet::Fill& arrow : layer.fills) {
     const Vec2 tip = arrow.rings[0][0], foot = (arrow.rings[0][1] + arrow.rings[0][2]) * 0.5;
     EXPECT_NEAR(glm::length(tip - centre), 20, 1e-6);
     EXPECT_NEAR(std::abs(glm::dot(glm::normalize(tip - foot), glm::normalize(tip - centre))), 1, 1e-9);
@@ -73,9 +73,9 @@ TEST(Dimensions, CirclesSeenAsCircles) {
 }
 
 TEST(Dimensions, CirclesSeenEdgeOn) {
-  const World world = placed(cylinder(64, 10, 60), "rotate:x,90 rotate:z,20");
-  const ViewDrawing top = drawing_of(world, from_above());
-  const Layer layer = layer_of(world, top, {dimension("diameter", {3})});
+  const scene::World world = placed(cylinder(64, 10, 60), "rotate:x,90 rotate:z,20");
+  const drawing::ViewDrawing top = drawing_of(world, from_above());
+  const sheet::Layer layer = layer_of(world, top, {dimension("diameter", {3})});
   EXPECT_EQ(layer.texts[0].text, "⌀20");
   EXPECT_NEAR(glm::length(tips(layer)[0] - tips(layer)[1]), 20, 1e-6);
   const Error error = error_of([&] { layer_of(world, top, {dimension("radius", {3})}); });
@@ -83,17 +83,17 @@ TEST(Dimensions, CirclesSeenEdgeOn) {
 }
 
 TEST(Dimensions, ACircleThroughAPointOfTheWorld) {
-  const World world = placed(cylinder(64, 10, 7));
-  const ViewDrawing top = drawing_of(world, from_above());
-  DimensionDescription radius = dimension("radius", {});
+  const scene::World world = placed(cylinder(64, 10, 7));
+  const drawing::ViewDrawing top = drawing_of(world, from_above());
+  scene::DimensionDescription radius = dimension("radius", {});
   radius.anchors = {Vec3(0, 10, 7)};
   EXPECT_EQ(text_of(world, top, radius), "R10");
 }
 
 TEST(Dimensions, TheTextMayBeAnother) {
-  const World world = placed(wedge());
-  const ViewDrawing front = drawing_of(world, orthographic(from_front));
-  DimensionDescription width = dimension("linear", {0, 1}, "horizontal");
+  const scene::World world = placed(wedge());
+  const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front));
+  scene::DimensionDescription width = dimension("linear", {0, 1}, "horizontal");
   width.text = {"2x <> (<>)", "scene.toml:1:1"};
   EXPECT_EQ(text_of(world, front, width), "2x 40 (40)");
   width.text = {"free", "scene.toml:1:1"};
@@ -104,7 +104,7 @@ TEST(Dimensions, TheTextMayBeAnother) {
 
 TEST(Dimensions, TwoDecimalsAtMost) {
   const auto width_of = [](double width) {
-    const World world = placed(box({0, 0, 0}, {width, 5, 5}));
+    const scene::World world = placed(box({0, 0, 0}, {width, 5, 5}));
     return text_of(world, drawing_of(world, orthographic(from_front)), dimension("linear", {0, 1}, "horizontal"));
   };
   EXPECT_EQ(width_of(12.3456), "12.35");
@@ -114,8 +114,8 @@ TEST(Dimensions, TwoDecimalsAtMost) {
 }
 
 TEST(Dimensions, AxonometricViewsShowTrueLengthsAlongTheAxes) {
-  const World world = placed(wedge());
-  const ViewDrawing isometric = drawing_of(world, orthographic(from_corner));
+  const scene::World world = placed(wedge());
+  const drawing::ViewDrawing isometric = drawing_of(world, orthographic(from_corner));
   EXPECT_EQ(text_of(world, isometric, dimension("aligned", {0, 1})), "40");
   EXPECT_EQ(text_of(world, isometric, dimension("aligned", {1, 4})), "10");
   EXPECT_EQ(text_of(world, isometric, dimension("aligned", {1, 2})), "30");
@@ -125,10 +125,10 @@ TEST(Dimensions, AxonometricViewsShowTrueLengthsAlongTheAxes) {
 }
 
 TEST(Dimensions, ObliqueViewsShowTrueLengthsInTheirPlane) {
-  const World world = placed(wedge());
-  Projection cavalier = orthographic(from_front);
+  const scene::World world = placed(wedge());
+  projection::Projection cavalier = orthographic(from_front);
   cavalier.projector = {std::sqrt(0.5), -1, std::sqrt(0.5)};
-  const ViewDrawing drawing = drawing_of(world, cavalier);
+  const drawing::ViewDrawing drawing = drawing_of(world, cavalier);
   EXPECT_EQ(text_of(world, drawing, dimension("aligned", {0, 2})), "50");
   EXPECT_EQ(text_of(world, drawing, dimension("angular", {0, 1, 2})), "36.87°");
   EXPECT_TRUE(contains(error_of([&] { text_of(world, drawing, dimension("aligned", {0, 5})); }).what(), "shortens"));
@@ -139,11 +139,12 @@ TEST(Dimensions, ObliqueViewsShowTrueLengthsInTheirPlane) {
 }
 
 struct Refusal {
-  DimensionDescription dimension;
+  scene::DimensionDescription dimension;
   const char* reason;
 };
 
-void expect_refusals(const World& world, const ViewDrawing& drawing, const std::vector<Refusal>& refusals) {
+void expect_refusals(const scene::World& world, const drawing::ViewDrawing& drawing,
+                     const std::vector<Refusal>& refusals) {
   for (const Refusal& refusal : refusals) {
     const Error error = error_of([&] { text_of(world, drawing, refusal.dimension); });
     EXPECT_TRUE(contains(error.what(), refusal.reason)) << error.what() << "\nnot: " << refusal.reason;
@@ -152,7 +153,7 @@ void expect_refusals(const World& world, const ViewDrawing& drawing, const std::
 }
 
 TEST(Dimensions, RefusedForWhatTheViewShows) {
-  const World world = placed(wedge());
+  const scene::World world = placed(wedge());
   const Vec3 eye(60, -200, 50);
   const Refusal perspective_one{dimension("aligned", {0, 2}), "perspective"};
   expect_refusals(world, drawing_of(world, perspective(eye, {0, 0, 0}, {0, -1, 0}, {0, 0, 1})),
@@ -169,13 +170,14 @@ TEST(Dimensions, RefusedForWhatTheViewShows) {
 }
 
 TEST(Dimensions, RefusedForWhatTheySay) {
-  const World world = placed(wedge());
-  DimensionDescription far_off = dimension("linear", {0, 1}, "horizontal"), flat = dimension("angular", {0, 1, 2});
+  const scene::World world = placed(wedge());
+  scene::DimensionDescription far_off = dimension("linear", {0, 1}, "horizontal"),
+                              flat = dimension("angular", {0, 1, 2});
   far_off.offset = {1e300, ""};
   flat.offset = {0, ""};
-  DimensionDescription nowhere = dimension("aligned", {0});
+  scene::DimensionDescription nowhere = dimension("aligned", {0});
   nowhere.anchors.emplace_back(Vec3(0, HUGE_VAL, 0));
-  DimensionDescription other_model = dimension("aligned", {0});
+  scene::DimensionDescription other_model = dimension("aligned", {0});
   other_model.anchors.emplace_back(std::array{3, 0});
   expect_refusals(world, drawing_of(world, orthographic(from_front)),
                   {{dimension("", {0, 1}), "has no type"},
@@ -197,30 +199,30 @@ TEST(Dimensions, RefusedForWhatTheySay) {
 }
 
 TEST(Dimensions, NoAngleBetweenLegsOnOneLine) {
-  const World world = placed(box({0, 0, 0}, {10, 10, 10}));
-  DimensionDescription angle = dimension("angular", {0, 1});
+  const scene::World world = placed(box({0, 0, 0}, {10, 10, 10}));
+  scene::DimensionDescription angle = dimension("angular", {0, 1});
   angle.anchors.emplace_back(Vec3(20, 0, 0));
   expect_refusals(world, drawing_of(world, orthographic(from_front)), {{angle, "the angle is zero"}});
 }
 
 TEST(Dimensions, TheNearestCircleIsNamed) {
-  const World world = placed(cylinder(64, 10, 7));
-  DimensionDescription radius = dimension("radius", {});
+  const scene::World world = placed(cylinder(64, 10, 7));
+  scene::DimensionDescription radius = dimension("radius", {});
   radius.anchors = {Vec3(14, 0, 7)};
   const Error error = error_of([&] { text_of(world, drawing_of(world, from_above()), radius); });
   EXPECT_TRUE(contains(error.hint(), "radius 10 around 0,0,7; its vertex 64")) << error.hint();
 }
 
 TEST(Dimensions, AnUnevenScaleLeavesNoCircle) {
-  const World world = placed(cylinder(64, 10, 7), "scale:1,2,1");
+  const scene::World world = placed(cylinder(64, 10, 7), "scale:1,2,1");
   const Error error = error_of([&] { text_of(world, drawing_of(world, from_above()), dimension("radius", {0})); });
   EXPECT_TRUE(contains(error.what(), "rim of a circle")) << error.what();
 }
 
 TEST(Dimensions, OverallOnesWantAllOfTheModels) {
-  const World world = placed(wedge());
-  ViewDrawing front = drawing_of(world, orthographic(from_front));
-  std::erase_if(front.segments, [](const Segment& s) { return std::min(s.from.x, s.to.x) < 90; });
+  const scene::World world = placed(wedge());
+  drawing::ViewDrawing front = drawing_of(world, orthographic(from_front));
+  std::erase_if(front.segments, [](const drawing::Segment& s) { return std::min(s.from.x, s.to.x) < 90; });
   expect_refusals(world, front, {{dimension("overall", {}, "width"), "does not show all of the models"}});
   front.segments.clear();
   expect_refusals(world, front, {{dimension("overall", {}, "width"), "does not show all of the models"}});

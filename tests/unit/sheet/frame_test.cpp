@@ -13,15 +13,15 @@
 namespace epura {
 namespace {
 
-Paper paper(const std::string& size, bool portrait = false) {
-  return with_frame_margins(make_paper(parse_paper_size(size, "--sheet"), portrait));
+sheet::Paper paper(const std::string& size, bool portrait = false) {
+  return sheet::with_frame_margins(sheet::make_paper(scene::parse_paper_size(size, "--sheet"), portrait));
 }
 
-Furniture full(const Paper& paper) { return frame(paper, FrameKind::full, std::nullopt); }
+sheet::Furniture full(const sheet::Paper& paper) { return sheet::frame(paper, FrameKind::full, std::nullopt); }
 
-std::map<std::string, int> count_texts(const Furniture& all) {
+std::map<std::string, int> count_texts(const sheet::Furniture& all) {
   std::map<std::string, int> count;
-  for (const Text& text : all.texts) ++count[text.text];
+  for (const sheet::Text& text : all.texts) ++count[text.text];
   return count;
 }
 
@@ -41,8 +41,8 @@ const std::vector<Size> sizes = {{"A0", 1159, 821, 24, "R"},
 
 TEST(Frame, DrawingAreasAndFieldsOfIso5457) {
   for (const Size& size : sizes) {
-    const Furniture all = full(paper(size.name));
-    const Rectangle area{all.wide.front().points[0], all.wide.front().points[2]};
+    const sheet::Furniture all = full(paper(size.name));
+    const sheet::Rectangle area{all.wide.front().points[0], all.wide.front().points[2]};
     EXPECT_EQ(area.min, Vec2(20, 10));
     EXPECT_EQ(area.size(), Vec2(size.width, size.height)) << size.name;
     auto count = count_texts(all);
@@ -67,9 +67,9 @@ TEST(Frame, PortraitSwapsTheFields) {
 }
 
 TEST(Frame, FieldsAreFiftyMillimetresFromTheCentringMarks) {
-  const Paper a2 = paper("A2");
+  const sheet::Paper a2 = paper("A2");
   std::set<double> ticks;
-  for (const Stroke& stroke : full(a2).medium)
+  for (const sheet::Stroke& stroke : full(a2).medium)
     if (stroke.points.size() == 2 && stroke.points[0].x == stroke.points[1].x) ticks.insert(stroke.points[0].x);
   ASSERT_EQ(ticks.size(), 11U);
   for (const double tick : ticks) EXPECT_EQ(std::fmod(std::abs(tick - a2.width / 2), 50), 0);
@@ -77,35 +77,35 @@ TEST(Frame, FieldsAreFiftyMillimetresFromTheCentringMarks) {
 
 TEST(Frame, LettersGoDownAndNumbersToTheRight) {
   std::map<std::string, Vec2> at;
-  for (const Text& text : full(paper("A4")).texts) at[text.text] = text.at;
+  for (const sheet::Text& text : full(paper("A4")).texts) at[text.text] = text.at;
   EXPECT_GT(at["A"].y, at["B"].y);
   EXPECT_LT(at["1"].x, at["2"].x);
 }
 
 TEST(Frame, CentringMarksCrossTheFrameByTenMillimetres) {
-  const Furniture all = full(paper("A3"));
+  const sheet::Furniture all = full(paper("A3"));
   ASSERT_EQ(all.wide.size(), 5U);
   EXPECT_EQ(all.wide[1].points, (std::vector<Vec2>{{210, 292}, {210, 277}}));
   EXPECT_EQ(all.wide[3].points, (std::vector<Vec2>{{15, 148.5}, {30, 148.5}}));
 }
 
 TEST(Frame, CentringMarkStopsAtATitleBlock) {
-  const Furniture all = frame(paper("A4", true), FrameKind::full, Rectangle{{20, 10}, {200, 55}});
+  const sheet::Furniture all = sheet::frame(paper("A4", true), FrameKind::full, sheet::Rectangle{{20, 10}, {200, 55}});
   EXPECT_EQ(all.wide[2].points, (std::vector<Vec2>{{105, 5}, {105, 10}}));
   EXPECT_EQ(all.wide[1].points, (std::vector<Vec2>{{105, 292}, {105, 277}}));
 }
 
 TEST(Frame, TrimmingMarksAreTwoRectanglesInEachCorner) {
-  const Furniture all = full(paper("A3"));
+  const sheet::Furniture all = full(paper("A3"));
   ASSERT_EQ(all.fills.size(), 4U);
-  for (const Fill& fill : all.fills) {
+  for (const sheet::Fill& fill : all.fills) {
     const std::vector<Vec2>& ring = fill.rings.at(0);
     double area = 0;
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Vec2& p = ring[i];
       const Vec2& q = ring[(i + 1) % ring.size()];
       area += (p.x * q.y - p.y * q.x) / 2;
-      EXPECT_TRUE((Rectangle{{0, 0}, {420, 297}}.holds({p, p})));
+      EXPECT_TRUE((sheet::Rectangle{{0, 0}, {420, 297}}.holds({p, p})));
     }
     EXPECT_NEAR(std::abs(area), 2 * 50 - 25, 1e-9);  // the rectangles share 5 x 5 mm
   }
@@ -113,14 +113,14 @@ TEST(Frame, TrimmingMarksAreTwoRectanglesInEachCorner) {
 
 TEST(Frame, SmallSheetsHaveAPlainOne) {
   for (const std::string size : {"60x40", "1x1", "200x100", "500x100"}) {
-    const Paper small = paper(size);
-    const Furniture all = full(small);
+    const sheet::Paper small = paper(size);
+    const sheet::Furniture all = full(small);
     EXPECT_EQ(all.wide.size(), 1U) << size;
     EXPECT_TRUE(all.medium.empty() && all.texts.empty() && all.fills.empty());
-    EXPECT_EQ(small.left, make_paper(parse_paper_size(size, "--sheet"), false).left);
+    EXPECT_EQ(small.left, sheet::make_paper(scene::parse_paper_size(size, "--sheet"), false).left);
   }
-  EXPECT_TRUE(frame(paper("A3"), FrameKind::none, {}).wide.empty());
-  EXPECT_EQ(frame(paper("A3"), FrameKind::plain, {}).wide.size(), 1U);
+  EXPECT_TRUE(sheet::frame(paper("A3"), FrameKind::none, {}).wide.empty());
+  EXPECT_EQ(sheet::frame(paper("A3"), FrameKind::plain, {}).wide.size(), 1U);
 }
 
 TEST(Frame, LongSheetsHaveLettersBeyondZ) {

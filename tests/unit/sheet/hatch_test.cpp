@@ -31,38 +31,40 @@ Ring circle(double radius, int corners) {
   return ring;
 }
 
-ViewDrawing drawing_of(std::vector<CutFace> faces) {
-  ViewDrawing drawing;
+drawing::ViewDrawing drawing_of(std::vector<drawing::CutFace> faces) {
+  drawing::ViewDrawing drawing;
   drawing.name = "front";
   drawing.cut_faces = std::move(faces);
   return drawing;
 }
 
-std::vector<Hatching> choose(const ViewDrawing& drawing) {
-  const ViewDrawing* pointer = &drawing;
-  return choose_hatching({&pointer, 1});
+std::vector<sheet::Hatching> choose(const drawing::ViewDrawing& drawing) {
+  const drawing::ViewDrawing* pointer = &drawing;
+  return sheet::choose_hatching({&pointer, 1});
 }
 
-Layer hatched(const ViewDrawing& drawing) { return hatch_layer(drawing, choose(drawing), {0.5, 0.25}); }
+sheet::Layer hatched(const drawing::ViewDrawing& drawing) {
+  return sheet::hatch_layer(drawing, choose(drawing), {0.5, 0.25});
+}
 
-double ink(const Layer& layer) {
+double ink(const sheet::Layer& layer) {
   double length = 0;
-  for (const Stroke& stroke : layer.strokes) length += glm::distance(stroke.points[0], stroke.points[1]);
+  for (const sheet::Stroke& stroke : layer.strokes) length += glm::distance(stroke.points[0], stroke.points[1]);
   return length;
 }
 
 TEST(Hatch, LengthOfLinesIsAreaBySpacing) {
   const double disc = 100 * std::sin(2 * std::numbers::pi / 200) * 900;
-  const std::vector<std::pair<CutFace, double>> faces = {
+  const std::vector<std::pair<drawing::CutFace, double>> faces = {
       {{0, 0, {rectangle(0, 0, 80, 60)}}, 4800},
       {{0, 0, {rectangle(0, 0, 80, 60), rectangle(10, 10, 50, 50)}}, 3200},
       {{0, 0, {rectangle(0, 0, 80, 60), rectangle(10, 10, 50, 50), rectangle(20, 20, 30, 30)}}, 3300},
       {{0, 0, {circle(30, 200)}}, disc}};
   for (const auto& [face, area] : faces) {
-    const ViewDrawing drawing = drawing_of({face});
-    const Hatching hatching = choose(drawing).at(0);
+    const drawing::ViewDrawing drawing = drawing_of({face});
+    const sheet::Hatching hatching = choose(drawing).at(0);
     EXPECT_EQ(hatching.angle, 45);
-    const Layer layer = hatched(drawing);
+    const sheet::Layer layer = hatched(drawing);
     EXPECT_EQ(layer.name, "front/hatch");
     EXPECT_EQ(layer.style.width, 0.25);
     EXPECT_TRUE(layer.fills.empty());
@@ -72,13 +74,13 @@ TEST(Hatch, LengthOfLinesIsAreaBySpacing) {
 
 TEST(Hatch, EndsExactlyAtOutlinesAlsoAtCorners) {
   // Corners lie on hatching lines: x - y is a multiple of the spacing times the root of 2.
-  const ViewDrawing probe = drawing_of({{0, 0, {rectangle(0, 0, 40, 40)}}});
+  const drawing::ViewDrawing probe = drawing_of({{0, 0, {rectangle(0, 0, 40, 40)}}});
   const double step = choose(probe).at(0).spacing * std::sqrt(2);
   const double a = 40 * step;
-  const ViewDrawing drawing = drawing_of({{0, 0, {{{0, 0}, {a, 0}, {a, a}, {a / 2, a / 2}, {0, a}}}}});
-  const Hatching same{0, 0, 45, step / std::sqrt(2)};
-  const Layer layer = hatch_layer(drawing, {&same, 1}, {0.5, 0.25});
-  for (const Stroke& stroke : layer.strokes)
+  const drawing::ViewDrawing drawing = drawing_of({{0, 0, {{{0, 0}, {a, 0}, {a, a}, {a / 2, a / 2}, {0, a}}}}});
+  const sheet::Hatching same{0, 0, 45, step / std::sqrt(2)};
+  const sheet::Layer layer = sheet::hatch_layer(drawing, {&same, 1}, {0.5, 0.25});
+  for (const sheet::Stroke& stroke : layer.strokes)
     for (const Vec2& p : stroke.points) {
       const bool on_outline = std::abs(p.y) < 1e-9 || std::abs(p.x - a) < 1e-9 || std::abs(p.x) < 1e-9 ||
                               std::abs(p.x - p.y) < 1e-9 || std::abs(p.x + p.y - a) < 1e-9;
@@ -94,12 +96,12 @@ TEST(Hatch, DoesNotRunAlongTheOutline) {
 }
 
 TEST(Hatch, OfTouchingPartsDiffersAndOfOnePartIsTheSame) {
-  const ViewDrawing drawing = drawing_of({{0, 0, {rectangle(0, 0, 40, 40)}},
-                                          {0, 1, {rectangle(40, 0, 80, 40)}},
-                                          {0, 2, {rectangle(0, 40, 80, 80)}},
-                                          {1, 0, {rectangle(200, 0, 240, 40)}},
-                                          {1, 1, {rectangle(10, 10, 30, 30)}}});
-  const std::vector<Hatching> hatching = choose(drawing);
+  const drawing::ViewDrawing drawing = drawing_of({{0, 0, {rectangle(0, 0, 40, 40)}},
+                                                   {0, 1, {rectangle(40, 0, 80, 40)}},
+                                                   {0, 2, {rectangle(0, 40, 80, 80)}},
+                                                   {1, 0, {rectangle(200, 0, 240, 40)}},
+                                                   {1, 1, {rectangle(10, 10, 30, 30)}}});
+  const std::vector<sheet::Hatching> hatching = choose(drawing);
   ASSERT_EQ(hatching.size(), 5U);
   const auto differ = [&](std::size_t i, std::size_t j) {
     return hatching[i].angle != hatching[j].angle ||
@@ -110,37 +112,37 @@ TEST(Hatch, OfTouchingPartsDiffersAndOfOnePartIsTheSame) {
   EXPECT_EQ(hatching[1].angle, 135);
   EXPECT_EQ(hatching[3].angle, 45);
 
-  ViewDrawing other = drawing_of({{0, 1, {rectangle(0, 0, 7, 7)}}});
+  drawing::ViewDrawing other = drawing_of({{0, 1, {rectangle(0, 0, 7, 7)}}});
   other.name = "left";
-  const std::array both{&drawing, static_cast<const ViewDrawing*>(&other)};
-  const std::vector<Hatching> of_both = choose_hatching(both);
+  const std::array both{&drawing, static_cast<const drawing::ViewDrawing*>(&other)};
+  const std::vector<sheet::Hatching> of_both = sheet::choose_hatching(both);
   EXPECT_EQ(of_both.size(), 5U);
   EXPECT_EQ(of_both[1].angle, hatching[1].angle);
   EXPECT_EQ(of_both[1].spacing, hatching[1].spacing);
 }
 
 // The angle and spacing at each place, whatever number the body there has.
-std::map<double, std::pair<double, double>> by_place(const std::vector<CutFace>& faces) {
-  const std::vector<Hatching> hatching = choose(drawing_of(faces));
+std::map<double, std::pair<double, double>> by_place(const std::vector<drawing::CutFace>& faces) {
+  const std::vector<sheet::Hatching> hatching = choose(drawing_of(faces));
   std::map<double, std::pair<double, double>> found;
-  for (const CutFace& face : faces)
-    for (const Hatching& h : hatching)
+  for (const drawing::CutFace& face : faces)
+    for (const sheet::Hatching& h : hatching)
       if (h.model == face.model && h.body == face.body)
         found[face.rings[0][0].x + 1000 * face.rings[0][0].y] = {h.angle, h.spacing};
   return found;
 }
 
 TEST(Hatch, DoesNotDependOnTheNumbersOfBodies) {
-  std::vector<CutFace> faces = {{0, 0, {rectangle(0, 0, 40, 40)}},
-                                {0, 1, {rectangle(40, 0, 80, 40)}},
-                                {0, 2, {rectangle(0, 40, 80, 80)}},
-                                {0, 3, {rectangle(80, 0, 85, 80)}},
-                                {0, 4, {rectangle(10, 10, 30, 30)}}};
+  std::vector<drawing::CutFace> faces = {{0, 0, {rectangle(0, 0, 40, 40)}},
+                                         {0, 1, {rectangle(40, 0, 80, 40)}},
+                                         {0, 2, {rectangle(0, 40, 80, 80)}},
+                                         {0, 3, {rectangle(80, 0, 85, 80)}},
+                                         {0, 4, {rectangle(10, 10, 30, 30)}}};
   const auto expected = by_place(faces);
   ASSERT_EQ(expected.size(), faces.size());
   std::vector<int> order{0, 1, 2, 3, 4};
   do {
-    std::vector<CutFace> others = faces;
+    std::vector<drawing::CutFace> others = faces;
     for (std::size_t i = 0; i < faces.size(); ++i) others[i].body = order[i];
     EXPECT_EQ(by_place(others), expected);
   } while (std::next_permutation(order.begin(), order.end()));
@@ -172,7 +174,8 @@ TEST(Hatch, SpacingGrowsWithTheFaceWithinLimits) {
 }
 
 TEST(Hatch, ThinSectionsAreBlack) {
-  const Layer layer = hatched(drawing_of({{0, 0, {rectangle(0, 0, 50, 0.8)}}, {0, 1, {rectangle(0, 5, 50, 15)}}}));
+  const sheet::Layer layer =
+      hatched(drawing_of({{0, 0, {rectangle(0, 0, 50, 0.8)}}, {0, 1, {rectangle(0, 5, 50, 15)}}}));
   ASSERT_EQ(layer.fills.size(), 1U);
   EXPECT_EQ(layer.fills[0].rings, std::vector<Ring>({rectangle(0, 0, 50, 0.8)}));
   EXPECT_FALSE(layer.strokes.empty());

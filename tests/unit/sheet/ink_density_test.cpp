@@ -6,16 +6,16 @@
 namespace epura {
 namespace {
 
-Chain line(std::vector<Vec2> points, bool closed = false) {
+drawing::Chain line(std::vector<Vec2> points, bool closed = false) {
   return {std::move(points), closed, true, EdgeKind::crease, {0}};
 }
 
 // Lines 2 mm apart, and one across where they are and where they are not.
 TEST(InkDensity, IsLengthOverArea) {
-  std::vector<Chain> chains;
+  std::vector<drawing::Chain> chains;
   for (int i = 0; i < 20; ++i) chains.push_back(line({{0, 1 + 2.0 * i}, {40, 1 + 2.0 * i}}));
   chains.push_back(line({{0, 0}, {80, 0}}));
-  const InkDensity density(chains, 4);
+  const sheet::InkDensity density(chains, 4);
   EXPECT_NEAR(density.along(chains[10]), 0.5, 0.05);
   EXPECT_NEAR(density.along(line({{20, 2}, {20, 38}})), 0.5, 0.05);
   EXPECT_NEAR(density.along(line({{50, 10}, {70, 10}})), 0, 1e-12);
@@ -23,9 +23,9 @@ TEST(InkDensity, IsLengthOverArea) {
 }
 
 TEST(InkDensity, ClosedLinesAreClosed) {
-  const std::vector<Chain> square = {line({{0, 0}, {4, 0}, {4, 4}, {0, 4}}, true)};
-  EXPECT_NEAR(InkDensity(square, 100).along(square[0]), 16 / (100.0 * 100), 1e-12);
-  EXPECT_EQ(InkDensity({}, 1).along(line({{0, 0}, {1, 1}})), 0);
+  const std::vector<drawing::Chain> square = {line({{0, 0}, {4, 0}, {4, 4}, {0, 4}}, true)};
+  EXPECT_NEAR(sheet::InkDensity(square, 100).along(square[0]), 16 / (100.0 * 100), 1e-12);
+  EXPECT_EQ(sheet::InkDensity({}, 1).along(line({{0, 0}, {1, 1}})), 0);
 }
 
 }  // namespace

@@ -17,10 +17,10 @@ struct Extent {
   Vec2 min{HUGE_VAL}, max{-HUGE_VAL};
 };
 
-Extent extent_of(const std::vector<GlyphOutline>& outlines) {
+Extent extent_of(const std::vector<sheet::GlyphOutline>& outlines) {
   Extent extent;
-  for (const GlyphOutline& outline : outlines) {
-    for (const GlyphOutline::Curve& curve : outline.curves) {
+  for (const sheet::GlyphOutline& outline : outlines) {
+    for (const sheet::GlyphOutline::Curve& curve : outline.curves) {
       extent.min = glm::min(extent.min, curve.end);
       extent.max = glm::max(extent.max, curve.end);
     }
@@ -29,14 +29,14 @@ Extent extent_of(const std::vector<GlyphOutline>& outlines) {
 }
 
 TEST(Lettering, CapitalsAreAsHighAsWanted) {
-  const Lettering lettering;
+  const sheet::Lettering lettering;
   const Extent extent = extent_of(lettering.outlines("H", 3.5));
   EXPECT_NEAR(extent.max.y, 3.5, 1e-9);
   EXPECT_NEAR(extent.min.y, 0, 0.02);
 }
 
 TEST(Lettering, WidthsAddUpAndScale) {
-  const Lettering lettering;
+  const sheet::Lettering lettering;
   EXPECT_GT(lettering.width("H", 3.5), 1.5);
   EXPECT_NEAR(lettering.width("HH", 3.5), 2 * lettering.width("H", 3.5), 1e-12);
   EXPECT_NEAR(lettering.width("Bore", 7), 2 * lettering.width("Bore", 3.5), 1e-12);
@@ -47,7 +47,7 @@ TEST(Lettering, WidthsAddUpAndScale) {
 }
 
 TEST(Lettering, WidthsAreTheFontsOwn) {
-  const Lettering lettering;
+  const sheet::Lettering lettering;
   FT_Library library = nullptr;
   FT_Face face = nullptr;
   ASSERT_EQ(FT_Init_FreeType(&library), 0);
@@ -68,17 +68,17 @@ TEST(Lettering, WidthsAreTheFontsOwn) {
 
 // ISO 3098 type B: lines are a tenth of the height wide, small letters seven tenths high. An I is a vertical bar.
 TEST(Lettering, LooksLikeIso3098) {
-  const Lettering lettering;
+  const sheet::Lettering lettering;
   const Extent extent = extent_of(lettering.outlines("I", 10));
   EXPECT_NEAR(extent.max.x - extent.min.x, 1, 0.02);
   EXPECT_NEAR(extent_of(lettering.outlines("x", 10)).max.y, 7, 0.05);
 }
 
 TEST(Lettering, OutlinesAreClosedCurves) {
-  const Lettering lettering;
-  for (const GlyphOutline& outline : lettering.outlines("Bog8 \xC3\x98", 3.5)) {
+  const sheet::Lettering lettering;
+  for (const sheet::GlyphOutline& outline : lettering.outlines("Bog8 \xC3\x98", 3.5)) {
     EXPECT_GE(outline.curves.size(), 2u);
-    for (const GlyphOutline::Curve& curve : outline.curves)
+    for (const sheet::GlyphOutline::Curve& curve : outline.curves)
       EXPECT_TRUE(std::isfinite(curve.control.x) && std::isfinite(curve.end.y));
   }
   EXPECT_EQ(lettering.outlines("B", 3.5).size(), 3u);
@@ -86,7 +86,7 @@ TEST(Lettering, OutlinesAreClosedCurves) {
 }
 
 TEST(Lettering, KnowsWhatItCannotWrite) {
-  const Lettering lettering;
+  const sheet::Lettering lettering;
   EXPECT_TRUE(lettering.missing("Gehäuse ø12 ±0,1 °").empty());
   EXPECT_EQ(lettering.missing("a\xE2\x98\x83"
                               "b\xE2\x98\x83"),
@@ -96,19 +96,19 @@ TEST(Lettering, KnowsWhatItCannotWrite) {
 }
 
 TEST(Lettering, ControlCharactersAreSpacesAndInvisibleOnesNothing) {
-  const Lettering lettering;
-  EXPECT_EQ(written(std::string("a\0b\nc\x7F\xC2\x85", 8)), "a b c  ");
-  EXPECT_EQ(written("a\xE2\x80\xAE\xEF\xBB\xBF-\xFF"), "a-\xEF\xBF\xBD");
+  const sheet::Lettering lettering;
+  EXPECT_EQ(sheet::written(std::string("a\0b\nc\x7F\xC2\x85", 8)), "a b c  ");
+  EXPECT_EQ(sheet::written("a\xE2\x80\xAE\xEF\xBB\xBF-\xFF"), "a-\xEF\xBF\xBD");
   EXPECT_EQ(lettering.width(std::string("a\0b\n", 4), 5), lettering.width("a b ", 5));
   EXPECT_EQ(lettering.width("a\xE2\x80\xAE", 5), lettering.width("a", 5));
   EXPECT_TRUE(lettering.missing("\xE2\x80\xAE\x01").empty());
 }
 
 TEST(MissingCharacters, AreToldOnceWithTheirText) {
-  Sheet sheet{100, 100, "", {{"sheet/text", {"text", 0.35}, {}}}};
-  EXPECT_TRUE(missing_characters(sheet).empty());
+  sheet::Sheet sheet{100, 100, "", {{"sheet/text", {"text", 0.35}, {}}}};
+  EXPECT_TRUE(sheet::missing_characters(sheet).empty());
   for (const char* role : {"title", "label"}) sheet.layers[0].texts.push_back({"a\xE6\xBC\xA2", {}, 5, 0, {}, role});
-  const std::vector<MissingCharacter> missing = missing_characters(sheet);
+  const std::vector<sheet::MissingCharacter> missing = sheet::missing_characters(sheet);
   ASSERT_EQ(missing.size(), 1u);
   EXPECT_EQ(missing[0].character, "\xE6\xBC\xA2");
   EXPECT_EQ(missing[0].role, "title");
@@ -116,13 +116,13 @@ TEST(MissingCharacters, AreToldOnceWithTheirText) {
 
 TEST(Lettering, AMissingFontIsSaid) {
   try {
-    const Lettering lettering("/nowhere/font.ttf");
+    const sheet::Lettering lettering("/nowhere/font.ttf");
     FAIL();
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::input);
     EXPECT_NE(error.hint().find("fonts-osifont"), std::string::npos);
   }
-  EXPECT_THROW(Lettering("/dev/null"), Error);
+  EXPECT_THROW(sheet::Lettering("/dev/null"), Error);
 }
 
 }  // namespace

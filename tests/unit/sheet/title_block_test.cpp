@@ -17,18 +17,18 @@
 namespace epura {
 namespace {
 
-const Lettering& lettering() {
-  static const Lettering font;
+const sheet::Lettering& lettering() {
+  static const sheet::Lettering font;
   return font;
 }
 
-Paper paper(const std::string& size, bool portrait = false) {
-  return with_frame_margins(make_paper(parse_paper_size(size, "--sheet"), portrait));
+sheet::Paper paper(const std::string& size, bool portrait = false) {
+  return sheet::with_frame_margins(sheet::make_paper(scene::parse_paper_size(size, "--sheet"), portrait));
 }
 
-std::vector<std::string> values(const DrawnTitleBlock& block) {
+std::vector<std::string> values(const sheet::DrawnTitleBlock& block) {
   std::vector<std::string> texts;
-  for (const Text& text : block.ink.texts)
+  for (const sheet::Text& text : block.ink.texts)
     if (text.role != "caption") texts.push_back(text.text);
   return texts;
 }
@@ -38,26 +38,26 @@ bool has(const std::vector<std::string>& texts, const std::string& text) {
 }
 
 // No text reaches out of the block, and none over another one.
-void expect_legible(const DrawnTitleBlock& block, const Rectangle& box) {
-  std::vector<Rectangle> inks;
-  for (const Text& text : block.ink.texts) {
-    const Rectangle ink{text.at, text.at + Vec2(lettering().width(text.text, text.height), text.height)};
+void expect_legible(const sheet::DrawnTitleBlock& block, const sheet::Rectangle& box) {
+  std::vector<sheet::Rectangle> inks;
+  for (const sheet::Text& text : block.ink.texts) {
+    const sheet::Rectangle ink{text.at, text.at + Vec2(lettering().width(text.text, text.height), text.height)};
     EXPECT_TRUE(box.holds(ink)) << text.text;
-    for (const Rectangle& other : inks) EXPECT_FALSE(ink.overlaps(other)) << text.text;
+    for (const sheet::Rectangle& other : inks) EXPECT_FALSE(ink.overlaps(other)) << text.text;
     inks.push_back(ink);
     // Nor through a line.
-    for (const Stroke& stroke : block.ink.medium)
+    for (const sheet::Stroke& stroke : block.ink.medium)
       if (stroke.points.size() == 2) {
-        const Rectangle line{glm::min(stroke.points[0], stroke.points[1]),
-                             glm::max(stroke.points[0], stroke.points[1])};
-        EXPECT_FALSE(ink.overlaps(line.grown(medium_line / 2))) << text.text;
+        const sheet::Rectangle line{glm::min(stroke.points[0], stroke.points[1]),
+                                    glm::max(stroke.points[0], stroke.points[1])};
+        EXPECT_FALSE(ink.overlaps(line.grown(sheet::medium_line / 2))) << text.text;
       }
   }
 }
 
-TitleBlock filled(const std::string& value) {
-  TitleBlock block;
-  for (const TitleField& field : title_fields()) block.fields.emplace_back(field.name, value);
+sheet::TitleBlock filled(const std::string& value) {
+  sheet::TitleBlock block;
+  for (const scene::TitleField& field : scene::title_fields()) block.fields.emplace_back(field.name, value);
   block.scale = "1:2";
   block.size = "A3";
   block.angle = ProjectionAngle::first;
@@ -67,35 +67,37 @@ TitleBlock filled(const std::string& value) {
 TEST(TitleBlock, StandsInTheLowerRightCornerAndIs180Wide) {
   for (const std::string size : {"A4", "A3", "A2", "A1", "A0", "300x200"})
     for (const bool portrait : {false, true}) {
-      const Paper sheet = paper(size, portrait);
-      const auto box = title_block_box(filled("x"), sheet);
+      const sheet::Paper sheet = paper(size, portrait);
+      const auto box = sheet::title_block_box(filled("x"), sheet);
       ASSERT_TRUE(box) << size;
       EXPECT_EQ(box->size().x, 180);
       EXPECT_EQ(box->max.x, sheet.width - 10);
       EXPECT_EQ(box->min.y, 10);
-      expect_legible(draw_title_block(filled("Abg"), sheet, lettering()), *box);
+      expect_legible(sheet::draw_title_block(filled("Abg"), sheet, lettering()), *box);
     }
-  EXPECT_EQ(title_block_box({}, paper("A4", true))->min.x, 20);  // the whole width
+  EXPECT_EQ(sheet::title_block_box({}, paper("A4", true))->min.x, 20);  // the whole width
 }
 
 TEST(TitleBlock, InventsNothing) {
-  EXPECT_EQ(values(draw_title_block({}, paper("A3"), lettering())), std::vector<std::string>{"1/1"});
+  EXPECT_EQ(values(sheet::draw_title_block({}, paper("A3"), lettering())), std::vector<std::string>{"1/1"});
 }
 
 TEST(TitleBlock, ShowsEveryField) {
-  TitleBlock block = filled("");
+  sheet::TitleBlock block = filled("");
   for (auto& [name, value] : block.fields) value = name.substr(0, 3);
   block.fields.emplace_back("surface_treatment", "anodised");
   block.sheet = 2;
   block.sheets = 5;
-  const auto drawn = draw_title_block(block, paper("A3"), lettering());
+  const auto drawn = sheet::draw_title_block(block, paper("A3"), lettering());
   const auto texts = values(drawn);
   for (const auto& [name, value] : block.fields) EXPECT_TRUE(has(texts, value)) << name;
   EXPECT_TRUE(has(texts, "2/5"));
   EXPECT_TRUE(has(texts, "1:2"));
   EXPECT_TRUE(has(texts, "A3"));
   EXPECT_TRUE(drawn.warnings.empty());
-  const auto is_caption = [](const Text& text) { return text.text == "Surface treatment" && text.role == "caption"; };
+  const auto is_caption = [](const sheet::Text& text) {
+    return text.text == "Surface treatment" && text.role == "caption";
+  };
   EXPECT_TRUE(std::any_of(drawn.ink.texts.begin(), drawn.ink.texts.end(), is_caption));
 }
 
@@ -103,8 +105,8 @@ TEST(TitleBlock, LongTextsAreCutFastAndSaid) {
   const auto start = std::chrono::steady_clock::now();
   for (const std::string& text : {std::string(10000, 'W'), std::string("word ") + std::string(10000, 'w'),
                                   std::string(10000, ' ') + "x", std::string(10000, '\x80')}) {
-    const auto drawn = draw_title_block(filled(text), paper("A3"), lettering());
-    expect_legible(drawn, *title_block_box(filled(text), paper("A3")));
+    const auto drawn = sheet::draw_title_block(filled(text), paper("A3"), lettering());
+    expect_legible(drawn, *sheet::title_block_box(filled(text), paper("A3")));
     EXPECT_EQ(drawn.warnings.empty(), text.ends_with(" x")) << text.substr(0, 9);
   }
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
@@ -112,45 +114,45 @@ TEST(TitleBlock, LongTextsAreCutFastAndSaid) {
 
 TEST(TitleBlock, KeepsMarkupAndUnicodeAsTheyAre) {
   for (const std::string text : {"<script>", "Größe 5 µm", "Деталь", "a & b"}) {
-    const auto drawn = draw_title_block(filled(text), paper("A0"), lettering());
+    const auto drawn = sheet::draw_title_block(filled(text), paper("A0"), lettering());
     EXPECT_TRUE(has(values(drawn), text)) << text;
   }
 }
 
 TEST(TitleBlock, ManyFreeFieldsTakeAtMostHalfOfTheHeight) {
-  TitleBlock block = filled("x");
+  sheet::TitleBlock block = filled("x");
   for (int i = 0; i < 500; ++i) block.fields.emplace_back("field_" + std::to_string(i), "value");
-  const auto box = title_block_box(block, paper("A4"));
+  const auto box = sheet::title_block_box(block, paper("A4"));
   EXPECT_LE(box->size().y, 95);
-  const auto drawn = draw_title_block(block, paper("A4"), lettering());
+  const auto drawn = sheet::draw_title_block(block, paper("A4"), lettering());
   expect_legible(drawn, *box);
   ASSERT_EQ(drawn.warnings.size(), 1U);
   EXPECT_NE(drawn.warnings[0].find("no room"), std::string::npos);
 }
 
 TEST(TitleBlock, SmallSheetsHaveNone) {
-  EXPECT_FALSE(title_block_box({}, paper("60x40")));
-  EXPECT_EQ(draw_title_block({}, paper("60x40"), lettering()).warnings.size(), 1U);
+  EXPECT_FALSE(sheet::title_block_box({}, paper("60x40")));
+  EXPECT_EQ(sheet::draw_title_block({}, paper("60x40"), lettering()).warnings.size(), 1U);
 }
 
 TEST(TitleBlock, BoxDoesNotDependOnTheScale) {
-  TitleBlock block = filled("x");
-  const auto before = title_block_box(block, paper("A3"));
+  sheet::TitleBlock block = filled("x");
+  const auto before = sheet::title_block_box(block, paper("A3"));
   block.scale = "";
   block.angle.reset();
-  EXPECT_EQ(title_block_box(block, paper("A3"))->max, before->max);
+  EXPECT_EQ(sheet::title_block_box(block, paper("A3"))->max, before->max);
 }
 
 TEST(FitText, ShrinksByStandardHeightsThenBreaksThenCuts) {
-  const auto fit = [](const std::string& text, double width) { return fit_text(text, width, 5, lettering()); };
+  const auto fit = [](const std::string& text, double width) { return sheet::fit_text(text, width, 5, lettering()); };
   const double width = lettering().width("two words", 5);
   EXPECT_EQ(fit("two words", width).height, 5);
   EXPECT_EQ(fit("two words", width * 0.99).height, 3.5);
   EXPECT_EQ(fit("two words", width * 0.49).height, 1.8);
-  const FittedText broken = fit("two words", width * 0.3);
+  const sheet::FittedText broken = fit("two words", width * 0.3);
   EXPECT_EQ(broken.lines, (std::vector<std::string>{"two", "words"}));
   EXPECT_FALSE(broken.cut);
-  const FittedText cut = fit("two words, and more of them", width * 0.3);
+  const sheet::FittedText cut = fit("two words, and more of them", width * 0.3);
   EXPECT_TRUE(cut.cut);
   EXPECT_EQ(cut.lines.at(0), "two");
   EXPECT_TRUE(cut.lines.at(1).ends_with("..."));
@@ -160,35 +162,35 @@ TEST(FitText, ShrinksByStandardHeightsThenBreaksThenCuts) {
 TEST(FitText, CutsBetweenCharactersAndTidiesSpace) {
   std::string text;
   for (int i = 0; i < 100; ++i) text += "ä";
-  const std::string line = fit_text(text, 20, 3.5, lettering()).lines.at(0);
+  const std::string line = sheet::fit_text(text, 20, 3.5, lettering()).lines.at(0);
   EXPECT_EQ((line.size() - 3) % 2, 0U);
-  EXPECT_EQ(fit_text(" a \n\t b\x7f", 90, 3.5, lettering()).lines.at(0), "a b");
-  EXPECT_TRUE(fit_text("", 20, 3.5, lettering()).lines.empty());
-  EXPECT_TRUE(fit_text("\n \t", 20, 3.5, lettering()).lines.empty());
+  EXPECT_EQ(sheet::fit_text(" a \n\t b\x7f", 90, 3.5, lettering()).lines.at(0), "a b");
+  EXPECT_TRUE(sheet::fit_text("", 20, 3.5, lettering()).lines.empty());
+  EXPECT_TRUE(sheet::fit_text("\n \t", 20, 3.5, lettering()).lines.empty());
 }
 
 TEST(ViewLabels, ScaleIsWrittenWhereItIsNotTheSheets) {
-  EXPECT_EQ(view_label("A-A", 0.5, 0.5), "A-A");
-  EXPECT_EQ(view_label("A-A", 2.0, 0.5), "A-A (2:1)");
-  EXPECT_EQ(view_label("", 0.2, 0.5), "(1:5)");
-  EXPECT_EQ(view_label("", 0.5, 0.5), "");
-  EXPECT_EQ(view_label("B", std::nullopt, 0.5), "B");
-  EXPECT_EQ(view_label("B", 0.734, 0.5), "B");
-  const Text text = label_above("A-A", {{10, 10}, {30, 40}});
+  EXPECT_EQ(sheet::view_label("A-A", 0.5, 0.5), "A-A");
+  EXPECT_EQ(sheet::view_label("A-A", 2.0, 0.5), "A-A (2:1)");
+  EXPECT_EQ(sheet::view_label("", 0.2, 0.5), "(1:5)");
+  EXPECT_EQ(sheet::view_label("", 0.5, 0.5), "");
+  EXPECT_EQ(sheet::view_label("B", std::nullopt, 0.5), "B");
+  EXPECT_EQ(sheet::view_label("B", 0.734, 0.5), "B");
+  const sheet::Text text = sheet::label_above("A-A", {{10, 10}, {30, 40}});
   EXPECT_EQ(text.at.x, 20);
   EXPECT_GT(text.at.y, 40);
 }
 
 TEST(SheetLayers, HaveNamesAndOneWidthEach) {
-  const auto [layers, warnings] = sheet_layers({paper("A3"), FrameKind::full, filled("x")}, lettering());
+  const auto [layers, warnings] = sheet::sheet_layers({paper("A3"), FrameKind::full, filled("x")}, lettering());
   std::vector<std::string> names;
-  for (const Layer& layer : layers) names.push_back(layer.name);
+  for (const sheet::Layer& layer : layers) names.push_back(layer.name);
   EXPECT_EQ(names, (std::vector<std::string>{"sheet/frame", "sheet/grid", "sheet/title-block", "sheet/centre-lines",
                                              "sheet/text"}));
   EXPECT_EQ(layers[0].style.width, 0.7);
   EXPECT_EQ(layers[1].style.width, 0.35);
   EXPECT_TRUE(warnings.empty());
-  EXPECT_TRUE(sheet_layers({paper("A3")}, lettering()).layers.empty());
+  EXPECT_TRUE(sheet::sheet_layers({paper("A3")}, lettering()).layers.empty());
 }
 
 }  // namespace

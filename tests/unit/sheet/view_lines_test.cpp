@@ -14,8 +14,8 @@
 namespace epura {
 namespace {
 
-void add_chain(ViewDrawing& drawing, const std::vector<Vec2>& points, bool closed, bool visible) {
-  Chain chain{points, closed, visible, EdgeKind::crease, {}};
+void add_chain(drawing::ViewDrawing& drawing, const std::vector<Vec2>& points, bool closed, bool visible) {
+  drawing::Chain chain{points, closed, visible, EdgeKind::crease, {}};
   const std::size_t lines = points.size() - (closed ? 0 : 1);
   for (std::size_t i = 0; i < lines; ++i) {
     const int number = static_cast<int>(drawing.segments.size());
@@ -26,8 +26,8 @@ void add_chain(ViewDrawing& drawing, const std::vector<Vec2>& points, bool close
   drawing.chains.push_back(chain);
 }
 
-ViewDrawing example() {
-  ViewDrawing drawing;
+drawing::ViewDrawing example() {
+  drawing::ViewDrawing drawing;
   drawing.name = "front";
   add_chain(drawing, {{10, 10}, {50, 10}, {50, 40}}, true, true);
   add_chain(drawing, {{10, 10}, {30, 20}}, false, true);
@@ -37,7 +37,8 @@ ViewDrawing example() {
 }
 
 TEST(ViewLines, HiddenLinesLieUnderVisibleOnes) {
-  const std::vector<Layer> layers = view_layers(example(), {0.5, 0.25}, {{LineRole::visible, HiddenLines::dashed}});
+  const std::vector<sheet::Layer> layers =
+      sheet::view_layers(example(), {0.5, 0.25}, {{LineRole::visible, HiddenLines::dashed}});
   ASSERT_EQ(layers.size(), 2u);
   EXPECT_EQ(layers[0].name, "front/hidden");
   EXPECT_EQ(layers[0].style.width, 0.25);
@@ -52,51 +53,54 @@ TEST(ViewLines, HiddenLinesLieUnderVisibleOnes) {
 
 TEST(LineRoles, HaveNamesThatAreFoundAndWordsOfModels) {
   std::set<std::string_view> names, layers;
-  for (const SheetLineRow& row : sheet_lines) {
+  for (const scene::SheetLineRow& row : scene::sheet_lines) {
     EXPECT_TRUE(names.insert(row.name).second && layers.insert(row.layer).second) << row.name;
-    EXPECT_EQ(find_line(row.name), &row);
-    EXPECT_EQ(find_line(row.layer), &row);
+    EXPECT_EQ(scene::find_line(row.name), &row);
+    EXPECT_EQ(scene::find_line(row.layer), &row);
   }
-  EXPECT_EQ(find_line("front/visible"), nullptr);
-  const std::vector<std::string> words(Words<LineRole>::list.begin(), Words<LineRole>::list.end());
+  EXPECT_EQ(scene::find_line("front/visible"), nullptr);
+  const std::vector<std::string> words(scene::Words<LineRole>::list.begin(), scene::Words<LineRole>::list.end());
   EXPECT_EQ(words, (std::vector<std::string>{"visible", "narrow", "neighbour"}));
-  EXPECT_EQ(word_of(LineRole::neighbour), "neighbour");
+  EXPECT_EQ(scene::word_of(LineRole::neighbour), "neighbour");
 }
 
 TEST(ViewLines, LargeSheetsHaveWiderLines) {
   for (const char* size : {"A0", "A1"}) {
-    EXPECT_EQ(line_widths(make_paper(parse_paper_size(size, "--sheet"), true)).wide, 0.7);
-    EXPECT_EQ(line_widths(make_paper(parse_paper_size(size, "--sheet"), true)).narrow, 0.35);
+    EXPECT_EQ(sheet::line_widths(sheet::make_paper(scene::parse_paper_size(size, "--sheet"), true)).wide, 0.7);
+    EXPECT_EQ(sheet::line_widths(sheet::make_paper(scene::parse_paper_size(size, "--sheet"), true)).narrow, 0.35);
   }
-  EXPECT_EQ(line_widths(make_paper(parse_paper_size("A2", "--sheet"), false)).wide, 0.5);
+  EXPECT_EQ(sheet::line_widths(sheet::make_paper(scene::parse_paper_size("A2", "--sheet"), false)).wide, 0.5);
 }
 
 TEST(ViewLines, DashedLinesAreCutAtCorners) {
-  const std::vector<Layer> layers = view_layers(example(), {0.5, 0.25}, {{LineRole::visible, HiddenLines::dashed}});
-  const std::vector<Stroke>& strokes = layers[0].strokes;
+  const std::vector<sheet::Layer> layers =
+      sheet::view_layers(example(), {0.5, 0.25}, {{LineRole::visible, HiddenLines::dashed}});
+  const std::vector<sheet::Stroke>& strokes = layers[0].strokes;
   ASSERT_EQ(strokes.size(), 3u);
   EXPECT_EQ(strokes[0].points, (std::vector<Vec2>{{20, 20}, {60, 20}}));
   EXPECT_EQ(strokes[1].points, (std::vector<Vec2>{{60, 20}, {60, 50}}));
   for (int i : {0, 1}) {
-    const Stroke& stroke = strokes[i];
+    const sheet::Stroke& stroke = strokes[i];
     const double gaps =
-        (length_of(stroke.points, false) - stroke.dashes.dash) / (stroke.dashes.dash + stroke.dashes.gap);
+        (sheet::length_of(stroke.points, false) - stroke.dashes.dash) / (stroke.dashes.dash + stroke.dashes.gap);
     EXPECT_NEAR(gaps, std::round(gaps), 1e-9);
     EXPECT_GT(stroke.dashes.dash, 2);
   }
   // Each piece names its own edges only.
-  EXPECT_EQ(strokes[0].edges, (std::vector<ModelEdge>{{0, {4, 5}}}));
-  EXPECT_EQ(strokes[1].edges, (std::vector<ModelEdge>{{0, {5, 6}}}));
+  EXPECT_EQ(strokes[0].edges, (std::vector<sheet::ModelEdge>{{0, {4, 5}}}));
+  EXPECT_EQ(strokes[1].edges, (std::vector<sheet::ModelEdge>{{0, {5, 6}}}));
   EXPECT_EQ(strokes[0].kind, EdgeKind::crease);
   EXPECT_EQ(strokes[2].dashes.dash, 0);
-  EXPECT_EQ(strokes[2].edges, (std::vector<ModelEdge>{{0, {6, 7}}, {0, {7, 8}}}));
+  EXPECT_EQ(strokes[2].edges, (std::vector<sheet::ModelEdge>{{0, {6, 7}}, {0, {7, 8}}}));
 }
 
 TEST(ViewLines, HiddenLinesAsWished) {
-  const std::vector<Layer> none = view_layers(example(), {0.5, 0.25}, {{LineRole::visible, HiddenLines::none}});
+  const std::vector<sheet::Layer> none =
+      sheet::view_layers(example(), {0.5, 0.25}, {{LineRole::visible, HiddenLines::none}});
   ASSERT_EQ(none.size(), 1u);
   EXPECT_EQ(none[0].name, "front/visible");
-  const std::vector<Layer> solid = view_layers(example(), {0.5, 0.25}, {{LineRole::visible, HiddenLines::solid}});
+  const std::vector<sheet::Layer> solid =
+      sheet::view_layers(example(), {0.5, 0.25}, {{LineRole::visible, HiddenLines::solid}});
   EXPECT_EQ(solid[0].style.dashes.dash, 0);
   EXPECT_EQ(solid[0].style.width, 0.25);
   ASSERT_EQ(solid[0].strokes.size(), 2u);
@@ -104,55 +108,56 @@ TEST(ViewLines, HiddenLinesAsWished) {
 }
 
 // A hidden line through a field of others, `apart` mm from each other.
-Stroke hidden_through_field(double apart) {
-  ViewDrawing drawing;
+sheet::Stroke hidden_through_field(double apart) {
+  drawing::ViewDrawing drawing;
   drawing.name = "front";
   add_chain(drawing, {{0, 0}, {100, 0}}, false, false);
   for (double x = apart; x < 100; x += apart) add_chain(drawing, {{x, -10}, {x, 10}}, false, true);
-  return view_layers(drawing, {0.5, 0.25}, {{LineRole::visible, HiddenLines::dashed}})[0].strokes[0];
+  return sheet::view_layers(drawing, {0.5, 0.25}, {{LineRole::visible, HiddenLines::dashed}})[0].strokes[0];
 }
 
 // Whatever crosses it, a hidden line looks dashed.
 TEST(ViewLines, CrossingsAreHeededWhereTheyLeaveRoomForGaps) {
-  EXPECT_NE(hidden_through_field(10.6).dashes, fit_open(100, 0.25));
+  EXPECT_NE(hidden_through_field(10.6).dashes, sheet::fit_open(100, 0.25));
   for (const double apart : {1.0, 0.5, 0.2, 0.1}) {
-    const Stroke stroke = hidden_through_field(apart);
+    const sheet::Stroke stroke = hidden_through_field(apart);
     EXPECT_TRUE(stroke.pattern.empty());
-    EXPECT_EQ(stroke.dashes, fit_open(100, 0.25)) << apart;
+    EXPECT_EQ(stroke.dashes, sheet::fit_open(100, 0.25)) << apart;
   }
 }
 
 TEST(ViewLines, IntersectionLinesNameNoEdge) {
-  ViewDrawing drawing = example();
+  drawing::ViewDrawing drawing = example();
   drawing.segments[0].edge = {-1, -1};
   drawing.segments[2].edge = drawing.segments[1].edge;
-  const std::vector<Layer> layers = view_layers(drawing, {0.5, 0.25}, {{LineRole::visible, HiddenLines::dashed}});
-  EXPECT_EQ(layers[1].strokes[0].edges, (std::vector<ModelEdge>{{0, {1, 2}}}));
+  const std::vector<sheet::Layer> layers =
+      sheet::view_layers(drawing, {0.5, 0.25}, {{LineRole::visible, HiddenLines::dashed}});
+  EXPECT_EQ(layers[1].strokes[0].edges, (std::vector<sheet::ModelEdge>{{0, {1, 2}}}));
 }
 
 TEST(ViewLines, ModelsHaveLooksOfTheirOwn) {
-  ViewDrawing drawing = example();
+  drawing::ViewDrawing drawing = example();
   for (const int segment : drawing.chains[1].segments) drawing.segments[segment].model = 1;
   for (const int segment : drawing.chains[2].segments) drawing.segments[segment].model = 1;
-  const ModelStyle usual{LineRole::visible, HiddenLines::dashed}, other{LineRole::neighbour, HiddenLines::none};
-  const std::vector<Layer> layers = view_layers(drawing, {0.5, 0.25}, {usual, other});
+  const sheet::ModelStyle usual{LineRole::visible, HiddenLines::dashed}, other{LineRole::neighbour, HiddenLines::none};
+  const std::vector<sheet::Layer> layers = sheet::view_layers(drawing, {0.5, 0.25}, {usual, other});
   ASSERT_EQ(layers.size(), 3u);
   EXPECT_EQ(layers[0].strokes.size(), 1u);  // the hidden line of the other model is left out
   EXPECT_EQ(layers[1].name, "front/neighbour");
-  EXPECT_EQ(layers[1].style.dashes, nominal_dashes(long_dash_double_dot, 0.25));
+  EXPECT_EQ(layers[1].style.dashes, sheet::nominal_dashes(scene::long_dash_double_dot, 0.25));
   EXPECT_EQ(layers[1].strokes[0].dashes.dots, 2);
   EXPECT_EQ(layers[2].strokes.size(), 1u);
 }
 
 TEST(ViewLines, TangentEdgesAreNarrowAndShortOfOutlines) {
-  ViewDrawing drawing;
+  drawing::ViewDrawing drawing;
   drawing.name = "front";
   add_chain(drawing, {{0, 0}, {50, 0}}, false, true);
   add_chain(drawing, {{10, 0}, {10, 20}}, false, true);
   drawing.chains[1].kind = EdgeKind::smooth;
   add_chain(drawing, {{20, 0}, {20, 20}}, false, false);
   drawing.chains[2].kind = EdgeKind::smooth;
-  const std::vector<Layer> layers = view_layers(drawing, {0.5, 0.25}, {{}});
+  const std::vector<sheet::Layer> layers = sheet::view_layers(drawing, {0.5, 0.25}, {{}});
   ASSERT_EQ(layers.size(), 3u);
   EXPECT_TRUE(layers[0].strokes.empty());
   EXPECT_EQ(layers[1].name, "front/tangent");

@@ -18,12 +18,14 @@ constexpr double mm = 40;  // of paper per view unit
 
 struct Scene {
   Result result;
-  ViewLimits limits{};
+  view::ViewLimits limits{};
 
-  [[nodiscard]] StudiedView view() const {
+  [[nodiscard]] study::StudiedView view() const {
     return {"scene", "view", result.world, result.view, limits, result.drawn, {mm, Vec2(0)}};
   }
-  [[nodiscard]] HiddenSpans by(const char* method) const { return contender(view(), parse_method(method, "")).run(); }
+  [[nodiscard]] visibility::HiddenSpans by(const char* method) const {
+    return study::contender(view(), study::parse_method(method, "")).run();
+  }
 };
 
 // Slabs of many sizes and turns before a comb of bars: ends of spans at all places, and short spans, too.
@@ -42,33 +44,34 @@ Shape slabs() {
   return shape;
 }
 
-Scene scene(const Projection& projection = orthographic({0.13, -0.21, 1})) {
+Scene scene(const projection::Projection& projection = orthographic({0.13, -0.21, 1})) {
   return {draw(world_of(slabs()), projection)};
 }
 
-Errors errors_by(const Scene& scene, const std::vector<EdgeTruth>& truth, const char* method) {
-  return errors_of(scene.view(), truth, scene.by(method));
+study::Errors errors_by(const Scene& scene, const std::vector<EdgeTruth>& truth, const char* method) {
+  return study::errors_of(scene.view(), truth, scene.by(method));
 }
 
 TEST(Truth, AgreesWithTheExactMethod) {
-  for (const Projection& projection : {orthographic({0.13, -0.21, 1}), from_above(), orthographic({1, -1, 1}),
-                                       perspective({5, -4, 6}, {0, 0, 0}, {5, -4, 6}, {0, 0, 1}),
-                                       perspective({0.4, 0.2, 1.9}, {0, 0, 0}, {0, 0, 1}, {0, 1, 0})}) {
+  for (const projection::Projection& projection :
+       {orthographic({0.13, -0.21, 1}), from_above(), orthographic({1, -1, 1}),
+        perspective({5, -4, 6}, {0, 0, 0}, {5, -4, 6}, {0, 0, 1}),
+        perspective({0.4, 0.2, 1.9}, {0, 0, 0}, {0, 0, 1}, {0, 1, 0})}) {
     const Scene s = scene(projection);
-    const std::vector<EdgeTruth> truth = truth_of(s.view(), {});
+    const std::vector<EdgeTruth> truth = study::truth_of(s.view(), {});
     EXPECT_EQ(truth.size(), s.result.drawn.edges.size());
-    const Errors errors = errors_of(s.view(), truth, s.result.hidden);
+    const study::Errors errors = study::errors_of(s.view(), truth, s.result.hidden);
     EXPECT_EQ(errors.longest, 0);
     EXPECT_EQ(errors.ink, 0);
     EXPECT_EQ(errors.missed + errors.phantom + errors.cracks, 0);
-    EXPECT_GT(errors_of(s.view(), truth, nothing_hidden(s.result.drawn)).sum, 100);
+    EXPECT_GT(study::errors_of(s.view(), truth, visibility::nothing_hidden(s.result.drawn)).sum, 100);
   }
 }
 
 TEST(Truth, LeavesLittleUndecided) {
   const Scene s = scene();
   double undecided = 0, hidden = 0;
-  const std::vector<EdgeTruth> truth = truth_of(s.view(), {});
+  const std::vector<EdgeTruth> truth = study::truth_of(s.view(), {});
   for (const EdgeTruth& edge : truth) {
     for (const auto& [from, to] : without(edge.perhaps, edge.surely)) undecided += to - from;
     for (const auto& [from, to] : edge.surely) hidden += to - from;
@@ -79,19 +82,19 @@ TEST(Truth, LeavesLittleUndecided) {
 
 TEST(Truth, FindsAPlantedErrorWithItsLength) {
   const Scene s = scene();
-  const std::vector<EdgeTruth> truth = truth_of(s.view(), {});
+  const std::vector<EdgeTruth> truth = study::truth_of(s.view(), {});
   const Result& r = s.result;
   int planted = 0;
   for (std::size_t e = 0; e < r.drawn.edges.size() && planted < 20; ++e) {
-    const Spans spans = hidden_parts(r.hidden, e);
+    const visibility::Spans spans = hidden_parts(r.hidden, e);
     if (spans.size() != 1 || spans[0][0] == 0 || spans[0][1] == 1) continue;
-    HiddenSpans wrong = r.hidden;
+    visibility::HiddenSpans wrong = r.hidden;
     wrong.spans.erase(wrong.spans.begin() + static_cast<std::ptrdiff_t>(r.hidden.first[e]));
     for (std::size_t i = e + 1; i < wrong.first.size(); ++i) --wrong.first[i];
-    const PageVertex& p = r.view.vertices[r.drawn.edges[e].vertex[0]];
-    const PageVertex& q = r.view.vertices[r.drawn.edges[e].vertex[1]];
+    const view::PageVertex& p = r.view.vertices[r.drawn.edges[e].vertex[0]];
+    const view::PageVertex& q = r.view.vertices[r.drawn.edges[e].vertex[1]];
     const double length = (spans[0][1] - spans[0][0]) * std::hypot(p.x - q.x, p.y - q.y) * mm;
-    const Errors errors = errors_of(s.view(), truth, wrong);
+    const study::Errors errors = study::errors_of(s.view(), truth, wrong);
     EXPECT_NEAR(errors.longest, length, 1e-5);
     EXPECT_NEAR(errors.sum, length, 1e-5);
     EXPECT_EQ(errors.edges, 1);
@@ -102,7 +105,7 @@ TEST(Truth, FindsAPlantedErrorWithItsLength) {
 
 TEST(Truth, OfManyEdgesASampleIsJudged) {
   const Scene s = scene();
-  const std::vector<EdgeTruth> some = truth_of(s.view(), {.pairs = 1});
+  const std::vector<EdgeTruth> some = study::truth_of(s.view(), {.pairs = 1});
   EXPECT_LT(some.size(), s.result.drawn.edges.size());
   EXPECT_GT(some.size(), 100U);
   EXPECT_TRUE(std::is_sorted(some.begin(), some.end(), [](const auto& a, const auto& b) { return a.edge < b.edge; }));
@@ -128,10 +131,10 @@ struct Sweep {
 
 Sweep sweep(const std::string& method, const std::string& rest, const std::vector<double>& knobs) {
   const Scene s = scene();
-  const std::vector<EdgeTruth> truth = truth_of(s.view(), {});
+  const std::vector<EdgeTruth> truth = study::truth_of(s.view(), {});
   Sweep result{knobs, {}, {}, {}};
   for (const double knob : knobs) {
-    const Errors errors = errors_by(s, truth, (method + std::to_string(knob) + rest).c_str());
+    const study::Errors errors = errors_by(s, truth, (method + std::to_string(knob) + rest).c_str());
     result.longest.push_back(errors.longest);
     result.sum.push_back(errors.sum);
     result.end_point.push_back(errors.end_point);
@@ -159,7 +162,7 @@ TEST(Methods, BisectedChangesLeaveOnlyMissedSpans) {
 
 TEST(Methods, HalvingsHalveTheError) {
   const Scene s = scene();
-  const std::vector<EdgeTruth> truth = truth_of(s.view(), {});
+  const std::vector<EdgeTruth> truth = study::truth_of(s.view(), {});
   const double none = errors_by(s, truth, "sampled:density=64:halvings=0").end_point;
   const double five = errors_by(s, truth, "sampled:density=64:halvings=5").end_point;
   EXPECT_NEAR(std::log2(none / five), 5, 0.7);
@@ -173,7 +176,7 @@ TEST(Methods, ItemBuffersConvergeWithTheSizeOfPixels) {
 
 TEST(Methods, GridBitsHalveTheError) {
   const Scene s = scene();
-  const std::vector<EdgeTruth> truth = truth_of(s.view(), {});
+  const std::vector<EdgeTruth> truth = study::truth_of(s.view(), {});
   std::vector<double> cells, sums;
   for (const int bits : {8, 10, 12, 14}) {
     cells.push_back(std::exp2(bits));
@@ -184,15 +187,15 @@ TEST(Methods, GridBitsHalveTheError) {
 
 TEST(Measure, RanksAPlantedSlowMethodLast) {
   const Scene s = scene();
-  const StudiedView view = s.view();
-  std::vector<Contender> contenders{contender(view, parse_method("exact", "")),
-                                    {"slow", "",
-                                     [&] {
-                                       std::this_thread::sleep_for(std::chrono::milliseconds(300));
-                                       return s.result.hidden;
-                                     }},
-                                    contender(view, parse_method("none", ""))};
-  const ViewMeasurements found = measure(view, contenders, {.runs = 5});
+  const study::StudiedView view = s.view();
+  std::vector<study::Contender> contenders{study::contender(view, study::parse_method("exact", "")),
+                                           {"slow", "",
+                                            [&] {
+                                              std::this_thread::sleep_for(std::chrono::milliseconds(300));
+                                              return s.result.hidden;
+                                            }},
+                                           study::contender(view, study::parse_method("none", ""))};
+  const study::ViewMeasurements found = study::measure(view, contenders, {.runs = 5});
   ASSERT_EQ(found.methods.size(), 3U);
   const auto slowest = std::max_element(found.methods.begin(), found.methods.end(),
                                         [](const auto& a, const auto& b) { return a.median < b.median; });
@@ -206,22 +209,22 @@ TEST(Measure, RanksAPlantedSlowMethodLast) {
 
 TEST(Measure, TellsMemory) {
   const Scene s = scene();
-  const StudiedView view = s.view();
-  std::vector<Contender> contenders{{"hungry", "", [&] {
-                                       const std::vector<char> bytes(64 << 20, 1);
-                                       HiddenSpans found = s.result.hidden;
-                                       if (bytes[12345] == 0) found = {};
-                                       return found;
-                                     }}};
-  const ViewMeasurements found = measure(view, contenders, {.runs = 5});
+  const study::StudiedView view = s.view();
+  std::vector<study::Contender> contenders{{"hungry", "", [&] {
+                                              const std::vector<char> bytes(64 << 20, 1);
+                                              visibility::HiddenSpans found = s.result.hidden;
+                                              if (bytes[12345] == 0) found = {};
+                                              return found;
+                                            }}};
+  const study::ViewMeasurements found = study::measure(view, contenders, {.runs = 5});
   if (!found.methods[0].memory) GTEST_SKIP() << "this system does not tell the memory of a process";
   EXPECT_GT(*found.methods[0].memory, 60e6);
   EXPECT_LT(*found.methods[0].memory, 120e6);
 }
 
 TEST(Measure, Medians) {
-  EXPECT_EQ(median_of({3, 1, 2}), 2);
-  EXPECT_EQ(median_of({4, 1, 2, 3}), 2.5);
+  EXPECT_EQ(study::median_of({3, 1, 2}), 2);
+  EXPECT_EQ(study::median_of({4, 1, 2, 3}), 2.5);
 }
 
 }  // namespace

@@ -12,10 +12,10 @@
 namespace epura::test {
 namespace {
 
-Method method(const char* text) { return parse_method(text, "--visibility"); }
+study::Method method(const char* text) { return study::parse_method(text, "--visibility"); }
 
 // A tilted slab over bars in many directions: each bar's border is hidden in part.
-World bars() {
+scene::World bars() {
   Shape shape = box({-1, -0.7, 1}, {1, 0.7, 1.3});
   for (int i = -9; i <= 9; ++i) shape.add(box({-3, i * 0.31 - 0.05, -1 - 0.01 * i}, {3, i * 0.31 + 0.06, -0.5}));
   return world_of(shape);
@@ -23,8 +23,8 @@ World bars() {
 
 Result seen() { return draw(bars(), orthographic({0.31, -0.42, 1})); }
 
-HiddenSpans by(const Result& r, const Method& method, double mm = 10) {
-  return find_hidden(r.world, r.view, r.drawn, method, mm);
+visibility::HiddenSpans by(const Result& r, const study::Method& method, double mm = 10) {
+  return study::find_hidden(r.world, r.view, r.drawn, method, mm);
 }
 
 double length_of(const Result& r, std::size_t e) {
@@ -32,7 +32,7 @@ double length_of(const Result& r, std::size_t e) {
   return std::hypot(r.view.vertices[p].x - r.view.vertices[q].x, r.view.vertices[p].y - r.view.vertices[q].y);
 }
 
-double hidden_length(const Result& r, const HiddenSpans& hidden) {
+double hidden_length(const Result& r, const visibility::HiddenSpans& hidden) {
   double sum = 0;
   for (std::size_t e = 0; e < r.drawn.edges.size(); ++e)
     for (std::size_t i = hidden.first[e]; i < hidden.first[e + 1]; ++i)
@@ -43,9 +43,9 @@ double hidden_length(const Result& r, const HiddenSpans& hidden) {
 TEST(Method, IsReadAsItIsWritten) {
   for (const char* text : {"exact", "exact:bits=24", "float", "sampled:density=0.5", "sampled:density=4:halvings=0",
                            "item-buffer:dpi=1200", "none"})
-    EXPECT_EQ(text_of(method(text)), text);
-  EXPECT_EQ(text_of(method("sampled")), "sampled:density=4");
-  EXPECT_EQ(method("exact:bits=30"), Method());
+    EXPECT_EQ(study::text_of(method(text)), text);
+  EXPECT_EQ(study::text_of(method("sampled")), "sampled:density=4");
+  EXPECT_EQ(method("exact:bits=30"), study::Method());
 }
 
 void expect_refused(const char* text, const char* reason) {
@@ -90,7 +90,7 @@ TEST(Method, ExactWithAllBitsIsTheExactMethod) {
 
 TEST(Method, BisectedChangesAreThoseOfTheExactMethod) {
   const Result r = seen();
-  const HiddenSpans sampled = by(r, method("sampled:density=10000"));
+  const visibility::HiddenSpans sampled = by(r, method("sampled:density=10000"));
   ASSERT_EQ(sampled.first, r.hidden.first);
   for (std::size_t i = 0; i < sampled.spans.size(); ++i)
     for (std::size_t k = 0; k < 2; ++k) EXPECT_NEAR(sampled.spans[i][k], r.hidden.spans[i][k], 1e-9);
@@ -99,19 +99,19 @@ TEST(Method, BisectedChangesAreThoseOfTheExactMethod) {
 TEST(Method, DoesNotDependOnThreads) {
   const Result r = seen();
   for (const char* text : {"sampled:density=3", "item-buffer:dpi=300"}) {
-    HiddenSpans alone;
+    visibility::HiddenSpans alone;
     {
       const ThreadLimit one(1);
       alone = by(r, method(text));
     }
-    const HiddenSpans together = by(r, method(text));
+    const visibility::HiddenSpans together = by(r, method(text));
     EXPECT_EQ(alone.first, together.first);
     EXPECT_EQ(alone.spans, together.spans);
   }
 }
 
 TEST(Method, EdgesShorterThanAStepAreLookedAtOnce) {
-  const HiddenSpans found = by(seen(), method("sampled:density=0.001"), 0.01);
+  const visibility::HiddenSpans found = by(seen(), method("sampled:density=0.001"), 0.01);
   EXPECT_FALSE(found.spans.empty());
   for (const auto& span : found.spans) EXPECT_EQ(span, (std::array<double, 2>{0, 1}));
 }

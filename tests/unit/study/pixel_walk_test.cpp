@@ -10,7 +10,7 @@ using Part = std::array<double, 2>;
 using Pixel = std::array<int, 2>;
 
 TEST(PixelWalk, TakesOneStepAColumn) {
-  const PixelWalk walk({0.25, 3.5}, {4.25, 5.5});
+  const study::PixelWalk walk({0.25, 3.5}, {4.25, 5.5});
   ASSERT_EQ(walk.steps(), 4);
   EXPECT_EQ(walk.pixel(0), (Pixel{0, 3}));
   EXPECT_EQ(walk.pixel(3), (Pixel{3, 5}));
@@ -21,7 +21,7 @@ TEST(PixelWalk, TakesOneStepAColumn) {
 }
 
 TEST(PixelWalk, GoesBackwardsAndUpwards) {
-  const PixelWalk walk({2.5, 8.75}, {1.5, 2.75});
+  const study::PixelWalk walk({2.5, 8.75}, {1.5, 2.75});
   ASSERT_EQ(walk.steps(), 6);
   EXPECT_EQ(walk.pixel(0), (Pixel{2, 8}));
   EXPECT_EQ(walk.pixel(5), (Pixel{1, 3}));
@@ -31,7 +31,7 @@ TEST(PixelWalk, GoesBackwardsAndUpwards) {
 
 TEST(PixelWalk, MeetsNoMiddleAndTakesOneStepAllTheSame) {
   for (const auto& [p, q] : {std::pair{Vec2(1.6, 2.1), Vec2(2.4, 2.2)}, {Vec2(1.2, 2.2), Vec2(1.2, 2.2)}}) {
-    const PixelWalk walk(p, q);
+    const study::PixelWalk walk(p, q);
     ASSERT_EQ(walk.steps(), 1);
     EXPECT_EQ(walk.part(0), (Part{0, 1}));
     EXPECT_EQ(walk.position(0), 0.5);

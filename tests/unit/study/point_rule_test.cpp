@@ -22,19 +22,19 @@ class Needles {
 
   // An edge from vertex 0 or 3 to the other, and a triangle 0, 1, 2 along it: as low as 2^-38 of its length, as steep
   // as may be, its plane a little before the edge or behind it.
-  ProjectedScene view() {
+  view::ProjectedScene view() {
     const Vec2 corner(number(-0.5, 0.5), number(-0.5, 0.5));
     const double angle = number(0, 2 * M_PI), length = number(0.01, 0.4);
     const Vec2 along(std::cos(angle), std::sin(angle)), across(-along.y, along.x);
     const double height = length * power(-38, -1);
-    ProjectedScene view;
+    view::ProjectedScene view;
     view.extent = 1;
     view.vertices = {at(corner), at(corner + length * along), at(corner + number(0.3, 1) * length * along)};
     view.vertices[2] = at(Vec2(view.vertices[2].x, view.vertices[2].y) + height * across);
     view.triangles = {{{0, 1, 2}, 0}};
     const Vec2 way = number(0.5, 2) * length * along + number(-0.5, 1.5) * height * across;
     view.vertices.push_back(at(corner + way));
-    PageVertex& end = view.vertices.back();
+    view::PageVertex& end = view.vertices.back();
     end.depth = 0;
     const PointTruth truth = truth_of_point(triangle(view), {view.vertices[0], end}, 1);
     end.depth = truth.ahead + (random_() % 2 == 0 ? 1 : -1) * truth.steepness * power(-46, 0);
@@ -43,14 +43,14 @@ class Needles {
   // Many of them near 0.
   double position() { return power(-40, 0); }
 
-  static std::array<PageVertex, 3> triangle(const ProjectedScene& view) {
+  static std::array<view::PageVertex, 3> triangle(const view::ProjectedScene& view) {
     return {view.vertices[0], view.vertices[1], view.vertices[2]};
   }
 
  private:
   double number(double min, double max) { return min + (max - min) * (static_cast<double>(random_()) / 4294967296.0); }
   double power(double min, double max) { return std::exp2(number(min, max)); }
-  PageVertex at(const Vec2& place) { return {place.x, place.y, number(-0.5, 0.5), 1}; }
+  view::PageVertex at(const Vec2& place) { return {place.x, place.y, number(-0.5, 0.5), 1}; }
 
   std::mt19937 random_;
 };
@@ -59,10 +59,10 @@ TEST(PointRule, HoldsForNeedlesAtACorner) {
   int hidden = 0, visible = 0;
   for (unsigned seed = 1; seed <= 20000; ++seed) {
     Needles needles(seed);
-    ProjectedScene view = needles.view();
+    view::ProjectedScene view = needles.view();
     view.contact = {joined, joined, 0};
     const bool forward = seed % 2 == 0;
-    const PointRule rule(view, forward ? PageEdge{0, 3} : PageEdge{3, 0});
+    const study::PointRule rule(view, forward ? visibility::PageEdge{0, 3} : visibility::PageEdge{3, 0});
     const double s = needles.position();
     const PointTruth truth = truth_of_point(Needles::triangle(view), {view.vertices[0], view.vertices[3]}, s);
     const bool hides = rule.hides(view.triangles[0], forward ? s : 1 - s);

@@ -125,10 +125,10 @@ TEST_F(Reports, AgreeWithEachOther) {
 }
 
 TEST_F(Reports, PlotEveryStepOfEveryArithmetic) {
-  const Sheet sheet = to_sheet(report.front());
+  const sheet::Sheet sheet = to_sheet(report.front());
   std::size_t marks = 0;
-  for (const Layer& layer : sheet.layers) {
-    for (const Stroke& stroke : layer.strokes)
+  for (const sheet::Layer& layer : sheet.layers) {
+    for (const sheet::Stroke& stroke : layer.strokes)
       for (const Vec2& p : stroke.points)
         EXPECT_TRUE(p.x >= 0 && p.x <= sheet.width && p.y >= 0 && p.y <= sheet.height) << layer.name;
     marks += layer.fills.size();

@@ -20,23 +20,23 @@ TEST(Bounded, HoldsTheExactResult) {
   for (int i = 0; i < 1000; ++i) {
     std::array<double, 4> x{};
     for (double& value : x) value = 1 + std::ldexp(static_cast<double>(random() >> 11), -53);
-    const Bounded bounded = formula<Bounded>(x);
-    const Exact error = abs(formula<Exact>(x) - Exact(bounded.value));
-    EXPECT_LE(error, Exact(bounded.error));
+    const verify::Bounded bounded = formula<verify::Bounded>(x);
+    const verify::Exact error = abs(formula<verify::Exact>(x) - verify::Exact(bounded.value));
+    EXPECT_LE(error, verify::Exact(bounded.error));
     EXPECT_LT(bounded.error, 1e-14);
   }
 }
 
 TEST(Bounded, CancellationKeepsTheBound) {
-  const Bounded third = Bounded(1) / Bounded(3);
-  const Bounded rest = third * Bounded(3) - Bounded(1);
+  const verify::Bounded third = verify::Bounded(1) / verify::Bounded(3);
+  const verify::Bounded rest = third * verify::Bounded(3) - verify::Bounded(1);
   EXPECT_LE(std::abs(rest.value), rest.error);
   EXPECT_GT(rest.error, 1e-17);
 }
 
 TEST(Bounded, DividingByWhatMayBeZeroIsUnknown) {
-  const Bounded perhaps_zero(1e-20, 1e-19);
-  EXPECT_TRUE(std::isinf((Bounded(1) / perhaps_zero).error));
+  const verify::Bounded perhaps_zero(1e-20, 1e-19);
+  EXPECT_TRUE(std::isinf((verify::Bounded(1) / perhaps_zero).error));
 }
 
 }  // namespace

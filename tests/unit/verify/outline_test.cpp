@@ -18,15 +18,16 @@ namespace {
 
 constexpr int samples = 2000;
 
-OutlineCheck checked(const Result& r, const OutlineOptions& options = {{}, samples}, const ViewLimits& limits = {}) {
-  const Tolerance tolerance{r.view.extent, r.view.contact.touching};
-  return verify_outline({r.world, r.view.projection, limits, r.drawn, r.hidden, r.drawing}, tolerance, options);
+report::OutlineCheck checked(const Result& r, const verify::OutlineOptions& options = {{}, samples},
+                             const view::ViewLimits& limits = {}) {
+  const verify::Tolerance tolerance{r.view.extent, r.view.contact.touching};
+  return verify::verify_outline({r.world, r.view.projection, limits, r.drawn, r.hidden, r.drawing}, tolerance, options);
 }
 
-std::string told(const OutlineCheck& outline) {
-  Verification found;
+std::string told(const report::OutlineCheck& outline) {
+  report::Verification found;
   found.outline = outline;
-  return format_verification(found);
+  return report::format_verification(found);
 }
 
 // Boxes before, in and beside each other.
@@ -69,30 +70,30 @@ Shape pointed_cone() {
   return shape;
 }
 
-std::vector<Projection> views() {
+std::vector<projection::Projection> views() {
   return {orthographic({0.31, -0.62, 0.41}), orthographic({1, -1, 1}), orthographic({0, -1, 0}),
           perspective({4, -3, 3.5}, {0.5, 0.5, 0.5}, {4, -3, 3}, {0, 0, 1})};
 }
 
-double length_of(const Segment& s) { return glm::distance(s.from, s.to); }
+double length_of(const drawing::Segment& s) { return glm::distance(s.from, s.to); }
 
-double visible_ink(const ViewDrawing& drawing) {
+double visible_ink(const drawing::ViewDrawing& drawing) {
   double length = 0;
-  for (const Segment& s : drawing.segments) length += s.visible ? length_of(s) : 0;
+  for (const drawing::Segment& s : drawing.segments) length += s.visible ? length_of(s) : 0;
   return length;
 }
 
-double distance(const Vec2& place, const Segment& s) {
+double distance(const Vec2& place, const drawing::Segment& s) {
   const Vec2 way = s.to - s.from;
   return glm::distance(place, s.from + std::clamp(glm::dot(place - s.from, way) / glm::dot(way, way), 0.0, 1.0) * way);
 }
 
 // One fault of this kind on the segment, and none elsewhere.
-void expect_fault(const OutlineCheck& found, const std::string& what, const Segment& at, double near) {
+void expect_fault(const report::OutlineCheck& found, const std::string& what, const drawing::Segment& at, double near) {
   ASSERT_FALSE(found.worst.empty()) << what << " of " << length_of(at);
   EXPECT_GT(found.wrong(), 0);
   EXPECT_GT(found.at_most, 0);
-  for (const OutlineFault& fault : found.worst) {
+  for (const report::OutlineFault& fault : found.worst) {
     EXPECT_EQ(fault.what, what) << told(found);
     EXPECT_LT(distance(fault.page, at), near) << told(found);
   }
@@ -104,8 +105,8 @@ TEST(Outline, RightDrawingsAreRight) {
       boxes(),      fan(24),           moebius(40),          pointed_cone(), triangulated_cube(),
       fine_cube(6), uv_sphere(40, 20), klein_bottle(24, 16), sombrero(3, 24)};
   for (std::size_t i = 0; i < zoo.size(); ++i)
-    for (const Projection& view : views()) {
-      const OutlineCheck found = checked(draw(world_of(zoo[i]), view));
+    for (const projection::Projection& view : views()) {
+      const report::OutlineCheck found = checked(draw(world_of(zoo[i]), view));
       EXPECT_EQ(found.wrong(), 0) << i << '\n' << told(found);
       EXPECT_GT(found.asked, samples / 4) << i;
       EXPECT_GT(found.ink, samples / 2) << i;
@@ -116,7 +117,7 @@ TEST(Outline, RightDrawingsAreRight) {
 // The lines across the page measure the ink: by Crofton's formula, and by adding it up.
 TEST(Outline, PlacesStandForLengths) {
   const Result r = draw(world_of(boxes()), views()[0]);
-  const OutlineCheck found = checked(r);
+  const report::OutlineCheck found = checked(r);
   EXPECT_NEAR(found.ink * found.length, visible_ink(r.drawing), 0.05 * visible_ink(r.drawing));
   EXPECT_NEAR(found.asked * found.length, visible_ink(r.drawing), 0.05 * visible_ink(r.drawing));
 }
@@ -124,14 +125,14 @@ TEST(Outline, PlacesStandForLengths) {
 // Each line of at least one part in a hundred, in turn.
 TEST(Outline, ARemovedLineIsFound) {
   for (const Shape& shape : {boxes(), uv_sphere(16, 8), pointed_cone()})
-    for (const Projection& view : {views()[0], views()[3]}) {
+    for (const projection::Projection& view : {views()[0], views()[3]}) {
       const Result right = draw(world_of(shape), view);
       for (std::size_t i = 0; i < right.drawing.segments.size(); ++i) {
-        const Segment removed = right.drawing.segments[i];
+        const drawing::Segment removed = right.drawing.segments[i];
         if (!removed.visible || length_of(removed) < 0.01 * visible_ink(right.drawing)) continue;
         Result wrong = right;
         wrong.drawing.segments.erase(wrong.drawing.segments.begin() + static_cast<std::ptrdiff_t>(i));
-        const OutlineCheck found = checked(wrong);
+        const report::OutlineCheck found = checked(wrong);
         expect_fault(found, "missing", removed, 1e-6 * right.view.extent);
         if (!found.worst.empty() && removed.edge[0] >= 0) {
           EXPECT_EQ(found.worst[0].edge, removed.edge);
@@ -143,46 +144,46 @@ TEST(Outline, ARemovedLineIsFound) {
 
 TEST(Outline, AnOutlineDrawnHiddenIsFound) {
   Result r = draw(world_of(pointed_cone()), orthographic({0, -1, 0}));
-  const auto longest =
-      std::ranges::max_element(r.drawing.segments, {}, [](const Segment& s) { return s.visible ? length_of(s) : 0; });
+  const auto longest = std::ranges::max_element(r.drawing.segments, {},
+                                                [](const drawing::Segment& s) { return s.visible ? length_of(s) : 0; });
   longest->visible = false;
   expect_fault(checked(r), "missing", *longest, 1e-6 * r.view.extent);
 }
 
 TEST(Outline, ASecondLineIsFound) {
-  for (const Projection& view : {views()[0], views()[3]})
+  for (const projection::Projection& view : {views()[0], views()[3]})
     for (const double aside : {0.0, 1e-8, 1e-4, 1e-2}) {
       Result r = draw(world_of(boxes()), view);
-      const Segment longest = *std::ranges::max_element(r.drawing.segments, {},
-                                                        [](const Segment& s) { return s.visible ? length_of(s) : 0; });
+      const drawing::Segment longest = *std::ranges::max_element(
+          r.drawing.segments, {}, [](const drawing::Segment& s) { return s.visible ? length_of(s) : 0; });
       const Vec2 way = (longest.to - longest.from) / length_of(longest);
-      Segment second = longest;
+      drawing::Segment second = longest;
       second.from += aside * r.view.extent * Vec2(-way.y, way.x);
       second.to += aside * r.view.extent * Vec2(-way.y, way.x);
       r.drawing.segments.push_back(second);
-      const OutlineCheck found = checked(r);
+      const report::OutlineCheck found = checked(r);
       expect_fault(found, "doubled", longest, (aside + 1e-6) * r.view.extent);
       EXPECT_EQ(found.missing, 0);
     }
 }
 
 TEST(Outline, ALineThatNothingAsksForIsFound) {
-  for (const Projection& view : {views()[0], views()[3]}) {
+  for (const projection::Projection& view : {views()[0], views()[3]}) {
     Result r = draw(world_of(box({0, 0, 0}, {1, 1, 1})), view);
     // Between the middles of two lines.
-    const auto visible = [](const Segment& s) { return s.visible; };
+    const auto visible = [](const drawing::Segment& s) { return s.visible; };
     const auto first = std::ranges::find_if(r.drawing.segments, visible);
     const auto second = std::find_if(first + 1, r.drawing.segments.end(), visible);
-    const Segment spoke{0.5 * (first->from + first->to),
-                        0.5 * (second->from + second->to),
-                        true,
-                        EdgeKind::crease,
-                        0,
-                        {-1, -1},
-                        -1,
-                        {0, 1}};
+    const drawing::Segment spoke{0.5 * (first->from + first->to),
+                                 0.5 * (second->from + second->to),
+                                 true,
+                                 EdgeKind::crease,
+                                 0,
+                                 {-1, -1},
+                                 -1,
+                                 {0, 1}};
     r.drawing.segments.push_back(spoke);
-    const OutlineCheck found = checked(r);
+    const report::OutlineCheck found = checked(r);
     expect_fault(found, "unfounded", spoke, 1e-6 * r.view.extent);
     EXPECT_EQ(found.missing + found.doubled, 0);
   }
@@ -191,22 +192,22 @@ TEST(Outline, ALineThatNothingAsksForIsFound) {
 // The drawing of a pointed cone is right for one whose apex is a ring of needles, and stays so without the needles.
 TEST(Outline, NeedlesHaveNoLinesOfTheirOwn) {
   for (const double ring : {1e-16, 1e-10, 1e-8})
-    for (const Projection& view :
+    for (const projection::Projection& view :
          {orthographic({0.2, -1, 0.3}), perspective({1, -9, 3}, {0, 0, 1}, {1, -9, 2}, {0, 0, 1})}) {
       Result r = draw(world_of(pointed_cone()), view);
-      const ViewDrawing right = r.drawing;
+      const drawing::ViewDrawing right = r.drawing;
       r.world = world_of(cone(ring));
       EXPECT_EQ(checked(r).wrong(), 0) << ring << '\n' << told(checked(r));
-      const auto longest = std::ranges::max_element(r.drawing.segments, {},
-                                                    [](const Segment& s) { return s.visible ? length_of(s) : 0; });
-      const Segment removed = *longest;
+      const auto longest = std::ranges::max_element(
+          r.drawing.segments, {}, [](const drawing::Segment& s) { return s.visible ? length_of(s) : 0; });
+      const drawing::Segment removed = *longest;
       r.drawing.segments.erase(longest);
       expect_fault(checked(r), "missing", removed, 1e-6 * r.view.extent);
       // A spoke from each corner of the base to the apex.
       r.drawing = right;
       const Vec4 apex = r.drawing.world_to_page * Vec4(0, 0, 3, 1),
                  corner = r.drawing.world_to_page * Vec4(0, -1, 0, 1);
-      const Segment spoke{
+      const drawing::Segment spoke{
           Vec2(corner) / corner.w, Vec2(apex) / apex.w, true, EdgeKind::contour, 0, {-1, -1}, -1, {0, 1}};
       r.drawing.segments.push_back(spoke);
       expect_fault(checked(r), "unfounded", spoke, 1e-6 * r.view.extent);
@@ -217,13 +218,13 @@ TEST(Outline, BothSidesOfANeedleAreOneLine) {
   Result r = draw(world_of(pointed_cone()), orthographic({0.2, -1, 0.3}));
   r.world = world_of(cone(1e-16));
   const auto side = std::ranges::find_if(
-      r.drawing.segments, [](const Segment& s) { return s.visible && s.edge[0] < 23 && s.edge[1] == 24; });
+      r.drawing.segments, [](const drawing::Segment& s) { return s.visible && s.edge[0] < 23 && s.edge[1] == 24; });
   ASSERT_NE(side, r.drawing.segments.end());
   const int corner = side->edge[0];
   side->edge = {corner, 24 + corner};
-  const Segment first = *side;
+  const drawing::Segment first = *side;
   ASSERT_EQ(checked(r).wrong(), 0);
-  Segment second = first;
+  drawing::Segment second = first;
   second.edge = {corner, 25 + corner};
   second.from += 1e-7 * r.view.extent;
   second.to += 1e-7 * r.view.extent;
@@ -232,23 +233,23 @@ TEST(Outline, BothSidesOfANeedleAreOneLine) {
 }
 
 TEST(Outline, OnlyWhatWasWantedIsAskedFor) {
-  std::vector<EdgeOptions> options(4);
+  std::vector<edges::EdgeOptions> options(4);
   options[0].crease = false;
   options[1].contour = options[1].intersection = false;
   options[2].crease_angle = 100;
   options[3].smooth = options[3].tangent = true;
   for (const Shape& shape : {boxes(), uv_sphere(24, 12), moebius(40)})
-    for (const EdgeOptions& edges : options) {
+    for (const edges::EdgeOptions& edges : options) {
       const Result r = draw(world_of(shape), views()[0], edges);
       EXPECT_EQ(checked(r, {edges, samples}).wrong(), 0) << told(checked(r, {edges, samples}));
     }
-  EdgeOptions few;
+  edges::EdgeOptions few;
   few.crease = false;
   EXPECT_GT(checked(draw(world_of(boxes()), views()[0], few)).missing, 0);
-  EdgeOptions all;
+  edges::EdgeOptions all;
   all.smooth = true;
   Result edges = draw(world_of(uv_sphere(24, 12)), views()[0], all);
-  for (Segment& s : edges.drawing.segments) s.kind = EdgeKind::contour;
+  for (drawing::Segment& s : edges.drawing.segments) s.kind = EdgeKind::contour;
   EXPECT_GT(checked(edges).unfounded, 0);
 }
 
@@ -256,7 +257,7 @@ TEST(Outline, WhatTimeLeftOutIsNotMissed) {
   Result r = draw(world_of(boxes()), views()[0]);
   r.drawing.segments.resize(r.drawing.segments.size() / 2);
   EXPECT_GT(checked(r).missing, 0);
-  const OutlineCheck partial = checked(r, {{}, samples, false});
+  const report::OutlineCheck partial = checked(r, {{}, samples, false});
   EXPECT_EQ(partial.wrong(), 0);
   EXPECT_EQ(partial.asked, 0);
   EXPECT_GT(partial.ink, 0);
@@ -265,7 +266,7 @@ TEST(Outline, WhatTimeLeftOutIsNotMissed) {
 TEST(Outline, AnEmptyDrawingLacksEverything) {
   Result r = draw(world_of(boxes()), views()[0]);
   r.drawing.segments.clear();
-  const OutlineCheck found = checked(r);
+  const report::OutlineCheck found = checked(r);
   EXPECT_GT(found.asked, 500);
   EXPECT_EQ(found.missing + found.undecided, found.asked);
   EXPECT_GT(found.missing, 0.99 * found.asked);
@@ -274,7 +275,7 @@ TEST(Outline, AnEmptyDrawingLacksEverything) {
 // Limits of depth end surfaces without a line.
 TEST(Outline, LimitsOfDepthAreRespected) {
   for (const auto& [view, near] : {std::pair{orthographic({0.1, -1, 0.2}), -0.3}, std::pair{views().back(), 4.6}}) {
-    const ViewLimits limits{near, {}};
+    const view::ViewLimits limits{near, {}};
     const Result r = draw(world_of(boxes()), view, {}, limits);
     EXPECT_EQ(checked(r, {{}, samples}, limits).wrong(), 0) << told(checked(r, {{}, samples}, limits));
     EXPECT_GT(checked(r).wrong(), 0);
@@ -285,8 +286,8 @@ TEST(Outline, TouchingAndCoplanarFacesAreRight) {
   Shape shape = box({0, 0, 0}, {1, 1, 1});
   shape.add(box({1, 0, 0}, {2, 1, 1}));
   shape.add(box({0.5, 0.2, 1}, {1.5, 0.8, 1.5}));
-  for (const Projection& view : views()) {
-    const OutlineCheck found = checked(draw(world_of({shape, shape.moved(0, 0.3, 0)}), view));
+  for (const projection::Projection& view : views()) {
+    const report::OutlineCheck found = checked(draw(world_of({shape, shape.moved(0, 0.3, 0)}), view));
     EXPECT_EQ(found.wrong(), 0) << told(found);
   }
 }
@@ -296,7 +297,8 @@ TEST(Outline, AnySizeAndPlace) {
     Result r = draw(world_of(shape), views()[0]);
     EXPECT_EQ(checked(r).wrong(), 0) << told(checked(r));
     EXPECT_GT(checked(r).asked, samples / 2);
-    r.drawing.segments.erase(std::ranges::find_if(r.drawing.segments, [](const Segment& s) { return s.visible; }));
+    r.drawing.segments.erase(
+        std::ranges::find_if(r.drawing.segments, [](const drawing::Segment& s) { return s.visible; }));
     EXPECT_GT(checked(r).missing, 0);
   }
 }

@@ -9,19 +9,19 @@
 namespace epura::test {
 namespace {
 
-Slice slice_of(const std::vector<std::array<double, 4>>& pieces) {
-  Slice slice;
+verify::Slice slice_of(const std::vector<std::array<double, 4>>& pieces) {
+  verify::Slice slice;
   for (const auto& [u0, u1, z0, z1] : pieces) slice.pieces.push_back({0, {u0, u1}, {z0, z1}, {-1, -1}});
   return slice;
 }
 
 TEST(UpperEnvelope, NothingOverNothing) {
-  EXPECT_TRUE(upper_envelope({}).empty());
-  EXPECT_TRUE(upper_envelope(slice_of({{1, 1, 0, 5}})).empty());
+  EXPECT_TRUE(verify::upper_envelope({}).empty());
+  EXPECT_TRUE(verify::upper_envelope(slice_of({{1, 1, 0, 5}})).empty());
 }
 
 TEST(UpperEnvelope, PiecesThatCrossTakeTurns) {
-  const auto seen = upper_envelope(slice_of({{0, 4, 0, 4}, {1, 3, 3, 1}, {6, 7, 0, 0}}));
+  const auto seen = verify::upper_envelope(slice_of({{0, 4, 0, 4}, {1, 3, 3, 1}, {6, 7, 0, 0}}));
   ASSERT_EQ(seen.size(), 4);
   EXPECT_EQ(seen[0].piece, 0);
   EXPECT_EQ(seen[0].to, 1);
@@ -42,14 +42,14 @@ TEST(UpperEnvelope, IsTheHighestOfAll) {
       const double from = uniform();
       pieces.push_back({from, from + 0.3 * uniform(), uniform(), uniform()});
     }
-    const Slice slice = slice_of(pieces);
-    const auto seen = upper_envelope(slice);
+    const verify::Slice slice = slice_of(pieces);
+    const auto seen = verify::upper_envelope(slice);
     for (int i = 0; i < 200; ++i) {
       const double u = 1.3 * uniform();
       double highest = -1, here = -1;
-      for (const SlicePiece& piece : slice.pieces)
+      for (const verify::SlicePiece& piece : slice.pieces)
         if (piece.u[0] < u && u < piece.u[1]) highest = std::max(highest, piece.depth_at(u));
-      for (const SeenPart& part : seen)
+      for (const verify::SeenPart& part : seen)
         if (part.from < u && u < part.to) here = slice.pieces[part.piece].depth_at(u);
       EXPECT_NEAR(here, highest, 1e-12);
     }

@@ -14,10 +14,11 @@
 namespace epura::test {
 namespace {
 
-Tolerance tolerance_of(const Result& r) { return {r.view.extent, r.view.contact.touching}; }
+verify::Tolerance tolerance_of(const Result& r) { return {r.view.extent, r.view.contact.touching}; }
 
-Verification verified(const Result& r, const ViewLimits& limits = {}) {
-  return verify({r.world, r.view.projection, limits, r.drawn, r.hidden, r.drawing}, tolerance_of(r), 1000, true);
+report::Verification verified(const Result& r, const view::ViewLimits& limits = {}) {
+  return verify::verify({r.world, r.view.projection, limits, r.drawn, r.hidden, r.drawing}, tolerance_of(r), 1000,
+                        true);
 }
 
 // Boxes before, in and beside each other; the upright one hides the middle of edges.
@@ -29,7 +30,7 @@ Shape scene() {
   return shape;
 }
 
-std::vector<Projection> views() {
+std::vector<projection::Projection> views() {
   return {orthographic({1, -1, 1}), orthographic({0.31, -0.62, 0.41}), orthographic({0, -1, 0}),
           perspective({4, -3, 3.5}, {0.5, 0.5, 0.5}, {4, -3, 3}, {0, 0, 1})};
 }
@@ -48,15 +49,15 @@ double page_length(const Result& r, std::size_t edge) {
   return std::hypot(r.view.vertices[a].x - r.view.vertices[b].x, r.view.vertices[a].y - r.view.vertices[b].y);
 }
 
-bool names(const Verification& found, const Result& r, std::size_t edge) {
+bool names(const report::Verification& found, const Result& r, std::size_t edge) {
   const auto& ends = r.world.models[0].mesh->edges[r.drawn.edges[edge].mesh_edge].vertex;
-  return std::ranges::any_of(found.worst, [&](const Mismatch& offence) { return offence.edge == ends; });
+  return std::ranges::any_of(found.worst, [&](const report::Mismatch& offence) { return offence.edge == ends; });
 }
 
 TEST(Verify, RightDrawingsAreRight) {
-  for (const Projection& view : views()) {
-    const Verification found = verified(draw(world_of(scene()), view));
-    EXPECT_EQ(found.wrong, 0) << format_verification(found);
+  for (const projection::Projection& view : views()) {
+    const report::Verification found = verified(draw(world_of(scene()), view));
+    EXPECT_EQ(found.wrong, 0) << report::format_verification(found);
     EXPECT_EQ(found.misclassified, 0);
     EXPECT_LT(found.at_most, 0.02);
     EXPECT_GT(found.decided, found.points / 3);
@@ -65,7 +66,7 @@ TEST(Verify, RightDrawingsAreRight) {
 }
 
 TEST(Verify, GeneralViewsAreDecided) {
-  const Verification found = verified(draw(world_of(scene()), orthographic({0.31, -0.62, 0.41})));
+  const report::Verification found = verified(draw(world_of(scene()), orthographic({0.31, -0.62, 0.41})));
   EXPECT_EQ(found.decided, found.points);
 }
 
@@ -75,7 +76,7 @@ TEST(Verify, AFlippedSpanIsFound) {
   auto& span = r.hidden.spans[r.hidden.first[edge]];
   const double share = (span[1] - span[0]) * page_length(r, edge);
   span = {0.5 * (span[0] + span[1]), 0.5 * (span[0] + span[1])};
-  const Verification found = verified(r);
+  const report::Verification found = verified(r);
   EXPECT_GT(found.wrong, 0);
   EXPECT_TRUE(names(found, r, edge));
   EXPECT_EQ(found.worst[0].what, "drawn visible");
@@ -90,7 +91,7 @@ TEST(Verify, AnEdgeSwappedToHiddenIsFound) {
   while (r.hidden.first[edge] != r.hidden.first[edge + 1]) ++edge;
   r.hidden.spans.insert(r.hidden.spans.begin() + static_cast<std::ptrdiff_t>(r.hidden.first[edge]), {0.0, 1.0});
   for (std::size_t e = edge + 1; e < r.hidden.first.size(); ++e) ++r.hidden.first[e];
-  const Verification found = verified(r);
+  const report::Verification found = verified(r);
   EXPECT_GT(found.wrong, 0);
   EXPECT_TRUE(names(found, r, edge));
   EXPECT_EQ(found.worst[0].what, "drawn hidden");
@@ -99,14 +100,15 @@ TEST(Verify, AnEdgeSwappedToHiddenIsFound) {
 
 // A hundred thousandth of the drawing is found, a tenth of the guarantee is none of our business.
 TEST(Verify, AShiftedEndIsFound) {
-  for (const Projection& view : {orthographic({1, -1.1, 0.9}), views().back()})
+  for (const projection::Projection& view : {orthographic({1, -1.1, 0.9}), views().back()})
     for (const int end : {0, 1})
       for (const double shift : {1e-5, -1e-5, 1e-7}) {
         Result r = draw(world_of(scene()), view);
         const std::size_t edge = edge_with_inner_span(r);
         r.hidden.spans[r.hidden.first[edge]][end] += shift * r.view.extent / page_length(r, edge);
-        const Verification found = verified(r);
-        EXPECT_EQ(found.wrong > 0, std::abs(shift) > 1e-6) << end << ' ' << shift << '\n' << format_verification(found);
+        const report::Verification found = verified(r);
+        EXPECT_EQ(found.wrong > 0, std::abs(shift) > 1e-6) << end << ' ' << shift << '\n'
+                                                           << report::format_verification(found);
         EXPECT_EQ(names(found, r, edge), found.wrong > 0);
       }
 }
@@ -117,9 +119,9 @@ TEST(Verify, AForgottenOccluderIsFound) {
   Result r = draw(world_of(back), orthographic({0.1, -1, 0.2}));
   ASSERT_EQ(verified(r).wrong, 0);
   r.world = world_of({back, front});
-  const Verification found = verified(r);
+  const report::Verification found = verified(r);
   EXPECT_GT(found.wrong, 0);
-  for (const Mismatch& offence : found.worst) {
+  for (const report::Mismatch& offence : found.worst) {
     EXPECT_EQ(offence.what, "drawn visible");
     ASSERT_TRUE(offence.hider);
     EXPECT_EQ(offence.hider->model, 1);
@@ -129,20 +131,20 @@ TEST(Verify, AForgottenOccluderIsFound) {
 TEST(Verify, AMissingLineIsFound) {
   Result r = draw(world_of(scene()), orthographic({1, -1.1, 0.9}));
   const auto longest = std::ranges::max_element(
-      r.drawing.segments, {}, [](const Segment& s) { return s.visible ? glm::distance(s.from, s.to) : 0; });
+      r.drawing.segments, {}, [](const drawing::Segment& s) { return s.visible ? glm::distance(s.from, s.to) : 0; });
   r.drawing.segments.erase(longest);
-  const Verification found = verified(r);
+  const report::Verification found = verified(r);
   EXPECT_GT(found.wrong, 0);
-  for (const Mismatch& offence : found.worst) EXPECT_EQ(offence.what, "not drawn");
+  for (const report::Mismatch& offence : found.worst) EXPECT_EQ(offence.what, "not drawn");
 }
 
 // What the near limit cuts away hides nothing.
 TEST(Verify, LimitsOfDepthAreRespected) {
-  const World world = world_of(scene());
+  const scene::World world = world_of(scene());
   for (const auto& [view, near] : {std::pair{orthographic({0.1, -1, 0.2}), -0.3}, std::pair{views().back(), 4.6}}) {
-    const ViewLimits limits{near, {}};
+    const view::ViewLimits limits{near, {}};
     const Result r = draw(world, view, {}, limits);
-    EXPECT_EQ(verified(r, limits).wrong, 0) << format_verification(verified(r, limits));
+    EXPECT_EQ(verified(r, limits).wrong, 0) << report::format_verification(verified(r, limits));
     EXPECT_GT(verified(r).wrong, 0);
   }
 }
@@ -151,12 +153,13 @@ TEST(Verify, TouchingAndCoplanarFacesAreNotWrong) {
   Shape shape = box({0, 0, 0}, {1, 1, 1});
   shape.add(box({1, 0, 0}, {2, 1, 1}));
   shape.add(box({0.5, 0.2, 1}, {1.5, 0.8, 1.5}));
-  for (const Projection& view : views()) EXPECT_EQ(verified(draw(world_of(shape), view)).wrong, 0);
+  for (const projection::Projection& view : views()) EXPECT_EQ(verified(draw(world_of(shape), view)).wrong, 0);
 }
 
 TEST(Verify, IntersectionLinesAreTested) {
-  const Verification found = verified(draw(world_of(scene()), orthographic({0.31, -0.62, 0.41})));
-  EXPECT_TRUE(std::ranges::any_of(found.strata, [](const Stratum& s) { return s.kind == EdgeKind::intersection; }));
+  const report::Verification found = verified(draw(world_of(scene()), orthographic({0.31, -0.62, 0.41})));
+  EXPECT_TRUE(
+      std::ranges::any_of(found.strata, [](const report::Stratum& s) { return s.kind == EdgeKind::intersection; }));
 }
 
 // Of a part that was offset: faces lower than the page's grid is fine, edge to edge. On the grid one of them hides an
@@ -180,17 +183,17 @@ TEST(Verify, FacesLowerThanTheGridAreUndecided) {
                   {5347.9918413788973, -20110.344369677317, 5291.759198907067},
                   {5347.9921274251419, -20110.343274086503, 5291.7605908813957}};
   shape.faces = {{7, 2, 4}, {5, 3, 8}, {1, 0, 6}, {9, 13, 15}, {9, 15, 14}, {11, 10, 12}};
-  const Verification found = verified(draw(world_of(shape), orthographic({1, -1, 1})));
-  EXPECT_EQ(found.wrong, 0) << format_verification(found);
+  const report::Verification found = verified(draw(world_of(shape), orthographic({1, -1, 1})));
+  EXPECT_EQ(found.wrong, 0) << report::format_verification(found);
 }
 
 // Far from the origin doubles cannot tell where the rays pass, and rationals must.
 TEST(Verify, FarFromTheOriginRationalsDecide) {
   const Shape far = scene().scaled(1024).moved(0x1p+30, -0x1p+31, 0x1p+30);
-  Projection view = orthographic({0.31, -0.62, 0.41});
+  projection::Projection view = orthographic({0.31, -0.62, 0.41});
   Result r = draw(world_of(far), view);
-  const Verification found = verified(r);
-  EXPECT_EQ(found.wrong, 0) << format_verification(found);
+  const report::Verification found = verified(r);
+  EXPECT_EQ(found.wrong, 0) << report::format_verification(found);
   EXPECT_GT(found.decided, 9 * found.points / 10);
   const std::size_t edge = edge_with_inner_span(r);
   r.hidden.spans[r.hidden.first[edge]][0] += 1e-5 * r.view.extent / page_length(r, edge);
@@ -201,7 +204,7 @@ TEST(Verify, TheSameForAnyNumberOfThreads) {
   const Result r = draw(world_of(scene()), orthographic({1, -1, 1}));
   const auto words = [&](int threads) {
     const ThreadLimit limit(threads);
-    return format_verification(verified(r));
+    return report::format_verification(verified(r));
   };
   EXPECT_EQ(words(1), words(2));
 }

@@ -10,17 +10,17 @@
 namespace epura::test {
 namespace {
 
-double area_of(const Clipper& clipper, const std::vector<std::array<int, 3>>& triangles) {
+double area_of(const view::Clipper& clipper, const std::vector<std::array<int, 3>>& triangles) {
   double area = 0;
   for (const auto& [i, j, k] : triangles) {
-    const Mapped &a = clipper.vertices[i], &b = clipper.vertices[j], &c = clipper.vertices[k];
+    const view::Mapped &a = clipper.vertices[i], &b = clipper.vertices[j], &c = clipper.vertices[k];
     area += ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2;
   }
   return area;
 }
 
 TEST(Clip, AnEdgeIsCutOnceWhoeverAsks) {
-  Clipper clipper;
+  view::Clipper clipper;
   clipper.vertices = {{0, 0, 0, 1}, {4, 0, 8, 1}, {0, 4, 0, 1}, {4, 4, 0, 1}};
   const int left = clipper.add_plane({-1, 0, 0, 1});  // x <= 1
   const std::vector<int> planes{left};
@@ -42,7 +42,7 @@ TEST(Clip, AnEdgeIsCutOnceWhoeverAsks) {
 }
 
 TEST(Clip, WhatIsOutsideIsGoneAndWhatIsInsideStays) {
-  Clipper clipper;
+  view::Clipper clipper;
   clipper.vertices = {{0, 0, 0, 1}, {1, 0, 0, 1}, {0, 1, 0, 1}};
   const int all = clipper.add_plane({0, 0, 0, 1});
   const int none = clipper.add_plane({0, 0, 0, -1});
@@ -58,7 +58,7 @@ TEST(Clip, WhatIsOutsideIsGoneAndWhatIsInsideStays) {
 }
 
 TEST(Clip, BothEndsOfAnEdgeCanBeCut) {
-  Clipper clipper;
+  view::Clipper clipper;
   clipper.vertices = {{-4, 0, 0, 1}, {12, 0, 0, 1}};
   const std::vector<int> planes{clipper.add_plane({1, 0, 0, 0}), clipper.add_plane({-1, 0, 0, 4})};
   const auto edge = clipper.clip_edge(0, 1, planes);
@@ -67,78 +67,79 @@ TEST(Clip, BothEndsOfAnEdgeCanBeCut) {
 }
 
 // Looking along +y from the origin onto the plane y = 1: the place of (x, y, z) is (x/y, z/y).
-Projection along_y() { return perspective({0, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}); }
+projection::Projection along_y() { return perspective({0, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}); }
 
 TEST(ProjectedScene, TheNearPlaneCutsEdgesInSpace) {
-  const World world = world_of(box({-1, 1, -1}, {1, 5, 1}));
-  ProjectedScene view = project_scene(world, along_y(), {.near = 2.0, .far = {}});
+  const scene::World world = world_of(box({-1, 1, -1}, {1, 5, 1}));
+  view::ProjectedScene view = view::project_scene(world, along_y(), {.near = 2.0, .far = {}});
   // From (-1, 1, -1) to (-1, 5, -1): y = 2 lies a quarter of the way in space.
-  const auto edge = clip_edge(view, 0, 2);
+  const auto edge = view::clip_edge(view, 0, 2);
   ASSERT_TRUE(edge);
   EXPECT_NEAR(edge->t[0], 0.25, 1e-15);
   EXPECT_EQ(edge->t[1], 1);
   EXPECT_NEAR(view.vertices[edge->vertex[0]].x / view.map.normalisation + view.middle.x / view.map.normalisation, -0.5,
               1e-12);
-  EXPECT_FALSE(clip_edge(view, 0, 1)) << "this edge lies before the near plane";
+  EXPECT_FALSE(view::clip_edge(view, 0, 1)) << "this edge lies before the near plane";
   // 4 side faces lose their front, the front face is gone: 2 triangles of the back, 2 of each side.
   EXPECT_EQ(view.triangles.size(), 2U + 4 * 3);
 }
 
 TEST(ProjectedScene, NearAndFarAreDistancesInFrontOfTheEye) {
-  const World world = world_of(box({-1, 1, -1}, {1, 5, 1}));
-  ProjectedScene view = project_scene(world, along_y(), {.near = 2.0, .far = 4.0});
-  const auto edge = clip_edge(view, 2, 0);
+  const scene::World world = world_of(box({-1, 1, -1}, {1, 5, 1}));
+  view::ProjectedScene view = view::project_scene(world, along_y(), {.near = 2.0, .far = 4.0});
+  const auto edge = view::clip_edge(view, 2, 0);
   ASSERT_TRUE(edge);
   EXPECT_NEAR(edge->t[0], 0.25, 1e-15);
   EXPECT_NEAR(edge->t[1], 0.75, 1e-15);
 }
 
 TEST(ProjectedScene, OfAParallelViewNearAndFarCountFromThePlane) {
-  const World world = world_of(box({0, 0, 0}, {1, 1, 8}));
-  ProjectedScene view = project_scene(world, from_above(), {.near = -6.0, .far = -2.0});
-  const auto edge = clip_edge(view, 0, 4);
+  const scene::World world = world_of(box({0, 0, 0}, {1, 1, 8}));
+  view::ProjectedScene view = view::project_scene(world, from_above(), {.near = -6.0, .far = -2.0});
+  const auto edge = view::clip_edge(view, 0, 4);
   ASSERT_TRUE(edge);
   EXPECT_EQ(edge->t, (std::array{0.25, 0.75}));
 }
 
 TEST(ProjectedScene, NothingBetweenNearAndFarIsWrongInput) {
-  const World world = world_of(box({-1, 1, -1}, {1, 5, 1}));
+  const scene::World world = world_of(box({-1, 1, -1}, {1, 5, 1}));
   for (const double far : {2.0, 1.0})
-    EXPECT_EQ(error_of([&] { project_scene(world, along_y(), {.near = 2.0, .far = far}); }).where(), "near and far");
+    EXPECT_EQ(error_of([&] { view::project_scene(world, along_y(), {.near = 2.0, .far = far}); }).where(),
+              "near and far");
 }
 
 TEST(ProjectedScene, NothingBeforeTheEyeIsWrongInput) {
-  const World world = world_of(box({-1, -5, -1}, {1, -1, 1}));
-  const Error error = error_of([&] { project_scene(world, along_y(), {}); });
+  const scene::World world = world_of(box({-1, -5, -1}, {1, -1, 1}));
+  const Error error = error_of([&] { view::project_scene(world, along_y(), {}); });
   EXPECT_EQ(error.kind(), ErrorKind::input);
   EXPECT_TRUE(contains(error.what(), "in front of the viewer")) << error.what();
   EXPECT_FALSE(error.hint().empty());
 }
 
 TEST(ProjectedScene, AWindowCutsEdgesButLeavesTrianglesAMargin) {
-  const World world = world_of(plate(-10, -10, 10, 10, 0));
-  Projection p = from_above();
-  p.window = Window{{-1, -2}, {3, 2}};
-  ProjectedScene view = project_scene(world, p, {});
+  const scene::World world = world_of(plate(-10, -10, 10, 10, 0));
+  projection::Projection p = from_above();
+  p.window = projection::Window{{-1, -2}, {3, 2}};
+  view::ProjectedScene view = view::project_scene(world, p, {});
   EXPECT_TRUE(view.window_given);
-  const int a = add_point(view, {-10, 0, 0});
-  const int b = add_point(view, {10, 0, 0});
-  const auto edge = clip_edge(view, a, b);
+  const int a = view::add_point(view, {-10, 0, 0});
+  const int b = view::add_point(view, {10, 0, 0});
+  const auto edge = view::clip_edge(view, a, b);
   ASSERT_TRUE(edge);
   EXPECT_NEAR(edge->t[0], 9.0 / 20, 1e-15);
   EXPECT_NEAR(edge->t[1], 13.0 / 20, 1e-15);
   double min = HUGE_VAL, max = -HUGE_VAL;
-  for (const ViewTriangle& triangle : view.triangles)
+  for (const view::ViewTriangle& triangle : view.triangles)
     for (const int v : triangle.vertex) {
       min = std::min(min, view.vertices[v].x);
       max = std::max(max, view.vertices[v].x);
     }
   EXPECT_NEAR((max - min) / view.map.normalisation, 1.5 * 4, 1e-12);
-  EXPECT_FALSE(clip_edge(view, 0, 1)) << "the plate's border lies outside";
+  EXPECT_FALSE(view::clip_edge(view, 0, 1)) << "the plate's border lies outside";
 }
 
 TEST(ProjectedScene, AnEyeInTheSceneGetsAConeOf120Degrees) {
-  const ProjectedScene view = project_scene(world_of(box({-9, -9, -9}, {9, 9, 9})), along_y(), {});
+  const view::ProjectedScene view = view::project_scene(world_of(box({-9, -9, -9}, {9, 9, 9})), along_y(), {});
   EXPECT_TRUE(view.window_given);
   // The plane is at distance 1: its half window is tan 60 degrees.
   EXPECT_NEAR((view.window.max.x - view.window.min.x) / view.map.normalisation, 2 * std::sqrt(3.0), 1e-12);
@@ -147,8 +148,8 @@ TEST(ProjectedScene, AnEyeInTheSceneGetsAConeOf120Degrees) {
 
 TEST(ProjectedScene, TheGridIsFineAndHoldsTheWindow) {
   for (const double size : {1e-300, 1e-6, 1.0, 3.0, 1e6, 1e300}) {
-    const ProjectedScene view =
-        project_scene(world_of(box({0, 0, 0}, {1, 0.5, 0.25}).scaled(size)), orthographic({1, -2, 3}), {});
+    const view::ProjectedScene view =
+        view::project_scene(world_of(box({0, 0, 0}, {1, 0.5, 0.25}).scaled(size)), orthographic({1, -2, 3}), {});
     EXPECT_LT(view.cell, view.extent * 0x1p-28) << size;
     int max = 0;
     for (std::size_t v = 0; v < view.grid.size(); ++v) {
@@ -161,11 +162,11 @@ TEST(ProjectedScene, TheGridIsFineAndHoldsTheWindow) {
 }
 
 TEST(ProjectedScene, CrossIsExact) {
-  const GridPoint a{-1073741823, -1073741823}, b{1073741823, 1073741822}, c{0, 0};
+  const view::GridPoint a{-1073741823, -1073741823}, b{1073741823, 1073741822}, c{0, 0};
   // (2^31 - 2)(2^30 - 1) - (2^31 - 3)(2^30 - 1)
-  EXPECT_EQ(cross(a, b, c), 1073741823);
-  EXPECT_EQ(cross(b, a, c), -1073741823);
-  EXPECT_EQ(cross(a, a, c), 0);
+  EXPECT_EQ(view::cross(a, b, c), 1073741823);
+  EXPECT_EQ(view::cross(b, a, c), -1073741823);
+  EXPECT_EQ(view::cross(a, a, c), 0);
 }
 
 }  // namespace

@@ -27,10 +27,10 @@ Vec3 point_in(Random& random, const Box& box) {
 Box box_of_the_scene() { return {{-1, -2, 0.5}, {3, 1, 4}}; }
 
 // Parallel and oblique, central from near and from far, with the plane before and behind the scene, scaled.
-std::vector<Projection> projections() {
-  std::vector<Projection> list;
+std::vector<projection::Projection> projections() {
+  std::vector<projection::Projection> list;
   for (const Vec3& towards : {Vec3(1, -1, 1), Vec3(0, -1, 0), Vec3(0.3, 2, -5)}) {
-    Projection p = orthographic(towards);
+    projection::Projection p = orthographic(towards);
     p.point = {3, -2, 7};
     p.scale = 0.7;
     list.push_back(p);
@@ -38,7 +38,7 @@ std::vector<Projection> projections() {
     list.push_back(p);
     for (const double distance : {8.0, 500.0})
       for (const double plane : {0.25, 1.0, 2.0}) {
-        Projection c = perspective(Vec3(1, 0, 2) + distance * p.n + 0.3 * p.u, Vec3(0), towards, {0, 0, 1});
+        projection::Projection c = perspective(Vec3(1, 0, 2) + distance * p.n + 0.3 * p.u, Vec3(0), towards, {0, 0, 1});
         c.point = c.projector - plane * distance * c.n + 5.0 * c.v;
         c.scale = 2.5;
         list.push_back(c);
@@ -49,12 +49,12 @@ std::vector<Projection> projections() {
 
 TEST(ViewMap, PlacesAreThoseOfTheMatrix) {
   Random random(1);
-  for (const Projection& p : projections()) {
-    const ViewMap map = make_view_map(p, box_of_the_scene());
-    const Mat4 matrix = view_matrix(p);
+  for (const projection::Projection& p : projections()) {
+    const view::ViewMap map = view::make_view_map(p, box_of_the_scene());
+    const Mat4 matrix = projection::view_matrix(p);
     for (int i = 0; i < 50; ++i) {
       const Vec3 point = point_in(random, box_of_the_scene());
-      const Mapped mapped = map(point);
+      const view::Mapped mapped = map(point);
       const Vec4 expected = matrix * Vec4(point, 1);
       ASSERT_GT(mapped.w, 0);
       // From the plane's own point, in model lengths: undo the normalisation and the shift to the image of the scene's
@@ -68,11 +68,11 @@ TEST(ViewMap, PlacesAreThoseOfTheMatrix) {
 
 TEST(ViewMap, DepthIsThatOfTheMatrixUpToScaleAndShift) {
   Random random(2);
-  for (const Projection& p : projections()) {
-    const ViewMap map = make_view_map(p, box_of_the_scene());
-    const Mat4 matrix = view_matrix(p);
+  for (const projection::Projection& p : projections()) {
+    const view::ViewMap map = view::make_view_map(p, box_of_the_scene());
+    const Mat4 matrix = projection::view_matrix(p);
     const auto both = [&](const Vec3& point) {
-      const Mapped mapped = map(point);
+      const view::Mapped mapped = map(point);
       const Vec4 expected = matrix * Vec4(point, 1);
       return Vec2(expected.z / expected.w, mapped.z / mapped.w);
     };
@@ -88,8 +88,8 @@ TEST(ViewMap, DepthIsThatOfTheMatrixUpToScaleAndShift) {
 }
 
 TEST(ViewMap, DepthIsLengthAlongProjectorsAtTheMiddle) {
-  for (const Projection& p : projections()) {
-    const ViewMap map = make_view_map(p, box_of_the_scene());
+  for (const projection::Projection& p : projections()) {
+    const view::ViewMap map = view::make_view_map(p, box_of_the_scene());
     const Vec3 middle = box_of_the_scene().centre();
     const Vec3 along = p.central ? glm::normalize(p.projector - middle) : p.projector;
     const auto depth = [&](const Vec3& point) { return map(point).z / map(point).w; };
@@ -109,18 +109,18 @@ TEST(ViewMap, FarFromTheOriginNoDigitIsLost) {
   Random random(3);
   const Vec3 far(0x1p40);
   const Box box = box_of_the_scene();
-  for (Projection p : projections()) {
+  for (projection::Projection p : projections()) {
     p.point = coarse(p.point);
     if (p.central) p.projector = coarse(p.projector);
-    Projection moved = p;
+    projection::Projection moved = p;
     moved.point += far;
     if (p.central) moved.projector += far;
-    const ViewMap near_map = make_view_map(p, box);
-    const ViewMap far_map = make_view_map(moved, {box.min + far, box.max + far});
+    const view::ViewMap near_map = view::make_view_map(p, box);
+    const view::ViewMap far_map = view::make_view_map(moved, {box.min + far, box.max + far});
     for (int i = 0; i < 10; ++i) {
       const Vec3 point = coarse(point_in(random, box));
-      const Mapped a = near_map(point);
-      const Mapped b = far_map(point + far);
+      const view::Mapped a = near_map(point);
+      const view::Mapped b = far_map(point + far);
       EXPECT_NEAR(a.x / a.w, b.x / b.w, 1e-13);
       EXPECT_NEAR(a.y / a.w, b.y / b.w, 1e-13);
       EXPECT_NEAR(a.z / a.w, b.z / b.w, 1e-13);
@@ -129,14 +129,14 @@ TEST(ViewMap, FarFromTheOriginNoDigitIsLost) {
 }
 
 TEST(PaperMap, OneMatrixGoesTheWholeWay) {
-  const World world = world_of(box({-1, -2, 0.5}, {3, 1, 4}));
-  for (const Projection& p : projections()) {
-    const ProjectedScene view = project_scene(world, p, {});
+  const scene::World world = world_of(box({-1, -2, 0.5}, {3, 1, 4}));
+  for (const projection::Projection& p : projections()) {
+    const view::ProjectedScene view = view::project_scene(world, p, {});
     const double scale = 12.5;
-    const Window drawn = drawn_box(view);
-    const PaperMap paper = make_paper_map(view, scale, {100, 70});
-    const Mat4 matrix = world_to_page(view, paper);
-    const Mat4 textbook = view_matrix(p);
+    const projection::Window drawn = view::drawn_box(view);
+    const view::PaperMap paper = view::make_paper_map(view, scale, {100, 70});
+    const Mat4 matrix = view::world_to_page(view, paper);
+    const Mat4 textbook = projection::view_matrix(p);
     const auto on = [](const Mat4& m, const Vec3& x) {
       const Vec4 h = m * Vec4(x, 1);
       return Vec2(h) / h.w;
@@ -157,12 +157,12 @@ TEST(PaperMap, OneMatrixGoesTheWholeWay) {
 }
 
 TEST(PaperMap, VanishingPointsAreImagesOfTheAxes) {
-  const World world = world_of(box({-1, -2, 0.5}, {3, 1, 4}));
-  for (const Projection& p : projections()) {
-    const ProjectedScene view = project_scene(world, p, {});
-    const PaperMap paper = make_paper_map(view, 3, {100, 70});
-    const Mat4 matrix = world_to_page(view, paper);
-    const auto points = vanishing_points_on_page(view, paper);
+  const scene::World world = world_of(box({-1, -2, 0.5}, {3, 1, 4}));
+  for (const projection::Projection& p : projections()) {
+    const view::ProjectedScene view = view::project_scene(world, p, {});
+    const view::PaperMap paper = view::make_paper_map(view, 3, {100, 70});
+    const Mat4 matrix = view::world_to_page(view, paper);
+    const auto points = view::vanishing_points_on_page(view, paper);
     for (int axis = 0; axis < 3; ++axis) {
       EXPECT_EQ(points[axis].has_value(), p.central && std::abs(p.n[axis]) > 1e-12);
       if (!points[axis]) continue;

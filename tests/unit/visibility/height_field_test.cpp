@@ -32,9 +32,9 @@ Shape field(
 double flat(int, int) { return 0; }
 double wavy(int i, int j) { return 0.3 * std::sin(i) * std::cos(2.0 * j); }
 
-bool certified(const std::vector<Shape>& shapes, const Projection& projection) {
+bool certified(const std::vector<Shape>& shapes, const projection::Projection& projection) {
   const Result r = draw(world_of(shapes), projection, {.smooth = true});
-  const bool one = is_height_field(r.world, r.view, r.drawn);
+  const bool one = visibility::is_height_field(r.world, r.view, r.drawn);
   EXPECT_TRUE(!one || r.hidden.spans.empty());
   return one;
 }
@@ -88,12 +88,12 @@ TEST(OneSheet, EndsWhereARampReachesItsBeginning) {
 }
 
 TEST(OneSheet, IsNotClipped) {
-  const World world = world_of(field(6, wavy));
-  ProjectedScene view =
-      project_scene(world, perspective({3, -4, 6}, {3, 3, 0}, {0, -1, 1}, {0, 0, 1}), {.near = {}, .far = 9.0});
-  const FeatureEdges drawn = find_feature_edges(world, view, {});
+  const scene::World world = world_of(field(6, wavy));
+  view::ProjectedScene view =
+      view::project_scene(world, perspective({3, -4, 6}, {3, 3, 0}, {0, -1, 1}, {0, 0, 1}), {.near = {}, .far = 9.0});
+  const edges::FeatureEdges drawn = edges::find_feature_edges(world, view, {});
   EXPECT_FALSE(view.triangle_planes.empty());
-  EXPECT_FALSE(is_height_field(world, view, drawn));
+  EXPECT_FALSE(visibility::is_height_field(world, view, drawn));
 }
 
 TEST(OneSheet, HidesNothingWhateverItsShape) {

@@ -11,13 +11,13 @@ namespace {
 
 struct Sheets {
   Vec2 first;  // vertex, in the world
-  World world;
-  ProjectedScene view;
+  scene::World world;
+  view::ProjectedScene view;
 
   explicit Sheets(const Shape& shape)
       : first(shape.points[0][0], shape.points[0][1]),
         world(world_of(shape)),
-        view(project_scene(world, from_above(), {})) {}
+        view(view::project_scene(world, from_above(), {})) {}
 
   // Depth in view units of a height in the world, both measured from that of a vertex.
   [[nodiscard]] double depth_above_first(double height) const {
@@ -25,24 +25,24 @@ struct Sheets {
   }
 
   // Of a middle in the world.
-  [[nodiscard]] CellBox cell(double x, double y, double half) const {
+  [[nodiscard]] visibility::CellBox cell(double x, double y, double half) const {
     const double scale = view.map.normalisation * view.map.unit;
-    const PageVertex& vertex = view.vertices[0];
+    const view::PageVertex& vertex = view.vertices[0];
     return {Vec2(vertex.x, vertex.y) + scale * (Vec2(x, y) - first), scale * Vec2(half)};
   }
 
   // How many triangles, in their order, make a sheet whole; 0 if all do not.
-  [[nodiscard]] int whole_after(OccluderPatch& sheets) const {
+  [[nodiscard]] int whole_after(visibility::OccluderPatch& sheets) const {
     int added = 0;
-    for (const ViewTriangle& triangle : view.triangles) {
+    for (const view::ViewTriangle& triangle : view.triangles) {
       ++added;
       if (sheets.add(triangle)) return added;
     }
     return 0;
   }
 
-  [[nodiscard]] int whole_after(const CellBox& cell) const {
-    OccluderPatch sheets(view, cell);
+  [[nodiscard]] int whole_after(const visibility::CellBox& cell) const {
+    visibility::OccluderPatch sheets(view, cell);
     return whole_after(sheets);
   }
 };
@@ -65,7 +65,7 @@ TEST(OccluderPatch, NeedsAllTrianglesThatReachIntoTheCell) {
 
 TEST(OccluderPatch, LiesAsDeepAsTheDeepestPlaneInTheCell) {
   const Sheets roofed(roof(1));
-  OccluderPatch sheets(roofed.view, roofed.cell(0, 0, 0.5));
+  visibility::OccluderPatch sheets(roofed.view, roofed.cell(0, 0, 0.5));
   ASSERT_EQ(roofed.whole_after(sheets), 4);
   // The planes rise by 1/2 towards the middle; in the cell, the lowest place of each is half a unit beyond the top.
   EXPECT_LT(sheets.depth(), roofed.depth_above_first(0.75));

@@ -12,7 +12,7 @@ namespace epura::test {
 namespace {
 
 // Unit plates, each a millionth to the right, behind and below the last.
-World stack(int plates) {
+scene::World stack(int plates) {
   Shape shape;
   for (int i = 0; i < plates; ++i) {
     const double shift = 1e-6 * i;
@@ -21,14 +21,14 @@ World stack(int plates) {
   return world_of(shape);
 }
 
-double tries_of_an_edge(const World& world, const Projection& projection) {
+double tries_of_an_edge(const scene::World& world, const projection::Projection& projection) {
   const Result r = draw(world, projection);
-  const OccluderGrid occluders(r.world, r.view, r.drawn.edges);
+  const visibility::OccluderGrid occluders(r.world, r.view, r.drawn.edges);
   long tries = 0;
-  for (const FeatureEdge& edge : r.drawn.edges) {
-    const PageEdge line{edge.vertex[0], edge.vertex[1]};
-    OcclusionQuery hider(r.view, occluders, line, OwnTriangles(r.world, r.drawn, edge));
-    occluders.along(line, [&](const CellSegment& stretch) { hider.hide(stretch); });
+  for (const edges::FeatureEdge& edge : r.drawn.edges) {
+    const visibility::PageEdge line{edge.vertex[0], edge.vertex[1]};
+    visibility::OcclusionQuery hider(r.view, occluders, line, visibility::OwnTriangles(r.world, r.drawn, edge));
+    occluders.along(line, [&](const visibility::CellSegment& stretch) { hider.hide(stretch); });
     tries += hider.tries();
   }
   return static_cast<double>(tries) / static_cast<double>(r.drawn.edges.size());
@@ -36,7 +36,7 @@ double tries_of_an_edge(const World& world, const Projection& projection) {
 
 // Before half of the 2 * 4000 triangles lies the average edge.
 TEST(OcclusionQuery, TriesFewTrianglesOfAStackWhereverItIsSeenFrom) {
-  const World world = stack(4000);
+  const scene::World world = stack(4000);
   for (const Vec3& towards_viewer : {Vec3(1, -1, 1), Vec3(1, 1, 1), Vec3(0.3, -0.8, 0.5), Vec3(0, 0, 1)})
     EXPECT_LT(tries_of_an_edge(world, orthographic(towards_viewer, {0, 1, 0.1})), 100);
 }
@@ -94,13 +94,14 @@ TEST(OcclusionQuery, TriesFewTrianglesOfOnePlane) {
 
 TEST(OcclusionQuery, HasNoMoreCandidatesOfManyCopiesThanOfTwo) {
   const auto most_candidates = [](int copies) {
-    const World world = world_of(std::vector<Shape>(static_cast<std::size_t>(copies), box({0, 0, 0}, {1, 2, 3})));
+    const scene::World world =
+        world_of(std::vector<Shape>(static_cast<std::size_t>(copies), box({0, 0, 0}, {1, 2, 3})));
     const Result r = draw(world, orthographic({0.3, -0.8, 0.5}));
-    const OccluderGrid occluders(r.world, r.view, r.drawn.edges);
+    const visibility::OccluderGrid occluders(r.world, r.view, r.drawn.edges);
     std::size_t max = 0;
-    for (const FeatureEdge& edge : r.drawn.edges)
+    for (const edges::FeatureEdge& edge : r.drawn.edges)
       occluders.along({edge.vertex[0], edge.vertex[1]},
-                      [&](const CellSegment& stretch) { max = std::max(max, stretch.candidates.size()); });
+                      [&](const visibility::CellSegment& stretch) { max = std::max(max, stretch.candidates.size()); });
     return max;
   };
   EXPECT_GT(most_candidates(2), 0);

@@ -14,7 +14,7 @@ const Shape triangle{{{0, 0, 0}, {3, 0, 1}, {0, 2, 2}}, {{0, 1, 2}}, {}};
 
 std::vector<int> others(const std::vector<Shape>& shapes) {
   const Result r = draw(world_of(shapes), from_above());
-  return ThirdCopies(r.world, r.view, {}).others();
+  return visibility::ThirdCopies(r.world, r.view, {}).others();
 }
 
 TEST(ThirdCopies, AreAllButTwoOfThoseInOnePlace) {
@@ -33,7 +33,7 @@ TEST(ThirdCopies, HaveTheirCornersInTheSameOrder) {
 
 TEST(ThirdCopies, AreFoundAroundTheirCorners) {
   const Result r = draw(world_of(std::vector<Shape>(4, box({0, 0, 0}, {1, 2, 3}))), from_above());
-  const ThirdCopies copies(r.world, r.view, {});
+  const visibility::ThirdCopies copies(r.world, r.view, {});
   EXPECT_EQ(copies.others().size(), 2U * 12);
   EXPECT_EQ(copies.other_edges(r.view, r.drawn.edges, {}).size(), r.drawn.edges.size() / 2);
   for (int v = 0; v < 4 * 8; ++v) {
@@ -53,7 +53,7 @@ TEST(ThirdCopies, HideEdgesThatBeginAtTheirCorners) {
   const Result r = draw(world_of(std::vector<Shape>(4, shape)), from_above());
   int found = 0;
   for (std::size_t e = 0; e < r.drawn.edges.size(); ++e) {
-    const FeatureEdge& edge = r.drawn.edges[e];
+    const edges::FeatureEdge& edge = r.drawn.edges[e];
     if (edge.vertex[0] % 5 != 0 || edge.vertex[1] % 5 != 3) continue;
     ++found;
     ASSERT_EQ(r.hidden.first[e + 1] - r.hidden.first[e], 1U) << "model " << edge.model;

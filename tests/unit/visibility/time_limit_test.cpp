@@ -18,15 +18,15 @@ Result row_of_boxes() {
   return draw(world_of(boxes), orthographic({1, -1, 1}));
 }
 
-HiddenSpans hidden_within(const Result& r, double time_limit) {
+visibility::HiddenSpans hidden_within(const Result& r, double time_limit) {
   ProgressBoard board;
-  return find_hidden(r.world, r.view, r.drawn, Progress(board, time_limit));
+  return visibility::find_hidden(r.world, r.view, r.drawn, Progress(board, time_limit));
 }
 
 TEST(TimeLimit, WithTimeEnoughNothingChanges) {
   const Result r = row_of_boxes();
   ASSERT_FALSE(r.hidden.spans.empty());
-  const HiddenSpans limited = hidden_within(r, 1000);
+  const visibility::HiddenSpans limited = hidden_within(r, 1000);
   EXPECT_TRUE(limited.undecided.empty());
   EXPECT_EQ(limited.first, r.hidden.first);
   EXPECT_EQ(limited.spans, r.hidden.spans);
@@ -37,11 +37,11 @@ TEST(TimeLimit, WithoutTimeForTheGridNothingIsDecided) { EXPECT_THROW(hidden_wit
 TEST(TimeLimit, TheLongestEdgesAreKept) {
   const Result r = row_of_boxes();
   const auto length = [&](int e) {
-    const PageVertex& p = r.view.vertices[r.drawn.edges[e].vertex[0]];
-    const PageVertex& q = r.view.vertices[r.drawn.edges[e].vertex[1]];
+    const view::PageVertex& p = r.view.vertices[r.drawn.edges[e].vertex[0]];
+    const view::PageVertex& q = r.view.vertices[r.drawn.edges[e].vertex[1]];
     return std::hypot(q.x - p.x, q.y - p.y);
   };
-  const std::vector<int> rest = all_but_longest(r.view, r.drawn.edges, 100);
+  const std::vector<int> rest = visibility::all_but_longest(r.view, r.drawn.edges, 100);
   ASSERT_EQ(rest.size(), r.drawn.edges.size() - 100);
   std::set<int> kept;
   for (int e = 0; e < static_cast<int>(r.drawn.edges.size()); ++e) kept.insert(e);
@@ -50,24 +50,24 @@ TEST(TimeLimit, TheLongestEdgesAreKept) {
   for (const int e : kept) shortest = std::min(shortest, length(e));
   for (const int e : rest) longest = std::max(longest, length(e));
   EXPECT_GE(shortest, longest);
-  EXPECT_EQ(all_but_longest(r.view, r.drawn.edges, r.drawn.edges.size() + 1), std::vector<int>());
+  EXPECT_EQ(visibility::all_but_longest(r.view, r.drawn.edges, r.drawn.edges.size() + 1), std::vector<int>());
 }
 
 TEST(TimeLimit, TheBoardSeesEveryEdge) {
   const Result r = row_of_boxes();
   ProgressBoard board;
-  find_hidden(r.world, r.view, r.drawn, Progress(board));
+  visibility::find_hidden(r.world, r.view, r.drawn, Progress(board));
   EXPECT_EQ(board.standing().work, r.drawn.edges.size());
   EXPECT_EQ(board.standing().done, r.drawn.edges.size());
 }
 
 TEST(TimeLimit, DecidedEdgesKeepTheirSpans) {
   const Result r = row_of_boxes();
-  FeatureEdges drawn = r.drawn;
-  HiddenSpans hidden = r.hidden;
+  edges::FeatureEdges drawn = r.drawn;
+  visibility::HiddenSpans hidden = r.hidden;
   // As if every third edge had to be left out: its spans go with it.
   for (std::size_t e = 0; e < drawn.edges.size(); e += 3) hidden.undecided.push_back(static_cast<int>(e));
-  keep_decided(drawn, hidden);
+  visibility::keep_decided(drawn, hidden);
   EXPECT_TRUE(hidden.undecided.empty());
   ASSERT_EQ(hidden.first.size(), drawn.edges.size() + 1);
   std::size_t kept = 0;
@@ -84,12 +84,14 @@ TEST(TimeLimit, DecidedEdgesKeepTheirSpans) {
 }
 
 TEST(TimeLimit, TheSearchForIntersectionsTellsHowFarItCame) {
-  const World world = world_of({box({0, 0, 0}, {1, 1, 1}), box({0.5, 0.5, 0.5}, {2, 2, 2})});
+  const scene::World world = world_of({box({0, 0, 0}, {1, 1, 1}), box({0.5, 0.5, 0.5}, {2, 2, 2})});
   ProgressBoard board;
-  const FaceCrossings all = find_intersections(world, 1, 1e-9, all_triangles(world), Progress(board, 1000));
+  const edges::FaceCrossings all =
+      edges::find_intersections(world, 1, 1e-9, edges::all_triangles(world), Progress(board, 1000));
   EXPECT_EQ(all.searched, 1);
   EXPECT_FALSE(all.found.empty());
-  const FaceCrossings none = find_intersections(world, 1, 1e-9, all_triangles(world), Progress(board, 0));
+  const edges::FaceCrossings none =
+      edges::find_intersections(world, 1, 1e-9, edges::all_triangles(world), Progress(board, 0));
   EXPECT_EQ(none.searched, 0);
   EXPECT_TRUE(none.found.empty());
 }

@@ -15,7 +15,7 @@ namespace {
 Shape ground() { return plate(-4, -4, 4, 4, -10); }
 
 TEST(Hidden, IsWhatLiesBehindAFace) {
-  const World world = world_of({plate(0, 0, 1, 1, 1), ground()});
+  const scene::World world = world_of({plate(0, 0, 1, 1, 1), ground()});
   const auto behind = hidden_of_line(world, from_above(), {-1, 0.5, 0}, {3, 0.5, 0});
   ASSERT_EQ(behind.size(), 1U);
   EXPECT_NEAR(behind[0][0], 0.25, 1e-9);
@@ -29,7 +29,7 @@ TEST(Hidden, PartsAreParametersOnThePage) {
   // plate at y = 0.5 covers x/y from 0 to 0.5, that is half to three quarters of the line on the page.
   const Shape screen{{{0, 0.5, -1}, {0.25, 0.5, -1}, {0.25, 0.5, 1}, {0, 0.5, 1}}, {{0, 1, 2, 3}}, {}};
   const Shape backdrop{{{-8, 4, -8}, {8, 4, -8}, {8, 4, 8}, {-8, 4, 8}}, {{0, 1, 2, 3}}, {}};
-  const Projection eye = perspective({0, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1});
+  const projection::Projection eye = perspective({0, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1});
   const auto spans = hidden_of_line(world_of({screen, backdrop}), eye, {-1, 1, 0}, {3, 3, 0});
   ASSERT_EQ(spans.size(), 1U);
   EXPECT_NEAR(spans[0][0], 0.5, 1e-8);
@@ -55,20 +55,20 @@ TEST(Hidden, SpansOfEveryEdgeAscendAndDoNotTouch) {
 
 TEST(Hidden, NothingInAWireframe) {
   const Result result = draw(world_of(box({0, 0, 0}, {1, 1, 1})), orthographic({1, -2, 3}));
-  const HiddenSpans none = nothing_hidden(result.drawn);
+  const visibility::HiddenSpans none = visibility::nothing_hidden(result.drawn);
   EXPECT_TRUE(none.spans.empty());
   EXPECT_EQ(none.first, std::vector<std::size_t>(result.drawn.edges.size() + 1, 0));
 }
 
 int hidden_spans_below(double gap, std::optional<double> contact) {
-  const World world = world_of({plate(0, 0, 1, 1, gap), ground()});
-  ProjectedScene view = project_scene(world, from_above(), {.contact = contact});
-  const int a = add_point(view, {-1, 0.5, 0});
-  const int b = add_point(view, {2, 0.5, 0});
-  FeatureEdges drawn;
+  const scene::World world = world_of({plate(0, 0, 1, 1, gap), ground()});
+  view::ProjectedScene view = view::project_scene(world, from_above(), {.contact = contact});
+  const int a = view::add_point(view, {-1, 0.5, 0});
+  const int b = view::add_point(view, {2, 0.5, 0});
+  edges::FeatureEdges drawn;
   drawn.edges.push_back({{a, b}, {0, 1}, EdgeKind::intersection, 0, -1, 0});
   drawn.crossings.push_back({{Vec3(-1, 0.5, 0), Vec3(2, 0.5, 0)}, {-1, -1}, 90});
-  return static_cast<int>(find_hidden(world, view, drawn).spans.size());
+  return static_cast<int>(visibility::find_hidden(world, view, drawn).spans.size());
 }
 
 TEST(Contact, IsTheLengthThatWasGiven) {
@@ -84,20 +84,20 @@ TEST(Contact, IsOtherwiseAFewCellsOfTheGrid) {
 }
 
 TEST(Contact, FollowsTheScaleOfTheProjection) {
-  const World world = world_of(plate(0, 0, 1, 1, 0));
-  Projection p = from_above();
-  const ProjectedScene plain = project_scene(world, p, {.contact = 0.1});
+  const scene::World world = world_of(plate(0, 0, 1, 1, 0));
+  projection::Projection p = from_above();
+  const view::ProjectedScene plain = view::project_scene(world, p, {.contact = 0.1});
   p.scale = 3;
-  const ProjectedScene tripled = project_scene(world, p, {.contact = 0.1});
+  const view::ProjectedScene tripled = view::project_scene(world, p, {.contact = 0.1});
   EXPECT_NEAR(tripled.contact.touching, 3 * plain.contact.touching, 1e-15);
   EXPECT_EQ(plain.contact.in_space, 0.1 * plain.map.normalisation);
 }
 
 TEST(Contact, OfSinglePrecisionModelsIsTheirRounding) {
-  World world = world_of(plate(0, 0, 1, 1, 0));
-  const ProjectedScene fine = project_scene(world, from_above(), {});
+  scene::World world = world_of(plate(0, 0, 1, 1, 0));
+  const view::ProjectedScene fine = view::project_scene(world, from_above(), {});
   world.rounding = 0x1p-22;
-  const ProjectedScene coarse = project_scene(world, from_above(), {});
+  const view::ProjectedScene coarse = view::project_scene(world, from_above(), {});
   EXPECT_EQ(coarse.contact.touching, 0x1p-22 * coarse.map.normalisation);
   EXPECT_LT(fine.contact.touching, 0x1p-25 * fine.map.normalisation);
   EXPECT_EQ(coarse.contact.in_space, 0x1p-22 * coarse.map.normalisation);
@@ -105,7 +105,7 @@ TEST(Contact, OfSinglePrecisionModelsIsTheirRounding) {
 
 // Their lines cross its sides many lengths away, nearly in parallel.
 TEST(Hidden, ShortLinesInALargeFaceAreNotHidden) {
-  const World world =
+  const scene::World world =
       world_of(Shape{{{-13.497063, 58.462204, 0}, {0, 900, 0}, {-394.534032, 808.914642, 0}}, {{0, 1, 2}}, {}});
   std::mt19937 random(1);
   const auto any = [&](double from, double to) { return from + (to - from) * static_cast<double>(random()) / 0x1p32; };
@@ -113,7 +113,7 @@ TEST(Hidden, ShortLinesInALargeFaceAreNotHidden) {
     const double a = any(0, 0.8), b = any(0, 0.8 - a), angle = any(0, 2 * M_PI), length = std::pow(10, any(-3, 1));
     const Vec3 from(-13.497063 + a * 13.497063 - b * 381.036969, 58.462204 + a * 841.537796 + b * 750.452438, 0);
     const Vec3 to = from + length * Vec3(std::cos(angle), std::sin(angle), 0);
-    EXPECT_EQ(hidden_of_line(world, orthographic({1, -1, 1}), from, to), Spans()) << i;
+    EXPECT_EQ(hidden_of_line(world, orthographic({1, -1, 1}), from, to), visibility::Spans()) << i;
   }
 }
 

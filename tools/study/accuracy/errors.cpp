@@ -8,21 +8,21 @@
 #include "oracle/span_sets.hpp"
 #include "study/accuracy/ink_distance.hpp"
 
-namespace epura {
+namespace epura::study {
 
 namespace {
 
-Spans longer_than(Spans spans, double min) {
+visibility::Spans longer_than(visibility::Spans spans, double min) {
   std::erase_if(spans, [&](const auto& span) { return span[1] - span[0] <= min; });
   return spans;
 }
 
-long long strangers(const Spans& spans, const Spans& others) {
+long long strangers(const visibility::Spans& spans, const visibility::Spans& others) {
   return std::count_if(spans.begin(), spans.end(), [&](const auto& span) { return common({span}, others).empty(); });
 }
 
 // Spans of `inner` that lie within one of `outer` and do not reach its ends.
-long long inside(const Spans& inner, const Spans& outer) {
+long long inside(const visibility::Spans& inner, const visibility::Spans& outer) {
   return std::count_if(inner.begin(), inner.end(), [&](const auto& span) {
     return std::any_of(outer.begin(), outer.end(),
                        [&](const auto& other) { return other[0] < span[0] && span[1] < other[1]; });
@@ -30,13 +30,13 @@ long long inside(const Spans& inner, const Spans& outer) {
 }
 
 // The one span that meets this one; nothing where none does, or several.
-std::optional<std::array<double, 2>> partner(const std::array<double, 2>& span, const Spans& others) {
+std::optional<std::array<double, 2>> partner(const std::array<double, 2>& span, const visibility::Spans& others) {
   const auto meets = [&](const auto& other) { return std::max(span[0], other[0]) < std::min(span[1], other[1]); };
   if (std::count_if(others.begin(), others.end(), meets) != 1) return std::nullopt;
   return *std::find_if(others.begin(), others.end(), meets);
 }
 
-double farthest_end(const Spans& visible, const Spans& shown) {
+double farthest_end(const visibility::Spans& visible, const visibility::Spans& shown) {
   double farthest = 0;
   for (const auto& span : visible) {
     const auto other = partner(span, shown);
@@ -46,7 +46,7 @@ double farthest_end(const Spans& visible, const Spans& shown) {
   return farthest;
 }
 
-void add_ink(std::vector<InkLine>& ink, const JudgedEdge& edge, const Spans& spans) {
+void add_ink(std::vector<InkLine>& ink, const JudgedEdge& edge, const visibility::Spans& spans) {
   for (const auto& [from, to] : spans)
     ink.push_back({edge.from + from * (edge.to - edge.from), edge.from + to * (edge.to - edge.from)});
 }
@@ -55,7 +55,7 @@ void add_ink(std::vector<InkLine>& ink, const JudgedEdge& edge, const Spans& spa
 double ink_distance(const std::vector<JudgedEdge>& edges) {
   std::vector<InkLine> ink_shown, ink_right, only_shown, only_right;
   for (const JudgedEdge& edge : edges) {
-    const Spans shown = complement(edge.shown), right = complement(edge.right);
+    const visibility::Spans shown = complement(edge.shown), right = complement(edge.right);
     add_ink(ink_shown, edge, shown);
     add_ink(ink_right, edge, right);
     add_ink(only_shown, edge, without(shown, right));
@@ -66,12 +66,12 @@ double ink_distance(const std::vector<JudgedEdge>& edges) {
 
 void add_edge(Errors& errors, const JudgedEdge& edge, double least_length) {
   const double length = glm::distance(edge.from, edge.to);
-  const Spans wrong = united(without(edge.shown, edge.right), without(edge.right, edge.shown));
+  const visibility::Spans wrong = united(without(edge.shown, edge.right), without(edge.right, edge.shown));
   for (const auto& [from, to] : wrong) {
     errors.longest = std::max(errors.longest, (to - from) * length);
     errors.sum += (to - from) * length;
   }
-  const Spans shown = complement(edge.shown), right = complement(edge.right);
+  const visibility::Spans shown = complement(edge.shown), right = complement(edge.right);
   errors.end_point = std::max(errors.end_point, farthest_end(right, shown) * length);
   const double min = least_length / length;
   errors.missed += strangers(longer_than(right, min), shown);
@@ -90,4 +90,4 @@ Errors measure_errors(const std::vector<JudgedEdge>& edges, double min) {
   return errors;
 }
 
-}  // namespace epura
+}  // namespace epura::study

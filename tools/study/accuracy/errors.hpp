@@ -9,12 +9,12 @@
 #include "base/vec.hpp"
 #include "visibility/spans.hpp"
 
-namespace epura {
+namespace epura::study {
 
 /// A drawn edge on paper, not a mere point, with its hidden spans: as some method found them, and as they should be.
 struct JudgedEdge {
   Vec2 from, to;
-  Spans shown, right;
+  visibility::Spans shown, right;
 };
 
 struct Errors {
@@ -32,4 +32,4 @@ struct Errors {
 /// Spans that are not longer than `min` mm are not counted; their lengths are measured all the same.
 Errors measure_errors(const std::vector<JudgedEdge>& edges, double min = 0);
 
-}  // namespace epura
+}  // namespace epura::study

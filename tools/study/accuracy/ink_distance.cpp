@@ -8,7 +8,7 @@
 #include "base/groups.hpp"
 #include "search/line_cells.hpp"
 
-namespace epura {
+namespace epura::study {
 
 namespace {
 
@@ -63,8 +63,8 @@ class InkGrid {
   void fill() {
     lines_ = Groups<std::size_t>(static_cast<std::size_t>(grid_.count()), [&](const auto& add) {
       for (std::size_t i = 0; i < ink_.size(); ++i)
-        visit_cells(grid_, ink_[i].from, ink_[i].to, 0,
-                    [&](int cell, double, double) { add(static_cast<std::size_t>(cell), i); });
+        search::visit_cells(grid_, ink_[i].from, ink_[i].to, 0,
+                            [&](int cell, double, double) { add(static_cast<std::size_t>(cell), i); });
     });
   }
 
@@ -78,7 +78,7 @@ class InkGrid {
   }
 
   const std::vector<InkLine>& ink_;
-  CellGrid grid_{};
+  search::CellGrid grid_{};
   Groups<std::size_t> lines_;  ///< of ink_, by cell
 };
 
@@ -104,4 +104,4 @@ double farthest_from_ink(const std::vector<InkLine>& lines, const std::vector<In
   return known;
 }
 
-}  // namespace epura
+}  // namespace epura::study

@@ -6,7 +6,7 @@
 
 #include "base/vec.hpp"
 
-namespace epura {
+namespace epura::study {
 
 struct InkLine {
   Vec2 from, to;  ///< mm
@@ -16,4 +16,4 @@ struct InkLine {
 /// 0 without lines; infinite without ink.
 double farthest_from_ink(const std::vector<InkLine>& lines, const std::vector<InkLine>& ink);
 
-}  // namespace epura
+}  // namespace epura::study

@@ -8,7 +8,7 @@
 
 #include "base/text.hpp"
 
-namespace epura {
+namespace epura::study {
 
 namespace {
 
@@ -17,7 +17,7 @@ constexpr Vec2 min(22, 18), max(140, 108);   // of the diagram
 constexpr double mark_size = 1.1;
 constexpr double small = 1.8, normal = 2.5, large = 3.5;  // heights of capitals, ISO 3098
 
-const std::array<Dashes, 6> curve_dashes{{{}, {3, 1}, {1, 0.7}, {5, 1, 0.3, 1}, {5, 1, 0.3, 2}, {2, 2}}};
+const std::array<sheet::Dashes, 6> curve_dashes{{{}, {3, 1}, {1, 0.7}, {5, 1, 0.3, 1}, {5, 1, 0.3, 2}, {2, 2}}};
 
 // Decades from ... to.
 struct Axis {
@@ -60,13 +60,13 @@ class Plotter {
     y_ = y1 > 0 ? axis_of(y0, y1) : Axis{0, 1};
   }
 
-  Sheet sheet() {
-    Sheet sheet{width, height, plot_.title, {}};
+  sheet::Sheet sheet() {
+    sheet::Sheet sheet{width, height, plot_.title, {}};
     draw_axes();
     draw_marks();
     for (std::size_t i = 0; i < plot_.curves.size(); ++i) draw_curve(i);
-    if (!plot_.note.empty()) texts_.push_back({plot_.note, {min.x, 3}, small, 0, Align::left, "note"});
-    texts_.push_back({plot_.title, {min.x, max.y + 4}, large, 0, Align::left, "title"});
+    if (!plot_.note.empty()) texts_.push_back({plot_.note, {min.x, 3}, small, 0, sheet::Align::left, "note"});
+    texts_.push_back({plot_.title, {min.x, max.y + 4}, large, 0, sheet::Align::left, "title"});
     const auto named = [&](const char* role) { return plot_.name + "/" + role; };
     sheet.layers.push_back({named("grid"), {"plot-grid", 0.09}, std::move(grid_)});
     sheet.layers.push_back({named("axes"), {"plot-axis", 0.25}, std::move(axes_)});
@@ -78,7 +78,7 @@ class Plotter {
            std::move(curves_[i])});
     sheet.layers.push_back({named("points"), {"plot-point", 0.25}, std::move(points_), std::move(fills_)});
     sheet.layers.push_back({named("text"), {"plot-text", 0.25}, {}, {}, std::move(texts_)});
-    std::erase_if(sheet.layers, [](const Layer& layer) {
+    std::erase_if(sheet.layers, [](const sheet::Layer& layer) {
       return layer.strokes.empty() && layer.fills.empty() && layer.texts.empty();
     });
     return sheet;
@@ -91,7 +91,7 @@ class Plotter {
     return min + Vec2(x_.part(value.x), y_.part(raised(value.y))) * (max - min);
   }
 
-  static Stroke line(const Vec2& from, const Vec2& to, const Dashes& dashes = {}) {
+  static sheet::Stroke line(const Vec2& from, const Vec2& to, const sheet::Dashes& dashes = {}) {
     return {{from, to}, false, dashes};
   }
 
@@ -101,15 +101,15 @@ class Plotter {
     for (double d = x_.from; d <= x_.to; d += step_x) {
       const double x = position({std::pow(10, d), 1}).x;
       if (d > x_.from && d < x_.to) grid_.push_back(line({x, min.y}, {x, max.y}));
-      texts_.push_back({power_of_ten(d), {x, min.y - 4}, normal, 0, Align::middle, "tick"});
+      texts_.push_back({power_of_ten(d), {x, min.y - 4}, normal, 0, sheet::Align::middle, "tick"});
     }
     for (double d = y_.from; d <= y_.to; d += step_y) {
       const double y = position({1, std::pow(10, d)}).y;
       if (d > y_.from && d < y_.to) grid_.push_back(line({min.x, y}, {max.x, y}));
-      texts_.push_back({power_of_ten(d), {min.x - 1.5, y - normal / 2}, normal, 0, Align::right, "tick"});
+      texts_.push_back({power_of_ten(d), {min.x - 1.5, y - normal / 2}, normal, 0, sheet::Align::right, "tick"});
     }
-    texts_.push_back({plot_.x_axis, {(min.x + max.x) / 2, min.y - 10}, normal, 0, Align::middle, "axis"});
-    texts_.push_back({plot_.y_axis, {6, (min.y + max.y) / 2}, normal, 90, Align::middle, "axis"});
+    texts_.push_back({plot_.x_axis, {(min.x + max.x) / 2, min.y - 10}, normal, 0, sheet::Align::middle, "axis"});
+    texts_.push_back({plot_.y_axis, {6, (min.y + max.y) / 2}, normal, 90, sheet::Align::middle, "axis"});
   }
 
   void draw_marks() {
@@ -117,10 +117,10 @@ class Plotter {
       const Vec2 at = position({mark.vertical ? mark.at : 1, mark.vertical ? 1 : mark.at});
       if (mark.vertical) {
         limits_.push_back(line({at.x, min.y}, {at.x, max.y}, {2, 1}));
-        texts_.push_back({mark.label, {at.x - 0.8, max.y - 2}, small, 90, Align::right, "limit"});
+        texts_.push_back({mark.label, {at.x - 0.8, max.y - 2}, small, 90, sheet::Align::right, "limit"});
       } else {
         limits_.push_back(line({min.x, at.y}, {max.x, at.y}, {2, 1}));
-        texts_.push_back({mark.label, {max.x - 1, at.y + 0.8}, small, 0, Align::right, "limit"});
+        texts_.push_back({mark.label, {max.x - 1, at.y + 0.8}, small, 0, sheet::Align::right, "limit"});
       }
     }
   }
@@ -134,32 +134,33 @@ class Plotter {
 
   void draw_curve(std::size_t number) {
     const PlotCurve& curve = plot_.curves[number];
-    const Dashes& dashes = curve_dashes[number % curve_dashes.size()];
-    std::vector<Stroke>& strokes = curves_.emplace_back();
-    Stroke stroke{{}, false, dashes};
+    const sheet::Dashes& dashes = curve_dashes[number % curve_dashes.size()];
+    std::vector<sheet::Stroke>& strokes = curves_.emplace_back();
+    sheet::Stroke stroke{{}, false, dashes};
     for (const PlotPoint& point : curve.points) {
       const Vec2 at = position(point.at);
       stroke.points.push_back(at);
       draw_point(at, number, point.full);
-      if (!point.label.empty()) texts_.push_back({point.label, at + Vec2(1.6, 0.6), small, 0, Align::left, "label"});
+      if (!point.label.empty())
+        texts_.push_back({point.label, at + Vec2(1.6, 0.6), small, 0, sheet::Align::left, "label"});
     }
     if (stroke.points.size() > 1) strokes.push_back(std::move(stroke));
     const Vec2 key(max.x + 5, max.y - 3 - 6.0 * static_cast<double>(number));
     strokes.push_back(line(key - Vec2(2.5, 0), key + Vec2(4.5, 0), dashes));
     draw_point(key + Vec2(1, 0), number, false);
-    texts_.push_back({curve.name, key + Vec2(6, -normal / 2), normal, 0, Align::left, "key"});
+    texts_.push_back({curve.name, key + Vec2(6, -normal / 2), normal, 0, sheet::Align::left, "key"});
   }
 
   const LogPlot& plot_;
   Axis x_{}, y_{};
-  std::vector<Stroke> grid_, axes_, limits_, points_;
-  std::vector<std::vector<Stroke>> curves_;
-  std::vector<Fill> fills_;
-  std::vector<Text> texts_;
+  std::vector<sheet::Stroke> grid_, axes_, limits_, points_;
+  std::vector<std::vector<sheet::Stroke>> curves_;
+  std::vector<sheet::Fill> fills_;
+  std::vector<sheet::Text> texts_;
 };
 
 }  // namespace
 
-Sheet to_sheet(const LogPlot& plot) { return Plotter(plot).sheet(); }
+sheet::Sheet to_sheet(const LogPlot& plot) { return Plotter(plot).sheet(); }
 
-}  // namespace epura
+}  // namespace epura::study

@@ -8,7 +8,7 @@
 
 #include "sheet/sheet.hpp"
 
-namespace epura {
+namespace epura::study {
 
 struct PlotPoint {
   Vec2 at;            ///< both more than 0
@@ -38,6 +38,6 @@ struct LogPlot {
 };
 
 /// 205 x 120 mm. Curves are told apart by their marks and lines, which a key explains.
-Sheet to_sheet(const LogPlot& plot);
+sheet::Sheet to_sheet(const LogPlot& plot);
 
-}  // namespace epura
+}  // namespace epura::study

@@ -14,7 +14,7 @@
 #include "verify/numbers.hpp"
 #include "view/view_map.hpp"
 
-namespace epura {
+namespace epura::study {
 
 namespace {
 
@@ -22,7 +22,7 @@ constexpr int greatest_power = 12;
 constexpr std::size_t timed_points = 1 << 16;
 
 struct MapScene {
-  Projection projection;
+  projection::Projection projection;
   std::vector<Vec3> points;
   Box box;
 };
@@ -37,7 +37,7 @@ MapScene scene_at(double offset, bool central) {
     scene.box.add(scene.points.back());
   }
   const Vec3 towards = glm::normalize(Vec3(1, -1.3, 0.8));
-  Projection& p = scene.projection;
+  projection::Projection& p = scene.projection;
   p.point = scene.box.centre();
   p.n = towards;
   p.u = glm::normalize(glm::cross(Vec3(0, 0, 1), p.n));
@@ -58,7 +58,7 @@ Map map_of(Place place) {
 }
 
 Map float_matrix(const MapScene& scene) {
-  const glm::mat4 m(view_matrix(scene.projection));
+  const glm::mat4 m(projection::view_matrix(scene.projection));
   return map_of([m](const Vec3& p) {
     const glm::vec4 h = m * glm::vec4(glm::vec3(p), 1.0F);
     return Vec2(h.x / h.w, h.y / h.w);
@@ -66,7 +66,7 @@ Map float_matrix(const MapScene& scene) {
 }
 
 Map double_matrix(const MapScene& scene) {
-  const Mat4 m = view_matrix(scene.projection);
+  const Mat4 m = projection::view_matrix(scene.projection);
   return map_of([m](const Vec3& p) {
     const Vec4 h = m * Vec4(p, 1);
     return Vec2(h.x / h.w, h.y / h.w);
@@ -74,7 +74,7 @@ Map double_matrix(const MapScene& scene) {
 }
 
 Map staged(const MapScene& scene) {
-  const Projection& p = scene.projection;
+  const projection::Projection& p = scene.projection;
   const auto into_axes = [u = p.u, v = p.v, n = p.n](const Vec3& l) {
     return Vec3(glm::dot(u, l), glm::dot(v, l), glm::dot(n, l));
   };
@@ -92,9 +92,9 @@ Map staged(const MapScene& scene) {
 }
 
 Map recentred(const MapScene& scene) {
-  const ViewMap map = make_view_map(scene.projection, scene.box);
+  const view::ViewMap map = view::make_view_map(scene.projection, scene.box);
   return map_of([map](const Vec3& point) {
-    const Mapped h = map(point);
+    const view::Mapped h = map(point);
     return Vec2(h.x / h.w, h.y / h.w) / map.normalisation;
   });
 }
@@ -102,12 +102,14 @@ Map recentred(const MapScene& scene) {
 const std::array<std::pair<const char*, Map (*)(const MapScene&)>, 4> ways{
     {{"float matrix", float_matrix}, {"double matrix", double_matrix}, {"staged", staged}, {"re-centred", recentred}}};
 
-std::array<Exact, 2> exact_place(const Projection& p, const Vec3& point) {
-  const auto axis = [&](const Vec3& of) { return triple<Exact>(of); };
-  const Triple<Exact> n = axis(p.n), projector = axis(p.projector), x = axis(point);
-  const Triple<Exact> ray = p.central ? projector - x : projector;
-  const Triple<Exact> foot = along<Exact>(x, Exact(dot(n, axis(p.point) - x) / dot(n, ray)), ray) - axis(p.point);
-  return {dot(axis(p.u), foot), dot(axis(p.v), foot)};
+std::array<verify::Exact, 2> exact_place(const projection::Projection& p, const Vec3& point) {
+  const auto axis = [&](const Vec3& of) { return verify::triple<verify::Exact>(of); };
+  const verify::Triple<verify::Exact> n = axis(p.n), projector = axis(p.projector), x = axis(point);
+  const verify::Triple<verify::Exact> ray = p.central ? projector - x : projector;
+  const verify::Triple<verify::Exact> foot =
+      verify::along<verify::Exact>(x, verify::Exact(verify::dot(n, axis(p.point) - x) / verify::dot(n, ray)), ray) -
+      axis(p.point);
+  return {verify::dot(axis(p.u), foot), verify::dot(axis(p.v), foot)};
 }
 
 // Between places relative to the first, as both have them.
@@ -116,13 +118,14 @@ double error_of_map(const Map& map, const MapScene& scene) {
   map(scene.points, places);
   for (const Vec2& place : places)
     if (!std::isfinite(place.x) || !std::isfinite(place.y)) return HUGE_VAL;
-  const std::array<Exact, 2> first = exact_place(scene.projection, scene.points[0]);
+  const std::array<verify::Exact, 2> first = exact_place(scene.projection, scene.points[0]);
   double greatest = 0;
   for (std::size_t i = 1; i < places.size(); ++i) {
-    const std::array<Exact, 2> exact = exact_place(scene.projection, scene.points[i]);
+    const std::array<verify::Exact, 2> exact = exact_place(scene.projection, scene.points[i]);
     const auto off = [&](int axis) {
       const auto k = static_cast<std::size_t>(axis);
-      return Exact(Exact(places[i][axis]) - Exact(places[0][axis]) - (exact[k] - first[k])).get_d();
+      return verify::Exact(verify::Exact(places[i][axis]) - verify::Exact(places[0][axis]) - (exact[k] - first[k]))
+          .get_d();
     };
     greatest = std::max(greatest, std::hypot(off(0), off(1)));
   }
@@ -158,4 +161,4 @@ std::vector<MapMeasurement> measure_maps(int runs) {
   return measured;
 }
 
-}  // namespace epura
+}  // namespace epura::study

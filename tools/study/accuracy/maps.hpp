@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace epura {
+namespace epura::study {
 
 struct MapMeasurement {
   std::string map;  ///< "M_per" (3.10) or "M_par" (3.20)
@@ -23,4 +23,4 @@ struct MapMeasurement {
 ///   re-centred     what views are drawn with (ViewMap): origin near the scene, in space and in the plane alike
 std::vector<MapMeasurement> measure_maps(int runs);
 
-}  // namespace epura
+}  // namespace epura::study

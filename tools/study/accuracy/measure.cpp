@@ -9,15 +9,15 @@
 #include "study/accuracy/peak_memory.hpp"
 #include "verify/confidence.hpp"
 
-namespace epura {
+namespace epura::study {
 
 namespace {
 
 constexpr double confidence = 0.95;
 
-double seconds_of(const std::function<HiddenSpans()>& run) {
+double seconds_of(const std::function<visibility::HiddenSpans()>& run) {
   const auto start = std::chrono::steady_clock::now();
-  const HiddenSpans found = run();
+  const visibility::HiddenSpans found = run();
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
@@ -30,9 +30,9 @@ void mark_front(std::vector<Measurement>& methods) {
 }
 
 std::array<Vec2, 2> on_paper(const StudiedView& studied, int edge) {
-  const FeatureEdge& drawn = studied.drawn.edges[edge];
-  return {position_on_paper(studied.view, studied.paper, drawn, 0),
-          position_on_paper(studied.view, studied.paper, drawn, 1)};
+  const edges::FeatureEdge& drawn = studied.drawn.edges[edge];
+  return {drawing::position_on_paper(studied.view, studied.paper, drawn, 0),
+          drawing::position_on_paper(studied.view, studied.paper, drawn, 1)};
 }
 
 double undecided_share(const StudiedView& studied, const std::vector<EdgeTruth>& truth) {
@@ -49,7 +49,7 @@ double undecided_share(const StudiedView& studied, const std::vector<EdgeTruth>&
 // What is counted where all edges are judged, a bound where some are.
 double share_of_wrong(const Errors& errors, bool all) {
   const auto wrong = static_cast<int>(errors.edges), judged = static_cast<int>(errors.judged);
-  if (!all) return greatest_share(wrong, judged, confidence);
+  if (!all) return verify::greatest_share(wrong, judged, confidence);
   return judged > 0 ? static_cast<double>(wrong) / judged : 0;
 }
 
@@ -62,21 +62,22 @@ Contender contender(const StudiedView& studied, const Method& method) {
 }
 
 std::vector<EdgeTruth> truth_of(const StudiedView& studied, const TruthEffort& effort) {
-  ViewDrawing drawing;
+  drawing::ViewDrawing drawing;
   drawing.projection = studied.view.projection;
-  drawing.world_to_page = world_to_page(studied.view, studied.paper);
-  const HiddenSpans hidden = nothing_hidden(studied.drawn);
+  drawing.world_to_page = view::world_to_page(studied.view, studied.paper);
+  const visibility::HiddenSpans hidden = visibility::nothing_hidden(studied.drawn);
   return find_truth({studied.world, studied.view.projection, studied.limits, studied.drawn, hidden, drawing},
                     studied.view, effort);
 }
 
-Errors errors_of(const StudiedView& studied, const std::vector<EdgeTruth>& truth, const HiddenSpans& shown) {
+Errors errors_of(const StudiedView& studied, const std::vector<EdgeTruth>& truth,
+                 const visibility::HiddenSpans& shown) {
   std::vector<JudgedEdge> edges;
-  const double min = least_piece * studied.view.extent * studied.paper.scale;
+  const double min = visibility::least_piece * studied.view.extent * studied.paper.scale;
   for (const EdgeTruth& edge : truth) {
     const auto [from, to] = on_paper(studied, edge.edge);
     if (glm::distance(from, to) <= min) continue;
-    const Spans spans = hidden_parts(shown, static_cast<std::size_t>(edge.edge));
+    const visibility::Spans spans = hidden_parts(shown, static_cast<std::size_t>(edge.edge));
     edges.push_back({from, to, spans, nearest_right(spans, edge)});
   }
   return measure_errors(edges, min);
@@ -91,7 +92,7 @@ ViewMeasurements measure(const StudiedView& studied, std::span<const Contender> 
     Measurement& one = result.methods.emplace_back();
     one.method = contender.method;
     one.parameters = contender.parameters;
-    HiddenSpans found;
+    visibility::HiddenSpans found;
     one.memory = peak_memory_of([&] { found = contender.run(); });
     one.errors = errors_of(studied, truth, found);
     one.at_most_wrong = share_of_wrong(one.errors, truth.size() == studied.drawn.edges.size());
@@ -111,4 +112,4 @@ double median_of(std::vector<double> values) {
   return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
 
-}  // namespace epura
+}  // namespace epura::study

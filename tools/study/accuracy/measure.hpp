@@ -13,22 +13,22 @@
 #include "study/methods/method.hpp"
 #include "view/paper_map.hpp"
 
-namespace epura {
+namespace epura::study {
 
 /// A view of a scene, as far as its drawn edges are known.
 struct StudiedView {
   std::string scene, name;
-  const World& world;
-  const ProjectedScene& view;
-  const ViewLimits& limits;
-  const FeatureEdges& drawn;
-  PaperMap paper;
+  const scene::World& world;
+  const view::ProjectedScene& view;
+  const view::ViewLimits& limits;
+  const edges::FeatureEdges& drawn;
+  view::PaperMap paper;
 };
 
 /// What is measured: a way to hidden spans under a name.
 struct Contender {
   std::string method, parameters;
-  std::function<HiddenSpans()> run;
+  std::function<visibility::HiddenSpans()> run;
 };
 
 Contender contender(const StudiedView& studied, const Method& method);
@@ -60,7 +60,7 @@ struct StudyEffort {
 /// The truth for a view.
 std::vector<EdgeTruth> truth_of(const StudiedView& studied, const TruthEffort& effort);
 
-Errors errors_of(const StudiedView& studied, const std::vector<EdgeTruth>& truth, const HiddenSpans& shown);
+Errors errors_of(const StudiedView& studied, const std::vector<EdgeTruth>& truth, const visibility::HiddenSpans& shown);
 
 /// Runs take turns, so that what else the machine does meets all alike; one before them warms up, and tells errors and
 /// memory.
@@ -68,4 +68,4 @@ ViewMeasurements measure(const StudiedView& studied, std::span<const Contender> 
 
 double median_of(std::vector<double> values);
 
-}  // namespace epura
+}  // namespace epura::study

@@ -9,7 +9,7 @@
 
 #include "base/text.hpp"
 
-namespace epura {
+namespace epura::study {
 
 namespace {
 
@@ -45,4 +45,4 @@ std::optional<double> peak_memory_of(const std::function<void()>& work) {
   return std::max(*peak - *before, 0.0);
 }
 
-}  // namespace epura
+}  // namespace epura::study

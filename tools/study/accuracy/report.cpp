@@ -9,7 +9,7 @@
 #include "output/html.hpp"
 #include "study/accuracy/tables.hpp"
 
-namespace epura {
+namespace epura::study {
 
 namespace {
 
@@ -60,7 +60,7 @@ std::string meanings(const Table& table) {
   std::string text = "<h2>Columns</h2>\n<dl>\n";
   for (const Table::Column& column : table.columns)
     if (!column.meaning.empty())
-      text += "<dt>" + html_text(column.name) + "</dt><dd>" + html_text(column.meaning) + "</dd>\n";
+      text += "<dt>" + output::html_text(column.name) + "</dt><dd>" + output::html_text(column.meaning) + "</dd>\n";
   return text + "</dl>\n";
 }
 
@@ -68,12 +68,12 @@ std::string to_html(const AccuracyReport& report) {
   std::string text = head;
   for (std::size_t i = 0; i < report.views.size(); ++i) {
     const ViewMeasurements& view = report.views[i];
-    text += "<h2>" + html_text(view.scene) + ", " + html_text(view.view) + "</h2>\n" + facts_of(view);
-    text += inline_svg(to_sheet(diagram_of(view, i)), {}) + "<div class=\"wide\">" +
+    text += "<h2>" + output::html_text(view.scene) + ", " + output::html_text(view.view) + "</h2>\n" + facts_of(view);
+    text += output::inline_svg(to_sheet(diagram_of(view, i)), {}) + "<div class=\"wide\">" +
             to_html(table_of(std::span(&view, 1))) + "</div>\n";
   }
   if (!report.maps.empty())
-    text += "<h2>Projection maps</h2>\n" + inline_svg(to_sheet(diagram_of(report.maps)), {}) +
+    text += "<h2>Projection maps</h2>\n" + output::inline_svg(to_sheet(diagram_of(report.maps)), {}) +
             "<details><summary>table</summary>\n" + to_html(table_of_maps(report.maps)) + "</details>\n";
   return text + meanings(table_of(report.views)) + "</body>\n</html>\n";
 }
@@ -83,8 +83,8 @@ std::string to_json(const AccuracyReport& report) {
          ",\n \"maps\": " + to_json_list(table_of_maps(report.maps)) + "}\n";
 }
 
-std::vector<Sheet> sheets_of(const AccuracyReport& report) {
-  std::vector<Sheet> sheets;
+std::vector<sheet::Sheet> sheets_of(const AccuracyReport& report) {
+  std::vector<sheet::Sheet> sheets;
   for (std::size_t i = 0; i < report.views.size(); ++i) sheets.push_back(to_sheet(diagram_of(report.views[i], i)));
   if (!report.maps.empty()) sheets.push_back(to_sheet(diagram_of(report.maps)));
   return sheets;
@@ -92,16 +92,16 @@ std::vector<Sheet> sheets_of(const AccuracyReport& report) {
 
 // Diagrams, each followed by its table.
 std::string to_pdf(const AccuracyReport& report) {
-  std::vector<Sheet> sheets;
+  std::vector<sheet::Sheet> sheets;
   for (std::size_t i = 0; i < report.views.size(); ++i) {
     const ViewMeasurements& view = report.views[i];
     sheets.push_back(to_sheet(diagram_of(view, i)));
     sheets.push_back(to_sheet(table_of(std::span(&view, 1)), view.scene + ", " + view.view));
   }
   if (!report.maps.empty()) sheets.push_back(to_sheet(diagram_of(report.maps)));
-  Pages pages;
-  for (const Sheet& sheet : sheets) pages.push_back(&sheet);
-  return epura::to_pdf(pages);
+  output::Pages pages;
+  for (const sheet::Sheet& sheet : sheets) pages.push_back(&sheet);
+  return epura::output::to_pdf(pages);
 }
 
 // Methods in the order in which they come; their points in that of time.
@@ -147,7 +147,7 @@ LogPlot diagram_of(const std::vector<MapMeasurement>& maps) {
 std::vector<std::string> to_files(const AccuracyReport& report, ReportFormat format) {
   const auto each_sheet = [&](const auto& write) {
     std::vector<std::string> files;
-    for (const Sheet& sheet : sheets_of(report)) files.push_back(write(sheet));
+    for (const sheet::Sheet& sheet : sheets_of(report)) files.push_back(write(sheet));
     return files;
   };
   switch (format) {
@@ -160,11 +160,11 @@ std::vector<std::string> to_files(const AccuracyReport& report, ReportFormat for
     case ReportFormat::json:
       return {to_json(report)};
     case ReportFormat::svg:
-      return each_sheet([](const Sheet& sheet) { return to_svg(sheet, {}); });
+      return each_sheet([](const sheet::Sheet& sheet) { return output::to_svg(sheet, {}); });
     case ReportFormat::png:
-      return each_sheet([](const Sheet& sheet) { return to_png(sheet, picture_dpi); });
+      return each_sheet([](const sheet::Sheet& sheet) { return output::to_png(sheet, picture_dpi); });
   }
   return {};
 }
 
-}  // namespace epura
+}  // namespace epura::study

@@ -11,7 +11,7 @@
 #include "study/accuracy/maps.hpp"
 #include "study/accuracy/measure.hpp"
 
-namespace epura {
+namespace epura::study {
 
 struct AccuracyReport {
   std::vector<ViewMeasurements> views;
@@ -28,4 +28,4 @@ enum class ReportFormat { html, pdf, csv, json, svg, png };
 /// One file, with nothing to fetch from elsewhere; of SVG and PNG one for each diagram.
 std::vector<std::string> to_files(const AccuracyReport& report, ReportFormat format);
 
-}  // namespace epura
+}  // namespace epura::study

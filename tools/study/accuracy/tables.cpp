@@ -7,7 +7,7 @@
 #include "base/utf8.hpp"
 #include "output/html.hpp"
 
-namespace epura {
+namespace epura::study {
 
 namespace {
 
@@ -138,9 +138,9 @@ std::string to_json_list(const Table& table) {
   return "[" + text + "]";
 }
 
-Sheet to_sheet(const Table& table, const std::string& title) {
+sheet::Sheet to_sheet(const Table& table, const std::string& title) {
   constexpr double margin = 10, text_column = 26, number_column = 17.5, row_height = 5, letters = 1.8;
-  Layer layer{"table", {"plot-text", 0.25}, {}, {}, {}};
+  sheet::Layer layer{"table", {"plot-text", 0.25}, {}, {}, {}};
   const double height = 2 * margin + 12 + row_height * static_cast<double>(table.rows.size() + 1);
   double x = margin;
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
@@ -148,30 +148,31 @@ Sheet to_sheet(const Table& table, const std::string& title) {
     if (!column.printed) continue;
     const double step = column.number ? number_column : text_column;
     const double at = column.number ? x + step - 2 : x;
-    const Align align = column.number ? Align::right : Align::left;
+    const sheet::Align align = column.number ? sheet::Align::right : sheet::Align::left;
     double y = height - margin - 12;
     layer.texts.push_back({column.name, {at, y}, letters, 0, align, "head"});
     for (const auto& row : table.rows)
       layer.texts.push_back({row[i], {at, y -= row_height}, letters, 0, align, "cell"});
     x += step;
   }
-  layer.texts.push_back({title, {margin, height - margin - 3.5}, 3.5, 0, Align::left, "title"});
+  layer.texts.push_back({title, {margin, height - margin - 3.5}, 3.5, 0, sheet::Align::left, "title"});
   return {x + margin, height, title, {std::move(layer)}};
 }
 
 std::string to_html(const Table& table) {
   std::string text = "<table>\n<thead><tr>";
   for (const Table::Column& column : table.columns)
-    text += "<th title=\"" + html_text(column.meaning) + "\">" + html_text(column.name) + "</th>";
+    text += "<th title=\"" + output::html_text(column.meaning) + "\">" + output::html_text(column.name) + "</th>";
   text += "</tr></thead>\n<tbody>\n";
   for (const auto& row : table.rows)
-    text += "<tr>" +
-            joined(row, "",
-                   [&](std::size_t i) {
-                     return (table.columns[i].number ? "<td class=\"n\">" : "<td>") + html_text(row[i]) + "</td>";
-                   }) +
-            "</tr>\n";
+    text +=
+        "<tr>" +
+        joined(row, "",
+               [&](std::size_t i) {
+                 return (table.columns[i].number ? "<td class=\"n\">" : "<td>") + output::html_text(row[i]) + "</td>";
+               }) +
+        "</tr>\n";
   return text + "</tbody>\n</table>\n";
 }
 
-}  // namespace epura
+}  // namespace epura::study

@@ -9,7 +9,7 @@
 #include "sheet/sheet.hpp"
 #include "study/accuracy/measure.hpp"
 
-namespace epura {
+namespace epura::study {
 
 struct Table {
   struct Column {
@@ -30,7 +30,7 @@ std::string to_csv(const Table& table);
 /// A list of objects; numbers are numbers, and null where they are infinite or not known.
 std::string to_json_list(const Table& table);
 /// A page with the columns that fit.
-Sheet to_sheet(const Table& table, const std::string& title);
+sheet::Sheet to_sheet(const Table& table, const std::string& title);
 /// <table>
 std::string to_html(const Table& table);
-}  // namespace epura
+}  // namespace epura::study

@@ -16,7 +16,7 @@
 #include "study/methods/pixel_walk.hpp"
 #include "study/methods/point_rule.hpp"
 
-namespace epura {
+namespace epura::study {
 
 namespace {
 
@@ -25,12 +25,12 @@ constexpr double most_tiles = 1 << 22;
 constexpr double most_pixels_of_edges = 1e9;
 constexpr std::size_t chunk = 4096;
 
-Vec2 place_of(const PageVertex& v) { return {v.x, v.y}; }
+Vec2 place_of(const view::PageVertex& v) { return {v.x, v.y}; }
 
 /// Nearest triangles at the middles of the pixels of a tile.
 class Tile {
  public:
-  Tile(const ProjectedScene& view, const Vec2& origin, double density)
+  Tile(const view::ProjectedScene& view, const Vec2& origin, double density)
       : view_(view),
         origin_(origin),
         density_(density),
@@ -38,8 +38,8 @@ class Tile {
         item_(depth_.size(), -1) {}
 
   void rasterise(int triangle) {
-    const ViewTriangle& t = view_.triangles[triangle];
-    const std::optional<Vec2> slope = slope_of(view_, t);
+    const view::ViewTriangle& t = view_.triangles[triangle];
+    const std::optional<Vec2> slope = visibility::slope_of(view_, t);
     if (!slope) return;
     std::array<Vec2, 3> corner;
     for (std::size_t i = 0; i < 3; ++i) corner[i] = (place_of(view_.vertices[t.vertex[i]]) - origin_) * density_;
@@ -82,7 +82,7 @@ class Tile {
     return {std::max(0, whole(std::ceil(from - 0.5))), std::min(tile_side - 1, whole(std::floor(to - 0.5)))};
   }
 
-  const ProjectedScene& view_;
+  const view::ProjectedScene& view_;
   Vec2 origin_;
   double density_;
   std::vector<double> depth_;
@@ -130,10 +130,11 @@ ByTile<Thing> sort_into_tiles(std::size_t count, int tiles, const Find& find) {
 
 class ItemBuffer {
  public:
-  ItemBuffer(const World& world, const ProjectedScene& view, const FeatureEdges& drawn, double density)
+  ItemBuffer(const scene::World& world, const view::ProjectedScene& view, const edges::FeatureEdges& drawn,
+             double density)
       : world_(world), view_(view), drawn_(drawn), density_(density) {
     Vec2 min(HUGE_VAL), max(-HUGE_VAL);
-    for (const FeatureEdge& edge : drawn.edges)
+    for (const edges::FeatureEdge& edge : drawn.edges)
       for (const int v : edge.vertex) {
         min = glm::min(min, place_of(view.vertices[v]));
         max = glm::max(max, place_of(view.vertices[v]));
@@ -145,7 +146,7 @@ class ItemBuffer {
     walk_edges();
   }
 
-  std::vector<Spans> hidden_spans() {
+  std::vector<visibility::Spans> hidden_spans() {
     const ByTile<int> triangles = triangles_by_tile();
     const ByTile<Piece> pieces = pieces_by_tile();
     parallel_for(static_cast<std::size_t>(tiles_.count()), 1, [&](std::size_t begin, std::size_t end) {
@@ -169,7 +170,7 @@ class ItemBuffer {
 
   void walk_edges() {
     double pixels = 0;
-    for (const FeatureEdge& edge : drawn_.edges) {
+    for (const edges::FeatureEdge& edge : drawn_.edges) {
       walks_.emplace_back((place_of(view_.vertices[edge.vertex[0]]) - tiles_.origin) * density_,
                           (place_of(view_.vertices[edge.vertex[1]]) - tiles_.origin) * density_);
       first_pixel_.push_back(static_cast<std::size_t>(pixels));
@@ -186,7 +187,7 @@ class ItemBuffer {
     return sort_into_tiles<int>(view_.triangles.size(), tiles_.count(), [&](std::size_t t, auto& found) {
       std::array<Vec2, 3> corners;
       for (std::size_t i = 0; i < 3; ++i) corners[i] = place_of(view_.vertices[view_.triangles[t].vertex[i]]);
-      TriangleOnGrid(tiles_, corners, slack).visit_rows([&](const RowOfCells& row) {
+      search::TriangleOnGrid(tiles_, corners, slack).visit_rows([&](const search::RowOfCells& row) {
         for (int column = row.from; column <= row.to; ++column)
           found.emplace_back(tiles_.cell(column, row.row), static_cast<int>(t));
       });
@@ -213,34 +214,34 @@ class ItemBuffer {
 
   void look(const Tile& buffer, const Piece& piece) {
     const PixelWalk& walk = walks_[piece.edge];
-    const FeatureEdge& edge = drawn_.edges[piece.edge];
+    const edges::FeatureEdge& edge = drawn_.edges[piece.edge];
     const PointRule rule(view_, {edge.vertex[0], edge.vertex[1]});
-    const OwnTriangles own(world_, drawn_, edge);
+    const visibility::OwnTriangles own(world_, drawn_, edge);
     for (int step = piece.first; step <= piece.last; ++step) {
       const auto [column, row] = walk.pixel(step);
       const int item = buffer.item(column % tile_side, row % tile_side);
       if (item < 0) continue;
-      const ViewTriangle& triangle = view_.triangles[item];
+      const view::ViewTriangle& triangle = view_.triangles[item];
       hidden_[first_pixel_[piece.edge] + step] =
           static_cast<char>(rule.lies_before(triangle, walk.position(step)) && !own.contain(triangle.source));
     }
   }
 
-  [[nodiscard]] std::vector<Spans> spans_of_pixels() const {
-    std::vector<Spans> spans(walks_.size());
+  [[nodiscard]] std::vector<visibility::Spans> spans_of_pixels() const {
+    std::vector<visibility::Spans> spans(walks_.size());
     parallel_for(walks_.size(), chunk, [&](std::size_t begin, std::size_t end) {
       for (std::size_t e = begin; e < end; ++e)
         for (int step = 0; step < walks_[e].steps(); ++step)
-          if (hidden_[first_pixel_[e] + step] != 0) add_span(spans[e], walks_[e].part(step));
+          if (hidden_[first_pixel_[e] + step] != 0) visibility::add_span(spans[e], walks_[e].part(step));
     });
     return spans;
   }
 
-  const World& world_;
-  const ProjectedScene& view_;
-  const FeatureEdges& drawn_;
+  const scene::World& world_;
+  const view::ProjectedScene& view_;
+  const edges::FeatureEdges& drawn_;
   double density_;
-  CellGrid tiles_{};
+  search::CellGrid tiles_{};
   std::vector<PixelWalk> walks_;
   std::vector<std::size_t> first_pixel_;  ///< by edge, of its first step
   std::vector<char> hidden_;              ///< by step of all walks
@@ -248,10 +249,11 @@ class ItemBuffer {
 
 }  // namespace
 
-HiddenSpans find_hidden_by_item_buffer(const World& world, const ProjectedScene& view, const FeatureEdges& drawn,
-                                       double density, Progress progress) {
+visibility::HiddenSpans find_hidden_by_item_buffer(const scene::World& world, const view::ProjectedScene& view,
+                                                   const edges::FeatureEdges& drawn, double density,
+                                                   Progress progress) {
   progress.begin("hiding lines");
   return gather(ItemBuffer(world, view, drawn, density).hidden_spans());
 }
 
-}  // namespace epura
+}  // namespace epura::study

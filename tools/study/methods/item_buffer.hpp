@@ -10,10 +10,11 @@
 
 #include "visibility/visibility.hpp"
 
-namespace epura {
+namespace epura::study {
 
 /// `density`: pixels per view unit. The buffer is made and used tile by tile, so that memory does not grow with it.
-HiddenSpans find_hidden_by_item_buffer(const World& world, const ProjectedScene& view, const FeatureEdges& drawn,
-                                       double density, Progress progress = {});
+visibility::HiddenSpans find_hidden_by_item_buffer(const scene::World& world, const view::ProjectedScene& view,
+                                                   const edges::FeatureEdges& drawn, double density,
+                                                   Progress progress = {});
 
-}  // namespace epura
+}  // namespace epura::study

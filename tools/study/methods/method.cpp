@@ -12,7 +12,7 @@
 #include "study/methods/rounded_view.hpp"
 #include "study/methods/sampled.hpp"
 
-namespace epura {
+namespace epura::study {
 
 namespace {
 
@@ -103,22 +103,22 @@ std::string text_of(const Method& method) {
   return name_of(method.algorithm) + (turned.empty() ? "" : ":") + turned;
 }
 
-HiddenSpans find_hidden(const World& world, const ProjectedScene& view, const FeatureEdges& drawn, const Method& method,
-                        double mm) {
+visibility::HiddenSpans find_hidden(const scene::World& world, const view::ProjectedScene& view,
+                                    const edges::FeatureEdges& drawn, const Method& method, double mm) {
   switch (method.algorithm) {
     case Algorithm::exact:
-      if (method.bits == Method().bits) return find_hidden(world, view, drawn);
-      return find_hidden(world, on_coarser_grid(view, static_cast<int>(method.bits)), drawn);
+      if (method.bits == Method().bits) return visibility::find_hidden(world, view, drawn);
+      return visibility::find_hidden(world, on_coarser_grid(view, static_cast<int>(method.bits)), drawn);
     case Algorithm::floats:
-      return find_hidden(world, in_floats(view), drawn);
+      return visibility::find_hidden(world, in_floats(view), drawn);
     case Algorithm::sampled:
       return find_hidden_by_samples(world, view, drawn, {method.density * mm, static_cast<int>(method.halvings)});
     case Algorithm::item_buffer:
       return find_hidden_by_item_buffer(world, view, drawn, mm * method.dpi / 25.4);
     case Algorithm::none:
-      return nothing_hidden(drawn);
+      return visibility::nothing_hidden(drawn);
   }
-  return nothing_hidden(drawn);
+  return visibility::nothing_hidden(drawn);
 }
 
-}  // namespace epura
+}  // namespace epura::study

@@ -7,7 +7,7 @@
 
 #include "visibility/visibility.hpp"
 
-namespace epura {
+namespace epura::study {
 
 enum class Algorithm {
   exact,        ///< signs of whole numbers on the page grid (visibility.hpp)
@@ -38,7 +38,7 @@ std::string parameters_of(const Method& method);
 std::string text_of(const Method& method);
 
 /// Decides by any method. `mm` of paper are a view unit long.
-HiddenSpans find_hidden(const World& world, const ProjectedScene& view, const FeatureEdges& drawn, const Method& method,
-                        double mm);
+visibility::HiddenSpans find_hidden(const scene::World& world, const view::ProjectedScene& view,
+                                    const edges::FeatureEdges& drawn, const Method& method, double mm);
 
-}  // namespace epura
+}  // namespace epura::study

@@ -8,7 +8,7 @@
 
 #include "base/vec.hpp"
 
-namespace epura {
+namespace epura::study {
 
 class PixelWalk {
  public:
@@ -57,4 +57,4 @@ class PixelWalk {
   int first_ = 0, steps_ = 0;
 };
 
-}  // namespace epura
+}  // namespace epura::study

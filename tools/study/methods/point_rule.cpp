@@ -3,14 +3,14 @@
 
 #include <algorithm>
 
-namespace epura {
+namespace epura::study {
 
 namespace {
 
 // Points within this part of the drawing beside a side lie on it: neighbours leave no gap between them.
 constexpr double on_side = 0x1p-44;
 
-Vec2 place_of(const PageVertex& v) { return {v.x, v.y}; }
+Vec2 place_of(const view::PageVertex& v) { return {v.x, v.y}; }
 
 double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
@@ -26,7 +26,7 @@ double PointRule::depth(double s) const {
   return p + s * (view_.vertices[edge_.q].depth - p);
 }
 
-bool PointRule::hides(const ViewTriangle& triangle, double s) const {
+bool PointRule::hides(const view::ViewTriangle& triangle, double s) const {
   const Vec2 point = position(s);
   bool left = true, right = true;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -40,8 +40,8 @@ bool PointRule::hides(const ViewTriangle& triangle, double s) const {
   return (left || right) && lies_before(triangle, s);
 }
 
-bool PointRule::lies_before(const ViewTriangle& triangle, double s) const {
-  const std::optional<Vec2> slope = slope_of(view_, triangle);
+bool PointRule::lies_before(const view::ViewTriangle& triangle, double s) const {
+  const std::optional<Vec2> slope = visibility::slope_of(view_, triangle);
   if (!slope) return false;
   const auto& own = triangle.vertex;
   const bool holds_p = std::find(own.begin(), own.end(), edge_.p) != own.end();
@@ -50,14 +50,15 @@ bool PointRule::lies_before(const ViewTriangle& triangle, double s) const {
   if (holds_p || holds_q) {
     // From a common corner on the difference grows from zero, and what is forgiven with it: the other end decides. Near
     // the corner, the difference of two places would be mostly rounding.
-    const PageVertex& corner = view_.vertices[holds_p ? edge_.p : edge_.q];
-    const PageVertex& end = view_.vertices[holds_p ? edge_.q : edge_.p];
-    const double ahead = rise_along(view_, triangle, place_of(end) - place_of(corner)) + corner.depth - end.depth;
+    const view::PageVertex& corner = view_.vertices[holds_p ? edge_.p : edge_.q];
+    const view::PageVertex& end = view_.vertices[holds_p ? edge_.q : edge_.p];
+    const double ahead =
+        visibility::rise_along(view_, triangle, place_of(end) - place_of(corner)) + corner.depth - end.depth;
     return ahead > view_.contact.joined * steepness;
   }
-  const PageVertex& corner = view_.vertices[own[0]];
+  const view::PageVertex& corner = view_.vertices[own[0]];
   const double ahead = glm::dot(*slope, position(s) - place_of(corner)) + corner.depth - depth(s);
   return ahead > view_.contact.touching * steepness;
 }
 
-}  // namespace epura
+}  // namespace epura::study

@@ -5,25 +5,25 @@
 
 #include "visibility/hiding_rule.hpp"
 
-namespace epura {
+namespace epura::study {
 
 class PointRule {
  public:
-  PointRule(const ProjectedScene& view, const PageEdge& edge) : view_(view), edge_(edge) {}
+  PointRule(const view::ProjectedScene& view, const visibility::PageEdge& edge) : view_(view), edge_(edge) {}
 
   [[nodiscard]] Vec2 position(double s) const;
   [[nodiscard]] double depth(double s) const;
 
   /// Whether the triangle, which is none of the edge's own, covers the point at page parameter `s` (its border does,
   /// too) and lies before it by more than contact.
-  [[nodiscard]] bool hides(const ViewTriangle& triangle, double s) const;
+  [[nodiscard]] bool hides(const view::ViewTriangle& triangle, double s) const;
 
   /// Whether the plane of the triangle lies before that point by more than contact.
-  [[nodiscard]] bool lies_before(const ViewTriangle& triangle, double s) const;
+  [[nodiscard]] bool lies_before(const view::ViewTriangle& triangle, double s) const;
 
  private:
-  const ProjectedScene& view_;
-  PageEdge edge_;
+  const view::ProjectedScene& view_;
+  visibility::PageEdge edge_;
 };
 
-}  // namespace epura
+}  // namespace epura::study

@@ -7,7 +7,7 @@
 
 #include "base/parallel.hpp"
 
-namespace epura {
+namespace epura::study {
 
 namespace {
 
@@ -17,8 +17,8 @@ constexpr double forgiven = 4;
 constexpr double float_rounding = 0x1p-24;
 constexpr std::size_t grain = 8192;
 
-ProjectedScene copy_for_visibility(const ProjectedScene& view) {
-  ProjectedScene copy;
+view::ProjectedScene copy_for_visibility(const view::ProjectedScene& view) {
+  view::ProjectedScene copy;
   copy.middle = view.middle;
   copy.extent = view.extent;
   copy.cell = view.cell;
@@ -30,7 +30,7 @@ ProjectedScene copy_for_visibility(const ProjectedScene& view) {
 }
 
 // Vertices that no triangle and no edge uses may lie anywhere; rounding may move others over the grid's end.
-void lay_on_grid(ProjectedScene& view, int bits) {
+void lay_on_grid(view::ProjectedScene& view, int bits) {
   const double half = std::ldexp(1.0, bits);
   const auto to_grid = [&](double cells) {
     if (!(std::abs(cells) <= 2 * half)) return 0;
@@ -44,23 +44,23 @@ void lay_on_grid(ProjectedScene& view, int bits) {
 
 }  // namespace
 
-ProjectedScene on_coarser_grid(const ProjectedScene& view, int bits) {
-  ProjectedScene rounded = copy_for_visibility(view);
+view::ProjectedScene on_coarser_grid(const view::ProjectedScene& view, int bits) {
+  view::ProjectedScene rounded = copy_for_visibility(view);
   rounded.cell = std::ldexp(view.cell, usual_bits - bits);
   rounded.contact.touching = std::max(view.contact.touching, forgiven * rounded.cell);
   lay_on_grid(rounded, bits);
   return rounded;
 }
 
-ProjectedScene in_floats(const ProjectedScene& view) {
-  ProjectedScene rounded = copy_for_visibility(view);
+view::ProjectedScene in_floats(const view::ProjectedScene& view) {
+  view::ProjectedScene rounded = copy_for_visibility(view);
   const double rounding = forgiven * float_rounding * view.extent;
   rounded.contact.touching = std::max(view.contact.touching, rounding);
   rounded.contact.joined = std::max(view.contact.joined, rounding);
-  for (PageVertex& v : rounded.vertices)
+  for (view::PageVertex& v : rounded.vertices)
     v = {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.depth), v.w};
   lay_on_grid(rounded, usual_bits);
   return rounded;
 }
 
-}  // namespace epura
+}  // namespace epura::study

@@ -13,7 +13,7 @@
 #include "study/methods/point_rule.hpp"
 #include "visibility/occluders.hpp"
 
-namespace epura {
+namespace epura::study {
 
 namespace {
 
@@ -23,28 +23,28 @@ constexpr double most_points = 1e9;
 /// Looks at the points of one edge.
 class Lookup {
  public:
-  Lookup(const World& world, const ProjectedScene& view, const FeatureEdges& drawn, const OccluderGrid& occluders,
-         const FeatureEdge& edge)
+  Lookup(const scene::World& world, const view::ProjectedScene& view, const edges::FeatureEdges& drawn,
+         const visibility::OccluderGrid& occluders, const edges::FeatureEdge& edge)
       : view_(view),
         occluders_(occluders),
         own_(world, drawn, edge),
         line_{edge.vertex[0], edge.vertex[1]},
         rule_(view, line_) {
-    occluders.along(line_, [&](const CellSegment& stretch) { stretches_.push_back(stretch); });
+    occluders.along(line_, [&](const visibility::CellSegment& stretch) { stretches_.push_back(stretch); });
     std::sort(stretches_.begin(), stretches_.end(),
-              [](const CellSegment& a, const CellSegment& b) { return a.from < b.from; });
+              [](const visibility::CellSegment& a, const visibility::CellSegment& b) { return a.from < b.from; });
   }
 
   [[nodiscard]] bool is_hidden(double s) const {
     for (const int end : {line_.p, line_.q})
       for (const int triangle : occluders_.copies_around(end))
         if (is_hidden_by(triangle, s)) return true;
-    const CellSegment& stretch = stretch_at(s);
+    const visibility::CellSegment& stretch = stretch_at(s);
     const double depth = occluders_.depths(line_, s, s)[0];
     if (depth < stretch.cover) return true;
     if (stretch.tree != nullptr) return is_hidden_in(*stretch.tree, s);
     const double reach = occluders_.distance(depth);
-    for (const Candidate& candidate : stretch.candidates) {
+    for (const visibility::Candidate& candidate : stretch.candidates) {
       if (candidate.distance() > reach) return false;
       if (is_hidden_by(candidate.triangle(), s)) return true;
     }
@@ -53,16 +53,16 @@ class Lookup {
 
  private:
   [[nodiscard]] bool is_hidden_by(int number, double s) const {
-    const ViewTriangle& triangle = view_.triangles[number];
+    const view::ViewTriangle& triangle = view_.triangles[number];
     return rule_.hides(triangle, s) && !own_.contain(triangle.source);
   }
 
-  [[nodiscard]] bool is_hidden_by(const Pile& pile, double s) const {
+  [[nodiscard]] bool is_hidden_by(const visibility::Pile& pile, double s) const {
     const auto hides = [&](int triangle) { return is_hidden_by(triangle, s); };
     return std::any_of(pile.triangles().begin(), pile.triangles().end(), hides);
   }
 
-  [[nodiscard]] bool is_hidden_in(const CandidateTree& tree, double s) const {
+  [[nodiscard]] bool is_hidden_in(const visibility::CandidateTree& tree, double s) const {
     const Vec3 point = occluders_.point(line_, s);
     bool hidden = false;
     tree.visit_joined(view_, line_, [&](int triangle) { hidden = hidden || is_hidden_by(triangle, s); });
@@ -75,21 +75,22 @@ class Lookup {
   }
 
   // Stretches overlap by rounding, and there is one for every place.
-  [[nodiscard]] const CellSegment& stretch_at(double s) const {
-    auto stretch = std::upper_bound(stretches_.begin(), stretches_.end(), s,
-                                    [](double place, const CellSegment& other) { return place < other.from; });
+  [[nodiscard]] const visibility::CellSegment& stretch_at(double s) const {
+    auto stretch =
+        std::upper_bound(stretches_.begin(), stretches_.end(), s,
+                         [](double place, const visibility::CellSegment& other) { return place < other.from; });
     if (stretch != stretches_.begin()) --stretch;
     for (auto earlier = stretch; earlier->to < s && earlier != stretches_.begin();)
       if ((--earlier)->to >= s) return *earlier;
     return *stretch;
   }
 
-  const ProjectedScene& view_;
-  const OccluderGrid& occluders_;
-  OwnTriangles own_;
-  PageEdge line_;
+  const view::ProjectedScene& view_;
+  const visibility::OccluderGrid& occluders_;
+  visibility::OwnTriangles own_;
+  visibility::PageEdge line_;
   PointRule rule_;
-  std::vector<CellSegment> stretches_;
+  std::vector<visibility::CellSegment> stretches_;
 };
 
 // Where between two places that differ the change lies.
@@ -102,8 +103,8 @@ double place_of_change(const Lookup& lookup, double from, double to, bool hidden
   return 0.5 * (from + to);
 }
 
-Spans hidden_spans(const Lookup& lookup, double points, int halvings) {
-  Spans spans;
+visibility::Spans hidden_spans(const Lookup& lookup, double points, int halvings) {
+  visibility::Spans spans;
   double begin = 0, last = 0;
   bool hidden = false;
   for (double i = 0; i < points; ++i) {
@@ -121,15 +122,15 @@ Spans hidden_spans(const Lookup& lookup, double points, int halvings) {
   return spans;
 }
 
-double length_of(const ProjectedScene& view, const FeatureEdge& edge) {
-  const PageVertex& p = view.vertices[edge.vertex[0]];
-  const PageVertex& q = view.vertices[edge.vertex[1]];
+double length_of(const view::ProjectedScene& view, const edges::FeatureEdge& edge) {
+  const view::PageVertex& p = view.vertices[edge.vertex[0]];
+  const view::PageVertex& q = view.vertices[edge.vertex[1]];
   return std::hypot(q.x - p.x, q.y - p.y);
 }
 
-void require_few_points(const ProjectedScene& view, const FeatureEdges& drawn, double density) {
+void require_few_points(const view::ProjectedScene& view, const edges::FeatureEdges& drawn, double density) {
   double points = 0;
-  for (const FeatureEdge& edge : drawn.edges) points += length_of(view, edge) * density;
+  for (const edges::FeatureEdge& edge : drawn.edges) points += length_of(view, edge) * density;
   if (points > most_points)
     throw Error(ErrorKind::input, "--visibility sampled",
                 "asks for " + format_rounded(points, 2) + " points, at most " + format_rounded(most_points, 2) +
@@ -139,12 +140,13 @@ void require_few_points(const ProjectedScene& view, const FeatureEdges& drawn, d
 
 }  // namespace
 
-HiddenSpans find_hidden_by_samples(const World& world, const ProjectedScene& view, const FeatureEdges& drawn,
-                                   const Sampling& sampling, Progress progress) {
+visibility::HiddenSpans find_hidden_by_samples(const scene::World& world, const view::ProjectedScene& view,
+                                               const edges::FeatureEdges& drawn, const Sampling& sampling,
+                                               Progress progress) {
   require_few_points(view, drawn, sampling.density);
   progress.begin("hiding lines", drawn.edges.size());
-  const OccluderGrid occluders(world, view, drawn.edges);
-  std::vector<Spans> found(drawn.edges.size());
+  const visibility::OccluderGrid occluders(world, view, drawn.edges);
+  std::vector<visibility::Spans> found(drawn.edges.size());
   parallel_for(drawn.edges.size(), chunk, [&](std::size_t first, std::size_t last) {
     for (std::size_t e = first; e < last; ++e) {
       const Lookup lookup(world, view, drawn, occluders, drawn.edges[e]);
@@ -156,4 +158,4 @@ HiddenSpans find_hidden_by_samples(const World& world, const ProjectedScene& vie
   return gather(found);
 }
 
-}  // namespace epura
+}  // namespace epura::study

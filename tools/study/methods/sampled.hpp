@@ -10,14 +10,15 @@
 
 #include "visibility/visibility.hpp"
 
-namespace epura {
+namespace epura::study {
 
 struct Sampling {
   double density;  ///< points per view unit; every edge has at least one
   int halvings;    ///< of the interval in which a change lies
 };
 
-HiddenSpans find_hidden_by_samples(const World& world, const ProjectedScene& view, const FeatureEdges& drawn,
-                                   const Sampling& sampling, Progress progress = {});
+visibility::HiddenSpans find_hidden_by_samples(const scene::World& world, const view::ProjectedScene& view,
+                                               const edges::FeatureEdges& drawn, const Sampling& sampling,
+                                               Progress progress = {});
 
-}  // namespace epura
+}  // namespace epura::study

@@ -48,7 +48,7 @@ Measured turned_cube(const Lab& lab, double angle) {
 
 // One step where the larger plate is no longer in contact, never specks.
 Measured plate_under_a_plate(const Lab& lab, double e) {
-  const World world = world_of({plate(-0.5, -0.5, 0.5, 0.5, 0), plate(-1, -1, 1, 1, e)});
+  const scene::World world = world_of({plate(-0.5, -0.5, 0.5, 0.5, 0), plate(-1, -1, 1, 1, e)});
   const Result result = lab.draw(world, {from_above()});
   const bool hidden = e > result.view.contact.touching / result.view.map.unit * result.unit;
   Measured measured = lengths(result, hidden ? 8 : 12, hidden ? 4 : 0);
@@ -65,7 +65,7 @@ Measured zigzag(const Lab& lab, double waves) {
     sheet.points.push_back({0.5 * i, 1, z});
     if (i > 0) sheet.faces.push_back({2 * i - 2, 2 * i, 2 * i + 1, 2 * i - 1});
   }
-  const EdgeOptions folds{.contour = true, .boundary = false, .crease = true, .intersection = false};
+  const edges::EdgeOptions folds{.contour = true, .boundary = false, .crease = true, .intersection = false};
   return lengths(lab.draw(world_of(sheet), {orthographic({2, 0, 1})}, folds), waves, waves - 1);
 }
 

@@ -25,20 +25,23 @@ std::vector<int> corners_before_the_viewer(const Result& result) {
   return corners;
 }
 
-using ExactPlace = std::array<Exact, 2>;
+using ExactPlace = std::array<verify::Exact, 2>;
 
 // On the plane, but for a shift that is the same for all points; in units of the view.
-ExactPlace exact_place(const ProjectedScene& view, const Vec3& point) {
-  const Projection& p = view.projection;
-  const Triple<Exact> x = triple<Exact>(point), q = triple<Exact>(p.projector), n = triple<Exact>(p.n);
-  const Exact unit = Exact(p.scale) * Exact(view.map.normalisation);
+ExactPlace exact_place(const view::ProjectedScene& view, const Vec3& point) {
+  const projection::Projection& p = view.projection;
+  const verify::Triple<verify::Exact> x = verify::triple<verify::Exact>(point),
+                                      q = verify::triple<verify::Exact>(p.projector),
+                                      n = verify::triple<verify::Exact>(p.n);
+  const verify::Exact unit = verify::Exact(p.scale) * verify::Exact(view.map.normalisation);
   ExactPlace place;
   for (int i = 0; i < 2; ++i) {
-    const Triple<Exact> axis = triple<Exact>(i == 0 ? p.u : p.v);
+    const verify::Triple<verify::Exact> axis = verify::triple<verify::Exact>(i == 0 ? p.u : p.v);
     if (p.central)
-      place[i] = unit * dot(axis, x - q) * dot(n, q - triple<Exact>(p.point)) / dot(n, q - x);
+      place[i] = unit * verify::dot(axis, x - q) * verify::dot(n, q - verify::triple<verify::Exact>(p.point)) /
+                 verify::dot(n, q - x);
     else
-      place[i] = unit * (dot(axis, x) - dot(axis, q) / dot(n, q) * dot(n, x));
+      place[i] = unit * (verify::dot(axis, x) - verify::dot(axis, q) / verify::dot(n, q) * verify::dot(n, x));
   }
   return place;
 }
@@ -46,17 +49,17 @@ ExactPlace exact_place(const ProjectedScene& view, const Vec3& point) {
 }  // namespace
 
 Quantity places(const Result& result, double allowed) {
-  const ProjectedScene& view = result.view;
+  const view::ProjectedScene& view = result.view;
   const std::vector<int> corners = corners_before_the_viewer(result);
   double worst = 0;
   if (!corners.empty()) {
     const ExactPlace first = exact_place(view, result.world.points[corners.front()]);
     for (const int v : corners) {
       const ExactPlace place = exact_place(view, result.world.points[v]);
-      const Exact x = place[0] - first[0], y = place[1] - first[1];
-      const PageVertex& from = view.vertices[corners.front()];
-      const PageVertex& to = view.vertices[v];
-      worst = std::max(worst, std::hypot(to.x - from.x - value_of(x), to.y - from.y - value_of(y)));
+      const verify::Exact x = place[0] - first[0], y = place[1] - first[1];
+      const view::PageVertex& from = view.vertices[corners.front()];
+      const view::PageVertex& to = view.vertices[v];
+      worst = std::max(worst, std::hypot(to.x - from.x - verify::value_of(x), to.y - from.y - verify::value_of(y)));
     }
   }
   return {"places", 0, worst * result.unit, result.extent(), allowed};

@@ -63,7 +63,7 @@ Measured sliver_plate(const Lab& lab, int n) {
     strips.points.push_back({static_cast<double>(i) / n, 1, 1});
     if (i > 0) strips.faces.push_back({2 * i - 2, 2 * i, 2 * i + 1, 2 * i - 1});
   }
-  const World world = world_of({strips, plate(-1, -1, 2, 2, 0)});
+  const scene::World world = world_of({strips, plate(-1, -1, 2, 2, 0)});
   return one_span(lab.hidden_of_line(world, from_above(), {-1, 0.3, 0.5}, {2, 0.6, 0.5}), 1.0 / 3, 2.0 / 3);
 }
 
@@ -112,7 +112,7 @@ Measured triangles_without_area(const Lab& lab, int cells, int parts) {
   const Shape cube = fine_cube(cells);
   OneSidedSplit split{parts, {cube.points, {}, {}}, {}};
   for (const auto& triangle : cube.faces) split.split(triangle);
-  const World world = world_of(split.shape);
+  const scene::World world = world_of(split.shape);
   Measured measured{count("open edges", 0, world.models[0].mesh->report.open_edges)};
   const Vec3 towards = glm::normalize(Vec3(3, -2, 1));
   double all = 0;  // four edges along each axis, of which one is hidden
@@ -143,7 +143,7 @@ std::array<double, 2> chord(const std::vector<Point>& corners, double y) {
 
 Measured fan_over_chords(const Lab& lab, int n) {
   const Shape disk = fan(n);
-  const World world = world_of({disk, plate(-2, -2, 2, 2, -1)});
+  const scene::World world = world_of({disk, plate(-2, -2, 2, 2, -1)});
   Measured measured;
   for (const double c : {0.0, 0.25, 0.45}) {
     const auto [left, right] = chord({disk.points.begin() + 1, disk.points.end()}, c);
@@ -204,16 +204,16 @@ std::optional<std::array<double, 2>> part_inside(const Vec2& p, const Vec2& q, c
 }
 
 // Needle i lies below all needles after it. Of every edge in turn, what they hide of it.
-std::vector<Spans> hidden_in_the_plane(const std::vector<Flat>& needles) {
-  std::vector<Spans> hidden;
+std::vector<visibility::Spans> hidden_in_the_plane(const std::vector<Flat>& needles) {
+  std::vector<visibility::Spans> hidden;
   for (std::size_t i = 0; i < needles.size(); ++i)
     for (int k = 0; k < 3; ++k) {
       const Vec2 p = needles[i][k], q = needles[i][(k + 1) % 3];
-      Spans spans;
+      visibility::Spans spans;
       for (std::size_t j = i + 1; j < needles.size(); ++j)
-        if (const auto part = part_inside(p, q, needles[j])) add_span(spans, *part);
+        if (const auto part = part_inside(p, q, needles[j])) visibility::add_span(spans, *part);
       // The drawing is as large as the circle.
-      absorb_slivers(spans, 2 * least_piece / glm::distance(p, q));
+      visibility::absorb_slivers(spans, 2 * visibility::least_piece / glm::distance(p, q));
       hidden.push_back(spans);
     }
   return hidden;
@@ -222,8 +222,8 @@ std::vector<Spans> hidden_in_the_plane(const std::vector<Flat>& needles) {
 double hidden_before_merging(const Result& result) {
   double sum = 0;
   for (std::size_t e = 0; e < result.drawn.edges.size(); ++e) {
-    const PageVertex& p = result.view.vertices[result.drawn.edges[e].vertex[0]];
-    const PageVertex& q = result.view.vertices[result.drawn.edges[e].vertex[1]];
+    const view::PageVertex& p = result.view.vertices[result.drawn.edges[e].vertex[0]];
+    const view::PageVertex& q = result.view.vertices[result.drawn.edges[e].vertex[1]];
     for (std::size_t i = result.hidden.first[e]; i < result.hidden.first[e + 1]; ++i)
       sum += (result.hidden.spans[i][1] - result.hidden.spans[i][0]) * std::hypot(q.x - p.x, q.y - p.y);
   }
@@ -242,7 +242,7 @@ Measured needles(const Lab& lab, int n) {
   }
   double expected = 0;
   std::size_t pieces = 0;
-  const std::vector<Spans> hidden = hidden_in_the_plane(needles);
+  const std::vector<visibility::Spans> hidden = hidden_in_the_plane(needles);
   for (std::size_t e = 0; e < hidden.size(); ++e) {
     const Flat& needle = needles[e / 3];
     for (const auto& [from, to] : hidden[e])

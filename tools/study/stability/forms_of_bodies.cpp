@@ -42,7 +42,7 @@ double perimeter_of_hull(std::vector<Vec2> points) {
 }  // namespace
 
 Measured outline_of(const Lab& lab, const Shape& convex) {
-  const Projection p = orthographic({0.3, -0.8, 0.5});
+  const projection::Projection p = orthographic({0.3, -0.8, 0.5});
   std::vector<Vec2> corners;
   for (const Point& point : convex.points) {
     const Vec3 x(point[0], point[1], point[2]);
@@ -55,7 +55,8 @@ Measured sphere_from_anywhere(const Lab& lab, int meridians, int bands, double d
   const Shape sphere = uv_sphere(meridians, bands);
   const Vec3 towards = glm::normalize(Vec3(0.3, -0.8, 0.5));
   const bool central = std::isfinite(distance);
-  const Projection p = central ? perspective(distance * towards, {0, 0, 0}, towards, {0, 0, 1}) : orthographic(towards);
+  const projection::Projection p =
+      central ? perspective(distance * towards, {0, 0, 0}, towards, {0, 0, 1}) : orthographic(towards);
   std::vector<Vec2> corners;
   for (const Point& point : sphere.points) {
     const Vec3 x(point[0], point[1], point[2]);
@@ -104,7 +105,7 @@ Shape sum_of(const std::vector<Vec3>& segments) {
 Measured zonotope(const Lab& lab, int zones) {
   const std::vector<Vec3> segments = random_segments(zones);
   const Shape shape = sum_of(segments);
-  const Projection view = orthographic({0.3, -0.8, 0.5});
+  const projection::Projection view = orthographic({0.3, -0.8, 0.5});
   double sum = 0;
   for (const Vec3& s : segments) sum += std::hypot(glm::dot(s, view.u), glm::dot(s, view.v));
   Measured measured = lengths(lab.draw(world_of(shape), {view}, {.smooth = true}), zones * sum, (zones - 2) * sum);
@@ -141,7 +142,7 @@ std::vector<double> add_stadium(Shape& shape, double size) {
 
 double visible_length(const Result& result, int model) {
   double sum = 0;
-  for (const Segment& s : result.drawing.segments)
+  for (const drawing::Segment& s : result.drawing.segments)
     if (s.visible && s.model == model) sum += result.unit * glm::length(s.to - s.from);
   return sum;
 }

@@ -17,7 +17,7 @@ Shape ground() { return plate(-4, -4, 4, 4, -10); }
 using Interval = std::array<double, 2>;
 
 // Length of what is hidden in one but not in the other, outside `excused`.
-double differing(const Spans& got, const Interval& expected, const Interval& excused) {
+double differing(const visibility::Spans& got, const Interval& expected, const Interval& excused) {
   std::vector<double> ends{0, 1, expected[0], expected[1], excused[0], excused[1]};
   for (const auto& span : got) ends.insert(ends.end(), span.begin(), span.end());
   std::sort(ends.begin(), ends.end());

@@ -36,9 +36,9 @@ Measured quarter_cube_far_away(const Lab& lab, double at) {
 // The window shows the unit cube alone; the large one stands beside it on the page.
 Measured small_beside_large(const Lab& lab, double ratio) {
   const Shape large = box({-4, 2, 0}, {-3, 3, 1}).scaled(ratio);
-  const World world = world_of({box({0, 0, 0}, {1, 1, 1}), large});
-  Projection p = orthographic(diagonal);
-  p.window = Window{{-1, -1}, {1, 1}};
+  const scene::World world = world_of({box({0, 0, 0}, {1, 1, 1}), large});
+  projection::Projection p = orthographic(diagonal);
+  p.window = projection::Window{{-1, -1}, {1, 1}};
   const Result result = lab.draw(world, {p});
   return lengths(result, 9 * r, 3 * r);
 }

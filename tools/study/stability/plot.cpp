@@ -19,14 +19,14 @@ constexpr Vec2 field_least(18, 15), field_most(108, 60);
 constexpr double label_height = 2.5, mark = 0.7;
 constexpr double least_decade = -18, most_decade = 2;  // of errors; what is not finite stands at the top
 
-const std::array<LineStyle, arithmetics> curve_styles{
+const std::array<sheet::LineStyle, arithmetics> curve_styles{
     {{"plot-float32", 0.25, {0.6, 1.2}}, {"plot-double", 0.25, {3, 1}}, {"plot-epura", 0.5}}};
 
 struct Plot {
-  Lettering lettering;
-  Layer field{"field", {"plot-field", 0.18}, {}, {}, {}};
-  Layer allowed{"allowed", {"plot-allowed", 0.13, {6, 1, 0.5, 1}}, {}, {}, {}};
-  std::array<Layer, arithmetics> curves;
+  sheet::Lettering lettering;
+  sheet::Layer field{"field", {"plot-field", 0.18}, {}, {}, {}};
+  sheet::Layer allowed{"allowed", {"plot-allowed", 0.13, {6, 1, 0.5, 1}}, {}, {}, {}};
+  std::array<sheet::Layer, arithmetics> curves;
 
   Plot() {
     for (std::size_t a = 0; a < arithmetics; ++a) curves[a] = {"", curve_styles[a], {}, {}, {}};
@@ -75,40 +75,42 @@ class StepAxis {
   bool logarithmic_;
 };
 
-void add_text(Plot& plot, const std::string& text, const Vec2& at, Align align, double height = label_height) {
+void add_text(Plot& plot, const std::string& text, const Vec2& at, sheet::Align align, double height = label_height) {
   plot.field.texts.push_back({text, at, height, 0, align, "plot"});
 }
 
 void add_field(Plot& plot, const Vec2& origin, const CaseReport& one, const StepAxis& axis) {
-  plot.field.strokes.push_back(outline({origin + field_least, origin + field_most}));
+  plot.field.strokes.push_back(sheet::outline({origin + field_least, origin + field_most}));
   for (int decade = -16; decade <= 0; decade += 4) {
     const double y = height_of(std::pow(10.0, decade));
-    plot.field.strokes.push_back(line(origin + Vec2(field_least.x - 1, y), origin + Vec2(field_least.x, y)));
+    plot.field.strokes.push_back(sheet::line(origin + Vec2(field_least.x - 1, y), origin + Vec2(field_least.x, y)));
     add_text(plot, decade == 0 ? "1" : "1e" + std::to_string(decade), origin + Vec2(field_least.x - 2, y - 1.2),
-             Align::right);
+             sheet::Align::right);
   }
   const double below = field_least.y - 4.5;
-  add_text(plot, format_rounded(axis.min(), 3), origin + Vec2(axis.place(axis.min()), below), Align::middle);
+  add_text(plot, format_rounded(axis.min(), 3), origin + Vec2(axis.place(axis.min()), below), sheet::Align::middle);
   if (axis.max() > axis.min())
-    add_text(plot, format_rounded(axis.max(), 3), origin + Vec2(axis.place(axis.max()), below), Align::right);
-  add_text(plot, one.parameter, origin + Vec2((field_least.x + field_most.x) / 2, below - 5), Align::middle);
-  const FittedText title = fit_text(one.id + " " + one.what, field_most.x - field_least.x, 2.5, plot.lettering);
+    add_text(plot, format_rounded(axis.max(), 3), origin + Vec2(axis.place(axis.max()), below), sheet::Align::right);
+  add_text(plot, one.parameter, origin + Vec2((field_least.x + field_most.x) / 2, below - 5), sheet::Align::middle);
+  const sheet::FittedText title =
+      sheet::fit_text(one.id + " " + one.what, field_most.x - field_least.x, 2.5, plot.lettering);
   for (std::size_t i = 0; i < title.lines.size(); ++i) {
     const double above = 2 + 1.6 * title.height * static_cast<double>(title.lines.size() - 1 - i);
-    add_text(plot, title.lines[i], origin + Vec2(field_least.x, field_most.y + above), Align::left, title.height);
+    add_text(plot, title.lines[i], origin + Vec2(field_least.x, field_most.y + above), sheet::Align::left,
+             title.height);
   }
 }
 
 // A filled square where it is right, a cross where it is not.
-void add_mark(Layer& layer, const Vec2& at, Verdict verdict) {
+void add_mark(sheet::Layer& layer, const Vec2& at, Verdict verdict) {
   const Vec2 up(mark, mark), down(mark, -mark);
   if (verdict == Verdict::right)
     layer.fills.push_back({{{at - up, at + down, at + up, at - down}}});
   else
-    layer.strokes.insert(layer.strokes.end(), {line(at - up, at + up), line(at - down, at + down)});
+    layer.strokes.insert(layer.strokes.end(), {sheet::line(at - up, at + up), sheet::line(at - down, at + down)});
 }
 
-void add_curve(Layer& layer, std::vector<Vec2> points) {
+void add_curve(sheet::Layer& layer, std::vector<Vec2> points) {
   std::sort(points.begin(), points.end(), [](const Vec2& a, const Vec2& b) { return a.x < b.x; });
   if (points.size() > 1) layer.strokes.push_back({std::move(points), false, layer.style.dashes});
 }
@@ -131,8 +133,8 @@ void add_plot(Plot& plot, const Vec2& origin, const CaseReport& one) {
   }
 }
 
-Sheet finished(Plot plot, const std::string& name, const Vec2& size) {
-  Sheet sheet{size.x, size.y, "stability " + name, {}, {}, {}};
+sheet::Sheet finished(Plot plot, const std::string& name, const Vec2& size) {
+  sheet::Sheet sheet{size.x, size.y, "stability " + name, {}, {}, {}};
   plot.field.name = name + "/field";
   plot.allowed.name = name + "/allowed";
   sheet.layers = {plot.field, plot.allowed};
@@ -145,13 +147,13 @@ Sheet finished(Plot plot, const std::string& name, const Vec2& size) {
 
 }  // namespace
 
-Sheet to_sheet(const CaseReport& report) {
+sheet::Sheet to_sheet(const CaseReport& report) {
   Plot plot;
   add_plot(plot, Vec2(0), report);
   return finished(std::move(plot), report.id, plot_size);
 }
 
-Sheet to_sheet(const Report& report) {
+sheet::Sheet to_sheet(const Report& report) {
   const std::size_t columns = std::clamp<std::size_t>(report.size(), 1, 6);
   const std::size_t rows = std::max<std::size_t>(1, (report.size() + columns - 1) / columns);
   Plot plot;

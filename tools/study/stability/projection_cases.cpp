@@ -13,10 +13,12 @@ namespace {
 
 const double root2 = std::sqrt(2.0);
 
-World cube() { return world_of(box({0, 0, 0}, {1, 1, 1})); }
+scene::World cube() { return world_of(box({0, 0, 0}, {1, 1, 1})); }
 
 // The eye at height h over the far face z = 0 of the unit cube, the picture plane through the near face z = 1.
-Projection over_the_cube(double h) { return perspective({0.5, 0.5, h}, {0.5, 0.5, 1}, {0, 0, 1}, {0, 1, 0}); }
+projection::Projection over_the_cube(double h) {
+  return perspective({0.5, 0.5, h}, {0.5, 0.5, 1}, {0, 0, 1}, {0, 1, 0});
+}
 
 // The far face is a square of side (h - 1) / h within that of the near one, and four edges join their corners. Where
 // both are nearer than lines can be told apart, one is left.
@@ -43,15 +45,15 @@ Measured open_box(const Lab& lab, double over) {
 
 // The eye stands in the middle of a room; the far wall is 2 x 2 on a picture plane through it.
 Measured room_from_inside(const Lab& lab, double a) {
-  Projection inside = perspective({0, 0, 0}, {0, 0, -2}, {0, 0, 1}, {0, 1, 0});
-  inside.window = Window{{-a, -a}, {a, a}};
+  projection::Projection inside = perspective({0, 0, 0}, {0, 0, -2}, {0, 0, 1}, {0, 1, 0});
+  inside.window = projection::Window{{-a, -a}, {a, a}};
   const Result result = lab.draw(world_of(box({-1, -1, -2}, {1, 1, 5})), {inside});
   return lengths(result, 8 + 4 * root2 * (a - 1), 0);
 }
 
 Measured floor_to_the_eye(const Lab& lab, double near) {
-  Projection p = perspective({0, 0, 1}, {0, 1, 1}, {0, -1, 0}, {0, 0, 1});
-  p.window = Window{{-1, -1}, {1, 1}};
+  projection::Projection p = perspective({0, 0, 1}, {0, 1, 1}, {0, -1, 0}, {0, 0, 1});
+  p.window = projection::Window{{-1, -1}, {1, 1}};
   const Shape floor{{{-1, -5, 0}, {1, -5, 0}, {1, 10, 0}, {-1, 10, 0}}, {{0, 1, 2, 3}}, {}};
   return lengths(lab.draw(world_of(floor), {p, {.near = near, .far = {}}}), 1.8 * root2 + 0.2, 0);
 }
@@ -88,7 +90,7 @@ Measured rails(const Lab& lab, double doublings) {
 
 // Not at 45 degrees: there the hidden receding edge would run on under a visible one.
 Measured oblique_cube(const Lab& lab, double l) {
-  Projection p = orthographic({0, -1, 0});
+  projection::Projection p = orthographic({0, -1, 0});
   p.projector = {l * std::cos(0.4), -1, l * std::sin(0.4)};
   const Result result = lab.draw(cube(), {p});
   Measured measured = lengths(result, 6 + 3 * l, 2 + l);
@@ -98,7 +100,7 @@ Measured oblique_cube(const Lab& lab, double l) {
 
 // A plane square to an axis, so that its point is moved exactly in it.
 Measured shifted_principal_point(const Lab& lab, double shift) {
-  Projection p = perspective({3, -4, 2}, {0, 0, 0}, {0, -1, 0}, {0, 0, 1});
+  projection::Projection p = perspective({3, -4, 2}, {0, 0, 0}, {0, -1, 0}, {0, 0, 1});
   const Result plain = Lab().draw(cube(), {p});
   p.point.x = shift;
   const Result result = lab.draw(cube(), {p});
@@ -107,12 +109,12 @@ Measured shifted_principal_point(const Lab& lab, double shift) {
   return measured;
 }
 
-double largest_change(const ViewDrawing& a, const ViewDrawing& b, double factor) {
+double largest_change(const drawing::ViewDrawing& a, const drawing::ViewDrawing& b, double factor) {
   if (a.segments.size() != b.segments.size()) return HUGE_VAL;
   double change = 0;
   for (std::size_t i = 0; i < a.segments.size(); ++i) {
-    const Segment& s = a.segments[i];
-    const Segment& t = b.segments[i];
+    const drawing::Segment& s = a.segments[i];
+    const drawing::Segment& t = b.segments[i];
     if (s.visible != t.visible) return HUGE_VAL;
     change = std::max({change, glm::distance(s.from * factor, t.from), glm::distance(s.to * factor, t.to)});
   }

@@ -62,7 +62,7 @@ Shape fans_of(const ConvexBody& body) {
 }
 
 // The sides of what a plane leaves of a body.
-std::vector<Side> cut_sides(const ConvexBody& body, const CuttingPlane& plane) {
+std::vector<Side> cut_sides(const ConvexBody& body, const scene::CuttingPlane& plane) {
   const auto distance = [&](const Vec3& p) { return glm::dot(plane.normal, p - plane.point); };
   const auto meet = [&](const Vec3& a, const Vec3& b) {
     return a + distance(a) / (distance(a) - distance(b)) * (b - a);
@@ -90,17 +90,18 @@ std::vector<Side> cut_sides(const ConvexBody& body, const CuttingPlane& plane) {
 // triangles as thin as it is near. No edge runs along it: all lengths change steadily with the distance.
 Measured cut_beside_a_vertex(const Lab& lab, double distance) {
   const ConvexBody body = prism(11, 3);
-  const World world = world_of(fans_of(body));
+  const scene::World world = world_of(fans_of(body));
   const Vec3 viewer = glm::normalize(Vec3(1, -1, 1)), normal = glm::normalize(Vec3(0.21, -0.9, 0.37));
   Measured measured;
   for (const double side : {-distance, distance}) {
-    const CuttingPlane plane = make_cutting_plane({{"A", "study"}, Vec3(1, 0, 3) + side * normal, normal});
+    const scene::CuttingPlane plane =
+        scene::make_cutting_plane({{"A", "study"}, Vec3(1, 0, 3) + side * normal, normal});
     double seen = 0, hidden = 0;
     for (const Side& edge : cut_sides(body, plane)) {
       const bool is_seen = glm::dot(edge.normal, viewer) > 0 || glm::dot(edge.other_normal, viewer) > 0;
       (is_seen ? seen : hidden) += glm::length(glm::cross(edge.to - edge.from, viewer));
     }
-    append(measured, lengths(lab.draw(cut_world(world, plane).world, {orthographic(viewer)}), seen, hidden));
+    append(measured, lengths(lab.draw(scene::cut_world(world, plane).world, {orthographic(viewer)}), seen, hidden));
   }
   return measured;
 }

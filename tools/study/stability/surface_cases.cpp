@@ -16,10 +16,10 @@ namespace {
 // Points of the drawing that are found wrong.
 Quantity judged(const Result& result) {
   constexpr int samples = 300;
-  const ViewLimits limits;
-  const Verification found =
-      verify({result.world, result.view.projection, limits, result.drawn, result.hidden, result.drawing},
-             {result.view.extent, result.view.contact.touching}, samples, true);
+  const view::ViewLimits limits;
+  const report::Verification found =
+      verify::verify({result.world, result.view.projection, limits, result.drawn, result.hidden, result.drawing},
+                     {result.view.extent, result.view.contact.touching}, samples, true);
   return count("wrong points", 0, found.wrong);
 }
 
@@ -78,7 +78,8 @@ Measured prism_at_the_threshold(const Lab& lab, double sides) {
     prism.points.push_back({std::cos(a), std::sin(a), 1});
     prism.faces.push_back({2 * i, (2 * i + 2) % (2 * n), (2 * i + 3) % (2 * n), 2 * i + 1});
   }
-  const EdgeOptions creases{.contour = false, .boundary = false, .intersection = false, .crease_angle = 360.0 / n};
+  const edges::EdgeOptions creases{
+      .contour = false, .boundary = false, .intersection = false, .crease_angle = 360.0 / n};
   const Result result = lab.draw(world_of(prism), {orthographic({1, 0.3, 0.2})}, creases);
   return {count("edges beyond all or none", 0,
                 static_cast<double>(result.drawn.edges.size() % static_cast<std::size_t>(n)))};

@@ -12,7 +12,7 @@ namespace {
 
 const double r = std::sqrt(2.0 / 3.0);
 
-World cube_at(double d) { return world_of(box({d, d, d}, {d + 1, d + 1, d + 1})); }
+scene::World cube_at(double d) { return world_of(box({d, d, d}, {d + 1, d + 1, d + 1})); }
 
 Measured mirrored(const Lab& lab, double degrees) {
   Shape shape = box({0, 0, 0}, {1, 2, 3});
@@ -39,7 +39,7 @@ Measured moved_together(const Lab& lab, double exponent) {
 // The plate is a line over the cube's front face and hides nothing of it: 4 edges and the plate's near edge. The cube's
 // rear face, and the edges to it, lie behind its front face.
 Measured eye_in_the_plane_of_a_plate(const Lab& lab, double e) {
-  const World world = world_of({plate(-1, 1, 1, 2, 0), box({-0.5, 4, -0.5}, {0.5, 5, 0.5})});
+  const scene::World world = world_of({plate(-1, 1, 1, 2, 0), box({-0.5, 4, -0.5}, {0.5, 5, 0.5})});
   return lengths(lab.draw(world, {perspective({0, 0, e}, {0, 1, e}, {0, -1, 0}, {0, 0, 1})}), 3,
                  0.8 + 0.1 * std::sqrt(2.0));
 }
@@ -49,8 +49,8 @@ Measured eye_in_the_plane_of_a_plate(const Lab& lab, double e) {
 Measured eye_over(const Lab& lab, const Shape& floor, double e, double visible, double hidden) {
   const Shape target{
       {{-0.5, 4, e - 0.5}, {0.5, 4, e - 0.5}, {0.5, 4, e + 0.5}, {-0.5, 4, e + 0.5}}, {{0, 1, 2, 3}}, {}};
-  Projection p = perspective({0, 0, e}, {0, 1, e}, {0, -1, 0}, {0, 0, 1});
-  p.window = Window{{-0.5, -0.5}, {0.5, 0.5}};
+  projection::Projection p = perspective({0, 0, e}, {0, 1, e}, {0, -1, 0}, {0, 0, 1});
+  p.window = projection::Window{{-0.5, -0.5}, {0.5, 0.5}};
   return lengths(lab.draw(world_of({floor, target}), {p}), visible, hidden);
 }
 
@@ -67,7 +67,7 @@ Measured eye_on_a_plate(const Lab& lab, double e) {
 // The eye is 3 before the cube. What is left are the far face and the walls from the near plane to it.
 Measured near_plane_through_a_cube(const Lab& lab, double left) {
   const double far = 4, near = far - left;
-  const Projection p = perspective({0.5, -3, 0.5}, {0.5, -2, 0.5}, {0, -1, 0}, {0, 0, 1});
+  const projection::Projection p = perspective({0.5, -3, 0.5}, {0.5, -2, 0.5}, {0, -1, 0}, {0, 0, 1});
   const Result result = lab.draw(cube_at(0), {p, {.near = near, .far = {}}});
   return lengths(result, 4 / far + 2 * std::sqrt(2.0) * (1 / near - 1 / far), 0);
 }

@@ -22,9 +22,9 @@ std::string to_json(const Report& report, bool timings);
 std::string to_html(const Report& report);
 
 /// Errors over the parameter, all cases on one sheet.
-Sheet to_sheet(const Report& report);
+sheet::Sheet to_sheet(const Report& report);
 
 /// One case alone.
-Sheet to_sheet(const CaseReport& report);
+sheet::Sheet to_sheet(const CaseReport& report);
 
 }  // namespace epura::stability

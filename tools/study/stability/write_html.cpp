@@ -19,10 +19,10 @@ table{border-collapse:collapse}td,th{padding:1px 8px;text-align:left;border-bott
 line with dots the error that is allowed.</p>
 )";
 
-std::string cell(std::string_view text) { return "<td>" + html_text(text) + "</td>"; }
+std::string cell(std::string_view text) { return "<td>" + output::html_text(text) + "</td>"; }
 
 std::string verdict_cell(const std::string& text, Verdict verdict) {
-  return "<td class=\"" + std::string(name_of(verdict)) + "\">" + html_text(text) + "</td>";
+  return "<td class=\"" + std::string(name_of(verdict)) + "\">" + output::html_text(text) + "</td>";
 }
 
 std::string summary(const Report& report) {
@@ -46,15 +46,15 @@ std::string row_of(const Row& row, std::size_t a) {
     text += cell(q->name) + cell(format_rounded(q->expected, 9)) + cell(format_rounded(q->got, 9)) +
             cell(format_rounded(q->error(), 3)) + cell(format_rounded(q->allowed, 3));
   else
-    text += "<td colspan=\"5\">" + html_text(outcome.failure) + "</td>";
+    text += "<td colspan=\"5\">" + output::html_text(outcome.failure) + "</td>";
   return text + verdict_cell(std::string(name_of(outcome.verdict())), outcome.verdict()) + "</tr>\n";
 }
 
 std::string section_of(const CaseReport& one) {
   std::string text =
-      "<section id=\"" + one.id + "\"><h2>" + one.id + " " + html_text(one.what) + "</h2>\n" +
-      inline_svg(to_sheet(one), {.plain = true, .decimals = 2, .text = SvgText::text}) + "<details><summary>by " +
-      html_text(one.parameter) +
+      "<section id=\"" + one.id + "\"><h2>" + one.id + " " + output::html_text(one.what) + "</h2>\n" +
+      output::inline_svg(to_sheet(one), {.plain = true, .decimals = 2, .text = SvgText::text}) +
+      "<details><summary>by " + output::html_text(one.parameter) +
       "</summary><table><tr><th>step<th><th>worst quantity<th>expected<th>got<th>error<th>allowed<th></tr>\n";
   for (const Row& row : one.rows)
     for (std::size_t a = 0; a < arithmetics; ++a) text += row_of(row, a);

@@ -14,7 +14,7 @@ std::string number(double value) { return std::isfinite(value) ? format_number(v
 
 std::string number(const std::optional<double>& value) { return value ? format_number(*value) : "null"; }
 
-std::string word(std::string_view text) { return json_string(text); }
+std::string word(std::string_view text) { return output::json_string(text); }
 
 std::string quantity_of(const Quantity& q) {
   return "{\"name\": " + word(q.name) + ", \"expected\": " + number(q.expected) + ", \"got\": " + number(q.got) +
