@@ -47,6 +47,10 @@ tree mesh/a.cpp "$(printf 'int x;\\n%.0s' {1..600})"
 expect fails "a long file" style
 tree mesh/a.cpp "int f(int a) {\\n$(printf '  ++a;\\n%.0s' {1..70})  return a;\\n}\\n"
 expect fails "a long function" style
+tree mesh/a.cpp 'namespace epura {\nint x;\n}  // namespace epura\n'
+expect fails "a file outside the namespace of its folder" style
+tree mesh/a.cpp 'namespace epura::mesh {\nint x;\n}  // namespace epura::mesh\n'
+expect passes "a file in the namespace of its folder" style
 tree mesh/a.hpp 'int f();\n'
 expect fails "a header without a guard" style
 tree mesh/a.cpp "// see /ho""me/me\\n"

@@ -36,6 +36,14 @@ repeated_types() {
          seen[name] = FILENAME }' "$@"
 }
 
+# Every folder of src/ has its namespace; base, app and library are epura itself.
+foreign_namespaces() {
+  local folder
+  for folder in $(cd src 2>/dev/null && ls -d -- */ | grep -vxE '(base|app|library)/'); do
+    grep -rlE '^namespace epura' "src/$folder" --include='*.[ch]pp' | xargs -r grep -L "^namespace epura::${folder%/} {"
+  done
+}
+
 mapfile -t files < <(sources)
 if [ ${#files[@]} -eq 0 ]; then
   echo "style: no sources under $root" >&2
@@ -45,6 +53,7 @@ fi
 complain "files longer than 600 lines" "$(wc -l "${files[@]}" | awk '$1 > 600 && $2 != "total"')"
 complain "functions longer than 70 lines" "$(long_functions "${files[@]}")"
 complain "files without a licence" "$(grep -L 'SPDX-License-Identifier: Apache-2.0' "${files[@]}")"
+complain "files outside the namespace of their folder" "$(foreign_namespaces)"
 complain "types of one name" "$(repeated_types "${files[@]}")"
 complain "headers without a guard" \
   "$(printf '%s\n' "${files[@]}" | grep -E '\.(hpp|h)$' | xargs -r grep -L -e '#pragma once' -e '#ifndef')"
