@@ -231,7 +231,7 @@ void draw_chain(Stroke* strokes, const ChainPlan& plan, const ChainsToDraw& all,
                                                       : continuous(drawing, chain);
 }
 
-// Where lines lie so closely that any gap would meet one, dashes cannot heed them.
+// Where lines lie so closely that any gap would meet one, dashes cannot keep clear of them.
 std::vector<std::size_t> without_crowded(const std::vector<std::size_t>& chains, const drawing::ViewDrawing& drawing,
                                          double width, const Progress& progress) {
   if (chains.empty()) return chains;

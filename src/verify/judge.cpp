@@ -55,9 +55,9 @@ bool covered(const scene::World& world, const std::vector<Portion>& portions) {
 
 class Judge {
  public:
-  Judge(const VerifyInput& claim, const Tolerance& tolerance, std::span<const Probe> probes, bool name_facets)
-      : claim_(claim),
-        viewing_(viewing_of(claim)),
+  Judge(const VerifyInput& input, const Tolerance& tolerance, std::span<const Probe> probes, bool name_facets)
+      : input_(input),
+        viewing_(viewing_of(input)),
         probes_(probes),
         name_facets_(name_facets),
         frame_(sight_from(viewing_, to_page(probes[0])), 4 * tolerance.sideways()),
@@ -68,7 +68,7 @@ class Judge {
   }
 
   std::vector<ProbeVerdict> verdicts(const Progress& progress) {
-    const std::size_t count = claim_.world.triangles.size();
+    const std::size_t count = input_.world.triangles.size();
     std::vector<std::vector<Met>> met((count + chunk - 1) / chunk);
     progress.begin("verifying", met.size());
     parallel_for(met.size(), 1, progress, [&](std::size_t first, std::size_t last) {
@@ -92,7 +92,7 @@ class Judge {
 
  private:
   [[nodiscard]] std::array<Vec3, 2> line_of(const Probe& probe) const {
-    return claim_.ends_of(claim_.drawn.edges[probe.edge]);
+    return input_.ends_of(input_.drawn.edges[probe.edge]);
   }
   [[nodiscard]] Triple<Bounded> to_page(const Probe& probe) const {
     return position_on<Bounded>(line_of(probe), probe.t);
@@ -106,16 +106,16 @@ class Judge {
 
   // What one triangle does to all probes. A probe that one triangle hides for certain needs no others.
   void meet(int triangle, std::vector<Met>& met) {
-    const auto& vertex = claim_.world.triangles[triangle];
-    const auto& points = claim_.world.points;
+    const auto& vertex = input_.world.triangles[triangle];
+    const auto& points = input_.world.points;
     const std::array corners{points[vertex[0]], points[vertex[1]], points[vertex[2]]};
     const std::optional<Extent> extent = frame_.extent_of(corners);
     if (!extent) return;
     grid_.overlapping(*extent, [&](int probe) {
       if (settled_[probe].load(std::memory_order_relaxed) && !name_facets_) return;
-      const edges::FeatureEdge& edge = claim_.drawn.edges[probes_[probe].edge];
-      if (claim_.contains(edge, triangle)) return;
-      auto portion = lookouts_[probe].look(corners, triangle, claim_.joined(edge, triangle));
+      const edges::FeatureEdge& edge = input_.drawn.edges[probes_[probe].edge];
+      if (input_.contains(edge, triangle)) return;
+      auto portion = lookouts_[probe].look(corners, triangle, input_.joined(edge, triangle));
       if (!portion) return;
       if (!portion->in_front) return doubted_[probe].store(true, std::memory_order_relaxed);
       if (uncovered({portion->corner}) < least_gap) settled_[probe].store(true, std::memory_order_relaxed);
@@ -125,12 +125,12 @@ class Judge {
 
   [[nodiscard]] ProbeVerdict verdict_of(std::size_t probe, const std::vector<Portion>& portions) const {
     if (portions.empty() && !doubted_[probe]) return {};
-    if (!settled_[probe] && !covered(claim_.world, portions)) return {ProbeAnswer::undecided};
+    if (!settled_[probe] && !covered(input_.world, portions)) return {ProbeAnswer::undecided};
     const auto nearest = std::ranges::min_element(portions, {}, &Portion::depth);
     return {ProbeAnswer::hidden, name_facets_ ? nearest->triangle : -1};
   }
 
-  const VerifyInput& claim_;
+  const VerifyInput& input_;
   Viewing viewing_;
   std::span<const Probe> probes_;
   bool name_facets_;
@@ -143,10 +143,10 @@ class Judge {
 
 }  // namespace
 
-std::vector<ProbeVerdict> judge(const VerifyInput& claim, const Tolerance& tolerance, std::span<const Probe> probes,
+std::vector<ProbeVerdict> judge(const VerifyInput& input, const Tolerance& tolerance, std::span<const Probe> probes,
                                 bool name_facets, const Progress& progress) {
   if (probes.empty()) return {};
-  return Judge(claim, tolerance, probes, name_facets).verdicts(progress);
+  return Judge(input, tolerance, probes, name_facets).verdicts(progress);
 }
 
 }  // namespace epura::verify

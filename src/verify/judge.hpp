@@ -29,7 +29,7 @@ struct ProbeVerdict {
 
 /// One verdict for each probe. With `name_facets` nothing is left out that an answer does not need, which takes longer.
 /// Throws OutOfTime.
-std::vector<ProbeVerdict> judge(const VerifyInput& claim, const Tolerance& tolerance, std::span<const Probe> probes,
+std::vector<ProbeVerdict> judge(const VerifyInput& input, const Tolerance& tolerance, std::span<const Probe> probes,
                                 bool name_facets, const Progress& progress = {});
 
 }  // namespace epura::verify

@@ -46,18 +46,18 @@ std::optional<Cut> cut_of(const ScanLine& line, const std::array<Vec2, 2>& ends,
 
 }  // namespace
 
-LineScan::LineScan(const VerifyInput& claim, const ScanScene& scene, const FoldRule& rule, const MarkLimits& limits,
+LineScan::LineScan(const VerifyInput& input, const ScanScene& scene, const FoldRule& rule, const MarkLimits& limits,
                    const ScanWindow& window)
-    : claim_(claim), scene_(scene), rule_(rule), limits_(limits), window_(window) {}
+    : input_(input), scene_(scene), rule_(rule), limits_(limits), window_(window) {}
 
 std::array<Vec2, 2> LineScan::segment(int number) const {
-  const drawing::Segment& segment = claim_.drawing.segments[number];
+  const drawing::Segment& segment = input_.drawing.segments[number];
   return {segment.from - scene_.origin, segment.to - scene_.origin};
 }
 
 double LineScan::length_of_ink() const {
   double length = 0;
-  for (const drawing::Segment& segment : claim_.drawing.segments)
+  for (const drawing::Segment& segment : input_.drawing.segments)
     if (segment.visible) length += glm::distance(segment.from, segment.to);
   return length;
 }
@@ -86,7 +86,7 @@ double LineScan::perimeter_of_triangles(double max) const {
 
 // The edge of the mesh that a segment shows, as vertices of the world; {-1, -1} if it is none.
 std::array<int, 2> LineScan::edge_of(int segment) const {
-  const drawing::Segment& s = claim_.drawing.segments[segment];
+  const drawing::Segment& s = input_.drawing.segments[segment];
   if (s.edge[0] < 0) return {-1, -1};
   const int first = scene_.world.first_vertex[s.model];
   return {first + s.edge[0], first + s.edge[1]};
@@ -109,7 +109,7 @@ LineFindings LineScan::judge(const ScanLine& line, std::span<const int> triangle
   std::ranges::sort(cuts,
                     [](const Cut& a, const Cut& b) { return std::tie(a.u, a.segment) < std::tie(b.u, b.segment); });
   for (const Cut& cut : cuts) {
-    const EdgeKind kind = claim_.drawing.segments[cut.segment].kind;
+    const EdgeKind kind = input_.drawing.segments[cut.segment].kind;
     const bool allowed = marks.allows(kind, cut.u, 2 * limits_.reach / cut.sine);
     findings.ink.push_back(
         {cut.u, line.position(cut.u), cut.segment, allowed ? InkVerdict::right : InkVerdict::unfounded});
@@ -127,7 +127,7 @@ void LineScan::find_doubled(const LineMarks& marks, std::vector<InkCrossing>& in
   // A line crosses a straight edge once.
   std::map<std::array<int, 4>, std::size_t> first;
   for (std::size_t i = 0; i < ink.size(); ++i) {
-    const drawing::Segment& segment = claim_.drawing.segments[ink[i].segment];
+    const drawing::Segment& segment = input_.drawing.segments[ink[i].segment];
     const auto [known, is_new] =
         first.try_emplace({segment.model, segment.edge[0], segment.edge[1], segment.crossing}, i);
     if (is_new) continue;
@@ -159,8 +159,8 @@ std::vector<LineFindings> LineScan::scan(const std::vector<ScanLine>& lines, con
     std::array<Vec2, 3> shape;
     if (shape_of(triangle, shape)) through(shape, meet);
   });
-  const ItemsOfLines segments = gather(claim_.drawing.segments.size(), [&](int number, const auto& meet) {
-    if (claim_.drawing.segments[number].visible) through(segment(number), meet);
+  const ItemsOfLines segments = gather(input_.drawing.segments.size(), [&](int number, const auto& meet) {
+    if (input_.drawing.segments[number].visible) through(segment(number), meet);
   });
   std::vector<LineFindings> findings(lines.size());
   parallel_for(lines.size(), 1, progress, [&](std::size_t first, std::size_t last) {

@@ -33,7 +33,7 @@ struct LineFindings {
 
 class LineScan {
  public:
-  LineScan(const VerifyInput& claim, const ScanScene& scene, const FoldRule& rule, const MarkLimits& limits,
+  LineScan(const VerifyInput& input, const ScanScene& scene, const FoldRule& rule, const MarkLimits& limits,
            const ScanWindow& window);
 
   /// For each line of a bundle. Throws OutOfTime.
@@ -57,7 +57,7 @@ class LineScan {
   [[nodiscard]] bool shape_of(int triangle, std::array<Vec2, 3>& shape) const;
   [[nodiscard]] std::array<int, 2> edge_of(int segment) const;
 
-  const VerifyInput& claim_;
+  const VerifyInput& input_;
   const ScanScene& scene_;
   const FoldRule& rule_;
   MarkLimits limits_;

@@ -46,15 +46,15 @@ struct Suspect {
 
 class Outline {
  public:
-  Outline(const VerifyInput& claim, const Tolerance& tolerance, const OutlineOptions& options)
-      : claim_(claim),
+  Outline(const VerifyInput& input, const Tolerance& tolerance, const OutlineOptions& options)
+      : input_(input),
         options_(options),
         reach_(std::max(guaranteed * tolerance.size, 16 * tolerance.contact)),
         least_(8 * reach_),
-        scene_(claim, reach_ / 16),
-        rule_(claim.world, options.edges, 2 * reach_ / scene_.page),
+        scene_(input, reach_ / 16),
+        rule_(input.world, options.edges, 2 * reach_ / scene_.page),
         window_(window()),
-        scan_(claim, scene_, rule_, {reach_, tolerance.sideways(), tolerance.contact}, window_) {}
+        scan_(input, scene_, rule_, {reach_, tolerance.sideways(), tolerance.contact}, window_) {}
 
   report::OutlineCheck run() {
     scan_page();
@@ -78,7 +78,7 @@ class Outline {
     ScanWindow box;
     if (options_.window)
       return {options_.window->min - scene_.origin + reach_, options_.window->max - scene_.origin - reach_};
-    for (const auto& triangle : claim_.world.triangles)
+    for (const auto& triangle : input_.world.triangles)
       for (const int v : triangle)
         if (scene_.is_before_viewer(v)) box.add(scene_.position(v));
     return {box.min - reach_, box.max + reach_};
@@ -90,7 +90,7 @@ class Outline {
     double lines = std::clamp(options_.samples * std::numbers::pi * size / (2 * ink), least_lines,
                               std::max(most_lines, static_cast<double>(options_.samples)));
     const double hits = scan_.perimeter_of_triangles(3 * size) / (std::numbers::pi * size) * lines;
-    const double most_hits = hits_per_triangle * static_cast<double>(claim_.world.triangles.size()) + free_hits;
+    const double most_hits = hits_per_triangle * static_cast<double>(input_.world.triangles.size()) + free_hits;
     if (hits > most_hits) lines = std::max(static_cast<double>(directions), lines * most_hits / hits);
     const double distance = size / std::ceil(lines / directions);
     check_.length = std::numbers::pi * distance / (2 * directions);
@@ -127,7 +127,7 @@ class Outline {
   [[nodiscard]] std::optional<std::array<Vec2, 2>> crossing_of(const Vec2& place,
                                                                const std::array<int, 2>& triangles) const {
     const auto gradient = [&](int triangle) {
-      const auto& corner = claim_.world.triangles[triangle];
+      const auto& corner = input_.world.triangles[triangle];
       const Vec3 a = page_and_depth(corner[0]), b = page_and_depth(corner[1]) - a, c = page_and_depth(corner[2]) - a;
       const Vec3 normal = glm::cross(b, c);
       return Vec2(normal) / -normal.z;
@@ -155,7 +155,7 @@ class Outline {
   [[nodiscard]] std::vector<bool> inked(const std::vector<AskedLine>& asked) const {
     std::vector<Expected> places;
     for (const AskedLine& one : asked) places.push_back({one.place + scene_.origin, true});
-    return find_ink(claim_.drawing, places, reach_);
+    return find_ink(input_.drawing, places, reach_);
   }
 
   void look_for_ink() {
@@ -283,26 +283,26 @@ class Outline {
     report::OutlineFault fault{
         names[static_cast<std::size_t>(suspect.kind)], suspect.place + scene_.origin, suspect.length, -1, {-1, -1}, {}};
     if (suspect.segment >= 0) {
-      fault.model = claim_.drawing.segments[suspect.segment].model;
-      fault.edge = claim_.drawing.segments[suspect.segment].edge;
+      fault.model = input_.drawing.segments[suspect.segment].model;
+      fault.edge = input_.drawing.segments[suspect.segment].edge;
       return fault;
     }
     for (const int triangle : suspect.triangles) {
       if (triangle < 0) continue;
-      const int model = claim_.world.model_of_triangle(triangle);
+      const int model = input_.world.model_of_triangle(triangle);
       fault.facets.push_back(
-          {model, claim_.world.models[model].mesh->polygon[triangle - claim_.world.first_triangle[model]]});
+          {model, input_.world.models[model].mesh->polygon[triangle - input_.world.first_triangle[model]]});
       fault.model = model;
     }
     if (const auto sheets = suspect.edge[0] >= 0 ? rule_.sheets_at(suspect.edge) : FoldRule::Sheets{}; sheets.edge) {
-      fault.model = claim_.world.model_of_triangle(sheets.bodies[0][0]);
-      const mesh::EdgeOrigin origin = claim_.world.models[fault.model].mesh->origin_of(*sheets.edge);
+      fault.model = input_.world.model_of_triangle(sheets.bodies[0][0]);
+      const mesh::EdgeOrigin origin = input_.world.models[fault.model].mesh->origin_of(*sheets.edge);
       if (origin.in_file) fault.edge = origin.vertex;
     }
     return fault;
   }
 
-  const VerifyInput& claim_;
+  const VerifyInput& input_;
   const OutlineOptions& options_;
   double reach_, least_;  ///< mm: places this near are one; faults this long count
   ScanScene scene_;
@@ -318,10 +318,10 @@ class Outline {
 
 }  // namespace
 
-report::OutlineCheck verify_outline(const VerifyInput& claim, const Tolerance& tolerance,
+report::OutlineCheck verify_outline(const VerifyInput& input, const Tolerance& tolerance,
                                     const OutlineOptions& options) {
-  if (claim.world.triangles.empty()) return {};
-  return Outline(claim, tolerance, options).run();
+  if (input.world.triangles.empty()) return {};
+  return Outline(input, tolerance, options).run();
 }
 
 }  // namespace epura::verify

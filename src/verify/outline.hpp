@@ -28,7 +28,7 @@ struct OutlineOptions {
 };
 
 /// Throws OutOfTime.
-report::OutlineCheck verify_outline(const VerifyInput& claim, const Tolerance& tolerance,
+report::OutlineCheck verify_outline(const VerifyInput& input, const Tolerance& tolerance,
                                     const OutlineOptions& options);
 
 }  // namespace epura::verify

@@ -14,9 +14,9 @@ namespace {
 // Least lengths of the strata, in parts of the drawing.
 constexpr std::array classes{1e-2, 1e-4, guaranteed};
 
-PageLine page_line(const VerifyInput& claim, const Viewing& viewing, const Tolerance& tolerance, const PageFrame& frame,
+PageLine page_line(const VerifyInput& input, const Viewing& viewing, const Tolerance& tolerance, const PageFrame& frame,
                    const edges::FeatureEdge& edge) {
-  const std::array<Vec3, 2> ends = claim.ends_of(edge);
+  const std::array<Vec3, 2> ends = input.ends_of(edge);
   PageLine line{0, edge.t, {1, 1}};
   std::array<Vec2, 2> place;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -116,14 +116,14 @@ double PageLine::t_at(double s) const {
   return t[0] + part * (t[1] - t[0]);
 }
 
-Population population_of(const VerifyInput& claim, const Viewing& viewing, const Tolerance& tolerance,
+Population population_of(const VerifyInput& input, const Viewing& viewing, const Tolerance& tolerance,
                          const PageFrame& frame) {
   Population population;
-  for (std::size_t e = 0; e < claim.drawn.edges.size(); ++e) {
-    population.lines.push_back(page_line(claim, viewing, tolerance, frame, claim.drawn.edges[e]));
-    add_spans(claim.hidden, static_cast<int>(e), population.spans);
+  for (std::size_t e = 0; e < input.drawn.edges.size(); ++e) {
+    population.lines.push_back(page_line(input, viewing, tolerance, frame, input.drawn.edges[e]));
+    add_spans(input.hidden, static_cast<int>(e), population.spans);
   }
-  stratify(population, claim.drawn, tolerance.size);
+  stratify(population, input.drawn, tolerance.size);
   return population;
 }
 

@@ -52,7 +52,7 @@ struct Sample {
 /// Spans shorter than this part of the drawing are not guaranteed.
 inline constexpr double guaranteed = 1e-6;
 
-Population population_of(const VerifyInput& claim, const Viewing& viewing, const Tolerance& tolerance,
+Population population_of(const VerifyInput& input, const Viewing& viewing, const Tolerance& tolerance,
                          const PageFrame& frame);
 
 /// `count` points at random (a fixed seed): half of them spread evenly over the strata, half by their lengths; within a

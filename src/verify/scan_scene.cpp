@@ -14,14 +14,14 @@ constexpr std::size_t grain = 4096;
 // An edge that leads behind the viewer ends at this part of the way to his plane.
 constexpr double nearly_there = 1 - 0x1p-20;
 
-Sight<Bounded> sight_of(const VerifyInput& claim, const Vec3& reference) {
-  return sight_from(viewing_of(claim), triple<Bounded>(reference));
+Sight<Bounded> sight_of(const VerifyInput& input, const Vec3& reference) {
+  return sight_from(viewing_of(input), triple<Bounded>(reference));
 }
 
 // The corner of the world that is nearest to its middle and before the viewer.
-Vec3 reference_of(const VerifyInput& claim) {
-  const scene::World& world = claim.world;
-  const projection::Projection& p = claim.projection;
+Vec3 reference_of(const VerifyInput& input) {
+  const scene::World& world = input.world;
+  const projection::Projection& p = input.projection;
   const Vec3 middle = world.box.centre();
   const auto is_seen = [&](const Vec3& x) { return !p.central || glm::dot(p.n, p.projector - x) > 0; };
   Vec3 best = middle;
@@ -38,11 +38,11 @@ Vec3 reference_of(const VerifyInput& claim) {
 
 }  // namespace
 
-ScanScene::ScanScene(const VerifyInput& claim, double precision)
-    : world(claim.world), local(claim.world.points.size()), vague_(claim.world.points.size()) {
-  const Vec3 reference = reference_of(claim);
-  const Sight<Bounded> sight = sight_of(claim, reference);
-  const Vec4 base = claim.drawing.world_to_page * Vec4(reference, 1);
+ScanScene::ScanScene(const VerifyInput& input, double precision)
+    : world(input.world), local(input.world.points.size()), vague_(input.world.points.size()) {
+  const Vec3 reference = reference_of(input);
+  const Sight<Bounded> sight = sight_of(input, reference);
+  const Vec4 base = input.drawing.world_to_page * Vec4(reference, 1);
   origin = Vec2(base) / base.w;
   page = sight.page;
   depth = sight.depth;

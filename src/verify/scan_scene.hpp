@@ -27,7 +27,7 @@ struct ScanLine {
 class ScanScene {
  public:
   /// `precision` is the length on the page, mm, to which places must be known.
-  ScanScene(const VerifyInput& claim, double precision);
+  ScanScene(const VerifyInput& input, double precision);
 
   const scene::World& world;
   Vec2 origin;              ///< where the point of reference lies on the page, mm

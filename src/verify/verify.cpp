@@ -26,15 +26,15 @@ bool contradicts(const TestedSpan& span, ProbeAnswer answer) {
 
 class Verifier {
  public:
-  Verifier(const VerifyInput& claim, const Tolerance& tolerance, bool hidden_drawn, const Progress& progress)
-      : claim_(claim),
+  Verifier(const VerifyInput& input, const Tolerance& tolerance, bool hidden_drawn, const Progress& progress)
+      : input_(input),
         tolerance_(tolerance),
         hidden_drawn_(hidden_drawn),
         progress_(progress),
-        viewing_(viewing_of(claim)),
-        reference_(reference_of(claim)),
+        viewing_(viewing_of(input)),
+        reference_(reference_of(input)),
         frame_(sight_from(viewing_, reference_), 0),
-        population_(population_of(claim, viewing_, tolerance, frame_)) {}
+        population_(population_of(input, viewing_, tolerance, frame_)) {}
 
   report::Verification run(int count) {
     samples_ = draw_samples(population_, tolerance_, count);
@@ -48,9 +48,9 @@ class Verifier {
   }
 
  private:
-  static Triple<Bounded> reference_of(const VerifyInput& claim) {
-    const edges::FeatureEdge& edge = claim.drawn.edges[0];
-    return position_on<Bounded>(claim.ends_of(edge), edge.t[0]);
+  static Triple<Bounded> reference_of(const VerifyInput& input) {
+    const edges::FeatureEdge& edge = input.drawn.edges[0];
+    return position_on<Bounded>(input.ends_of(edge), edge.t[0]);
   }
 
   [[nodiscard]] const TestedSpan& span_of(std::size_t sample) const { return population_.spans[samples_[sample].span]; }
@@ -61,7 +61,7 @@ class Verifier {
   void judge_samples() {
     std::vector<Probe> probes;
     for (std::size_t i = 0; i < samples_.size(); ++i) probes.push_back(probe_of(i));
-    const std::vector<ProbeVerdict> verdicts = judge(claim_, tolerance_, probes, false, progress_);
+    const std::vector<ProbeVerdict> verdicts = judge(input_, tolerance_, probes, false, progress_);
     for (std::size_t i = 0; i < samples_.size(); ++i) {
       if (verdicts[i].answer == ProbeAnswer::undecided) findings_[i] = Finding::undecided;
       if (contradicts(span_of(i), verdicts[i].answer)) findings_[i] = Finding::misclassified;
@@ -78,7 +78,7 @@ class Verifier {
       for (int k = -2 * steps; k <= 2 * steps; ++k)
         probes.push_back(probe_at(population_, span_of(i).edge, std::clamp(beside(i, k), 0.0, 1.0)));
     }
-    const std::vector<ProbeVerdict> verdicts = judge(claim_, tolerance_, probes, true, progress_);
+    const std::vector<ProbeVerdict> verdicts = judge(input_, tolerance_, probes, true, progress_);
     for (std::size_t i = 0; i < wrong.size(); ++i) {
       const ProbeVerdict* middle = &verdicts[i * (4 * steps + 1) + 2 * steps];
       const auto is_wrong = [&](int k) {
@@ -110,17 +110,17 @@ class Verifier {
     }
     // Ink gives way to ink within contact of it, and what remains shorter than a few times that is left out.
     const double reach = std::max(guaranteed * tolerance_.size, 16 * tolerance_.contact);
-    const std::vector<bool> found = find_ink(claim_.drawing, places, reach);
+    const std::vector<bool> found = find_ink(input_.drawing, places, reach);
     for (std::size_t i = 0; i < asked.size(); ++i)
       if (!found[i]) findings_[asked[i]] = Finding::no_ink;
   }
 
   [[nodiscard]] Vec2 page_of(std::size_t sample) const {
     const Vec4 base =
-        claim_.drawing.world_to_page * Vec4(reference_.x.value, reference_.y.value, reference_.z.value, 1);
+        input_.drawing.world_to_page * Vec4(reference_.x.value, reference_.y.value, reference_.z.value, 1);
     const Probe probe = probe_of(sample);
     return Vec2(base) / base.w +
-           frame_.to_page(position_on<Bounded>(claim_.ends_of(claim_.drawn.edges[probe.edge]), probe.t));
+           frame_.to_page(position_on<Bounded>(input_.ends_of(input_.drawn.edges[probe.edge]), probe.t));
   }
 
   [[nodiscard]] report::Verification tally() {
@@ -178,13 +178,13 @@ class Verifier {
   }
 
   [[nodiscard]] report::FacetName facet_name(int triangle) const {
-    const int model = claim_.world.model_of_triangle(triangle);
-    return {model, claim_.world.models[model].mesh->polygon[triangle - claim_.world.first_triangle[model]]};
+    const int model = input_.world.model_of_triangle(triangle);
+    return {model, input_.world.models[model].mesh->polygon[triangle - input_.world.first_triangle[model]]};
   }
 
   // Outlines of cuts are named by the face that is cut.
   void name_edge(const edges::FeatureEdge& edge, report::Mismatch& offence) const {
-    const mesh::Mesh& mesh = *claim_.world.models[edge.model].mesh;
+    const mesh::Mesh& mesh = *input_.world.models[edge.model].mesh;
     const mesh::EdgeOrigin origin = mesh.origin_of(mesh.edges[edge.mesh_edge]);
     if (origin.in_file)
       offence.edge = origin.vertex;
@@ -194,7 +194,7 @@ class Verifier {
 
   [[nodiscard]] report::Mismatch offence_of(std::size_t sample) const {
     const TestedSpan& span = span_of(sample);
-    const edges::FeatureEdge& edge = claim_.drawn.edges[span.edge];
+    const edges::FeatureEdge& edge = input_.drawn.edges[span.edge];
     report::Mismatch offence{span.visible ? "drawn visible" : "drawn hidden",
                              edge.model,
                              {-1, -1},
@@ -206,13 +206,13 @@ class Verifier {
     if (findings_[sample] == Finding::no_ink) offence.what = "not drawn";
     if (edge.mesh_edge >= 0) name_edge(edge, offence);
     if (edge.crossing >= 0)
-      for (const int triangle : claim_.drawn.crossings[edge.crossing].triangles)
+      for (const int triangle : input_.drawn.crossings[edge.crossing].triangles)
         offence.facets.push_back(facet_name(triangle));
     if (facets_[sample] >= 0) offence.hider = facet_name(facets_[sample]);
     return offence;
   }
 
-  const VerifyInput& claim_;
+  const VerifyInput& input_;
   const Tolerance& tolerance_;
   bool hidden_drawn_;
   const Progress& progress_;
@@ -227,10 +227,10 @@ class Verifier {
 
 }  // namespace
 
-report::Verification verify(const VerifyInput& claim, const Tolerance& tolerance, int samples, bool hidden_drawn,
+report::Verification verify(const VerifyInput& input, const Tolerance& tolerance, int samples, bool hidden_drawn,
                             const Progress& progress) {
-  if (claim.drawn.edges.empty()) return {};
-  return Verifier(claim, tolerance, hidden_drawn, progress).run(samples);
+  if (input.drawn.edges.empty()) return {};
+  return Verifier(input, tolerance, hidden_drawn, progress).run(samples);
 }
 
 }  // namespace epura::verify

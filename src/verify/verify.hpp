@@ -21,7 +21,7 @@ namespace epura::verify {
 
 /// `samples` points at random. Takes the drawing at its word in nothing but its units. Hidden lines are looked for in
 /// the drawing if `hidden_drawn`. Throws OutOfTime.
-report::Verification verify(const VerifyInput& claim, const Tolerance& tolerance, int samples, bool hidden_drawn,
+report::Verification verify(const VerifyInput& input, const Tolerance& tolerance, int samples, bool hidden_drawn,
                             const Progress& progress = {});
 
 }  // namespace epura::verify

@@ -10,9 +10,9 @@ namespace {
 
 Vec4 row(const Mat4& m, int i) { return glm::transpose(m)[i]; }
 
-std::array<int, 2> vertices_of(const VerifyInput& claim, const edges::FeatureEdge& edge) {
-  const int first = claim.world.first_vertex[edge.model];
-  const auto& vertex = claim.world.models[edge.model].mesh->edges[edge.mesh_edge].vertex;
+std::array<int, 2> vertices_of(const VerifyInput& input, const edges::FeatureEdge& edge) {
+  const int first = input.world.first_vertex[edge.model];
+  const auto& vertex = input.world.models[edge.model].mesh->edges[edge.mesh_edge].vertex;
   return {first + vertex[0], first + vertex[1]};
 }
 
@@ -43,15 +43,15 @@ bool VerifyInput::joined(const edges::FeatureEdge& edge, int triangle) const {
                              [&](int v) { return std::ranges::find(corners, v) != corners.end(); });
 }
 
-Viewing viewing_of(const VerifyInput& claim) {
-  const projection::Projection& p = claim.projection;
+Viewing viewing_of(const VerifyInput& input) {
+  const projection::Projection& p = input.projection;
   const double viewer = p.central ? glm::dot(p.n, p.projector - p.point) : 0;
   double front = p.front, back = p.back;
-  if (claim.limits.near) front = std::min(front, viewer - *claim.limits.near);
-  if (claim.limits.far) back = std::max(back, viewer - *claim.limits.far);
+  if (input.limits.near) front = std::min(front, viewer - *input.limits.near);
+  if (input.limits.far) back = std::max(back, viewer - *input.limits.far);
 
-  const Mat4& m = claim.drawing.world_to_page;
-  const Vec4 middle(claim.world.box.centre(), 1);
+  const Mat4& m = input.drawing.world_to_page;
+  const Vec4 middle(input.world.box.centre(), 1);
   const Vec4 depth = row(m, 2), w = row(m, 3);
   const double depth_along = glm::dot(Vec3(depth), p.n), w_along = glm::dot(Vec3(w), p.n);
   Viewing viewing{p, {}, {}, glm::dot(Vec3(row(m, 0)), p.u), 0, 0};

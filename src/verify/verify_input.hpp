@@ -30,6 +30,6 @@ struct VerifyInput {
 };
 
 /// How to look at it: plane and projectors from the projection, units of the page from the drawing's matrix.
-Viewing viewing_of(const VerifyInput& claim);
+Viewing viewing_of(const VerifyInput& input);
 
 }  // namespace epura::verify

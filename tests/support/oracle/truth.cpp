@@ -47,7 +47,7 @@ verify::Triple<verify::Exact> along_projectors(const verify::Triple<verify::Exac
 /// The page in rational numbers: corners of triangles and edges mapped to it without rounding.
 class ExactPage {
  public:
-  ExactPage(const verify::VerifyInput& claim, const view::ProjectedScene& view);
+  ExactPage(const verify::VerifyInput& input, const view::ProjectedScene& view);
 
   /// A point before the viewer.
   [[nodiscard]] ExactPoint place(const verify::Triple<verify::Exact>& point) const;
@@ -63,13 +63,13 @@ class ExactPage {
   verify::Exact page_, depth_, nearest_;
 };
 
-ExactPage::ExactPage(const verify::VerifyInput& claim, const view::ProjectedScene& view)
-    : viewing_(verify::viewing_of(claim)),
-      point_(verify::triple<verify::Exact>(claim.projection.point)),
-      n_(verify::triple<verify::Exact>(claim.projection.n)),
-      u_(verify::triple<verify::Exact>(claim.projection.u)),
-      v_(verify::triple<verify::Exact>(claim.projection.v)) {
-  const projection::Projection& p = claim.projection;
+ExactPage::ExactPage(const verify::VerifyInput& input, const view::ProjectedScene& view)
+    : viewing_(verify::viewing_of(input)),
+      point_(verify::triple<verify::Exact>(input.projection.point)),
+      n_(verify::triple<verify::Exact>(input.projection.n)),
+      u_(verify::triple<verify::Exact>(input.projection.u)),
+      v_(verify::triple<verify::Exact>(input.projection.v)) {
+  const projection::Projection& p = input.projection;
   const view::ViewMap& map = view.map;
   if (p.central) {
     const double w0 = 1 / (map.depth_to_one * map.depth_of_n);
@@ -285,9 +285,9 @@ std::uint64_t side_key(int a, int b) {
 
 class Judge {
  public:
-  Judge(const verify::VerifyInput& claim, const view::ProjectedScene& view)
-      : claim_(claim), view_(view), page_(claim, view), places_(claim.world, page_) {
-    const auto& triangles = claim.world.triangles;
+  Judge(const verify::VerifyInput& input, const view::ProjectedScene& view)
+      : input_(input), view_(view), page_(input, view), places_(input.world, page_) {
+    const auto& triangles = input.world.triangles;
     sides_.reserve(3 * triangles.size());
     for (std::size_t t = 0; t < triangles.size(); ++t)
       for (std::size_t i = 0; i < 3; ++i)
@@ -295,8 +295,8 @@ class Judge {
   }
 
   [[nodiscard]] EdgeTruth truth_of(int e, std::atomic<std::size_t>& pairs) const {
-    const edges::FeatureEdge& edge = claim_.drawn.edges[e];
-    const std::array<Vec3, 2> ends = claim_.ends_of(edge);
+    const edges::FeatureEdge& edge = input_.drawn.edges[e];
+    const std::array<Vec3, 2> ends = input_.ends_of(edge);
     const Line line{page_.place(verify::position_on<verify::Exact>(ends, edge.t[0])),
                     page_.place(verify::position_on<verify::Exact>(ends, edge.t[1]))};
     const double extent = view_.extent;
@@ -321,13 +321,13 @@ class Judge {
   // Triangles of the world that are none of the edge's own and may lie before it.
   [[nodiscard]] std::vector<int> near(const edges::FeatureEdge& edge, const Line& line) const {
     std::vector<int> found = places_.before(line, surely_beside * view_.extent);
-    std::erase_if(found, [&](int triangle) { return claim_.contains(edge, triangle); });
+    std::erase_if(found, [&](int triangle) { return input_.contains(edge, triangle); });
     return found;
   }
 
   [[nodiscard]] std::array<Vec3, 3> corners_of(int triangle) const {
-    const auto& [a, b, c] = claim_.world.triangles[triangle];
-    return {claim_.world.points[a], claim_.world.points[b], claim_.world.points[c]};
+    const auto& [a, b, c] = input_.world.triangles[triangle];
+    return {input_.world.points[a], input_.world.points[b], input_.world.points[c]};
   }
 
   void find_borders(const edges::FeatureEdge& edge, int triangle, Face& face) const {
@@ -337,25 +337,25 @@ class Judge {
 
   // Whether no other triangle goes on behind a side.
   [[nodiscard]] bool is_border(const edges::FeatureEdge& edge, int triangle, std::size_t side, const Face& face) const {
-    const auto& corner = claim_.world.triangles[triangle];
+    const auto& corner = input_.world.triangles[triangle];
     const int a = corner[side], b = corner[(side + 1) % 3];
     const auto [begin, end] = sides_.equal_range(side_key(a, b));
     return std::none_of(begin, end, [&](const auto& found) {
       const int other = found.second;
-      if (other == triangle || claim_.contains(edge, other)) return false;
-      const auto& c = claim_.world.triangles[other];
+      if (other == triangle || input_.contains(edge, other)) return false;
+      const auto& c = input_.world.triangles[other];
       const auto apex = std::find_if(c.begin(), c.end(), [&](int v) { return v != a && v != b; });
       if (apex == c.end()) return false;
       const Face beyond = face_from(page_.place(corners_of(other)));
       if (beyond.corner.size() != 3) return false;
       return sgn(cross(face.corner[side], face.corner[(side + 1) % 3],
-                       page_.place(verify::triple<verify::Exact>(claim_.world.points[*apex])))) *
+                       page_.place(verify::triple<verify::Exact>(input_.world.points[*apex])))) *
                  face.turn <
              0;
     });
   }
 
-  const verify::VerifyInput& claim_;
+  const verify::VerifyInput& input_;
   const view::ProjectedScene& view_;
   ExactPage page_;
   TrianglePlaces places_;
@@ -373,10 +373,10 @@ std::vector<int> random_order(std::size_t count) {
 
 }  // namespace
 
-std::vector<EdgeTruth> find_truth(const verify::VerifyInput& claim, const view::ProjectedScene& view,
+std::vector<EdgeTruth> find_truth(const verify::VerifyInput& input, const view::ProjectedScene& view,
                                   const TruthEffort& effort) {
-  const Judge judge(claim, view);
-  const std::vector<int> order = random_order(claim.drawn.edges.size());
+  const Judge judge(input, view);
+  const std::vector<int> order = random_order(input.drawn.edges.size());
   std::vector<EdgeTruth> truths;
   std::atomic<std::size_t> pairs = 0;
   while (truths.size() < order.size() && static_cast<double>(pairs) < effort.pairs) {

@@ -32,7 +32,7 @@ struct TruthEffort {
 };
 
 /// In the order of the edges.
-std::vector<EdgeTruth> find_truth(const verify::VerifyInput& claim, const view::ProjectedScene& view,
+std::vector<EdgeTruth> find_truth(const verify::VerifyInput& input, const view::ProjectedScene& view,
                                   const TruthEffort& effort);
 
 /// A triangle and a point of an edge, exactly as their places on the page say.
