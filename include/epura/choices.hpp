@@ -10,6 +10,9 @@ enum class Unit { mm, in, m };
 /// Axis that points up in a model.
 enum class UpAxis { z, y };
 
+/// Whose edges are drawn: of the faces of the part that are recognised behind the triangles, or of the mesh alone.
+enum class Surfaces { automatic, mesh };
+
 enum class HiddenLines { none, dashed, solid };
 
 /// What the visible lines of a model are: of the part itself (wide, continuous), of one that stays in the background

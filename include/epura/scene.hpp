@@ -30,6 +30,7 @@ struct Model {
   /// Where it stands, after unit and axis: the rows of an affine matrix, which is applied to column vectors.
   std::array<double, 12> transform{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
   LineRole line = LineRole::visible;
+  Surfaces surfaces = Surfaces::automatic;
   std::optional<HiddenLines> hidden{};  ///< the view's by default
 };
 
@@ -43,7 +44,9 @@ struct View {
   std::string name{};                                                ///< by default the projection's
   HiddenLines hidden = HiddenLines::dashed;
   EdgeKinds edges{};
-  double crease_angle = 30;                   ///< degrees between faces from which their edge is a crease, 0 to 180
+  /// Degrees between faces from which their edge is a crease, 0 to 180; by default 5 between faces of the part that are
+  /// recognised, and 30 in other meshes.
+  std::optional<double> crease_angle{};
   std::optional<double> near{}, far{};        ///< depths, to leave out what is nearer or farther
   std::optional<double> scale{};              ///< mm of paper per unit; the sheet's by default
   std::optional<std::array<double, 2>> at{};  ///< middle of its ink, mm from the lower left corner; else arranged

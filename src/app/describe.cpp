@@ -44,8 +44,10 @@ scene::SceneDescription described_by_file(const DrawOptions& options) {
   if (options.models.size() > 1)
     throw Error(ErrorKind::input, file, "is a scene file and stands beside other models",
                 "name the models in the scene file, or leave it out");
-  if (!options.transforms.empty() || options.model.unit.given() || options.model.up.given())
-    throw Error(ErrorKind::input, file, "--transform, --unit and --up are for models that the command line names",
+  const scene::ModelDescription& model = options.model;
+  if (!options.transforms.empty() || model.unit.given() || model.up.given() || model.surfaces.given())
+    throw Error(ErrorKind::input, file,
+                "--transform, --unit, --up and --surfaces are for models that the command line names",
                 "say it in the [[model]] of the scene file");
   scene::SceneDescription scene = scene::read_scene_file(file);
   std::vector<scene::ViewDescription> views = views_of(options);

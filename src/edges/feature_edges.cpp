@@ -42,6 +42,7 @@ struct Judge {
   const std::vector<char>& is_tangent;       ///< by edge; empty where nobody asks
   const std::vector<Vec3>& polygon_normals;  ///< by number of the polygon
   FoldLimit crease;
+  const features::PartFaces* part;  ///< null where none is recognised
   double edge_on;  ///< cells from the line of an edge within which a corner is on it
 
   [[nodiscard]] const mesh::Mesh& mesh() const { return around.mesh(); }
@@ -145,6 +146,8 @@ struct Judge {
   // Two triangles at an edge.
   [[nodiscard]] std::optional<EdgeKind> judge_pair(const mesh::MeshEdge& edge, const std::array<int, 2>& ends,
                                                    int first, int second) const {
+    const std::optional<EdgeKind> border = kind_of_border(edge);
+    if (border == EdgeKind::crease) return if_wanted(EdgeKind::crease);
     const Beyond one = slivers.beyond(ends, first);
     const Beyond two = slivers.beyond(ends, second);
     if (one.covered || two.covered) return std::nullopt;
@@ -156,10 +159,21 @@ struct Judge {
     if (contour && options.contour) return EdgeKind::contour;
     // Inside a polygon nothing is folded: the file says it is one face.
     if (edge.diagonal) return std::nullopt;
+    if (part != nullptr) return border ? border : if_wanted(EdgeKind::smooth);
     if (options.crease && folds_by(normals_of_faces(pair), crease)) return EdgeKind::crease;
     if (!is_tangent.empty() && is_tangent[static_cast<std::size_t>(&edge - mesh().edges.data())] != 0)
       return EdgeKind::tangent;
     return if_wanted(EdgeKind::smooth);
+  }
+
+  // What an edge between faces of the part is; nothing inside a face.
+  [[nodiscard]] std::optional<EdgeKind> kind_of_border(const mesh::MeshEdge& edge) const {
+    if (part == nullptr) return std::nullopt;
+    const int number = part->border_of_edge[static_cast<std::size_t>(&edge - mesh().edges.data())];
+    if (number < 0) return std::nullopt;
+    const features::PartBorder& border = part->borders[static_cast<std::size_t>(number)];
+    if (border.angle > options.part_angle) return EdgeKind::crease;
+    return options.tangent ? std::optional(EdgeKind::tangent) : std::nullopt;
   }
 
   // The normals of the polygons that the triangles are parts of, turned as those of the triangles.
@@ -235,7 +249,8 @@ std::vector<std::optional<EdgeKind>> feature_edges(const view::ProjectedScene& v
                                                    const EdgeSurroundings& around, const Slivers& slivers,
                                                    const Progress& progress) {
   const double crease_angle = options.crease_angle - angle_rounding;
-  const std::vector<char> is_tangent = options.tangent ? tangent_edges(around, crease_angle) : std::vector<char>();
+  const features::PartFaces* part = around.world.models[around.model].part.get();
+  const std::vector<char> is_tangent = options.tangent && part == nullptr ? tangent_edges(around, crease_angle) : std::vector<char>();
   const std::vector<Vec3> polygon_normals = mean_normals(around);
   const Judge judge{around,
                     view,
@@ -244,6 +259,7 @@ std::vector<std::optional<EdgeKind>> feature_edges(const view::ProjectedScene& v
                     is_tangent,
                     polygon_normals,
                     FoldLimit(crease_angle),
+                    part,
                     page_resolution(around.world, view) / view.cell};
   const auto& edges = around.world.models[around.model].mesh->edges;
   std::vector<std::optional<EdgeKind>> kinds(edges.size());

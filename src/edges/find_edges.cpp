@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "base/parallel.hpp"
+#include "edges/contacts.hpp"
 #include "edges/crossing_candidates.hpp"
 #include "edges/dihedral.hpp"
 #include "edges/feature_edges.hpp"
@@ -18,7 +18,6 @@ namespace {
 
 // Of the time that is left, for what finds crossings; the lines that they become take the rest.
 constexpr double part_for_search = 0.4;
-constexpr std::size_t crossings_a_look = 1024;
 
 // What meets in the edge, the slivers beside it among it; empty where there are none.
 std::vector<int> met_across_slivers(const EdgeSurroundings& around, const Slivers& slivers,
@@ -59,36 +58,16 @@ void add_mesh_edges(const EdgeSurroundings& around, view::ProjectedScene& view, 
   }
 }
 
-// Facets of curved surfaces that coincide (a bolt in its hole) cross by as much as their surfaces turn from facet to
-// facet: such lines are made by the tessellation, not by the bodies.
-bool is_tessellation(const scene::World& world, double normalisation, const FaceCrossing& crossing,
-                     double crease_angle) {
-  double turn = 0;
-  for (const int triangle : crossing.triangles) {
-    const int model = world.model_of_triangle(triangle);
-    turn += turn_of_surface({world, model, normalisation}, triangle - world.first_triangle[model], crease_angle) / 2;
-  }
-  return crossing.angle <= turn * 1.001;
-}
-
 // Crossings that there is no time to judge count as not searched.
-void drop_tessellation(const scene::World& world, double normalisation, double crease_angle, FeatureEdges& drawn,
-                       const Progress& progress) {
-  enum : char { unjudged, real, of_tessellation };
-  std::vector<char> verdicts(drawn.crossings.size(), unjudged);
-  try {
-    parallel_for(verdicts.size(), crossings_a_look, progress, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-        verdicts[i] = is_tessellation(world, normalisation, drawn.crossings[i], crease_angle) ? of_tessellation : real;
-    });
-  } catch (const OutOfTime&) {
-    const auto judged = verdicts.size() - std::size_t(std::count(verdicts.begin(), verdicts.end(), unjudged));
-    drawn.searched *= static_cast<double>(judged) / static_cast<double>(verdicts.size());
-  }
-  std::vector<FaceCrossing> judged_real;
-  for (std::size_t i = 0; i < verdicts.size(); ++i)
-    if (verdicts[i] == real) judged_real.push_back(drawn.crossings[i]);
-  drawn.crossings = std::move(judged_real);
+void drop_contacts(const scene::World& world, double normalisation, double crease_angle, FeatureEdges& drawn,
+                   const Progress& progress) {
+  const std::vector<Contact> contacts = judge_contacts(world, normalisation, crease_angle, drawn.crossings, progress);
+  const auto unjudged = std::count(contacts.begin(), contacts.end(), Contact::unjudged);
+  if (unjudged > 0) drawn.searched *= 1 - static_cast<double>(unjudged) / static_cast<double>(contacts.size());
+  std::vector<FaceCrossing> real;
+  for (std::size_t i = 0; i < contacts.size(); ++i)
+    if (contacts[i] == Contact::none) real.push_back(drawn.crossings[i]);
+  drawn.crossings = std::move(real);
 }
 
 void add_intersections(const scene::World& world, view::ProjectedScene& view, FeatureEdges& drawn) {
@@ -123,7 +102,7 @@ FeatureEdges find_feature_edges(const scene::World& world, view::ProjectedScene&
                                                   progress.with_part_of_the_time(part_for_search));
   drawn.crossings = std::move(crossings);
   drawn.searched = searched;
-  drop_tessellation(world, normalisation, options.crease_angle, drawn, progress.with_part_of_the_time(part_for_search));
+  drop_contacts(world, normalisation, options.crease_angle, drawn, progress.with_part_of_the_time(part_for_search));
   add_intersections(world, view, drawn);
   return drawn;
 }

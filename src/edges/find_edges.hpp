@@ -15,7 +15,8 @@ struct EdgeOptions {
   bool contour = true, boundary = true, crease = true, intersection = true;
   bool tangent = false;      ///< as edges/tangent_edges.hpp says
   bool smooth = false;       ///< all other edges of the mesh
-  double crease_angle = 30;  ///< degrees between the faces' normals from which an edge is a crease
+  double crease_angle = 30;  ///< degrees between the triangles' normals from which an edge of a mesh is a crease
+  double part_angle = 5;     ///< the same all along a border between faces of a part that are recognised
 };
 
 /// A straight piece to be split into visible and hidden spans.

@@ -19,7 +19,46 @@ std::optional<EdgeKind> kind_under(const ExplainInput& drawn_view, const Subject
   return edges::feature_edges(drawn_view.world, drawn_view.view, subject.model, options)[subject.mesh_edge];
 }
 
+std::string words_of(const features::PartSurface& surface) {
+  using features::SurfaceKind;
+  const std::string radius = " of radius " + format_value(surface.radius);
+  switch (surface.kind) {
+    case SurfaceKind::plane:
+      return "a plane";
+    case SurfaceKind::cylinder:
+      return "a cylinder" + radius;
+    case SurfaceKind::cone:
+      return "a cone";
+    case SurfaceKind::sphere:
+      return "a sphere" + radius;
+    case SurfaceKind::torus:
+      return "a torus" + radius;
+    case SurfaceKind::free_form:
+      break;
+  }
+  return "a free form";
+}
+
+// Of an edge of the mesh in its part.
+std::string border_of(const ExplainInput& drawn_view, const Subject& subject, const features::PartFaces& part) {
+  const std::string faces = names_of(faces_at(drawn_view, subject));
+  const mesh::Mesh& mesh = mesh_of(drawn_view, subject);
+  const int number = part.border_of_edge[static_cast<std::size_t>(subject.mesh_edge)];
+  const auto surface = [&](int face) { return words_of(part.faces[static_cast<std::size_t>(face)].surface); };
+  if (number < 0)
+    return faces + " are on " + surface(part.face_of_triangle[mesh.triangles_of(mesh.edges[subject.mesh_edge]).front()]) +
+           ", a face of the part, and it lies inside of that";
+  const features::PartBorder& border = part.borders[static_cast<std::size_t>(number)];
+  if (border.faces[0] == border.faces[1]) return faces + " are folded inside of " + surface(border.faces[0]);
+  return faces + " are on " + surface(border.faces[0]) + " and " + surface(border.faces[1]) + " that meet at " +
+         format_rounded(border.angle, 3) + " degrees; a crease is where faces of the part meet at more than " +
+         format_value(drawn_view.options.part_angle);
+}
+
 std::string fold_of(const ExplainInput& drawn_view, const Subject& subject, bool crease) {
+  const scene::Placed& placed = drawn_view.world.models[subject.model];
+  if (placed.part != nullptr && placed.mesh->uncut == nullptr && mesh_of(drawn_view, subject).edges[subject.mesh_edge].count == 2)
+    return border_of(drawn_view, subject, *placed.part);
   const std::string faces = names_of(faces_at(drawn_view, subject));
   const auto angle = angle_at(drawn_view, subject);
   if (!angle) return faces + " meet here";
@@ -48,7 +87,8 @@ std::string reason_for(const ExplainInput& drawn_view, const Subject& subject, E
 std::string reason_not_drawn(const ExplainInput& drawn_view, const Subject& subject) {
   if (const auto kind = kind_under(drawn_view, subject, drawn_view.options))
     return "a " + std::string(edges::name_of(*kind)) + ", but outside of what is drawn";
-  const edges::EdgeOptions all{.smooth = true, .crease_angle = drawn_view.options.crease_angle};
+  edges::EdgeOptions all = drawn_view.options;
+  all.contour = all.boundary = all.crease = all.intersection = all.smooth = true;
   const auto kind = kind_under(drawn_view, subject, all);
   if (kind && edges::is_within_surface(*kind)) return reason_for(drawn_view, subject, *kind);
   if (kind)

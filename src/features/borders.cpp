@@ -17,7 +17,7 @@ namespace {
 constexpr double degrees = 180 / std::numbers::pi;
 // Inside a free-form face an edge that is sharper fades out at its ends.
 constexpr double fading_cosine = 0.766;  // 40 degrees
-constexpr double tangent_share = 0.9;    // of the length of a border
+constexpr double most_of_it = 0.9;       // of the length of a border
 
 /// One mesh edge between two faces.
 struct BorderEdge {
@@ -166,15 +166,22 @@ class BorderFinder {
   [[nodiscard]] PartBorder border_of(const Chain& chain, double tangent_angle) const {
     const BorderEdge& any = edges_[chain.edges.front()];
     PartBorder border{any.faces, any.open ? BorderKind::open : BorderKind::tangent, 0, {}, chain.closed};
-    double length = 0, tangent = 0;
-    for (const int e : chain.edges) {
-      border.edges.push_back(edges_[e].edge);
-      border.angle = std::max(border.angle, edges_[e].angle);
-      length += edges_[e].length;
-      if (edges_[e].angle <= tangent_angle) tangent += edges_[e].length;
-    }
-    if (!any.open && tangent < tangent_share * length) border.kind = BorderKind::sharp;
+    for (const int e : chain.edges) border.edges.push_back(edges_[e].edge);
+    border.angle = angle_along(chain.edges);
+    if (!any.open && border.angle > tangent_angle) border.kind = BorderKind::sharp;
     return border;
+  }
+
+  // The least angle that most of the length does not exceed: at a corner a third face may decide.
+  [[nodiscard]] double angle_along(std::vector<int> chain) const {
+    std::stable_sort(chain.begin(), chain.end(), [this](int a, int b) { return edges_[a].angle < edges_[b].angle; });
+    double length = 0, below = 0;
+    for (const int e : chain) length += edges_[e].length;
+    for (const int e : chain) {
+      below += edges_[e].length;
+      if (below >= most_of_it * length) return edges_[e].angle;
+    }
+    return edges_[chain.back()].angle;
   }
 
   const mesh::Mesh& mesh_;

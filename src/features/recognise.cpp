@@ -27,6 +27,8 @@ constexpr char enough_failures = 8;
 // Of the area of a part.
 constexpr double least_recognised = 0.25;
 constexpr std::size_t most_alone = 256;
+// Tangents of folds that are neither flat nor certainly edges of the part.
+constexpr double shallow_least = 1e-4, shallow_most = 1;
 
 /// A surface that some facets around a seed lie on.
 struct Guess {
@@ -37,8 +39,9 @@ struct Guess {
 
 class Recogniser {
  public:
-  explicit Recogniser(const Facets& facets)
+  Recogniser(const Facets& facets, const Progress& progress)
       : facets_(facets),
+        progress_(progress),
         region_of_(facets.facets.size(), -1),
         failures_(facets.facets.size(), 0),
         stamp_(facets.facets.size(), 0),
@@ -66,6 +69,7 @@ class Recogniser {
       if (beside_regions && !is_beside_region(f)) continue;
       const std::vector<int> beside = beside_of(f);
       if (beside.empty()) continue;
+      progress_.expect_time();
       ++tried;
       ++in_vain;
       if (grow_from(f, beside)) {
@@ -260,6 +264,7 @@ class Recogniser {
   }
 
   const Facets& facets_;
+  const Progress& progress_;
   std::vector<int> region_of_;
   std::vector<Region> regions_;
   std::vector<char> failures_;  ///< of seeds nearby
@@ -383,12 +388,12 @@ bool is_scan(const Facets& facets, const std::vector<int>& region_of) {
 
 }  // namespace
 
-PartFaces recognise_faces(const mesh::Mesh& mesh, const RecogniseOptions& options) {
+PartFaces recognise_faces(const mesh::Mesh& mesh, const RecogniseOptions& options, const Progress& progress) {
   const Facets facets = make_facets(mesh);
-  Recogniser recogniser(facets);
+  Recogniser recogniser(facets, progress);
   recogniser.run();
   // A scan, or a mesh that an artist made: its few flat places are none of a part.
-  PartFaces nothing{{}, std::vector<int>(mesh.polygon.size(), -1), {}, facets.tolerance / facets.scale, 0};
+  PartFaces nothing{{}, std::vector<int>(mesh.polygon.size(), -1), {}, {}, facets.tolerance / facets.scale, 0};
   if (is_scan(facets, recogniser.region_of())) return nothing;
   std::vector<int> region_of = recogniser.region_of();
   std::vector<Region> regions = recogniser.regions();
@@ -400,7 +405,24 @@ PartFaces recognise_faces(const mesh::Mesh& mesh, const RecogniseOptions& option
   nothing.recognised = result.recognised;
   if (result.recognised < least_recognised) return nothing;
   result.borders = find_borders(mesh, facets, region_of, regions, options.tangent_angle);
+  result.border_of_edge.assign(mesh.edges.size(), -1);
+  for (std::size_t b = 0; b < result.borders.size(); ++b)
+    for (const int edge : result.borders[b].edges) result.border_of_edge[edge] = static_cast<int>(b);
   return result;
+}
+
+bool has_shallow_folds(const mesh::Mesh& mesh) {
+  const auto normal = [&](int triangle) {
+    const auto [a, b, c] = mesh.triangle(triangle);
+    return glm::cross(mesh.point(b) - mesh.point(a), mesh.point(c) - mesh.point(a));
+  };
+  return std::any_of(mesh.edges.begin(), mesh.edges.end(), [&](const mesh::MeshEdge& edge) {
+    if (edge.count != 2) return false;
+    const auto triangles = mesh.triangles_of(edge);
+    const Vec3 one = normal(triangles[0]), two = normal(triangles[1]);
+    const double sine = glm::length(glm::cross(one, two)), cosine = std::abs(glm::dot(one, two));
+    return sine > shallow_least * cosine && sine < shallow_most * cosine;
+  });
 }
 
 }  // namespace epura::features

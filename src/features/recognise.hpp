@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/progress.hpp"
 #include "features/part_surface.hpp"
 #include "mesh/mesh.hpp"
 
@@ -30,7 +31,7 @@ enum class BorderKind : std::uint8_t { sharp, tangent, open };
 struct PartBorder {
   std::array<int, 2> faces;  ///< lower first; {-1, f} where one face ends, {f, f} for an edge that fades out inside one
   BorderKind kind;
-  double angle;            ///< largest one between the faces, degrees
+  double angle;            ///< between the faces, degrees: nine tenths of the border's length are not above it
   std::vector<int> edges;  ///< of the mesh, in order along it
   bool closed;
 };
@@ -39,6 +40,7 @@ struct PartFaces {
   std::vector<PartFace> faces;        ///< largest triangles first; none where nothing was recognised
   std::vector<int> face_of_triangle;  ///< -1 where nothing was recognised
   std::vector<PartBorder> borders;
+  std::vector<int> border_of_edge;  ///< of the mesh; -1 inside a face
   double tolerance = 0;   ///< distance up to which vertices were taken to lie on surfaces
   double recognised = 0;  ///< share of the area that lies on planes, cylinders, cones, spheres and tori
 };
@@ -49,6 +51,11 @@ struct RecogniseOptions {
 
 /// Finds the faces of a tessellated part. A scan or an artist's mesh, where no surface fits, gives no faces. Neither
 /// the order of the faces in the file nor the unit matters.
-PartFaces recognise_faces(const mesh::Mesh& mesh, const RecogniseOptions& options = {});
+/// Throws OutOfTime.
+PartFaces recognise_faces(const mesh::Mesh& mesh, const RecogniseOptions& options = {}, const Progress& progress = {});
+
+/// Whether some edge is folded so little that it may lie inside a face of the part. Where none does, all edges of the
+/// mesh are edges of the part.
+bool has_shallow_folds(const mesh::Mesh& mesh);
 
 }  // namespace epura::features

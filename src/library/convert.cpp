@@ -84,6 +84,7 @@ scene::ModelDescription describe(const Model& model, const std::string& where) {
       rows({m[0], m[1], m[2], m[3]}, {m[4], m[5], m[6], m[7]}, {m[8], m[9], m[10], m[11]}, {0, 0, 0, 1}),
       where + ".transform"};
   description.line = {model.line, where + ".line"};
+  description.surfaces = {model.surfaces, where + ".surfaces"};
   description.hidden = located(model.hidden, where + ".hidden");
   return description;
 }
@@ -105,7 +106,8 @@ scene::ViewDescription describe(const View& view, const std::string& where) {
   description.name = located(view.name, where + ".name");
   description.hidden = {view.hidden, where + ".hidden"};
   description.edges = {view.edges, where + ".edges"};
-  description.crease_angle = {checked(view.crease_angle, where + ".crease_angle", 0, 180), where + ".crease_angle"};
+  if (view.crease_angle)
+    description.crease_angle = {checked(*view.crease_angle, where + ".crease_angle", 0, 180), where + ".crease_angle"};
   description.near = located(view.near, where + ".near");
   description.far = located(view.far, where + ".far");
   if (view.scale) {

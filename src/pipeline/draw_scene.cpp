@@ -10,6 +10,7 @@
 #include "pipeline/plan_steps.hpp"
 #include "pipeline/questions.hpp"
 #include "pipeline/read_models.hpp"
+#include "pipeline/recognise_parts.hpp"
 #include "pipeline/sections.hpp"
 #include "pipeline/tell.hpp"
 #include "pipeline/view_plan.hpp"
@@ -113,6 +114,8 @@ FinishedSheet Run::draw_sheet(const scene::World& whole, const CutSections& sect
 std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& sheets) {
   scene::World world = read_models(scene.models, report.meshes, messages, progress);
   watch.lap("read");
+  recognise_parts(world, scene, report, progress);
+  watch.lap("features");
   const CutSections sections = cut_sections(world, scene, messages, progress);
   if (!sections.empty()) watch.lap("section");
   std::vector<FinishedSheet> finished;

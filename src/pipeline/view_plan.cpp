@@ -17,7 +17,7 @@ edges::EdgeOptions edge_options(const scene::ViewDescription& view) {
                            .intersection = kinds.intersection,
                            .tangent = kinds.tangent,
                            .smooth = kinds.smooth};
-  edges.crease_angle = view.crease_angle.value_or(edges.crease_angle);
+  if (view.crease_angle.given()) edges.crease_angle = edges.part_angle = *view.crease_angle;
   return edges;
 }
 

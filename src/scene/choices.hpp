@@ -37,6 +37,11 @@ struct Words<UpAxis> {
 };
 
 template <>
+struct Words<Surfaces> {
+  static constexpr std::array list{"auto", "mesh"};
+};
+
+template <>
 struct Words<HiddenLines> {
   static constexpr std::array list{"none", "dashed", "solid"};
 };

@@ -178,7 +178,8 @@ void append(World& world, const ModelCut& cut) {
   }
   world.first_vertex.push_back(static_cast<int>(world.points.size()));
   world.first_triangle.push_back(static_cast<int>(world.triangles.size()));
-  world.models.push_back({std::make_shared<const mesh::Mesh>(cut.make_mesh()), cut.world.models[cut.model].to_world});
+  const Placed& whole = cut.world.models[cut.model];
+  world.models.push_back({std::make_shared<const mesh::Mesh>(cut.make_mesh()), whole.to_world, whole.part});
 }
 
 [[noreturn]] void refuse(const CuttingPlane& plane, const std::string& what) {

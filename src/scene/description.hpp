@@ -41,6 +41,7 @@ struct ModelDescription {
   Located<Mat4> transform;      ///< steps as in scene/transform.hpp
   Located<LineRole> line;       ///< of its visible lines
   Located<HiddenLines> hidden;  ///< the view's by default
+  Located<Surfaces> surfaces;   ///< automatic by default
   Located<bool> drawn;          ///< true by default
 };
 

@@ -53,6 +53,12 @@ Options<ModelDescription> model_options() {
                     choice<LineRole>()),
       option<Model>({.key = "hidden", .help = "its hidden lines", .usual = "as in the view"}, &Model::hidden,
                     choice<HiddenLines>()),
+      option<Model>({.key = "surfaces",
+                     .flag = "--surfaces",
+                     .help = "auto draws the edges of the part's faces where these are recognised; mesh the folds of "
+                             "the mesh, as they are",
+                     .usual = "auto"},
+                    &Model::surfaces, choice<Surfaces>().shown_as("KIND")),
       option<Model>({.key = "drawn", .help = "`false` leaves it out; the others keep their numbers"}, &Model::drawn,
                     truth()),
   };
@@ -97,7 +103,7 @@ Options<ViewDescription> view_options() {
       option<View>({.key = "crease_angle",
                     .flag = "--crease-angle",
                     .help = "degrees between faces from which their edge is a crease",
-                    .usual = "30"},
+                    .usual = "5 between faces of the part, 30 in other meshes"},
                    &View::crease_angle, number_between(0, 180, "degrees").shown_as("DEG")),
       option<View>({.key = "near", .flag = "--near", .help = "leave out what is nearer to the viewer"}, &View::near,
                    any_number("")),

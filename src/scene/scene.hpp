@@ -8,6 +8,7 @@
 
 #include "base/unset_vector.hpp"
 #include "base/vec.hpp"
+#include "features/recognise.hpp"
 #include "mesh/mesh.hpp"
 
 namespace epura::scene {
@@ -16,6 +17,7 @@ namespace epura::scene {
 struct Placed {
   std::shared_ptr<const mesh::Mesh> mesh;  ///< by worlds that are cut from one another
   Mat4 to_world{1.0};
+  std::shared_ptr<const features::PartFaces> part{};  ///< of the mesh before it was cut; null where none is recognised
 };
 
 /// All models in one numbering: vertex v of model m is number first_vertex[m] + v, triangles likewise.

@@ -36,6 +36,18 @@ double angle_between(const Vec3& a, const Vec3& b) {
   return degrees * std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
+const mesh::MeshEdge* find_edge(const mesh::Mesh& mesh, const std::array<int, 2>& vertices) {
+  const auto found = std::ranges::lower_bound(mesh.edges, vertices, {}, &mesh::MeshEdge::vertex);
+  return found != mesh.edges.end() && found->vertex == vertices ? &*found : nullptr;
+}
+
+// The border of the part that an edge belongs to, -1 where it is none; an edge of a cut mesh is that of the whole one.
+int border_at(const scene::Placed& placed, const mesh::MeshEdge* edge) {
+  const mesh::Mesh* whole = placed.mesh->uncut == nullptr ? placed.mesh.get() : placed.mesh->uncut.get();
+  if (edge != nullptr && whole != placed.mesh.get()) edge = find_edge(*whole, placed.mesh->origin_of(*edge).vertex);
+  return edge != nullptr ? placed.part->border_of_edge[static_cast<std::size_t>(edge - whole->edges.data())] : -1;
+}
+
 }  // namespace
 
 FoldRule::FoldRule(const scene::World& world, const edges::EdgeOptions& options, double small)
@@ -49,12 +61,11 @@ FoldRule::Sheets FoldRule::sheets_at(const std::array<int, 2>& edge) const {
   const auto above = std::ranges::upper_bound(world_.first_vertex, edge[0]);
   const int model = static_cast<int>(above - world_.first_vertex.begin()) - 1;
   const mesh::Mesh& mesh = *world_.models[model].mesh;
-  const std::array<int, 2> key{edge[0] - world_.first_vertex[model], edge[1] - world_.first_vertex[model]};
-  const auto found = std::ranges::lower_bound(mesh.edges, key, {}, &mesh::MeshEdge::vertex);
-  if (found == mesh.edges.end() || found->vertex != key) return {};
+  const auto* found = find_edge(mesh, {edge[0] - world_.first_vertex[model], edge[1] - world_.first_vertex[model]});
+  if (found == nullptr) return {};
   std::map<int, std::vector<int>> bodies;
   for (const int t : mesh.triangles_of(*found)) bodies[mesh.body[t]].push_back(world_.first_triangle[model] + t);
-  Sheets sheets{&*found, {}};
+  Sheets sheets{found, {}};
   for (auto& [body, triangles] : bodies) sheets.bodies.push_back(std::move(triangles));
   return sheets;
 }
@@ -131,10 +142,26 @@ double FoldRule::turn(int triangle) const {
   return max;
 }
 
+// Where the faces of the part are known, edges are theirs. Across needles an edge may stand for a border beside it.
+std::optional<Need> FoldRule::between_faces(const std::array<int, 2>& edge, int first, int second) const {
+  const int model = world_.model_of_triangle(first);
+  const scene::Placed& placed = world_.models[model];
+  if (placed.part == nullptr || world_.model_of_triangle(second) != model) return std::nullopt;
+  const int border = border_at(placed, sheets_at(edge).edge);
+  if (border >= 0) {
+    if (placed.part->borders[static_cast<std::size_t>(border)].angle > options_.part_angle) return Need::asked;
+    return options_.tangent ? Need::possible : Need::none;
+  }
+  if (placed.mesh->uncut != nullptr) return Need::possible;
+  const auto face = [&](int triangle) { return placed.part->face_of_triangle[triangle - world_.first_triangle[model]]; };
+  return face(first) == face(second) ? Need::none : Need::possible;
+}
+
 Need FoldRule::fold(const std::array<int, 2>& edge, int first, int second) const {
   if (same_polygon(first, second)) return Need::none;
   if (options_.smooth) return Need::asked;
   if (!options_.crease) return Need::none;
+  if (const auto need = between_faces(edge, first, second)) return *need;
   const double fold = fold_angle(edge, first, second);
   const double margin = angle_margin + doubt(first) + doubt(second) + bend(first) + bend(second);
   if (fold >= options_.crease_angle + margin) return Need::asked;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // What an edge of a mesh asks for by its shape in space, and how sure that is.
 //
-// Written anew from the definition of the kinds, with margins: nothing of the stage that chose the edges is used. A
-// needle, a triangle lower than the coordinates are precise, has no plane: who asks must pass it by (line_marks.hpp).
+// Written anew from the definition of the kinds, with margins: nothing of the stage that chose the edges is used. What
+// the faces of the part are is taken as it was recognised. A needle, a triangle lower than the coordinates are precise,
+// has no plane: who asks must pass it by (line_marks.hpp).
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "edges/find_edges.hpp"
@@ -56,6 +58,7 @@ class FoldRule {
   [[nodiscard]] double bend(int triangle) const;
   [[nodiscard]] double turn(int triangle) const;
   [[nodiscard]] bool same_polygon(int first, int second) const;
+  [[nodiscard]] std::optional<Need> between_faces(const std::array<int, 2>& edge, int first, int second) const;
 
   const scene::World& world_;
   edges::EdgeOptions options_;

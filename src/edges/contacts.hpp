@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Crossings of facets that are made by tessellation, not by the bodies: surfaces that lie on one another, as a bolt in
+// its hole, have facets that go through each other.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "base/progress.hpp"
+#include "edges/intersections.hpp"
+#include "scene/scene.hpp"
+
+namespace epura::edges {
+
+enum class Contact : std::uint8_t {
+  unjudged,  ///< for want of time
+  none,      ///< a real crossing
+  contact
+};
+
+/// For each crossing. Two recognised faces of parts touch, or cross, as a whole: they touch where, along most of the
+/// length of their crossings, each lies within the height of their facets' arcs of the other, and faces as it does.
+/// Elsewhere facets are judged pair by pair: they touch where they cross by no more than their surfaces turn from
+/// facet to facet, as far as folds below `crease_angle` tell. `normalisation` is that of find_intersections.
+std::vector<Contact> judge_contacts(const scene::World& world, double normalisation, double crease_angle,
+                                    const std::vector<FaceCrossing>& crossings, const Progress& progress);
+
+}  // namespace epura::edges

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/recognise_parts.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/parallel.hpp"
+#include "features/recognise.hpp"
+
+namespace epura::pipeline {
+
+namespace {
+
+// Of the time that is left after reading.
+constexpr double part_for_faces = 0.25;
+
+// Without lines inside of surfaces there is nothing to tell apart.
+bool is_asked(const scene::ViewDescription& view) {
+  const EdgeKinds kinds = view.edges.value_or({});
+  return kinds.crease || kinds.tangent || kinds.smooth || kinds.intersection;
+}
+
+std::shared_ptr<const features::PartFaces> part_of(const mesh::Mesh& mesh, const Progress& progress) {
+  if (!features::has_shallow_folds(mesh)) return nullptr;
+  auto part = std::make_shared<features::PartFaces>(features::recognise_faces(mesh, {}, progress));
+  return part->faces.empty() ? nullptr : part;
+}
+
+}  // namespace
+
+void recognise_parts(scene::World& world, const scene::SceneDescription& scene, report::Report& report,
+                     Progress progress) {
+  std::vector<int> wanted;
+  const bool asked = std::any_of(scene.views.begin(), scene.views.end(), is_asked);
+  for (int model = 0; model < static_cast<int>(world.models.size()); ++model)
+    if (asked && scene.models[model].surfaces.value_or(Surfaces::automatic) == Surfaces::automatic &&
+        world.models[model].mesh->triangle_count() > 0)
+      wanted.push_back(model);
+  progress.begin("recognising faces", wanted.size());
+  const Progress limited = progress.with_part_of_the_time(part_for_faces);
+  try {
+    parallel_for(wanted.size(), 1, limited, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        scene::Placed& placed = world.models[wanted[i]];
+        placed.part = part_of(*placed.mesh, limited);
+        progress.advance(1);
+      }
+    });
+  } catch (const OutOfTime& cut) {
+    report.partial.add_stage(cut.stage);
+  }
+  if (wanted.empty()) return;
+  long long triangles = 0, faces = 0, models = 0;
+  for (const scene::Placed& placed : world.models) {
+    triangles += placed.mesh->triangle_count();
+    if (placed.part == nullptr) continue;
+    faces += static_cast<long long>(placed.part->faces.size());
+    ++models;
+  }
+  report.plan.push_back({"features", models > 0,
+                         models == 0 ? "no model has faces of a part that its folds do not tell"
+                                        : "edges are those of faces in " + std::to_string(models) + " of " +
+                                             std::to_string(world.models.size()) + " models",
+                         triangles, faces});
+}
+
+}  // namespace epura::pipeline

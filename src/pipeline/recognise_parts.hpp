@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+// The faces of the parts that the models of a scene stand for.
+#pragma once
+
+#include "base/progress.hpp"
+#include "report/report.hpp"
+#include "scene/description.hpp"
+#include "scene/scene.hpp"
+
+namespace epura::pipeline {
+
+/// Recognises them where they are wanted and something can come of it; says in the plan what was done. Models that
+/// there is no time for are drawn as meshes, which the report says.
+void recognise_parts(scene::World& world, const scene::SceneDescription& scene, report::Report& report,
+                     Progress progress);
+
+}  // namespace epura::pipeline
