@@ -43,7 +43,7 @@ struct Judge {
   const std::vector<Vec3>& polygon_normals;  ///< by number of the polygon
   FoldLimit crease;
   const features::PartFaces* part;  ///< null where none is recognised
-  double edge_on;  ///< cells from the line of an edge within which a corner is on it
+  double edge_on;                   ///< cells from the line of an edge within which a corner is on it
 
   [[nodiscard]] const mesh::Mesh& mesh() const { return around.mesh(); }
 
@@ -147,10 +147,10 @@ struct Judge {
   [[nodiscard]] std::optional<EdgeKind> judge_pair(const mesh::MeshEdge& edge, const std::array<int, 2>& ends,
                                                    int first, int second) const {
     const std::optional<EdgeKind> border = kind_of_border(edge);
-    if (border == EdgeKind::crease) return if_wanted(EdgeKind::crease);
     const Beyond one = slivers.beyond(ends, first);
     const Beyond two = slivers.beyond(ends, second);
-    if (one.covered || two.covered) return std::nullopt;
+    // Of the two sides of a sliver between faces of the part one is their border.
+    if (one.covered || two.covered) return border == EdgeKind::crease ? if_wanted(EdgeKind::crease) : std::nullopt;
     if (!one.triangle || !two.triangle) return if_wanted(EdgeKind::boundary);
     const Pair pair = pair_at(ends, *one.triangle, *two.triangle);
     const int side_one = side(ends, pair.first);
@@ -159,7 +159,7 @@ struct Judge {
     if (contour && options.contour) return EdgeKind::contour;
     // Inside a polygon nothing is folded: the file says it is one face.
     if (edge.diagonal) return std::nullopt;
-    if (part != nullptr) return border ? border : if_wanted(EdgeKind::smooth);
+    if (part != nullptr) return border && if_wanted(*border) ? border : if_wanted(EdgeKind::smooth);
     if (options.crease && folds_by(normals_of_faces(pair), crease)) return EdgeKind::crease;
     if (!is_tangent.empty() && is_tangent[static_cast<std::size_t>(&edge - mesh().edges.data())] != 0)
       return EdgeKind::tangent;
@@ -173,7 +173,7 @@ struct Judge {
     if (number < 0) return std::nullopt;
     const features::PartBorder& border = part->borders[static_cast<std::size_t>(number)];
     if (border.angle > options.part_angle) return EdgeKind::crease;
-    return options.tangent ? std::optional(EdgeKind::tangent) : std::nullopt;
+    return EdgeKind::tangent;
   }
 
   // The normals of the polygons that the triangles are parts of, turned as those of the triangles.
@@ -190,9 +190,10 @@ struct Judge {
   }
 
   [[nodiscard]] std::optional<EdgeKind> if_wanted(EdgeKind kind) const {
-    const bool wanted = kind == EdgeKind::boundary ? options.boundary
-                        : kind == EdgeKind::crease ? options.crease
-                                                   : options.smooth;
+    const bool wanted = kind == EdgeKind::boundary  ? options.boundary
+                        : kind == EdgeKind::crease  ? options.crease
+                        : kind == EdgeKind::tangent ? options.tangent
+                                                    : options.smooth;
     return wanted ? std::optional(kind) : std::nullopt;
   }
 
@@ -250,7 +251,8 @@ std::vector<std::optional<EdgeKind>> feature_edges(const view::ProjectedScene& v
                                                    const Progress& progress) {
   const double crease_angle = options.crease_angle - angle_rounding;
   const features::PartFaces* part = around.world.models[around.model].part.get();
-  const std::vector<char> is_tangent = options.tangent && part == nullptr ? tangent_edges(around, crease_angle) : std::vector<char>();
+  const std::vector<char> is_tangent =
+      options.tangent && part == nullptr ? tangent_edges(around, crease_angle) : std::vector<char>();
   const std::vector<Vec3> polygon_normals = mean_normals(around);
   const Judge judge{around,
                     view,

@@ -46,7 +46,8 @@ std::string border_of(const ExplainInput& drawn_view, const Subject& subject, co
   const int number = part.border_of_edge[static_cast<std::size_t>(subject.mesh_edge)];
   const auto surface = [&](int face) { return words_of(part.faces[static_cast<std::size_t>(face)].surface); };
   if (number < 0)
-    return faces + " are on " + surface(part.face_of_triangle[mesh.triangles_of(mesh.edges[subject.mesh_edge]).front()]) +
+    return faces + " are on " +
+           surface(part.face_of_triangle[mesh.triangles_of(mesh.edges[subject.mesh_edge]).front()]) +
            ", a face of the part, and it lies inside of that";
   const features::PartBorder& border = part.borders[static_cast<std::size_t>(number)];
   if (border.faces[0] == border.faces[1]) return faces + " are folded inside of " + surface(border.faces[0]);
@@ -57,7 +58,8 @@ std::string border_of(const ExplainInput& drawn_view, const Subject& subject, co
 
 std::string fold_of(const ExplainInput& drawn_view, const Subject& subject, bool crease) {
   const scene::Placed& placed = drawn_view.world.models[subject.model];
-  if (placed.part != nullptr && placed.mesh->uncut == nullptr && mesh_of(drawn_view, subject).edges[subject.mesh_edge].count == 2)
+  if (placed.part != nullptr && placed.mesh->uncut == nullptr &&
+      mesh_of(drawn_view, subject).edges[subject.mesh_edge].count == 2)
     return border_of(drawn_view, subject, *placed.part);
   const std::string faces = names_of(faces_at(drawn_view, subject));
   const auto angle = angle_at(drawn_view, subject);

@@ -61,8 +61,8 @@ void recognise_parts(scene::World& world, const scene::SceneDescription& scene, 
   }
   report.plan.push_back({"features", models > 0,
                          models == 0 ? "no model has faces of a part that its folds do not tell"
-                                        : "edges are those of faces in " + std::to_string(models) + " of " +
-                                             std::to_string(world.models.size()) + " models",
+                                     : "edges are those of faces in " + std::to_string(models) + " of " +
+                                           std::to_string(world.models.size()) + " models",
                          triangles, faces});
 }
 

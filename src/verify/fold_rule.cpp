@@ -153,7 +153,9 @@ std::optional<Need> FoldRule::between_faces(const std::array<int, 2>& edge, int 
     return options_.tangent ? Need::possible : Need::none;
   }
   if (placed.mesh->uncut != nullptr) return Need::possible;
-  const auto face = [&](int triangle) { return placed.part->face_of_triangle[triangle - world_.first_triangle[model]]; };
+  const auto face = [&](int triangle) {
+    return placed.part->face_of_triangle[triangle - world_.first_triangle[model]];
+  };
   return face(first) == face(second) ? Need::none : Need::possible;
 }
 
