@@ -43,10 +43,7 @@ struct ModelInfo {
 Box box_of(const mesh::Mesh& mesh) {
   Box box;
   for (int t = 0; t < mesh.report.triangles; ++t)
-    for (const int v : mesh.triangle(t)) {
-      const Vec3 p = mesh.point(v);
-      box.add({p[0], p[1], p[2]});
-    }
+    for (const int v : mesh.triangle(t)) box.add(mesh.point(v));
   return box;
 }
 
