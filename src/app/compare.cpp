@@ -12,7 +12,6 @@
 #include "compare/comparison.hpp"
 #include "compare/html_report.hpp"
 #include "compare/overlay.hpp"
-#include "compare/report_pictures.hpp"
 #include "pipeline/targets.hpp"
 
 namespace epura {

@@ -12,7 +12,6 @@
 #include "base/parallel.hpp"
 #include "pipeline/draw_scene.hpp"
 #include "pipeline/tell.hpp"
-#include "pipeline/thin.hpp"
 
 namespace epura {
 

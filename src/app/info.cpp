@@ -26,6 +26,10 @@ namespace epura {
 
 namespace {
 
+using output::json_list;
+using output::json_number;
+using output::json_string;
+
 constexpr std::size_t most_positions = 4;
 constexpr std::size_t most_radii = 12;
 
@@ -43,10 +47,7 @@ struct ModelInfo {
 Box box_of(const mesh::Mesh& mesh) {
   Box box;
   for (int t = 0; t < mesh.report.triangles; ++t)
-    for (const int v : mesh.triangle(t)) {
-      const Vec3 p = mesh.point(v);
-      box.add({p[0], p[1], p[2]});
-    }
+    for (const int v : mesh.triangle(t)) box.add(mesh.point(v));
   return box;
 }
 
@@ -292,32 +293,17 @@ std::string text_of(const ModelInfo& info) {
   return text;
 }
 
-// JSON
-
-// Areas of huge models may be beyond all doubles.
-std::string json_number(double value) { return std::isfinite(value) ? format_number(value) : "null"; }
+// JSON. Areas of huge models may be beyond all doubles: null.
 
 std::string json_of(const Vec3& p) {
   return "[" + json_number(p.x) + ", " + json_number(p.y) + ", " + json_number(p.z) + "]";
 }
 
-template <class Items, class Write>
-std::string json_list(const Items& items, const Write& write, const std::string& between = ", ") {
-  std::string text = "[";
-  bool first = true;
-  for (const auto& item : items) {
-    if (!std::exchange(first, false)) text += between;
-    text += write(item);
-  }
-  return text + "]";
-}
-
 std::string json_of(const features::PartFace& face) {
   const features::PartSurface& s = face.surface;
-  std::string text =
-      "{\"kind\": " + output::json_string(features::surface_kind_names[static_cast<std::size_t>(s.kind)]) +
-      ", \"body\": " + std::to_string(face.body) + ", \"triangles\": " + std::to_string(face.triangles) +
-      ", \"area\": " + json_number(face.area);
+  std::string text = "{\"kind\": " + json_string(features::surface_kind_names[static_cast<std::size_t>(s.kind)]) +
+                     ", \"body\": " + std::to_string(face.body) + ", \"triangles\": " + std::to_string(face.triangles) +
+                     ", \"area\": " + json_number(face.area);
   if (s.kind == features::SurfaceKind::free_form) return text + "}";
   text += ", \"origin\": " + json_of(s.origin);
   if (s.kind != features::SurfaceKind::sphere) text += ", \"axis\": " + json_of(s.axis);
@@ -344,13 +330,12 @@ std::string json_of(const ModelInfo& info) {
     return std::string(", \"") + key + "\": " + std::to_string(value);
   };
   const auto truth = [](bool value) { return value ? "true" : "false"; };
-  std::string text =
-      "{\"name\": " + output::json_string(report.name) + ", \"format\": " + output::json_string(report.format);
+  std::string text = "{\"name\": " + json_string(report.name) + ", \"format\": " + json_string(report.format);
   text += number("vertices", report.vertices) + number("faces", report.faces) + number("triangles", report.triangles);
   text += std::string(", \"single_precision\": ") + truth(report.single_precision);
   if (!info.box.empty())
     text += ",\n   \"box\": {\"min\": " + json_of(info.box.min) + ", \"max\": " + json_of(info.box.max) + "}";
-  text += ",\n   \"unit\": " + (info.unit ? output::json_string(scene::word_of(*info.unit)) : "null");
+  text += ",\n   \"unit\": " + (info.unit ? json_string(scene::word_of(*info.unit)) : "null");
   text += number("bodies", report.bodies) + ", \"closed\": " + truth(info.closed()) +
           number("open_edges", report.open_edges) + number("non_manifold_edges", report.non_manifold_edges) +
           number("misoriented_edges", report.misoriented_edges);
@@ -363,7 +348,7 @@ std::string json_of(const ModelInfo& info) {
           number("open", count_borders(info.part, features::BorderKind::open)) + "}";
   text += ",\n   \"holes\": " + json_list(
                                     info.holes, [](const auto& h) { return json_of(h); }, ",\n    ");
-  return text + ",\n   \"repairs\": " + json_list(repairs_of(report), output::json_string) + "}";
+  return text + ",\n   \"repairs\": " + json_list(repairs_of(report), json_string) + "}";
 }
 
 }  // namespace

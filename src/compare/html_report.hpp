@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "compare/comparison.hpp"
+
 namespace epura::compare {
 
 /// One drawing, or one case of a suite. Pictures are whole SVG documents.
@@ -14,6 +16,10 @@ struct ReportedCase {
   std::string words;                                          ///< what was found, in lines
   std::vector<std::string> expected{}, overlays{}, actual{};  ///< by page; none where there is no drawing
 };
+
+/// The case with the pictures of both files and of what differs.
+ReportedCase add_pictures(ReportedCase reported, const PictureFile& expected, const PictureFile& actual,
+                          const Comparison& comparison);
 
 /// A page of HTML that needs no other file: cases with differences first, those that are good as a list of names.
 std::string html_report(const std::string& title, const std::vector<ReportedCase>& cases);

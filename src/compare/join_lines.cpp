@@ -3,10 +3,10 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <set>
 #include <tuple>
 
+#include "base/disjoint_sets.hpp"
 #include "base/text.hpp"
 #include "compare/differing_lines.hpp"
 
@@ -27,8 +27,7 @@ struct End {
 class LineJoiner {
  public:
   LineJoiner(const std::vector<DifferingPart>& parts, double reach)
-      : parts_(parts), reach_(reach), group_(parts.size()), joined_(2 * parts.size(), false) {
-    std::iota(group_.begin(), group_.end(), 0);
+      : parts_(parts), reach_(reach), groups_(parts.size()), joined_(2 * parts.size(), false) {
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const InkPart& p = parts[i].part;
       const Vec2 along = (p.to - p.from) / length_of(p);
@@ -46,11 +45,7 @@ class LineJoiner {
         for (const long long row : {-1, 0, 1}) join_with(i, {ends_[i].cell[0] + column, ends_[i].cell[1] + row});
   }
 
-  int group_of(int part) {
-    const auto parent = [&](int i) -> int& { return group_[static_cast<std::size_t>(i)]; };
-    while (parent(part) != part) part = parent(part) = parent(parent(part));
-    return part;
-  }
+  int group_of(int part) { return groups_.root(part); }
 
   /// Ends of a part at which nothing goes on.
   [[nodiscard]] std::vector<Vec2> free_ends(std::size_t part) const {
@@ -77,8 +72,7 @@ class LineJoiner {
     for (; other != order_.end() && ends_[*other].cell == cell; ++other) {
       if (ends_[*other].part == ends_[end].part || !goes_on(ends_[end], ends_[*other])) continue;
       joined_[end] = true;
-      const int a = group_of(ends_[end].part), b = group_of(ends_[*other].part);
-      group_[static_cast<std::size_t>(std::max(a, b))] = std::min(a, b);
+      groups_.join(ends_[end].part, ends_[*other].part);
     }
   }
 
@@ -86,7 +80,7 @@ class LineJoiner {
   double reach_;
   std::vector<End> ends_;           // two of each part
   std::vector<std::size_t> order_;  // of the ends by cell
-  std::vector<int> group_;
+  DisjointSets groups_;             // of parts
   std::vector<char> joined_;
 };
 

@@ -60,7 +60,7 @@ std::array<int, kinds> counts(const Comparison& comparison) {
   return counts;
 }
 
-std::string point(const Vec2& p) { return "[" + format_number(p.x) + ", " + format_number(p.y) + "]"; }
+std::string point(const Vec2& p) { return output::json_list(std::array{p.x, p.y}, output::json_number); }
 
 std::string json_of(const Difference& d) {
   const auto text_or_null = [](const std::string& text) { return text.empty() ? "null" : output::json_string(text); };
@@ -72,13 +72,10 @@ std::string json_of(const Difference& d) {
                      ", \"before\": " + text_or_null(d.before) + ", \"after\": " + text_or_null(d.after);
   if (d.change == Change::size) return json + "}";
   json += ", \"from\": " + point(d.from) + ", \"to\": " + point(d.to);
-  if (!d.is_text) json += ", \"length\": " + format_number(d.length);
-  if (d.change == Change::moved) json += ", \"distance\": " + format_number(d.distance);
-  std::string edges;
-  if (!d.origin.empty())
-    for (const std::string_view edge : split(d.origin, ' '))
-      edges += (edges.empty() ? "" : ", ") + output::json_string(edge);
-  return edges.empty() ? json + "}" : json + ", \"edges\": [" + edges + "]}";
+  if (!d.is_text) json += ", \"length\": " + output::json_number(d.length);
+  if (d.change == Change::moved) json += ", \"distance\": " + output::json_number(d.distance);
+  if (!d.origin.empty()) json += ", \"edges\": " + output::json_list(split(d.origin, ' '), output::json_string);
+  return json + "}";
 }
 
 }  // namespace
@@ -105,17 +102,15 @@ std::string format_comparison(const Comparison& comparison, double tolerance) {
 std::string to_json(const Comparison& comparison, double tolerance, const std::string& before,
                     const std::string& after) {
   std::string json = "{\"epura_compare\": 1, \"before\": " + output::json_string(before) +
-                     ", \"after\": " + output::json_string(after) + ",\n \"tolerance\": " + format_number(tolerance) +
+                     ", \"after\": " + output::json_string(after) +
+                     ",\n \"tolerance\": " + output::json_number(tolerance) +
                      ", \"same\": " + (comparison.differences.empty() ? "true" : "false") +
                      ", \"texts_compared\": " + (comparison.compares_texts ? "true" : "false") + ",\n \"counts\": {";
   const std::array<int, kinds> count = counts(comparison);
   for (std::size_t i = 0; i < kinds; ++i)
     json +=
         (i > 0 ? ", " : "") + output::json_string(name_of(static_cast<Change>(i))) + ": " + std::to_string(count[i]);
-  json += "},\n \"differences\": [";
-  for (const Difference& d : comparison.differences)
-    json += (&d == comparison.differences.data() ? "\n  " : ",\n  ") + json_of(d);
-  return json + "]}\n";
+  return json + "},\n \"differences\": " + output::json_lines(comparison.differences, json_of, "\n  ") + "}\n";
 }
 
 }  // namespace epura::compare

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <utility>
+
+#include "base/disjoint_sets.hpp"
 
 namespace epura::edges {
 
@@ -15,25 +16,6 @@ namespace {
 constexpr std::size_t least_triangles = 256;
 // Two neighbours are taken as parts of one where the corners of one lie so near to the plane of the other.
 constexpr double join_contacts = 4;
-
-/// Triangles in sets that grow together.
-class Regions {
- public:
-  explicit Regions(std::size_t triangles) : parent_(triangles) { std::iota(parent_.begin(), parent_.end(), 0); }
-
-  int root(int i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(int i, int j) {
-    i = root(i);
-    j = root(j);
-    parent_[std::max(i, j)] = std::min(i, j);
-  }
-
- private:
-  std::vector<int> parent_;
-};
 
 class FlatFaces {
  public:
@@ -128,7 +110,7 @@ class FlatFaces {
   std::span<const Vec3> points_;
   double contact_;
   const std::vector<int>& triangles_;
-  Regions regions_;
+  DisjointSets regions_;  // of places in the list
 };
 
 }  // namespace

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <span>
 #include <utility>
 
+#include "base/disjoint_sets.hpp"
 #include "base/parallel.hpp"
 
 namespace epura::edges {
@@ -41,10 +41,7 @@ std::vector<double> folds_of(const EdgeSurroundings& around, const mesh::Mesh& m
 /// Triangles that lie in one plane next to each other, and the edges around them.
 class Facets {
  public:
-  Facets(const mesh::Mesh& mesh, const std::vector<double>& folds) : root_(mesh.polygon.size()) {
-    std::iota(root_.begin(), root_.end(), 0);
-    for (std::size_t e = 0; e < folds.size(); ++e)
-      if (folds[e] >= 0 && folds[e] <= flat) join(mesh.triangles_of(mesh.edges[e]));
+  Facets(const mesh::Mesh& mesh, const std::vector<double>& folds) : facet_(facets_of(mesh, folds)) {
     for (std::size_t e = 0; e < folds.size(); ++e)
       if (folds[e] == no_fold || folds[e] > flat)
         for (const int triangle : mesh.triangles_of(mesh.edges[e]))
@@ -52,10 +49,7 @@ class Facets {
     std::sort(sides_.begin(), sides_.end());
   }
 
-  [[nodiscard]] int facet_of(int triangle) const {
-    while (root_[triangle] != triangle) triangle = root_[triangle];
-    return triangle;
-  }
+  [[nodiscard]] int facet_of(int triangle) const { return facet_[triangle]; }
 
   /// Pairs of this facet and an edge around it.
   [[nodiscard]] std::span<const std::pair<int, int>> sides(int facet) const {
@@ -65,16 +59,17 @@ class Facets {
   }
 
  private:
-  void join(std::span<const int> triangles) {
-    const int a = flattened(triangles[0]), b = flattened(triangles[1]);
-    root_[std::max(a, b)] = std::min(a, b);
-  }
-  int flattened(int triangle) {
-    while (root_[triangle] != triangle) triangle = root_[triangle] = root_[root_[triangle]];
-    return triangle;
+  static std::vector<int> facets_of(const mesh::Mesh& mesh, const std::vector<double>& folds) {
+    DisjointSets facets(mesh.polygon.size());
+    for (std::size_t e = 0; e < folds.size(); ++e) {
+      if (folds[e] < 0 || folds[e] > flat) continue;
+      const auto triangles = mesh.triangles_of(mesh.edges[e]);
+      facets.join(triangles[0], triangles[1]);
+    }
+    return std::move(facets).roots();
   }
 
-  std::vector<int> root_;
+  std::vector<int> facet_;  // of each triangle
   std::vector<std::pair<int, int>> sides_;
 };
 

@@ -5,7 +5,6 @@
 
 #include "drawing/ink.hpp"
 #include "explain/reason.hpp"
-#include "explain/wording.hpp"
 
 namespace epura::explain {
 

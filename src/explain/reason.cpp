@@ -4,7 +4,6 @@
 #include "base/text.hpp"
 #include "edges/dihedral.hpp"
 #include "edges/feature_edges.hpp"
-#include "explain/wording.hpp"
 
 namespace epura::explain {
 
@@ -101,6 +100,14 @@ std::string reason_not_drawn(const ExplainInput& drawn_view, const Subject& subj
 }
 
 }  // namespace
+
+std::string format_value(double number) { return format_rounded(number, 6); }
+
+std::string format_value(const Vec2& p) { return "(" + format_value(p.x) + ", " + format_value(p.y) + ")"; }
+
+std::string format_value(const Vec3& p) {
+  return "(" + format_value(p.x) + ", " + format_value(p.y) + ", " + format_value(p.z) + ")";
+}
 
 std::optional<double> angle_at(const ExplainInput& drawn_view, const Subject& subject) {
   if (subject.mesh_edge < 0) return drawn_view.drawn.crossings[drawn_view.drawn.edges[subject.drawn].crossing].angle;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Why an edge is drawn, or why it is not.
+// Why an edge is drawn, or why it is not, in words.
 #pragma once
 
 #include <optional>
@@ -8,6 +8,11 @@
 #include "explain/subject.hpp"
 
 namespace epura::explain {
+
+/// Numbers and places in sentences.
+std::string format_value(double number);
+std::string format_value(const Vec2& p);
+std::string format_value(const Vec3& p);
 
 /// Degrees by which the two triangles at an edge turn, or at which faces cross; nothing for other numbers of triangles.
 std::optional<double> angle_at(const ExplainInput& drawn_view, const Subject& subject);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a question is about: an edge of a model or an intersection line, drawn or not.
+// The view that questions about a drawing are asked of, and what one is about: an edge of a model or an intersection
+// line, drawn or not.
 //
 // Names, as in SVG and JSON, counted from 0: an edge is MODEL:VERTEX-VERTEX, a face (and the line along which a plane
 // cuts it) MODEL:FACE, and the intersection line of two faces MODEL:FACExMODEL:FACE.
@@ -9,9 +10,23 @@
 #include <string>
 #include <vector>
 
-#include "explain/explain_input.hpp"
+#include "drawing/drawing.hpp"
+#include "drawing/make_drawing.hpp"
+#include "edges/find_edges.hpp"
+#include "scene/scene.hpp"
+#include "view/paper_map.hpp"
+#include "view/projected_scene.hpp"
+#include "visibility/visibility.hpp"
 
 namespace epura::explain {
+
+/// One view with all that was computed on the way to its drawing.
+struct ExplainInput : visibility::ResolvedView {
+  const edges::EdgeOptions& options;
+  const view::PaperMap& paper;
+  const drawing::ViewDrawing& drawing;
+  bool keep_hidden;  ///< hidden lines are drawn, too
+};
 
 struct Subject {
   int model;

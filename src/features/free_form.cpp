@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <tuple>
 #include <utility>
+
+#include "base/disjoint_sets.hpp"
 
 namespace epura::features {
 
@@ -17,23 +18,6 @@ constexpr double fold_ratio = 3;
 constexpr double fold_slack = 0.0175;  // 2 degrees
 // Facets of one tessellation have chords of about the same height, so their widths differ little.
 constexpr double width_ratio = 8;
-
-class Sets {
- public:
-  explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-  int root(int i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(int i, int j) {
-    i = root(i);
-    j = root(j);
-    parent_[std::max(i, j)] = std::min(i, j);
-  }
-
- private:
-  std::vector<int> parent_;
-};
 
 class Completion {
  public:
@@ -208,7 +192,7 @@ class Completion {
   const Facets& facets_;
   std::vector<int>& region_of_;
   std::vector<Region>& regions_;
-  Sets sets_;
+  DisjointSets sets_;
   std::vector<Folds> folds_;
 };
 
@@ -314,7 +298,7 @@ class Rows {
   void find_chains() {
     constexpr int least_rows = 4;
     constexpr double fold_ratio_of_rows = 1.5;
-    Sets sets(strips_.size());
+    DisjointSets sets(strips_.size());
     for (std::size_t r = 0; r < strips_.size(); ++r) {
       const auto [least, most] = std::minmax_element(strips_[r].sides.begin(), strips_[r].sides.end(),
                                                      [](const auto& a, const auto& b) { return a.fold < b.fold; });
@@ -369,7 +353,7 @@ void merge_regions(const Facets& facets, std::vector<int>& region_of, std::vecto
     }
   std::sort(neighbours.begin(), neighbours.end());
   neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
-  Sets sets(regions.size());
+  DisjointSets sets(regions.size());
   for (const auto& [one, two] : neighbours)
     if (is_one_face(facets, regions[one], regions[two])) sets.join(one, two);
   std::vector<int> number(regions.size(), -1);

@@ -2,32 +2,21 @@
 #include "mesh/bodies.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <utility>
+
+#include "base/disjoint_sets.hpp"
 
 namespace epura::mesh {
 
-namespace {
-
-int root_of(std::vector<int>& parent, int triangle) {
-  while (parent[triangle] != triangle) triangle = parent[triangle] = parent[parent[triangle]];
-  return triangle;
-}
-
-}  // namespace
-
 std::vector<int> connected_parts(std::size_t triangle_count, const EdgeTable& table) {
-  std::vector<int> parent(triangle_count);
-  std::iota(parent.begin(), parent.end(), 0);
+  DisjointSets parts(triangle_count);
   for (const MeshEdge& edge : table.edges) {
     const auto halfedges = table.halfedges_of(edge);
-    for (const int halfedge : halfedges.subspan(1)) {
-      const auto [low, high] = std::minmax({root_of(parent, halfedges[0] / 3), root_of(parent, halfedge / 3)});
-      parent[high] = low;
-    }
+    for (const int halfedge : halfedges.subspan(1)) parts.join(halfedges[0] / 3, halfedge / 3);
   }
-  for (int t = 0; t < static_cast<int>(triangle_count); ++t) parent[t] = root_of(parent, t);
-  renumber_labels(parent);
-  return parent;
+  std::vector<int> labels = std::move(parts).roots();
+  renumber_labels(labels);
+  return labels;
 }
 
 std::vector<int> renumber_labels(std::vector<int>& labels) {

@@ -36,20 +36,6 @@ std::string number(long long value) { return std::to_string(value); }
 
 std::string boolean(bool value) { return value ? "true" : "false"; }
 
-// The items, each made into JSON by `write`, with `between` behind the commas.
-template <class Items, class Write>
-std::string list(const Items& items, const Write& write, std::string_view between = " ") {
-  std::string result = "[";
-  bool first = true;
-  for (const auto& item : items) {
-    if (!first) result += ',';
-    if (!first || between != " ") result += between;
-    result += write(item);
-    first = false;
-  }
-  return result += ']';
-}
-
 template <class Items>
 void append_numbers(std::string& text, const Items& items) {
   text += '[';
@@ -148,9 +134,11 @@ std::string matrix(const Mat4& m) {
 }
 
 std::string cut_face_of(const drawing::CutFace& face) {
-  const auto ring_of = [](const std::vector<Vec2>& ring) { return list(ring, [](const Vec2& p) { return point(p); }); };
+  const auto ring_of = [](const std::vector<Vec2>& ring) {
+    return json_list(ring, [](const Vec2& p) { return point(p); });
+  };
   return "{\"model\": " + number(face.model) + ", \"body\": " + number(face.body) +
-         ", \"rings\": " + list(face.rings, ring_of) + "}";
+         ", \"rings\": " + json_list(face.rings, ring_of) + "}";
 }
 
 void append_view(std::string& text, const drawing::ViewDrawing& drawing, double main_scale, const Progress& progress) {
@@ -161,10 +149,12 @@ void append_view(std::string& text, const drawing::ViewDrawing& drawing, double 
           (drawing.scale == main_scale ? "" : ", \"scale\": " + number(drawing.scale)) +
           ",\n   \"world_to_page\": " + matrix(drawing.world_to_page) + ",\n   \"viewer\": {\"" +
           (projection.central ? "centre" : "direction") + "\": " + point(projection.projector) +
-          "},\n   \"vanishing_points\": " + list(drawing.vanishing_points, vanishing_point) + ",\n   \"segments\": ";
+          "},\n   \"vanishing_points\": " + json_list(drawing.vanishing_points, vanishing_point) +
+          ",\n   \"segments\": ";
   append_segments(text, drawing, progress);
   append_curves(text, drawing);
-  if (!drawing.cut_faces.empty()) text += ",\n   \"cut_faces\": " + list(drawing.cut_faces, cut_face_of, "\n    ");
+  if (!drawing.cut_faces.empty())
+    text += ",\n   \"cut_faces\": " + json_lines(drawing.cut_faces, cut_face_of, "\n    ");
   text += '}';
 }
 
@@ -190,7 +180,7 @@ std::string mesh_of(const mesh::MeshReport& mesh) {
   add("resolution", number(mesh.resolution));
   std::vector<std::string> notes = mesh.notes;
   notes.insert(notes.end(), mesh.remarks.begin(), mesh.remarks.end());
-  add("notes", list(notes, json_string));
+  add("notes", json_list(notes, json_string));
   return text + "}";
 }
 
@@ -210,7 +200,7 @@ std::string step_of(const report::PlanStep& step) {
 }
 
 std::string partial_of(const report::Partial& partial) {
-  return "{\"reason\": \"time limit\", \"stages\": " + list(partial.stages, json_string) +
+  return "{\"reason\": \"time limit\", \"stages\": " + json_list(partial.stages, json_string) +
          ", \"edges\": " + number(partial.edges) + ", \"undecided\": " + number(partial.undecided) +
          ", \"searched\": " + number(partial.searched) + ", \"undrawn\": " + number(partial.undrawn) + "}";
 }
@@ -228,15 +218,16 @@ std::string offence_of(const report::Mismatch& offence) {
   const bool has_edge = offence.edge[0] >= 0;
   return "{\"what\": " + json_string(offence.what) + ", \"model\": " + number(offence.model) +
          ", \"edge\": " + (has_edge ? numbers(offence.edge) : "null") + ", \"t\": " + number(offence.t) +
-         (has_edge ? "" : ", \"faces\": " + list(offence.facets, facet_of)) + ", \"page\": " + point(offence.page) +
-         ", \"hider\": " + (offence.hider ? facet_of(*offence.hider) : "null") + "}";
+         (has_edge ? "" : ", \"faces\": " + json_list(offence.facets, facet_of)) +
+         ", \"page\": " + point(offence.page) + ", \"hider\": " + (offence.hider ? facet_of(*offence.hider) : "null") +
+         "}";
 }
 
 std::string fault_of(const report::OutlineFault& fault) {
   return "{\"what\": " + json_string(fault.what) + ", \"page\": " + point(fault.page) +
          ", \"length\": " + number(fault.length) + ", \"model\": " + number(fault.model) +
          ", \"edge\": " + (fault.edge[0] >= 0 ? numbers(fault.edge) : "null") +
-         ", \"facets\": " + list(fault.facets, facet_of) + "}";
+         ", \"facets\": " + json_list(fault.facets, facet_of) + "}";
 }
 
 std::string outline_of(const report::OutlineCheck& outline) {
@@ -244,8 +235,8 @@ std::string outline_of(const report::OutlineCheck& outline) {
          ", \"missing\": " + number(outline.missing) + ", \"ink\": " + number(outline.ink) +
          ", \"unfounded\": " + number(outline.unfounded) + ", \"doubled\": " + number(outline.doubled) +
          ", \"undecided\": " + number(outline.undecided) + ", \"length\": " + number(outline.length) +
-         ", \"at_most\": " + number(outline.at_most) + ",\n    \"worst\": " + list(outline.worst, fault_of, "\n     ") +
-         "}";
+         ", \"at_most\": " + number(outline.at_most) +
+         ",\n    \"worst\": " + json_lines(outline.worst, fault_of, "\n     ") + "}";
 }
 
 std::string verification_of(const report::Verification& found) {
@@ -253,8 +244,9 @@ std::string verification_of(const report::Verification& found) {
          ", \"wrong\": " + number(found.wrong) + ", \"samples\": " + number(found.samples) +
          ", \"length\": " + number(found.length) + ", \"misclassified\": " + number(found.misclassified) +
          ", \"at_most\": " + number(found.at_most) + ", \"undecided\": " + number(found.undecided) +
-         ", \"untested\": " + number(found.untested) + ",\n   \"strata\": " + list(found.strata, stratum_of, "\n    ") +
-         ",\n   \"worst\": " + list(found.worst, offence_of, "\n    ") +
+         ", \"untested\": " + number(found.untested) +
+         ",\n   \"strata\": " + json_lines(found.strata, stratum_of, "\n    ") +
+         ",\n   \"worst\": " + json_lines(found.worst, offence_of, "\n    ") +
          ",\n   \"outline\": " + outline_of(found.outline) + "}";
 }
 
@@ -265,14 +257,15 @@ std::string condition_of_view(const report::ViewCondition& view) {
 }
 
 std::string report_of(const report::Report& report) {
-  std::string text =
-      "{\"meshes\": " + list(report.meshes, mesh_of, "\n   ") + ",\n  \"plan\": " + list(report.plan, step_of, "\n   ");
+  std::string text = "{\"meshes\": " + json_lines(report.meshes, mesh_of, "\n   ") +
+                     ",\n  \"plan\": " + json_lines(report.plan, step_of, "\n   ");
   std::string times;
   for (const auto& [stage, seconds] : report.seconds)
     times += (times.empty() ? "" : ", ") + json_string(stage) + ": " + number(seconds);
   if (!times.empty()) text += ",\n  \"time\": {" + times + "}";
   if (report.verification) text += ",\n  \"verify\": " + verification_of(*report.verification);
-  if (!report.conditions.empty()) text += ",\n  \"condition\": " + list(report.conditions, condition_of_view, "\n   ");
+  if (!report.conditions.empty())
+    text += ",\n  \"condition\": " + json_lines(report.conditions, condition_of_view, "\n   ");
   return text + "}";
 }
 

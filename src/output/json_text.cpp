@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output/json_text.hpp"
 
+#include <cmath>
+
+#include "base/text.hpp"
 #include "base/utf8.hpp"
 
 namespace epura::output {
@@ -22,5 +25,7 @@ std::string json_string(std::string_view text) {
   }
   return result + '"';
 }
+
+std::string json_number(double value) { return std::isfinite(value) ? format_number(value) : "null"; }
 
 }  // namespace epura::output

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Strings of JSON (RFC 8259).
+// Strings, numbers and lists of JSON (RFC 8259).
 #pragma once
 
 #include <string>
@@ -9,5 +9,28 @@ namespace epura::output {
 
 /// The text as a string of JSON, in quotation marks. Bytes that are no UTF-8 become U+FFFD.
 std::string json_string(std::string_view text);
+
+/// All digits that the number needs; null for infinity and NaN, which JSON does not know.
+std::string json_number(double value);
+
+/// The items, each made into JSON by `write`, with `separator` between them and `lead` before the first one.
+template <class Items, class Write>
+std::string json_list(const Items& items, const Write& write, std::string_view separator = ", ",
+                      std::string_view lead = "") {
+  std::string text = "[";
+  bool first = true;
+  for (const auto& item : items) {
+    text += first ? lead : separator;
+    text += write(item);
+    first = false;
+  }
+  return text += ']';
+}
+
+/// The same with each item on a line of its own; `indent` begins with the line break.
+template <class Items, class Write>
+std::string json_lines(const Items& items, const Write& write, const std::string& indent) {
+  return json_list(items, write, "," + indent, indent);
+}
 
 }  // namespace epura::output

@@ -117,10 +117,10 @@ class ViewRun {
   }
 
   ViewResult run() {
-    find_edges();
-    watch_.lap("edges");
     const view::PaperMap paper = view::make_paper_map(view_, input_.place.scale, input_.place.shift);
     const std::optional<double> max_error = error_within(options_.max_error, view_, paper);
+    find_edges();
+    watch_.lap("edges");
     hide();
     plan_.push_back(hidden_step(options_, hidden_));
     for (report::PlanStep& step : plan_) step.view = options_.name;

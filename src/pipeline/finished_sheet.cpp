@@ -1,16 +1,66 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pipeline/finished_sheet.hpp"
 
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
 #include <utility>
 
+#include "drawing/curve_part.hpp"
+#include "drawing/thin.hpp"
+#include "pipeline/budget.hpp"
 #include "sheet/partial_mark.hpp"
 
 namespace epura::pipeline {
+
+namespace {
+
+double length_of(const sheet::Stroke& stroke) {
+  return stroke.points.empty() ? 0 : drawing::distances_along(stroke.points, stroke.closed, stroke.curves).back();
+}
+
+// Frames, dimensions and marks draw no edges: they stay. In the order of the strokes.
+void keep_longest(std::vector<sheet::Stroke>& strokes, std::size_t count) {
+  std::vector<double> length;
+  for (const sheet::Stroke& stroke : strokes) length.push_back(length_of(stroke));
+  std::vector<std::size_t> order(strokes.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return length[a] > length[b]; });
+  order.resize(std::min(count, order.size()));
+  std::sort(order.begin(), order.end());
+  std::vector<sheet::Stroke> kept;
+  for (const std::size_t i : order) kept.push_back(std::move(strokes[i]));
+  strokes = std::move(kept);
+}
+
+bool draws_edges(const sheet::Layer& layer) {
+  return std::any_of(layer.strokes.begin(), layer.strokes.end(),
+                     [](const sheet::Stroke& s) { return s.kind.has_value(); });
+}
+
+}  // namespace
 
 void mark_partial(FinishedSheet& sheet, const std::string& stage) {
   sheet::Layer mark = sheet::partial_mark(sheet.paper, stage);
   std::erase_if(sheet.sheet.layers, [&](const sheet::Layer& layer) { return layer.name == mark.name; });
   sheet.sheet.layers.push_back(std::move(mark));
+}
+
+bool keep_longest_lines(std::span<FinishedSheet> sheets, report::Partial& partial) {
+  std::size_t left = 0, layers = 0;
+  for (FinishedSheet& sheet : sheets) {
+    for (sheet::Layer& layer : sheet.sheet.layers) {
+      if (!draws_edges(layer)) continue;
+      const std::size_t before = layer.strokes.size();
+      keep_longest(layer.strokes, fewer(before));
+      partial.undrawn += static_cast<long long>(before - layer.strokes.size());
+      left += layer.strokes.size();
+      ++layers;
+    }
+    for (drawing::ViewDrawing& drawing : sheet.drawings)
+      drawing::keep_longest_chains(drawing, fewer(drawing.chains.size()));
+  }
+  return left <= few_lines * layers;
 }
 
 }  // namespace epura::pipeline

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a run ends with: sheets that are to be written.
+// What a run ends with: sheets that are to be written, if need be with fewer lines for want of time.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
 #include "drawing/drawing.hpp"
+#include "report/report.hpp"
 #include "sheet/paper.hpp"
 #include "sheet/sheet.hpp"
 
@@ -22,5 +24,9 @@ struct FinishedSheet {
 
 /// Marks a sheet that lacks something since time was over in a stage; once more by another stage.
 void mark_partial(FinishedSheet& sheet, const std::string& stage);
+
+/// Keeps the longest lines of the views, on the sheets and beside them, and notes in `partial` how many go. Says
+/// whether so few are left that they take no time.
+bool keep_longest_lines(std::span<FinishedSheet> sheets, report::Partial& partial);
 
 }  // namespace epura::pipeline

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "explain/explain.hpp"
-#include "explain/explain_input.hpp"
 #include "explain/tables.hpp"
 
 namespace epura::pipeline {

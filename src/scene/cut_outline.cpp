@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
+
+#include "base/disjoint_sets.hpp"
 
 namespace epura::scene {
 
@@ -21,22 +22,16 @@ std::vector<int> patches(std::span<const std::array<int, 3>> triangles, std::spa
       sides.push_back({{low, high}, static_cast<int>(t)});
     }
   std::sort(sides.begin(), sides.end());
-  std::vector<int> label(triangles.size());
-  std::iota(label.begin(), label.end(), 0);
-  const auto root = [&](int t) {
-    while (label[t] != t) t = label[t] = label[label[t]];
-    return t;
-  };
+  DisjointSets joined(triangles.size());
   for (std::size_t i = 1; i < sides.size(); ++i) {
     const Pair& side = sides[i].first;
     if (side != sides[i - 1].first) continue;
     const auto found = std::lower_bound(segments.begin(), segments.end(), side,
                                         [](const CutSegment& s, const Pair& vertex) { return s.vertex < vertex; });
     if (found != segments.end() && found->vertex == side) continue;
-    label[root(sides[i].second)] = root(sides[i - 1].second);
+    joined.join(sides[i].second, sides[i - 1].second);
   }
-  for (std::size_t t = 0; t < label.size(); ++t) label[t] = root(static_cast<int>(t));
-  return label;
+  return std::move(joined).roots();
 }
 
 }  // namespace

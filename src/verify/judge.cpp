@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <atomic>
 #include <map>
-#include <numeric>
 #include <utility>
 
+#include "base/disjoint_sets.hpp"
 #include "base/parallel.hpp"
 #include "verify/patch.hpp"
 #include "verify/probe_grid.hpp"
@@ -25,30 +25,24 @@ struct Met {
 };
 
 // For each portion the number of one that its triangle reaches across common edges of these triangles.
-std::vector<std::size_t> connected_parts(const scene::World& world, const std::vector<Portion>& portions) {
-  std::vector<std::size_t> part(portions.size());
-  std::iota(part.begin(), part.end(), 0);
-  const auto root = [&](std::size_t i) {
-    while (part[i] != i) i = part[i] = part[part[i]];
-    return i;
-  };
-  std::map<std::pair<int, int>, std::size_t> owner;
-  for (std::size_t i = 0; i < portions.size(); ++i) {
+std::vector<int> connected_parts(const scene::World& world, const std::vector<Portion>& portions) {
+  DisjointSets parts(portions.size());
+  std::map<std::pair<int, int>, int> owner;
+  for (int i = 0; i < static_cast<int>(portions.size()); ++i) {
     const auto& corner = world.triangles[portions[i].triangle];
     for (std::size_t k = 0; k < 3; ++k) {
       const auto [first, other] = std::minmax(corner[k], corner[(k + 1) % 3]);
-      part[root(i)] = root(owner.try_emplace({first, other}, i).first->second);
+      parts.join(i, owner.try_emplace({first, other}, i).first->second);
     }
   }
-  for (std::size_t i = 0; i < part.size(); ++i) part[i] = root(i);
-  return part;
+  return std::move(parts).roots();
 }
 
 // Whether triangles that hang together cover the square. Strangers that merely abut on the page leave a gap when one
 // of them moves by less than the tolerance.
 bool covered(const scene::World& world, const std::vector<Portion>& portions) {
-  std::map<std::size_t, std::vector<ConvexPolygon>> parts;
-  const std::vector<std::size_t> part = connected_parts(world, portions);
+  std::map<int, std::vector<ConvexPolygon>> parts;
+  const std::vector<int> part = connected_parts(world, portions);
   for (std::size_t i = 0; i < portions.size(); ++i) parts[part[i]].push_back(portions[i].corner);
   return std::ranges::any_of(parts, [](const auto& one) { return uncovered(one.second) < least_gap; });
 }

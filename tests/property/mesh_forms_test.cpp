@@ -71,12 +71,7 @@ TEST(Meshes, OrientationDoesNotMatter) {
 
 TEST(Meshes, CubeWithACavity) {
   for (const bool outward : {false, true}) {
-    Shape cube = box({0, 0, 0}, {3, 3, 3});
-    Shape cavity = box({1, 1, 1}, {2, 2, 2});
-    if (outward)
-      for (auto& face : cavity.faces) std::swap(face[1], face[3]);
-    cube.add(cavity);
-    const Result result = draw(world_of(cube), orthographic(diagonal));
+    const Result result = draw(world_of(cube_with_a_cavity(outward)), orthographic(diagonal));
     EXPECT_NEAR(result.visible(), 27 * r, 1e-8);
     EXPECT_NEAR(result.hidden_length(), 15 * r, 1e-8);
   }

@@ -13,8 +13,10 @@
 namespace epura::test {
 
 using laboratory::box;
+using laboratory::cube_with_a_cavity;
 using laboratory::fan;
 using laboratory::fine_cube;
+using laboratory::four_boxes;
 using laboratory::from_above;
 using laboratory::klein_bottle;
 using laboratory::mesh_of;
@@ -27,6 +29,7 @@ using laboratory::Result;
 using laboratory::revolved;
 using laboratory::Shape;
 using laboratory::sombrero;
+using laboratory::touching_boxes;
 using laboratory::triangulated_cube;
 using laboratory::uv_sphere;
 using laboratory::world_of;

@@ -2,7 +2,7 @@
 // Views to ask questions of, made without files and plugins.
 #pragma once
 
-#include "explain/explain_input.hpp"
+#include "explain/subject.hpp"
 #include "shapes.hpp"
 
 namespace epura::test {

@@ -10,7 +10,6 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "compare/comparison.hpp"
-#include "compare/report_pictures.hpp"
 
 namespace epura {
 

@@ -42,6 +42,30 @@ Shape box(const Point& a, const Point& b) {
   return shape;
 }
 
+Shape four_boxes() {
+  Shape shape = box({0, 0, 0}, {1, 1, 1});
+  shape.add(box({0.3, -0.9, 0.2}, {0.8, -0.5, 0.7}));
+  shape.add(box({0.7, 0.6, 0.5}, {1.4, 1.3, 1.6}));
+  shape.add(box({0.9, -0.6, -0.5}, {1.1, -0.5, 1.5}));
+  return shape;
+}
+
+Shape touching_boxes() {
+  Shape shape = box({0, 0, 0}, {1, 1, 1});
+  shape.add(box({1, 0, 0}, {2, 1, 1}));
+  shape.add(box({0.5, 0.2, 1}, {1.5, 0.8, 1.5}));
+  return shape;
+}
+
+Shape cube_with_a_cavity(bool out_of_solid) {
+  Shape cube = box({0, 0, 0}, {3, 3, 3});
+  Shape cavity = box({1, 1, 1}, {2, 2, 2});
+  if (out_of_solid)
+    for (auto& face : cavity.faces) std::swap(face[1], face[3]);
+  cube.add(cavity);
+  return cube;
+}
+
 Shape triangulated_cube(bool other) {
   Shape cube = box({0, 0, 0}, {1, 1, 1});
   std::vector<std::vector<int>> triangles;

@@ -24,6 +24,12 @@ struct Shape {
 
 /// The box from `min` to `max`: 6 quadrilaterals, outward.
 Shape box(const Point& min, const Point& max);
+/// The unit cube and boxes before, in and beside it; an upright one hides the middle of edges.
+Shape four_boxes();
+/// Two unit cubes with a face in common, and a box that stands on both.
+Shape touching_boxes();
+/// A cube of side 3 with a cavity of side 1 in its middle. The faces of the cavity look out of the solid, or into it.
+Shape cube_with_a_cavity(bool out_of_solid);
 /// The unit cube of 12 triangles; `other` takes the other diagonal of every face.
 Shape triangulated_cube(bool other = false);
 /// The unit cube of 12 `cells` cells triangles; `other` takes the other diagonals.

@@ -30,15 +30,6 @@ std::string told(const report::OutlineCheck& outline) {
   return report::format_verification(found);
 }
 
-// Boxes before, in and beside each other.
-Shape boxes() {
-  Shape shape = box({0, 0, 0}, {1, 1, 1});
-  shape.add(box({0.3, -0.9, 0.2}, {0.8, -0.5, 0.7}));
-  shape.add(box({0.7, 0.6, 0.5}, {1.4, 1.3, 1.6}));
-  shape.add(box({0.9, -0.6, -0.5}, {1.1, -0.5, 1.5}));
-  return shape;
-}
-
 // A cone of 24 sides, its apex a ring of needles with this radius.
 Shape cone(double ring) {
   constexpr int sides = 24;
@@ -101,9 +92,9 @@ void expect_fault(const report::OutlineCheck& found, const std::string& what, co
 }
 
 TEST(Outline, RightDrawingsAreRight) {
-  const std::vector<Shape> zoo{
-      boxes(),      fan(24),           moebius(40),          pointed_cone(), triangulated_cube(),
-      fine_cube(6), uv_sphere(40, 20), klein_bottle(24, 16), sombrero(3, 24)};
+  const std::vector<Shape> zoo{four_boxes(),        fan(24),      moebius(40),       pointed_cone(),
+                               triangulated_cube(), fine_cube(6), uv_sphere(40, 20), klein_bottle(24, 16),
+                               sombrero(3, 24)};
   for (std::size_t i = 0; i < zoo.size(); ++i)
     for (const projection::Projection& view : views()) {
       const report::OutlineCheck found = checked(draw(world_of(zoo[i]), view));
@@ -116,7 +107,7 @@ TEST(Outline, RightDrawingsAreRight) {
 
 // The lines across the page measure the ink: by Crofton's formula, and by adding it up.
 TEST(Outline, PlacesStandForLengths) {
-  const Result r = draw(world_of(boxes()), views()[0]);
+  const Result r = draw(world_of(four_boxes()), views()[0]);
   const report::OutlineCheck found = checked(r);
   EXPECT_NEAR(found.ink * found.length, visible_ink(r.drawing), 0.05 * visible_ink(r.drawing));
   EXPECT_NEAR(found.asked * found.length, visible_ink(r.drawing), 0.05 * visible_ink(r.drawing));
@@ -124,7 +115,7 @@ TEST(Outline, PlacesStandForLengths) {
 
 // Each line of at least one part in a hundred, in turn.
 TEST(Outline, ARemovedLineIsFound) {
-  for (const Shape& shape : {boxes(), uv_sphere(16, 8), pointed_cone()})
+  for (const Shape& shape : {four_boxes(), uv_sphere(16, 8), pointed_cone()})
     for (const projection::Projection& view : {views()[0], views()[3]}) {
       const Result right = draw(world_of(shape), view);
       for (std::size_t i = 0; i < right.drawing.segments.size(); ++i) {
@@ -153,7 +144,7 @@ TEST(Outline, AnOutlineDrawnHiddenIsFound) {
 TEST(Outline, ASecondLineIsFound) {
   for (const projection::Projection& view : {views()[0], views()[3]})
     for (const double aside : {0.0, 1e-8, 1e-4, 1e-2}) {
-      Result r = draw(world_of(boxes()), view);
+      Result r = draw(world_of(four_boxes()), view);
       const drawing::Segment longest = *std::ranges::max_element(
           r.drawing.segments, {}, [](const drawing::Segment& s) { return s.visible ? length_of(s) : 0; });
       const Vec2 way = (longest.to - longest.from) / length_of(longest);
@@ -238,14 +229,14 @@ TEST(Outline, OnlyWhatWasWantedIsAskedFor) {
   options[1].contour = options[1].intersection = false;
   options[2].crease_angle = 100;
   options[3].smooth = options[3].tangent = true;
-  for (const Shape& shape : {boxes(), uv_sphere(24, 12), moebius(40)})
+  for (const Shape& shape : {four_boxes(), uv_sphere(24, 12), moebius(40)})
     for (const edges::EdgeOptions& edges : options) {
       const Result r = draw(world_of(shape), views()[0], edges);
       EXPECT_EQ(checked(r, {edges, samples}).wrong(), 0) << told(checked(r, {edges, samples}));
     }
   edges::EdgeOptions few;
   few.crease = false;
-  EXPECT_GT(checked(draw(world_of(boxes()), views()[0], few)).missing, 0);
+  EXPECT_GT(checked(draw(world_of(four_boxes()), views()[0], few)).missing, 0);
   edges::EdgeOptions all;
   all.smooth = true;
   Result edges = draw(world_of(uv_sphere(24, 12)), views()[0], all);
@@ -254,7 +245,7 @@ TEST(Outline, OnlyWhatWasWantedIsAskedFor) {
 }
 
 TEST(Outline, WhatTimeLeftOutIsNotMissed) {
-  Result r = draw(world_of(boxes()), views()[0]);
+  Result r = draw(world_of(four_boxes()), views()[0]);
   r.drawing.segments.resize(r.drawing.segments.size() / 2);
   EXPECT_GT(checked(r).missing, 0);
   const report::OutlineCheck partial = checked(r, {{}, samples, false});
@@ -264,7 +255,7 @@ TEST(Outline, WhatTimeLeftOutIsNotMissed) {
 }
 
 TEST(Outline, AnEmptyDrawingLacksEverything) {
-  Result r = draw(world_of(boxes()), views()[0]);
+  Result r = draw(world_of(four_boxes()), views()[0]);
   r.drawing.segments.clear();
   const report::OutlineCheck found = checked(r);
   EXPECT_GT(found.asked, 500);
@@ -276,16 +267,14 @@ TEST(Outline, AnEmptyDrawingLacksEverything) {
 TEST(Outline, LimitsOfDepthAreRespected) {
   for (const auto& [view, near] : {std::pair{orthographic({0.1, -1, 0.2}), -0.3}, std::pair{views().back(), 4.6}}) {
     const view::ViewLimits limits{near, {}};
-    const Result r = draw(world_of(boxes()), view, {}, limits);
+    const Result r = draw(world_of(four_boxes()), view, {}, limits);
     EXPECT_EQ(checked(r, {{}, samples}, limits).wrong(), 0) << told(checked(r, {{}, samples}, limits));
     EXPECT_GT(checked(r).wrong(), 0);
   }
 }
 
 TEST(Outline, TouchingAndCoplanarFacesAreRight) {
-  Shape shape = box({0, 0, 0}, {1, 1, 1});
-  shape.add(box({1, 0, 0}, {2, 1, 1}));
-  shape.add(box({0.5, 0.2, 1}, {1.5, 0.8, 1.5}));
+  const Shape shape = touching_boxes();
   for (const projection::Projection& view : views()) {
     const report::OutlineCheck found = checked(draw(world_of({shape, shape.moved(0, 0.3, 0)}), view));
     EXPECT_EQ(found.wrong(), 0) << told(found);
@@ -293,7 +282,8 @@ TEST(Outline, TouchingAndCoplanarFacesAreRight) {
 }
 
 TEST(Outline, AnySizeAndPlace) {
-  for (const Shape& shape : {boxes().scaled(0x1p+300), boxes().scaled(0x1p-300), boxes().moved(0x1p+20, 0x1p+21, 0)}) {
+  for (const Shape& shape :
+       {four_boxes().scaled(0x1p+300), four_boxes().scaled(0x1p-300), four_boxes().moved(0x1p+20, 0x1p+21, 0)}) {
     Result r = draw(world_of(shape), views()[0]);
     EXPECT_EQ(checked(r).wrong(), 0) << told(checked(r));
     EXPECT_GT(checked(r).asked, samples / 2);
@@ -304,7 +294,7 @@ TEST(Outline, AnySizeAndPlace) {
 }
 
 TEST(Outline, TheSameForAnyNumberOfThreads) {
-  Result r = draw(world_of(boxes()), views()[1]);
+  Result r = draw(world_of(four_boxes()), views()[1]);
   r.drawing.segments.resize(r.drawing.segments.size() / 2);
   const auto words = [&](int threads) {
     const ThreadLimit limit(threads);

@@ -21,15 +21,6 @@ report::Verification verified(const Result& r, const view::ViewLimits& limits = 
                         true);
 }
 
-// Boxes before, in and beside each other; the upright one hides the middle of edges.
-Shape scene() {
-  Shape shape = box({0, 0, 0}, {1, 1, 1});
-  shape.add(box({0.3, -0.9, 0.2}, {0.8, -0.5, 0.7}));
-  shape.add(box({0.7, 0.6, 0.5}, {1.4, 1.3, 1.6}));
-  shape.add(box({0.9, -0.6, -0.5}, {1.1, -0.5, 1.5}));
-  return shape;
-}
-
 std::vector<projection::Projection> views() {
   return {orthographic({1, -1, 1}), orthographic({0.31, -0.62, 0.41}), orthographic({0, -1, 0}),
           perspective({4, -3, 3.5}, {0.5, 0.5, 0.5}, {4, -3, 3}, {0, 0, 1})};
@@ -56,7 +47,7 @@ bool names(const report::Verification& found, const Result& r, std::size_t edge)
 
 TEST(Verify, RightDrawingsAreRight) {
   for (const projection::Projection& view : views()) {
-    const report::Verification found = verified(draw(world_of(scene()), view));
+    const report::Verification found = verified(draw(world_of(four_boxes()), view));
     EXPECT_EQ(found.wrong, 0) << report::format_verification(found);
     EXPECT_EQ(found.misclassified, 0);
     EXPECT_LT(found.at_most, 0.02);
@@ -66,12 +57,12 @@ TEST(Verify, RightDrawingsAreRight) {
 }
 
 TEST(Verify, GeneralViewsAreDecided) {
-  const report::Verification found = verified(draw(world_of(scene()), orthographic({0.31, -0.62, 0.41})));
+  const report::Verification found = verified(draw(world_of(four_boxes()), orthographic({0.31, -0.62, 0.41})));
   EXPECT_EQ(found.decided, found.points);
 }
 
 TEST(Verify, AFlippedSpanIsFound) {
-  Result r = draw(world_of(scene()), orthographic({1, -1.1, 0.9}));
+  Result r = draw(world_of(four_boxes()), orthographic({1, -1.1, 0.9}));
   const std::size_t edge = edge_with_inner_span(r);
   auto& span = r.hidden.spans[r.hidden.first[edge]];
   const double share = (span[1] - span[0]) * page_length(r, edge);
@@ -86,7 +77,7 @@ TEST(Verify, AFlippedSpanIsFound) {
 }
 
 TEST(Verify, AnEdgeSwappedToHiddenIsFound) {
-  Result r = draw(world_of(scene()), orthographic({1, -1.1, 0.9}));
+  Result r = draw(world_of(four_boxes()), orthographic({1, -1.1, 0.9}));
   std::size_t edge = 0;
   while (r.hidden.first[edge] != r.hidden.first[edge + 1]) ++edge;
   r.hidden.spans.insert(r.hidden.spans.begin() + static_cast<std::ptrdiff_t>(r.hidden.first[edge]), {0.0, 1.0});
@@ -103,7 +94,7 @@ TEST(Verify, AShiftedEndIsFound) {
   for (const projection::Projection& view : {orthographic({1, -1.1, 0.9}), views().back()})
     for (const int end : {0, 1})
       for (const double shift : {1e-5, -1e-5, 1e-7}) {
-        Result r = draw(world_of(scene()), view);
+        Result r = draw(world_of(four_boxes()), view);
         const std::size_t edge = edge_with_inner_span(r);
         r.hidden.spans[r.hidden.first[edge]][end] += shift * r.view.extent / page_length(r, edge);
         const report::Verification found = verified(r);
@@ -129,7 +120,7 @@ TEST(Verify, AForgottenOccluderIsFound) {
 }
 
 TEST(Verify, AMissingLineIsFound) {
-  Result r = draw(world_of(scene()), orthographic({1, -1.1, 0.9}));
+  Result r = draw(world_of(four_boxes()), orthographic({1, -1.1, 0.9}));
   const auto longest = std::ranges::max_element(
       r.drawing.segments, {}, [](const drawing::Segment& s) { return s.visible ? glm::distance(s.from, s.to) : 0; });
   r.drawing.segments.erase(longest);
@@ -140,7 +131,7 @@ TEST(Verify, AMissingLineIsFound) {
 
 // What the near limit cuts away hides nothing.
 TEST(Verify, LimitsOfDepthAreRespected) {
-  const scene::World world = world_of(scene());
+  const scene::World world = world_of(four_boxes());
   for (const auto& [view, near] : {std::pair{orthographic({0.1, -1, 0.2}), -0.3}, std::pair{views().back(), 4.6}}) {
     const view::ViewLimits limits{near, {}};
     const Result r = draw(world, view, {}, limits);
@@ -150,14 +141,12 @@ TEST(Verify, LimitsOfDepthAreRespected) {
 }
 
 TEST(Verify, TouchingAndCoplanarFacesAreNotWrong) {
-  Shape shape = box({0, 0, 0}, {1, 1, 1});
-  shape.add(box({1, 0, 0}, {2, 1, 1}));
-  shape.add(box({0.5, 0.2, 1}, {1.5, 0.8, 1.5}));
-  for (const projection::Projection& view : views()) EXPECT_EQ(verified(draw(world_of(shape), view)).wrong, 0);
+  for (const projection::Projection& view : views())
+    EXPECT_EQ(verified(draw(world_of(touching_boxes()), view)).wrong, 0);
 }
 
 TEST(Verify, IntersectionLinesAreTested) {
-  const report::Verification found = verified(draw(world_of(scene()), orthographic({0.31, -0.62, 0.41})));
+  const report::Verification found = verified(draw(world_of(four_boxes()), orthographic({0.31, -0.62, 0.41})));
   EXPECT_TRUE(
       std::ranges::any_of(found.strata, [](const report::Stratum& s) { return s.kind == EdgeKind::intersection; }));
 }
@@ -189,7 +178,7 @@ TEST(Verify, FacesLowerThanTheGridAreUndecided) {
 
 // Far from the origin doubles cannot tell where the rays pass, and rationals must.
 TEST(Verify, FarFromTheOriginRationalsDecide) {
-  const Shape far = scene().scaled(1024).moved(0x1p+30, -0x1p+31, 0x1p+30);
+  const Shape far = four_boxes().scaled(1024).moved(0x1p+30, -0x1p+31, 0x1p+30);
   projection::Projection view = orthographic({0.31, -0.62, 0.41});
   Result r = draw(world_of(far), view);
   const report::Verification found = verified(r);
@@ -201,7 +190,7 @@ TEST(Verify, FarFromTheOriginRationalsDecide) {
 }
 
 TEST(Verify, TheSameForAnyNumberOfThreads) {
-  const Result r = draw(world_of(scene()), orthographic({1, -1, 1}));
+  const Result r = draw(world_of(four_boxes()), orthographic({1, -1, 1}));
   const auto words = [&](int threads) {
     const ThreadLimit limit(threads);
     return report::format_verification(verified(r));

@@ -1,7 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cmath>
-
-#include "base/text.hpp"
 #include "output/json_text.hpp"
 #include "study/stability/write.hpp"
 
@@ -9,10 +6,9 @@ namespace epura::stability {
 
 namespace {
 
-// JSON knows no infinity.
-std::string number(double value) { return std::isfinite(value) ? format_number(value) : "null"; }
+std::string number(double value) { return output::json_number(value); }
 
-std::string number(const std::optional<double>& value) { return value ? format_number(*value) : "null"; }
+std::string number(const std::optional<double>& value) { return value ? number(*value) : "null"; }
 
 std::string word(std::string_view text) { return output::json_string(text); }
 
@@ -25,9 +21,7 @@ std::string quantity_of(const Quantity& q) {
 std::string outcome_of(const Outcome& outcome) {
   std::string text = "{\"verdict\": " + word(name_of(outcome.verdict())) + ", \"error\": " + number(outcome.error());
   if (!outcome.failure.empty()) text += ", \"failure\": " + word(outcome.failure);
-  text += ", \"quantities\": [";
-  for (const Quantity& q : outcome.measured) text += (&q == outcome.measured.data() ? "" : ", ") + quantity_of(q);
-  return text + "]}";
+  return text + ", \"quantities\": " + output::json_list(outcome.measured, quantity_of) + "}";
 }
 
 // {"float32": ..., "double": ..., "epura": ...}
@@ -40,28 +34,25 @@ std::string by_arithmetic(const Value& value, const std::string& between) {
 }
 
 std::string row_of(const Row& row) {
-  return "\n    {\"step\": " + number(row.step) + ",\n     " +
+  return "{\"step\": " + number(row.step) + ",\n     " +
          by_arithmetic([&](std::size_t a) { return outcome_of(row.outcomes[a]); }, "\n     ") + "}";
 }
 
 std::string case_of(const CaseReport& one, bool timings) {
   const auto breaks = [&](std::size_t a) { return number(one.breaks_at(static_cast<Arithmetic>(a))); };
   const auto verdict = [&](std::size_t a) { return word(name_of(one.verdict(static_cast<Arithmetic>(a)))); };
-  std::string text = "\n  {\"id\": " + word(one.id) + ", \"what\": " + word(one.what) +
+  std::string text = "{\"id\": " + word(one.id) + ", \"what\": " + word(one.what) +
                      ", \"parameter\": " + word(one.parameter) + ",\n   \"breaks_at\": {" + by_arithmetic(breaks, " ") +
                      "}, \"verdict\": {" + by_arithmetic(verdict, " ") + "},\n   ";
   if (timings) text += "\"seconds\": " + number(one.seconds) + ", ";
-  text += "\"rows\": [";
-  for (const Row& row : one.rows) text += (&row == one.rows.data() ? "" : ",") + row_of(row);
-  return text + "]}";
+  return text + "\"rows\": " + output::json_lines(one.rows, row_of, "\n    ") + "}";
 }
 
 }  // namespace
 
 std::string to_json(const Report& report, bool timings) {
-  std::string text = "{\"epura_stability\": 1, \"cases\": [";
-  for (const CaseReport& one : report) text += (&one == report.data() ? "" : ",") + case_of(one, timings);
-  return text + "]}\n";
+  const auto write = [&](const CaseReport& one) { return case_of(one, timings); };
+  return "{\"epura_stability\": 1, \"cases\": " + output::json_lines(report, write, "\n  ") + "}\n";
 }
 
 }  // namespace epura::stability
