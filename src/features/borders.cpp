@@ -105,14 +105,11 @@ class BorderFinder {
     const int facet = facets_.facet_of[triangle];
     if (regions_[region_of_[facet]].surface.kind != SurfaceKind::free_form) return 0;
     double least = 1;
-    for (const int t : facets_.triangles_of(facet))
-      for (int side = 0; side < 3; ++side) {
-        const int other = facets_.sides[t][side].neighbour;
-        if (other < 0 || facets_.facet_of[other] == facet) continue;
-        if (region_of_[facets_.facet_of[other]] != region_of_[facet]) continue;
-        const double cosine = facets_.cosine_of_fold(t, side);
-        if (cosine > fading_cosine) least = std::min(least, cosine);
-      }
+    facets_.for_sides(facet, [&](int t, int side, int other) {
+      if (region_of_[other] != region_of_[facet]) return;
+      const double cosine = facets_.cosine_of_fold(t, side);
+      if (cosine > fading_cosine) least = std::min(least, cosine);
+    });
     return std::sqrt(2 * (1 - least)) * degrees * 0.75;
   }
 

@@ -55,28 +55,14 @@ class Completion {
     return region_of_[f] < 0 && !facets_.facets[f].is_plane && !facets_.is_sliver(f);
   }
 
-  template <class Visit>
-  void for_sides(int facet, const Visit& visit) const {
-    for (const int t : facets_.triangles_of(facet))
-      for (int side = 0; side < 3; ++side) {
-        const int neighbour = facets_.sides[t][side].neighbour;
-        if (neighbour >= 0 && facets_.facet_of[neighbour] != facet) visit(t, side, facets_.facet_of[neighbour]);
-      }
-  }
-
-  [[nodiscard]] double fold(int triangle, int side) const {
-    const double cosine = std::clamp(facets_.cosine_of_fold(triangle, side), -1.0, 1.0);
-    return cosine > -1 ? std::sqrt((1 - cosine) / (1 + cosine)) : HUGE_VAL;
-  }
-
   // Of each facet the two largest smooth folds, and the neighbour at the largest.
   void find_largest_folds() {
     folds_.assign(facets_.facets.size(), {});
     for (int f = 0; f < size(); ++f) {
       if (!is_loose(f)) continue;
-      for_sides(f, [&](int t, int side, int other) {
+      facets_.for_sides(f, [&](int t, int side, int other) {
         if (facets_.is_sliver(other)) return;
-        const double angle = fold(t, side);
+        const double angle = facets_.fold_at(t, side);
         Folds& own = folds_[f];
         if (angle > most_smooth || other == own.neighbour) return;
         if (angle > own.largest)
@@ -102,13 +88,12 @@ class Completion {
   }
 
   void join_smooth_neighbours(int f) {
-    for_sides(f, [&](int t, int side, int other) {
+    facets_.for_sides(f, [&](int t, int side, int other) {
       if (other < f || !is_loose(other)) return;
-      const double angle = fold(t, side);
+      const double angle = facets_.fold_at(t, side);
       if (angle > most_smooth) return;
       if (angle > fold_ratio * std::max(fold_beside(f, other), fold_beside(other, f)) + fold_slack) return;
-      const Vec3& a = facets_.points[facets_.corners[t][side]];
-      const Vec3& b = facets_.points[facets_.corners[t][(side + 1) % 3]];
+      const auto [a, b] = facets_.ends_of(t, side);
       const double one = reach(f, a, b), two = reach(other, a, b);
       if (one > width_ratio * two || two > width_ratio * one) return;
       sets_.join(f, other);
@@ -179,11 +164,10 @@ class Completion {
   [[nodiscard]] int best_region_beside(int facet) const {
     int best = -1;
     std::pair<bool, double> best_claim{false, -1};
-    for_sides(facet, [&](int t, int side, int other) {
+    facets_.for_sides(facet, [&](int t, int side, int other) {
       const int region = region_of_[other];
       if (region < 0) return;
-      const double length =
-          glm::distance(facets_.points[facets_.corners[t][side]], facets_.points[facets_.corners[t][(side + 1) % 3]]);
+      const double length = facets_.length_of(t, side);
       const std::pair<bool, double> claim{lies_on(facet, regions_[region]), length};
       if (best >= 0 && claim <= best_claim) return;
       best = region;
@@ -267,27 +251,23 @@ class Rows {
     std::size_t at_border = 0;
     for (const int f : region.facets) {
       const double before = strip.across;
-      for (const int t : facets_.triangles_of(f))
-        for (int side = 0; side < 3; ++side) {
-          const int neighbour = facets_.sides[t][side].neighbour;
-          if (neighbour >= 0 && facets_.facet_of[neighbour] != f && region_of_[facets_.facet_of[neighbour]] != number)
-            add_side(strip, region.surface, t, side);
-        }
+      facets_.for_sides(f, [&](int t, int side, int other) {
+        if (region_of_[other] != number) add_side(strip, region.surface, t, side);
+      });
       at_border += strip.across > before ? 1 : 0;
     }
     return 10 * at_border > 9 * region.facets.size() ? strip : Strip{};
   }
 
   void add_side(Strip& strip, const PartSurface& surface, int triangle, int side) const {
-    const Vec3& a = facets_.points[facets_.corners[triangle][side]];
-    const Vec3 along = facets_.points[facets_.corners[triangle][(side + 1) % 3]] - a;
+    const auto [a, b] = facets_.ends_of(triangle, side);
+    const Vec3 along = b - a;
     const double length = glm::length(along);
     if (std::abs(glm::dot(along, generator(surface, a))) > 0.7 * length) return;
     strip.across += length;
     const int other = facets_.facet_of[facets_.sides[triangle][side].neighbour];
     const double ratio = facets_.facets[other].width / facets_.facets[facets_.facet_of[triangle]].width;
-    const double cosine = std::clamp(facets_.cosine_of_fold(triangle, side), -1.0, 1.0);
-    const double fold = std::sqrt((1 - cosine) / std::max(1 + cosine, 1e-9));
+    const double fold = facets_.fold_at(triangle, side);
     if (ratio > 1 / row_ratio && ratio < row_ratio && fold > least_fold && fold < most_smooth)
       strip.sides.push_back({other, length, fold});
   }

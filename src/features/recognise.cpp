@@ -77,10 +77,9 @@ class Recogniser {
   }
 
   [[nodiscard]] bool is_beside_region(int facet) const {
-    for (const int t : facets_.triangles_of(facet))
-      for (const Side& side : facets_.sides[t])
-        if (side.neighbour >= 0 && region_of_[facets_.facet_of[side.neighbour]] >= 0) return true;
-    return false;
+    bool found = false;
+    facets_.for_sides(facet, [&](int, int, int other) { found = found || region_of_[other] >= 0; });
+    return found;
   }
 
   // Neighbours without a region across smooth edges, those with the longest common edges first.
@@ -90,22 +89,17 @@ class Recogniser {
       int facet;
     };
     std::vector<Neighbour> found;
-    for (const int t : facets_.triangles_of(facet))
-      for (int side = 0; side < 3; ++side) {
-        const int neighbour = facets_.sides[t][side].neighbour;
-        if (neighbour < 0) continue;
-        const int other = facets_.facet_of[neighbour];
-        if (other == facet || region_of_[other] >= 0 || facets_.facets[other].is_plane || facets_.is_sliver(other) ||
-            facets_.cosine_of_fold(t, side) < smooth_cosine)
-          continue;
-        const double length =
-            glm::distance(facets_.points[facets_.corners[t][side]], facets_.points[facets_.corners[t][(side + 1) % 3]]);
-        const auto same = std::find_if(found.begin(), found.end(), [&](const auto& n) { return n.facet == other; });
-        if (same == found.end())
-          found.push_back({length, other});
-        else
-          same->length += length;
-      }
+    facets_.for_sides(facet, [&](int t, int side, int other) {
+      if (region_of_[other] >= 0 || facets_.facets[other].is_plane || facets_.is_sliver(other) ||
+          facets_.cosine_of_fold(t, side) < smooth_cosine)
+        return;
+      const double length = facets_.length_of(t, side);
+      const auto same = std::find_if(found.begin(), found.end(), [&](const auto& n) { return n.facet == other; });
+      if (same == found.end())
+        found.push_back({length, other});
+      else
+        same->length += length;
+    });
     std::sort(found.begin(), found.end(), [](const Neighbour& a, const Neighbour& b) {
       return a.length != b.length ? a.length > b.length : a.facet < b.facet;
     });

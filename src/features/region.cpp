@@ -169,16 +169,12 @@ bool RegionGrower::spread(Region& region) {
   const std::size_t before = region.facets.size();
   std::size_t fitted = before;
   for (std::size_t next = 0; next < region.facets.size(); ++next) {
-    for (const int t : facets_.triangles_of(region.facets[next]))
-      for (int side = 0; side < 3; ++side) {
-        const int neighbour = facets_.sides[t][side].neighbour;
-        if (neighbour < 0) continue;
-        const int facet = facets_.facet_of[neighbour];
-        if (stamp_[facet] == number_ || !may_cross(t, side)) continue;
-        // What a fit to few facets says of the next ones is not as sure as the fit.
-        const double allowance = allowance_of(facets_, region.sagitta) * (region.facets.size() < 12 ? 8 : 2);
-        if (approximates(facets_, facet, region.surface, allowance, region.sagitta)) add(region, facet);
-      }
+    facets_.for_sides(region.facets[next], [&](int t, int side, int facet) {
+      if (stamp_[facet] == number_ || !may_cross(t, side)) return;
+      // What a fit to few facets says of the next ones is not as sure as the fit.
+      const double allowance = allowance_of(facets_, region.sagitta) * (region.facets.size() < 12 ? 8 : 2);
+      if (approximates(facets_, facet, region.surface, allowance, region.sagitta)) add(region, facet);
+    });
     if (region.facets.size() < 3 * fitted) continue;
     if (!fit_again(region)) drop_misfits(region);
     fitted = region.facets.size();
@@ -209,8 +205,7 @@ void RegionGrower::take_enclosed(Region& region) {
       for (int side = 0; side < 3; ++side) {
         const int neighbour = facets_.sides[t][side].neighbour;
         if (neighbour >= 0 && facets_.facet_of[neighbour] == facet) continue;
-        const double length =
-            glm::distance(facets_.points[facets_.corners[t][side]], facets_.points[facets_.corners[t][(side + 1) % 3]]);
+        const double length = facets_.length_of(t, side);
         all += length;
         if (neighbour >= 0 && stamp_[facets_.facet_of[neighbour]] == number_) within += length;
       }
@@ -225,13 +220,10 @@ void RegionGrower::take_enclosed(Region& region) {
            std::abs(signed_distance(region.surface, facets_.facets[facet].middle)) <= most_sagittas * sagitta;
   };
   for (std::size_t next = 0; next < region.facets.size(); ++next)
-    for (const int t : facets_.triangles_of(region.facets[next]))
-      for (const Side& side : facets_.sides[t]) {
-        if (side.neighbour < 0) continue;
-        const int facet = facets_.facet_of[side.neighbour];
-        if (stamp_[facet] == number_ || region_of_[facet] >= 0 || facets_.facets[facet].is_plane) continue;
-        if (lies_on(facet) && is_enclosed(facet)) add(region, facet);
-      }
+    facets_.for_sides(region.facets[next], [&](int, int, int facet) {
+      if (stamp_[facet] == number_ || region_of_[facet] >= 0 || facets_.facets[facet].is_plane) return;
+      if (lies_on(facet) && is_enclosed(facet)) add(region, facet);
+    });
 }
 
 void RegionGrower::drop_misfits(Region& region) {
@@ -303,21 +295,17 @@ int RegionGrower::tangent_ends(const Region& region, const Places& places, bool 
     return std::abs(along) < near || std::abs(along - turn) < near ? 0 : std::abs(along - places.sweep) < near ? 1 : -1;
   };
   for (const int f : region.facets)
-    for (const int t : facets_.triangles_of(f))
-      for (int side = 0; side < 3; ++side) {
-        const int neighbour = facets_.sides[t][side].neighbour;
-        if (neighbour < 0 || stamp_[facets_.facet_of[neighbour]] == number_) continue;
-        const Vec3& a = facets_.points[facets_.corners[t][side]];
-        const Vec3& b = facets_.points[facets_.corners[t][(side + 1) % 3]];
-        const int end = end_at(a);
-        if (end < 0 || end_at(b) != end) continue;
-        const int other = facets_.facet_of[neighbour];
-        const Vec3 normal =
-            region_of_[other] >= 0 ? normal_near(regions_[region_of_[other]].surface, a) : facets_.facets[other].normal;
-        const double length = glm::distance(a, b);
-        lengths[end] += length;
-        if (std::abs(glm::dot(normal, normal_near(region.surface, a))) > tangent_cosine) tangent[end] += length;
-      }
+    facets_.for_sides(f, [&](int t, int side, int other) {
+      if (stamp_[other] == number_) return;
+      const auto [a, b] = facets_.ends_of(t, side);
+      const int end = end_at(a);
+      if (end < 0 || end_at(b) != end) return;
+      const Vec3 normal =
+          region_of_[other] >= 0 ? normal_near(regions_[region_of_[other]].surface, a) : facets_.facets[other].normal;
+      const double length = glm::distance(a, b);
+      lengths[end] += length;
+      if (std::abs(glm::dot(normal, normal_near(region.surface, a))) > tangent_cosine) tangent[end] += length;
+    });
   int count = 0;
   for (int end = 0; end < 2; ++end) count += lengths[end] > 0 && tangent[end] > 0.5 * lengths[end] ? 1 : 0;
   return count;
