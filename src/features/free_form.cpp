@@ -17,6 +17,9 @@ constexpr double fold_ratio = 3;
 constexpr double fold_slack = 0.0175;  // 2 degrees
 // Facets of one tessellation have chords of about the same height, so their widths differ little.
 constexpr double width_ratio = 8;
+// Flats of a polygon with narrow chamfers between them fold so, too.
+constexpr double coarse_fold = 0.185;  // 21 degrees
+constexpr double coarse_width_ratio = 3;
 
 class Sets {
  public:
@@ -78,6 +81,8 @@ class Completion {
     return folds_[facet].neighbour == neighbour ? folds_[facet].second : folds_[facet].largest;
   }
 
+  [[nodiscard]] bool is_polygon(int facet) const { return facets_.vertices_of(facet).size() > 3; }
+
   // How far a facet reaches from the side of a triangle of it.
   [[nodiscard]] double reach(int facet, const Vec3& from, const Vec3& to) const {
     const Vec3 along = glm::normalize(to - from);
@@ -95,7 +100,9 @@ class Completion {
       if (angle > fold_ratio * std::max(fold_beside(f, other), fold_beside(other, f)) + fold_slack) return;
       const auto [a, b] = facets_.ends_of(t, side);
       const double one = reach(f, a, b), two = reach(other, a, b);
-      if (one > width_ratio * two || two > width_ratio * one) return;
+      const double most_ratio =
+          angle > coarse_fold && is_polygon(f) && is_polygon(other) ? coarse_width_ratio : width_ratio;
+      if (one > most_ratio * two || two > most_ratio * one) return;
       sets_.join(f, other);
     });
   }
@@ -202,13 +209,28 @@ bool lies_on(const Facets& facets, const Region& region, const PartSurface& surf
                      [&](int f) { return approximates(facets, f, surface, allowance, sagitta); });
 }
 
+bool are_chords(const Facets& facets, const Region& some, const Region& of) {
+  const double allowance = allowance_of(facets, of.sagitta);
+  return std::all_of(some.facets.begin(), some.facets.end(),
+                     [&](int f) { return is_chord(facets, f, of.surface, allowance, of.sagitta); });
+}
+
+// Where a torus is seen along its axis, its facets are a flat ring.
+bool is_ring_of_torus(const Facets& facets, const Region& flat, const Region& torus) {
+  constexpr double parallel = 1 - 1e-6;
+  return torus.surface.kind == SurfaceKind::torus &&
+         std::abs(glm::dot(torus.surface.axis, flat.surface.axis)) > parallel && are_chords(facets, flat, torus);
+}
+
 // Whether the region with fewer facets, which determine its surface less well, is a part of the other one.
 bool is_one_face(const Facets& facets, const Region& one, const Region& two) {
   const auto& [smaller, larger] = one.facets.size() < two.facets.size() ? std::tie(one, two) : std::tie(two, one);
   if (larger.surface.kind == SurfaceKind::free_form) return false;
-  const bool flat = larger.surface.kind == SurfaceKind::plane;
-  if (flat != (smaller.surface.kind == SurfaceKind::plane)) return false;
-  return lies_on(facets, smaller, larger.surface, larger.sagitta);
+  if (larger.surface.kind == SurfaceKind::plane)
+    return smaller.surface.kind == SurfaceKind::plane && lies_on(facets, smaller, larger.surface, larger.sagitta);
+  if (smaller.surface.kind == SurfaceKind::plane) return is_ring_of_torus(facets, smaller, larger);
+  return lies_on(facets, smaller, larger.surface, larger.sagitta) ||
+         (2 * smaller.facets.size() < larger.facets.size() && are_chords(facets, smaller, larger));
 }
 
 /// Strips of cylinders and cones that are rows of a free form's tessellation: beside facets of a free form, or several
@@ -236,6 +258,7 @@ class Rows {
   struct LongSide {
     int beyond;  ///< facet
     double length, fold;
+    bool convex;
   };
 
   /// A region that is one facet wide; others have no sides.
@@ -269,7 +292,11 @@ class Rows {
     const double ratio = facets_.facets[other].width / facets_.facets[facets_.facet_of[triangle]].width;
     const double fold = facets_.fold_at(triangle, side);
     if (ratio > 1 / row_ratio && ratio < row_ratio && fold > least_fold && fold < most_smooth)
-      strip.sides.push_back({other, length, fold});
+      strip.sides.push_back({other, length, fold, is_convex(facets_.facet_of[triangle], other)});
+  }
+
+  [[nodiscard]] bool is_convex(int facet, int other) const {
+    return glm::dot(facets_.facets[facet].normal, facets_.facets[other].middle - facets_.facets[facet].middle) < 0;
   }
 
   [[nodiscard]] static Vec3 generator(const PartSurface& surface, const Vec3& point) {
@@ -299,6 +326,13 @@ class Rows {
       const auto [least, most] = std::minmax_element(strips_[r].sides.begin(), strips_[r].sides.end(),
                                                      [](const auto& a, const auto& b) { return a.fold < b.fold; });
       if (strips_[r].sides.empty() || most->fold > fold_ratio_of_rows * least->fold) continue;
+      double length = 0;
+      for (const LongSide& side : strips_[r].sides) length += side.length;
+      if (2 * length < strips_[r].across) continue;
+      // Shoulders turn one way and back again.
+      const bool convex = strips_[r].sides.front().convex;
+      const auto turns_alike = [&](const LongSide& side) { return side.convex == convex; };
+      if (!std::all_of(strips_[r].sides.begin(), strips_[r].sides.end(), turns_alike)) continue;
       for (const LongSide& side : strips_[r].sides) {
         const int other = region_of_[side.beyond];
         if (other >= 0 && !strips_[other].sides.empty()) sets.join(static_cast<int>(r), other);

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "features/borders.hpp"
+#include "features/chords.hpp"
 #include "features/facets.hpp"
 #include "features/free_form.hpp"
 #include "features/region.hpp"
@@ -42,20 +43,26 @@ class Recogniser {
         region_of_(facets.facets.size(), -1),
         failures_(facets.facets.size(), 0),
         stamp_(facets.facets.size(), 0),
+        in_ring_(facets.facets.size(), 0),
         grower_(facets, region_of_, regions_) {}
 
   void run() {
     find_round_regions(false);
-    if (regions_.empty()) return;
+    if (regions_.empty() && !grow_rings()) return;
     // With their neighbours known, narrow ones show that they are tangent to them.
-    std::fill(failures_.begin(), failures_.end(), char(0));
-    find_round_regions(true);
+    find_beside_regions();
+    if (grow_rings()) find_beside_regions();
   }
 
   [[nodiscard]] const std::vector<Region>& regions() const { return regions_; }
   [[nodiscard]] const std::vector<int>& region_of() const { return region_of_; }
 
  private:
+  void find_beside_regions() {
+    std::fill(failures_.begin(), failures_.end(), char(0));
+    find_round_regions(true);
+  }
+
   void find_round_regions(bool beside_regions) {
     int tried = 0, grown = 0, in_vain = -patience;
     for (int f = 0; f < static_cast<int>(facets_.facets.size()); ++f) {
@@ -235,14 +242,44 @@ class Recogniser {
     return guesses;
   }
 
+  void keep(Region region) {
+    for (const int f : region.facets) region_of_[f] = static_cast<int>(regions_.size());
+    regions_.push_back(std::move(region));
+  }
+
+  void remember_ring(const Region& region) {
+    if (in_ring_[region.facets.front()] != 0) return;
+    const auto simpler = grower_.simpler_than(region);
+    if (!simpler) return;
+    for (const int f : region.facets) in_ring_[f] = 1;
+    rings_.push_back({*simpler, region.facets, 0});
+  }
+
+  // Rings of triangles that are no strip begin with a sphere. They come last: of the rows of a torus they would make
+  // cones. Whether there were any.
+  bool grow_rings() {
+    const std::size_t before = regions_.size();
+    for (const Guess& ring : rings_) {
+      std::vector<int> seeds;
+      for (const int f : ring.seeds)
+        if (region_of_[f] < 0) seeds.push_back(f);
+      if (2 * seeds.size() < ring.seeds.size()) continue;
+      if (auto region = grower_.grow(ring.surface, seeds); region && grower_.is_evident(*region))
+        keep(std::move(*region));
+    }
+    return regions_.size() > before;
+  }
+
   bool grow_from(int facet, const std::vector<int>& beside) {
     const std::vector<int> nearby = around(facet, beside);
     for (const Guess& g : guess(facet, beside, nearby)) {
       auto region = grower_.grow(g.surface, g.seeds);
-      if (!region || !grower_.is_evident(*region)) continue;
-      for (const int f : region->facets) region_of_[f] = static_cast<int>(regions_.size());
-      regions_.push_back(std::move(*region));
-      return true;
+      if (!region) continue;
+      if (grower_.is_evident(*region)) {
+        keep(std::move(*region));
+        return true;
+      }
+      if (region->surface.kind == SurfaceKind::sphere) remember_ring(*region);
     }
     // What is as large as the seed would hardly do better.
     for (const int f : nearby) {
@@ -259,6 +296,8 @@ class Recogniser {
   std::vector<char> failures_;  ///< of seeds nearby
   std::vector<int> stamp_;
   int number_ = 0;
+  std::vector<Guess> rings_;
+  std::vector<char> in_ring_;  ///< whether a facet is in one of them
   RegionGrower grower_;
 };
 
@@ -388,6 +427,7 @@ PartFaces recognise_faces(const mesh::Mesh& mesh, const RecogniseOptions& option
   std::vector<Region> regions = recogniser.regions();
   merge_regions(facets, region_of, regions);
   dissolve_rows(facets, region_of, regions);
+  take_chords(facets, region_of, regions);
   complete_regions(facets, region_of, regions);
   merge_regions(facets, region_of, regions);
   PartFaces result = Result(mesh, facets, region_of, regions).faces();
