@@ -9,6 +9,7 @@
 
 #include "base/groups.hpp"
 #include "base/portable_math.hpp"
+#include "features/free_normals.hpp"
 
 namespace epura::features {
 
@@ -31,10 +32,15 @@ struct BorderEdge {
 class BorderFinder {
  public:
   BorderFinder(const mesh::Mesh& mesh, const Facets& facets, const std::vector<int>& region_of,
-               const std::vector<Region>& regions)
-      : mesh_(mesh), facets_(facets), region_of_(region_of), regions_(regions) {}
+               const std::vector<Region>& regions, double tangent_angle)
+      : mesh_(mesh),
+        facets_(facets),
+        region_of_(region_of),
+        regions_(regions),
+        free_normals_(facets, region_of, regions),
+        tangent_angle_(tangent_angle) {}
 
-  std::vector<PartBorder> find(double tangent_angle) {
+  std::vector<PartBorder> find() {
     for (std::size_t e = 0; e < mesh_.edges.size(); ++e) consider(static_cast<int>(e));
     // Of each vertex the border edges there.
     at_vertex_ = Groups<int>(facets_.points.size(), [&](const auto& visit) {
@@ -44,7 +50,7 @@ class BorderFinder {
     std::vector<char> used(edges_.size());
     std::vector<PartBorder> borders;
     for (int i = 0; i < static_cast<int>(edges_.size()); ++i)
-      if (used[i] == 0) borders.push_back(border_of(chain(i, used), tangent_angle));
+      if (used[i] == 0) borders.push_back(border_of(chain(i, used)));
     return borders;
   }
 
@@ -89,47 +95,62 @@ class BorderFinder {
     return side >= 0 && facets_.cosine_of_fold(triangles[0], side) < fading_cosine;
   }
 
-  // The normal of a face at a vertex, as its triangle there faces.
-  [[nodiscard]] Vec3 normal_at(int triangle, const Vec3& point) const {
+  /// The normal of a face at a vertex, as its triangle there faces.
+  struct Normal {
+    Vec3 direction;
+    double doubt;  ///< degrees
+  };
+
+  [[nodiscard]] Normal normal_at(int triangle, int vertex, bool by_vertices) const {
     const int facet = facets_.facet_of[triangle];
     const PartSurface& surface = regions_[region_of_[facet]].surface;
     const Vec3& facing = facets_.facets[facet].normal;
-    const Vec3 normal = normal_near(surface, point);
-    if (normal == Vec3(0)) return facing;
+    if (surface.kind == SurfaceKind::free_form) {
+      const auto free = by_vertices ? free_normals_.at(facet, vertex) : std::nullopt;
+      return free ? Normal{free->direction, free->doubt * degrees} : Normal{facing, half_turn_of(facet)};
+    }
+    const Vec3 normal = normal_near(surface, facets_.points[vertex]);
+    if (normal == Vec3(0)) return {facing, 0};
     // A sliver may face anywhere, but its neighbours were asked when it was given to the face.
-    return glm::dot(normal, facing) < 0 ? -normal : normal;
+    return {glm::dot(normal, facing) < 0 ? -normal : normal, 0};
   }
 
-  // Half of how far the free form turns from this facet to the next.
-  [[nodiscard]] double slack_of(int triangle) const {
-    const int facet = facets_.facet_of[triangle];
-    if (regions_[region_of_[facet]].surface.kind != SurfaceKind::free_form) return 0;
+  // Degrees by which a free form turns from the middle of a facet to its side, at most.
+  [[nodiscard]] double half_turn_of(int facet) const {
     double least = 1;
-    for (const int t : facets_.triangles_of(facet))
-      for (int side = 0; side < 3; ++side) {
-        const int other = facets_.sides[t][side].neighbour;
-        if (other < 0 || facets_.facet_of[other] == facet) continue;
-        if (region_of_[facets_.facet_of[other]] != region_of_[facet]) continue;
-        const double cosine = facets_.cosine_of_fold(t, side);
-        if (cosine > fading_cosine) least = std::min(least, cosine);
-      }
+    facets_.for_sides(facet, [&](int t, int side, int other) {
+      if (region_of_[other] != region_of_[facet]) return;
+      const double cosine = facets_.cosine_of_fold(t, side);
+      if (cosine > fading_cosine) least = std::min(least, cosine);
+    });
     return std::sqrt(2 * (1 - least)) * degrees * 0.75;
   }
 
-  // Degrees between the faces on both sides, at the better end of the edge: at a corner a third face may decide.
+  // Facets of a free form tilt, and vertices of a narrow one say little: both only make the angle larger.
   [[nodiscard]] double angle_at(const mesh::MeshEdge& edge, std::span<const int> triangles) const {
+    const double angle = angle_at(edge, triangles, false);
+    const auto is_free = [&](int t) {
+      return regions_[region_of_[facets_.facet_of[t]]].surface.kind == SurfaceKind::free_form;
+    };
+    if (angle <= tangent_angle_ || (!is_free(triangles[0]) && !is_free(triangles[1]))) return angle;
+    return std::min(angle, angle_at(edge, triangles, true));
+  }
+
+  // Degrees between the faces on both sides, at the better end of the edge: at a corner a third face may decide.
+  [[nodiscard]] double angle_at(const mesh::MeshEdge& edge, std::span<const int> triangles, bool by_vertices) const {
     const int side = side_between(triangles[0], triangles[1]);
     double angle = 180;
     for (const int v : edge.vertex) {
-      const Vec3 one = normal_at(triangles[0], facets_.points[v]), two = normal_at(triangles[1], facets_.points[v]);
-      double cosine = glm::dot(one, two);
+      const Normal one = normal_at(triangles[0], v, by_vertices), two = normal_at(triangles[1], v, by_vertices);
+      double cosine = glm::dot(one.direction, two.direction);
       // Which way round the triangles run: the fold knows.
       const double facing = glm::dot(facets_.facets[facets_.facet_of[triangles[0]]].normal,
                                      facets_.facets[facets_.facet_of[triangles[1]]].normal);
       if (side >= 0 && facing * facets_.cosine_of_fold(triangles[0], side) < 0) cosine = -cosine;
-      angle = std::min(angle, portable_atan2(glm::length(glm::cross(one, two)), cosine) * degrees);
+      const double sine = glm::length(glm::cross(one.direction, two.direction));
+      angle = std::min(angle, portable_atan2(sine, cosine) * degrees - one.doubt - two.doubt);
     }
-    return std::max(0.0, angle - slack_of(triangles[0]) - slack_of(triangles[1]));
+    return std::max(0.0, angle);
   }
 
   // The edge that continues another one beyond a vertex: the only other one there, between the same faces.
@@ -163,12 +184,12 @@ class BorderFinder {
     return edges;
   }
 
-  [[nodiscard]] PartBorder border_of(const Chain& chain, double tangent_angle) const {
+  [[nodiscard]] PartBorder border_of(const Chain& chain) const {
     const BorderEdge& any = edges_[chain.edges.front()];
     PartBorder border{any.faces, any.open ? BorderKind::open : BorderKind::tangent, 0, {}, chain.closed};
     for (const int e : chain.edges) border.edges.push_back(edges_[e].edge);
     border.angle = angle_along(chain.edges);
-    if (!any.open && border.angle > tangent_angle) border.kind = BorderKind::sharp;
+    if (!any.open && border.angle > tangent_angle_) border.kind = BorderKind::sharp;
     return border;
   }
 
@@ -188,6 +209,8 @@ class BorderFinder {
   const Facets& facets_;
   const std::vector<int>& region_of_;
   const std::vector<Region>& regions_;
+  FreeNormals free_normals_;
+  double tangent_angle_;
   std::vector<BorderEdge> edges_;
   Groups<int> at_vertex_;
 };
@@ -196,7 +219,7 @@ class BorderFinder {
 
 std::vector<PartBorder> find_borders(const mesh::Mesh& mesh, const Facets& facets, const std::vector<int>& region_of,
                                      const std::vector<Region>& regions, double tangent_angle) {
-  return BorderFinder(mesh, facets, region_of, regions).find(tangent_angle);
+  return BorderFinder(mesh, facets, region_of, regions, tangent_angle).find();
 }
 
 }  // namespace epura::features

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/parallel.hpp"
+#include "features/least_squares.hpp"
 #include "features/part_surface.hpp"
 
 namespace epura::features {
@@ -237,9 +238,7 @@ class Flattening {
   // A plane meets a cylinder or cone in two lines and a net of meridians and parallels in four points: facets of these
   // have at most four corners, and every vertex on the line between two of them.
   [[nodiscard]] bool has_many_corners(const Facet& facet, std::span<const int> vertices) const {
-    const Vec3 u =
-        glm::normalize(glm::cross(facet.normal, std::abs(facet.normal.x) < 0.6 ? Vec3(1, 0, 0) : Vec3(0, 1, 0)));
-    const Vec3 v = glm::cross(facet.normal, u);
+    const auto [u, v] = square_to(facet.normal);
     std::vector<Vec2> seen;
     for (const int vertex : vertices) {
       const Vec3 from = f_.points[vertex] - facet.middle;
@@ -299,6 +298,11 @@ double Facets::cosine_of_fold(int triangle, int side) const {
   bool same_way = false;
   for (int k = 0; k < 3; ++k) same_way = same_way || (corners[other][k] == from && corners[other][(k + 1) % 3] == to);
   return same_way != (turned(triangle) != turned(other)) ? -cosine : cosine;
+}
+
+double Facets::fold_at(int triangle, int side) const {
+  const double cosine = std::clamp(cosine_of_fold(triangle, side), -1.0, 1.0);
+  return cosine > -1 ? std::sqrt((1 - cosine) / (1 + cosine)) : HUGE_VAL;
 }
 
 Facets make_facets(const mesh::Mesh& mesh, double looseness) {

@@ -46,9 +46,28 @@ struct Facets {
   [[nodiscard]] std::span<const int> vertices_of(int facet) const {
     return {vertices.data() + first_vertex[facet], vertices.data() + first_vertex[facet + 1]};
   }
+  /// The ends of side `side` of a triangle, and how far they are apart.
+  [[nodiscard]] std::array<Vec3, 2> ends_of(int triangle, int side) const {
+    return {points[corners[triangle][side]], points[corners[triangle][(side + 1) % 3]]};
+  }
+  [[nodiscard]] double length_of(int triangle, int side) const {
+    const std::array<Vec3, 2> ends = ends_of(triangle, side);
+    return glm::distance(ends[0], ends[1]);
+  }
+  /// Calls visit(triangle, side, other) for each side of a facet's triangles that has only one other triangle, that of
+  /// another facet.
+  template <class Visit>
+  void for_sides(int facet, const Visit& visit) const {
+    for (const int t : triangles_of(facet))
+      for (int side = 0; side < 3; ++side)
+        if (const int next = sides[t][side].neighbour; next >= 0 && facet_of[next] != facet)
+          visit(t, side, facet_of[next]);
+  }
   /// The cosine of the fold between two facets at a side of the first one's triangle. Which way round the triangles run
   /// does not matter.
   [[nodiscard]] double cosine_of_fold(int triangle, int side) const;
+  /// The tangent of half the angle of that fold.
+  [[nodiscard]] double fold_at(int triangle, int side) const;
   /// Whether rounding decides which way the facet faces.
   [[nodiscard]] bool is_sliver(int facet) const { return facets[facet].width <= 16 * tolerance; }
 };

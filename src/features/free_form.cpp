@@ -18,6 +18,9 @@ constexpr double fold_ratio = 3;
 constexpr double fold_slack = 0.0175;  // 2 degrees
 // Facets of one tessellation have chords of about the same height, so their widths differ little.
 constexpr double width_ratio = 8;
+// Flats of a polygon with narrow chamfers between them fold so, too.
+constexpr double coarse_fold = 0.185;  // 21 degrees
+constexpr double coarse_width_ratio = 3;
 
 class Completion {
  public:
@@ -39,28 +42,14 @@ class Completion {
     return region_of_[f] < 0 && !facets_.facets[f].is_plane && !facets_.is_sliver(f);
   }
 
-  template <class Visit>
-  void for_sides(int facet, const Visit& visit) const {
-    for (const int t : facets_.triangles_of(facet))
-      for (int side = 0; side < 3; ++side) {
-        const int neighbour = facets_.sides[t][side].neighbour;
-        if (neighbour >= 0 && facets_.facet_of[neighbour] != facet) visit(t, side, facets_.facet_of[neighbour]);
-      }
-  }
-
-  [[nodiscard]] double fold(int triangle, int side) const {
-    const double cosine = std::clamp(facets_.cosine_of_fold(triangle, side), -1.0, 1.0);
-    return cosine > -1 ? std::sqrt((1 - cosine) / (1 + cosine)) : HUGE_VAL;
-  }
-
   // Of each facet the two largest smooth folds, and the neighbour at the largest.
   void find_largest_folds() {
     folds_.assign(facets_.facets.size(), {});
     for (int f = 0; f < size(); ++f) {
       if (!is_loose(f)) continue;
-      for_sides(f, [&](int t, int side, int other) {
+      facets_.for_sides(f, [&](int t, int side, int other) {
         if (facets_.is_sliver(other)) return;
-        const double angle = fold(t, side);
+        const double angle = facets_.fold_at(t, side);
         Folds& own = folds_[f];
         if (angle > most_smooth || other == own.neighbour) return;
         if (angle > own.largest)
@@ -76,6 +65,8 @@ class Completion {
     return folds_[facet].neighbour == neighbour ? folds_[facet].second : folds_[facet].largest;
   }
 
+  [[nodiscard]] bool is_polygon(int facet) const { return facets_.vertices_of(facet).size() > 3; }
+
   // How far a facet reaches from the side of a triangle of it.
   [[nodiscard]] double reach(int facet, const Vec3& from, const Vec3& to) const {
     const Vec3 along = glm::normalize(to - from);
@@ -86,15 +77,16 @@ class Completion {
   }
 
   void join_smooth_neighbours(int f) {
-    for_sides(f, [&](int t, int side, int other) {
+    facets_.for_sides(f, [&](int t, int side, int other) {
       if (other < f || !is_loose(other)) return;
-      const double angle = fold(t, side);
+      const double angle = facets_.fold_at(t, side);
       if (angle > most_smooth) return;
       if (angle > fold_ratio * std::max(fold_beside(f, other), fold_beside(other, f)) + fold_slack) return;
-      const Vec3& a = facets_.points[facets_.corners[t][side]];
-      const Vec3& b = facets_.points[facets_.corners[t][(side + 1) % 3]];
+      const auto [a, b] = facets_.ends_of(t, side);
       const double one = reach(f, a, b), two = reach(other, a, b);
-      if (one > width_ratio * two || two > width_ratio * one) return;
+      const double most_ratio =
+          angle > coarse_fold && is_polygon(f) && is_polygon(other) ? coarse_width_ratio : width_ratio;
+      if (one > most_ratio * two || two > most_ratio * one) return;
       sets_.join(f, other);
     });
   }
@@ -163,11 +155,10 @@ class Completion {
   [[nodiscard]] int best_region_beside(int facet) const {
     int best = -1;
     std::pair<bool, double> best_claim{false, -1};
-    for_sides(facet, [&](int t, int side, int other) {
+    facets_.for_sides(facet, [&](int t, int side, int other) {
       const int region = region_of_[other];
       if (region < 0) return;
-      const double length =
-          glm::distance(facets_.points[facets_.corners[t][side]], facets_.points[facets_.corners[t][(side + 1) % 3]]);
+      const double length = facets_.length_of(t, side);
       const std::pair<bool, double> claim{lies_on(facet, regions_[region]), length};
       if (best >= 0 && claim <= best_claim) return;
       best = region;
@@ -202,13 +193,28 @@ bool lies_on(const Facets& facets, const Region& region, const PartSurface& surf
                      [&](int f) { return approximates(facets, f, surface, allowance, sagitta); });
 }
 
+bool are_chords(const Facets& facets, const Region& some, const Region& of) {
+  const double allowance = allowance_of(facets, of.sagitta);
+  return std::all_of(some.facets.begin(), some.facets.end(),
+                     [&](int f) { return is_chord(facets, f, of.surface, allowance, of.sagitta); });
+}
+
+// Where a torus is seen along its axis, its facets are a flat ring.
+bool is_ring_of_torus(const Facets& facets, const Region& flat, const Region& torus) {
+  constexpr double parallel = 1 - 1e-6;
+  return torus.surface.kind == SurfaceKind::torus &&
+         std::abs(glm::dot(torus.surface.axis, flat.surface.axis)) > parallel && are_chords(facets, flat, torus);
+}
+
 // Whether the region with fewer facets, which determine its surface less well, is a part of the other one.
 bool is_one_face(const Facets& facets, const Region& one, const Region& two) {
   const auto& [smaller, larger] = one.facets.size() < two.facets.size() ? std::tie(one, two) : std::tie(two, one);
   if (larger.surface.kind == SurfaceKind::free_form) return false;
-  const bool flat = larger.surface.kind == SurfaceKind::plane;
-  if (flat != (smaller.surface.kind == SurfaceKind::plane)) return false;
-  return lies_on(facets, smaller, larger.surface, larger.sagitta);
+  if (larger.surface.kind == SurfaceKind::plane)
+    return smaller.surface.kind == SurfaceKind::plane && lies_on(facets, smaller, larger.surface, larger.sagitta);
+  if (smaller.surface.kind == SurfaceKind::plane) return is_ring_of_torus(facets, smaller, larger);
+  return lies_on(facets, smaller, larger.surface, larger.sagitta) ||
+         (2 * smaller.facets.size() < larger.facets.size() && are_chords(facets, smaller, larger));
 }
 
 /// Strips of cylinders and cones that are rows of a free form's tessellation: beside facets of a free form, or several
@@ -236,6 +242,7 @@ class Rows {
   struct LongSide {
     int beyond;  ///< facet
     double length, fold;
+    bool convex;
   };
 
   /// A region that is one facet wide; others have no sides.
@@ -251,29 +258,29 @@ class Rows {
     std::size_t at_border = 0;
     for (const int f : region.facets) {
       const double before = strip.across;
-      for (const int t : facets_.triangles_of(f))
-        for (int side = 0; side < 3; ++side) {
-          const int neighbour = facets_.sides[t][side].neighbour;
-          if (neighbour >= 0 && facets_.facet_of[neighbour] != f && region_of_[facets_.facet_of[neighbour]] != number)
-            add_side(strip, region.surface, t, side);
-        }
+      facets_.for_sides(f, [&](int t, int side, int other) {
+        if (region_of_[other] != number) add_side(strip, region.surface, t, side);
+      });
       at_border += strip.across > before ? 1 : 0;
     }
     return 10 * at_border > 9 * region.facets.size() ? strip : Strip{};
   }
 
   void add_side(Strip& strip, const PartSurface& surface, int triangle, int side) const {
-    const Vec3& a = facets_.points[facets_.corners[triangle][side]];
-    const Vec3 along = facets_.points[facets_.corners[triangle][(side + 1) % 3]] - a;
+    const auto [a, b] = facets_.ends_of(triangle, side);
+    const Vec3 along = b - a;
     const double length = glm::length(along);
     if (std::abs(glm::dot(along, generator(surface, a))) > 0.7 * length) return;
     strip.across += length;
     const int other = facets_.facet_of[facets_.sides[triangle][side].neighbour];
     const double ratio = facets_.facets[other].width / facets_.facets[facets_.facet_of[triangle]].width;
-    const double cosine = std::clamp(facets_.cosine_of_fold(triangle, side), -1.0, 1.0);
-    const double fold = std::sqrt((1 - cosine) / std::max(1 + cosine, 1e-9));
+    const double fold = facets_.fold_at(triangle, side);
     if (ratio > 1 / row_ratio && ratio < row_ratio && fold > least_fold && fold < most_smooth)
-      strip.sides.push_back({other, length, fold});
+      strip.sides.push_back({other, length, fold, is_convex(facets_.facet_of[triangle], other)});
+  }
+
+  [[nodiscard]] bool is_convex(int facet, int other) const {
+    return glm::dot(facets_.facets[facet].normal, facets_.facets[other].middle - facets_.facets[facet].middle) < 0;
   }
 
   [[nodiscard]] static Vec3 generator(const PartSurface& surface, const Vec3& point) {
@@ -303,6 +310,13 @@ class Rows {
       const auto [least, most] = std::minmax_element(strips_[r].sides.begin(), strips_[r].sides.end(),
                                                      [](const auto& a, const auto& b) { return a.fold < b.fold; });
       if (strips_[r].sides.empty() || most->fold > fold_ratio_of_rows * least->fold) continue;
+      double length = 0;
+      for (const LongSide& side : strips_[r].sides) length += side.length;
+      if (2 * length < strips_[r].across) continue;
+      // Shoulders turn one way and back again.
+      const bool convex = strips_[r].sides.front().convex;
+      const auto turns_alike = [&](const LongSide& side) { return side.convex == convex; };
+      if (!std::all_of(strips_[r].sides.begin(), strips_[r].sides.end(), turns_alike)) continue;
       for (const LongSide& side : strips_[r].sides) {
         const int other = region_of_[side.beyond];
         if (other >= 0 && !strips_[other].sides.empty()) sets.join(static_cast<int>(r), other);

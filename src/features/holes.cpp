@@ -121,11 +121,6 @@ class HoleFinder {
     });
   }
 
-  [[nodiscard]] Vec3 point(int vertex) const {
-    const Vec3 p = mesh_.point(vertex);
-    return {p[0], p[1], p[2]};
-  }
-
   // Whether the axis of a hole, with a little beyond its ends, meets a triangle.
   [[nodiscard]] bool crosses(int triangle, const Hole& hole) const {
     const double length = glm::distance(hole.from, hole.to);
@@ -134,7 +129,7 @@ class HoleFinder {
     const double slack = std::max(1e-6 * length, 32 * part_.tolerance);
     const std::array<int, 3> corners = mesh_.triangle(triangle);
     std::array<Vec3, 3> p;
-    for (int k = 0; k < 3; ++k) p[k] = point(corners[k]) - hole.from;
+    for (int k = 0; k < 3; ++k) p[k] = mesh_.point(corners[k]) - hole.from;
     std::array<double, 3> volume;
     for (int k = 0; k < 3; ++k) volume[k] = glm::dot(axis, glm::cross(p[(k + 1) % 3], p[(k + 2) % 3]));
     const auto [least, most] = std::minmax_element(volume.begin(), volume.end());

@@ -57,7 +57,8 @@ Beside beside(const PartSurface& s, const Vec3& point) {
   }
   if (s.kind == SurfaceKind::torus) {
     const Vec3 from = (polar.radius - s.radius) * polar.outwards + polar.height * s.axis;
-    const double length = glm::length(from);
+    // Not the length of that: on the axis it has no direction from there.
+    const double length = std::hypot(polar.radius - s.radius, polar.height);
     return {polar, length > 0 ? from / length : Vec3(0), length - s.minor};
   }
   return {polar, polar.outwards, polar.radius - s.radius};

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "features/borders.hpp"
+#include "features/chords.hpp"
 #include "features/facets.hpp"
 #include "features/free_form.hpp"
 #include "features/region.hpp"
@@ -45,20 +46,26 @@ class Recogniser {
         region_of_(facets.facets.size(), -1),
         failures_(facets.facets.size(), 0),
         stamp_(facets.facets.size(), 0),
+        in_ring_(facets.facets.size(), 0),
         grower_(facets, region_of_, regions_) {}
 
   void run() {
     find_round_regions(false);
-    if (regions_.empty()) return;
+    if (regions_.empty() && !grow_rings()) return;
     // With their neighbours known, narrow ones show that they are tangent to them.
-    std::fill(failures_.begin(), failures_.end(), char(0));
-    find_round_regions(true);
+    find_beside_regions();
+    if (grow_rings()) find_beside_regions();
   }
 
   [[nodiscard]] const std::vector<Region>& regions() const { return regions_; }
   [[nodiscard]] const std::vector<int>& region_of() const { return region_of_; }
 
  private:
+  void find_beside_regions() {
+    std::fill(failures_.begin(), failures_.end(), char(0));
+    find_round_regions(true);
+  }
+
   void find_round_regions(bool beside_regions) {
     int tried = 0, grown = 0, in_vain = -patience;
     for (int f = 0; f < static_cast<int>(facets_.facets.size()); ++f) {
@@ -81,10 +88,9 @@ class Recogniser {
   }
 
   [[nodiscard]] bool is_beside_region(int facet) const {
-    for (const int t : facets_.triangles_of(facet))
-      for (const Side& side : facets_.sides[t])
-        if (side.neighbour >= 0 && region_of_[facets_.facet_of[side.neighbour]] >= 0) return true;
-    return false;
+    bool found = false;
+    facets_.for_sides(facet, [&](int, int, int other) { found = found || region_of_[other] >= 0; });
+    return found;
   }
 
   // Neighbours without a region across smooth edges, those with the longest common edges first.
@@ -94,22 +100,17 @@ class Recogniser {
       int facet;
     };
     std::vector<Neighbour> found;
-    for (const int t : facets_.triangles_of(facet))
-      for (int side = 0; side < 3; ++side) {
-        const int neighbour = facets_.sides[t][side].neighbour;
-        if (neighbour < 0) continue;
-        const int other = facets_.facet_of[neighbour];
-        if (other == facet || region_of_[other] >= 0 || facets_.facets[other].is_plane || facets_.is_sliver(other) ||
-            facets_.cosine_of_fold(t, side) < smooth_cosine)
-          continue;
-        const double length =
-            glm::distance(facets_.points[facets_.corners[t][side]], facets_.points[facets_.corners[t][(side + 1) % 3]]);
-        const auto same = std::find_if(found.begin(), found.end(), [&](const auto& n) { return n.facet == other; });
-        if (same == found.end())
-          found.push_back({length, other});
-        else
-          same->length += length;
-      }
+    facets_.for_sides(facet, [&](int t, int side, int other) {
+      if (region_of_[other] >= 0 || facets_.facets[other].is_plane || facets_.is_sliver(other) ||
+          facets_.cosine_of_fold(t, side) < smooth_cosine)
+        return;
+      const double length = facets_.length_of(t, side);
+      const auto same = std::find_if(found.begin(), found.end(), [&](const auto& n) { return n.facet == other; });
+      if (same == found.end())
+        found.push_back({length, other});
+      else
+        same->length += length;
+    });
     std::sort(found.begin(), found.end(), [](const Neighbour& a, const Neighbour& b) {
       return a.length != b.length ? a.length > b.length : a.facet < b.facet;
     });
@@ -245,14 +246,44 @@ class Recogniser {
     return guesses;
   }
 
+  void keep(Region region) {
+    for (const int f : region.facets) region_of_[f] = static_cast<int>(regions_.size());
+    regions_.push_back(std::move(region));
+  }
+
+  void remember_ring(const Region& region) {
+    if (in_ring_[region.facets.front()] != 0) return;
+    const auto simpler = grower_.simpler_than(region);
+    if (!simpler) return;
+    for (const int f : region.facets) in_ring_[f] = 1;
+    rings_.push_back({*simpler, region.facets, 0});
+  }
+
+  // Rings of triangles that are no strip begin with a sphere. They come last: of the rows of a torus they would make
+  // cones. Whether there were any.
+  bool grow_rings() {
+    const std::size_t before = regions_.size();
+    for (const Guess& ring : rings_) {
+      std::vector<int> seeds;
+      for (const int f : ring.seeds)
+        if (region_of_[f] < 0) seeds.push_back(f);
+      if (2 * seeds.size() < ring.seeds.size()) continue;
+      if (auto region = grower_.grow(ring.surface, seeds); region && grower_.is_evident(*region))
+        keep(std::move(*region));
+    }
+    return regions_.size() > before;
+  }
+
   bool grow_from(int facet, const std::vector<int>& beside) {
     const std::vector<int> nearby = around(facet, beside);
     for (const Guess& g : guess(facet, beside, nearby)) {
       auto region = grower_.grow(g.surface, g.seeds);
-      if (!region || !grower_.is_evident(*region)) continue;
-      for (const int f : region->facets) region_of_[f] = static_cast<int>(regions_.size());
-      regions_.push_back(std::move(*region));
-      return true;
+      if (!region) continue;
+      if (grower_.is_evident(*region)) {
+        keep(std::move(*region));
+        return true;
+      }
+      if (region->surface.kind == SurfaceKind::sphere) remember_ring(*region);
     }
     // What is as large as the seed would hardly do better.
     for (const int f : nearby) {
@@ -270,6 +301,8 @@ class Recogniser {
   std::vector<char> failures_;  ///< of seeds nearby
   std::vector<int> stamp_;
   int number_ = 0;
+  std::vector<Guess> rings_;
+  std::vector<char> in_ring_;  ///< whether a facet is in one of them
   RegionGrower grower_;
 };
 
@@ -399,6 +432,7 @@ PartFaces recognise_faces(const mesh::Mesh& mesh, const RecogniseOptions& option
   std::vector<Region> regions = recogniser.regions();
   merge_regions(facets, region_of, regions);
   dissolve_rows(facets, region_of, regions);
+  take_chords(facets, region_of, regions);
   complete_regions(facets, region_of, regions);
   merge_regions(facets, region_of, regions);
   PartFaces result = Result(mesh, facets, region_of, regions).faces();

@@ -21,9 +21,13 @@ constexpr double most_relative_sagitta = 0.09;  // of the radius
 constexpr double least_fold_cosine = 0.62;
 // Twelve facets a turn or more, on average.
 constexpr double most_mean_turn = 15.5 * degree;
+constexpr double most_step = 33 * degree;
 constexpr double most_mean_turn_both_ways = 21.5 * degree;
 // One facet stands at most four times as high over its chord as others: it takes twice the angle.
 constexpr double most_sagittas = 16;
+// The same of the middles of the sides of a facet that faces elsewhere.
+constexpr double most_sagittas_of_sides = 16;
+constexpr double least_facing = 0.5;
 constexpr double tangent_cosine = 0.99966;  // of 1.5 degrees
 // Places around a surface, with ends at which a neighbour touches it, from which three would follow anyway.
 constexpr int least_places = 5;
@@ -74,6 +78,27 @@ bool approximates(const Facets& facets, int facet, const PartSurface& surface, d
   return sagitta == 0 || std::abs(signed_distance(surface, f.middle)) <= most_sagittas * sagitta + allowance;
 }
 
+bool is_chord(const Facets& facets, int facet, const PartSurface& surface, double allowance, double sagitta) {
+  const auto is_near = [&](const Vec3& p, double distance) {
+    return std::abs(signed_distance(surface, p)) <= distance;
+  };
+  for (const int v : facets.vertices_of(facet))
+    if (!is_near(facets.points[v], allowance)) return false;
+  for (const int t : facets.triangles_of(facet)) {
+    const auto& [a, b, c] = facets.corners[t];
+    const Vec3 middle = (facets.points[a] + facets.points[b] + facets.points[c]) / 3.0;
+    if (!is_near(middle, most_sagittas * sagitta + allowance)) return false;
+    if (!facets.is_sliver(facet) &&
+        std::abs(glm::dot(normal_near(surface, middle), facets.facets[facet].normal)) < least_facing)
+      return false;
+    for (int side = 0; side < 3; ++side) {
+      const std::array<Vec3, 2> ends = facets.ends_of(t, side);
+      if (!is_near((ends[0] + ends[1]) / 2.0, most_sagittas_of_sides * sagitta + allowance)) return false;
+    }
+  }
+  return true;
+}
+
 Places places_of(const PartSurface& s, std::span<const Vec3> points, bool around_tube, double allowance) {
   const double radius = around_tube ? s.minor : s.radius;
   const double same = std::max(1e-5, 16 * allowance / radius);
@@ -99,7 +124,10 @@ Places places_of(const PartSurface& s, std::span<const Vec3> points, bool around
     }
   const auto count = static_cast<int>(places.size());
   const bool closed = gap < 46 * degree && gap <= 4 * turn / count;
-  return {count, from, closed ? turn : turn - gap, closed};
+  double step = closed ? gap : 0;
+  for (std::size_t i = 1; i < places.size(); ++i)
+    if (places[i] != from) step = std::max(step, places[i] - places[i - 1]);
+  return {count, from, closed ? turn : turn - gap, step, closed};
 }
 
 RegionGrower::RegionGrower(const Facets& facets, const std::vector<int>& region_of, const std::vector<Region>& regions)
@@ -169,16 +197,12 @@ bool RegionGrower::spread(Region& region) {
   const std::size_t before = region.facets.size();
   std::size_t fitted = before;
   for (std::size_t next = 0; next < region.facets.size(); ++next) {
-    for (const int t : facets_.triangles_of(region.facets[next]))
-      for (int side = 0; side < 3; ++side) {
-        const int neighbour = facets_.sides[t][side].neighbour;
-        if (neighbour < 0) continue;
-        const int facet = facets_.facet_of[neighbour];
-        if (stamp_[facet] == number_ || !may_cross(t, side)) continue;
-        // What a fit to few facets says of the next ones is not as sure as the fit.
-        const double allowance = allowance_of(facets_, region.sagitta) * (region.facets.size() < 12 ? 8 : 2);
-        if (approximates(facets_, facet, region.surface, allowance, region.sagitta)) add(region, facet);
-      }
+    facets_.for_sides(region.facets[next], [&](int t, int side, int facet) {
+      if (stamp_[facet] == number_ || !may_cross(t, side)) return;
+      // What a fit to few facets says of the next ones is not as sure as the fit.
+      const double allowance = allowance_of(facets_, region.sagitta) * (region.facets.size() < 12 ? 8 : 2);
+      if (approximates(facets_, facet, region.surface, allowance, region.sagitta)) add(region, facet);
+    });
     if (region.facets.size() < 3 * fitted) continue;
     if (!fit_again(region)) drop_misfits(region);
     fitted = region.facets.size();
@@ -209,8 +233,7 @@ void RegionGrower::take_enclosed(Region& region) {
       for (int side = 0; side < 3; ++side) {
         const int neighbour = facets_.sides[t][side].neighbour;
         if (neighbour >= 0 && facets_.facet_of[neighbour] == facet) continue;
-        const double length =
-            glm::distance(facets_.points[facets_.corners[t][side]], facets_.points[facets_.corners[t][(side + 1) % 3]]);
+        const double length = facets_.length_of(t, side);
         all += length;
         if (neighbour >= 0 && stamp_[facets_.facet_of[neighbour]] == number_) within += length;
       }
@@ -225,13 +248,11 @@ void RegionGrower::take_enclosed(Region& region) {
            std::abs(signed_distance(region.surface, facets_.facets[facet].middle)) <= most_sagittas * sagitta;
   };
   for (std::size_t next = 0; next < region.facets.size(); ++next)
-    for (const int t : facets_.triangles_of(region.facets[next]))
-      for (const Side& side : facets_.sides[t]) {
-        if (side.neighbour < 0) continue;
-        const int facet = facets_.facet_of[side.neighbour];
-        if (stamp_[facet] == number_ || region_of_[facet] >= 0 || facets_.facets[facet].is_plane) continue;
-        if (lies_on(facet) && is_enclosed(facet)) add(region, facet);
-      }
+    facets_.for_sides(region.facets[next], [&](int, int, int facet) {
+      if (stamp_[facet] == number_ || region_of_[facet] >= 0 || facets_.facets[facet].is_plane) return;
+      if (lies_on(facet) && (is_enclosed(facet) || is_chord(facets_, facet, region.surface, allowance, sagitta)))
+        add(region, facet);
+    });
 }
 
 void RegionGrower::drop_misfits(Region& region) {
@@ -303,21 +324,17 @@ int RegionGrower::tangent_ends(const Region& region, const Places& places, bool 
     return std::abs(along) < near || std::abs(along - turn) < near ? 0 : std::abs(along - places.sweep) < near ? 1 : -1;
   };
   for (const int f : region.facets)
-    for (const int t : facets_.triangles_of(f))
-      for (int side = 0; side < 3; ++side) {
-        const int neighbour = facets_.sides[t][side].neighbour;
-        if (neighbour < 0 || stamp_[facets_.facet_of[neighbour]] == number_) continue;
-        const Vec3& a = facets_.points[facets_.corners[t][side]];
-        const Vec3& b = facets_.points[facets_.corners[t][(side + 1) % 3]];
-        const int end = end_at(a);
-        if (end < 0 || end_at(b) != end) continue;
-        const int other = facets_.facet_of[neighbour];
-        const Vec3 normal =
-            region_of_[other] >= 0 ? normal_near(regions_[region_of_[other]].surface, a) : facets_.facets[other].normal;
-        const double length = glm::distance(a, b);
-        lengths[end] += length;
-        if (std::abs(glm::dot(normal, normal_near(region.surface, a))) > tangent_cosine) tangent[end] += length;
-      }
+    facets_.for_sides(f, [&](int t, int side, int other) {
+      if (stamp_[other] == number_) return;
+      const auto [a, b] = facets_.ends_of(t, side);
+      const int end = end_at(a);
+      if (end < 0 || end_at(b) != end) return;
+      const Vec3 normal =
+          region_of_[other] >= 0 ? normal_near(regions_[region_of_[other]].surface, a) : facets_.facets[other].normal;
+      const double length = glm::distance(a, b);
+      lengths[end] += length;
+      if (std::abs(glm::dot(normal, normal_near(region.surface, a))) > tangent_cosine) tangent[end] += length;
+    });
   int count = 0;
   for (int end = 0; end < 2; ++end) count += lengths[end] > 0 && tangent[end] > 0.5 * lengths[end] ? 1 : 0;
   return count;
@@ -326,23 +343,28 @@ int RegionGrower::tangent_ends(const Region& region, const Places& places, bool 
 bool RegionGrower::is_evident_arc(const Region& region, bool around_tube, double mean_turn) {
   const Places places = places_around(region, around_tube);
   const double most = around_tube ? most_mean_turn_both_ways : most_mean_turn;
-  if (places.closed) return places.count >= 12 && mean_turn <= most;
+  // An octagon with narrow chamfers has as many places, but not all around.
+  if (places.closed) return places.count >= 12 && mean_turn <= most && places.step <= most_step;
   const int tangent = tangent_ends(region, places, around_tube);
+  if (tangent < 2 && places.step > most_step) return false;
   if (tangent < 2 && mean_turn > most) return false;
   return places.count >= 3 && places.count + tangent >= least_places;
 }
 
-// Vertices of two circles about one axis lie on a sphere, too.
 bool RegionGrower::is_evident_sphere(const Region& region) {
+  return region.facets.size() >= 5 && points_of(region, 8).size() == 8 && !simpler_than(region);
+}
+
+std::optional<PartSurface> RegionGrower::simpler_than(const Region& region) {
+  if (region.surface.kind != SurfaceKind::sphere) return std::nullopt;
   const std::vector<Vec3> points = points_of(region, most_fitted);
-  if (points.size() < 8 || region.facets.size() < 5) return false;
   std::vector<Facing> facings;
   for (const int f : region.facets)
     if (!facets_.is_sliver(f)) facings.push_back({facets_.facets[f].middle, facets_.facets[f].normal, 1});
-  if (facings.empty()) return false;
+  if (facings.empty()) return std::nullopt;
   for (auto simpler : {begin_cylinder(facings, points), begin_cone(facings, points)})
-    if (simpler && refine(*simpler, points) <= allowance_of(facets_, region.sagitta)) return false;
-  return true;
+    if (simpler && refine(*simpler, points) <= allowance_of(facets_, region.sagitta)) return simpler;
+  return std::nullopt;
 }
 
 bool RegionGrower::is_beyond_chance(const Region& region) {

@@ -26,11 +26,17 @@ double allowance_of(const Facets& facets, double sagitta);
 /// more than half a step of a coarse tessellation. What is too thin to face anywhere has no say.
 bool approximates(const Facets& facets, int facet, const PartSurface& surface, double allowance, double sagitta);
 
+/// Whether a facet stands for a piece of the surface though it may face elsewhere: its vertices lie on it, and its
+/// sides not much lower than those of other facets. Along the border of a face, where vertices are few, facets reach
+/// from a long chord of it to a vertex close by, and tilt.
+bool is_chord(const Facets& facets, int facet, const PartSurface& surface, double allowance, double sagitta);
+
 /// Where vertices lie on the arc of a surface, by their angles around its axis or around the tube of a torus.
 struct Places {
   int count = 0;        ///< distinct ones
   double from = 0;      ///< where the arc begins, radians
   double sweep = 0;     ///< of the arc; of a whole turn 2 pi
+  double step = 0;      ///< largest one between neighbours
   bool closed = false;  ///< no gap is larger than steps are
 };
 Places places_of(const PartSurface& surface, std::span<const Vec3> points, bool around_tube, double allowance);
@@ -49,6 +55,9 @@ class RegionGrower {
   /// surface: steps of a tessellation are small, there are more places around than determine the surface, and where
   /// they are few, neighbours touch it without an edge.
   bool is_evident(const Region& region);
+
+  /// The cylinder or cone that a sphere's region lies on, too: vertices of two circles about one axis do.
+  std::optional<PartSurface> simpler_than(const Region& region);
 
  private:
   [[nodiscard]] bool may_cross(int triangle, int side) const;

@@ -99,6 +99,12 @@ TEST(PartSurface, DistancesAndNormalsAgree) {
     }
 }
 
+TEST(PartSurface, TheMiddleOfATorusIsFarFromIt) {
+  const features::PartSurface torus{features::SurfaceKind::torus, centre, axis, 0.5, 0.2};
+  EXPECT_NEAR(features::signed_distance(torus, centre), 0.5 - 0.2, 1e-12);
+  EXPECT_NEAR(features::signed_distance(torus, centre + 1.2 * axis), 1.3 - 0.2, 1e-12);
+}
+
 TEST(PartSurface, TwoWaysBeginATorus) {
   constexpr double step = pi / 20;
   std::vector<features::Facing> facings;

@@ -142,6 +142,17 @@ TEST(RecogniseFaces, APolygonIsNotRound) {
   const features::PartFaces gem = recognise(revolved({{0, -5}, {5, 0}, {3, 2}, {0, 2}}, 8));
   EXPECT_EQ(count(gem, features::SurfaceKind::plane), 17);
   EXPECT_EQ(gem.faces.size(), 17U);
+  for (const int sides : {6, 8}) {
+    std::vector<Vec2> outline;
+    for (int i = 0; i < sides; ++i)
+      for (const double turn : {-2.0, 2.0}) {
+        const double angle = (360.0 * i / sides + turn) * pi / 180;
+        outline.emplace_back(20 * std::cos(angle), 20 * std::sin(angle));
+      }
+    const features::PartFaces chamfered = recognise(prism(outline, 15));
+    EXPECT_EQ(count(chamfered, features::SurfaceKind::plane), 2 * sides + 2) << sides;
+    EXPECT_EQ(count(chamfered, features::BorderKind::sharp), 6 * sides) << sides;
+  }
 }
 
 TEST(RecogniseFaces, ChamfersAreSharpHoweverShallow) {
@@ -349,6 +360,103 @@ TEST(RecogniseFaces, TrianglesNeedNotLieAlongTheSurface) {
     if (kind != features::SurfaceKind::cone) {
       EXPECT_NEAR(faces.faces[0].surface.radius, 10, 1e-5);
     }
+  }
+}
+
+/// Rings about z with their own number of vertices, the next one turned by half a step, and triangles between them.
+struct Ring {
+  double radius, height;
+  int count;
+};
+
+Part stitched(const std::vector<Ring>& rings) {
+  Part part;
+  std::vector<std::vector<int>> vertices;
+  const auto angle = [&](std::size_t ring, int i) { return 2 * pi * (i + 0.5 * double(ring % 2)) / rings[ring].count; };
+  for (std::size_t r = 0; r < rings.size(); ++r) {
+    vertices.emplace_back();
+    for (int i = 0; i < rings[r].count; ++i)
+      vertices[r].push_back(part.add(
+          {rings[r].radius * std::cos(angle(r, i)), rings[r].radius * std::sin(angle(r, i)), rings[r].height}));
+  }
+  for (std::size_t r = 0; r + 1 < rings.size(); ++r) {
+    const int n = rings[r].count, m = rings[r + 1].count;
+    for (int i = 0, j = 0; i < n || j < m;) {
+      const bool below = j == m || (i < n && angle(r, i + 1) <= angle(r + 1, j + 1));
+      const int a = vertices[r][i % n], b = vertices[r + 1][j % m];
+      part.faces.push_back(below ? std::vector{a, vertices[r][(i + 1) % n], b}
+                                 : std::vector{a, vertices[r + 1][(j + 1) % m], b});
+      ++(below ? i : j);
+    }
+  }
+  part.faces.push_back({vertices.front().rbegin(), vertices.front().rend()});
+  part.faces.push_back(vertices.back());
+  return part;
+}
+
+TEST(RecogniseFaces, FacetsThatTiltAlongTheBorderOfAFillet) {
+  // As tessellators of CAD programs leave them: the face has more vertices inside than on its border.
+  std::vector<Ring> rings{{38, 0, 30}, {38, 8, 30}};
+  for (const double angle : {15.0, 30.0, 45.0, 60.0, 75.0})
+    rings.push_back({36 + 2 * std::cos(angle * pi / 180), 8 + 2 * std::sin(angle * pi / 180), 88});
+  rings.push_back({36, 10, 30});
+  rings.push_back({20, 14, 30});
+  const features::PartFaces part = recognise(stitched(rings).round_to_float());
+  EXPECT_EQ(part.faces.size(), 5U);
+  EXPECT_EQ(count(part, features::SurfaceKind::torus), 1);
+  EXPECT_EQ(count(part, features::BorderKind::tangent), 1);
+  EXPECT_EQ(count(part, features::BorderKind::sharp), 3);
+}
+
+TEST(RecogniseFaces, RingsOfUnequalTriangles) {
+  std::vector<Ring> rings{{20, 0, 28}, {20, 10, 28}};
+  const std::array degrees{3, 6, 10, 16};
+  for (std::size_t i = 0; i < degrees.size(); ++i) {
+    const Ring& last = rings.back();
+    const double radius = last.radius - 8 * std::tan(degrees[i] * pi / 180);
+    rings.push_back({radius, last.height + 8, 27 - int(i)});
+    rings.push_back({radius, last.height + 12, 27 - int(i)});
+  }
+  const features::PartFaces part = recognise(stitched(rings).round_to_float());
+  EXPECT_EQ(part.faces.size(), 11U);
+  EXPECT_EQ(count(part, features::SurfaceKind::cylinder), 5);
+  std::vector<double> slopes;
+  for (const features::PartFace& face : part.faces)
+    if (face.surface.kind == features::SurfaceKind::cone)
+      slopes.push_back(std::atan(std::abs(face.surface.slope)) * 180 / pi);
+  std::sort(slopes.begin(), slopes.end());
+  ASSERT_EQ(slopes.size(), 4U);
+  for (std::size_t i = 0; i < slopes.size(); ++i) EXPECT_NEAR(slopes[i], degrees[i], 1e-4);
+}
+
+TEST(RecogniseFaces, AFlatRingOfATorusBelongsToIt) {
+  Part part = revolved(arc({10, 0}, 3, 15, 375, 12), 24, pi).triangulate();
+  part.move([](const Vec3& p) { return p + Vec3(1.1, 2.2, 3.3); }).round_to_float();
+  const features::PartFaces ring = recognise(part);
+  ASSERT_EQ(ring.faces.size(), 1U);
+  EXPECT_EQ(ring.faces[0].surface.kind, features::SurfaceKind::torus);
+  EXPECT_EQ(count(ring, features::BorderKind::sharp), 0);
+}
+
+TEST(RecogniseFaces, MitredFilletsStayApart) {
+  for (const int steps : {4, 7, 8, 9, 10, 11, 12, 13, 14, 16}) {
+    std::vector<Vec2> profile{{20, 0}};
+    for (const Vec2& p : arc({17, 12}, 3, 0, 90, steps)) profile.push_back(p);
+    Part part;
+    for (const Vec2& p : profile)
+      for (const Vec2& corner : {Vec2(1, 1), Vec2(-1, 1), Vec2(-1, -1), Vec2(1, -1)})
+        part.add({p.x * corner.x, (p.x + 10) * corner.y, p.y});
+    const int last = 4 * (static_cast<int>(profile.size()) - 1);
+    for (int k = 0; k < last; k += 4)
+      for (int i = 0; i < 4; ++i) part.faces.push_back({k + i, k + (i + 1) % 4, k + 4 + (i + 1) % 4, k + 4 + i});
+    part.faces.push_back({3, 2, 1, 0});
+    part.faces.push_back({last, last + 1, last + 2, last + 3});
+    const features::PartFaces faces = recognise(part);
+    EXPECT_EQ(count(faces, features::SurfaceKind::cylinder), 4) << steps;
+    EXPECT_EQ(count(faces, features::SurfaceKind::plane), 6) << steps;
+    EXPECT_EQ(count(faces, features::BorderKind::tangent), 8) << steps;
+    // Around the bottom, up the sides, and the mitres.
+    EXPECT_EQ(count(faces, features::BorderKind::sharp), 12) << steps;
   }
 }
 

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which way a free-form face faces at its vertices.
+//
+// Vertices lie on the face, facets only near it: along its border they tilt. So the normal is that of the paraboloid
+// through the vertex which comes nearest to the vertices around it (Cazals, Pouget: Estimating differential quantities
+// using polynomial fitting of osculating jets, 2005).
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "base/groups.hpp"
+#include "features/facets.hpp"
+#include "features/region.hpp"
+
+namespace epura::features {
+
+class FreeNormals {
+ public:
+  /// All are to outlive it.
+  FreeNormals(const Facets& facets, const std::vector<int>& region_of, const std::vector<Region>& regions);
+
+  struct Normal {
+    Vec3 direction;  ///< unit; faces as the facet does
+    double doubt;    ///< radians by which the paraboloid misses it, about
+  };
+
+  /// Of the face that a facet belongs to, at one of the facet's vertices. Nothing where too few vertices are near.
+  [[nodiscard]] std::optional<Normal> at(int facet, int vertex) const;
+
+ private:
+  [[nodiscard]] std::vector<int> facets_around(int facet, int vertex) const;
+
+  const Facets& facets_;
+  const std::vector<int>& region_of_;
+  Groups<int> at_vertex_;  ///< facets of free-form faces
+};
+
+}  // namespace epura::features
