@@ -68,6 +68,7 @@ struct ViewDrawing {
   std::vector<Chain> chains;
   std::vector<CutFace> cut_faces;
   Vec2 min{0, 0}, max{0, 0};  ///< box of the ink
+  double contours_moved = 0;  ///< mm; so far at most contours of curved faces are drawn from edges of the mesh
 };
 
 }  // namespace epura::drawing

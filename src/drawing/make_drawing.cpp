@@ -158,6 +158,7 @@ ViewDrawing make_drawing(const visibility::ResolvedView& lines, const view::Pape
   const Coincidence limits = coincidence_on_paper(view, paper);
   progress.begin("merging lines");
   std::vector<Piece> pieces = pieces_of(lines, paper, options.hidden || !options.leave_out, progress);
+  drawing.contours_moved = lines.drawn.moved * paper.scale;
   meet_contours(lines, paper, 4 * limits.tolerance, pieces);
   pieces = resolve_coincident(std::move(pieces), limits.tolerance, limits.min, progress);
   if (!options.hidden) std::erase_if(pieces, [](const Piece& piece) { return !piece.visible; });

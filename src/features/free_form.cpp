@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -67,6 +68,16 @@ class Completion {
 
   [[nodiscard]] bool is_polygon(int facet) const { return facets_.vertices_of(facet).size() > 3; }
 
+  // The same where two triangles that are nearly one lie beside each other: behind the other half.
+  [[nodiscard]] double fold_behind(int facet, int neighbour, double angle) const {
+    double largest = 0;
+    facets_.for_sides(facet, [&](int t, int side, int half) {
+      if (half != neighbour && is_loose(half) && 4 * facets_.fold_at(t, side) < angle)
+        largest = std::max(largest, fold_beside(half, facet));
+    });
+    return largest;
+  }
+
   // How far a facet reaches from the side of a triangle of it.
   [[nodiscard]] double reach(int facet, const Vec3& from, const Vec3& to) const {
     const Vec3 along = glm::normalize(to - from);
@@ -81,7 +92,10 @@ class Completion {
       if (other < f || !is_loose(other)) return;
       const double angle = facets_.fold_at(t, side);
       if (angle > most_smooth) return;
-      if (angle > fold_ratio * std::max(fold_beside(f, other), fold_beside(other, f)) + fold_slack) return;
+      const auto is_usual = [&](double usual) { return angle <= fold_ratio * usual + fold_slack; };
+      if (!is_usual(std::max(fold_beside(f, other), fold_beside(other, f))) &&
+          !is_usual(std::max(fold_behind(f, other, angle), fold_behind(other, f, angle))))
+        return;
       const auto [a, b] = facets_.ends_of(t, side);
       const double one = reach(f, a, b), two = reach(other, a, b);
       const double most_ratio =
@@ -189,7 +203,8 @@ class Completion {
 
 bool lies_on(const Facets& facets, const Region& region, const PartSurface& surface, double sagitta) {
   const double allowance = allowance_of(facets, sagitta);
-  return std::all_of(region.facets.begin(), region.facets.end(),
+  const std::span<const int> exact = region.exact_facets();
+  return std::all_of(exact.begin(), exact.end(),
                      [&](int f) { return approximates(facets, f, surface, allowance, sagitta); });
 }
 

@@ -22,11 +22,11 @@ constexpr double least_fold_cosine = 0.62;
 // Twelve facets a turn or more, on average.
 constexpr double most_mean_turn = 15.5 * degree;
 constexpr double most_step = 33 * degree;
+constexpr double most_of_sweep = 0.6;  // of an arc that one facet takes
 constexpr double most_mean_turn_both_ways = 21.5 * degree;
 // One facet stands at most four times as high over its chord as others: it takes twice the angle.
 constexpr double most_sagittas = 16;
-// The same of the middles of the sides of a facet that faces elsewhere.
-constexpr double most_sagittas_of_sides = 16;
+constexpr double tilted_facing = 0.9976;  // cosine of 4 degrees
 constexpr double least_facing = 0.5;
 constexpr double tangent_cosine = 0.99966;  // of 1.5 degrees
 // Places around a surface, with ends at which a neighbour touches it, from which three would follow anyway.
@@ -84,16 +84,21 @@ bool is_chord(const Facets& facets, int facet, const PartSurface& surface, doubl
   };
   for (const int v : facets.vertices_of(facet))
     if (!is_near(facets.points[v], allowance)) return false;
+  const Facet& f = facets.facets[facet];
+  const auto facing = [&](const Vec3& p) { return std::abs(glm::dot(normal_near(surface, p), f.normal)); };
+  // One that does not tilt, but takes a large angle, is a flat of the part.
+  if (facing(f.middle) > tilted_facing)
+    for (const int v : facets.vertices_of(facet))
+      if (facing(facets.points[v]) < least_agreement && normal_near(surface, facets.points[v]) != Vec3(0)) return false;
+  const double most = most_sagittas * sagitta + allowance;
   for (const int t : facets.triangles_of(facet)) {
     const auto& [a, b, c] = facets.corners[t];
     const Vec3 middle = (facets.points[a] + facets.points[b] + facets.points[c]) / 3.0;
-    if (!is_near(middle, most_sagittas * sagitta + allowance)) return false;
-    if (!facets.is_sliver(facet) &&
-        std::abs(glm::dot(normal_near(surface, middle), facets.facets[facet].normal)) < least_facing)
-      return false;
+    if (!is_near(middle, most)) return false;
+    if (facing(middle) < least_facing && !facets.is_sliver(facet)) return false;
     for (int side = 0; side < 3; ++side) {
       const std::array<Vec3, 2> ends = facets.ends_of(t, side);
-      if (!is_near((ends[0] + ends[1]) / 2.0, most_sagittas_of_sides * sagitta + allowance)) return false;
+      if (!is_near((ends[0] + ends[1]) / 2.0, most)) return false;
     }
   }
   return true;
@@ -277,9 +282,12 @@ std::optional<Region> RegionGrower::grow(const PartSurface& beginning, std::span
   for (const int f : seeds) add(region, f);
   for (int round = 0; round < 4; ++round) {
     if (!spread(region) && round > 0) break;
-    if (!fit_again(region)) return std::nullopt;
+    // A few vertices beside the surface may have bent it.
+    const std::size_t before = region.facets.size();
+    region.chosen = !fit_again(region) || region.chosen;
     drop_misfits(region);
-    if (region.facets.size() < 2) return std::nullopt;
+    if (region.facets.size() < 2 || 3 * region.facets.size() < 2 * before) return std::nullopt;
+    if (region.residual > allowance_of(facets_, region.sagitta)) return std::nullopt;
   }
   // A surface is only told from the polyhedron where the two differ.
   if (region.residual > allowance_of(facets_, region.sagitta) || region.sagitta < 4 * region.residual)
@@ -345,6 +353,8 @@ bool RegionGrower::is_evident_arc(const Region& region, bool around_tube, double
   const double most = around_tube ? most_mean_turn_both_ways : most_mean_turn;
   // An octagon with narrow chamfers has as many places, but not all around.
   if (places.closed) return places.count >= 12 && mean_turn <= most && places.step <= most_step;
+  // A wide facet with narrow ones at both ends, which are those of the next faces.
+  if (places.step > most_of_sweep * places.sweep) return false;
   const int tangent = tangent_ends(region, places, around_tube);
   if (tangent < 2 && places.step > most_step) return false;
   if (tangent < 2 && mean_turn > most) return false;
@@ -370,7 +380,8 @@ std::optional<PartSurface> RegionGrower::simpler_than(const Region& region) {
 bool RegionGrower::is_beyond_chance(const Region& region) {
   const auto vertices = static_cast<double>(points_of(region, most_fitted).size());
   const double distance = std::max(region.residual, facets_.tolerance / 4);
-  return (vertices - unknowns_of(region.surface.kind)) * std::log2(region.sagitta / distance) >= least_bits;
+  return (vertices - unknowns_of(region.surface.kind)) * std::log2(region.sagitta / distance) >=
+         (region.chosen ? 2 * least_bits : least_bits);
 }
 
 bool RegionGrower::is_evident(const Region& region) {

@@ -44,6 +44,13 @@ std::optional<Cut> cut_of(const ScanLine& line, const std::array<Vec2, 2>& ends,
   return Cut{u, std::abs(cross(line.along, way)) / glm::length(way), segment};
 }
 
+double distance_to_line(const Vec2& p, const std::array<Vec2, 2>& line) {
+  const Vec2 along = line[1] - line[0];
+  const double square = glm::dot(along, along);
+  const double t = square > 0 ? std::clamp(glm::dot(p - line[0], along) / square, 0.0, 1.0) : 0;
+  return glm::distance(p, line[0] + t * along);
+}
+
 }  // namespace
 
 LineScan::LineScan(const VerifyInput& input, const ScanScene& scene, const FoldRule& rule, const MarkLimits& limits,
@@ -52,7 +59,21 @@ LineScan::LineScan(const VerifyInput& input, const ScanScene& scene, const FoldR
 
 std::array<Vec2, 2> LineScan::segment(int number) const {
   const drawing::Segment& segment = input_.drawing.segments[number];
-  return {segment.from - scene_.origin, segment.to - scene_.origin};
+  const std::array<Vec2, 2> drawn{segment.from - scene_.origin, segment.to - scene_.origin};
+  if (!(input_.drawing.contours_moved > 0) || segment.kind != EdgeKind::contour || segment.edge[0] < 0) return drawn;
+  const std::array<Vec2, 2> in_mesh{place_in_mesh(segment, 0), place_in_mesh(segment, 1)};
+  const double within = input_.drawing.contours_moved + limits_.reach;
+  return distance_to_line(0.5 * (drawn[0] + drawn[1]), in_mesh) <= within ? in_mesh : drawn;
+}
+
+// Where the edge of the mesh lies that a segment shows.
+Vec2 LineScan::place_in_mesh(const drawing::Segment& segment, std::size_t end) const {
+  const scene::World& world = input_.world;
+  const int first = world.first_vertex[segment.model];
+  const Vec3& a = world.points[first + segment.edge[0]];
+  const Vec3& b = world.points[first + segment.edge[1]];
+  const Vec4 page = input_.drawing.world_to_page * Vec4(a + segment.t[end] * (b - a), 1);
+  return Vec2(page.x, page.y) / page.w - scene_.origin;
 }
 
 double LineScan::length_of_ink() const {
