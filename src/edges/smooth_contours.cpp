@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "base/groups.hpp"
@@ -17,8 +16,8 @@ namespace {
 
 using features::SurfaceKind;
 
-// Of the largest triangle at a vertex: farther no end of a contour is moved on the page.
-constexpr double most_moved = 0.25;
+// Of the height of a triangle: surfaces have their contours no farther from those of their facets.
+constexpr double most_moved = 1;
 
 double distance_to_line(const Vec2& p, const Vec2& a, const Vec2& b) {
   const Vec2 along = b - a;
@@ -73,6 +72,7 @@ class ModelContours {
       const auto line = contour_across(t);
       if (!line) continue;
       const Vec3 place = nearest_on_line(from, (*line)[0], (*line)[1]);
+      if (glm::distance(place, from) > most_moved * height_of(t)) continue;
       if (nearest && glm::distance(place, from) >= glm::distance(*nearest, from)) continue;
       nearest = place;
       on_triangle = t;
@@ -103,6 +103,15 @@ class ModelContours {
   [[nodiscard]] Vec3 normal_of(int triangle) const {
     const auto [a, b, c] = mesh_.triangle(triangle);
     return glm::cross(mesh_.point(b) - mesh_.point(a), mesh_.point(c) - mesh_.point(a));
+  }
+
+  // Over its longest side.
+  [[nodiscard]] double height_of(int triangle) const {
+    const auto [a, b, c] = mesh_.triangle(triangle);
+    const double longest = std::max({glm::distance(mesh_.point(a), mesh_.point(b)),
+                                     glm::distance(mesh_.point(b), mesh_.point(c)),
+                                     glm::distance(mesh_.point(c), mesh_.point(a))});
+    return longest > 0 ? glm::length(normal_of(triangle)) / longest : 0;
   }
 
   // Of the face that a triangle is part of, at one of its corners: a free form has the mean of its facets there.
@@ -166,16 +175,15 @@ class MovedEnds {
     const auto number = [&](int v) {
       return static_cast<std::size_t>(std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin());
     };
-    const Groups<int> edges_at(vertices.size(), [&](const auto& visit) {
-      for (const int e : edges)
-        for (const int v : drawn_.edges[e].vertex) visit(number(v), e);
-    });
     std::vector<int> shown(vertices.size(), -1);
     for (std::size_t i = 0; i < vertices.size(); ++i)
-      if (places[i] && !std::binary_search(fixed.begin(), fixed.end(), vertices[i])) shown[i] = add(vertices[i], Vec3(placed.to_world * Vec4(*places[i], 1)), edges_at[i]);
-    for (const int e : edges)
-      for (std::size_t end = 0; end < 2; ++end)
-        drawn_.edges[e].shown[end] = shown[number(drawn_.edges[e].vertex[end])];
+      if (places[i] && !std::binary_search(fixed.begin(), fixed.end(), vertices[i]))
+        shown[i] = add(Vec3(placed.to_world * Vec4(*places[i], 1)));
+    for (const int e : edges) {
+      FeatureEdge& edge = drawn_.edges[e];
+      for (std::size_t end = 0; end < 2; ++end) edge.shown[end] = shown[number(edge.vertex[end])];
+      drawn_.moved = std::max(drawn_.moved, distance_moved(edge));
+    }
   }
 
  private:
@@ -212,20 +220,25 @@ class MovedEnds {
 
   [[nodiscard]] Vec2 on_page(int vertex) const { return {view_.vertices[vertex].x, view_.vertices[vertex].y}; }
 
-  // A vertex of the view at the place where one of the world is drawn; -1 where that is too far.
-  int add(int vertex, const Vec3& place, std::span<const int> edges) {
+  // A vertex of the view at a place; -1 behind the viewer.
+  int add(const Vec3& place) {
     const view::Mapped mapped = view_.map(place);
-    if (!(mapped.w > 0)) return -1;
-    const int added = view::add_mapped_point(view_, mapped);
-    double longest = 0, moved = HUGE_VAL;
-    for (const int e : edges) {
-      const Vec2 a = on_page(drawn_.edges[e].vertex[0]), b = on_page(drawn_.edges[e].vertex[1]);
-      longest = std::max(longest, glm::distance(a, b));
-      moved = std::min(moved, distance_to_line(on_page(added), a, b));
+    return mapped.w > 0 ? view::add_mapped_point(view_, mapped) : -1;
+  }
+
+  // The farthest that a place on the edge lies from the line drawn for it, or a place on that from the edge: distances
+  // from a line are greatest at ends.
+  [[nodiscard]] double distance_moved(const FeatureEdge& edge) const {
+    std::array<Vec2, 2> in_mesh{}, drawn{};
+    for (std::size_t end = 0; end < 2; ++end) {
+      in_mesh[end] = on_page(edge.vertex[end]);
+      drawn[end] = edge.shown[end] < 0 ? in_mesh[end] : on_page(edge.shown[end]);
     }
-    if (glm::distance(on_page(added), on_page(vertex)) > longest || moved > most_moved * longest) return -1;
-    drawn_.moved = std::max(drawn_.moved, moved);
-    return added;
+    double farthest = 0;
+    for (std::size_t end = 0; end < 2; ++end)
+      farthest = std::max({farthest, distance_to_line(in_mesh[end], drawn[0], drawn[1]),
+                           distance_to_line(drawn[end], in_mesh[0], in_mesh[1])});
+    return farthest;
   }
 
   const scene::World& world_;
