@@ -16,14 +16,16 @@ namespace {
 /// A short line from an end to the ink that is drawn for what was taken away there.
 struct Link {
   std::array<double, 4> ends;  ///< x and y of both
-  InkPart part;                ///< of the line that ends there, as much as the link is long
+  bool hidden;
+  int piece;  ///< that ends there
+  double at;  ///< its parameter
 
   auto operator<=>(const Link&) const = default;
 };
 
 /// How an end comes to other ink.
 struct Closing {
-  double along = 0;  ///< mm from the end on along its line
+  double cut = 0;  ///< mm of the line that are left out
   std::optional<Link> link{};
 };
 
@@ -39,36 +41,37 @@ class EndCloser {
       : kept_(kept), taken_(taken), limits_(limits) {}
 
   [[nodiscard]] Closing closing_of(const InkPart& part, int end) const {
-    const auto line = ends_of(part);
+    const std::array<Vec2, 2> line = ends_of(part);
     const Vec2 place = line[end];
-    if (glm::distance(line[0], line[1]) <= limits_.touching) return {};
-    const std::optional<std::array<Vec2, 2>> onto = drawn_for(part.piece, place);
-    if (!onto || is_held(part.piece, place)) return {};
-    if (const auto along = way_along(line[1 - end], place, *onto)) return {*along, std::nullopt};
-    return {0, link_of(part, end, nearest_on(*onto, place))};
+    const auto onto = drawn_for(part.piece, place);
+    if (!onto) return {};
+    // Specks go with what they joined.
+    const double length = glm::distance(line[0], line[1]);
+    if (length <= limits_.touching) return {length, std::nullopt};
+    if (is_held(part.piece, place)) return {};
+    const auto along = way_along(line[1 - end], place, *onto);
+    if (along && *along <= 0) return {-*along, std::nullopt};
+    const Vec2 to = along ? place + *along / length * (place - line[1 - end]) : nearest_on(*onto, place);
+    const double at = end == 0 ? part.from : part.to;
+    return {0, Link{{place.x, place.y, to.x, to.y}, !kept_.pieces()[part.piece].visible, part.piece, at}};
   }
 
   // What is left of a part, if anything.
   void append(const ClosedPart& closed, std::vector<Piece>& pieces) const {
-    const Piece& whole = kept_.pieces()[closed.part.piece];
     InkPart part = closed.part;
-    std::array<Vec2, 2> ends = ends_of(part);
     const auto& [first, last] = closed.ends;
-    if (first.along != 0 || last.along != 0) {
-      const double length = length_of(whole);
-      const Vec2 along = (whole.to - whole.from) / length;
-      ends[0] -= first.along * along;
-      ends[1] += last.along * along;
-      // There is no more of a piece than all of it.
-      part.from -= std::min(first.along, 0.0) / length;
-      part.to += std::min(last.along, 0.0) / length;
+    if (first.cut > 0 || last.cut > 0) {
+      const double length = length_of(kept_.pieces()[part.piece]);
+      part.from += first.cut / length;
+      part.to -= last.cut / length;
       if (!((part.to - part.from) * length > limits_.touching)) return;
     }
-    if (ends[0] != ends[1]) pieces.push_back(drawn(part, ends[0], ends[1]));
+    const auto [from, to] = ends_of(part);
+    if (from != to) pieces.push_back(drawn(part, from, to));
   }
 
   [[nodiscard]] Piece drawn(const Link& link) const {
-    return drawn(link.part, {link.ends[0], link.ends[1]}, {link.ends[2], link.ends[3]});
+    return drawn({link.piece, link.at, link.at}, {link.ends[0], link.ends[1]}, {link.ends[2], link.ends[3]});
   }
 
  private:
@@ -138,15 +141,6 @@ class EndCloser {
     const double along = meeting.x - line.length;
     if (std::abs(meeting.y) > limits_.touching || std::abs(along) > limits_.along) return std::nullopt;
     return along;
-  }
-
-  // It counts as a bit of the line that is as long: no edge is drawn in a point.
-  [[nodiscard]] Link link_of(const InkPart& part, int end, const Vec2& to) const {
-    const Vec2 from = ends_of(part)[end];
-    const double size = std::min(glm::distance(from, to) / length_of(kept_.pieces()[part.piece]), part.to - part.from);
-    const InkPart bit =
-        end == 0 ? InkPart{part.piece, part.from + size, part.from} : InkPart{part.piece, part.to - size, part.to};
-    return {{from.x, from.y, to.x, to.y}, bit};
   }
 
   const InkParts& kept_;

@@ -12,13 +12,13 @@ namespace epura::drawing {
 /// mm
 struct ClosingLimits {
   double touching;  ///< lines so near meet
-  double along;     ///< so far ends move along their lines
+  double along;     ///< so far lines are prolonged or cut off
 };
 
 /// `left` are the parts that are kept, ascending and as long as they go on. An end on taken ink and on no line that
-/// stays moves along its line to the one that is drawn for that ink, where that is near; otherwise a short line leads
-/// there, which counts as one of the taken edge. Lines of which nothing is left are left out. Hidden ink is none for
-/// visible lines. Throws OutOfTime.
+/// stays is joined to the one that is drawn for that ink: along its own line, where they meet within a short way, and
+/// otherwise across. Lines that go too far are cut off. Links belong to the point of the edge that they begin at. Lines
+/// of which nothing is left are left out. Hidden ink is none for visible lines. Throws OutOfTime.
 std::vector<Piece> close_ends(const InkParts& kept, const TakenInk& taken, const std::vector<InkPart>& left,
                               const ClosingLimits& limits, const Progress& progress);
 

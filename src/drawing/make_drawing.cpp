@@ -169,6 +169,7 @@ ViewDrawing make_drawing(const visibility::ResolvedView& lines, const view::Pape
   pieces = resolve_coincident(std::move(pieces), limits.tolerance, limits.min, progress);
   if (!options.hidden) std::erase_if(pieces, [](const Piece& piece) { return !piece.visible; });
   pieces = joined_where_near(std::move(pieces), lines, options.near, limits.min, progress);
+  drawing.joined_within = options.near.reach();
   add_segments(lines, pieces, drawing, progress);
   pieces = std::vector<Piece>();  // chains take their room
   progress.begin("joining lines", drawing.segments.size());

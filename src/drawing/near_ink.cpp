@@ -14,7 +14,7 @@ namespace epura::drawing {
 
 namespace {
 
-// So many distances ends move along their lines to other ink.
+// By so many distances lines are prolonged or cut off.
 constexpr double along = 2;
 
 // In order of their pieces, those that go on in one piece as one, and whole pieces that are no ink.
