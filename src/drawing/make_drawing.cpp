@@ -117,6 +117,18 @@ void add_segments(const visibility::ResolvedView& lines, const std::vector<Piece
   });
 }
 
+std::vector<Piece> joined_where_near(std::vector<Piece> pieces, const visibility::ResolvedView& lines,
+                                     const NearLines& near, double touching, const Progress& progress) {
+  if (!(near.distance > 0)) return pieces;
+  std::vector<signed char> strength(pieces.size());
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const Piece& piece = pieces[i];
+    strength[i] =
+        static_cast<signed char>(near.strength(lines.drawn.edges[piece.edge].model, piece.kind, piece.visible));
+  }
+  return join_near(std::move(pieces), strength, near.distance, touching, progress);
+}
+
 }  // namespace
 
 Vec2 position_on_paper(const view::ProjectedScene& view, const view::PaperMap& paper, const edges::FeatureEdge& edge,
@@ -162,6 +174,8 @@ ViewDrawing make_drawing(const visibility::ResolvedView& lines, const view::Pape
   meet_contours(lines, paper, 4 * limits.tolerance, pieces);
   pieces = resolve_coincident(std::move(pieces), limits.tolerance, limits.min, progress);
   if (!options.hidden) std::erase_if(pieces, [](const Piece& piece) { return !piece.visible; });
+  pieces = joined_where_near(std::move(pieces), lines, options.near, limits.min, progress);
+  drawing.joined_within = options.near.reach();
   add_segments(lines, pieces, drawing, progress);
   pieces = std::vector<Piece>();  // chains take their room
   progress.begin("joining lines", drawing.segments.size());

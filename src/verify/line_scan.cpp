@@ -181,7 +181,8 @@ std::vector<LineFindings> LineScan::scan(const std::vector<ScanLine>& lines, con
     if (shape_of(triangle, shape)) through(shape, meet);
   });
   const ItemsOfLines segments = gather(input_.drawing.segments.size(), [&](int number, const auto& meet) {
-    if (input_.drawing.segments[number].visible) through(segment(number), meet);
+    const drawing::Segment& ink = input_.drawing.segments[number];
+    if (ink.visible && !drawing::is_link(ink)) through(segment(number), meet);
   });
   std::vector<LineFindings> findings(lines.size());
   parallel_for(lines.size(), 1, progress, [&](std::size_t first, std::size_t last) {
