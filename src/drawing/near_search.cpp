@@ -16,8 +16,9 @@ constexpr double least_cosine = 0.9063;  // 25 degrees
 constexpr double with_direction = 4;  // so long are lines that have a direction of their own
 constexpr double longest_gap = 3;     // so much of a polyline goes with the near stretches beside it
 constexpr double shortest_run = 5;    // and so long a stretch counts by itself
-// Where lines meet at an angle of 3 degrees and more, none is taken for the other.
-constexpr double farthest_contact = 20;
+// Where lines meet at an angle of 1.2 degrees and more, or an arc meets its tangent that has up to 1250 as its radius,
+// none is taken for the other.
+constexpr double farthest_contact = 50;
 // How wide the finest cells are in which ink is looked for.
 constexpr double cell = 2;
 // Of so many others, some may be left out where what is found covers the whole.

@@ -127,7 +127,7 @@ TEST(NearInk, VisibleInkTakesHiddenInkAndNeverTheOtherWay) {
 }
 
 TEST(NearInk, LinesThatCrossOrMeetAtASlightAngleStayWhole) {
-  for (const double degrees : {3.5, 5.0, 10.0, 25.0, 60.0, 90.0}) {
+  for (const double degrees : {1.5, 3.5, 5.0, 10.0, 25.0, 60.0, 90.0}) {
     const Vec2 way(std::cos(degrees * pi / 180), std::sin(degrees * pi / 180));
     Pieces crossing, meeting;
     add(crossing, {-50, 0}, {50, 0});
