@@ -22,6 +22,7 @@ constexpr double width_ratio = 8;
 // Flats of a polygon with narrow chamfers between them fold so, too.
 constexpr double coarse_fold = 0.185;  // 21 degrees
 constexpr double coarse_width_ratio = 3;
+constexpr double narrow = 8;
 
 class Completion {
  public:
@@ -32,6 +33,7 @@ class Completion {
     find_largest_folds();
     for (int f = 0; f < size(); ++f)
       if (is_loose(f)) join_smooth_neighbours(f);
+    join_narrow_triangles();
     make_regions();
     give_slivers_away();
   }
@@ -105,10 +107,45 @@ class Completion {
     });
   }
 
-  void make_regions() {
+  [[nodiscard]] std::vector<int> count_members() {
     std::vector<int> members(facets_.facets.size(), 0);
     for (int f = 0; f < size(); ++f)
       if (is_loose(f)) ++members[sets_.root(f)];
+    return members;
+  }
+
+  [[nodiscard]] bool is_narrow(int t, int side, int facet) const {
+    return !is_polygon(facet) && facets_.length_of(t, side) > narrow * facets_.facets[facet].width;
+  }
+
+  // Triangles from a long chord of a free form's border to a vertex close by tilt. Alone, or with others of their kind,
+  // they belong to what is behind a long side of theirs.
+  void join_narrow_triangles() {
+    const std::vector<int> members = count_members();
+    struct Join {
+      double fold = most_smooth;
+      int facet = -1, other = -1;
+    };
+    std::vector<Join> joins(facets_.facets.size());
+    std::vector<char> has_wide(facets_.facets.size(), 0);
+    for (int f = 0; f < size(); ++f) {
+      if (!is_loose(f)) continue;
+      const int root = sets_.root(f);
+      bool is_wide = true;
+      facets_.for_sides(f, [&](int t, int side, int other) {
+        if (!is_narrow(t, side, f)) return;
+        is_wide = false;
+        if (!is_loose(other) || members[sets_.root(other)] < 3 || sets_.root(other) == root) return;
+        if (const double fold = facets_.fold_at(t, side); fold < joins[root].fold) joins[root] = {fold, f, other};
+      });
+      if (is_wide) has_wide[root] = 1;
+    }
+    for (int root = 0; root < size(); ++root)
+      if (joins[root].other >= 0 && has_wide[root] == 0) sets_.join(joins[root].facet, joins[root].other);
+  }
+
+  void make_regions() {
+    const std::vector<int> members = count_members();
     std::vector<int> region_of_set(facets_.facets.size(), -1);
     for (int f = 0; f < size(); ++f) {
       if (region_of_[f] >= 0 || facets_.is_sliver(f)) continue;

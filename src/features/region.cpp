@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "base/parallel.hpp"
 #include "base/portable_math.hpp"
 #include "features/least_squares.hpp"
 
@@ -13,6 +14,7 @@ namespace epura::features {
 
 namespace {
 
+constexpr std::size_t grain = 4096;
 constexpr double turn = 2 * std::numbers::pi;
 constexpr double degree = std::numbers::pi / 180;
 // A facet takes at most 45 degrees of its surface, so a corner of it is turned by half of that.
@@ -107,15 +109,19 @@ bool is_chord(const Facets& facets, int facet, const PartSurface& surface, doubl
 Places places_of(const PartSurface& s, std::span<const Vec3> points, bool around_tube, double allowance) {
   const double radius = around_tube ? s.minor : s.radius;
   const double same = std::max(1e-5, 16 * allowance / radius);
-  std::vector<double> angles;
-  for (const Vec3& p : points) {
-    // On the axis there is no angle.
-    const Vec3 from = p - s.origin;
-    if (glm::length(from - glm::dot(from, s.axis) * s.axis) > 1e-3 * s.radius)
-      angles.push_back(angle_of(s, p, around_tube));
-  }
+  constexpr double none = HUGE_VAL;
+  std::vector<double> angles(points.size());
+  parallel_for(points.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      // On the axis there is no angle.
+      const Vec3 from = points[i] - s.origin;
+      const bool is_off = glm::length(from - glm::dot(from, s.axis) * s.axis) > 1e-3 * s.radius;
+      angles[i] = is_off ? angle_of(s, points[i], around_tube) : none;
+    }
+  });
+  parallel_sort(angles.begin(), angles.end());
+  while (!angles.empty() && angles.back() == none) angles.pop_back();
   if (angles.empty()) return {};
-  std::sort(angles.begin(), angles.end());
   std::vector<double> places{angles.front()};
   for (const double a : angles)
     if (a > places.back() + same) places.push_back(a);
@@ -262,14 +268,17 @@ void RegionGrower::take_enclosed(Region& region) {
 
 void RegionGrower::drop_misfits(Region& region) {
   const double allowance = allowance_of(facets_, region.sagitta);
+  std::vector<char> stays(region.facets.size());
+  parallel_for(stays.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      stays[i] = approximates(facets_, region.facets[i], region.surface, allowance, region.sagitta) ? 1 : 0;
+  });
   std::vector<int> kept;
-  for (const int f : region.facets) {
-    const bool stays = approximates(facets_, f, region.surface, allowance, region.sagitta);
-    if (stays)
-      kept.push_back(f);
+  for (std::size_t i = 0; i < stays.size(); ++i)
+    if (stays[i] != 0)
+      kept.push_back(region.facets[i]);
     else
-      stamp_[f] = 0;
-  }
+      stamp_[region.facets[i]] = 0;
   const bool dropped = kept.size() < region.facets.size();
   region.facets = std::move(kept);
   if (dropped && !region.facets.empty()) fit_again(region);

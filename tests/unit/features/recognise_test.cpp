@@ -277,18 +277,26 @@ TEST(RecogniseFaces, FreeFormsAreOneFace) {
   for (int i = 0; i < n; ++i) rim.push_back(grid[n][i]);
   for (int i = n; i > 0; --i) rim.push_back(grid[i][n]);
   for (int i = n; i > 0; --i) rim.push_back(grid[0][i]);
-  std::vector<int> foot;
-  for (const int v : rim) foot.push_back(part.add({part.points[v].x, part.points[v].y, 0}));
-  for (std::size_t i = 0; i < rim.size(); ++i) {
-    const std::size_t j = (i + 1) % rim.size();
-    part.faces.push_back({foot[i], foot[j], rim[j], rim[i]});
-  }
-  part.faces.push_back({foot.rbegin(), foot.rend()});
+  close_below(part, rim, 0);
   const features::PartFaces faces = recognise(part);
   EXPECT_EQ(count(faces, features::SurfaceKind::free_form), 1);
   EXPECT_EQ(count(faces, features::SurfaceKind::plane), 5);
   EXPECT_EQ(faces.faces.size(), 6U);
   EXPECT_EQ(count(faces, features::BorderKind::sharp), 12);
+}
+
+TEST(RecogniseFaces, TrianglesThatTiltAlongTheBorderOfAFreeForm) {
+  Part part = coarsely_bordered([](double x, double y) { return 0.1 * x * x - 0.07 * y * y + 0.01 * x * x * x; });
+  // 7 vertices in the first row, 13 in each of the others.
+  std::vector<int> rim{0, 1, 2, 3, 4, 5, 6, 19, 32, 45};
+  for (int v = 58; v >= 46; --v) rim.push_back(v);
+  for (const int v : {33, 20, 7}) rim.push_back(v);
+  close_below(part, rim, -1);
+  const features::PartFaces faces = recognise(part);
+  EXPECT_EQ(faces.faces.size(), 6U);
+  EXPECT_EQ(count(faces, features::SurfaceKind::free_form), 1);
+  EXPECT_EQ(count(faces, features::BorderKind::sharp), 12);
+  EXPECT_EQ(faces.borders.size(), 12U);
 }
 
 // Between outlines of equally many points, with caps.
