@@ -74,9 +74,6 @@ struct ViewDrawing {
   Vec2 min{0, 0}, max{0, 0};  ///< box of the ink
   double contours_moved = 0;  ///< mm; so far at most contours of curved faces are drawn from edges of the mesh
   double joined_within = 0;   ///< mm; where a line is left out, another one that is as strong lies no farther away
-
-  /// mm; so near to where the mesh asks for a line there is ink.
-  [[nodiscard]] double reach_of_ink() const { return joined_within + 2 * contours_moved; }
 };
 
 }  // namespace epura::drawing

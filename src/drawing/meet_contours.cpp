@@ -33,9 +33,8 @@ class Meeting {
     for (std::size_t i = 0; i < pieces.size(); ++i)
       if (pieces[i].visible && is_moved(edge_of(pieces[i])))
         contours_.push_back({i, {in_mesh(pieces[i], 0), in_mesh(pieces[i], 1)}, {pieces[i].from, pieces[i].to}});
-    std::stable_sort(contours_.begin(), contours_.end(), [](const MovedContour& a, const MovedContour& b) {
-      return a.in_mesh[0].x < b.in_mesh[0].x;
-    });
+    std::stable_sort(contours_.begin(), contours_.end(),
+                     [](const MovedContour& a, const MovedContour& b) { return a.in_mesh[0].x < b.in_mesh[0].x; });
     tree_ = search::BoundsTree<2>(contours_.size(), [&](std::size_t i) { return box_of(contours_[i]); });
   }
 
@@ -49,8 +48,8 @@ class Meeting {
     const bool moved = is_moved(edge_of(piece));
     std::optional<Vec2> met;
     bool ends_there = false;
-    const search::Bounds<2> wanted{{{place.x - tolerance_, place.x + tolerance_},
-                                    {place.y - tolerance_, place.y + tolerance_}}};
+    const search::Bounds<2> wanted{
+        {{place.x - tolerance_, place.x + tolerance_}, {place.y - tolerance_, place.y + tolerance_}}};
     tree_.visit(wanted, [&](std::size_t i) {
       const MovedContour& contour = contours_[i];
       if (pieces_[contour.piece].edge == piece.edge || ends_there) return true;
@@ -102,8 +101,7 @@ class Meeting {
   }
 
   // Where the line of a piece crosses a contour as it is drawn, within a distance from its end.
-  static std::optional<Vec2> crossing(const Piece& piece, const MovedContour& contour, const Vec2& end,
-                                      double within) {
+  static std::optional<Vec2> crossing(const Piece& piece, const MovedContour& contour, const Vec2& end, double within) {
     const Vec2 along = piece.to - piece.from, across = contour.drawn[1] - contour.drawn[0];
     const double area = along.x * across.y - along.y * across.x;
     if (area == 0) return std::nullopt;

@@ -25,8 +25,8 @@ struct FeatureEdge {
   std::array<double, 2> t;    ///< 3D parameters of the ends along the edge it comes from (Mesh::origin_of)
   EdgeKind kind;
   int model;
-  int mesh_edge;  ///< in its model; -1 for an intersection line
-  int crossing;   ///< of an intersection line, in FeatureEdges::crossings; otherwise -1
+  int mesh_edge;                     ///< in its model; -1 for an intersection line
+  int crossing;                      ///< of an intersection line, in FeatureEdges::crossings; otherwise -1
   std::array<int, 2> shown{-1, -1};  ///< vertices of the view where its ends are drawn; -1: where they are
 };
 

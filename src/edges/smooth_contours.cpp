@@ -108,9 +108,9 @@ class ModelContours {
   // Over its longest side.
   [[nodiscard]] double height_of(int triangle) const {
     const auto [a, b, c] = mesh_.triangle(triangle);
-    const double longest = std::max({glm::distance(mesh_.point(a), mesh_.point(b)),
-                                     glm::distance(mesh_.point(b), mesh_.point(c)),
-                                     glm::distance(mesh_.point(c), mesh_.point(a))});
+    const double longest =
+        std::max({glm::distance(mesh_.point(a), mesh_.point(b)), glm::distance(mesh_.point(b), mesh_.point(c)),
+                  glm::distance(mesh_.point(c), mesh_.point(a))});
     return longest > 0 ? glm::length(normal_of(triangle)) / longest : 0;
   }
 
@@ -179,10 +179,19 @@ class MovedEnds {
     for (std::size_t i = 0; i < vertices.size(); ++i)
       if (places[i] && !std::binary_search(fixed.begin(), fixed.end(), vertices[i]))
         shown[i] = add(Vec3(placed.to_world * Vec4(*places[i], 1)));
-    for (const int e : edges) {
-      FeatureEdge& edge = drawn_.edges[e];
-      for (std::size_t end = 0; end < 2; ++end) edge.shown[end] = shown[number(edge.vertex[end])];
-      drawn_.moved = std::max(drawn_.moved, distance_moved(edge));
+    const Groups<int> edges_at(vertices.size(), [&](const auto& visit) {
+      for (const int e : edges)
+        for (const int v : drawn_.edges[e].vertex) visit(number(v), e);
+    });
+    for (const int e : edges)
+      for (std::size_t end = 0; end < 2; ++end) drawn_.edges[e].shown[end] = shown[number(drawn_.edges[e].vertex[end])];
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      if (shown[i] < 0) continue;
+      std::vector<int> around;
+      for (const int e : edges_at[i])
+        for (const int v : drawn_.edges[e].vertex)
+          around.insert(around.end(), edges_at[number(v)].begin(), edges_at[number(v)].end());
+      drawn_.moved = std::max(drawn_.moved, distance_moved(vertices[i], shown[i], around));
     }
   }
 
@@ -226,19 +235,20 @@ class MovedEnds {
     return mapped.w > 0 ? view::add_mapped_point(view_, mapped) : -1;
   }
 
-  // The farthest that a place on the edge lies from the line drawn for it, or a place on that from the edge: distances
-  // from a line are greatest at ends.
-  [[nodiscard]] double distance_moved(const FeatureEdge& edge) const {
-    std::array<Vec2, 2> in_mesh{}, drawn{};
-    for (std::size_t end = 0; end < 2; ++end) {
-      in_mesh[end] = on_page(edge.vertex[end]);
-      drawn[end] = edge.shown[end] < 0 ? in_mesh[end] : on_page(edge.shown[end]);
+  // How far a vertex lies from the contours drawn around it, or its drawn place from those of the mesh.
+  [[nodiscard]] double distance_moved(int vertex, int shown, const std::vector<int>& around) const {
+    double from_drawn = HUGE_VAL, from_mesh = HUGE_VAL;
+    for (const int e : around) {
+      const FeatureEdge& edge = drawn_.edges[e];
+      std::array<Vec2, 2> in_mesh{}, drawn{};
+      for (std::size_t end = 0; end < 2; ++end) {
+        in_mesh[end] = on_page(edge.vertex[end]);
+        drawn[end] = edge.shown[end] < 0 ? in_mesh[end] : on_page(edge.shown[end]);
+      }
+      from_drawn = std::min(from_drawn, distance_to_line(on_page(vertex), drawn[0], drawn[1]));
+      from_mesh = std::min(from_mesh, distance_to_line(on_page(shown), in_mesh[0], in_mesh[1]));
     }
-    double farthest = 0;
-    for (std::size_t end = 0; end < 2; ++end)
-      farthest = std::max({farthest, distance_to_line(in_mesh[end], drawn[0], drawn[1]),
-                           distance_to_line(drawn[end], in_mesh[0], in_mesh[1])});
-    return farthest;
+    return std::max(from_drawn, from_mesh);
   }
 
   const scene::World& world_;

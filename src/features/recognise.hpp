@@ -41,8 +41,8 @@ struct PartFaces {
   std::vector<int> face_of_triangle;  ///< -1 where nothing was recognised
   std::vector<PartBorder> borders;
   std::vector<int> border_of_edge;  ///< of the mesh; -1 inside a face
-  double tolerance = 0;   ///< distance up to which vertices were taken to lie on surfaces
-  double recognised = 0;  ///< share of the area that lies on planes, cylinders, cones, spheres and tori
+  double tolerance = 0;             ///< distance up to which vertices were taken to lie on surfaces
+  double recognised = 0;            ///< share of the area that lies on planes, cylinders, cones, spheres and tori
 };
 
 struct RecogniseOptions {

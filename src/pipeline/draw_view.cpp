@@ -158,9 +158,13 @@ class ViewRun {
   void hide();
   visibility::HiddenSpans hidden_in_time();
   bool keep_longest(const std::string& stage);
+  drawing::ViewDrawing drawn_on(const view::PaperMap& paper, const edges::FeatureEdges& edges,
+                                const Progress& progress) const;
   DrawnLines draw_lines(const view::PaperMap& paper);
   std::optional<report::Verification> verified(const drawing::ViewDrawing& drawing, const view::PaperMap& paper,
-                                               Progress progress) const;
+                                               const Progress& progress) const;
+  report::Verification verified(const edges::FeatureEdges& edges, const drawing::ViewDrawing& drawing,
+                                const view::PaperMap& paper, const Progress& progress) const;
 
   const ViewInput& input_;
   const ViewOptions& options_;
@@ -270,13 +274,18 @@ void ViewRun::hide() {
   plan_.push_back(std::move(step));
 }
 
+drawing::ViewDrawing ViewRun::drawn_on(const view::PaperMap& paper, const edges::FeatureEdges& edges,
+                                       const Progress& progress) const {
+  const drawing::DrawingOptions options{options_.name, options_.keep_hidden(), options_.leave_out.hidden,
+                                        near_lines(options_)};
+  return drawing::make_drawing({input_.world, view_, edges, hidden_}, paper, options, progress);
+}
+
 // Where there is no time for all lines, of the longest edges.
 DrawnLines ViewRun::draw_lines(const view::PaperMap& paper) {
   const auto make = [&](const Progress& progress) {
     DrawnLines lines;
-    const drawing::DrawingOptions options{options_.name, options_.keep_hidden(), options_.leave_out.hidden,
-                                          near_lines(options_)};
-    lines.drawing = drawing::make_drawing({input_.world, view_, drawn_, hidden_}, paper, options, progress);
+    lines.drawing = drawn_on(paper, drawn_, progress);
     if (options_.arcs) lines.curves = drawing::find_curves(lines.drawing.chains, *options_.arcs, progress);
     return lines;
   };
@@ -289,12 +298,23 @@ DrawnLines ViewRun::draw_lines(const view::PaperMap& paper) {
 }
 
 std::optional<report::Verification> ViewRun::verified(const drawing::ViewDrawing& drawing, const view::PaperMap& paper,
-                                                      Progress progress) const {
+                                                      const Progress& progress) const {
   if (!options_.verify) return std::nullopt;
+  if (!(drawn_.moved > 0)) return verified(drawn_, drawing, paper, progress);
+  // Contours that are drawn where the surface has them are judged where the mesh has them.
+  edges::FeatureEdges in_mesh = drawn_;
+  in_mesh.moved = 0;
+  for (edges::FeatureEdge& edge : in_mesh.edges) edge.shown = {-1, -1};
+  return verified(in_mesh, drawn_on(paper, in_mesh, progress), paper, progress);
+}
+
+report::Verification ViewRun::verified(const edges::FeatureEdges& edges, const drawing::ViewDrawing& drawing,
+                                       const view::PaperMap& paper, const Progress& until) const {
+  Progress progress = until;
   progress.begin("verifying");
   const bool keep_hidden = options_.keep_hidden(), complete = partial_.stages.empty();
   const verify::Tolerance tolerance{view_.extent * paper.scale, view_.contact.touching * paper.scale};
-  const verify::VerifyInput input{input_.world, view_.projection, options_.limits, drawn_, hidden_, drawing};
+  const verify::VerifyInput input{input_.world, view_.projection, options_.limits, edges, hidden_, drawing};
   report::Verification found = verify::verify(input, tolerance, *options_.verify, keep_hidden, progress);
   // A window that is given cuts lines off; otherwise it is the box of what is seen, and lines lie on its border.
   const double margin = view_.window_given ? 0 : 0.01 * view_.extent;
