@@ -334,13 +334,12 @@ TEST(CutWorld, RoundingDoesNotMoveVerticesOffThePlane) {
   EXPECT_NEAR(cut_area(world, half), 2 * polygon_area(32, 3), 1e-11);
 }
 
-TEST(CutWorld, OpenSurfacesAreReportedAndNotFilled) {
+TEST(CutWorld, OpenOutlinesAreReportedAndNotFilled) {
   const scene::World strip = world_of(moebius(24));
   const scene::CutWorld cut_strip = cut(strip, {0, 0, 0}, {0, 1, 0});
   EXPECT_TRUE(cut_strip.faces.empty());
   ASSERT_EQ(cut_strip.open.size(), 1U);
-  EXPECT_TRUE(cut_strip.open[0].in_outline);
-  EXPECT_NEAR(cut_strip.open[0].gap.y, 0, 1e-15);
+  EXPECT_NEAR(cut_strip.open[0].end.y, 0, 1e-15);
   EXPECT_GT(outline_length(cut_strip), 0.5);
 
   Shape open = box({0, 0, 0}, {2, 2, 2});
@@ -351,12 +350,18 @@ TEST(CutWorld, OpenSurfacesAreReportedAndNotFilled) {
   const scene::World world = world_of({open, box({4, 0, 0}, {5, 2, 2})});
   for (const Vec3& normal : {Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(0, 0, -1)}) {
     const scene::CutWorld half = cut(world, {1, 1, 1}, normal);
+    EXPECT_TRUE(half.bridged.empty());
+    if (normal.y == 0) {  // the lid is elsewhere
+      EXPECT_TRUE(half.open.empty());
+      EXPECT_DOUBLE_EQ(cut_area(world, half), 4 + 2);
+      continue;
+    }
     ASSERT_EQ(half.open.size(), 1U);
     EXPECT_EQ(half.open[0].model, 0);
-    EXPECT_EQ(half.open[0].in_outline, normal.y != 0);
-    EXPECT_NEAR(half.open[0].gap.z, 2, 1e-15);
+    EXPECT_NEAR(half.open[0].end.z, 2, 1e-15);
     ASSERT_EQ(half.faces.size(), 1U);
     EXPECT_EQ(half.faces[0].model, 1);
+    EXPECT_DOUBLE_EQ(outline_length(half), 2 * 3 + 2 * (1 + 2));
   }
 }
 
