@@ -141,24 +141,27 @@ bool contradict(const Piece& loose, const Piece& closed) {
   return product < 0 || (product == 0 && loose.body == closed.body);
 }
 
-// Closed pieces that one loose piece casts doubt on.
+// Closed pieces that one loose piece casts doubt on: what it may be a hole of, or, where it is none, what it may have
+// for a hole.
 void doubt(const Piece& loose, std::span<const Piece> closed, std::vector<char>& doubted) {
   std::map<int, std::vector<std::size_t>> around;  // pieces around it, by body
   for (std::size_t c = 0; c < closed.size(); ++c) {
-    if (loose.unsure) {
-      if (loose.body == closed[c].body) doubted[c] = 1;
-      continue;
-    }
-    if (contradict(loose, closed[c]) && loose.holds(closed[c].sample)) doubted[c] = 1;
-    if (closed[c].holds(loose.sample)) around[closed[c].body].push_back(c);
+    if (loose.unsure && loose.body == closed[c].body) doubted[c] = 1;
+    if (!loose.unsure && closed[c].holds(loose.sample)) around[closed[c].body].push_back(c);
   }
+  bool is_hole = false;
   for (const auto& [body, pieces] : around) {
     if (pieces.size() % 2 == 0) continue;  // it lies in a hole
     const std::size_t outermost = *std::max_element(pieces.begin(), pieces.end(), [&](std::size_t a, std::size_t b) {
       return closed[a].around < closed[b].around;
     });
-    if (contradict(loose, closed[outermost])) doubted[outermost] = 1;
+    if (!contradict(loose, closed[outermost])) continue;
+    doubted[outermost] = 1;
+    is_hole = true;
   }
+  if (loose.unsure || is_hole) return;
+  for (std::size_t c = 0; c < closed.size(); ++c)
+    if (contradict(loose, closed[c]) && loose.holds(closed[c].sample)) doubted[c] = 1;
 }
 
 }  // namespace
