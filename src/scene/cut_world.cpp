@@ -18,6 +18,8 @@ namespace epura::scene {
 
 namespace {
 
+constexpr double least_gap = 0x1p-44;  // of the world's size: narrower ones are roundings of the cut, and not told
+
 /// One model on its way through the plane.
 struct ModelCut {
   const World& world;
@@ -77,9 +79,11 @@ GapLimits ModelCut::gap_limits() const {
 
 void ModelCut::tell_outlines_apart() {
   const GapLimits limits = gap_limits();
+  const double nothing = std::max(limits.rounding, least_gap);
   std::vector<CutSegment> closed;
   visit_bodies(cut.segments, [&](int body, std::span<const CutSegment> segments) {
-    const ToldApart apart = tell_apart(segments, places(), frame, limits);
+    ToldApart apart = tell_apart(segments, places(), frame, limits);
+    std::erase_if(apart.bridges, [&](const Bridge& bridge) { return bridge.width <= nothing; });
     closed.insert(closed.end(), apart.closed.begin(), apart.closed.end());
     loose.insert(loose.end(), apart.loose.begin(), apart.loose.end());
     if (!apart.bridges.empty()) say_bridged(body, apart.bridges);
