@@ -129,7 +129,7 @@ void note_triangles_without_area(Mesh& mesh) {
 void number_bodies(Mesh& mesh, const Soup& soup, const EdgeTable& table) {
   const bool named = soup.body_names.size() > 1;
   if (!named) {
-    mesh.body = connected_parts(mesh.polygon.size(), table);
+    mesh.body = connected_parts(mesh, table);
   } else {
     for (const int face : mesh.polygon) mesh.body.push_back(soup.face_body[face]);
     for (const int body : renumber_labels(mesh.body)) mesh.body_names.push_back(soup.body_names[body]);

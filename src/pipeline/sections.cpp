@@ -15,21 +15,37 @@ std::string format_point(const Vec3& p) {
   return format_rounded(p.x, 6) + "," + format_rounded(p.y, 6) + "," + format_rounded(p.z, 6);
 }
 
-// A body that should have been hatched must not look like one that is hollow.
-void warn_about(const Messages& messages, const CutSection& section, const scene::OpenBody& open) {
-  const mesh::Mesh& mesh = *section.cut.world.models[open.model].mesh;
-  const std::string body = mesh.report.bodies > 1 ? ": body " + std::to_string(open.body) : "";
-  messages.warn(mesh.report.name + body + " is not closed, so its cut by section " + section.plane.name +
-                " is not hatched; " + (open.in_outline ? "the outline is" : "its surface is") + " open at " +
-                format_point(open.gap));
+std::string name_of(const CutSection& section, int model, int body) {
+  const mesh::Mesh& mesh = *section.cut.world.models[model].mesh;
+  return mesh.report.name + (mesh.report.bodies > 1 ? ": body " + std::to_string(body) : "");
+}
+
+// What should have been hatched must not look as if it were hollow.
+void warn_about(const Messages& messages, const CutSection& section, const scene::OpenOutline& open) {
+  messages.warn(name_of(section, open.model, open.body) + " has an outline in section " + section.plane.name +
+                " that is open at " + format_point(open.end) + "; what it would bound is not hatched");
+}
+
+void warn_about(const Messages& messages, const CutSection& section, const scene::BridgedGaps& gaps) {
+  const std::string where = " wide at " + format_point(gaps.place);
+  messages.warn(name_of(section, gaps.model, gaps.body) + " has " +
+                (gaps.count == 1 ? "a gap " + format_rounded(gaps.widest, 6) + where
+                                 : std::to_string(gaps.count) + " gaps, the widest " + format_rounded(gaps.widest, 6) +
+                                       where + ",") +
+                " in its outline in section " + section.plane.name + "; hatched across");
+}
+
+template <class Found>
+void warn_about_some(const Messages& messages, const CutSection& section, const std::vector<Found>& found,
+                     const std::string& rest) {
+  const std::size_t named = std::min(most_named, found.size());
+  for (std::size_t i = 0; i < named; ++i) warn_about(messages, section, found[i]);
+  if (named < found.size()) messages.warn("... and " + std::to_string(found.size() - named) + rest);
 }
 
 void warn_about(const Messages& messages, const CutSection& section) {
-  const std::vector<scene::OpenBody>& open = section.cut.open;
-  const std::size_t named = std::min(most_named, open.size());
-  for (std::size_t i = 0; i < named; ++i) warn_about(messages, section, open[i]);
-  if (named < open.size())
-    messages.warn("... and " + std::to_string(open.size() - named) + " more bodies are not closed and not hatched");
+  warn_about_some(messages, section, section.cut.open, " more bodies have open outlines");
+  warn_about_some(messages, section, section.cut.bridged, " more bodies have gaps in outlines, hatched across");
 }
 
 }  // namespace

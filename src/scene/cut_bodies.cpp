@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 
+#include "scene/cut_doubts.hpp"
+
 namespace epura::scene {
 
 namespace {
@@ -13,16 +15,23 @@ int body_count(const mesh::Mesh& mesh) {
   return mesh.body.empty() ? 0 : *std::max_element(mesh.body.begin(), mesh.body.end()) + 1;
 }
 
-// Whether each body's surface is inside out: its volume by the divergence theorem is negative.
-std::vector<bool> inside_out(const World& world, int model, int bodies, const PlaneFrame& frame) {
-  const mesh::Mesh& mesh = *world.models[model].mesh;
-  std::vector<double> volume(static_cast<std::size_t>(bodies), 0);
+// Whether each body's surface is inside out: its volume by the divergence theorem is negative. What is not closed has
+// no volume, but the area that its closed outlines bound has a sign.
+std::vector<bool> inside_out(const CutModel& model, const std::vector<char>& is_open) {
+  const World& world = model.world;
+  const mesh::Mesh& mesh = *world.models[model.model].mesh;
+  std::vector<double> volume(is_open.size(), 0);
   for (std::size_t t = 0; t < mesh.body.size(); ++t) {
+    if (is_open[mesh.body[t]] != 0) continue;
     std::array<Vec3, 3> p;
     for (std::size_t i = 0; i < 3; ++i)
-      p[i] = world.points[world.triangles[world.first_triangle[model] + t][i]] * frame.normalisation - frame.origin;
+      p[i] = world.points[world.triangles[world.first_triangle[model.model] + t][i]] * model.frame.normalisation -
+             model.frame.origin;
     volume[mesh.body[t]] += glm::dot(p[0], glm::cross(p[1], p[2]));
   }
+  visit_bodies(model.cut.segments, [&](int body, std::span<const CutSegment> segments) {
+    if (is_open[body] != 0) volume[body] = directed_area(segments, model.places, model.frame);
+  });
   std::vector<bool> negative;
   for (const double v : volume) negative.push_back(v < 0);
   return negative;
@@ -55,11 +64,9 @@ BodyCut cut_of(mesh::Outlines outlines) {
 std::map<int, BodyCut> cuts_of(const CutModel& model) {
   const auto& [world, number, cut, places, frame] = model;
   std::map<int, BodyCut> cuts;
-  for (std::size_t begin = 0, end = 0; begin < cut.segments.size(); begin = end) {
-    const int body = cut.segments[begin].body;
-    while (end < cut.segments.size() && cut.segments[end].body == body) ++end;
-    cuts[body] = cut_of(flatten(std::span(cut.segments).subspan(begin, end - begin), places, frame).outlines);
-  }
+  visit_bodies(cut.segments, [&cuts, &places = places, &frame = frame](int body, std::span<const CutSegment> segments) {
+    cuts[body] = cut_of(flatten(segments, places, frame).outlines);
+  });
   for (const int t : cut.in_plane) {
     const auto [found, made] = cuts.try_emplace(world.models[number].mesh->body[t]);
     if (!made) continue;
@@ -71,16 +78,15 @@ std::map<int, BodyCut> cuts_of(const CutModel& model) {
 
 }  // namespace
 
-std::vector<int> material_of(const CutModel& model, const std::vector<std::optional<int>>& open) {
+std::vector<int> material_of(const CutModel& model, const std::vector<char>& is_open) {
   const int bodies = body_count(*model.world.models[model.model].mesh);
   std::vector<int> material(static_cast<std::size_t>(bodies));
   for (int b = 0; b < bodies; ++b) material[b] = b;
   if (bodies < 2) return material;
-  const std::vector<bool> negative = inside_out(model.world, model.model, bodies, model.frame);
+  const std::vector<bool> negative = inside_out(model, is_open);
   if (std::adjacent_find(negative.begin(), negative.end(), std::not_equal_to<>()) == negative.end()) return material;
 
-  std::map<int, BodyCut> cuts = cuts_of(model);
-  std::erase_if(cuts, [&](const auto& entry) { return open[entry.first].has_value(); });
+  const std::map<int, BodyCut> cuts = cuts_of(model);
   for (const auto& [body, here] : cuts) {
     std::vector<std::pair<double, int>> around;  // bodies around it, the innermost first
     for (const auto& [other, there] : cuts)
@@ -95,17 +101,17 @@ std::vector<int> material_of(const CutModel& model, const std::vector<std::optio
   return material;
 }
 
-std::vector<std::optional<int>> open_edges(const mesh::Mesh& mesh) {
-  std::vector<std::optional<int>> open(static_cast<std::size_t>(body_count(mesh)));
+std::vector<char> open_bodies(const mesh::Mesh& mesh) {
+  std::vector<char> open(static_cast<std::size_t>(body_count(mesh)), 0);
   std::vector<int> bodies;
-  for (std::size_t e = 0; e < mesh.edges.size(); ++e) {
+  for (const mesh::MeshEdge& edge : mesh.edges) {
     bodies.clear();
-    for (const int t : mesh.triangles_of(mesh.edges[e])) bodies.push_back(mesh.body[t]);
+    for (const int t : mesh.triangles_of(edge)) bodies.push_back(mesh.body[t]);
     if (bodies.size() == 2 && bodies[0] == bodies[1]) continue;
     std::sort(bodies.begin(), bodies.end());
     for (std::size_t begin = 0, end = 0; begin < bodies.size(); begin = end) {
       while (end < bodies.size() && bodies[end] == bodies[begin]) ++end;
-      if ((end - begin) % 2 == 1 && !open[bodies[begin]]) open[bodies[begin]] = static_cast<int>(e);
+      if ((end - begin) % 2 == 1) open[bodies[begin]] = 1;
     }
   }
   return open;

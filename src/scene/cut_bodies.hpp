@@ -19,11 +19,11 @@ struct CutModel {
 };
 
 /// For each body the body to whose material it belongs: itself, or, for a cavity, the one around it. A cavity is a
-/// closed surface of its own inside of another that runs the other way round. Only bodies that the cut meets are
-/// looked at. `open` is what open_edges says.
-std::vector<int> material_of(const CutModel& model, const std::vector<std::optional<int>>& open);
+/// surface of its own inside of another that runs the other way round. Only bodies that the cut meets are looked at, by
+/// their closed outlines. `is_open` is what open_bodies says.
+std::vector<int> material_of(const CutModel& model, const std::vector<char>& is_open);
 
-/// By body: an edge at which an odd number of its triangles meet, if there is one. Then it bounds no volume.
-std::vector<std::optional<int>> open_edges(const mesh::Mesh& mesh);
+/// By body, whether there is an edge at which an odd number of its triangles meet.
+std::vector<char> open_bodies(const mesh::Mesh& mesh);
 
 }  // namespace epura::scene

@@ -53,7 +53,7 @@ class Knife {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const int a = ring[i], b = ring[(i + 1) % ring.size()];
       if (side(a) == 0 && side(b) == 0)
-        result_.segments.push_back({mesh_.body[triangle], {std::min(a, b), std::max(a, b)}});
+        result_.segments.push_back({mesh_.body[triangle], {std::min(a, b), std::max(a, b)}, a > b ? 1 : -1, triangle});
     }
   }
 
@@ -115,7 +115,15 @@ void keep_odd(std::vector<CutSegment>& segments) {
   std::size_t kept = 0;
   for (std::size_t begin = 0, end = 0; begin < segments.size(); begin = end) {
     while (end < segments.size() && segments[end] == segments[begin]) ++end;
-    if ((end - begin) % 2 == 1) segments[kept++] = segments[begin];
+    if ((end - begin) % 2 == 0) continue;
+    CutSegment one = segments[begin];
+    int sense = 0;
+    for (std::size_t i = begin; i < end; ++i) {
+      sense += segments[i].sense;
+      one.triangle = std::min(one.triangle, segments[i].triangle);
+    }
+    one.sense = std::clamp(sense, -1, 1);
+    segments[kept++] = one;
   }
   segments.resize(kept);
 }

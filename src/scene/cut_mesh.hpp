@@ -25,8 +25,14 @@ Sides find_sides(const World& world, const CuttingPlane& plane);
 struct CutSegment {
   int body;
   std::array<int, 2> vertex;
+  int sense = 0;  ///< 1: seen from in front of the plane, material is left of it, going to the higher vertex; -1: right
+  int triangle = -1;  ///< of the uncut mesh, that was cut there
 
-  auto operator<=>(const CutSegment&) const = default;
+  /// By what is cut where.
+  auto operator<=>(const CutSegment& other) const {
+    return body != other.body ? body <=> other.body : vertex <=> other.vertex;
+  }
+  bool operator==(const CutSegment& other) const { return body == other.body && vertex == other.vertex; }
 };
 
 /// Vertices are numbers of the model: those of its file, then new ones.

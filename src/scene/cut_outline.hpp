@@ -37,6 +37,15 @@ struct CutPlaces {
   }
 };
 
+/// Calls `visit(body, segments)` for the segments of each body; they are sorted.
+template <class Visit>
+void visit_bodies(std::span<const CutSegment> segments, const Visit& visit) {
+  for (std::size_t begin = 0, end = 0; begin < segments.size(); begin = end) {
+    while (end < segments.size() && segments[end].body == segments[begin].body) ++end;
+    visit(segments[begin].body, segments.subspan(begin, end - begin));
+  }
+}
+
 /// Segments with the places of their vertices in the plane.
 struct FlatOutlines {
   std::vector<int> vertices;  ///< of each place

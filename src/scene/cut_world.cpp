@@ -9,12 +9,16 @@
 #include "base/error.hpp"
 #include "mesh/edge_table.hpp"
 #include "scene/cut_bodies.hpp"
+#include "scene/cut_doubts.hpp"
+#include "scene/cut_gaps.hpp"
 #include "scene/cut_mesh.hpp"
 #include "scene/cut_outline.hpp"
 
 namespace epura::scene {
 
 namespace {
+
+constexpr double least_gap = 0x1p-44;  // of the world's size: narrower ones are roundings of the cut, and not told
 
 /// One model on its way through the plane.
 struct ModelCut {
@@ -24,7 +28,9 @@ struct ModelCut {
   CutMesh cut;
   std::size_t of_surface = 0;  ///< triangles before those of cut faces
   std::vector<WorldCutFace> faces{};
-  std::vector<OpenBody> open{};
+  std::vector<CutSegment> loose{};  ///< of outlines that are not closed, or that bound nothing for certain
+  std::vector<OpenOutline> open{};
+  std::vector<BridgedGaps> bridged{};
 
   [[nodiscard]] const mesh::Mesh& mesh() const { return *world.models[model].mesh; }
   [[nodiscard]] int file_vertices() const { return world.first_vertex[model + 1] - world.first_vertex[model]; }
@@ -33,46 +39,83 @@ struct ModelCut {
     return {{world.points.data() + first, static_cast<std::size_t>(file_vertices())}, cut.points};
   }
 
-  /// Calls `visit(body, segments)` for the segments of each body.
-  template <class Visit>
-  void visit_bodies(const Visit& visit) const {
-    const std::span<const CutSegment> all(cut.segments);
-    for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
-      while (end < all.size() && all[end].body == all[begin].body) ++end;
-      visit(all[begin].body, all.subspan(begin, end - begin));
-    }
-  }
-
   void close();
-  void take_faces_in_plane(const std::vector<int>& material, const std::vector<std::optional<int>>& open_edge);
-  void keep_triangle(int triangle, int body);
-  void add_open(int body, std::span<const CutSegment> segments, int open_edge);
+  [[nodiscard]] GapLimits gap_limits() const;
+  void tell_outlines_apart();
+  void say_bridged(int body, const std::vector<Bridge>& bridges);
+  void leave_out_doubtful();
+  void take_faces_in_plane(const std::vector<int>& material, const std::vector<char>& is_open);
+  void keep_triangle(int triangle, int body, std::vector<CutSegment>& segments);
   void add_face(int body, std::span<const CutSegment> segments);
   [[nodiscard]] mesh::Mesh make_mesh() const;
 };
 
 void ModelCut::close() {
-  const std::vector<std::optional<int>> open_edge = open_edges(mesh());
+  const std::vector<char> is_open = open_bodies(mesh());
   keep_odd(cut.segments);
-  const std::vector<int> material = material_of({world, model, cut, places(), frame}, open_edge);
+  tell_outlines_apart();
+  const std::vector<int> material = material_of({world, model, cut, places(), frame}, is_open);
   for (CutSegment& segment : cut.segments) segment.body = material[segment.body];
+  for (CutSegment& segment : loose) segment.body = material[segment.body];
   keep_odd(cut.segments);
-  take_faces_in_plane(material, open_edge);
+  keep_odd(loose);
+  leave_out_doubtful();
+  take_faces_in_plane(material, is_open);
   keep_odd(cut.segments);
   of_surface = cut.triangles.size();
-  visit_bodies([&](int body, std::span<const CutSegment> segments) {
-    if (open_edge[body])
-      add_open(body, segments, *open_edge[body]);
-    else
-      add_face(body, segments);
-  });
+  visit_bodies(cut.segments, [&](int body, std::span<const CutSegment> segments) { add_face(body, segments); });
 }
 
-// Faces in the plane bound what remains where material lies behind them. Of open bodies all stay.
-void ModelCut::take_faces_in_plane(const std::vector<int>& material, const std::vector<std::optional<int>>& open_edge) {
+GapLimits ModelCut::gap_limits() const {
+  const scene::Placed& placed = world.models[model];
+  const Mat3 turn(placed.to_world);
+  const double shortest = std::min({glm::length(turn[0]), glm::length(turn[1]), glm::length(turn[2])});
+  const auto sagitta = [part = placed.part, scale = shortest * frame.normalisation](int triangle) {
+    const int face = part == nullptr || part->faces.empty() ? -1 : part->face_of_triangle[triangle];
+    return face < 0 ? std::nullopt : std::optional(part->faces[face].sagitta * scale);
+  };
+  return {world.rounding * frame.normalisation, sagitta};
+}
+
+void ModelCut::tell_outlines_apart() {
+  const GapLimits limits = gap_limits();
+  const double nothing = std::max(limits.rounding, least_gap);
+  std::vector<CutSegment> closed;
+  visit_bodies(cut.segments, [&](int body, std::span<const CutSegment> segments) {
+    ToldApart apart = tell_apart(segments, places(), frame, limits);
+    std::erase_if(apart.bridges, [&](const Bridge& bridge) { return bridge.width <= nothing; });
+    closed.insert(closed.end(), apart.closed.begin(), apart.closed.end());
+    loose.insert(loose.end(), apart.loose.begin(), apart.loose.end());
+    if (!apart.bridges.empty()) say_bridged(body, apart.bridges);
+    if (!apart.ends.empty()) open.push_back({model, body, places()[apart.ends.front()]});
+  });
+  cut.segments = std::move(closed);
+}
+
+void ModelCut::say_bridged(int body, const std::vector<Bridge>& bridges) {
+  const Bridge& widest = *std::max_element(bridges.begin(), bridges.end(),
+                                           [](const Bridge& a, const Bridge& b) { return a.width < b.width; });
+  const auto& [a, b] = widest.vertex;
+  bridged.push_back({model, body, static_cast<int>(bridges.size()), widest.width / frame.normalisation,
+                     places()[a] * 0.5 + places()[b] * 0.5});
+}
+
+void ModelCut::leave_out_doubtful() {
+  const std::vector<char> doubted = doubtful(cut.segments, loose, places(), frame);
+  std::vector<CutSegment> certain;
+  for (std::size_t s = 0; s < doubted.size(); ++s) (doubted[s] != 0 ? loose : certain).push_back(cut.segments[s]);
+  cut.segments = std::move(certain);
+}
+
+// Faces in the plane bound what remains where material lies behind them. Where that is not known, all stay.
+void ModelCut::take_faces_in_plane(const std::vector<int>& material, const std::vector<char>& is_open) {
   std::vector<std::vector<int>> by_body(material.size());
   for (const int t : cut.in_plane) by_body[material[mesh().body[t]]].push_back(t);
-  std::vector<std::pair<int, int>> kept;  // triangle, body
+  std::vector<char> unknown(material.size(), 0);
+  for (std::size_t b = 0; b < material.size(); ++b)
+    if (is_open[b] != 0) unknown[material[b]] = 1;
+  for (const CutSegment& segment : loose) unknown[segment.body] = 1;
+  std::vector<CutSegment> sides;
   for (int body = 0; body < static_cast<int>(by_body.size()); ++body) {
     std::vector<std::array<int, 3>> triangles;
     for (const int t : by_body[body]) triangles.push_back(mesh().triangle(t));
@@ -81,35 +124,26 @@ void ModelCut::take_faces_in_plane(const std::vector<int>& material, const std::
     const auto first = std::lower_bound(cut.segments.begin(), cut.segments.end(), body, before);
     const auto last = std::lower_bound(first, cut.segments.end(), body + 1, before);
     const std::vector<bool> inside = lie_inside(triangles, {first, last}, places(), frame);
-    for (std::size_t i = 0; i < triangles.size(); ++i)
-      if (inside[i] || open_edge[body]) kept.emplace_back(by_body[body][i], body);
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+      if (inside[i])
+        keep_triangle(by_body[body][i], body, sides);
+      else if (unknown[body] != 0)
+        keep_triangle(by_body[body][i], body, loose);
+    }
   }
-  for (const auto& [triangle, body] : kept) keep_triangle(triangle, body);
+  cut.segments.insert(cut.segments.end(), sides.begin(), sides.end());
+  keep_odd(loose);
 }
 
-void ModelCut::keep_triangle(int triangle, int body) {
+void ModelCut::keep_triangle(int triangle, int body, std::vector<CutSegment>& segments) {
   const std::array<int, 3> corners = mesh().triangle(triangle);
   cut.triangles.push_back(corners);
   cut.polygon.push_back(mesh().polygon[triangle]);
   cut.body.push_back(mesh().body[triangle]);
   for (std::size_t i = 0; i < 3; ++i) {
     const auto [low, high] = std::minmax(corners[i], corners[(i + 1) % 3]);
-    cut.segments.push_back({body, {low, high}});
+    segments.push_back({body, {low, high}});
   }
-}
-
-void ModelCut::add_open(int body, std::span<const CutSegment> segments, int open_edge) {
-  std::vector<int> ends;
-  for (const CutSegment& segment : segments) ends.insert(ends.end(), segment.vertex.begin(), segment.vertex.end());
-  std::sort(ends.begin(), ends.end());
-  for (std::size_t begin = 0, end = 0; begin < ends.size(); begin = end) {
-    while (end < ends.size() && ends[end] == ends[begin]) ++end;
-    if ((end - begin) % 2 == 0) continue;
-    open.push_back({model, body, places()[ends[begin]], true});
-    return;
-  }
-  const auto& [a, b] = mesh().edges[open_edge].vertex;
-  open.push_back({model, body, places()[a] * 0.5 + places()[b] * 0.5, false});
 }
 
 void ModelCut::add_face(int body, std::span<const CutSegment> segments) {
@@ -155,6 +189,7 @@ mesh::Mesh ModelCut::make_mesh() const {
 
   std::vector<std::array<int, 2>> outline;
   for (const CutSegment& segment : cut.segments) outline.push_back(segment.vertex);
+  for (const CutSegment& segment : loose) outline.push_back(segment.vertex);
   std::sort(outline.begin(), outline.end());
   for (mesh::MeshEdge& edge : cut_away.edges) {
     // Triangles of cut faces come last.
@@ -211,7 +246,8 @@ CutWorld cut_world(const World& world, const CuttingPlane& plane, const Progress
       result.faces.push_back(std::move(face));
     }
     result.open.insert(result.open.end(), cut.open.begin(), cut.open.end());
-    cuts = cuts || !cut.cut.segments.empty();
+    result.bridged.insert(result.bridged.end(), cut.bridged.begin(), cut.bridged.end());
+    cuts = cuts || !cut.cut.segments.empty() || !cut.loose.empty();
     append(result.world, cut);
   }
   if (result.world.triangles.empty()) refuse(plane, "the cutting plane takes everything away");

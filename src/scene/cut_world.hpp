@@ -22,19 +22,29 @@ struct WorldCutFace {
   std::vector<std::vector<int>> rings;  ///< outlines by vertices of the cut world, even-odd
 };
 
-/// A body that has a cut but no cut face, because its surface is not closed.
-struct OpenBody {
+/// A body whose cut has an outline that is not closed. What that would bound has no cut face; what other outlines of
+/// the body bound has one.
+struct OpenOutline {
   int model, body;
-  Vec3 gap;         ///< a place where its surface ends or branches
-  bool in_outline;  ///< where the plane cuts it
+  Vec3 end;  ///< a place where it ends or branches
+};
+
+/// Gaps in outlines of a body that are narrower than what tessellation and rounding leave: its cut faces reach over
+/// them.
+struct BridgedGaps {
+  int model, body;
+  int count;
+  double widest;  ///< in the world
+  Vec3 place;     ///< of the widest
 };
 
 struct CutWorld {
   /// Vertices of the files keep their numbers, those that the plane makes follow them; so do triangles of cut faces and
   /// their polygons. Its box is still that of the whole.
   World world;
-  std::vector<WorldCutFace> faces;  ///< in order of model and body
-  std::vector<OpenBody> open;       ///< likewise
+  std::vector<WorldCutFace> faces;   ///< in order of model and body
+  std::vector<OpenOutline> open;     ///< likewise
+  std::vector<BridgedGaps> bridged;  ///< likewise
 };
 
 /// Throws Error{input} when the plane cuts no body, or leaves nothing; and OutOfTime.

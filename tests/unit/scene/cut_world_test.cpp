@@ -8,8 +8,10 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 #include <random>
+#include <tuple>
 
 #include "errors.hpp"
+#include "features/recognise.hpp"
 #include "scene/transform.hpp"
 #include "shapes.hpp"
 
@@ -334,13 +336,12 @@ TEST(CutWorld, RoundingDoesNotMoveVerticesOffThePlane) {
   EXPECT_NEAR(cut_area(world, half), 2 * polygon_area(32, 3), 1e-11);
 }
 
-TEST(CutWorld, OpenSurfacesAreReportedAndNotFilled) {
+TEST(CutWorld, OpenOutlinesAreReportedAndNotFilled) {
   const scene::World strip = world_of(moebius(24));
   const scene::CutWorld cut_strip = cut(strip, {0, 0, 0}, {0, 1, 0});
   EXPECT_TRUE(cut_strip.faces.empty());
   ASSERT_EQ(cut_strip.open.size(), 1U);
-  EXPECT_TRUE(cut_strip.open[0].in_outline);
-  EXPECT_NEAR(cut_strip.open[0].gap.y, 0, 1e-15);
+  EXPECT_NEAR(cut_strip.open[0].end.y, 0, 1e-15);
   EXPECT_GT(outline_length(cut_strip), 0.5);
 
   Shape open = box({0, 0, 0}, {2, 2, 2});
@@ -351,13 +352,175 @@ TEST(CutWorld, OpenSurfacesAreReportedAndNotFilled) {
   const scene::World world = world_of({open, box({4, 0, 0}, {5, 2, 2})});
   for (const Vec3& normal : {Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(0, 0, -1)}) {
     const scene::CutWorld half = cut(world, {1, 1, 1}, normal);
+    EXPECT_TRUE(half.bridged.empty());
+    if (normal.y == 0) {  // the lid is elsewhere
+      EXPECT_TRUE(half.open.empty());
+      EXPECT_DOUBLE_EQ(cut_area(world, half), 4 + 2);
+      continue;
+    }
     ASSERT_EQ(half.open.size(), 1U);
     EXPECT_EQ(half.open[0].model, 0);
-    EXPECT_EQ(half.open[0].in_outline, normal.y != 0);
-    EXPECT_NEAR(half.open[0].gap.z, 2, 1e-15);
+    EXPECT_NEAR(half.open[0].end.z, 2, 1e-15);
     ASSERT_EQ(half.faces.size(), 1U);
     EXPECT_EQ(half.faces[0].model, 1);
+    EXPECT_DOUBLE_EQ(outline_length(half), 2 * 3 + 2 * (1 + 2));
   }
+}
+
+// Without the faces whose vertices all satisfy a condition.
+template <class Condition>
+Shape without(Shape shape, const Condition& condition) {
+  const std::size_t before = shape.faces.size();
+  std::erase_if(shape.faces, [&](const auto& face) {
+    return std::all_of(face.begin(), face.end(), [&](int v) { return condition(shape.points[v]); });
+  });
+  EXPECT_LT(shape.faces.size(), before);
+  return shape;
+}
+
+TEST(CutWorld, BodiesThatShareAnEdgeAreCutEachByItself) {
+  Shape cubes = joined(box({0, 0, 0}, {1, 1, 1}), box({1, 1, 0}, {2, 2, 1}));
+  for (auto& face : cubes.faces)
+    for (int& v : face)
+      v = static_cast<int>(std::find(cubes.points.begin(), cubes.points.end(), cubes.points[v]) - cubes.points.begin());
+  const scene::World world = world_of(cubes);
+  const scene::CutWorld half = cut(world, {0, 0, 0.5}, {0, 0, 1});
+  ASSERT_EQ(half.faces.size(), 2U);
+  for (const scene::WorldCutFace& face : half.faces) {
+    ASSERT_EQ(face.rings.size(), 1U);
+    EXPECT_DOUBLE_EQ(ring_area(half.world, face.rings[0]), 1);
+  }
+}
+
+TEST(CutWorld, ACrackElsewhereDoesNotMatter) {
+  // A fork whose left prong has no outer wall: open where that is cut, closed through its base.
+  const Shape fork = without(prism({{0, 0}, {3, 0}, {3, 1}, {3, 5}, {2, 5}, {2, 1}, {1, 1}, {1, 5}, {0, 5}, {0, 1}}, 2),
+                             [](const Point& p) { return p[0] == 0 && p[2] >= 1; });
+  const scene::World world = world_of(fork);
+  const scene::CutWorld base = cut(world, {0, 0, 0.5}, {0, 0, 1});
+  EXPECT_TRUE(base.open.empty());
+  EXPECT_TRUE(base.bridged.empty());
+  EXPECT_DOUBLE_EQ(cut_area(world, base), 6);
+  for (const double sign : {1.0, -1.0}) {
+    const scene::CutWorld prongs = cut(world, {0, 0, 3}, {0, 0, sign});
+    ASSERT_EQ(prongs.open.size(), 1U);
+    EXPECT_EQ(prongs.open[0].end.x, 0);
+    EXPECT_EQ(prongs.open[0].end.z, 3);
+    EXPECT_DOUBLE_EQ(cut_area(world, prongs), 2);  // of the right one
+    EXPECT_DOUBLE_EQ(outline_length(prongs), 6 + 4);
+  }
+}
+
+TEST(CutWorld, ASheetBesideASolidIsLeftOut) {
+  Shape fin = box({0, 0, 0}, {2, 2, 2});
+  const auto number = [&](const Point& p) {
+    return static_cast<int>(std::find(fin.points.begin(), fin.points.end(), p) - fin.points.begin());
+  };
+  fin.points.insert(fin.points.end(), {{4, 0, 0}, {4, 0, 2}});
+  fin.faces.push_back({number({2, 0, 0}), 8, 9, number({2, 0, 2})});
+  const scene::World world = world_of(fin);
+  const scene::CutWorld half = cut(world, {0, 0, 1}, {0, 0, 1});
+  ASSERT_EQ(half.open.size(), 1U);
+  EXPECT_DOUBLE_EQ(cut_area(world, half), 4);
+  EXPECT_DOUBLE_EQ(outline_length(half), 8 + 2);
+}
+
+TEST(CutWorld, WhatAnOpenOutlineMayTurnIntoAHoleIsNotFilled) {
+  constexpr int around = 12;
+  const Shape tube = turned({{2, 0}, {4, 0}, {4, 5}, {2, 5}}, around, true);
+  EXPECT_NEAR(cut_area(world_of(tube), cut(world_of(tube), {0, 0, 1}, {0, 0, 1})),
+              polygon_area(around, 4) - polygon_area(around, 2), 1e-12);
+  const Shape outside = box({-5, -5, 0}, {5, 5, 9}), cavity = inside_out(box({-4, -4, 1}, {4, 4, 8})),
+              ball = box({-1, -1, 4}, {1, 1, 6});
+  const auto at_wall = [](double x) { return [x](const Point& p) { return p[0] == x; }; };
+  const auto holed = [&](int first) {
+    Shape shape = tube;
+    shape.faces.erase(shape.faces.begin() + first);
+    return shape;
+  };
+  for (const bool reversed : {false, true}) {
+    const auto expect_area = [&](const Shape& shape, double expected) {
+      const scene::World world = world_of(reversed ? inside_out(shape) : shape);
+      const scene::CutWorld half = cut(world, {0, 0, 4.5}, {0, 0, 1});
+      EXPECT_EQ(half.open.size(), 1U);
+      EXPECT_DOUBLE_EQ(cut_area(world, half), expected) << reversed;
+    };
+    expect_area(holed(around + 3), 0);  // the outer wall
+    expect_area(holed(3 * around + 3), 0);
+    // The same with shells that are bodies of their own, and one that lies loose inside.
+    expect_area(joined(without(outside, at_wall(5)), cavity), 0);
+    expect_area(joined(outside, without(cavity, at_wall(4))), 0);
+    expect_area(joined(joined(outside, without(cavity, at_wall(4))), ball), 4);
+    // An open box beside it, and one in the cavity.
+    expect_area(joined(joined(outside, cavity), without(box({7, 0, 0}, {9, 2, 9}), at_wall(9))), 100 - 64);
+    expect_area(joined(joined(outside, cavity), without(ball, at_wall(1))), 100 - 64);
+  }
+}
+
+// A tube whose first and last facet do not meet by `gap`, along a generator.
+Shape slit_tube(int around, double radius, double gap) {
+  Shape tube = turned({{radius / 2, 0}, {radius, 0}, {radius, 5}, {radius / 2, 5}}, around, true);
+  const int points = static_cast<int>(tube.points.size());
+  std::vector<int> copy(static_cast<std::size_t>(points), -1);
+  for (std::size_t f = 0; f < tube.faces.size(); ++f) {
+    if (f % around != 0) continue;
+    for (int& v : tube.faces[f]) {
+      if (v % around != 0) continue;
+      const Point p = tube.points[v];
+      // In the plane of the facet, away from its neighbour.
+      const double a = pi / around;
+      tube.points.push_back({p[0] - gap * std::sin(a), p[1] + gap * std::cos(a), p[2]});
+      v = static_cast<int>(tube.points.size()) - 1;
+    }
+  }
+  return tube;
+}
+
+TEST(CutWorld, GapsThatTessellationLeavesAreBridged) {
+  constexpr int around = 48;
+  const double sagitta = 10 * (1 - std::cos(pi / around));
+  const double whole = polygon_area(around, 10) - polygon_area(around, 5);
+  for (const bool with_part : {false, true}) {
+    const auto half_of = [&](double gap) {
+      const auto mesh = std::make_shared<const mesh::Mesh>(mesh_of(slit_tube(around, 10, gap)));
+      std::shared_ptr<const features::PartFaces> part;
+      if (with_part) part = std::make_shared<const features::PartFaces>(features::recognise_faces(*mesh));
+      const scene::World world = scene::make_world({{mesh, Mat4(1), part}});
+      const scene::CutWorld half = cut(world, {0, 0, 2}, {0, 0, 1});
+      return std::tuple(half.open.size(), half.bridged, cut_area(world, half));
+    };
+    const double gap = 0.2 * sagitta;
+    const auto& [open, bridged, area] = half_of(gap);
+    EXPECT_EQ(open, 0U) << with_part;
+    ASSERT_EQ(bridged.size(), 1U);
+    EXPECT_EQ(bridged[0].count, 2);  // outside and inside
+    EXPECT_NEAR(bridged[0].widest, gap, 1e-12);
+    EXPECT_NEAR(bridged[0].place.z, 2, 1e-12);
+    EXPECT_NEAR(bridged[0].place.y, 0, gap);
+    EXPECT_NEAR(area, whole, 10 * gap);
+    EXPECT_NE(area, whole);
+    for (const double wide : {3 * sagitta, 100 * sagitta}) {
+      const auto& [still_open, not_bridged, nothing] = half_of(wide);
+      EXPECT_EQ(still_open, 1U) << with_part;
+      EXPECT_TRUE(not_bridged.empty());
+      EXPECT_EQ(nothing, 0);
+    }
+  }
+}
+
+TEST(CutWorld, GapsInFlatFacesAreNot) {
+  Shape slit = box({0, 0, 0}, {2, 2, 2});
+  const int points = 8;
+  for (int v = 0; v < points; ++v)
+    slit.points.push_back({slit.points[v][0] + 1e-4, slit.points[v][1], slit.points[v][2]});
+  for (auto& face : slit.faces)
+    if (std::all_of(face.begin(), face.end(), [&](int v) { return slit.points[v][0] == 2; }))
+      for (int& v : face) v += points;
+  const scene::World world = world_of(slit);
+  const scene::CutWorld half = cut(world, {0, 0, 1}, {0, 0, 1});
+  EXPECT_EQ(half.open.size(), 2U);  // the wall stands alone
+  EXPECT_TRUE(half.bridged.empty());
+  EXPECT_TRUE(half.faces.empty());
 }
 
 TEST(CutWorld, OfASoupKeepsWhatLiesBehind) {

@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mesh/bodies.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <map>
+#include <numeric>
+#include <random>
+#include <set>
+
+#include "shapes.hpp"
+#include "support.hpp"
+
+namespace epura::test {
+namespace {
+
+using Cell = std::array<int, 3>;
+
+Shape welded(const std::vector<Shape>& parts) {
+  Shape all;
+  for (const Shape& part : parts) all.add(part);
+  std::map<Point, int> number;
+  Shape one;
+  for (const auto& face : all.faces) {
+    std::vector<int> ring;
+    for (const int v : face) {
+      const auto [found, made] = number.try_emplace(all.points[v], static_cast<int>(one.points.size()));
+      if (made) one.points.push_back(all.points[v]);
+      ring.push_back(found->second);
+    }
+    one.faces.push_back(ring);
+  }
+  return one;
+}
+
+Shape inside_out(Shape shape) {
+  for (auto& face : shape.faces) std::reverse(face.begin(), face.end());
+  return shape;
+}
+
+Shape turned(Shape shape, bool single_precision) {
+  const Mat4 turn = glm::rotate(Mat4(1), 0.7, Vec3(0.2, -0.6, 0.77));
+  for (Point& p : shape.points) {
+    const Vec3 q(turn * Vec4(p[0] + 3, p[1] - 5, p[2], 1));
+    for (int i = 0; i < 3; ++i) p[i] = single_precision ? static_cast<double>(static_cast<float>(q[i])) : q[i];
+  }
+  return shape;
+}
+
+mesh::Mesh built(const Shape& shape, bool single_precision = false) {
+  mesh::Soup soup = make_soup(shape.points, shape.faces);
+  soup.single_precision = single_precision;
+  return mesh::build_mesh(std::move(soup), "test");
+}
+
+// Bodies as sets of the boxes around them do not depend on how things are numbered.
+std::multiset<std::array<double, 6>> boxes(const mesh::Mesh& mesh) {
+  std::vector<Box> box(static_cast<std::size_t>(mesh.report.bodies));
+  for (int t = 0; t < mesh.triangle_count(); ++t)
+    for (const int v : mesh.triangle(t)) box[mesh.body[t]].add(mesh.point(v));
+  std::multiset<std::array<double, 6>> all;
+  for (const Box& b : box) all.insert({b.min.x, b.min.y, b.min.z, b.max.x, b.max.y, b.max.z});
+  return all;
+}
+
+Shape shuffled(const Shape& shape, unsigned seed) {
+  std::mt19937 random(seed);
+  std::vector<int> place(shape.points.size());
+  std::iota(place.begin(), place.end(), 0);
+  std::shuffle(place.begin(), place.end(), random);
+  Shape other;
+  other.points.resize(shape.points.size());
+  for (std::size_t v = 0; v < place.size(); ++v) other.points[place[v]] = shape.points[v];
+  for (auto face : shape.faces) {
+    for (int& v : face) v = place[v];
+    std::rotate(face.begin(), face.begin() + static_cast<int>(random() % face.size()), face.end());
+    other.faces.push_back(face);
+  }
+  std::shuffle(other.faces.begin(), other.faces.end(), random);
+  return other;
+}
+
+Shape partly_reversed(Shape shape, unsigned seed) {
+  std::mt19937 random(seed);
+  for (auto& face : shape.faces)
+    if (random() % 2 == 0) std::reverse(face.begin(), face.end());
+  return shape;
+}
+
+Shape cubes_at_an_edge() { return welded({box({0, 0, 0}, {1, 1, 1}), box({1, 1, 0}, {2, 2, 1})}); }
+
+// An angle of profile with its inner edge at x = z = 1, and a cube that fills the corner in part.
+Shape cube_in_a_corner() {
+  const std::vector<std::array<double, 2>> profile{{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}};
+  Shape angle;
+  for (const double y : {0.0, 2.0})
+    for (const auto& [x, z] : profile) angle.points.push_back({x, y, z});
+  std::vector<int> front, back;
+  for (int i = 0; i < 6; ++i) {
+    front.push_back(i);
+    back.push_back(11 - i);
+    angle.faces.push_back({(i + 1) % 6, i, 6 + i, 6 + (i + 1) % 6});
+  }
+  angle.faces.push_back(front);
+  angle.faces.push_back(back);
+  return welded({angle, box({1, 0, 1}, {2, 2, 2})});
+}
+
+TEST(Bodies, CubesThatShareAnEdgeAreTwo) {
+  const Shape cubes = cubes_at_an_edge();
+  ASSERT_EQ(cubes.points.size(), 14u);
+  const mesh::Mesh mesh = built(cubes);
+  EXPECT_EQ(mesh.report.bodies, 2);
+  EXPECT_EQ(mesh.report.non_manifold_edges, 0);
+  for (unsigned seed = 0; seed < 20; ++seed) EXPECT_EQ(boxes(built(shuffled(cubes, seed))), boxes(mesh)) << seed;
+  EXPECT_EQ(built(inside_out(cubes)).report.bodies, 2);
+  for (unsigned seed = 0; seed < 20; ++seed) EXPECT_EQ(built(partly_reversed(cubes, seed)).report.bodies, 2) << seed;
+  for (const double scale : {1e-150, 1e140}) EXPECT_EQ(built(cubes.scaled(scale)).report.bodies, 2);
+}
+
+TEST(Bodies, OneThatFillsTheCornerOfAnotherIsItsOwn) {
+  const Shape both = cube_in_a_corner();
+  ASSERT_EQ(both.points.size(), 18u);  // two in common
+  for (const bool single : {false, true})
+    for (unsigned seed = 0; seed < 20; ++seed) {
+      const Shape some = partly_reversed(shuffled(single ? turned(both, true) : both, seed), seed);
+      EXPECT_EQ(built(some, single).report.bodies, 2) << single << " " << seed;
+    }
+  EXPECT_EQ(built(turned(both, false)).report.bodies, 2);
+}
+
+TEST(Bodies, CavitiesThatShareAnEdgeAreTwo) {
+  const Shape cavities = inside_out(cubes_at_an_edge());
+  EXPECT_EQ(built(welded({box({-1, -1, -1}, {3, 3, 3}), cavities})).report.bodies, 3);
+}
+
+TEST(Bodies, WhatContradictsItselfStaysOne) {
+  // Sheets that cross.
+  Shape sheets;
+  for (const double y : {0.0, 1.0})
+    for (const auto& [x, z] : {std::array{0., 0.}, {1., 0.}, {0., 1.}, {-1., 0.}, {0., -1.}})
+      sheets.points.push_back({x, y, z});
+  for (const int i : {1, 2, 3, 4})
+    sheets.faces.push_back(i < 3 ? std::vector<int>{0, i, 5 + i, 5} : std::vector<int>{i, 0, 5, 5 + i});
+  EXPECT_EQ(built(sheets).report.bodies, 1);
+  EXPECT_EQ(built(klein_bottle(16, 12)).report.bodies, 1);
+}
+
+TEST(Bodies, NamedOnesStay) {
+  Shape cubes = cubes_at_an_edge();
+  mesh::Soup soup = make_soup(cubes.points, cubes.faces);
+  soup.body_names = {"left and more", "rest"};
+  soup.face_body.assign(12, 0);
+  soup.face_body[11] = 1;
+  const mesh::Mesh mesh = mesh::build_mesh(std::move(soup), "test");
+  for (int t = 0; t < mesh.triangle_count(); ++t) EXPECT_EQ(mesh.body[t], mesh.polygon[t] == 11 ? 1 : 0) << t;
+}
+
+constexpr int room = 5;  // cells a side; those at the border are empty
+
+class Cells {
+ public:
+  explicit Cells(unsigned seed) {
+    std::mt19937 random(seed);
+    for (int& cell : full_) cell = 0;
+    for (int x = 1; x + 1 < room; ++x)
+      for (int y = 1; y + 1 < room; ++y)
+        for (int z = 1; z + 1 < room; ++z) full_[number({x, y, z})] = random() % 2;
+  }
+
+  // The faces between full and empty cells.
+  [[nodiscard]] Shape surface() const {
+    std::vector<Shape> quads;
+    visit([&](const Cell& cell, const Cell& step) {
+      const Shape cube = box({1. * cell[0], 1. * cell[1], 1. * cell[2]}, {cell[0] + 1., cell[1] + 1., cell[2] + 1.});
+      for (const auto& face : cube.faces) {
+        Vec3 middle(0);
+        for (const int v : face) middle += Vec3(cube.points[v][0], cube.points[v][1], cube.points[v][2]) / 4.0;
+        const Vec3 out = middle - Vec3(cell[0] + 0.5, cell[1] + 0.5, cell[2] + 0.5);
+        if (glm::dot(out, Vec3(step[0], step[1], step[2])) < 0.4) continue;
+        Shape quad;
+        for (const int v : face) quad.points.push_back(cube.points[v]);
+        quad.faces.push_back({0, 1, 2, 3});
+        quads.push_back(quad);
+      }
+    });
+    return welded(quads);
+  }
+
+  // A shell lies between full cells that are connected through faces and empty ones that are through faces and edges
+  // (Herman, Geometry of Digital Spaces, 1998).
+  [[nodiscard]] int shells() const {
+    const std::vector<int> full = flooded(1, 1), empty = flooded(0, 2);
+    std::set<std::array<int, 2>> pairs;
+    visit([&](const Cell& cell, const Cell& step) {
+      pairs.insert({full[number(cell)], empty[number({cell[0] + step[0], cell[1] + step[1], cell[2] + step[2]})]});
+    });
+    return static_cast<int>(pairs.size());
+  }
+
+ private:
+  static int number(const Cell& c) { return (c[0] * room + c[1]) * room + c[2]; }
+
+  template <class Visit>
+  void visit(const Visit& face) const {
+    for (int x = 1; x + 1 < room; ++x)
+      for (int y = 1; y + 1 < room; ++y)
+        for (int z = 1; z + 1 < room; ++z)
+          for (const Cell& step : {Cell{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}})
+            if (full_[number({x, y, z})] == 1 && full_[number({x + step[0], y + step[1], z + step[2]})] == 0)
+              face({x, y, z}, step);
+  }
+
+  [[nodiscard]] std::vector<int> flooded(int kind, int farthest) const {
+    std::vector<int> label(full_.size(), -1);
+    for (int seed = 0; seed < static_cast<int>(full_.size()); ++seed) {
+      if (full_[seed] != kind || label[seed] >= 0) continue;
+      std::vector<int> next{seed};
+      label[seed] = seed;
+      while (!next.empty()) {
+        const int at = next.back();
+        next.pop_back();
+        for (int other = 0; other < static_cast<int>(full_.size()); ++other) {
+          const int dx = at / room / room - other / room / room, dy = at / room % room - other / room % room,
+                    dz = at % room - other % room;
+          if (full_[other] != kind || label[other] >= 0 || std::max({std::abs(dx), std::abs(dy), std::abs(dz)}) > 1 ||
+              std::abs(dx) + std::abs(dy) + std::abs(dz) > farthest)
+            continue;
+          label[other] = seed;
+          next.push_back(other);
+        }
+      }
+    }
+    return label;
+  }
+
+  std::array<int, room * room * room> full_;
+};
+
+TEST(Bodies, AreTheShellsOfRandomCells) {
+  int with_touching = 0;
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    const Cells cells(seed);
+    const Shape surface = cells.surface();
+    for (const Shape& some :
+         {surface, shuffled(surface, seed), turned(surface, false), partly_reversed(surface, seed)}) {
+      const mesh::Mesh mesh = built(some);
+      ASSERT_EQ(mesh.report.bodies, cells.shells()) << seed;
+      with_touching += std::any_of(mesh.edges.begin(), mesh.edges.end(), [&](const mesh::MeshEdge& edge) {
+        const auto triangles = mesh.triangles_of(edge);
+        return std::any_of(triangles.begin(), triangles.end(),
+                           [&](int t) { return mesh.body[t] != mesh.body[triangles[0]]; });
+      });
+    }
+  }
+  EXPECT_GT(with_touching, 200);
+}
+
+}  // namespace
+}  // namespace epura::test
