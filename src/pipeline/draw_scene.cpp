@@ -82,7 +82,7 @@ FinishedSheet Run::draw_sheet(const scene::World& whole, const CutSections& sect
     return section(view) == nullptr ? whole : section(view)->cut.world;
   };
   std::vector<view::ProjectedScene> seen = map_views(world, views);
-  const std::vector<Annotations> annotations = annotate(scene, views.sheet, views.descriptions, seen, sections);
+  const std::vector<Annotations> annotations = annotate(whole, scene, views, seen, sections);
   const SheetPlan plan = plan_sheet(whole, scene, views, seen, annotations);
   if (plan.chosen)
     messages.warn("the scale is " + sheet::ratio_text(plan.scale) + ", the largest of ISO 5455 that fits");

@@ -91,6 +91,16 @@ void expect_offset(const AnchoredDimension& dimension) {
     refuse(dimension.where, "the offset of an angular dimension is the radius of its arc, which is positive");
 }
 
+void set_extent(AnchoredDimension& dimension, const scene::World& world) {
+  const int axis = axis_of(*dimension.direction);
+  const scene::Extent extent = scene::true_extents(world)[axis];
+  dimension.points = {world.box.min, world.box.max};
+  dimension.points[0][axis] = extent.from;
+  dimension.points[1][axis] = extent.to;
+  dimension.form = extent.form;
+  dimension.beyond_vertices = extent.size() - world.box.size()[axis];
+}
+
 AnchoredDimension anchored(const scene::World& world, Rims& rims, const scene::DimensionDescription& description) {
   const std::string& where = description.where;
   if (!description.type.given()) refuse(where, "the dimension has no type");
@@ -107,7 +117,7 @@ AnchoredDimension anchored(const scene::World& world, Rims& rims, const scene::D
     expect_apart(world, dimension.points[0], dimension.points[i], where);
   if (type == DimensionType::radius || type == DimensionType::diameter)
     dimension.circles = rims.through(description.anchors[0], dimension.points[0], where);
-  if (type == DimensionType::overall) dimension.points = {world.box.min, world.box.max};
+  if (type == DimensionType::overall) set_extent(dimension, world);
   return dimension;
 }
 
