@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pipeline/draw_scene.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <utility>
 
@@ -14,6 +15,7 @@
 #include "pipeline/sections.hpp"
 #include "pipeline/tell.hpp"
 #include "pipeline/view_plan.hpp"
+#include "scene/true_extents.hpp"
 #include "sheet/standard_scale.hpp"
 #include "verify/verify.hpp"
 #include "view/condition.hpp"
@@ -48,6 +50,9 @@ void Run::note(const ViewResult& result) {
   warn_about(messages, result);
   report.plan.insert(report.plan.end(), result.plan.begin(), result.plan.end());
   has_lines = has_lines || !result.drawing.segments.empty();
+  if (report.tessellation && !result.drawing.projection.central)
+    report.tessellation->on_paper =
+        std::max(report.tessellation->on_paper, report.tessellation->error * result.drawing.scale);
   if (!result.verification) return;
   const auto wrong = [](const report::Verification& found) { return found.wrong + found.outline.wrong(); };
   if (!report.verification || wrong(*report.verification) < wrong(*result.verification))
@@ -115,6 +120,7 @@ std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& she
   scene::World world = read_models(scene.models, report.meshes, messages, progress);
   watch.lap("read");
   recognise_parts(world, scene, report, progress);
+  if (const double error = scene::tessellation_error(world); error > 0) report.tessellation = {error, 0};
   watch.lap("features");
   const CutSections sections = cut_sections(world, scene, messages, progress);
   if (!sections.empty()) watch.lap("section");
