@@ -52,19 +52,27 @@ Sweep sweep_of(const features::PartSurface& surface, const std::vector<Vec3>& po
   return {360 - gap / degree, portable_cos(middle) * around.u + portable_sin(middle) * around.v};
 }
 
-std::vector<std::vector<int>> vertices_of_faces(const World& world, int model, const PlacedPart& part) {
-  std::vector<std::vector<int>> vertices(part.faces.size());
+/// What stands of a face in the world.
+struct Remains {
+  std::vector<int> vertices;
+  int triangles = 0;
+};
+
+std::vector<Remains> remains_of_faces(const World& world, int model, const PlacedPart& part) {
+  std::vector<Remains> remains(part.faces.size());
   const int first = world.first_triangle[model];
   for (int t = first; t < world.first_triangle[model + 1]; ++t) {
     const int face = part.face_of_triangle[t - first];
     if (face < 0 || !is_round(part.faces[face].surface.kind)) continue;
-    vertices[face].insert(vertices[face].end(), world.triangles[t].begin(), world.triangles[t].end());
+    std::vector<int>& vertices = remains[face].vertices;
+    vertices.insert(vertices.end(), world.triangles[t].begin(), world.triangles[t].end());
+    ++remains[face].triangles;
   }
-  for (std::vector<int>& some : vertices) {
-    std::sort(some.begin(), some.end());
-    some.erase(std::unique(some.begin(), some.end()), some.end());
+  for (Remains& some : remains) {
+    std::sort(some.vertices.begin(), some.vertices.end());
+    some.vertices.erase(std::unique(some.vertices.begin(), some.vertices.end()), some.vertices.end());
   }
-  return vertices;
+  return remains;
 }
 
 }  // namespace
@@ -76,18 +84,19 @@ double RoundFace::radius_at(double height) const {
 }
 
 std::vector<RoundFace> find_round_faces(const World& world, int model, const PlacedPart& part) {
-  const std::vector<std::vector<int>> vertices = vertices_of_faces(world, model, part);
+  const std::vector<Remains> remains = remains_of_faces(world, model, part);
   const mesh::Mesh& mesh = *world.models[model].mesh;
   const int first_cut = mesh.uncut == nullptr ? INT_MAX : world.first_vertex[model] + mesh.first_cut_vertex;
   std::vector<RoundFace> round;
-  for (int f = 0; f < static_cast<int>(vertices.size()); ++f) {
-    if (vertices[f].empty()) continue;
+  for (int f = 0; f < static_cast<int>(remains.size()); ++f) {
+    const std::vector<int>& vertices = remains[f].vertices;
+    if (vertices.empty()) continue;
     const features::PartFace& face = part.faces[f];
     const features::PartSurface& surface = face.surface;
-    RoundFace found{f, face, vertices[f], HUGE_VAL, -HUGE_VAL, 0, face.sweep};
-    found.cut = vertices[f].back() >= first_cut;
+    RoundFace found{f, face, vertices, HUGE_VAL, -HUGE_VAL, 0, face.sweep};
+    found.cut = vertices.back() >= first_cut || remains[f].triangles < face.triangles;
     std::vector<Vec3> points;
-    for (const int v : vertices[f]) {
+    for (const int v : vertices) {
       const Vec3 d = world.points[v] - surface.origin;
       const double height = glm::dot(d, surface.axis);
       found.from = std::min(found.from, height);

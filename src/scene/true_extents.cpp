@@ -17,11 +17,11 @@ using features::PartFace;
 using features::PartSurface;
 using features::SurfaceKind;
 
-constexpr double whole_turn = 359;      // degrees
-constexpr double parallel = 1e-9;       // sine
-constexpr double across = 1e-4;         // cosine: a diameter lies across its axis
-constexpr double same = 1e-6;           // of the size of the world
-constexpr double most_sagittas = 16;    // of a face's mean one: the highest facets
+constexpr double whole_turn = 359;    // degrees
+constexpr double parallel = 1e-9;     // sine
+constexpr double across = 1e-4;       // cosine: a diameter lies across its axis
+constexpr double same = 1e-6;         // of the size of the world
+constexpr double most_sagittas = 16;  // of a face's mean one: the highest facets
 
 using Triangle = std::array<Vec3, 3>;
 
@@ -83,7 +83,8 @@ class Outward {
     const Cut meets = cut(triangle);
     for (int i = 0; i < meets.count; ++i) {
       const Vec2& p = meets.points[i];
-      const double radius = face_.surface.radius + (face_.surface.kind == SurfaceKind::cone ? face_.surface.slope * p.y : 0);
+      const double radius =
+          face_.surface.radius + (face_.surface.kind == SurfaceKind::cone ? face_.surface.slope * p.y : 0);
       if (!is_above(radius - p.x)) continue;
       const double value = base_ + steepness_ * radius + glm::dot(axis_, direction_) * p.y;
       reach = std::max(reach.value_or(value), value);
@@ -146,9 +147,11 @@ struct Reach {
 
 class ExtentFinder {
  public:
-  explicit ExtentFinder(const World& world) : world_(world), size_(glm::length(world.box.size())), of_round_(world.points.size(), 0) {
+  explicit ExtentFinder(const World& world)
+      : world_(world), size_(glm::length(world.box.size())), of_round_(world.points.size(), 0) {
     for (const Placed& placed : world.models) parts_.push_back(place_part(placed));
-    for (int end = 0; end < 6; ++end) farthest_[end] = glm::dot(direction_of(end), end < 3 ? world.box.min : world.box.max);
+    for (int end = 0; end < 6; ++end)
+      farthest_[end] = glm::dot(direction_of(end), end < 3 ? world.box.min : world.box.max);
     for (int model = 0; model < static_cast<int>(parts_.size()); ++model) add_model(model);
   }
 
@@ -285,7 +288,8 @@ double tessellation_error(const World& world) {
       if (face < 0 || !is_round(part->faces[face].surface.kind)) continue;
       const Triangle p = corners_of(world, t);
       const PartSurface& surface = part->faces[face].surface;
-      for (const Vec3& place : {0.5 * (p[0] + p[1]), 0.5 * (p[1] + p[2]), 0.5 * (p[2] + p[0]), (p[0] + p[1] + p[2]) / 3.0})
+      for (const Vec3& place :
+           {0.5 * (p[0] + p[1]), 0.5 * (p[1] + p[2]), 0.5 * (p[2] + p[0]), (p[0] + p[1] + p[2]) / 3.0})
         largest = std::max(largest, std::abs(features::signed_distance(surface, place)));
     }
   }

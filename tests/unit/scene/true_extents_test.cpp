@@ -6,21 +6,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
-#include "../features/shapes.hpp"
-#include "scene/transform.hpp"
+#include "recognised.hpp"
 
 namespace epura {
 namespace {
 
 using namespace test;
-
-scene::World world_of(const Part& part, const std::string& transform = "scale:1") {
-  const auto mesh = std::make_shared<const mesh::Mesh>(part.mesh());
-  const auto faces = std::make_shared<const features::PartFaces>(features::recognise_faces(*mesh));
-  return scene::make_world({{mesh, scene::parse_transform(transform), faces}});
-}
 
 void expect_extent(const scene::Extent& extent, double from, double to, scene::ExtentForm form) {
   EXPECT_NEAR(extent.from, from, 1e-7);
@@ -110,14 +102,8 @@ TEST(TrueExtents, ArcsReachOnlyWhereTheyAre) {
 }
 
 TEST(TrueExtents, AFlangeAsWideAsTheShaftIsNoDiameter) {
-  Part part = shaft;
-  const int first = static_cast<int>(part.points.size());
   const Part square = prism({{-40, -40}, {40, -40}, {40, 40}, {-40, 40}}, 5);
-  for (const Vec3& p : square.points) part.add(p + Vec3(0, 0, 40));
-  for (std::vector<int> face : square.faces) {
-    for (int& v : face) v += first;
-    part.faces.push_back(face);
-  }
+  const Part part = together({shaft, moved(square, {0, 0, 40})});
   const auto extents = scene::true_extents(world_of(part));
   expect_extent(extents[0], -40, 40, length);
   expect_extent(extents[1], -40, 40, length);
