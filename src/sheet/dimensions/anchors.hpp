@@ -35,7 +35,7 @@ struct AnchoredDimension {
   std::vector<Vec3> points;                     ///< two ends; angular: the corner, then the ends of its legs
   std::vector<WorldCircle> circles;             ///< radius, diameter: all that pass through the anchor, at least one
   std::optional<double> offset;
-  std::string text;  ///< "<>" stands for the measured value
+  std::string text;                                    ///< "<>" stands for the measured value
   scene::ExtentForm form = scene::ExtentForm::length;  ///< of overall ones
   double beyond_vertices = 0;                          ///< by so much more they measure than the mesh, which is drawn
 };

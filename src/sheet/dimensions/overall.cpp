@@ -31,7 +31,8 @@ bool looks_from(const projection::Projection& projection, const Vec3& viewer) {
          glm::length(glm::normalize(projection.projector) - viewer) < same_direction;
 }
 
-const NamedProjection* clearest(std::span<const NamedProjection> views, const Direction& direction, const std::string& name) {
+const NamedProjection* clearest(std::span<const NamedProjection> views, const Direction& direction,
+                                const std::string& name) {
   for (const Vec3& viewer : direction.seen_from)
     for (const NamedProjection& view : views)
       if ((name.empty() || view.name == name) && looks_from(view.projection, viewer)) return &view;
