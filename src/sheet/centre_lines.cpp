@@ -11,6 +11,7 @@
 #include <numeric>
 #include <optional>
 #include <set>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -38,7 +39,7 @@ struct SeenCircle {
   [[nodiscard]] double radius() const { return std::max(glm::length(u), glm::length(v)); }
   [[nodiscard]] bool is_round() const {
     const double slack = 1e-4 * glm::dot(u, u);
-    return std::abs(glm::dot(u, u) - glm::dot(v, v)) <= slack && std::abs(glm::dot(u, v)) <= slack;
+    return slack > 0 && std::abs(glm::dot(u, u) - glm::dot(v, v)) <= slack && std::abs(glm::dot(u, v)) <= slack;
   }
   /// How far it reaches from its centre in a direction.
   [[nodiscard]] double reach(const Vec2& direction) const {
@@ -61,6 +62,12 @@ std::vector<SeenCircle> see(const drawing::ViewDrawing& drawing, const scene::Ro
   std::vector<SeenCircle> circles;
   for (const scene::Ring& ring : feature.rings) circles.push_back(see(drawing, feature.axis, ring));
   return circles;
+}
+
+// An apex has a radius of 0, and is seen alike from everywhere.
+const SeenCircle& largest_of(std::span<const SeenCircle> circles) {
+  return *std::max_element(circles.begin(), circles.end(),
+                           [](const SeenCircle& a, const SeenCircle& b) { return a.radius() < b.radius(); });
 }
 
 /// A piece of the line through offset * normal along the direction of `angle`, the normal being 90 degrees further.
@@ -125,9 +132,10 @@ Piece piece_about(const Vec2& centre, const Vec2& direction, double half) {
   return {angle, offset_of(angle, centre), middle - half, middle + half};
 }
 
-std::vector<Piece> crosses(const std::vector<SeenCircle>& circles) {
+std::vector<Piece> crosses(const std::vector<std::vector<SeenCircle>>& features) {
   std::vector<SeenCircle> round;
-  std::copy_if(circles.begin(), circles.end(), std::back_inserter(round), [](const auto& c) { return c.is_round(); });
+  for (const std::vector<SeenCircle>& circles : features)
+    std::copy_if(circles.begin(), circles.end(), std::back_inserter(round), [](const auto& c) { return c.is_round(); });
   std::vector<Piece> pieces;
   const auto x = values_of(round, [](const auto& c) { return c.centre.x; });
   const auto y = values_of(round, [](const auto& c) { return c.centre.y; });
@@ -148,28 +156,45 @@ std::vector<Piece> crosses(const std::vector<SeenCircle>& circles) {
   return pieces;
 }
 
-std::vector<Piece> axes(const std::vector<SeenCircle>& circles) {
-  std::vector<SeenCircle> slanted;
-  std::copy_if(circles.begin(), circles.end(), std::back_inserter(slanted),
-               [](const auto& c) { return glm::length(c.axis) > edge_on * c.radius(); });
-  const auto angles = values_of(slanted, [](const auto& c) { return angle_of_line(c.axis); });
-  const auto offsets = values_of(slanted, [](const auto& c) { return offset_of(angle_of_line(c.axis), c.centre); });
+bool is_slanted(const SeenCircle& circle) { return glm::length(circle.axis) > edge_on * circle.radius(); }
+
+// Through circles on one line: two that lie apart, or one that is seen edge-on.
+std::optional<Piece> axis_through(std::span<const SeenCircle> circles) {
+  const double angle = angle_of_line(largest_of(circles).axis);
+  Piece piece{angle, offset_of(angle, circles.front().centre), HUGE_VAL, -HUGE_VAL};
+  double first = HUGE_VAL, last = -HUGE_VAL;  // centres
+  bool alone = false;                         // one of them is enough
+  for (const SeenCircle& circle : circles) {
+    const double middle = place_along(angle, circle.centre), reach = circle.reach(piece.direction());
+    piece.from = std::min(piece.from, middle - reach - beyond);
+    piece.to = std::max(piece.to, middle + reach + beyond);
+    first = std::min(first, middle);
+    last = std::max(last, middle);
+    alone = alone || reach <= edge_on * circle.radius();
+  }
+  return alone || last - first > same_place ? std::optional(piece) : std::nullopt;
+}
+
+// Features know their circles; rims that are seen on one line are taken for one.
+std::vector<Piece> axes(const std::vector<std::vector<SeenCircle>>& features) {
   std::vector<Piece> pieces;
+  std::vector<SeenCircle> rims;
+  const auto add_axis = [&](const std::vector<SeenCircle>& circles) {
+    if (const auto piece = axis_through(circles)) pieces.push_back(*piece);
+  };
+  for (const std::vector<SeenCircle>& circles : features) {
+    if (!is_slanted(largest_of(circles))) continue;
+    if (circles.size() == 1)
+      rims.push_back(circles.front());
+    else
+      add_axis(circles);
+  }
+  const auto angles = values_of(rims, [](const auto& c) { return angle_of_line(c.axis); });
+  const auto offsets = values_of(rims, [](const auto& c) { return offset_of(angle_of_line(c.axis), c.centre); });
   for (const auto& group : groups_of(angles, same_direction, offsets, same_place)) {
-    const double angle = angles[group.front()];
-    Piece piece{angle, offsets[group.front()], HUGE_VAL, -HUGE_VAL};
-    double first = HUGE_VAL, last = -HUGE_VAL;  // centres
-    bool alone = false;                         // one of them is enough
-    for (const std::size_t i : group) {
-      const SeenCircle& circle = slanted[i];
-      const double middle = place_along(angle, circle.centre), reach = circle.reach(piece.direction());
-      piece.from = std::min(piece.from, middle - reach - beyond);
-      piece.to = std::max(piece.to, middle + reach + beyond);
-      first = std::min(first, middle);
-      last = std::max(last, middle);
-      alone = alone || reach <= edge_on * circle.radius();
-    }
-    if (alone || last - first > same_place) pieces.push_back(piece);
+    std::vector<SeenCircle> circles;
+    for (const std::size_t i : group) circles.push_back(rims[i]);
+    add_axis(circles);
   }
   return pieces;
 }
@@ -281,10 +306,10 @@ class Shown {
 
   [[nodiscard]] bool shows(const scene::RoundFeature& feature) const {
     const std::vector<SeenCircle> rings = see(view_.drawing, feature);
-    const bool large = std::any_of(rings.begin(), rings.end(),
-                                   [](const SeenCircle& ring) { return 2 * ring.radius() >= least_diameter; });
-    return large && (view_.styles[static_cast<std::size_t>(feature.model)].hidden != HiddenLines::none ||
-                     is_visible(feature, rings.front()));
+    const SeenCircle& largest = largest_of(rings);
+    return 2 * largest.radius() >= least_diameter &&
+           (view_.styles[static_cast<std::size_t>(feature.model)].hidden != HiddenLines::none ||
+            is_visible(feature, largest));
   }
 
  private:
@@ -293,12 +318,13 @@ class Shown {
     const double length = glm::length(ring.axis), radius = ring.radius();
     if (feature.enclosed && length > edge_on * radius && ring.reach(ring.axis / length) <= edge_on * radius)
       return false;
-    const auto is_of_feature = [&](int vertex) {
-      return std::binary_search(feature.vertices.begin(), feature.vertices.end(), vertex);
-    };
-    const auto [begin, end] = std::equal_range(edges_.begin(), edges_.end(), Edge{feature.model, 0, 0},
-                                               [](const Edge& a, const Edge& b) { return a[0] < b[0]; });
-    return std::any_of(begin, end, [&](const Edge& edge) { return is_of_feature(edge[1]) && is_of_feature(edge[2]); });
+    const std::vector<int>& vertices = feature.vertices;
+    return std::any_of(vertices.begin(), vertices.end(), [&](int low) {
+      auto edge = std::lower_bound(edges_.begin(), edges_.end(), Edge{feature.model, low, 0});
+      for (; edge != edges_.end() && (*edge)[0] == feature.model && (*edge)[1] == low; ++edge)
+        if (std::binary_search(vertices.begin(), vertices.end(), (*edge)[2])) return true;
+      return false;
+    });
   }
 
   const CentredView& view_;
@@ -307,7 +333,7 @@ class Shown {
 
 /// What is to be drawn in a view.
 struct Marks {
-  std::vector<SeenCircle> circles;
+  std::vector<std::vector<SeenCircle>> features;
   std::vector<Piece> pieces;       ///< of slots
   std::vector<SeenCircle> rounds;  ///< pitch circles
 };
@@ -326,10 +352,9 @@ void add_slot(Marks& marks, const drawing::ViewDrawing& drawing, const scene::Sl
   }
   const Vec3 apart = other.rings.front().centre - one.rings.front().centre;
   const Vec3 half = 0.5 * (apart - glm::dot(apart, one.axis) * one.axis);
-  for (scene::Ring ring : one.rings) {
-    ring.centre += half;
-    marks.circles.push_back(see(drawing, one.axis, ring));
-  }
+  scene::RoundFeature middle = one;
+  for (scene::Ring& ring : middle.rings) ring.centre += half;
+  marks.features.push_back(see(drawing, middle));
 }
 
 Marks marks_of(const CentredView& view) {
@@ -343,12 +368,12 @@ Marks marks_of(const CentredView& view) {
   for (std::size_t i = 0; i < features.round.size(); ++i) {
     if (!shown.shows(features.round[i])) continue;
     std::vector<SeenCircle> rings = see(view.drawing, features.round[i]);
-    if (circle_of[i] >= 0 && rings.front().is_round()) {
+    if (circle_of[i] >= 0 && largest_of(rings).is_round()) {
       circles.insert(circle_of[i]);
       const Vec2 middle = image_of(view.drawing, features.pitch_circles[circle_of[i]].centre, 1);
       for (SeenCircle& ring : rings) ring.spoke = ring.centre - middle;
     }
-    marks.circles.insert(marks.circles.end(), rings.begin(), rings.end());
+    marks.features.push_back(std::move(rings));
   }
   for (const scene::SlotFeature& slot : features.slots)
     if (shown.shows(slot.ends[0]) || shown.shows(slot.ends[1])) add_slot(marks, view.drawing, slot);
@@ -378,8 +403,8 @@ Layer centre_lines(const CentredView& view, const LineWidths& widths, std::span<
   Layer layer = empty_layer(view.drawing.name, scene::SheetLine::centre, widths);
   if (view.drawing.projection.central) return layer;
   const Marks marks = marks_of(view);
-  std::vector<Piece> pieces = axes(marks.circles);
-  for (const Piece& piece : crosses(marks.circles)) pieces.push_back(piece);
+  std::vector<Piece> pieces = axes(marks.features);
+  for (const Piece& piece : crosses(marks.features)) pieces.push_back(piece);
   pieces.insert(pieces.end(), marks.pieces.begin(), marks.pieces.end());
   pieces = merged(pieces);
   for (const Piece& piece : uncovered(pieces, drawn, width / 2, progress)) {

@@ -113,6 +113,21 @@ TEST(CentreLines, ObliqueCirclesHaveAnAxisWhenThereAreTwo) {
                {{{0, -10 * root - 3}, {0, 30 * root + 3}}});
 }
 
+TEST(CentreLines, AnApexIsAnEndOfTheAxis) {
+  const Round cone{0, {0, 0, -1}, {{{5, 0, 20}, 0}, {{5, 0, 0}, 10}}, {}};
+  expect_spans(lines(front, {cone}), {{{5, -3}, {5, 23}}});
+  expect_spans(lines(top, {cone}), {{{-8, 0}, {18, 0}}, {{5, -13}, {5, 13}}});
+}
+
+TEST(CentreLines, FeaturesBehindEachOtherHaveTheirOwn) {
+  // Two holes on one line of the paper, their axes inclined to it: a line through both would be the axis of neither.
+  const double root = std::sqrt(0.5);
+  const Round low{0, {0, 0, 1}, {{{0, 0, 0}, 5}, {{0, 0, 10}, 5}}, {}};
+  const Round high{0, {0, 0, 1}, {{{0, 80, 0}, 5}, {{0, 80, 10}, 5}}, {}};
+  expect_spans(lines(view({1, 0, 0}, {0, root, root}), {low, high}),
+               {{{0, -5 * root - 3}, {0, 15 * root + 3}}, {{0, 75 * root - 3}, {0, 95 * root + 3}}});
+}
+
 TEST(CentreLines, OverlappingOnesAreOneLine) {
   // Two holes in a row, and the axis of a third one behind them.
   expect_spans(lines(top, {circle({0, 0, 0}, {0, 0, 1}, 5), circle({12, 0, 0}, {0, 0, 1}, 5),
