@@ -15,7 +15,6 @@
 #include "pipeline/sections.hpp"
 #include "pipeline/tell.hpp"
 #include "pipeline/view_plan.hpp"
-#include "scene/true_extents.hpp"
 #include "sheet/standard_scale.hpp"
 #include "verify/verify.hpp"
 #include "view/condition.hpp"
@@ -120,7 +119,6 @@ std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& she
   scene::World world = read_models(scene.models, report.meshes, messages, progress);
   watch.lap("read");
   recognise_parts(world, scene, report, progress);
-  if (const double error = scene::tessellation_error(world); error > 0) report.tessellation = {error, 0};
   watch.lap("features");
   const CutSections sections = cut_sections(world, scene, messages, progress);
   if (!sections.empty()) watch.lap("section");

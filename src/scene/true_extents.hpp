@@ -5,6 +5,7 @@
 
 #include <array>
 
+#include "base/progress.hpp"
 #include "scene/scene.hpp"
 
 namespace epura::scene {
@@ -26,7 +27,7 @@ struct Extent {
 std::array<Extent, 3> true_extents(const World& world);
 
 /// The largest distance of facets from the surfaces that they stand for, a length of the world; 0 where no round face
-/// is recognised.
-double tessellation_error(const World& world);
+/// is recognised. Throws OutOfTime.
+double tessellation_error(const World& world, const Progress& progress = {});
 
 }  // namespace epura::scene
