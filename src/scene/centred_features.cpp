@@ -24,6 +24,7 @@ using features::SurfaceKind;
 
 constexpr double half_turn = 179.5;  // degrees
 constexpr double half_turn_slack = 2;
+constexpr double least_side = 90;     // of a groove
 constexpr double parallel = 1e-3;     // sine
 constexpr double same_length = 1e-4;  // relative
 constexpr double opposite = 0.99;     // cosine
@@ -133,7 +134,10 @@ class FeatureFinder {
       const auto [one, other] = pair;
       if (planes < 2 || used_[one] != 0 || used_[other] != 0 || !face_each_other(faces_[one], faces_[other])) continue;
       used_[one] = used_[other] = 1;
-      slots.push_back({{feature_of({one}), feature_of({other})}});
+      SlotFeature slot{{feature_of({one}), feature_of({other})}};
+      for (RoundFeature& end : slot.ends)
+        end.enclosed = faces_[one].face.inwards && !faces_[one].cut && !faces_[other].cut;
+      slots.push_back(std::move(slot));
     }
   }
 
@@ -164,19 +168,23 @@ class FeatureFinder {
     return groups;
   }
 
-  // Between two arcs about one axis with nothing between them: a groove, or a stroke of a letter.
-  [[nodiscard]] bool is_side_of_groove(const RoundFace& round, const std::vector<int>& group) const {
-    if (round.is_whole() || round.face.surface.kind != SurfaceKind::cylinder) return false;
-    return std::any_of(group.begin(), group.end(), [&](int i) {
-      const RoundFace& other = faces_[i];
-      if (other.is_whole() || other.face.surface.kind != SurfaceKind::cylinder ||
-          other.face.inwards == round.face.inwards)
-        return false;
-      const RoundFace &inner = round.face.inwards ? other : round, &outer = round.face.inwards ? round : other;
-      const double depth = inner.to - inner.from, slack = 0.01 * depth;
-      return inner.reach < outer.reach && std::abs(outer.to - outer.from - depth) <= slack &&
-             std::abs(glm::dot(middle_of(outer) - middle_of(inner), inner.face.surface.axis)) <= slack;
-    });
+  // Two arcs, one within the other, with nothing between them: sides of a groove, or of a stroke of a letter.
+  [[nodiscard]] bool are_sides_of_groove(const RoundFace& outer, const RoundFace& inner) const {
+    const Vec3& axis = outer.face.surface.axis;
+    if (!outer.face.inwards || inner.face.inwards || glm::length(glm::cross(axis, inner.face.surface.axis)) > parallel)
+      return false;
+    const double depth = outer.to - outer.from, slack = 0.01 * depth;
+    const Vec3 apart = middle_of(inner) - middle_of(outer);
+    return std::abs(inner.to - inner.from - depth) <= slack && std::abs(glm::dot(apart, axis)) <= slack &&
+           aside(outer, middle_of(inner)) < outer.reach - inner.reach;
+  }
+  [[nodiscard]] bool is_side_of_groove(const RoundFace& round) const {
+    const auto is_arc = [](const RoundFace& face) {
+      return face.face.surface.kind == SurfaceKind::cylinder && face.face.sweep >= least_side && !face.is_whole();
+    };
+    return is_arc(round) && std::any_of(faces_.begin(), faces_.end(), [&](const RoundFace& other) {
+             return is_arc(other) && (are_sides_of_groove(round, other) || are_sides_of_groove(other, round));
+           });
   }
 
   // Of one cylinder that is interrupted, as by flats: degrees that its arcs take together.
@@ -209,7 +217,7 @@ class FeatureFinder {
   [[nodiscard]] std::vector<int> with_axis(const std::vector<int>& group) const {
     std::vector<int> faces;
     for (const int i : group)
-      if (sweep_with_others(faces_[i], group) >= half_turn && !is_side_of_groove(faces_[i], group)) faces.push_back(i);
+      if (sweep_with_others(faces_[i], group) >= half_turn && !is_side_of_groove(faces_[i])) faces.push_back(i);
     if (faces.empty()) return {};
     const std::set<int> of_group(faces.begin(), faces.end());
     for (const features::PartBorder& border : world_.models[model_].part->borders)

@@ -23,7 +23,7 @@ struct RoundFeature {
   Vec3 axis;                    ///< unit
   std::vector<Ring> rings{};    ///< where its faces end; at least one
   std::vector<int> vertices{};  ///< of its faces or its rim, in the model's file; ascending
-  bool enclosed = false;        ///< whole bores that no cut has laid open: they are seen through their ends alone
+  bool enclosed = false;  ///< whole bores and slots that no cut has laid open: they are seen through their ends alone
 };
 
 /// Two half cylinders and the planes between them, tangent to both: a slot, or a bar with round ends.

@@ -92,7 +92,8 @@ TEST(CentredFeatures, ABoreWithTwoFlatsHasAnAxis) {
 }
 
 TEST(CentredFeatures, ASlotIsOne) {
-  for (const Part& part : {with_opening(obround(20, 6), 10), prism(obround(20, 6), 10)}) {
+  for (const bool is_opening : {true, false}) {
+    const Part part = is_opening ? with_opening(obround(20, 6), 10) : prism(obround(20, 6), 10);
     const scene::CentredFeatures found = features_of(part, "rotate:z,30");
     EXPECT_TRUE(found.round.empty());
     ASSERT_EQ(found.slots.size(), 1U);
@@ -103,6 +104,7 @@ TEST(CentredFeatures, ASlotIsOne) {
     EXPECT_NEAR(glm::length(apart), 40, 1e-6);
     EXPECT_NEAR(std::abs(apart.y), 20, 1e-6);
     EXPECT_NEAR(ends[0].rings[0].radius, 6, 1e-6);
+    EXPECT_EQ(ends[0].enclosed && ends[1].enclosed, is_opening);
   }
 }
 
@@ -114,8 +116,8 @@ TEST(CentredFeatures, SlotsInARowDoNotJoin) {
     EXPECT_NEAR(glm::distance(slot.ends[0].rings[0].centre, slot.ends[1].rings[0].centre), 40, 1e-6);
 }
 
-std::vector<Vec2> bent_bar(double inner, double outer) {
-  std::vector<Vec2> outline = arc({0, 0}, outer, 0, 220, 40), back = arc({0, 0}, inner, 220, 0, 40);
+std::vector<Vec2> bent_bar(double inner, double outer, Vec2 aside = {0, 0}) {
+  std::vector<Vec2> outline = arc({0, 0}, outer, 0, 220, 40), back = arc(aside, inner, 220, 0, 40);
   outline.insert(outline.end(), back.begin(), back.end());
   return outline;
 }
@@ -124,6 +126,8 @@ TEST(CentredFeatures, GroovesInAnArcHaveNone) {
   // As an opening it is a groove or the stroke of a letter, as a body a hook.
   EXPECT_TRUE(features_of(with_opening(bent_bar(18, 20), 3)).round.empty());
   EXPECT_EQ(features_of(prism(bent_bar(18, 20), 3)).round.size(), 1U);
+  // A stroke need not be as wide everywhere.
+  EXPECT_TRUE(features_of(with_opening(bent_bar(18, 20, {0.5, 0.5}), 3)).round.empty());
 }
 
 // Holes of radius 4 around one of radius 9.
