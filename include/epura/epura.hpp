@@ -67,7 +67,7 @@ struct Line {
   bool visible;
   int model;                ///< of Scene::models
   std::array<int, 2> edge;  ///< numbers of the vertices in the model; {-1, -1} for an intersection or a cut
-  std::array<double, 2> t;  ///< parameters along that edge in space, `from` at t[0]
+  std::array<double, 2> t;  ///< parameters along that edge in space, `from` at t[0]; equal ones: a link to other ink
 };
 
 /// A part of the lines that is an arc (Settings::arcs): centre + cos(a) u + sin(a) v, where a runs from `from` to `to`,

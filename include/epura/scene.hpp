@@ -47,6 +47,7 @@ struct View {
   /// Degrees between faces from which their edge is a crease, 0 to 180; by default 5 between faces of the part that are
   /// recognised, and 30 in other meshes.
   std::optional<double> crease_angle{};
+  double join_within = 0.1;                   ///< mm of paper; lines so near along each other are one, 0: all are drawn
   std::optional<double> near{}, far{};        ///< depths, to leave out what is nearer or farther
   std::optional<double> scale{};              ///< mm of paper per unit; the sheet's by default
   std::optional<std::array<double, 2>> at{};  ///< middle of its ink, mm from the lower left corner; else arranged

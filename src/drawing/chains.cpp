@@ -5,65 +5,27 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <span>
-#include <tuple>
 #include <utility>
 
-#include "base/same_key.hpp"
+#include "drawing/partners.hpp"
 
 namespace epura::drawing {
 
 namespace {
 
-// One end of a segment: 2 * segment + (0 at `from`, 1 at `to`).
-using End = int;
-constexpr End none = -1;
-
-int segment_of(End end) { return end / 2; }
-End other(End end) { return end ^ 1; }
-
 const Vec2& place(const std::vector<Segment>& segments, End end) {
-  const Segment& s = segments[segment_of(end)];
+  const Segment& s = segments[line_of(end)];
   return end % 2 == 0 ? s.from : s.to;
 }
 
-// Direction in which the segment leaves this end.
-Vec2 leaving(const std::vector<Segment>& segments, End end) {
-  return glm::normalize(place(segments, other(end)) - place(segments, end));
-}
-
-// Ends that meet in one point: the two that run on most straightly first, as long as there are two.
-void pair_up(const std::vector<Segment>& segments, std::span<const End> ends, std::vector<End>& partner) {
-  constexpr std::size_t most_at_a_point = 64;  // beyond that, straightness is not worth a quadratic search
-  if (ends.size() > most_at_a_point) return;
-  const auto join = [&](End a, End b) {
-    partner[a] = b;
-    partner[b] = a;
-  };
-  if (ends.size() == 2) return join(ends[0], ends[1]);
-  std::vector<std::pair<End, Vec2>> left;
-  for (const End end : ends) left.emplace_back(end, leaving(segments, end));
-  while (left.size() >= 2) {
-    std::tuple<double, End, End> best{HUGE_VAL, none, none};
-    for (std::size_t i = 0; i < left.size(); ++i)
-      for (std::size_t j = i + 1; j < left.size(); ++j)
-        best = std::min(best, std::tuple(glm::dot(left[i].second, left[j].second), left[i].first, left[j].first));
-    const auto [straightness, a, b] = best;
-    join(a, b);
-    std::erase_if(left, [a = a, b = b](const auto& l) { return l.first == a || l.first == b; });
-  }
-}
-
 std::vector<End> find_partners(const std::vector<Segment>& segments, const Progress& progress) {
-  std::vector<End> partner(segments.size() * 2, none);
-  const auto look_and_place = [&](End e) {
-    const Segment& s = segments[segment_of(e)];
-    const Vec2& p = place(segments, e);
+  const auto place_of = [&](End end) { return place(segments, end); };
+  const auto look_and_place = [&](End end) {
+    const Segment& s = segments[line_of(end)];
+    const Vec2& p = place(segments, end);
     return std::array{s.visible ? 1.0 : 0.0, static_cast<double>(s.kind), static_cast<double>(s.model), p.x, p.y};
   };
-  visit_same_keys(static_cast<int>(partner.size()), look_and_place, progress,
-                  [&](std::span<const End> ends) { pair_up(segments, ends, partner); });
-  return partner;
+  return drawing::find_partners(static_cast<int>(segments.size()), place_of, look_and_place, progress);
 }
 
 // Leaves out corners at which the line runs straight on. The offsets of those left out since the last corner add up, or
@@ -96,11 +58,11 @@ void straighten(std::vector<Vec2>& points, bool closed, double tolerance) {
 // Follows partners from the end `start`, whose segment is walked towards its other end.
 Chain follow(const std::vector<Segment>& segments, const std::vector<End>& partner, End start,
              std::vector<bool>& used) {
-  const Segment& first = segments[segment_of(start)];
+  const Segment& first = segments[line_of(start)];
   Chain chain{{place(segments, start)}, false, first.visible, first.kind, {}};
-  for (End at = start; at != none && !used[segment_of(at)]; at = partner[other(at)]) {
-    used[segment_of(at)] = true;
-    chain.segments.push_back(segment_of(at));
+  for (End at = start; at != no_end && !used[line_of(at)]; at = partner[other(at)]) {
+    used[line_of(at)] = true;
+    chain.segments.push_back(line_of(at));
     chain.points.push_back(place(segments, other(at)));
   }
   return chain;
@@ -123,10 +85,10 @@ std::vector<Chain> chain_segments(const std::vector<Segment>& segments, double t
     chains.push_back(std::move(chain));
   };
   for (End end = 0; end < static_cast<End>(partner.size()); ++end)
-    if (partner[end] == none && !used[segment_of(end)]) add(end, false);
+    if (partner[end] == no_end && !used[line_of(end)]) add(end, false);
   // What is left runs in rings.
   for (End end = 0; end < static_cast<End>(partner.size()); end += 2)
-    if (!used[segment_of(end)]) add(end, true);
+    if (!used[line_of(end)]) add(end, true);
   return chains;
 }
 

@@ -15,6 +15,8 @@
 namespace epura::drawing {
 
 /// A straight piece of ink and where it comes from. Coincident pieces are resolved, touching ones of one edge merged.
+/// Where its parameters are equal, it is a link: a line ends there, and its link leads to another one that is drawn for
+/// what lay at that end (drawing/near_ink.hpp).
 struct Segment {
   Vec2 from, to;
   bool visible;
@@ -24,6 +26,8 @@ struct Segment {
   int crossing;             ///< of such a line: its place in ViewDrawing::crossings; otherwise -1
   std::array<double, 2> t;  ///< 3D parameters along the edge, `from` at t[0]
 };
+
+constexpr bool is_link(const Segment& segment) { return segment.t[0] == segment.t[1]; }
 
 /// What a line that is not an edge of a file is made of, besides what all segments have.
 struct CrossingSegment {
@@ -68,6 +72,11 @@ struct ViewDrawing {
   std::vector<Chain> chains;
   std::vector<CutFace> cut_faces;
   Vec2 min{0, 0}, max{0, 0};  ///< box of the ink
+  double contours_moved = 0;  ///< mm; so far at most contours of curved faces are drawn from edges of the mesh
+  double joined_within = 0;   ///< mm; where a line is left out, another one that is as strong lies no farther away
+
+  /// mm; so near to where the mesh asks for a line there is ink.
+  [[nodiscard]] double reach_of_ink() const { return joined_within + 2 * contours_moved; }
 };
 
 }  // namespace epura::drawing

@@ -7,6 +7,7 @@
 #include "base/parallel.hpp"
 #include "drawing/chains.hpp"
 #include "drawing/ink.hpp"
+#include "drawing/meet_contours.hpp"
 
 namespace epura::drawing {
 
@@ -116,14 +117,29 @@ void add_segments(const visibility::ResolvedView& lines, const std::vector<Piece
   });
 }
 
+std::vector<Piece> joined_where_near(std::vector<Piece> pieces, const visibility::ResolvedView& lines,
+                                     const NearLines& near, double touching, const Progress& progress) {
+  if (!(near.distance > 0)) return pieces;
+  std::vector<signed char> strength(pieces.size());
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const Piece& piece = pieces[i];
+    strength[i] =
+        static_cast<signed char>(near.strength(lines.drawn.edges[piece.edge].model, piece.kind, piece.visible));
+  }
+  return join_near(std::move(pieces), strength, near.distance, touching, progress);
+}
+
 }  // namespace
 
 Vec2 position_on_paper(const view::ProjectedScene& view, const view::PaperMap& paper, const edges::FeatureEdge& edge,
                        double s) {
-  if (s == 0) return paper(view.vertices[edge.vertex[0]]);
-  if (s == 1) return paper(view.vertices[edge.vertex[1]]);
-  const view::PageVertex& p = view.vertices[edge.vertex[0]];
-  const view::PageVertex& q = view.vertices[edge.vertex[1]];
+  const auto end = [&](std::size_t i) -> const view::PageVertex& {
+    return view.vertices[edge.shown[i] < 0 ? edge.vertex[i] : edge.shown[i]];
+  };
+  if (s == 0) return paper(end(0));
+  if (s == 1) return paper(end(1));
+  const view::PageVertex& p = end(0);
+  const view::PageVertex& q = end(1);
   return paper({p.x + s * (q.x - p.x), p.y + s * (q.y - p.y), 0, 1});
 }
 
@@ -154,8 +170,12 @@ ViewDrawing make_drawing(const visibility::ResolvedView& lines, const view::Pape
   const Coincidence limits = coincidence_on_paper(view, paper);
   progress.begin("merging lines");
   std::vector<Piece> pieces = pieces_of(lines, paper, options.hidden || !options.leave_out, progress);
+  drawing.contours_moved = lines.drawn.moved * paper.scale;
+  meet_contours(lines, paper, 4 * limits.tolerance, pieces);
   pieces = resolve_coincident(std::move(pieces), limits.tolerance, limits.min, progress);
   if (!options.hidden) std::erase_if(pieces, [](const Piece& piece) { return !piece.visible; });
+  pieces = joined_where_near(std::move(pieces), lines, options.near, limits.min, progress);
+  drawing.joined_within = options.near.reach();
   add_segments(lines, pieces, drawing, progress);
   pieces = std::vector<Piece>();  // chains take their room
   progress.begin("joining lines", drawing.segments.size());

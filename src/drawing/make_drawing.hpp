@@ -6,6 +6,7 @@
 
 #include "base/progress.hpp"
 #include "drawing/drawing.hpp"
+#include "drawing/near_ink.hpp"
 #include "view/paper_map.hpp"
 #include "visibility/visibility.hpp"
 
@@ -16,6 +17,7 @@ struct DrawingOptions {
   bool hidden = true;  ///< keep hidden lines
   /// Those that are not kept are not made. They never had any influence: visible lines come first in rank.
   bool leave_out = true;
+  NearLines near{};
 };
 
 /// The place at page parameter `s` of an edge, in mm.

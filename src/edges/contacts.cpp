@@ -7,7 +7,9 @@
 #include <map>
 #include <optional>
 #include <utility>
+#include <vector>
 
+#include "base/groups.hpp"
 #include "base/parallel.hpp"
 #include "edges/dihedral.hpp"
 #include "scene/placed_part.hpp"
@@ -18,9 +20,9 @@ namespace {
 
 constexpr std::size_t crossings_a_look = 1024;
 // Of the mean height of arcs over their facets: the highest ones.
-constexpr double highest = 2;
-// The cosine of the angle up to which surfaces that touch may turn away from each other.
-constexpr double touching_cosine = 0.99;
+constexpr double highest = 1.5;
+// So many triangles of a face tell where it lies.
+constexpr std::size_t most_asked = 256;
 
 /// A face of a part: the number of its model, and its own.
 using FaceOfModel = std::array<int, 2>;
@@ -43,22 +45,16 @@ class PlacedFaces {
     return face_at(face).surface.kind != features::SurfaceKind::free_form;
   }
 
-  /// The distance of a point from the surface of a face, and how far facets may lie from it, as lengths of the world.
-  [[nodiscard]] double distance(const FaceOfModel& face, const Vec3& point) const {
-    return std::abs(features::signed_distance(face_at(face).surface, in_file(face, point))) * models_[face[0]].scale;
-  }
-  [[nodiscard]] double slack(const FaceOfModel& face) const {
-    return (highest * face_at(face).sagitta + face_at(face).residual + part(face).tolerance) * models_[face[0]].scale;
-  }
-  [[nodiscard]] Vec3 normal(const FaceOfModel& face, const Vec3& point) const {
-    const Vec3 in_world =
-        Mat3(world_.models[face[0]].to_world) * features::normal_near(face_at(face).surface, in_file(face, point));
-    return in_world / models_[face[0]].scale;
+  /// Whether one of two faces lies on the surface of the other, as far as facets tell.
+  [[nodiscard]] bool touch(const FaceOfModel& one, const FaceOfModel& two) const {
+    const double slack = this->slack(one) + this->slack(two);
+    return lies_on(one, two, slack) || lies_on(two, one, slack);
   }
 
  private:
   struct Model {
     std::vector<int> face_of_triangle;  ///< empty where no faces are recognised, or the model is stretched
+    Groups<int> triangles;              ///< of each face, in the whole mesh
     Mat4 to_file{1};
     double scale = 1;
   };
@@ -66,14 +62,36 @@ class PlacedFaces {
   static void place(const scene::Placed& placed, Model& model) {
     const std::optional<double> scale = scene::similarity_scale(placed.to_world);
     if (placed.part == nullptr || !scale) return;
-    model = {scene::faces_of_triangles(placed), glm::inverse(placed.to_world), *scale};
+    const std::vector<int>& faces = placed.part->face_of_triangle;
+    const Groups<int> triangles(placed.part->faces.size(), [&](const auto& visit) {
+      for (std::size_t t = 0; t < faces.size(); ++t) visit(static_cast<std::size_t>(faces[t]), static_cast<int>(t));
+    });
+    model = {scene::faces_of_triangles(placed), triangles, glm::inverse(placed.to_world), *scale};
+  }
+
+  // How far facets may lie from the surface, as a length of the world.
+  [[nodiscard]] double slack(const FaceOfModel& face) const {
+    return (highest * face_at(face).sagitta + face_at(face).residual + part(face).tolerance) * models_[face[0]].scale;
+  }
+
+  [[nodiscard]] bool lies_on(const FaceOfModel& face, const FaceOfModel& other, double slack) const {
+    const scene::Placed& placed = world_.models[face[0]];
+    const mesh::Mesh& mesh = placed.mesh->uncut != nullptr ? *placed.mesh->uncut : *placed.mesh;
+    const Mat4 to_other = models_[other[0]].to_file * placed.to_world;
+    const auto is_near = [&](int vertex) {
+      const Vec3 point(to_other * Vec4(mesh.point(vertex), 1));
+      return std::abs(features::signed_distance(face_at(other).surface, point)) * models_[other[0]].scale <= slack;
+    };
+    const auto triangles = models_[face[0]].triangles[static_cast<std::size_t>(face[1])];
+    const std::size_t step = triangles.size() / most_asked + 1;
+    for (std::size_t i = 0; i < triangles.size(); i += step)
+      for (const int v : mesh.triangle(triangles[i]))
+        if (!is_near(v)) return false;
+    return true;
   }
 
   [[nodiscard]] const features::PartFaces& part(const FaceOfModel& face) const { return *world_.models[face[0]].part; }
   [[nodiscard]] const features::PartFace& face_at(const FaceOfModel& face) const { return part(face).faces[face[1]]; }
-  [[nodiscard]] Vec3 in_file(const FaceOfModel& face, const Vec3& point) const {
-    return Vec3(models_[face[0]].to_file * Vec4(point, 1));
-  }
 
   const scene::World& world_;
   std::vector<Model> models_;
@@ -93,23 +111,13 @@ class ContactJudge {
     return std::array{*one, *two};
   }
 
-  [[nodiscard]] bool touch(const FaceCrossing& crossing) const {
-    const auto one = faces_.face_of(crossing.triangles[0]);
-    const auto two = faces_.face_of(crossing.triangles[1]);
-    if (!one || !two || !faces_.has_form(*one) || !faces_.has_form(*two)) return is_within_turn(crossing);
-    const double slack = faces_.slack(*one) + faces_.slack(*two);
-    const auto lies_on = [&](int triangle, const FaceOfModel& face) {
-      const auto& corners = world_.triangles[triangle];
-      return std::all_of(corners.begin(), corners.end(),
-                         [&](int v) { return faces_.distance(face, world_.points[v]) <= slack; });
-    };
-    const Vec3 middle = (crossing.ends[0] + crossing.ends[1]) * 0.5;
-    return std::abs(glm::dot(faces_.normal(*one, middle), faces_.normal(*two, middle))) >= touching_cosine &&
-           (lies_on(crossing.triangles[0], *two) || lies_on(crossing.triangles[1], *one));
+  /// Whether faces of closed form touch; nothing of free forms.
+  [[nodiscard]] std::optional<bool> touch(const std::array<FaceOfModel, 2>& faces) const {
+    if (!faces_.has_form(faces[0]) || !faces_.has_form(faces[1])) return std::nullopt;
+    return faces_.touch(faces[0], faces[1]);
   }
 
- private:
-  // Whether the facets cross by no more than their surfaces turn from facet to facet.
+  /// Whether facets cross by no more than their surfaces turn from facet to facet.
   [[nodiscard]] bool is_within_turn(const FaceCrossing& crossing) const {
     double turn = 0;
     for (const int triangle : crossing.triangles) {
@@ -120,12 +128,35 @@ class ContactJudge {
     return crossing.angle <= turn * 1.001;
   }
 
+ private:
   const scene::World& world_;
   double normalisation_, crease_angle_;
   PlacedFaces faces_;
 };
 
 double length_of(const FaceCrossing& crossing) { return glm::distance(crossing.ends[0], crossing.ends[1]); }
+
+// Free forms touch where most of their crossings do.
+void judge_faces(const ContactJudge& judge, const std::vector<FaceCrossing>& crossings,
+                 std::vector<Contact>& contacts) {
+  struct Pair {
+    double touching = 0, all = 0;  ///< lengths
+    bool touch = false;
+  };
+  using Faces = std::array<FaceOfModel, 2>;
+  std::vector<std::optional<Faces>> faces;
+  std::map<Faces, Pair> pairs;
+  for (std::size_t i = 0; i < crossings.size(); ++i) {
+    faces.push_back(judge.faces_at(crossings[i]));
+    if (!faces[i]) continue;
+    Pair& pair = pairs[*faces[i]];
+    pair.all += length_of(crossings[i]);
+    if (contacts[i] == Contact::contact) pair.touching += length_of(crossings[i]);
+  }
+  for (auto& [two, pair] : pairs) pair.touch = judge.touch(two).value_or(2 * pair.touching > pair.all);
+  for (std::size_t i = 0; i < crossings.size(); ++i)
+    if (faces[i]) contacts[i] = pairs[*faces[i]].touch ? Contact::contact : Contact::none;
+}
 
 }  // namespace
 
@@ -136,27 +167,12 @@ std::vector<Contact> judge_contacts(const scene::World& world, double normalisat
   try {
     parallel_for(contacts.size(), crossings_a_look, progress, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
-        contacts[i] = judge.touch(crossings[i]) ? Contact::contact : Contact::none;
+        contacts[i] = judge.is_within_turn(crossings[i]) ? Contact::contact : Contact::none;
     });
   } catch (const OutOfTime&) {
     return contacts;
   }
-  // Two faces touch or cross as a whole.
-  struct Lengths {
-    double touching = 0, all = 0;
-  };
-  std::map<std::array<FaceOfModel, 2>, Lengths> pairs;
-  for (std::size_t i = 0; i < crossings.size(); ++i)
-    if (const auto faces = judge.faces_at(crossings[i])) {
-      Lengths& lengths = pairs[*faces];
-      lengths.all += length_of(crossings[i]);
-      if (contacts[i] == Contact::contact) lengths.touching += length_of(crossings[i]);
-    }
-  for (std::size_t i = 0; i < crossings.size(); ++i)
-    if (const auto faces = judge.faces_at(crossings[i])) {
-      const Lengths& lengths = pairs[*faces];
-      contacts[i] = 2 * lengths.touching > lengths.all ? Contact::contact : Contact::none;
-    }
+  judge_faces(judge, crossings, contacts);
   return contacts;
 }
 

@@ -18,10 +18,11 @@ enum class Contact : std::uint8_t {
   contact
 };
 
-/// For each crossing. Two recognised faces of parts touch, or cross, as a whole: they touch where, along most of the
-/// length of their crossings, each lies within the height of their facets' arcs of the other, and faces as it does.
-/// Elsewhere facets are judged pair by pair: they touch where they cross by no more than their surfaces turn from
-/// facet to facet, as far as folds below `crease_angle` tell. `normalisation` is that of find_intersections.
+/// For each crossing. Two recognised faces of parts touch, or cross, as a whole: they touch where the vertices of one
+/// lie on the surface of the other, to the height of arcs over their facets. Elsewhere facets are judged pair by pair:
+/// they touch where they cross by no more than their surfaces turn from facet to facet, as far as folds below
+/// `crease_angle` tell; free forms do where most of their crossings are such. `normalisation` is that of
+/// find_intersections.
 std::vector<Contact> judge_contacts(const scene::World& world, double normalisation, double crease_angle,
                                     const std::vector<FaceCrossing>& crossings, const Progress& progress);
 

@@ -11,6 +11,7 @@
 #include "edges/dihedral.hpp"
 #include "edges/feature_edges.hpp"
 #include "edges/slivers.hpp"
+#include "edges/smooth_contours.hpp"
 
 namespace epura::edges {
 
@@ -96,6 +97,7 @@ FeatureEdges find_feature_edges(const scene::World& world, view::ProjectedScene&
   FeatureEdges drawn;
   for (int model = 0; model < static_cast<int>(world.models.size()); ++model)
     add_mesh_edges({world, model, view.map.normalisation}, view, options, drawn, progress);
+  smooth_contours(world, view, options, drawn);
   if (!options.intersection) return drawn;
   const double normalisation = view.map.normalisation;
   auto [crossings, searched] = find_intersections(world, normalisation, view.contact.in_space, candidates,

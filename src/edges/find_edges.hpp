@@ -27,6 +27,7 @@ struct FeatureEdge {
   int model;
   int mesh_edge;  ///< in its model; -1 for an intersection line
   int crossing;   ///< of an intersection line, in FeatureEdges::crossings; otherwise -1
+  std::array<int, 2> shown{-1, -1};  ///< vertices of the view where its ends are drawn; -1: where they are
 };
 
 /// The triangles of a model that meet in an edge beside slivers: those at the edge and what lies on their far sides.
@@ -39,6 +40,7 @@ struct FeatureEdges {
   std::vector<FeatureEdge> edges;                ///< in order of model and mesh edge, then the intersection lines
   std::vector<MetAcrossSlivers> beside_slivers;  ///< of edges that have slivers, in order of model and mesh edge
   std::vector<FaceCrossing> crossings;
+  double moved = 0;     ///< how far at most ink lies from the edges that it shows; view units
   double searched = 1;  ///< part of the search for crossings that was done before time was over
 };
 

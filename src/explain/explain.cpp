@@ -71,11 +71,16 @@ struct Storyteller {
       return "    no ink: a point on the page\n";
     const drawing::Ruler line(position(span.from), position(span.to));
     visibility::Spans inked;
-    std::vector<std::string> others;
+    std::vector<std::string> others, near;
     for (const drawing::Segment& segment : drawn_view.drawing.segments) {
       const bool own = segment.visible == span.visible && is_own(segment);
       const double tolerance = steps_of_coincidence * limits.tolerance;
       const auto part = drawing::covered_part(line, segment.from, segment.to, tolerance, own ? 0 : limits.min);
+      if (!own && segment.visible >= span.visible && !(part[0] < part[1])) {
+        const double reach = drawn_view.drawing.joined_within;
+        const auto beside = drawing::covered_part(line, segment.from, segment.to, reach, std::max(reach, limits.min));
+        if (beside[0] < beside[1]) near.push_back(over(line, beside) + name_of(segment));
+      }
       if (!(part[0] < part[1])) continue;
       if (own)
         visibility::add_span(inked, part);
@@ -85,6 +90,8 @@ struct Storyteller {
     if (visibility::covers(inked, limits.min, line.length - limits.min)) return "";
     std::string text;
     for (const std::string& other : others) text += "    no ink " + other + " is drawn there\n";
+    if (others.empty())
+      for (const std::string& other : near) text += "    no ink " + other + " is drawn beside it\n";
     return text.empty() ? "    no ink: shorter than " + format_value(limits.min) + " mm\n" : text;
   }
 

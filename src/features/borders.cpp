@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <utility>
 
 #include "base/groups.hpp"
+#include "base/parallel.hpp"
 #include "base/portable_math.hpp"
 #include "features/free_normals.hpp"
 
@@ -41,7 +43,7 @@ class BorderFinder {
         tangent_angle_(tangent_angle) {}
 
   std::vector<PartBorder> find() {
-    for (std::size_t e = 0; e < mesh_.edges.size(); ++e) consider(static_cast<int>(e));
+    find_edges();
     // Of each vertex the border edges there.
     at_vertex_ = Groups<int>(facets_.points.size(), [&](const auto& visit) {
       for (int i = 0; i < static_cast<int>(edges_.size()); ++i)
@@ -60,7 +62,19 @@ class BorderFinder {
     bool closed;
   };
 
-  void consider(int number) {
+  void find_edges() {
+    constexpr std::size_t block = 8192;
+    const std::size_t count = mesh_.edges.size();
+    std::vector<std::vector<BorderEdge>> found((count + block - 1) / block);
+    parallel_for(found.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t b = begin; b < end; ++b)
+        for (std::size_t e = b * block; e < std::min(count, (b + 1) * block); ++e)
+          if (const auto edge = border_edge(static_cast<int>(e))) found[b].push_back(*edge);
+    });
+    for (const auto& some : found) edges_.insert(edges_.end(), some.begin(), some.end());
+  }
+
+  [[nodiscard]] std::optional<BorderEdge> border_edge(int number) const {
     const mesh::MeshEdge& edge = mesh_.edges[number];
     const auto triangles = mesh_.triangles_of(edge);
     const auto region = [&](int t) { return region_of_[facets_.facet_of[t]]; };
@@ -73,11 +87,11 @@ class BorderFinder {
     } else {
       border.faces = {region(triangles[0]), region(triangles[1])};
       const bool inside = border.faces[0] == border.faces[1];
-      if (inside && !fades(triangles)) return;
+      if (inside && !fades(triangles)) return std::nullopt;
       border.angle = inside ? 90 : angle_at(edge, triangles);
     }
     if (border.faces[0] > border.faces[1]) std::swap(border.faces[0], border.faces[1]);
-    edges_.push_back(border);
+    return border;
   }
 
   // The side of the first triangle at which the second one lies.

@@ -9,7 +9,9 @@
 
 namespace epura::features {
 
-/// Gives facets without a region to the round one beside them whose chords they are, see is_chord.
+/// Gives facets without a region to the round one beside them whose chords they are, see is_chord: first those with
+/// vertices on its surface, then those with vertices beside it, where its border was trimmed along a curve that is not
+/// exact.
 void take_chords(const Facets& facets, std::vector<int>& region_of, std::vector<Region>& regions);
 
 }  // namespace epura::features

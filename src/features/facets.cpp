@@ -87,8 +87,17 @@ class Flattening {
     has_vertex_.assign(f_.points.size(), -1);
     f_.first_triangle = {0};
     f_.first_vertex = {0};
-    for (const Key& key : order_)
-      if (f_.facet_of[key.triangle] < 0) grow(key.triangle);
+    find_lone();
+    for (const Key& key : order_) {
+      if (f_.facet_of[key.triangle] >= 0) continue;
+      number_ = static_cast<int>(f_.first_triangle.size()) - 1;
+      if (is_lone_[key.triangle] != 0)
+        add(key.triangle);
+      else
+        grow(key.triangle);
+      f_.first_triangle.push_back(static_cast<int>(f_.triangles.size()));
+      f_.first_vertex.push_back(static_cast<int>(f_.vertices.size()));
+    }
     f_.facets.resize(f_.first_triangle.size() - 1);
     parallel_for(f_.facets.size(), grain, [&](std::size_t begin, std::size_t end) {
       for (std::size_t facet = begin; facet < end; ++facet) f_.facets[facet] = facet_at(static_cast<int>(facet));
@@ -164,7 +173,7 @@ class Flattening {
     if (points.size() == 3) {
       const int t = f_.triangles.back();
       if (f_.normals[t] == Vec3(0)) return std::nullopt;
-      return PartSurface{SurfaceKind::plane, points[0], f_.normals[t]};
+      return plane_of(t);
     }
     return begin_plane(points);
   }
@@ -177,8 +186,27 @@ class Flattening {
     return std::abs(glm::dot(f_.normals[triangle], plane.axis)) > 1 - 1e-3;
   }
 
+  // A triangle with no other in its plane beside it is a facet whatever the others are.
+  void find_lone() {
+    is_lone_.resize(f_.corners.size());
+    parallel_for(f_.corners.size(), grain, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t t = begin; t < end; ++t) {
+        const PartSurface plane = plane_of(static_cast<int>(t));
+        const auto stays_outside = [&](const Side& side) {
+          if (side.neighbour < 0) return true;
+          if (same_polygon(side.neighbour, static_cast<int>(t))) return false;
+          return plane.axis == Vec3(0) || !lies_in(plane, side.neighbour, 2);
+        };
+        is_lone_[t] = std::all_of(f_.sides[t].begin(), f_.sides[t].end(), stays_outside) ? 1 : 0;
+      }
+    });
+  }
+
+  [[nodiscard]] PartSurface plane_of(int triangle) const {
+    return {SurfaceKind::plane, f_.points[f_.corners[triangle][0]], f_.normals[triangle]};
+  }
+
   void grow(int seed) {
-    number_ = static_cast<int>(f_.first_triangle.size()) - 1;
     add_polygon(seed);
     auto plane_found = plane();
     const auto all_in = [&](double reach) {
@@ -202,8 +230,6 @@ class Flattening {
         refit = 2 * (f_.triangles.size() - begin);
       }
     }
-    f_.first_triangle.push_back(static_cast<int>(f_.triangles.size()));
-    f_.first_vertex.push_back(static_cast<int>(f_.vertices.size()));
   }
 
   [[nodiscard]] bool polygon_lies_in(const PartSurface& plane, int triangle, double reach) {
@@ -284,6 +310,7 @@ class Flattening {
   std::vector<Key> order_;
   std::vector<int> seen_, has_vertex_;  ///< the last facet that met a triangle or has a vertex
   std::vector<int> polygon_;
+  std::vector<char> is_lone_;
   int number_ = 0;
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -21,6 +22,7 @@ constexpr double width_ratio = 8;
 // Flats of a polygon with narrow chamfers between them fold so, too.
 constexpr double coarse_fold = 0.185;  // 21 degrees
 constexpr double coarse_width_ratio = 3;
+constexpr double narrow = 8;
 
 class Completion {
  public:
@@ -31,6 +33,7 @@ class Completion {
     find_largest_folds();
     for (int f = 0; f < size(); ++f)
       if (is_loose(f)) join_smooth_neighbours(f);
+    join_narrow_triangles();
     make_regions();
     give_slivers_away();
   }
@@ -67,6 +70,16 @@ class Completion {
 
   [[nodiscard]] bool is_polygon(int facet) const { return facets_.vertices_of(facet).size() > 3; }
 
+  // The same where two triangles that are nearly one lie beside each other: behind the other half.
+  [[nodiscard]] double fold_behind(int facet, int neighbour, double angle) const {
+    double largest = 0;
+    facets_.for_sides(facet, [&](int t, int side, int half) {
+      if (half != neighbour && is_loose(half) && 4 * facets_.fold_at(t, side) < angle)
+        largest = std::max(largest, fold_beside(half, facet));
+    });
+    return largest;
+  }
+
   // How far a facet reaches from the side of a triangle of it.
   [[nodiscard]] double reach(int facet, const Vec3& from, const Vec3& to) const {
     const Vec3 along = glm::normalize(to - from);
@@ -81,7 +94,10 @@ class Completion {
       if (other < f || !is_loose(other)) return;
       const double angle = facets_.fold_at(t, side);
       if (angle > most_smooth) return;
-      if (angle > fold_ratio * std::max(fold_beside(f, other), fold_beside(other, f)) + fold_slack) return;
+      const auto is_usual = [&](double usual) { return angle <= fold_ratio * usual + fold_slack; };
+      if (!is_usual(std::max(fold_beside(f, other), fold_beside(other, f))) &&
+          !is_usual(std::max(fold_behind(f, other, angle), fold_behind(other, f, angle))))
+        return;
       const auto [a, b] = facets_.ends_of(t, side);
       const double one = reach(f, a, b), two = reach(other, a, b);
       const double most_ratio =
@@ -91,10 +107,45 @@ class Completion {
     });
   }
 
-  void make_regions() {
+  [[nodiscard]] std::vector<int> count_members() {
     std::vector<int> members(facets_.facets.size(), 0);
     for (int f = 0; f < size(); ++f)
       if (is_loose(f)) ++members[sets_.root(f)];
+    return members;
+  }
+
+  [[nodiscard]] bool is_narrow(int t, int side, int facet) const {
+    return !is_polygon(facet) && facets_.length_of(t, side) > narrow * facets_.facets[facet].width;
+  }
+
+  // Triangles from a long chord of a free form's border to a vertex close by tilt. Alone, or with others of their kind,
+  // they belong to what is behind a long side of theirs.
+  void join_narrow_triangles() {
+    const std::vector<int> members = count_members();
+    struct Join {
+      double fold = most_smooth;
+      int facet = -1, other = -1;
+    };
+    std::vector<Join> joins(facets_.facets.size());
+    std::vector<char> has_wide(facets_.facets.size(), 0);
+    for (int f = 0; f < size(); ++f) {
+      if (!is_loose(f)) continue;
+      const int root = sets_.root(f);
+      bool is_wide = true;
+      facets_.for_sides(f, [&](int t, int side, int other) {
+        if (!is_narrow(t, side, f)) return;
+        is_wide = false;
+        if (!is_loose(other) || members[sets_.root(other)] < 3 || sets_.root(other) == root) return;
+        if (const double fold = facets_.fold_at(t, side); fold < joins[root].fold) joins[root] = {fold, f, other};
+      });
+      if (is_wide) has_wide[root] = 1;
+    }
+    for (int root = 0; root < size(); ++root)
+      if (joins[root].other >= 0 && has_wide[root] == 0) sets_.join(joins[root].facet, joins[root].other);
+  }
+
+  void make_regions() {
+    const std::vector<int> members = count_members();
     std::vector<int> region_of_set(facets_.facets.size(), -1);
     for (int f = 0; f < size(); ++f) {
       if (region_of_[f] >= 0 || facets_.is_sliver(f)) continue;
@@ -189,7 +240,8 @@ class Completion {
 
 bool lies_on(const Facets& facets, const Region& region, const PartSurface& surface, double sagitta) {
   const double allowance = allowance_of(facets, sagitta);
-  return std::all_of(region.facets.begin(), region.facets.end(),
+  const std::span<const int> exact = region.exact_facets();
+  return std::all_of(exact.begin(), exact.end(),
                      [&](int f) { return approximates(facets, f, surface, allowance, sagitta); });
 }
 

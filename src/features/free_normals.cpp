@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t enough_vertices = 14;
 constexpr std::size_t least_vertices = 7;
-constexpr std::size_t most_facets = 96;
+constexpr std::size_t most_facets = 48;
 // Across a crease inside the face there is no paraboloid.
 constexpr double least_agreement = 0.6;
 

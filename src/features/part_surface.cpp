@@ -58,7 +58,8 @@ Beside beside(const PartSurface& s, const Vec3& point) {
   if (s.kind == SurfaceKind::torus) {
     const Vec3 from = (polar.radius - s.radius) * polar.outwards + polar.height * s.axis;
     // Not the length of that: on the axis it has no direction from there.
-    const double length = std::hypot(polar.radius - s.radius, polar.height);
+    const double in = polar.radius - s.radius;
+    const double length = std::sqrt(in * in + polar.height * polar.height);
     return {polar, length > 0 ? from / length : Vec3(0), length - s.minor};
   }
   return {polar, polar.outwards, polar.radius - s.radius};

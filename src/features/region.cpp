@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "base/parallel.hpp"
 #include "base/portable_math.hpp"
 #include "features/least_squares.hpp"
 
@@ -13,6 +14,7 @@ namespace epura::features {
 
 namespace {
 
+constexpr std::size_t grain = 4096;
 constexpr double turn = 2 * std::numbers::pi;
 constexpr double degree = std::numbers::pi / 180;
 // A facet takes at most 45 degrees of its surface, so a corner of it is turned by half of that.
@@ -22,11 +24,11 @@ constexpr double least_fold_cosine = 0.62;
 // Twelve facets a turn or more, on average.
 constexpr double most_mean_turn = 15.5 * degree;
 constexpr double most_step = 33 * degree;
+constexpr double most_of_sweep = 0.6;  // of an arc that one facet takes
 constexpr double most_mean_turn_both_ways = 21.5 * degree;
 // One facet stands at most four times as high over its chord as others: it takes twice the angle.
 constexpr double most_sagittas = 16;
-// The same of the middles of the sides of a facet that faces elsewhere.
-constexpr double most_sagittas_of_sides = 16;
+constexpr double tilted_facing = 0.9976;  // cosine of 4 degrees
 constexpr double least_facing = 0.5;
 constexpr double tangent_cosine = 0.99966;  // of 1.5 degrees
 // Places around a surface, with ends at which a neighbour touches it, from which three would follow anyway.
@@ -84,16 +86,21 @@ bool is_chord(const Facets& facets, int facet, const PartSurface& surface, doubl
   };
   for (const int v : facets.vertices_of(facet))
     if (!is_near(facets.points[v], allowance)) return false;
+  const Facet& f = facets.facets[facet];
+  const auto facing = [&](const Vec3& p) { return std::abs(glm::dot(normal_near(surface, p), f.normal)); };
+  // One that does not tilt, but takes a large angle, is a flat of the part.
+  if (facing(f.middle) > tilted_facing)
+    for (const int v : facets.vertices_of(facet))
+      if (facing(facets.points[v]) < least_agreement && normal_near(surface, facets.points[v]) != Vec3(0)) return false;
+  const double most = most_sagittas * sagitta + allowance;
   for (const int t : facets.triangles_of(facet)) {
     const auto& [a, b, c] = facets.corners[t];
     const Vec3 middle = (facets.points[a] + facets.points[b] + facets.points[c]) / 3.0;
-    if (!is_near(middle, most_sagittas * sagitta + allowance)) return false;
-    if (!facets.is_sliver(facet) &&
-        std::abs(glm::dot(normal_near(surface, middle), facets.facets[facet].normal)) < least_facing)
-      return false;
+    if (!is_near(middle, most)) return false;
+    if (facing(middle) < least_facing && !facets.is_sliver(facet)) return false;
     for (int side = 0; side < 3; ++side) {
       const std::array<Vec3, 2> ends = facets.ends_of(t, side);
-      if (!is_near((ends[0] + ends[1]) / 2.0, most_sagittas_of_sides * sagitta + allowance)) return false;
+      if (!is_near((ends[0] + ends[1]) / 2.0, most)) return false;
     }
   }
   return true;
@@ -102,15 +109,19 @@ bool is_chord(const Facets& facets, int facet, const PartSurface& surface, doubl
 Places places_of(const PartSurface& s, std::span<const Vec3> points, bool around_tube, double allowance) {
   const double radius = around_tube ? s.minor : s.radius;
   const double same = std::max(1e-5, 16 * allowance / radius);
-  std::vector<double> angles;
-  for (const Vec3& p : points) {
-    // On the axis there is no angle.
-    const Vec3 from = p - s.origin;
-    if (glm::length(from - glm::dot(from, s.axis) * s.axis) > 1e-3 * s.radius)
-      angles.push_back(angle_of(s, p, around_tube));
-  }
+  constexpr double none = HUGE_VAL;
+  std::vector<double> angles(points.size());
+  parallel_for(points.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      // On the axis there is no angle.
+      const Vec3 from = points[i] - s.origin;
+      const bool is_off = glm::length(from - glm::dot(from, s.axis) * s.axis) > 1e-3 * s.radius;
+      angles[i] = is_off ? angle_of(s, points[i], around_tube) : none;
+    }
+  });
+  parallel_sort(angles.begin(), angles.end());
+  while (!angles.empty() && angles.back() == none) angles.pop_back();
   if (angles.empty()) return {};
-  std::sort(angles.begin(), angles.end());
   std::vector<double> places{angles.front()};
   for (const double a : angles)
     if (a > places.back() + same) places.push_back(a);
@@ -257,14 +268,17 @@ void RegionGrower::take_enclosed(Region& region) {
 
 void RegionGrower::drop_misfits(Region& region) {
   const double allowance = allowance_of(facets_, region.sagitta);
+  std::vector<char> stays(region.facets.size());
+  parallel_for(stays.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      stays[i] = approximates(facets_, region.facets[i], region.surface, allowance, region.sagitta) ? 1 : 0;
+  });
   std::vector<int> kept;
-  for (const int f : region.facets) {
-    const bool stays = approximates(facets_, f, region.surface, allowance, region.sagitta);
-    if (stays)
-      kept.push_back(f);
+  for (std::size_t i = 0; i < stays.size(); ++i)
+    if (stays[i] != 0)
+      kept.push_back(region.facets[i]);
     else
-      stamp_[f] = 0;
-  }
+      stamp_[region.facets[i]] = 0;
   const bool dropped = kept.size() < region.facets.size();
   region.facets = std::move(kept);
   if (dropped && !region.facets.empty()) fit_again(region);
@@ -277,9 +291,12 @@ std::optional<Region> RegionGrower::grow(const PartSurface& beginning, std::span
   for (const int f : seeds) add(region, f);
   for (int round = 0; round < 4; ++round) {
     if (!spread(region) && round > 0) break;
-    if (!fit_again(region)) return std::nullopt;
+    // A few vertices beside the surface may have bent it.
+    const std::size_t before = region.facets.size();
+    region.chosen = !fit_again(region) || region.chosen;
     drop_misfits(region);
-    if (region.facets.size() < 2) return std::nullopt;
+    if (region.facets.size() < 2 || 3 * region.facets.size() < 2 * before) return std::nullopt;
+    if (region.residual > allowance_of(facets_, region.sagitta)) return std::nullopt;
   }
   // A surface is only told from the polyhedron where the two differ.
   if (region.residual > allowance_of(facets_, region.sagitta) || region.sagitta < 4 * region.residual)
@@ -345,6 +362,8 @@ bool RegionGrower::is_evident_arc(const Region& region, bool around_tube, double
   const double most = around_tube ? most_mean_turn_both_ways : most_mean_turn;
   // An octagon with narrow chamfers has as many places, but not all around.
   if (places.closed) return places.count >= 12 && mean_turn <= most && places.step <= most_step;
+  // A wide facet with narrow ones at both ends, which are those of the next faces.
+  if (places.step > most_of_sweep * places.sweep) return false;
   const int tangent = tangent_ends(region, places, around_tube);
   if (tangent < 2 && places.step > most_step) return false;
   if (tangent < 2 && mean_turn > most) return false;
@@ -370,7 +389,8 @@ std::optional<PartSurface> RegionGrower::simpler_than(const Region& region) {
 bool RegionGrower::is_beyond_chance(const Region& region) {
   const auto vertices = static_cast<double>(points_of(region, most_fitted).size());
   const double distance = std::max(region.residual, facets_.tolerance / 4);
-  return (vertices - unknowns_of(region.surface.kind)) * std::log2(region.sagitta / distance) >= least_bits;
+  return (vertices - unknowns_of(region.surface.kind)) * std::log2(region.sagitta / distance) >=
+         (region.chosen ? 2 * least_bits : least_bits);
 }
 
 bool RegionGrower::is_evident(const Region& region) {

@@ -2,6 +2,9 @@
 // Facets that lie on one surface: how such a region grows, and what proves that the surface is meant.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -16,6 +19,13 @@ struct Region {
   std::vector<int> facets;
   double residual = 0;  ///< largest distance of a vertex from the surface
   double sagitta = 0;   ///< mean height of the surface over the middles of facets
+  bool chosen = false;  ///< facets that lie beside the surface were left out
+  /// So many of the facets, the first ones, lie on the surface; others have a vertex beside it.
+  std::size_t exact = std::numeric_limits<std::size_t>::max();
+
+  [[nodiscard]] std::span<const int> exact_facets() const {
+    return std::span(facets).first(std::min(exact, facets.size()));
+  }
 };
 
 /// How far vertices may lie from a surface whose facets lie `sagitta` below it. Files of little precision are read,

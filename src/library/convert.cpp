@@ -108,6 +108,7 @@ scene::ViewDescription describe(const View& view, const std::string& where) {
   description.edges = {view.edges, where + ".edges"};
   if (view.crease_angle)
     description.crease_angle = {checked(*view.crease_angle, where + ".crease_angle", 0, 180), where + ".crease_angle"};
+  description.join_within = {checked(view.join_within, where + ".join_within", 0, 1), where + ".join_within"};
   description.near = located(view.near, where + ".near");
   description.far = located(view.far, where + ".far");
   if (view.scale) {

@@ -98,6 +98,12 @@ report::PlanStep section_step(const CutSection& section) {
           count_of(section.cut.faces.size())};
 }
 
+drawing::NearLines near_lines(const ViewOptions& options) {
+  return {options.join_within, [&options](int model, EdgeKind kind, bool visible) {
+            return sheet::line_strength(kind, visible, options.styles[static_cast<std::size_t>(model)]);
+          }};
+}
+
 struct DrawnLines {
   drawing::ViewDrawing drawing;
   drawing::CurveReport curves;
@@ -268,8 +274,9 @@ void ViewRun::hide() {
 DrawnLines ViewRun::draw_lines(const view::PaperMap& paper) {
   const auto make = [&](const Progress& progress) {
     DrawnLines lines;
-    lines.drawing = drawing::make_drawing({input_.world, view_, drawn_, hidden_}, paper,
-                                          {options_.name, options_.keep_hidden(), options_.leave_out.hidden}, progress);
+    const drawing::DrawingOptions options{options_.name, options_.keep_hidden(), options_.leave_out.hidden,
+                                          near_lines(options_)};
+    lines.drawing = drawing::make_drawing({input_.world, view_, drawn_, hidden_}, paper, options, progress);
     if (options_.arcs) lines.curves = drawing::find_curves(lines.drawing.chains, *options_.arcs, progress);
     return lines;
   };

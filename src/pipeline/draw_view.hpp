@@ -36,6 +36,7 @@ struct ViewOptions {
   std::optional<int> verify;              ///< by so many points at random
   std::optional<double> arcs;             ///< lines within so many mm of circles and ellipses become these
   bool centre_lines = false;
+  double join_within = 0.1;  ///< mm of paper; lines so near along each other are one, 0: all are drawn
   Shortcuts leave_out{};
 
   /// Whether the hidden lines of some model are drawn.

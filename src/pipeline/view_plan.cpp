@@ -39,6 +39,7 @@ ViewOptions view_options(const scene::SceneDescription& scene, const scene::View
   options.edges = edge_options(view);
   options.wireframe = run.visibility == Visibility::none;
   options.styles = styles_of(scene, view);
+  options.join_within = view.join_within.value_or(options.join_within);
   options.arcs = run.arcs;
   options.centre_lines = run.centre_lines;
   options.leave_out = run.plan;

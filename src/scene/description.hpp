@@ -55,6 +55,7 @@ struct ViewDescription {
   LocatedText section;           ///< name of the section that it shows
   LocatedText label;             ///< written above it; "A-A" for a section by default
   Located<double> crease_angle;  ///< degrees
+  Located<double> join_within;   ///< mm of paper
   Located<double> near, far;     ///< depths, in units of the world
   Located<Vec2> at;              ///< middle of its ink, mm from the lower left corner of the sheet
   Located<int> sheet;            ///< which one of several, from 1; the first by default

@@ -183,14 +183,13 @@ std::vector<Stroke>& strokes_of(Strokes& strokes, scene::SheetLine line) {
   return strokes[static_cast<std::size_t>(line)];
 }
 
-scene::SheetLine line_of(const drawing::Chain& chain, const ModelStyle& look) {
-  if (!chain.visible)
-    return look.hidden == HiddenLines::solid ? scene::SheetLine::hidden_solid : scene::SheetLine::hidden;
-  return look.line == LineRole::visible ? edge_line(chain.kind, true).value() : scene::line_of(look.line);
+scene::SheetLine line_of(EdgeKind kind, bool visible, const ModelStyle& look) {
+  if (!visible) return look.hidden == HiddenLines::solid ? scene::SheetLine::hidden_solid : scene::SheetLine::hidden;
+  return look.line == LineRole::visible ? edge_line(kind, true).value() : scene::line_of(look.line);
 }
 
-bool is_drawn(const drawing::Chain& chain, const ModelStyle& look) {
-  return chain.visible || (look.hidden != HiddenLines::none && edge_line(chain.kind, false));
+bool is_drawn(EdgeKind kind, bool visible, const ModelStyle& look) {
+  return visible || (look.hidden != HiddenLines::none && edge_line(kind, false));
 }
 
 struct Looks {
@@ -209,8 +208,8 @@ struct ChainPlan {
 };
 
 ChainPlan plan_of(const drawing::Chain& chain, const ModelStyle& look, const LineWidths& widths) {
-  const scene::SheetLine line = line_of(chain, look);
-  if (!is_drawn(chain, look)) return {line, false, 0};
+  const scene::SheetLine line = line_of(chain.kind, chain.visible, look);
+  if (!is_drawn(chain.kind, chain.visible, look)) return {line, false, 0};
   if (line != scene::SheetLine::hidden || !is_dashed(chain, widths.narrow)) return {line, false, 1};
   return {line, true, dash_runs(chain, widths.narrow).size()};
 }
@@ -297,6 +296,10 @@ std::optional<scene::SheetLine> edge_line(EdgeKind kind, bool visible) {
   if (!visible) return edges::is_within_surface(kind) ? std::nullopt : std::optional(scene::SheetLine::hidden);
   if (kind == EdgeKind::section) return scene::SheetLine::section;
   return edges::is_within_surface(kind) ? scene::SheetLine::tangent : scene::SheetLine::visible;
+}
+
+int line_strength(EdgeKind kind, bool visible, const ModelStyle& style) {
+  return is_drawn(kind, visible, style) ? static_cast<int>(line_of(kind, visible, style)) : -1;
 }
 
 std::vector<Layer> view_layers(const drawing::ViewDrawing& drawing, const LineWidths& widths,

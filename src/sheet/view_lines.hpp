@@ -23,6 +23,10 @@ struct ModelStyle {
   HiddenLines hidden = HiddenLines::dashed;
 };
 
+/// Of two lines in one place that with the greater number is seen: visible before hidden, wide before narrow, as they
+/// are painted. Below 0: it is not drawn.
+int line_strength(EdgeKind kind, bool visible, const ModelStyle& style);
+
 /// Layers of a drawing that is in its place, to be painted in this order; `styles` are by model.
 ///   VIEW/hidden     hidden lines: narrow, dashed (type 02.1) or continuous
 ///   VIEW/neighbour, VIEW/narrow   visible lines of models with that role

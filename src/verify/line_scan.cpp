@@ -52,7 +52,22 @@ LineScan::LineScan(const VerifyInput& input, const ScanScene& scene, const FoldR
 
 std::array<Vec2, 2> LineScan::segment(int number) const {
   const drawing::Segment& segment = input_.drawing.segments[number];
-  return {segment.from - scene_.origin, segment.to - scene_.origin};
+  const std::array<Vec2, 2> drawn{segment.from - scene_.origin, segment.to - scene_.origin};
+  if (!(input_.drawing.contours_moved > 0) || segment.kind != EdgeKind::contour || segment.edge[0] < 0) return drawn;
+  const std::array<Vec2, 2> in_mesh{place_in_mesh(segment, 0), place_in_mesh(segment, 1)};
+  // Along the contour an end may have moved by the length of its edge.
+  const double within = input_.drawing.contours_moved + limits_.reach + glm::distance(in_mesh[0], in_mesh[1]);
+  return glm::distance(0.5 * (drawn[0] + drawn[1]), 0.5 * (in_mesh[0] + in_mesh[1])) <= within ? in_mesh : drawn;
+}
+
+// Where the edge of the mesh lies that a segment shows.
+Vec2 LineScan::place_in_mesh(const drawing::Segment& segment, std::size_t end) const {
+  const scene::World& world = input_.world;
+  const int first = world.first_vertex[segment.model];
+  const Vec3& a = world.points[first + segment.edge[0]];
+  const Vec3& b = world.points[first + segment.edge[1]];
+  const Vec4 page = input_.drawing.world_to_page * Vec4(a + segment.t[end] * (b - a), 1);
+  return Vec2(page.x, page.y) / page.w - scene_.origin;
 }
 
 double LineScan::length_of_ink() const {
@@ -160,7 +175,8 @@ std::vector<LineFindings> LineScan::scan(const std::vector<ScanLine>& lines, con
     if (shape_of(triangle, shape)) through(shape, meet);
   });
   const ItemsOfLines segments = gather(input_.drawing.segments.size(), [&](int number, const auto& meet) {
-    if (input_.drawing.segments[number].visible) through(segment(number), meet);
+    const drawing::Segment& ink = input_.drawing.segments[number];
+    if (ink.visible && !drawing::is_link(ink)) through(segment(number), meet);
   });
   std::vector<LineFindings> findings(lines.size());
   parallel_for(lines.size(), 1, progress, [&](std::size_t first, std::size_t last) {

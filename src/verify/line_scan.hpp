@@ -43,6 +43,7 @@ class LineScan {
 
   /// The visible ink, mm from ScanScene::origin.
   [[nodiscard]] std::array<Vec2, 2> segment(int number) const;
+  [[nodiscard]] Vec2 place_in_mesh(const drawing::Segment& segment, std::size_t end) const;
   /// Lengths that together tell how often lines at random cut triangles, and how long the visible ink is.
   [[nodiscard]] double perimeter_of_triangles(double max) const;
   [[nodiscard]] double length_of_ink() const;

@@ -155,7 +155,7 @@ class Outline {
   [[nodiscard]] std::vector<bool> inked(const std::vector<AskedLine>& asked) const {
     std::vector<Expected> places;
     for (const AskedLine& one : asked) places.push_back({one.place + scene_.origin, true});
-    return find_ink(input_.drawing, places, reach_);
+    return find_ink(input_.drawing, places, reach_ + input_.drawing.reach_of_ink());
   }
 
   void look_for_ink() {

@@ -109,7 +109,7 @@ class Verifier {
       places.push_back({page_of(i), span_of(i).visible});
     }
     // Ink gives way to ink within contact of it, and what remains shorter than a few times that is left out.
-    const double reach = std::max(guaranteed * tolerance_.size, 16 * tolerance_.contact);
+    const double reach = std::max(guaranteed * tolerance_.size, 16 * tolerance_.contact) + input_.drawing.reach_of_ink();
     const std::vector<bool> found = find_ink(input_.drawing, places, reach);
     for (std::size_t i = 0; i < asked.size(); ++i)
       if (!found[i]) findings_[asked[i]] = Finding::no_ink;

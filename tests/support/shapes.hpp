@@ -26,6 +26,7 @@ using laboratory::perspective;
 using laboratory::plate;
 using laboratory::Point;
 using laboratory::Result;
+using laboratory::recognised;
 using laboratory::revolved;
 using laboratory::Shape;
 using laboratory::sombrero;

@@ -233,4 +233,10 @@ scene::World world_of(const std::vector<Shape>& shapes) {
   return scene::make_world(std::move(models));
 }
 
+scene::World recognised(scene::World world) {
+  for (scene::Placed& placed : world.models)
+    placed.part = std::make_shared<const features::PartFaces>(features::recognise_faces(*placed.mesh));
+  return world;
+}
+
 }  // namespace epura::laboratory

@@ -34,6 +34,25 @@ TEST(Draw, EveryFormatByItsExtension) {
   EXPECT_EQ(folder.names(), (Names{"x.dxf", "x.eps", "x.json", "x.pdf", "x.png", "x.ps", "x.svg"}));
 }
 
+// Its rims are turned against each other by half a facet: corners of one peep out beside the other.
+TEST(Draw, PlottersDrawTheRimOfACylinderSeenAlongItsAxisOnce) {
+  const Folder folder;
+  const auto lines = [&](const char* within) {
+    const std::string model = EPURA_TEST_GOLDEN "/models/twisted-cylinder.obj";
+    EXPECT_EQ(epura({"draw", model, "--projection", "top", "--scale", "2:1", "--join-within", within, "-o", "x.dxf"},
+                    folder / "")
+                  .code,
+              0);
+    const std::string dxf = read_file(folder / "x.dxf");
+    std::size_t count = 0;
+    for (const std::string_view type : {"\nLWPOLYLINE\n", "\nLINE\n"})
+      for (std::size_t at = dxf.find(type); at != std::string::npos; at = dxf.find(type, at + 1)) ++count;
+    return count;
+  };
+  EXPECT_EQ(lines("0.1"), 1U);
+  EXPECT_GT(lines("0"), 2U);
+}
+
 TEST(Draw, ExtensionsMayBeCapitals) {
   const Folder folder;
   EXPECT_EQ(epura({"draw", sample("cylinders.obj"), "-o", "X.PDF"}, folder / "").code, 0);

@@ -27,11 +27,11 @@ TEST(Help, IsThereForEverything) {
   EXPECT_TRUE(contains(answer({"plugins", "--help"}).out, "--plugin-path"));
   const std::string draw = answer({"draw", "--help"}).out;
   for (const char* option :
-       {"--output",       "-o",           "--format",   "--projection", "--plugin-path", "--near",
-        "--far",          "--transform",  "--unit",     "--up",         "--hidden",      "--edges",
-        "--crease-angle", "--visibility", "--contact",  "--sheet",      "--portrait",    "--landscape",
-        "--scale",        "--title",      "--plain",    "--dpi",        "--threads",     "--timings",
-        "--why",          "--dump",       "--progress", "--time-limit", "--svg-text",    "--explain"})
+       {"--output",    "-o",        "--format",     "--projection", "--plugin-path", "--near",         "--far",
+        "--transform", "--unit",    "--up",         "--hidden",     "--edges",       "--crease-angle", "--visibility",
+        "--contact",   "--sheet",   "--portrait",   "--landscape",  "--scale",       "--title",        "--plain",
+        "--dpi",       "--threads", "--timings",    "--why",        "--dump",        "--progress",     "--time-limit",
+        "--svg-text",  "--explain", "--join-within"})
     EXPECT_TRUE(contains(draw, option)) << option;
   EXPECT_EQ(answer({"draw", "-h"}).out, draw);
 }

@@ -93,7 +93,7 @@ TEST_P(StageOfLines, WhatIsShownIsAPartOfTheWholeDrawing) {
   const Folder folder;
   const std::string model = folder.file("tangle.obj", tangle(400));
   const std::string json = (folder / "x.json").string(), svg = (folder / "x.svg").string();
-  const std::vector<std::string> arguments{model, "-o", json, "-o", svg, "--arcs"};
+  const std::vector<std::string> arguments{model, "-o", json, "-o", svg, "--arcs", "--join-within", "0"};
   EXPECT_EQ(draw_struck_at("", arguments).stages, std::vector<std::string>());
   const std::set<std::string> whole = segments_of(read_file(json));
   const std::string whole_svg = read_file(svg);
@@ -121,7 +121,7 @@ INSTANTIATE_TEST_SUITE_P(Stages, StageOfLines,
 TEST(StagesInTime, WithoutTimeForTheSearchTheLongestLinesAreTriedOnAllFaces) {
   const Folder folder;
   const std::string model = folder.file("tangle.obj", tangle(400)), json = (folder / "x.json").string();
-  const std::vector<std::string> arguments{model, "-o", json};
+  const std::vector<std::string> arguments{model, "-o", json, "--join-within", "0"};
   draw_struck_at("", arguments);
   const std::set<std::string> whole = segments_of(read_file(json));
   double now = 0;

@@ -19,31 +19,8 @@ Vec3 normal_of(const Vec3& p) {
   return glm::normalize(Vec3(-0.2 * p.x - 0.02 * p.y - 0.03 * p.x * p.x, 0.14 * p.y - 0.02 * p.x, 1));
 }
 
-// Half as many vertices on the border as in the row close beside it.
-Part sheet() {
-  constexpr int n = 12;
-  Part part;
-  std::vector<std::vector<int>> rows;
-  for (const double y : {0.0, 0.02, 0.3, 0.6, 0.9}) {
-    rows.emplace_back();
-    for (int i = 0; i <= n; i += y == 0 ? 2 : 1) rows.back().push_back(part.add({0.2 * i, y, height(0.2 * i, y)}));
-  }
-  for (int i = 0; i < n; i += 2) {
-    const int a = rows[0][i / 2], b = rows[0][i / 2 + 1];
-    part.faces.push_back({a, b, rows[1][i + 1]});
-    part.faces.push_back({a, rows[1][i + 1], rows[1][i]});
-    part.faces.push_back({b, rows[1][i + 2], rows[1][i + 1]});
-  }
-  for (std::size_t r = 1; r + 1 < rows.size(); ++r)
-    for (int i = 0; i < n; ++i) {
-      part.faces.push_back({rows[r][i], rows[r][i + 1], rows[r + 1][i]});
-      part.faces.push_back({rows[r][i + 1], rows[r + 1][i + 1], rows[r + 1][i]});
-    }
-  return part;
-}
-
 TEST(FreeNormals, AreThoseOfTheSurfaceWhereFacetsTilt) {
-  const Part part = sheet();
+  const Part part = coarsely_bordered(height);
   const mesh::Mesh mesh = part.mesh();
   const features::Facets facets = features::make_facets(mesh);
   std::vector<features::Region> regions(1);

@@ -182,6 +182,14 @@ TEST(RecogniseFaces, AFlatOfAShaftIsNoPartOfIt) {
   EXPECT_EQ(count(part, features::BorderKind::sharp), 6);
 }
 
+TEST(RecogniseFaces, ANarrowFlatBetweenFewFacetsIsNoPartOfIt) {
+  // The flat takes 63 degrees, facets take 30: nine times their height.
+  std::vector<Vec2> outline = arc({0, 0}, 6, 31.5, 328.5, 10);
+  const features::PartFaces part = recognise(prism(outline, 30));
+  EXPECT_EQ(part.faces.size(), 4U);
+  EXPECT_EQ(count(part, features::BorderKind::sharp), 6);
+}
+
 TEST(RecogniseFaces, HolesFaceInwards) {
   for (const bool fine : {false, true}) {
     Part part = plate_with_hole(20, 5, 8, fine ? 40 : 8);
@@ -269,18 +277,26 @@ TEST(RecogniseFaces, FreeFormsAreOneFace) {
   for (int i = 0; i < n; ++i) rim.push_back(grid[n][i]);
   for (int i = n; i > 0; --i) rim.push_back(grid[i][n]);
   for (int i = n; i > 0; --i) rim.push_back(grid[0][i]);
-  std::vector<int> foot;
-  for (const int v : rim) foot.push_back(part.add({part.points[v].x, part.points[v].y, 0}));
-  for (std::size_t i = 0; i < rim.size(); ++i) {
-    const std::size_t j = (i + 1) % rim.size();
-    part.faces.push_back({foot[i], foot[j], rim[j], rim[i]});
-  }
-  part.faces.push_back({foot.rbegin(), foot.rend()});
+  close_below(part, rim, 0);
   const features::PartFaces faces = recognise(part);
   EXPECT_EQ(count(faces, features::SurfaceKind::free_form), 1);
   EXPECT_EQ(count(faces, features::SurfaceKind::plane), 5);
   EXPECT_EQ(faces.faces.size(), 6U);
   EXPECT_EQ(count(faces, features::BorderKind::sharp), 12);
+}
+
+TEST(RecogniseFaces, TrianglesThatTiltAlongTheBorderOfAFreeForm) {
+  Part part = coarsely_bordered([](double x, double y) { return 0.1 * x * x - 0.07 * y * y + 0.01 * x * x * x; });
+  // 7 vertices in the first row, 13 in each of the others.
+  std::vector<int> rim{0, 1, 2, 3, 4, 5, 6, 19, 32, 45};
+  for (int v = 58; v >= 46; --v) rim.push_back(v);
+  for (const int v : {33, 20, 7}) rim.push_back(v);
+  close_below(part, rim, -1);
+  const features::PartFaces faces = recognise(part);
+  EXPECT_EQ(faces.faces.size(), 6U);
+  EXPECT_EQ(count(faces, features::SurfaceKind::free_form), 1);
+  EXPECT_EQ(count(faces, features::BorderKind::sharp), 12);
+  EXPECT_EQ(faces.borders.size(), 12U);
 }
 
 // Between outlines of equally many points, with caps.
@@ -318,6 +334,43 @@ TEST(RecogniseFaces, AFilletOfVaryingRadiusIsOneFreeForm) {
   EXPECT_EQ(part.faces.size(), 7U);
   EXPECT_EQ(count(part, features::BorderKind::tangent), 2);
   EXPECT_EQ(count(part, features::BorderKind::sharp), 13);
+}
+
+TEST(RecogniseFaces, AStripOfNearlyFlatPairsIsOneFreeForm) {
+  std::vector<std::vector<Vec2>> outlines;
+  for (const Vec2& radius : {Vec2(5, 4), Vec2(5.2, 4.3)}) {
+    outlines.push_back({{0, -20}, {30, -20}, {30, 10}});
+    for (const Vec2& p : arc({0, 0}, 1, 90, 180, 12))
+      outlines.back().emplace_back(radius.x + radius.x * p.x, 10 - radius.y + radius.y * p.y);
+  }
+  const features::PartFaces part = recognise(loft(outlines, 30));
+  EXPECT_EQ(count(part, features::SurfaceKind::plane), 6);
+  EXPECT_EQ(count(part, features::SurfaceKind::free_form), 1);
+  EXPECT_EQ(part.faces.size(), 7U);
+  EXPECT_EQ(count(part, features::BorderKind::sharp), 13);
+}
+
+TEST(RecogniseFaces, VerticesOfTrimmedBordersNeedNotBeExact) {
+  for (const int steps : {24, 30}) {
+    Part part = prism(joined({arc({8, 3}, 2, 0, 90, steps), arc({-8, 3}, 2, 90, 180, steps),
+                              arc({-8, -3}, 2, 180, 270, steps), arc({8, -3}, 2, 270, 360, steps)}),
+                      30)
+                    .triangulate();
+    // By up to 25 times what is taken for exact.
+    int moved = 0;
+    part.move([&](const Vec3& p) {
+      const Vec3 from(std::abs(p.x) - 8, std::abs(p.y) - 3, 0);
+      const double angle = std::atan2(from.y, from.x);
+      if (p.z == 0 || angle < 0.7 || angle > 1.1) return p;
+      const double by = ++moved % 2 == 0 ? 1.5e-4 : -1e-4;
+      return p + by * Vec3(p.x > 0 ? from.x : -from.x, p.y > 0 ? from.y : -from.y, 0) / 2.0;
+    });
+    ASSERT_GE(moved, 8);
+    const features::PartFaces faces = recognise(part);
+    EXPECT_EQ(faces.faces.size(), 10U) << steps;
+    EXPECT_EQ(count(faces, features::SurfaceKind::cylinder), 4) << steps;
+    EXPECT_EQ(count(faces, features::BorderKind::sharp), 16) << steps;
+  }
 }
 
 // A net of triangles with its vertices moved along the surface, and diagonals either way.

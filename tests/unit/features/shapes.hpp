@@ -166,6 +166,40 @@ inline Part plate_with_hole(double half_width, double height, double radius, int
   return plate_with_hole(regular_polygon(4, half_width * std::sqrt(2)), height, radius, steps);
 }
 
+/// A sheet over the plane with half as many vertices on its first side, the x axis, as in the row close beside it.
+inline Part coarsely_bordered(const std::function<double(double, double)>& height) {
+  constexpr int n = 12;
+  Part part;
+  std::vector<std::vector<int>> rows;
+  for (const double y : {0.0, 0.02, 0.3, 0.6, 0.9}) {
+    rows.emplace_back();
+    for (int i = 0; i <= n; i += y == 0 ? 2 : 1) rows.back().push_back(part.add({0.2 * i, y, height(0.2 * i, y)}));
+  }
+  for (int i = 0; i < n; i += 2) {
+    const int a = rows[0][i / 2], b = rows[0][i / 2 + 1];
+    part.faces.push_back({a, b, rows[1][i + 1]});
+    part.faces.push_back({a, rows[1][i + 1], rows[1][i]});
+    part.faces.push_back({b, rows[1][i + 2], rows[1][i + 1]});
+  }
+  for (std::size_t r = 1; r + 1 < rows.size(); ++r)
+    for (int i = 0; i < n; ++i) {
+      part.faces.push_back({rows[r][i], rows[r][i + 1], rows[r + 1][i]});
+      part.faces.push_back({rows[r][i + 1], rows[r + 1][i + 1], rows[r + 1][i]});
+    }
+  return part;
+}
+
+/// Walls and a floor below a sheet whose rim runs through these points, counterclockwise from above.
+inline void close_below(Part& part, const std::vector<int>& rim, double floor) {
+  std::vector<int> foot;
+  for (const int v : rim) foot.push_back(part.add({part.points[v].x, part.points[v].y, floor}));
+  for (std::size_t i = 0; i < rim.size(); ++i) {
+    const std::size_t j = (i + 1) % rim.size();
+    part.faces.push_back({foot[i], foot[j], rim[j], rim[i]});
+  }
+  part.faces.push_back({foot.rbegin(), foot.rend()});
+}
+
 inline int count(const features::PartFaces& part, features::SurfaceKind kind) {
   int count = 0;
   for (const features::PartFace& face : part.faces) count += face.surface.kind == kind ? 1 : 0;

@@ -118,7 +118,8 @@ TEST(Library, TypedValuesMeanWhatOptionsMean) {
                                .parameters = {{"angle", 30.0}},
                                .hidden = HiddenLines::solid,
                                .edges = {.tangent = true},
-                               .crease_angle = 20}},
+                               .crease_angle = 20,
+                               .join_within = 0.2}},
                     .sheets = {{.size = "A3",
                                 .orientation = Orientation::portrait,
                                 .scale = 0.5,
@@ -130,7 +131,8 @@ TEST(Library, TypedValuesMeanWhatOptionsMean) {
   const std::string file = (folder / "x.svg").string();
   const std::string options =
       " --unit in --projection cabinet:angle=30 --hidden solid --edges contour,crease,boundary,intersection,tangent"
-      " --crease-angle 20 --sheet A3 --portrait --scale 1:2 --frame full --title Bracket --owner epura --arcs "
+      " --crease-angle 20 --join-within 0.2 --sheet A3 --portrait --scale 1:2 --frame full --title Bracket --owner "
+      "epura --arcs "
       "--centre-lines -o ";
   ASSERT_EQ(std::system(
                 (std::string(EPURA_TEST_PROGRAM) + " draw " + samples + "bracket.obj" + options + file + " 2>/dev/null")

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+// Parts of pieces that stay on the paper, and parts that are taken away since others lie near them.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <compare>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "drawing/ink.hpp"
+#include "drawing/ink_cells.hpp"
+
+namespace epura::drawing {
+
+/// A part of a piece; `from` and `to` run from 0 at the beginning of the piece to 1.
+struct InkPart {
+  int piece;
+  double from, to;
+
+  auto operator<=>(const InkPart&) const = default;
+};
+
+inline Vec2 place_on(const Piece& piece, double u) {
+  return u <= 0 ? piece.from : u >= 1 ? piece.to : piece.from + u * (piece.to - piece.from);
+}
+
+inline Vec2 nearest_on(const std::array<Vec2, 2>& line, const Vec2& p) {
+  const Vec2 step = line[1] - line[0];
+  const double square = glm::dot(step, step);
+  return square > 0 ? line[0] + std::clamp(glm::dot(p - line[0], step) / square, 0.0, 1.0) * step : line[0];
+}
+
+/// Parts of pieces in the order in which they come, to be found by their places.
+class InkParts {
+ public:
+  InkParts(const std::vector<Piece>& pieces, const Vec2& min, const Vec2& max, double cell)
+      : pieces_(&pieces), cells_(min, max, cell) {}
+
+  void add(const InkPart& part) {
+    const Piece& piece = (*pieces_)[part.piece];
+    parts_.push_back(part);
+    lines_.push_back({place_on(piece, part.from), place_on(piece, part.to)});
+    cells_.add(lines_.back()[0], lines_.back()[1]);
+  }
+
+  [[nodiscard]] bool empty() const { return parts_.empty(); }
+  [[nodiscard]] const std::vector<Piece>& pieces() const { return *pieces_; }
+  [[nodiscard]] const std::vector<InkPart>& all() const { return parts_; }
+  [[nodiscard]] const InkPart& operator[](int number) const { return parts_[static_cast<std::size_t>(number)]; }
+  [[nodiscard]] const std::array<Vec2, 2>& line(int number) const { return lines_[static_cast<std::size_t>(number)]; }
+
+  /// As InkCells::visit does.
+  template <class Visit>
+  void visit(const Vec2& from, const Vec2& to, double margin, const Visit& visit) const {
+    cells_.visit(from, to, margin, visit);
+  }
+
+ private:
+  const std::vector<Piece>* pieces_;
+  InkCells cells_;
+  std::vector<InkPart> parts_{};
+  std::vector<std::array<Vec2, 2>> lines_{};
+};
+
+/// Parts that are taken away, and for each the kept parts that are drawn for it.
+struct TakenInk {
+  InkParts parts;
+  std::vector<int> by{};
+  std::vector<std::size_t> last{};  ///< by part: where its kept parts end in `by`
+
+  [[nodiscard]] std::span<const int> kept_for(int part) const {
+    const std::size_t first = part == 0 ? 0 : last[part - 1];
+    return std::span(by).subspan(first, last[part] - first);
+  }
+};
+
+}  // namespace epura::drawing

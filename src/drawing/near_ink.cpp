@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "drawing/near_ink.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "base/parallel.hpp"
+#include "drawing/close_ends.hpp"
+#include "drawing/near_search.hpp"
+#include "drawing/polylines.hpp"
+
+namespace epura::drawing {
+
+namespace {
+
+// By so many distances lines are prolonged or cut off.
+constexpr double along = 2;
+
+// In order of their pieces, those that go on in one piece as one, and whole pieces that are no ink.
+std::vector<InkPart> joined_parts(std::vector<InkPart> parts, const std::vector<signed char>& strength) {
+  for (std::size_t i = 0; i < strength.size(); ++i)
+    if (strength[i] < 0) parts.push_back({static_cast<int>(i), 0, 1});
+  parallel_sort(parts.begin(), parts.end());
+  std::size_t kept = 0;
+  for (const InkPart& part : parts)
+    if (kept > 0 && parts[kept - 1].piece == part.piece && parts[kept - 1].to >= part.from)
+      parts[kept - 1].to = std::max(parts[kept - 1].to, part.to);
+    else
+      parts[kept++] = part;
+  parts.resize(kept);
+  return parts;
+}
+
+}  // namespace
+
+std::vector<Piece> join_near(std::vector<Piece> pieces, const std::vector<signed char>& strength, double distance,
+                             double touching, const Progress& progress) {
+  if (!(distance > touching) || pieces.empty()) return pieces;
+  progress.begin("joining near lines", pieces.size());
+  NearSearch search(pieces, distance, touching);
+  {
+    const Polylines polylines(pieces, strength, progress);
+    Pace pace(progress, pieces.size());
+    std::size_t left = pieces.size();
+    for (const std::size_t line : polylines.by_rank()) {
+      search.add(polylines[line], polylines.is_closed(line));
+      pace.left(left -= polylines[line].size());
+    }
+  }
+  if (search.taken().parts.empty()) return pieces;
+  std::vector<InkPart> left = search.kept().all();
+  left.insert(left.end(), search.specks().begin(), search.specks().end());
+  return close_ends(search.kept(), search.taken(), joined_parts(std::move(left), strength),
+                    {touching, along * distance}, progress);
+}
+
+}  // namespace epura::drawing

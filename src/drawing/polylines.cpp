@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "drawing/polylines.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <tuple>
+
+namespace epura::drawing {
+
+Polylines::Polylines(const std::vector<Piece>& pieces, const std::vector<signed char>& strength,
+                     const Progress& progress) {
+  const auto place = [&](End end) { return end % 2 == 0 ? pieces[line_of(end)].from : pieces[line_of(end)].to; };
+  const auto key = [&](End end) {
+    const Vec2 p = place(end);
+    return std::array{static_cast<double>(strength[line_of(end)]), p.x, p.y};
+  };
+  const std::vector<End> partner = find_partners(static_cast<int>(pieces.size()), place, key, progress);
+  std::vector<char> used(pieces.size(), 0);
+  members_.reserve(pieces.size());
+  const auto follow = [&](End start, bool closed) {
+    Line line{members_.size(), 0, closed, strength[line_of(start)], 0};
+    for (End at = start; at != no_end && used[line_of(at)] == 0; at = partner[other(at)]) {
+      used[line_of(at)] = 1;
+      members_.push_back(at);
+      line.length += length_of(pieces[line_of(at)]);
+    }
+    line.count = members_.size() - line.first;
+    lines_.push_back(line);
+  };
+  const auto is_left = [&](End end) { return strength[line_of(end)] >= 0 && used[line_of(end)] == 0; };
+  const End ends = static_cast<End>(partner.size());
+  for (End end = 0; end < ends; ++end)
+    if (partner[end] == no_end && is_left(end)) follow(end, false);
+  // What is left runs in rings.
+  for (End end = 0; end < ends; end += 2)
+    if (is_left(end)) follow(end, true);
+}
+
+std::vector<std::size_t> Polylines::by_rank() const {
+  std::vector<std::size_t> order(lines_.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto rank = [&](std::size_t i) {
+    const Line& line = lines_[i];
+    return std::tuple(-line.strength, -line.length, line_of(members_[line.first]), i);
+  };
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
+  return order;
+}
+
+}  // namespace epura::drawing

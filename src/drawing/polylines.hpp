@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pieces of one strength, end to end.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/progress.hpp"
+#include "drawing/ink.hpp"
+#include "drawing/partners.hpp"
+
+namespace epura::drawing {
+
+/// Every piece that has a strength is in exactly one polyline.
+class Polylines {
+ public:
+  /// `strength` by piece: what is stronger is drawn instead of what is weaker; below 0: the piece is no ink. Throws
+  /// OutOfTime.
+  Polylines(const std::vector<Piece>& pieces, const std::vector<signed char>& strength, const Progress& progress);
+
+  [[nodiscard]] std::size_t size() const { return lines_.size(); }
+  /// The ends by which its pieces are entered, in order.
+  [[nodiscard]] std::span<const End> operator[](std::size_t line) const {
+    return std::span(members_).subspan(lines_[line].first, lines_[line].count);
+  }
+  [[nodiscard]] bool is_closed(std::size_t line) const { return lines_[line].closed; }
+
+  /// The strongest first, of one strength the longest, then the one with the first piece.
+  [[nodiscard]] std::vector<std::size_t> by_rank() const;
+
+ private:
+  struct Line {
+    std::size_t first, count;
+    bool closed;
+    int strength;
+    double length;
+  };
+
+  std::vector<End> members_;
+  std::vector<Line> lines_;
+};
+
+}  // namespace epura::drawing

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "edges/smooth_contours.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "base/groups.hpp"
+#include "base/parallel.hpp"
+
+namespace epura::edges {
+
+namespace {
+
+using features::SurfaceKind;
+
+// Of the height of a triangle: surfaces have their contours no farther from those of their facets.
+constexpr double most_moved = 1;
+
+double distance_to_line(const Vec2& p, const Vec2& a, const Vec2& b) {
+  const Vec2 along = b - a;
+  const double square = glm::dot(along, along);
+  const double t = square > 0 ? std::clamp(glm::dot(p - a, along) / square, 0.0, 1.0) : 0;
+  return glm::distance(p, a + t * along);
+}
+
+Vec3 nearest_on_line(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const Vec3 along = b - a;
+  const double square = glm::dot(along, along);
+  const double t = square > 0 ? std::clamp(glm::dot(p - a, along) / square, 0.0, 1.0) : 0;
+  return a + t * along;
+}
+
+/// The contours of one model; all in the lengths of its file.
+class ModelContours {
+ public:
+  ModelContours(const scene::Placed& placed, const projection::Projection& projection, double part_angle)
+      : mesh_(*placed.mesh), part_(*placed.part), central_(projection.central), part_angle_(part_angle) {
+    const Mat4 to_file = glm::inverse(placed.to_world);
+    projector_ = Vec3(to_file * Vec4(projection.projector, central_ ? 1 : 0));
+    at_vertex_ = Groups<int>(mesh_.points.size(), [&](const auto& visit) {
+      for (std::size_t i = 0; i < mesh_.corners.size(); ++i)
+        visit(static_cast<std::size_t>(mesh_.corners[i]), static_cast<int>(i / 3));
+    });
+    // Of each vertex the largest angle between faces of the part that meet there.
+    angle_at_.assign(mesh_.points.size(), 0);
+    for (std::size_t e = 0; e < mesh_.edges.size(); ++e) {
+      const int border = part_.border_of_edge[e];
+      const bool open = mesh_.edges[e].count != 2;
+      if (border < 0 && !open) continue;
+      const double angle = open ? 180 : part_.borders[static_cast<std::size_t>(border)].angle;
+      for (const int v : mesh_.edges[e].vertex) angle_at_[v] = std::max(angle_at_[v], angle);
+    }
+  }
+
+  /// Whether contours at a triangle follow the surface.
+  [[nodiscard]] bool is_smoothed(int triangle) const {
+    const SurfaceKind kind = surface_of(triangle).kind;
+    if (kind == SurfaceKind::free_form) return mesh_.report.misoriented_edges == 0;
+    return kind == SurfaceKind::sphere || kind == SurfaceKind::torus;
+  }
+
+  /// Where the surface has the contour beside a vertex; nothing where that stays.
+  [[nodiscard]] std::optional<Vec3> moved(int vertex) const {
+    if (angle_at_[vertex] > part_angle_) return std::nullopt;
+    const Vec3 from = mesh_.point(vertex);
+    std::optional<Vec3> nearest;
+    int on_triangle = -1;
+    for (const int t : sorted_triangles_at(vertex)) {
+      const auto line = contour_across(t);
+      if (!line) continue;
+      const Vec3 place = nearest_on_line(from, (*line)[0], (*line)[1]);
+      if (glm::distance(place, from) > most_moved * height_of(t)) continue;
+      if (nearest && glm::distance(place, from) >= glm::distance(*nearest, from)) continue;
+      nearest = place;
+      on_triangle = t;
+    }
+    if (!nearest) return std::nullopt;
+    const features::PartSurface& surface = surface_of(on_triangle);
+    if (surface.kind != SurfaceKind::free_form)
+      *nearest -= features::signed_distance(surface, *nearest) * features::normal_near(surface, *nearest);
+    return nearest;
+  }
+
+ private:
+  [[nodiscard]] const features::PartSurface& surface_of(int triangle) const {
+    return part_.faces[static_cast<std::size_t>(part_.face_of_triangle[triangle])].surface;
+  }
+
+  // Their order changes from run to run.
+  [[nodiscard]] std::vector<int> sorted_triangles_at(int vertex) const {
+    const auto there = at_vertex_[static_cast<std::size_t>(vertex)];
+    std::vector<int> triangles(there.begin(), there.end());
+    std::sort(triangles.begin(), triangles.end());
+    return triangles;
+  }
+
+  [[nodiscard]] Vec3 towards_viewer(const Vec3& point) const { return central_ ? projector_ - point : projector_; }
+
+  // Twice its area long.
+  [[nodiscard]] Vec3 normal_of(int triangle) const {
+    const auto [a, b, c] = mesh_.triangle(triangle);
+    return glm::cross(mesh_.point(b) - mesh_.point(a), mesh_.point(c) - mesh_.point(a));
+  }
+
+  // Over its longest side.
+  [[nodiscard]] double height_of(int triangle) const {
+    const auto [a, b, c] = mesh_.triangle(triangle);
+    const double longest = std::max({glm::distance(mesh_.point(a), mesh_.point(b)),
+                                     glm::distance(mesh_.point(b), mesh_.point(c)),
+                                     glm::distance(mesh_.point(c), mesh_.point(a))});
+    return longest > 0 ? glm::length(normal_of(triangle)) / longest : 0;
+  }
+
+  // Of the face that a triangle is part of, at one of its corners: a free form has the mean of its facets there.
+  [[nodiscard]] Vec3 normal_at(int vertex, int triangle) const {
+    const features::PartSurface& surface = surface_of(triangle);
+    if (surface.kind != SurfaceKind::free_form) return features::normal_near(surface, mesh_.point(vertex));
+    Vec3 sum(0);
+    for (const int t : sorted_triangles_at(vertex))
+      if (part_.face_of_triangle[t] == part_.face_of_triangle[triangle]) sum += normal_of(t);
+    const double length = glm::length(sum);
+    return length > 0 ? sum / length : sum;
+  }
+
+  // The line across a triangle along which interpolated normals are square to the projectors.
+  [[nodiscard]] std::optional<std::array<Vec3, 2>> contour_across(int triangle) const {
+    const std::array<int, 3> corners = mesh_.triangle(triangle);
+    std::array<double, 3> facing{};
+    for (std::size_t i = 0; i < 3; ++i)
+      facing[i] = glm::dot(normal_at(corners[i], triangle), towards_viewer(mesh_.point(corners[i])));
+    std::array<Vec3, 3> met{};
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3;
+      if ((facing[i] < 0) == (facing[j] < 0)) continue;
+      const double t = facing[i] / (facing[i] - facing[j]);
+      met[count++] = mesh_.point(corners[i]) + t * (mesh_.point(corners[j]) - mesh_.point(corners[i]));
+    }
+    return count == 2 ? std::optional(std::array{met[0], met[1]}) : std::nullopt;
+  }
+
+  const mesh::Mesh& mesh_;
+  const features::PartFaces& part_;
+  bool central_;
+  double part_angle_;
+  Vec3 projector_;  ///< the centre, or a direction towards the viewer
+  Groups<int> at_vertex_;
+  std::vector<double> angle_at_;
+};
+
+/// Ends of contours that are moved.
+class MovedEnds {
+ public:
+  MovedEnds(const scene::World& world, view::ProjectedScene& view, FeatureEdges& drawn)
+      : world_(world), view_(view), drawn_(drawn) {}
+
+  void move(int model, double part_angle) {
+    const scene::Placed& placed = world_.models[model];
+    const ModelContours contours(placed, view_.projection, part_angle);
+    const std::vector<int> edges = smoothed_edges(model, contours, *placed.part, part_angle);
+    const int first = world_.first_vertex[model];
+    std::vector<int> vertices;
+    for (const int e : edges)
+      for (const int v : drawn_.edges[e].vertex) vertices.push_back(v);
+    const std::vector<int> fixed = ends_of_others(model, edges);
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    std::vector<std::optional<Vec3>> places(vertices.size());
+    parallel_for(vertices.size(), 256, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) places[i] = contours.moved(vertices[i] - first);
+    });
+    const auto number = [&](int v) {
+      return static_cast<std::size_t>(std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin());
+    };
+    std::vector<int> shown(vertices.size(), -1);
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      if (places[i] && !std::binary_search(fixed.begin(), fixed.end(), vertices[i]))
+        shown[i] = add(Vec3(placed.to_world * Vec4(*places[i], 1)));
+    for (const int e : edges) {
+      FeatureEdge& edge = drawn_.edges[e];
+      for (std::size_t end = 0; end < 2; ++end) edge.shown[end] = shown[number(edge.vertex[end])];
+      drawn_.moved = std::max(drawn_.moved, distance_moved(edge));
+    }
+  }
+
+ private:
+  // Contours of the model inside of faces that are smoothed, whole in the window.
+  [[nodiscard]] std::vector<int> smoothed_edges(int model, const ModelContours& contours,
+                                                const features::PartFaces& part, double part_angle) const {
+    const mesh::Mesh& mesh = *world_.models[model].mesh;
+    std::vector<int> found;
+    for (std::size_t e = 0; e < drawn_.edges.size(); ++e) {
+      const FeatureEdge& edge = drawn_.edges[e];
+      if (edge.model != model || edge.kind != EdgeKind::contour || edge.t != std::array<double, 2>{0, 1}) continue;
+      const int border = part.border_of_edge[static_cast<std::size_t>(edge.mesh_edge)];
+      if (border >= 0 && part.borders[static_cast<std::size_t>(border)].angle > part_angle) continue;
+      const auto triangles = mesh.triangles_of(mesh.edges[static_cast<std::size_t>(edge.mesh_edge)]);
+      if (triangles.size() == 2 &&
+          std::any_of(triangles.begin(), triangles.end(), [&](int t) { return contours.is_smoothed(t); }))
+        found.push_back(static_cast<int>(e));
+    }
+    return found;
+  }
+
+  // The ends of contours of the model that stay where they are.
+  [[nodiscard]] std::vector<int> ends_of_others(int model, const std::vector<int>& smoothed) const {
+    std::vector<int> ends;
+    for (std::size_t e = 0; e < drawn_.edges.size(); ++e) {
+      const FeatureEdge& edge = drawn_.edges[e];
+      if (edge.model != model || edge.kind != EdgeKind::contour) continue;
+      if (!std::binary_search(smoothed.begin(), smoothed.end(), static_cast<int>(e)))
+        ends.insert(ends.end(), edge.vertex.begin(), edge.vertex.end());
+    }
+    std::sort(ends.begin(), ends.end());
+    return ends;
+  }
+
+  [[nodiscard]] Vec2 on_page(int vertex) const { return {view_.vertices[vertex].x, view_.vertices[vertex].y}; }
+
+  // A vertex of the view at a place; -1 behind the viewer.
+  int add(const Vec3& place) {
+    const view::Mapped mapped = view_.map(place);
+    return mapped.w > 0 ? view::add_mapped_point(view_, mapped) : -1;
+  }
+
+  // The farthest that a place on the edge lies from the line drawn for it, or a place on that from the edge: distances
+  // from a line are greatest at ends.
+  [[nodiscard]] double distance_moved(const FeatureEdge& edge) const {
+    std::array<Vec2, 2> in_mesh{}, drawn{};
+    for (std::size_t end = 0; end < 2; ++end) {
+      in_mesh[end] = on_page(edge.vertex[end]);
+      drawn[end] = edge.shown[end] < 0 ? in_mesh[end] : on_page(edge.shown[end]);
+    }
+    double farthest = 0;
+    for (std::size_t end = 0; end < 2; ++end)
+      farthest = std::max({farthest, distance_to_line(in_mesh[end], drawn[0], drawn[1]),
+                           distance_to_line(drawn[end], in_mesh[0], in_mesh[1])});
+    return farthest;
+  }
+
+  const scene::World& world_;
+  view::ProjectedScene& view_;
+  FeatureEdges& drawn_;
+};
+
+}  // namespace
+
+void smooth_contours(const scene::World& world, view::ProjectedScene& view, const EdgeOptions& options,
+                     FeatureEdges& drawn) {
+  MovedEnds ends(world, view, drawn);
+  for (int model = 0; model < static_cast<int>(world.models.size()); ++model) {
+    const scene::Placed& placed = world.models[model];
+    // What a plane cut ends where the plane has it.
+    if (placed.part != nullptr && placed.mesh->uncut == nullptr) ends.move(model, options.part_angle);
+  }
+}
+
+}  // namespace epura::edges

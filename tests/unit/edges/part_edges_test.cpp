@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: Apache-2.0
+// Edges, contacts and contours of meshes whose parts are recognised.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <vector>
+
+#include "edges/find_edges.hpp"
+#include "shapes.hpp"
+
+namespace epura::test {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+const Vec3 corner(1.1, -2, 1.3);
+
+using Profile = std::vector<std::array<double, 2>>;
+
+Shape cylinder(double radius, double from, double to, int sides) {
+  return revolved({{0, from}, {radius, from}, {radius, to}, {0, to}}, sides);
+}
+
+Shape turned(Shape shape, double degrees) {
+  const double c = std::cos(degrees * pi / 180), s = std::sin(degrees * pi / 180);
+  for (auto& p : shape.points) p = {c * p[0] - s * p[1], s * p[0] + c * p[1], p[2]};
+  return shape;
+}
+
+// The axis goes from z to x.
+Shape laid_down(Shape shape) {
+  for (auto& p : shape.points) p = {p[2], p[0], p[1]};
+  return shape;
+}
+
+Shape moved(Shape shape, double x) {
+  for (auto& p : shape.points) p[0] += x;
+  return shape;
+}
+
+// From the pole below to the pole above.
+Profile arc(double radius, int bands) {
+  Profile profile;
+  for (int i = 0; i <= bands; ++i) {
+    const double a = pi * (double(i) / bands - 0.5);
+    profile.push_back({radius * std::cos(a), radius * std::sin(a)});
+  }
+  return profile;
+}
+
+Profile ring(double radius, double tube, int steps) {
+  Profile profile;
+  for (int i = 0; i <= steps; ++i) {
+    const double a = -2 * pi * (i % steps) / steps;
+    profile.push_back({radius - tube * std::cos(a), tube * std::sin(a)});
+  }
+  return profile;
+}
+
+std::map<EdgeKind, int> count_kinds(const scene::World& world, const edges::EdgeOptions& options = {},
+                                    const Vec3& from = corner) {
+  view::ProjectedScene view = view::project_scene(world, orthographic(from), {});
+  std::map<EdgeKind, int> count;
+  for (const edges::FeatureEdge& edge : edges::find_feature_edges(world, view, options).edges) ++count[edge.kind];
+  return count;
+}
+
+const edges::EdgeOptions creases{.contour = false, .intersection = false};
+
+TEST(PartEdges, AShallowConeMeetsItsCylinderInACrease) {
+  const double slope = std::tan(15.6 * pi / 180);
+  const Shape shape = revolved({{0, 0}, {20, 0}, {20, 30}, {20 - 10 * slope, 40}, {0, 40}}, 48);
+  EXPECT_EQ(count_kinds(world_of(shape), creases)[EdgeKind::crease], 2 * 48);
+  EXPECT_EQ(count_kinds(recognised(world_of(shape)), creases)[EdgeKind::crease], 3 * 48);
+}
+
+TEST(PartEdges, NothingIsACreaseInsideACoarseCylinder) {
+  const scene::World world = world_of(cylinder(10, 0, 30, 12));
+  EXPECT_EQ(count_kinds(world, creases)[EdgeKind::crease], 3 * 12);
+  EXPECT_EQ(count_kinds(recognised(world), creases)[EdgeKind::crease], 2 * 12);
+}
+
+TEST(PartEdges, PrismsKeepTheirEdges) {
+  for (const int sides : {5, 6, 8})
+    EXPECT_EQ(count_kinds(recognised(world_of(cylinder(10, 0, 30, sides))), creases)[EdgeKind::crease], 3 * sides);
+}
+
+TEST(PartEdges, ACreaseAngleHoldsForBordersToo) {
+  const double slope = std::tan(15.6 * pi / 180);
+  const scene::World world =
+      recognised(world_of(revolved({{0, 0}, {20, 0}, {20, 30}, {20 - 10 * slope, 40}, {0, 40}}, 48)));
+  edges::EdgeOptions options = creases;
+  options.part_angle = 15.5;
+  EXPECT_EQ(count_kinds(world, options)[EdgeKind::crease], 3 * 48);
+  options.part_angle = 15.7;
+  EXPECT_EQ(count_kinds(world, options)[EdgeKind::crease], 2 * 48);
+  options.tangent = true;
+  EXPECT_EQ(count_kinds(world, options)[EdgeKind::tangent], 48);
+}
+
+TEST(PartEdges, OfARoundedRimAreTangent) {
+  Profile profile{{0, 0}, {20, 0}, {20, 30}};
+  for (int i = 1; i <= 6; ++i) {
+    const double a = i * pi / 12;
+    profile.push_back({15 + 5 * std::cos(a), 30 + 5 * std::sin(a)});
+  }
+  profile.push_back({0, 35});
+  const scene::World world = recognised(world_of(revolved(profile, 48)));
+  edges::EdgeOptions options = creases;
+  options.tangent = true;
+  auto count = count_kinds(world, options);
+  EXPECT_EQ(count[EdgeKind::crease], 48);
+  EXPECT_EQ(count[EdgeKind::tangent], 2 * 48);
+}
+
+// The wall of a hole, and that of a bolt in it, whose facets turn by as much as creases do.
+std::vector<Shape> bolt_in_hole() {
+  return {revolved({{10, 0}, {10, 10}, {10, 20}}, 12), turned(revolved({{10, -5}, {10, 25}}, 12), 7)};
+}
+
+TEST(Contacts, OfMatingFacesAreNoLines) {
+  EXPECT_GT(count_kinds(world_of(bolt_in_hole()))[EdgeKind::intersection], 0);
+  EXPECT_EQ(count_kinds(recognised(world_of(bolt_in_hole())))[EdgeKind::intersection], 0);
+}
+
+TEST(Contacts, HoldForModelsThatAreScaledAndTurned) {
+  scene::World world = recognised(world_of(bolt_in_hole()));
+  Mat4 place(0);
+  place[0][1] = 25.4, place[1][2] = 25.4, place[2][0] = -25.4, place[3] = {3, 4, 5, 1};
+  std::vector<scene::Placed> models = world.models;
+  for (scene::Placed& model : models) model.to_world = place;
+  EXPECT_EQ(count_kinds(scene::make_world(models))[EdgeKind::intersection], 0);
+}
+
+// How many ends of intersection lines lie where no other one does.
+int loose_ends(const scene::World& world) {
+  view::ProjectedScene view = view::project_scene(world, orthographic(corner), {});
+  std::vector<Vec3> ends;
+  for (const edges::FaceCrossing& crossing : edges::find_feature_edges(world, view, {}).crossings)
+    ends.insert(ends.end(), crossing.ends.begin(), crossing.ends.end());
+  return static_cast<int>(std::count_if(ends.begin(), ends.end(), [&](const Vec3& end) {
+    return std::count_if(ends.begin(), ends.end(), [&](const Vec3& e) { return glm::distance(e, end) < 1e-9; }) < 2;
+  }));
+}
+
+TEST(Contacts, EqualPipesCrossInWholeCurves) {
+  const std::vector<Shape> pipes{cylinder(10, -30, 30, 24), laid_down(turned(cylinder(10, -30, 30, 24), 3))};
+  EXPECT_GT(loose_ends(world_of(pipes)), 0);
+  EXPECT_EQ(loose_ends(recognised(world_of(pipes))), 0);
+}
+
+TEST(Contacts, SpheresThatTouchFlatlyCrossInAWholeCircle) {
+  const Shape sphere = revolved(arc(10, 16), 24);
+  const std::vector<Shape> spheres{sphere, moved(turned(sphere, 5), 1.2)};
+  EXPECT_GT(loose_ends(world_of(spheres)), 0);
+  EXPECT_GT(count_kinds(recognised(world_of(spheres)))[EdgeKind::intersection], 24);
+  EXPECT_EQ(loose_ends(recognised(world_of(spheres))), 0);
+}
+
+struct ShownContours {
+  std::vector<Vec2> places;  ///< of ends that are moved
+  double moved;              ///< as the edges say; both in lengths of the world
+};
+
+ShownContours shown_contours(const scene::World& world, const Vec3& from) {
+  view::ProjectedScene view = view::project_scene(world, orthographic(from), {});
+  const edges::FeatureEdges drawn = edges::find_feature_edges(world, view, {});
+  // Page lengths by those of the world: the way between two points.
+  const Vec3 up = glm::normalize(Vec3(0, 0, 1) - glm::normalize(from) * glm::normalize(from).z);
+  const auto page = [&](const Vec3& p) {
+    const view::PageVertex& v = view.vertices[view::add_point(view, p)];
+    return Vec2(v.x, v.y);
+  };
+  const Vec2 origin = page(Vec3(0));
+  const double unit = glm::distance(origin, page(up));
+  ShownContours shown{{}, drawn.moved / unit};
+  for (const edges::FeatureEdge& edge : drawn.edges)
+    for (const int v : edge.shown)
+      if (v >= 0) shown.places.push_back((Vec2(view.vertices[v].x, view.vertices[v].y) - origin) / unit);
+  return shown;
+}
+
+TEST(SmoothContours, OfASphereIsACircle) {
+  const double sagitta = 10 * (1 - std::cos(pi / 16));
+  const ShownContours shown = shown_contours(recognised(world_of(revolved(arc(10, 16), 24))), {0.3, -1, 0.45});
+  EXPECT_GT(shown.places.size(), 30U);
+  // Across a facet the circle is interpolated: what is left is of second order.
+  for (const Vec2& place : shown.places) EXPECT_NEAR(glm::length(place), 10, sagitta / 8);
+  EXPECT_LT(shown.moved, 2 * sagitta);
+  EXPECT_GT(shown.moved, 0);
+}
+
+TEST(SmoothContours, OfATorusLieWhereItIsSeenEdgeOn) {
+  const Vec3 from = glm::normalize(Vec3(0.1, -1, 1.2));
+  const ShownContours shown = shown_contours(recognised(world_of(revolved(ring(30, 8, 20), 60))), from);
+  EXPECT_GT(shown.places.size(), 50U);
+  // The contour of a torus has the distance of its tube from the image of the circle that this runs along, an ellipse.
+  const Vec3 right = glm::normalize(glm::cross(Vec3(0, 0, 1), from)), up = glm::cross(from, right);
+  for (const Vec2& place : shown.places) {
+    double nearest = HUGE_VAL;
+    for (int i = 0; i < 3600; ++i) {
+      const Vec3 p(30 * std::cos(i * pi / 1800), 30 * std::sin(i * pi / 1800), 0);
+      nearest = std::min(nearest, std::abs(glm::distance(place, {glm::dot(p, right), glm::dot(p, up)}) - 8));
+    }
+    EXPECT_LT(nearest, 0.03);
+  }
+}
+
+TEST(SmoothContours, OfCylindersAndMeshesStay) {
+  EXPECT_TRUE(shown_contours(recognised(world_of(cylinder(10, 0, 30, 24))), corner).places.empty());
+  EXPECT_TRUE(shown_contours(world_of(revolved(arc(10, 16), 24)), corner).places.empty());
+}
+
+}  // namespace
+}  // namespace epura::test
