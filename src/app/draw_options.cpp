@@ -120,8 +120,9 @@ scene::Options<Draw> picture_options() {
       scene::option<Draw>({.flag = "--arcs",
                            .help = "draw circles, ellipses and their arcs as such, through corners within so many mm"},
                           run(&pipeline::RunOptions::arcs), curve_tolerance()),
-      scene::option<Draw>({.flag = "--centre-lines", .help = "draw centre lines and axes of circles of the models"},
-                          run(&pipeline::RunOptions::centre_lines), scene::truth()),
+      scene::option<Draw>(
+          {.flag = "--centre-lines", .help = "draw centre lines of bores, shafts, slots and pitch circles"},
+          run(&pipeline::RunOptions::centre_lines), scene::truth()),
       scene::option<Draw>(
           {.flag = "--dimensions", .help = "width, height and depth of the models, each in the clearest view"},
           &Draw::dimensions, scene::choice<AutomaticDimensions>().shown_as("WHICH")),

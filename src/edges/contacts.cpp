@@ -12,6 +12,7 @@
 #include "base/groups.hpp"
 #include "base/parallel.hpp"
 #include "edges/dihedral.hpp"
+#include "scene/placed_part.hpp"
 
 namespace epura::edges {
 
@@ -22,8 +23,6 @@ constexpr std::size_t crossings_a_look = 1024;
 constexpr double highest = 1.5;
 // So many triangles of a face tell where it lies.
 constexpr std::size_t most_asked = 256;
-// A model that is stretched by less keeps its surfaces.
-constexpr double least_stretch = 1e-9;
 
 /// A face of a part: the number of its model, and its own.
 using FaceOfModel = std::array<int, 2>;
@@ -37,11 +36,9 @@ class PlacedFaces {
 
   [[nodiscard]] std::optional<FaceOfModel> face_of(int triangle) const {
     const int model = world_.model_of_triangle(triangle);
-    const std::vector<int>& faces = models_[model].face_of_polygon;
-    const int polygon = world_.models[model].mesh->polygon[triangle - world_.first_triangle[model]];
-    // What a cut made is on no face, and follows the polygons of the file.
-    if (polygon >= static_cast<int>(faces.size()) || faces[polygon] < 0) return std::nullopt;
-    return FaceOfModel{model, faces[polygon]};
+    const std::vector<int>& faces = models_[model].face_of_triangle;
+    const int face = faces.empty() ? -1 : faces[triangle - world_.first_triangle[model]];
+    return face < 0 ? std::nullopt : std::optional(FaceOfModel{model, face});
   }
 
   [[nodiscard]] bool has_form(const FaceOfModel& face) const {
@@ -56,34 +53,20 @@ class PlacedFaces {
 
  private:
   struct Model {
-    std::vector<int> face_of_polygon;  ///< of the file; empty where no faces are recognised, or the model is stretched
-    Groups<int> triangles;             ///< of each face, in the whole mesh
+    std::vector<int> face_of_triangle;  ///< empty where no faces are recognised, or the model is stretched
+    Groups<int> triangles;              ///< of each face, in the whole mesh
     Mat4 to_file{1};
     double scale = 1;
   };
 
   static void place(const scene::Placed& placed, Model& model) {
-    if (placed.part == nullptr || !is_similar(placed.to_world, model.scale)) return;
-    model.to_file = glm::inverse(placed.to_world);
-    const std::vector<int>& polygons = (placed.mesh->uncut != nullptr ? *placed.mesh->uncut : *placed.mesh).polygon;
-    model.face_of_polygon.assign(static_cast<std::size_t>(*std::max_element(polygons.begin(), polygons.end())) + 1, -1);
-    model.triangles = Groups<int>(placed.part->faces.size(), [&](const auto& visit) {
-      for (std::size_t t = 0; t < polygons.size(); ++t)
-        visit(static_cast<std::size_t>(placed.part->face_of_triangle[t]), static_cast<int>(t));
+    const std::optional<double> scale = scene::similarity_scale(placed.to_world);
+    if (placed.part == nullptr || !scale) return;
+    const std::vector<int>& faces = placed.part->face_of_triangle;
+    const Groups<int> triangles(placed.part->faces.size(), [&](const auto& visit) {
+      for (std::size_t t = 0; t < faces.size(); ++t) visit(static_cast<std::size_t>(faces[t]), static_cast<int>(t));
     });
-    for (std::size_t t = 0; t < polygons.size(); ++t)
-      model.face_of_polygon[polygons[t]] = placed.part->face_of_triangle[t];
-  }
-
-  static bool is_similar(const Mat4& to_world, double& scale) {
-    const Mat3 turn(to_world);
-    const Mat3 product = glm::transpose(turn) * turn;
-    const double square = product[0][0];
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j)
-        if (std::abs(product[i][j] - (i == j ? square : 0)) > least_stretch * square) return false;
-    scale = std::sqrt(square);
-    return scale > 0;
+    model = {scene::faces_of_triangles(placed), triangles, glm::inverse(placed.to_world), *scale};
   }
 
   // How far facets may lie from the surface, as a length of the world.

@@ -260,6 +260,9 @@ std::string condition_of_view(const report::ViewCondition& view) {
 std::string report_of(const report::Report& report) {
   std::string text = "{\"meshes\": " + json_lines(report.meshes, mesh_of, "\n   ") +
                      ",\n  \"plan\": " + json_lines(report.plan, step_of, "\n   ");
+  if (report.tessellation)
+    text += ",\n  \"tessellation\": {\"error\": " + number(report.tessellation->error) +
+            ", \"on_paper\": " + number(report.tessellation->on_paper) + "}";
   std::string times;
   for (const auto& [stage, seconds] : report.seconds)
     times += (times.empty() ? "" : ", ") + json_string(stage) + ": " + number(seconds);

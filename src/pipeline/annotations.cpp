@@ -2,11 +2,14 @@
 #include "pipeline/annotations.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "scene/true_extents.hpp"
 #include "sheet/cutting_plane_line.hpp"
 #include "sheet/dimensions/overall.hpp"
 
@@ -32,8 +35,11 @@ std::vector<sheet::NamedProjection> views_to_measure(std::span<const scene::View
   return whole;
 }
 
-void add_dimensions(std::vector<Annotations>& annotations, const scene::SceneDescription& scene, int sheet,
-                    std::span<const scene::ViewDescription> views, std::span<const view::ProjectedScene> seen) {
+void add_dimensions(std::vector<Annotations>& annotations, const scene::World& world,
+                    const scene::SceneDescription& scene, const SheetOfViews& sheet,
+                    std::span<const view::ProjectedScene> seen) {
+  const std::vector<scene::ViewDescription>& views = sheet.descriptions;
+  std::optional<std::array<scene::Extent, 3>> extents;
   const std::vector<sheet::NamedProjection> projections = views_to_measure(views, seen);
   const auto here = [&views](const std::string& name) {
     return std::find_if(views.begin(), views.end(), [&](const scene::ViewDescription& v) { return *v.name == name; });
@@ -45,8 +51,10 @@ void add_dimensions(std::vector<Annotations>& annotations, const scene::SceneDes
   for (const scene::DimensionDescription& dimension : scene.dimensions) {
     if (!is_open(dimension)) {
       add(dimension);
-    } else if (dimension.view.given() ? here(*dimension.view) != views.end() : sheet == 0) {
-      for (const scene::DimensionDescription& one : sheet::overall_dimensions(dimension, projections)) add(one);
+    } else if (dimension.view.given() ? here(*dimension.view) != views.end() : sheet.sheet == 0) {
+      if (!extents) extents = scene::true_extents(world);
+      for (const scene::DimensionDescription& one : sheet::overall_dimensions(dimension, projections, *extents))
+        add(one);
     }
   }
 }
@@ -66,12 +74,12 @@ void add_planes(std::vector<Annotations>& annotations, std::span<const scene::Vi
 
 }  // namespace
 
-std::vector<Annotations> annotate(const scene::SceneDescription& scene, int sheet,
-                                  std::span<const scene::ViewDescription> views,
-                                  std::span<const view::ProjectedScene> seen, const CutSections& sections) {
-  std::vector<Annotations> annotations(views.size());
-  add_dimensions(annotations, scene, sheet, views, seen);
-  add_planes(annotations, views, seen, sections);
+std::vector<Annotations> annotate(const scene::World& world, const scene::SceneDescription& scene,
+                                  const SheetOfViews& sheet, std::span<const view::ProjectedScene> seen,
+                                  const CutSections& sections) {
+  std::vector<Annotations> annotations(sheet.descriptions.size());
+  add_dimensions(annotations, world, scene, sheet, seen);
+  add_planes(annotations, sheet.descriptions, seen, sections);
   return annotations;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "pipeline/sections.hpp"
+#include "pipeline/view_plan.hpp"
 #include "scene/description.hpp"
 #include "view/projected_scene.hpp"
 
@@ -16,13 +17,13 @@ struct Annotations {
   std::vector<scene::CuttingPlane> planes;  ///< of sections that are marked in this view
 };
 
-/// By view of the sheet (from 0), `seen` and described by `views`. A dimension without a view belongs to the first one
-/// of the scene; overall ones without view and direction stand on the first sheet. A section that some view of the
-/// sheet shows is marked in the first view of the whole that sees its plane edge-on. Throws Error{input} for overall
-/// dimensions that no view shows.
-std::vector<Annotations> annotate(const scene::SceneDescription& scene, int sheet,
-                                  std::span<const scene::ViewDescription> views,
-                                  std::span<const view::ProjectedScene> seen, const CutSections& sections);
+/// By view of the sheet, `seen` in its place. A dimension without a view belongs to the first one of the scene; overall
+/// ones without view and direction stand on the first sheet. A section that some view of the sheet shows is marked in
+/// the first view of the whole that sees its plane edge-on. Throws Error{input} for overall dimensions that no view
+/// shows.
+std::vector<Annotations> annotate(const scene::World& world, const scene::SceneDescription& scene,
+                                  const SheetOfViews& sheet, std::span<const view::ProjectedScene> seen,
+                                  const CutSections& sections);
 
 /// Throws Error{input} for dimensions in views that are not there.
 void expect_views_of_dimensions(const scene::SceneDescription& scene);

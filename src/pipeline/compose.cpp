@@ -80,7 +80,7 @@ std::vector<sheet::Layer> centre_layers(const ViewResult& view, const ViewOption
                                         const Progress& progress) {
   if (!options.centre_lines) return {};
   progress.begin("drawing centre lines");
-  return {sheet::centre_lines({view.drawing, view.circles, options.styles}, widths, lines, progress)};
+  return {sheet::centre_lines({view.drawing, view.features, options.styles}, widths, lines, progress)};
 }
 
 // One for each view; none for those without cut faces.

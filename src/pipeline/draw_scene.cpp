@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pipeline/draw_scene.hpp"
 
+#include <algorithm>
 #include <functional>
 #include <utility>
 
@@ -48,6 +49,9 @@ void Run::note(const ViewResult& result) {
   warn_about(messages, result);
   report.plan.insert(report.plan.end(), result.plan.begin(), result.plan.end());
   has_lines = has_lines || !result.drawing.segments.empty();
+  if (report.tessellation && !result.drawing.projection.central)
+    report.tessellation->on_paper =
+        std::max(report.tessellation->on_paper, report.tessellation->error * result.drawing.scale);
   if (!result.verification) return;
   const auto wrong = [](const report::Verification& found) { return found.wrong + found.outline.wrong(); };
   if (!report.verification || wrong(*report.verification) < wrong(*result.verification))
@@ -82,7 +86,7 @@ FinishedSheet Run::draw_sheet(const scene::World& whole, const CutSections& sect
     return section(view) == nullptr ? whole : section(view)->cut.world;
   };
   std::vector<view::ProjectedScene> seen = map_views(world, views);
-  const std::vector<Annotations> annotations = annotate(scene, views.sheet, views.descriptions, seen, sections);
+  const std::vector<Annotations> annotations = annotate(whole, scene, views, seen, sections);
   const SheetPlan plan = plan_sheet(whole, scene, views, seen, annotations);
   if (plan.chosen)
     messages.warn("the scale is " + sheet::ratio_text(plan.scale) + ", the largest of ISO 5455 that fits");

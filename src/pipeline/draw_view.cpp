@@ -136,9 +136,9 @@ class ViewRun {
     auto verification =
         budget_.or_nothing([&](const Progress& progress) { return verified(lines.drawing, paper, progress); });
     if (options_.verify) watch_.lap("verify");
-    auto circles = budget_.or_nothing([&](const Progress& progress) {
-      return options_.centre_lines ? scene::find_placed_circles(input_.world, options_.edges.crease_angle, progress)
-                                   : std::vector<scene::PlacedCircle>();
+    auto features = budget_.or_nothing([&](const Progress& progress) {
+      return options_.centre_lines ? scene::find_centred_features(input_.world, options_.edges.crease_angle, progress)
+                                   : scene::CentredFeatures();
     });
     return {{std::move(view_), std::move(drawn_), std::move(hidden_), paper},
             std::move(lines.drawing),
@@ -147,7 +147,7 @@ class ViewRun {
             std::move(verification),
             input_.section != nullptr ? std::optional(input_.section->plane) : std::nullopt,
             lines.curves,
-            std::move(circles),
+            std::move(features),
             max_error};
   }
 

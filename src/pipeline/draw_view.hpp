@@ -16,7 +16,7 @@
 #include "pipeline/sections.hpp"
 #include "pipeline/shortcuts.hpp"
 #include "report/report.hpp"
-#include "scene/placed_circles.hpp"
+#include "scene/centred_features.hpp"
 #include "scene/scene.hpp"
 #include "sheet/view_lines.hpp"
 #include "view/paper_map.hpp"
@@ -59,8 +59,8 @@ struct ViewResult {
   std::optional<report::Verification> verification;
   std::optional<scene::CuttingPlane> section;  ///< that the view shows
   drawing::CurveReport curves{};
-  std::vector<scene::PlacedCircle> circles{};  ///< for centre lines, where they are wanted
-  std::optional<double> max_error{};           ///< mm; where one was allowed, no longer span is shown wrongly
+  scene::CentredFeatures features{};  ///< for centre lines, where they are wanted
+  std::optional<double> max_error{};  ///< mm; where one was allowed, no longer span is shown wrongly
 };
 
 /// Seconds since the last call of `lap`, under a name.

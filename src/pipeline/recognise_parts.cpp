@@ -8,6 +8,7 @@
 
 #include "base/parallel.hpp"
 #include "features/recognise.hpp"
+#include "scene/true_extents.hpp"
 
 namespace epura::pipeline {
 
@@ -48,6 +49,7 @@ void recognise_parts(scene::World& world, const scene::SceneDescription& scene, 
         progress.advance(1);
       }
     });
+    if (const double error = scene::tessellation_error(world, limited); error > 0) report.tessellation = {error, 0};
   } catch (const OutOfTime& cut) {
     report.partial.add_stage(cut.stage);
   }

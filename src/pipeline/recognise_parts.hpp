@@ -10,7 +10,7 @@
 namespace epura::pipeline {
 
 /// Recognises them where they are wanted and something can come of it; says in the plan what was done. Models that
-/// there is no time for are drawn as meshes, which the report says.
+/// there is no time for are drawn as meshes, which the report says. It also has the error of tessellation.
 void recognise_parts(scene::World& world, const scene::SceneDescription& scene, report::Report& report,
                      Progress progress);
 

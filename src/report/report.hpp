@@ -60,6 +60,12 @@ struct ViewCondition {
   view::Condition condition;
 };
 
+/// How far facets lie from the surfaces of the part that they stand for, at most.
+struct Tessellation {
+  double error = 0;     ///< length of the world
+  double on_paper = 0;  ///< the same in the largest view, mm
+};
+
 struct Report {
   std::vector<mesh::MeshReport> meshes;
   std::vector<PlanStep> plan;
@@ -67,6 +73,7 @@ struct Report {
   Partial partial{};                                    ///< without stages: the drawing is complete
   std::optional<Verification> verification;             ///< where it was asked for
   std::vector<ViewCondition> conditions;                ///< by view, where they were asked for
+  std::optional<Tessellation> tessellation{};           ///< where round faces of a part are recognised
 };
 
 }  // namespace epura::report

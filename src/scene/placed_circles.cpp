@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <utility>
 
 #include "base/portable_math.hpp"
 
@@ -32,17 +31,13 @@ std::vector<mesh::MeshCircle> find_circles(const World& world, int model, double
       mesh::PlacedMesh{*world.models[model].mesh, world.points, triangles, world.first_vertex[model]}, crease_angle);
 }
 
-std::vector<PlacedCircle> find_placed_circles(const World& world, double crease_angle, const Progress& progress) {
-  progress.begin("finding circles", world.models.size());
+std::vector<mesh::MeshCircle> find_round_rims(const World& world, int model, double crease_angle) {
   constexpr double half_turn = std::numbers::pi * (1 - 1e-6);
-  std::vector<PlacedCircle> placed;
-  for (int model = 0; model < static_cast<int>(world.models.size()); ++model) {
-    progress.expect_time();
-    for (mesh::MeshCircle& circle : find_circles(world, model, crease_angle))
-      if (circle.whole || sweep_of(world, model, circle) >= half_turn) placed.push_back({model, std::move(circle)});
-    progress.advance(1);
-  }
-  return placed;
+  std::vector<mesh::MeshCircle> circles = find_circles(world, model, crease_angle);
+  std::erase_if(circles, [&](const mesh::MeshCircle& circle) {
+    return !circle.whole && sweep_of(world, model, circle) < half_turn;
+  });
+  return circles;
 }
 
 }  // namespace epura::scene

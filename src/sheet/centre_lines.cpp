@@ -9,7 +9,9 @@
 #include <map>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <set>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -21,7 +23,7 @@ namespace epura::sheet {
 namespace {
 
 constexpr double beyond = 3;             // mm
-constexpr double least_diameter = 1;     // mm
+constexpr double least_diameter = 3;     // mm
 constexpr double shortest_piece = 1;     // mm, of what other lines leave
 constexpr double same_place = 0.02;      // mm
 constexpr double same_direction = 1e-4;  // radians
@@ -30,13 +32,14 @@ constexpr double edge_on = 1e-4;         // of the radius
 /// How the view sees a circle; mm of paper.
 struct SeenCircle {
   Vec2 centre;
-  Vec2 u, v;  ///< images of two perpendicular radii
-  Vec2 axis;  ///< image of the unit normal
+  Vec2 u, v;                    ///< images of two perpendicular radii
+  Vec2 axis;                    ///< image of the unit normal
+  std::optional<Vec2> spoke{};  ///< of a hole on a pitch circle: from the middle of that to it
 
   [[nodiscard]] double radius() const { return std::max(glm::length(u), glm::length(v)); }
   [[nodiscard]] bool is_round() const {
     const double slack = 1e-4 * glm::dot(u, u);
-    return std::abs(glm::dot(u, u) - glm::dot(v, v)) <= slack && std::abs(glm::dot(u, v)) <= slack;
+    return slack > 0 && std::abs(glm::dot(u, u) - glm::dot(v, v)) <= slack && std::abs(glm::dot(u, v)) <= slack;
   }
   /// How far it reaches from its centre in a direction.
   [[nodiscard]] double reach(const Vec2& direction) const {
@@ -44,14 +47,27 @@ struct SeenCircle {
   }
 };
 
-SeenCircle see(const Mat4& world_to_page, const mesh::MeshCircle& circle) {
-  const auto place = [&](const Vec3& p, double w) {
-    const Vec4 image = world_to_page * Vec4(p, w);
-    return Vec2(image.x, image.y) / world_to_page[3][3];
-  };
-  const Vec3 u = glm::normalize(glm::cross(circle.axis, std::abs(circle.axis.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 1, 0)));
-  return {place(circle.centre, 1), place(circle.radius * u, 0), place(circle.radius * glm::cross(circle.axis, u), 0),
-          place(circle.radius * circle.axis, 0)};
+Vec2 image_of(const drawing::ViewDrawing& drawing, const Vec3& p, double w) {
+  const Vec4 image = drawing.world_to_page * Vec4(p, w);
+  return Vec2(image.x, image.y) / drawing.world_to_page[3][3];
+}
+
+SeenCircle see(const drawing::ViewDrawing& drawing, const Vec3& axis, const scene::Ring& ring) {
+  const Vec3 u = glm::normalize(glm::cross(axis, std::abs(axis.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 1, 0)));
+  return {image_of(drawing, ring.centre, 1), image_of(drawing, ring.radius * u, 0),
+          image_of(drawing, ring.radius * glm::cross(axis, u), 0), image_of(drawing, ring.radius * axis, 0)};
+}
+
+std::vector<SeenCircle> see(const drawing::ViewDrawing& drawing, const scene::RoundFeature& feature) {
+  std::vector<SeenCircle> circles;
+  for (const scene::Ring& ring : feature.rings) circles.push_back(see(drawing, feature.axis, ring));
+  return circles;
+}
+
+// An apex has a radius of 0, and is seen alike from everywhere.
+const SeenCircle& largest_of(std::span<const SeenCircle> circles) {
+  return *std::max_element(circles.begin(), circles.end(),
+                           [](const SeenCircle& a, const SeenCircle& b) { return a.radius() < b.radius(); });
 }
 
 /// A piece of the line through offset * normal along the direction of `angle`, the normal being 90 degrees further.
@@ -111,46 +127,74 @@ std::vector<double> values_of(const auto& things, const Value& value) {
   return values;
 }
 
-std::vector<Piece> crosses(const std::vector<SeenCircle>& circles) {
+Piece piece_about(const Vec2& centre, const Vec2& direction, double half) {
+  const double angle = angle_of_line(direction), middle = place_along(angle, centre);
+  return {angle, offset_of(angle, centre), middle - half, middle + half};
+}
+
+std::vector<Piece> crosses(const std::vector<std::vector<SeenCircle>>& features) {
   std::vector<SeenCircle> round;
-  std::copy_if(circles.begin(), circles.end(), std::back_inserter(round), [](const auto& c) { return c.is_round(); });
+  for (const std::vector<SeenCircle>& circles : features)
+    std::copy_if(circles.begin(), circles.end(), std::back_inserter(round), [](const auto& c) { return c.is_round(); });
   std::vector<Piece> pieces;
   const auto x = values_of(round, [](const auto& c) { return c.centre.x; });
   const auto y = values_of(round, [](const auto& c) { return c.centre.y; });
   for (const auto& group : groups_of(x, same_place, y, same_place)) {
     double radius = 0;
-    for (const std::size_t i : group) radius = std::max(radius, round[i].radius());
-    for (const double angle : {0.0, angle_of_line({0, 1})}) {
-      const Vec2 centre = round[group.front()].centre;
-      const double middle = place_along(angle, centre), half = radius + beyond;
-      pieces.push_back({angle, offset_of(angle, centre), middle - half, middle + half});
+    std::optional<Vec2> spoke;
+    for (const std::size_t i : group) {
+      radius = std::max(radius, round[i].radius());
+      if (round[i].spoke) spoke = round[i].spoke;
     }
+    const Vec2 centre = round[group.front()].centre;
+    if (spoke)
+      pieces.push_back(piece_about(centre, *spoke, radius + beyond));
+    else
+      for (const Vec2& direction : {Vec2(1, 0), Vec2(0, 1)})
+        pieces.push_back(piece_about(centre, direction, radius + beyond));
   }
   return pieces;
 }
 
-std::vector<Piece> axes(const std::vector<SeenCircle>& circles) {
-  std::vector<SeenCircle> slanted;
-  std::copy_if(circles.begin(), circles.end(), std::back_inserter(slanted),
-               [](const auto& c) { return glm::length(c.axis) > edge_on * c.radius(); });
-  const auto angles = values_of(slanted, [](const auto& c) { return angle_of_line(c.axis); });
-  const auto offsets = values_of(slanted, [](const auto& c) { return offset_of(angle_of_line(c.axis), c.centre); });
+bool is_slanted(const SeenCircle& circle) { return glm::length(circle.axis) > edge_on * circle.radius(); }
+
+// Through circles on one line: two that lie apart, or one that is seen edge-on.
+std::optional<Piece> axis_through(std::span<const SeenCircle> circles) {
+  const double angle = angle_of_line(largest_of(circles).axis);
+  Piece piece{angle, offset_of(angle, circles.front().centre), HUGE_VAL, -HUGE_VAL};
+  double first = HUGE_VAL, last = -HUGE_VAL;  // centres
+  bool alone = false;                         // one of them is enough
+  for (const SeenCircle& circle : circles) {
+    const double middle = place_along(angle, circle.centre), reach = circle.reach(piece.direction());
+    piece.from = std::min(piece.from, middle - reach - beyond);
+    piece.to = std::max(piece.to, middle + reach + beyond);
+    first = std::min(first, middle);
+    last = std::max(last, middle);
+    alone = alone || reach <= edge_on * circle.radius();
+  }
+  return alone || last - first > same_place ? std::optional(piece) : std::nullopt;
+}
+
+// Features know their circles; rims that are seen on one line are taken for one.
+std::vector<Piece> axes(const std::vector<std::vector<SeenCircle>>& features) {
   std::vector<Piece> pieces;
+  std::vector<SeenCircle> rims;
+  const auto add_axis = [&](const std::vector<SeenCircle>& circles) {
+    if (const auto piece = axis_through(circles)) pieces.push_back(*piece);
+  };
+  for (const std::vector<SeenCircle>& circles : features) {
+    if (!is_slanted(largest_of(circles))) continue;
+    if (circles.size() == 1)
+      rims.push_back(circles.front());
+    else
+      add_axis(circles);
+  }
+  const auto angles = values_of(rims, [](const auto& c) { return angle_of_line(c.axis); });
+  const auto offsets = values_of(rims, [](const auto& c) { return offset_of(angle_of_line(c.axis), c.centre); });
   for (const auto& group : groups_of(angles, same_direction, offsets, same_place)) {
-    const double angle = angles[group.front()];
-    Piece piece{angle, offsets[group.front()], HUGE_VAL, -HUGE_VAL};
-    double first = HUGE_VAL, last = -HUGE_VAL;  // centres
-    bool alone = false;                         // one of them is enough
-    for (const std::size_t i : group) {
-      const SeenCircle& circle = slanted[i];
-      const double middle = place_along(angle, circle.centre), reach = circle.reach(piece.direction());
-      piece.from = std::min(piece.from, middle - reach - beyond);
-      piece.to = std::max(piece.to, middle + reach + beyond);
-      first = std::min(first, middle);
-      last = std::max(last, middle);
-      alone = alone || reach <= edge_on * circle.radius();
-    }
-    if (alone || last - first > same_place) pieces.push_back(piece);
+    std::vector<SeenCircle> circles;
+    for (const std::size_t i : group) circles.push_back(rims[i]);
+    add_axis(circles);
   }
   return pieces;
 }
@@ -250,28 +294,105 @@ std::vector<Edge> visible_edges(const drawing::ViewDrawing& drawing) {
   return edges;
 }
 
-bool is_visible(const scene::PlacedCircle& placed, const std::vector<Edge>& edges) {
-  const std::vector<int>& v = placed.circle.vertices;
-  for (std::size_t i = 0; i < v.size(); ++i) {
-    const auto [low, high] = std::minmax(v[i], v[(i + 1) % v.size()]);
-    if (std::binary_search(edges.begin(), edges.end(), Edge{placed.model, low, high})) return true;
+/// Which features have lines in a view.
+class Shown {
+ public:
+  explicit Shown(const CentredView& view) : view_(view) {
+    const bool some_without_hidden = std::any_of(view.styles.begin(), view.styles.end(), [](const ModelStyle& style) {
+      return style.hidden == HiddenLines::none;
+    });
+    if (some_without_hidden) edges_ = visible_edges(view.drawing);
   }
-  return false;
+
+  [[nodiscard]] bool shows(const scene::RoundFeature& feature) const {
+    const std::vector<SeenCircle> rings = see(view_.drawing, feature);
+    const SeenCircle& largest = largest_of(rings);
+    return 2 * largest.radius() >= least_diameter &&
+           (view_.styles[static_cast<std::size_t>(feature.model)].hidden != HiddenLines::none ||
+            is_visible(feature, largest));
+  }
+
+ private:
+  [[nodiscard]] bool is_visible(const scene::RoundFeature& feature, const SeenCircle& ring) const {
+    // The rims of a hole seen from the side are lines of the outline, and show nothing of the hole.
+    const double length = glm::length(ring.axis), radius = ring.radius();
+    if (feature.enclosed && length > edge_on * radius && ring.reach(ring.axis / length) <= edge_on * radius)
+      return false;
+    const std::vector<int>& vertices = feature.vertices;
+    return std::any_of(vertices.begin(), vertices.end(), [&](int low) {
+      auto edge = std::lower_bound(edges_.begin(), edges_.end(), Edge{feature.model, low, 0});
+      for (; edge != edges_.end() && (*edge)[0] == feature.model && (*edge)[1] == low; ++edge)
+        if (std::binary_search(vertices.begin(), vertices.end(), (*edge)[2])) return true;
+      return false;
+    });
+  }
+
+  const CentredView& view_;
+  std::vector<Edge> edges_;
+};
+
+/// What is to be drawn in a view.
+struct Marks {
+  std::vector<std::vector<SeenCircle>> features;
+  std::vector<Piece> pieces;       ///< of slots
+  std::vector<SeenCircle> rounds;  ///< pitch circles
+};
+
+// Seen as it is, one line through both ends and another through each; otherwise one axis in the middle.
+void add_slot(Marks& marks, const drawing::ViewDrawing& drawing, const scene::SlotFeature& slot) {
+  const auto [one, other] = slot.ends;
+  const SeenCircle a = see(drawing, one.axis, one.rings.front()), b = see(drawing, other.axis, other.rings.front());
+  if (a.is_round()) {
+    const Vec2 way = b.centre - a.centre, direction = glm::normalize(way);
+    const double half = a.radius() + beyond;
+    marks.pieces.push_back(piece_about(0.5 * (a.centre + b.centre), direction, glm::length(way) / 2 + half));
+    for (const SeenCircle& end : {a, b})
+      marks.pieces.push_back(piece_about(end.centre, {-direction.y, direction.x}, half));
+    return;
+  }
+  const Vec3 apart = other.rings.front().centre - one.rings.front().centre;
+  const Vec3 half = 0.5 * (apart - glm::dot(apart, one.axis) * one.axis);
+  scene::RoundFeature middle = one;
+  for (scene::Ring& ring : middle.rings) ring.centre += half;
+  marks.features.push_back(see(drawing, middle));
 }
 
-std::vector<SeenCircle> seen_circles(const CentredView& view) {
-  const bool some_without_hidden = std::any_of(view.styles.begin(), view.styles.end(), [](const ModelStyle& style) {
-    return style.hidden == HiddenLines::none;
-  });
-  const std::vector<Edge> edges = some_without_hidden ? visible_edges(view.drawing) : std::vector<Edge>();
-  std::vector<SeenCircle> seen;
-  for (const scene::PlacedCircle& placed : view.circles) {
-    const bool hides = view.styles[static_cast<std::size_t>(placed.model)].hidden == HiddenLines::none;
-    if (hides && !is_visible(placed, edges)) continue;
-    const SeenCircle circle = see(view.drawing.world_to_page, placed.circle);
-    if (2 * circle.radius() >= least_diameter) seen.push_back(circle);
+Marks marks_of(const CentredView& view) {
+  const Shown shown(view);
+  const scene::CentredFeatures& features = view.features;
+  std::vector<int> circle_of(features.round.size(), -1);
+  for (std::size_t c = 0; c < features.pitch_circles.size(); ++c)
+    for (const int hole : features.pitch_circles[c].holes) circle_of[hole] = static_cast<int>(c);
+  Marks marks;
+  std::set<int> circles;
+  for (std::size_t i = 0; i < features.round.size(); ++i) {
+    if (!shown.shows(features.round[i])) continue;
+    std::vector<SeenCircle> rings = see(view.drawing, features.round[i]);
+    if (circle_of[i] >= 0 && largest_of(rings).is_round()) {
+      circles.insert(circle_of[i]);
+      const Vec2 middle = image_of(view.drawing, features.pitch_circles[circle_of[i]].centre, 1);
+      for (SeenCircle& ring : rings) ring.spoke = ring.centre - middle;
+    }
+    marks.features.push_back(std::move(rings));
   }
-  return seen;
+  for (const scene::SlotFeature& slot : features.slots)
+    if (shown.shows(slot.ends[0]) || shown.shows(slot.ends[1])) add_slot(marks, view.drawing, slot);
+  for (const int c : circles) {
+    const scene::PitchCircle& pitch = features.pitch_circles[c];
+    marks.rounds.push_back(see(view.drawing, pitch.axis, {pitch.centre, pitch.radius}));
+  }
+  return marks;
+}
+
+Stroke round_stroke(const SeenCircle& circle, double width) {
+  constexpr int steps = 180;
+  Stroke stroke{{}, true, fit_closed(2 * std::numbers::pi * circle.radius(), width, scene::long_dash_dot)};
+  for (int i = 0; i < steps; ++i) {
+    const double a = 2 * std::numbers::pi * i / steps;
+    stroke.points.push_back(circle.centre + circle.radius() * Vec2(portable_cos(a), portable_sin(a)));
+  }
+  stroke.curves = {{0, steps, circle.centre, {circle.radius(), 0}, {0, circle.radius()}, 0, 2 * std::numbers::pi}};
+  return stroke;
 }
 
 }  // namespace
@@ -281,9 +402,10 @@ Layer centre_lines(const CentredView& view, const LineWidths& widths, std::span<
   const double width = widths.narrow;
   Layer layer = empty_layer(view.drawing.name, scene::SheetLine::centre, widths);
   if (view.drawing.projection.central) return layer;
-  const std::vector<SeenCircle> seen = seen_circles(view);
-  std::vector<Piece> pieces = axes(seen);
-  for (const Piece& piece : crosses(seen)) pieces.push_back(piece);
+  const Marks marks = marks_of(view);
+  std::vector<Piece> pieces = axes(marks.features);
+  for (const Piece& piece : crosses(marks.features)) pieces.push_back(piece);
+  pieces.insert(pieces.end(), marks.pieces.begin(), marks.pieces.end());
   pieces = merged(pieces);
   for (const Piece& piece : uncovered(pieces, drawn, width / 2, progress)) {
     const double length = piece.to - piece.from;
@@ -291,6 +413,7 @@ Layer centre_lines(const CentredView& view, const LineWidths& widths, std::span<
                                         : fit_open(length, width, scene::long_dash_dot);
     layer.strokes.push_back({{piece.at(piece.from), piece.at(piece.to)}, false, dashes});
   }
+  for (const SeenCircle& circle : marks.rounds) layer.strokes.push_back(round_stroke(circle, width));
   return layer;
 }
 

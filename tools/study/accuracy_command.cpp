@@ -139,7 +139,7 @@ class Study {
     for (std::size_t i = 0; i < sheet.plans.size(); ++i)
       views.push_back(pipeline::project_scene(world(i), sheet.plans[i], sheet.descriptions[i]));
     const std::vector<pipeline::Annotations> annotations =
-        pipeline::annotate(scene.description, sheet.sheet, sheet.descriptions, views, sections);
+        pipeline::annotate(whole, scene.description, sheet, views, sections);
     const pipeline::SheetPlan plan = pipeline::plan_sheet(whole, scene.description, sheet, views, annotations);
     for (std::size_t i = 0; i < views.size(); ++i) {
       const pipeline::ViewOptions& options = sheet.plans[i].options;

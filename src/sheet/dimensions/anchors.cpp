@@ -2,6 +2,7 @@
 #include "sheet/dimensions/anchors.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -91,7 +92,24 @@ void expect_offset(const AnchoredDimension& dimension) {
     refuse(dimension.where, "the offset of an angular dimension is the radius of its arc, which is positive");
 }
 
-AnchoredDimension anchored(const scene::World& world, Rims& rims, const scene::DimensionDescription& description) {
+/// What dimensions ask of the models, found when it is first asked for.
+struct Asked {
+  Rims rims;
+  std::optional<std::array<scene::Extent, 3>> extents{};
+};
+
+void set_extent(AnchoredDimension& dimension, const scene::World& world, Asked& asked) {
+  const int axis = axis_of(*dimension.direction);
+  if (!asked.extents) asked.extents = scene::true_extents(world);
+  const scene::Extent& extent = (*asked.extents)[axis];
+  dimension.points = {world.box.min, world.box.max};
+  dimension.points[0][axis] = extent.from;
+  dimension.points[1][axis] = extent.to;
+  dimension.form = extent.form;
+  dimension.beyond_vertices = extent.size() - world.box.size()[axis];
+}
+
+AnchoredDimension anchored(const scene::World& world, Asked& asked, const scene::DimensionDescription& description) {
   const std::string& where = description.where;
   if (!description.type.given()) refuse(where, "the dimension has no type");
   const DimensionType type = *description.type;
@@ -106,8 +124,8 @@ AnchoredDimension anchored(const scene::World& world, Rims& rims, const scene::D
   for (std::size_t i = 1; i < dimension.points.size(); ++i)
     expect_apart(world, dimension.points[0], dimension.points[i], where);
   if (type == DimensionType::radius || type == DimensionType::diameter)
-    dimension.circles = rims.through(description.anchors[0], dimension.points[0], where);
-  if (type == DimensionType::overall) dimension.points = {world.box.min, world.box.max};
+    dimension.circles = asked.rims.through(description.anchors[0], dimension.points[0], where);
+  if (type == DimensionType::overall) set_extent(dimension, world, asked);
   return dimension;
 }
 
@@ -116,11 +134,11 @@ AnchoredDimension anchored(const scene::World& world, Rims& rims, const scene::D
 std::vector<AnchoredDimension> find_anchors(const scene::World& world,
                                             std::span<const scene::DimensionDescription> dimensions,
                                             const Progress& progress) {
-  Rims rims(world);
+  Asked asked{Rims(world)};
   std::vector<AnchoredDimension> anchored_ones;
   for (const scene::DimensionDescription& dimension : dimensions) {
     if (progress.is_out_of_time()) break;
-    anchored_ones.push_back(anchored(world, rims, dimension));
+    anchored_ones.push_back(anchored(world, asked, dimension));
   }
   return anchored_ones;
 }

@@ -11,6 +11,7 @@
 #include "base/vec.hpp"
 #include "scene/description.hpp"
 #include "scene/scene.hpp"
+#include "scene/true_extents.hpp"
 
 namespace epura::sheet {
 
@@ -22,6 +23,11 @@ struct WorldCircle {
   bool whole;
 };
 
+/// The axis of the world that an overall dimension lies along.
+constexpr int axis_of(DimensionDirection direction) {
+  return direction == DimensionDirection::width ? 0 : direction == DimensionDirection::height ? 2 : 1;
+}
+
 struct AnchoredDimension {
   std::string where;  ///< for errors
   DimensionType type;
@@ -29,7 +35,9 @@ struct AnchoredDimension {
   std::vector<Vec3> points;                     ///< two ends; angular: the corner, then the ends of its legs
   std::vector<WorldCircle> circles;             ///< radius, diameter: all that pass through the anchor, at least one
   std::optional<double> offset;
-  std::string text;  ///< "<>" stands for the measured value
+  std::string text;                                    ///< "<>" stands for the measured value
+  scene::ExtentForm form = scene::ExtentForm::length;  ///< of overall ones
+  double beyond_vertices = 0;                          ///< by so much more they measure than the mesh, which is drawn
 };
 
 /// In their order; those that there is no time for are left out. Throws Error{input} that names where the dimension was

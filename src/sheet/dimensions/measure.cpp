@@ -176,10 +176,8 @@ std::array<Vec2, 2> ends_of_ink(const drawing::ViewDrawing& drawing, const Vec2&
   return ends;
 }
 
-MeasuredDimension overall(const AnchoredDimension& dimension, const Sight& sight) {
-  const int axis = dimension.direction == DimensionDirection::width    ? 0
-                   : dimension.direction == DimensionDirection::height ? 2
-                                                                       : 1;
+MeasuredDimension overall(const AnchoredDimension& dimension, const Sight& sight, const std::string& diameter) {
+  const int axis = axis_of(*dimension.direction);
   Vec3 e(0);
   e[axis] = 1;
   if (!sight.orthographic || !sight.in_plane(e))
@@ -192,11 +190,16 @@ MeasuredDimension overall(const AnchoredDimension& dimension, const Sight& sight
   std::array<Vec2, 2> ends{};
   if (!sight.drawing.segments.empty()) ends = ends_of_ink(sight.drawing, along, side);
   const double drawn = glm::dot(ends[1] - ends[0], along) / glm::length(image);
-  if (!(drawn > 0) || std::abs(drawn - value) > whole * value)
+  // Lines of a mesh end where it does, those of its surfaces may reach as far as these.
+  const double least = value - dimension.beyond_vertices;
+  if (!(drawn > 0) || drawn < least - whole * value || drawn > value + whole * value)
     refuse(dimension, "the view does not show all of the models along this axis",
            "leave out --near and --far, and keep contours among the edges");
-  return {MeasuredLength{ends[0], ends[1], along, left_of(along)}, with_text(dimension, format_fixed(value, decimals)),
-          dimension.offset};
+  const std::string sign = dimension.form == scene::ExtentForm::length   ? ""
+                           : dimension.form == scene::ExtentForm::sphere ? "S" + diameter
+                                                                         : diameter;
+  return {MeasuredLength{ends[0], ends[1], along, left_of(along)},
+          with_text(dimension, sign + format_fixed(value, decimals)), dimension.offset};
 }
 
 }  // namespace
@@ -215,7 +218,7 @@ MeasuredDimension measure(const drawing::ViewDrawing& drawing, const AnchoredDim
     case DimensionType::angular:
       return angular(dimension, sight);
     case DimensionType::overall:
-      return overall(dimension, sight);
+      return overall(dimension, sight, diameter);
     default:
       return circular(dimension, sight, diameter);
   }

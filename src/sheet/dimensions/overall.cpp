@@ -6,19 +6,20 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "sheet/dimensions/anchors.hpp"
 #include "sheet/dimensions/marks.hpp"
 
 namespace epura::sheet {
 
 namespace {
 
-struct Extent {
+struct Direction {
   DimensionDirection direction;
   Vec3 along;
   std::array<Vec3, 4> seen_from;  // clearest first
 };
 
-const std::array<Extent, 3> extents{
+const std::array<Direction, 3> directions{
     {{DimensionDirection::width, {1, 0, 0}, {{{0, -1, 0}, {0, 0, 1}, {0, 1, 0}, {0, 0, -1}}}},
      {DimensionDirection::height, {0, 0, 1}, {{{0, -1, 0}, {-1, 0, 0}, {1, 0, 0}, {0, 1, 0}}}},
      {DimensionDirection::depth, {0, 1, 0}, {{{-1, 0, 0}, {1, 0, 0}, {0, 0, 1}, {0, 0, -1}}}}}};
@@ -30,8 +31,9 @@ bool looks_from(const projection::Projection& projection, const Vec3& viewer) {
          glm::length(glm::normalize(projection.projector) - viewer) < same_direction;
 }
 
-const NamedProjection* clearest(std::span<const NamedProjection> views, const Extent& extent, const std::string& name) {
-  for (const Vec3& viewer : extent.seen_from)
+const NamedProjection* clearest(std::span<const NamedProjection> views, const Direction& direction,
+                                const std::string& name) {
+  for (const Vec3& viewer : direction.seen_from)
     for (const NamedProjection& view : views)
       if ((name.empty() || view.name == name) && looks_from(view.projection, viewer)) return &view;
   return nullptr;
@@ -48,12 +50,12 @@ Lines lines_of(std::span<const scene::DimensionDescription> dimensions, const pr
   Lines lines;
   for (const scene::DimensionDescription& dimension : dimensions) {
     const std::optional<DimensionDirection>& direction = dimension.direction.value;
-    const auto extent = std::find_if(extents.begin(), extents.end(),
-                                     [&direction](const Extent& e) { return e.direction == direction; });
+    const auto along = std::find_if(directions.begin(), directions.end(),
+                                    [&direction](const Direction& d) { return d.direction == direction; });
     if (dimension.offset.given()) {
       lines.farthest = std::max(lines.farthest, std::abs(*dimension.offset));
-    } else if (extent != extents.end()) {
-      const bool upright = std::abs(glm::dot(extent->along, projection.v)) > 0.5;
+    } else if (along != directions.end()) {
+      const bool upright = std::abs(glm::dot(along->along, projection.v)) > 0.5;
       ++(upright ? lines.right : lines.below);
     } else {
       lines.horizontal += direction == DimensionDirection::vertical ? 0 : 1;
@@ -66,14 +68,20 @@ Lines lines_of(std::span<const scene::DimensionDescription> dimensions, const pr
 }  // namespace
 
 std::vector<scene::DimensionDescription> overall_dimensions(const scene::DimensionDescription& overall,
-                                                            std::span<const NamedProjection> views) {
+                                                            std::span<const NamedProjection> views,
+                                                            const std::array<scene::Extent, 3>& extents) {
   std::vector<scene::DimensionDescription> dimensions;
-  for (const Extent& extent : extents) {
-    const NamedProjection* view = clearest(views, extent, overall.view.value_or(""));
-    if (view == nullptr) continue;
+  const auto stands_already = [&](const Direction& direction) {
+    return std::any_of(dimensions.begin(), dimensions.end(), [&](const scene::DimensionDescription& other) {
+      return extents[axis_of(direction.direction)].is_same_as(extents[axis_of(*other.direction)]);
+    });
+  };
+  for (const Direction& direction : directions) {
+    const NamedProjection* view = clearest(views, direction, overall.view.value_or(""));
+    if (view == nullptr || stands_already(direction)) continue;
     scene::DimensionDescription& dimension = dimensions.emplace_back(overall);
     dimension.view = {view->name, overall.where};
-    dimension.direction = {extent.direction, overall.where};
+    dimension.direction = {direction.direction, overall.where};
   }
   if (dimensions.empty())
     throw Error(ErrorKind::input, overall.where, "no view shows the size of the models in true length",

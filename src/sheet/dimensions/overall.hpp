@@ -2,12 +2,14 @@
 // Which dimensions a view is to have, before it is drawn: overall ones in the clearest views, and the room they need.
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "projection/projection.hpp"
 #include "scene/description.hpp"
+#include "scene/true_extents.hpp"
 
 namespace epura::sheet {
 
@@ -18,10 +20,11 @@ struct NamedProjection {
 
 /// An overall dimension that names no direction, as overall width, height and depth: each once, in the clearest of the
 /// views - width and height from the front, depth from the side, before other orthographic views along a world axis.
-/// What no view shows in true length is left out. Where it names a view, only that one counts. Throws Error{input}
-/// when nothing is left.
+/// What no view shows in true length is left out, and so is a diameter that stands already: that of a shaft is its
+/// width and its depth. Where it names a view, only that one counts. Throws Error{input} when nothing is left.
 std::vector<scene::DimensionDescription> overall_dimensions(const scene::DimensionDescription& overall,
-                                                            std::span<const NamedProjection> views);
+                                                            std::span<const NamedProjection> views,
+                                                            const std::array<scene::Extent, 3>& extents);
 
 /// Millimetres of paper to be kept free around the ink of a view.
 struct Room {

@@ -2,11 +2,14 @@
 // Circles of the models where they stand in the world.
 #pragma once
 
+#include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "scene/description.hpp"
+#include "scene/placed_part.hpp"
 #include "sheet/dimensions/anchors.hpp"
 
 namespace epura::sheet {
@@ -16,8 +19,9 @@ class Rims {
  public:
   explicit Rims(const scene::World& world) : world_(world) {}
 
-  /// Those through a vertex, or of any model through a point of the world. Throws Error{input} that names `where` and
-  /// the nearest circle when there are none.
+  /// Those through a vertex, or of any model through a point of the world; they have centre and radius of a recognised
+  /// shaft or bore that ends there. A vertex on no rim has the circle of the shaft or bore that it lies on. Throws
+  /// Error{input} that names `where` and the nearest circle when there are none.
   std::vector<WorldCircle> through(const scene::Anchor& anchor, const Vec3& place, const std::string& where);
 
  private:
@@ -25,10 +29,15 @@ class Rims {
     std::vector<int> vertices;
     WorldCircle circle;
   };
-  const std::vector<Rim>& of_model(int model);
+  struct Model {
+    std::vector<Rim> rims;
+    std::optional<scene::PlacedPart> part;
+  };
+  Model& of_model(int model);
+  std::vector<WorldCircle> of_faces(const std::array<int, 2>& vertex);
 
   const scene::World& world_;
-  std::map<int, std::vector<Rim>> rims_;
+  std::map<int, Model> models_;
 };
 
 }  // namespace epura::sheet

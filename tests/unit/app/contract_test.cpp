@@ -73,7 +73,15 @@ class JsonDrawing {
 
  private:
   void expect_report(const Json& report) const {
-    EXPECT_EQ(report.keys(), "meshes plan");
+    if (report.keys() != "meshes plan") {
+      EXPECT_EQ(report.keys(), "meshes plan tessellation");
+      const Json& tessellation = report["tessellation"];
+      EXPECT_EQ(tessellation.keys(), "error on_paper");
+      EXPECT_GT(tessellation["error"].number(), 0);
+      const bool central = json_["views"].items[0]["viewer"].keys() == "centre";
+      const double scale = central ? 0 : json_["sheet"]["scale"].number();
+      EXPECT_NEAR(tessellation["on_paper"].number(), scale * tessellation["error"].number(), 1e-9);
+    }
     ASSERT_EQ(report["meshes"].items.size(), meshes_.size());
     for (std::size_t m = 0; m < meshes_.size(); ++m) {
       EXPECT_EQ(report["meshes"].items[m]["vertices"].number(), meshes_[m].report.vertices);

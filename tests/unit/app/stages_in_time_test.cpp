@@ -154,7 +154,7 @@ TEST_P(StageBesideLines, IsLeftOut) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Stages, StageBesideLines,
-                         testing::Values("verifying", "finding circles", "answering", "placing dimensions", "hatching",
+                         testing::Values("verifying", "finding axes", "answering", "placing dimensions", "hatching",
                                          "drawing centre lines"));
 
 TEST(StagesInTime, EveryFormatIsWholeWhenWritingIsCut) {

@@ -46,11 +46,9 @@ TEST(PlacedCircles, UnequalScalesMakeEllipses) {
 }
 
 TEST(PlacedCircles, ThoseWithCentreLinesAreHalfATurnAtLeast) {
-  const auto circles = scene::find_placed_circles(world_of("scale:1"));
-  int of_bracket = 0;
-  for (const scene::PlacedCircle& placed : circles) of_bracket += placed.model;
-  EXPECT_EQ(of_bracket, 6 + 8);  // the fillets are quarters
-  EXPECT_EQ(circles.size(), 24U + 6 + 8);
+  const scene::World world = world_of("scale:1");
+  EXPECT_EQ(scene::find_round_rims(world, 1).size(), 6U + 8);  // the fillets are quarters
+  EXPECT_EQ(scene::find_round_rims(world, 0).size(), 24U);
 }
 
 }  // namespace

@@ -12,8 +12,10 @@ namespace {
 
 constexpr sheet::LineWidths widths{0.5, 0.25};
 
-scene::PlacedCircle circle(Vec3 centre, Vec3 axis, double radius, std::vector<int> vertices = {}) {
-  return {0, {centre, axis, radius, 0, std::move(vertices), true}};
+using Round = scene::RoundFeature;
+
+Round circle(Vec3 centre, Vec3 axis, double radius, std::vector<int> vertices = {}) {
+  return {0, axis, {{centre, radius}}, std::move(vertices)};
 }
 
 // A view whose page has x and y (right and up) along two directions of the world.
@@ -57,9 +59,14 @@ void expect_spans(const sheet::Layer& layer, const std::vector<Span>& wanted) {
   }
 }
 
-sheet::Layer lines(const drawing::ViewDrawing& drawing, const std::vector<scene::PlacedCircle>& circles,
+sheet::Layer lines(const drawing::ViewDrawing& drawing, const scene::CentredFeatures& features,
+                   const std::vector<sheet::Layer>& drawn = {}, HiddenLines hidden = HiddenLines::dashed) {
+  return sheet::centre_lines({drawing, features, {{LineRole::visible, hidden}}}, widths, drawn);
+}
+
+sheet::Layer lines(const drawing::ViewDrawing& drawing, const std::vector<Round>& round,
                    const std::vector<sheet::Layer>& drawn = {}) {
-  return sheet::centre_lines({drawing, circles, {sheet::ModelStyle{}}}, widths, drawn);
+  return lines(drawing, scene::CentredFeatures{round, {}, {}}, drawn);
 }
 
 TEST(CentreLines, OfACircleAreACross) {
@@ -106,6 +113,21 @@ TEST(CentreLines, ObliqueCirclesHaveAnAxisWhenThereAreTwo) {
                {{{0, -10 * root - 3}, {0, 30 * root + 3}}});
 }
 
+TEST(CentreLines, AnApexIsAnEndOfTheAxis) {
+  const Round cone{0, {0, 0, -1}, {{{5, 0, 20}, 0}, {{5, 0, 0}, 10}}, {}};
+  expect_spans(lines(front, {cone}), {{{5, -3}, {5, 23}}});
+  expect_spans(lines(top, {cone}), {{{-8, 0}, {18, 0}}, {{5, -13}, {5, 13}}});
+}
+
+TEST(CentreLines, FeaturesBehindEachOtherHaveTheirOwn) {
+  // Two holes on one line of the paper, their axes inclined to it: a line through both would be the axis of neither.
+  const double root = std::sqrt(0.5);
+  const Round low{0, {0, 0, 1}, {{{0, 0, 0}, 5}, {{0, 0, 10}, 5}}, {}};
+  const Round high{0, {0, 0, 1}, {{{0, 80, 0}, 5}, {{0, 80, 10}, 5}}, {}};
+  expect_spans(lines(view({1, 0, 0}, {0, root, root}), {low, high}),
+               {{{0, -5 * root - 3}, {0, 15 * root + 3}}, {{0, 75 * root - 3}, {0, 95 * root + 3}}});
+}
+
 TEST(CentreLines, OverlappingOnesAreOneLine) {
   // Two holes in a row, and the axis of a third one behind them.
   expect_spans(lines(top, {circle({0, 0, 0}, {0, 0, 1}, 5), circle({12, 0, 0}, {0, 0, 1}, 5),
@@ -130,13 +152,67 @@ TEST(CentreLines, WithoutHiddenLinesOnlyWhatIsSeenHasThem) {
   drawing::ViewDrawing drawing = top;
   drawing.segments.push_back({{0, 0}, {1, 1}, true, EdgeKind::crease, 0, {7, 4}, -1, {0, 1}});
   drawing.segments.push_back({{0, 0}, {1, 1}, false, EdgeKind::crease, 0, {20, 21}, -1, {0, 1}});
-  const std::vector<scene::PlacedCircle> circles{circle({0, 0, 0}, {0, 0, 1}, 10, {4, 5, 6, 7}),
-                                                 circle({50, 0, 0}, {0, 0, 1}, 10, {20, 21, 22, 23})};
-  EXPECT_EQ(
-      sheet::centre_lines({drawing, circles, {{LineRole::visible, HiddenLines::none}}}, widths, {}).strokes.size(), 2U);
-  EXPECT_EQ(
-      sheet::centre_lines({drawing, circles, {{LineRole::visible, HiddenLines::dashed}}}, widths, {}).strokes.size(),
-      4U);
+  const scene::CentredFeatures features{
+      {circle({0, 0, 0}, {0, 0, 1}, 10, {4, 5, 6, 7}), circle({50, 0, 0}, {0, 0, 1}, 10, {20, 21, 22, 23})}, {}, {}};
+  EXPECT_EQ(lines(drawing, features, {}, HiddenLines::none).strokes.size(), 2U);
+  EXPECT_EQ(lines(drawing, features, {}, HiddenLines::dashed).strokes.size(), 4U);
+}
+
+TEST(CentreLines, WithoutHiddenLinesBoresAreNotSeenFromTheSide) {
+  // Their rims are seen as lines of the outline.
+  drawing::ViewDrawing drawing = front;
+  drawing.segments.push_back({{0, 0}, {1, 0}, true, EdgeKind::crease, 0, {4, 5}, -1, {0, 1}});
+  Round bore{0, {0, 0, 1}, {{{0, 0, 0}, 10}, {{0, 0, 8}, 10}}, {4, 5, 6, 7}, true};
+  EXPECT_TRUE(lines(drawing, scene::CentredFeatures{{bore}, {}, {}}, {}, HiddenLines::none).strokes.empty());
+  EXPECT_EQ(lines(drawing, scene::CentredFeatures{{bore}, {}, {}}).strokes.size(), 1U);
+  drawing.world_to_page = top.world_to_page;
+  EXPECT_EQ(lines(drawing, scene::CentredFeatures{{bore}, {}, {}}, {}, HiddenLines::none).strokes.size(), 2U);
+  bore.enclosed = false;
+  drawing.world_to_page = front.world_to_page;
+  EXPECT_EQ(lines(drawing, scene::CentredFeatures{{bore}, {}, {}}, {}, HiddenLines::none).strokes.size(), 1U);
+}
+
+TEST(CentreLines, SmallOnesAreLeftOut) {
+  EXPECT_TRUE(lines(top, {circle({0, 0, 0}, {0, 0, 1}, 1.49)}).strokes.empty());
+  EXPECT_TRUE(lines(front, {circle({0, 0, 0}, {0, 0, 1}, 1.49)}).strokes.empty());
+  EXPECT_EQ(lines(top, {circle({0, 0, 0}, {0, 0, 1}, 1.51)}).strokes.size(), 2U);
+}
+
+TEST(CentreLines, OfASlotAreOneAlongItAndOneAtEachEnd) {
+  const auto end = [](double x, double y) { return Round{0, {0, 0, 1}, {{{x, y, 0}, 5}, {{x, y, 12}, 5}}, {}}; };
+  const scene::CentredFeatures slot{{}, {{{end(10, 0), end(40, 0)}}}, {}};
+  expect_spans(lines(top, slot), {{{2, 0}, {48, 0}}, {{10, -8}, {10, 8}}, {{40, -8}, {40, 8}}});
+  // From the side it has one axis, in its middle; across and along it.
+  expect_spans(lines(front, slot), {{{25, -3}, {25, 15}}});
+  expect_spans(lines(view({0, 1, 0}, {0, 0, 1}), slot), {{{0, -3}, {0, 15}}});
+  // A slanted one: 30, 40, 50.
+  const scene::CentredFeatures slanted{{}, {{{end(0, 0), end(30, 40)}}}, {}};
+  expect_spans(lines(top, slanted),
+               {{{-6.4, 4.8}, {6.4, -4.8}}, {{-4.8, -6.4}, {34.8, 46.4}}, {{23.6, 44.8}, {36.4, 35.2}}});
+}
+
+TEST(CentreLines, OfHolesOnAPitchCircleAreThatAndMarksAlongRadii) {
+  std::vector<Round> round{circle({0, 0, 0}, {0, 0, 1}, 10)};
+  for (const Vec2& at : {Vec2(24, 32), Vec2(-32, 24), Vec2(-24, -32)}) round.push_back(circle({at, 0}, {0, 0, -1}, 4));
+  const scene::CentredFeatures features{round, {}, {{{0, 0, -7}, {0, 0, 1}, 40, {1, 2, 3}}}};
+  sheet::Layer layer = lines(top, features);
+  ASSERT_EQ(layer.strokes.size(), 6U);
+  const sheet::Stroke circle = layer.strokes.back();
+  EXPECT_TRUE(circle.closed);
+  ASSERT_EQ(circle.curves.size(), 1U);
+  EXPECT_EQ(circle.curves[0].last, static_cast<int>(circle.points.size()));
+  for (const Vec2& p : circle.points) EXPECT_NEAR(glm::length(p), 40, 1e-9);
+  const double periods = 2 * std::acos(-1.0) * 40 / (circle.dashes.dash + circle.dashes.dot + 2 * circle.dashes.gap);
+  EXPECT_NEAR(periods, std::round(periods), 1e-9);
+  layer.strokes.pop_back();
+  // Along (0.6, 0.8) by 4 + 3 on either side of the hole.
+  expect_spans(layer, {{{-37.6, 28.2}, {-26.4, 19.8}},
+                       {{-28.2, -37.6}, {-19.8, -26.4}},
+                       {{-13, 0}, {13, 0}},
+                       {{0, -13}, {0, 13}},
+                       {{19.8, 26.4}, {28.2, 37.6}}});
+  // From the side they have their axes.
+  EXPECT_EQ(lines(front, features).strokes.size(), 4U);
 }
 
 }  // namespace

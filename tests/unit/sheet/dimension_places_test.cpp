@@ -249,7 +249,7 @@ TEST(OverallDimensions, EachOnceInTheClearestView) {
   const scene::DimensionDescription open = dimension("overall", {});
   const auto chosen = [&](const std::vector<sheet::NamedProjection>& views,
                           const scene::DimensionDescription& options) {
-    return format_dimensions(sheet::overall_dimensions(options, views));
+    return format_dimensions(sheet::overall_dimensions(options, views, {}));
   };
   EXPECT_EQ(chosen({corner, top, left, front}, open), "width front height front depth left ");
   EXPECT_EQ(chosen({front, top}, open), "width front height front depth top ");
@@ -259,6 +259,17 @@ TEST(OverallDimensions, EachOnceInTheClearestView) {
   at_the_left.view = {"left", "scene.toml:1:1"};
   EXPECT_EQ(chosen({front, top, left}, at_the_left), "height left depth left ");
   EXPECT_TRUE(contains(error_of([&] { chosen({corner}, open); }).what(), "no view shows"));
+}
+
+TEST(OverallDimensions, AShaftHasOneDiameter) {
+  const std::vector<sheet::NamedProjection> views{view("front", from_front), view("top", {0, 0, 1}, {0, 1, 0})};
+  const scene::Extent shaft{-40, 40, scene::ExtentForm::diameter, {0, 0, 0}, {0, 0, 1}};
+  const scene::Extent beside{-35, 45, scene::ExtentForm::diameter, {0, 5, 0}, {0, 0, 1}};
+  const scene::DimensionDescription open = dimension("overall", {});
+  EXPECT_EQ(format_dimensions(sheet::overall_dimensions(open, views, {shaft, shaft, {0, 80}})),
+            "width front height front ");
+  EXPECT_EQ(format_dimensions(sheet::overall_dimensions(open, views, {shaft, beside, {0, 80}})),
+            "width front height front depth top ");
 }
 
 TEST(OverallDimensions, HaveTheRoomThatWasKeptFree) {

@@ -219,6 +219,47 @@ TEST(Dimensions, AnUnevenScaleLeavesNoCircle) {
   EXPECT_TRUE(contains(error.what(), "rim of a circle")) << error.what();
 }
 
+// Its faces recognised.
+scene::World recognised(const Shape& shape, const std::string& steps) {
+  const auto mesh = std::make_shared<const mesh::Mesh>(mesh_of(shape));
+  return scene::make_world({{mesh, scene::parse_transform(steps),
+                             std::make_shared<const features::PartFaces>(features::recognise_faces(*mesh))}});
+}
+
+TEST(Dimensions, OverallOnesOfAShaftAreItsDiameter) {
+  // No corner of the polygon lies on x: it is 19.9 wide.
+  const std::string steps = "rotate:z,5.625";
+  const scene::World world = recognised(cylinder(32, 10, 7), steps);
+  const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front));
+  EXPECT_EQ(text_of(world, front, dimension("overall", {}, "width")), "⌀20");
+  EXPECT_EQ(text_of(world, front, dimension("overall", {}, "height")), "7");
+  const scene::World mesh = placed(cylinder(32, 10, 7), steps);
+  EXPECT_EQ(text_of(mesh, drawing_of(mesh, orthographic(from_front)), dimension("overall", {}, "width")), "19.9");
+  // What reaches as far as the part, or as its mesh, is whole; less is not.
+  drawing::ViewDrawing less = front;
+  for (drawing::Segment& s : less.segments)
+    for (Vec2* p : {&s.from, &s.to}) p->x = 100 + 0.99 * (p->x - 100);
+  expect_refusals(world, less, {{dimension("overall", {}, "width"), "does not show all of the models"}});
+}
+
+TEST(Dimensions, VerticesOfRoundFacesHaveTheirCircle) {
+  const scene::World world = recognised(cylinder(32, 10, 7), "scale:3");
+  EXPECT_EQ(text_of(world, drawing_of(world, from_above()), dimension("diameter", {3})), "⌀60");
+  // Vertices in the middle of a bore lie on no rim.
+  Shape two = cylinder(32, 10, 7);
+  for (int i = 64; i < 96; ++i)
+    two.points.push_back({two.points[std::size_t(i - 32)][0], two.points[std::size_t(i - 32)][1], 12});
+  two.faces.resize(two.faces.size() - 1);
+  std::vector<int> top;
+  for (int i = 0; i < 32; ++i) {
+    two.faces.push_back({32 + i, 32 + (i + 1) % 32, 64 + (i + 1) % 32, 64 + i});
+    top.push_back(64 + i);
+  }
+  two.faces.push_back(top);
+  const scene::World long_one = recognised(two, "scale:1");
+  EXPECT_EQ(text_of(long_one, drawing_of(long_one, from_above()), dimension("radius", {40})), "R10");
+}
+
 TEST(Dimensions, OverallOnesWantAllOfTheModels) {
   const scene::World world = placed(wedge());
   drawing::ViewDrawing front = drawing_of(world, orthographic(from_front));

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// What drawings give centre lines: shafts and bores over their whole length, slots, holes on a pitch circle. ISO 128-2,
+// type 04.1.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "base/progress.hpp"
+#include "scene/scene.hpp"
+
+namespace epura::scene {
+
+/// A circle about the axis of a feature.
+struct Ring {
+  Vec3 centre;
+  double radius;
+};
+
+/// Round faces of a model about one axis, half a turn of them at least; or a rim where no faces are recognised.
+struct RoundFeature {
+  int model;
+  Vec3 axis;                    ///< unit
+  std::vector<Ring> rings{};    ///< where its faces end; at least one
+  std::vector<int> vertices{};  ///< of its faces or its rim, in the model's file; ascending
+  bool enclosed = false;  ///< whole bores and slots that no cut has laid open: they are seen through their ends alone
+};
+
+/// Two half cylinders and the planes between them, tangent to both: a slot, or a bar with round ends.
+struct SlotFeature {
+  std::array<RoundFeature, 2> ends;
+};
+
+/// Equal holes around a shaft or bore.
+struct PitchCircle {
+  Vec3 centre, axis;
+  double radius;
+  std::vector<int> holes;  ///< places among the round features
+};
+
+struct CentredFeatures {
+  std::vector<RoundFeature> round;
+  std::vector<SlotFeature> slots;
+  std::vector<PitchCircle> pitch_circles;
+};
+
+/// Of all models, in their order. Arcs of less than half a turn have no axis, nor have the sides of grooves and
+/// engraved letters that run in an arc. Where no faces are recognised, whole circles among creases of `crease_angle`
+/// degrees or more and boundaries count, and arcs of half a turn or more. Throws OutOfTime.
+CentredFeatures find_centred_features(const World& world, double crease_angle = 30, const Progress& progress = {});
+
+}  // namespace epura::scene

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scene/placed_part.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace epura::scene {
+
+namespace {
+
+// A model that is stretched by less keeps its surfaces.
+constexpr double least_stretch = 1e-9;
+
+features::PartFace placed_face(features::PartFace face, const Mat4& to_world, double scale) {
+  features::PartSurface& surface = face.surface;
+  surface.origin = Vec3(to_world * Vec4(surface.origin, 1));
+  surface.axis = Mat3(to_world) * surface.axis / scale;
+  surface.radius *= scale;
+  surface.minor *= scale;
+  face.residual *= scale;
+  face.sagitta *= scale;
+  face.area *= scale * scale;
+  face.from *= scale;
+  face.to *= scale;
+  return face;
+}
+
+}  // namespace
+
+std::optional<double> similarity_scale(const Mat4& to_world) {
+  const Mat3 turn(to_world);
+  const Mat3 product = glm::transpose(turn) * turn;
+  const double square = product[0][0];
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      if (!(std::abs(product[i][j] - (i == j ? square : 0)) <= least_stretch * square)) return std::nullopt;
+  const double scale = std::sqrt(square);
+  return scale > 0 ? std::optional(scale) : std::nullopt;
+}
+
+std::vector<int> faces_of_triangles(const Placed& placed) {
+  const mesh::Mesh& mesh = *placed.mesh;
+  if (mesh.uncut == nullptr) return placed.part->face_of_triangle;
+  const std::vector<int>& polygons = mesh.uncut->polygon;
+  std::vector<int> face_of_polygon;
+  for (std::size_t t = 0; t < polygons.size(); ++t) {
+    const auto polygon = static_cast<std::size_t>(polygons[t]);
+    if (polygon >= face_of_polygon.size()) face_of_polygon.resize(polygon + 1, -1);
+    face_of_polygon[polygon] = placed.part->face_of_triangle[t];
+  }
+  std::vector<int> faces;
+  // What the cut made is on no face, and follows the polygons of the file.
+  for (const int polygon : mesh.polygon)
+    faces.push_back(polygon < static_cast<int>(face_of_polygon.size()) ? face_of_polygon[polygon] : -1);
+  return faces;
+}
+
+std::optional<PlacedPart> place_part(const Placed& placed) {
+  if (placed.part == nullptr) return std::nullopt;
+  const std::optional<double> scale = similarity_scale(placed.to_world);
+  if (!scale) return std::nullopt;
+  PlacedPart part{{}, faces_of_triangles(placed), placed.part->tolerance * *scale};
+  for (const features::PartFace& face : placed.part->faces)
+    part.faces.push_back(placed_face(face, placed.to_world, *scale));
+  return part;
+}
+
+}  // namespace epura::scene
