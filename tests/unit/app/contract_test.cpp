@@ -106,7 +106,8 @@ class JsonDrawing {
     for (int axis = 0; axis < 3; ++axis)
       expect_vanishing_point(view["vanishing_points"].items[axis], world_to_page[axis]);
     ASSERT_FALSE(view["segments"].items.empty());
-    for (const Json& segment : view["segments"].items) ASSERT_NO_FATAL_FAILURE(expect_segment(segment, world_to_page, slack));
+    for (const Json& segment : view["segments"].items)
+      ASSERT_NO_FATAL_FAILURE(expect_segment(segment, world_to_page, slack));
   }
 
   // All projectors pass through the viewer: rows 0, 1 and 3 send it to nothing. Towards it depth grows.
