@@ -2,11 +2,12 @@
 // Parts of lines, found by where they lie, while more and more of them come.
 //
 // A part stands in the cells that it passes through, of a grid whose cells are about as large as the part is long, so
-// that it stands in few of them whatever its length. Grids are only as large as what stands in them: cells are hashed.
+// that it stands in few of them whatever its length. Grids take room only where something stands in them: their cells
+// come in square tiles.
 #pragma once
 
-#include <array>
-#include <cstdint>
+#include <algorithm>
+#include <cstddef>
 #include <vector>
 
 #include "base/vec.hpp"
@@ -29,9 +30,10 @@ class InkCells {
   void visit(const Vec2& from, const Vec2& to, double margin, const Visit& visit) const {
     bool wanted = true;
     for (std::size_t level = 0; level < levels_.size() && wanted; ++level) {
-      if (!levels_[level].used) continue;
-      search::visit_cells(levels_[level].grid, from, to, margin, [&](int cell, double, double) {
-        for (int i = wanted ? head(key_of(level, cell)) : -1; i >= 0 && wanted; i = links_[i].next)
+      const Level& own = levels_[level];
+      if (!own.used) continue;
+      visit_cells(own, from, to, margin, [&](int column, int row) {
+        for (int i = wanted ? head(own, column, row) : -1; i >= 0 && wanted; i = links_[i].next)
           wanted = visit(links_[i].part);
       });
     }
@@ -40,28 +42,42 @@ class InkCells {
  private:
   struct Level {
     search::CellGrid grid;
+    int tile_columns;
+    std::vector<int> tiles;  ///< where the cells of each begin in `heads_`, or none
     bool used = false;
   };
   struct Link {
     int part, next;
   };
-  struct Slot {
-    std::uint64_t key = 0;
-    int head = -1;
-  };
+  static constexpr int none = -1;
+  static constexpr int tile_bits = 4, tile_side = 1 << tile_bits;  ///< cells
 
-  static std::uint64_t key_of(std::size_t level, int cell) {
-    return (static_cast<std::uint64_t>(level) << 32) | static_cast<std::uint32_t>(cell);
+  // Most lines lie in one cell of most grids.
+  template <class Visit>
+  static void visit_cells(const Level& level, const Vec2& from, const Vec2& to, double margin, const Visit& visit) {
+    const search::CellGrid& grid = level.grid;
+    const double slack = margin + grid.side.x * 0x1p-20;  // that of the search
+    const int column = grid.column(std::min(from.x, to.x) - slack), row = grid.row(std::min(from.y, to.y) - slack);
+    if (grid.column(std::max(from.x, to.x) + slack) == column && grid.row(std::max(from.y, to.y) + slack) == row)
+      return visit(column, row);
+    search::visit_cells(grid, from, to, margin,
+                        [&](int cell, double, double) { visit(cell % grid.columns, cell / grid.columns); });
   }
-  [[nodiscard]] std::size_t slot_of(std::uint64_t key) const;
-  [[nodiscard]] int head(std::uint64_t key) const { return slots_[slot_of(key)].head; }
-  void grow();
+
+  [[nodiscard]] static std::size_t tile_of(const Level& level, int column, int row) {
+    return static_cast<std::size_t>(row >> tile_bits) * level.tile_columns + (column >> tile_bits);
+  }
+  [[nodiscard]] static int cell_in_tile(int column, int row) {
+    return (row % tile_side) * tile_side + column % tile_side;
+  }
+  [[nodiscard]] int head(const Level& level, int column, int row) const {
+    const int tile = level.tiles[tile_of(level, column, row)];
+    return tile < 0 ? none : heads_[tile + cell_in_tile(column, row)];
+  }
 
   std::vector<Level> levels_;  ///< each with cells twice as wide as those of the one before
   std::vector<Link> links_;
-  std::vector<Slot> slots_ =
-      std::vector<Slot>(64);  ///< by the hash of the key, or the next free one; a power of two of them
-  std::size_t taken_ = 0;
+  std::vector<int> heads_;  ///< by cell of the tiles in use: the link that came last
   int count_ = 0;
 };
 
