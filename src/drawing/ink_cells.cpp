@@ -14,7 +14,27 @@ constexpr double cells_a_part = 4;
 // Cells of a grid are numbered by ints.
 constexpr double most_columns = 1 << 14;
 
+constexpr int sectors = 32;
+// Of 25.1 degrees: a little more than what is asked for.
+constexpr double cosine = 0.90556, sine = 0.42420;
+
 }  // namespace
+
+int sector_of(const Vec2& direction) {
+  // Grows with the angle, from 0 to 2 in half a turn.
+  const double along = direction.x / (std::abs(direction.x) + std::abs(direction.y));
+  const double turn = 1 - (direction.y < 0 ? -along : along);
+  return std::min(static_cast<int>(turn * (sectors / 2)), sectors - 1);
+}
+
+Sectors sectors_around(const Vec2& direction) {
+  const auto [x, y] = std::array{direction.x, direction.y};
+  const int last = sector_of({cosine * x - sine * y, sine * x + cosine * y});
+  Sectors found = Sectors{1} << last;
+  for (int at = sector_of({cosine * x + sine * y, cosine * y - sine * x}); at != last; at = (at + 1) % sectors)
+    found |= Sectors{1} << at;
+  return found;
+}
 
 InkCells::InkCells(const Vec2& min, const Vec2& max, double least) {
   const double extent = std::max(max.x - min.x, max.y - min.y);
@@ -31,7 +51,7 @@ InkCells::InkCells(const Vec2& min, const Vec2& max, double least) {
   }
 }
 
-void InkCells::add(const Vec2& from, const Vec2& to) {
+void InkCells::add(const Vec2& from, const Vec2& to, int sector) {
   const double length = glm::distance(from, to);
   std::size_t level = 0;
   while (level + 1 < levels_.size() && length > cells_a_part * levels_[level].grid.side.x) ++level;
@@ -45,9 +65,14 @@ void InkCells::add(const Vec2& from, const Vec2& to) {
       heads_.resize(heads_.size() + tile_side * tile_side, none);
     }
     int& head = heads_[tile + cell_in_tile(column, row)];
-    const int link = static_cast<int>(links_.size());
-    links_.push_back({count_, head});
-    head = link;
+    if (head < 0 || clusters_[head].count == Cluster::most) {
+      clusters_.push_back({head, {}, {}, 0});
+      head = static_cast<int>(clusters_.size()) - 1;
+    }
+    Cluster& cluster = clusters_[head];
+    cluster.part[cluster.count] = count_;
+    cluster.sector[cluster.count] = static_cast<std::uint8_t>(sector);
+    ++cluster.count;
   });
   ++count_;
 }

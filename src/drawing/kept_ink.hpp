@@ -38,11 +38,11 @@ class InkParts {
   InkParts(const std::vector<Piece>& pieces, const Vec2& min, const Vec2& max, double cell)
       : pieces_(&pieces), cells_(min, max, cell) {}
 
-  void add(const InkPart& part) {
+  void add(const InkPart& part, int sector = 0) {
     const Piece& piece = (*pieces_)[part.piece];
     parts_.push_back(part);
     lines_.push_back({place_on(piece, part.from), place_on(piece, part.to)});
-    cells_.add(lines_.back()[0], lines_.back()[1]);
+    cells_.add(lines_.back()[0], lines_.back()[1], sector);
   }
 
   [[nodiscard]] bool empty() const { return parts_.empty(); }
@@ -53,8 +53,8 @@ class InkParts {
 
   /// As InkCells::visit does.
   template <class Visit>
-  void visit(const Vec2& from, const Vec2& to, double margin, const Visit& visit) const {
-    cells_.visit(from, to, margin, visit);
+  void visit(const Vec2& from, const Vec2& to, double margin, const Visit& visit, Sectors sectors = ~Sectors{}) const {
+    cells_.visit(from, to, margin, visit, sectors);
   }
 
  private:
