@@ -32,6 +32,13 @@ inline Vec2 nearest_on(const std::array<Vec2, 2>& line, const Vec2& p) {
   return square > 0 ? line[0] + std::clamp(glm::dot(p - line[0], step) / square, 0.0, 1.0) * step : line[0];
 }
 
+/// False where a look at the box of the line tells that it lies farther away, whatever is rounded.
+inline bool may_be_within(const std::array<Vec2, 2>& line, const Vec2& p, double distance) {
+  const double reach = distance * (1 + 0x1p-20) + 0x1p-20;
+  return std::min(line[0].x, line[1].x) - p.x <= reach && p.x - std::max(line[0].x, line[1].x) <= reach &&
+         std::min(line[0].y, line[1].y) - p.y <= reach && p.y - std::max(line[0].y, line[1].y) <= reach;
+}
+
 /// Parts of pieces in the order in which they come, to be found by their places.
 class InkParts {
  public:

@@ -232,7 +232,9 @@ int NearSearch::nearest_kept(const Vec2& place) const {
   const double reach = std::numbers::sqrt2 * distance_;
   std::pair<double, int> best{reach, -1};
   kept_.visit(place, place, reach, [&](int number) {
-    const double distance = glm::distance(nearest_on(kept_.line(number), place), place);
+    const std::array<Vec2, 2>& line = kept_.line(number);
+    if (!may_be_within(line, place, best.first)) return true;
+    const double distance = glm::distance(nearest_on(line, place), place);
     best = std::min(best, std::pair(distance, number));
     return true;
   });
