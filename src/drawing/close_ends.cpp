@@ -91,7 +91,8 @@ class EndCloser {
   }
 
   [[nodiscard]] bool lies_on(const Vec2& place, const std::array<Vec2, 2>& line) const {
-    return glm::distance(nearest_on(line, place), place) <= limits_.touching;
+    return may_be_within(line, place, limits_.touching) &&
+           glm::distance(nearest_on(line, place), place) <= limits_.touching;
   }
 
   [[nodiscard]] std::array<Vec2, 2> ends_of(const InkPart& part) const {
@@ -107,6 +108,7 @@ class EndCloser {
       if (!lies_on(place, taken_.parts.line(number)) || !counts(piece, taken_.parts[number].piece)) return true;
       for (const int by : taken_.kept_for(number)) {
         const std::array<Vec2, 2>& line = kept_.line(by);
+        if (!may_be_within(line, place, least)) continue;
         const double distance = glm::distance(nearest_on(line, place), place);
         if (!(distance < least)) continue;
         least = distance;

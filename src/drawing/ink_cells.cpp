@@ -14,7 +14,27 @@ constexpr double cells_a_part = 4;
 // Cells of a grid are numbered by ints.
 constexpr double most_columns = 1 << 14;
 
+constexpr int sectors = 32;
+// Of 25.1 degrees: a little more than what is asked for.
+constexpr double cosine = 0.90556, sine = 0.42420;
+
 }  // namespace
+
+int sector_of(const Vec2& direction) {
+  // Grows with the angle, from 0 to 2 in half a turn.
+  const double along = direction.x / (std::abs(direction.x) + std::abs(direction.y));
+  const double turn = 1 - (direction.y < 0 ? -along : along);
+  return std::min(static_cast<int>(turn * (sectors / 2)), sectors - 1);
+}
+
+Sectors sectors_around(const Vec2& direction) {
+  const auto [x, y] = std::array{direction.x, direction.y};
+  const int last = sector_of({cosine * x - sine * y, sine * x + cosine * y});
+  Sectors found = Sectors{1} << last;
+  for (int at = sector_of({cosine * x + sine * y, cosine * y - sine * x}); at != last; at = (at + 1) % sectors)
+    found |= Sectors{1} << at;
+  return found;
+}
 
 InkCells::InkCells(const Vec2& min, const Vec2& max, double least) {
   const double extent = std::max(max.x - min.x, max.y - min.y);
@@ -25,41 +45,36 @@ InkCells::InkCells(const Vec2& min, const Vec2& max, double least) {
   const Vec2 origin = glm::floor(min / side) * side;
   for (const double width : sides) {
     const auto count = [&](double length) { return std::max(1, static_cast<int>(std::ceil(length / width))); };
-    levels_.push_back({{origin, Vec2(width), count(max.x - origin.x), count(max.y - origin.y)}});
+    Level level{{origin, Vec2(width), count(max.x - origin.x), count(max.y - origin.y)}, 0, {}};
+    level.tile_columns = (level.grid.columns + tile_side - 1) / tile_side;
+    levels_.push_back(std::move(level));
   }
 }
 
-void InkCells::add(const Vec2& from, const Vec2& to) {
+void InkCells::add(const Vec2& from, const Vec2& to, int sector) {
   const double length = glm::distance(from, to);
   std::size_t level = 0;
   while (level + 1 < levels_.size() && length > cells_a_part * levels_[level].grid.side.x) ++level;
-  levels_[level].used = true;
-  search::visit_cells(levels_[level].grid, from, to, 0, [&](int cell, double, double) {
-    if (2 * taken_ >= slots_.size()) grow();
-    const std::uint64_t key = key_of(level, cell);
-    Slot& slot = slots_[slot_of(key)];
-    if (slot.head < 0) ++taken_;
-    const int link = static_cast<int>(links_.size());
-    links_.push_back({count_, slot.head});
-    slot = {key, link};
+  Level& own = levels_[level];
+  if (!own.used) own.tiles.assign(tile_of(own, 0, own.grid.rows - 1) + own.tile_columns, none);
+  own.used = true;
+  visit_cells(own, from, to, 0, [&](int column, int row) {
+    int& tile = own.tiles[tile_of(own, column, row)];
+    if (tile < 0) {
+      tile = static_cast<int>(heads_.size());
+      heads_.resize(heads_.size() + tile_side * tile_side, none);
+    }
+    int& head = heads_[tile + cell_in_tile(column, row)];
+    if (head < 0 || clusters_[head].count == Cluster::most) {
+      clusters_.push_back({head, {}, {}, 0});
+      head = static_cast<int>(clusters_.size()) - 1;
+    }
+    Cluster& cluster = clusters_[head];
+    cluster.part[cluster.count] = count_;
+    cluster.sector[cluster.count] = static_cast<std::uint8_t>(sector);
+    ++cluster.count;
   });
   ++count_;
-}
-
-std::size_t InkCells::slot_of(std::uint64_t key) const {
-  std::uint64_t hash = (key ^ key >> 29) * 0xbf58476d1ce4e5b9;
-  hash ^= hash >> 32;
-  const std::size_t mask = slots_.size() - 1;
-  std::size_t slot = hash & mask;
-  while (slots_[slot].head >= 0 && slots_[slot].key != key) slot = (slot + 1) & mask;
-  return slot;
-}
-
-void InkCells::grow() {
-  std::vector<Slot> old(2 * slots_.size());
-  std::swap(old, slots_);
-  for (const Slot& slot : old)
-    if (slot.head >= 0) slots_[slot_of(slot.key)] = slot;
 }
 
 }  // namespace epura::drawing

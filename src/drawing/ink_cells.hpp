@@ -2,10 +2,13 @@
 // Parts of lines, found by where they lie, while more and more of them come.
 //
 // A part stands in the cells that it passes through, of a grid whose cells are about as large as the part is long, so
-// that it stands in few of them whatever its length. Grids are only as large as what stands in them: cells are hashed.
+// that it stands in few of them whatever its length. Grids take room only where something stands in them: their cells
+// come in square tiles.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -14,25 +17,38 @@
 
 namespace epura::drawing {
 
+/// Directions without a sense, in 32 sectors: a bit for each.
+using Sectors = std::uint32_t;
+
+/// Where a direction lies.
+int sector_of(const Vec2& direction);
+
+/// All in which directions within 25 degrees of this one lie.
+Sectors sectors_around(const Vec2& direction);
+
 class InkCells {
  public:
   /// All lines lie in the box; those up to about `least` mm stand in the finest grid.
   InkCells(const Vec2& min, const Vec2& max, double least);
 
-  /// The part's number is that of the parts that came before it.
-  void add(const Vec2& from, const Vec2& to);
+  /// The part's number is that of the parts that came before it. `sector` is that of the direction it counts for.
+  void add(const Vec2& from, const Vec2& to, int sector = 0);
   [[nodiscard]] bool empty() const { return count_ == 0; }
 
   /// Calls `visit(part)` for all parts within `margin` of a line, for some others near it, and perhaps for some more
-  /// than once, until it returns false. The order is always the same.
+  /// than once, until it returns false. Only those in `sectors` if it is given. The order is always the same.
   template <class Visit>
-  void visit(const Vec2& from, const Vec2& to, double margin, const Visit& visit) const {
+  void visit(const Vec2& from, const Vec2& to, double margin, const Visit& visit, Sectors sectors = ~Sectors{}) const {
     bool wanted = true;
     for (std::size_t level = 0; level < levels_.size() && wanted; ++level) {
-      if (!levels_[level].used) continue;
-      search::visit_cells(levels_[level].grid, from, to, margin, [&](int cell, double, double) {
-        for (int i = wanted ? head(key_of(level, cell)) : -1; i >= 0 && wanted; i = links_[i].next)
-          wanted = visit(links_[i].part);
+      const Level& own = levels_[level];
+      if (!own.used) continue;
+      visit_cells(own, from, to, margin, [&](int column, int row) {
+        for (int i = wanted ? head(own, column, row) : none; i >= 0 && wanted; i = clusters_[i].next) {
+          const Cluster& cluster = clusters_[i];
+          for (int at = cluster.count - 1; at >= 0 && wanted; --at)
+            if ((sectors >> cluster.sector[at] & 1) != 0) wanted = visit(cluster.part[at]);
+        }
       });
     }
   }
@@ -40,28 +56,47 @@ class InkCells {
  private:
   struct Level {
     search::CellGrid grid;
+    int tile_columns;
+    std::vector<int> tiles;  ///< where the cells of each begin in `heads_`, or none
     bool used = false;
   };
-  struct Link {
-    int part, next;
+  /// Some parts of a cell in half a line of the cache, and where those before them are.
+  struct Cluster {
+    static constexpr int most = 5;
+    int next;
+    std::array<int, most> part;
+    std::array<std::uint8_t, most> sector;
+    std::uint8_t count;
   };
-  struct Slot {
-    std::uint64_t key = 0;
-    int head = -1;
-  };
+  static constexpr int none = -1;
+  static constexpr int tile_bits = 4, tile_side = 1 << tile_bits;  ///< cells
 
-  static std::uint64_t key_of(std::size_t level, int cell) {
-    return (static_cast<std::uint64_t>(level) << 32) | static_cast<std::uint32_t>(cell);
+  // Most lines lie in one cell of most grids.
+  template <class Visit>
+  static void visit_cells(const Level& level, const Vec2& from, const Vec2& to, double margin, const Visit& visit) {
+    const search::CellGrid& grid = level.grid;
+    const double slack = margin + grid.side.x * 0x1p-20;  // that of the search
+    const int column = grid.column(std::min(from.x, to.x) - slack), row = grid.row(std::min(from.y, to.y) - slack);
+    if (grid.column(std::max(from.x, to.x) + slack) == column && grid.row(std::max(from.y, to.y) + slack) == row)
+      return visit(column, row);
+    search::visit_cells(grid, from, to, margin,
+                        [&](int cell, double, double) { visit(cell % grid.columns, cell / grid.columns); });
   }
-  [[nodiscard]] std::size_t slot_of(std::uint64_t key) const;
-  [[nodiscard]] int head(std::uint64_t key) const { return slots_[slot_of(key)].head; }
-  void grow();
+
+  [[nodiscard]] static std::size_t tile_of(const Level& level, int column, int row) {
+    return static_cast<std::size_t>(row >> tile_bits) * level.tile_columns + (column >> tile_bits);
+  }
+  [[nodiscard]] static int cell_in_tile(int column, int row) {
+    return (row % tile_side) * tile_side + column % tile_side;
+  }
+  [[nodiscard]] int head(const Level& level, int column, int row) const {
+    const int tile = level.tiles[tile_of(level, column, row)];
+    return tile < 0 ? none : heads_[tile + cell_in_tile(column, row)];
+  }
 
   std::vector<Level> levels_;  ///< each with cells twice as wide as those of the one before
-  std::vector<Link> links_;
-  std::vector<Slot> slots_ =
-      std::vector<Slot>(64);  ///< by the hash of the key, or the next free one; a power of two of them
-  std::size_t taken_ = 0;
+  std::vector<Cluster> clusters_;
+  std::vector<int> heads_;  ///< by cell of the tiles in use: the cluster that came last
   int count_ = 0;
 };
 

@@ -32,17 +32,24 @@ inline Vec2 nearest_on(const std::array<Vec2, 2>& line, const Vec2& p) {
   return square > 0 ? line[0] + std::clamp(glm::dot(p - line[0], step) / square, 0.0, 1.0) * step : line[0];
 }
 
+/// False where a look at the box of the line tells that it lies farther away, whatever is rounded.
+inline bool may_be_within(const std::array<Vec2, 2>& line, const Vec2& p, double distance) {
+  const double reach = distance * (1 + 0x1p-20) + 0x1p-20;
+  return std::min(line[0].x, line[1].x) - p.x <= reach && p.x - std::max(line[0].x, line[1].x) <= reach &&
+         std::min(line[0].y, line[1].y) - p.y <= reach && p.y - std::max(line[0].y, line[1].y) <= reach;
+}
+
 /// Parts of pieces in the order in which they come, to be found by their places.
 class InkParts {
  public:
   InkParts(const std::vector<Piece>& pieces, const Vec2& min, const Vec2& max, double cell)
       : pieces_(&pieces), cells_(min, max, cell) {}
 
-  void add(const InkPart& part) {
+  void add(const InkPart& part, int sector = 0) {
     const Piece& piece = (*pieces_)[part.piece];
     parts_.push_back(part);
     lines_.push_back({place_on(piece, part.from), place_on(piece, part.to)});
-    cells_.add(lines_.back()[0], lines_.back()[1]);
+    cells_.add(lines_.back()[0], lines_.back()[1], sector);
   }
 
   [[nodiscard]] bool empty() const { return parts_.empty(); }
@@ -53,8 +60,8 @@ class InkParts {
 
   /// As InkCells::visit does.
   template <class Visit>
-  void visit(const Vec2& from, const Vec2& to, double margin, const Visit& visit) const {
-    cells_.visit(from, to, margin, visit);
+  void visit(const Vec2& from, const Vec2& to, double margin, const Visit& visit, Sectors sectors = ~Sectors{}) const {
+    cells_.visit(from, to, margin, visit, sectors);
   }
 
  private:

@@ -69,11 +69,16 @@ struct Beside {
     const auto turned = [&](const Vec2& d) { return Vec2(glm::dot(along, d), along.x * d.y - along.y * d.x); };
     const Vec2 line = turned(step), from = turned(p), other = turned(q) - from;
     if (std::abs(other.y) > 2 * std::abs(other.x)) return;
+    const double begin = std::min(from.x, from.x + other.x), end = std::max(from.x, from.x + other.x);
+    if (end <= std::min(line.x, 0.0) || begin >= std::max(line.x, 0.0)) return;
     const double rise = other.y / other.x;
     value = rise * from.x - from.y;
     slope = line.y - rise * line.x;
+    // Most lines pass by.
+    if (value > distance && distance - value <= slope) return;
+    if (value < -distance && -distance - value >= slope) return;
     range = {0, 1};
-    limit(range, 0, line.x, std::min(from.x, from.x + other.x), std::max(from.x, from.x + other.x));
+    limit(range, 0, line.x, begin, end);
     limit(range, value, slope, -distance, distance);
   }
 };
@@ -148,21 +153,27 @@ visibility::Spans NearSearch::near_parts(std::size_t member) {
   const auto x = [&](double u) { return u >= 1 ? own.to : own.from + u * size; };
   visibility::Spans spans;
   int others = 0;
-  kept_.visit(a, b, distance_, [&](int number) {
-    const auto& direction = directions_[static_cast<std::size_t>(number)];
-    if (!(std::abs(direction[0] * along.x + direction[1] * along.y) >= least_cosine)) return true;
+  const int current = members_before_++;
+  const auto is_near = [&](int number, const Candidate& other) {
+    if (!(std::abs(other.direction[0] * along.x + other.direction[1] * along.y) >= least_cosine)) return false;
     const auto [p, q] = kept_.line(number);
     const Beside beside(along, b - a, p - a, q - a, distance_);
     const auto [from, to] = beside.range;
-    if (!(to - from > touching)) return true;
+    if (!(to - from > touching)) return false;
     near_.push_back({{member, x(from), x(to)}, number});
     visibility::add_span(spans, {x(from), x(to)});
     for (const double u : {from, to})
       if (std::abs(beside.value + u * beside.slope) <= touching_) contacts_.push_back(x(u));
     const double crossing = -beside.value / beside.slope;
     if (crossing > from && crossing < to) contacts_.push_back(x(crossing));
-    return ++others < many_others || !visibility::covers(spans, own.from, own.to);
-  });
+    return true;
+  };
+  const auto visit = [&](int number) {
+    Candidate& other = candidates_[static_cast<std::size_t>(number)];
+    if (std::exchange(other.member, current) != current) other.is_near = is_near(number, other);
+    return !other.is_near || ++others < many_others || !visibility::covers(spans, own.from, own.to);
+  };
+  kept_.visit(a, b, distance_, visit, sectors_around(along));
   return spans;
 }
 
@@ -221,7 +232,9 @@ int NearSearch::nearest_kept(const Vec2& place) const {
   const double reach = std::numbers::sqrt2 * distance_;
   std::pair<double, int> best{reach, -1};
   kept_.visit(place, place, reach, [&](int number) {
-    const double distance = glm::distance(nearest_on(kept_.line(number), place), place);
+    const std::array<Vec2, 2>& line = kept_.line(number);
+    if (!may_be_within(line, place, best.first)) return true;
+    const double distance = glm::distance(nearest_on(line, place), place);
     best = std::min(best, std::pair(distance, number));
     return true;
   });
@@ -258,9 +271,9 @@ bool NearSearch::has_ink_around(const Stretch& stretch) {
 
 void NearSearch::keep(const Stretch& stretch) {
   if (!(stretch.to - stretch.from > touching_)) return specks_.push_back(part_of(stretch));
-  kept_.add(part_of(stretch));
   const Vec2 along = direction_of(stretch.member);
-  directions_.push_back({static_cast<float>(along.x), static_cast<float>(along.y)});
+  kept_.add(part_of(stretch), sector_of(along));
+  candidates_.push_back({{static_cast<float>(along.x), static_cast<float>(along.y)}});
 }
 
 void NearSearch::keep(const Run& run) {

@@ -42,6 +42,12 @@ class NearSearch {
     int by;
   };
   using Run = std::array<double, 2>;
+  /// What the search for ink near a member knows of a kept part.
+  struct Candidate {
+    std::array<float, 2> direction;
+    int member = -1;  ///< that was compared with it last, counted through all polylines
+    bool is_near = false;
+  };
 
   [[nodiscard]] Vec2 place(std::size_t member, double x) const;
   [[nodiscard]] Vec2 place(double x) const;
@@ -68,8 +74,9 @@ class NearSearch {
   const std::vector<Piece>& pieces_;
   double distance_, touching_;
   InkParts kept_;
-  std::vector<std::array<float, 2>> directions_;  ///< of kept parts
-  std::vector<InkPart> specks_;                   ///< kept, and too short to draw anything for others
+  std::vector<Candidate> candidates_;  ///< by kept part
+  int members_before_ = 0;             ///< in all polylines
+  std::vector<InkPart> specks_;        ///< kept, and too short to draw anything for others
   TakenInk taken_;
 
   // Of the polyline.
