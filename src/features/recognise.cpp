@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 
+#include "base/portable_math.hpp"
 #include "features/borders.hpp"
 #include "features/chords.hpp"
 #include "features/facets.hpp"
@@ -28,8 +29,8 @@ constexpr char enough_failures = 8;
 // Of the area of a part.
 constexpr double least_recognised = 0.25;
 constexpr std::size_t most_alone = 256;
-// Tangents of folds that are neither flat nor certainly edges of the part.
-constexpr double shallow_least = 1e-4, shallow_most = 1;
+// The tangent of a fold from which an edge of the mesh certainly is one of the part.
+constexpr double shallow_most = 1;
 
 /// A surface that some facets around a seed lie on.
 struct Guess {
@@ -445,7 +446,8 @@ PartFaces recognise_faces(const mesh::Mesh& mesh, const RecogniseOptions& option
   return result;
 }
 
-bool has_shallow_folds(const mesh::Mesh& mesh) {
+bool has_shallow_folds(const mesh::Mesh& mesh, double least) {
+  const double shallow_least = portable_tan(least * (std::numbers::pi / 180));
   const auto normal = [&](int triangle) {
     const auto [a, b, c] = mesh.triangle(triangle);
     return glm::cross(mesh.point(b) - mesh.point(a), mesh.point(c) - mesh.point(a));

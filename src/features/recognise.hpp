@@ -54,8 +54,8 @@ struct RecogniseOptions {
 /// Throws OutOfTime.
 PartFaces recognise_faces(const mesh::Mesh& mesh, const RecogniseOptions& options = {}, const Progress& progress = {});
 
-/// Whether some edge is folded so little that it may lie inside a face of the part. Where none does, all edges of the
-/// mesh are edges of the part.
-bool has_shallow_folds(const mesh::Mesh& mesh);
+/// Whether some edge is folded by more than `least` degrees, and by less than certainly an edge of the part is. Where
+/// none is, folds alone tell edges of the part that are sharper than that.
+bool has_shallow_folds(const mesh::Mesh& mesh, double least);
 
 }  // namespace epura::features

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/parallel.hpp"
+#include "edges/find_edges.hpp"
 #include "features/recognise.hpp"
 #include "scene/true_extents.hpp"
 
@@ -23,16 +24,29 @@ bool is_asked(const scene::ViewDescription& view) {
   return kinds.crease || kinds.tangent || kinds.smooth || kinds.intersection;
 }
 
-std::shared_ptr<const features::PartFaces> part_of(const mesh::Mesh& mesh, const Progress& progress) {
-  if (!features::has_shallow_folds(mesh)) return nullptr;
+// Degrees: edges that are folded by less are not told from the inside of faces. Where only creases are wanted, fine
+// tessellations have none to tell.
+double least_fold(const scene::SceneDescription& scene, const RunOptions& options) {
+  constexpr double flat = 0.005;
+  double least = edges::EdgeOptions().part_angle;
+  for (const scene::ViewDescription& view : scene.views) {
+    if (view.edges.value_or({}).tangent) return flat;
+    least = std::min(least, view.crease_angle.value_or(least));
+  }
+  return options.centre_lines || !scene.dimensions.empty() ? flat : std::max(least, flat);
+}
+
+std::shared_ptr<const features::PartFaces> part_of(const mesh::Mesh& mesh, double least, const Progress& progress) {
+  if (!features::has_shallow_folds(mesh, least)) return nullptr;
   auto part = std::make_shared<features::PartFaces>(features::recognise_faces(mesh, {}, progress));
   return part->faces.empty() ? nullptr : part;
 }
 
 }  // namespace
 
-void recognise_parts(scene::World& world, const scene::SceneDescription& scene, report::Report& report,
-                     Progress progress) {
+void recognise_parts(scene::World& world, const scene::SceneDescription& scene, const RunOptions& options,
+                     report::Report& report, Progress progress) {
+  const double least = least_fold(scene, options);
   std::vector<int> wanted;
   const bool asked = std::any_of(scene.views.begin(), scene.views.end(), is_asked);
   for (int model = 0; model < static_cast<int>(world.models.size()); ++model)
@@ -45,7 +59,7 @@ void recognise_parts(scene::World& world, const scene::SceneDescription& scene, 
     parallel_for(wanted.size(), 1, limited, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         scene::Placed& placed = world.models[wanted[i]];
-        placed.part = part_of(*placed.mesh, limited);
+        placed.part = part_of(*placed.mesh, least, limited);
         progress.advance(1);
       }
     });

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/progress.hpp"
+#include "pipeline/options.hpp"
 #include "report/report.hpp"
 #include "scene/description.hpp"
 #include "scene/scene.hpp"
@@ -11,7 +12,7 @@ namespace epura::pipeline {
 
 /// Recognises them where they are wanted and something can come of it; says in the plan what was done. Models that
 /// there is no time for are drawn as meshes, which the report says. It also has the error of tessellation.
-void recognise_parts(scene::World& world, const scene::SceneDescription& scene, report::Report& report,
-                     Progress progress);
+void recognise_parts(scene::World& world, const scene::SceneDescription& scene, const RunOptions& options,
+                     report::Report& report, Progress progress);
 
 }  // namespace epura::pipeline

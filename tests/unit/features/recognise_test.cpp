@@ -535,5 +535,13 @@ TEST(RecogniseFaces, OpenMeshesHaveOpenBorders) {
   EXPECT_EQ(count(pipe, features::BorderKind::open), 2);
 }
 
+TEST(RecogniseFaces, FoldsTellWhetherItIsWorthWhile) {
+  const auto pipe = [](int sides) { return revolved({{5, 0}, {5, 8}}, sides).mesh(); };
+  EXPECT_TRUE(features::has_shallow_folds(pipe(24), 5));
+  EXPECT_TRUE(features::has_shallow_folds(pipe(100), 0.005));
+  EXPECT_FALSE(features::has_shallow_folds(pipe(100), 5));
+  EXPECT_FALSE(features::has_shallow_folds(pipe(6), 5));
+}
+
 }  // namespace
 }  // namespace epura
