@@ -45,31 +45,32 @@ double diagonal_of(const TopoDS_Shape& shape) {
   return std::sqrt(box.SquareExtent());
 }
 
-void add_face(Polygons& polygons, const TopoDS_Face& face) {
+/// Every triangle with corners of its own.
+void add_face(Polygons& soup, const TopoDS_Face& face) {
   TopLoc_Location place;
   const Handle(Poly_Triangulation) triangulation = BRep_Tool::Triangulation(face, place);
   if (triangulation.IsNull()) return;
-  const int first = static_cast<int>(polygons.points.size());
-  for (int i = 1; i <= triangulation->NbNodes(); ++i) {
-    const gp_Pnt p = triangulation->Node(i).Transformed(place.Transformation());
-    const auto stored = [](double coordinate) { return static_cast<double>(static_cast<float>(coordinate)); };
-    polygons.points.push_back({stored(p.X()), stored(p.Y()), stored(p.Z())});
-  }
+  const auto stored = [](double coordinate) { return static_cast<double>(static_cast<float>(coordinate)); };
   for (int i = 1; i <= triangulation->NbTriangles(); ++i) {
-    std::array<int, 3> n{};
-    triangulation->Triangle(i).Get(n[0], n[1], n[2]);
-    if (face.Orientation() == TopAbs_REVERSED) std::swap(n[1], n[2]);
-    polygons.faces.push_back({first + n[0] - 1, first + n[1] - 1, first + n[2] - 1});
+    std::array<int, 3> nodes{};
+    triangulation->Triangle(i).Get(nodes[0], nodes[1], nodes[2]);
+    if (face.Orientation() == TopAbs_REVERSED) std::swap(nodes[1], nodes[2]);
+    for (const int node : nodes) {
+      const gp_Pnt p = triangulation->Node(node).Transformed(place.Transformation());
+      soup.points.push_back({stored(p.X()), stored(p.Y()), stored(p.Z())});
+    }
+    const int end = static_cast<int>(soup.points.size());
+    soup.faces.push_back({end - 3, end - 2, end - 1});
   }
 }
 
-/// As the reader of STL does: points in one place become one.
-void weld(Polygons& polygons) {
+/// As the reader of STL does, also in the order of points: what is in one place becomes one.
+void weld(Polygons& soup) {
   std::vector<int> corners;
-  for (const std::vector<int>& face : polygons.faces) corners.insert(corners.end(), face.begin(), face.end());
-  mesh::renumber(polygons.points, corners, mesh::same_places(polygons.points));
-  for (std::size_t i = 0; i < polygons.faces.size(); ++i)
-    std::copy_n(corners.begin() + static_cast<std::ptrdiff_t>(3 * i), 3, polygons.faces[i].begin());
+  for (const std::vector<int>& face : soup.faces) corners.insert(corners.end(), face.begin(), face.end());
+  mesh::renumber(soup.points, corners, mesh::same_places(soup.points));
+  for (std::size_t i = 0; i < soup.faces.size(); ++i)
+    std::copy_n(corners.begin() + static_cast<std::ptrdiff_t>(3 * i), 3, soup.faces[i].begin());
 }
 
 /// Nothing where the surface has none, as at the tip of a cone.
