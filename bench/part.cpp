@@ -47,7 +47,7 @@ Drawing drawing_of(const Polygons& polygons, const char* projection, Surfaces su
   Scene scene;
   scene.models = {{.polygons = polygons, .name = "part", .surfaces = surfaces}};
   scene.views = {{.projection = projection, .name = "view", .hidden = HiddenLines::dashed}};
-  scene.sheets = {{.size = "A4", .scale = AutomaticScale::fit}};
+  scene.sheets = {{.size = "A4", .scale = AutomaticScale::standard}};
   Settings settings;
   settings.threads = 1;  // parts are drawn side by side
   return draw(scene, settings);

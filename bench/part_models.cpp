@@ -194,7 +194,7 @@ std::vector<Part> made_parts() {
           {"tee", [] { return tee(8); }},
           {"equal tee", [] { return tee(12); }},
           {"flange", flange},
-          {"filleted flange", [] { return fillet(hub(), 4, all); }},
+          {"filleted flange", [] { return fillet(hub(), 3, all); }},
           {"drilled ball", drilled_ball},
           {"elbow", elbow},
           {"loft", loft},
