@@ -14,6 +14,9 @@ namespace epura::drawing {
 
 namespace {
 
+// Of the way by which a contour is moved: so far at most a line runs on to it.
+constexpr double farthest = 2;
+
 /// A visible piece of a contour that is not drawn where the mesh has it.
 struct MovedContour {
   std::size_t piece;
@@ -59,7 +62,7 @@ class Meeting {
       if (ends_there)
         met = 0.5 * (drawn + there);
       else if (!met)
-        met = moved ? there : crossing(piece, contour).value_or(there);
+        met = moved ? there : crossing(piece, contour, drawn, farthest * glm::distance(there, place)).value_or(there);
       return !ends_there;
     });
     return met;
@@ -98,15 +101,16 @@ class Meeting {
     return false;
   }
 
-  // Where the line of a piece crosses a contour as it is drawn.
-  static std::optional<Vec2> crossing(const Piece& piece, const MovedContour& contour) {
+  // Where the line of a piece crosses a contour as it is drawn, within a distance from its end.
+  static std::optional<Vec2> crossing(const Piece& piece, const MovedContour& contour, const Vec2& end,
+                                      double within) {
     const Vec2 along = piece.to - piece.from, across = contour.drawn[1] - contour.drawn[0];
     const double area = along.x * across.y - along.y * across.x;
-    if (!(std::abs(area) > 0.1 * glm::length(along) * glm::length(across))) return std::nullopt;
+    if (area == 0) return std::nullopt;
     const Vec2 to = contour.drawn[0] - piece.from;
     const double s = (to.x * across.y - to.y * across.x) / area;
-    // A short piece that would turn round stays as it is.
-    return s > 0 ? std::optional(piece.from + s * along) : std::nullopt;
+    const Vec2 place = piece.from + s * along;
+    return glm::distance(place, end) <= within ? std::optional(place) : std::nullopt;
   }
 
   const visibility::ResolvedView& lines_;

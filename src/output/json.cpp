@@ -150,6 +150,7 @@ void append_view(std::string& text, const drawing::ViewDrawing& drawing, double 
           ",\n   \"world_to_page\": " + matrix(drawing.world_to_page) + ",\n   \"viewer\": {\"" +
           (projection.central ? "centre" : "direction") + "\": " + point(projection.projector) +
           "},\n   \"vanishing_points\": " + json_list(drawing.vanishing_points, vanishing_point) +
+          (drawing.contours_moved > 0 ? ",\n   \"contours_moved\": " + number(drawing.contours_moved) : "") +
           ",\n   \"segments\": ";
   append_segments(text, drawing, progress);
   append_curves(text, drawing);

@@ -44,13 +44,6 @@ std::optional<Cut> cut_of(const ScanLine& line, const std::array<Vec2, 2>& ends,
   return Cut{u, std::abs(cross(line.along, way)) / glm::length(way), segment};
 }
 
-double distance_to_line(const Vec2& p, const std::array<Vec2, 2>& line) {
-  const Vec2 along = line[1] - line[0];
-  const double square = glm::dot(along, along);
-  const double t = square > 0 ? std::clamp(glm::dot(p - line[0], along) / square, 0.0, 1.0) : 0;
-  return glm::distance(p, line[0] + t * along);
-}
-
 }  // namespace
 
 LineScan::LineScan(const VerifyInput& input, const ScanScene& scene, const FoldRule& rule, const MarkLimits& limits,
@@ -62,8 +55,9 @@ std::array<Vec2, 2> LineScan::segment(int number) const {
   const std::array<Vec2, 2> drawn{segment.from - scene_.origin, segment.to - scene_.origin};
   if (!(input_.drawing.contours_moved > 0) || segment.kind != EdgeKind::contour || segment.edge[0] < 0) return drawn;
   const std::array<Vec2, 2> in_mesh{place_in_mesh(segment, 0), place_in_mesh(segment, 1)};
-  const double within = input_.drawing.contours_moved + limits_.reach;
-  return distance_to_line(0.5 * (drawn[0] + drawn[1]), in_mesh) <= within ? in_mesh : drawn;
+  // Along the contour an end may have moved by the length of its edge.
+  const double within = input_.drawing.contours_moved + limits_.reach + glm::distance(in_mesh[0], in_mesh[1]);
+  return glm::distance(0.5 * (drawn[0] + drawn[1]), 0.5 * (in_mesh[0] + in_mesh[1])) <= within ? in_mesh : drawn;
 }
 
 // Where the edge of the mesh lies that a segment shows.

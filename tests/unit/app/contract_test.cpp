@@ -86,7 +86,11 @@ class JsonDrawing {
   }
 
   void expect_view(const Json& view) const {
-    EXPECT_EQ(view.keys(), "name projection parameters world_to_page viewer vanishing_points segments");
+    const std::string keys = "name projection parameters world_to_page viewer vanishing_points ";
+    const bool moved = view.keys() == keys + "contours_moved segments";
+    EXPECT_TRUE(moved || view.keys() == keys + "segments") << view.keys();
+    // Lines that end at contours go with these.
+    const double slack = tolerance_mm + (moved ? 2 * view["contours_moved"].number() : 0);
     EXPECT_EQ(view["parameters"].type, '{');
     expect_viewer(view);
     const Mat4 world_to_page = matrix(view["world_to_page"]);
@@ -94,7 +98,7 @@ class JsonDrawing {
     for (int axis = 0; axis < 3; ++axis)
       expect_vanishing_point(view["vanishing_points"].items[axis], world_to_page[axis]);
     ASSERT_FALSE(view["segments"].items.empty());
-    for (const Json& segment : view["segments"].items) ASSERT_NO_FATAL_FAILURE(expect_segment(segment, world_to_page));
+    for (const Json& segment : view["segments"].items) ASSERT_NO_FATAL_FAILURE(expect_segment(segment, world_to_page, slack));
   }
 
   // All projectors pass through the viewer: rows 0, 1 and 3 send it to nothing. Towards it depth grows.
@@ -122,7 +126,7 @@ class JsonDrawing {
     EXPECT_LT(glm::distance(vector<2>(point), expected), tolerance_mm + 1e-12 * glm::length(expected));
   }
 
-  void expect_segment(const Json& segment, const Mat4& world_to_page) const {
+  void expect_segment(const Json& segment, const Mat4& world_to_page, double slack) const {
     static const std::set<std::string> kinds{"contour", "crease",  "boundary", "intersection",
                                              "section", "tangent", "smooth"};
     EXPECT_TRUE(segment["visible"].type == 't' || segment["visible"].type == 'f');
@@ -130,10 +134,10 @@ class JsonDrawing {
     const auto t = vector<2>(segment["t"]);
     EXPECT_TRUE(t[0] >= 0 && t[0] <= t[1] && t[1] <= 1) << t[0] << " " << t[1];
     const auto ends = segment["kind"].text == "intersection" ? ends_of_crossing(segment) : ends_of_edge(segment, t);
-    ASSERT_LT(glm::distance(on_page(world_to_page, ends[0]), vector<2>(segment["from"])), tolerance_mm);
+    ASSERT_LT(glm::distance(on_page(world_to_page, ends[0]), vector<2>(segment["from"])), slack);
     // A link leads from a point of the edge to ink within the distance at which lines are one.
     const bool is_link = t[0] == t[1];
-    ASSERT_LT(glm::distance(on_page(world_to_page, ends[1]), vector<2>(segment["to"])), is_link ? 0.2 : tolerance_mm);
+    ASSERT_LT(glm::distance(on_page(world_to_page, ends[1]), vector<2>(segment["to"])), is_link ? slack + 0.2 : slack);
   }
 
   [[nodiscard]] std::array<Vec3, 2> ends_of_edge(const Json& segment, const Vec2& t) const {
