@@ -20,6 +20,7 @@
 namespace {
 
 using namespace epura;
+using namespace epura::mesh;
 using bench::Segment;
 
 bench::TriangleMesh read_triangles(const std::filesystem::path& path) {

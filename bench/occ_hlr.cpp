@@ -25,6 +25,8 @@
 
 namespace epura::bench {
 
+using namespace mesh;
+
 namespace {
 
 struct Faces {

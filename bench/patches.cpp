@@ -9,6 +9,8 @@
 
 namespace epura::bench {
 
+using namespace mesh;
+
 namespace {
 
 /// Classes of numbers that were joined in pairs.

@@ -17,7 +17,7 @@ struct TriangleMesh {
 
 struct Patches {
   int patch_count, node_count;
-  EdgeTable table;
+  mesh::EdgeTable table;
   std::vector<char> rim;     ///< of each edge: it is a crease or open
   std::vector<Vec3> area;    ///< of each triangle: its normal, as long as twice its area
   std::vector<int> patch;    ///< of each triangle

@@ -1,0 +1,373 @@
+// SPDX-License-Identifier: Apache-2.0
+// How far drawings of tessellated parts are drawings of the parts:
+//   part [--surfaces mesh] [--finenesses] [--only TEXT] [--jobs N] [--time-limit SECONDS] [FOLDER|FILE...]
+//
+// Parts that are made here, and those in STEP, IGES and BREP files, are tessellated as for STL, drawn by epura, and
+// their ink is compared with the lines that Open CASCADE's exact hidden-line removal finds on the surfaces themselves.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <epura/epura.hpp>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "apart.hpp"
+#include "base/text.hpp"
+#include "part_geometry.hpp"
+#include "part_score.hpp"
+
+namespace {
+
+using namespace epura;
+using namespace epura::bench;
+
+constexpr double usual_fineness = 1500;
+constexpr std::array<double, 4> finenesses{400, usual_fineness, 5000, 15000};
+constexpr double same_strokes = 0.05;
+
+struct Direction {
+  const char* projection;
+  std::array<double, 3> viewer;
+};
+constexpr std::array<Direction, 3> directions{{{"isometric", {1, -1, 1}}, {"front", {0, -1, 0}}, {"top", {0, 0, 1}}}};
+
+struct Options {
+  Surfaces surfaces = Surfaces::automatic;
+  bool finenesses = false;
+  std::string only{};
+  Limits limits{static_cast<int>(std::max(1U, std::thread::hardware_concurrency())), 60};
+  std::vector<std::string> paths{};
+};
+
+Drawing drawing_of(const Polygons& polygons, const char* projection, Surfaces surfaces) {
+  Scene scene;
+  scene.models = {{.polygons = polygons, .name = "part", .surfaces = surfaces}};
+  scene.views = {{.projection = projection, .name = "view", .hidden = HiddenLines::dashed}};
+  scene.sheets = {{.size = "A4", .scale = AutomaticScale::standard}};
+  Settings settings;
+  settings.threads = 1;  // parts are drawn side by side
+  return draw(scene, settings);
+}
+
+/// Chains of lines, as a pen draws them.
+double strokes_of(const Drawing& drawing) {
+  std::size_t count = 0;
+  for (const SheetLayer& layer : drawing.layers())
+    if (layer.name.starts_with("view/")) count += layer.strokes.size();
+  return static_cast<double>(count);
+}
+
+Ink ink_of(const DrawnView& view) {
+  Ink ink;
+  for (const Line& line : view.lines)
+    (line.visible ? ink.visible : ink.hidden)
+        .push_back({Vec2(line.from[0], line.from[1]), Vec2(line.to[0], line.to[1])});
+  return ink;
+}
+
+PageLines on_page(const std::vector<PlaneLine>& lines, const ExactView& exact, const DrawnView& view) {
+  const std::array<double, 16>& m = view.world_to_page;
+  const auto place = [&](const Vec2& at) {
+    const Vec3 p = at.x * exact.right + at.y * exact.up;
+    const auto row = [&](std::size_t i) { return m[i] * p.x + m[i + 1] * p.y + m[i + 2] * p.z + m[i + 3]; };
+    return Vec2(row(0), row(4)) / row(12);
+  };
+  PageLines placed;
+  for (const PlaneLine& line : lines) placed.push_back({place(line[0]), place(line[1])});
+  return placed;
+}
+
+/// One row: a part seen from one direction.
+struct Row {
+  Score score;
+  double strokes;
+  double lost;  ///< curves of Open CASCADE that could not be followed, and so are not missed
+};
+static_assert(sizeof(Row) % sizeof(double) == 0);
+
+Numbers numbers_of(const Row& row) {
+  Numbers numbers(sizeof(Row) / sizeof(double));
+  std::memcpy(numbers.data(), &row, sizeof(Row));
+  return numbers;
+}
+
+Row row_of(const Numbers& numbers) {
+  Row row{};
+  if (numbers.size() != sizeof(Row) / sizeof(double)) throw std::logic_error("a row has another number of columns");
+  std::memcpy(&row, numbers.data(), sizeof(Row));
+  return row;
+}
+
+// The exact lines are taken as they are, also where they are known to be wrong: of the thread of NIST's M6 screw Open
+// CASCADE shows lines that are hidden, which counts as recall that is missing. A judge that leaves out what it does not
+// like judges nothing.
+Numbers judge(const Part& part, const Direction& direction, Surfaces surfaces, const Stage& stage) {
+  stage("the part");
+  const TopoDS_Shape shape = part.make();
+  stage("its triangles");
+  const Polygons polygons = tessellate(shape, usual_fineness);
+  stage("its exact lines");
+  const auto& [x, y, z] = direction.viewer;
+  const ExactView exact = exact_view(shape, {x, y, z});
+  stage("the drawing");
+  const Drawing drawing = drawing_of(polygons, direction.projection, surfaces);
+  stage("the score");
+  const DrawnView& view = drawing.views().at(0);
+  const auto placed = [&](const std::vector<PlaneLine>& lines) { return on_page(lines, exact, view); };
+  const ExactLines lines{placed(exact.visible), placed(exact.hidden), placed(exact.smooth_visible),
+                         placed(exact.smooth_hidden)};
+  return numbers_of({score_of(ink_of(view), lines), strokes_of(drawing), static_cast<double>(exact.lost)});
+}
+
+/// Strokes of each view.
+Numbers count_strokes(const Part& part, double fineness, Surfaces surfaces, const Stage& stage) {
+  stage("the part");
+  const TopoDS_Shape shape = part.make();
+  stage("its triangles");
+  const Polygons polygons = tessellate(shape, fineness);
+  stage("the drawing");
+  Numbers strokes;
+  for (const Direction& direction : directions)
+    strokes.push_back(strokes_of(drawing_of(polygons, direction.projection, surfaces)));
+  return strokes;
+}
+
+std::string sentence_of(const Outcome& outcome) { return *outcome.trouble + " (" + outcome.stage + ")"; }
+
+void print(const std::string& line) {
+  std::printf("%s\n", line.c_str());
+  std::fflush(stdout);
+}
+
+std::string percent(std::size_t count, std::size_t all) {
+  return format_fixed(all > 0 ? 100.0 * static_cast<double>(count) / static_cast<double>(all) : 0, 0) + " %";
+}
+
+double ink_ratio(const Row& row) {
+  if (row.score.exact > 0) return row.score.ink / row.score.exact;
+  return row.score.ink > 0 ? HUGE_VAL : 1;
+}
+
+std::string row_text(const std::string& part, const Direction& direction, const Row& row) {
+  const Score& s = row.score;
+  std::string text = "| " + part + " | " + direction.projection;
+  for (const double share : {s.recall, s.precision, s.recall_hidden, s.precision_hidden})
+    text += " | " + format_fixed(share, 4) + (share < 0.99 ? " *" : "");
+  return text + " | " + format_fixed(ink_ratio(row), 3) + " | " + format_fixed(s.loose_ends, 0) + " | " +
+         format_fixed(row.strokes, 0) + " |";
+}
+
+/// A line of the table of means.
+struct Measure {
+  const char* name;
+  double (*value)(const Row& row);
+  double aim;         ///< of the mean
+  double limit;       ///< what a good view keeps
+  double good_share;  ///< aim: of views, in percent; 0: none is set
+  bool more_is_better;
+};
+
+constexpr std::array<Measure, 6> measures{{
+    {"recall of visible lines", [](const Row& r) { return r.score.recall; }, 0.993, 0.99, 92, true},
+    {"precision of visible lines", [](const Row& r) { return r.score.precision; }, 0.998, 0.99, 95, true},
+    {"recall of hidden lines", [](const Row& r) { return r.score.recall_hidden; }, 0.99, 0.99, 90, true},
+    {"precision of hidden lines", [](const Row& r) { return r.score.precision_hidden; }, 0.99, 0.99, 90, true},
+    {"visible ink, of the exact lines", ink_ratio, 1.03, 1.03, 0, false},
+    {"loose ends a sheet", [](const Row& r) { return r.score.loose_ends; }, 5, 5, 0, false},
+}};
+
+/// The ratio of ink is that of all lengths together: a view of few lines says little.
+double mean_of(const Measure& measure, const std::vector<Row>& rows) {
+  double sum = 0, exact = 0;
+  for (const Row& row : rows) {
+    sum += measure.value == ink_ratio ? row.score.ink : measure.value(row);
+    exact += row.score.exact;
+  }
+  return sum / (measure.value == ink_ratio ? exact : static_cast<double>(rows.size()));
+}
+
+void print_means(const std::vector<Row>& rows, std::size_t views) {
+  print("\n| " + std::to_string(rows.size()) + " views | mean | aim | share of views | aim |\n|---|---|---|---|---|");
+  for (const Measure& measure : measures) {
+    const char* sign = measure.more_is_better ? "≥ " : "≤ ";
+    const auto good = std::count_if(rows.begin(), rows.end(), [&](const Row& row) {
+      return measure.more_is_better ? measure.value(row) >= measure.limit : measure.value(row) <= measure.limit;
+    });
+    print(std::string("| ") + measure.name + " | " + format_fixed(mean_of(measure, rows), 4) + " | " + sign +
+          format_fixed(measure.aim, 3) + " | " + sign + format_fixed(measure.limit, 2) + ": " +
+          percent(static_cast<std::size_t>(good), rows.size()) + " | " +
+          (measure.good_share > 0 ? format_fixed(measure.good_share, 0) + " %" : "") + " |");
+  }
+  double strokes = 0, lost = 0;
+  for (const Row& row : rows) {
+    strokes += row.strokes;
+    lost += row.lost;
+  }
+  print("\nStrokes: " + format_fixed(strokes, 0) + ". Exact curves that Open CASCADE cannot follow: " +
+        format_fixed(lost, 0) + ". Views without a result: " + std::to_string(views - rows.size()) + ".");
+}
+
+bool judge_all(const std::vector<Part>& parts, const Options& options) {
+  std::vector<Work> works;
+  for (const Part& part : parts)
+    for (const Direction& direction : directions)
+      works.emplace_back([&part, &direction, &options](const Stage& stage) {
+        return judge(part, direction, options.surfaces, stage);
+      });
+  print("| part | view | recall | precision | recall, hidden | precision, hidden | ink ratio | loose ends | strokes |");
+  print("|---|---|---|---|---|---|---|---|---|");
+  std::vector<Row> rows;
+  run_apart(works, options.limits, [&](std::size_t i, const Outcome& outcome) {
+    const std::string& part = parts[i / directions.size()].name;
+    const Direction& direction = directions[i % directions.size()];
+    if (outcome.trouble) {
+      print("| " + part + " | " + direction.projection + " | " + sentence_of(outcome) + " |");
+    } else {
+      rows.push_back(row_of(outcome.numbers));
+      print(row_text(part, direction, rows.back()));
+    }
+  });
+  if (!rows.empty()) print_means(rows, works.size());
+  return !rows.empty();
+}
+
+/// Whether all are as many as at the usual fineness, nearly.
+bool are_same(const std::array<double, finenesses.size()>& strokes) {
+  const double usual = strokes[std::find(finenesses.begin(), finenesses.end(), usual_fineness) - finenesses.begin()];
+  return std::all_of(strokes.begin(), strokes.end(),
+                     [&](double count) { return std::abs(count - usual) <= same_strokes * usual; });
+}
+
+/// What is the same however finely a part is tessellated: the strokes that draw it.
+class StrokesByFineness {
+ public:
+  explicit StrokesByFineness(const std::vector<Part>& parts) : parts_(parts) {}
+
+  /// Of the parts one after the other, of each all finenesses.
+  void add(std::size_t number, const Outcome& outcome) {
+    outcomes_.push_back(outcome);
+    if (outcomes_.size() < finenesses.size()) return;
+    show(parts_[number / finenesses.size()].name);
+    outcomes_.clear();
+  }
+
+  void print_shares() const {
+    print("\nAs many strokes, within 5 % of those at 1/" + format_number(usual_fineness) + ": " +
+          percent(same_views_, views_) + " of " + std::to_string(views_) + " views, all views of " +
+          percent(same_parts_, drawn_parts_) + " of " + std::to_string(drawn_parts_) +
+          " parts. Parts without a result: " + std::to_string(parts_.size() - drawn_parts_) + ".");
+  }
+
+  [[nodiscard]] bool any() const { return drawn_parts_ > 0; }
+
+ private:
+  void show(const std::string& part) {
+    const auto failed =
+        std::find_if(outcomes_.begin(), outcomes_.end(), [](const Outcome& outcome) { return !!outcome.trouble; });
+    if (failed != outcomes_.end()) {
+      print("| " + part + " | " + sentence_of(*failed) + " at 1/" +
+            format_number(finenesses[static_cast<std::size_t>(failed - outcomes_.begin())]) + " |");
+      return;
+    }
+    std::size_t same = 0;
+    for (std::size_t v = 0; v < directions.size(); ++v) {
+      std::array<double, finenesses.size()> strokes{};
+      std::string line = "| " + part + " | " + directions[v].projection;
+      for (std::size_t f = 0; f < finenesses.size(); ++f) {
+        strokes[f] = outcomes_[f].numbers.at(v);
+        line += " | " + format_number(strokes[f]);
+      }
+      print(line + (are_same(strokes) ? " | yes |" : " | no |"));
+      same += are_same(strokes) ? 1 : 0;
+    }
+    views_ += directions.size();
+    same_views_ += same;
+    ++drawn_parts_;
+    same_parts_ += same == directions.size() ? 1 : 0;
+  }
+
+  const std::vector<Part>& parts_;
+  std::vector<Outcome> outcomes_{};
+  std::size_t views_ = 0, same_views_ = 0, drawn_parts_ = 0, same_parts_ = 0;
+};
+
+bool compare_finenesses(const std::vector<Part>& parts, const Options& options) {
+  std::vector<Work> works;
+  for (const Part& part : parts)
+    for (const double fineness : finenesses)
+      works.emplace_back([&part, fineness, &options](const Stage& stage) {
+        return count_strokes(part, fineness, options.surfaces, stage);
+      });
+  std::string head = "| strokes of | view", rule = "|---|---|---|";
+  for (const double fineness : finenesses) {
+    head += " | 1/" + format_number(fineness);
+    rule += "---|";
+  }
+  print(head + " | same |\n" + rule);
+  StrokesByFineness strokes(parts);
+  run_apart(works, options.limits, [&](std::size_t i, const Outcome& outcome) { strokes.add(i, outcome); });
+  strokes.print_shares();
+  return strokes.any();
+}
+
+[[noreturn]] void refuse(const std::string& reason) {
+  std::fprintf(stderr,
+               "part: %s\nusage: part [--surfaces mesh] [--finenesses] [--only TEXT] [--jobs N] [--time-limit SECONDS]"
+               " [FOLDER|FILE...]\n",
+               reason.c_str());
+  std::exit(2);
+}
+
+Options options_of(const std::vector<std::string>& words) {
+  Options options;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string& word = words[i];
+    const auto value = [&]() -> const std::string& {
+      if (++i == words.size()) refuse(word + " needs a value");
+      return words[i];
+    };
+    const auto number = [&] {
+      const auto parsed = parse_number(value());
+      if (!parsed || !(*parsed >= 1 && *parsed <= 1e6)) refuse(words[i] + " is no number from 1 to a million");
+      return *parsed;
+    };
+    if (word == "--finenesses")
+      options.finenesses = true;
+    else if (word == "--only")
+      options.only = value();
+    else if (word == "--jobs")
+      options.limits.at_once = static_cast<int>(number());
+    else if (word == "--time-limit")
+      options.limits.seconds = number();
+    else if (word == "--surfaces" && (value() == "mesh" || words[i] == "auto"))
+      options.surfaces = words[i] == "mesh" ? Surfaces::mesh : Surfaces::automatic;
+    else if (word.starts_with("-"))
+      refuse(words[i] + " is not known");
+    else
+      options.paths.push_back(word);
+  }
+  return options;
+}
+
+std::vector<Part> wanted_parts(const Options& options) {
+  std::vector<Part> parts = made_parts();
+  for (const std::string& path : options.paths) {
+    const std::vector<Part> found = parts_in(path);
+    if (found.empty()) refuse("no parts in STEP, IGES or BREP files in " + path);
+    parts.insert(parts.end(), found.begin(), found.end());
+  }
+  std::erase_if(parts, [&](const Part& part) { return part.name.find(options.only) == std::string::npos; });
+  return parts;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const Options options = options_of({argv + 1, argv + argc});
+  const std::vector<Part> parts = wanted_parts(options);
+  return (options.finenesses ? compare_finenesses : judge_all)(parts, options) ? 0 : 1;
+}
