@@ -102,9 +102,9 @@ Row row_of(const Numbers& numbers) {
   return row;
 }
 
-// The exact lines are taken as they are, also where they are known to be wrong: of the thread of NIST's M6 screw Open
-// CASCADE shows lines that are hidden, which counts as recall that is missing. A judge that leaves out what it does not
-// like judges nothing.
+// The exact lines are taken as they are, also where they are known to be wrong: of the thread of an M6 screw Open
+// CASCADE shows lines that are hidden, which counts as missing recall. A judge that leaves out what it does not like
+// judges nothing.
 Numbers judge(const Part& part, const Direction& direction, Surfaces surfaces, const Stage& stage) {
   stage("the part");
   const TopoDS_Shape shape = part.make();
