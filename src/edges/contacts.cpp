@@ -76,7 +76,7 @@ class PlacedFaces {
 
   [[nodiscard]] bool lies_on(const FaceOfModel& face, const FaceOfModel& other, double slack) const {
     const scene::Placed& placed = world_.models[face[0]];
-    const mesh::Mesh& mesh = placed.mesh->uncut != nullptr ? *placed.mesh->uncut : *placed.mesh;
+    const mesh::Mesh& mesh = placed.mesh->whole();
     const Mat4 to_other = models_[other[0]].to_file * placed.to_world;
     const auto is_near = [&](int vertex) {
       const Vec3 point(to_other * Vec4(mesh.point(vertex), 1));
@@ -162,6 +162,7 @@ void judge_faces(const ContactJudge& judge, const std::vector<FaceCrossing>& cro
 
 std::vector<Contact> judge_contacts(const scene::World& world, double normalisation, double crease_angle,
                                     const std::vector<FaceCrossing>& crossings, const Progress& progress) {
+  if (crossings.empty()) return {};
   const ContactJudge judge(world, normalisation, crease_angle);
   std::vector<Contact> contacts(crossings.size(), Contact::unjudged);
   try {

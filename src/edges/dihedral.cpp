@@ -16,13 +16,8 @@ std::array<int, 2> sorted(int a, int b) { return {std::min(a, b), std::max(a, b)
 }  // namespace
 
 const mesh::MeshEdge* find_edge(const EdgeSurroundings& around, const std::array<int, 2>& side) {
-  const mesh::Mesh& mesh = around.mesh();
   const int first = around.world.first_vertex[around.model];
-  const std::array<int, 2> key{side[0] - first, side[1] - first};
-  const auto found =
-      std::lower_bound(mesh.edges.begin(), mesh.edges.end(), key,
-                       [](const mesh::MeshEdge& e, const std::array<int, 2>& k) { return e.vertex < k; });
-  return found != mesh.edges.end() && found->vertex == key ? &*found : nullptr;
+  return around.mesh().edge_between({side[0] - first, side[1] - first});
 }
 
 int EdgeSurroundings::apex(const std::array<int, 2>& edge, int triangle) const {

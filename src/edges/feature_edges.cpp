@@ -169,11 +169,9 @@ struct Judge {
   // What an edge between faces of the part is; nothing inside a face.
   [[nodiscard]] std::optional<EdgeKind> kind_of_border(const mesh::MeshEdge& edge) const {
     if (part == nullptr) return std::nullopt;
-    const int number = part->border_of_edge[static_cast<std::size_t>(&edge - mesh().edges.data())];
-    if (number < 0) return std::nullopt;
-    const features::PartBorder& border = part->borders[static_cast<std::size_t>(number)];
-    if (border.angle > options.part_angle) return EdgeKind::crease;
-    return EdgeKind::tangent;
+    const features::PartBorder* border = part->border_at(&edge - mesh().edges.data());
+    if (border == nullptr) return std::nullopt;
+    return border->angle > options.part_angle ? EdgeKind::crease : EdgeKind::tangent;
   }
 
   // The normals of the polygons that the triangles are parts of, turned as those of the triangles.

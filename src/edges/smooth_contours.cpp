@@ -33,6 +33,14 @@ Vec3 nearest_on_line(const Vec3& p, const Vec3& a, const Vec3& b) {
   return a + t * along;
 }
 
+// Whether contours at a triangle follow the surface.
+bool is_smoothed(const scene::Placed& placed, int triangle) {
+  const int face = placed.part->face_of_triangle[triangle];
+  const SurfaceKind kind = placed.part->faces[static_cast<std::size_t>(face)].surface.kind;
+  if (kind == SurfaceKind::free_form) return placed.mesh->report.misoriented_edges == 0;
+  return kind == SurfaceKind::sphere || kind == SurfaceKind::torus;
+}
+
 /// The contours of one model; all in the lengths of its file.
 class ModelContours {
  public:
@@ -47,19 +55,12 @@ class ModelContours {
     // Of each vertex the largest angle between faces of the part that meet there.
     angle_at_.assign(mesh_.points.size(), 0);
     for (std::size_t e = 0; e < mesh_.edges.size(); ++e) {
-      const int border = part_.border_of_edge[e];
+      const features::PartBorder* border = part_.border_at(static_cast<std::ptrdiff_t>(e));
       const bool open = mesh_.edges[e].count != 2;
-      if (border < 0 && !open) continue;
-      const double angle = open ? 180 : part_.borders[static_cast<std::size_t>(border)].angle;
+      if (border == nullptr && !open) continue;
+      const double angle = open ? 180 : border->angle;
       for (const int v : mesh_.edges[e].vertex) angle_at_[v] = std::max(angle_at_[v], angle);
     }
-  }
-
-  /// Whether contours at a triangle follow the surface.
-  [[nodiscard]] bool is_smoothed(int triangle) const {
-    const SurfaceKind kind = surface_of(triangle).kind;
-    if (kind == SurfaceKind::free_form) return mesh_.report.misoriented_edges == 0;
-    return kind == SurfaceKind::sphere || kind == SurfaceKind::torus;
   }
 
   /// Where the surface has the contour beside a vertex; nothing where that stays.
@@ -159,8 +160,9 @@ class MovedEnds {
 
   void move(int model, double part_angle) {
     const scene::Placed& placed = world_.models[model];
+    const std::vector<int> edges = smoothed_edges(model, part_angle);
+    if (edges.empty()) return;
     const ModelContours contours(placed, view_.projection, part_angle);
-    const std::vector<int> edges = smoothed_edges(model, contours, *placed.part, part_angle);
     const int first = world_.first_vertex[model];
     std::vector<int> vertices;
     for (const int e : edges)
@@ -197,30 +199,37 @@ class MovedEnds {
 
  private:
   // Contours of the model inside of faces that are smoothed, whole in the window.
-  [[nodiscard]] std::vector<int> smoothed_edges(int model, const ModelContours& contours,
-                                                const features::PartFaces& part, double part_angle) const {
-    const mesh::Mesh& mesh = *world_.models[model].mesh;
+  [[nodiscard]] std::vector<int> smoothed_edges(int model, double part_angle) const {
+    const scene::Placed& placed = world_.models[model];
     std::vector<int> found;
-    for (std::size_t e = 0; e < drawn_.edges.size(); ++e) {
+    const auto [first, last] = edges_of(model);
+    for (int e = first; e < last; ++e) {
       const FeatureEdge& edge = drawn_.edges[e];
-      if (edge.model != model || edge.kind != EdgeKind::contour || edge.t != std::array<double, 2>{0, 1}) continue;
-      const int border = part.border_of_edge[static_cast<std::size_t>(edge.mesh_edge)];
-      if (border >= 0 && part.borders[static_cast<std::size_t>(border)].angle > part_angle) continue;
-      const auto triangles = mesh.triangles_of(mesh.edges[static_cast<std::size_t>(edge.mesh_edge)]);
+      if (edge.kind != EdgeKind::contour || edge.t != std::array<double, 2>{0, 1}) continue;
+      const features::PartBorder* border = placed.part->border_at(edge.mesh_edge);
+      if (border != nullptr && border->angle > part_angle) continue;
+      const auto triangles = placed.mesh->triangles_of(placed.mesh->edges[static_cast<std::size_t>(edge.mesh_edge)]);
       if (triangles.size() == 2 &&
-          std::any_of(triangles.begin(), triangles.end(), [&](int t) { return contours.is_smoothed(t); }))
-        found.push_back(static_cast<int>(e));
+          std::any_of(triangles.begin(), triangles.end(), [&](int t) { return is_smoothed(placed, t); }))
+        found.push_back(e);
     }
     return found;
+  }
+
+  // Edges come model by model.
+  [[nodiscard]] std::array<int, 2> edges_of(int model) const {
+    const auto range = std::ranges::equal_range(drawn_.edges, model, {}, &FeatureEdge::model);
+    return {static_cast<int>(range.begin() - drawn_.edges.begin()),
+            static_cast<int>(range.end() - drawn_.edges.begin())};
   }
 
   // The ends of contours of the model that stay where they are.
   [[nodiscard]] std::vector<int> ends_of_others(int model, const std::vector<int>& smoothed) const {
     std::vector<int> ends;
-    for (std::size_t e = 0; e < drawn_.edges.size(); ++e) {
+    const auto [first, last] = edges_of(model);
+    for (int e = first; e < last; ++e) {
       const FeatureEdge& edge = drawn_.edges[e];
-      if (edge.model != model || edge.kind != EdgeKind::contour) continue;
-      if (!std::binary_search(smoothed.begin(), smoothed.end(), static_cast<int>(e)))
+      if (edge.kind == EdgeKind::contour && !std::binary_search(smoothed.begin(), smoothed.end(), e))
         ends.insert(ends.end(), edge.vertex.begin(), edge.vertex.end());
     }
     std::sort(ends.begin(), ends.end());

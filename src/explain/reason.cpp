@@ -42,16 +42,15 @@ std::string words_of(const features::PartSurface& surface) {
 std::string border_of(const ExplainInput& drawn_view, const Subject& subject, const features::PartFaces& part) {
   const std::string faces = names_of(faces_at(drawn_view, subject));
   const mesh::Mesh& mesh = mesh_of(drawn_view, subject);
-  const int number = part.border_of_edge[static_cast<std::size_t>(subject.mesh_edge)];
+  const features::PartBorder* border = part.border_at(subject.mesh_edge);
   const auto surface = [&](int face) { return words_of(part.faces[static_cast<std::size_t>(face)].surface); };
-  if (number < 0)
+  if (border == nullptr)
     return faces + " are on " +
            surface(part.face_of_triangle[mesh.triangles_of(mesh.edges[subject.mesh_edge]).front()]) +
            ", a face of the part, and it lies inside of that";
-  const features::PartBorder& border = part.borders[static_cast<std::size_t>(number)];
-  if (border.faces[0] == border.faces[1]) return faces + " are folded inside of " + surface(border.faces[0]);
-  return faces + " are on " + surface(border.faces[0]) + " and " + surface(border.faces[1]) + " that meet at " +
-         format_rounded(border.angle, 3) + " degrees; a crease is where faces of the part meet at more than " +
+  if (border->faces[0] == border->faces[1]) return faces + " are folded inside of " + surface(border->faces[0]);
+  return faces + " are on " + surface(border->faces[0]) + " and " + surface(border->faces[1]) + " that meet at " +
+         format_rounded(border->angle, 3) + " degrees; a crease is where faces of the part meet at more than " +
          format_value(drawn_view.options.part_angle);
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -43,6 +44,12 @@ struct PartFaces {
   std::vector<int> border_of_edge;  ///< of the mesh; -1 inside a face
   double tolerance = 0;             ///< distance up to which vertices were taken to lie on surfaces
   double recognised = 0;            ///< share of the area that lies on planes, cylinders, cones, spheres and tori
+
+  /// The border that an edge of the mesh belongs to; null inside a face.
+  [[nodiscard]] const PartBorder* border_at(std::ptrdiff_t edge) const {
+    const int border = border_of_edge[static_cast<std::size_t>(edge)];
+    return border < 0 ? nullptr : &borders[static_cast<std::size_t>(border)];
+  }
 };
 
 struct RecogniseOptions {

@@ -1,7 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mesh/mesh.hpp"
 
+#include <algorithm>
+
 namespace epura::mesh {
+
+const MeshEdge* Mesh::edge_between(const std::array<int, 2>& ends) const {
+  const auto found = std::ranges::lower_bound(edges, ends, {}, &MeshEdge::vertex);
+  return found != edges.end() && found->vertex == ends ? &*found : nullptr;
+}
 
 EdgeOrigin Mesh::origin_of(const MeshEdge& edge) const {
   const auto [low, high] = edge.vertex;

@@ -93,6 +93,10 @@ struct Mesh {
     return {edge_triangles.data() + edge.first, static_cast<std::size_t>(edge.count)};
   }
   [[nodiscard]] EdgeOrigin origin_of(const MeshEdge& edge) const;
+  /// The edge between two vertices, the lower number first; null where there is none.
+  [[nodiscard]] const MeshEdge* edge_between(const std::array<int, 2>& ends) const;
+  /// Itself, or what it is a part of.
+  [[nodiscard]] const Mesh& whole() const { return uncut != nullptr ? *uncut : *this; }
   [[nodiscard]] int triangle_count() const { return static_cast<int>(polygon.size()); }
   [[nodiscard]] std::array<int, 3> triangle(int number) const {
     const std::size_t first = 3 * static_cast<std::size_t>(number);

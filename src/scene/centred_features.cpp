@@ -29,10 +29,6 @@ constexpr double parallel = 1e-3;     // sine
 constexpr double same_length = 1e-4;  // relative
 constexpr double opposite = 0.99;     // cosine
 
-const mesh::Mesh& whole_mesh(const Placed& placed) {
-  return placed.mesh->uncut != nullptr ? *placed.mesh->uncut : *placed.mesh;
-}
-
 /// Round features of a model whose faces are recognised.
 class FeatureFinder {
  public:
@@ -62,7 +58,7 @@ class FeatureFinder {
   // Of the whole model: rims that a cut has shortened are edges of the file.
   void find_vertices() {
     const Placed& placed = world_.models[model_];
-    const mesh::Mesh& mesh = whole_mesh(placed);
+    const mesh::Mesh& mesh = placed.mesh->whole();
     vertices_.resize(faces_.size());
     for (int t = 0; t < mesh.triangle_count(); ++t) {
       const int face = placed.part->face_of_triangle[t];

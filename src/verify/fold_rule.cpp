@@ -36,16 +36,12 @@ double angle_between(const Vec3& a, const Vec3& b) {
   return degrees * std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
-const mesh::MeshEdge* find_edge(const mesh::Mesh& mesh, const std::array<int, 2>& vertices) {
-  const auto found = std::ranges::lower_bound(mesh.edges, vertices, {}, &mesh::MeshEdge::vertex);
-  return found != mesh.edges.end() && found->vertex == vertices ? &*found : nullptr;
-}
-
-// The border of the part that an edge belongs to, -1 where it is none; an edge of a cut mesh is that of the whole one.
-int border_at(const scene::Placed& placed, const mesh::MeshEdge* edge) {
-  const mesh::Mesh* whole = placed.mesh->uncut == nullptr ? placed.mesh.get() : placed.mesh->uncut.get();
-  if (edge != nullptr && whole != placed.mesh.get()) edge = find_edge(*whole, placed.mesh->origin_of(*edge).vertex);
-  return edge != nullptr ? placed.part->border_of_edge[static_cast<std::size_t>(edge - whole->edges.data())] : -1;
+// The border of the part that an edge belongs to; null where it is none. An edge of a cut mesh is that of the whole
+// one.
+const features::PartBorder* border_at(const scene::Placed& placed, const mesh::MeshEdge* edge) {
+  const mesh::Mesh& whole = placed.mesh->whole();
+  if (edge != nullptr && &whole != placed.mesh.get()) edge = whole.edge_between(placed.mesh->origin_of(*edge).vertex);
+  return edge != nullptr ? placed.part->border_at(edge - whole.edges.data()) : nullptr;
 }
 
 }  // namespace
@@ -61,7 +57,8 @@ FoldRule::Sheets FoldRule::sheets_at(const std::array<int, 2>& edge) const {
   const auto above = std::ranges::upper_bound(world_.first_vertex, edge[0]);
   const int model = static_cast<int>(above - world_.first_vertex.begin()) - 1;
   const mesh::Mesh& mesh = *world_.models[model].mesh;
-  const auto* found = find_edge(mesh, {edge[0] - world_.first_vertex[model], edge[1] - world_.first_vertex[model]});
+  const mesh::MeshEdge* found =
+      mesh.edge_between({edge[0] - world_.first_vertex[model], edge[1] - world_.first_vertex[model]});
   if (found == nullptr) return {};
   std::map<int, std::vector<int>> bodies;
   for (const int t : mesh.triangles_of(*found)) bodies[mesh.body[t]].push_back(world_.first_triangle[model] + t);
@@ -147,9 +144,8 @@ std::optional<Need> FoldRule::between_faces(const std::array<int, 2>& edge, int 
   const int model = world_.model_of_triangle(first);
   const scene::Placed& placed = world_.models[model];
   if (placed.part == nullptr || world_.model_of_triangle(second) != model) return std::nullopt;
-  const int border = border_at(placed, sheets_at(edge).edge);
-  if (border >= 0) {
-    if (placed.part->borders[static_cast<std::size_t>(border)].angle > options_.part_angle) return Need::asked;
+  if (const features::PartBorder* border = border_at(placed, sheets_at(edge).edge)) {
+    if (border->angle > options_.part_angle) return Need::asked;
     return options_.tangent ? Need::possible : Need::none;
   }
   if (placed.mesh->uncut != nullptr) return Need::possible;
