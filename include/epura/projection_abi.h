@@ -10,6 +10,7 @@
 #ifndef EPURA_PROJECTION_ABI_H
 #define EPURA_PROJECTION_ABI_H
 
+#include <epura/parameter_abi.h>
 #include <stdint.h>
 
 #ifdef __cplusplus
@@ -17,21 +18,6 @@ extern "C" {
 #endif
 
 #define EPURA_ABI_VERSION 1u
-
-enum { EPURA_NUMBER = 0, EPURA_VECTOR = 1, EPURA_CHOICE = 2 };
-
-/* One row of the table by which a projection describes itself. */
-typedef struct epura_parameter {
-  uint32_t size;  /* sizeof(epura_parameter) */
-  uint32_t type;  /* EPURA_NUMBER, EPURA_VECTOR or EPURA_CHOICE */
-  uint32_t count; /* how many doubles it takes: 1, or the length of the vector */
-  const char* name;
-  const char* unit;    /* "deg", "1", "model units", ... */
-  const char* help;    /* one line */
-  const char* choices; /* "a|b|c" for EPURA_CHOICE, otherwise NULL; the value is the place in the list, from 0 */
-  double initial[8];   /* the default; NaN: found from the model's box */
-  double least, most;  /* bounds of every component, both allowed */
-} epura_parameter;
 
 /* What a projection knows of the scene: the box of everything drawn, least corner first. */
 typedef struct epura_scene {
@@ -80,7 +66,6 @@ typedef struct epura_projection_list {
 
 /* The one symbol of a plugin, and its type for whoever looks it up. */
 #define EPURA_ENTRY_POINT "epura_projections_v1"
-#define EPURA_EXPORT __attribute__((visibility("default")))
 EPURA_EXPORT const epura_projection_list* epura_projections_v1(void);
 typedef const epura_projection_list* (*epura_entry_point)(void);
 

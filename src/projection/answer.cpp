@@ -24,12 +24,6 @@ Vec3 unit_vector(const Vec3& v) {
 
 }  // namespace
 
-ParameterValues default_values(const ProjectionEntry& entry) {
-  ParameterValues values;
-  for (const Parameter& parameter : entry.parameters) values.push_back(parameter.initial);
-  return values;
-}
-
 /// Limits and window are preset, so that a simple projection need not speak of them.
 PluginAnswer call_plugin(const epura_projection& definition, const std::vector<double>& values, const Box& scene) {
   const Box box = scene.empty() ? Box{Vec3(0), Vec3(0)} : scene;

@@ -13,13 +13,6 @@
 
 namespace epura::projection {
 
-/// The values of a projection: for each row of its table one number, or the components of the vector; a choice is its
-/// place in the list. NaN: found from the model's box.
-using ParameterValues = std::vector<std::vector<double>>;
-
-/// Those that hold unless others are given.
-ParameterValues default_values(const ProjectionEntry& entry);
-
 /// A plugin's answer to values.
 struct PluginAnswer {
   epura_view view;

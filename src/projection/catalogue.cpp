@@ -114,7 +114,7 @@ Catalogue load_catalogue(const std::vector<fs::path>& folders) { return load_all
 ProjectionEntry find_projection(std::string_view name, const std::vector<fs::path>& folders) {
   std::vector<BadPlugin> bad;
   // A name with a slash must not lead out of the folders.
-  for (const fs::path& folder : is_projection_name(name) ? folders : std::vector<fs::path>{}) {
+  for (const fs::path& folder : foreign::is_plugin_name(name) ? folders : std::vector<fs::path>{}) {
     const fs::path library = folder / (std::string(name) + ".so");
     std::error_code error;
     if (!fs::is_regular_file(library, error)) continue;

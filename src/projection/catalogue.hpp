@@ -9,23 +9,15 @@
 #include <vector>
 
 #include "base/vec.hpp"
+#include "foreign/parameters.hpp"
 #include "projection/projection.hpp"
 #include "scene/choices.hpp"
 
 namespace epura::projection {
 
-enum class ParameterType { number, vector, choice };
-
-/// One row of a projection's own table, as the plugin gave it.
-struct Parameter {
-  std::string name;
-  ParameterType type;
-  std::string unit;
-  std::string help;
-  std::vector<std::string> choices;
-  std::vector<double> initial;  ///< NaN: found from the model's box
-  double min, max;
-};
+using foreign::Parameter;
+using foreign::ParameterType;
+using foreign::ParameterValues;
 
 struct PluginAnswer;
 

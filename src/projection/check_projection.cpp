@@ -24,7 +24,7 @@ constexpr double end_on = 1e-5;
 /// A projection under test. The answer is the one to the defaults, a Projection once it has no fault.
 struct Subject {
   const ProjectionEntry& entry;
-  ParameterValues values = default_values(entry);
+  ParameterValues values = default_values(entry.parameters);
   PluginAnswer answer{};
   Projection projection{};
 };

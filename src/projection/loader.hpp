@@ -13,7 +13,4 @@ namespace epura::projection {
 /// its path.
 std::vector<ProjectionEntry> read_plugin(const std::filesystem::path& path);
 
-/// Lower case, digits and '-'.
-bool is_projection_name(std::string_view name);
-
 }  // namespace epura::projection

@@ -1,94 +1,36 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "projection/plugin_process.hpp"
 
-#include <poll.h>
 #include <sys/prctl.h>
-#include <sys/socket.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
-#include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <cstdio>
-#include <cstring>
 #include <memory>
 #include <mutex>
-#include <optional>
-#include <thread>
+#include <string>
 #include <utility>
 
 #include "base/error.hpp"
-#include "base/shared_library.hpp"
 #include "base/text.hpp"
+#include "foreign/child_process.hpp"
+#include "foreign/messages.hpp"
 #include "projection/answer.hpp"
 #include "projection/loader.hpp"
-#include "projection/packing.hpp"
 
 namespace epura::projection {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using foreign::Clock;
+using foreign::Packer;
+using foreign::Received;
+using foreign::Unpacker;
 
 /// What the other side sent is longer only if it was damaged.
 constexpr std::size_t most_bytes = std::size_t{1} << 28;
 
-bool send_all(int socket, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t sent = ::send(socket, bytes.data(), bytes.size(), MSG_NOSIGNAL);
-    if (sent < 0 && errno == EINTR) continue;
-    if (sent <= 0) return false;
-    bytes.remove_prefix(static_cast<std::size_t>(sent));
-  }
-  return true;
-}
-
-bool send_message(int socket, const Packer& message) {
-  Packer size;
-  size(message.bytes().size());
-  return send_all(socket, size.bytes()) && send_all(socket, message.bytes());
-}
-
-enum class Received { all, nothing, too_late };
-
-/// Waits until the bytes are there, at most until `end`.
-Received receive_all(int socket, char* bytes, std::size_t count, const std::optional<Clock::time_point>& end) {
-  while (count > 0) {
-    if (end) {
-      pollfd event{socket, POLLIN, 0};
-      const auto left = std::chrono::ceil<std::chrono::milliseconds>(*end - Clock::now()).count();
-      const int happened = ::poll(&event, 1, static_cast<int>(std::max<long long>(left, 0)));
-      if (happened < 0 && errno == EINTR) continue;  // it was stopped for a while
-      if (happened == 0) return Received::too_late;
-    }
-    const ssize_t got = ::recv(socket, bytes, count, 0);
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) return Received::nothing;
-    bytes += got;
-    count -= static_cast<std::size_t>(got);
-  }
-  return Received::all;
-}
-
-Received receive_message(int socket, std::string& message, const std::optional<Clock::time_point>& end = {}) {
-  std::size_t size = 0;
-  const Received first = receive_all(socket, reinterpret_cast<char*>(&size), sizeof size, end);
-  if (first != Received::all) return first;
-  if (size > most_bytes) return Received::nothing;
-  message.resize(size);
-  return receive_all(socket, message.data(), size, end);
-}
-
 // One function for both directions: what is put in is taken out.
-
-template <class Pack, class Values>
-void pack_parameter(Pack& pack, Values& parameter) {
-  pack(parameter.name), pack(parameter.type), pack(parameter.unit), pack(parameter.help), pack(parameter.choices);
-  pack(parameter.initial), pack(parameter.min), pack(parameter.max);
-}
 
 template <class Pack, class Entry>
 void pack_entry(Pack& pack, Entry& entry) {
@@ -111,7 +53,7 @@ void pack_table(Packer& pack, const std::vector<ProjectionEntry>& entries) {
   for (const ProjectionEntry& entry : entries) {
     pack_entry(pack, entry);
     pack(entry.parameters.size());
-    for (const Parameter& parameter : entry.parameters) pack_parameter(pack, parameter);
+    for (const Parameter& parameter : entry.parameters) foreign::pack_parameter(pack, parameter);
   }
 }
 
@@ -120,7 +62,7 @@ std::vector<ProjectionEntry> unpack_table(Unpacker& unpack) {
   for (ProjectionEntry& entry : entries) {
     pack_entry(unpack, entry);
     entry.parameters.resize(unpack.count(1));
-    for (Parameter& parameter : entry.parameters) pack_parameter(unpack, parameter);
+    for (Parameter& parameter : entry.parameters) foreign::pack_parameter(unpack, parameter);
   }
   return entries;
 }
@@ -136,21 +78,6 @@ PluginAnswer unpack_answer(Unpacker& unpack) {
   unpack(answer.view), unpack(is_refused), unpack(sentence);
   if (is_refused != 0) answer.refusal = sentence;
   return answer;
-}
-
-/// A message begins with the reason why there is nothing more in it, empty where there is.
-template <class Fill>
-Packer message_or_reason(const Fill& fill) {
-  try {
-    Packer message;
-    message(std::string());
-    fill(message);
-    return message;
-  } catch (const Error& error) {
-    Packer message;
-    message(std::string(error.what()));
-    return message;
-  }
 }
 
 // What follows runs in the process of the plugin.
@@ -172,34 +99,24 @@ void take_precautions() {
   for (const int crash : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) ::signal(crash, SIG_DFL);
 }
 
-[[noreturn]] void serve(const std::filesystem::path& path, int socket) noexcept {
+void serve(const std::filesystem::path& path, int socket) noexcept {
   take_precautions();
   std::vector<ProjectionEntry> entries;
-  bool goes_on = send_message(socket, message_or_reason([&](Packer& message) {
+  bool goes_on = foreign::send_message(socket, foreign::message_or_reason([&](Packer& message) {
                                 entries = read_plugin(path);
                                 pack_table(message, entries);
                               }));
-  for (std::string words; goes_on && receive_message(socket, words) == Received::all;)
-    goes_on = send_message(
-        socket, message_or_reason([&](Packer& message) { pack_answer(message, answer_to(words, entries)); }));
-  ::_exit(0);  // without the plugin's code at exit
+  for (std::string words; goes_on && foreign::receive_message(socket, words, {}, most_bytes) == Received::all;)
+    goes_on = foreign::send_message(
+        socket, foreign::message_or_reason([&](Packer& message) { pack_answer(message, answer_to(words, entries)); }));
 }
 
 // What follows runs in the program.
-
-void kill_and_wait(pid_t child) {
-  ::kill(child, SIGKILL);
-  while (::waitpid(child, nullptr, 0) < 0 && errno == EINTR) {
-  }
-}
 
 /// The process as the program sees it.
 class PluginProcess {
  public:
   PluginProcess(std::filesystem::path path, double seconds) : path_(std::move(path)), seconds_(seconds) {}
-  PluginProcess(const PluginProcess&) = delete;
-  PluginProcess& operator=(const PluginProcess&) = delete;
-  ~PluginProcess() { end(); }
 
   std::vector<ProjectionEntry> table() {
     const std::lock_guard lock(mutex_);
@@ -207,100 +124,49 @@ class PluginProcess {
   }
   PluginAnswer ask(const Question& question) {
     const std::lock_guard lock(mutex_);
-    if (child_ == 0) start();
+    if (!process_.is_there()) start();
     Packer words;
     pack_question(words, question);
-    if (!send_message(socket_, words)) refuse(ending());
+    process_.send(words);
     const std::string message = reply();
     Unpacker unpack(message);
-    expect_no_reason(unpack);
+    foreign::expect_no_reason(unpack);
     return unpack_answer(unpack);
   }
   void rest() {
     const std::lock_guard lock(mutex_);
-    end();
+    process_.end();
   }
 
  private:
   std::vector<ProjectionEntry> start();
   std::string reply();
-  std::string ending();
-  void end();
-  [[noreturn]] static void refuse(const std::string& reason) { throw Error(ErrorKind::plugin, "", reason); }
-  static void expect_no_reason(Unpacker& message) {
-    std::string reason;
-    message(reason);
-    if (!reason.empty()) refuse(reason);
-  }
 
   const std::filesystem::path path_;
   const double seconds_;
   std::mutex mutex_;
-  pid_t child_ = 0;  ///< 0: there is none
-  int socket_ = -1;
+  foreign::ChildProcess process_;
 };
 
 std::vector<ProjectionEntry> PluginProcess::start() {
-  end();
-  std::fflush(stdout);
-  wait_for_other_loads();
-  std::array<int, 2> ends{-1, -1};
-  const bool is_connected = ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) == 0;
-  const pid_t child = is_connected ? ::fork() : -1;
-  if (child == 0) {
-    ::close(ends[0]);
-    serve(path_, ends[1]);
-  }
-  if (child < 0) {
-    const std::string reason = std::strerror(errno);
-    if (is_connected) ::close(ends[0]), ::close(ends[1]);
-    refuse("cannot get a process of its own: " + reason);
-  }
-  ::close(ends[1]);
-  child_ = child;
-  socket_ = ends[0];
+  process_.fork([this](int socket) { serve(path_, socket); });
   try {
     const std::string message = reply();
     Unpacker unpack(message);
-    expect_no_reason(unpack);
+    foreign::expect_no_reason(unpack);
     return unpack_table(unpack);
   } catch (const Error& error) {
-    const bool did_something = child_ == 0;
-    end();
-    refuse(error.what() + std::string(did_something ? " when it is loaded" : ""));
+    const bool did_something = !process_.is_there();
+    process_.end();
+    foreign::refuse(error.what() + std::string(did_something ? " when it is loaded" : ""));
   }
 }
 
 std::string PluginProcess::reply() {
-  std::string message;
   const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds_));
-  const Received received = receive_message(socket_, message, end);
-  if (received == Received::all) return message;
-  if (received == Received::nothing) refuse(ending());
-  this->end();
-  refuse("takes more than " + format_number(seconds_) + " s");
-}
-
-/// How the process ended that says nothing more.
-std::string PluginProcess::ending() {
-  ::close(std::exchange(socket_, -1));
-  const pid_t child = std::exchange(child_, 0);
-  int status = 0;
-  pid_t ended = 0;
-  // It may have closed the socket and go on.
-  for (int wait_ms = 0; ended == 0 && wait_ms < 100; ++wait_ms) {
-    ended = ::waitpid(child, &status, WNOHANG);
-    if (ended == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  }
-  if (ended == 0) kill_and_wait(child);
-  if (ended > 0 && WIFSIGNALED(status)) return std::string("crashes (") + ::strsignal(WTERMSIG(status)) + ")";
-  return "ends the program";
-}
-
-void PluginProcess::end() {
-  if (child_ == 0) return;
-  ::close(std::exchange(socket_, -1));
-  kill_and_wait(std::exchange(child_, 0));
+  if (auto message = process_.receive(end, most_bytes)) return *std::move(message);
+  process_.end();
+  foreign::refuse("takes more than " + format_number(seconds_) + " s");
 }
 
 }  // namespace

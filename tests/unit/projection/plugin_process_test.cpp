@@ -16,7 +16,7 @@
 #include "base/shared_library.hpp"
 #include "projection/answer.hpp"
 #include "projection/loader.hpp"
-#include "projection/packing.hpp"
+#include "foreign/packing.hpp"
 #include "support.hpp"
 
 namespace epura::test {
@@ -90,7 +90,7 @@ TEST(what_a_plugin_changes, is_mended_where_it_is_loaded) {
     const projection::ProjectionEntry entry = projection::read_plugin(plain(folder)).at(0);
     EXPECT_EQ(std::fegetround(), FE_TONEAREST) << folder;
     try {
-      projection::ask_plugin(entry, projection::default_values(entry), a_box());
+      projection::ask_plugin(entry, foreign::default_values(entry.parameters), a_box());
     } catch (const Error&) {
       EXPECT_STREQ(folder, "rounds-up");
     }

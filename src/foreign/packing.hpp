@@ -11,7 +11,7 @@
 #include "base/error.hpp"
 #include "base/utf8.hpp"
 
-namespace epura::projection {
+namespace epura::foreign {
 
 template <class Value>
 concept Flat = std::is_trivially_copyable_v<Value>;
@@ -29,7 +29,10 @@ class Packer {
   template <class Item>
   void operator()(const std::vector<Item>& items) {
     (*this)(items.size());
-    for (const Item& item : items) (*this)(item);
+    if constexpr (Flat<Item>)
+      bytes_.append(reinterpret_cast<const char*>(items.data()), items.size() * sizeof(Item));
+    else
+      for (const Item& item : items) (*this)(item);
   }
   [[nodiscard]] const std::string& bytes() const { return bytes_; }
 
@@ -52,7 +55,10 @@ class Unpacker {
   template <class Item>
   void operator()(std::vector<Item>& items) {
     items.resize(count(Flat<Item> ? sizeof(Item) : sizeof(std::size_t)));
-    for (Item& item : items) (*this)(item);
+    if constexpr (Flat<Item>)
+      take(items.size() * sizeof(Item)).copy(reinterpret_cast<char*>(items.data()), items.size() * sizeof(Item));
+    else
+      for (Item& item : items) (*this)(item);
   }
 
   /// How many items follow, of at least so many bytes each.
@@ -75,4 +81,4 @@ class Unpacker {
   std::string_view rest_;
 };
 
-}  // namespace epura::projection
+}  // namespace epura::foreign

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+// The C++ face of importer_abi.h: header-only, compiled into the plugin, so that only C crosses the border.
+//
+// An importer is a struct with name, summary, extensions, a table `parameters` (may be left out), and
+//   static void read(const Source&, Sink&)
+// and, where files have a mark of their own, static bool recognises(std::string_view first_bytes). A file that cannot
+// be read: throw std::runtime_error with a sentence for the user. EPURA_IMPORTER(Struct) makes a library of it,
+// EPURA_IMPORTERS(A, B...) of several.
+#pragma once
+
+#include <epura/importer_abi.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <limits>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace epura::plugin {
+
+/// Thrown by a sink where the host wants no more; nothing to catch.
+struct Cancelled {};
+
+using Point = std::array<double, 3>;
+
+/// The rows of a 3x4 matrix that takes a point of a node to its parent.
+using Transform = std::array<double, 12>;
+inline constexpr Transform identity{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+
+/// What is to be read, and how precisely: see epura_source.
+struct Source {
+  std::string path;
+  unsigned threads = 1;
+  double tolerance = 0, relative_tolerance = 0;
+  const double* values = nullptr;  ///< of the parameters
+
+  /// The distance in mm that curved surfaces may be off by, for a model whose box has this diagonal in mm.
+  [[nodiscard]] double tolerance_of(double diagonal) const {
+    return tolerance > 0 ? tolerance : relative_tolerance * diagonal;
+  }
+};
+
+/// Where what was read goes: see epura_sink.
+class Sink {
+ public:
+  explicit Sink(const epura_sink& sink) : sink_(sink) {}
+
+  void unit(double millimetres) { expect(sink_.unit(sink_.host, millimetres)); }
+  void up(char axis) { expect(sink_.up(sink_.host, axis)); }
+  /// Its number.
+  std::uint32_t shape(const std::string& name) {
+    expect(sink_.shape(sink_.host, name.c_str()));
+    return shapes_++;
+  }
+  void body(const std::string& name) { expect(sink_.body(sink_.host, name.c_str())); }
+  void points(std::span<const Point> points) {
+    expect(sink_.points(sink_.host, points.size(), points.empty() ? nullptr : points.front().data()));
+  }
+  void face(epura_face face) {
+    face.size = sizeof face;
+    expect(sink_.face(sink_.host, &face));
+  }
+  void polygons(std::span<const std::uint64_t> ends, std::span<const std::uint32_t> corners) {
+    expect(sink_.polygons(sink_.host, ends.size(), ends.data(), corners.data()));
+  }
+  void triangles(std::span<const std::array<std::uint32_t, 3>> corners) {
+    std::vector<std::uint64_t> ends(corners.size());
+    for (std::size_t i = 0; i < ends.size(); ++i) ends[i] = 3 * (i + 1);
+    polygons(ends, {corners.empty() ? nullptr : corners.front().data(), 3 * corners.size()});
+  }
+  /// `angle` in degrees between the faces.
+  void edge(std::span<const std::uint32_t> vertices, bool is_tangent,
+            double angle = std::numeric_limits<double>::quiet_NaN()) {
+    const epura_edge edge{sizeof(epura_edge), is_tangent ? EPURA_TANGENT : EPURA_SHARP, angle, vertices.size(),
+                          vertices.data()};
+    expect(sink_.edge(sink_.host, &edge));
+  }
+  /// Its number.
+  std::uint32_t node(const std::string& name, std::uint32_t parent = EPURA_NONE, std::uint32_t shape = EPURA_NONE,
+                     const Transform& transform = identity) {
+    epura_node node{sizeof(epura_node), parent, shape, 0, name.c_str(), {}};
+    for (std::size_t i = 0; i < transform.size(); ++i) node.transform[i] = transform[i];
+    expect(sink_.node(sink_.host, &node));
+    return nodes_++;
+  }
+  void note(const std::string& sentence) { expect(sink_.note(sink_.host, sentence.c_str())); }
+  void progress(double done) { expect(sink_.progress(sink_.host, done)); }
+
+ private:
+  static void expect(int answer) {
+    if (answer != 0) throw Cancelled{};
+  }
+
+  const epura_sink& sink_;
+  std::uint32_t shapes_ = 0, nodes_ = 0;
+};
+
+namespace importer {
+
+template <class I>
+int recognises(const unsigned char* bytes, std::uint64_t count) noexcept {
+  try {
+    return I::recognises(std::string_view(reinterpret_cast<const char*>(bytes), count)) ? 1 : 0;
+  } catch (...) {
+    return 0;
+  }
+}
+
+template <class I>
+const char* read(const epura_source* source, const epura_sink* sink) noexcept {
+  static thread_local std::string sentence;
+  try {
+    Sink to(*sink);
+    I::read(Source{source->path, source->threads, source->tolerance, source->relative_tolerance, source->values}, to);
+    return nullptr;
+  } catch (const std::exception& error) {
+    sentence = error.what();
+  } catch (const Cancelled&) {
+    sentence = "is cancelled";
+  } catch (...) {
+    sentence = "threw something that is no std::exception";
+  }
+  return sentence.c_str();
+}
+
+template <class I>
+constexpr epura_importer describe() {
+  epura_importer row{sizeof(epura_importer), 0, I::name, I::summary, I::extensions, nullptr, 0, nullptr, &read<I>};
+  if constexpr (requires { I::parameters; }) {
+    row.parameters = I::parameters.data();
+    row.parameter_count = I::parameters.size();
+  }
+  if constexpr (requires { I::recognises(std::string_view()); }) row.recognises = &recognises<I>;
+  return row;
+}
+
+template <class... I>
+const epura_importer_list* list() {
+  static constexpr std::array<epura_importer, sizeof...(I)> rows{describe<I>()...};
+  static constexpr epura_importer_list all{EPURA_IMPORTER_ABI_VERSION, sizeof(epura_importer_list), rows.size(),
+                                           rows.data()};
+  return &all;
+}
+
+}  // namespace importer
+}  // namespace epura::plugin
+
+#define EPURA_IMPORTERS(...) \
+  const epura_importer_list* epura_importers_v1(void) { return epura::plugin::importer::list<__VA_ARGS__>(); }
+#define EPURA_IMPORTER(importer) EPURA_IMPORTERS(importer)

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "foreign/child_process.hpp"
+
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <thread>
+#include <utility>
+
+#include "base/shared_library.hpp"
+#include "foreign/parameters.hpp"
+
+namespace epura::foreign {
+
+namespace {
+
+void kill_and_wait(pid_t child) {
+  ::kill(child, SIGKILL);
+  while (::waitpid(child, nullptr, 0) < 0 && errno == EINTR) {
+  }
+}
+
+pid_t spawn(const std::filesystem::path& program, const std::vector<std::string>& arguments, int socket) {
+  std::vector<std::string> words{program.string()};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> pointers;
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  posix_spawn_file_actions_t actions;
+  ::posix_spawn_file_actions_init(&actions);
+  ::posix_spawn_file_actions_adddup2(&actions, socket, 3);
+  // It prints where messages go, since a drawing may go to standard output.
+  ::posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
+  pid_t child = 0;
+  const int failure = ::posix_spawn(&child, program.c_str(), &actions, nullptr, pointers.data(), environ);
+  ::posix_spawn_file_actions_destroy(&actions);
+  errno = failure;
+  return failure == 0 ? child : -1;
+}
+
+}  // namespace
+
+template <class Start>
+void ChildProcess::connect(const Start& start) {
+  end();
+  std::array<int, 2> ends{-1, -1};
+  const bool is_connected = ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) == 0;
+  const pid_t child = is_connected ? start(ends) : -1;
+  if (child < 0) {
+    const std::string reason = std::strerror(errno);
+    if (is_connected) ::close(ends[0]), ::close(ends[1]);
+    refuse("cannot get a process of its own: " + reason);
+  }
+  ::close(ends[1]);
+  child_ = child;
+  socket_ = ends[0];
+}
+
+void ChildProcess::fork(const std::function<void(int socket)>& serve) {
+  connect([&](const std::array<int, 2>& ends) {
+    std::fflush(stdout);
+    wait_for_other_loads();
+    const pid_t child = ::fork();
+    if (child != 0) return child;
+    ::close(ends[0]);
+    serve(ends[1]);
+    ::_exit(0);  // without the code at exit
+  });
+}
+
+void ChildProcess::run(const std::filesystem::path& program, const std::vector<std::string>& arguments) {
+  connect([&](const std::array<int, 2>& ends) { return spawn(program, arguments, ends[1]); });
+}
+
+void ChildProcess::send(const Packer& message) {
+  if (!send_message(socket_, message)) refuse(ending());
+}
+
+std::optional<std::string> ChildProcess::receive(Clock::time_point until, std::size_t most_bytes) {
+  std::string message;
+  const Received received = receive_message(socket_, message, until, most_bytes);
+  if (received == Received::nothing) refuse(ending());
+  return received == Received::all ? std::optional(std::move(message)) : std::nullopt;
+}
+
+/// How the process ended that says nothing more.
+std::string ChildProcess::ending() {
+  ::close(std::exchange(socket_, -1));
+  const pid_t child = std::exchange(child_, 0);
+  int status = 0;
+  pid_t ended = 0;
+  // It may have closed the socket and go on.
+  for (int wait_ms = 0; ended == 0 && wait_ms < 100; ++wait_ms) {
+    ended = ::waitpid(child, &status, WNOHANG);
+    if (ended == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  if (ended == 0) kill_and_wait(child);
+  if (ended > 0 && WIFSIGNALED(status)) return std::string("crashes (") + ::strsignal(WTERMSIG(status)) + ")";
+  return "ends the program";
+}
+
+void ChildProcess::end() {
+  if (child_ == 0) return;
+  ::close(std::exchange(socket_, -1));
+  kill_and_wait(std::exchange(child_, 0));
+}
+
+}  // namespace epura::foreign

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// A process for foreign code, and the socket to it. What the code does there - crash, hang, end its program - reaches
+// this process as a sentence.
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "foreign/messages.hpp"
+
+namespace epura::foreign {
+
+class ChildProcess {
+ public:
+  /// None yet.
+  ChildProcess() = default;
+  ChildProcess(const ChildProcess&) = delete;
+  ChildProcess& operator=(const ChildProcess&) = delete;
+  ~ChildProcess() { end(); }
+
+  /// A copy of this process that runs `serve` with its end of the socket, and nothing else. Throws Error{plugin}.
+  void fork(const std::function<void(int socket)>& serve);
+  /// A program of its own, whose end of the socket is descriptor 3. Throws Error{plugin}.
+  void run(const std::filesystem::path& program, const std::vector<std::string>& arguments);
+
+  [[nodiscard]] bool is_there() const { return child_ != 0; }
+  /// Throws Error{plugin} where the process is gone: how it ended.
+  void send(const Packer& message);
+  /// Nothing where there is no message by `until`. Throws Error{plugin} where the process is gone: how it ended.
+  std::optional<std::string> receive(Clock::time_point until, std::size_t most_bytes);
+  /// Kills it.
+  void end();
+
+ private:
+  template <class Start>
+  void connect(const Start& start);
+  std::string ending();
+
+  pid_t child_ = 0;  ///< 0: there is none
+  int socket_ = -1;
+};
+
+}  // namespace epura::foreign

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Messages between this process and one of foreign code, over a socket: each is its length, then its bytes.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "foreign/packing.hpp"
+
+namespace epura::foreign {
+
+using Clock = std::chrono::steady_clock;
+
+/// False where the other process is gone.
+bool send_message(int socket, const Packer& message);
+
+enum class Received { all, nothing, too_late };
+
+/// Waits until the message is there, at most until `end`. `nothing`: the other process is gone, or sends what is longer
+/// than `most_bytes`, which only damage explains.
+Received receive_message(int socket, std::string& message, const std::optional<Clock::time_point>& end,
+                         std::size_t most_bytes);
+
+/// A message begins with the reason why there is nothing more in it, empty where there is.
+template <class Fill>
+Packer message_or_reason(const Fill& fill) {
+  try {
+    Packer message;
+    message(std::string());
+    fill(message);
+    return message;
+  } catch (const Error& error) {
+    Packer message;
+    message(std::string(error.what()));
+    return message;
+  }
+}
+
+/// What the message holds is there once its reason is: empty where nothing failed. Throws Error{plugin} with the
+/// reason.
+void expect_no_reason(Unpacker& message);
+
+}  // namespace epura::foreign
