@@ -104,8 +104,8 @@ typedef struct epura_source {
   uint32_t threads;          /* that may be used; at least 1 */
   const char* path;          /* of the file */
   const double* values;      /* of the parameters in the order of the table, vectors flattened */
-  double tolerance;          /* mm that curved surfaces may be off by; 0: see relative_tolerance */
-  double relative_tolerance; /* the same in parts of the diagonal of the box of everything */
+  double tolerance;          /* mm that curved surfaces may be off by; 0: no bound */
+  double relative_tolerance; /* the same in parts of the diagonal of the box of everything; 0: no bound */
 } epura_source;
 
 /* One importer. */

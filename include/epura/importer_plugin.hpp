@@ -40,7 +40,8 @@ struct Source {
 
   /// The distance in mm that curved surfaces may be off by, for a model whose box has this diagonal in mm.
   [[nodiscard]] double tolerance_of(double diagonal) const {
-    return tolerance > 0 ? tolerance : relative_tolerance * diagonal;
+    const double relative = relative_tolerance * diagonal;
+    return tolerance > 0 && (tolerance < relative || relative == 0) ? tolerance : relative;
   }
 };
 

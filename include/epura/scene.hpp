@@ -22,11 +22,12 @@ struct Polygons {
 };
 
 struct Model {
-  std::string file{};   ///< obj, stl, ply or off
+  std::string file{};   ///< obj, stl, ply, off, or of a format for which an importer is installed; with `:key=value`
+                        ///< for its parameters
   Polygons polygons{};  ///< instead of a file
   std::string name{};   ///< by which dimensions call it; by default the file's name without its extension
-  Unit unit = Unit::mm;
-  UpAxis up = UpAxis::z;
+  std::optional<Unit> unit{};  ///< what the file says, or mm
+  std::optional<UpAxis> up{};  ///< what the file says, or z
   /// Where it stands, after unit and axis: the rows of an affine matrix, which is applied to column vectors.
   std::array<double, 12> transform{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
   LineRole line = LineRole::visible;

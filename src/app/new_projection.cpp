@@ -50,7 +50,7 @@ std::string renamed(const char* skeleton, const std::string& name) {
 
 int new_projection(const NewProjectionOptions& options) {
   const std::string& name = options.name;
-  if (!projection::is_projection_name(name))
+  if (!foreign::is_plugin_name(name))
     throw Error(ErrorKind::input, "'" + name + "'", "is not a name of a projection", "lower case, digits and '-'");
   const fs::path folder = name;
   std::error_code error;

@@ -15,6 +15,9 @@ namespace epura::features {
 
 namespace {
 
+// A model that is stretched by less keeps its surfaces.
+constexpr double least_stretch = 1e-9;
+
 // As many as a torus has.
 using Unknowns = std::array<double, 7>;
 
@@ -275,6 +278,25 @@ std::optional<PartSurface> torus_of(const Curvatures& at, int m, const Vec2& tur
 }
 
 }  // namespace
+
+std::optional<double> similarity_scale(const Mat4& transform) {
+  const Mat3 turn(transform);
+  const Mat3 product = glm::transpose(turn) * turn;
+  const double square = product[0][0];
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      if (!(std::abs(product[i][j] - (i == j ? square : 0)) <= least_stretch * square)) return std::nullopt;
+  const double scale = std::sqrt(square);
+  return scale > 0 ? std::optional(scale) : std::nullopt;
+}
+
+PartSurface moved(PartSurface surface, const Mat4& transform, double scale) {
+  surface.origin = Vec3(transform * Vec4(surface.origin, 1));
+  surface.axis = Mat3(transform) * surface.axis / scale;
+  surface.radius *= scale;
+  surface.minor *= scale;
+  return surface;
+}
 
 int unknowns_of(SurfaceKind kind) {
   switch (kind) {

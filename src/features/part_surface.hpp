@@ -29,6 +29,13 @@ struct PartSurface {
   double slope = 0;   ///< of a cone: so much its radius grows for a length along its axis
 };
 
+/// By what factor a transform multiplies all lengths; nothing where that depends on their direction. Mirrors keep
+/// angles, too.
+std::optional<double> similarity_scale(const Mat4& transform);
+
+/// Where a transform takes a surface that multiplies all lengths by `scale`.
+PartSurface moved(PartSurface surface, const Mat4& transform, double scale);
+
 /// How many numbers determine a surface.
 int unknowns_of(SurfaceKind kind);
 

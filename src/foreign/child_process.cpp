@@ -61,6 +61,7 @@ void ChildProcess::connect(const Start& start) {
   ::close(ends[1]);
   child_ = child;
   socket_ = ends[0];
+  incoming_ = {};
 }
 
 void ChildProcess::fork(const std::function<void(int socket)>& serve) {
@@ -84,10 +85,9 @@ void ChildProcess::send(const Packer& message) {
 }
 
 std::optional<std::string> ChildProcess::receive(Clock::time_point until, std::size_t most_bytes) {
-  std::string message;
-  const Received received = receive_message(socket_, message, until, most_bytes);
+  const Received received = incoming_.receive(socket_, until, most_bytes);
   if (received == Received::nothing) refuse(ending());
-  return received == Received::all ? std::optional(std::move(message)) : std::nullopt;
+  return received == Received::all ? std::optional(incoming_.take()) : std::nullopt;
 }
 
 /// How the process ended that says nothing more.

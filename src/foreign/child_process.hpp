@@ -45,6 +45,7 @@ class ChildProcess {
 
   pid_t child_ = 0;  ///< 0: there is none
   int socket_ = -1;
+  Incoming incoming_;
 };
 
 }  // namespace epura::foreign

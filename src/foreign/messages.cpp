@@ -5,8 +5,11 @@
 #include <sys/socket.h>
 
 #include <algorithm>
+#include <bit>
 #include <cerrno>
+#include <span>
 #include <string_view>
+#include <utility>
 
 namespace epura::foreign {
 
@@ -22,9 +25,10 @@ bool send_all(int socket, std::string_view bytes) {
   return true;
 }
 
-/// Waits until the bytes are there, at most until `end`.
-Received receive_all(int socket, char* bytes, std::size_t count, const std::optional<Clock::time_point>& end) {
-  while (count > 0) {
+/// What is there by `end` of so many bytes, which are counted on.
+Received receive_bytes(int socket, std::span<char> bytes, std::size_t& got,
+                       const std::optional<Clock::time_point>& end) {
+  while (got < bytes.size()) {
     if (end) {
       pollfd event{socket, POLLIN, 0};
       const auto left = std::chrono::ceil<std::chrono::milliseconds>(*end - Clock::now()).count();
@@ -32,11 +36,10 @@ Received receive_all(int socket, char* bytes, std::size_t count, const std::opti
       if (happened < 0 && errno == EINTR) continue;  // it was stopped for a while
       if (happened == 0) return Received::too_late;
     }
-    const ssize_t got = ::recv(socket, bytes, count, 0);
-    if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) return Received::nothing;
-    bytes += got;
-    count -= static_cast<std::size_t>(got);
+    const ssize_t came = ::recv(socket, bytes.data() + got, bytes.size() - got, 0);
+    if (came < 0 && errno == EINTR) continue;
+    if (came <= 0) return Received::nothing;
+    got += static_cast<std::size_t>(came);
   }
   return Received::all;
 }
@@ -49,15 +52,23 @@ bool send_message(int socket, const Packer& message) {
   return send_all(socket, size.bytes()) && send_all(socket, message.bytes());
 }
 
-Received receive_message(int socket, std::string& message, const std::optional<Clock::time_point>& end,
-                         std::size_t most_bytes) {
-  std::size_t size = 0;
-  const Received first = receive_all(socket, reinterpret_cast<char*>(&size), sizeof size, end);
-  if (first != Received::all) return first;
-  if (size > most_bytes) return Received::nothing;
-  message.resize(size);
-  // Once a message has begun, it is on its way.
-  return receive_all(socket, message.data(), size, end);
+Received Incoming::receive(int socket, const std::optional<Clock::time_point>& end, std::size_t most_bytes) {
+  if (got_ < size_.size()) {
+    const Received received = receive_bytes(socket, size_, got_, end);
+    if (received != Received::all) return received;
+    const auto size = std::bit_cast<std::size_t>(size_);
+    if (size > most_bytes) return Received::nothing;
+    message_.resize(size);
+  }
+  std::size_t got = got_ - size_.size();
+  const Received received = receive_bytes(socket, message_, got, end);
+  got_ = size_.size() + got;
+  return received;
+}
+
+std::string Incoming::take() {
+  got_ = 0;
+  return std::exchange(message_, {});
 }
 
 void expect_no_reason(Unpacker& message) {

@@ -2,6 +2,7 @@
 // Messages between this process and one of foreign code, over a socket: each is its length, then its bytes.
 #pragma once
 
+#include <array>
 #include <chrono>
 #include <cstddef>
 #include <optional>
@@ -18,10 +19,19 @@ bool send_message(int socket, const Packer& message);
 
 enum class Received { all, nothing, too_late };
 
-/// Waits until the message is there, at most until `end`. `nothing`: the other process is gone, or sends what is longer
-/// than `most_bytes`, which only damage explains.
-Received receive_message(int socket, std::string& message, const std::optional<Clock::time_point>& end,
-                         std::size_t most_bytes);
+/// A message on its way, which may come in pieces.
+class Incoming {
+ public:
+  /// Waits until the message is there, at most until `end`; then `take` it. `nothing`: the other process is gone, or
+  /// sends what is longer than `most_bytes`, which only damage explains. Where it is too late, the next call goes on.
+  Received receive(int socket, const std::optional<Clock::time_point>& end, std::size_t most_bytes);
+  std::string take();
+
+ private:
+  std::array<char, sizeof(std::size_t)> size_{};
+  std::string message_;
+  std::size_t got_ = 0;  ///< of both
+};
 
 /// A message begins with the reason why there is nothing more in it, empty where there is.
 template <class Fill>

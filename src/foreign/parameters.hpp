@@ -41,8 +41,8 @@ using Assignments = std::vector<std::pair<std::string, std::string>>;
 /// Those that hold unless others are given.
 ParameterValues default_values(const std::vector<Parameter>& parameters);
 
-/// The values of a table whose `owner` ("isometric") is called by its name in errors, `kind` ("projection") says what it
-/// is. Throws Error{input} for what the table does not allow.
+/// The values of a table whose `owner` ("isometric") is called by its name in errors, `kind` ("projection") says what
+/// it is. Throws Error{input} for what the table does not allow.
 ParameterValues values_of(const std::vector<Parameter>& parameters, const Assignments& assignments,
                           const std::string& owner, const std::string& kind);
 

@@ -76,8 +76,8 @@ scene::ModelDescription describe(const Model& model, const std::string& where) {
   else
     description.file = {model.file, where + ".file"};
   description.name = located(in_memory && model.name.empty() ? where : model.name, where + ".name");
-  description.unit = {model.unit, where + ".unit"};
-  description.up = {model.up, where + ".up"};
+  description.unit = located(model.unit, where + ".unit");
+  description.up = located(model.up, where + ".up");
   const std::array<double, 12>& m = model.transform;
   for (const double number : m) checked(number, where + ".transform");
   description.transform = {

@@ -84,6 +84,8 @@ FileContent read_soup(const std::filesystem::path& path, const Progress& progres
 
 }  // namespace
 
+bool is_own_extension(std::string_view extension) { return format_named(extension) != nullptr; }
+
 Mesh make_mesh(Soup soup, const std::string& name, const Progress& progress) {
   // Half-edges, twice as many as corners at most, are numbered with int.
   if (soup.corners.size() > INT_MAX / 6 || soup.points.size() > INT_MAX)

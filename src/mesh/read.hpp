@@ -17,6 +17,9 @@ namespace epura::mesh {
 /// and OutOfTime. Every byte of the file counts twice as progress: once it is read, and once the mesh is there.
 Mesh read_mesh(const std::filesystem::path& path, const Progress& progress = {});
 
+/// Whether files with an extension (lower case, without a dot) are read by read_mesh.
+bool is_own_extension(std::string_view extension);
+
 /// The same of what is in memory; `name` stands before the reason in errors.
 Mesh make_mesh(Soup soup, const std::string& name, const Progress& progress = {});
 

@@ -6,8 +6,8 @@
 
 namespace epura::pipeline {
 
-/// Afterwards there are views, all of them named, and a sheet for each that a view stands on. Throws Error{input} for
-/// names that lead nowhere, or to two things.
+/// Afterwards files are paths, and there are views, all of them named, and a sheet for each that a view stands on.
+/// Throws Error{input} for names that lead nowhere, or to two things.
 void complete_scene(scene::SceneDescription& scene);
 
 }  // namespace epura::pipeline

@@ -116,7 +116,7 @@ FinishedSheet Run::draw_sheet(const scene::World& whole, const CutSections& sect
 }
 
 std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& sheets) {
-  scene::World world = read_models(scene.models, report.meshes, messages, progress);
+  scene::World world = read_models(scene.models, read_options(scene, options), report.meshes, messages, progress);
   watch.lap("read");
   recognise_parts(world, scene, options, report, progress);
   watch.lap("features");

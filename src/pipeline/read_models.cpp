@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pipeline/read_models.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -11,6 +13,7 @@
 #include "mesh/read.hpp"
 #include "pipeline/choose.hpp"
 #include "scene/transform.hpp"
+#include "sheet/paper.hpp"
 
 namespace epura::pipeline {
 
@@ -18,21 +21,44 @@ namespace {
 
 bool is_drawn(const scene::ModelDescription& model) { return model.drawn.value_or(true); }
 
-Mat4 place_of(const scene::ModelDescription& model) {
-  Mat4 place = scene::parse_transform("scale:" + format_number(scene::millimetres(model.unit.value_or(Unit::mm))));
-  if (model.up.value_or(UpAxis::z) == UpAxis::y) place = scene::y_up_to_z_up() * place;
+// What the user says of a file goes before what the file says of itself.
+Mat4 place_of(const scene::ModelDescription& model, const importer::ReadModel& read) {
+  const double unit = model.unit.given() ? scene::millimetres(*model.unit) : read.unit.value_or(1);
+  Mat4 place = scene::parse_transform("scale:" + format_number(unit));
+  if (model.up.value_or(read.is_y_up ? UpAxis::y : UpAxis::z) == UpAxis::y) place = scene::y_up_to_z_up() * place;
   if (model.transform.given()) place = *model.transform * place;
   return place;
 }
 
+// The largest factor by which the model's transform multiplies a length, or more.
+double enlargement_of(const scene::ModelDescription& model) {
+  if (!model.transform.given()) return 1;
+  const Mat3 linear(*model.transform);
+  double sum = 0;
+  for (int i = 0; i < 3; ++i) sum += glm::dot(linear[i], linear[i]);
+  return sum > 0 ? std::sqrt(sum) : 1;
+}
+
 // Where a scene file names the model, an error of reading says where.
-mesh::Mesh read(const scene::ModelDescription& model, const Progress& progress) {
-  if (model.soup != nullptr) return mesh::make_mesh(*model.soup, *model.name, progress);
-  const auto read_it = [&](const std::string& file) { return mesh::read_mesh(file, progress); };
+importer::ReadModel read(const scene::ModelDescription& model, importer::ReadOptions options,
+                         const Progress& progress) {
+  if (model.soup != nullptr) return {mesh::make_mesh(*model.soup, *model.name, progress)};
+  options.tolerance /= enlargement_of(model);
+  const auto read_it = [&](const std::string& file) {
+    return importer::read_model(file, model.import, options, progress);
+  };
   return model.file.where == *model.file ? read_it(*model.file) : at_place(model.file, read_it);
 }
 
-// As read_mesh counts it; 0 where it is not known, as of a pipe.
+// That the views may be drawn on. What is cut to the drawing is as large as fits on A4.
+sheet::Paper largest_paper(const scene::SheetDescription& sheet, std::size_t views) {
+  scene::PaperChoice size = sheet.size.value_or({scene::PaperChoice::Kind::iso, views > 1 ? 3 : 4, {0, 0}});
+  if (size.kind == scene::PaperChoice::Kind::automatic) size = {scene::PaperChoice::Kind::iso, 0, {0, 0}};
+  if (size.kind == scene::PaperChoice::Kind::none) size = {};
+  return sheet::make_paper(size, false);
+}
+
+// As read_model counts it; 0 where it is not known, as of a pipe.
 std::size_t work_of(const std::vector<scene::ModelDescription>& models) {
   std::size_t bytes = 0;
   for (const scene::ModelDescription& model : models) {
@@ -63,17 +89,38 @@ void warn_about(const Messages& messages, const mesh::MeshReport& report) {
 
 }  // namespace
 
-scene::World read_models(const std::vector<scene::ModelDescription>& models, std::vector<mesh::MeshReport>& reports,
-                         const Messages& messages, Progress progress) {
-  std::vector<Mat4> places;
-  for (const scene::ModelDescription& model : models) places.push_back(place_of(model));
+importer::ReadOptions read_options(const scene::SceneDescription& scene, const RunOptions& options) {
+  constexpr double usual_error = 0.02;  // mm on paper
+  const double error = options.max_error.value_or(usual_error);
+  importer::ReadOptions read{.plugin_path = options.plugin_path, .relative_tolerance = 0, .threads = options.threads};
+  for (const scene::ViewDescription& view : scene.views) {
+    const auto number = static_cast<std::size_t>(view.sheet.value_or(1)) - 1;
+    const scene::SheetDescription& sheet = scene.sheets[std::min(number, scene.sheets.size() - 1)];
+    const scene::ScaleChoice scale = view.scale.value_or(sheet.scale.value_or({}));
+    if (scale.fixed) {
+      const double tolerance = error / *scale.fixed;
+      read.tolerance = read.tolerance > 0 ? std::min(read.tolerance, tolerance) : tolerance;
+    } else {
+      const sheet::Paper paper = largest_paper(sheet, scene.views.size());
+      const double tolerance = error / std::hypot(paper.width, paper.height);
+      read.relative_tolerance = read.relative_tolerance > 0 ? std::min(read.relative_tolerance, tolerance) : tolerance;
+    }
+  }
+  return read;
+}
+
+scene::World read_models(const std::vector<scene::ModelDescription>& models, const importer::ReadOptions& options,
+                         std::vector<mesh::MeshReport>& reports, const Messages& messages, Progress progress) {
   progress.begin("reading", work_of(models));
   std::vector<scene::Placed> placed;
   for (std::size_t i = 0; i < models.size(); ++i) {
     // What is not drawn keeps its number.
     const bool drawn = is_drawn(models[i]);
-    placed.push_back({std::make_shared<const mesh::Mesh>(drawn ? read(models[i], progress) : mesh::Mesh{}), places[i]});
+    importer::ReadModel model = drawn ? read(models[i], options, progress) : importer::ReadModel{};
+    const Mat4 place = place_of(models[i], model);
+    placed.push_back({std::make_shared<const mesh::Mesh>(std::move(model.mesh)), place});
     if (!drawn) continue;
+    if (models[i].surfaces.value_or(Surfaces::automatic) == Surfaces::automatic) placed.back().part = model.part;
     reports.push_back(placed.back().mesh->report);
     warn_about(messages, reports.back());
   }

@@ -5,16 +5,22 @@
 #include <vector>
 
 #include "base/progress.hpp"
+#include "importer/read_model.hpp"
 #include "mesh/mesh.hpp"
 #include "pipeline/messages.hpp"
+#include "pipeline/options.hpp"
 #include "scene/description.hpp"
 #include "scene/scene.hpp"
 
 namespace epura::pipeline {
 
-/// Reads the models and puts them in their places; `reports` gets one more for each. Says what was
-/// repaired. The half-edge structures of its meshes are given up; edges and reports stay.
-scene::World read_models(const std::vector<scene::ModelDescription>& models, std::vector<mesh::MeshReport>& reports,
-                         const Messages& messages, Progress progress);
+/// How precisely the models are wanted: so that no ink of the scene's drawings is off by more than
+/// RunOptions::max_error, by scales that are given, otherwise by the paper that the drawings will fit on.
+importer::ReadOptions read_options(const scene::SceneDescription& scene, const RunOptions& options);
+
+/// Reads the models and puts them in their places; `reports` gets one more for each. Says what was repaired. Faces of
+/// parts are those that files declare.
+scene::World read_models(const std::vector<scene::ModelDescription>& models, const importer::ReadOptions& options,
+                         std::vector<mesh::MeshReport>& reports, const Messages& messages, Progress progress);
 
 }  // namespace epura::pipeline

@@ -51,7 +51,7 @@ void recognise_parts(scene::World& world, const scene::SceneDescription& scene, 
   const bool asked = std::any_of(scene.views.begin(), scene.views.end(), is_asked);
   for (int model = 0; model < static_cast<int>(world.models.size()); ++model)
     if (asked && scene.models[model].surfaces.value_or(Surfaces::automatic) == Surfaces::automatic &&
-        world.models[model].mesh->triangle_count() > 0)
+        world.models[model].part == nullptr && world.models[model].mesh->triangle_count() > 0)
       wanted.push_back(model);
   progress.begin("recognising faces", wanted.size());
   const Progress limited = progress.with_part_of_the_time(part_for_faces);
@@ -67,7 +67,9 @@ void recognise_parts(scene::World& world, const scene::SceneDescription& scene, 
   } catch (const OutOfTime& cut) {
     report.partial.add_stage(cut.stage);
   }
-  if (wanted.empty()) return;
+  const bool any = std::any_of(world.models.begin(), world.models.end(),
+                               [](const scene::Placed& placed) { return placed.part != nullptr; });
+  if (wanted.empty() && !any) return;
   long long triangles = 0, faces = 0, models = 0;
   for (const scene::Placed& placed : world.models) {
     triangles += placed.mesh->triangle_count();

@@ -10,8 +10,9 @@
 
 namespace epura::pipeline {
 
-/// Recognises them where they are wanted and something can come of it; says in the plan what was done. Models that
-/// there is no time for are drawn as meshes, which the report says. It also has the error of tessellation.
+/// Recognises them where the file does not declare them, they are wanted and something can come of it; says in the plan
+/// what was done. Models that there is no time for are drawn as meshes, which the report says. It also has the error of
+/// tessellation.
 void recognise_parts(scene::World& world, const scene::SceneDescription& scene, const RunOptions& options,
                      report::Report& report, Progress progress);
 

@@ -2,13 +2,11 @@
 #include "projection/catalogue.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <optional>
 #include <tuple>
 #include <utility>
 
 #include "base/error.hpp"
-#include "base/shared_library.hpp"
 #include "base/text.hpp"
 #include "projection/loader.hpp"
 #include "projection/plugin_process.hpp"
@@ -18,19 +16,6 @@ namespace epura::projection {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// In order of their names, since the order in which a folder lists them is accidental.
-std::vector<fs::path> libraries_in(const fs::path& folder, std::vector<BadPlugin>& bad) {
-  std::error_code error;
-  std::vector<fs::path> libraries;
-  for (fs::directory_iterator file(folder, error), end; !error && file != end; file.increment(error)) {
-    std::error_code unreadable;
-    if (file->path().extension() == ".so" && file->is_regular_file(unreadable)) libraries.push_back(file->path());
-  }
-  if (error) bad.push_back({folder, "is not a folder that can be read: " + error.message()});
-  std::sort(libraries.begin(), libraries.end());
-  return libraries;
-}
 
 /// What is known to be bad is not tried again.
 std::vector<ProjectionEntry> read_or_note(const fs::path& path, Afterwards afterwards, std::vector<BadPlugin>& bad) {
@@ -67,7 +52,7 @@ void drop_duplicates(Catalogue& catalogue) {
 Catalogue load_all(const std::vector<fs::path>& folders, std::vector<BadPlugin> known_as_bad) {
   Catalogue catalogue{{}, std::move(known_as_bad)};
   for (const fs::path& folder : folders)
-    for (const fs::path& library : libraries_in(folder, catalogue.bad))
+    for (const fs::path& library : foreign::libraries_in(folder, catalogue.bad))
       for (ProjectionEntry& entry : read_or_note(library, Afterwards::rests, catalogue.bad))
         catalogue.entries.push_back(std::move(entry));
   drop_duplicates(catalogue);
@@ -101,12 +86,7 @@ std::string_view full_name(std::string_view name) {
 }  // namespace
 
 std::vector<fs::path> plugin_folders(const std::vector<fs::path>& extra) {
-  std::vector<fs::path> folders = extra;
-  if (const char* path = std::getenv("EPURA_PLUGIN_PATH"))
-    for (const std::string_view folder : split(path, ':'))
-      if (!folder.empty()) folders.emplace_back(folder);
-  if (const fs::path own = own_folder(); !own.empty()) folders.push_back(own / "projections");
-  return folders;
+  return foreign::plugin_folders(extra, "projections");
 }
 
 Catalogue load_catalogue(const std::vector<fs::path>& folders) { return load_all(folders, {}); }

@@ -9,12 +9,14 @@
 #include <vector>
 
 #include "base/vec.hpp"
+#include "foreign/folders.hpp"
 #include "foreign/parameters.hpp"
 #include "projection/projection.hpp"
 #include "scene/choices.hpp"
 
 namespace epura::projection {
 
+using foreign::BadPlugin;
 using foreign::Parameter;
 using foreign::ParameterType;
 using foreign::ParameterValues;
@@ -34,12 +36,6 @@ struct ProjectionEntry {
   std::vector<Parameter> parameters;
   std::filesystem::path plugin;  ///< the library it comes from
   AskProjection ask;
-};
-
-/// A library that could not be used, and why.
-struct BadPlugin {
-  std::filesystem::path path;
-  std::string reason;
 };
 
 struct Catalogue {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "projection/loader.hpp"
 
+#include <epura/importer_abi.h>
 #include <epura/projection_abi.h>
 
 #include <set>
@@ -19,12 +20,6 @@ using foreign::require;
 using foreign::row_of;
 
 std::string number(std::size_t n) { return std::to_string(n); }
-
-epura_entry_point entry_point(const std::filesystem::path& path) {
-  void* symbol = find_symbol(load_library(path, ErrorKind::plugin), EPURA_ENTRY_POINT);
-  require(symbol != nullptr, "is not a projection plugin: it has no function " EPURA_ENTRY_POINT);
-  return reinterpret_cast<epura_entry_point>(symbol);
-}
 
 const epura_projection_list& list_of(epura_entry_point entry) {
   const epura_projection_list* list = entry();
@@ -58,7 +53,11 @@ ProjectionEntry entry_of(const epura_projection& row, std::size_t place, const s
 }  // namespace
 
 std::vector<ProjectionEntry> read_plugin(const std::filesystem::path& path) {
-  const epura_projection_list& list = list_of(entry_point(path));
+  void* library = load_library(path, ErrorKind::plugin);
+  void* symbol = find_symbol(library, EPURA_ENTRY_POINT);
+  if (symbol == nullptr && find_symbol(library, EPURA_IMPORTER_ENTRY_POINT) != nullptr) return {};
+  require(symbol != nullptr, "is not a projection plugin: it has no function " EPURA_ENTRY_POINT);
+  const epura_projection_list& list = list_of(reinterpret_cast<epura_entry_point>(symbol));
   std::vector<ProjectionEntry> entries;
   std::set<std::string> names;
   for (std::size_t i = 0; i < list.count; ++i) {

@@ -10,7 +10,7 @@
 namespace epura::projection {
 
 /// What the library offers. A library is used whole or not at all: Error{plugin} says what is wrong with it, without
-/// its path.
+/// its path. Nothing of a library of importers.
 std::vector<ProjectionEntry> read_plugin(const std::filesystem::path& path);
 
 }  // namespace epura::projection

@@ -103,12 +103,13 @@ void serve(const std::filesystem::path& path, int socket) noexcept {
   take_precautions();
   std::vector<ProjectionEntry> entries;
   bool goes_on = foreign::send_message(socket, foreign::message_or_reason([&](Packer& message) {
-                                entries = read_plugin(path);
-                                pack_table(message, entries);
-                              }));
-  for (std::string words; goes_on && foreign::receive_message(socket, words, {}, most_bytes) == Received::all;)
-    goes_on = foreign::send_message(
-        socket, foreign::message_or_reason([&](Packer& message) { pack_answer(message, answer_to(words, entries)); }));
+                                         entries = read_plugin(path);
+                                         pack_table(message, entries);
+                                       }));
+  for (foreign::Incoming words; goes_on && words.receive(socket, {}, most_bytes) == Received::all;)
+    goes_on = foreign::send_message(socket, foreign::message_or_reason([&](Packer& message) {
+                                      pack_answer(message, answer_to(words.take(), entries));
+                                    }));
 }
 
 // What follows runs in the program.

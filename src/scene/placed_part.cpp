@@ -1,23 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/placed_part.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 namespace epura::scene {
 
 namespace {
 
-// A model that is stretched by less keeps its surfaces.
-constexpr double least_stretch = 1e-9;
-
 features::PartFace placed_face(features::PartFace face, const Mat4& to_world, double scale) {
-  features::PartSurface& surface = face.surface;
-  surface.origin = Vec3(to_world * Vec4(surface.origin, 1));
-  surface.axis = Mat3(to_world) * surface.axis / scale;
-  surface.radius *= scale;
-  surface.minor *= scale;
+  face.surface = features::moved(face.surface, to_world, scale);
   face.residual *= scale;
   face.sagitta *= scale;
   face.area *= scale * scale;
@@ -27,17 +18,6 @@ features::PartFace placed_face(features::PartFace face, const Mat4& to_world, do
 }
 
 }  // namespace
-
-std::optional<double> similarity_scale(const Mat4& to_world) {
-  const Mat3 turn(to_world);
-  const Mat3 product = glm::transpose(turn) * turn;
-  const double square = product[0][0];
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      if (!(std::abs(product[i][j] - (i == j ? square : 0)) <= least_stretch * square)) return std::nullopt;
-  const double scale = std::sqrt(square);
-  return scale > 0 ? std::optional(scale) : std::nullopt;
-}
 
 std::vector<int> faces_of_triangles(const Placed& placed) {
   const mesh::Mesh& mesh = *placed.mesh;

@@ -9,9 +9,7 @@
 
 namespace epura::scene {
 
-/// By what factor a transform multiplies all lengths; nothing where that depends on their direction. Mirrors keep
-/// angles, too.
-std::optional<double> similarity_scale(const Mat4& to_world);
+using features::similarity_scale;
 
 struct PlacedPart {
   std::vector<features::PartFace> faces;  ///< lengths and places of the world

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "importer/assemble.hpp"
+
+#include <algorithm>
+#include <climits>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "base/error.hpp"
+#include "base/vec.hpp"
+
+namespace epura::importer {
+
+namespace {
+
+using features::DeclaredEdge;
+using features::PartSurface;
+
+Mat4 matrix_of(const std::array<double, 12>& t) {
+  return rows({t[0], t[1], t[2], t[3]}, {t[4], t[5], t[6], t[7]}, {t[8], t[9], t[10], t[11]}, {0, 0, 0, 1});
+}
+
+class Assembler {
+ public:
+  explicit Assembler(const Document& document) : document_(document) {}
+
+  Assembled assemble(const std::string& format) {
+    result_.soup.format = format;
+    result_.soup.notes = document_.notes;
+    if (document_.nodes.empty()) {
+      for (const Shape& shape : document_.shapes) place(shape, Mat4(1), shape.name);
+    } else {
+      place_nodes();
+    }
+    if (std::find(result_.part.face_of_polygon.begin(), result_.part.face_of_polygon.end(), -1) !=
+        result_.part.face_of_polygon.end())
+      result_.part = {};
+    return std::move(result_);
+  }
+
+ private:
+  void place_nodes() {
+    std::vector<Mat4> to_file;  // parents come before their children
+    for (const Node& node : document_.nodes) {
+      const Mat4 own = matrix_of(node.transform);
+      to_file.push_back(node.parent < 0 ? own : to_file[static_cast<std::size_t>(node.parent)] * own);
+      if (node.shape < 0) continue;
+      const Shape& shape = document_.shapes[static_cast<std::size_t>(node.shape)];
+      place(shape, to_file.back(), node.name.empty() ? shape.name : node.name);
+    }
+  }
+
+  void place(const Shape& shape, const Mat4& to_file, const std::string& name) {
+    expect_room(result_.soup.corners.size() + shape.corners.size());
+    expect_room(result_.soup.points.size() + shape.points.size());
+    const auto first_point = static_cast<int>(result_.soup.points.size());
+    for (const auto& p : shape.points) {
+      const Vec3 at(to_file * Vec4(p[0], p[1], p[2], 1));
+      result_.soup.points.push_back({at.x, at.y, at.z});
+    }
+    add_polygons(shape, first_point, glm::determinant(Mat3(to_file)) < 0);
+    add_bodies(shape, name);
+    add_part(shape, to_file, first_point);
+  }
+
+  static void expect_room(std::size_t items) {
+    if (items > INT_MAX / 6)
+      throw Error(ErrorKind::input, "", "puts down more corners than can be numbered", "split the model");
+  }
+
+  // A mirror turns the outside in, unless corners run the other way round.
+  void add_polygons(const Shape& shape, int first_point, bool is_mirrored) {
+    std::vector<int>& corners = result_.soup.corners;
+    const auto first_corner = static_cast<int>(corners.size());
+    for (const int corner : shape.corners) corners.push_back(first_point + corner);
+    int begin = first_corner;
+    for (const int polygon_end : shape.polygon_ends) {
+      const int end = first_corner + polygon_end;
+      if (is_mirrored) std::reverse(corners.begin() + begin, corners.begin() + end);
+      result_.soup.face_ends.push_back(end);
+      begin = end;
+    }
+  }
+
+  void add_bodies(const Shape& shape, const std::string& name) {
+    std::vector<std::string>& names = result_.soup.body_names;
+    const auto first = static_cast<int>(names.size());
+    const auto named = [&](const std::string& body) {
+      if (name.empty() || body.empty()) return name + body;
+      return body == name ? name : name + "/" + body;
+    };
+    const auto is_whole = [](int body) { return body < 0; };
+    const bool has_rest = std::any_of(shape.body_of_polygon.begin(), shape.body_of_polygon.end(), is_whole);
+    for (const std::string& body : shape.body_names)
+      names.push_back(shape.body_names.size() == 1 && !name.empty() ? name : named(body));
+    if (has_rest) names.push_back(name);
+    for (const int body : shape.body_of_polygon)
+      result_.soup.face_body.push_back(body < 0 ? static_cast<int>(names.size()) - 1 : first + body);
+  }
+
+  void add_part(const Shape& shape, const Mat4& to_file, int first_point) {
+    features::DeclaredPart& part = result_.part;
+    const auto first_face = static_cast<int>(part.faces.size());
+    const std::optional<double> scale = features::similarity_scale(to_file);
+    for (const PartSurface& surface : shape.faces)
+      part.faces.push_back(scale ? features::moved(surface, to_file, *scale) : PartSurface{});
+    for (const int face : shape.face_of_polygon) part.face_of_polygon.push_back(face < 0 ? -1 : first_face + face);
+    const auto first_vertex = static_cast<int>(part.edge_vertices.size());
+    for (const int vertex : shape.edge_vertices) part.edge_vertices.push_back(first_point + vertex);
+    for (const DeclaredEdge& edge : shape.edges)
+      part.edges.push_back({scale ? edge.angle : std::nan(""), edge.is_tangent, first_vertex + edge.end});
+  }
+
+  const Document& document_;
+  Assembled result_;
+};
+
+}  // namespace
+
+Assembled assemble(const Document& document, const std::string& format) { return Assembler(document).assemble(format); }
+
+}  // namespace epura::importer

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "importer/document.hpp"
+
+#include <algorithm>
+
+#include "foreign/parameters.hpp"
+
+namespace epura::importer {
+
+namespace {
+
+using foreign::Packer;
+using foreign::Unpacker;
+
+bool are_within(const std::vector<int>& numbers, int least, std::size_t count) {
+  return std::all_of(numbers.begin(), numbers.end(), [&](int n) { return n >= least && n < static_cast<int>(count); });
+}
+
+bool are_ends(const std::vector<int>& ends, std::size_t count) {
+  return std::is_sorted(ends.begin(), ends.end()) && (ends.empty() ? 0 : ends.back()) == static_cast<int>(count) &&
+         (ends.empty() || ends.front() >= 0);
+}
+
+bool is_sound(const Shape& shape) {
+  std::vector<int> edge_ends;
+  for (const features::DeclaredEdge& edge : shape.edges) edge_ends.push_back(edge.end);
+  return are_within(shape.corners, 0, shape.points.size()) && are_ends(shape.polygon_ends, shape.corners.size()) &&
+         shape.face_of_polygon.size() == shape.polygon_ends.size() &&
+         shape.body_of_polygon.size() == shape.polygon_ends.size() &&
+         are_within(shape.face_of_polygon, -1, shape.faces.size()) &&
+         are_within(shape.body_of_polygon, -1, shape.body_names.size()) &&
+         are_within(shape.edge_vertices, 0, shape.points.size()) && are_ends(edge_ends, shape.edge_vertices.size());
+}
+
+// One function for both directions: what is put in is taken out.
+
+template <class Pack, class Value>
+void pack_shape(Pack& pack, Value& shape) {
+  pack(shape.name), pack(shape.points), pack(shape.corners), pack(shape.polygon_ends), pack(shape.face_of_polygon);
+  pack(shape.body_of_polygon), pack(shape.body_names), pack(shape.faces), pack(shape.edges), pack(shape.edge_vertices);
+}
+
+template <class Pack, class Value>
+void pack_node(Pack& pack, Value& node) {
+  pack(node.parent), pack(node.shape), pack(node.name), pack(node.transform);
+}
+
+template <class Pack, class Value>
+void pack_rest(Pack& pack, Value& document) {
+  pack(document.unit), pack(document.is_y_up), pack(document.notes);
+}
+
+}  // namespace
+
+void expect_sound(const Document& document) {
+  foreign::require(std::all_of(document.shapes.begin(), document.shapes.end(), is_sound), "damages its process");
+  for (std::size_t i = 0; i < document.nodes.size(); ++i) {
+    const Node& node = document.nodes[i];
+    foreign::require(node.parent >= -1 && node.parent < static_cast<int>(i), "damages its process");
+    foreign::require(node.shape >= -1 && node.shape < static_cast<int>(document.shapes.size()),
+                     "hands over a node with a shape that it does not hand over");
+  }
+}
+
+void pack_document(Packer& pack, const Document& document) {
+  pack_rest(pack, document);
+  pack(document.shapes.size());
+  for (const Shape& shape : document.shapes) pack_shape(pack, shape);
+  pack(document.nodes.size());
+  for (const Node& node : document.nodes) pack_node(pack, node);
+}
+
+Document unpack_document(Unpacker& unpack) {
+  Document document;
+  pack_rest(unpack, document);
+  document.shapes.resize(unpack.count(1));
+  for (Shape& shape : document.shapes) pack_shape(unpack, shape);
+  document.nodes.resize(unpack.count(1));
+  for (Node& node : document.nodes) pack_node(unpack, node);
+  return document;
+}
+
+}  // namespace epura::importer

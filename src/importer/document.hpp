@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// What an importer hands over of a file: shapes, and a tree that says where they stand.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "features/declared_part.hpp"
+#include "features/part_surface.hpp"
+#include "foreign/packing.hpp"
+#include "mesh/soup.hpp"
+
+namespace epura::importer {
+
+struct Shape {
+  std::string name;
+  mesh::Points points;
+  std::vector<int> corners;          ///< of all polygons, one after the other: points of the shape
+  std::vector<int> polygon_ends;     ///< where each polygon ends in `corners`
+  std::vector<int> face_of_polygon;  ///< -1: of none
+  std::vector<int> body_of_polygon;  ///< -1: of none
+  std::vector<std::string> body_names;
+  std::vector<features::PartSurface> faces;
+  std::vector<features::DeclaredEdge> edges;
+  std::vector<int> edge_vertices;
+};
+
+struct Node {
+  int parent, shape;  ///< -1: none
+  std::string name;
+  std::array<double, 12> transform;  ///< rows of the 3x4 matrix to its parent
+};
+
+struct Document {
+  double unit = 1;  ///< millimetres
+  int is_y_up = 0;  ///< instead of z
+  std::vector<Shape> shapes;
+  std::vector<Node> nodes;
+  std::vector<std::string> notes;
+};
+
+/// Throws Error{plugin} where numbers lead to nothing: the process that they come from may have been damaged.
+void expect_sound(const Document& document);
+
+void pack_document(foreign::Packer& pack, const Document& document);
+Document unpack_document(foreign::Unpacker& unpack);
+
+}  // namespace epura::importer

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "importer/process.hpp"
+
+#include <chrono>
+#include <csignal>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "base/error.hpp"
+#include "base/shared_library.hpp"
+#include "base/text.hpp"
+#include "foreign/child_process.hpp"
+#include "foreign/messages.hpp"
+
+namespace epura::importer {
+
+namespace {
+
+using foreign::Clock;
+using foreign::Packer;
+using foreign::Unpacker;
+
+/// A message is longer only where the process was damaged.
+constexpr std::size_t most_bytes = std::size_t{1} << 36;
+
+enum class Question { recognise, read };
+/// What a message about a file that is read is.
+enum class Answer { progress, document, refusal };
+
+// One function for both directions: what is put in is taken out.
+
+template <class Pack, class Value>
+void pack_table(Pack& pack, Value& table) {
+  pack(table.name), pack(table.summary), pack(table.extensions), pack(table.has_mark);
+}
+
+template <class Pack, class Value>
+void pack_reading(Pack& pack, Value& reading) {
+  pack(reading.path), pack(reading.values), pack(reading.tolerance), pack(reading.relative_tolerance);
+  pack(reading.threads);
+}
+
+void pack_tables(Packer& pack, const std::vector<LoadedImporter>& importers) {
+  pack(importers.size());
+  for (const LoadedImporter& importer : importers) {
+    pack_table(pack, importer.table);
+    pack(importer.table.parameters.size());
+    for (const foreign::Parameter& parameter : importer.table.parameters) foreign::pack_parameter(pack, parameter);
+  }
+}
+
+std::vector<ImporterTable> unpack_tables(Unpacker& unpack) {
+  std::vector<ImporterTable> tables(unpack.count(1));
+  for (ImporterTable& table : tables) {
+    pack_table(unpack, table);
+    table.parameters.resize(unpack.count(1));
+    for (foreign::Parameter& parameter : table.parameters) foreign::pack_parameter(unpack, parameter);
+  }
+  return tables;
+}
+
+// What follows runs in the process of the library.
+
+const epura_importer& importer_named(const std::vector<LoadedImporter>& importers, const std::string& name) {
+  for (const LoadedImporter& importer : importers)
+    if (importer.table.name == name) return *importer.definition;
+  throw Error(ErrorKind::plugin, "", "is not there any more");
+}
+
+Packer answer_to_recognise(Unpacker& question, const epura_importer& importer) {
+  std::vector<unsigned char> first_bytes;
+  question(first_bytes);
+  return foreign::message_or_reason(
+      [&](Packer& answer) { answer(int{importer.recognises(first_bytes.data(), first_bytes.size()) != 0}); });
+}
+
+Packer answer_to_read(Unpacker& question, const epura_importer& importer, int socket) {
+  Reading reading;
+  pack_reading(question, reading);
+  const auto tell = [&](double done) {
+    Packer message;
+    message(Answer::progress), message(done);
+    foreign::send_message(socket, message);
+  };
+  Packer answer;
+  try {
+    const Document document = read_by(importer, reading, tell);
+    answer(Answer::document);
+    pack_document(answer, document);
+  } catch (const Error& error) {
+    answer(Answer::refusal), answer(error.kind()), answer(std::string(error.what()));
+  }
+  return answer;
+}
+
+}  // namespace
+
+void serve(const std::filesystem::path& library, int socket) {
+  std::vector<LoadedImporter> importers;
+  bool goes_on = foreign::send_message(socket, foreign::message_or_reason([&](Packer& message) {
+                                         importers = load_importers(library);
+                                         pack_tables(message, importers);
+                                       }));
+  for (foreign::Incoming incoming; goes_on && incoming.receive(socket, {}, most_bytes) == foreign::Received::all;) {
+    const std::string words = incoming.take();
+    Unpacker unpack(words);
+    Question question{};
+    std::string name;
+    unpack(question), unpack(name);
+    const epura_importer& importer = importer_named(importers, name);
+    goes_on = foreign::send_message(socket, question == Question::recognise ? answer_to_recognise(unpack, importer)
+                                                                            : answer_to_read(unpack, importer, socket));
+  }
+}
+
+// What follows runs in the program.
+
+class Process {
+ public:
+  explicit Process(std::filesystem::path library) : library_(std::move(library)) {}
+
+  std::vector<ImporterTable> start(double seconds) {
+    const std::lock_guard lock(mutex_);
+    process_.run(own_folder() / "epura-importer", {library_.string()});
+    try {
+      const auto end =
+          Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+      const auto message = process_.receive(end, most_bytes);
+      if (!message) foreign::refuse("takes more than " + format_number(seconds) + " s");
+      Unpacker unpack(*message);
+      foreign::expect_no_reason(unpack);
+      return unpack_tables(unpack);
+    } catch (const Error& error) {
+      const bool did_something = !process_.is_there();
+      process_.end();
+      foreign::refuse(error.what() + std::string(did_something ? " when it is loaded" : ""));
+    }
+  }
+
+  bool recognises(const std::string& name, std::string_view first_bytes) {
+    const std::lock_guard lock(mutex_);
+    Packer question;
+    question(Question::recognise), question(name);
+    question(std::vector<unsigned char>(first_bytes.begin(), first_bytes.end()));
+    process_.send(question);
+    const std::string message = next({}, {});
+    Unpacker unpack(message);
+    foreign::expect_no_reason(unpack);
+    int answer = 0;
+    unpack(answer);
+    return answer != 0;
+  }
+
+  Document read(const std::string& name, const Reading& reading, const std::function<void(double)>& tell,
+                const Progress& progress) {
+    const std::lock_guard lock(mutex_);
+    Packer question;
+    question(Question::read), question(name), pack_reading(question, reading);
+    process_.send(question);
+    while (true) {
+      const std::string message = next(progress, [this] { process_.end(); });
+      Unpacker unpack(message);
+      Answer answer{};
+      unpack(answer);
+      if (answer == Answer::progress) {
+        double done = 0;
+        unpack(done);
+        tell(done);
+        continue;
+      }
+      if (answer == Answer::document) return checked(unpack_document(unpack));
+      ErrorKind kind{};
+      std::string reason;
+      unpack(kind), unpack(reason);
+      throw Error(kind == ErrorKind::input ? ErrorKind::input : ErrorKind::plugin, "", reason);
+    }
+  }
+
+ private:
+  static Document checked(Document document) {
+    expect_sound(document);
+    return document;
+  }
+
+  /// Looks at the clock while it waits. Throws OutOfTime, Stopped; before that calls `end`.
+  std::string next(const Progress& progress, const std::function<void()>& end) {
+    constexpr auto look = std::chrono::milliseconds(50);
+    while (true) {
+      if (auto message = process_.receive(Clock::now() + look, most_bytes)) return *std::move(message);
+      if (end && progress.is_out_of_time()) end();
+      progress.expect_time();
+    }
+  }
+
+  const std::filesystem::path library_;
+  std::mutex mutex_;
+  foreign::ChildProcess process_;
+};
+
+bool ImporterEntry::recognises(std::string_view first_bytes) const {
+  try {
+    return table.has_mark != 0 && process->recognises(table.name, first_bytes);
+  } catch (const Error& error) {
+    throw Error(ErrorKind::plugin, library.string(), "'" + table.name + "' " + error.what());
+  }
+}
+
+Document ImporterEntry::read(const Reading& reading, const std::function<void(double)>& tell,
+                             const Progress& progress) const {
+  try {
+    return process->read(table.name, reading, tell, progress);
+  } catch (const Error& error) {
+    if (error.kind() == ErrorKind::input) throw Error(ErrorKind::input, reading.path, error.what());
+    throw Error(ErrorKind::plugin, library.string(), "'" + table.name + "' " + error.what() + " at " + reading.path);
+  }
+}
+
+std::vector<ImporterEntry> importers_of(const std::filesystem::path& library, double seconds) {
+  const auto process = std::make_shared<Process>(library);
+  std::vector<ImporterEntry> entries;
+  for (ImporterTable& table : process->start(seconds)) entries.push_back({std::move(table), library, process});
+  return entries;
+}
+
+}  // namespace epura::importer

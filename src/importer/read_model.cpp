@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "importer/read_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <string_view>
+#include <thread>
+#include <utility>
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/text.hpp"
+#include "importer/assemble.hpp"
+#include "importer/catalogue.hpp"
+#include "mesh/read.hpp"
+
+namespace epura::importer {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t mark_bytes = 4096;
+
+std::string extension_of(const fs::path& path) {
+  const std::string dotted = to_lower(path.extension().string());
+  return dotted.empty() ? dotted : dotted.substr(1);
+}
+
+// As many as there are; throws as read_file does where there is nothing to read.
+std::string first_bytes_of(const fs::path& path) {
+  std::string bytes(mark_bytes, 0);
+  std::ifstream file(path, std::ios::binary);
+  file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(file.gcount(), 0)));
+  if (bytes.empty() && read_file(path, {}, mark_bytes).empty())
+    throw Error(ErrorKind::input, path.string(), "is empty");
+  return bytes;
+}
+
+// The one of its extension, otherwise the first that takes it for its own.
+const ImporterEntry* importer_for(const Catalogue& catalogue, const std::string& extension, const fs::path& path) {
+  for (const ImporterEntry& entry : catalogue.entries)
+    if (std::find(entry.table.extensions.begin(), entry.table.extensions.end(), extension) !=
+        entry.table.extensions.end())
+      return &entry;
+  const std::string bytes = first_bytes_of(path);
+  for (const ImporterEntry& entry : catalogue.entries)
+    if (entry.recognises(bytes)) return &entry;
+  return nullptr;
+}
+
+[[noreturn]] void throw_missing(const fs::path& path, const std::string& extension, const Catalogue& catalogue) {
+  std::string hint = "install the package " + std::string(package_for(extension));
+  for (const foreign::BadPlugin& bad : catalogue.bad) hint += "\n" + bad.path.string() + ": " + bad.reason;
+  throw Error(ErrorKind::input, path.string(), "no importer for '." + extension + "' is installed", hint);
+}
+
+/// A file's bytes as they count: once by what the importer tells, once when the mesh is there.
+class Advance {
+ public:
+  Advance(const Progress& progress, std::size_t bytes) : progress_(progress), bytes_(static_cast<double>(bytes)) {}
+  void to(double done) {
+    const auto reached = static_cast<std::size_t>(done * bytes_);
+    if (reached <= told_) return;
+    progress_.advance(reached - told_);
+    told_ = reached;
+  }
+
+ private:
+  const Progress& progress_;
+  double bytes_;
+  std::size_t told_ = 0;
+};
+
+ReadModel read_by_importer(const ImporterEntry& importer, const fs::path& path, const foreign::Assignments& parameters,
+                           const ReadOptions& options, const Progress& progress) {
+  Reading reading{
+      .path = path.string(),
+      .values = {},
+      .tolerance = options.tolerance,
+      .relative_tolerance = options.relative_tolerance,
+      .threads = options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency())};
+  for (const auto& value : foreign::values_of(importer.table.parameters, parameters, importer.table.name, "importer"))
+    reading.values.insert(reading.values.end(), value.begin(), value.end());
+  std::error_code unknown;
+  const std::uintmax_t bytes = fs::file_size(path, unknown);
+  Advance advance(progress, unknown ? 0 : bytes);
+  const Document document = importer.read(
+      reading, [&](double done) { advance.to(done); }, progress);
+  advance.to(1);
+  try {
+    Assembled assembled = assemble(document, importer.table.name);
+    ReadModel model{mesh::make_mesh(std::move(assembled.soup), path.string(), progress)};
+    if (!assembled.part.faces.empty())
+      model.part = std::make_shared<features::PartFaces>(
+          features::part_of(model.mesh, assembled.part, features::RecogniseOptions().tangent_angle));
+    model.unit = document.unit;
+    model.is_y_up = document.is_y_up != 0;
+    advance.to(2);
+    return model;
+  } catch (const Error& error) {
+    if (!error.where().empty()) throw;
+    throw Error(error.kind(), path.string(), error.what(), error.hint());
+  }
+}
+
+bool is_assignment(std::string_view part) {
+  const std::size_t equals = part.find('=');
+  return equals != std::string_view::npos && foreign::is_plugin_name(part.substr(0, equals));
+}
+
+}  // namespace
+
+ModelRequest parse_model_request(const std::string& text) {
+  std::error_code error;
+  if (fs::exists(text, error)) return {text, {}};
+  const std::size_t slash = text.rfind('/');
+  const std::size_t colon = text.find(':', slash == std::string::npos ? 0 : slash);
+  if (colon == std::string::npos) return {text, {}};
+  ModelRequest request{text.substr(0, colon), {}};
+  for (const std::string_view part : split(std::string_view(text).substr(colon + 1), ':')) {
+    if (!is_assignment(part)) return {text, {}};
+    const std::size_t equals = part.find('=');
+    const std::string key(part.substr(0, equals));
+    for (const auto& [earlier, value] : request.parameters)
+      if (earlier == key) throw Error(ErrorKind::input, request.path + ":" + key, "is given twice");
+    request.parameters.emplace_back(key, part.substr(equals + 1));
+  }
+  return request;
+}
+
+ReadModel read_model(const fs::path& path, const foreign::Assignments& parameters, const ReadOptions& options,
+                     const Progress& progress) {
+  const std::string extension = extension_of(path);
+  std::error_code error;
+  if (!mesh::is_own_extension(extension) && fs::is_regular_file(path, error)) {
+    const Catalogue catalogue = load_catalogue(importer_folders(options.plugin_path));
+    if (const ImporterEntry* importer = importer_for(catalogue, extension, path))
+      return read_by_importer(*importer, path, parameters, options, progress);
+    if (!package_for(extension).empty()) throw_missing(path, extension, catalogue);
+  }
+  if (!parameters.empty())
+    throw Error(ErrorKind::input, path.string() + ":" + parameters.front().first,
+                "files of this format have no parameters");
+  return {mesh::read_mesh(path, progress)};
+}
+
+}  // namespace epura::importer

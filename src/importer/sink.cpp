@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "importer/sink.hpp"
+
+#include <algorithm>
+#include <array>
+#include <climits>
+#include <cmath>
+#include <exception>
+#include <utility>
+
+#include "base/error.hpp"
+#include "foreign/parameters.hpp"
+
+namespace epura::importer {
+
+namespace {
+
+using features::PartSurface;
+using features::SurfaceKind;
+using foreign::require;
+
+constexpr std::size_t most_notes = 100;
+
+std::string text_of(const char* text) { return text == nullptr ? "" : text; }
+
+Vec3 vector_of(const double (&v)[3]) { return {v[0], v[1], v[2]}; }
+
+// By their numbers in importer_abi.h.
+constexpr std::array surface_kinds{SurfaceKind::free_form, SurfaceKind::plane,  SurfaceKind::cylinder,
+                                   SurfaceKind::cone,      SurfaceKind::sphere, SurfaceKind::torus};
+
+PartSurface surface_of(const epura_face& face) {
+  require(face.size >= sizeof(epura_face), "hands over a face of " + std::to_string(face.size) + " bytes");
+  require(face.kind < surface_kinds.size(), "hands over a face of unknown kind " + std::to_string(face.kind));
+  PartSurface surface;
+  surface.kind = surface_kinds[face.kind];
+  if (surface.kind == SurfaceKind::free_form) return surface;
+  const bool is_round = surface.kind != SurfaceKind::plane, has_axis = surface.kind != SurfaceKind::sphere;
+  surface.origin = vector_of(face.origin);
+  require(finite(surface.origin), "hands over a face whose place is not finite");
+  if (has_axis) {
+    const Vec3 axis = vector_of(face.axis);
+    require(finite(axis) && axis != Vec3(0), "hands over a face without an axis");
+    surface.axis = glm::normalize(axis);
+  }
+  if (is_round) surface.radius = face.radius;
+  if (surface.kind == SurfaceKind::torus) surface.minor = face.minor;
+  if (surface.kind == SurfaceKind::cone) surface.slope = face.slope;
+  const bool may_be_flat = surface.kind == SurfaceKind::cone || surface.kind == SurfaceKind::torus;
+  require(!is_round || (std::isfinite(surface.radius) && (surface.radius > 0 || (may_be_flat && surface.radius == 0))),
+          "hands over a round face whose radius is not positive");
+  require(surface.kind != SurfaceKind::torus || (std::isfinite(surface.minor) && surface.minor > 0),
+          "hands over a torus whose tube has no positive radius");
+  require(std::isfinite(surface.slope), "hands over a cone whose slope is not finite");
+  return surface;
+}
+
+}  // namespace
+
+DocumentSink::DocumentSink(std::function<void(double)> tell)
+    : tell_(std::move(tell)),
+      calls_{sizeof(epura_sink),
+             0,
+             this,
+             &call<&DocumentSink::unit, double>,
+             &call<&DocumentSink::up, char>,
+             &call<&DocumentSink::shape, const char*>,
+             &call<&DocumentSink::body, const char*>,
+             &call<&DocumentSink::points, uint64_t, const double*>,
+             &call<&DocumentSink::face, const epura_face*>,
+             &call<&DocumentSink::polygons, uint64_t, const uint64_t*, const uint32_t*>,
+             &call<&DocumentSink::edge, const epura_edge*>,
+             &call<&DocumentSink::node, const epura_node*>,
+             &call<&DocumentSink::note, const char*>,
+             &call<&DocumentSink::progress, double>} {}
+
+template <auto member, class... A>
+int DocumentSink::call(void* host, A... arguments) noexcept {
+  auto* sink = static_cast<DocumentSink*>(host);
+  if (!sink->fault_.empty()) return 1;
+  try {
+    return (sink->*member)(arguments...);
+  } catch (const std::exception& error) {
+    sink->fault_ = error.what();
+    return 1;
+  }
+}
+
+Shape& DocumentSink::current() {
+  require(!document_.shapes.empty(), "hands over a part of a shape before any shape");
+  return document_.shapes.back();
+}
+
+void DocumentSink::expect_fewer(std::size_t items) const {
+  require(items <= INT_MAX / 6, "hands over more than can be numbered");
+}
+
+void DocumentSink::expect_points(uint64_t count, const uint32_t* numbers, const char* what) {
+  require(count == 0 || numbers != nullptr, std::string("hands over no corners of ") + what);
+  const std::size_t points = current().points.size();
+  require(std::all_of(numbers, numbers + count, [&](uint32_t n) { return n < points; }),
+          std::string("hands over ") + what + " with a corner that is no point of the shape");
+}
+
+int DocumentSink::unit(double millimetres) {
+  require(std::isfinite(millimetres) && millimetres > 0, "hands over a unit of length that is not positive");
+  document_.unit = millimetres;
+  return 0;
+}
+
+int DocumentSink::up(char axis) {
+  require(axis == 'y' || axis == 'z', "hands over an upward axis that is neither 'y' nor 'z'");
+  document_.is_y_up = axis == 'y' ? 1 : 0;
+  return 0;
+}
+
+int DocumentSink::shape(const char* name) {
+  expect_fewer(document_.shapes.size());
+  document_.shapes.emplace_back().name = text_of(name);
+  return 0;
+}
+
+int DocumentSink::body(const char* name) {
+  expect_fewer(current().body_names.size());
+  current().body_names.push_back(text_of(name));
+  return 0;
+}
+
+int DocumentSink::points(uint64_t count, const double* xyz) {
+  mesh::Points& points = current().points;
+  require(count <= INT_MAX / 6 && (count == 0 || xyz != nullptr), "hands over more points than can be numbered");
+  expect_fewer(points.size() + count);
+  const std::size_t before = points.size();
+  points.resize(before + count);
+  for (std::size_t i = 0; i < count; ++i) std::copy_n(xyz + 3 * i, 3, points[before + i].begin());
+  return 0;
+}
+
+int DocumentSink::face(const epura_face* face) {
+  require(face != nullptr, "hands over no face where it says so");
+  expect_fewer(current().faces.size());
+  current().faces.push_back(surface_of(*face));
+  return 0;
+}
+
+int DocumentSink::polygons(uint64_t count, const uint64_t* ends, const uint32_t* corners) {
+  if (count == 0) return 0;
+  Shape& shape = current();
+  require(ends != nullptr && std::is_sorted(ends, ends + count) && count <= INT_MAX / 6,
+          "hands over polygons whose ends do not follow each other");
+  const uint64_t last = ends[count - 1];
+  require(last <= INT_MAX / 6, "hands over more corners than can be numbered");
+  expect_fewer(shape.corners.size() + last);
+  expect_points(last, corners, "a polygon");
+  const auto before = static_cast<int>(shape.corners.size());
+  shape.corners.insert(shape.corners.end(), corners, corners + last);
+  for (std::size_t i = 0; i < count; ++i) shape.polygon_ends.push_back(before + static_cast<int>(ends[i]));
+  shape.face_of_polygon.resize(shape.polygon_ends.size(), static_cast<int>(shape.faces.size()) - 1);
+  shape.body_of_polygon.resize(shape.polygon_ends.size(), static_cast<int>(shape.body_names.size()) - 1);
+  return 0;
+}
+
+int DocumentSink::edge(const epura_edge* edge) {
+  require(edge != nullptr && edge->size >= sizeof(epura_edge), "hands over no edge where it says so");
+  require(edge->kind <= EPURA_TANGENT, "hands over an edge of unknown kind " + std::to_string(edge->kind));
+  require(edge->count >= 2, "hands over an edge of fewer than two points");
+  require(std::isnan(edge->angle) || (edge->angle >= 0 && edge->angle <= 180),
+          "hands over an edge whose angle is not between 0 and 180 degrees");
+  expect_points(edge->count, edge->vertices, "an edge");
+  Shape& shape = current();
+  expect_fewer(shape.edge_vertices.size() + edge->count);
+  shape.edge_vertices.insert(shape.edge_vertices.end(), edge->vertices, edge->vertices + edge->count);
+  shape.edges.push_back({edge->angle, edge->kind == EPURA_TANGENT, static_cast<int>(shape.edge_vertices.size())});
+  return 0;
+}
+
+int DocumentSink::node(const epura_node* node) {
+  require(node != nullptr && node->size >= sizeof(epura_node), "hands over no node where it says so");
+  const std::size_t number = document_.nodes.size();
+  expect_fewer(number);
+  require(node->parent == EPURA_NONE || node->parent < number, "hands over a node whose parent is not an earlier one");
+  const auto number_or_none = [](uint32_t n) { return n == EPURA_NONE ? -1 : static_cast<int>(n); };
+  Node taken{number_or_none(node->parent), number_or_none(node->shape), text_of(node->name), {}};
+  require(taken.shape >= -1, "hands over a node with a shape that cannot be numbered");
+  std::copy_n(node->transform, taken.transform.size(), taken.transform.begin());
+  require(std::all_of(taken.transform.begin(), taken.transform.end(), [](double v) { return std::isfinite(v); }),
+          "hands over a node whose transform is not finite");
+  document_.nodes.push_back(std::move(taken));
+  return 0;
+}
+
+int DocumentSink::note(const char* sentence) {
+  if (document_.notes.size() < most_notes) document_.notes.push_back(text_of(sentence));
+  return 0;
+}
+
+int DocumentSink::progress(double done) {
+  if (done >= 0 && done <= 1) tell_(done);
+  return 0;
+}
+
+}  // namespace epura::importer

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+// What an importer calls becomes a document. Everything that it says is checked here.
+#pragma once
+
+#include <epura/importer_abi.h>
+
+#include <functional>
+#include <string>
+
+#include "importer/document.hpp"
+
+namespace epura::importer {
+
+class DocumentSink {
+ public:
+  /// `tell` is told how much is done, from 0 to 1.
+  explicit DocumentSink(std::function<void(double)> tell);
+  DocumentSink(const DocumentSink&) = delete;
+  DocumentSink& operator=(const DocumentSink&) = delete;
+
+  /// To be handed to the importer; it refers to this.
+  [[nodiscard]] const epura_sink& calls() const { return calls_; }
+  /// What the importer said that cannot be; empty where nothing is wrong.
+  [[nodiscard]] const std::string& fault() const { return fault_; }
+  [[nodiscard]] Document& document() { return document_; }
+
+ private:
+  int unit(double millimetres);
+  int up(char axis);
+  int shape(const char* name);
+  int body(const char* name);
+  int points(uint64_t count, const double* xyz);
+  int face(const epura_face* face);
+  int polygons(uint64_t count, const uint64_t* ends, const uint32_t* corners);
+  int edge(const epura_edge* edge);
+  int node(const epura_node* node);
+  int note(const char* sentence);
+  int progress(double done);
+
+  template <auto member, class... A>
+  static int call(void* host, A... arguments) noexcept;
+  Shape& current();
+  void expect_points(uint64_t count, const uint32_t* numbers, const char* what);
+  void expect_fewer(std::size_t items) const;
+
+  Document document_;
+  std::function<void(double)> tell_;
+  std::string fault_;
+  epura_sink calls_;
+};
+
+}  // namespace epura::importer
