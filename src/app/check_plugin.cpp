@@ -2,6 +2,7 @@
 // `epura plugins check`: what epura asks of every projection, for authors of plugins.
 #include <cstdio>
 
+#include "app/check_texts.hpp"
 #include "app/commands.hpp"
 #include "base/error.hpp"
 #include "projection/check_projection.hpp"
@@ -11,18 +12,6 @@ namespace epura {
 
 namespace {
 
-const char* word(projection::Verdict verdict) {
-  switch (verdict) {
-    case projection::Verdict::passed:
-      return "passed";
-    case projection::Verdict::failed:
-      return "FAILED";
-    case projection::Verdict::skipped:
-      return "skipped";
-  }
-  return "";
-}
-
 /// Prints the table; the number of failures.
 int print_checks(const projection::ProjectionEntry& entry) {
   int failed = 0;
@@ -30,9 +19,7 @@ int print_checks(const projection::ProjectionEntry& entry) {
   std::fflush(stdout);
   projection::check_projection(entry, [&](const projection::CheckResult& result) {
     failed += result.verdict == projection::Verdict::failed ? 1 : 0;
-    std::printf("  %-11s %-8s %s\n", result.name.c_str(), word(result.verdict), result.what.c_str());
-    if (!result.fault.empty()) std::printf("  %-20s %s\n", "", result.fault.c_str());
-    std::fflush(stdout);
+    print_check(result);
   });
   return failed;
 }

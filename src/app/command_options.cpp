@@ -42,9 +42,9 @@ scene::Options<CompareOptions> compare_options() {
 scene::Options<InfoOptions> info_options() {
   using Info = InfoOptions;
   return {
-      scene::option<Info>(
-          {.flag = "models", .help = "model files: obj stl ply off", .required = true, .repeatable = true},
-          &Info::models, file_name("MODEL...")),
+      scene::option<Info>({.flag = "models", .help = "model files", .required = true, .repeatable = true},
+                          &Info::models, file_name("MODEL...")),
+      plugin_path_option<Info>(&Info::plugin_path),
       scene::option<Info>({.flag = "--json", .help = "the same for programs; - for standard output"}, &Info::json,
                           file_name("FILE")),
   };
@@ -90,6 +90,29 @@ scene::Options<CheckPluginOptions> check_plugin_options() {
            .help = "seconds for loading it, and again for each answer; those built in take some milliseconds",
            .usual = format_number(projection::plugin_seconds)},
           &Check::time_limit, scene::number_between(0, 1e6, "s").shown_as("S")),
+  };
+}
+
+scene::Options<ImportersOptions> importers_options() {
+  using Importers = ImportersOptions;
+  return {
+      scene::option<Importers>({.flag = "name", .help = "importer to show: files and parameters"}, &Importers::name,
+                               scene::any_text().shown_as("NAME")),
+      plugin_path_option<Importers>(&Importers::plugin_path),
+  };
+}
+
+scene::Options<CheckImporterOptions> check_importer_options() {
+  using Check = CheckImporterOptions;
+  return {
+      scene::option<Check>({.flag = "file", .help = "the library, e.g. build/mine.so", .required = true}, &Check::file,
+                           path_of_file("FILE.so")),
+      scene::option<Check>({.flag = "models", .help = "files that it is to read", .repeatable = true}, &Check::models,
+                           path_of_file("MODEL...")),
+      scene::option<Check>({.flag = "--time-limit",
+                            .help = "seconds for loading it, and again for each file",
+                            .usual = format_number(importer::loading_seconds)},
+                           &Check::time_limit, scene::number_between(0, 1e6, "s").shown_as("S")),
   };
 }
 

@@ -12,6 +12,8 @@ scene::Options<SnapshotOptions> snapshot_options();
 scene::Options<InfoOptions> info_options();
 scene::Options<PluginsOptions> plugins_options();
 scene::Options<CheckPluginOptions> check_plugin_options();
+scene::Options<ImportersOptions> importers_options();
+scene::Options<CheckImporterOptions> check_importer_options();
 scene::Options<NewProjectionOptions> new_projection_options();
 
 }  // namespace epura

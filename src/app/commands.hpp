@@ -14,6 +14,8 @@ inline constexpr int partial_exit_code = 5;
 int draw(const DrawOptions& options);
 int plugins(const PluginsOptions& options);
 int check_plugin(const CheckPluginOptions& options);
+int importers(const ImportersOptions& options);
+int check_importer(const CheckImporterOptions& options);
 int new_projection(const NewProjectionOptions& options);
 int compare_files(const CompareOptions& options);
 int snapshot(const SnapshotOptions& options);

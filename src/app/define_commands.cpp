@@ -61,6 +61,11 @@ std::vector<DefinedCommand> define_commands(CLI::App& program) {
                                     new_projection_options(), new_projection));
   commands.push_back(define_command(list->add_subcommand("check", "test a library of projections"),
                                     check_plugin_options(), check_plugin));
+  CLI::App* importers_list =
+      add("importers", "list formats that plugins read, show one, or check a library of importers");
+  commands.push_back(define_command(importers_list, importers_options(), importers));
+  commands.push_back(define_command(importers_list->add_subcommand("check", "test a library of importers"),
+                                    check_importer_options(), check_importer));
   add("study", "measure the program itself (a program and a package of its own: epura-study)");
   define_answers(program, program_texts(), commands);
   return commands;

@@ -30,7 +30,7 @@ template <class Command, class Member>
 scene::Option<Command> plugin_path_option(Member folders) {
   return {{.flag = "--plugin-path",
            .form = scene::any_text().shown_as("DIR").completed_by(scene::Completion::folders).form,
-           .help = "more folders with projection plugins",
+           .help = "more folders with plugins",
            .nature = scene::Nature::code,
            .repeatable = true},
           [folders](Command& command, const scene::TomlValue& value) {

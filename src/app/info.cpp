@@ -17,7 +17,7 @@
 #include "base/utf8.hpp"
 #include "features/holes.hpp"
 #include "features/recognise.hpp"
-#include "mesh/read.hpp"
+#include "importer/read_model.hpp"
 #include "output/json_text.hpp"
 #include "pipeline/targets.hpp"
 #include "scene/choices.hpp"
@@ -37,8 +37,10 @@ constexpr std::size_t most_radii = 12;
 struct ModelInfo {
   mesh::MeshReport report;
   Box box;
-  std::optional<Unit> unit;  ///< what it most likely is; no format of these says it
+  std::optional<double> unit;        ///< millimetres, as the file says it
+  std::optional<Unit> guessed_unit;  ///< what it most likely is where the file does not say it
   features::PartFaces part;
+  bool is_declared = false;  ///< by the file; otherwise the faces are recognised
   std::vector<features::Hole> holes;
 
   [[nodiscard]] bool closed() const { return report.triangles > 0 && report.open_edges == 0; }
@@ -89,12 +91,16 @@ std::optional<Unit> guess_unit(const Box& box, const features::PartFaces& part) 
   return largest >= 5 && largest <= 2e4 ? std::optional(Unit::mm) : std::nullopt;
 }
 
-ModelInfo info_of(const std::string& path) {
-  const mesh::Mesh mesh = mesh::read_mesh(path);
-  ModelInfo info{mesh.report, box_of(mesh), std::nullopt, features::recognise_faces(mesh), {}};
-  info.report.name = path;
+ModelInfo info_of(const std::string& path, const std::vector<std::filesystem::path>& plugin_path) {
+  const importer::ModelRequest request = importer::parse_model_request(path);
+  const importer::ReadModel read = importer::read_model(request.path, request.parameters, {.plugin_path = plugin_path});
+  const mesh::Mesh& mesh = read.mesh;
+  ModelInfo info{mesh.report, box_of(mesh), read.unit, std::nullopt, {}, false, {}};
+  info.part = read.part != nullptr ? *read.part : features::recognise_faces(mesh);
+  info.is_declared = read.part != nullptr;
+  info.report.name = request.path;
   info.holes = features::find_holes(mesh, info.part);
-  info.unit = guess_unit(info.box, info.part);
+  if (!read.unit) info.guessed_unit = guess_unit(info.box, info.part);
   return info;
 }
 
@@ -188,7 +194,8 @@ std::string faces_text(const ModelInfo& info, const Rounded& rounded) {
   constexpr std::array one{"plane", "cylinder", "cone", "sphere", "torus", "free form"};
   constexpr std::array many{"planes", "cylinders", "cones", "spheres", "tori", "free forms"};
   std::string text = line_of("faces", std::to_string(info.part.faces.size()) + "; " + percent(info.part.recognised) +
-                                          " of the area is recognised");
+                                          (info.is_declared ? " of the area is plane or round, as the file says"
+                                                            : " of the area is recognised"));
   for (const features::SurfaceKind kind : kinds) {
     const auto k = static_cast<std::size_t>(kind);
     const auto count = static_cast<int>(std::count_if(info.part.faces.begin(), info.part.faces.end(),
@@ -279,8 +286,10 @@ std::string text_of(const ModelInfo& info) {
     text += line_of("box", rounded(size.x) + " x " + rounded(size.y) + " x " + rounded(size.z) + ", from " +
                                rounded(info.box.min) + " to " + rounded(info.box.max));
   }
-  text += line_of(
-      "unit", info.unit ? "not in the file; probably " + std::string(scene::word_of(*info.unit)) : "not in the file");
+  text += line_of("unit", info.unit ? format_number(*info.unit) + " mm, as the file says"
+                          : info.guessed_unit
+                              ? "not in the file; probably " + std::string(scene::word_of(*info.guessed_unit))
+                              : "not in the file");
   text += line_of("bodies", bodies_text(info));
   text += faces_text(info, rounded);
   if (!info.part.faces.empty()) {
@@ -335,7 +344,8 @@ std::string json_of(const ModelInfo& info) {
   text += std::string(", \"single_precision\": ") + truth(report.single_precision);
   if (!info.box.empty())
     text += ",\n   \"box\": {\"min\": " + json_of(info.box.min) + ", \"max\": " + json_of(info.box.max) + "}";
-  text += ",\n   \"unit\": " + (info.unit ? json_string(scene::word_of(*info.unit)) : "null");
+  text += ",\n   \"unit\": " + (info.guessed_unit ? json_string(scene::word_of(*info.guessed_unit)) : "null");
+  text += ", \"millimetres\": " + (info.unit ? json_number(*info.unit) : "null");
   text += number("bodies", report.bodies) + ", \"closed\": " + truth(info.closed()) +
           number("open_edges", report.open_edges) + number("non_manifold_edges", report.non_manifold_edges) +
           number("misoriented_edges", report.misoriented_edges);
@@ -356,7 +366,7 @@ std::string json_of(const ModelInfo& info) {
 int info(const InfoOptions& options) {
   if (!options.json.empty()) pipeline::refuse_overwriting({options.json}, options.models);
   std::vector<ModelInfo> models;
-  for (const std::string& model : options.models) models.push_back(info_of(model));
+  for (const std::string& model : options.models) models.push_back(info_of(model, options.plugin_path));
   if (!options.json.empty()) {
     const std::string list = json_list(
         models, [](const auto& m) { return json_of(m); }, ",\n  ");

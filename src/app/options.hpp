@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "importer/process.hpp"
 #include "output/write.hpp"
 #include "pipeline/options.hpp"
 #include "projection/plugin_process.hpp"
@@ -56,6 +57,17 @@ struct CheckPluginOptions {
   double time_limit = projection::plugin_seconds;
 };
 
+struct ImportersOptions {
+  std::string name;  ///< empty: list all
+  std::vector<std::filesystem::path> plugin_path;
+};
+
+struct CheckImporterOptions {
+  std::filesystem::path file;
+  std::vector<std::filesystem::path> models;  ///< that the importers of the file are to read
+  double time_limit = importer::loading_seconds;
+};
+
 struct NewProjectionOptions {
   std::string name;
 };
@@ -68,6 +80,7 @@ struct CompareOptions {
 
 struct InfoOptions {
   std::vector<std::string> models;
+  std::vector<std::filesystem::path> plugin_path;
   std::string json;  ///< file to write; empty: none
 };
 

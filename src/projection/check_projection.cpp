@@ -228,8 +228,7 @@ std::string fault_of_check(const Check& check, Subject& subject) {
 
 }  // namespace
 
-std::vector<CheckResult> check_projection(const ProjectionEntry& entry,
-                                          const std::function<void(const CheckResult&)>& tell) {
+std::vector<CheckResult> check_projection(const ProjectionEntry& entry, const foreign::TellResult& tell) {
   Subject subject{entry};
   std::vector<CheckResult> results;
   bool has_ground = true;

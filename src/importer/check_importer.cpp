@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "importer/check_importer.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "base/error.hpp"
+#include "base/file.hpp"
+#include "base/text.hpp"
+#include "importer/assemble.hpp"
+#include "mesh/read.hpp"
+
+namespace epura::importer {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder that is there as long as this.
+class Scratch {
+ public:
+  Scratch() {
+    std::string name = (fs::temp_directory_path() / "epura-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr)
+      throw Error(ErrorKind::output, name, "no folder for temporary files can be made", "set TMPDIR");
+    folder_ = name;
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  ~Scratch() {
+    std::error_code error;
+    fs::remove_all(folder_, error);
+  }
+  [[nodiscard]] fs::path file(const std::string& name, std::string_view bytes) const {
+    write_file(folder_ / name, bytes);
+    return folder_ / name;
+  }
+
+ private:
+  fs::path folder_;
+};
+
+class Checker {
+ public:
+  Checker(const ImporterEntry& importer, double seconds, const foreign::TellResult& tell)
+      : importer_(importer), seconds_(seconds), tell_(tell) {
+    for (const auto& value : foreign::default_values(importer.table.parameters))
+      values_.insert(values_.end(), value.begin(), value.end());
+  }
+
+  std::vector<foreign::CheckResult> check(const std::vector<fs::path>& models) {
+    const std::string name = "file." + (importer_.table.extensions.empty() ? "x" : importer_.table.extensions.front());
+    expect("marks", "files of other formats are not taken for its own", [&] {
+      for (const std::string_view other : others())
+        if (importer_.recognises(other)) return std::string("takes '" + first_word(other) + "' for its own");
+      return std::string();
+    });
+    expect("refuses", "files that hold nothing are refused with a sentence", [&] {
+      for (const std::string_view other : others())
+        if (const auto fault = fault_of_garbage(scratch_.file(name, other))) return *fault;
+      return std::string();
+    });
+    for (const fs::path& model : models) check_model(model, name);
+    return std::move(results_);
+  }
+
+ private:
+  static std::array<std::string_view, 4> others() {
+    return {std::string_view(), std::string_view("\xff\xd8\xff\xe0\0\x10JFIF\0\1\1", 14),
+            std::string_view("The quick brown fox jumps over the lazy dog.\n"),
+            std::string_view("\0\0\0\0\0\0\0\0", 8)};
+  }
+  static std::string first_word(std::string_view bytes) {
+    return bytes.empty() ? "an empty file" : printable_start(bytes);
+  }
+  static std::string printable_start(std::string_view bytes) {
+    std::string text;
+    for (const char c : bytes.substr(0, 12)) text += c >= ' ' && c <= '~' ? c : '.';
+    return text;
+  }
+
+  void check_model(const fs::path& model, const std::string& name) {
+    std::optional<Document> first;
+    const std::string called = model.filename().string();
+    expect("reads", called + " becomes a mesh", [&] {
+      first = read(model);
+      Assembled assembled = assemble(*first, importer_.table.name);
+      mesh::make_mesh(std::move(assembled.soup), model.string());
+      return std::string();
+    });
+    if (!first) return;
+    expect("repeats", called + " is the same when it is read again", [&] {
+      return bytes_of(*first) == bytes_of(read(model)) ? std::string() : std::string("is another one the second time");
+    });
+    const std::string bytes = read_file(model);
+    expect("survives", called + " cut short or damaged is read or refused", [&] {
+      for (const std::size_t part : {1, 2, 3, 7}) {
+        fault_of_garbage(scratch_.file(name, std::string_view(bytes).substr(0, bytes.size() * part / 8)));
+        std::string damaged = bytes;
+        for (std::size_t i = damaged.size() * part / 8; i < damaged.size(); i += 997)
+          damaged[i] = char(damaged[i] ^ 0x15);
+        fault_of_garbage(scratch_.file(name, damaged));
+      }
+      return std::string();
+    });
+  }
+
+  // Error{input} is what a good importer answers.
+  std::optional<std::string> fault_of_garbage(const fs::path& file) {
+    try {
+      const Document document = read(file);
+      const bool is_empty = std::all_of(document.shapes.begin(), document.shapes.end(),
+                                        [](const Shape& shape) { return shape.polygon_ends.empty(); });
+      return is_empty ? std::nullopt : std::optional<std::string>("makes faces of a file that holds none");
+    } catch (const Error& error) {
+      if (error.kind() != ErrorKind::input) throw;
+      return std::nullopt;
+    }
+  }
+
+  Document read(const fs::path& file) {
+    ProgressBoard board;
+    const Progress progress(board, seconds_);
+    return importer_.read(
+        {.path = file.string(), .values = values_, .relative_tolerance = 1e-4}, [](double) {}, progress);
+  }
+
+  static std::string bytes_of(const Document& document) {
+    foreign::Packer packer;
+    pack_document(packer, document);
+    return packer.bytes();
+  }
+
+  template <class Check>
+  void expect(const std::string& name, const std::string& what, const Check& check) {
+    foreign::CheckResult result{name, what, foreign::Verdict::passed, {}};
+    try {
+      result.fault = check();
+    } catch (const OutOfTime&) {
+      result.fault = "takes more than " + format_number(seconds_) + " s";
+    } catch (const Error& error) {
+      result.fault = error.what();
+    }
+    if (!result.fault.empty()) result.verdict = foreign::Verdict::failed;
+    if (tell_) tell_(result);
+    results_.push_back(std::move(result));
+  }
+
+  const ImporterEntry& importer_;
+  const double seconds_;
+  const foreign::TellResult& tell_;
+  std::vector<double> values_;
+  Scratch scratch_;
+  std::vector<foreign::CheckResult> results_;
+};
+
+}  // namespace
+
+std::vector<foreign::CheckResult> check_importer(const ImporterEntry& importer, const std::vector<fs::path>& models,
+                                                 double seconds, const foreign::TellResult& tell) {
+  return Checker(importer, seconds, tell).check(models);
+}
+
+}  // namespace epura::importer
