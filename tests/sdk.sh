@@ -56,6 +56,25 @@ draw "$scratch" planometric "$scratch/planometric.svg"
 sed 's/military/planometric/g' "$scratch/military-gcc.svg" | cmp - "$scratch/planometric.svg" ||
   complain "the sample draws something else than the planometric projection"
 
+# Importers: what they read is drawn, and their authors can check them.
+importer() {  # folder name file
+  local compiler
+  for compiler in gcc clang; do
+    command -v $compiler >/dev/null || continue
+    local to=$scratch/$2-$compiler
+    make_it "$1" "$to" -DCMAKE_C_COMPILER=$compiler -DCMAKE_CXX_COMPILER=${compiler/gcc/g}++ &&
+      try "$epura" importers check "$to/$2.so" "$3" &&
+      try "$epura" draw "$3" --plugin-path "$to" --id-prefix part -o "$scratch/$2-$compiler.svg"
+  done
+  [ ! -f "$scratch/$2-clang.svg" ] || cmp "$scratch/$2-gcc.svg" "$scratch/$2-clang.svg" || complain "$2: compilers differ"
+}
+
+importer "$samples/importer-boxes" boxes "$samples/importer-boxes/table.boxes"
+importer "$samples/importer-c" terrain "$samples/importer-c/hill.terrain"
+try cmake --install "$scratch/boxes-gcc" --prefix "$scratch/prefix" &&
+  try "$epura" draw "$samples/importer-boxes/table.boxes" -o "$scratch/found.svg"
+"$epura" importers | grep '^  boxes ' >/dev/null || complain "boxes are not listed"
+
 # Installed into the same prefix, a plugin is found by itself.
 try cmake --install "$scratch/military-gcc" --prefix "$scratch/prefix" &&
   try "$epura" draw "$samples/models/bracket.obj" --projection military -o "$scratch/found.svg"

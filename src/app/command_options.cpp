@@ -42,8 +42,9 @@ scene::Options<CompareOptions> compare_options() {
 scene::Options<InfoOptions> info_options() {
   using Info = InfoOptions;
   return {
-      scene::option<Info>({.flag = "models", .help = "model files", .required = true, .repeatable = true},
-                          &Info::models, file_name("MODEL...")),
+      scene::option<Info>(
+          {.flag = "models", .help = "model files, as of 'epura draw'", .required = true, .repeatable = true},
+          &Info::models, file_name("MODEL...")),
       plugin_path_option<Info>(&Info::plugin_path),
       scene::option<Info>({.flag = "--json", .help = "the same for programs; - for standard output"}, &Info::json,
                           file_name("FILE")),

@@ -13,7 +13,8 @@ const ProgramTexts& program_texts() {
       .name = "epura",
       .summary = "3D meshes to engineering drawings with hidden lines removed",
       .description =
-          "epura reads meshes (OBJ, STL, PLY, OFF), projects them by any projection that a plugin "
+          "epura reads meshes (OBJ, STL, PLY, OFF) and, by importers, other models, projects them by any projection "
+          "that a plugin "
           "describes, finds hidden lines exactly, and writes drawings to scale: SVG, PDF, PS, EPS, PNG, DXF "
           "and JSON. Scene files (TOML) describe whole sheets with several views, sections, dimensions and "
           "a title block.",
@@ -26,7 +27,7 @@ const ProgramTexts& program_texts() {
                      {partial_exit_code, "partial drawing, or no time for any (--time-limit)"},
                      {130, "cancelled"}},
       .environment = {{"EPURA_PLUGIN_PATH",
-                       "Folders with projection plugins, with colons between. They are looked at after those of "
+                       "Folders with plugins, with colons between. They are looked at after those of "
                        "--plugin-path and before those of the program."},
                       {"CI", "Where it is set, epura snapshot --accept is refused."}},
       .examples = {{"epura draw bracket.obj --projection cabinet:angle=30 --sheet A4 --scale 1:1 -o bracket.pdf",

@@ -80,12 +80,13 @@ void append(scene::Options<Draw>& all, scene::Options<Draw> more, scene::Nature 
 
 scene::Options<Draw> file_options() {
   return {
-      scene::option<Draw>({.flag = "models",
-                           .help = "model files: obj stl ply off; or one scene file: toml",
-                           .nature = scene::Nature::file,
-                           .required = true,
-                           .repeatable = true},
-                          &Draw::models, file_name("MODEL...")),
+      scene::option<Draw>(
+          {.flag = "models",
+           .help = "model files: obj stl ply off, and what 'epura importers' lists; or one scene file: toml",
+           .nature = scene::Nature::file,
+           .required = true,
+           .repeatable = true},
+          &Draw::models, file_name("MODEL...")),
       scene::option<Draw>(
           {.flag = "-o,--output",
            .help = "file to write, by extension: " + joined(output::format_names()) + "; - for standard output",

@@ -15,16 +15,16 @@
 namespace epura::importer {
 
 struct Shape {
-  std::string name;
-  mesh::Points points;
-  std::vector<int> corners;          ///< of all polygons, one after the other: points of the shape
-  std::vector<int> polygon_ends;     ///< where each polygon ends in `corners`
-  std::vector<int> face_of_polygon;  ///< -1: of none
-  std::vector<int> body_of_polygon;  ///< -1: of none
-  std::vector<std::string> body_names;
-  std::vector<features::PartSurface> faces;
-  std::vector<features::DeclaredEdge> edges;
-  std::vector<int> edge_vertices;
+  std::string name{};
+  mesh::Points points{};
+  std::vector<int> corners{};          ///< of all polygons, one after the other: points of the shape
+  std::vector<int> polygon_ends{};     ///< where each polygon ends in `corners`
+  std::vector<int> face_of_polygon{};  ///< -1: of none
+  std::vector<int> body_of_polygon{};  ///< -1: of none
+  std::vector<std::string> body_names{};
+  std::vector<features::PartSurface> faces{};
+  std::vector<features::DeclaredEdge> edges{};
+  std::vector<int> edge_vertices{};
 };
 
 struct Node {
@@ -36,9 +36,9 @@ struct Node {
 struct Document {
   double unit = 1;  ///< millimetres
   int is_y_up = 0;  ///< instead of z
-  std::vector<Shape> shapes;
-  std::vector<Node> nodes;
-  std::vector<std::string> notes;
+  std::vector<Shape> shapes{};
+  std::vector<Node> nodes{};
+  std::vector<std::string> notes{};
 };
 
 /// Throws Error{plugin} where numbers lead to nothing: the process that they come from may have been damaged.

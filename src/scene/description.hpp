@@ -33,9 +33,9 @@ struct Located {
 using LocatedText = Located<std::string>;
 
 struct ModelDescription {
-  LocatedText file;                          ///< in a scene file relative to its folder
+  LocatedText file;                                           ///< in a scene file relative to its folder
   std::vector<std::pair<std::string, std::string>> import{};  ///< parameters of the file's importer and their values
-  std::shared_ptr<const mesh::Soup> soup{};  ///< instead of a file
+  std::shared_ptr<const mesh::Soup> soup{};                   ///< instead of a file
   LocatedText name;             ///< by which dimensions call it; the file's name without extension by default
   Located<Unit> unit;           ///< the file's by default, or mm
   Located<UpAxis> up;           ///< the file's by default, or z

@@ -39,14 +39,20 @@ Options<ModelDescription> model_options() {
   using Model = ModelDescription;
   return {
       option<Model>(
-          {.key = "file", .help = "obj, stl, ply or off; a relative path starts at the scene file", .required = true},
+          {.key = "file",
+           .help =
+               "obj, stl, ply, off, or what an importer reads, with `:key=value` for its parameters; a relative path "
+               "starts at the scene file",
+           .required = true},
           &Model::file, any_text()),
       option<Model>({.key = "name", .help = "for dimensions; by default the name of the file without extension"},
                     &Model::name, any_text()),
-      option<Model>({.key = "unit", .flag = "--unit", .help = "unit of length of the file", .usual = "mm"},
-                    &Model::unit, choice<Unit>().shown_as("UNIT")),
-      option<Model>({.key = "up", .flag = "--up", .help = "axis that points up in the file", .usual = "z"}, &Model::up,
-                    choice<UpAxis>().shown_as("AXIS")),
+      option<Model>(
+          {.key = "unit", .flag = "--unit", .help = "unit of length of the file", .usual = "what the file says, or mm"},
+          &Model::unit, choice<Unit>().shown_as("UNIT")),
+      option<Model>(
+          {.key = "up", .flag = "--up", .help = "axis that points up in the file", .usual = "what the file says, or z"},
+          &Model::up, choice<UpAxis>().shown_as("AXIS")),
       option<Model>({.key = "transform", .help = "steps as of `--transform`: `rotate:z,30 translate:0,0,5`"},
                     &Model::transform, transform_steps()),
       option<Model>({.key = "line", .help = "what its visible lines are", .usual = "visible"}, &Model::line,

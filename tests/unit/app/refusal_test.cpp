@@ -79,7 +79,7 @@ TEST_F(Refusal, WhatIsNoModelFile) {
   std::filesystem::create_directory(folder / "folder.obj");
   expect_draw_refused({"missing.obj"}, {"missing.obj", "No such file", "check the path"});
   expect_draw_refused({"folder.obj"}, {"folder.obj", "directory"});
-  expect_draw_refused({folder.file("a.step", "ISO-10303-21;")}, {"a.step", "'.step'", ".obj, .stl, .ply, .off"});
+  expect_draw_refused({folder.file("a.xyz", "0 0 0")}, {"a.xyz", "'.xyz'", ".obj, .stl, .ply, .off"});
   expect_draw_refused({cube, "missing.obj"}, {"missing.obj"});
 }
 

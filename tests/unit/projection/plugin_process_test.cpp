@@ -14,9 +14,9 @@
 
 #include "base/file.hpp"
 #include "base/shared_library.hpp"
+#include "foreign/packing.hpp"
 #include "projection/answer.hpp"
 #include "projection/loader.hpp"
-#include "foreign/packing.hpp"
 #include "support.hpp"
 
 namespace epura::test {
@@ -145,10 +145,10 @@ TEST(a_plugin_process, begins_when_no_other_thread_is_loading) {
 }
 
 TEST(packed_values, end_where_the_bytes_end) {
-  projection::Packer pack;
+  foreign::Packer pack;
   pack(std::vector<std::string>{"a", "bc"}), pack(7.5);
   for (std::size_t size = 0; size <= pack.bytes().size(); ++size) {
-    projection::Unpacker unpack(std::string_view(pack.bytes()).substr(0, size));
+    foreign::Unpacker unpack(std::string_view(pack.bytes()).substr(0, size));
     std::vector<std::string> texts;
     double number = 0;
     const auto take_all = [&] { unpack(texts), unpack(number); };
@@ -163,10 +163,10 @@ TEST(packed_values, end_where_the_bytes_end) {
 }
 
 TEST(packed_values, are_not_believed_to_be_more_than_there_are) {
-  projection::Packer pack;
+  foreign::Packer pack;
   pack(~std::size_t{0});
   std::vector<double> numbers;
-  projection::Unpacker unpack(pack.bytes());
+  foreign::Unpacker unpack(pack.bytes());
   EXPECT_STREQ(error_of([&] { unpack(numbers); }).what(), "damages its process");
 }
 

@@ -36,19 +36,20 @@ const std::string anchors = "[model, vertex] or {point = [x, y, z]}";
 
 TEST(SceneRefusal, WhatIsMissing) {
   const std::string hint = "a scene file has at least:  [[model]]  file = \"part.obj\"";
-  expect_refusals("",
-                  {
-                      {"", " names no model", hint},
-                      {"# nothing\n", " names no model", hint},
-                      {"[sheet]\nsize = 'A4'\n", " names no model", hint},
-                      {"[[model]]\nname = 'a'\n", "1:1: [[model]] lacks 'file'",
-                       "obj, stl, ply or off; a relative path starts at the scene file"},
-                      {model + "[[view]]\n", "3:1: [[view]] lacks 'projection'",
-                       "`NAME[:key=value...]`, or `{name = NAME, key = value}`"},
-                      {model + "[[section]]\n", "3:1: [[section]] lacks 'name'", "by which views call it, such as `A`"},
-                      {"view = [{projection = {eye = [1, 2, 3]}}]\n" + model, "1:23: 'projection' lacks 'name'",
-                       "{name = \"look-at\", eye = [4, -9, 5]}"},
-                  });
+  expect_refusals(
+      "", {
+              {"", " names no model", hint},
+              {"# nothing\n", " names no model", hint},
+              {"[sheet]\nsize = 'A4'\n", " names no model", hint},
+              {"[[model]]\nname = 'a'\n", "1:1: [[model]] lacks 'file'",
+               "obj, stl, ply, off, or what an importer reads, with `:key=value` for its parameters; a relative path "
+               "starts at the scene file"},
+              {model + "[[view]]\n", "3:1: [[view]] lacks 'projection'",
+               "`NAME[:key=value...]`, or `{name = NAME, key = value}`"},
+              {model + "[[section]]\n", "3:1: [[section]] lacks 'name'", "by which views call it, such as `A`"},
+              {"view = [{projection = {eye = [1, 2, 3]}}]\n" + model, "1:23: 'projection' lacks 'name'",
+               "{name = \"look-at\", eye = [4, -9, 5]}"},
+          });
 }
 
 TEST(SceneRefusal, UnknownKeys) {

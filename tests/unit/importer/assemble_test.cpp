@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+// Documents in memory become meshes and parts.
+#include "importer/assemble.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "base/portable_math.hpp"
+#include "mesh/read.hpp"
+
+namespace epura::test {
+namespace {
+
+using features::SurfaceKind;
+
+constexpr std::array<double, 12> as_it_is{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+
+/// A cylinder about z from 0 to `height`: side, lid and bottom are faces of the part, their rims its edges.
+importer::Shape cylinder(double radius, double height, int steps) {
+  importer::Shape shape{.name = "cylinder"};
+  for (int end = 0; end < 2; ++end)
+    for (int i = 0; i < steps; ++i) {
+      const double angle = 2 * std::numbers::pi * i / steps;
+      shape.points.push_back({radius * portable_cos(angle), radius * portable_sin(angle), end * height});
+    }
+  const auto polygon = [&](std::initializer_list<int> corners, int face) {
+    shape.corners.insert(shape.corners.end(), corners);
+    shape.polygon_ends.push_back(static_cast<int>(shape.corners.size()));
+    shape.face_of_polygon.push_back(face);
+    shape.body_of_polygon.push_back(-1);
+  };
+  for (int i = 0; i < steps; ++i) {
+    const int j = (i + 1) % steps;
+    polygon({i, j, steps + j, steps + i}, 0);
+    if (i > 0 && j > 0) polygon({0, j, i}, 1), polygon({steps, steps + i, steps + j}, 2);
+  }
+  shape.faces = {{SurfaceKind::cylinder, Vec3(0), {0, 0, 1}, radius, 0, 0},
+                 {SurfaceKind::plane, Vec3(0), {0, 0, 1}, 0, 0, 0},
+                 {SurfaceKind::plane, Vec3(0, 0, height), {0, 0, 1}, 0, 0, 0}};
+  for (int end = 0; end < 2; ++end) {
+    for (int i = 0; i <= steps; ++i) shape.edge_vertices.push_back(end * steps + i % steps);
+    shape.edges.push_back({90, false, static_cast<int>(shape.edge_vertices.size())});
+  }
+  return shape;
+}
+
+struct Read {
+  mesh::Mesh mesh;
+  features::PartFaces part;
+};
+
+Read read(const importer::Document& document) {
+  importer::Assembled assembled = importer::assemble(document, "test");
+  mesh::Mesh mesh = mesh::make_mesh(std::move(assembled.soup), "test");
+  features::PartFaces part = features::part_of(mesh, assembled.part, 5);
+  return {std::move(mesh), std::move(part)};
+}
+
+TEST(DeclaredPart, HasFacesAndEdgesAsDeclared) {
+  const Read r = read({.shapes = {cylinder(5, 20, 48)}});
+  ASSERT_EQ(r.part.faces.size(), 3U);
+  const features::PartFace& side = r.part.faces[0];
+  EXPECT_EQ(side.surface.kind, SurfaceKind::cylinder);
+  EXPECT_FALSE(side.inwards);
+  EXPECT_EQ(side.sweep, 360);
+  EXPECT_EQ(side.from, 0);
+  EXPECT_EQ(side.to, 20);
+  EXPECT_EQ(side.triangles, 96);
+  EXPECT_NEAR(side.area, 2 * 48 * 5 * std::sin(std::numbers::pi / 48) * 20, 1e-9);
+  EXPECT_LT(side.residual, 1e-14);
+  const double step = std::numbers::pi / 48;  // the middle of a triangle is a third of the way to its chord's middle
+  EXPECT_NEAR(side.sagitta, 5 - 5 * std::hypot(std::cos(step), std::sin(step) / 3), 1e-12);
+  // Planes face outwards, whichever way the file had them.
+  EXPECT_EQ(r.part.faces[1].surface.axis, Vec3(0, 0, -1));
+  EXPECT_EQ(r.part.faces[2].surface.axis, Vec3(0, 0, 1));
+  ASSERT_EQ(r.part.borders.size(), 2U);
+  for (const features::PartBorder& border : r.part.borders) {
+    EXPECT_EQ(border.kind, features::BorderKind::sharp);
+    EXPECT_EQ(border.angle, 90);
+    EXPECT_EQ(border.edges.size(), 48U);
+    EXPECT_EQ(border.faces[0], 0);
+  }
+  EXPECT_EQ(r.part.recognised, 1);
+}
+
+TEST(DeclaredPart, BordersThatAreNotDeclaredAreThoseOfTheFacets) {
+  importer::Shape shape = cylinder(5, 20, 48);
+  shape.edges.clear();
+  shape.edge_vertices.clear();
+  const Read r = read({.shapes = {shape}});
+  ASSERT_EQ(r.part.borders.size(), 2U);
+  EXPECT_NEAR(r.part.borders[0].angle, 90, 1e-9);
+  EXPECT_EQ(r.part.borders[0].edges.size(), 48U);
+}
+
+TEST(DeclaredPart, TangentEdgesAreWithinTheLimitOrDeclared) {
+  importer::Shape shape = cylinder(5, 20, 48);
+  shape.edges[0].angle = 4.9;
+  shape.edges[1].angle = 20;
+  shape.edges[1].is_tangent = true;
+  const Read r = read({.shapes = {shape}});
+  for (const features::PartBorder& border : r.part.borders) EXPECT_EQ(border.kind, features::BorderKind::tangent);
+}
+
+TEST(Assembly, PutsInstancesDownMirroredTurnedAndScaled) {
+  const std::array<double, 12> mirrored{-1, 0, 0, 100, 0, 1, 0, 0, 0, 0, 1, 0};
+  const std::array<double, 12> twice{0, -2, 0, 0, 2, 0, 0, 0, 0, 0, 2, 50};
+  const std::array<double, 12> stretched{1, 0, 0, 300, 0, 2, 0, 0, 0, 0, 1, 0};
+  const Read r = read(
+      {.shapes = {cylinder(5, 20, 48)},
+       .nodes = {
+           {-1, 0, "one", as_it_is}, {-1, -1, "group", mirrored}, {1, 0, "two", twice}, {-1, 0, "three", stretched}}});
+  EXPECT_EQ(r.mesh.report.bodies, 3);
+  EXPECT_EQ(r.mesh.body_names, (std::vector<std::string>{"one", "two", "three"}));
+  EXPECT_EQ(r.mesh.report.open_edges, 0);
+  EXPECT_EQ(r.mesh.report.misoriented_edges, 0);
+  double volume = 0;
+  for (int t = 0; t < r.mesh.triangle_count(); ++t) {
+    const auto [a, b, c] = r.mesh.triangle(t);
+    volume += glm::dot(r.mesh.point(a), glm::cross(r.mesh.point(b), r.mesh.point(c))) / 6;
+  }
+  // Mirrored ones have their outside outside, too.
+  const double one = 48 * 0.5 * 25 * std::sin(2 * std::numbers::pi / 48) * 20;
+  EXPECT_NEAR(volume, one * (1 + 8 + 2), 1e-7);
+  ASSERT_EQ(r.part.faces.size(), 9U);
+  EXPECT_EQ(r.part.faces[3].surface.kind, SurfaceKind::cylinder);
+  EXPECT_NEAR(r.part.faces[3].surface.radius, 10, 1e-12);
+  EXPECT_FALSE(r.part.faces[3].inwards);
+  EXPECT_EQ(r.part.faces[6].surface.kind, SurfaceKind::free_form);
+  EXPECT_EQ(r.part.borders.size(), 6U);
+}
+
+TEST(Assembly, NamesBodiesByNodeShapeAndBody) {
+  importer::Shape two = cylinder(1, 1, 8);
+  two.body_names = {"pin", "cap"};
+  for (std::size_t i = 0; i < two.body_of_polygon.size(); ++i) two.body_of_polygon[i] = i < 4 ? 0 : 1;
+  const importer::Assembled assembled =
+      importer::assemble({.shapes = {two}, .nodes = {{-1, 0, "left", as_it_is}, {-1, 0, "", as_it_is}}}, "test");
+  EXPECT_EQ(assembled.soup.body_names,
+            (std::vector<std::string>{"left/pin", "left/cap", "cylinder/pin", "cylinder/cap"}));
+}
+
+TEST(Assembly, WithPolygonsOfNoFaceLeavesFacesToBeRecognised) {
+  importer::Shape shape = cylinder(1, 1, 8);
+  shape.face_of_polygon[3] = -1;
+  const importer::Assembled assembled = importer::assemble({.shapes = {shape}}, "test");
+  EXPECT_TRUE(assembled.part.faces.empty());
+  EXPECT_EQ(assembled.soup.face_ends.size(), shape.polygon_ends.size());
+}
+
+}  // namespace
+}  // namespace epura::test

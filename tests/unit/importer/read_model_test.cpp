@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which importer reads a file, and what reaches this process of whatever it does.
+#include "importer/read_model.hpp"
+
+#include <chrono>
+#include <cmath>
+
+#include "importer/catalogue.hpp"
+#include "support.hpp"
+
+namespace epura::test {
+namespace {
+
+TEST(ImporterProcess, HandsOverWhatTheImporterReads) {
+  const Folder folder;
+  const importer::ReadModel model = read_by("good", folder.file("a.plain", "plain"), {{"size", "2"}});
+  EXPECT_EQ(model.mesh.report.format, "plain");
+  EXPECT_EQ(model.mesh.report.triangles, 2);
+  EXPECT_EQ(model.mesh.point(2), Vec3(2, 2, 0));
+  EXPECT_EQ(model.unit, 1);
+  EXPECT_FALSE(model.is_y_up);
+  ASSERT_NE(model.part, nullptr);
+  EXPECT_EQ(model.part->faces.at(0).surface.kind, features::SurfaceKind::sphere);
+}
+
+TEST(ImporterProcess, IsChosenByExtensionOrByContent) {
+  const Folder folder;
+  for (const char* name : {"a.plain", "A.PLN"})
+    EXPECT_EQ(read_by("good", folder.file(name, "whatever")).mesh.report.format, "plain") << name;
+  EXPECT_EQ(read_by("good", folder.file("a.dat", "plain text")).mesh.report.format, "plain");
+  EXPECT_EQ(read_by("good", folder.file("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")).mesh.report.format, "obj");
+  EXPECT_EQ(read_by("good", folder.file("b.dat", "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")).mesh.report.format,
+            "off");
+}
+
+TEST(ImporterProcess, LibrariesOfProjectionsAreNoMistake) {
+  const importer::Catalogue catalogue = importer::load_catalogue({EPURA_TEST_PLUGINS});
+  EXPECT_TRUE(catalogue.entries.empty());
+  EXPECT_TRUE(catalogue.bad.empty()) << catalogue.bad.at(0).reason;
+}
+
+struct Mistake {
+  const char* importer;
+  const char* sentence;
+};
+void PrintTo(const Mistake& mistake, std::ostream* out) { *out << mistake.importer; }
+
+class BadLibrary : public testing::TestWithParam<Mistake> {};
+INSTANTIATE_TEST_SUITE_P(
+    Importers, BadLibrary,
+    testing::Values(Mistake{"missing-symbol", "is not a library of importers: it has no function epura_importers_v1"},
+                    Mistake{"no-list", "epura_importers_v1 returns nothing"},
+                    Mistake{"other-abi", "is built for importer ABI 9, this program has 1"},
+                    Mistake{"short-list", "its list is too short: 8 of 24 bytes"},
+                    Mistake{"empty-list", "offers no importer"},
+                    Mistake{"short-row", "its list has rows of 8 bytes, at least 64 are needed"},
+                    Mistake{"bad-name", "importer 1: the name 'Plain' is not lower case, digits and '-'"},
+                    Mistake{
+                        "bad-extension",
+                        "importer 'plain' has an extension that is not lower case, digits and '-' with '|' between"},
+                    Mistake{"no-function", "importer 'plain' has no function"}));
+
+TEST_P(BadLibrary, IsNamedWithTheReason) {
+  const importer::Catalogue catalogue = importer::load_catalogue({folder_of(GetParam().importer)});
+  EXPECT_TRUE(catalogue.entries.empty());
+  ASSERT_EQ(catalogue.bad.size(), 1U);
+  EXPECT_EQ(catalogue.bad[0].path, folder_of(GetParam().importer) / "plain.so");
+  EXPECT_EQ(catalogue.bad[0].reason, GetParam().sentence);
+}
+
+class BadAnswer : public testing::TestWithParam<Mistake> {};
+INSTANTIATE_TEST_SUITE_P(
+    Importers, BadAnswer,
+    testing::Values(Mistake{"wrong-corner", "hands over a polygon with a corner that is no point of the shape"},
+                    Mistake{"no-radius", "hands over a round face whose radius is not positive"},
+                    Mistake{"short-edge", "hands over an edge of fewer than two points"},
+                    Mistake{"parent-to-come", "hands over a node whose parent is not an earlier one"},
+                    Mistake{"missing-shape", "hands over a node with a shape that it does not hand over"},
+                    Mistake{"infinite", "hands over a node whose transform is not finite"},
+                    Mistake{"no-unit", "hands over a unit of length that is not positive"},
+                    Mistake{"crosses", "threw an exception across the border"}, Mistake{"crashes", "crashes (Aborted)"},
+                    Mistake{"exits", "ends the program"}, Mistake{"cuts-the-line", "ends the program"}));
+
+TEST_P(BadAnswer, IsToldWithTheLibraryTheNameAndTheFile) {
+  const Folder folder;
+  const std::string file = folder.file("a.plain", "plain");
+  const Error error = error_of([&] { read_by(GetParam().importer, file); });
+  EXPECT_EQ(error.kind(), ErrorKind::plugin);
+  EXPECT_EQ(error.what(), (folder_of(GetParam().importer) / "plain.so").string() + ": 'plain' " + GetParam().sentence +
+                              " at " + file);
+}
+
+TEST(ImporterProcess, OneThatHangsEndsWithTheTime) {
+  const Folder folder;
+  ProgressBoard board;
+  board.begin("reading", 0);
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_THROW(importer::read_model(folder.file("a.plain", "plain"), {}, {.plugin_path = {folder_of("hangs")}},
+                                    Progress(board, 0.5)),
+               OutOfTime);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
+}
+
+TEST(ImporterProcess, WhatItPrintsGoesToStandardError) {
+  const Folder folder;
+  testing::internal::CaptureStdout();
+  read_by("prints", folder.file("a.plain", "plain"));
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
+}
+
+TEST(ImporterProcess, WrongFilesAndParametersAreToldWithTheirPlace) {
+  const Folder folder;
+  const std::string file = folder.file("a.plain", "plain");
+  const auto told = [](const auto& action) {
+    const Error error = error_of(action);
+    EXPECT_EQ(error.kind(), ErrorKind::input);
+    return std::string(error.what());
+  };
+  EXPECT_EQ(told([&] { read_by("good", file, {{"size", "3"}}); }), "plain:size: is 3, allowed is 0.5 to 2");
+  EXPECT_EQ(told([&] { read_by("good", file, {{"colour", "3"}}); }), "plain:colour: no such parameter");
+  EXPECT_EQ(told([&] { read_by("good", folder.file("e.dat", "")); }), (folder / "e.dat").string() + ": is empty");
+  EXPECT_TRUE(contains(told([&] { read_by("good", folder / "none.plain"); }), "none.plain: cannot read"));
+  EXPECT_EQ(told([&] { read_by("good", folder.file("a.step", "x"), {}); }),
+            (folder / "a.step").string() + ": no importer for '.step' is installed");
+  const std::string obj = folder.file("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  EXPECT_EQ(told([&] {
+              read_by("good", obj, {{"size", "3"}});
+            }),
+            obj + ":size: files of this format have no parameters");
+}
+
+TEST(ModelRequest, HasParametersBehindThePath) {
+  const auto request = importer::parse_model_request("some/part.step:deflection=0.01:angle=20");
+  EXPECT_EQ(request.path, "some/part.step");
+  EXPECT_EQ(request.parameters, (foreign::Assignments{{"deflection", "0.01"}, {"angle", "20"}}));
+  for (const char* path : {"part.step", "a:b/part.step", "part:1.step", "part:.step", "C=1:x.step"})
+    EXPECT_EQ(importer::parse_model_request(path).path, path);
+  const Folder folder;
+  const std::string odd = folder.file("odd.stl:x=1", "");
+  EXPECT_EQ(importer::parse_model_request(odd).path, odd);
+  EXPECT_EQ(std::string(error_of([] { importer::parse_model_request("a.step:x=1:x=2"); }).what()),
+            "a.step:x: is given twice");
+}
+
+}  // namespace
+}  // namespace epura::test
