@@ -13,6 +13,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <epura/parameter_rows.hpp>
 #include <exception>
 #include <limits>
 #include <span>

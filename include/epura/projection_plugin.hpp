@@ -15,8 +15,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <epura/parameter_rows.hpp>
 #include <exception>
-#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -25,10 +25,6 @@
 #include <utility>
 
 namespace epura::plugin {
-
-inline constexpr double unlimited = std::numeric_limits<double>::infinity();
-/// As a default: the projection finds the value from the model's box. Such a value arrives as NaN.
-inline constexpr double from_box = std::numeric_limits<double>::quiet_NaN();
 
 struct Vec3 {
   double x = 0, y = 0, z = 0;
@@ -76,38 +72,6 @@ struct View {
   std::array<double, 4> window{};
   double front = unlimited, back = -unlimited;
 };
-
-/// One row of the table for each kind of parameter.
-constexpr epura_parameter number(const char* name, const char* unit, const char* help, double initial, double least,
-                                 double most) {
-  return {sizeof(epura_parameter), EPURA_NUMBER, 1, name, unit, help, nullptr, {initial}, least, most};
-}
-
-template <std::size_t N>
-constexpr epura_parameter vector(const char* name, const char* unit, const char* help,
-                                 const std::array<double, N>& initial) {
-  static_assert(N >= 1 && N <= 8, "a vector has one to eight components");
-  epura_parameter row{sizeof(epura_parameter), EPURA_VECTOR, N, name, unit, help, nullptr, {}, -unlimited, unlimited};
-  for (std::size_t i = 0; i < N; ++i) row.initial[i] = initial[i];
-  return row;
-}
-
-/// A vector that is found from the box unless it is given.
-template <std::size_t N>
-constexpr epura_parameter vector(const char* name, const char* unit, const char* help) {
-  std::array<double, N> initial{};
-  initial.fill(from_box);
-  return vector(name, unit, help, initial);
-}
-
-/// `choices` are written "a|b|c"; `initial` is a place in that list.
-constexpr epura_parameter choice(const char* name, const char* help, const char* choices, int initial) {
-  double most = 0;
-  for (const char* c = choices; *c != 0; ++c) most += *c == '|';
-  return {sizeof(epura_parameter), EPURA_CHOICE, 1, name, "", help, choices, {double(initial)}, 0, most};
-}
-
-inline constexpr std::array<epura_parameter, 0> no_parameters{};
 
 namespace detail {
 
