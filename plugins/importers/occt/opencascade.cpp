@@ -11,6 +11,8 @@
 #include <TopLoc_Location.hxx>
 #include <TopoDS_Compound.hxx>
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <epura/importer_plugin.hpp>
 #include <numbers>
@@ -44,6 +46,12 @@ std::string name_of(const TDF_Label& label) {
   return says_something(name) ? name : "";
 }
 
+std::string text_of(double number) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.begin(), text.end(), number, std::chars_format::general, 2).ptr;
+  return {text.begin(), end};
+}
+
 Transform matrix_of(const TopLoc_Location& location) {
   const gp_Trsf transform = location.Transformation();
   Transform rows{};
@@ -62,6 +70,9 @@ class TreeWriter {
     TDF_LabelSequence roots;
     file_.shapes->GetFreeShapes(roots);
     for (const TDF_Label& root : roots) write_node(root, EPURA_NONE);
+    if (!keeps(distance_, fineness_))
+      sink_.note("facets are off curved faces by up to " + text_of(distance_) + " mm, " +
+                 text_of(fineness_.deflection) + " mm were wanted; ask for less with :deflection=");
     const auto say = [&](int count, const char* one, const char* many) {
       if (count > 0) sink_.note(std::to_string(count) + (count == 1 ? one : many));
     };
@@ -91,7 +102,7 @@ class TreeWriter {
   std::uint32_t shape_of(const TDF_Label& product, const std::string& name) {
     if (const std::uint32_t* known = written_.Seek(product)) return *known;
     const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(product);
-    tessellate(shape, fineness_, watch_);
+    distance_ = std::max(distance_, tessellate(shape, fineness_, watch_));
     const auto name_of_part = [&](const TopoDS_Shape& part) {
       TDF_Label label;
       return file_.shapes->FindSubShape(product, part, label) ? name_of(label) : std::string();
@@ -109,6 +120,7 @@ class TreeWriter {
   Sink& sink_;
   Watch& watch_;
   Missing missing_;
+  double distance_ = 0;  ///< of facets from their surfaces, mm
   NCollection_DataMap<TDF_Label, std::uint32_t, TDF_LabelMapHasher> written_;
 };
 

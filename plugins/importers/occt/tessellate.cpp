@@ -22,7 +22,12 @@ namespace {
 
 // Of what was asked for: measured at places, the largest distance lies between them.
 constexpr double enough = 1.1;
-constexpr int most_rounds = 3;
+constexpr int most_rounds = 2;
+// A shape of more is not done again: Open CASCADE takes minutes for twisted surfaces.
+constexpr int most_facets = 50'000;
+// By so much less may be asked for than is wanted: facets of twisted surfaces grow faster in number than distances
+// fall.
+constexpr double least_share = 0.5;
 
 // How far a point of a facet lies off the surface, along its normal at the parameters of the point.
 double distance_at(const BRepAdaptor_Surface& surface, const gp_Pnt2d& uv, const gp_Pnt& point) {
@@ -68,6 +73,12 @@ double deflection_of(const TopoDS_Face& face) {
   return std::max(largest - tolerance_of(face), 0.0);
 }
 
+int facets_of(const TopoDS_Face& face) {
+  TopLoc_Location location;
+  const Handle(Poly_Triangulation) facets = BRep_Tool::Triangulation(face, location);
+  return facets.IsNull() ? 0 : facets->NbTriangles();
+}
+
 void make_facets(const TopoDS_Shape& shape, const Fineness& fineness, const Message_ProgressRange& range) {
   IMeshTools_Parameters parameters;
   parameters.Deflection = fineness.deflection;
@@ -85,6 +96,8 @@ double diagonal_of(const TopoDS_Shape& shape) {
   return box.IsVoid() || box.IsOpen() ? 0 : std::sqrt(box.SquareExtent());
 }
 
+bool keeps(double distance, const Fineness& fineness) { return distance <= enough * fineness.deflection; }
+
 double tessellate(const TopoDS_Shape& shape, const Fineness& fineness, Watch& watch) {
   Fineness finer = fineness;
   double largest = 0;
@@ -92,11 +105,14 @@ double tessellate(const TopoDS_Shape& shape, const Fineness& fineness, Watch& wa
     make_facets(shape, finer, watch.begin(0.5, 0.8));
     watch.expect_wanted();
     largest = 0;
-    for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next())
+    int facets = 0;
+    for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next()) {
       largest = std::max(largest, deflection_of(TopoDS::Face(face.Current())));
-    if (largest <= enough * fineness.deflection) break;
+      facets += facets_of(TopoDS::Face(face.Current()));
+    }
+    if (keeps(largest, fineness) || facets > most_facets) break;
     // Of the whole shape: faces share the facets of their edges.
-    finer.deflection *= std::clamp(0.7 * fineness.deflection / largest, 0.2, 0.7);
+    finer.deflection *= std::max(0.8 * fineness.deflection / largest, least_share);
   }
   return largest;
 }

@@ -17,8 +17,11 @@ struct Fineness {
 /// The diagonal of the box of a shape, mm; 0 where it has none.
 double diagonal_of(const TopoDS_Shape& shape);
 
+/// Whether a distance is what was asked for.
+bool keeps(double distance, const Fineness& fineness);
+
 /// Gives every face of the shape a triangulation that keeps the deflection: Open CASCADE promises it for edges alone,
-/// so it is measured, and a shape that misses it is done again. Returns the largest distance that is left, mm.
+/// so it is measured, and a shape that misses it is done again, once. Returns the largest distance that is left, mm.
 double tessellate(const TopoDS_Shape& shape, const Fineness& fineness, Watch& watch);
 
 }  // namespace epura_occt
