@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "components.hpp"
 #include "model.hpp"
 #include "package.hpp"
 
@@ -15,24 +16,20 @@ namespace epura::plugin::threemf {
 
 namespace {
 
-// Ten levels of ten components each are more parts than a computer holds.
-constexpr std::size_t most_nodes = 1'000'000;
-constexpr int deepest = 1000;
-
 /// Objects where items and components put them: each shape once.
 class Tree {
  public:
   Tree(const Model& model, Sink& sink) : model_(model), sink_(sink) {}
 
-  void add(const Placed& placed, std::uint32_t parent, int depth) {
+  /// The levels were counted before.
+  void add(const Placed& placed, std::uint32_t parent) {
     const auto found = model_.objects.find(placed.object);
     if (found == model_.objects.end()) throw std::runtime_error("places an object that is not there");
     const Object& object = found->second;
     const std::string& name = placed.name.empty() ? object.name : placed.name;
-    if (depth > deepest) throw std::runtime_error("has components that hold themselves: '" + object.name + "'");
-    if (++nodes_ > most_nodes) throw std::runtime_error("puts down more than " + std::to_string(most_nodes) + " parts");
+    if (++nodes_ > most_parts) throw std::runtime_error("puts down more than " + std::to_string(most_parts) + " parts");
     const std::uint32_t node = sink_.node(name, parent, shape_of(placed.object, object), placed.transform);
-    for (const Placed& component : object.components) add(component, node, depth + 1);
+    for (const Placed& component : object.components) add(component, node);
   }
 
   void tell_left_out() {
@@ -109,7 +106,7 @@ struct ThreeMf {
     const bool builds = !model.items.empty();
     if (!builds && !model.objects.empty()) sink.note("builds nothing: all of its objects are drawn");
     Tree tree(model, sink);
-    for (const Placed& item : builds ? model.items : tops_of(model)) tree.add(item, EPURA_NONE, 0);
+    for (const Placed& item : builds ? model.items : tops_of(model)) tree.add(item, EPURA_NONE);
     tree.tell_left_out();
   }
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model.hpp"
 
+#include <Common/NMR_ErrorConst.h>
 #include <Model/COM/NMR_DLLInterfaces.h>
 
 #include <algorithm>
@@ -174,26 +175,50 @@ void read_items(NMR::PLib3MFBase* source, Model& model) {
   }
 }
 
+// What is missing or repeated of the identities of the production extension changes nothing that is drawn.
+bool is_of_identities(std::uint32_t code) {
+  return code == NMR_ERROR_MISSINGUUID || code == NMR_ERROR_UUID_NOT_UNIQUE || code == NMR_ERROR_DUPLICATEUUID ||
+         code == NMR_ERROR_ILLFORMATUUID;
+}
+
 std::vector<std::string> warnings_of(NMR::PLib3MFBase* reader) {
   std::uint32_t count = 0;
   std::vector<std::string> warnings;
   if (NMR::lib3mf_reader_getwarningcount(reader, &count) != LIB3MF_OK) return warnings;
   constexpr std::uint32_t most = 1000;
   for (std::uint32_t i = 0; i < std::min(count, most); ++i) {
+    std::uint32_t code = 0;
     const std::string text = text_by([&](char* buffer, std::uint32_t size, std::uint32_t* written) {
-      std::uint32_t code = 0;
       return NMR::lib3mf_reader_getwarningutf8(reader, i, &code, buffer, size, written);
     });
-    if (!text.empty() && std::find(warnings.begin(), warnings.end(), text) == warnings.end()) warnings.push_back(text);
+    if (is_of_identities(code) || text.empty()) continue;
+    if (std::find(warnings.begin(), warnings.end(), text) == warnings.end()) warnings.push_back(text);
   }
   return warnings;
+}
+
+std::string sentence_of(std::uint32_t code, const char* text) {
+  switch (code) {
+    case NMR_ERROR_COULDNOTCREATEOPCPART:
+      return "a part of the package that it refers to is missing";
+    case NMR_ERROR_COULDNOTFINDCOMPONENTOBJECT:
+      return "a component is of an object that does not stand before it";
+    case NMR_ERROR_COULDNOTFINDBUILDITEMOBJECT:
+      return "an object that is to be built is missing";
+    case NMR_ERROR_INVALIDMODELNODEINDEX:
+      return "a triangle has a corner that is no vertex";
+    case NMR_ERROR_INVALIDMODELCOORDINATES:
+      return "a vertex has a coordinate that is no number, or is too large";
+    default:
+      return text == nullptr || *text == 0 ? "error " + std::to_string(code) + " of lib3mf" : text;
+  }
 }
 
 [[noreturn]] void throw_error_of(NMR::PLib3MFBase* reader) {
   std::uint32_t code = 0;
   const char* text = nullptr;
-  const bool is_told = NMR::lib3mf_getlasterror(reader, &code, &text) == LIB3MF_OK && text != nullptr && *text != 0;
-  std::string sentence = "is no valid 3MF: " + std::string(is_told ? text : "lib3mf does not tell why");
+  NMR::lib3mf_getlasterror(reader, &code, &text);
+  const std::string sentence = "is no valid 3MF: " + sentence_of(code, text);
   // The last one is what it stumbled over.
   const std::vector<std::string> warnings = warnings_of(reader);
   throw std::runtime_error(warnings.empty() ? sentence : sentence + " (" + warnings.back() + ")");

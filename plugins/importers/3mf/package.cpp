@@ -3,12 +3,13 @@
 
 #include <zip.h>
 
-#include <array>
 #include <cstdint>
 #include <fstream>
 #include <memory>
 #include <stdexcept>
 #include <utility>
+
+#include "components.hpp"
 
 namespace epura::plugin::threemf {
 
@@ -59,20 +60,23 @@ zip_stat_t entry_at(zip_t* archive, std::uint64_t number) {
 }
 
 // Its directory may say less than there is.
-void expect_sound(zip_t* archive, std::uint64_t number, const zip_stat_t& entry) {
+std::string unpacked(zip_t* archive, std::uint64_t number, const zip_stat_t& entry) {
   const std::string what = "'" + std::string(entry.name) + "'";
   const File file(zip_fopen_index(archive, number, 0));
   if (!file) throw std::runtime_error(what + " in it cannot be unpacked: " + zip_strerror(archive));
-  std::array<char, 1 << 16> chunk{};
+  // One byte more than there should be.
+  std::string text(entry.size + 1, 0);
   std::uint64_t size = 0;
-  while (true) {
-    const zip_int64_t count = zip_fread(file.get(), chunk.data(), chunk.size());
+  while (size < text.size()) {
+    const zip_int64_t count = zip_fread(file.get(), text.data() + size, text.size() - size);
     if (count < 0) throw std::runtime_error(what + " in it is damaged: " + zip_file_strerror(file.get()));
     if (count == 0) break;
     size += static_cast<std::uint64_t>(count);
-    if (size > entry.size) throw std::runtime_error(what + " in it is larger than its directory says");
   }
-  if (size != entry.size) throw std::runtime_error(what + " in it is cut short");
+  if (size > entry.size) throw std::runtime_error(what + " in it is larger than its directory says");
+  if (size < entry.size) throw std::runtime_error(what + " in it is cut short");
+  text.pop_back();
+  return text;
 }
 
 }  // namespace
@@ -90,7 +94,12 @@ std::string read_package(const std::string& path) {
                                std::to_string(most / bytes.size()) + " times its size, which models do not");
     size += entry.size;
   }
-  for (std::uint64_t i = 0; i < count; ++i) expect_sound(archive.get(), i, entry_at(archive.get(), i));
+  Components components;
+  for (std::uint64_t i = 0; i < count; ++i) {
+    const zip_stat_t entry = entry_at(archive.get(), i);
+    components.scan(entry.name, unpacked(archive.get(), i, entry));
+  }
+  components.expect_few();
   if (zip_name_locate(archive.get(), "_rels/.rels", 0) < 0)
     throw std::runtime_error("is a ZIP archive, but no 3MF: '_rels/.rels' is missing");
   return bytes;
