@@ -16,12 +16,11 @@ namespace {
 constexpr std::array<std::string_view, 12> of_looks{
     "KHR_materials_", "KHR_texture_",   "EXT_texture_",   "MSFT_texture_",    "KHR_lights_",   "EXT_lights_",
     "KHR_xmp",        "KHR_animation_", "EXT_materials_", "ADOBE_materials_", "MSFT_packing_", "KHR_techniques_"};
-constexpr std::array<std::string_view, 2> of_shape{"KHR_mesh_quantization", "KHR_draco_mesh_compression"};
+constexpr std::string_view of_shape = "KHR_mesh_quantization";
 
 bool is_read(std::string_view extension) {
   const auto is_family = [&](std::string_view family) { return extension.substr(0, family.size()) == family; };
-  return std::any_of(of_looks.begin(), of_looks.end(), is_family) ||
-         std::find(of_shape.begin(), of_shape.end(), extension) != of_shape.end();
+  return extension == of_shape || std::any_of(of_looks.begin(), of_looks.end(), is_family);
 }
 
 }  // namespace

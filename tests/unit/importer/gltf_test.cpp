@@ -369,6 +369,18 @@ TEST(Gltf, UnknownExtensionsAreNamedWhereTheyAreNeeded) {
   EXPECT_EQ(refusal(file), "needs the extension EXT_meshopt_compression, which is not read");
 }
 
+// Their accessors have no views, which tinygltf takes for damage.
+TEST(Gltf, CompressionByDracoIsNamed) {
+  File file = cube_file();
+  file.accessors =
+      R"({"componentType":5126,"count":8,"type":"VEC3"},{"componentType":5123,"count":36,"type":"SCALAR"})";
+  file.primitives = R"({"attributes":{"POSITION":0},"indices":1,"extensions":{"KHR_draco_mesh_compression":)"
+                    R"({"bufferView":0,"attributes":{"POSITION":0}}}})";
+  file.rest +=
+      R"(,"extensionsUsed":["KHR_draco_mesh_compression"],"extensionsRequired":["KHR_draco_mesh_compression"])";
+  EXPECT_EQ(refusal(file), "needs the extension KHR_draco_mesh_compression, which is not read");
+}
+
 TEST(Gltf, FilesCutShortAndOtherVersionsAreTold) {
   const Folder folder;
   const std::string bytes = cube_file().binary();
