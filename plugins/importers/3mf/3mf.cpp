@@ -80,7 +80,7 @@ struct ThreeMf {
   }
 
   static void read(const Source& source, Sink& sink) {
-    const std::string package = read_package(source.path);
+    const Package package = read_package(source.path);
     constexpr double unpacked = 0.1, parsed = 0.9;
     sink.progress(unpacked);
     bool is_cancelled = false;
@@ -94,7 +94,7 @@ struct ThreeMf {
         return !is_cancelled;
       };
       try {
-        return read_model(package, goes_on);
+        return read_model(package.bytes, goes_on);
       } catch (const std::exception&) {
         if (is_cancelled) throw Cancelled{};
         throw;
@@ -103,6 +103,9 @@ struct ThreeMf {
     sink.unit(model.millimetres);
     sink.rounding(EPURA_SINGLE | EPURA_PRINTED);
     for (const std::string& warning : model.warnings) sink.note(warning);
+    if (package.degenerate > 0)
+      sink.note(std::to_string(package.degenerate) + (package.degenerate == 1 ? " triangle" : " triangles") +
+                " with two equal corners left out");
     const bool builds = !model.items.empty();
     if (!builds && !model.objects.empty()) sink.note("builds nothing: all of its objects are drawn");
     Tree tree(model, sink);

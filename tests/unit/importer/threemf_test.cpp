@@ -185,6 +185,21 @@ TEST(ThreeMf, PartsOfThePackageHaveNumbersOfTheirOwn) {
   expect_extent(model.mesh, {0, 0, 0}, {7, 2, 2});
 }
 
+// lib3mf refuses files with such triangles, which CAD programs write.
+TEST(ThreeMf, TrianglesWithEqualCornersAreLeftOut) {
+  std::string xml = model_of(cube(1), item(1));
+  xml.replace(
+      xml.find("</triangles>"), 0,
+      R"(<triangle v1="1" v2="1" v3="3"/><triangle v1="1" v2="11" v3="1" pid="4"/><triangle  v3='2' v2='2' v1='0' />)");
+  std::vector<Entry> entries = entries_with(xml);
+  entries.back().is_packed = true;
+  const Folder folder;
+  const importer::ReadModel model = read_by_importer(folder.file("m.3mf", archive_of(entries)));
+  EXPECT_EQ(volume_of(model.mesh), 1);
+  EXPECT_EQ(model.mesh.report.triangles, 12);
+  EXPECT_EQ(model.mesh.report.notes, std::vector<std::string>{"3 triangles with two equal corners left out"});
+}
+
 TEST(ThreeMf, AModelThatBuildsNothingIsDrawnWhole) {
   const importer::ReadModel model = read(model_of(
       cube(1) + R"(<object id="2" type="model"><components><component objectid="1"/></components></object>)", ""));
