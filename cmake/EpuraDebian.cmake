@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-# Debian packages, by CPack: epura (program, projections), epura-study, the library, and what is needed to build against
-# epura.
+# Debian packages, by CPack: epura (program, projections), epura-study, importers, the library, and what is needed to build
+# against epura.
 #   cmake --preset deb && cmake --build --preset deb && (cd build/deb && cpack)
 set(EPURA_MAINTAINER "The authors of epura <authors@epura.invalid>" CACHE STRING "field Maintainer of Debian packages")
 
@@ -8,7 +8,13 @@ set(library libepura${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 set(same_version "(= ${PROJECT_VERSION})")
 set(CPACK_GENERATOR DEB)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
-set(CPACK_COMPONENTS_ALL epura study library development)
+set(components epura study library development)
+foreach(importer gltf 3mf)
+  if(TARGET ${importer})
+    list(APPEND components ${importer})
+  endif()
+endforeach()
+set(CPACK_COMPONENTS_ALL ${components})
 set(CPACK_PACKAGE_NAME epura)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
 set(CPACK_PACKAGE_CONTACT ${EPURA_MAINTAINER})
@@ -24,7 +30,7 @@ set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_EPURA_PACKAGE_NAME epura)
 set(CPACK_DEBIAN_EPURA_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_EPURA_PACKAGE_DEPENDS fonts-osifont)
-set(CPACK_DEBIAN_EPURA_PACKAGE_SUGGESTS "epura-study ${same_version}")
+set(CPACK_DEBIAN_EPURA_PACKAGE_SUGGESTS "epura-study ${same_version}, epura-gltf ${same_version}, epura-3mf ${same_version}")
 set(CPACK_DEBIAN_EPURA_DESCRIPTION
 "Any projection, exact hidden lines, dimensions and sheets after ISO; reads
 OBJ, STL, PLY and OFF, writes SVG, PDF, PS, EPS, PNG, DXF and JSON.
@@ -37,6 +43,18 @@ set(CPACK_DEBIAN_STUDY_DESCRIPTION
 "How right and how fast epura draws: its error against run time, beside that
 of other methods, and a table of stiff and extreme cases. `epura study`
 starts it.")
+
+set(CPACK_DEBIAN_GLTF_PACKAGE_NAME epura-gltf)
+set(CPACK_DEBIAN_GLTF_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_GLTF_PACKAGE_DEPENDS "epura ${same_version}")
+set(CPACK_DEBIAN_GLTF_DESCRIPTION
+"glTF and GLB for epura: nodes, instances, names, units.")
+
+set(CPACK_DEBIAN_3MF_PACKAGE_NAME epura-3mf)
+set(CPACK_DEBIAN_3MF_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_3MF_PACKAGE_DEPENDS "epura ${same_version}")
+set(CPACK_DEBIAN_3MF_DESCRIPTION
+"3MF for epura: items, components, names, units.")
 
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME ${library})
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
@@ -67,7 +85,7 @@ endforeach()
 string(TIMESTAMP EPURA_DATE "%a, %d %b %Y %H:%M:%S +0000" UTC)
 configure_file(cmake/debian/changelog.in ${CMAKE_CURRENT_BINARY_DIR}/debian/changelog @ONLY)
 execute_process(COMMAND gzip -9nf ${CMAKE_CURRENT_BINARY_DIR}/debian/changelog COMMAND_ERROR_IS_FATAL ANY)
-foreach(component epura study library development)
+foreach(component IN LISTS components)
   string(TOUPPER ${component} upper)
   install(FILES ${licences} ${CMAKE_CURRENT_BINARY_DIR}/debian/changelog.gz
           DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${CPACK_DEBIAN_${upper}_PACKAGE_NAME} COMPONENT ${component})

@@ -43,6 +43,12 @@ typedef struct epura_face {
   double radius, minor, slope;
 } epura_face;
 
+/* How coordinates of a file are rounded. */
+enum {
+  EPURA_SINGLE = 1, /* to 32 bits */
+  EPURA_PRINTED = 2 /* they were written as text, so perhaps to some decimals */
+};
+
 /* How two faces meet in an edge of the part. */
 enum {
   EPURA_SHARP = 0,  /* at an angle */
@@ -96,6 +102,8 @@ typedef struct epura_sink {
   int (*note)(void* host, const char* sentence);
   /* How much of the work is done, from 0 to 1. To be called a few times a second where that is easy. */
   int (*progress)(void* host, double done);
+  /* How points are rounded: the sum of what holds; not at all unless told. */
+  int (*rounding)(void* host, uint32_t kinds);
 } epura_sink;
 
 /* What is to be read, and how precisely. */

@@ -53,6 +53,8 @@ class Sink {
 
   void unit(double millimetres) { expect(sink_.unit(sink_.host, millimetres)); }
   void up(char axis) { expect(sink_.up(sink_.host, axis)); }
+  /// EPURA_SINGLE, EPURA_PRINTED or both.
+  void rounding(std::uint32_t kinds) { expect(sink_.rounding(sink_.host, kinds)); }
   /// Its number.
   std::uint32_t shape(const std::string& name) {
     expect(sink_.shape(sink_.host, name.c_str()));

@@ -28,6 +28,8 @@ class Assembler {
   Assembled assemble(const std::string& format) {
     result_.soup.format = format;
     result_.soup.notes = document_.notes;
+    result_.soup.single_precision = document_.is_single_precision != 0;
+    result_.soup.printed = document_.is_printed != 0;
     if (document_.nodes.empty()) {
       for (const Shape& shape : document_.shapes) place(shape, Mat4(1), shape.name);
     } else {

@@ -41,7 +41,8 @@ std::string_view package_for(std::string_view extension) {
   constexpr std::array rows{Row{"step", "epura-opencascade"}, Row{"stp", "epura-opencascade"},
                             Row{"p21", "epura-opencascade"},  Row{"iges", "epura-opencascade"},
                             Row{"igs", "epura-opencascade"},  Row{"brep", "epura-opencascade"},
-                            Row{"brp", "epura-opencascade"}};
+                            Row{"brp", "epura-opencascade"},  Row{"gltf", "epura-gltf"},
+                            Row{"glb", "epura-gltf"},         Row{"3mf", "epura-3mf"}};
   const auto found = std::find_if(rows.begin(), rows.end(), [&](const Row& row) { return row.extension == extension; });
   return found == rows.end() ? std::string_view() : found->package;
 }

@@ -47,7 +47,8 @@ void pack_node(Pack& pack, Value& node) {
 
 template <class Pack, class Value>
 void pack_rest(Pack& pack, Value& document) {
-  pack(document.unit), pack(document.is_y_up), pack(document.notes);
+  pack(document.unit), pack(document.is_y_up), pack(document.is_single_precision), pack(document.is_printed);
+  pack(document.notes);
 }
 
 }  // namespace

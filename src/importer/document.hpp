@@ -36,6 +36,8 @@ struct Node {
 struct Document {
   double unit = 1;  ///< millimetres
   int is_y_up = 0;  ///< instead of z
+  int is_single_precision = 0;
+  int is_printed = 0;  ///< coordinates were written as text
   std::vector<Shape> shapes{};
   std::vector<Node> nodes{};
   std::vector<std::string> notes{};

@@ -72,7 +72,8 @@ DocumentSink::DocumentSink(std::function<void(double)> tell)
              &call<&DocumentSink::edge, const epura_edge*>,
              &call<&DocumentSink::node, const epura_node*>,
              &call<&DocumentSink::note, const char*>,
-             &call<&DocumentSink::progress, double>} {}
+             &call<&DocumentSink::progress, double>,
+             &call<&DocumentSink::rounding, uint32_t>} {}
 
 template <auto member, class... A>
 int DocumentSink::call(void* host, A... arguments) noexcept {
@@ -191,6 +192,13 @@ int DocumentSink::node(const epura_node* node) {
 
 int DocumentSink::note(const char* sentence) {
   if (document_.notes.size() < most_notes) document_.notes.push_back(text_of(sentence));
+  return 0;
+}
+
+int DocumentSink::rounding(uint32_t kinds) {
+  require((kinds & ~(EPURA_SINGLE | EPURA_PRINTED)) == 0, "tells of a rounding that is not known");
+  document_.is_single_precision = (kinds & EPURA_SINGLE) != 0 ? 1 : 0;
+  document_.is_printed = (kinds & EPURA_PRINTED) != 0 ? 1 : 0;
   return 0;
 }
 

@@ -36,6 +36,7 @@ class DocumentSink {
   int node(const epura_node* node);
   int note(const char* sentence);
   int progress(double done);
+  int rounding(uint32_t kinds);
 
   template <auto member, class... A>
   static int call(void* host, A... arguments) noexcept;

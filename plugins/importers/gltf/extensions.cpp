@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "extensions.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "refuse.hpp"
+
+namespace epura::plugin::gltf {
+
+namespace {
+
+// These say what surfaces look like, where lamps are and what moves: nothing that has a line.
+constexpr std::array<std::string_view, 12> of_looks{
+    "KHR_materials_", "KHR_texture_",   "EXT_texture_",   "MSFT_texture_",    "KHR_lights_",   "EXT_lights_",
+    "KHR_xmp",        "KHR_animation_", "EXT_materials_", "ADOBE_materials_", "MSFT_packing_", "KHR_techniques_"};
+constexpr std::string_view of_shape = "KHR_mesh_quantization";
+
+bool is_read(std::string_view extension) {
+  const auto is_family = [&](std::string_view family) { return extension.substr(0, family.size()) == family; };
+  return extension == of_shape || std::any_of(of_looks.begin(), of_looks.end(), is_family);
+}
+
+}  // namespace
+
+void expect_extensions(const tinygltf::Model& model) {
+  for (const std::string& extension : model.extensionsRequired)
+    refuse_if(!is_read(extension), "needs the extension " + shortened(extension) + ", which is not read");
+}
+
+}  // namespace epura::plugin::gltf

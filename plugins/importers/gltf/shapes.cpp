@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "shapes.hpp"
+
+#include <array>
+#include <limits>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "accessors.hpp"
+#include "refuse.hpp"
+
+namespace epura::plugin::gltf {
+
+namespace {
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// The corners of a primitive, as its mode strings them together.
+struct Corners {
+  std::vector<Point> points;
+  std::vector<std::uint32_t> numbers;
+};
+
+std::size_t lines_in(int mode, std::size_t corners) {
+  if (mode == TINYGLTF_MODE_LINE) return corners / 2;
+  return mode == TINYGLTF_MODE_LINE_LOOP || corners == 0 ? corners : corners - 1;
+}
+
+bool is_degenerate(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
+
+// Counterclockwise as seen from outside. What strips and fans repeat to get elsewhere is no triangle.
+std::vector<Triangle> triangles_of(int mode, const std::vector<std::uint32_t>& n) {
+  std::vector<Triangle> triangles;
+  const std::size_t count = mode == TINYGLTF_MODE_TRIANGLES ? n.size() / 3 : n.size() < 3 ? 0 : n.size() - 2;
+  triangles.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (mode == TINYGLTF_MODE_TRIANGLES) {
+      triangles.push_back({n[3 * i], n[3 * i + 1], n[3 * i + 2]});
+      continue;
+    }
+    const Triangle next = mode == TINYGLTF_MODE_TRIANGLE_FAN ? Triangle{n[i + 1], n[i + 2], n[0]}
+                          : i % 2 == 0                       ? Triangle{n[i], n[i + 1], n[i + 2]}
+                                                             : Triangle{n[i], n[i + 2], n[i + 1]};
+    if (!is_degenerate(next)) triangles.push_back(next);
+  }
+  return triangles;
+}
+
+Corners corners_of(const tinygltf::Model& model, const tinygltf::Primitive& primitive, const std::string& what) {
+  Corners corners;
+  const auto position = primitive.attributes.find("POSITION");
+  refuse_if(position == primitive.attributes.end(), what + " has no positions");
+  corners.points = positions(model, position->second);
+  if (primitive.indices >= 0) {
+    corners.numbers = indices(model, primitive.indices);
+  } else {
+    corners.numbers.resize(corners.points.size());
+    std::iota(corners.numbers.begin(), corners.numbers.end(), 0u);
+  }
+  for (const std::uint32_t number : corners.numbers)
+    refuse_if(number >= corners.points.size(), what + " has a corner " + std::to_string(number) + ", but only " +
+                                                   std::to_string(corners.points.size()) + " positions");
+  return corners;
+}
+
+// Primitives share positions as a rule: those that none of these triangles has are not handed over with them.
+void keep_used(std::vector<Point>& points, std::vector<Triangle>& triangles, std::uint32_t first) {
+  constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> number(points.size(), unused);
+  for (const Triangle& triangle : triangles)
+    for (const std::uint32_t corner : triangle) number[corner] = 0;
+  std::uint32_t count = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (number[i] == unused) continue;
+    points[count] = points[i];
+    number[i] = first + count++;
+  }
+  points.resize(count);
+  for (Triangle& triangle : triangles)
+    for (std::uint32_t& corner : triangle) corner = number[corner];
+}
+
+}  // namespace
+
+std::string LeftOut::sentence() const {
+  std::string text;
+  const auto add = [&](std::size_t count, const char* one, const char* many) {
+    if (count == 0) return;
+    text += (text.empty() ? "" : ", ") + std::to_string(count) + (count == 1 ? one : many);
+  };
+  add(lines, " line", " lines");
+  add(points, " point", " points");
+  add(morphs, " morph target", " morph targets");
+  if (text.empty()) return text;
+  return text + (lines + points + morphs == 1 ? " is not drawn" : " are not drawn");
+}
+
+std::uint32_t add_shape(const tinygltf::Model& model, std::size_t number, Sink& sink, LeftOut& left_out) {
+  const tinygltf::Mesh& mesh = model.meshes[number];
+  std::uint32_t shape = EPURA_NONE;
+  std::size_t points = 0;
+  for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
+    const tinygltf::Primitive& primitive = mesh.primitives[i];
+    const std::string what = numbered("mesh", number) + ", " + numbered("primitive", i);
+    const int mode = primitive.mode;
+    refuse_if(mode < TINYGLTF_MODE_POINTS || mode > TINYGLTF_MODE_TRIANGLE_FAN,
+              what + " is of unknown mode " + std::to_string(mode));
+    Corners corners = corners_of(model, primitive, what);
+    if (mode == TINYGLTF_MODE_POINTS) left_out.points += corners.numbers.size();
+    if (mode >= TINYGLTF_MODE_LINE && mode <= TINYGLTF_MODE_LINE_STRIP)
+      left_out.lines += lines_in(mode, corners.numbers.size());
+    if (mode < TINYGLTF_MODE_TRIANGLES) continue;
+    left_out.morphs += primitive.targets.size();
+    refuse_if(mode == TINYGLTF_MODE_TRIANGLES && corners.numbers.size() % 3 != 0,
+              what + " has " + std::to_string(corners.numbers.size()) + " corners, which make no triangles");
+    std::vector<Triangle> triangles = triangles_of(mode, corners.numbers);
+    keep_used(corners.points, triangles, static_cast<std::uint32_t>(points));
+    points += corners.points.size();
+    refuse_if(points >= EPURA_NONE, numbered("mesh", number) + " has more points than can be numbered");
+    if (shape == EPURA_NONE) shape = sink.shape(mesh.name);
+    sink.points(corners.points);
+    sink.triangles(triangles);
+  }
+  return shape;
+}
+
+}  // namespace epura::plugin::gltf

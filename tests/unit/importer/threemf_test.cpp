@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: Apache-2.0
+// What would break if this were wrong: parts in the wrong unit, place or number, and archives that fill the memory.
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "support.hpp"
+
+namespace epura::test {
+namespace {
+
+std::uint32_t crc_of(std::string_view bytes) {
+  std::uint32_t crc = ~std::uint32_t{0};
+  for (const char c : bytes) {
+    crc ^= static_cast<unsigned char>(c);
+    for (int bit = 0; bit < 8; ++bit) crc = crc >> 1 ^ (crc % 2 == 1 ? 0xedb88320u : 0u);
+  }
+  return ~crc;
+}
+
+std::string little(std::uint32_t value, int bytes) {
+  std::string text;
+  for (int i = 0; i < bytes; ++i) text += static_cast<char>(value >> (8 * i) & 255);
+  return text;
+}
+
+struct Entry {
+  std::string name, bytes;
+  bool is_packed = false;     ///< by the method of blocks that are stored
+  std::uint32_t claimed = 0;  ///< size that the directory tells; 0: the true one
+  int flags = 0;
+};
+
+/// A ZIP archive, after the specification of PKWARE.
+std::string archive_of(const std::vector<Entry>& entries) {
+  std::string bytes, directory;
+  for (const Entry& entry : entries) {
+    const auto size = static_cast<std::uint32_t>(entry.bytes.size());
+    // One last block of deflate: its length, the length inverted, and the bytes as they are.
+    const std::string packed = entry.is_packed ? '\1' + little(size, 2) + little(~size, 2) + entry.bytes : entry.bytes;
+    const std::string common = little(20, 2) + little(static_cast<std::uint32_t>(entry.flags), 2) +
+                               little(entry.is_packed ? 8 : 0, 2) + little(0, 4) + little(crc_of(entry.bytes), 4) +
+                               little(static_cast<std::uint32_t>(packed.size()), 4) +
+                               little(entry.claimed == 0 ? size : entry.claimed, 4) +
+                               little(static_cast<std::uint32_t>(entry.name.size()), 2) + little(0, 2);
+    directory += "PK\1\2" + little(20, 2) + common + little(0, 10) +
+                 little(static_cast<std::uint32_t>(bytes.size()), 4) + entry.name;
+    bytes += "PK\3\4" + common + entry.name + packed;
+  }
+  const auto count = static_cast<std::uint32_t>(entries.size());
+  return bytes + directory + "PK\5\6" + little(0, 4) + little(count, 2) + little(count, 2) +
+         little(static_cast<std::uint32_t>(directory.size()), 4) + little(static_cast<std::uint32_t>(bytes.size()), 4) +
+         little(0, 2);
+}
+
+const std::string types =
+    R"(<?xml version="1.0" encoding="UTF-8"?><Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types">)"
+    R"(<Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/>)"
+    R"(<Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/></Types>)";
+
+std::string relations_to(const std::string& target) {
+  return R"(<?xml version="1.0" encoding="UTF-8"?>)"
+         R"(<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships">)"
+         R"(<Relationship Target=")" +
+         target + R"(" Id="r" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>)";
+}
+
+std::vector<Entry> entries_with(const std::string& xml) {
+  return {
+      {"[Content_Types].xml", types}, {"_rels/.rels", relations_to("/3D/3dmodel.model")}, {"3D/3dmodel.model", xml}};
+}
+
+std::string model_of(const std::string& resources, const std::string& build, const std::string& unit = "millimeter") {
+  return R"(<?xml version="1.0" encoding="UTF-8"?><model unit=")" + unit +
+         R"(" xml:lang="en-US" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02")"
+         R"( xmlns:b="http://schemas.microsoft.com/3dmanufacturing/beamlattice/2017/02")"
+         R"( xmlns:p="http://schemas.microsoft.com/3dmanufacturing/production/2015/06"><resources>)" +
+         resources + "</resources><build>" + build + "</build></model>";
+}
+
+/// A cube from the origin, of this side; `more` stands in its mesh.
+std::string cube(int id, const std::string& side = "1", const std::string& attributes = "",
+                 const std::string& more = "") {
+  constexpr std::array<std::array<int, 3>, 12> triangles{{{0, 2, 3},
+                                                          {0, 3, 1},
+                                                          {4, 5, 7},
+                                                          {4, 7, 6},
+                                                          {0, 1, 5},
+                                                          {0, 5, 4},
+                                                          {2, 6, 7},
+                                                          {2, 7, 3},
+                                                          {0, 4, 6},
+                                                          {0, 6, 2},
+                                                          {1, 3, 7},
+                                                          {1, 7, 5}}};
+  std::string text = "<object id=\"" + std::to_string(id) + "\" type=\"model\" " + attributes + "><mesh><vertices>";
+  for (int i = 0; i < 8; ++i)
+    text += "<vertex x=\"" + (i % 2 == 1 ? side : "0") + "\" y=\"" + (i / 2 % 2 == 1 ? side : "0") + "\" z=\"" +
+            (i / 4 == 1 ? side : "0") + "\"/>";
+  text += "</vertices><triangles>";
+  for (const auto& [a, b, c] : triangles)
+    text += "<triangle v1=\"" + std::to_string(a) + "\" v2=\"" + std::to_string(b) + "\" v3=\"" + std::to_string(c) +
+            "\"/>";
+  return text + "</triangles>" + more + "</mesh></object>";
+}
+
+std::string item(int id, const std::string& more = "") {
+  return "<item objectid=\"" + std::to_string(id) + "\" " + more + "/>";
+}
+
+importer::ReadModel read(const std::string& xml) {
+  const Folder folder;
+  return read_by_importer(folder.file("m.3mf", archive_of(entries_with(xml))));
+}
+
+std::string refusal_of_archive(const std::vector<Entry>& entries) {
+  const Folder folder;
+  return refusal_of(folder.file("m.3mf", archive_of(entries)));
+}
+
+std::string refusal(const std::string& xml) { return refusal_of_archive(entries_with(xml)); }
+
+TEST(ThreeMf, FilesSayTheirUnit) {
+  const std::vector<std::pair<std::string, double>> units{{"micron", 0.001}, {"millimeter", 1}, {"centimeter", 10},
+                                                          {"inch", 25.4},    {"foot", 304.8},   {"meter", 1000}};
+  for (const auto& [unit, millimetres] : units) {
+    const importer::ReadModel model = read(model_of(cube(1), item(1), unit));
+    EXPECT_EQ(model.unit, millimetres) << unit;
+    EXPECT_FALSE(model.is_y_up);
+    EXPECT_EQ(volume_of(model.mesh), 1);
+    EXPECT_EQ(model.mesh.report.triangles, 12);
+  }
+}
+
+TEST(ThreeMf, CoordinatesAreThoseThatAreWritten) {
+  const importer::ReadModel model =
+      read(model_of(cube(1, "12.345"), item(1, "transform=\"1 0 0 0 1 0 0 0 1 0.1 0 0\"")));
+  EXPECT_EQ(extent_of(model.mesh).most, Vec3(12.345 + 0.1, 12.345, 12.345));
+  EXPECT_TRUE(model.mesh.report.single_precision);
+}
+
+TEST(ThreeMf, ArchivesArePackedOrNotAndKnownByTheirFirstBytes) {
+  const Folder folder;
+  std::vector<Entry> entries = entries_with(model_of(cube(1), item(1)));
+  for (Entry& entry : entries) entry.is_packed = true;
+  EXPECT_EQ(volume_of(read_by_importer(folder.file("m.3mf", archive_of(entries))).mesh), 1);
+  std::swap(entries.front(), entries.back());
+  EXPECT_EQ(volume_of(read_by_importer(folder.file("m.zip", archive_of(entries))).mesh), 1);
+}
+
+TEST(ThreeMf, ItemsPlaceObjectsByRowVectors) {
+  // (x, y, z) -> (10 - 2 y, x, z), and a mirror image at x = -4..-3.
+  const importer::ReadModel model =
+      read(model_of(cube(1, "1", "name=\"frame\"") + cube(2, "1", "name=\"arm\" partnumber=\"A-7\""),
+                    item(1) + item(2, "transform=\"0 1 0 -2 0 0 0 0 1 10 0 0\"") +
+                        item(1, "partnumber=\"M-1\" transform=\"-1 0 0 0 1 0 0 0 1 -3 0 0\"")));
+  EXPECT_EQ(model.mesh.body_names, (std::vector<std::string>{"frame", "arm", "M-1"}));
+  EXPECT_EQ(volume_of(model.mesh), 1 + 2 + 1);
+  expect_extent(model.mesh, {-4, 0, 0}, {10, 1, 1});
+  EXPECT_EQ(model.mesh.report.misoriented_edges, 0);
+}
+
+TEST(ThreeMf, ComponentsStandInComponents) {
+  const std::string pair = R"(<object id="2" type="model"><components><component objectid="1"/>)"
+                           R"(<component objectid="1" transform="1 0 0 0 1 0 0 0 1 2 0 0"/></components></object>)";
+  const std::string turned = R"(<object id="3" type="model"><components>)"
+                             R"(<component objectid="2" transform="0 1 0 -1 0 0 0 0 1 0 0 0"/></components></object>)";
+  const importer::ReadModel model =
+      read(model_of(cube(1) + pair + turned, item(3, "transform=\"2 0 0 0 2 0 0 0 2 0 0 5\"")));
+  EXPECT_EQ(volume_of(model.mesh), 2 * 8);
+  expect_extent(model.mesh, {-2, 0, 5}, {0, 6, 7});
+}
+
+TEST(ThreeMf, PartsOfThePackageHaveNumbersOfTheirOwn) {
+  std::vector<Entry> entries = entries_with(
+      model_of(cube(1) + R"(<object id="2" type="model"><components><component objectid="1"/>)"
+                         R"(<component p:path="/3D/other.model" objectid="1" transform="1 0 0 0 1 0 0 0 1 5 0 0"/>)"
+                         "</components></object>",
+               item(2)));
+  entries.push_back({"3D/_rels/3dmodel.model.rels", relations_to("/3D/other.model")});
+  entries.push_back({"3D/other.model", model_of(cube(1, "2"), "")});
+  const Folder folder;
+  const importer::ReadModel model = read_by_importer(folder.file("m.3mf", archive_of(entries)));
+  EXPECT_EQ(volume_of(model.mesh), 1 + 8);
+  expect_extent(model.mesh, {0, 0, 0}, {7, 2, 2});
+}
+
+// lib3mf refuses files with such triangles, which CAD programs write.
+TEST(ThreeMf, TrianglesWithEqualCornersAreLeftOut) {
+  std::string xml = model_of(cube(1), item(1));
+  xml.replace(
+      xml.find("</triangles>"), 0,
+      R"(<triangle v1="1" v2="1" v3="3"/><triangle v1="1" v2="11" v3="1" pid="4"/><triangle  v3='2' v2='2' v1='0' />)");
+  std::vector<Entry> entries = entries_with(xml);
+  entries.back().is_packed = true;
+  const Folder folder;
+  const importer::ReadModel model = read_by_importer(folder.file("m.3mf", archive_of(entries)));
+  EXPECT_EQ(volume_of(model.mesh), 1);
+  EXPECT_EQ(model.mesh.report.triangles, 12);
+  EXPECT_EQ(model.mesh.report.notes, std::vector<std::string>{"3 triangles with two equal corners left out"});
+}
+
+TEST(ThreeMf, AModelThatBuildsNothingIsDrawnWhole) {
+  const importer::ReadModel model = read(model_of(
+      cube(1) + R"(<object id="2" type="model"><components><component objectid="1"/></components></object>)", ""));
+  EXPECT_EQ(volume_of(model.mesh), 1);
+  EXPECT_EQ(model.mesh.report.notes, std::vector<std::string>{"builds nothing: all of its objects are drawn"});
+}
+
+TEST(ThreeMf, BeamsOfLatticesAreCounted) {
+  const importer::ReadModel model = read(model_of(
+      cube(1, "1", "",
+           R"(<b:beamlattice radius="0.1" minlength="0.01"><b:beams><b:beam v1="0" v2="7"/><b:beam v1="1" v2="6"/>)"
+           "</b:beams></b:beamlattice>"),
+      item(1)));
+  EXPECT_EQ(volume_of(model.mesh), 1);
+  EXPECT_EQ(model.mesh.report.notes, std::vector<std::string>{"2 beams of lattices are not drawn"});
+}
+
+TEST(ThreeMf, BombsAreNotUnpacked) {
+  std::vector<Entry> entries = entries_with(model_of(cube(1), item(1)));
+  entries.push_back({"3D/large.model", std::string(1000, ' '), true, 300u << 20});
+  const std::string refused = refusal_of_archive(entries);
+  EXPECT_TRUE(refused.starts_with("unpacks to more than 256 MB, ")) << refused;
+  entries.back() = {"3D/large.model", std::string(1000, ' '), true, 10};
+  EXPECT_EQ(refusal_of_archive(entries), "'3D/large.model' in it is larger than its directory says");
+}
+
+// Each holds the one before ten times: ten thousand million cubes, of which nothing says so in one place.
+TEST(ThreeMf, PartsThatMultiplyAreNotPutDown) {
+  std::string objects = cube(1);
+  for (int id = 2; id <= 11; ++id) {
+    objects += "<object id=\"" + std::to_string(id) + "\" type=\"model\"><components>";
+    for (int i = 0; i < 10; ++i) objects += "<component objectid=\"" + std::to_string(id - 1) + "\"/>";
+    objects += "</components></object>";
+  }
+  EXPECT_EQ(refusal(model_of(objects, item(11))), "puts down more than 1000000 parts");
+}
+
+TEST(ThreeMf, ComponentsDoNotHoldThemselves) {
+  const auto holding = [](int id, int other) {
+    return "<object id=\"" + std::to_string(id) + "\" type=\"model\"><components><component objectid=\"" +
+           std::to_string(other) + "\"/></components></object>";
+  };
+  const std::string circle = "has components in more than 500 levels, or in a circle";
+  EXPECT_EQ(refusal(model_of(holding(1, 1), item(1))), circle);
+  EXPECT_EQ(refusal(model_of(holding(1, 2) + holding(2, 1), item(1))), circle);
+  std::string chain = cube(1);
+  for (int id = 2; id <= 100'000; ++id) chain += holding(id, id - 1);
+  EXPECT_EQ(refusal(model_of(chain, item(100'000))), circle);
+  EXPECT_EQ(refusal(model_of(holding(1, 2) + cube(2), item(1))),
+            "is no valid 3MF: a component is of an object that does not stand before it");
+}
+
+TEST(ThreeMf, WhatIsWrongWithAnArchiveIsTold) {
+  const Folder folder;
+  const std::vector<Entry> entries = entries_with(model_of(cube(1), item(1)));
+  const std::string whole = archive_of(entries);
+  const auto refusal_with = [&](std::string_view bytes) { return refusal_of(folder.file("m.3mf", bytes)); };
+  const std::string no_archive = "is no ZIP archive, which 3MF files are, or is cut short: ";
+  EXPECT_TRUE(refusal_with(std::string_view(whole).substr(0, whole.size() / 2)).starts_with(no_archive));
+  EXPECT_TRUE(refusal_with("solid x\nendsolid x\n").starts_with(no_archive));
+  std::string damaged = whole;
+  damaged[damaged.find("<vertices>") + 3] = 'X';
+  EXPECT_EQ(refusal_with(damaged), "'3D/3dmodel.model' in it is damaged: CRC error");
+  std::vector<Entry> encrypted = entries;
+  encrypted.back().flags = 1;
+  EXPECT_EQ(refusal_of_archive(encrypted), "is encrypted: '3D/3dmodel.model' cannot be read");
+  EXPECT_EQ(refusal_of_archive({{"readme.txt", "Hello"}}), "is a ZIP archive, but no 3MF: '_rels/.rels' is missing");
+  std::vector<Entry> without = entries;
+  without.pop_back();
+  EXPECT_EQ(refusal_of_archive(without), "is no valid 3MF: a part of the package that it refers to is missing");
+}
+
+TEST(ThreeMf, WhatIsWrongWithAModelIsTold) {
+  EXPECT_EQ(refusal("<model>"), "is no valid 3MF: No resources in model file");
+  EXPECT_EQ(refusal(model_of(cube(1), item(7))), "is no valid 3MF: an object that is to be built is missing");
+  std::string wrong = model_of(cube(1), item(1));
+  wrong.replace(wrong.find("v1=\"0\""), 6, "v1=\"8\"");
+  EXPECT_EQ(refusal(wrong), "is no valid 3MF: a triangle has a corner that is no vertex");
+  for (const char* side : {"nan", "1e40", "-inf"})
+    EXPECT_EQ(refusal(model_of(cube(1, side), item(1))),
+              "is no valid 3MF: a vertex has a coordinate that is no number, or is too large");
+}
+
+}  // namespace
+}  // namespace epura::test
