@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The C++ face of projection_abi.h: header-only, compiled into the plugin, so that only C crosses the border.
+// C++ wrapper of projection_abi.h: header-only, compiled into the plugin, so that only C crosses the interface.
 //
 // A projection is a struct with name, family, summary, reference, a table `parameters`, and
 //   static View project(const Scene&, one argument for each row of the table)
-// where a number arrives as double, a choice as int (or as bool for "false|true"), a vector of three as Vec3 and any
-// other vector as std::array<double, N>. EPURA_PROJECTION(Struct) makes a library of it, EPURA_PROJECTIONS(A, B...)
-// of several. Wrong values: throw std::invalid_argument with a sentence for the user.
+// where a number is passed as double, a choice as int (or as bool for "false|true"), a vector of three as Vec3 and any
+// other vector as std::array<double, N>. EPURA_PROJECTION(Struct) defines the library's entry point for one projection,
+// EPURA_PROJECTIONS(A, B...) for several. For invalid values, throw std::invalid_argument with a message for the user.
 #pragma once
 
 #include <epura/projection_abi.h>
@@ -27,7 +27,7 @@
 namespace epura::plugin {
 
 inline constexpr double unlimited = std::numeric_limits<double>::infinity();
-/// As a default: the projection finds the value from the model's box. Such a value arrives as NaN.
+/// As a default: the projection derives the value from the model's box. The value is passed as NaN.
 inline constexpr double from_box = std::numeric_limits<double>::quiet_NaN();
 
 struct Vec3 {
@@ -51,24 +51,24 @@ inline double portable_sin(double angle) { return static_cast<double>(std::sin(s
 inline double portable_cos(double angle) { return static_cast<double>(std::cos(static_cast<long double>(angle))); }
 inline double portable_tan(double angle) { return static_cast<double>(std::tan(static_cast<long double>(angle))); }
 
-/// Unit vector from the model to a viewer `azimuth` degrees to the right of the front and `elevation` above it.
+/// Unit vector towards a viewer `azimuth` degrees to the right of the front and `elevation` degrees above the horizon.
 inline Vec3 towards_viewer(double azimuth, double elevation) {
   const double a = radians(azimuth), e = radians(elevation);
   return {portable_sin(a) * portable_cos(e), -portable_cos(a) * portable_cos(e), portable_sin(e)};
 }
 
-/// The box of everything drawn.
+/// Bounding box of everything drawn.
 struct Scene {
   Vec3 least, most;
   [[nodiscard]] Vec3 centre() const { return 0.5 * least + 0.5 * most; }
-  /// Never zero, so that distances measured in it keep apart even for a single point.
+  /// Never zero, so that distances derived from it stay distinct even for a single point.
   [[nodiscard]] double diagonal() const {
     const double d = length(most - least);
     return d > 0 ? d : 1;
   }
 };
 
-/// What a projection answers; see epura_view for the members.
+/// Result of a projection; epura_view describes the members.
 struct View {
   bool central = false;
   Vec3 point, normal, up, projector;
@@ -77,7 +77,7 @@ struct View {
   double front = unlimited, back = -unlimited;
 };
 
-/// One row of the table for each kind of parameter.
+/// Rows of the parameter table, one function for each kind.
 constexpr epura_parameter number(const char* name, const char* unit, const char* help, double initial, double least,
                                  double most) {
   return {sizeof(epura_parameter), EPURA_NUMBER, 1, name, unit, help, nullptr, {initial}, least, most};
@@ -92,7 +92,7 @@ constexpr epura_parameter vector(const char* name, const char* unit, const char*
   return row;
 }
 
-/// A vector that is found from the box unless it is given.
+/// A vector that is derived from the box unless it is given.
 template <std::size_t N>
 constexpr epura_parameter vector(const char* name, const char* unit, const char* help) {
   std::array<double, N> initial{};
@@ -100,7 +100,7 @@ constexpr epura_parameter vector(const char* name, const char* unit, const char*
   return vector(name, unit, help, initial);
 }
 
-/// `choices` are written "a|b|c"; `initial` is a place in that list.
+/// `choices` is written "a|b|c"; `initial` is an index in that list.
 constexpr epura_parameter choice(const char* name, const char* help, const char* choices, int initial) {
   double most = 0;
   for (const char* c = choices; *c != 0; ++c) most += *c == '|';
@@ -111,7 +111,7 @@ inline constexpr std::array<epura_parameter, 0> no_parameters{};
 
 namespace detail {
 
-// How an argument of project() is read from the flat values: its type in the table, its length, its value.
+// Converts flat values to an argument of project(): its type in the table, its length, its value.
 template <class T>
 struct Argument;
 template <>
@@ -192,7 +192,7 @@ const char* project(const double* values, const epura_scene* scene, epura_view* 
   } catch (const std::exception& error) {
     sentence = error.what();
   } catch (...) {
-    sentence = "threw something that is no std::exception";
+    sentence = "threw something other than std::exception";
   }
   return sentence.c_str();
 }

@@ -10,7 +10,7 @@ struct Planometric {
   static constexpr auto summary = "plan true and turned, heights straight up";
   static constexpr auto reference = "ISO 5456-3";
   static constexpr std::array parameters{
-      number("angle", "deg", "by how much the plan is turned clockwise", 45, -360, 360),
+      number("angle", "deg", "clockwise rotation of the plan", 45, -360, 360),
       number("height", "1", "length on the page of a unit of height: 1, or 0.6667 as in the shortened form", 1, 0, 10),
   };
 

@@ -12,8 +12,8 @@ using namespace epura::plugin;
 /// 0.64 diagonals off the centre keeps it in the cone of 60 degrees about the normal that ISO 5456-4 asks for.
 inline constexpr double calm_distance = 2.5;
 
-inline constexpr epura_parameter distance_parameter =
-    number("distance", "diagonals", "eye from the model's centre, along the normal", calm_distance, 0.6, 1e6);
+inline constexpr epura_parameter distance_parameter = number(
+    "distance", "diagonals", "distance of the eye from the model's centre, along the normal", calm_distance, 0.6, 1e6);
 
 /// What was given, or what stands for it when nothing was.
 inline double given_or(double given, double otherwise) { return std::isnan(given) ? otherwise : given; }

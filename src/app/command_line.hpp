@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The command line of a program: one table parses, prints help and names what was perhaps meant.
+// The command line of a program: parsing, help and suggestions from one table.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tables of options on the command line: CLI11 learns of them, and what it found is read by them.
+// Connects tables of options to CLI11: declares them, and reads the values that it found.
 #pragma once
 
 #include <CLI/CLI.hpp>

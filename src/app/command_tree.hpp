@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The commands of the program as plain values: what the manual and the completion of shells are made from.
+// The commands of the program as plain values, from which manual and shell completion are made.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Completion in shells. Their scripts know nothing of the program: they ask it, so plugins of strangers complete as
-// well.
+// Shell completion. The scripts call the program for suggestions, so third-party plugins complete as well.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Standard error and the signals of a run: warnings, the progress line, and the end by Ctrl-C.
+// Standard error and signals of a run: warnings, the progress line, and Ctrl-C.
 #pragma once
 
 #include <csignal>

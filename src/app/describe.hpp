@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Options, and the scene file that they may name -> what is to be drawn.
+// Options, and the scene file that they may name -> description of the drawing.
 #pragma once
 
 #include <string>

@@ -27,11 +27,12 @@ void expect_outputs(const DrawOptions& options) {
   if (!asked && options.outputs.empty())
     throw Error(ErrorKind::input, "command line", "--output is required", "see 'epura draw --help'");
   if (asked && std::find(options.outputs.begin(), options.outputs.end(), "-") != options.outputs.end())
-    throw Error(ErrorKind::input, "--output -", "leaves no standard output to answer --why, --dump and explain",
+    throw Error(ErrorKind::input, "--output -",
+                "conflicts with the answers of --why, --dump and explain on standard output",
                 "write the drawing to a file");
   if (options.measure && options.run.time_limit)
-    throw Error(ErrorKind::input, "--measure", "draws several times, and knows no --time-limit",
-                "leave out one of them");
+    throw Error(ErrorKind::input, "--measure", "draws several times and cannot be combined with --time-limit",
+                "omit one of them");
 }
 
 // The whole run once more, from reading on, by other certificates.

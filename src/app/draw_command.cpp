@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `epura draw`: a run with the terminal around it.
+// `epura draw`: a run with its terminal.
 #include <cstdio>
 #include <utility>
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One run from the options to the files: what the program does, and the library.
+// One run from options to files, without a terminal.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The plan of a run as a table (`epura explain`), and what its certificates save.
+// The stages of a run as a table (`epura explain`), and the time that its shortcuts save.
 #pragma once
 
 #include <functional>

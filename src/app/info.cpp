@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// epura info MODEL...: what a model file holds.
+// epura info MODEL...: describes model files.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -253,11 +253,11 @@ std::vector<std::string> repairs_of(const mesh::MeshReport& report) {
   // Triangles of an STL file bring their own corners: joining these is reading, and no repair.
   if (report.format != "stl") add(report.welded_vertices, "vertex joined", "vertices joined");
   add(report.dropped_degenerate, "face without area left out", "faces without area left out");
-  add(report.dropped_duplicates, "face left out that is there twice", "faces left out that are there twice");
-  add(report.dropped_non_finite, "face left out for numbers that are not finite",
-      "faces left out for numbers that are not finite");
-  add(report.misoriented_edges, "edge between faces that run different ways round",
-      "edges between faces that run different ways round");
+  add(report.dropped_duplicates, "duplicate face left out", "duplicate faces left out");
+  add(report.dropped_non_finite, "face with non-finite coordinates left out",
+      "faces with non-finite coordinates left out");
+  add(report.misoriented_edges, "edge between inconsistently oriented faces",
+      "edges between inconsistently oriented faces");
   repairs.insert(repairs.end(), report.notes.begin(), report.notes.end());
   repairs.insert(repairs.end(), report.remarks.begin(), report.remarks.end());
   return repairs;

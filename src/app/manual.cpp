@@ -100,10 +100,10 @@ std::string projection(const projection::ProjectionEntry& entry) {
 }
 
 std::string projections_section(const std::vector<projection::ProjectionEntry>& projections) {
-  std::string text = section("PROJECTIONS") + bold("--projection ") + italic("NAME[:key=value...]") +
-                     " takes one of these, found when this page was made, with their parameters. More come as plugins, "
-                     "and are told by " +
-                     bold("epura plugins") + ".\n";
+  std::string text =
+      section("PROJECTIONS") + bold("--projection ") + italic("NAME[:key=value...]") +
+      " takes one of the following, found when this page was generated. Plugins can add more; all are listed by " +
+      bold("epura plugins") + ".\n";
   for (const projection::ProjectionEntry& entry : projections) text += projection(entry);
   return text;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the command line asks for, as plain values. The tables in draw_options.cpp and command_options.cpp say how each
-// is called and what it may be.
+// The command line's requests as plain values. The tables in draw_options.cpp and command_options.cpp define names and
+// permitted values.
 #pragma once
 
 #include <filesystem>

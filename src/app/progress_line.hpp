@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The line that shows on a terminal how far a run is.
+// The progress line on a terminal.
 #pragma once
 
 #include <cstddef>

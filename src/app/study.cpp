@@ -39,7 +39,7 @@ void start_study(std::vector<std::string> arguments) {
   ::execv(program.c_str(), words.data());
   const int reason = errno;
   if (reason == ENOENT)
-    throw Error(ErrorKind::input, "study", "is a program of its own, and there is no " + program,
+    throw Error(ErrorKind::input, "study", "is a separate program, which is missing: " + program,
                 "install the package epura-study");
   throw Error(ErrorKind::input, program, std::string("cannot be started: ") + std::strerror(reason));
 }

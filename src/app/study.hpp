@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `epura study`: a program of its own, epura-study, which is installed beside epura or is not.
+// `epura study`: starts epura-study, a separate program that may be installed next to epura.
 #pragma once
 
 #include <optional>

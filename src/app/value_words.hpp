@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What may be written as the value of an option, for the completion of shells.
+// Possible values of an option, for shell completion.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs of points of a polyline that lie on one curve, found greedily: the mechanism, for curves of any kind.
+// Runs of consecutive points of a polyline on one curve, found greedily; independent of the kind of curve.
 #pragma once
 
 #include <algorithm>

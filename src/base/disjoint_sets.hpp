@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sets that grow together.
+// Disjoint sets with union (union-find).
 #pragma once
 
 #include <algorithm>

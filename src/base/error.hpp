@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one error type: trouble that the user can mend. Thrown anywhere, caught once, in app.
+// The only error type: errors that the user can correct. Thrown anywhere, caught once, in app.
 #pragma once
 
 #include <stdexcept>

@@ -45,7 +45,7 @@ class Descriptor {
 
 [[noreturn]] void fail(ErrorKind kind, const fs::path& path, const std::string& action, int number) {
   std::string hint;
-  if (number == ENOENT) hint = kind == ErrorKind::input ? "check the path" : "make the folder first";
+  if (number == ENOENT) hint = kind == ErrorKind::input ? "check the path" : "create the folder first";
   if (number == EACCES || number == EROFS) hint = "check the permissions of the file and its folder";
   throw Error(kind, path.string(), "cannot " + action + ": " + std::strerror(number), hint);
 }
@@ -53,7 +53,7 @@ class Descriptor {
 // Git keeps the bytes of such a file elsewhere.
 void refuse_pointer(const fs::path& path, std::string_view bytes) {
   if (bytes.starts_with("version https://git-lfs.github.com/spec/"))
-    throw Error(ErrorKind::input, path.string(), "is a Git LFS pointer; the file that it stands for is not there",
+    throw Error(ErrorKind::input, path.string(), "is a Git LFS pointer; the file it stands for is missing",
                 "run git lfs pull");
 }
 

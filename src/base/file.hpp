@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whole files in and out. A reader of an output sees the old file or the new one, never half of one.
+// Reading and writing of whole files. Readers of an output see the old file or the new one, never a part.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parallel loops. What a loop computes must not depend on how its range is cut.
+// Parallel loops. Results must not depend on how the range is divided.
 #pragma once
 
 #include <algorithm>

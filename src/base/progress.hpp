@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a run tells while it works, and what it asks: how far it is, and whether its time is over. Stages take a
-// Progress; made from nothing, it does nothing. A stage that time is over in either ends with what it has, where that
-// is right, or throws OutOfTime.
+// Progress of a run, and its deadline. Stages receive a Progress, report how much is done, and ask whether time is up;
+// a default-constructed one does nothing. When time is up, a stage either returns what it has, if that is right, or
+// throws OutOfTime.
 #pragma once
 
 #include <atomic>

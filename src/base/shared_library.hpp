@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shared libraries that are loaded while the program runs, and where its own lie.
+// Loads shared libraries at run time, and finds epura's own.
 #pragma once
 
 #include <filesystem>

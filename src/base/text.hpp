@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers as text and back, independent of the locale; names that were perhaps meant.
+// Numbers as text and back, independent of the locale; suggestions for misspelt names.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Text from files and command lines, made fit for XML, JSON, PDF and fonts.
+// Makes text from files and command lines valid for XML, JSON, PDF and fonts.
 #pragma once
 
 #include <string>

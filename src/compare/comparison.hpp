@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a person sees that is not the same in two drawings.
+// The visible differences between two drawings.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts of lines that differ -> lines as people see them.
+// Differing parts of lines -> lines as people see them.
 #pragma once
 
 #include <string>

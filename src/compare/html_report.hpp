@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pages for people who judge differences: old and new drawing beside what differs.
+// HTML pages for reviewing differences: old drawing, overlay and new drawing side by side.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is seen of the lines of a drawing, and which of it another drawing has.
+// The visible parts of a drawing's lines, and which of them another drawing has.
 #pragma once
 
 #include <vector>

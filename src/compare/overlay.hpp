@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures of drawings and of what differs in them, as sheets that every writer takes.
+// Pictures of drawings and their differences as sheets, for any writer.
 #pragma once
 
 #include "compare/comparison.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Puts a picture together from what a file says, and refuses what no drawing holds: a few bytes can stand for curves of
-// millions of pieces, or for places that no paper has.
+// Assembles a picture from the content of a file, and rejects what no drawing contains: a few bytes can stand for
+// curves of millions of pieces, or for positions outside any paper.
 #pragma once
 
 #include <cstddef>

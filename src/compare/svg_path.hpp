@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Path data as readers of SVG take it. SVG 1.1, 8.3.
+// SVG path data. SVG 1.1, 8.3.
 #pragma once
 
 #include <optional>

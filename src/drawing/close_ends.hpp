@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ends of lines that stood on ink that is taken away are joined to the ink that is drawn for it.
+// Links ends of lines that met removed ink to the ink that is drawn instead.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cut faces as the viewer has them.
+// Cut faces as seen in a view.
 #pragma once
 
 #include <vector>

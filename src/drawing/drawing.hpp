@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One view as plain 2D ink, in millimetres of paper, y up. No styles yet.
+// One view as plain 2D ink, in millimetres on paper, y up, without styles.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which ends of straight lines go on into one another where lines meet in a point.
+// Which lines continue each other where several straight lines meet in a point.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Many pieces in one place, found by rank, direction, and where they lie.
+// Many pieces in one place, searched by rank, direction and position.
 #pragma once
 
 #include <array>

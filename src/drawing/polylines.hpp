@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pieces of one strength, end to end.
+// Pieces of the same strength, joined end to end.
 #pragma once
 
 #include <span>

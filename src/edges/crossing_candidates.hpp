@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which triangles may cross others at all: the rest need not be searched for intersection lines.
+// Which triangles may cross others at all; the rest are excluded from the search for intersection lines.
 #pragma once
 
 #include <vector>

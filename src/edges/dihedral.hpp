@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fold between two triangles at their common edge, whichever way round they are oriented.
+// The angle of the fold between two triangles at their common edge, for any orientation.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which edges deserve a line, as straight pieces between vertices of the view.
+// All edges to draw, as straight pieces between vertices of the view.
 #pragma once
 
 #include <array>

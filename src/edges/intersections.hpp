@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where faces interpenetrate: the lines in which they cross. They are no mesh edges, but drawn like creases.
+// Intersection lines of faces. They are not mesh edges, but are drawn like creases.
 #pragma once
 
 #include <array>

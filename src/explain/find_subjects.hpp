@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which edge is meant: by vertices, by faces, or by a place of the page.
+// The edges that a question is about: by vertices, by faces, or by a position on the sheet.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which triangles belong together.
+// Which triangles form a body.
 #pragma once
 
 #include <vector>

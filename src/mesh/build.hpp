@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Soup -> Mesh: weld, drop what is not a face, triangulate, and pair edges.
+// Soup -> Mesh: weld, drop invalid faces, triangulate, and pair edges.
 #pragma once
 
 #include <string>

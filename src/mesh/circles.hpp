@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Circles among the edges of a mesh: what rims of holes, bosses and shafts are made of.
+// Circles formed by edges of a mesh: rims of holes, bosses and shafts.
 #pragma once
 
 #include <vector>

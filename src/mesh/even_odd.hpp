@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Areas between outlines, by the even-odd rule, as triangles.
+// Areas bounded by outlines with the even-odd rule, as triangles.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wavefront OBJ: v, f, o and g; the rest says nothing about surfaces.
+// Wavefront OBJ: v, f, o and g; other lines do not describe surfaces.
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -147,8 +147,8 @@ class ObjJoiner {
     if (ignored_.lines == 0) return;
     std::string list;
     for (const std::string& keyword : ignored_.keywords) list += (list.empty() ? "" : ", ") + keyword;
-    soup_.notes.push_back("ignored " + std::to_string(ignored_.lines) + " lines of other kinds (" + list +
-                          "), the first of them line " + std::to_string(1 + ignored_.first_line));
+    soup_.notes.push_back("ignored " + std::to_string(ignored_.lines) + " unsupported lines (" + list +
+                          "), the first is line " + std::to_string(1 + ignored_.first_line));
   }
 
   std::string_view name_;

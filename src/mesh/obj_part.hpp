@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a part of an OBJ file says, told apart from what stands before it: long files are read in parts, side by side.
+// One part of an OBJ file, parsed independently of what precedes it: long files are read in parallel parts.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Object File Format of Geomview: [ST][C][N]OFF, counts, one vertex a line, one face a line.
+// Geomview's Object File Format: [ST][C][N]OFF, counts, one vertex per line, one face per line.
 // Format: http://www.geomview.org/docs/html/OFF.html
 #include "base/text.hpp"
 #include "mesh/off_keyword.hpp"
@@ -25,10 +25,10 @@ void read_keyword(TextCursor& text) {
     return;
   }
   if (keyword.find_first_of("4n") != std::string_view::npos)
-    text.fail(quoted(keyword) + " has vertices of another dimension than three");
+    text.fail(quoted(keyword) + " has vertices that are not three-dimensional");
   text.put_back(word.size() - keyword.size());
   const TextCursor behind = text;
-  if (text.word() == "BINARY") text.fail("binary OFF is not read", "save it as text OFF or as PLY");
+  if (text.word() == "BINARY") text.fail("binary OFF is not supported", "save it as text OFF or as PLY");
   text = behind;
 }
 
@@ -41,7 +41,7 @@ Counts read_counts(TextCursor& text) {
     const long long least_bytes = count == &counts.vertices ? 6 : 2;
     const auto max = static_cast<long long>(text.bytes_left() / least_bytes) + 1;
     if (*count < 0 || *count > max)
-      text.fail("the file cannot hold the " + std::to_string(*count) + " " + what + " that its header announces");
+      text.fail("the file is too short for the " + std::to_string(*count) + " " + what + " that its header announces");
   }
   // The number of edges, which nobody needs, follows here, alone on the next line, or not at all.
   if (!text.word().empty()) return counts;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// By what OFF files are known.
+// The keyword that identifies OFF files.
 #pragma once
 
 #include <string_view>

@@ -95,8 +95,8 @@ double TextCursor::number(std::string_view word, std::string_view what) const {
   if (const auto value = parse_number(word)) return *value;
   if (const auto value = windows_value(word)) return *value;
   if (word.empty()) fail(std::string(what) + " is missing");
-  fail(quoted(word) + " is not a number that a double can hold",
-       word.find(',') == std::string_view::npos ? "" : "numbers are written with a point and separated by blanks");
+  fail(quoted(word) + " is not a number, or too large",
+       word.find(',') == std::string_view::npos ? "" : "write numbers with a decimal point, separated by blanks");
 }
 
 long long TextCursor::integer(std::string_view word, std::string_view what) const {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The words of a text file, line by line, and where the reader stands when something is wrong.
+// The words of a text file, line by line, and the position of the reader for error messages.
 //
 // Lines end with LF, CR or CRLF; '#' begins a comment; a backslash at the end of a line continues it on the next. Words
-// such as "-1.#IND" are whole: the C library of Windows wrote them for values that are no finite numbers.
+// such as "-1.#IND" are complete: the C library of Windows wrote them for non-finite values.
 #pragma once
 
 #include <array>

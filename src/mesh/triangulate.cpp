@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ear clipping [Meisters. Polygons Have Ears. Amer. Math. Monthly 1975] for polygons that may touch themselves, as
-// those with holes do that are joined to the outline by a bridge. Each cut takes the signed area of its triangle away
-// from the polygon, so whatever is cut, the sum stays.
+// Ear clipping [Meisters. Polygons Have Ears. Amer. Math. Monthly 1975] for polygons that may touch themselves, such as
+// those whose holes are joined to the outline by a bridge. Each cut removes the signed area of its triangle from the
+// polygon, so the sum is preserved whatever is cut.
 #include "mesh/triangulate.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Points at the same place become one vertex.
+// Merges points at the same position into one vertex.
 #pragma once
 
 #include <vector>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What all Cairo writers share: surfaces that close themselves, and sheets drawn on them.
+// Common parts of all Cairo writers: surfaces that close themselves, and sheets drawn on them.
 //
-// Cairo keeps the points of a path in 1/256 of a surface unit with 23 bits before the point. Vector files are therefore
-// drawn much enlarged and scaled back once, where the layers are put together.
+// Cairo stores the points of a path in 1/256 of a surface unit with 23 bits before the point. Vector files are
+// therefore drawn much enlarged and scaled back once, when the layers are assembled.
 #pragma once
 
 #include <cairo.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Arcs of circles and ellipses as what file formats have: cubic Bezier curves, and arcs of a quarter at most.
+// Arcs of circles and ellipses as cubic Bezier curves, and as arcs of at most a quarter, for file formats.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Strokes as the shapes that DXF has: polylines, some of whose lines are arcs, and curves that stand alone.
+// Strokes as DXF shapes: polylines with arcs, and separate curves.
 #pragma once
 
 #include <variant>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// All of a DXF file but its entities: AutoCAD 2000 (AC1015), the first that has line widths, and that every program
-// reads.
+// Everything in a DXF file except its entities: AutoCAD 2000 (AC1015), the first version with line weights, and
+// readable by all programs.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Groups of a DXF file, two lines each, and texts made fit for them.
+// Groups of a DXF file, two lines each, and text encoded for them.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What pages of reports are made of.
+// Common parts of HTML reports.
 #pragma once
 
 #include <string>

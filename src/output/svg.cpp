@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// SVG in one pass over the sheet. Documents may stand in the page of somebody else: nothing of it has the names of
-// theirs, and none of its rules is for other elements.
+// SVG in one pass over the sheet. A document may be embedded in a foreign page: its names do not clash with those of
+// the page, and its rules apply to no other elements.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -293,7 +293,7 @@ std::string checked_id_prefix(std::string prefix, const std::string& where) {
   if (prefix.empty() || prefix.size() > longest || characters.find(prefix[0]) < first_letter ||
       prefix.find_first_not_of(characters) != std::string::npos)
     throw Error(ErrorKind::input, where, "'" + prefix + "' cannot begin an id",
-                "a letter is possible, and then letters, digits, '-' and '_', 64 in all");
+                "use a letter, then letters, digits, '-' and '_', at most 64 in all");
   return prefix;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The data of SVG paths in few bytes. SVG 1.1, 8.3.
+// Compact SVG path data. SVG 1.1, 8.3.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sheets -> the bytes of a file. Nothing is computed here but the encoding.
+// Sheets -> the bytes of a file. Only encoding happens here.
 #pragma once
 
 #include <optional>

@@ -86,7 +86,7 @@ AnnotationLayers annotation_layers(const SheetInput& input, std::span<const View
     }
     if (!sheet::on_paper(layer, {paper.width, paper.height}))
       result.warnings.push_back("dimensions of the view '" + drawing.name +
-                                "' reach beyond the paper\n  hint: use a smaller scale or a larger sheet");
+                                "' extend beyond the sheet\n  hint: use a smaller scale or a larger sheet");
     add_boxes(around.boxes, layer, *lettering);
     result.layers.push_back(std::move(layer));
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is written beside the views of a sheet, each out of the way of what stands there.
+// Annotations of the views on a sheet, placed so that they do not collide.
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Dimensions and sections of a scene -> what is to be written beside each view of a sheet.
+// Dimensions and sections of a scene -> annotations of each view on a sheet.
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What nobody said of a scene is filled in, and its names are looked up.
+// Fills in the defaults of a scene and resolves its names.
 #pragma once
 
 #include "scene/description.hpp"

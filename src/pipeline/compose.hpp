@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Drawings in their places -> sheets of paper.
+// Views in their positions -> sheets.
 #pragma once
 
 #include <span>

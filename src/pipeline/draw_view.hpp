@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The whole way of one view, stage by stage: models in, drawing out.
+// One view through all stages: models in, drawing out.
 #pragma once
 
 #include <chrono>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a run ends with: sheets that are to be written, if need be with fewer lines for want of time.
+// The result of a run: sheets ready to be written, with fewer lines if time is short.
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Descriptions of sheets and what their views look like -> where everything stands.
+// Descriptions of sheets and the drawings of their views -> positions of everything.
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a scene is drawn, beside what its parts say.
+// How a scene is drawn, apart from the options of its parts.
 #pragma once
 
 #include <filesystem>

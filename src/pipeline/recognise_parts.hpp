@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The faces of the parts that the models of a scene stand for.
+// Recognises the faces of the parts in a scene.
 #pragma once
 
 #include "base/progress.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stages that are left out where a certificate says that the drawing is the same without them.
+// Stages that are skipped if a test proves that the drawing is the same without them.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The files to be written.
+// The files to write.
 #pragma once
 
 #include <span>

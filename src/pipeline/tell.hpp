@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a run has to say of its results, in words.
+// Messages about the results of a run.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Descriptions of views, their words understood.
+// Descriptions of views -> parsed view options.
 #pragma once
 
 #include <vector>

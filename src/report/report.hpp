@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a run found beside its drawings: repairs, the stages that ran, what time did not suffice for, the condition of
-// its views, how a drawing was verified.
+// Findings of a run: repairs, stages that ran, what the time limit cut short, condition of views, verification.
 #pragma once
 
 #include <algorithm>

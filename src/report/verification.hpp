@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an independent test of a drawing found. Made by study, written by JSON and in words.
+// The result of an independent test of a drawing. Filled by `verify`, printed as JSON and text.
 #pragma once
 
 #include <array>

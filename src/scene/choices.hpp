@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What users choose among: enums with their words, and values that are more than a number.
+// User choices: enums with their words, and values that are more than a number.
 #pragma once
 
 #include <array>

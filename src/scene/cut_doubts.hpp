@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Closed outlines of a cut that do not tell where material is, because outlines around or inside of them are open.
+// Closed outlines of a cut that do not determine where material is, because outlines around or inside them are open.
 #pragma once
 
 #include <span>

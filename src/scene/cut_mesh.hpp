@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a plane leaves of one model, and the segments along which it cuts it.
+// The remainder of one model behind a plane, and the segments along which the plane cuts it.
 #pragma once
 
 #include <array>

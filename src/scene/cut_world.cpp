@@ -250,7 +250,7 @@ CutWorld cut_world(const World& world, const CuttingPlane& plane, const Progress
     cuts = cuts || !cut.cut.segments.empty() || !cut.loose.empty();
     append(result.world, cut);
   }
-  if (result.world.triangles.empty()) refuse(plane, "the cutting plane takes everything away");
+  if (result.world.triangles.empty()) refuse(plane, "the cutting plane removes everything");
   if (!cuts) refuse(plane, "the plane cuts nothing");
   return result;
 }

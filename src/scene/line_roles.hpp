@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lines that sheets have, one row each: how they are called, how wide they are, and their dashes. ISO 128-2.
-// Sheets, writers and comparison read them here. The table stands in `scene` since a model chooses its role in the
-// scene.
+// The line roles of sheets, one row each: name, width and dashes. ISO 128-2. Sheets, writers and comparison use this
+// table. It is in `scene` because models choose their role in the scene.
 #pragma once
 
 #include <algorithm>

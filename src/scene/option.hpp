@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One option of a drawing, or of a command: everything that is said of it, once. Tables of such rows feed the command
-// line, scene files, help, completion, the manual and the documentation.
+// One option of a drawing or command, completely described in one place. Tables of such rows feed the command line,
+// scene files, help, completion, the manual and the documentation.
 #pragma once
 
 #include <functional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The options of the parts of a scene, each with all that is said of it. docs/formats.md is made from these tables.
+// The options of the parts of a scene. docs/formats.md is generated from these tables.
 #pragma once
 
 #include <string>

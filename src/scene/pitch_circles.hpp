@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Holes on a circle around something round.
+// Holes on a circle around a round feature.
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Round faces of a part, as much of them as stands in the world.
+// Round faces of a part, as far as they are in the world.
 #pragma once
 
 #include <vector>

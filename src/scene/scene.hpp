@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Models placed in one world, in one index space.
+// Models placed in one world, with common indices.
 #pragma once
 
 #include <array>

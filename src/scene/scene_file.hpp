@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scene files: what is to be drawn, in TOML. docs/formats.md describes them.
+// Scene files: descriptions of drawings in TOML, see docs/formats.md.
 #pragma once
 
 #include <filesystem>

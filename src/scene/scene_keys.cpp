@@ -65,13 +65,13 @@ void read_free_fields(TitleBlockFields& fields, const TomlValue& table) {
 
 Options<TitleBlockFields> title_block_keys() {
   Options<TitleBlockFields> keys = title_block_options();
-  keys.push_back(table_option<TitleBlockFields>("free", "more fields, of any name", read_free_fields));
+  keys.push_back(table_option<TitleBlockFields>("free", "additional fields with any name", read_free_fields));
   return keys;
 }
 
 Options<SheetDescription> own_sheet_keys() {
   return {table_option<SheetDescription>(
-      "title_block", "as `[title_block]`, for this sheet alone", [](SheetDescription& sheet, const TomlValue& value) {
+      "title_block", "like `[title_block]`, for this sheet only", [](SheetDescription& sheet, const TomlValue& value) {
         read_entries(sheet.title_block, value, title_block_keys(), "[sheet.title_block]");
       })};
 }
@@ -128,7 +128,7 @@ void read_title_block(SceneWords& words, const TomlValue& value) {
 // In the order of reading: what all sheets share stands before the sheets.
 Options<SceneWords> scene_keys() {
   return {
-      {{.key = "views", .form = {"list of texts"}, .help = "projections: short for a `[[view]]` of each"},
+      {{.key = "views", .form = {"list of texts"}, .help = "projections; short for a `[[view]]` for each"},
        read_short_views},
       parts_key("model", model_options(), in_description(&SceneDescription::models)),
       parts_key("section", section_options(), in_description(&SceneDescription::sections)),

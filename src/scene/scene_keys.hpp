@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The keys of scene files. One table feeds the reader, its hints and the documentation.
+// The keys of scene files. One table serves the reader, its hints and the documentation.
 #pragma once
 
 #include <string>

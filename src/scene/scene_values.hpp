@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What values in a scene file may be: their names for the documentation, and how they are read.
+// Kinds of values in scene files: their names for the documentation, and how they are read.
 #pragma once
 
 #include <functional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// TOML files (toml.io, version 1.0) as plain values that know their places.
+// TOML files (toml.io, version 1.0) as plain values with their positions.
 #pragma once
 
 #include <filesystem>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far the part reaches along the axes of the world, of which the mesh has only vertices: a polygon around a circle
-// is narrower than the circle where no corner lies farthest out.
+// Extents of the part along the axes of the world. The mesh has only vertices: a polygon around a circle is narrower
+// than the circle unless a corner lies at its extreme.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How many views there may be, and what those are called that have no name of their own.
+// Maximum number of views, and default names.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How finely, and in which proportion, a part of the page is divided into cells.
+// Chooses how finely, and in which proportion, a part of the page is divided into cells.
 #pragma once
 
 #include <cmath>

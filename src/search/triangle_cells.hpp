@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cells of a uniform grid that a triangle touches, and those that lie wholly inside it, row by row.
+// The cells of a uniform grid that a triangle touches, and those entirely inside it, row by row.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the views of a sheet stand, and at which scale. ISO 5456-2.
+// Positions and scale of the views on a sheet. ISO 5456-2.
 #pragma once
 
 #include <optional>

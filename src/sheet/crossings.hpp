@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where lines of a drawing meet each other.
+// Where lines of a drawing meet.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a section is cut, marked in a view that sees the cutting plane edge-on. ISO 128-3.
+// The cutting plane of a section, marked in a view that sees it edge-on. ISO 128-3.
 #pragma once
 
 #include <optional>

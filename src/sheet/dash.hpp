@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Dashes fitted to lines, so that ends, corners and crossings are drawn with ink. ISO 128-2.
+// Dashes fitted to lines so that ends, corners and crossings have ink. ISO 128-2.
 #pragma once
 
 #include <span>

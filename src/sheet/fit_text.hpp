@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lettering made to fit into a box. ISO 3098.
+// Lettering fitted into a box. ISO 3098.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The font of all lettering on a sheet: osifont, drawn after ISO 3098.
+// The lettering font: osifont, designed after ISO 3098.
 #pragma once
 
 #include <filesystem>

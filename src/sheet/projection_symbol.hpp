@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The symbol that tells first angle from third angle projection. ISO 5456-2.
+// The symbol for first-angle or third-angle projection. ISO 5456-2.
 #pragma once
 
 #include "scene/choices.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sheet of paper with strokes, fills and texts on it: everything that a writer needs, nothing left to compute.
+// A sheet with strokes, fills and texts: everything a writer needs, with nothing left to compute.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A drawing becomes layers of strokes with line types and widths. Lines: ISO 128-2.
+// Drawing -> layers of strokes with line types and widths. ISO 128-2.
 #pragma once
 
 #include <optional>

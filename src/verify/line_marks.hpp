@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where on one line of the page there must be ink, and where there may be.
+// Where ink is required and where it is allowed along one line of the page.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A drawing and its scene along lines of the page: what is asked for there, and what ink is.
+// A drawing and its scene along lines of the page: required positions, and ink.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which points of a drawing are tested.
+// Chooses the tested points of a drawing.
 #pragma once
 
 #include <array>

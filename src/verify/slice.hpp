@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene over one line of the page: what the plane through that line and the viewer cuts out of it.
+// The scene over one line of the page: its section by the plane through that line and the viewer.
 #pragma once
 
 #include <array>

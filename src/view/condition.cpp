@@ -68,7 +68,7 @@ std::vector<Share> parallel_shares(const Setting& s) {
   }
   if (p.window) size = larger_side(*p.window);
   std::vector<Share> shares{{coordinates / size, "the model is small for its distance from the origin"},
-                            {direction / size, "projectors run nearly along the plane of projection"}};
+                            {direction / size, "projectors are nearly parallel to the plane of projection"}};
   add_window(s, size, shares);
   return shares;
 }
@@ -111,13 +111,14 @@ std::vector<Share> central_shares(const Setting& s) {
     centre = std::max(centre, reach(axis, p.projector) * (1 / w.nearest - 1 / w.farthest));
   }
   if (p.window) size = larger_side(*p.window) / d;
-  std::vector<Share> shares{
-      {(coordinates + beside * reach(p.n, s.max) / w.nearest) / size,
-       "the model is small for its distance from the origin"},
-      {(centre + beside * reach(p.n, p.projector) / w.nearest) / size, "the centre of projection is near to the model"},
-      {beside * (reach(p.n, p.projector) + reach(p.n, p.point)) / d / size,
-       "the centre of projection is near to the plane of projection"},
-      {beside * reach(p.n, from_centre) / w.nearest / size, "projectors run nearly along the plane of projection"}};
+  std::vector<Share> shares{{(coordinates + beside * reach(p.n, s.max) / w.nearest) / size,
+                             "the model is small for its distance from the origin"},
+                            {(centre + beside * reach(p.n, p.projector) / w.nearest) / size,
+                             "the centre of projection is close to the model"},
+                            {beside * (reach(p.n, p.projector) + reach(p.n, p.point)) / d / size,
+                             "the centre of projection is close to the plane of projection"},
+                            {beside * reach(p.n, from_centre) / w.nearest / size,
+                             "projectors are nearly parallel to the plane of projection"}};
   add_window(s, size * d, shares);
   return shares;
 }

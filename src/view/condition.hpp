@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How many digits a drawing can have: what the rounding of its input to doubles does to places on the page.
+// How many digits a drawing can have: the effect of rounding the input to doubles on positions on the page.
 #pragma once
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene as the viewer has it: mapped, clipped, and laid on the page grid.
+// The scene as the viewer sees it: mapped, clipped, and rounded to the page lattice.
 //
-// Planar decisions are taken on whole numbers: page coordinates are rounded once to a grid of about 2^30 cells across
-// the window, where every cross product of differences fits 64 bits and its sign is exact. Depth stays double.
+// Planar decisions use integers: page coordinates are rounded once to a lattice of about 2^30 steps across the window,
+// where every cross product of differences fits 64 bits and its sign is exact. Depth remains double.
 #pragma once
 
 #include <array>

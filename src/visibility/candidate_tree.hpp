@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangles that lie much alike, told apart by place and depth where cells of the page cannot do so.
+// Triangles with similar extents, separated by position and depth where cells of the page cannot.
 #pragma once
 
 #include <algorithm>

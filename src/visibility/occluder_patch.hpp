@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether triangles that meet along sides hide a whole cell together, though none of them covers it alone.
+// Whether triangles with common sides hide a whole cell together, although none of them covers it alone.
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What triangles hide of one edge, found by trying them on it.
+// The parts of one edge that triangles hide.
 #pragma once
 
 #include <array>

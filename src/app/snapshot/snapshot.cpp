@@ -88,8 +88,9 @@ bool can_be_accepted(const SnapshotResult& result) {
 
 int snapshot(const SnapshotOptions& options) {
   if (options.accept && std::getenv("CI") != nullptr)
-    throw Error(ErrorKind::input, "--accept", "expectations are accepted by people, and CI is set in the environment",
-                "run it where you can look at the report, and commit what it writes");
+    throw Error(ErrorKind::input, "--accept",
+                "expected drawings must be accepted by a person, but CI is set in the environment",
+                "run it where you can view the report, and commit what it writes");
   const std::vector<SnapshotCase> cases = find_cases(options.folders);
   pipeline::refuse_overwriting(outputs_of(options), inputs_of(cases));
   const ThreadLimit threads(options.threads);

@@ -15,7 +15,7 @@ namespace epura::output {
 
 namespace {
 
-constexpr const char* hint = "epura compares PDF files that it wrote itself";
+constexpr const char* hint = "epura compares only PDF files that it wrote itself";
 
 // Keeps or counts what flows in, and stops the flow when it is too much.
 class Basin : public Pipeline {
@@ -136,7 +136,7 @@ bool check_head(const std::string& file, std::size_t begin, std::size_t end, con
 
 void UnpackRoom::refuse() const {
   throw Error(ErrorKind::input, where_, "unpacks to more than " + std::to_string(most_ / 1'000'000) + " MB",
-              "a drawing of so few bytes has less");
+              "a drawing of this file size is smaller");
 }
 
 std::string UnpackRoom::unpack(QPDFObjectHandle stream) {
@@ -184,7 +184,7 @@ void check_object_streams(QPDF& pdf, std::size_t bytes, const std::string& where
     const auto place = table.find(holder);
     // One that is in another one would be read before it is looked at.
     if (place == table.end() || place->second.getType() != 1 || !pdf.getObject(holder).isStream())
-      throw Error(ErrorKind::input, where, "is no PDF that can be read: it lacks objects", hint);
+      throw Error(ErrorKind::input, where, "is not a readable PDF: it lacks objects", hint);
     room.unpack(pdf.getObject(holder));
   }
 }

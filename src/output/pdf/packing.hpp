@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What streams of a PDF file unpack to, looked at before they are kept. Flate makes a thousand bytes of one, filters
-// can be chained, and a predictor asks for as much memory as it likes: a small file may mean more than there is memory
-// for.
+// Unpacked content of PDF streams, checked before it is kept. Flate can expand a byte to a thousand, filters can be
+// chained, and a predictor may request any amount of memory, so a small file may stand for more than fits into memory.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a dimension hangs on: its words understood, its anchors found in the world.
+// Parses a dimension and finds its anchors in the world.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What dimensions are made of on the paper: lines, arrows, a text. ISO 129-1.
+// The elements of dimensions on paper: lines, arrows, text. ISO 129-1.
 #pragma once
 
 #include <string>

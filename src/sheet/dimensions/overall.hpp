@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which dimensions a view is to have, before it is drawn: overall ones in the clearest views, and the room they need.
+// Assigns overall dimensions to the clearest views before they are drawn, and estimates the room they need.
 #pragma once
 
 #include <array>

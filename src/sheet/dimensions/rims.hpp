@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Circles of the models where they stand in the world.
+// Circles of the models in world coordinates.
 #pragma once
 
 #include <array>
