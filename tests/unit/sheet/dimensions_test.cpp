@@ -219,17 +219,10 @@ TEST(Dimensions, AnUnevenScaleLeavesNoCircle) {
   EXPECT_TRUE(contains(error.what(), "rim of a circle")) << error.what();
 }
 
-// Its faces recognised.
-scene::World recognised(const Shape& shape, const std::string& steps) {
-  const auto mesh = std::make_shared<const mesh::Mesh>(mesh_of(shape));
-  return scene::make_world({{mesh, scene::parse_transform(steps),
-                             std::make_shared<const features::PartFaces>(features::recognise_faces(*mesh))}});
-}
-
 TEST(Dimensions, OverallOnesOfAShaftAreItsDiameter) {
   // No corner of the polygon lies on x: it is 19.9 wide.
   const std::string steps = "rotate:z,5.625";
-  const scene::World world = recognised(cylinder(32, 10, 7), steps);
+  const scene::World world = recognised(placed(cylinder(32, 10, 7), steps));
   const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front));
   EXPECT_EQ(text_of(world, front, dimension("overall", {}, "width")), "⌀20");
   EXPECT_EQ(text_of(world, front, dimension("overall", {}, "height")), "7");
@@ -246,7 +239,7 @@ TEST(Dimensions, OverallOnesOfAShaftAreItsDiameter) {
 }
 
 TEST(Dimensions, VerticesOfRoundFacesHaveTheirCircle) {
-  const scene::World world = recognised(cylinder(32, 10, 7), "scale:3");
+  const scene::World world = recognised(placed(cylinder(32, 10, 7), "scale:3"));
   EXPECT_EQ(text_of(world, drawing_of(world, from_above()), dimension("diameter", {3})), "⌀60");
   // Vertices in the middle of a bore lie on no rim.
   Shape two = cylinder(32, 10, 7);
@@ -259,7 +252,7 @@ TEST(Dimensions, VerticesOfRoundFacesHaveTheirCircle) {
     top.push_back(64 + i);
   }
   two.faces.push_back(top);
-  const scene::World long_one = recognised(two, "scale:1");
+  const scene::World long_one = recognised(placed(two));
   EXPECT_EQ(text_of(long_one, drawing_of(long_one, from_above()), dimension("radius", {40})), "R10");
 }
 
