@@ -10,8 +10,8 @@
 
 namespace epura {
 
-/// What an option says wins over what the scene file says. Every description has models, views and sheets.
-/// Throws Error{input} for a scene file beside models, and for options that a scene file leaves no room for.
+/// Options override the scene file. Every description has models, views and sheets.
+/// Throws Error{input} for a scene file together with models, and for options that conflict with a scene file.
 scene::SceneDescription describe(const DrawOptions& options);
 
 /// The files that are read for it.

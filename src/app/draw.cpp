@@ -35,7 +35,7 @@ void expect_outputs(const DrawOptions& options) {
                 "omit one of them");
 }
 
-// The whole run once more, from reading on, by other certificates.
+// The whole run once more, from reading on, by other shortcuts.
 std::string draw_again(const DrawOptions& options, const scene::SceneDescription& scene,
                        std::vector<pipeline::Target> targets, const pipeline::Shortcuts& leave_out) {
   pipeline::RunOptions again = options.run;
@@ -61,7 +61,7 @@ report::PlanStep formats_step(const std::vector<pipeline::Target>& targets) {
           static_cast<long long>(wanted.size())};
 }
 
-// The formats of a run are told to people alone: what is in a file does not depend on the files beside it.
+// The formats of a run are reported to people only: what is in a file does not depend on the files next to it.
 std::string explanation(const report::Report& report, const report::PlanStep& formats) {
   std::vector<report::PlanStep> plan = report.plan;
   plan.push_back(formats);

@@ -43,7 +43,7 @@ struct DrawOptions {
   pipeline::RunOptions run;
   bool timings = false;
   ShowProgress progress = ShowProgress::automatic;
-  bool measure = false;  ///< what certificates save, by runs without them
+  bool measure = false;  ///< measure what shortcuts save, by runs without them
 };
 
 struct PluginsOptions {

@@ -90,7 +90,7 @@ bool put_in_place(Descriptor& file, const std::string& name, const fs::path& tar
   return false;
 }
 
-// Gives a file without a name one beside the target; an empty one when it cannot have any.
+// Gives a file without a name one next to the target; an empty one when it cannot have any.
 std::string name_beside(const Descriptor& file, const fs::path& target) {
   const std::string self = "/proc/self/fd/" + std::to_string(file.number());
   for (int attempt = 0; attempt < 100; ++attempt) {

@@ -26,8 +26,8 @@ std::string identity_of_file(const std::filesystem::path& path);
 std::string read_file(const std::filesystem::path& path, const Progress& progress = {},
                       std::uintmax_t most_bytes = std::numeric_limits<std::uintmax_t>::max());
 
-/// Writes beside the target, without a name where the file system can, and renames at the end. Links stay links. Throws
-/// Error{output}; the old file then stays. A target that is not a regular file (a device, a pipe) is written to
+/// Writes next to the target, without a name where the file system can, and renames at the end. Links stay links.
+/// Throws Error{output}; the old file then stays. A target that is not a regular file (a device, a pipe) is written to
 /// directly.
 void write_file(const std::filesystem::path& path, std::string_view bytes, Progress progress = {});
 

@@ -15,7 +15,7 @@ struct DifferingPart {
   int other = -1;
 };
 
-/// Parts of one look and view that go on in one another without a corner.
+/// Parts of one style and view that continue each other without a corner.
 struct DifferingLine {
   std::vector<InkPart> parts;
   int look, other;

@@ -10,7 +10,7 @@
 
 namespace epura::compare {
 
-/// How a line looks, or the border of a filled area.
+/// Style of a line, or of the border of a filled area.
 struct PictureLook {
   std::string name{};            ///< for people: "visible", "hidden", "dimension" ...; no part of the look
   bool visible = true;           ///< false: a hidden edge

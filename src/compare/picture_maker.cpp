@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t always_room = 250'000, most_looks = 200, most_views = 2000;
 
-// Views may lie beside their sheet.
+// Views may be outside their sheet.
 constexpr double farthest = 10 * scene::longest_side;
 
 constexpr const char* is_it_ours = "is it a drawing of epura?";

@@ -92,7 +92,7 @@ EdgeKind kind_named(const std::string& name) {
   return kind;
 }
 
-// Empty for lines that are no edges of a file.
+// Empty for lines that are not edges of a file.
 std::string edge_of(const Place& segment) {
   const Value& edge = segment.at("edge").value;
   if (!edge.IsArray() || edge.Size() != 2 || !edge[0].IsString() || !edge[1].IsString()) return {};

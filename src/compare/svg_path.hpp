@@ -22,8 +22,8 @@ struct SvgPath {
   std::vector<Vec2> controls{};  ///< control points of Bezier curves
 };
 
-/// The commands M L H V C Q A Z and m l h v c q a z, y down. Nothing for text that is no such path.
-/// Throws Error{input} where there is no room for all of it.
+/// The commands M L H V C Q A Z and m l h v c q a z, y down. Empty if the text is not such a path.
+/// Throws Error{input} if it is too long.
 std::optional<SvgPath> read_svg_path(std::string_view data, PieceRoom& room);
 
 }  // namespace epura::compare

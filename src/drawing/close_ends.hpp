@@ -15,7 +15,7 @@ struct ClosingLimits {
   double along;     ///< so far lines are prolonged or cut off
 };
 
-/// `left` are the parts that are kept, ascending and as long as they go on. An end on taken ink and on no line that
+/// `left` are the parts that are kept, ascending and as long as they continue. An end on taken ink and on no line that
 /// stays is joined to the one that is drawn for that ink: along its own line, where they meet within a short way, and
 /// otherwise across. Lines that go too far are cut off. Links belong to the point of the edge that they begin at. Lines
 /// of which nothing is left are left out. Hidden ink is none for visible lines. Throws OutOfTime.

@@ -11,7 +11,7 @@
 namespace epura::drawing {
 
 /// Places are measured along and across the longest piece, and across two others in the most different directions. So
-/// lines side by side are told apart however near they are.
+/// parallel lines are separated however close they are.
 class PieceTree {
  public:
   using Bounds = epura::search::Bounds<7>;

@@ -13,7 +13,7 @@
 namespace epura::edges {
 
 enum class Contact : std::uint8_t {
-  unjudged,  ///< for want of time
+  unjudged,  ///< for lack of time
   none,      ///< a real crossing
   contact
 };

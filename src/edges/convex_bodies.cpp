@@ -27,7 +27,7 @@ constexpr double distance_rounding = 0x1p-50;
 // so that the sum does not depend on the order.
 constexpr double most_fold = 1e-6;
 constexpr double fold_unit = 0x1p-60;
-// One edge of so many is looked at before all others: few bodies pass in vain.
+// One edge of so many is examined before all others: few bodies pass in vain.
 constexpr std::size_t sample_step = 64;
 
 void raise(double& value, double other) {

@@ -53,9 +53,9 @@ class SliverRule {
 /// The slivers of one model in one view.
 class Slivers {
  public:
-  /// For few questions: each triangle is looked at when it is asked about. The view is to outlive them.
+  /// For few queries: triangles are examined on demand. The view must outlive this object.
   Slivers(const EdgeSurroundings& around, const SliverRule& rule) : around_(around), rule_(rule) {}
-  /// For many: all are looked at beforehand. Throws OutOfTime.
+  /// For many queries: all triangles are examined beforehand. Throws OutOfTime.
   Slivers(const EdgeSurroundings& around, const view::ProjectedScene& view, const Progress& progress = {});
   /// For tests: these and no others.
   Slivers(const EdgeSurroundings& around, std::vector<char> slivers)

@@ -112,7 +112,7 @@ void count_edges(Mesh& mesh, const EdgeTable& table) {
   }
 }
 
-/// Such triangles stay, since leaving them out would open the edges beside them.
+/// Such triangles stay, since leaving them out would open the edges next to them.
 void note_triangles_without_area(Mesh& mesh) {
   MeshReport& report = mesh.report;
   int count = 0;

@@ -101,7 +101,7 @@ class Sweep {
     return NAN;
   }
 
-  // Trapezoids that do not go on in the slab end at its bottom.
+  // Trapezoids that do not continue in the slab end at its bottom.
   void fill(double bottom) {
     std::map<Pair, double> going_on;
     for (std::size_t i = 1; i < active_.size(); i += 2) {

@@ -73,7 +73,7 @@ using End = int;
 constexpr End none = -1;
 End other(End end) { return end ^ 1; }
 
-/// Edges of features and how they go on.
+/// Edges of features and how they continue.
 struct Features {
   const PlacedMesh& placed;
   std::vector<char> wanted;  ///< by edge

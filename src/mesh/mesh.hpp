@@ -37,7 +37,7 @@ struct MeshEdge {
 
 /// A vertex that a cutting plane made.
 struct CutVertex {
-  std::array<int, 2> edge;  ///< of the file, on which it lies, lower vertex first; {-1, -1} inside of a cut face
+  std::array<int, 2> edge;  ///< of the file, on which it lies, lower vertex first; {-1, -1} inside a cut face
   double t;                 ///< where on it, between 0 and 1
 };
 

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t part_bytes = 1 << 18;
 
-// Behind line ends; a line that goes on behind a backslash stays whole.
+// Behind line ends; a line that continues behind a backslash stays whole.
 std::vector<std::string_view> cut_in_parts(std::string_view text) {
   std::vector<std::string_view> parts;
   while (text.size() > part_bytes) {

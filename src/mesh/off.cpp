@@ -66,7 +66,7 @@ void read_vertices(TextCursor& text, Soup& soup, long long count, Pace& pace) {
     point[0] = text.number(expect_word(text, "vertex", v, count));
     const TextCursor first_line = text;
     for (const std::size_t axis : {1, 2}) point[axis] = text.number(expect_word(text, "vertex", v, count));
-    // A vertex may go on in the next line; but where that holds more, it is of the next vertex.
+    // A vertex may continue in the next line; but where that holds more, it is of the next vertex.
     if (text.line() != first_line.line() && !text.word().empty())
       first_line.fail("a coordinate of the vertex is missing");
     text.next_line();

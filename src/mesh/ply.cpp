@@ -102,7 +102,7 @@ class TextSource {
   }
 
  private:
-  // An element may go on in the next line; but where that holds more, or the file ends, its own line was too short.
+  // An element may continue in the next line; but where that holds more, or the file ends, its own line was too short.
   std::string_view next_word() {
     std::string_view word = text_.word();
     if (word.empty()) {

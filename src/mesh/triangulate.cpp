@@ -138,7 +138,7 @@ class EarClipper {
     return !corners_.any_in(glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c)), [&](int other) {
       ++work_;
       const Vec2 q = p_[other];
-      if (q == a || q == b || q == c) return false;  // at bridges, too; `sees` has looked at what leaves from there
+      if (q == a || q == b || q == c) return false;  // at bridges, too; `sees` has examined what leaves from there
       return area(a, b, q) >= 0 && area(b, c, q) >= 0 && area(c, a, q) >= 0;
     });
   }

@@ -9,7 +9,7 @@
 
 namespace epura::output {
 
-/// A cubic curve from where the pen stands.
+/// A cubic curve from the current point.
 struct BezierPiece {
   std::array<Vec2, 2> controls;
   Vec2 to;

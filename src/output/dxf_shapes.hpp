@@ -35,7 +35,7 @@ struct EllipseArc {
 using DxfShape = std::variant<BulgedLine, EllipseArc>;
 
 /// The shapes of a stroke in its order, without repetitions: arcs of circles among straight lines are bulges; arcs of
-/// ellipses and strokes that are nothing but one arc stand alone.
+/// ellipses and strokes consisting of one arc are separate shapes.
 std::vector<DxfShape> dxf_shapes(const sheet::Stroke& stroke);
 
 }  // namespace epura::output

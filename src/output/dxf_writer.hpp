@@ -11,7 +11,7 @@
 
 namespace epura::output {
 
-/// Appends groups: a code, which tells the type of the value, and the value.
+/// Appends groups: a code, which determines the type of the value, and the value.
 class DxfWriter {
  public:
   /// `text` is one line: see dxf_text and dxf_names.

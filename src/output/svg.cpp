@@ -159,7 +159,7 @@ void LayerWriter::append_look(const sheet::LineStyle& style) {
   if (style.dashes.dash > 0) svg_.append(" stroke-dasharray=\"").append(dash_array(style.dashes)) += '"';
 }
 
-// What all lines of the layer share is said once. Layers of lines that are no edges have none of it.
+// What all lines of the layer share is said once. Layers of lines that are not edges have none of it.
 void LayerWriter::append_origin(const sheet::Layer& layer) {
   const auto is_edge = [](const sheet::Stroke& stroke) { return stroke.kind.has_value(); };
   if (std::none_of(layer.strokes.begin(), layer.strokes.end(), is_edge)) return;

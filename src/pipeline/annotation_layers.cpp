@@ -39,7 +39,7 @@ void add_boxes(std::vector<sheet::TurnedBox>& boxes, const sheet::Layer& layer, 
   boxes.insert(boxes.end(), more.begin(), more.end());
 }
 
-// What stands on the sheet beside all views.
+// What is on the sheet apart from the views.
 sheet::Neighbours neighbours_of(const sheet::SheetFurniture& furniture, const std::vector<sheet::Text>& labels,
                                 const std::vector<sheet::Layer>& marks, const sheet::Lettering& lettering) {
   const sheet::Paper& paper = furniture.paper;

@@ -18,7 +18,7 @@ struct AnnotationLayers {
   std::vector<std::string> warnings;
 };
 
-/// `views` are in order of the sheet; `labels` stand above them. Throws Error{input} for dimensions that cannot be
+/// `views` are in order of the sheet; `labels` are above them. Throws Error{input} for dimensions that cannot be
 /// drawn. Opens no font where there is nothing to write.
 AnnotationLayers annotation_layers(const SheetInput& input, std::span<const ViewResult> views,
                                    const std::vector<sheet::Text>& labels, const Budget& budget);

@@ -18,7 +18,7 @@ struct Annotations {
 };
 
 /// By view of the sheet, `seen` in its place. A dimension without a view belongs to the first one of the scene; overall
-/// ones without view and direction stand on the first sheet. A section that some view of the sheet shows is marked in
+/// ones without view and direction are on the first sheet. A section that some view of the sheet shows is marked in
 /// the first view of the whole that sees its plane edge-on. Throws Error{input} for overall dimensions that no view
 /// shows.
 std::vector<Annotations> annotate(const scene::World& world, const scene::SceneDescription& scene,

@@ -6,7 +6,7 @@
 
 namespace epura::pipeline {
 
-/// Afterwards there are views, all of them named, and a sheet for each that a view stands on. Throws Error{input} for
+/// Afterwards there are views, all of them named, and every sheet that a view refers to. Throws Error{input} for
 /// names that lead nowhere, or to two things.
 void complete_scene(scene::SceneDescription& scene);
 

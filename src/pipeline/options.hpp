@@ -42,9 +42,9 @@ struct RunOptions {
   std::optional<double> time_limit;  ///< seconds
   bool verify = false;
   int verify_samples = 2000;
-  Shortcuts plan;               ///< certificates that are used
+  Shortcuts plan;               ///< shortcuts in use
   bool explain = false;         ///< print the plan
-  bool keeps_drawings = false;  ///< beside the sheets
+  bool keeps_drawings = false;  ///< in addition to the sheets
 };
 
 }  // namespace epura::pipeline

@@ -12,7 +12,7 @@
 
 namespace epura::pipeline {
 
-/// Reads the models and puts them in their places; `reports` gets one more for each. Says what was
+/// Reads and places the models; `reports` gets one more for each. Reports what was
 /// repaired. The half-edge structures of its meshes are given up; edges and reports stay.
 scene::World read_models(const std::vector<scene::ModelDescription>& models, std::vector<mesh::MeshReport>& reports,
                          const Messages& messages, Progress progress);

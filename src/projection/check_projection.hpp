@@ -14,7 +14,7 @@ enum class Verdict { passed, failed, skipped };
 
 struct CheckResult {
   std::string name;  ///< one word
-  std::string what;  ///< what was looked at, as a sentence that should be true
+  std::string what;  ///< what was examined, as a sentence that should be true
   Verdict verdict;   ///< skipped: an earlier check failed that this one builds on
   std::string fault;
 };

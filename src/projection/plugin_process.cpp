@@ -287,7 +287,7 @@ std::string PluginProcess::ending() {
   const pid_t child = std::exchange(child_, 0);
   int status = 0;
   pid_t ended = 0;
-  // It may have closed the socket and go on.
+  // It may have closed the socket and continue.
   for (int wait_ms = 0; ended == 0 && wait_ms < 100; ++wait_ms) {
     ended = ::waitpid(child, &status, WNOHANG);
     if (ended == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));

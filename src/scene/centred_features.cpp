@@ -193,7 +193,7 @@ class FeatureFinder {
           other.is_whole() ||
           std::abs(other.face.surface.radius - round.face.surface.radius) > same_length * round.face.surface.radius)
         continue;
-      // Angles from the middle of the first arc on, as they lie beside the opposite one.
+      // Angles from the middle of the first arc on, as they lie next to the opposite one.
       const double sine = glm::dot(round.face.surface.axis, glm::cross(round.middle, other.middle));
       const double middle = portable_atan2(sine, glm::dot(round.middle, other.middle)) * 180 / std::numbers::pi;
       for (const double turn : {-360, 0, 360})

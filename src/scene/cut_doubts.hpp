@@ -11,7 +11,7 @@ namespace epura::scene {
 
 /// Segments of loose outlines as their bodies have them, and of closed ones by the body whose material they bound, both
 /// sorted. By closed segment, whether it bounds nothing for certain: it is a hole of what is open around it, or what is
-/// open inside of it may be its hole. Senses of segments tell holes from nested solids. An open outline is taken as
+/// open inside it may be its hole. Senses of segments tell holes from nested solids. An open outline is taken as
 /// closed by straight lines between the nearest of its ends.
 std::vector<char> doubtful(std::span<const CutSegment> closed, std::span<const CutSegment> loose,
                            const CutPlaces& places, const PlaneFrame& frame);

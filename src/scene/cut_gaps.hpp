@@ -28,7 +28,7 @@ struct Bridge {
   double width;               ///< in the lengths of the frame
 };
 
-/// Segments of one body, told apart.
+/// Segments of one body, classified.
 struct ToldApart {
   std::vector<CutSegment> closed;  ///< an even number meets in each vertex; bridges are among them
   std::vector<CutSegment> loose;   ///< belong to no closed outline

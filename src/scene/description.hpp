@@ -61,7 +61,7 @@ struct ViewDescription {
   Located<int> sheet;            ///< which one of several, from 1; the first by default
 };
 
-/// A plane that cuts the models. What lies on the side to which the normal points is taken away.
+/// A plane that cuts the models. The side that the normal points to is removed.
 struct SectionDescription {
   LocatedText name;  ///< "A"
   Vec3 point{0.0};

@@ -31,7 +31,7 @@ inline constexpr DashType dashed{12, 3, 0, 0, "DASHED"};                  ///< t
 inline constexpr DashType long_dash_dot{24, 3, 0.5, 1, "DASHDOT"};        ///< type 04
 inline constexpr DashType long_dash_double_dot{24, 3, 0.5, 2, "DIVIDE"};  ///< type 05
 
-/// The broken type with so many dots between its dashes; more dots than there are count as two.
+/// The broken type with this number of dots between its dashes; at most two.
 constexpr const DashType& type_with_dots(int dots) {
   return dots == 0 ? dashed : dots == 1 ? long_dash_dot : long_dash_double_dot;
 }

@@ -14,10 +14,10 @@
 namespace epura::scene {
 
 /// What an option has to do with: the look of a drawing, files that are read or written, code that is loaded, or the
-/// run and what it says. In the hands of strangers only the first is harmless.
+/// run and what it says. In the hands of third parties only the first is harmless.
 enum class Nature { unsaid, drawing, file, code, run };
 
-/// A switch of the command line that stands for one word of an option: "--portrait".
+/// A switch of the command line that represents one word of an option: "--portrait".
 struct Switch {
   std::string flag, word, help;
 };

@@ -10,7 +10,7 @@
 
 namespace epura::scene {
 
-/// A dimension whose anchors stand under their keys and do not know their models yet.
+/// A dimension whose anchors are listed by key, with models not yet resolved.
 struct DimensionWords {
   DimensionDescription description;
   std::vector<std::pair<std::string, AnchorWords>> anchors;

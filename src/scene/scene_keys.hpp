@@ -11,7 +11,7 @@
 
 namespace epura::scene {
 
-/// What a scene file says, before its parts are brought together.
+/// The content of a scene file before its parts are resolved.
 struct SceneWords {
   SceneDescription description;
   std::vector<DimensionWords> dimensions;

@@ -26,7 +26,7 @@ struct Extent {
 /// it; everywhere else vertices do.
 std::array<Extent, 3> true_extents(const World& world);
 
-/// The largest distance of facets from the surfaces that they stand for, a length of the world; 0 where no round face
+/// The largest distance of facets from the surfaces that they represent, a length of the world; 0 where no round face
 /// is recognised. Throws OutOfTime.
 double tessellation_error(const World& world, const Progress& progress = {});
 

@@ -10,7 +10,7 @@
 
 namespace epura::scene {
 
-/// Throws Error{input} for more than 1000 views, all of which `where` asks for.
+/// Throws Error{input} for more than 1000 views, all of which `where` requests.
 void expect_few_views(std::size_t views, const std::string& where);
 
 /// Gives the name of its projection to each view without a name; numbered where another view has it: "front-2". Throws

@@ -31,7 +31,7 @@ struct Cuts {
 };
 
 struct GridLimits {
-  double cells;         ///< at most so many
+  double cells;         ///< maximum number
   double side;          ///< at least so wide and high
   double cuts_of_line;  ///< at most, on average
   double cuts_of_area;

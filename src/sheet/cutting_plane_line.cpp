@@ -13,7 +13,7 @@ namespace epura::sheet {
 
 namespace {
 
-// Lengths in heights of the letters, which are 20 narrow lines high: 5 mm beside lines of 0.25 mm.
+// Lengths in heights of the letters, which are 20 narrow lines high: 5 mm for lines of 0.25 mm.
 constexpr double letter_widths = 20;
 constexpr double past_outline = 0.8;
 constexpr double wide_end = 1.4;

@@ -12,7 +12,7 @@
 namespace epura::sheet {
 
 /// n = round((L - dash) / period) periods and one more dash fill the line exactly; the dashes are made to fit, about as
-/// long as the type says. Continuous when the line is too short.
+/// as long as in the line type. Continuous if the line is too short.
 Dashes fit_open(double length, double width, const scene::DashType& type = scene::dashed);
 
 /// The same on a closed line: n = round(L / period) periods go round it exactly.

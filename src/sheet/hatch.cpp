@@ -27,7 +27,7 @@ constexpr double nearest = 0.7;            // parts closer than this touch
 constexpr double shortest = 1e-3;          // mm of a hatching line that are seen
 constexpr double alike_degrees = 10;       // a hatching line so close to an outline looks like one
 constexpr double most_alike = 0.3 + 1e-6;  // part of the outlines that may run so, or across; no share of n sides
-constexpr double least_ratio = 1.4;        // of two spacings that are told apart
+constexpr double least_ratio = 1.4;        // of two spacings that are distinguished
 
 /// In order of preference; the factor is of the spacing. Where the first few do not tell a part from its neighbours by
 /// angle, spacing has to.

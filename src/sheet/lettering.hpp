@@ -26,7 +26,7 @@ struct GlyphOutline {
 std::string written(std::string_view text);
 
 /// Widths are those of the font's own units, without hinting and kerning: the same everywhere. All texts are taken as
-/// they are written. A box stands for a character that the font has not.
+/// they are written. A box replaces a character missing from the font.
 class Lettering {
  public:
   /// Opens `file`, or the font of Debian's package fonts-osifont. Throws Error{input} when there is none.

@@ -139,7 +139,7 @@ Stroke dotted(const drawing::ViewDrawing& drawing, const drawing::Chain& chain, 
   return stroke;
 }
 
-// Takes `by` off the end of a line that is longer. The curve there goes on as far as its last corner.
+// Takes `by` off the end of a line that is longer. The curve there continues as far as its last corner.
 void shorten(Stroke& stroke, double by) {
   std::vector<Vec2>& points = stroke.points;
   std::size_t end = points.size() - 1;

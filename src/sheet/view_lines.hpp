@@ -14,7 +14,7 @@
 
 namespace epura::sheet {
 
-/// What an edge is on a sheet, where its model has no role of its own. Hidden edges between smooth faces are nothing.
+/// The role of an edge on a sheet, unless its model has its own role. Hidden edges between smooth faces have none.
 std::optional<scene::SheetLine> edge_line(EdgeKind kind, bool visible);
 
 /// How one model is drawn.

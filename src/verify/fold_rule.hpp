@@ -18,7 +18,7 @@ namespace epura::verify {
 /// Whether a line belongs to a place.
 enum class Need {
   none,      ///< one would be wrong
-  possible,  ///< too near to a limit to say, or a matter of taste
+  possible,  ///< too close to a limit, or a matter of taste
   asked      ///< it must be there
 };
 

@@ -24,7 +24,7 @@ enum class ProbeAnswer { visible, hidden, undecided };
 
 struct ProbeVerdict {
   ProbeAnswer answer = ProbeAnswer::visible;
-  int facet = -1;  ///< the triangle that hides the point, the nearest before it; -1 where it was not asked for
+  int facet = -1;  ///< the nearest triangle that hides the point; -1 if not requested
 };
 
 /// One verdict for each probe. With `name_facets` nothing is left out that an answer does not need, which takes longer.

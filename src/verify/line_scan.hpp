@@ -10,7 +10,7 @@
 
 namespace epura::verify {
 
-/// A place at which a line is asked for.
+/// A position that requires a line.
 struct AskedLine {
   Vec2 place;  ///< mm from ScanScene::origin
   LineMark mark;

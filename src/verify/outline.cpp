@@ -246,7 +246,7 @@ class Outline {
     }
   }
 
-  // Whether near the middle of a short line a line is asked for that is not there.
+  // Whether near the middle of a short line a required line is missing.
   [[nodiscard]] std::vector<char> lacking(const std::vector<LineFindings>& findings) const {
     std::vector<AskedLine> asked;
     std::vector<std::size_t> owner;

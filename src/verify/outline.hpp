@@ -22,8 +22,8 @@ namespace epura::verify {
 struct OutlineOptions {
   edges::EdgeOptions edges;
   int samples;                                 ///< about as many places with ink are met
-  bool complete = true;                        ///< nothing was left out for want of time
-  std::optional<projection::Window> window{};  ///< of the page, mm, outside of which nothing is drawn
+  bool complete = true;                        ///< nothing was omitted for lack of time
+  std::optional<projection::Window> window{};  ///< of the page, mm, outside which nothing is drawn
   Progress progress{};
 };
 

@@ -16,7 +16,7 @@ namespace epura::verify {
 /// Points of the page in order: two for a line, three for a triangle.
 using PageShape = std::span<const Vec2>;
 
-/// What of the page is looked at, mm from ScanScene::origin.
+/// The examined part of the page, mm from ScanScene::origin.
 struct ScanWindow {
   Vec2 min{HUGE_VAL}, max{-HUGE_VAL};
 

@@ -17,7 +17,7 @@ namespace epura::verify {
 /// A line of the page, mm from ScanScene::origin.
 struct ScanLine {
   Vec2 middle, along;  ///< `along` has length 1
-  double reach;        ///< how far to either side of the middle it is looked at
+  double reach;        ///< examined distance to either side of the middle
 
   [[nodiscard]] Vec2 position(double u) const { return middle + u * along; }
   [[nodiscard]] Vec2 across() const { return {-along.y, along.x}; }

@@ -23,7 +23,7 @@ struct SlicePiece {
   }
 };
 
-/// Where the plane cuts an edge of the mesh: computed once, whatever triangle asks.
+/// Where the plane cuts an edge of the mesh: computed once for all its triangles.
 struct SliceCrossing {
   std::array<int, 2> edge;  ///< vertices of the world, ascending
   double u, depth;

@@ -57,7 +57,7 @@ struct ProjectedScene {
   projection::Projection projection;
   ViewMap map;
   projection::Window window;  ///< what of the plane is drawn, in view units from the image of map.centre
-  bool window_given = false;  ///< by the projection, or cut to a cone of vision because the viewer stands in the scene
+  bool window_given = false;  ///< by the projection, or cut to a cone of vision because the viewer is in the scene
   Vec2 middle;                ///< of the window: origin of page vertices, view units
   double extent = 0;          ///< longest side of the window, view units
   double cell = 0;            ///< side of a grid cell, view units, a power of two
@@ -74,7 +74,7 @@ struct ProjectedScene {
   UnsetVector<ViewTriangle> triangles;
 };
 
-/// By which planes triangles are clipped. A plane that has all corners of the world inside is certified to cut nothing.
+/// By which planes triangles are clipped. A plane with all vertices of the world inside cuts nothing.
 enum class Clipping { where_needed, everywhere };
 
 /// Throws Error{input} when nothing of the world lies in front of the viewer and inside the window.

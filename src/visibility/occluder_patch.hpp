@@ -47,7 +47,7 @@ class OccluderPatch {
  private:
   struct Sheet {
     int parent;    ///< another sheet that this one has become part of, or itself
-    int open = 0;  ///< sides that want a triangle on their other side
+    int open = 0;  ///< sides that need a triangle on their other side
     double depth;
   };
   struct OpenSide {

@@ -182,7 +182,7 @@ void check_object_streams(QPDF& pdf, std::size_t bytes, const std::string& where
   UnpackRoom room(2'000'000 + bytes, where);
   for (const QPDFObjGen& holder : holders) {
     const auto place = table.find(holder);
-    // One that is in another one would be read before it is looked at.
+    // One that is in another one would be read before it is examined.
     if (place == table.end() || place->second.getType() != 1 || !pdf.getObject(holder).isStream())
       throw Error(ErrorKind::input, where, "is not a readable PDF: it lacks objects", hint);
     room.unpack(pdf.getObject(holder));

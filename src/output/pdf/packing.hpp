@@ -16,7 +16,7 @@ class UnpackRoom {
  public:
   UnpackRoom(std::size_t bytes, std::string where) : where_(std::move(where)), most_(bytes), left_(bytes) {}
 
-  /// The data of a stream. Throws Error{input} where there is no room for it, or it cannot be unpacked.
+  /// The data of a stream. Throws Error{input} if it is too large or cannot be unpacked.
   std::string unpack(QPDFObjectHandle stream);
   /// The same of Flate data that begin at `at` of a file.
   void measure(const std::string& file, std::size_t at);

@@ -73,7 +73,7 @@ void set_text_at(PlacedDimension& dimension, const std::string& text, const Dime
     const Vec2 middle = arc.corner + (arc.radius + reach) * spoke;
     return set_text(dimension, text, {middle, {1, 0}, -style.text / 2}, style);
   }
-  const bool inside = glm::dot(left_of(read), spoke) < 0;  // then the arc rises beside the text
+  const bool inside = glm::dot(left_of(read), spoke) < 0;  // then the arc rises next to the text
   const double rise = style.above() + (inside ? width * width / (8 * arc.radius) : 0);
   set_text(dimension, text, {arc.corner + arc.radius * spoke, read, rise}, style);
 }

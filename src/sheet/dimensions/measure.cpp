@@ -192,7 +192,7 @@ MeasuredDimension overall(const AnchoredDimension& dimension, const Sight& sight
   if (!sight.drawing.segments.empty()) ends = ends_of_ink(sight.drawing, along, side);
   const double drawn = glm::dot(ends[1] - ends[0], along) / glm::length(image);
   // Lines of a mesh end where it does, those of its surfaces may reach as far as these. At either end a line may be
-  // drawn beside its place, or another one for it.
+  // drawn near its place, or another one for it.
   const double beside = 2 * (sight.drawing.contours_moved + sight.drawing.joined_within) / glm::length(image);
   const double least = value - dimension.beyond_vertices - beside;
   if (!(drawn > 0) || drawn < least - whole * value || drawn > value + beside + whole * value)

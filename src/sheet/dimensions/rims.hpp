@@ -14,7 +14,7 @@
 
 namespace epura::sheet {
 
-/// Looks for the circles of a model when they are first asked for, and keeps them.
+/// Finds the circles of a model on first use, and keeps them.
 class Rims {
  public:
   explicit Rims(const scene::World& world) : world_(world) {}
