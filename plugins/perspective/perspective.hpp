@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the perspectives share: where the eye stands when nobody says, and turned planes.
+// Common parts of the perspectives: default positions of the eye, and rotated planes.
 #pragma once
 
 #include <epura/projection_plugin.hpp>

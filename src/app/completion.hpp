@@ -15,7 +15,7 @@ const std::vector<std::string>& shells();
 /// What the shell has to read. Throws Error{input} for others.
 std::string completion_script(const std::string& shell);
 
-/// What may stand at the last of `words`, which follow the name of the program: a line for each, with its help behind
+/// Completions of the last of `words`, which follow the name of the program: a line for each, with its help after
 /// a tab. Words that end with ':', '=' or ',' are to be continued. The line ":files" or ":folders" stands for the names
 /// of those.
 std::string complete(const CommandDescription& program, const std::vector<std::string>& words);

@@ -124,7 +124,7 @@ void Console::draw_line() {
   line_length_ = line.size() + rest;
 }
 
-// By blanks: not every terminal knows the same commands.
+// With blanks, since terminals differ in their control sequences.
 void Console::erase_line() {
   if (line_length_ > 0) put("\r" + std::string(line_length_, ' ') + "\r");
   line_length_ = 0;

@@ -70,7 +70,7 @@ std::string explanation(const report::Report& report, const report::PlanStep& fo
   return text;
 }
 
-// Where there is no time to write all lines, the longest ones.
+// The longest lines, if there is no time to write all.
 std::vector<pipeline::FileBytes> encode_in_time(const std::vector<pipeline::Target>& targets,
                                                 std::vector<pipeline::FinishedSheet>& sheets,
                                                 const output::VectorOptions& vector_options, report::Report& report,

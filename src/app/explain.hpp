@@ -18,8 +18,8 @@ void estimate_savings(std::vector<report::PlanStep>& plan);
 using DrawAgain = std::function<std::string(const pipeline::Shortcuts&)>;
 
 /// Time saved by shortcuts, from alternating runs with and without each effective shortcut: the median of
-/// the differences in processor time. It is that of the whole run, and stands at the first step of the stage. All runs
-/// must give the same bytes.
+/// the differences in processor time. It is that of the whole run, and is given at the first step of the stage. All
+/// runs must give the same bytes.
 void measure_savings(std::vector<report::PlanStep>& plan, const pipeline::Shortcuts& used, const DrawAgain& again);
 
 /// A line for each step: stage, view, run or skipped, seconds of the shortcut's test and of the stage, seconds saved as

@@ -33,11 +33,11 @@ using output::json_string;
 constexpr std::size_t most_positions = 4;
 constexpr std::size_t most_radii = 12;
 
-/// What is told of one model.
+/// Information about one model.
 struct ModelInfo {
   mesh::MeshReport report;
   Box box;
-  std::optional<Unit> unit;  ///< what it most likely is; no format of these says it
+  std::optional<Unit> unit;  ///< the most likely one; these formats do not state it
   features::PartFaces part;
   std::vector<features::Hole> holes;
 

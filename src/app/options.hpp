@@ -33,7 +33,7 @@ struct DrawOptions {
   std::string format;                ///< of "-"
   std::vector<scene::Located<scene::ProjectionRequest>> projections, views;
   std::vector<scene::Located<Mat4>> transforms;
-  // These win over what a scene file says.
+  // These override the scene file.
   scene::ModelDescription model;
   scene::ViewDescription view;
   scene::SheetDescription sheet;

@@ -10,7 +10,7 @@
 
 namespace epura {
 
-/// A word that may stand where the cursor is. One that ends with ':', '=' or ',' is to be continued.
+/// A possible word at the cursor. One that ends with ':', '=' or ',' is incomplete.
 struct Suggestion {
   std::string word, help;
 };

@@ -102,7 +102,7 @@ std::string name_beside(const Descriptor& file, const fs::path& target) {
 }
 
 // By a file without a name: it vanishes by itself, whenever and however the process ends. False where the file system
-// has none, or for trouble that the other way will meet, too.
+// has none, or for errors that the other method will meet, too.
 bool replace_by_nameless(const fs::path& target, std::string_view bytes, Progress progress) {
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
   Descriptor file(::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600));
@@ -163,7 +163,7 @@ std::string read_file(const fs::path& path, const Progress& progress, std::uintm
   };
   expect_at_most(static_cast<std::uintmax_t>(status.st_size));
 
-  // One byte more than the size, so that the end of the file is seen without growing. A pipe says size 0.
+  // One byte more than the size, so that the end of the file is seen without growing. A pipe reports size 0.
   std::string bytes(static_cast<std::size_t>(status.st_size) + 1, '\0');
   std::size_t filled = 0;
   while (true) {

@@ -29,7 +29,7 @@ std::optional<double> number_in(const Value& value) {
   return read && std::isfinite(*read) ? read : std::nullopt;
 }
 
-// A value, and for errors the key that it stands under and the last list on the way to it.
+// A value, and for errors its key and the last list on the path to it.
 struct Place {
   const Value& value;
   const std::string& file;

@@ -88,7 +88,7 @@ class PdfReader {
     });
   }
 
-  // Keeps the state of the pen and the path, and tells `tell` of every operation. ISO 32000-1, 8.4 and 8.5.
+  // Tracks the graphics state and the path, and reports every operation to `tell`. ISO 32000-1, 8.4 and 8.5.
   template <class Tell>
   void run(std::string_view content, PenState pen, const Tell& tell) {
     std::vector<PenState> stack;

@@ -155,7 +155,7 @@ class SvgReader {
 
   struct LineMarks {
     int look = 0, view = 0, origin = -1;
-    bool are_areas = false;        ///< closed, whether or not the path says so
+    bool are_areas = false;        ///< closed, even if the path is not
     bool one_origin_each = false;  ///< the first piece has `origin`, the next the one after it
   };
 

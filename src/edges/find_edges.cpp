@@ -59,7 +59,7 @@ void add_mesh_edges(const EdgeSurroundings& around, view::ProjectedScene& view, 
   }
 }
 
-// Crossings that there is no time to judge count as not searched.
+// Crossings not judged in time count as not searched.
 void drop_contacts(const scene::World& world, double normalisation, double crease_angle, FeatureEdges& drawn,
                    const Progress& progress) {
   const std::vector<Contact> contacts = judge_contacts(world, normalisation, crease_angle, drawn.crossings, progress);

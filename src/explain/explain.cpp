@@ -63,7 +63,7 @@ struct Storyteller {
     return segment.edge == origin.vertex;
   }
 
-  // Where a span has no ink of its own: which edges draw that place, or why nothing does.
+  // For a span without its own ink: which edges draw that place, or why nothing does.
   [[nodiscard]] std::string ink_of(const Span& span) const {
     const drawing::Coincidence limits = drawing::coincidence_on_paper(drawn_view.view, drawn_view.paper);
     if (!span.visible && !drawn_view.keep_hidden) return "    no ink: hidden lines are switched off\n";

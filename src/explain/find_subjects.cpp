@@ -51,7 +51,7 @@ std::optional<EdgeQuestion> parse(std::string_view text) {
                     {std::min((*vertices)[0], (*vertices)[1]), std::max((*vertices)[0], (*vertices)[1])}};
 }
 
-// Drawn edges stand in the order of models and their edges.
+// Drawn edges are in the order of models and their edges.
 int drawn_number(const edges::FeatureEdges& drawn, int model, int mesh_edge) {
   const auto found = std::find_if(drawn.edges.begin(), drawn.edges.end(), [&](const edges::FeatureEdge& edge) {
     return edge.model == model && edge.mesh_edge == mesh_edge;

@@ -119,7 +119,7 @@ FeatureLine Features::follow(End start, std::vector<char>& used) const {
   return line;
 }
 
-// Ends of wanted edges by their vertices.
+// Ends of the required edges by their vertices.
 std::vector<End> ends_by_vertex(const Features& features) {
   std::vector<End> ends;
   for (std::size_t e = 0; e < features.wanted.size(); ++e)

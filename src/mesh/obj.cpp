@@ -168,7 +168,7 @@ Soup read_obj(std::string_view bytes, std::string_view name, const Progress& pro
   ObjJoiner joiner(name, parts);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     progress.expect_time();
-    // Read again where it begins, a part with an error says which line that is on.
+    // A part with an error is read again from its beginning, to find the line number.
     if (!parts[i]) parts[i] = read_obj_part(texts[i], name, joiner.line());
     joiner.add(std::move(*parts[i]));
     parts[i].reset();

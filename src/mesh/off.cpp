@@ -15,7 +15,7 @@ struct Counts {
   long long faces;
 };
 
-// The keyword may be missing; what stands before "OFF" says what else a vertex line holds behind its place.
+// The keyword may be missing; letters before "OFF" state what a vertex line contains after the position.
 void read_keyword(TextCursor& text) {
   const TextCursor before = text;
   const std::string_view word = text.word_of_any_line(), keyword = off_keyword(word);
@@ -43,7 +43,7 @@ Counts read_counts(TextCursor& text) {
     if (*count < 0 || *count > max)
       text.fail("the file is too short for the " + std::to_string(*count) + " " + what + " that its header announces");
   }
-  // The number of edges, which nobody needs, follows here, alone on the next line, or not at all.
+  // The number of edges, which is not needed, follows here, alone on the next line, or not at all.
   if (!text.word().empty()) return counts;
   const TextCursor before = text;
   text.word_of_any_line();

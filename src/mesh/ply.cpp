@@ -208,7 +208,7 @@ class PlyReader {
       soup_.single_precision = soup_.single_precision && found->type == PlyType::float32;
     }
     soup_.points.reserve(soup_.points.size() + static_cast<std::size_t>(element.count));
-    std::array<double, 4> point{};  // the last place takes what is not wanted
+    std::array<double, 4> point{};  // the last element takes unused values
     read_rows(
         element, [&](std::size_t p, double value) { point[axis[p]] = value; },
         [&](std::size_t p) {
@@ -261,7 +261,7 @@ class PlyReader {
       if (i < begin + 2 || strip[i] < 0) continue;
       std::array<int, 3> triangle{strip[i - 2], strip[i - 1], strip[i]};
       if ((i - begin) % 2 == 1) std::swap(triangle[0], triangle[1]);
-      // Strips are sewn together by triangles that repeat a vertex: they are no faces.
+      // Strips are joined by triangles that repeat a vertex: these are not faces.
       if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) continue;
       soup_.corners.insert(soup_.corners.end(), triangle.begin(), triangle.end());
       soup_.end_face();

@@ -31,7 +31,7 @@ const Format* format_named(std::string_view name) {
   return found == formats.end() ? nullptr : &*found;
 }
 
-// OBJ has no mark of its own.
+// OBJ has no signature.
 const Format* format_of_content(std::string_view bytes) {
   const std::string_view first = TextCursor(bytes, "").word_of_any_line();
   if (first == "ply" && bytes.starts_with("ply")) return format_named("ply");

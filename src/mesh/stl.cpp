@@ -91,7 +91,7 @@ class TextReader {
   void begin_facet() {
     if (in_facet_) text_.fail("a facet begins inside a facet");
     in_facet_ = true;
-    // "normal x y z" need not be numbers: the corners say where a facet faces.
+    // "normal x y z" need not be numbers: the corners determine the orientation of a facet.
     for (int i = 0; i < 4; ++i) text_.word();
   }
 

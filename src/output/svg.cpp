@@ -68,7 +68,7 @@ class SheetHash {
   std::uint64_t value_ = 0;
 };
 
-// Four characters, of which the second is a digit: no word, and short enough to stand before the id of every line.
+// Four characters, of which the second is a digit: not a word, and short enough to precede the id of every line.
 std::string prefix_of(const sheet::Sheet& sheet) {
   constexpr std::string_view characters = "0123456789abcdefghijklmnopqrstuvwxyz";
   std::uint64_t rest = SheetHash(sheet).value();
@@ -159,7 +159,7 @@ void LayerWriter::append_look(const sheet::LineStyle& style) {
   if (style.dashes.dash > 0) svg_.append(" stroke-dasharray=\"").append(dash_array(style.dashes)) += '"';
 }
 
-// What all lines of the layer share is said once. Layers of lines that are not edges have none of it.
+// Attributes shared by all lines of the layer are written once. Layers of lines that are not edges have none.
 void LayerWriter::append_origin(const sheet::Layer& layer) {
   const auto is_edge = [](const sheet::Stroke& stroke) { return stroke.kind.has_value(); };
   if (std::none_of(layer.strokes.begin(), layer.strokes.end(), is_edge)) return;

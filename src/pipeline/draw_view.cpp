@@ -52,7 +52,7 @@ struct Candidates {
   report::PlanStep step;
 };
 
-// For what may be spared of the search for crossings.
+// For excluding bodies from the search for crossings.
 constexpr double part_for_candidates = 0.25;
 // Of the time for lines; the rest is for drawing them.
 constexpr double part_for_hiding = 0.7;
@@ -281,7 +281,7 @@ drawing::ViewDrawing ViewRun::drawn_on(const view::PaperMap& paper, const edges:
   return drawing::make_drawing({input_.world, view_, edges, hidden_}, paper, options, progress);
 }
 
-// Where there is no time for all lines, of the longest edges.
+// Of the longest edges, if there is no time for all lines.
 DrawnLines ViewRun::draw_lines(const view::PaperMap& paper) {
   const auto make = [&](const Progress& progress) {
     DrawnLines lines;

@@ -25,7 +25,7 @@ Mat4 place_of(const scene::ModelDescription& model) {
   return place;
 }
 
-// Where a scene file names the model, an error of reading says where.
+// If a scene file names the model, a reading error states where.
 mesh::Mesh read(const scene::ModelDescription& model, const Progress& progress) {
   if (model.soup != nullptr) return mesh::make_mesh(*model.soup, *model.name, progress);
   const auto read_it = [&](const std::string& file) { return mesh::read_mesh(file, progress); };

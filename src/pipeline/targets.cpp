@@ -22,7 +22,7 @@ std::string encode(const output::Format& format, std::span<const FinishedSheet> 
   return format.encode(content, progress);
 }
 
-// Sheets of one run may come to stand on one page.
+// Sheets of one run may end up on one page.
 output::VectorOptions options_of_sheet(output::VectorOptions options, std::size_t number) {
   if (!options.id_prefix.empty()) options.id_prefix += "-" + std::to_string(number);
   return options;

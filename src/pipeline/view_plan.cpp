@@ -21,7 +21,7 @@ edges::EdgeOptions edge_options(const scene::ViewDescription& view) {
   return edges;
 }
 
-// What a model says of itself wins over what the view says.
+// Options of a model override those of the view.
 std::vector<sheet::ModelStyle> styles_of(const scene::SceneDescription& scene, const scene::ViewDescription& view) {
   std::vector<sheet::ModelStyle> styles;
   for (const scene::ModelDescription& model : scene.models) {

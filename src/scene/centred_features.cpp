@@ -285,7 +285,7 @@ class FeatureFinder {
       rings.emplace_back(height, std::sqrt(std::max(radius * radius - (height - centre) * (height - centre), 0.0)));
   }
 
-  // Whole circles around faces of no known surface, which no round face tells of.
+  // Whole circles around faces without a known surface, which no round face accounts for.
   void add_rims(std::vector<RoundFeature>& features) const {
     const bool free = std::any_of(part_.faces.begin(), part_.faces.end(), [](const features::PartFace& face) {
       return face.surface.kind == SurfaceKind::free_form;

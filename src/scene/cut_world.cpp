@@ -18,7 +18,7 @@ namespace epura::scene {
 
 namespace {
 
-constexpr double least_gap = 0x1p-44;  // of the world's size: narrower ones are roundings of the cut, and not told
+constexpr double least_gap = 0x1p-44;  // of the world's size: narrower ones are roundings of the cut, and not reported
 
 /// One model on its way through the plane.
 struct ModelCut {

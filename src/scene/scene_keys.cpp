@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* table_kind = "table";
 
-/// A key under which stands a table, or several.
+/// A key of one or several tables.
 template <class Part>
 Option<Part> table_option(const std::string& key, const std::string& help,
                           std::function<void(Part&, const TomlValue&)> read) {
@@ -92,7 +92,7 @@ void prepare(const SceneWords& words, const TomlValue& table, SheetDescription& 
   sheet.where = table.where;
 }
 
-/// A key of the file under which stand several tables, or a single one: each is a part in the list that `parts` finds.
+/// A key of several tables, or a single one: each is a part in the list that `parts` finds.
 template <class Part, class Parts>
 Option<SceneWords> parts_key(const std::string& name, const Options<Part>& keys, Parts parts) {
   const auto read = [name, keys, parts](SceneWords& words, const TomlValue& value) {
@@ -125,7 +125,7 @@ void read_title_block(SceneWords& words, const TomlValue& value) {
   read_entries(words.every_sheet.title_block, value, title_block_keys(), "[title_block]");
 }
 
-// In the order of reading: what all sheets share stands before the sheets.
+// In the order of reading: shared values of all sheets precede the sheets.
 Options<SceneWords> scene_keys() {
   return {
       {{.key = "views", .form = {"list of texts"}, .help = "projections; short for a `[[view]]` for each"},

@@ -31,7 +31,7 @@ std::string kind_name() {
   refuse(value, "is " + found + ", " + wanted + " is wanted", loose ? "put it in quotes" : "");
 }
 
-// What stands on the command line, if the value does.
+// The text on the command line, if the value comes from there.
 const std::string* option_text(const TomlValue& value) {
   return value.is_option ? std::get_if<std::string>(&value.content) : nullptr;
 }

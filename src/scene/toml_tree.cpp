@@ -33,7 +33,7 @@ std::string text_of(const toml::date& date) {
   return text;
 }
 
-/// A key in the file, and what stands under it.
+/// A key in the file, and its value.
 struct Entry {
   const toml::key* key;
   const toml::node* node;

@@ -81,12 +81,12 @@ void add_end(Layer& layer, const Trace& trace, double side, const std::string& n
   const double height = letter_widths * widths.narrow;
   const Vec2 end = end_of(trace, side, height);
   layer.fills.push_back(wide_line(end, end - wide_end * height * outwards, widths.wide));
-  // The arrow stands on the edge of the wide line.
+  // The arrow touches the edge of the wide line.
   const Vec2 tip = end - (wide_end / 2 * height) * outwards - (widths.wide / 2) * trace.seen;
   const Vec2 tail = tip - arrow_length * height * trace.seen;
   layer.fills.push_back(arrow_head(tip, trace.seen, head_length * height));
   layer.strokes.push_back({{tail, tip - head_length * height * trace.seen}});
-  // Letters stand upright, whatever the direction of the line.
+  // Letters are upright for any direction of the line.
   const Vec2 middle = tail + (letter_gap + 0.5) * height * outwards;
   layer.texts.push_back({name, middle - Vec2(0, height / 2), height, 0, Align::middle, "section"});
 }

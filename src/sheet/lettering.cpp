@@ -100,7 +100,7 @@ class Lettering::Font {
     return FT_Get_Char_Index(face_, character) != 0;
   }
 
-  /// The box that stands for a missing character where the font has not this one. May be asked from several threads.
+  /// The box that replaces a missing character if the font does not have this one. Thread-safe.
   [[nodiscard]] const Glyph& glyph(char32_t character) const {
     const std::lock_guard lock(reading_);
     const auto found = glyphs_.find(character);

@@ -148,7 +148,7 @@ class Outline {
     if (is_new) return suspects_.push_back(found);
     Suspect& same = suspects_[at->second];
     ++same.met;
-    // Of a second line parts may stand alone where the first one ends.
+    // Parts of a second line may be alone where the first one ends.
     same.kind = std::max(same.kind, found.kind);
   }
 

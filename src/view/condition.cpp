@@ -45,7 +45,7 @@ double larger_side(const projection::Window& window) {
   return std::max(size.x, size.y);
 }
 
-// A window stands where numbers of its own say, so the place of the whole drawing counts too.
+// A window has its own position, so that of the whole drawing counts too.
 void add_window(const Setting& s, double size, std::vector<Share>& shares) {
   if (!s.p.window) return;
   const Vec2 far = glm::max(glm::abs(s.p.window->min), glm::abs(s.p.window->max));
@@ -78,7 +78,7 @@ struct Depths {
   double nearest = HUGE_VAL, farthest = 0;
 };
 
-// Around a viewer who stands in the scene, distances begin at a sixteenth of its depth.
+// Around a viewer inside the scene, distances begin at a sixteenth of its depth.
 Depths depths_of(const Setting& s) {
   Depths depths;
   for (const Vec3& corner : s.corners) {

@@ -81,7 +81,7 @@ enum class Clipping { where_needed, everywhere };
 ProjectedScene project_scene(const scene::World& world, const projection::Projection& projection,
                              const ViewLimits& limits, Clipping clipping = Clipping::where_needed);
 
-/// The same with the points of the world mapped by somebody else: finite, in the coordinates of
+/// The same with points of the world mapped by the caller: finite, in the coordinates of
 /// make_view_map(projection, world.box).
 ProjectedScene project_scene(const scene::World& world, const projection::Projection& projection,
                              const ViewLimits& limits, UnsetVector<Mapped> mapped,

@@ -44,12 +44,12 @@ bool is_blank(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t' |
 
 bool ends_name(char c) { return is_blank(c) || std::string("()<>[]{}/%").find(c) != std::string::npos; }
 
-// A part of a file from one stream to the next, in which names are looked for, wherever they stand.
+// A part of a file from one stream to the next, which is searched for names in any position.
 class Names {
  public:
   Names(const std::string& file, std::size_t begin, std::size_t end) : file_(file), at_(begin), end_(end) {}
 
-  /// The next name without its slash, "#69" as the character that it stands for; false if there is none.
+  /// The next name without its slash, "#69" decoded; false if there is none.
   bool next(std::string& name) {
     at_ = std::min(file_.find('/', at_), end_);
     if (at_ == end_) return false;
@@ -58,7 +58,7 @@ class Names {
     return true;
   }
 
-  // Of what stands behind the name.
+  // Of what follows the name.
   [[nodiscard]] std::size_t place() const { return at_; }
   void pass_blanks() {
     while (at_ < end_ && is_blank(file_[at_])) ++at_;
@@ -155,7 +155,7 @@ void UnpackRoom::measure(const std::string& file, std::size_t at) {
     flate.write(reinterpret_cast<const unsigned char*>(file.data() + at), file.size() - at);
     flate.finish();
   } catch (const std::exception&) {
-    if (basin.overflows()) refuse();  // other trouble is qpdf's to tell
+    if (basin.overflows()) refuse();  // qpdf reports other errors
   }
   left_ = basin.room();
 }

@@ -21,7 +21,7 @@ constexpr int decimals = 2;
   throw Error(ErrorKind::input, dimension.where, what, hint);
 }
 
-// The view that a dimension is to stand in, as it maps the world.
+// The view of a dimension, as a map of the world.
 struct Sight {
   const drawing::ViewDrawing& drawing;
   const Vec3 n = drawing.projection.n;
@@ -186,7 +186,7 @@ MeasuredDimension overall(const AnchoredDimension& dimension, const Sight& sight
            "choose an orthographic view parallel to the axis");
   const Vec2 image = sight.page_of(e), along = glm::normalize(image);
   const double value = dimension.points[1][axis] - dimension.points[0][axis];
-  // The dimension line stands below, or on the right.
+  // The dimension line is below, or on the right.
   const Vec2 side = std::abs(along.x) > std::abs(along.y) ? Vec2(0, -1) : Vec2(1, 0);
   std::array<Vec2, 2> ends{};
   if (!sight.drawing.segments.empty()) ends = ends_of_ink(sight.drawing, along, side);

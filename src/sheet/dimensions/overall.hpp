@@ -20,7 +20,7 @@ struct NamedProjection {
 
 /// An overall dimension that names no direction, as overall width, height and depth: each once, in the clearest of the
 /// views - width and height from the front, depth from the side, before other orthographic views along a world axis.
-/// What no view shows in true length is left out, and so is a diameter that stands already: that of a shaft is its
+/// What no view shows in true length is left out, and so is a diameter that is already there: that of a shaft is its
 /// width and its depth. Where it names a view, only that one counts. Throws Error{input} when nothing is left.
 std::vector<scene::DimensionDescription> overall_dimensions(const scene::DimensionDescription& overall,
                                                             std::span<const NamedProjection> views,

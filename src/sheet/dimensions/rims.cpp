@@ -32,7 +32,7 @@ std::string text_of(const Vec3& p) {
   return format_fixed(p.x, 4) + "," + format_fixed(p.y, 4) + "," + format_fixed(p.z, 4);
 }
 
-// A rim square to the axis of a shaft or bore is as large as this is there: vertices of a short arc tell less.
+// A rim square to the axis of a shaft or bore is as large as this is there: vertices of a short arc are less accurate.
 void take_surface(WorldCircle& circle, const scene::PlacedPart& part) {
   const double slack = roundness * circle.radius;
   double nearest = slack;
