@@ -23,20 +23,20 @@
 
 namespace epura {
 
-/// All trouble that the caller can mend. The message names the place and the reason. Places in a scene in memory are
+/// Any error that the caller can correct. The message contains place and reason. Places in a scene in memory are
 /// written as its members: "views[1].parameters".
 class EPURA_PUBLIC Failure : public std::runtime_error {
  public:
-  /// The exit code that the program has for it. `time`: `time_limit` left nothing to show; `stopped`: it was asked to.
+  /// Values are the exit codes of the program. `time`: `time_limit` left nothing to show; `stopped`: by Settings::stop.
   enum class Kind { input = 2, plugin = 3, output = 4, time = 5, stopped = 130 };
 
   Failure(Kind kind, std::string place, const std::string& message, std::string hint)
       : std::runtime_error(message), kind_(kind), place_(std::move(place)), hint_(std::move(hint)) {}
 
   [[nodiscard]] Kind kind() const noexcept { return kind_; }
-  /// A file with its line or byte, a member of the scene, or a plugin.
+  /// A file with line or byte, a member of the scene, or a plugin.
   [[nodiscard]] const std::string& place() const noexcept { return place_; }
-  /// The remedy, where there is one.
+  /// The remedy, if there is one.
   [[nodiscard]] const std::string& hint() const noexcept { return hint_; }
 
  private:
@@ -44,20 +44,20 @@ class EPURA_PUBLIC Failure : public std::runtime_error {
   std::string place_, hint_;
 };
 
-/// How a scene is drawn.
+/// Settings of a drawing.
 struct Settings {
-  std::optional<double> contact{};     ///< length below which faces touch and hide nothing; found by default
+  std::optional<double> contact{};     ///< distance below which faces touch and do not hide; automatic by default
   bool wireframe = false;              ///< no hidden-line removal
-  std::optional<double> arcs{};        ///< draw arcs of circles and ellipses, through corners within so many mm
-  bool centre_lines = false;           ///< draw centre lines and axes of circles of the models
-  std::optional<int> verify{};         ///< test the drawing at so many points at random, and its outline
-  std::optional<double> time_limit{};  ///< seconds: what there is no time for is left out
-  int threads = 0;                     ///< 0: all cores. Where several calls run at once, the lowest number counts
-  std::vector<std::filesystem::path> plugin_path{};  ///< more folders with projection plugins
-  /// Told when a stage begins, and then as it goes on: its name, and the part that is done, 0 to 1 (0 where that is not
-  /// known). Called from any thread, never twice at once.
+  std::optional<double> arcs{};        ///< recognise arcs of circles and ellipses within this tolerance in mm
+  bool centre_lines = false;           ///< add centre lines and axes of circular features
+  std::optional<int> verify{};         ///< test the drawing at so many random points, and its outline
+  std::optional<double> time_limit{};  ///< seconds; draws the longest edges first
+  int threads = 0;                     ///< 0: all cores. For concurrent calls, the lowest number applies
+  std::vector<std::filesystem::path> plugin_path{};  ///< additional folders with projection plugins
+  /// Called when a stage begins and as it proceeds, with its name and the completed fraction, 0 to 1 (0 if unknown).
+  /// May be called from any thread, but never concurrently.
   std::function<void(const std::string& stage, double done)> progress{};
-  std::stop_token stop{};  ///< asked for, the call ends soon by Failure{stopped}
+  std::stop_token stop{};  ///< on request, the call soon throws Failure{stopped}
 };
 
 /// A straight piece of ink. Lengths on paper are millimetres, y up, from the lower left corner of the sheet.
@@ -65,13 +65,13 @@ struct Line {
   std::array<double, 2> from, to;
   EdgeKind kind;
   bool visible;
-  int model;                ///< of Scene::models
-  std::array<int, 2> edge;  ///< numbers of the vertices in the model; {-1, -1} for an intersection or a cut
-  std::array<double, 2> t;  ///< parameters along that edge in space, `from` at t[0]; equal ones: a link to other ink
+  int model;                ///< index in Scene::models
+  std::array<int, 2> edge;  ///< vertex numbers in the model; {-1, -1} for an intersection or a cut
+  std::array<double, 2> t;  ///< parameters along that edge in space, `from` at t[0]; equal: a link to other ink
 };
 
-/// A part of the lines that is an arc (Settings::arcs): centre + cos(a) u + sin(a) v, where a runs from `from` to `to`,
-/// in radians. Of a circle u and v have one length; of an ellipse they are its half axes.
+/// An arc in place of lines (Settings::arcs): centre + cos(a) u + sin(a) v for a between `from` and `to`, in radians.
+/// For a circle, u and v have the same length; for an ellipse, they are its semi-axes.
 struct Arc {
   std::array<double, 2> centre, u, v;
   double from, to;
@@ -81,24 +81,23 @@ struct Arc {
 
 struct DrawnView {
   std::string name, projection;
-  int sheet;     ///< on which it stands, from 1
-  double scale;  ///< mm of paper per unit of the world, in the plane of projection
-  /// Rows: page = (row0/row3, row1/row3) in mm, of a world point as a column vector; row2/row3 grows towards the
-  /// viewer.
+  int sheet;     ///< number of its sheet, from 1
+  double scale;  ///< mm on paper per unit of the world, in the plane of projection
+  /// Row order, for a world point as a column vector: position on the sheet = (row0/row3, row1/row3) in mm; row2/row3
+  /// grows towards the viewer.
   std::array<double, 16> world_to_page;
   std::vector<Line> lines;
   std::vector<Arc> arcs;
 };
 
-/// Strokes of the pen, as they are written: dashes are fitted by the writers.
+/// Pen strokes as they are written; the writers fit the dashes.
 struct SheetLayer {
   std::string name;                                         ///< "front/visible"
   double width;                                             ///< mm
-  std::vector<std::vector<std::array<double, 2>>> strokes;  ///< a closed one ends where it begins
+  std::vector<std::vector<std::array<double, 2>>> strokes;  ///< closed strokes end at their first point
 };
 
-/// What a scene became: sheets of paper with views on them. Cheap to copy: copies share what they hold, which never
-/// changes.
+/// The result: sheets with views. Cheap to copy: copies share their content, which is immutable.
 class EPURA_PUBLIC Drawing {
  public:
   class Content;
@@ -106,13 +105,13 @@ class EPURA_PUBLIC Drawing {
 
   [[nodiscard]] int sheets() const noexcept;
   [[nodiscard]] const std::vector<DrawnView>& views() const noexcept;
-  /// What is on a sheet, in the order of painting. `sheet` counts from 1.
+  /// The layers of a sheet in painting order. `sheet` counts from 1.
   [[nodiscard]] std::vector<SheetLayer> layers(int sheet = 1) const;
-  /// Sentences: what was repaired in models, what is not as was wished.
+  /// One sentence each: repairs of models, and requests that could not be met.
   [[nodiscard]] const std::vector<std::string>& warnings() const noexcept;
-  /// The stages that `time_limit` cut; none: the drawing is complete.
+  /// The stages that `time_limit` cut short; empty if the drawing is complete.
   [[nodiscard]] const std::vector<std::string>& cut_stages() const noexcept;
-  /// Whether `verify` found a fault; the JSON tells which.
+  /// Whether `verify` found an error; the JSON has the details.
   [[nodiscard]] bool is_wrong() const noexcept;
   [[nodiscard]] const Content& content() const noexcept { return *content_; }  ///< for the library itself
 
@@ -120,22 +119,22 @@ class EPURA_PUBLIC Drawing {
   std::shared_ptr<const Content> content_;
 };
 
-/// Draws. Reads the models that are files, writes nothing, prints nothing, touches no signal. Several threads may draw
-/// at once. Plugins are found beside the library, and as the program finds them; they run in processes of their own,
-/// which end with the call. Throws Failure, and std::bad_alloc.
+/// Draws a scene. Reads model files; does not write files, print, or handle signals. Thread-safe. Plugins are searched
+/// next to the library and in the folders that the program searches; they run in separate processes, which end with the
+/// call. Throws Failure and std::bad_alloc.
 [[nodiscard]] EPURA_PUBLIC Drawing draw(const Scene& scene, const Settings& settings = {});
 
-/// Draws a scene file, toml (docs/formats.md), or a model in an isometric view.
+/// Draws a scene file (TOML, docs/formats.md), or a model in an isometric view.
 [[nodiscard]] EPURA_PUBLIC Drawing draw_file(const std::filesystem::path& file, const Settings& settings = {});
 
 struct SvgOptions {
-  bool plain = false;  ///< leave the origin of lines out
+  bool plain = false;  ///< omit ids and the origin of lines
   int decimals = 4;    ///< of coordinates in millimetres, 1 to 5
   SvgText text = SvgText::outlines;
-  std::string id_prefix{};  ///< of ids and classes; empty: made from the drawing, so that two on one page do not clash
+  std::string id_prefix{};  ///< prefix of ids and classes; empty: derived from the drawing
 };
 
-// The bytes of files. The same drawing gives the same bytes, always. `sheet` counts from 1. Throw Failure.
+// Encoded files. The same drawing always gives the same bytes. `sheet` counts from 1. Throw Failure.
 [[nodiscard]] EPURA_PUBLIC std::string to_svg(const Drawing& drawing, int sheet = 1, const SvgOptions& options = {});
 [[nodiscard]] EPURA_PUBLIC std::string to_png(const Drawing& drawing, int sheet = 1, double dpi = 300);
 [[nodiscard]] EPURA_PUBLIC std::string to_eps(const Drawing& drawing, int sheet = 1);
@@ -144,8 +143,8 @@ struct SvgOptions {
 [[nodiscard]] EPURA_PUBLIC std::string to_pdf(const Drawing& drawing);  ///< all sheets
 [[nodiscard]] EPURA_PUBLIC std::string to_ps(const Drawing& drawing);   ///< all sheets
 
-/// Writes the format that the extension names; several sheets become x-1.svg, x-2.svg where the format has one page.
-/// Returns the files. Throws Failure; what was there under the name of an output then stays.
+/// Writes a file in the format of its extension; several sheets become x-1.svg, x-2.svg if the format has no pages.
+/// Returns the paths of the files. Throws Failure; an existing file is then kept.
 EPURA_PUBLIC std::vector<std::filesystem::path> write(const Drawing& drawing, const std::filesystem::path& file);
 
 /// "0.1.0"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Meshes of OpenMesh as models: any TriMesh or PolyMesh, whatever its traits.
+// OpenMesh meshes as models: any TriMesh or PolyMesh, with any traits.
 //
 //   epura::Scene scene{.models = {{.polygons = epura::polygons_of(mesh)}}};
 //
-// Needs neither the library nor OpenMesh beyond the mesh that is given.
+// Needs neither the library nor OpenMesh itself, only a mesh.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +12,8 @@
 
 namespace epura {
 
-/// The faces of a mesh. Vertices keep their numbers, so `Line::edge` has those of OpenMesh's handles; faces that are
-/// marked as deleted are left out.
+/// The faces of a mesh. Vertices keep their numbers, so `Line::edge` contains indices of OpenMesh handles. Deleted
+/// faces are omitted.
 template <class HalfedgeMesh>
 [[nodiscard]] Polygons polygons_of(const HalfedgeMesh& mesh) {
   using Coordinate = std::decay_t<decltype(mesh.point(typename HalfedgeMesh::VertexHandle())[0])>;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The C++ face of projection_abi.h: header-only, compiled into the plugin, so that only C crosses the border.
+// C++ wrapper of projection_abi.h: header-only, compiled into the plugin, so that only C crosses the interface.
 //
 // A projection is a struct with name, family, summary, reference, a table `parameters`, and
 //   static View project(const Scene&, one argument for each row of the table)
-// where a number arrives as double, a choice as int (or as bool for "false|true"), a vector of three as Vec3 and any
-// other vector as std::array<double, N>. EPURA_PROJECTION(Struct) makes a library of it, EPURA_PROJECTIONS(A, B...)
-// of several. Wrong values: throw std::invalid_argument with a sentence for the user.
+// where a number is passed as double, a choice as int (or as bool for "false|true"), a vector of three as Vec3 and any
+// other vector as std::array<double, N>. EPURA_PROJECTION(Struct) defines the library's entry point for one projection,
+// EPURA_PROJECTIONS(A, B...) for several. For invalid values, throw std::invalid_argument with a message for the user.
 #pragma once
 
 #include <epura/projection_abi.h>
@@ -47,24 +47,24 @@ inline double portable_sin(double angle) { return static_cast<double>(std::sin(s
 inline double portable_cos(double angle) { return static_cast<double>(std::cos(static_cast<long double>(angle))); }
 inline double portable_tan(double angle) { return static_cast<double>(std::tan(static_cast<long double>(angle))); }
 
-/// Unit vector from the model to a viewer `azimuth` degrees to the right of the front and `elevation` above it.
+/// Unit vector towards a viewer `azimuth` degrees to the right of the front and `elevation` degrees above the horizon.
 inline Vec3 towards_viewer(double azimuth, double elevation) {
   const double a = radians(azimuth), e = radians(elevation);
   return {portable_sin(a) * portable_cos(e), -portable_cos(a) * portable_cos(e), portable_sin(e)};
 }
 
-/// The box of everything drawn.
+/// Bounding box of everything drawn.
 struct Scene {
   Vec3 least, most;
   [[nodiscard]] Vec3 centre() const { return 0.5 * least + 0.5 * most; }
-  /// Never zero, so that distances measured in it keep apart even for a single point.
+  /// Never zero, so that distances derived from it stay distinct even for a single point.
   [[nodiscard]] double diagonal() const {
     const double d = length(most - least);
     return d > 0 ? d : 1;
   }
 };
 
-/// What a projection answers; see epura_view for the members.
+/// Result of a projection; epura_view describes the members.
 struct View {
   bool central = false;
   Vec3 point, normal, up, projector;
@@ -75,7 +75,7 @@ struct View {
 
 namespace detail {
 
-// How an argument of project() is read from the flat values: its type in the table, its length, its value.
+// Converts flat values to an argument of project(): its type in the table, its length, its value.
 template <class T>
 struct Argument;
 template <>
@@ -156,7 +156,7 @@ const char* project(const double* values, const epura_scene* scene, epura_view* 
   } catch (const std::exception& error) {
     sentence = error.what();
   } catch (...) {
-    sentence = "threw something that is no std::exception";
+    sentence = "threw something other than std::exception";
   }
   return sentence.c_str();
 }

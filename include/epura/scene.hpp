@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is to be drawn, as plain values. World coordinates are right-handed, z points up; lengths are millimetres once
-// the unit of a model is applied. docs/formats.md describes the same in scene files.
+// Description of a drawing in plain values. World coordinates are right-handed, z points up; lengths are millimetres
+// after applying the unit of a model. docs/formats.md describes the corresponding scene files.
 #pragma once
 
 #include <array>
@@ -13,76 +13,76 @@
 
 namespace epura {
 
-/// A surface in memory. Points that several faces share are given once; faces have three or more corners, which are
-/// indices of points, counterclockwise as seen from outside.
+/// A surface in memory. Shared points are given once; faces have three or more corners, which are indices of points,
+/// counterclockwise as seen from outside.
 struct Polygons {
   std::vector<std::array<double, 3>> points{};
   std::vector<std::vector<int>> faces{};
-  bool single_precision = false;  ///< points were rounded to 32 bits: what is nearer than that touches
+  bool single_precision = false;  ///< points were rounded to 32 bits, which widens the contact tolerance
 };
 
 struct Model {
   std::string file{};   ///< obj, stl, ply, off, or of a format for which an importer is installed; with `:key=value`
                         ///< for its parameters
   Polygons polygons{};  ///< instead of a file
-  std::string name{};   ///< by which dimensions call it; by default the file's name without its extension
-  std::optional<Unit> unit{};  ///< what the file says, or mm
-  std::optional<UpAxis> up{};  ///< what the file says, or z
-  /// Where it stands, after unit and axis: the rows of an affine matrix, which is applied to column vectors.
+  std::string name{};   ///< name for dimensions; by default the file name without extension
+  std::optional<Unit> unit{};  ///< that of the file by default, or mm
+  std::optional<UpAxis> up{};  ///< that of the file by default, or z
+  /// Position, applied after unit and axis: the rows of an affine matrix for column vectors.
   std::array<double, 12> transform{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
   LineRole line = LineRole::visible;
   Surfaces surfaces = Surfaces::automatic;
-  std::optional<HiddenLines> hidden{};  ///< the view's by default
+  std::optional<HiddenLines> hidden{};  ///< by default as in the view
 };
 
 /// A number, several numbers, or a word.
 using ParameterValue = std::variant<double, std::vector<double>, std::string>;
 
-/// One view of the models, by a projection plugin.
+/// A view of the models through a projection plugin.
 struct View {
   std::string projection = "isometric";
-  std::vector<std::pair<std::string, ParameterValue>> parameters{};  ///< of the projection; `epura plugins NAME`
+  std::vector<std::pair<std::string, ParameterValue>> parameters{};  ///< see `epura plugins NAME`
   std::string name{};                                                ///< by default the projection's
   HiddenLines hidden = HiddenLines::dashed;
   EdgeKinds edges{};
-  /// Degrees between faces from which their edge is a crease, 0 to 180; by default 5 between faces of the part that are
-  /// recognised, and 30 in other meshes.
+  /// Smallest angle between two faces whose common edge is a crease, 0 to 180 degrees; by default 5 between recognised
+  /// faces of the part, and 30 in other meshes.
   std::optional<double> crease_angle{};
-  double join_within = 0.1;                   ///< mm of paper; lines so near along each other are one, 0: all are drawn
-  std::optional<double> near{}, far{};        ///< depths, to leave out what is nearer or farther
-  std::optional<double> scale{};              ///< mm of paper per unit; the sheet's by default
-  std::optional<std::array<double, 2>> at{};  ///< middle of its ink, mm from the lower left corner; else arranged
-  int sheet = 1;                              ///< which one of several, from 1
-  std::string section{};                      ///< name of the section that it shows
-  std::string label{};                        ///< written above it; "A-A" for section A by default
+  double join_within = 0.1;                   ///< mm on paper; closer parallel lines are drawn as one, 0: draw all
+  std::optional<double> near{}, far{};        ///< depths; omit what is nearer or farther
+  std::optional<double> scale{};              ///< mm on paper per unit; by default the sheet's
+  std::optional<std::array<double, 2>> at{};  ///< centre of its ink, mm from the lower left corner; default: automatic
+  int sheet = 1;                              ///< number of the sheet, from 1
+  std::string section{};                      ///< name of the section shown
+  std::string label{};                        ///< text above the view; by default "A-A" for section A
 };
 
-/// A plane that cuts the models. What lies on the side to which the normal points is taken away.
+/// A plane that cuts the models. The side that the normal points to is removed.
 struct Section {
   std::string name{};
   std::array<double, 3> point{0, 0, 0};
   std::array<double, 3> normal{0, -1, 0};
 };
 
-/// A vertex of a model, both counted from 0; or a point of the world.
+/// A model and a vertex of it, both counted from 0; or a point of the world.
 using DimensionAnchor = std::variant<std::array<int, 2>, std::array<double, 3>>;
 
-/// A dimension in a view: it follows the model. ISO 129-1.
+/// A dimension in a view, attached to the model. ISO 129-1.
 struct Dimension {
   DimensionType type = DimensionType::overall;
-  std::optional<DimensionDirection> direction{};  ///< linear: horizontal or vertical; overall: one of three, or all
-  std::vector<DimensionAnchor> anchors{};         ///< linear, aligned: both ends; angular: the corner, then the ends of
-                                                  ///< its legs; radius, diameter: a vertex on the circle
-  std::string view{};                             ///< name of the view; the first one by default
-  std::optional<double> offset{};                 ///< of the dimension line, mm of paper; its sign gives the side
-  std::string text{};                             ///< instead of the value, for which "<>" stands
+  std::optional<DimensionDirection> direction{};  ///< linear: horizontal or vertical; overall: empty for all three
+  std::vector<DimensionAnchor> anchors{};         ///< linear, aligned: both ends; angular: the vertex, then the ends of
+                                                  ///< the legs; radius, diameter: a vertex on the circle
+  std::string view{};                             ///< name of the view; by default the first one
+  std::optional<double> offset{};                 ///< mm on paper to the dimension line; its sign selects the side
+  std::string text{};                             ///< text instead of the value; "<>" stands for the value
 };
 
-/// As large as fits, or the largest standard scale that fits (ISO 5455); or millimetres of paper per unit.
+/// Largest scale that fits, largest standard scale that fits (ISO 5455), or millimetres on paper per unit.
 enum class AutomaticScale { fit, standard };
 using Scale = std::variant<AutomaticScale, double>;
 
-/// Paper of ISO 216, "A4" to "A0"; cut to the drawing; the smallest of them that takes a scale that is given; or width
+/// ISO 216 size, "A4" to "A0"; cut to the drawing; the smallest of these sizes that fits at the given scale; or width
 /// and height in mm.
 enum class AutomaticSize { cut, smallest };
 using PaperSize = std::variant<std::string, AutomaticSize, std::array<double, 2>>;
@@ -90,10 +90,10 @@ using PaperSize = std::variant<std::string, AutomaticSize, std::array<double, 2>
 struct SheetOptions {
   std::optional<PaperSize> size{};  ///< by default A4, or A3 for several views
   Orientation orientation = Orientation::landscape;
-  std::optional<Scale> scale{};  ///< by default fit, or standard where there is a full frame
+  std::optional<Scale> scale{};  ///< by default fit, or standard with a full frame
   ProjectionAngle angle = ProjectionAngle::first;
   FrameKind frame = FrameKind::automatic;
-  /// Fields of the title block by the names of docs/formats.md ("title", "owner", "number", "date" ...) or any other.
+  /// Title block fields by the names in docs/formats.md ("title", "owner", "number", "date" ...) or any other name.
   std::vector<std::pair<std::string, std::string>> title_block{};
 };
 
@@ -102,7 +102,7 @@ struct Scene {
   std::vector<View> views{};  ///< none: one isometric view
   std::vector<Section> sections{};
   std::vector<Dimension> dimensions{};
-  std::vector<SheetOptions> sheets{};  ///< none: one of them
+  std::vector<SheetOptions> sheets{};  ///< none: one default sheet
 };
 
 }  // namespace epura

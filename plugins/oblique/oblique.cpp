@@ -10,8 +10,8 @@ struct Oblique {
   static constexpr auto summary = "front face true, depth slanted at any angle and ratio";
   static constexpr auto reference = "ISO 5456-3";
   static constexpr std::array parameters{
-      number("angle", "deg", "receding lines from the horizontal", 30, -360, 360),
-      number("ratio", "1", "length on the page of a unit of depth", 0.75, 0, 10),
+      number("angle", "deg", "angle of receding lines from the horizontal", 30, -360, 360),
+      number("ratio", "1", "length of a unit of depth in the drawing", 0.75, 0, 10),
   };
 
   static View project(const Scene& scene, double angle, double ratio) { return oblique(scene, angle, ratio); }

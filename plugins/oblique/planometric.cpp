@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Planometric projection: the plan keeps its true shape, turned on the page; heights stand straight up from it.
+// Planometric projection: the plan keeps its true shape, turned on the page; heights are drawn vertically.
 #include <epura/projection_plugin.hpp>
 
 using namespace epura::plugin;
@@ -10,8 +10,8 @@ struct Planometric {
   static constexpr auto summary = "plan true and turned, heights straight up";
   static constexpr auto reference = "ISO 5456-3";
   static constexpr std::array parameters{
-      number("angle", "deg", "by how much the plan is turned clockwise", 45, -360, 360),
-      number("height", "1", "length on the page of a unit of height: 1, or 0.6667 as in the shortened form", 1, 0, 10),
+      number("angle", "deg", "clockwise rotation of the plan", 45, -360, 360),
+      number("height", "1", "length of a unit of height in the drawing: 1, or 0.6667 in the shortened form", 1, 0, 10),
   };
 
   static View project(const Scene& scene, double angle, double height) {

@@ -7,11 +7,11 @@ using namespace epura::plugin;
 struct Auxiliary {
   static constexpr auto name = "auxiliary";
   static constexpr auto family = "orthographic";
-  static constexpr auto summary = "seen squarely from any direction";
+  static constexpr auto summary = "orthographic view from any direction";
   static constexpr auto reference = "ISO 5456-2";
   static constexpr std::array parameters{
       vector<3>("direction", "1", "from the model towards the viewer", {1, -1, 0}),
-      vector<3>("up", "1", "points up the page", {0, 0, 1}),
+      vector<3>("up", "1", "upward direction of the view", {0, 0, 1}),
   };
 
   static View project(const Scene& scene, Vec3 direction, Vec3 up) { return orthographic(scene, direction, up); }

@@ -14,7 +14,7 @@ struct Frustum {
   static constexpr std::array parameters{
       vector<3>("eye", "model units", "centre of projection"),
       vector<3>("ref", "model units", "point looked at; the model's centre unless given"),
-      vector<3>("vup", "1", "points up the page", {0, 0, 1}),
+      vector<3>("vup", "1", "upward direction of the view", {0, 0, 1}),
       number("l", "model units", "left edge on the plane", from_box, -any, any),
       number("r", "model units", "right edge on the plane", from_box, -any, any),
       number("b", "model units", "bottom edge on the plane", from_box, -any, any),
@@ -34,10 +34,10 @@ struct Frustum {
     n = given_or(n, std::max(depth - radius, scene.diagonal() / 100));
     f = given_or(f, std::max(depth + radius, 2 * n));
     d = given_or(d, n);
-    if (!(n > 0 && f > n && d > 0)) throw std::invalid_argument("distances must hold 0 < n < f and 0 < d");
+    if (!(n > 0 && f > n && d > 0)) throw std::invalid_argument("distances must satisfy 0 < n < f and 0 < d");
     const double half = d * std::min(1.0, radius / std::sqrt(std::max(depth * depth - radius * radius, 1e-300)));
     const std::array window{given_or(l, -half), given_or(b, -half), given_or(r, half), given_or(t, half)};
-    if (!(window[0] < window[2] && window[1] < window[3])) throw std::invalid_argument("l < r and b < t must hold");
+    if (!(window[0] < window[2] && window[1] < window[3])) throw std::invalid_argument("l < r and b < t are required");
     return {.central = true,
             .point = eye + d * view,
             .normal = -view,

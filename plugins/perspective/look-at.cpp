@@ -8,15 +8,15 @@ using namespace perspective;
 struct LookAt {
   static constexpr auto name = "look-at";
   static constexpr auto family = "perspective";
-  static constexpr auto summary = "an eye that looks at a point";
+  static constexpr auto summary = "eye and reference point";
   static constexpr auto reference = "Martha and Gattass, transformations for viewing in 3D: [C] = [R][T]";
   static constexpr std::array parameters{
       vector<3>("eye", "model units", "centre of projection"),
       vector<3>("ref", "model units", "point looked at; the model's centre unless given"),
-      vector<3>("vup", "1", "points up the page", {0, 0, 1}),
-      number("fovy", "deg", "height of what is drawn, as an angle; 0: everything", 0, 0, 170),
+      vector<3>("vup", "1", "upward direction of the view", {0, 0, 1}),
+      number("fovy", "deg", "vertical field of view; 0: everything", 0, 0, 170),
       number("aspect", "1", "width over height of the field of view", 1, 1e-3, 1e3),
-      vector<4>("window", "model units", "least u, least v, most u, most v; zeros: everything", {0, 0, 0, 0}),
+      vector<4>("window", "model units", "min u, min v, max u, max v; zeros: everything", {0, 0, 0, 0}),
   };
 
   static View project(const Scene& scene, Vec3 eye, Vec3 ref, Vec3 vup, double fovy, double aspect,
@@ -30,7 +30,7 @@ struct LookAt {
       const double v = length(line) * portable_tan(radians(fovy) / 2), u = aspect * v;
       view.window = {-u, -v, u, v};
     } else if (aspect != 1) {
-      throw std::invalid_argument("aspect means nothing without fovy");
+      throw std::invalid_argument("aspect needs fovy");
     }
     return view;
   }

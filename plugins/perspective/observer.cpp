@@ -15,7 +15,7 @@ struct Observer {
       vector<3>("u", "model units", "a point that appears straight above c"),
       number("d", "model units", "distance of the picture from the eye; that of c unless given", from_box, 0,
              unlimited),
-      vector<4>("window", "model units", "least X, least Y, most X, most Y from the foot of the eye; zeros: everything",
+      vector<4>("window", "model units", "min X, min Y, max X, max Y from the foot of the eye; zeros: everything",
                 {0, 0, 0, 0}),
   };
 

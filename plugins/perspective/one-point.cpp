@@ -11,8 +11,8 @@ struct OnePoint {
   static constexpr auto reference = "ISO 5456-4";
   static constexpr std::array parameters{
       distance_parameter,
-      number("right", "diagonals", "eye to the right of the model's centre", 0.5, -1e3, 1e3),
-      number("above", "diagonals", "eye above the model's centre", 0.4, -1e3, 1e3),
+      number("right", "diagonals", "distance of the eye to the right of the model's centre", 0.5, -1e3, 1e3),
+      number("above", "diagonals", "height of the eye above the model's centre", 0.4, -1e3, 1e3),
   };
 
   static View project(const Scene& scene, double distance, double right, double above) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the perspectives share: where the eye stands when nobody says, and turned planes.
+// Common parts of the perspectives: default positions of the eye, and rotated planes.
 #pragma once
 
 #include <epura/projection_plugin.hpp>
@@ -9,13 +9,13 @@ namespace perspective {
 using namespace epura::plugin;
 
 /// Distance of the eye in diagonals of the box, which then lies in a cone of 23 degrees about its centre. An eye up to
-/// 0.64 diagonals off the centre keeps it in the cone of 60 degrees about the normal that ISO 5456-4 asks for.
+/// 0.64 diagonals off the centre keeps it in the cone of 60 degrees about the normal that ISO 5456-4 requires.
 inline constexpr double calm_distance = 2.5;
 
-inline constexpr epura_parameter distance_parameter =
-    number("distance", "diagonals", "eye from the model's centre, along the normal", calm_distance, 0.6, 1e6);
+inline constexpr epura_parameter distance_parameter = number(
+    "distance", "diagonals", "distance of the eye from the model's centre, along the normal", calm_distance, 0.6, 1e6);
 
-/// What was given, or what stands for it when nothing was.
+/// The given value, or its default.
 inline double given_or(double given, double otherwise) { return std::isnan(given) ? otherwise : given; }
 inline Vec3 given_or(Vec3 given, Vec3 otherwise) { return std::isnan(given.x) ? otherwise : given; }
 

@@ -14,7 +14,7 @@ struct Phigs {
       choice("kind", "central, or parallel along PRP - window centre", "parallel|perspective", 1),
       vector<3>("vrp", "model units", "view reference point; the model's centre unless given"),
       vector<3>("vpn", "1", "view plane normal, towards the viewer", {1, -1, 1}),
-      vector<3>("vup", "1", "points up the page", {0, 0, 1}),
+      vector<3>("vup", "1", "upward direction of the view", {0, 0, 1}),
       vector<3>("prp", "model units", "projection reference point, in u, v, n from vrp"),
       vector<4>("window", "model units", "umin, vmin, umax, vmax on the view plane; zeros: everything", {0, 0, 0, 0}),
       number("vpd", "model units", "n of the view plane", 0, -any, any),

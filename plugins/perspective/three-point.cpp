@@ -11,8 +11,8 @@ struct ThreePoint {
   static constexpr auto reference = "ISO 5456-4";
   static constexpr std::array parameters{
       distance_parameter,
-      number("azimuth", "deg", "eye to the right of the front", 40, -360, 360),
-      number("elevation", "deg", "eye above the horizontal; below it when negative", 30, -89, 89),
+      number("azimuth", "deg", "angle of the eye to the right of the front", 40, -360, 360),
+      number("elevation", "deg", "angle of the eye above the horizontal; negative: below", 30, -89, 89),
   };
 
   static View project(const Scene& scene, double distance, double azimuth, double elevation) {

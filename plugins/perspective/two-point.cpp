@@ -11,8 +11,8 @@ struct TwoPoint {
   static constexpr auto reference = "ISO 5456-4";
   static constexpr std::array parameters{
       distance_parameter,
-      number("azimuth", "deg", "eye to the right of the front", 40, -360, 360),
-      number("above", "diagonals", "eye above the model's centre", 0.25, -1e3, 1e3),
+      number("azimuth", "deg", "angle of the eye to the right of the front", 40, -360, 360),
+      number("above", "diagonals", "height of the eye above the model's centre", 0.25, -1e3, 1e3),
   };
 
   static View project(const Scene& scene, double distance, double azimuth, double above) {

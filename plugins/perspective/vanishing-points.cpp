@@ -7,7 +7,7 @@
 //   three points  H is the orthocentre of their triangle, which must be acute;
 //   two points    H is a place between them on their line (the horizon), the one nearest to `centre`;
 //   one point     H is the point itself, e is chosen.
-// Of the axes' two senses, z points up the page and x to the right.
+// Of the axes' two senses, z upward direction of the view and x to the right.
 #include <optional>
 
 #include "perspective.hpp"
@@ -82,12 +82,14 @@ struct VanishingPoints {
   static constexpr auto summary = "one, two or three vanishing points placed on the page";
   static constexpr auto reference = "descriptive geometry: the orthocentre is the principal point";
   static constexpr std::array parameters{
-      vector<2>("x", "model units", "where width vanishes, from the image of the model's centre"),
-      vector<2>("y", "model units", "where depth vanishes; x and y stand left and right of the model if none is given"),
-      vector<2>("z", "model units", "where height vanishes"),
+      vector<2>("x", "model units", "vanishing point of width, from the image of the model's centre"),
+      vector<2>("y", "model units",
+                "vanishing point of depth; by default x and y are to the left and right of the model"),
+      vector<2>("z", "model units", "vanishing point of height"),
       vector<2>("centre", "model units",
-                "two points: foot of the eye, brought to the horizon; nearest to the model if not given"),
-      number("distance", "model units", "one point, or none: eye from the plane", from_box, 0, unlimited),
+                "with two points: foot of the eye, moved to the horizon; by default nearest to the model"),
+      number("distance", "model units", "with one point or none: distance of the eye from the plane", from_box, 0,
+             unlimited),
   };
 
   static View project(const Scene& scene, Place x, Place y, Place z, Place centre, double distance) {
@@ -118,7 +120,7 @@ struct VanishingPoints {
     const Vec3 size = scene.most - scene.least;
     const double reach = (std::abs(n.x) * size.x + std::abs(n.y) * size.y + std::abs(n.z) * size.z) / 2;
     if (!(eye.distance > reach))
-      throw std::invalid_argument("the eye would stand inside the model: move the vanishing points apart");
+      throw std::invalid_argument("the eye would be inside the model: move the vanishing points apart");
     return {.central = true,
             .point = scene.centre(),
             .normal = n,

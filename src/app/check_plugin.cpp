@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `epura plugins check`: what epura asks of every projection, for authors of plugins.
+// `epura plugins check`: tests of a plugin, for its author.
 #include <cstdio>
 
 #include "app/check_texts.hpp"
@@ -28,7 +28,7 @@ std::vector<projection::ProjectionEntry> entries_of(const CheckPluginOptions& op
   try {
     return projection::read_plugin_apart(options.file, projection::Afterwards::waits, options.time_limit);
   } catch (const Error& error) {
-    throw Error(ErrorKind::plugin, options.file.string(), error.what(), "docs/plugins.md tells what is expected");
+    throw Error(ErrorKind::plugin, options.file.string(), error.what(), "see docs/plugins.md for the requirements");
   }
 }
 

@@ -19,8 +19,8 @@ std::string footer_of(const ProgramTexts& texts) {
   std::string codes;
   for (const ExitCode& exit : texts.exit_codes)
     codes += (codes.empty() ? "" : ", ") + std::to_string(exit.code) + " " + exit.meaning;
-  return "'" + texts.name + " COMMAND --help' says more, and '" + texts.name + " manual' all. Exit codes: " + codes +
-         ".";
+  return "'" + texts.name + " COMMAND --help' shows more, '" + texts.name +
+         " manual' everything. Exit codes: " + codes + ".";
 }
 
 int answer(const std::string& text) {
@@ -48,7 +48,7 @@ int run_command_line(const ProgramTexts& texts, std::vector<DefinedCommand> (*de
   }
   for (const DefinedCommand& defined : commands)
     if (defined.app == &chosen_command(app)) return defined.run();
-  throw Error(ErrorKind::input, "", "names no command", "see '" + texts.name + " --help'");
+  throw Error(ErrorKind::input, "", "no command given", "see '" + texts.name + " --help'");
 }
 
 int run_program(const std::function<int()>& run) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The command line of a program: one table parses, prints help and names what was perhaps meant.
+// The command line of a program: parsing, help and suggestions from one table.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -17,7 +17,7 @@ struct ExitCode {
   std::string meaning;
 };
 
-/// What a program says of itself beside its commands, in its help and its manual.
+/// Texts of a program for its help and manual, apart from its commands.
 struct ProgramTexts {
   std::string name;  ///< as users write it: "epura study"
   std::string summary;
@@ -29,14 +29,14 @@ struct ProgramTexts {
   bool has_completion_scripts = false;                           ///< that shells read
 };
 
-/// A command as CLI11 knows it, and what it does when it is parsed.
+/// A CLI11 command, and the function to call when it is parsed.
 struct DefinedCommand {
   const CLI::App* app;
   std::function<int()> run;  ///< returns the exit code
   std::vector<scene::OptionInfo> options;
 };
 
-/// A command that does `run(part)` with what the options say.
+/// A command that calls `run(part)` with the parsed options.
 template <class Part, class Run>
 DefinedCommand define_command(CLI::App* app, scene::Options<Part> options, Run run) {
   for (const scene::OptionInfo& option : options) define(*app, option);
@@ -55,7 +55,7 @@ DefinedCommand define_command(CLI::App* app, scene::Options<Part> options, Run r
 int run_command_line(const ProgramTexts& texts, std::vector<DefinedCommand> (*define)(CLI::App& program), int argc,
                      char** argv);
 
-/// The exit code of `run`; tells errors on standard error.
+/// The exit code of `run`; prints errors to standard error.
 int run_program(const std::function<int()>& run);
 
 }  // namespace epura

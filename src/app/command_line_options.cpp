@@ -63,7 +63,7 @@ CLI::Option* add(CLI::App& app, const scene::OptionInfo& option) {
 // "--dimensions -o x.pdf" lacks a value.
 void refuse_option_as_value(const CLI::App& app, const std::string& name, const std::string& text) {
   if (text.size() > 1 && text.starts_with('-') && app.get_option_no_throw(text) != nullptr)
-    throw Error(ErrorKind::input, name, "wants a value, and '" + text + "' is an option", "write " + name + "=VALUE");
+    throw Error(ErrorKind::input, name, "needs a value, but '" + text + "' is an option", "write " + name + "=VALUE");
 }
 
 }  // namespace
@@ -106,11 +106,9 @@ void refuse_wrong_use(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App* command = &chosen_command(app);
   for (const std::string& extra : command->remaining(true)) {
     if (extra.starts_with("-"))
-      throw Error(ErrorKind::input, "", "there is no option '" + extra + "'",
-                  did_you_mean(extra, long_names(*command)));
+      throw Error(ErrorKind::input, "", "unknown option '" + extra + "'", did_you_mean(extra, long_names(*command)));
     if (command == &app)
-      throw Error(ErrorKind::input, "", "there is no command '" + extra + "'",
-                  did_you_mean(extra, names_of_commands(app)));
+      throw Error(ErrorKind::input, "", "unknown command '" + extra + "'", did_you_mean(extra, names_of_commands(app)));
   }
   throw Error(ErrorKind::input, "command line", error.what(),
               "see '" + app.get_name() + " " + (command == &app ? "" : command->get_name() + " ") + "--help'");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tables of options on the command line: CLI11 learns of them, and what it found is read by them.
+// Connects tables of options to CLI11: declares them, and reads the values that it found.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -17,7 +17,7 @@ std::string joined(const std::vector<std::string>& words);
 void define(CLI::App& app, const scene::OptionInfo& option);
 
 /// What the command line gives it, in order; of an option that is not repeatable the last value alone. Throws
-/// Error{input} where another option stands in the place of a value.
+/// Error{input} if another option takes the place of a value.
 std::vector<scene::TomlValue> given_values(const CLI::App& app, const scene::OptionInfo& option);
 
 /// To be called when `app` is parsed. Throws Error{input}.
@@ -33,7 +33,7 @@ using OptionTables = std::map<const CLI::App*, std::vector<scene::OptionInfo>>;
 /// The innermost command that was named.
 const CLI::App& chosen_command(const CLI::App& app);
 
-/// CLI11 says which arguments nobody took; this says what was perhaps meant. Throws Error{input}.
+/// Turns arguments that CLI11 did not recognise into errors with suggestions. Throws Error{input}.
 [[noreturn]] void refuse_wrong_use(const CLI::App& app, const CLI::ParseError& error);
 
 }  // namespace epura

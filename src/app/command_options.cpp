@@ -26,16 +26,16 @@ scene::Option<Command> tolerance_option(double Command::*tolerance, const std::s
 scene::Options<CompareOptions> compare_options() {
   using Compare = CompareOptions;
   return {
-      scene::option<Compare>({.flag = "before", .help = "drawing to compare with: json svg pdf", .required = true},
+      scene::option<Compare>({.flag = "before", .help = "first drawing: json svg pdf", .required = true},
                              &Compare::before, file_name("A")),
-      scene::option<Compare>({.flag = "after", .help = "drawing that may differ from it", .required = true},
-                             &Compare::after, file_name("B")),
-      tolerance_option(&Compare::tolerance, "mm by which lines may lie beside each other"),
+      scene::option<Compare>({.flag = "after", .help = "second drawing", .required = true}, &Compare::after,
+                             file_name("B")),
+      tolerance_option(&Compare::tolerance, "distance up to which lines count as equal"),
       scene::option<Compare>(
-          {.flag = "--overlay", .help = "picture of both, what differs in colour: svg, png, pdf or html"},
+          {.flag = "--overlay", .help = "picture of both drawings with differences in colour: svg, png, pdf or html"},
           &Compare::overlay, file_name("FILE")),
-      scene::option<Compare>({.flag = "--json", .help = "what differs, for programs; - for standard output"},
-                             &Compare::json, file_name("FILE")),
+      scene::option<Compare>({.flag = "--json", .help = "differences as JSON; - for standard output"}, &Compare::json,
+                             file_name("FILE")),
   };
 }
 
@@ -46,7 +46,7 @@ scene::Options<InfoOptions> info_options() {
           {.flag = "models", .help = "model files, as of 'epura draw'", .required = true, .repeatable = true},
           &Info::models, file_name("MODEL...")),
       plugin_path_option<Info>(&Info::plugin_path),
-      scene::option<Info>({.flag = "--json", .help = "the same for programs; - for standard output"}, &Info::json,
+      scene::option<Info>({.flag = "--json", .help = "the same as JSON; - for standard output"}, &Info::json,
                           file_name("FILE")),
   };
 }
@@ -55,19 +55,21 @@ scene::Options<SnapshotOptions> snapshot_options() {
   using Snapshot = SnapshotOptions;
   return {
       scene::option<Snapshot>({.flag = "folders",
-                               .help = "folders of cases: each has scene.toml and expected.json, .svg or .pdf",
+                               .help = "folders of cases, each with scene.toml and expected.json, .svg or .pdf",
                                .required = true,
                                .repeatable = true},
                               &Snapshot::folders, file_name("DIR...").completed_by(scene::Completion::folders)),
-      scene::option<Snapshot>({.flag = "--accept", .help = "make what comes the expectation; refused where CI is set"},
-                              &Snapshot::accept, scene::truth()),
-      tolerance_option(&Snapshot::tolerance, "mm, as of 'epura compare'"),
-      scene::option<Snapshot>({.flag = "--report", .help = "page with pictures of the cases: html"}, &Snapshot::report,
+      scene::option<Snapshot>(
+          {.flag = "--accept", .help = "make the current drawings the expected ones; refused if CI is set"},
+          &Snapshot::accept, scene::truth()),
+      tolerance_option(&Snapshot::tolerance, "distance up to which lines count as equal"),
+      scene::option<Snapshot>({.flag = "--report", .help = "page with pictures of all cases: html"}, &Snapshot::report,
                               file_name("FILE")),
       scene::option<Snapshot>({.flag = "--junit", .help = "results for CI: JUnit XML"}, &Snapshot::junit,
                               file_name("FILE")),
-      scene::option<Snapshot>({.flag = "--threads", .help = "cases at the same time, 0 for one a core", .usual = "0"},
-                              &Snapshot::threads, scene::whole_number(0, 1024)),
+      scene::option<Snapshot>(
+          {.flag = "--threads", .help = "number of cases drawn at the same time, 0 for one per core", .usual = "0"},
+          &Snapshot::threads, scene::whole_number(0, 1024)),
   };
 }
 
@@ -88,7 +90,7 @@ scene::Options<CheckPluginOptions> check_plugin_options() {
                            path_of_file("FILE.so")),
       scene::option<Check>(
           {.flag = "--time-limit",
-           .help = "seconds for loading it, and again for each answer; those built in take some milliseconds",
+           .help = "time limit for loading, and for each answer; built-in projections take some milliseconds",
            .usual = format_number(projection::plugin_seconds)},
           &Check::time_limit, scene::number_between(0, 1e6, "s").shown_as("S")),
   };
@@ -118,9 +120,9 @@ scene::Options<CheckImporterOptions> check_importer_options() {
 }
 
 scene::Options<NewProjectionOptions> new_projection_options() {
-  return {
-      scene::option<NewProjectionOptions>({.flag = "name", .help = "its name; a folder NAME is made", .required = true},
-                                          &NewProjectionOptions::name, scene::field_text().shown_as("NAME"))};
+  return {scene::option<NewProjectionOptions>(
+      {.flag = "name", .help = "name of the projection; creates a folder NAME", .required = true},
+      &NewProjectionOptions::name, scene::field_text().shown_as("NAME"))};
 }
 
 }  // namespace epura

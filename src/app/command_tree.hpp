@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The commands of the program as plain values: what the manual and the completion of shells are made from.
+// The commands of the program as plain values, from which manual and shell completion are made.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -14,14 +14,14 @@ struct OptionDescription {
   std::vector<std::string> names;  ///< "-o", "--output"; one without dashes is an argument, found by its place
   std::string type;                ///< of the value as the help names it, "FILE"; empty for flags
   std::string help;
-  std::string usual;        ///< value by default; empty if there is none to tell
+  std::string usual;        ///< default value; empty if there is none
   bool takes_word = false;  ///< the next word is its value
   bool is_required = false;
   scene::ValueForm form{};  ///< of its value, for completion
 
   [[nodiscard]] bool is_argument() const { return !names.front().starts_with('-'); }
 
-  /// Whether the manual says the same of both.
+  /// Whether the manual describes both in the same way.
   bool operator==(const OptionDescription& other) const { return names == other.names && help == other.help; }
 };
 

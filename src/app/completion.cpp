@@ -66,7 +66,7 @@ void take(Place& place, const std::string& word) {
   }
 }
 
-/// The argument at the place: the next one, or one that goes on for ever.
+/// The argument at the place: the next one, or one that continues for ever.
 const OptionDescription* next_argument(const Place& place) {
   const OptionDescription* next = nullptr;
   int index = 0;

@@ -64,11 +64,11 @@ Console::Console(ProgressBoard& board, bool shows_progress, std::optional<double
   ::pthread_sigmask(SIG_BLOCK, &signals, &old_mask_);
   signals_ = ::signalfd(-1, &signals, SFD_CLOEXEC);
   end_ = signals_ < 0 ? -1 : ::eventfd(0, EFD_CLOEXEC);
-  if (end_ < 0) refuse(std::string("cannot open a descriptor: ") + std::strerror(errno), "raise ulimit -n");
+  if (end_ < 0) refuse(std::string("cannot open a file descriptor: ") + std::strerror(errno), "raise ulimit -n");
   try {
     watcher_ = std::thread([this] { watch(); });
   } catch (const std::system_error& error) {
-    refuse(std::string("cannot begin a thread: ") + error.what(), "raise ulimit -v and ulimit -u");
+    refuse(std::string("cannot start a thread: ") + error.what(), "raise ulimit -v and ulimit -u");
   }
 }
 
@@ -124,7 +124,7 @@ void Console::draw_line() {
   line_length_ = line.size() + rest;
 }
 
-// By blanks: not every terminal knows the same commands.
+// With blanks, since terminals differ in their control sequences.
 void Console::erase_line() {
   if (line_length_ > 0) put("\r" + std::string(line_length_, ' ') + "\r");
   line_length_ = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Standard error and the signals of a run: warnings, the progress line, and the end by Ctrl-C.
+// Standard error and signals of a run: warnings, the progress line, and Ctrl-C.
 #pragma once
 
 #include <csignal>
@@ -46,7 +46,7 @@ class Console {
   const std::optional<double> time_limit_;
   sigset_t old_mask_{};
   int signals_ = -1;  ///< descriptor that signals arrive at
-  int end_ = -1;      ///< descriptor that tells the thread to end
+  int end_ = -1;      ///< descriptor that makes the thread end
   std::mutex printing_;
   std::size_t line_length_ = 0;  ///< of the line on the screen
   std::thread watcher_;
@@ -55,7 +55,7 @@ class Console {
 /// Whether the line of progress is shown; `automatic`: on a terminal.
 bool shows_progress(ShowProgress when);
 
-/// Says what a run has to say on the console.
+/// Prints the messages of a run to the console.
 pipeline::Messages messages_to(Console& console);
 
 }  // namespace epura

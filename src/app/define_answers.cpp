@@ -36,7 +36,7 @@ DefinedCommand answering(CLI::App* app, const scene::Options<Part>& options, con
 }
 
 std::string script_for(const WordOptions& options) {
-  if (options.shell.empty()) throw Error(ErrorKind::input, "completion", "names no shell", joined(shells()));
+  if (options.shell.empty()) throw Error(ErrorKind::input, "completion", "needs the name of a shell", joined(shells()));
   return completion_script(options.shell);
 }
 
@@ -59,7 +59,7 @@ void define_answers(CLI::App& program, const ProgramTexts& texts, std::vector<De
                            texts.lists_projections ? found() : std::vector<projection::ProjectionEntry>());
       }));
 
-  CLI::App* completion = program.add_subcommand("completion", "print the script by which a shell completes words");
+  CLI::App* completion = program.add_subcommand("completion", "print a completion script for a shell");
   if (texts.has_completion_scripts) {
     const scene::OptionInfo shell{.flag = "shell", .help = joined(shells())};
     commands.push_back(answering<WordOptions>(
@@ -70,8 +70,8 @@ void define_answers(CLI::App& program, const ProgramTexts& texts, std::vector<De
     completion->group("")->require_subcommand(1);
   }
 
-  CLI::App* words = completion->add_subcommand("words", "words that may stand last")->group("");
-  const scene::OptionInfo written{.flag = "words", .help = "what was written so far, behind --", .repeatable = true};
+  CLI::App* words = completion->add_subcommand("words", "possible last words")->group("");
+  const scene::OptionInfo written{.flag = "words", .help = "words typed so far, after --", .repeatable = true};
   commands.push_back(answering<WordOptions>(
       words, {scene::option<WordOptions>(written, &WordOptions::words, scene::field_text().shown_as("TEXT ..."))},
       [describe](const WordOptions& options) { return complete(describe(), options.words); }));

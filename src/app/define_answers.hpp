@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Commands that tell of the program itself: the manual, and words for shells to complete.
+// Commands that describe the program itself: the manual, and completion words for shells.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// All commands of the program epura, and what it says of itself.
+// All commands of epura, and the texts that describe it.
 #pragma once
 
 #include <vector>

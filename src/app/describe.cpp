@@ -23,7 +23,7 @@ bool is_scene_file(const std::string& path) {
 std::vector<scene::ModelDescription> models_of(const DrawOptions& options) {
   const std::size_t transforms = options.transforms.size();
   if (transforms > 1 && transforms != options.models.size())
-    throw Error(ErrorKind::input, "--transform", "is given neither once nor once for each model");
+    throw Error(ErrorKind::input, "--transform", "must be given once, or once for each model");
   std::vector<scene::ModelDescription> models(options.models.size(), options.model);
   for (std::size_t i = 0; i < models.size(); ++i) {
     models[i].file = {options.models[i], options.models[i]};
@@ -42,26 +42,26 @@ std::vector<scene::ViewDescription> views_of(const DrawOptions& options) {
 scene::SceneDescription described_by_file(const DrawOptions& options) {
   const std::string& file = options.models.front();
   if (options.models.size() > 1)
-    throw Error(ErrorKind::input, file, "is a scene file and stands beside other models",
-                "name the models in the scene file, or leave it out");
+    throw Error(ErrorKind::input, file, "is a scene file and cannot be combined with other models",
+                "name the models in the scene file, or omit it");
   const scene::ModelDescription& model = options.model;
   if (!options.transforms.empty() || model.unit.given() || model.up.given() || model.surfaces.given())
     throw Error(ErrorKind::input, file,
-                "--transform, --unit, --up and --surfaces are for models that the command line names",
-                "say it in the [[model]] of the scene file");
+                "--transform, --unit, --up and --surfaces apply only to models on the command line",
+                "set them in [[model]] of the scene file");
   scene::SceneDescription scene = scene::read_scene_file(file);
   std::vector<scene::ViewDescription> views = views_of(options);
   if (!views.empty() && !scene.views.empty())
-    throw Error(ErrorKind::input, file, "has views of its own",
-                "leave out --views and --projection, or the views of the scene file");
+    throw Error(ErrorKind::input, file, "already defines views",
+                "omit --views and --projection, or the views of the scene file");
   if (!views.empty()) scene.views = std::move(views);
   return scene;
 }
 
 void cut_by_option(scene::SceneDescription& scene, const scene::Located<scene::SectionDescription>& section) {
   if (scene.views.size() > 1 || !scene.sections.empty())
-    throw Error(ErrorKind::input, section.where, "is for a single view and a scene without sections of its own",
-                "write a [[section]] into the scene file and name it in the [[view]] that shows it");
+    throw Error(ErrorKind::input, section.where, "needs a single view and a scene file without sections",
+                "add a [[section]] to the scene file and name it in the [[view]] that shows it");
   scene.sections.push_back(*section);
   scene.views.front().section = section->name;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Options, and the scene file that they may name -> what is to be drawn.
+// Options, and the scene file that they may name -> description of the drawing.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace epura {
 
-/// What an option says wins over what the scene file says. Every description has models, views and sheets.
-/// Throws Error{input} for a scene file beside models, and for options that a scene file leaves no room for.
+/// Options override the scene file. Every description has models, views and sheets.
+/// Throws Error{input} for a scene file together with models, and for options that conflict with a scene file.
 scene::SceneDescription describe(const DrawOptions& options);
 
 /// The files that are read for it.

@@ -27,14 +27,15 @@ void expect_outputs(const DrawOptions& options) {
   if (!asked && options.outputs.empty())
     throw Error(ErrorKind::input, "command line", "--output is required", "see 'epura draw --help'");
   if (asked && std::find(options.outputs.begin(), options.outputs.end(), "-") != options.outputs.end())
-    throw Error(ErrorKind::input, "--output -", "leaves no standard output to answer --why, --dump and explain",
+    throw Error(ErrorKind::input, "--output -",
+                "conflicts with the answers of --why, --dump and explain on standard output",
                 "write the drawing to a file");
   if (options.measure && options.run.time_limit)
-    throw Error(ErrorKind::input, "--measure", "draws several times, and knows no --time-limit",
-                "leave out one of them");
+    throw Error(ErrorKind::input, "--measure", "draws several times and cannot be combined with --time-limit",
+                "omit one of them");
 }
 
-// The whole run once more, from reading on, by other certificates.
+// The whole run once more, from reading on, by other shortcuts.
 std::string draw_again(const DrawOptions& options, const scene::SceneDescription& scene,
                        std::vector<pipeline::Target> targets, const pipeline::Shortcuts& leave_out) {
   pipeline::RunOptions again = options.run;
@@ -60,7 +61,7 @@ report::PlanStep formats_step(const std::vector<pipeline::Target>& targets) {
           static_cast<long long>(wanted.size())};
 }
 
-// The formats of a run are told to people alone: what is in a file does not depend on the files beside it.
+// The formats of a run are reported to people only: what is in a file does not depend on the files next to it.
 std::string explanation(const report::Report& report, const report::PlanStep& formats) {
   std::vector<report::PlanStep> plan = report.plan;
   plan.push_back(formats);
@@ -69,7 +70,7 @@ std::string explanation(const report::Report& report, const report::PlanStep& fo
   return text;
 }
 
-// Where there is no time to write all lines, the longest ones.
+// The longest lines, if there is no time to write all.
 std::vector<pipeline::FileBytes> encode_in_time(const std::vector<pipeline::Target>& targets,
                                                 std::vector<pipeline::FinishedSheet>& sheets,
                                                 const output::VectorOptions& vector_options, report::Report& report,

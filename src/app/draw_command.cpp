@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `epura draw`: a run with the terminal around it.
+// `epura draw`: a run with its terminal.
 #include <cstdio>
 #include <utility>
 #include <vector>
@@ -15,7 +15,7 @@ int exit_code_of(const DrawnFiles& drawn) {
   return drawn.report.partial.stages.empty() ? 0 : partial_exit_code;
 }
 
-// What is said goes to standard error, since a drawing may go to standard output.
+// Messages go to standard error, since a drawing may go to standard output.
 int draw(const DrawOptions& options) {
   ProgressBoard board;
   Console console(board, shows_progress(options.progress), options.run.time_limit);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One run from the options to the files: what the program does, and the library.
+// One run from options to files, without a terminal.
 #pragma once
 
 #include <string>
@@ -30,7 +30,7 @@ int exit_code_of(const DrawnFiles& drawn);
 /// Draws and writes all files. Throws Error: Error{time} where time is over before there is a line to show.
 DrawnFiles draw_files(const DrawOptions& options, const pipeline::Messages& messages, Progress progress);
 
-/// Says what --timings and --verify were to tell, and what --time-limit left out.
+/// Prints the results of --timings and --verify, and what --time-limit omitted.
 void tell_the_end(const pipeline::Messages& messages, const DrawOptions& options, const DrawnFiles& drawn);
 
 }  // namespace epura

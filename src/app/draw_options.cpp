@@ -38,7 +38,7 @@ scene::ValueKind<double> curve_tolerance() {
             const std::string text = scene::read_text(value);
             const auto tolerance = parse_number(text);
             if (!tolerance || !(*tolerance > 0 && *tolerance <= 1))
-              scene::refuse(value, "'" + text + "' is not a tolerance", "more than 0 and at most 1 mm are possible");
+              scene::refuse(value, "'" + text + "' is not a tolerance", "give more than 0 and at most 1 mm");
             return *tolerance;
           }};
 }
@@ -48,8 +48,8 @@ scene::ValueKind<pipeline::Visibility> visibility_kind() {
   return {known.form, [known](const scene::TomlValue& value) {
             for (const char* measured : {"float", "sampled", "item-buffer", "exact:"})
               if (scene::read_text(value).starts_with(measured))
-                scene::refuse(value, "'" + scene::read_text(value) + "' is not a method for drawings",
-                              "'epura study accuracy' measures it; drawings take exact or none");
+                scene::refuse(value, "'" + scene::read_text(value) + "' cannot be used for drawings",
+                              "use exact or none; 'epura study accuracy' measures other methods");
             return known.read(value);
           }};
 }
@@ -80,26 +80,26 @@ void append(scene::Options<Draw>& all, scene::Options<Draw> more, scene::Nature 
 
 scene::Options<Draw> file_options() {
   return {
-      scene::option<Draw>(
-          {.flag = "models",
-           .help = "model files: obj stl ply off, and what 'epura importers' lists; or one scene file: toml",
-           .nature = scene::Nature::file,
-           .required = true,
-           .repeatable = true},
-          &Draw::models, file_name("MODEL...")),
-      scene::option<Draw>(
-          {.flag = "-o,--output",
-           .help = "file to write, by extension: " + joined(output::format_names()) + "; - for standard output",
-           .nature = scene::Nature::file,
-           .repeatable = true},
-          &Draw::outputs, file_name("FILE")),
+      scene::option<Draw>({.flag = "models",
+                           .help = "model files (obj stl ply off and what 'epura importers' lists) or one scene file "
+                                   "(toml)",
+                           .nature = scene::Nature::file,
+                           .required = true,
+                           .repeatable = true},
+                          &Draw::models, file_name("MODEL...")),
+      scene::option<Draw>({.flag = "-o,--output",
+                           .help = "output file; its extension selects the format: " + joined(output::format_names()) +
+                                   "; - for standard output",
+                           .nature = scene::Nature::file,
+                           .repeatable = true},
+                          &Draw::outputs, file_name("FILE")),
       scene::option<Draw>({.flag = "--format", .help = "format of '-'", .nature = scene::Nature::file}, &Draw::format,
                           scene::any_text().shown_as("NAME").such_as(output::format_names())),
       plugin_path_option<Draw>(run(&pipeline::RunOptions::plugin_path)),
       scene::option<Draw>(
           {.flag = "--transform",
-           .help = "where models stand, e.g. \"rotate:z,30 translate:0,0,5\"; once for all models, or once for "
-                   "each",
+           .help =
+               "position of the models, e.g. \"rotate:z,30 translate:0,0,5\"; once for all models, or once for each",
            .repeatable = true},
           &Draw::transforms, scene::transform_steps()),
   };
@@ -107,36 +107,36 @@ scene::Options<Draw> file_options() {
 
 scene::Options<Draw> picture_options() {
   return {
-      projections_option("NAME[:key=value...]; 'epura plugins' lists them; each time one more view",
+      projections_option("projection of a view, NAME[:key=value...]; repeat for more views; 'epura plugins' lists them",
                          &Draw::projections),
       {{.flag = "--views",
         .form = {.placeholder = "NAMES", .completion = scene::Completion::projections},
-        .help = "several views on one sheet: front,top,left,isometric"},
+        .help = "several views on one sheet, e.g. front,top,left,isometric"},
        add_views},
+      scene::option<Draw>({.flag = "--section",
+                           .help = "cut the models, e.g. 0,0,10:0,-1,0; removes the side that the normal points to"},
+                          &Draw::section, cutting_plane()),
       scene::option<Draw>(
-          {.flag = "--section",
-           .help = "cut through the models, e.g. 0,0,10:0,-1,0; what lies on the side to which the normal "
-                   "points is taken away"},
-          &Draw::section, cutting_plane()),
-      scene::option<Draw>({.flag = "--arcs",
-                           .help = "draw circles, ellipses and their arcs as such, through corners within so many mm"},
-                          run(&pipeline::RunOptions::arcs), curve_tolerance()),
+          {.flag = "--arcs",
+           .help = "recognise circles, ellipses and their arcs whose corners lie within this tolerance"},
+          run(&pipeline::RunOptions::arcs), curve_tolerance()),
       scene::option<Draw>(
-          {.flag = "--centre-lines", .help = "draw centre lines of bores, shafts, slots and pitch circles"},
+          {.flag = "--centre-lines", .help = "add centre lines of bores, shafts, slots and pitch circles"},
           run(&pipeline::RunOptions::centre_lines), scene::truth()),
       scene::option<Draw>(
-          {.flag = "--dimensions", .help = "width, height and depth of the models, each in the clearest view"},
+          {.flag = "--dimensions", .help = "add width, height and depth of the models, each in the clearest view"},
           &Draw::dimensions, scene::choice<AutomaticDimensions>().shown_as("WHICH")),
       scene::option<Draw>(
-          {.flag = "--visibility", .help = "how hidden lines are found, none for a wireframe", .usual = "exact"},
+          {.flag = "--visibility", .help = "how hidden lines are found; none draws a wireframe", .usual = "exact"},
           run(&pipeline::RunOptions::visibility), visibility_kind()),
-      scene::option<Draw>(
-          {.flag = "--max-error",
-           .help = "say what is guaranteed, and refuse views in which a span longer than so many mm might be wrong"},
-          run(&pipeline::RunOptions::max_error), scene::number_between(1e-12, 1e6, "mm").shown_as("MM")),
-      scene::option<Draw>(
-          {.flag = "--contact", .help = "length below which faces touch and hide nothing", .usual = "found"},
-          run(&pipeline::RunOptions::contact), scene::number_between(0, HUGE_VAL, "")),
+      scene::option<Draw>({.flag = "--max-error",
+                           .help = "print the guaranteed error; refuse views in which a longer span might be wrong"},
+                          run(&pipeline::RunOptions::max_error),
+                          scene::number_between(1e-12, 1e6, "mm").shown_as("MM")),
+      scene::option<Draw>({.flag = "--contact",
+                           .help = "distance below which faces touch and do not hide each other",
+                           .usual = "automatic"},
+                          run(&pipeline::RunOptions::contact), scene::number_between(0, HUGE_VAL, "")),
   };
 }
 
@@ -145,42 +145,40 @@ scene::Options<Draw> format_options() {
     return [member](auto& draw) -> auto& { return draw.vector.*member; };
   };
   return {
-      scene::option<Draw>({.flag = "--plain", .help = "SVG without the origin of lines"},
+      scene::option<Draw>({.flag = "--plain", .help = "compact SVG without ids and the origin of lines"},
                           vector(&output::VectorOptions::plain), scene::truth()),
       scene::option<Draw>(
-          {.flag = "--svg-text", .help = "lettering of SVG; text needs the font to look right", .usual = "outlines"},
+          {.flag = "--svg-text", .help = "lettering in SVG; text needs the font installed", .usual = "outlines"},
           vector(&output::VectorOptions::text), scene::choice<SvgText>().shown_as("HOW")),
-      scene::option<Draw>({.flag = "--decimals", .help = "digits behind the point of millimetres in SVG", .usual = "4"},
+      scene::option<Draw>({.flag = "--decimals", .help = "decimals of coordinates in SVG", .usual = "4"},
                           vector(&output::VectorOptions::decimals), scene::whole_number(1, 5)),
       scene::option<Draw>({.flag = "--id-prefix",
-                           .help = "what ids and classes of SVG begin with, for drawings that share a page",
-                           .usual = "made from the drawing"},
+                           .help = "prefix of ids and classes in SVG, for several drawings on one HTML page",
+                           .usual = "derived from the drawing"},
                           vector(&output::VectorOptions::id_prefix), id_prefix()),
-      scene::option<Draw>({.flag = "--dpi", .help = "resolution of PNG", .usual = "300"},
+      scene::option<Draw>({.flag = "--dpi", .help = "resolution of PNG in dots per inch", .usual = "300"},
                           vector(&output::VectorOptions::dpi), scene::number_between(1, 1200, "").shown_as("N")),
   };
 }
 
 scene::Options<Draw> question_options() {
   return {
-      scene::option<Draw>(
-          {.flag = "--why",
-           .help = "tell why an edge is drawn and what hides it: [MODEL:]V0-V1 as in JSON, or @X,Y for those "
-                   "nearest to a place of the page",
-           .repeatable = true},
-          run(&pipeline::RunOptions::why), edge_question()),
+      scene::option<Draw>({.flag = "--why",
+                           .help = "explain why an edge is drawn and what hides it: [MODEL:]V0-V1 as in JSON, or @X,Y "
+                                   "for the edges nearest to a point on the sheet",
+                           .repeatable = true},
+                          run(&pipeline::RunOptions::why), edge_question()),
       scene::option<Draw>({.flag = "--dump", .help = "print a table of all drawn edges, or of their spans"},
                           run(&pipeline::RunOptions::dump), scene::choice<pipeline::DumpTable>().shown_as("TABLE")),
       scene::option<Draw>(
           {.flag = "--verify", .help = "test the drawing by an independent exact method; exit code 1 if it is wrong"},
           run(&pipeline::RunOptions::verify), scene::truth()),
       scene::option<Draw>(
-          {.flag = "--verify-samples", .help = "number of points at random for --verify", .usual = "2000"},
+          {.flag = "--verify-samples", .help = "number of random test points for --verify", .usual = "2000"},
           run(&pipeline::RunOptions::verify_samples), scene::whole_number(1, 10'000'000)),
       scene::option<Draw>(
           {.flag = "--explain",
-           .help = "tell which stages ran and why, and how many digits each view can have, as 'epura explain' "
-                   "does"},
+           .help = "show which stages ran and why, and how many digits each view keeps, as 'epura explain' does"},
           run(&pipeline::RunOptions::explain), scene::truth()),
   };
 }
@@ -188,19 +186,17 @@ scene::Options<Draw> question_options() {
 scene::Options<Draw> run_options() {
   return {
       threads_option<Draw>(run(&pipeline::RunOptions::threads)),
-      scene::option<Draw>({.flag = "--timings", .help = "say how long each stage took"}, &Draw::timings,
+      scene::option<Draw>({.flag = "--timings", .help = "print the time of each stage"}, &Draw::timings,
                           scene::truth()),
-      scene::option<Draw>(
-          {.flag = "--plan",
-           .help = "certificates by which stages are left out: all, none, or some of clip intersections "
-                   "visibility hidden text, with commas; the drawing is the same",
-           .usual = "all"},
-          run(&pipeline::RunOptions::plan), certificate_names()),
+      scene::option<Draw>({.flag = "--plan",
+                           .help = "shortcuts that may skip stages: all, none, or some of clip intersections "
+                                   "visibility hidden text, separated by commas; the drawing is the same",
+                           .usual = "all"},
+                          run(&pipeline::RunOptions::plan), certificate_names()),
       progress_option(&Draw::progress),
       scene::option<Draw>(
           {.flag = "--time-limit",
-           .help = "seconds that a run may take: what there is no time for is left out, the longest edges come "
-                   "first; marks the drawing PARTIAL"},
+           .help = "time limit in seconds; draws the longest edges first and marks an incomplete drawing PARTIAL"},
           run(&pipeline::RunOptions::time_limit), scene::number_between(0, HUGE_VAL, "s").shown_as("S")),
   };
 }
@@ -239,7 +235,7 @@ scene::Options<DrawOptions> draw_options() {
 scene::Options<DrawOptions> explain_options() {
   scene::Options<Draw> all = draw_options();
   all.push_back(scene::option<Draw>({.flag = "--measure",
-                                     .help = "measure what is saved, by runs without each certificate",
+                                     .help = "measure the saved time by runs without each shortcut",
                                      .nature = scene::Nature::run},
                                     &Draw::measure, scene::truth()));
   return all;

@@ -21,16 +21,15 @@ scene::Option<Command> threads_option(Member threads) {
 
 template <class Command>
 scene::Option<Command> progress_option(ShowProgress Command::*progress) {
-  return scene::option<Command>(
-      {.flag = "--progress", .help = "show how far it is (auto: on a terminal)", .usual = "auto"}, progress,
-      scene::choice<ShowProgress>().shown_as("WHEN"));
+  return scene::option<Command>({.flag = "--progress", .help = "show progress; auto: on a terminal", .usual = "auto"},
+                                progress, scene::choice<ShowProgress>().shown_as("WHEN"));
 }
 
 template <class Command, class Member>
 scene::Option<Command> plugin_path_option(Member folders) {
   return {{.flag = "--plugin-path",
            .form = scene::any_text().shown_as("DIR").completed_by(scene::Completion::folders).form,
-           .help = "more folders with plugins",
+           .help = "additional folder with plugins",
            .nature = scene::Nature::code,
            .repeatable = true},
           [folders](Command& command, const scene::TomlValue& value) {

@@ -27,7 +27,7 @@ double seconds_of(const DrawAgain& again, const pipeline::Shortcuts& leave_out, 
   const std::clock_t start = std::clock();
   const bool same = again(leave_out) == expected;
   const std::clock_t end = std::clock();
-  check(same, "a stage that is left out has no influence on the drawing");
+  check(same, "a stage that is skipped has no influence on the drawing");
   return static_cast<double>(end - start) / CLOCKS_PER_SEC;
 }
 
@@ -54,7 +54,7 @@ using Row = std::vector<std::string>;
 Row row_of(const report::PlanStep& step) {
   return {step.stage,
           step.view.empty() ? "-" : step.view,
-          step.run ? "run" : "left out",
+          step.run ? "run" : "skipped",
           milliseconds(step.times.certificate),
           milliseconds(step.times.stage),
           milliseconds(step.times.estimated),
@@ -106,7 +106,7 @@ void measure_savings(std::vector<report::PlanStep>& plan, const pipeline::Shortc
 }
 
 std::string plan_table(const std::vector<report::PlanStep>& plan) {
-  std::vector<Row> rows{{"stage", "view", "plan", "certificate", "took", "saved about", "saved", "in", "out", "why"}};
+  std::vector<Row> rows{{"stage", "view", "plan", "shortcut", "took", "saved about", "saved", "in", "out", "why"}};
   for (const report::PlanStep& step : plan) rows.push_back(row_of(step));
   return "times in ms\n" + aligned(rows);
 }

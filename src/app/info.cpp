@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// epura info MODEL...: what a model file holds.
+// epura info MODEL...: describes model files.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -33,12 +33,12 @@ using output::json_string;
 constexpr std::size_t most_positions = 4;
 constexpr std::size_t most_radii = 12;
 
-/// What is told of one model.
+/// Information about one model.
 struct ModelInfo {
   mesh::MeshReport report;
   Box box;
-  std::optional<double> unit;        ///< millimetres, as the file says it
-  std::optional<Unit> guessed_unit;  ///< what it most likely is where the file does not say it
+  std::optional<double> unit;        ///< millimetres, as stated by the file
+  std::optional<Unit> guessed_unit;  ///< the most likely one where the file does not state it
   features::PartFaces part;
   bool is_declared = false;  ///< by the file; otherwise the faces are recognised
   std::vector<features::Hole> holes;
@@ -260,11 +260,11 @@ std::vector<std::string> repairs_of(const mesh::MeshReport& report) {
   // Triangles of an STL file bring their own corners: joining these is reading, and no repair.
   if (report.format != "stl") add(report.welded_vertices, "vertex joined", "vertices joined");
   add(report.dropped_degenerate, "face without area left out", "faces without area left out");
-  add(report.dropped_duplicates, "face left out that is there twice", "faces left out that are there twice");
-  add(report.dropped_non_finite, "face left out for numbers that are not finite",
-      "faces left out for numbers that are not finite");
-  add(report.misoriented_edges, "edge between faces that run different ways round",
-      "edges between faces that run different ways round");
+  add(report.dropped_duplicates, "duplicate face left out", "duplicate faces left out");
+  add(report.dropped_non_finite, "face with non-finite coordinates left out",
+      "faces with non-finite coordinates left out");
+  add(report.misoriented_edges, "edge between inconsistently oriented faces",
+      "edges between inconsistently oriented faces");
   repairs.insert(repairs.end(), report.notes.begin(), report.notes.end());
   repairs.insert(repairs.end(), report.remarks.begin(), report.remarks.end());
   return repairs;

@@ -41,7 +41,7 @@ std::string italic(std::string_view text) { return "\\fI" + escaped(text) + "\\f
 
 std::string section(const std::string& title) { return ".SH " + title + "\n"; }
 std::string paragraph(const std::string& roff) { return ".PP\n" + roff + "\n"; }
-/// What `tag` stands for; both are roff.
+/// The meaning of `tag`; both are roff.
 std::string item(const std::string& tag, const std::string& roff) { return ".TP\n" + tag + "\n" + roff + "\n"; }
 
 std::string tag_of(const OptionDescription& option) {
@@ -71,7 +71,7 @@ const CommandDescription* extended(const CommandDescription& command, const std:
   return nullptr;
 }
 
-/// A command and those inside it; `path` is what stands before its name, `siblings` the list it is in.
+/// A command and its subcommands; `path` precedes its name, `siblings` is the list that contains it.
 std::string commands(const std::string& path, const CommandDescription& command,
                      const std::vector<CommandDescription>& siblings) {
   const std::string name = path + " " + command.name;
@@ -100,10 +100,10 @@ std::string projection(const projection::ProjectionEntry& entry) {
 }
 
 std::string projections_section(const std::vector<projection::ProjectionEntry>& projections) {
-  std::string text = section("PROJECTIONS") + bold("--projection ") + italic("NAME[:key=value...]") +
-                     " takes one of these, found when this page was made, with their parameters. More come as plugins, "
-                     "and are told by " +
-                     bold("epura plugins") + ".\n";
+  std::string text =
+      section("PROJECTIONS") + bold("--projection ") + italic("NAME[:key=value...]") +
+      " takes one of the following, found when this page was generated. Plugins can add more; all are listed by " +
+      bold("epura plugins") + ".\n";
   for (const projection::ProjectionEntry& entry : projections) text += projection(entry);
   return text;
 }

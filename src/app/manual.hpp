@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The manual page, made from what the command line and the plugins say of themselves.
+// The manual page, generated from the command line and the plugins.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The beginning of a projection plugin: the sample plugin-military under another name.
+// Creates a projection plugin: the sample plugin-military under another name.
 #include <cctype>
 #include <cstdio>
 #include <filesystem>
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 constexpr auto next_steps = R"(NAME/NAME.cpp
 NAME/CMakeLists.txt
 
-NAME draws military projections for now. To build, test and use it:
+NAME draws a military projection, as a start. To build, test and use it:
   cmake -S NAME -B NAME/build && cmake --build NAME/build
   epura plugins check NAME/build/NAME.so
   epura draw MODEL --plugin-path NAME/build --projection NAME -o drawing.pdf
@@ -51,13 +51,13 @@ std::string renamed(const char* skeleton, const std::string& name) {
 int new_projection(const NewProjectionOptions& options) {
   const std::string& name = options.name;
   if (!foreign::is_plugin_name(name))
-    throw Error(ErrorKind::input, "'" + name + "'", "is not a name of a projection", "lower case, digits and '-'");
+    throw Error(ErrorKind::input, "'" + name + "'", "is not a valid projection name", "use lower case, digits and '-'");
   const fs::path folder = name;
   std::error_code error;
   if (fs::exists(fs::symlink_status(folder, error)))
     throw Error(ErrorKind::input, name, "exists already", "choose another name, or remove it");
   if (!fs::create_directory(folder, error))
-    throw Error(ErrorKind::output, name, "no folder can be made: " + error.message());
+    throw Error(ErrorKind::output, name, "cannot create the folder: " + error.message());
   write_file(folder / (name + ".cpp"), renamed(skeleton_source, name));
   write_file(folder / "CMakeLists.txt", renamed(skeleton_build, name));
   std::fputs(replaced(next_steps, "NAME", name).c_str(), stdout);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the command line asks for, as plain values. The tables in draw_options.cpp and command_options.cpp say how each
-// is called and what it may be.
+// The command line's requests as plain values. The tables in draw_options.cpp and command_options.cpp define names and
+// permitted values.
 #pragma once
 
 #include <filesystem>
@@ -34,7 +34,7 @@ struct DrawOptions {
   std::string format;                ///< of "-"
   std::vector<scene::Located<scene::ProjectionRequest>> projections, views;
   std::vector<scene::Located<Mat4>> transforms;
-  // These win over what a scene file says.
+  // These override the scene file.
   scene::ModelDescription model;
   scene::ViewDescription view;
   scene::SheetDescription sheet;
@@ -44,7 +44,7 @@ struct DrawOptions {
   pipeline::RunOptions run;
   bool timings = false;
   ShowProgress progress = ShowProgress::automatic;
-  bool measure = false;  ///< what certificates save, by runs without them
+  bool measure = false;  ///< measure what shortcuts save, by runs without them
 };
 
 struct PluginsOptions {

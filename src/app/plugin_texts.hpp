@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Projections and their parameters as people read them.
+// Projections and their parameters as text.
 #pragma once
 
 #include <string>

@@ -43,8 +43,8 @@ void print_vanishing_points(const projection::Projection& projection) {
 
 void show(const projection::ProjectionEntry& entry) {
   print(entry.name + " (" + entry.family + "): " + entry.summary);
-  if (!entry.reference.empty()) print("after " + entry.reference);
-  print("from " + entry.plugin.string());
+  if (!entry.reference.empty()) print("reference: " + entry.reference);
+  print("plugin: " + entry.plugin.string());
   if (!entry.parameters.empty()) print("\nparameters (--projection " + entry.name + ":key=value)");
   for (const projection::Parameter& p : entry.parameters) {
     print("  " + padded(p.name, 16) + p.help);
@@ -58,7 +58,7 @@ void show(const projection::ProjectionEntry& entry) {
   print_matrix(projection::plane_matrix(projection));
   print_vanishing_points(projection);
   const view::Condition condition = view::condition_of(projection, box);
-  print("condition of the map: " + format_rounded(condition.number, 2) + ", " +
+  print("condition of the projection: " + format_rounded(condition.number, 2) + ", " +
         format_fixed(std::floor(condition.digits_left()), 0) + " digits left");
 }
 

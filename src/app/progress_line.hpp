@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The line that shows on a terminal how far a run is.
+// The progress line on a terminal.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@ namespace epura {
 std::string clock_text(double seconds);
 
 /// Such as "epura: hiding lines  [########------------]  42 %  0:03 left", at most `width` characters and no control
-/// characters. Where the work is not known, the seconds so far stand for it.
+/// characters. If the amount of work is unknown, the elapsed seconds are shown instead.
 std::string progress_line(const Standing& standing, std::size_t width);
 
 }  // namespace epura

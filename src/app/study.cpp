@@ -20,7 +20,7 @@ std::optional<std::vector<std::string>> study_arguments(int argc, char** argv) {
   const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
   if (!words.empty() && words[0] == "study") return std::vector(words.begin() + 1, words.end());
   const std::size_t asked = asks_for_words.size();
-  // Of the command itself, where it stands last, epura knows how to complete it.
+  // If the command itself is last, epura completes it.
   if (words.size() <= asked + 1 || words[asked] != "study" ||
       !std::equal(asks_for_words.begin(), asks_for_words.end(), words.begin()))
     return std::nullopt;
@@ -39,7 +39,7 @@ void start_study(std::vector<std::string> arguments) {
   ::execv(program.c_str(), words.data());
   const int reason = errno;
   if (reason == ENOENT)
-    throw Error(ErrorKind::input, "study", "is a program of its own, and there is no " + program,
+    throw Error(ErrorKind::input, "study", "is a separate program, which is missing: " + program,
                 "install the package epura-study");
   throw Error(ErrorKind::input, program, std::string("cannot be started: ") + std::strerror(reason));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `epura study`: a program of its own, epura-study, which is installed beside epura or is not.
+// `epura study`: starts epura-study, a separate program that may be installed next to epura.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace epura {
 
-/// What epura-study is to be asked, where a command line is for it: 'epura study ...', or the completion of one.
+/// The arguments for epura-study, if a command line is meant for it: 'epura study ...', or its completion.
 std::optional<std::vector<std::string>> study_arguments(int argc, char** argv);
 
 /// Becomes epura-study: its streams, signals and exit code are those of this process. Throws Error{input} where it is

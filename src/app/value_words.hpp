@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What may be written as the value of an option, for the completion of shells.
+// Possible values of an option, for shell completion.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@
 
 namespace epura {
 
-/// A word that may stand where the cursor is. One that ends with ':', '=' or ',' is to be continued.
+/// A possible word at the cursor. One that ends with ':', '=' or ',' is incomplete.
 struct Suggestion {
   std::string word, help;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The circle nearest to points of the plane.
+// Least-squares circle through points of the plane.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs of points of a polyline that lie on one curve, found greedily: the mechanism, for curves of any kind.
+// Runs of consecutive points of a polyline on one curve, found greedily; independent of the kind of curve.
 #pragma once
 
 #include <algorithm>
@@ -41,7 +41,7 @@ void grow(CurveRun<Curve>& run, int CurveRun<Curve>::*end, int limit, const Fit&
 ///   window(first, most) -> int                last point of the shortest run from `first` worth fitting, or `max`
 ///   fit(first, last) -> std::optional<Curve>  the curve through all these points, if there is one
 /// Point numbers given to both may be negative or beyond the end of a closed polyline. After a failure the next try
-/// begins a sixteenth of the window later, so O(n log n) points are looked at.
+/// begins a sixteenth of the window later, so O(n log n) points are examined.
 template <class Curve, class Window, class Fit>
 std::vector<CurveRun<Curve>> find_curve_runs(int points, bool closed, const Window& window, const Fit& fit) {
   constexpr int tries_a_window = 16;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sets that grow together.
+// Disjoint sets with union (union-find).
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace epura {
 
-/// Numbers from 0 on, each in a set of its own until sets are joined. A set is known by its smallest number.
+/// Numbers from 0, each in a separate set until sets are joined. A set is identified by its smallest number.
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }

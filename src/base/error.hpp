@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one error type: trouble that the user can mend. Thrown anywhere, caught once, in app.
+// The only error type: errors that the user can correct. Thrown anywhere, caught once, in app.
 #pragma once
 
 #include <stdexcept>
@@ -7,7 +7,7 @@
 
 namespace epura {
 
-/// What kind of trouble it is; the value is the exit code of the program.
+/// Kind of error; the value is the exit code of the program.
 enum class ErrorKind { input = 2, plugin = 3, output = 4, time = 5 };
 
 /// Names the place (file:line, an option, a plugin), the reason and, where there is one, the remedy.

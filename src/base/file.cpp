@@ -45,7 +45,7 @@ class Descriptor {
 
 [[noreturn]] void fail(ErrorKind kind, const fs::path& path, const std::string& action, int number) {
   std::string hint;
-  if (number == ENOENT) hint = kind == ErrorKind::input ? "check the path" : "make the folder first";
+  if (number == ENOENT) hint = kind == ErrorKind::input ? "check the path" : "create the folder first";
   if (number == EACCES || number == EROFS) hint = "check the permissions of the file and its folder";
   throw Error(kind, path.string(), "cannot " + action + ": " + std::strerror(number), hint);
 }
@@ -53,7 +53,7 @@ class Descriptor {
 // Git keeps the bytes of such a file elsewhere.
 void refuse_pointer(const fs::path& path, std::string_view bytes) {
   if (bytes.starts_with("version https://git-lfs.github.com/spec/"))
-    throw Error(ErrorKind::input, path.string(), "is a Git LFS pointer; the file that it stands for is not there",
+    throw Error(ErrorKind::input, path.string(), "is a Git LFS pointer; the file it stands for is missing",
                 "run git lfs pull");
 }
 
@@ -90,7 +90,7 @@ bool put_in_place(Descriptor& file, const std::string& name, const fs::path& tar
   return false;
 }
 
-// Gives a file without a name one beside the target; an empty one when it cannot have any.
+// Gives a file without a name one next to the target; an empty one when it cannot have any.
 std::string name_beside(const Descriptor& file, const fs::path& target) {
   const std::string self = "/proc/self/fd/" + std::to_string(file.number());
   for (int attempt = 0; attempt < 100; ++attempt) {
@@ -102,7 +102,7 @@ std::string name_beside(const Descriptor& file, const fs::path& target) {
 }
 
 // By a file without a name: it vanishes by itself, whenever and however the process ends. False where the file system
-// has none, or for trouble that the other way will meet, too.
+// has none, or for errors that the other method will meet, too.
 bool replace_by_nameless(const fs::path& target, std::string_view bytes, Progress progress) {
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
   Descriptor file(::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600));
@@ -163,7 +163,7 @@ std::string read_file(const fs::path& path, const Progress& progress, std::uintm
   };
   expect_at_most(static_cast<std::uintmax_t>(status.st_size));
 
-  // One byte more than the size, so that the end of the file is seen without growing. A pipe says size 0.
+  // One byte more than the size, so that the end of the file is seen without growing. A pipe reports size 0.
   std::string bytes(static_cast<std::size_t>(status.st_size) + 1, '\0');
   std::size_t filled = 0;
   while (true) {

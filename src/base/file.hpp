@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whole files in and out. A reader of an output sees the old file or the new one, never half of one.
+// Reading and writing of whole files. Readers of an output see the old file or the new one, never a part.
 #pragma once
 
 #include <cstdint>
@@ -26,8 +26,8 @@ std::string identity_of_file(const std::filesystem::path& path);
 std::string read_file(const std::filesystem::path& path, const Progress& progress = {},
                       std::uintmax_t most_bytes = std::numeric_limits<std::uintmax_t>::max());
 
-/// Writes beside the target, without a name where the file system can, and renames at the end. Links stay links. Throws
-/// Error{output}; the old file then stays. A target that is not a regular file (a device, a pipe) is written to
+/// Writes next to the target, without a name where the file system can, and renames at the end. Links stay links.
+/// Throws Error{output}; the old file then stays. A target that is not a regular file (a device, a pipe) is written to
 /// directly.
 void write_file(const std::filesystem::path& path, std::string_view bytes, Progress progress = {});
 

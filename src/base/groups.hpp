@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Items by group: the items of all groups in one array, one group after the other.
+// Items by group: the items of all groups in one array, group after group.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The floating-point environment, kept from foreign code.
+// Preserves the floating-point environment across foreign code.
 #pragma once
 
 #include <cfenv>

@@ -34,7 +34,7 @@ bool can_begin(std::size_t threads) {
 }
 
 void for_alone(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body) {
-  // As small as oneTBB cuts them for one thread: between them, stages tell how far they are.
+  // As small as oneTBB cuts them for one thread: between them, stages report their progress.
   const std::size_t piece = std::max(grain, count / 16);
   for (std::size_t begin = 0; begin < count; begin += piece) body(begin, std::min(begin + piece, count));
 }

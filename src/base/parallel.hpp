@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parallel loops. What a loop computes must not depend on how its range is cut.
+// Parallel loops. Results must not depend on how the range is divided.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace epura {
 /// Calls `body(begin, end)` on disjoint pieces that cover [0, count), at least `grain` long, on several threads.
 void parallel_for(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body);
 
-/// The same in pieces of at most `grain`, before each of which the clock is looked at. Throws OutOfTime.
+/// The same in pieces of at most `grain`, before each of which the clock is checked. Throws OutOfTime.
 inline void parallel_for(std::size_t count, std::size_t grain, const Progress& progress,
                          const std::function<void(std::size_t, std::size_t)>& body) {
   parallel_for(count, grain, [&](std::size_t begin, std::size_t end) {

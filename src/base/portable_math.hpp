@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sines and their kin with the same bits on every machine. The C library has several versions of them for doubles, by
-// the instructions of the processor (FMA), which differ in the last bit once in a thousand angles; of those for long
-// doubles it has one, and their results are rounded here.
+// Trigonometric functions with the same bits on every machine. For doubles, the C library has several versions,
+// depending on the instructions of the processor (FMA), which differ in the last bit once in a thousand angles; for
+// long doubles it has one, whose results are rounded here.
 #pragma once
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a run tells while it works, and what it asks: how far it is, and whether its time is over. Stages take a
-// Progress; made from nothing, it does nothing. A stage that time is over in either ends with what it has, where that
-// is right, or throws OutOfTime.
+// Progress of a run, and its deadline. Stages receive a Progress, report how much is done, and ask whether time is up;
+// a default-constructed one does nothing. When time is up, a stage either returns what it has, if that is right, or
+// throws OutOfTime.
 #pragma once
 
 #include <atomic>
@@ -17,15 +17,15 @@
 
 namespace epura {
 
-/// Thrown in a stage of which a part is of no use. What comes of the run is decided by who started the stage.
+/// Thrown by a stage whose partial result is useless. The caller decides how the run continues.
 struct OutOfTime {
   std::string stage;
 };
 
-/// Thrown where whoever watches the run asks it to end.
+/// Thrown when the observer of the run asks it to end.
 struct Stopped {};
 
-/// Somebody who watches a run from outside.
+/// Observer of a run.
 struct Observer {
   /// Told when a stage begins, and at each further percent of it; from any thread, never twice at once.
   std::function<void(const std::string& stage, double done)> tell{};
@@ -39,15 +39,15 @@ struct Standing {
   double seconds = 0;              ///< since it began
 };
 
-/// Seconds until a stage ends that goes on as fast as so far; nothing while that cannot be told.
+/// Estimated seconds until a stage ends at its current speed; empty while unknown.
 std::optional<double> seconds_left(const Standing& standing);
 
 /// Where the stages of a run write and somebody else reads, on any threads.
 class ProgressBoard {
  public:
   ProgressBoard() = default;
-  /// With a clock of its own, in seconds since the board was made, that any thread may ask: time strikes where a test
-  /// wants it to.
+  /// With its own clock, in seconds since the board was made, usable from any thread: time is up where a test
+  /// requires it.
   explicit ProgressBoard(std::function<double()> clock) : clock_(std::move(clock)) {}
 
   void begin(std::string_view stage, std::size_t work);
@@ -145,7 +145,7 @@ class Progress {
   std::optional<double> time_limit_;
 };
 
-/// For loops over very many small things: tells how far they are, and looks at the clock, once in a while.
+/// For loops over very many small items: reports progress and checks the clock once in a while.
 class Pace {
  public:
   /// `work` is what is to be done of the stage.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Things that have exactly the same key, found by hashing.
+// Finds items with exactly the same key, by hashing.
 #pragma once
 
 #include <algorithm>

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// dlerror() without the path, which whoever reports the error names anyway.
+/// dlerror() without the path, which the caller adds to the error.
 std::string loading_error(const std::string& path) {
   const char* text = dlerror();
   std::string reason = text == nullptr ? "cannot be loaded" : text;

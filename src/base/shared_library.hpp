@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Shared libraries that are loaded while the program runs, and where its own lie.
+// Loads shared libraries at run time, and finds epura's own.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,7 @@
 namespace epura {
 
 /// It stays loaded until the program ends, since unloading runs foreign code at an uncertain time. Throws
-/// Error{trouble} that says why it cannot be loaded, without its path.
+/// Error{trouble} with the reason why it cannot be loaded, without its path.
 void* load_library(const std::filesystem::path& path, ErrorKind kind);
 
 /// The address of a symbol of a loaded library; null if it has none of that name.
@@ -20,7 +20,7 @@ void* find_symbol(void* library, const char* name);
 void wait_for_other_loads();
 
 /// What came with this program: its folder lib/epura, found from the program, or from the library that holds this code,
-/// so that all can be moved together. Empty if the system does not tell where these are.
+/// so that all can be moved together. Empty if the system does not provide their location.
 std::filesystem::path own_folder();
 
 }  // namespace epura

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers as text and back, independent of the locale; names that were perhaps meant.
+// Numbers as text and back, independent of the locale; suggestions for misspelt names.
 #pragma once
 
 #include <optional>
@@ -10,8 +10,8 @@
 
 namespace epura {
 
-/// The whole of `text` as a number: decimal or scientific, a leading '+' allowed. Nothing else may stand beside it.
-/// "nan" and "inf" are numbers here; whoever needs finite values checks.
+/// The whole of `text` as a number: decimal or scientific, a leading '+' allowed. Nothing else is allowed.
+/// "nan" and "inf" are numbers here; callers that need finite values must check.
 std::optional<double> parse_number(std::string_view text);
 
 /// The whole of `text` as a whole number.

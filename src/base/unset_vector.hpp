@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Vectors whose items are not set before they are written.
+// Vectors that leave new items uninitialised until they are written.
 #pragma once
 
 #include <memory>

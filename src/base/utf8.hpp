@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Text from files and command lines, made fit for XML, JSON, PDF and fonts.
+// Makes text from files and command lines valid for XML, JSON, PDF and fonts.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace epura {
 /// The text with U+FFFD for every noncharacter, such as U+FFFF, and for every byte that is part of no character.
 std::string valid_utf8(std::string_view text);
 
-/// Text of strangers as it may be shown: valid UTF-8, and U+FFFD for what moves the cursor, changes colours or turns
+/// Untrusted text made safe for display: valid UTF-8, and U+FFFD for what moves the cursor, changes colours or turns
 /// the direction of writing. Ends of lines and tabs stay.
 std::string printable(std::string_view text);
 

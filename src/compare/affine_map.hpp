@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Maps of the plane that keep parallel lines parallel.
+// Affine maps of the plane.
 #pragma once
 
 #include <cmath>

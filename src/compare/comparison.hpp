@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a person sees that is not the same in two drawings.
+// The visible differences between two drawings.
 #pragma once
 
 #include <string>
@@ -21,7 +21,7 @@ struct Difference {
   Change change;
   int page;                       ///< from 1
   std::string view{};             ///< as the layers are called
-  std::string before{}, after{};  ///< looks of lines, words of texts, sizes of pages; empty where there is nothing
+  std::string before{}, after{};  ///< styles of lines, words of texts, sizes of pages; empty if absent
   Vec2 from{0, 0},
       to{0, 0};          ///< ends of a line in the drawing that has it, in the new one where it moved; box of a text
   double length = 0;     ///< of a line, mm
@@ -30,7 +30,7 @@ struct Difference {
   bool is_text = false;
 };
 
-/// Something of either drawing, to be painted: `moved` stands for its old and its new place.
+/// An item of either drawing, to be painted: `moved` is painted at its old and new position.
 enum class Mark { same, changed, removed, added };
 
 struct MarkedPiece {
@@ -63,7 +63,7 @@ inline constexpr double most_moved = 5;
 /// within the tolerance of one another, the widest is seen. A line is the same if one of the same look lies within
 /// `tolerance` mm of it over all its length; pieces shorter than 0.002 mm are not seen. What is only in one drawing has
 /// moved if the other has the same line within 5 mm, or has a line of the same edge. Throws Error{input} for JSON
-/// beside another format.
+/// with another format.
 Comparison compare(const PictureFile& before, const PictureFile& after, double tolerance);
 
 /// One line for each difference, and a last line that counts them.

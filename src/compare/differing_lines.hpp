@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts of lines that differ -> lines as people see them.
+// Differing parts of lines -> lines as people see them.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ struct DifferingPart {
   int other = -1;
 };
 
-/// Parts of one look and view that go on in one another without a corner.
+/// Parts of one style and view that continue each other without a corner.
 struct DifferingLine {
   std::vector<InkPart> parts;
   int look, other;

@@ -41,7 +41,7 @@ double farthest_ends(const DifferingLine& a, const DifferingLine& b) {
   return std::min(farther(b.from, b.to), farther(b.to, b.from));
 }
 
-// Whether one goes on along the other: then it got longer or shorter, or did both.
+// Whether one continues along the other: then it got longer or shorter, or did both.
 bool in_one_line(const DifferingLine& a, const DifferingLine& b, double tolerance) {
   if (a.from == a.to) return false;
   const drawing::Ruler line(a.from, a.to);

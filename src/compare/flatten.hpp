@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Curves as lines.
+// Curves as polylines.
 #pragma once
 
 #include <vector>

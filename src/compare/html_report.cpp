@@ -39,7 +39,7 @@ constexpr std::string_view legend =
     "<p><span class=\"removed\">removed</span> · <span class=\"added\">added</span> · "
     "<span class=\"changed\">changed</span> · <span class=\"same\">same</span></p>\n";
 
-// In an address of its own, so that the style sheets of several pictures do not mix. RFC 2397, RFC 3986.
+// In a separate data URL, so that the style sheets of several pictures do not mix. RFC 2397, RFC 3986.
 std::string image(std::string_view svg) {
   constexpr std::string_view digits = "0123456789ABCDEF", special = "%#\"<>&'\n\t";
   std::string html = "<img alt=\"\" src=\"data:image/svg+xml,";

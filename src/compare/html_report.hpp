@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pages for people who judge differences: old and new drawing beside what differs.
+// HTML pages for reviewing differences: old drawing, overlay and new drawing side by side.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ struct ReportedCase {
   std::string name;
   bool good;
   std::string words;                                          ///< what was found, in lines
-  std::vector<std::string> expected{}, overlays{}, actual{};  ///< by page; none where there is no drawing
+  std::vector<std::string> expected{}, overlays{}, actual{};  ///< by page; empty if there is no drawing
 };
 
 /// The case with the pictures of both files and of what differs.

@@ -17,7 +17,7 @@ namespace epura::compare {
 namespace {
 
 // Lengths on paper, mm. Lines of one drawing that are nearer than this lie on one another; what is shorter is not seen;
-// a remainder of a drawing that has it just above that length is no difference to one that has it just below.
+// a remainder just above that length is not a difference to one just below.
 constexpr double same_place = 0.0002, shortest = 0.002, least_reported = 0.004;
 // Overlaps count from here on: well below the shortest piece, which may be shifted along itself.
 constexpr double least_overlap = 0.0005;

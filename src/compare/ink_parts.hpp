@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is seen of the lines of a drawing, and which of it another drawing has.
+// The visible parts of a drawing's lines, and which of them another drawing has.
 #pragma once
 
 #include <vector>
@@ -16,7 +16,7 @@ struct InkPart {
   int own_look, view, origin;
 };
 
-/// The looks of two drawings, each once.
+/// The line styles of two drawings, each once.
 struct CommonLooks {
   std::vector<PictureLook> looks;        ///< what is seen where several lie on one another comes first
   std::vector<int> of_before, of_after;  ///< by look of the picture
@@ -25,7 +25,7 @@ struct CommonLooks {
 CommonLooks common_looks(const Picture& before, const Picture& after);
 
 /// The lines of a picture, or the borders of its areas, each place once and in an order that depends on places alone.
-/// `looks`: the number in the table for each look of the picture. Pieces up to 0.002 mm are left out.
+/// `looks`: the number in the table for each line style of the picture. Pieces up to 0.002 mm are left out.
 std::vector<InkPart> seen_parts(const Picture& picture, const CommonLooks& table, const std::vector<int>& looks,
                                 bool filled);
 

@@ -14,7 +14,7 @@ namespace epura::compare {
 
 namespace {
 
-// A line goes on as long as it turns by less: cos 20 degrees.
+// A line continues as long as it turns by less: cos 20 degrees.
 constexpr double least_cosine = 0.94;
 
 // An end of a part.
@@ -47,7 +47,7 @@ class LineJoiner {
 
   int group_of(int part) { return groups_.root(part); }
 
-  /// Ends of a part at which nothing goes on.
+  /// Ends of a part at which nothing continues.
   [[nodiscard]] std::vector<Vec2> free_ends(std::size_t part) const {
     std::vector<Vec2> free;
     for (const std::size_t end : {2 * part, 2 * part + 1})

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A document of rapidjson whose parser keeps what is open in a stack of our own: that of version 1.1 adds to a null
-// pointer as long as it has no memory, which is undefined.
+// A RapidJSON document whose parser uses our own stack: that of version 1.1 adds to a null pointer before its first
+// allocation, which is undefined behaviour.
 #pragma once
 
 #include <rapidjson/document.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures of drawings and of what differs in them, as sheets that every writer takes.
+// Pictures of drawings and their differences as sheets, for any writer.
 #pragma once
 
 #include "compare/comparison.hpp"
@@ -8,7 +8,7 @@
 namespace epura::compare {
 
 /// Both drawings on one sheet: what is the same grey, what was removed red, added green, changed amber; a line that
-/// moved is red in its old and green in its new place. A strip of 8 mm under it says so.
+/// moved is red at its old and green at its new position. A strip of 8 mm below explains this.
 sheet::Sheet overlay_of(const PageComparison& page);
 
 /// The picture in black.

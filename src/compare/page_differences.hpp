@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two pages: their lines, and their texts.
+// Differences between the lines and texts of two pages.
 #pragma once
 
 #include <vector>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a drawing looks like, whatever format it is kept in: straight pieces of lines, areas and texts. How lines are
-// chained, ordered and numbered is no part of it.
+// The appearance of a drawing, independent of its format: straight pieces of lines, areas and texts, without chaining,
+// order and numbering of lines.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace epura::compare {
 
-/// How a line looks, or the border of a filled area.
+/// Style of a line, or of the border of a filled area.
 struct PictureLook {
   std::string name{};            ///< for people: "visible", "hidden", "dimension" ...; no part of the look
   bool visible = true;           ///< false: a hidden edge

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t always_room = 250'000, most_looks = 200, most_views = 2000;
 
-// Views may lie beside their sheet.
+// Views may be outside their sheet.
 constexpr double farthest = 10 * scene::longest_side;
 
 constexpr const char* is_it_ours = "is it a drawing of epura?";
@@ -32,7 +32,7 @@ PieceRoom::PieceRoom(std::size_t bytes, std::string where)
 void PieceRoom::take(std::size_t pieces) {
   if (pieces > left_)
     refuse(where_, "stands for more than " + std::to_string(most_) + " pieces of lines",
-           "a drawing of so few bytes has fewer");
+           "a drawing of this file size has fewer");
   left_ -= pieces;
 }
 
@@ -40,7 +40,7 @@ void PictureMaker::expect_on_paper(const Vec2& place) const {
   if (!(std::abs(place.x) <= farthest && std::abs(place.y) <= farthest))
     refuse(where_,
            "has something at (" + format_rounded(place.x, 6) + ", " + format_rounded(place.y, 6) +
-               ") mm, beyond all paper",
+               ") mm, outside any paper",
            "drawings are compared up to " + format_number(farthest / 1000) + " m from their corner");
 }
 
@@ -53,10 +53,10 @@ int PictureMaker::look(const PictureLook& look) {
   std::vector<double> lengths = look.dashes;
   lengths.push_back(look.width);
   if (!std::all_of(lengths.begin(), lengths.end(), [](double length) { return length >= 0 && length <= farthest; }))
-    refuse(where_, "has lines whose width or dashes are no lengths on paper", is_it_ours);
+    refuse(where_, "has lines whose width or dashes are not valid lengths", is_it_ours);
   const int number = number_of_look(picture_.looks, look);
   if (picture_.looks.size() > most_looks)
-    refuse(where_, "has lines of more than " + std::to_string(most_looks) + " looks", is_it_ours);
+    refuse(where_, "has more than " + std::to_string(most_looks) + " line styles", is_it_ours);
   return number;
 }
 

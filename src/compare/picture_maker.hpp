@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Puts a picture together from what a file says, and refuses what no drawing holds: a few bytes can stand for curves of
-// millions of pieces, or for places that no paper has.
+// Assembles a picture from the content of a file, and rejects what no drawing contains: a few bytes can stand for
+// curves of millions of pieces, or for positions outside any paper.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ class PieceRoom {
   /// 250 000, and one for every two bytes. `where` names the file in errors.
   PieceRoom(std::size_t bytes, std::string where);
 
-  /// Throws Error{input} where there is no room for so many.
+  /// Throws Error{input} if there are too many.
   void take(std::size_t pieces);
 
  private:
@@ -25,7 +25,7 @@ class PieceRoom {
   std::size_t most_, left_;
 };
 
-/// Throws Error{input} for more than 200 looks or 2000 views, and for places and lengths that are no numbers or beyond
+/// Throws Error{input} for more than 200 looks or 2000 views, and for places and lengths that are not numbers or beyond
 /// all paper.
 class PictureMaker {
  public:

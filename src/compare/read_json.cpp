@@ -29,7 +29,7 @@ std::optional<double> number_in(const Value& value) {
   return read && std::isfinite(*read) ? read : std::nullopt;
 }
 
-// A value, and for errors the key that it stands under and the last list on the way to it.
+// A value, and for errors its key and the last list on the path to it.
 struct Place {
   const Value& value;
   const std::string& file;
@@ -39,7 +39,7 @@ struct Place {
 
   [[noreturn]] void refuse(const std::string& what) const {
     const std::string in = list == nullptr ? "" : list + ("[" + std::to_string(item) + "]: ");
-    throw Error(ErrorKind::input, file, in + key + " " + what, "it has to be drawing JSON that epura wrote");
+    throw Error(ErrorKind::input, file, in + key + " " + what, "only drawing JSON written by epura can be compared");
   }
   [[nodiscard]] bool has(const char* name) const { return value.IsObject() && value.HasMember(name); }
   [[nodiscard]] Place at(const char* name) const {
@@ -58,7 +58,7 @@ struct Place {
     return {*x, *y};
   }
   [[nodiscard]] std::string text() const {
-    if (!value.IsString()) refuse("is no text");
+    if (!value.IsString()) refuse("is not a text");
     return value.GetString();
   }
   [[nodiscard]] bool boolean() const {
@@ -92,7 +92,7 @@ EdgeKind kind_named(const std::string& name) {
   return kind;
 }
 
-// Empty for lines that are no edges of a file.
+// Empty for lines that are not edges of a file.
 std::string edge_of(const Place& segment) {
   const Value& edge = segment.at("edge").value;
   if (!edge.IsArray() || edge.Size() != 2 || !edge[0].IsString() || !edge[1].IsString()) return {};
@@ -133,10 +133,10 @@ Picture picture_of_json(std::string_view bytes, const std::string& where) {
   document.Parse<flags>(bytes.data(), bytes.size());
   if (document.HasParseError())
     throw Error(ErrorKind::input, where,
-                "is no JSON: " + std::string(rapidjson::GetParseError_En(document.GetParseError())) + " (byte " +
+                "is not valid JSON: " + std::string(rapidjson::GetParseError_En(document.GetParseError())) + " (byte " +
                     std::to_string(document.GetErrorOffset()) + ")");
   const Place root{document, where};
-  if (number_in(root.at("epura").value) != 1.0) root.refuse("has another schema than 1");
+  if (number_in(root.at("epura").value) != 1.0) root.refuse("does not use schema 1");
   PictureMaker picture(where);
   picture.set_size(root.at("sheet").at("size").point());
   for (const PictureLook& look : looks()) picture.look(look);

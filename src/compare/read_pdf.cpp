@@ -62,19 +62,19 @@ class PdfReader {
 
  private:
   [[noreturn]] void refuse(const std::string& what) const {
-    throw Error(ErrorKind::input, where_, what, "epura compares PDF files that it wrote itself");
+    throw Error(ErrorKind::input, where_, what, "epura compares only PDF files that it wrote itself");
   }
 
   [[nodiscard]] std::string name_of_layer(const std::string& property) const {
     const auto found = page_.layers.find(property);
-    if (found == page_.layers.end()) refuse("names a layer that is not there");
+    if (found == page_.layers.end()) refuse("refers to a missing layer");
     return found->second;
   }
 
   // VIEW/ROLE, with a number behind it where an earlier page has the same.
   void read_form(const std::string& name, const std::string& layer, const PenState& pen) {
     const auto form = page_.forms.extract(name);
-    if (!form) refuse("draws a layer that is not there, or is drawn already");
+    if (!form) refuse("draws a missing layer, or a layer twice");
     const std::size_t slash = layer.rfind('/');
     view_ = picture_.view(slash == std::string::npos ? "" : layer.substr(0, slash));
     role_ = layer.substr(slash == std::string::npos ? 0 : slash + 1);
@@ -88,7 +88,7 @@ class PdfReader {
     });
   }
 
-  // Keeps the state of the pen and the path, and tells `tell` of every operation. ISO 32000-1, 8.4 and 8.5.
+  // Tracks the graphics state and the path, and reports every operation to `tell`. ISO 32000-1, 8.4 and 8.5.
   template <class Tell>
   void run(std::string_view content, PenState pen, const Tell& tell) {
     std::vector<PenState> stack;
@@ -96,8 +96,7 @@ class PdfReader {
       const std::string_view name = operation.name;
       const std::vector<double>& n = operation.numbers;
       if (name == "q") {
-        if (stack.size() == most_states)
-          refuse("keeps more than " + std::to_string(most_states) + " states of the pen");
+        if (stack.size() == most_states) refuse("saves more than " + std::to_string(most_states) + " graphics states");
         stack.push_back(pen);
       } else if (name == "Q" && !stack.empty()) {
         pen = stack.back();
@@ -146,7 +145,7 @@ class PdfReader {
     if (name == "f" || name == "f*") add_path({role_ + " area", true, true});
     if (name == "S" || name == "s" || name == "f" || name == "f*" || name == "n") path_.clear();
     if (name == "B" || name == "B*" || name == "b" || name == "b*" || name == "sh" || name == "BI")
-      refuse("paints in another way");
+      refuse("uses unsupported painting operators");
   }
 
   void add_path(const PictureLook& look) {

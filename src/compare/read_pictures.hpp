@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files of drawings -> what they look like.
+// Drawing files -> pictures.
 #pragma once
 
 #include <filesystem>

@@ -53,10 +53,11 @@ class SvgReader {
     const pugi::xml_parse_result result =
         document.load_buffer(bytes_.data(), bytes_.size(), pugi::parse_default | pugi::parse_ws_pcdata_single);
     if (!result)
-      throw Error(ErrorKind::input, where_,
-                  "is no XML: " + std::string(result.description()) + " (byte " + std::to_string(result.offset) + ")");
+      throw Error(
+          ErrorKind::input, where_,
+          "is not valid XML: " + std::string(result.description()) + " (byte " + std::to_string(result.offset) + ")");
     const pugi::xml_node svg = document.child("svg");
-    if (!svg) refuse("is no SVG");
+    if (!svg) refuse("is not an SVG file");
     const Vec2 size(millimetres(svg.attribute("width").value()), millimetres(svg.attribute("height").value()));
     const std::vector<double> box = svg_numbers(svg.attribute("viewBox").value());
     if (!(size.x > 0 && size.y > 0) || box.size() != 4 || !(box[2] > 0 && box[3] > 0))
@@ -73,7 +74,7 @@ class SvgReader {
 
  private:
   [[noreturn]] void refuse(const std::string& what) const {
-    throw Error(ErrorKind::input, where_, what, "epura compares SVG files that epura wrote");
+    throw Error(ErrorKind::input, where_, what, "epura compares only SVG files that it wrote itself");
   }
 
   void read_element(const pugi::xml_node& element, const Context& parent) {
@@ -93,11 +94,11 @@ class SvgReader {
 
   [[nodiscard]] Context inside(const pugi::xml_node& element, const Context& parent) const {
     Context context = parent;
-    if (++context.depth > deepest) refuse("has too many groups in groups");
+    if (++context.depth > deepest) refuse("has too many nested groups");
     context.style = style_of(element, parent.style, rules_);
     if (const pugi::xml_attribute transform = element.attribute("transform")) {
       const auto map = read_svg_transform(transform.value());
-      if (!map) refuse("has a transform that is not understood: '" + std::string(transform.value()) + "'");
+      if (!map) refuse("has an unsupported transform: '" + std::string(transform.value()) + "'");
       context.map = parent.map.after(*map);
     }
     if (const std::string label = element.attribute("inkscape:label").value(); !label.empty()) {
@@ -118,7 +119,7 @@ class SvgReader {
 
   [[nodiscard]] SvgPath path_of(const pugi::xml_node& element, PieceRoom& room) const {
     auto path = read_svg_path(element.attribute("d").value(), room);
-    if (!path) refuse("has a path that is not understood: id '" + std::string(element.attribute("id").value()) + "'");
+    if (!path) refuse("has an unsupported path: id '" + std::string(element.attribute("id").value()) + "'");
     return std::move(*path);
   }
 
@@ -154,7 +155,7 @@ class SvgReader {
 
   struct LineMarks {
     int look = 0, view = 0, origin = -1;
-    bool are_areas = false;        ///< closed, whether or not the path says so
+    bool are_areas = false;        ///< closed, even if the path is not
     bool one_origin_each = false;  ///< the first piece has `origin`, the next the one after it
   };
 
@@ -174,7 +175,7 @@ class SvgReader {
     const double scale = context.map.scale();
     const std::string_view width = context.style.of("stroke-width");
     const auto units = width.empty() ? 1 : parse_number(width);
-    if (!units) refuse("has a width of lines that is not understood: '" + std::string(width) + "'");
+    if (!units) refuse("has an unsupported line width: '" + std::string(width) + "'");
     look.width = scale * *units;
     for (const double length : svg_numbers(context.style.of("stroke-dasharray"))) look.dashes.push_back(scale * length);
     // The first dash is the one that is fitted.

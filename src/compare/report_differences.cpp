@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A comparison in words, and as JSON.
+// A comparison as text and as JSON.
 #include <array>
 #include <cmath>
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Path data as readers of SVG take it. SVG 1.1, 8.3.
+// SVG path data. SVG 1.1, 8.3.
 #pragma once
 
 #include <optional>
@@ -22,8 +22,8 @@ struct SvgPath {
   std::vector<Vec2> controls{};  ///< control points of Bezier curves
 };
 
-/// The commands M L H V C Q A Z and m l h v c q a z, y down. Nothing for text that is no such path.
-/// Throws Error{input} where there is no room for all of it.
+/// The commands M L H V C Q A Z and m l h v c q a z, y down. Empty if the text is not such a path.
+/// Throws Error{input} if it is too long.
 std::optional<SvgPath> read_svg_path(std::string_view data, PieceRoom& room);
 
 }  // namespace epura::compare

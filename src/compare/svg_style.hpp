@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an element of SVG looks like: style sheets with rules for classes, attributes, and what is inherited.
+// The style of an SVG element: style sheets with class rules, attributes, and inheritance.
 #pragma once
 
 #include <map>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Arcs of circles and ellipses among the lines of a drawing: what tessellated circles were before they were meshes.
+// Recognises arcs of circles and ellipses among the lines of a drawing, which were tessellated in the mesh.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Touching segments of one look and model, joined end to end into polylines.
+// Touching segments of the same style and model, joined end to end into polylines.
 #pragma once
 
 #include <vector>

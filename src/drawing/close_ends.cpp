@@ -13,7 +13,7 @@ namespace epura::drawing {
 
 namespace {
 
-/// A short line from an end to the ink that is drawn for what was taken away there.
+/// A short line from an end to the ink that is drawn for what was removed there.
 struct Link {
   std::array<double, 4> ends;  ///< x and y of both
   bool hidden;

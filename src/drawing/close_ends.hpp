@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ends of lines that stood on ink that is taken away are joined to the ink that is drawn for it.
+// Links ends of lines that met removed ink to the ink that is drawn instead.
 #pragma once
 
 #include <vector>
@@ -15,7 +15,7 @@ struct ClosingLimits {
   double along;     ///< so far lines are prolonged or cut off
 };
 
-/// `left` are the parts that are kept, ascending and as long as they go on. An end on taken ink and on no line that
+/// `left` are the parts that are kept, ascending and as long as they continue. An end on taken ink and on no line that
 /// stays is joined to the one that is drawn for that ink: along its own line, where they meet within a short way, and
 /// otherwise across. Lines that go too far are cut off. Links belong to the point of the edge that they begin at. Lines
 /// of which nothing is left are left out. Hidden ink is none for visible lines. Throws OutOfTime.

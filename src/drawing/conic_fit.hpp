@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ellipse nearest to points of the plane.
+// Least-squares ellipse through points of the plane.
 #pragma once
 
 #include <cmath>

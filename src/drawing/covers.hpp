@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lines that fall on one line of the paper.
+// Lines that coincide on paper.
 #pragma once
 
 #include <compare>

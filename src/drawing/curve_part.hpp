@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts of polylines that are arcs: their places, lengths and parts.
+// Parts of polylines that are arcs: positions, lengths and sub-parts.
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cut faces as the viewer has them.
+// Cut faces as seen in a view.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace epura::drawing {
 
-/// The cut faces that are seen, on paper. Seen from in front of the plane, where all is taken away, nothing hides them;
+/// The cut faces that are seen, on paper. Seen from in front of the plane, where all is removed, nothing hides them;
 /// seen from behind it, none is seen, and the result is empty. `view` is of the cut world.
 std::vector<CutFace> cut_faces_on_paper(const std::vector<scene::WorldCutFace>& faces, const scene::CuttingPlane& plane,
                                         view::ProjectedScene& view, const view::PaperMap& paper);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One view as plain 2D ink, in millimetres of paper, y up. No styles yet.
+// One view as plain 2D ink, in millimetres on paper, y up, without styles.
 #pragma once
 
 #include <array>
@@ -68,12 +68,12 @@ struct ViewDrawing {
   Mat4 world_to_page;  ///< page = (row0/row3, row1/row3) in mm; row2/row3 grows towards the viewer
   std::array<std::optional<Vec2>, 3> vanishing_points;  ///< of the world axes, on the page
   std::vector<Segment> segments;
-  std::vector<CrossingSegment> crossings;  ///< of the segments that are no edges of a file, in their order
+  std::vector<CrossingSegment> crossings;  ///< of the segments that are not edges of a file, in their order
   std::vector<Chain> chains;
   std::vector<CutFace> cut_faces;
   Vec2 min{0, 0}, max{0, 0};  ///< box of the ink
   double contours_moved = 0;  ///< mm; so far at most contours of curved faces are drawn from edges of the mesh
-  double joined_within = 0;   ///< mm; where a line is left out, another one that is as strong lies no farther away
+  double joined_within = 0;   ///< mm; omitted lines have ink of at least the same strength within this distance
 };
 
 }  // namespace epura::drawing

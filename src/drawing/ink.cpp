@@ -50,7 +50,7 @@ Piece part_of(const Piece& piece, double from, double to) {
   return result;
 }
 
-// What remains of a piece when parts of its length are taken away.
+// What remains of a piece when parts of its length are removed.
 void append_rest(const Piece& piece, std::span<const Cover> covers, double min, std::deque<Piece>& rest) {
   double from = 0;
   for (const Cover& part : covers) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where several lines fall on one line of the paper, one of them is drawn: visible before hidden (ISO 128), then the
-// stronger kind, then the earlier edge.
+// Where lines coincide on paper, one of them is drawn: visible before hidden (ISO 128), then the stronger kind, then
+// the earlier edge.
 #pragma once
 
 #include <array>

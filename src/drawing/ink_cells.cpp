@@ -15,7 +15,7 @@ constexpr double cells_a_part = 4;
 constexpr double most_columns = 1 << 14;
 
 constexpr int sectors = 32;
-// Of 25.1 degrees: a little more than what is asked for.
+// Of 25.1 degrees: a little more than what is requested.
 constexpr double cosine = 0.90556, sine = 0.42420;
 
 }  // namespace

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts of lines, found by where they lie, while more and more of them come.
+// A growing set of line pieces, searched by position.
 //
-// A part stands in the cells that it passes through, of a grid whose cells are about as large as the part is long, so
-// that it stands in few of them whatever its length. Grids take room only where something stands in them: their cells
-// come in square tiles.
+// A piece is entered into the cells that it crosses, in a grid whose cells are about as large as the piece is long, so
+// their number is small for any length. Grids take memory only where they have pieces: their cells are allocated in
+// square tiles.
 #pragma once
 
 #include <algorithm>

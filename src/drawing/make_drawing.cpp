@@ -55,7 +55,7 @@ std::optional<std::array<int, 2>> edge_in_file(const scene::World& world, const 
   return origin.in_file ? std::optional(origin.vertex) : std::nullopt;
 }
 
-// `crossing` is its number among the lines that are no edges of a file, if it is one.
+// `crossing` is its number among the lines that are not edges of a file, if it is one.
 Segment segment_of(const visibility::ResolvedView& lines, const Piece& piece, int crossing) {
   const edges::FeatureEdge& edge = lines.drawn.edges[piece.edge];
   const auto in_file = edge_in_file(lines.world, edge);

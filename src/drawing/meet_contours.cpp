@@ -40,7 +40,7 @@ class Meeting {
 
   [[nodiscard]] bool empty() const { return contours_.empty(); }
 
-  /// Where an end of a piece is drawn that lies inside of its edge; nothing where it stays.
+  /// Where an end of a piece is drawn that lies inside its edge; nothing where it stays.
   [[nodiscard]] std::optional<Vec2> met(std::size_t number, int end) const {
     const Piece& piece = pieces_[number];
     if (piece.s[end] <= 0 || piece.s[end] >= 1) return std::nullopt;
@@ -82,7 +82,7 @@ class Meeting {
     return {{{low.x, high.x}, {low.y, high.y}}};
   }
 
-  // Where on a contour of the mesh a place lies, 0 to 1; nothing where it lies beside it.
+  // Where on a contour of the mesh a place lies, 0 to 1; empty if it is not on it.
   [[nodiscard]] std::optional<double> parameter_of(const MovedContour& contour, const Vec2& place) const {
     const Vec2 along = contour.in_mesh[1] - contour.in_mesh[0];
     const double square = glm::dot(along, along);
@@ -92,7 +92,7 @@ class Meeting {
     return t;
   }
 
-  // Whether a contour ends at a place inside of its edge.
+  // Whether a contour ends at a place inside its edge.
   [[nodiscard]] bool has_inner_end(const MovedContour& contour, const Vec2& place) const {
     const std::array<double, 2>& s = pieces_[contour.piece].s;
     for (std::size_t end = 0; end < 2; ++end)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contours are drawn where the surface has them, not where the mesh has them (edges/smooth_contours.hpp): lines that
-// end at a contour of the mesh, since it hides what follows, are to end at the drawn one.
+// Contours are drawn on the surface, not on the mesh (edges/smooth_contours.hpp): lines that end at a contour of the
+// mesh, because it hides the rest, are made to end at the drawn contour.
 #pragma once
 
 #include <vector>

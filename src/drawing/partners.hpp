@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which ends of straight lines go on into one another where lines meet in a point.
+// Which lines continue each other where several straight lines meet in a point.
 #pragma once
 
 #include <algorithm>
@@ -45,8 +45,8 @@ void pair_up(const Place& place, std::span<const End> ends, std::vector<End>& pa
   }
 }
 
-/// By end the one that it goes on into, or none. `place(end)` is where it lies; `key(end)` is an array of doubles that
-/// ends have in common that may be joined, their place among them. Throws OutOfTime.
+/// For each end, the end that continues it, or none. `place(end)` is where it lies; `key(end)` is an array of doubles
+/// that ends have in common that may be joined, their place among them. Throws OutOfTime.
 template <class Place, class Key>
 std::vector<End> find_partners(int lines, const Place& place, const Key& key, const Progress& progress) {
   std::vector<End> partner(static_cast<std::size_t>(lines) * 2, no_end);

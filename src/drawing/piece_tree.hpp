@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Many pieces in one place, found by rank, direction, and where they lie.
+// Many pieces in one place, searched by rank, direction and position.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 namespace epura::drawing {
 
 /// Places are measured along and across the longest piece, and across two others in the most different directions. So
-/// lines side by side are told apart however near they are.
+/// parallel lines are separated however close they are.
 class PieceTree {
  public:
   using Bounds = epura::search::Bounds<7>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pieces of one strength, end to end.
+// Pieces of the same strength, joined end to end.
 #pragma once
 
 #include <span>
@@ -14,7 +14,7 @@ namespace epura::drawing {
 /// Every piece that has a strength is in exactly one polyline.
 class Polylines {
  public:
-  /// `strength` by piece: what is stronger is drawn instead of what is weaker; below 0: the piece is no ink. Throws
+  /// `strength` by piece: what is stronger is drawn instead of what is weaker; below 0: the piece is not ink. Throws
   /// OutOfTime.
   Polylines(const std::vector<Piece>& pieces, const std::vector<signed char>& strength, const Progress& progress);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A drawing of fewer lines, for want of time.
+// Reduces a drawing to fewer lines when time is short.
 #pragma once
 
 #include <cstddef>

@@ -21,7 +21,7 @@ namespace {
 constexpr std::size_t crossings_a_look = 1024;
 // Of the mean height of arcs over their facets: the highest ones.
 constexpr double highest = 1.5;
-// So many triangles of a face tell where it lies.
+// Number of triangles that determine the position of a face.
 constexpr std::size_t most_asked = 256;
 
 /// A face of a part: the number of its model, and its own.
@@ -45,7 +45,7 @@ class PlacedFaces {
     return face_at(face).surface.kind != features::SurfaceKind::free_form;
   }
 
-  /// Whether one of two faces lies on the surface of the other, as far as facets tell.
+  /// Whether one of two faces lies on the surface of the other, as far as facets show.
   [[nodiscard]] bool touch(const FaceOfModel& one, const FaceOfModel& two) const {
     const double slack = this->slack(one) + this->slack(two);
     return lies_on(one, two, slack) || lies_on(two, one, slack);

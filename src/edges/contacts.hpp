@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Crossings of facets that are made by tessellation, not by the bodies: surfaces that lie on one another, as a bolt in
-// its hole, have facets that go through each other.
+// Facet crossings caused by tessellation, not by the bodies: facets of mating surfaces, such as a bolt in its hole,
+// penetrate each other.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 namespace epura::edges {
 
 enum class Contact : std::uint8_t {
-  unjudged,  ///< for want of time
+  unjudged,  ///< for lack of time
   none,      ///< a real crossing
   contact
 };

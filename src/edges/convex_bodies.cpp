@@ -23,11 +23,11 @@ constexpr double determinant_rounding = 9 * 0x1p-53;
 constexpr double normal_rounding = 0x1p-49;
 // Distances from planes, of points of about unit size.
 constexpr double distance_rounding = 0x1p-50;
-// Edges that are folded inwards by more (radians) are no rounding. The others are added up as whole numbers of a unit,
-// so that the sum does not depend on the order.
+// Edges that are folded inwards by more (radians) are not due to rounding. The others are added up as whole numbers of
+// a unit, so that the sum does not depend on the order.
 constexpr double most_fold = 1e-6;
 constexpr double fold_unit = 0x1p-60;
-// One edge of so many is looked at before all others: few bodies pass in vain.
+// One edge of so many is examined before all others: few bodies pass in vain.
 constexpr std::size_t sample_step = 64;
 
 void raise(double& value, double other) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Closed convex bodies, certified: the plane of any of their faces has the whole body on one side.
+// Proof that a closed body is convex: the whole body is on one side of the plane of each face.
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which triangles may cross others at all: the rest need not be searched for intersection lines.
+// Which triangles may cross others at all; the rest are excluded from the search for intersection lines.
 #pragma once
 
 #include <vector>
@@ -13,7 +13,7 @@ namespace epura::edges {
 /// or copies of lines that come before them and so are drawn in their place:
 ///
 /// - The search takes two triangles as apart when no corner of one lies more than `contact` before the plane of the
-///   other. In a certified convex body (convex_bodies.hpp) that holds for any two.
+///   other. In a body proved to be convex (convex_bodies.hpp) that holds for any two.
 /// - It takes triangles as apart when their boxes are. So they are where those of their bodies are.
 /// - Low triangles (is_low) have no plane to be crossed in.
 ///
@@ -23,7 +23,7 @@ namespace epura::edges {
 std::vector<int> crossing_candidates(const scene::World& world, double normalisation, double contact,
                                      const Progress& progress = {});
 
-/// Without any certificate: all triangles.
+/// Without shortcuts: all triangles.
 std::vector<int> all_triangles(const scene::World& world);
 
 }  // namespace epura::edges

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fold between two triangles at their common edge, whichever way round they are oriented.
+// The angle of the fold between two triangles at their common edge, for any orientation.
 #pragma once
 
 #include <array>
@@ -51,7 +51,7 @@ struct FoldLimit {
   explicit FoldLimit(double limit);
 };
 
-/// Whether a fold is at least so large; most edges are told without an arc tangent.
+/// Whether a fold is at least this large; for most edges without an arc tangent.
 bool folds_by(const std::array<Vec3, 2>& normals, const FoldLimit& limit);
 
 /// The largest fold at the sides of a triangle that is below `crease_angle`: how far the surface that it approximates

@@ -8,7 +8,7 @@
 
 namespace epura::edges {
 
-/// Whether the edge lies inside of a surface that goes on across it: such lines are drawn narrow.
+/// Whether the edge lies inside a surface that continues across it: such lines are drawn narrow.
 constexpr bool is_within_surface(EdgeKind kind) { return kind >= EdgeKind::tangent; }
 
 inline std::string_view name_of(EdgeKind kind) { return scene::word_of(kind); }

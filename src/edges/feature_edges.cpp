@@ -39,7 +39,7 @@ struct Judge {
   const view::ProjectedScene& view;
   const EdgeOptions& options;
   const Slivers& slivers;
-  const std::vector<char>& is_tangent;       ///< by edge; empty where nobody asks
+  const std::vector<char>& is_tangent;       ///< by edge; empty if not needed
   const std::vector<Vec3>& polygon_normals;  ///< by number of the polygon
   FoldLimit crease;
   const features::PartFaces* part;  ///< null where none is recognised
@@ -157,7 +157,7 @@ struct Judge {
     const int side_two = side(ends, pair.second);
     const bool contour = side_one == side_two ? side_one != 0 : side_one == 0 || side_two == 0;
     if (contour && options.contour) return EdgeKind::contour;
-    // Inside a polygon nothing is folded: the file says it is one face.
+    // Inside a polygon nothing is folded: it is one face in the file.
     if (edge.diagonal) return std::nullopt;
     if (part != nullptr) return border && if_wanted(*border) ? border : if_wanted(EdgeKind::smooth);
     if (options.crease && folds_by(normals_of_faces(pair), crease)) return EdgeKind::crease;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which mesh edges deserve a line: contours, boundaries, creases.
+// Which mesh edges are drawn: contours, boundaries, creases.
 #pragma once
 
 #include <optional>

@@ -20,7 +20,7 @@ namespace {
 // Of the time that is left, for what finds crossings; the lines that they become take the rest.
 constexpr double part_for_search = 0.4;
 
-// What meets in the edge, the slivers beside it among it; empty where there are none.
+// What meets in the edge, including slivers next to it; empty where there are none.
 std::vector<int> met_across_slivers(const EdgeSurroundings& around, const Slivers& slivers,
                                     const mesh::MeshEdge& edge) {
   const auto triangles = around.world.models[around.model].mesh->triangles_of(edge);
@@ -59,7 +59,7 @@ void add_mesh_edges(const EdgeSurroundings& around, view::ProjectedScene& view, 
   }
 }
 
-// Crossings that there is no time to judge count as not searched.
+// Crossings not judged in time count as not searched.
 void drop_contacts(const scene::World& world, double normalisation, double crease_angle, FeatureEdges& drawn,
                    const Progress& progress) {
   const std::vector<Contact> contacts = judge_contacts(world, normalisation, crease_angle, drawn.crossings, progress);

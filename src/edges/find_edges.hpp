@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which edges deserve a line, as straight pieces between vertices of the view.
+// All edges to draw, as straight pieces between vertices of the view.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace epura::edges {
 
 struct EdgeOptions {
   bool contour = true, boundary = true, crease = true, intersection = true;
-  bool tangent = false;      ///< as edges/tangent_edges.hpp says
+  bool tangent = false;      ///< see edges/tangent_edges.hpp
   bool smooth = false;       ///< all other edges of the mesh
   double crease_angle = 30;  ///< degrees between the triangles' normals from which an edge of a mesh is a crease
   double part_angle = 5;     ///< the same all along a border between faces of a part that are recognised
@@ -30,7 +30,7 @@ struct FeatureEdge {
   std::array<int, 2> shown{-1, -1};  ///< vertices of the view where its ends are drawn; -1: where they are
 };
 
-/// The triangles of a model that meet in an edge beside slivers: those at the edge and what lies on their far sides.
+/// The triangles of a model that meet in an edge next to slivers: those at the edge and those beyond the slivers.
 struct MetAcrossSlivers {
   int model, mesh_edge;
   std::vector<int> triangles;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Faces of many triangles in one plane: these do not cross each other, however their boxes overlap.
+// Faces of many coplanar triangles: these do not cross each other, however their boxes overlap.
 #pragma once
 
 #include <span>

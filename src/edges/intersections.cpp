@@ -142,8 +142,8 @@ class Crossings {
     return Piece{{met[0], met[1]}};
   }
 
-  // Two corners in the plane, the third in front: a crossing only if the surface goes on behind the plane. It is found
-  // from the triangle in front alone, so it is found once.
+  // Two corners in the plane, the third in front: a crossing only if the surface continues behind the plane. It is
+  // found from the triangle in front alone, so it is found once.
   [[nodiscard]] std::optional<Piece> edge_in_plane(int triangle, const std::array<int, 3>& signs,
                                                    const Plane& plane) const {
     const auto& c = world_.triangles[triangle];

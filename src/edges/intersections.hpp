@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where faces interpenetrate: the lines in which they cross. They are no mesh edges, but drawn like creases.
+// Intersection lines of faces. They are not mesh edges, but are drawn like creases.
 #pragma once
 
 #include <array>
@@ -25,8 +25,8 @@ struct FaceCrossings {
 
 /// All crossings of two triangles without a common vertex, longer than `contact`, sorted by their triangles.
 /// Faces that only touch (a corner or an edge within `contact` of the other's plane) do not cross; an edge that lies
-/// in the other plane counts when its surface goes on to the other side. `normalisation` is a power of two that brings
-/// the world's size near 1; `contact` is a length normalised. Only triangles in `candidates` are searched,
+/// in the other plane counts when its surface continues to the other side. `normalisation` is a power of two that
+/// brings the world's size near 1; `contact` is a length normalised. Only triangles in `candidates` are searched,
 /// ascending.
 FaceCrossings find_intersections(const scene::World& world, double normalisation, double contact,
                                  const std::vector<int>& candidates, Progress progress = {});

@@ -172,7 +172,7 @@ Exit Slivers::way_out(const std::array<int, 2>& edge, int triangle) const {
 }
 
 double page_resolution(const scene::World& world, const view::ProjectedScene& view) {
-  // Both ends of a line and the point beside it were rounded to the grid.
+  // Both ends of a line and the point next to it were rounded to the grid.
   constexpr double grid = 2;
   return std::max(grid * view.cell, world.rounding * view.map.normalisation * view.map.unit);
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangles too low to have a vote, and how a surface continues across them.
+// Triangles too low to be meaningful, and how a surface continues across them.
 //
-// Which way a sliver faces is decided by rounding: by that of the file, of doubles, or of the page grid. Edges beside
-// slivers are judged by the faces behind them, and of several that run on one line one is drawn. In a sliver the
-// longest side lies on the other two: those are drawn in its place. Of two sides that are equally long within the
-// height of the sliver (the sides of a needle, as at the pole of a surface of revolution) the shorter one is drawn. A
-// strict order of all sides keeps both rules from leaving out both.
+// Which way a sliver faces is determined by rounding: of the file, of doubles, or of the page lattice. Edges next to
+// slivers are judged by the faces behind them, and of several edges along one line, one is drawn. The longest side of a
+// sliver lies on the other two, which are drawn instead. Of two sides that are equal within the height of the sliver
+// (the long sides of a needle, as at the pole of a surface of revolution), the shorter one is drawn. A strict order of
+// all sides prevents the two rules from removing both.
 #pragma once
 
 #include <array>
@@ -53,9 +53,9 @@ class SliverRule {
 /// The slivers of one model in one view.
 class Slivers {
  public:
-  /// For few questions: each triangle is looked at when it is asked about. The view is to outlive them.
+  /// For few queries: triangles are examined on demand. The view must outlive this object.
   Slivers(const EdgeSurroundings& around, const SliverRule& rule) : around_(around), rule_(rule) {}
-  /// For many: all are looked at beforehand. Throws OutOfTime.
+  /// For many queries: all triangles are examined beforehand. Throws OutOfTime.
   Slivers(const EdgeSurroundings& around, const view::ProjectedScene& view, const Progress& progress = {});
   /// For tests: these and no others.
   Slivers(const EdgeSurroundings& around, std::vector<char> slivers)

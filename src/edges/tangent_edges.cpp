@@ -82,7 +82,7 @@ struct Judge {
 
   [[nodiscard]] bool is_smooth(std::size_t edge) const { return folds[edge] > flat && folds[edge] < crease_angle; }
 
-  // Degrees per length across the edge, on the side of the triangle; the fold goes on evenly where nothing else is
+  // Degrees per length across the edge, on the side of the triangle; the fold continues evenly where nothing else is
   // known.
   [[nodiscard]] double curvature(std::size_t edge, int triangle) const {
     const std::array<int, 2> ends = ends_of(around, mesh.edges[edge]);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a surface goes on without a crease while its curvature changes: from a flat to a fillet, from a shaft to its
-// rounded end.
+// Edges where a surface continues without a crease but its curvature changes: from a flat to a fillet, from a shaft to
+// its rounded end.
 #pragma once
 
 #include <vector>

@@ -63,12 +63,12 @@ struct Storyteller {
     return segment.edge == origin.vertex;
   }
 
-  // Where a span has no ink of its own: which edges draw that place, or why nothing does.
+  // For a span without its own ink: which edges draw that place, or why nothing does.
   [[nodiscard]] std::string ink_of(const Span& span) const {
     const drawing::Coincidence limits = drawing::coincidence_on_paper(drawn_view.view, drawn_view.paper);
-    if (!span.visible && !drawn_view.keep_hidden) return "    no ink: hidden lines are not wanted\n";
+    if (!span.visible && !drawn_view.keep_hidden) return "    no ink: hidden lines are switched off\n";
     if (!(glm::distance(position(span.from), position(span.to)) > limits.tolerance))
-      return "    no ink: a point on the page\n";
+      return "    no ink: a point on the sheet\n";
     const drawing::Ruler line(position(span.from), position(span.to));
     visibility::Spans inked;
     std::vector<std::string> others, near;
@@ -91,7 +91,7 @@ struct Storyteller {
     std::string text;
     for (const std::string& other : others) text += "    no ink " + other + " is drawn there\n";
     if (others.empty())
-      for (const std::string& other : near) text += "    no ink " + other + " is drawn beside it\n";
+      for (const std::string& other : near) text += "    no ink " + other + " is drawn next to it\n";
     return text.empty() ? "    no ink: shorter than " + format_value(limits.min) + " mm\n" : text;
   }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The whole story of one edge, in sentences.
+// Explanation of one edge, in sentences.
 #pragma once
 
 #include <string>

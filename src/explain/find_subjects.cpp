@@ -51,7 +51,7 @@ std::optional<EdgeQuestion> parse(std::string_view text) {
                     {std::min((*vertices)[0], (*vertices)[1]), std::max((*vertices)[0], (*vertices)[1])}};
 }
 
-// Drawn edges stand in the order of models and their edges.
+// Drawn edges are in the order of models and their edges.
 int drawn_number(const edges::FeatureEdges& drawn, int model, int mesh_edge) {
   const auto found = std::find_if(drawn.edges.begin(), drawn.edges.end(), [&](const edges::FeatureEdge& edge) {
     return edge.model == model && edge.mesh_edge == mesh_edge;
@@ -75,7 +75,7 @@ const mesh::Mesh& checked_model(const scene::World& world, int model) {
   const int count = static_cast<int>(world.models.size());
   if (model >= count)
     throw Error(ErrorKind::input, option, "there is no model " + std::to_string(model),
-                count == 1 ? "the only model is 0" : "models are 0 to " + std::to_string(count - 1));
+                count == 1 ? "the only model is 0" : "models are numbered from 0 to " + std::to_string(count - 1));
   return *world.models[model].mesh;
 }
 
@@ -84,14 +84,14 @@ std::vector<Subject> find(const ExplainInput& drawn_view, const ByVertices& want
   for (const int vertex : wanted.vertex)
     if (vertex >= mesh.report.vertices)
       throw Error(ErrorKind::input, option, mesh.report.name + " has no vertex " + std::to_string(vertex),
-                  "its vertices are 0 to " + std::to_string(mesh.report.vertices - 1));
+                  "its vertices are numbered from 0 to " + std::to_string(mesh.report.vertices - 1));
   const auto edge = std::find_if(mesh.edges.begin(), mesh.edges.end(), [&](const mesh::MeshEdge& e) {
     const mesh::EdgeOrigin origin = mesh.origin_of(e);
     return origin.in_file && origin.vertex == wanted.vertex;
   });
   if (edge == mesh.edges.end())
     throw Error(ErrorKind::input, option,
-                "no edge of " + mesh.report.name + " joins vertices " + std::to_string(wanted.vertex[0]) + " and " +
+                "no edge of " + mesh.report.name + " connects vertices " + std::to_string(wanted.vertex[0]) + " and " +
                     std::to_string(wanted.vertex[1]),
                 edges_at(mesh, wanted.vertex[0]) + "; " + edges_at(mesh, wanted.vertex[1]));
   const int number = static_cast<int>(edge - mesh.edges.begin());
@@ -141,8 +141,8 @@ std::vector<Subject> find(const ExplainInput& drawn_view, const ByPlace& wanted)
 
 EdgeQuestion parse_edge_question(std::string_view text) {
   if (const auto question = parse(text)) return *question;
-  throw Error(ErrorKind::input, option, "'" + std::string(text) + "' names no edge",
-              "[MODEL:]VERTEX-VERTEX as in JSON, MODEL:FACExMODEL:FACE or @X,Y in mm of the page");
+  throw Error(ErrorKind::input, option, "'" + std::string(text) + "' does not name an edge",
+              "[MODEL:]VERTEX-VERTEX as in JSON, MODEL:FACExMODEL:FACE or @X,Y in mm on the sheet");
 }
 
 std::vector<Subject> find_subjects(const ExplainInput& drawn_view, const EdgeQuestion& question) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which edge is meant: by vertices, by faces, or by a place of the page.
+// The edges that a question is about: by vertices, by faces, or by a position on the sheet.
 #pragma once
 
 #include <array>
@@ -33,7 +33,7 @@ using EdgeQuestion = std::variant<ByVertices, ByFaces, ByPlace>;
 EdgeQuestion parse_edge_question(std::string_view text);
 
 /// One edge, all intersection lines of two faces, or the three drawn edges nearest to a place, nearest first.
-/// Throws Error{input} when there is none, and says what there is instead.
+/// Throws Error{input} if there is none, with a hint what there is instead.
 std::vector<Subject> find_subjects(const ExplainInput& drawn_view, const EdgeQuestion& question);
 
 }  // namespace epura::explain

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What hides an edge: every face in front of it, found by asking the hiding rule about all triangles that meet the
-// edge's box on the page. Nothing is left out for being covered by others.
+// The faces that hide an edge, found by applying the hiding rule to all triangles that meet the edge's box on the page,
+// including those behind other occluders.
 #pragma once
 
 #include <vector>

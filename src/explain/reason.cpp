@@ -47,8 +47,8 @@ std::string border_of(const ExplainInput& drawn_view, const Subject& subject, co
   if (border == nullptr)
     return faces + " are on " +
            surface(part.face_of_triangle[mesh.triangles_of(mesh.edges[subject.mesh_edge]).front()]) +
-           ", a face of the part, and it lies inside of that";
-  if (border->faces[0] == border->faces[1]) return faces + " are folded inside of " + surface(border->faces[0]);
+           ", and it lies inside this face of the part";
+  if (border->faces[0] == border->faces[1]) return faces + " form a fold inside " + surface(border->faces[0]);
   return faces + " are on " + surface(border->faces[0]) + " and " + surface(border->faces[1]) + " that meet at " +
          format_rounded(border->angle, 3) + " degrees; a crease is where faces of the part meet at more than " +
          format_value(drawn_view.options.part_angle);
@@ -64,7 +64,7 @@ std::string fold_of(const ExplainInput& drawn_view, const Subject& subject, bool
   if (!angle) return faces + " meet here";
   const double min = drawn_view.options.crease_angle;
   const std::string text = faces + " turn by " + format_value(*angle) + " degrees";
-  if (crease != (*angle >= min)) return text + ", measured across slivers it is otherwise";
+  if (crease != (*angle >= min)) return text + ", but not if slivers are ignored";
   return text + "; a crease turns by " + format_value(min) + " or more";
 }
 
@@ -72,9 +72,9 @@ std::string reason_for(const ExplainInput& drawn_view, const Subject& subject, E
   const std::string faces = names_of(faces_at(drawn_view, subject));
   switch (kind) {
     case EdgeKind::contour:
-      return faces + " on one side of it on the page, or one of them seen edge-on";
+      return faces + " on one side of it in the drawing, or one of them seen edge-on";
     case EdgeKind::boundary:
-      return "no face goes on from " + faces;
+      return "no face continues " + faces;
     case EdgeKind::intersection:
       return faces + " cross, their planes at " + format_value(angle_at(drawn_view, subject).value_or(0)) + " degrees";
     case EdgeKind::section:
@@ -86,13 +86,13 @@ std::string reason_for(const ExplainInput& drawn_view, const Subject& subject, E
 
 std::string reason_not_drawn(const ExplainInput& drawn_view, const Subject& subject) {
   if (const auto kind = kind_under(drawn_view, subject, drawn_view.options))
-    return "a " + std::string(edges::name_of(*kind)) + ", but outside of what is drawn";
+    return "a " + std::string(edges::name_of(*kind)) + ", but outside the drawn region";
   edges::EdgeOptions all = drawn_view.options;
   all.contour = all.boundary = all.crease = all.intersection = all.smooth = true;
   const auto kind = kind_under(drawn_view, subject, all);
   if (kind && edges::is_within_surface(*kind)) return reason_for(drawn_view, subject, *kind);
   if (kind)
-    return std::string(edges::name_of(*kind)) + " edges are not wanted; " + reason_for(drawn_view, subject, *kind);
+    return std::string(edges::name_of(*kind)) + " edges are not selected; " + reason_for(drawn_view, subject, *kind);
   if (mesh_of(drawn_view, subject).edges[subject.mesh_edge].diagonal)
     return "a diagonal of " + names_of(faces_at(drawn_view, subject));
   return "the long side of a sliver; its short sides are judged instead";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Why an edge is drawn, or why it is not, in words.
+// Why an edge is drawn or not, in words.
 #pragma once
 
 #include <optional>

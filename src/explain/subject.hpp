@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The view that questions about a drawing are asked of, and what one is about: an edge of a model or an intersection
-// line, drawn or not.
+// The view that questions refer to, and the subject of a question: an edge of a model or an intersection line, drawn or
+// not.
 //
 // Names, as in SVG and JSON, counted from 0: an edge is MODEL:VERTEX-VERTEX, a face (and the line along which a plane
 // cuts it) MODEL:FACE, and the intersection line of two faces MODEL:FACExMODEL:FACE.

@@ -56,7 +56,7 @@ std::shared_ptr<const mesh::Soup> soup_of(const Polygons& polygons, const std::s
     for (const int corner : polygons.faces[face]) {
       if (corner < 0 || corner >= points)
         throw Error(ErrorKind::input, item(where + ".faces", face), "there is no point " + std::to_string(corner),
-                    "points count from 0 to " + std::to_string(points - 1));
+                    "points are numbered from 0 to " + std::to_string(points - 1));
       soup->corners.push_back(corner);
     }
     soup->end_face();
@@ -67,9 +67,8 @@ std::shared_ptr<const mesh::Soup> soup_of(const Polygons& polygons, const std::s
 scene::ModelDescription describe(const Model& model, const std::string& where) {
   const bool in_memory = !model.polygons.faces.empty() || !model.polygons.points.empty();
   if (in_memory != model.file.empty())
-    throw Error(ErrorKind::input, where,
-                in_memory ? "has a file, and polygons, too" : "has neither a file nor polygons",
-                "a model is one of them");
+    throw Error(ErrorKind::input, where, in_memory ? "has both a file and polygons" : "has neither a file nor polygons",
+                "give exactly one of them");
   scene::ModelDescription description;
   if (in_memory)
     description.soup = soup_of(model.polygons, where + ".polygons");
@@ -124,7 +123,8 @@ scene::ViewDescription describe(const View& view, const std::string& where) {
 }
 
 scene::SectionDescription describe(const Section& section, const std::string& where) {
-  if (section.name.empty()) throw Error(ErrorKind::input, where + ".name", "is empty", "views call sections by names");
+  if (section.name.empty())
+    throw Error(ErrorKind::input, where + ".name", "is empty", "views refer to sections by name");
   return {
       {section.name, where}, vector_of(section.point, where + ".point"), vector_of(section.normal, where + ".normal")};
 }

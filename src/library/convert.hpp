@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Between the library's plain values and those of the stages.
+// Conversion between the library's plain values and those of the stages.
 #pragma once
 
 #include <epura/epura.hpp>

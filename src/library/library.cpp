@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The library's face: scenes in, drawings and files out.
+// The library interface: scenes in, drawings and files out.
 #include <algorithm>
 #include <epura/epura.hpp>
 #include <mutex>
@@ -35,9 +35,9 @@ auto guarded(const Work& work) {
     throw Failure(static_cast<Failure::Kind>(error.kind()), error.where(), error.what(), error.hint());
   } catch (const OutOfTime& cut) {
     throw Failure(Failure::Kind::time, "settings.time_limit",
-                  "time was over at '" + cut.stage + "', before there was a drawing to show", "give it more time");
+                  "time ran out at '" + cut.stage + "', before there was anything to show", "allow more time");
   } catch (const Stopped&) {
-    throw Failure(Failure::Kind::stopped, "settings.stop", "the call was asked to stop", "");
+    throw Failure(Failure::Kind::stopped, "settings.stop", "the call was stopped", "");
   }
 }
 
@@ -65,7 +65,7 @@ Drawing draw_described(scene::SceneDescription scene, const Settings& settings) 
 const pipeline::FinishedSheet& sheet_of(const Drawing& drawing, int sheet) {
   if (sheet < 1 || sheet > drawing.sheets())
     throw Error(ErrorKind::input, "sheet", "is " + std::to_string(sheet) + " of " + std::to_string(drawing.sheets()),
-                "sheets count from 1");
+                "sheets are numbered from 1");
   return drawing.content().sheets[static_cast<std::size_t>(sheet) - 1];
 }
 

@@ -19,7 +19,7 @@ constexpr double float_rounding = 0x1p-22, double_rounding = 0x1p-46;  // of the
 constexpr double most_doubt = 0.05;       // radians by which a direction from an edge may be uncertain
 constexpr double least_volume = 0x1p-40;  // of the cube around a shell: one of less has no inside
 
-/// A triangle at an edge, as someone sees it who looks along the edge.
+/// A triangle at an edge, seen along the edge.
 struct Leaf {
   int triangle;
   double angle, doubt;         ///< its direction from the edge, counterclockwise, and the uncertainty of that; radians
@@ -121,7 +121,7 @@ class Shells {
     for (std::size_t i = 1; i < alone.size(); ++i) differ(alone[i - 1], alone[i]);
   }
 
-  // Of all that run one way round together: the sign tells the outside.
+  // Of all consistently oriented ones together: the sign determines the outside.
   void find_volumes() {
     const int count = mesh_.triangle_count();
     std::vector<Box> box(static_cast<std::size_t>(count));
@@ -164,7 +164,7 @@ class Shells {
   const EdgeTable& table_;
   double normalisation_ = 1, rounding_ = 0;
   WaysRound ways_;
-  std::vector<double> volume_;  ///< by root; 0: nothing tells the outside
+  std::vector<double> volume_;  ///< by root; 0: the outside is undetermined
 };
 
 std::vector<Leaves> clusters_of(Leaves leaves) {

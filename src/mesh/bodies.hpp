@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which triangles belong together.
+// Which triangles form a body.
 #pragma once
 
 #include <vector>
@@ -12,9 +12,9 @@ namespace epura::mesh {
 ///
 /// Where two shells touch along an edge, four triangles or more share it. There those belong together that enclose
 /// material: crossing them one after another around the edge one enters and leaves it by turns, and where it is follows
-/// from the volume of all that touch. So shells that touch are bodies of their own, and one that touches itself stays
+/// from the volume of all that touch. So shells that touch are separate bodies, and one that touches itself stays
 /// one. Which way round triangles run in the file does not matter. Where the order around an edge is not certain, or
-/// what it says contradicts itself, as of surfaces with one side, all at the edge stay together.
+/// this is contradictory, as for one-sided surfaces, all faces at the edge stay together.
 std::vector<int> connected_parts(const Mesh& mesh, const EdgeTable& table);
 
 /// Replaces labels by 0, 1, ... in the order in which they appear; returns the labels that were there.

@@ -46,7 +46,7 @@ EdgeTable edges_of(const Faces& triangles, const MeshReport& report) {
   return make_edge_table(triangles.corners, triangles.number, report.vertices);
 }
 
-/// Where all faces are triangles, their edges tell whether any are equal, which is seldom.
+/// If all faces are triangles, their edges show whether any are equal, which is rare.
 void drop_equal_triangles(Faces& triangles, EdgeTable& table, MeshReport& report) {
   if (!has_equal_triangles(table, triangles.corners)) return;
   report.dropped_duplicates += drop_duplicate_faces(triangles, report.vertices);
@@ -112,7 +112,7 @@ void count_edges(Mesh& mesh, const EdgeTable& table) {
   }
 }
 
-/// Such triangles stay, since leaving them out would open the edges beside them.
+/// Such triangles stay, since leaving them out would open the edges next to them.
 void note_triangles_without_area(Mesh& mesh) {
   MeshReport& report = mesh.report;
   int count = 0;

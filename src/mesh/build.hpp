@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Soup -> Mesh: weld, drop what is not a face, triangulate, and pair edges.
+// Soup -> Mesh: weld, drop invalid faces, triangulate, and pair edges.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace epura::mesh {
 
-/// Never fails on imperfect data: what was dropped or found open stands in the report. Throws OutOfTime.
+/// Never fails on imperfect data: dropped faces and open edges are reported. Throws OutOfTime.
 Mesh build_mesh(Soup soup, std::string name, const Progress& progress = {});
 
 }  // namespace epura::mesh

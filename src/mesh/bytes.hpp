@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers as they lie in binary files.
+// Numbers in binary files.
 #pragma once
 
 #include <algorithm>

@@ -45,7 +45,7 @@ struct Line {
   [[nodiscard]] const Vec3& point(int i) const { return mesh.point(vertex(i)); }
   [[nodiscard]] Vec3 step(int i) const { return point(i + 1) - point(i); }
 
-  // The shortest run that has turned far enough for its circle to be told.
+  // The shortest run that turns far enough to determine its circle.
   [[nodiscard]] int window(int first, int max) const {
     for (int last = first + least_edges; last <= max; ++last) {
       const double turned = angle_between(step(first), step(last - 1));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Circles among the edges of a mesh: what rims of holes, bosses and shafts are made of.
+// Circles formed by edges of a mesh: rims of holes, bosses and shafts.
 #pragma once
 
 #include <vector>
@@ -20,7 +20,7 @@ struct MeshCircle {
 };
 
 /// Whole circles and arcs among creases of `crease_angle` degrees or more and boundaries, in order of their vertices. A
-/// circle begins at its lowest vertex and goes on to the lower neighbour, an arc begins at its lower end; both run
+/// circle begins at its lowest vertex and continues to the lower neighbour, an arc begins at its lower end; both run
 /// counterclockwise about their axis.
 ///
 /// What is a circle and what a polygon: there are twelve edges a turn or more on average (of a regular prism with

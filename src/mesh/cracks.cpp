@@ -127,7 +127,7 @@ class Clusters {
   }
 
   std::vector<int> cluster_;               // of each vertex, named by one of its members
-  std::vector<std::vector<int>> members_;  // of each cluster; none for vertices that are no open end
+  std::vector<std::vector<int>> members_;  // of each cluster; empty for vertices that are not open ends
   std::vector<std::array<int, 2>> links_;  // edges between open ends, in both directions
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cracks: open edges that lie beside each other because corners of one place differ in the last bits.
+// Cracks: adjacent open edges whose corners should be equal but differ in the last bits.
 #pragma once
 
 #include "mesh/edge_table.hpp"

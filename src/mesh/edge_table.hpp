@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The undirected edges of triangles, each with all half-edges that run along it.
+// The undirected edges of triangles, each with all half-edges along it.
 #pragma once
 
 #include <span>

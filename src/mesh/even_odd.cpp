@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The plane is swept upwards in slabs between the heights of all places and crossings. No two segments cross within a
+// The plane is swept upwards in slabs between the heights of all ends and crossings. No two segments cross within a
 // slab, so those that span it are sorted from left to right, and the inside lies between each first and second of them.
-// Trapezoids between the same two segments in slabs on top of each other are one.
+// Trapezoids between the same two segments in consecutive slabs are merged.
 // [Zalik, Clapworthy. A universal trapezoidation algorithm for planar polygons. Computers & Graphics 1999]
 #include "mesh/even_odd.hpp"
 
@@ -101,7 +101,7 @@ class Sweep {
     return NAN;
   }
 
-  // Trapezoids that do not go on in the slab end at its bottom.
+  // Trapezoids that do not continue in the slab end at its bottom.
   void fill(double bottom) {
     std::map<Pair, double> going_on;
     for (std::size_t i = 1; i < active_.size(); i += 2) {

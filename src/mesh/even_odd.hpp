@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Areas between outlines, by the even-odd rule, as triangles.
+// Areas bounded by outlines with the even-odd rule, as triangles.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ struct Outlines {
 /// to `outlines.places`. Segments may cross and coincide. Lengths far below 1e-12 of the whole are not resolved.
 std::vector<std::array<int, 3>> fill_even_odd(Outlines& outlines);
 
-/// Whether a point lies inside. On the outline either may be said.
+/// Whether a point lies inside. For points on the outline, either result is possible.
 bool is_inside(const Outlines& outlines, const Vec2& point);
 
 }  // namespace epura::mesh

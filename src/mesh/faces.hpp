@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Faces as rings of vertex numbers, and which of them are faces at all.
+// Faces as rings of vertex numbers, and which of them are valid.
 #pragma once
 
 #include <span>

@@ -73,7 +73,7 @@ using End = int;
 constexpr End none = -1;
 End other(End end) { return end ^ 1; }
 
-/// Edges of features and how they go on.
+/// Edges of features and how they continue.
 struct Features {
   const PlacedMesh& placed;
   std::vector<char> wanted;  ///< by edge
@@ -119,7 +119,7 @@ FeatureLine Features::follow(End start, std::vector<char>& used) const {
   return line;
 }
 
-// Ends of wanted edges by their vertices.
+// Ends of the required edges by their vertices.
 std::vector<End> ends_by_vertex(const Features& features) {
   std::vector<End> ends;
   for (std::size_t e = 0; e < features.wanted.size(); ++e)

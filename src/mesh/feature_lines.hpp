@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Creases and boundaries of a mesh, end to end as far as they run on.
+// Creases and boundaries of a mesh, joined end to end.
 #pragma once
 
 #include <array>

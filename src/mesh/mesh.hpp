@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// A model as read and repaired: its triangles, and the table of their edges.
+// A model as read and repaired: its triangles and their edge table.
 //
-// Files hold soups, fans, flipped faces, and a half-edge structure wants two-manifold, consistently oriented surfaces.
-// So whatever is decided about edges is decided in the table of undirected edges with all their triangles;
-// mesh/openmesh.hpp makes half-edges where an algorithm walks them.
+// Files contain soups, fans and flipped faces, whereas a half-edge structure needs consistently oriented two-manifolds.
+// Decisions about edges therefore use the table of undirected edges with all their triangles; mesh/openmesh.hpp builds
+// half-edges for algorithms that walk them.
 #pragma once
 
 #include <array>
@@ -37,7 +37,7 @@ struct MeshEdge {
 
 /// A vertex that a cutting plane made.
 struct CutVertex {
-  std::array<int, 2> edge;  ///< of the file, on which it lies, lower vertex first; {-1, -1} inside of a cut face
+  std::array<int, 2> edge;  ///< of the file, on which it lies, lower vertex first; {-1, -1} inside a cut face
   double t;                 ///< where on it, between 0 and 1
 };
 

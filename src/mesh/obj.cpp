@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wavefront OBJ: v, f, o and g; the rest says nothing about surfaces.
+// Wavefront OBJ: v, f, o and g; other lines do not describe surfaces.
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t part_bytes = 1 << 18;
 
-// Behind line ends; a line that goes on behind a backslash stays whole.
+// Behind line ends; a line that continues behind a backslash stays whole.
 std::vector<std::string_view> cut_in_parts(std::string_view text) {
   std::vector<std::string_view> parts;
   while (text.size() > part_bytes) {
@@ -147,8 +147,8 @@ class ObjJoiner {
     if (ignored_.lines == 0) return;
     std::string list;
     for (const std::string& keyword : ignored_.keywords) list += (list.empty() ? "" : ", ") + keyword;
-    soup_.notes.push_back("ignored " + std::to_string(ignored_.lines) + " lines of other kinds (" + list +
-                          "), the first of them line " + std::to_string(1 + ignored_.first_line));
+    soup_.notes.push_back("ignored " + std::to_string(ignored_.lines) + " unsupported lines (" + list +
+                          "), the first is line " + std::to_string(1 + ignored_.first_line));
   }
 
   std::string_view name_;
@@ -168,7 +168,7 @@ Soup read_obj(std::string_view bytes, std::string_view name, const Progress& pro
   ObjJoiner joiner(name, parts);
   for (std::size_t i = 0; i < parts.size(); ++i) {
     progress.expect_time();
-    // Read again where it begins, a part with an error says which line that is on.
+    // A part with an error is read again from its beginning, to find the line number.
     if (!parts[i]) parts[i] = read_obj_part(texts[i], name, joiner.line());
     joiner.add(std::move(*parts[i]));
     parts[i].reset();

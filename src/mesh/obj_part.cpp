@@ -53,7 +53,7 @@ class ObjPartReader {
 
   // "7", "7/1", "7//3", "7/1/3": only the vertex matters. It may come later.
   void corner(std::string_view word) {
-    const long long number = text_.integer(word.substr(0, word.find('/')), "the number of a vertex");
+    const long long number = text_.integer(word.substr(0, word.find('/')), "the number of the vertex");
     if (number == 0) text_.fail("a face refers to vertex 0", "vertices are numbered from 1");
     if (number < 0) {
       part_.relative.push_back({part_.corners.size(), part_.points.size(), number, line()});

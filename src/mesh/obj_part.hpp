@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a part of an OBJ file says, told apart from what stands before it: long files are read in parts, side by side.
+// One part of an OBJ file, parsed independently of what precedes it: long files are read in parallel parts.
 #pragma once
 
 #include <string>
@@ -24,7 +24,7 @@ struct ObjRelativeCorner {
   std::size_t line;
 };
 
-/// Lines whose keyword says nothing about surfaces and is not one of the usual ones.
+/// Lines whose keyword does not describe surfaces and is not one of the usual ones.
 struct ObjIgnored {
   std::vector<std::string> keywords;  ///< the first few
   std::size_t lines = 0;
@@ -45,7 +45,7 @@ struct ObjPart {
 };
 
 /// `name` is the file in errors, `first_line` where the part begins in it, from 1. The result refers to `text`.
-/// Throws Error on a line that is no OBJ.
+/// Throws Error on a line that is not OBJ.
 ObjPart read_obj_part(std::string_view text, std::string_view name, std::size_t first_line);
 
 /// Adds the lines of a part that begins `lines_before` lines later.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Object File Format of Geomview: [ST][C][N]OFF, counts, one vertex a line, one face a line.
+// Geomview's Object File Format: [ST][C][N]OFF, counts, one vertex per line, one face per line.
 // Format: http://www.geomview.org/docs/html/OFF.html
 #include "base/text.hpp"
 #include "mesh/off_keyword.hpp"
@@ -15,7 +15,7 @@ struct Counts {
   long long faces;
 };
 
-// The keyword may be missing; what stands before "OFF" says what else a vertex line holds behind its place.
+// The keyword may be missing; letters before "OFF" state what a vertex line contains after the position.
 void read_keyword(TextCursor& text) {
   const TextCursor before = text;
   const std::string_view word = text.word_of_any_line(), keyword = off_keyword(word);
@@ -25,10 +25,10 @@ void read_keyword(TextCursor& text) {
     return;
   }
   if (keyword.find_first_of("4n") != std::string_view::npos)
-    text.fail(quoted(keyword) + " has vertices of another dimension than three");
+    text.fail(quoted(keyword) + " has vertices that are not three-dimensional");
   text.put_back(word.size() - keyword.size());
   const TextCursor behind = text;
-  if (text.word() == "BINARY") text.fail("binary OFF is not read", "save it as text OFF or as PLY");
+  if (text.word() == "BINARY") text.fail("binary OFF is not supported", "save it as text OFF or as PLY");
   text = behind;
 }
 
@@ -41,9 +41,9 @@ Counts read_counts(TextCursor& text) {
     const long long least_bytes = count == &counts.vertices ? 6 : 2;
     const auto max = static_cast<long long>(text.bytes_left() / least_bytes) + 1;
     if (*count < 0 || *count > max)
-      text.fail("the file cannot hold the " + std::to_string(*count) + " " + what + " that its header announces");
+      text.fail("the file is too short for the " + std::to_string(*count) + " " + what + " that its header announces");
   }
-  // The number of edges, which nobody needs, follows here, alone on the next line, or not at all.
+  // The number of edges, which is not needed, follows here, alone on the next line, or not at all.
   if (!text.word().empty()) return counts;
   const TextCursor before = text;
   text.word_of_any_line();
@@ -66,7 +66,7 @@ void read_vertices(TextCursor& text, Soup& soup, long long count, Pace& pace) {
     point[0] = text.number(expect_word(text, "vertex", v, count));
     const TextCursor first_line = text;
     for (const std::size_t axis : {1, 2}) point[axis] = text.number(expect_word(text, "vertex", v, count));
-    // A vertex may go on in the next line; but where that holds more, it is of the next vertex.
+    // A vertex may continue in the next line; but where that holds more, it is of the next vertex.
     if (text.line() != first_line.line() && !text.word().empty())
       first_line.fail("a coordinate of the vertex is missing");
     text.next_line();

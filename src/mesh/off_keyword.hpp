@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// By what OFF files are known.
+// The keyword that identifies OFF files.
 #pragma once
 
 #include <string_view>
@@ -7,7 +7,7 @@
 namespace epura::mesh {
 
 /// The keyword that the first word of a file begins with, [ST][C][N][4][n]OFF; empty if there is none. Numbers may
-/// stand right behind it: "OFF8".
+/// follow immediately: "OFF8".
 std::string_view off_keyword(std::string_view word);
 
 }  // namespace epura::mesh

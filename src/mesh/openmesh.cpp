@@ -58,7 +58,7 @@ void link_fan(Surface& surface, HalfedgeHandle right, VertexHandle vertex) {
     outgoing = surface.opposite_halfedge_handle(incoming);
     if (outgoing == right) return surface.set_halfedge_handle(vertex, right);
     if (!surface.is_boundary(outgoing)) continue;
-    // OpenMesh wants a border's half-edge at the vertex.
+    // OpenMesh expects a border's half-edge at the vertex.
     surface.set_vertex_handle(border_in, vertex);
     surface.set_next_halfedge_handle(border_in, outgoing);
     return surface.set_halfedge_handle(vertex, outgoing);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// A mesh as a half-edge structure of OpenMesh, for algorithms that walk half-edges. Only what wants one includes this.
+// A mesh as an OpenMesh half-edge structure, for algorithms that walk half-edges. Include it only where one is needed.
 //
 // [Gueziec, Taubin, Lazarus, Horn. Cutting and Stitching: Converting Sets of Polygons to Manifold Surfaces.
 // IEEE TVCG 7(2), 2001]: two triangles stay joined along an edge that only they share, in opposite directions; then
-// the triangles around a vertex fall into fans, and each fan gets a vertex of its own. add_face would refuse the
-// triangles that do not fit and takes several times as long, so the surface is laid out in arrays at once.
+// the triangles around a vertex fall into fans, and each fan gets its own vertex. add_face would reject the triangles
+// that do not fit and takes several times as long, so the surface is laid out in arrays at once.
 #pragma once
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>

@@ -89,7 +89,7 @@ class TextSource {
   void end_element() {
     const std::string_view word = text_.word();
     if (!word.empty() && missing_ != nullptr) fail_short_row();
-    if (!word.empty()) text_.fail(quoted(word) + " is more than this element has properties");
+    if (!word.empty()) text_.fail(quoted(word) + " exceeds the properties of this element");
     text_.next_line();
     row_line_ = 0;
     missing_ = nullptr;
@@ -102,7 +102,7 @@ class TextSource {
   }
 
  private:
-  // An element may go on in the next line; but where that holds more, or the file ends, its own line was too short.
+  // An element may continue in the next line; but where that holds more, or the file ends, its own line was too short.
   std::string_view next_word() {
     std::string_view word = text_.word();
     if (word.empty()) {
@@ -162,7 +162,7 @@ class PlyReader {
     if (least_bytes == 0 || static_cast<unsigned long long>(element.count) <= source_.bytes_left() / least_bytes)
       return;
     TextCursor("", name_, element.line)
-        .fail("the file cannot hold the " + std::to_string(element.count) + " elements '" + element.name +
+        .fail("the file is too short for the " + std::to_string(element.count) + " elements '" + element.name +
                   "' that its header announces",
               "is the file complete?");
   }
@@ -189,7 +189,7 @@ class PlyReader {
     double length = 0;
     source_.numbers(type, 1, [&](double number) { length = number; });
     if (!(length >= 0) || length != std::floor(length) || length > static_cast<double>(source_.bytes_left()) + 1)
-      source_.fail("a list cannot have this length", place);
+      source_.fail("a list has an invalid length", place);
     return static_cast<long long>(length);
   }
 
@@ -208,7 +208,7 @@ class PlyReader {
       soup_.single_precision = soup_.single_precision && found->type == PlyType::float32;
     }
     soup_.points.reserve(soup_.points.size() + static_cast<std::size_t>(element.count));
-    std::array<double, 4> point{};  // the last place takes what is not wanted
+    std::array<double, 4> point{};  // the last element takes unused values
     read_rows(
         element, [&](std::size_t p, double value) { point[axis[p]] = value; },
         [&](std::size_t p) {
@@ -244,7 +244,7 @@ class PlyReader {
   int index(double value, bool may_end) {
     if (value == -1 && may_end) return -1;
     if (!(value >= 0) || value != std::floor(value) || value > 2147483646.0)
-      source_.fail("a face refers to a vertex whose number is not a vertex", source_.place());
+      source_.fail("a face refers to a vertex that does not exist", source_.place());
     const auto number = static_cast<long long>(value);
     if (number > largest_) {
       largest_ = number;
@@ -261,7 +261,7 @@ class PlyReader {
       if (i < begin + 2 || strip[i] < 0) continue;
       std::array<int, 3> triangle{strip[i - 2], strip[i - 1], strip[i]};
       if ((i - begin) % 2 == 1) std::swap(triangle[0], triangle[1]);
-      // Strips are sewn together by triangles that repeat a vertex: they are no faces.
+      // Strips are joined by triangles that repeat a vertex: these are not faces.
       if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) continue;
       soup_.corners.insert(soup_.corners.end(), triangle.begin(), triangle.end());
       soup_.end_face();

@@ -38,7 +38,7 @@ PlyType read_type(TextCursor& text) {
   const std::string_view word = text.word();
   for (const TypeName& candidate : type_names)
     if (candidate.name == word) return candidate.type;
-  text.fail(quoted(word) + " is not a type of PLY", "types are char, uchar, short, ushort, int, uint, float, double");
+  text.fail(quoted(word) + " is not a PLY type", "use char, uchar, short, ushort, int, uint, float, double");
 }
 
 PlyEncoding read_encoding(TextCursor& text) {
@@ -46,7 +46,7 @@ PlyEncoding read_encoding(TextCursor& text) {
   if (word == "ascii") return PlyEncoding::text;
   if (word == "binary_little_endian") return PlyEncoding::little_endian;
   if (word == "binary_big_endian") return PlyEncoding::big_endian;
-  text.fail(quoted(word) + " is not a format of PLY", "ascii, binary_little_endian or binary_big_endian");
+  text.fail(quoted(word) + " is not a PLY format", "use ascii, binary_little_endian or binary_big_endian");
 }
 
 PlyElement read_element(TextCursor& text) {
@@ -117,10 +117,10 @@ PlyHeader read_ply_header(std::string_view bytes, std::string_view name) {
       header.data_line = text.line();
       return header;
     } else if (word != "comment" && word != "obj_info" && !word.empty()) {
-      text.fail(quoted(word) + " does not belong into the header of a PLY file");
+      text.fail(quoted(word) + " does not belong in the header of a PLY file");
     }
   }
-  text.fail("the header has no end", "is the file complete?");
+  text.fail("the header does not end", "is the file complete?");
 }
 
 }  // namespace epura::mesh

@@ -31,7 +31,7 @@ const Format* format_named(std::string_view name) {
   return found == formats.end() ? nullptr : &*found;
 }
 
-// OBJ has no mark of its own.
+// OBJ has no signature.
 const Format* format_of_content(std::string_view bytes) {
   const std::string_view first = TextCursor(bytes, "").word_of_any_line();
   if (first == "ply" && bytes.starts_with("ply")) return format_named("ply");
@@ -45,9 +45,9 @@ const Format& format_of(std::string_view bytes, std::string_view extension, cons
   std::string known;
   for (const Format& format : formats) known += (known.empty() ? "." : ", .") + std::string(format.name);
   throw Error(ErrorKind::input, name,
-              extension.empty() ? "has no extension that says which format it has"
-                                : "'." + std::string(extension) + "' is not a model format that can be read",
-              "models are " + known);
+              extension.empty() ? "has no extension, so its format is unknown"
+                                : "'." + std::string(extension) + "' is not a supported model format",
+              "supported: " + known);
 }
 
 struct FileContent {
@@ -75,7 +75,7 @@ FileContent read_soup(const std::filesystem::path& path, const Progress& progres
   const auto add = [&](int count, const std::string& reason) {
     if (count > 0) reasons += (reasons.empty() ? "" : ", ") + std::to_string(count) + " " + reason;
   };
-  add(report.dropped_non_finite, "with corners that are not finite");
+  add(report.dropped_non_finite, "with coordinates that are not finite");
   add(report.dropped_degenerate, "with fewer than three distinct corners");
   throw Error(ErrorKind::input, report.name,
               reasons.empty() ? "holds no faces" : "none of its faces can be drawn: " + reasons,
@@ -89,7 +89,7 @@ bool is_own_extension(std::string_view extension) { return format_named(extensio
 Mesh make_mesh(Soup soup, const std::string& name, const Progress& progress) {
   // Half-edges, twice as many as corners at most, are numbered with int.
   if (soup.corners.size() > INT_MAX / 6 || soup.points.size() > INT_MAX)
-    throw Error(ErrorKind::input, name, "has more corners than can be numbered", "split the model");
+    throw Error(ErrorKind::input, name, "has too many corners", "split the model");
   Mesh mesh = build_mesh(std::move(soup), name, progress);
   if (mesh.report.triangles == 0) fail_without_triangles(mesh.report);
   return mesh;

@@ -17,13 +17,13 @@ namespace epura::mesh {
 /// and OutOfTime. Every byte of the file counts twice as progress: once it is read, and once the mesh is there.
 Mesh read_mesh(const std::filesystem::path& path, const Progress& progress = {});
 
-/// Whether files with an extension (lower case, without a dot) are read by read_mesh.
+/// Whether read_mesh reads files with an extension (lower case, without a dot).
 bool is_own_extension(std::string_view extension);
 
-/// The same of what is in memory; `name` stands before the reason in errors.
+/// The same from memory; `name` precedes the reason in errors.
 Mesh make_mesh(Soup soup, const std::string& name, const Progress& progress = {});
 
-// One reader a format; `name` stands before the line or byte in errors.
+// One reader for each format; `name` precedes the line or byte in errors.
 Soup read_obj(std::string_view bytes, std::string_view name, const Progress& progress = {});
 Soup read_stl(std::string_view bytes, std::string_view name, const Progress& progress = {});
 Soup read_ply(std::string_view bytes, std::string_view name, const Progress& progress = {});

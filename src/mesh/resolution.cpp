@@ -27,7 +27,7 @@ constexpr std::array<double, most_decimals + 1> powers{1, 1e1, 1e2, 1e3, 1e4, 1e
 
 bool is_multiple(double coordinate, int decimals) {
   const double scaled = coordinate * powers[decimals];
-  // Beyond 2^50 every double is nearly whole, which says nothing.
+  // Beyond 2^50 every double is nearly an integer, which is no evidence.
   return std::abs(scaled - std::nearbyint(scaled)) <= 0x1p-50 * std::abs(scaled) && std::abs(scaled) < 0x1p50;
 }
 

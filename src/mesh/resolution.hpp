@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The place to which a file's coordinates were rounded when they were written as text.
+// The decimal place to which a text file's coordinates were rounded.
 #pragma once
 
 #include "mesh/soup.hpp"

@@ -66,7 +66,7 @@ void drop_spikes(std::vector<int>& ring) {
 }  // namespace
 
 bool repeats_corner(std::span<const int> ring) {
-  // Nearly all polygons are small: no memory is asked for.
+  // Nearly all polygons are small: no memory is requested.
   if (ring.size() <= 16) {
     for (std::size_t i = 1; i < ring.size(); ++i)
       if (std::find(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(i), ring[i]) !=

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Polygons that name a corner more than once.
+// Splits polygons that repeat a corner.
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a file says, before anything is decided: points, and polygons as runs of corner indices.
+// The raw content of a file: points, and polygons as runs of corner indices.
 #pragma once
 
 #include <array>

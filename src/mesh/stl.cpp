@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// STL: binary (80 bytes of anything, a count, 50 bytes a triangle) and text (solid, facet, vertex).
+// STL: binary (80 arbitrary bytes, a count, 50 bytes per triangle) and text (solid, facet, vertex).
 #include <array>
 #include <cstdint>
 
@@ -34,7 +34,7 @@ Soup read_binary(std::string_view bytes, std::string_view name, const Progress& 
   Soup soup;
   if (bytes.size() > announced_bytes(bytes))
     soup.notes.push_back("ignored " + std::to_string(bytes.size() - announced_bytes(bytes)) +
-                         " bytes behind the last triangle");
+                         " bytes after the last triangle");
   soup.single_precision = true;
   soup.points.resize(3 * count);
   Pace pace(progress, bytes.size());
@@ -79,7 +79,7 @@ class TextReader {
     if (keyword == "solid") return begin_solid();
     if (keyword == "endsolid") return static_cast<void>(text_.rest_of_line());
     if (keyword != "outer" && keyword != "loop" && keyword != "endloop")
-      text_.fail(quoted(word) + " does not belong into a text STL");
+      text_.fail(quoted(word) + " does not belong in a text STL");
   }
 
   void begin_solid() {
@@ -91,12 +91,12 @@ class TextReader {
   void begin_facet() {
     if (in_facet_) text_.fail("a facet begins inside a facet");
     in_facet_ = true;
-    // "normal x y z" need not be numbers: the corners say where a facet faces.
+    // "normal x y z" need not be numbers: the corners determine the orientation of a facet.
     for (int i = 0; i < 4; ++i) text_.word();
   }
 
   void vertex() {
-    if (!in_facet_) text_.fail("a vertex outside of a facet");
+    if (!in_facet_) text_.fail("a vertex outside a facet");
     soup_.points.push_back(text_.point());
   }
 

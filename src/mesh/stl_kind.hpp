@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether bytes are an STL file, and of which kind.
+// Whether bytes are an STL file, and which kind.
 #pragma once
 
 #include <string_view>

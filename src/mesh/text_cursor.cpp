@@ -18,7 +18,7 @@ std::optional<double> windows_value(std::string_view word) {
   const bool negative = word.starts_with('-');
   if (negative || word.starts_with('+')) word.remove_prefix(1);
   for (const std::string_view name : {"1.#INF", "1.#IND", "1.#QNAN", "1.#SNAN"}) {
-    // Zeros fill up the decimals that were asked for.
+    // Zeros fill up the decimals that were requested.
     if (!word.starts_with(name) || word.find_first_not_of('0', name.size()) != std::string_view::npos) continue;
     if (name != "1.#INF") return std::numeric_limits<double>::quiet_NaN();
     return negative ? -std::numeric_limits<double>::infinity() : std::numeric_limits<double>::infinity();
@@ -95,8 +95,8 @@ double TextCursor::number(std::string_view word, std::string_view what) const {
   if (const auto value = parse_number(word)) return *value;
   if (const auto value = windows_value(word)) return *value;
   if (word.empty()) fail(std::string(what) + " is missing");
-  fail(quoted(word) + " is not a number that a double can hold",
-       word.find(',') == std::string_view::npos ? "" : "numbers are written with a point and separated by blanks");
+  fail(quoted(word) + " is not a number, or too large",
+       word.find(',') == std::string_view::npos ? "" : "write numbers with a decimal point, separated by blanks");
 }
 
 long long TextCursor::integer(std::string_view word, std::string_view what) const {

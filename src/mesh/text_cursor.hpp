@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The words of a text file, line by line, and where the reader stands when something is wrong.
+// The words of a text file, line by line, and the position of the reader for error messages.
 //
 // Lines end with LF, CR or CRLF; '#' begins a comment; a backslash at the end of a line continues it on the next. Words
-// such as "-1.#IND" are whole: the C library of Windows wrote them for values that are no finite numbers.
+// such as "-1.#IND" are complete: the C library of Windows wrote them for non-finite values.
 #pragma once
 
 #include <array>
@@ -25,13 +25,13 @@ class TextCursor {
   std::string_view rest_of_line();
   /// Skips what is left of this line; false when no line follows.
   bool next_line();
-  /// The last `bytes` of the word read last are a word of their own, which comes next.
+  /// The last `bytes` of the previous word become a separate word, which comes next.
   void put_back(std::size_t bytes) { at_ -= bytes; }
 
   [[nodiscard]] std::size_t line() const { return line_; }
   [[nodiscard]] std::size_t bytes_left() const { return static_cast<std::size_t>(end_ - at_); }
 
-  /// `word` as a number, or an error that names this line; of an empty word it says that `what` is missing. NaN and
+  /// `word` as a number, or an error that names this line; for an empty word, that `what` is missing. NaN and
   /// infinity are numbers here.
   [[nodiscard]] double number(std::string_view word, std::string_view what = "a number") const;
   [[nodiscard]] long long integer(std::string_view word, std::string_view what = "a number") const;
@@ -50,7 +50,7 @@ class TextCursor {
   std::string_view name_;
 };
 
-/// A word of a file for a message: quoted, cut short, without bytes that are no printable text.
+/// A word of a file for a message: quoted, shortened, without unprintable bytes.
 std::string quoted(std::string_view word);
 
 }  // namespace epura::mesh

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ear clipping [Meisters. Polygons Have Ears. Amer. Math. Monthly 1975] for polygons that may touch themselves, as
-// those with holes do that are joined to the outline by a bridge. Each cut takes the signed area of its triangle away
-// from the polygon, so whatever is cut, the sum stays.
+// Ear clipping [Meisters. Polygons Have Ears. Amer. Math. Monthly 1975] for polygons that may touch themselves, such as
+// those whose holes are joined to the outline by a bridge. Each cut removes the signed area of its triangle from the
+// polygon, so the sum is preserved whatever is cut.
 #include "mesh/triangulate.hpp"
 
 #include <algorithm>
@@ -138,7 +138,7 @@ class EarClipper {
     return !corners_.any_in(glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c)), [&](int other) {
       ++work_;
       const Vec2 q = p_[other];
-      if (q == a || q == b || q == c) return false;  // at bridges, too; `sees` has looked at what leaves from there
+      if (q == a || q == b || q == c) return false;  // at bridges, too; `sees` has examined what leaves from there
       return area(a, b, q) >= 0 && area(b, c, q) >= 0 && area(c, a, q) >= 0;
     });
   }

@@ -70,7 +70,7 @@ std::vector<int> same_places(const Points& points) {
 void renumber(Points& points, std::vector<int>& corners, std::vector<int> representative) {
   int kept = 0;
   for (std::size_t point = 0; point < points.size(); ++point) {
-    // A representative comes before those it stands for, so its new number is known.
+    // A representative precedes those that it represents, so its new number is known.
     int& number = representative[point];
     if (number != static_cast<int>(point)) {
       number = representative[number];

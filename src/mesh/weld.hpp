@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Points at the same place become one vertex.
+// Merges points at the same position into one vertex.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 namespace epura::mesh {
 
 /// For each point the lowest-numbered point at exactly the same place. 0 and -0 are one place; a point that is not
-/// finite is nobody's equal.
+/// finite equals no other point.
 std::vector<int> same_places(const Points& points);
 
 /// Leaves out the points that `representative` replaces by another, and numbers the rest in their old order.

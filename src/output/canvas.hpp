@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What all Cairo writers share: surfaces that close themselves, and sheets drawn on them.
+// Common parts of all Cairo writers: surfaces that close themselves, and sheets drawn on them.
 //
-// Cairo keeps the points of a path in 1/256 of a surface unit with 23 bits before the point. Vector files are therefore
-// drawn much enlarged and scaled back once, where the layers are put together.
+// Cairo stores the points of a path in 1/256 of a surface unit with 23 bits before the point. Vector files are
+// therefore drawn much enlarged and scaled back once, when the layers are assembled.
 #pragma once
 
 #include <cairo.h>
@@ -25,7 +25,7 @@ struct Canvas {
   [[nodiscard]] Vec2 to_sheet(const Vec2& p) const { return {origin.x + p.x / units, origin.y - p.y / units}; }
 };
 
-/// Holds the sheet and all ink: what lies wholly beside a surface would be dropped. 1000 units per millimetre, fewer
+/// Holds the sheet and all ink: Cairo drops what lies entirely outside a surface. 1000 units per millimetre, fewer
 /// where the ink is more than 8 m long or letters are more than 40 mm high.
 Canvas enlarged_canvas(const sheet::Sheet& sheet);
 
@@ -51,7 +51,7 @@ void begin_vector_file(const Pen& pen, const Canvas& canvas);
 /// For all that is drawn from now on.
 void set_colour(const Pen& pen, const sheet::Colour& colour);
 
-/// Adds a stroke to the pen's path, as a part of its own.
+/// Adds a stroke to the current path as a separate subpath.
 void add_path(const Pen& pen, const Canvas& canvas, const sheet::Stroke& stroke);
 
 /// Draws every stroke of a layer for itself. Throws OutOfTime.
@@ -60,10 +60,10 @@ void draw(const Pen& pen, const Canvas& canvas, const sheet::Layer& layer, const
 /// For Cairo's streams: appends to the std::string `bytes`.
 cairo_status_t append_bytes(void* bytes, const unsigned char* data, unsigned length);
 
-/// Throws Error{output} when Cairo reports trouble.
+/// Throws Error{output} if Cairo reports an error.
 void require(cairo_status_t status, const char* format);
 
-/// Ends the page and the file, and looks for errors of all that was done before.
+/// Ends the page and the file, and checks for errors in everything before.
 void finish(const CairoSurface& surface, const char* format);
 
 }  // namespace epura::output

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Arcs of circles and ellipses as what file formats have: cubic Bezier curves, and arcs of a quarter at most.
+// Arcs of circles and ellipses as cubic Bezier curves, and as arcs of at most a quarter, for file formats.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace epura::output {
 
-/// A cubic curve from where the pen stands.
+/// A cubic curve from the current point.
 struct BezierPiece {
   std::array<Vec2, 2> controls;
   Vec2 to;

@@ -22,7 +22,7 @@ struct Place {
   int model_space;
   const std::string& layer;
   bool dashed;      ///< the layer's line type is
-  bool continuous;  ///< this line is, whatever its layer says
+  bool continuous;  ///< this line is, regardless of its layer
 };
 
 void begin_entity(DxfWriter& dxf, const Place& place, std::string_view type, std::string_view entity_class) {

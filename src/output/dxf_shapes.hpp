@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Strokes as the shapes that DXF has: polylines, some of whose lines are arcs, and curves that stand alone.
+// Strokes as DXF shapes: polylines with arcs, and separate curves.
 #pragma once
 
 #include <variant>
@@ -35,7 +35,7 @@ struct EllipseArc {
 using DxfShape = std::variant<BulgedLine, EllipseArc>;
 
 /// The shapes of a stroke in its order, without repetitions: arcs of circles among straight lines are bulges; arcs of
-/// ellipses and strokes that are nothing but one arc stand alone.
+/// ellipses and strokes consisting of one arc are separate shapes.
 std::vector<DxfShape> dxf_shapes(const sheet::Stroke& stroke);
 
 }  // namespace epura::output

@@ -111,7 +111,7 @@ void add_line_types(DxfWriter& dxf, const std::vector<LineType>& types) {
   });
 }
 
-// Hundredths of a millimetre. DXF knows these only.
+// Hundredths of a millimetre. DXF has these only.
 int line_weight(double width) {
   constexpr std::array weights = {0,  5,  9,  13, 15, 18,  20,  25,  30,  35,  40,  50,
                                   53, 60, 70, 80, 90, 100, 106, 120, 140, 158, 200, 211};

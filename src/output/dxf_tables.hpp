@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// All of a DXF file but its entities: AutoCAD 2000 (AC1015), the first that has line widths, and that every program
-// reads.
+// Everything in a DXF file except its entities: AutoCAD 2000 (AC1015), the first version with line weights, and
+// readable by all programs.
 #pragma once
 
 #include <string>
@@ -18,10 +18,10 @@ inline constexpr const char* dxf_text_style = "OSIFONT";
 /// the sheet's layers in the file. Returns the handle of the model space, which owns all entities.
 int add_dxf_tables(DxfWriter& dxf, const sheet::Sheet& sheet, const std::vector<std::string>& layers);
 
-/// What stands behind the entities.
+/// The sections after the entities.
 void add_dxf_objects(DxfWriter& dxf);
 
-/// Remarks with the title, and the header of a file of so many handles: millimetres, no scale of line types.
+/// Comments with the title, and the header of a file with this number of handles: millimetres, line type scale 1.
 std::string dxf_header(const sheet::Sheet& sheet, int handles);
 
 }  // namespace epura::output

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Groups of a DXF file, two lines each, and texts made fit for them.
+// Groups of a DXF file, two lines each, and text encoded for them.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace epura::output {
 
-/// Appends groups: a code, which tells the type of the value, and the value.
+/// Appends groups: a code, which determines the type of the value, and the value.
 class DxfWriter {
  public:
   /// `text` is one line: see dxf_text and dxf_names.

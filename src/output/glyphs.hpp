@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lettering on Cairo's surfaces.
+// Lettering on Cairo surfaces.
 #pragma once
 
 #include <cairo.h>

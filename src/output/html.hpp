@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What pages of reports are made of.
+// Common parts of HTML reports.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace epura::output {
 /// Text in which nothing can be taken for markup.
 std::string html_text(std::string_view text);
 
-/// A picture as an element of a page: an SVG without the declaration of a document of its own.
+/// A picture as an element of a page: an SVG without the XML declaration.
 std::string inline_svg(const sheet::Sheet& sheet, const VectorOptions& options);
 
 }  // namespace epura::output

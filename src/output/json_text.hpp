@@ -7,7 +7,7 @@
 
 namespace epura::output {
 
-/// The text as a string of JSON, in quotation marks. Bytes that are no UTF-8 become U+FFFD.
+/// The text as a JSON string, in quotation marks. Invalid UTF-8 becomes U+FFFD.
 std::string json_string(std::string_view text);
 
 /// All digits that the number needs; null for infinity and NaN, which JSON does not know.
@@ -27,7 +27,7 @@ std::string json_list(const Items& items, const Write& write, std::string_view s
   return text += ']';
 }
 
-/// The same with each item on a line of its own; `indent` begins with the line break.
+/// The same with each item on a separate line; `indent` begins with the line break.
 template <class Items, class Write>
 std::string json_lines(const Items& items, const Write& write, const std::string& indent) {
   return json_list(items, write, "," + indent, indent);

@@ -9,11 +9,10 @@ const PdfLibrary& pdf_library() {
   const std::filesystem::path path = own_folder() / EPURA_PDF_LIBRARY;
   try {
     const void* library = find_symbol(load_library(path, ErrorKind::output), "epura_pdf_library");
-    if (library == nullptr) throw Error(ErrorKind::output, "", "is another library");
+    if (library == nullptr) throw Error(ErrorKind::output, "", "is a different library");
     return *static_cast<const PdfLibrary*>(library);
   } catch (const Error& error) {
-    throw Error(error.kind(), path.string(), error.what(),
-                "it comes with epura, which needs it for PDF files: install epura again");
+    throw Error(error.kind(), path.string(), error.what(), "epura needs it for PDF files: reinstall epura");
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a file says of its sheet beside the lines.
+// Metadata of a sheet.
 #pragma once
 
 #include <string>

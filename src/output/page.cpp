@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// PostScript, EPS and PNG: whole sheets drawn by Cairo in one go.
+// PostScript, EPS and PNG: whole sheets drawn by Cairo in one pass.
 #include <cairo-ps.h>
 
 #include <algorithm>

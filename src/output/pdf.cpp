@@ -16,7 +16,7 @@ namespace {
 
 constexpr double points_per_millimetre = 72 / 25.4;
 
-// PDF knows no exponents.
+// PDF has no exponents.
 std::string real(double value) { return format_fixed(value, 15); }
 
 std::string box(const Vec2& size) { return "[0 0 " + real(size.x) + " " + real(size.y) + "]"; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// SVG in one pass over the sheet. Documents may stand in the page of somebody else: nothing of it has the names of
-// theirs, and none of its rules is for other elements.
+// SVG in one pass over the sheet. A document may be embedded in a foreign page: its names do not clash with those of
+// the page, and its rules apply to no other elements.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -68,7 +68,7 @@ class SheetHash {
   std::uint64_t value_ = 0;
 };
 
-// Four characters, of which the second is a digit: no word, and short enough to stand before the id of every line.
+// Four characters, of which the second is a digit: not a word, and short enough to precede the id of every line.
 std::string prefix_of(const sheet::Sheet& sheet) {
   constexpr std::string_view characters = "0123456789abcdefghijklmnopqrstuvwxyz";
   std::uint64_t rest = SheetHash(sheet).value();
@@ -159,7 +159,7 @@ void LayerWriter::append_look(const sheet::LineStyle& style) {
   if (style.dashes.dash > 0) svg_.append(" stroke-dasharray=\"").append(dash_array(style.dashes)) += '"';
 }
 
-// What all lines of the layer share is said once. Layers of lines that are no edges have none of it.
+// Attributes shared by all lines of the layer are written once. Layers of lines that are not edges have none.
 void LayerWriter::append_origin(const sheet::Layer& layer) {
   const auto is_edge = [](const sheet::Stroke& stroke) { return stroke.kind.has_value(); };
   if (std::none_of(layer.strokes.begin(), layer.strokes.end(), is_edge)) return;
@@ -293,7 +293,7 @@ std::string checked_id_prefix(std::string prefix, const std::string& where) {
   if (prefix.empty() || prefix.size() > longest || characters.find(prefix[0]) < first_letter ||
       prefix.find_first_not_of(characters) != std::string::npos)
     throw Error(ErrorKind::input, where, "'" + prefix + "' cannot begin an id",
-                "a letter is possible, and then letters, digits, '-' and '_', 64 in all");
+                "use a letter, then letters, digits, '-' and '_', at most 64 in all");
   return prefix;
 }
 

@@ -78,7 +78,7 @@ void begin_group(std::string& svg, const SvgDocument& document, std::string_view
   svg += "\" stroke=\"none\"";
 }
 
-// Line styles have names of their own, which may be the same words.
+// Line styles have separate names, which may be the same words.
 void append_role(std::string& svg, const SvgDocument& document, const sheet::Text& text) {
   if (!text.role.empty()) append_attribute(svg, "class", document.prefix + "text-" + identifier(text.role));
 }

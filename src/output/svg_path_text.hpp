@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The data of SVG paths in few bytes. SVG 1.1, 8.3.
+// Compact SVG path data. SVG 1.1, 8.3.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ class SvgPathText {
   void line(const Vec2& point);
   /// Quadratic.
   void curve(const Vec2& control, const Vec2& end);
-  /// Of an ellipse whose first axis is turned by so many degrees; `clockwise` as it looks on the page.
+  /// Of an ellipse whose first axis is turned by this angle in degrees; `clockwise` as seen on the page.
   void arc(const Vec2& radii, double turn, bool clockwise, const Vec2& end);
   void close();
 
@@ -44,7 +44,7 @@ long long parts_of(double millimetres, double parts);
 /// The number without a zero before its point: .25
 void append_short(std::string& text, double value, int decimals);
 
-/// Millimetres beside the lines: at most four decimals.
+/// Millimetres outside lines: at most four decimals.
 void append_millimetres(std::string& text, double value);
 
 }  // namespace epura::output

@@ -79,7 +79,7 @@ std::vector<Chunk> chunks_of(const std::vector<Part>& parts) {
   return chunks;
 }
 
-// Arcs as SVG knows them. What turns counterclockwise with y up does so on the page.
+// Arcs as SVG defines them. What turns counterclockwise with y up does so on the page.
 void append_arcs(SvgPathText& path, const drawing::CurvePart& part, double height) {
   constexpr double degrees = 180 / std::numbers::pi;
   const Vec2 radii(glm::length(part.u), glm::length(part.v));
@@ -107,7 +107,7 @@ std::optional<int> model_of(std::span<const sheet::ModelEdge> edges) {
   return std::any_of(edges.begin(), edges.end(), differs) ? std::nullopt : std::optional(model);
 }
 
-// What all lines of a layer have in common, and need not say.
+// Attributes that all lines of a layer share, and need not repeat.
 struct Common {
   std::string dashes;
   std::optional<int> model;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The strokes of a layer as <path> elements of SVG.
+// The strokes of a layer as SVG <path> elements.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sheets -> the bytes of a file. Nothing is computed here but the encoding.
+// Sheets -> the bytes of a file. Only encoding happens here.
 #pragma once
 
 #include <optional>
@@ -39,7 +39,7 @@ using Pages = std::vector<const sheet::Sheet*>;
 // The same sheet gives the same bytes, always: no clock, no counter, no locale. A file is written as a whole, or
 // OutOfTime is thrown.
 std::string to_svg(const sheet::Sheet& sheet, const VectorOptions& options, const Progress& progress = {});
-/// The same as an element of a page: without the declaration of a document of its own.
+/// The same as an element of a page: without the XML declaration.
 std::string svg_element(const sheet::Sheet& sheet, const VectorOptions& options);
 std::string to_pdf(const Pages& sheets, const Progress& progress = {});
 std::string to_ps(const Pages& sheets, const Progress& progress = {});
@@ -52,7 +52,7 @@ std::string to_dxf(const sheet::Sheet& sheet, const Progress& progress = {});
 std::string to_json(const sheet::Sheet& sheet, double scale, std::span<const drawing::ViewDrawing> drawings,
                     const report::Report& report, const Progress& progress = {});
 
-/// A sheet, and what JSON says of it beside.
+/// A sheet, and its data for JSON.
 struct SheetContent {
   const sheet::Sheet& sheet;
   double scale = 1;  ///< mm of paper per unit of the world
@@ -69,7 +69,7 @@ struct FileContent {
 struct Format {
   std::string_view name;        ///< and the extension of its files
   bool has_pages;               ///< several sheets make one file, and not one each
-  bool has_drawings;            ///< it holds the drawings of the sheets, and is no picture
+  bool has_drawings;            ///< it contains the drawings of the sheets, and is not a picture
   std::string_view instead_of;  ///< extensions that are not written, and for which this one serves
   std::string (*encode)(const FileContent&, const Progress&);
 };

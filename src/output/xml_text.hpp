@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Texts, attributes and elements of XML and HTML, in which nothing can be taken for markup. Control characters, which
-// XML has no way to write, become blanks.
+// Text, attributes and elements of XML and HTML, with all markup escaped. Control characters, which XML cannot
+// represent, become blanks.
 #pragma once
 
 #include <string>

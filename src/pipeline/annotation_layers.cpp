@@ -39,7 +39,7 @@ void add_boxes(std::vector<sheet::TurnedBox>& boxes, const sheet::Layer& layer, 
   boxes.insert(boxes.end(), more.begin(), more.end());
 }
 
-// What stands on the sheet beside all views.
+// What is on the sheet apart from the views.
 sheet::Neighbours neighbours_of(const sheet::SheetFurniture& furniture, const std::vector<sheet::Text>& labels,
                                 const std::vector<sheet::Layer>& marks, const sheet::Lettering& lettering) {
   const sheet::Paper& paper = furniture.paper;
@@ -86,7 +86,7 @@ AnnotationLayers annotation_layers(const SheetInput& input, std::span<const View
     }
     if (!sheet::on_paper(layer, {paper.width, paper.height}))
       result.warnings.push_back("dimensions of the view '" + drawing.name +
-                                "' reach beyond the paper\n  hint: use a smaller scale or a larger sheet");
+                                "' extend beyond the sheet\n  hint: use a smaller scale or a larger sheet");
     add_boxes(around.boxes, layer, *lettering);
     result.layers.push_back(std::move(layer));
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is written beside the views of a sheet, each out of the way of what stands there.
+// Annotations of the views on a sheet, placed so that they do not collide.
 #pragma once
 
 #include <span>
@@ -18,7 +18,7 @@ struct AnnotationLayers {
   std::vector<std::string> warnings;
 };
 
-/// `views` are in order of the sheet; `labels` stand above them. Throws Error{input} for dimensions that cannot be
+/// `views` are in order of the sheet; `labels` are above them. Throws Error{input} for dimensions that cannot be
 /// drawn. Opens no font where there is nothing to write.
 AnnotationLayers annotation_layers(const SheetInput& input, std::span<const ViewResult> views,
                                    const std::vector<sheet::Text>& labels, const Budget& budget);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Dimensions and sections of a scene -> what is to be written beside each view of a sheet.
+// Dimensions and sections of a scene -> annotations of each view on a sheet.
 #pragma once
 
 #include <span>
@@ -18,7 +18,7 @@ struct Annotations {
 };
 
 /// By view of the sheet, `seen` in its place. A dimension without a view belongs to the first one of the scene; overall
-/// ones without view and direction stand on the first sheet. A section that some view of the sheet shows is marked in
+/// ones without view and direction are on the first sheet. A section that some view of the sheet shows is marked in
 /// the first view of the whole that sees its plane edge-on. Throws Error{input} for overall dimensions that no view
 /// shows.
 std::vector<Annotations> annotate(const scene::World& world, const scene::SceneDescription& scene,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a run that has a time limit spends its time, and what it leaves undone.
+// How a run with a time limit divides its time, and what it omits.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words that a user chooses among.
+// Words among which a user chooses.
 #pragma once
 
 #include <string>

@@ -63,7 +63,7 @@ std::vector<std::pair<std::string, std::string>> facts_of(const scene::SheetDesc
   return facts;
 }
 
-// Nothing is written where there is no frame and no label: then no font is opened.
+// Without frame and labels nothing is lettered, and no font is opened.
 sheet::FurnitureLayers furniture_layers(const sheet::SheetFurniture& furniture) {
   if (furniture.frame == FrameKind::none && furniture.labels.empty()) return {};
   return sheet::sheet_layers(furniture, sheet::Lettering());
@@ -97,7 +97,7 @@ std::vector<std::vector<sheet::Layer>> hatch_layers(const std::vector<ViewResult
   return layers;
 }
 
-// Where there is no time for all lines, of the longest ones.
+// Of the longest lines, if there is no time for all.
 std::vector<sheet::Layer> line_layers(drawing::ViewDrawing& drawing, const sheet::LineWidths& widths,
                                       const std::vector<sheet::ModelStyle>& styles, const Budget& budget) {
   const auto make = [&](const Progress& progress) { return sheet::view_layers(drawing, widths, styles, progress); };
@@ -144,7 +144,7 @@ FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results,
       return centre_layers(results[i], input.views.plans[i].options, widths, lines, progress);
     }));
     append(finished.sheet.layers, std::move(lines));
-    // Without time for all that is to be written, chains tell which segments belong together.
+    // If there is no time to write everything, chains determine which segments belong together.
     if (!budget.run.is_limited()) keep_curves(results[i].drawing.chains);
     finished.drawings.push_back(std::move(results[i].drawing));
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Drawings in their places -> sheets of paper.
+// Views in their positions -> sheets.
 #pragma once
 
 #include <span>
@@ -16,7 +16,7 @@
 namespace epura::pipeline {
 
 /// `results` are the views of the sheet, in their order, with all that belongs to them, and what a sheet has around.
-/// What there is no time for is left out, and noted in the budget.
+/// What does not fit into the time is omitted, and noted in the budget.
 FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results, const Budget& budget);
 
 }  // namespace epura::pipeline

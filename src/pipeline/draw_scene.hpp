@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One run from a scene to its sheets: what the program does, and the library.
+// One run from a scene to its sheets, for the program and the library.
 #pragma once
 
 #include <string>

@@ -38,7 +38,7 @@ report::PlanStep clip_step(const scene::World& world, const view::ProjectedScene
   return {"clip",
           run,
           cuts  ? "part of the model lies outside the view volume"
-          : run ? "--plan wants it"
+          : run ? "requested by --plan"
                 : why_not_clipped(view),
           count_of(world.triangles.size()),
           count_of(view.triangles.size()),
@@ -52,7 +52,7 @@ struct Candidates {
   report::PlanStep step;
 };
 
-// For what may be spared of the search for crossings.
+// For excluding bodies from the search for crossings.
 constexpr double part_for_candidates = 0.25;
 // Of the time for lines; the rest is for drawing them.
 constexpr double part_for_hiding = 0.7;
@@ -63,7 +63,7 @@ std::string why_searched(const scene::World& world, const ViewOptions& options, 
   const std::string all = std::to_string(world.triangles.size());
   if (!options.edges.intersection) return "not wanted";
   if (candidates == 0) return "all bodies are convex, and their boxes stand apart";
-  if (!options.leave_out.intersections) return "--plan wants it";
+  if (!options.leave_out.intersections) return "requested by --plan";
   if (candidates == world.triangles.size()) return "no convex body stands apart from all others";
   return std::to_string(candidates) + " of " + all +
          " triangles; the others are of convex bodies that stand apart, or copies";
@@ -74,7 +74,7 @@ report::PlanStep hidden_step(const ViewOptions& options, const visibility::Hidde
   return {"hidden",
           run,
           options.keep_hidden() ? "hidden lines are drawn"
-          : run                 ? "--plan wants it"
+          : run                 ? "requested by --plan"
                                 : "only visible lines are drawn",
           count_of(hidden.spans.size()),
           run ? count_of(hidden.spans.size()) : 0,
@@ -89,7 +89,7 @@ std::optional<double> error_within(const std::optional<double>& allowed, const v
   const double guaranteed = guaranteed_part * view.extent * paper.scale;
   if (guaranteed <= *allowed) return guaranteed;
   throw Error(
-      ErrorKind::input, "--max-error", "is " + format_number(*allowed) + " mm, and less is not guaranteed",
+      ErrorKind::input, "--max-error", "is " + format_number(*allowed) + " mm, which cannot be guaranteed",
       "the exact method guarantees " + format_rounded(guaranteed, 3) + " mm, a millionth of the drawing, in this view");
 }
 
@@ -193,12 +193,12 @@ Candidates ViewRun::find_candidates(bool may_leave_out, const Progress& progress
 
 // Without time to find out which triangles may cross, all may.
 Candidates ViewRun::find_candidates_in_time() const {
-  budget_.lines.begin("finding bodies that cross nothing");
+  budget_.lines.begin("finding separate bodies");
   try {
     return find_candidates(options_.leave_out.intersections, budget_.lines.with_part_of_the_time(part_for_candidates));
   } catch (const OutOfTime&) {
     Candidates candidates = find_candidates(false, budget_.lines);
-    candidates.step.why = "there was no time to find what may be left out";
+    candidates.step.why = "no time to find out what may be skipped";
     return candidates;
   }
 }
@@ -264,7 +264,7 @@ void ViewRun::hide() {
     step.skipped = step.items_in;
   } else if (wanted) {
     step.run = true;
-    step.why = options_.leave_out.visibility ? "exact" : "--plan wants it";
+    step.why = options_.leave_out.visibility ? "exact" : "requested by --plan";
     hidden_ = timed(step.times.stage, [&] { return hidden_in_time(); });
   }
   if (!hidden_.undecided.empty()) partial_.add_stage("hiding lines");
@@ -281,7 +281,7 @@ drawing::ViewDrawing ViewRun::drawn_on(const view::PaperMap& paper, const edges:
   return drawing::make_drawing({input_.world, view_, edges, hidden_}, paper, options, progress);
 }
 
-// Where there is no time for all lines, of the longest edges.
+// Of the longest edges, if there is no time for all lines.
 DrawnLines ViewRun::draw_lines(const view::PaperMap& paper) {
   const auto make = [&](const Progress& progress) {
     DrawnLines lines;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The whole way of one view, stage by stage: models in, drawing out.
+// One view through all stages: models in, drawing out.
 #pragma once
 
 #include <chrono>
@@ -25,7 +25,7 @@
 
 namespace epura::pipeline {
 
-/// What is wanted of a view beside its projection.
+/// Options of a view apart from its projection.
 struct ViewOptions {
   std::string name;
   view::ViewLimits limits;
@@ -33,8 +33,8 @@ struct ViewOptions {
   bool wireframe = false;                 ///< nothing is hidden
   std::optional<double> max_error;        ///< mm; no longer span may be shown wrongly
   std::vector<sheet::ModelStyle> styles;  ///< by model
-  std::optional<int> verify;              ///< by so many points at random
-  std::optional<double> arcs;             ///< lines within so many mm of circles and ellipses become these
+  std::optional<int> verify;              ///< number of random points
+  std::optional<double> arcs;             ///< tolerance in mm for recognising circles and ellipses
   bool centre_lines = false;
   double join_within = 0.1;  ///< mm of paper; lines so near along each other are one, 0: all are drawn
   Shortcuts leave_out{};
@@ -59,7 +59,7 @@ struct ViewResult {
   std::optional<report::Verification> verification;
   std::optional<scene::CuttingPlane> section;  ///< that the view shows
   drawing::CurveReport curves{};
-  scene::CentredFeatures features{};  ///< for centre lines, where they are wanted
+  scene::CentredFeatures features{};  ///< for centre lines, if requested
   std::optional<double> max_error{};  ///< mm; where one was allowed, no longer span is shown wrongly
 };
 
@@ -74,7 +74,7 @@ class Stopwatch {
   std::vector<std::pair<std::string, double>> laps_;
 };
 
-/// Where a drawing stands on its sheet: page = scale * plane + shift, mm.
+/// Position of a drawing on its sheet: page = scale * plane + shift, mm.
 struct PlaceOnPage {
   double scale;
   Vec2 shift;
@@ -86,7 +86,7 @@ struct ViewTime {
   Progress lines;  ///< the lines of this view are to be there by then
 };
 
-/// A view that is to be drawn, and where it stands on its sheet.
+/// A view to draw, and its position on the sheet.
 struct ViewInput {
   const scene::World& world;  ///< the cut one where the view shows a section
   const CutSection* section;  ///< null where it shows the whole

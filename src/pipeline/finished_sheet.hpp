@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a run ends with: sheets that are to be written, if need be with fewer lines for want of time.
+// The result of a run: sheets ready to be written, with fewer lines if time is short.
 #pragma once
 
 #include <span>
@@ -13,19 +13,19 @@
 
 namespace epura::pipeline {
 
-/// A sheet, and what JSON says of it beside.
+/// A sheet, and its data for JSON.
 struct FinishedSheet {
   sheet::Sheet sheet;
   double scale = 1;                              ///< main scale, mm of paper per unit of the world
-  std::vector<drawing::ViewDrawing> drawings{};  ///< in order of the views; none where no target wants them
-  std::vector<std::string> warnings{};           ///< what of it is not as was wished
+  std::vector<drawing::ViewDrawing> drawings{};  ///< in order of the views; empty if no target needs them
+  std::vector<std::string> warnings{};           ///< requests that could not be met
   sheet::Paper paper{};
 };
 
 /// Marks a sheet that lacks something since time was over in a stage; once more by another stage.
 void mark_partial(FinishedSheet& sheet, const std::string& stage);
 
-/// Keeps the longest lines of the views, on the sheets and beside them, and notes in `partial` how many go. Says
+/// Keeps the longest lines of the views, on the sheets and in the drawings, and notes in `partial` how many go. Says
 /// whether so few are left that they take no time.
 bool keep_longest_lines(std::span<FinishedSheet> sheets, report::Partial& partial);
 

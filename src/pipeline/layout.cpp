@@ -34,7 +34,7 @@ Vec2 common_point(const scene::World& world, const view::ProjectedScene& view) {
   return Vec2(p) / p.w;
 }
 
-// Dimensions stand outside the marks of sections.
+// Dimensions are outside the marks of sections.
 sheet::Room room_around(const Annotations& annotations, const projection::Projection& projection,
                         const sheet::LineWidths& widths) {
   sheet::Room room = sheet::dimension_room(annotations.dimensions, projection, usual_text_height);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Descriptions of sheets and what their views look like -> where everything stands.
+// Descriptions of sheets and the drawings of their views -> positions of everything.
 #pragma once
 
 #include <span>
@@ -28,7 +28,7 @@ struct SheetPlan {
 /// Height of the texts of dimensions, mm: 2.5 for several views on A4, 3.5 elsewhere. ISO 3098.
 double dimension_text_height(const sheet::Paper& paper, std::size_t views);
 
-/// Where the views of a sheet stand, with room for what is written beside them. Throws Error{input} for words that say
+/// Positions of the views on a sheet, with room for their annotations. Throws Error{input} for words that say
 /// nothing.
 SheetPlan plan_sheet(const scene::World& world, const scene::SceneDescription& scene, const SheetOfViews& sheet,
                      std::span<const view::ProjectedScene> views, const std::vector<Annotations>& annotations);

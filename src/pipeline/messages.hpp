@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a run says what its user should know, while it goes on.
+// Where a run sends messages for its user.
 #pragma once
 
 #include <functional>

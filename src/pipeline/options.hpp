@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a scene is drawn, beside what its parts say.
+// How a scene is drawn, apart from the options of its parts.
 #pragma once
 
 #include <filesystem>
@@ -42,9 +42,9 @@ struct RunOptions {
   std::optional<double> time_limit;  ///< seconds
   bool verify = false;
   int verify_samples = 2000;
-  Shortcuts plan;               ///< certificates that are used
+  Shortcuts plan;               ///< shortcuts in use
   bool explain = false;         ///< print the plan
-  bool keeps_drawings = false;  ///< beside the sheets
+  bool keeps_drawings = false;  ///< in addition to the sheets
 };
 
 }  // namespace epura::pipeline

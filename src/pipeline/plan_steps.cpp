@@ -26,7 +26,7 @@ report::PlanStep text_step(const sheet::Sheet& sheet, bool leave_out) {
   return {"text",
           texts > 0 || !leave_out,
           texts > 0    ? "there are texts"
-          : !leave_out ? "--plan wants it"
+          : !leave_out ? "requested by --plan"
                        : "there are no texts: no font is opened",
           texts,
           texts,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Steps of the plan that belong to no view.
+// Steps of the plan that do not belong to a view.
 #pragma once
 
 #include <vector>

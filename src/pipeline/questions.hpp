@@ -9,7 +9,7 @@
 
 namespace epura::pipeline {
 
-/// The answers as text; empty where nothing is asked. Throws Error{input} when an edge that was asked for does not
+/// The answers as text; empty if there are no questions. Throws Error{input} when an edge that was requested does not
 /// exist.
 std::string answer(const RunOptions& questions, const ViewInput& input, const ViewResult& result,
                    const Progress& progress = {});

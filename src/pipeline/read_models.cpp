@@ -39,7 +39,7 @@ double enlargement_of(const scene::ModelDescription& model) {
   return sum > 0 ? std::sqrt(sum) : 1;
 }
 
-// Where a scene file names the model, an error of reading says where.
+// If a scene file names the model, a reading error states where.
 importer::ReadModel read(const scene::ModelDescription& model, importer::ReadOptions options,
                          const Progress& progress) {
   if (model.soup != nullptr) return {mesh::make_mesh(*model.soup, *model.name, progress)};
@@ -81,7 +81,7 @@ void warn_about(const Messages& messages, const mesh::MeshReport& report) {
   if (mesh::are_many(report.dropped_degenerate, report.faces + report.dropped_degenerate))
     say_left_out(report.dropped_degenerate, "fewer than three distinct corners");
   say_left_out(report.dropped_duplicates, "the corners of an earlier face");
-  say_left_out(report.dropped_non_finite, "coordinates that are no finite numbers");
+  say_left_out(report.dropped_non_finite, "coordinates that are not finite");
   say(report.non_manifold_edges, "edge has three or more faces and is drawn",
       "edges have three or more faces; each is drawn");
   for (const std::string& note : report.notes) messages.warn(report.name + ": " + note);

@@ -14,12 +14,12 @@
 
 namespace epura::pipeline {
 
-/// How precisely the models are wanted: so that no ink of the scene's drawings is off by more than
-/// RunOptions::max_error, by scales that are given, otherwise by the paper that the drawings will fit on.
+/// The precision that the drawings need, so that no ink is off by more than RunOptions::max_error: from the scales that
+/// are given, otherwise from the paper that the drawings will fit on.
 importer::ReadOptions read_options(const scene::SceneDescription& scene, const RunOptions& options);
 
-/// Reads the models and puts them in their places; `reports` gets one more for each. Says what was repaired. Faces of
-/// parts are those that files declare.
+/// Reads and places the models; `reports` gets one more for each. Reports what was repaired. Faces of parts are those
+/// that files declare.
 scene::World read_models(const std::vector<scene::ModelDescription>& models, const importer::ReadOptions& options,
                          std::vector<mesh::MeshReport>& reports, const Messages& messages, Progress progress);
 

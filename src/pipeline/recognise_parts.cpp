@@ -18,14 +18,14 @@ namespace {
 // Of the time that is left after reading.
 constexpr double part_for_faces = 0.25;
 
-// Without lines inside of surfaces there is nothing to tell apart.
+// Without lines inside surfaces there is nothing to distinguish.
 bool is_asked(const scene::ViewDescription& view) {
   const EdgeKinds kinds = view.edges.value_or({});
   return kinds.crease || kinds.tangent || kinds.smooth || kinds.intersection;
 }
 
-// Degrees: edges that are folded by less are not told from the inside of faces. Where only creases are wanted, fine
-// tessellations have none to tell.
+// Degrees: edges that are folded by less are not told from the inside faces. Where only creases are requested, fine
+// tessellations have none.
 double least_fold(const scene::SceneDescription& scene, const RunOptions& options) {
   constexpr double flat = 0.005;
   double least = edges::EdgeOptions().part_angle;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The faces of the parts that the models of a scene stand for.
+// Recognises the faces of the parts in a scene.
 #pragma once
 
 #include "base/progress.hpp"
@@ -10,9 +10,8 @@
 
 namespace epura::pipeline {
 
-/// Recognises them where the file does not declare them, they are wanted and something can come of it; says in the plan
-/// what was done. Models that there is no time for are drawn as meshes, which the report says. It also has the error of
-/// tessellation.
+/// Recognises faces that the file does not declare where requested and useful, and adds a step to the plan. Models that
+/// there is no time for are drawn as meshes, and reported. The report also has the error of tessellation.
 void recognise_parts(scene::World& world, const scene::SceneDescription& scene, const RunOptions& options,
                      report::Report& report, Progress progress);
 

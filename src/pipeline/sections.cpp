@@ -23,7 +23,7 @@ std::string name_of(const CutSection& section, int model, int body) {
 // What should have been hatched must not look as if it were hollow.
 void warn_about(const Messages& messages, const CutSection& section, const scene::OpenOutline& open) {
   messages.warn(name_of(section, open.model, open.body) + " has an outline in section " + section.plane.name +
-                " that is open at " + format_point(open.end) + "; what it would bound is not hatched");
+                " that is open at " + format_point(open.end) + "; the area it would enclose is not hatched");
 }
 
 void warn_about(const Messages& messages, const CutSection& section, const scene::BridgedGaps& gaps) {
@@ -32,7 +32,7 @@ void warn_about(const Messages& messages, const CutSection& section, const scene
                 (gaps.count == 1 ? "a gap " + format_rounded(gaps.widest, 6) + where
                                  : std::to_string(gaps.count) + " gaps, the widest " + format_rounded(gaps.widest, 6) +
                                        where + ",") +
-                " in its outline in section " + section.plane.name + "; hatched across");
+                " in its outline in section " + section.plane.name + "; bridged for hatching");
 }
 
 template <class Found>
@@ -45,7 +45,7 @@ void warn_about_some(const Messages& messages, const CutSection& section, const 
 
 void warn_about(const Messages& messages, const CutSection& section) {
   warn_about_some(messages, section, section.cut.open, " more bodies have open outlines");
-  warn_about_some(messages, section, section.cut.bridged, " more bodies have gaps in outlines, hatched across");
+  warn_about_some(messages, section, section.cut.bridged, " more bodies have gaps in outlines, bridged for hatching");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sections of a scene, cut.
+// Cuts the sections of a scene.
 #pragma once
 
 #include <map>

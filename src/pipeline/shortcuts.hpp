@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Stages that are left out where a certificate says that the drawing is the same without them.
+// Stages that are skipped if a test proves that the drawing is the same without them.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace epura::pipeline {
 
-/// Which certificates are used. Tests and measurements take them away: every drawing stays the same, to the byte.
+/// Enabled shortcuts. Tests and measurements disable them: every drawing stays the same to the byte.
 struct Shortcuts {
   bool clip = true;           ///< by planes that have everything inside (view/projected_scene.hpp)
-  bool intersections = true;  ///< of bodies that are convex and stand alone (edges/crossing_candidates.hpp)
+  bool intersections = true;  ///< of separate convex bodies (edges/crossing_candidates.hpp)
   bool visibility = true;     ///< of a surface that the page shows as one sheet (visibility/height_field.hpp)
   bool hidden = true;         ///< lines that are not drawn are not made (drawing/make_drawing.hpp)
   bool text = true;           ///< without texts no font is opened

@@ -22,7 +22,7 @@ std::string encode(const output::Format& format, std::span<const FinishedSheet> 
   return format.encode(content, progress);
 }
 
-// Sheets of one run may come to stand on one page.
+// Sheets of one run may end up on one page.
 output::VectorOptions options_of_sheet(output::VectorOptions options, std::size_t number) {
   if (!options.id_prefix.empty()) options.id_prefix += "-" + std::to_string(number);
   return options;
@@ -77,26 +77,26 @@ void refuse_overwriting(const std::vector<std::string>& outputs, const std::vect
     const auto& [name, role] = other->second;
     if (!is_free)
       throw Error(ErrorKind::input, output,
-                  name != output ? "is the " + role + " " + name + " by another name"
-                                 : "is named twice, the other time as " + role,
+                  name != output ? "is the " + role + " " + name + " under another name"
+                                 : "is given twice, the other time as " + role,
                   "write to another file");
   }
 }
 
 std::vector<Target> targets_of(const std::vector<std::string>& paths, const std::string& dash_format) {
   if (!dash_format.empty() && std::find(paths.begin(), paths.end(), "-") == paths.end())
-    throw Error(ErrorKind::input, "--format", "is for standard output, and nothing is written there",
-                "write '-o -'; the format of a file is its extension");
+    throw Error(ErrorKind::input, "--format", "applies to standard output, and nothing is written there",
+                "add '-o -'; files get their format from the extension");
   std::vector<Target> targets;
   for (const std::string& path : paths) {
     std::string extension = path == "-" ? dash_format : std::filesystem::path(path).extension().string();
     if (extension.starts_with(".")) extension.erase(0, 1);
     const output::Format* format = output::find_format(extension);
     if (!format && path == "-")
-      throw Error(ErrorKind::input, "--output -", "wants --format", output::format_hint(extension));
+      throw Error(ErrorKind::input, "--output -", "needs --format", output::format_hint(extension));
     if (!format)
       throw Error(ErrorKind::input, path,
-                  extension.empty() ? "has no extension to tell the format" : "has an unknown format",
+                  extension.empty() ? "has no extension, so its format is unknown" : "has an unknown format",
                   output::format_hint(extension));
     targets.push_back({path, format});
   }
@@ -111,8 +111,9 @@ std::vector<FileBytes> encode_all(const std::vector<Target>& targets, std::span<
   for (const Target& target : targets) {
     const bool one_each = sheets.size() > 1 && !target.format->has_pages;
     if (one_each && target.path == "-")
-      throw Error(ErrorKind::input, "--output -", "takes one sheet, and there are " + std::to_string(sheets.size()),
-                  "write PDF, or to a file");
+      throw Error(ErrorKind::input, "--output -",
+                  "can hold one sheet only, and there are " + std::to_string(sheets.size()),
+                  "write PDF, or write to a file");
     const std::vector<std::string> paths = files_of(target, sheets.size());
     const auto encoded = [&](std::size_t i) {
       if (!one_each) return encode(*target.format, sheets, options, report, progress);

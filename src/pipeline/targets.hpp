@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The files to be written.
+// The files to write.
 #pragma once
 
 #include <span>
@@ -23,7 +23,7 @@ struct Target {
 /// "-". Throws Error{input}.
 std::vector<Target> targets_of(const std::vector<std::string>& paths, const std::string& dash_format);
 
-/// The files that are written for so many `sheets` (or pages, or diagrams), one each: x-1.svg, x-2.svg for x.svg where
+/// The files written for a number of `sheets` (or pages, or diagrams), one each: x-1.svg, x-2.svg for x.svg where
 /// there are several.
 std::vector<std::string> one_for_each(const std::string& path, std::size_t sheets);
 

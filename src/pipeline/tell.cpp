@@ -37,11 +37,11 @@ void warn_if_empty(const Messages& messages, const ViewResult& result, const Vie
   if (!result.drawing.segments.empty() || !result.partial.stages.empty()) return;
   const edges::EdgeOptions& edges = input.options.edges;
   if (!edges.contour || !edges.boundary || !edges.crease)
-    return messages.warn("nothing is drawn: no edge of the wanted kinds is visible");
+    return messages.warn("nothing is drawn: no edge of the selected kinds is visible");
   if (result.work.view.window_given) return messages.warn("nothing is drawn: no edge is visible in the window");
   // Any face has an outline.
   throw Error(ErrorKind::input, "view '" + input.options.name + "'",
-              "nothing is drawn: no face is larger than what rounding of coordinates may have moved (" +
+              "nothing is drawn: no face is larger than the rounding error of its coordinates (" +
                   format_rounded(input.world.rounding, 2) + ")",
               more_digits);
 }
@@ -55,36 +55,36 @@ void warn_about(const Messages& messages, const ViewResult& result) {
 }
 
 void warn_about(const Messages& messages, const report::Partial& partial) {
-  std::string sentence = "the drawing is partial: the time limit cut ";
+  std::string sentence = "the drawing is partial: the time limit cut short ";
   for (const std::string& stage : partial.stages)
     sentence += (&stage == &partial.stages.front() ? "'" : ", '") + stage + "'";
-  sentence += "; left out are " + std::to_string(partial.undecided) + " of " + std::to_string(partial.edges) + " edges";
+  sentence += "; missing: " + std::to_string(partial.undecided) + " of " + std::to_string(partial.edges) + " edges";
   if (partial.searched < 1)
     sentence += ", " + format_fixed(100 * (1 - partial.searched), 1) + " % of the search for intersection lines";
   if (partial.undrawn > 0) sentence += ", " + std::to_string(partial.undrawn) + " lines and dimensions";
-  messages.warn(sentence + "\n  hint: give a longer --time-limit, or ask for less with --edges");
+  messages.warn(sentence + "\n  hint: raise --time-limit, or select fewer edges with --edges");
 }
 
 Error nothing_drawn(const std::string& stage) {
   return {ErrorKind::time, "--time-limit",
-          "time was over at '" + stage + "', before there was a drawing to show; nothing was written",
-          "give a longer --time-limit"};
+          "time ran out at '" + stage + "', before there was anything to show; nothing was written",
+          "raise --time-limit"};
 }
 
 void warn_about(const Messages& messages, const report::ViewCondition& view) {
   const view::Condition& condition = view.condition;
   if (condition.moved_by_files > std::pow(10, -view::fewest_digits_of_files))
-    return messages.warn("view '" + view.name + "': coordinates in the files are rounded too coarsely for it (" +
+    return messages.warn("view '" + view.name + "': the coordinates in the files are too coarsely rounded (" +
                          in_digits(condition) + " left): lines may be off by " +
                          format_rounded(condition.moved_by_files, 2) + " of the drawing\n  hint: " + more_digits);
   if (condition.digits_lost() < view::too_many_lost_digits) return;
-  messages.warn("view '" + view.name + "': its map keeps few digits (" + numbers_of(condition) + "), because " +
+  messages.warn("view '" + view.name + "': its projection loses many digits (" + numbers_of(condition) + "), because " +
                 condition.why + "\n  hint: rounding of the input moves lines by 1e-" + digits_left(condition) +
                 " of the drawing; move the model or the viewer");
 }
 
 std::string format_condition(const report::ViewCondition& view) {
-  return "view '" + view.name + "': map: " + numbers_of(view.condition) + "\n";
+  return "view '" + view.name + "': " + numbers_of(view.condition) + "\n";
 }
 
 void tell_of_curves(const Messages& messages, const std::vector<ViewResult>& results) {
@@ -92,8 +92,7 @@ void tell_of_curves(const Messages& messages, const std::vector<ViewResult>& res
   for (const ViewResult& result : results) all += result.curves;
   messages.print("arcs: " + std::to_string(all.circles) + " of circles, " + std::to_string(all.ellipses) +
                  " of ellipses; corners lie within " + format_rounded(all.deviation, 2) +
-                 " mm of them, they rise over the lines that they replace by up to " + format_rounded(all.bulge, 2) +
-                 " mm\n");
+                 " mm of them; deviation from the replaced lines up to " + format_rounded(all.bulge, 2) + " mm\n");
 }
 
 void warn_about(const Messages& messages, const sheet::Sheet& sheet) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a run has to say of its results, in words.
+// Messages about the results of a run.
 #pragma once
 
 #include <string>
@@ -13,16 +13,16 @@
 
 namespace epura::pipeline {
 
-/// Warns of a view that has no line of the kinds that were asked for, or none in its window. Throws Error{input} for
+/// Warns of a view without lines of the selected kinds, or without any in its window. Throws Error{input} for
 /// one that should have lines, but all of them are lost in the rounding of coordinates.
 void warn_if_empty(const Messages& messages, const ViewResult& result, const ViewInput& input);
 void warn_about(const Messages& messages, const ViewResult& result);
 void warn_about(const Messages& messages, const report::Partial& partial);
-/// What is said where the time limit leaves nothing to show.
+/// The error if the time limit leaves nothing to show.
 Error nothing_drawn(const std::string& stage);
 /// Warns where the map of a view keeps few digits.
 void warn_about(const Messages& messages, const report::ViewCondition& view);
-/// Warns of characters that the font has not.
+/// Warns of characters missing from the font.
 void warn_about(const Messages& messages, const sheet::Sheet& sheet);
 
 /// A line of what the map of a view can keep.

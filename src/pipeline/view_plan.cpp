@@ -21,7 +21,7 @@ edges::EdgeOptions edge_options(const scene::ViewDescription& view) {
   return edges;
 }
 
-// What a model says of itself wins over what the view says.
+// Options of a model override those of the view.
 std::vector<sheet::ModelStyle> styles_of(const scene::SceneDescription& scene, const scene::ViewDescription& view) {
   std::vector<sheet::ModelStyle> styles;
   for (const scene::ModelDescription& model : scene.models) {
@@ -44,9 +44,9 @@ ViewOptions view_options(const scene::SceneDescription& scene, const scene::View
   options.centre_lines = run.centre_lines;
   options.leave_out = run.plan;
   if (run.verify && options.wireframe)
-    throw Error(ErrorKind::input, "--verify", "has nothing to test in a wireframe", "leave out --visibility none");
+    throw Error(ErrorKind::input, "--verify", "cannot test a wireframe", "omit --visibility none");
   if (run.max_error && options.wireframe)
-    throw Error(ErrorKind::input, "--max-error", "cannot be kept by a wireframe", "leave out --visibility none");
+    throw Error(ErrorKind::input, "--max-error", "cannot be guaranteed for a wireframe", "omit --visibility none");
   options.max_error = run.max_error;
   if (run.verify) options.verify = run.verify_samples;
   return options;
@@ -86,7 +86,7 @@ std::vector<SheetOfViews> views_by_sheet(const scene::SceneDescription& scene, c
     if (here.plans.empty())
       throw Error(ErrorKind::input, scene.sheets[std::size_t(sheet)].where,
                   "sheet " + std::to_string(sheet + 1) + " shows no view",
-                  "write 'sheet = " + std::to_string(sheet + 1) + "' into a [[view]], or take the sheet away");
+                  "write 'sheet = " + std::to_string(sheet + 1) + "' in a [[view]], or remove the sheet");
   }
   return sheets;
 }

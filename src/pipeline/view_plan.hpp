@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Descriptions of views, their words understood.
+// Descriptions of views -> parsed view options.
 #pragma once
 
 #include <vector>
@@ -21,7 +21,7 @@ struct PlannedView {
 /// Throws Error{input}, or Error{plugin} for projections that are not there.
 std::vector<PlannedView> plan_views(const scene::SceneDescription& scene, const RunOptions& options);
 
-/// One of the sheets, and which of the scene's views stand on it.
+/// A sheet, and the scene's views on it.
 struct SheetOfViews {
   int sheet;
   std::vector<scene::ViewDescription> descriptions;

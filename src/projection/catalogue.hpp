@@ -44,10 +44,10 @@ struct Catalogue {
 };
 
 /// Where plugins are looked for, first wins: `extra`, then $EPURA_PLUGIN_PATH (folders with colons between), then
-/// beside the program (../lib/epura/projections from the executable). Never the current folder unless it is named.
+/// next to the program (../lib/epura/projections from the executable). Never the current folder unless it is named.
 std::vector<std::filesystem::path> plugin_folders(const std::vector<std::filesystem::path>& extra);
 
-/// Reads every plugin (*.so) in the folders, each in a process of its own (projection/plugin_process.hpp). Of several
+/// Reads every plugin (*.so) in the folders, each in a separate process (projection/plugin_process.hpp). Of several
 /// projections with one name, the one in NAME.so is taken, otherwise the first; two in one folder are reported.
 Catalogue load_catalogue(const std::vector<std::filesystem::path>& folders);
 

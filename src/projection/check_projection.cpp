@@ -146,7 +146,7 @@ bool matters(const ProjectionEntry& entry, std::size_t parameter, ParameterValue
   return false;
 }
 
-/// Some parameters mean something only beside a value of another one.
+/// Some parameters have an effect only with a certain value of another one.
 bool matters_in_company(const ProjectionEntry& entry, std::size_t parameter, const ParameterValues& values) {
   for (std::size_t other = 0; other < values.size(); ++other) {
     if (other == parameter) continue;
@@ -201,7 +201,7 @@ struct Check {
   const char* name;
   const char* what;
   std::string (*fault)(Subject&);
-  bool is_ground;  ///< if it fails, there is no projection to go on with
+  bool is_ground;  ///< if it fails, there is no projection to continue with
 };
 
 constexpr Check checks[] = {

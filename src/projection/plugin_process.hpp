@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Foreign code at arm's length: a plugin is loaded and asked in a process of its own. What it does there - crash, hang,
+// Foreign code at arm's length: a plugin is loaded and asked in a separate process. What it does there - crash, hang,
 // end the program, print, change the floating-point environment - reaches this one as a sentence.
 #pragma once
 

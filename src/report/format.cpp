@@ -32,7 +32,7 @@ std::string reason_of(const Mismatch& mismatch) {
 std::string what_of(const OutlineFault& fault) {
   std::string text = fault.what == "missing"   ? "a line is missing"
                      : fault.what == "doubled" ? "a line is drawn twice"
-                                               : "nothing asks for a line";
+                                               : "a line without reason";
   text += " at page " + format_fixed(fault.page.x, 3) + "," + format_fixed(fault.page.y, 3) + ", " +
           millimetres(fault.length) + " long";
   if (fault.edge[0] >= 0)
@@ -47,7 +47,7 @@ std::string format_outline(const OutlineCheck& outline) {
     return std::to_string(places) + " (" + millimetres(places * outline.length) + ")";
   };
   std::string text = "outline: " + std::to_string(outline.lines) + " lines across the page meet " + at(outline.asked) +
-                     " places that ask for ink, " + at(outline.missing) + " without it; " + at(outline.ink) +
+                     " places that need ink, " + at(outline.missing) + " without it; " + at(outline.ink) +
                      " places with ink, " + at(outline.unfounded) + " unfounded, " + at(outline.doubled) +
                      " doubled; " + std::to_string(outline.undecided) + " undecided; with 95 % confidence at most " +
                      percent(outline.at_most) + " wrong\n";

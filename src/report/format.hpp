@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a run found, in sentences.
+// Findings of a run as sentences.
 #pragma once
 
 #include <string>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a run found beside its drawings: repairs, the stages that ran, what time did not suffice for, the condition of
-// its views, how a drawing was verified.
+// Findings of a run: repairs, stages that ran, what the time limit cut short, condition of views, verification.
 #pragma once
 
 #include <algorithm>
@@ -27,11 +26,11 @@ struct PlanTimes {
 struct PlanStep {
   std::string stage;
   bool run;
-  std::string why;  ///< it ran, or the certificate by which it was left out
+  std::string why;  ///< why it ran or was skipped
   long long items_in = 0, items_out = 0;
   std::string view{};   ///< empty for what is done once
-  long long skipped{};  ///< of the items that came in, those that a certificate left out
-  PlanTimes times{};    ///< empty unless asked for: outputs are byte-stable
+  long long skipped{};  ///< number of items skipped by a shortcut
+  PlanTimes times{};    ///< empty unless requested: outputs are byte-stable
 };
 
 /// What a time limit left undone.
@@ -60,7 +59,7 @@ struct ViewCondition {
   view::Condition condition;
 };
 
-/// How far facets lie from the surfaces of the part that they stand for, at most.
+/// Largest distance of facets from the surfaces of the part that they represent.
 struct Tessellation {
   double error = 0;     ///< length of the world
   double on_paper = 0;  ///< the same in the largest view, mm
@@ -69,10 +68,10 @@ struct Tessellation {
 struct Report {
   std::vector<mesh::MeshReport> meshes;
   std::vector<PlanStep> plan;
-  std::vector<std::pair<std::string, double>> seconds;  ///< empty unless asked for: outputs are byte-stable
+  std::vector<std::pair<std::string, double>> seconds;  ///< empty unless requested: outputs are byte-stable
   Partial partial{};                                    ///< without stages: the drawing is complete
-  std::optional<Verification> verification;             ///< where it was asked for
-  std::vector<ViewCondition> conditions;                ///< by view, where they were asked for
+  std::optional<Verification> verification;             ///< if requested
+  std::vector<ViewCondition> conditions;                ///< by view, if requested
   std::optional<Tessellation> tessellation{};           ///< where round faces of a part are recognised
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an independent test of a drawing found. Made by study, written by JSON and in words.
+// The result of an independent test of a drawing. Filled by `verify`, printed as JSON and text.
 #pragma once
 
 #include <array>
@@ -49,13 +49,13 @@ struct OutlineFault {
   std::vector<FacetName> facets;  ///< seen on both sides of a line that is missing
 };
 
-/// What lines at random across the page met: places where a line is asked for, and visible ink.
+/// Findings along random lines across the page: places that require a line, and visible ink.
 struct OutlineCheck {
   int lines = 0;
-  int asked = 0, missing = 0;               ///< places where the scene asks for a line; those without ink
-  int ink = 0, unfounded = 0, doubled = 0;  ///< places with ink; those that nothing asks for, and second lines
+  int asked = 0, missing = 0;               ///< places that require a line; those without ink
+  int ink = 0, unfounded = 0, doubled = 0;  ///< places with ink; those without reason, and duplicate lines
   int undecided = 0;                        ///< wrong over too short a length
-  double length = 0;                        ///< mm for which one place stands
+  double length = 0;                        ///< mm that one place represents
   double at_most = 1;                       ///< share of all these that is wrong, with a confidence of 95 %, one-sided
   std::vector<OutlineFault> worst;          ///< longest first, at most ten
 

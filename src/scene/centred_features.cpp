@@ -193,7 +193,7 @@ class FeatureFinder {
           other.is_whole() ||
           std::abs(other.face.surface.radius - round.face.surface.radius) > same_length * round.face.surface.radius)
         continue;
-      // Angles from the middle of the first arc on, as they lie beside the opposite one.
+      // Angles from the middle of the first arc on, as they lie next to the opposite one.
       const double sine = glm::dot(round.face.surface.axis, glm::cross(round.middle, other.middle));
       const double middle = portable_atan2(sine, glm::dot(round.middle, other.middle)) * 180 / std::numbers::pi;
       for (const double turn : {-360, 0, 360})
@@ -285,7 +285,7 @@ class FeatureFinder {
       rings.emplace_back(height, std::sqrt(std::max(radius * radius - (height - centre) * (height - centre), 0.0)));
   }
 
-  // Whole circles around faces of no known surface, which no round face tells of.
+  // Whole circles around faces without a known surface, which no round face accounts for.
   void add_rims(std::vector<RoundFeature>& features) const {
     const bool free = std::any_of(part_.faces.begin(), part_.faces.end(), [](const features::PartFace& face) {
       return face.surface.kind == SurfaceKind::free_form;

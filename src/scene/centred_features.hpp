@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What drawings give centre lines: shafts and bores over their whole length, slots, holes on a pitch circle. ISO 128-2,
-// type 04.1.
+// Features with centre lines: shafts and bores over their whole length, slots, holes on a pitch circle. ISO 128-2, type
+// 04.1.
 #pragma once
 
 #include <array>

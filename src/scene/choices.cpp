@@ -67,7 +67,7 @@ ProjectionRequest parse_request(std::string_view text) {
   const std::vector<std::string_view> parts = split(text, ':');
   const std::string where(text);
   ProjectionRequest request{std::string(parts[0]), {}};
-  if (request.name.empty()) refuse(where, "a projection has a name", "NAME[:key=value]...");
+  if (request.name.empty()) refuse(where, "the name of the projection is missing", "NAME[:key=value]...");
   for (std::size_t i = 1; i < parts.size(); ++i) {
     const std::size_t equals = parts[i].find('=');
     if (equals == std::string_view::npos || equals == 0)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What users choose among: enums with their words, and values that are more than a number.
+// User choices: enums with their words, and values that are more than a number.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@
 
 namespace epura::scene {
 
-/// The words for the values of an enum, in the order of its enumerators. One specialisation stands beside each enum.
+/// The words for the values of an enum, in the order of its enumerators. Each enum has a specialisation next to it.
 template <class Enum>
 struct Words;
 
@@ -106,7 +106,7 @@ struct PaperChoice {
   bool operator==(const PaperChoice&) const = default;
 };
 
-/// A projection by its name, and values of its parameters as texts: the plugin's table says what they may be.
+/// A projection by its name, and values of its parameters as text: the plugin's table defines the permitted ones.
 struct ProjectionRequest {
   std::string name;
   std::vector<std::pair<std::string, std::string>> assignments{};

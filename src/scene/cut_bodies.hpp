@@ -19,7 +19,7 @@ struct CutModel {
 };
 
 /// For each body the body to whose material it belongs: itself, or, for a cavity, the one around it. A cavity is a
-/// surface of its own inside of another that runs the other way round. Only bodies that the cut meets are looked at, by
+/// surface of its own inside another that runs the other way round. Only bodies that the cut meets are examined, by
 /// their closed outlines. `is_open` is what open_bodies says.
 std::vector<int> material_of(const CutModel& model, const std::vector<char>& is_open);
 

@@ -12,7 +12,7 @@ namespace epura::scene {
 
 namespace {
 
-constexpr std::size_t most_ends = 1024;  // of a body's loose outlines; beyond, nobody knows what they bound
+constexpr std::size_t most_ends = 1024;  // of a body's open outlines; beyond, what they bound is unknown
 constexpr double line_part = 1e-3;       // of the square of its length: an outline around less area is a line
 constexpr double most = 0.5;             // of an area: so much must be bounded one way round
 
@@ -23,7 +23,7 @@ struct Piece {
   int body;
   mesh::Outlines outlines;  ///< from first to second end; places are not shared
   std::vector<int> senses;
-  bool unsure = false;  ///< nobody knows what it bounds
+  bool unsure = false;  ///< what it bounds is unknown
   Vec2 min{HUGE_VAL}, max{-HUGE_VAL};
   Vec2 sample{0.0};
   double directed = 0, around = 0, length = 0;  ///< areas: to the left less to the right, and by the even-odd rule

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Closed outlines of a cut that do not tell where material is, because outlines around or inside of them are open.
+// Closed outlines of a cut that do not determine where material is, because outlines around or inside them are open.
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@ namespace epura::scene {
 
 /// Segments of loose outlines as their bodies have them, and of closed ones by the body whose material they bound, both
 /// sorted. By closed segment, whether it bounds nothing for certain: it is a hole of what is open around it, or what is
-/// open inside of it may be its hole. Senses of segments tell holes from nested solids. An open outline is taken as
+/// open inside it may be its hole. Senses of segments tell holes from nested solids. An open outline is taken as
 /// closed by straight lines between the nearest of its ends.
 std::vector<char> doubtful(std::span<const CutSegment> closed, std::span<const CutSegment> loose,
                            const CutPlaces& places, const PlaneFrame& frame);

@@ -14,8 +14,8 @@ namespace {
 constexpr double roundings = 4;
 // The mean height of a surface over the middles of its facets is half to two thirds of the largest one.
 constexpr double highest = 2;
-constexpr int joints = 4;                // from an end on that tell how fine the tessellation is there
-constexpr double largest_turn = 0.4143;  // tangent of half of the 45 degrees beyond which chords are no arc
+constexpr int joints = 4;                // from an end on, for estimating how fine the tessellation is there
+constexpr double largest_turn = 0.4143;  // tangent of half of the 45 degrees beyond which chords are not an arc
 constexpr double least_outline = 50;     // times the gap, from both ends on
 constexpr double least_room = 3;         // times the gap, to the next end
 

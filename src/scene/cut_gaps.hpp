@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which outlines of a cut are closed, and gaps in others that are no gaps of the part.
+// Which outlines of a cut are closed, and which gaps in others are artefacts.
 //
-// Exporters leave cracks: slivers are dropped, or two faces have other vertices along their common edge. Such a gap is
-// not wider than what tessellation leaves out, and both of its ends belong to outlines many times as long.
+// Exporters leave cracks: they drop slivers, or give two faces different vertices along their common edge. Such a gap
+// is no wider than the error of tessellation, and both of its ends belong to outlines many times as long.
 #pragma once
 
 #include <array>
@@ -28,7 +28,7 @@ struct Bridge {
   double width;               ///< in the lengths of the frame
 };
 
-/// Segments of one body, told apart.
+/// Segments of one body, classified.
 struct ToldApart {
   std::vector<CutSegment> closed;  ///< an even number meets in each vertex; bridges are among them
   std::vector<CutSegment> loose;   ///< belong to no closed outline

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a plane leaves of one model, and the segments along which it cuts it.
+// The remainder of one model behind a plane, and the segments along which the plane cuts it.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace epura::scene {
 /// The vertices of a world as a plane has them.
 struct Sides {
   double normalisation;          ///< power of two that brings the world's size near 1
-  std::vector<signed char> of;   ///< 1: taken away, -1: stays, 0: on the plane
+  std::vector<signed char> of;   ///< 1: removed, -1: kept, 0: on the plane
   std::vector<double> distance;  ///< from the plane, normalised
 };
 
@@ -47,7 +47,7 @@ struct CutMesh {
 
 CutMesh cut_mesh(const World& world, int model, const Sides& sides);
 
-/// Sorts segments and takes away pairs of the same: an even number of faces meets there.
+/// Sorts segments and removes pairs of equal ones: an even number of faces meets there.
 void keep_odd(std::vector<CutSegment>& segments);
 
 }  // namespace epura::scene

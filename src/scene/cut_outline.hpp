@@ -11,7 +11,7 @@
 
 namespace epura::scene {
 
-/// The cutting plane with coordinates of its own: normalised, from near the middle of the world.
+/// The cutting plane with its own coordinates: normalised, with an origin near the middle of the world.
 struct PlaneFrame {
   CuttingPlane plane;
   double normalisation;

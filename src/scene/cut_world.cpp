@@ -18,7 +18,7 @@ namespace epura::scene {
 
 namespace {
 
-constexpr double least_gap = 0x1p-44;  // of the world's size: narrower ones are roundings of the cut, and not told
+constexpr double least_gap = 0x1p-44;  // of the world's size: narrower ones are roundings of the cut, and not reported
 
 /// One model on its way through the plane.
 struct ModelCut {
@@ -250,7 +250,7 @@ CutWorld cut_world(const World& world, const CuttingPlane& plane, const Progress
     cuts = cuts || !cut.cut.segments.empty() || !cut.loose.empty();
     append(result.world, cut);
   }
-  if (result.world.triangles.empty()) refuse(plane, "the cutting plane takes everything away");
+  if (result.world.triangles.empty()) refuse(plane, "the cutting plane removes everything");
   if (!cuts) refuse(plane, "the plane cuts nothing");
   return result;
 }

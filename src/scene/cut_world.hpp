@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// A world cut by a plane: what remains is a world of its own, closed by cut faces, so that no later stage knows of
+// A world cut by a plane. The remainder is a world of its own, closed by cut faces, so later stages need not know about
 // cuts.
 //
-// Sides are signs of vertices: a vertex within rounding of the plane is on it, for all triangles alike. What is decided
-// from signs alone is the same for neighbours; edges are cut once for all their triangles. Outlines of cut faces are
-// taken just behind the plane, where vertices on it count as in front; faces that lie in the plane and bound what
-// remains are faces, not cut.
+// Sides are signs of vertices: a vertex within rounding of the plane is on it, for all triangles. Decisions from signs
+// alone are the same for neighbours; edges are cut once for all their triangles. Outlines of cut faces are taken just
+// behind the plane, where vertices on it count as in front; faces that lie in the plane and bound the remainder are
+// faces, not cuts.
 #pragma once
 
 #include <vector>

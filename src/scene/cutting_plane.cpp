@@ -26,7 +26,7 @@ CuttingPlane make_cutting_plane(const SectionDescription& section) {
     throw Error(ErrorKind::input, where, "has a number that is not finite");
   const Vec3 size = glm::abs(section.normal);
   const double largest = std::max({size.x, size.y, size.z});
-  if (!(largest > 0)) throw Error(ErrorKind::input, where, "the normal has no direction", "0,-1,0 cuts the front away");
+  if (!(largest > 0)) throw Error(ErrorKind::input, where, "the normal has no direction", "0,-1,0 removes the front");
   const Vec3 normal = glm::normalize(section.normal / largest);
   // The axis that is most nearly in the plane: normals along an axis give axes.
   Vec3 axis(0);
@@ -41,7 +41,7 @@ SectionDescription parse_section(std::string_view text, const std::string& where
   const auto normal = parts.size() == 2 ? parse_vector(parts[1]) : std::nullopt;
   if (!point || !normal)
     throw Error(ErrorKind::input, where, "'" + std::string(text) + "' is not a cutting plane",
-                "write a point and a normal, X,Y,Z:NX,NY,NZ; the side to which the normal points is taken away");
+                "write a point and a normal, X,Y,Z:NX,NY,NZ; the side that the normal points to is removed");
   return {{"A", where}, *point, *normal};
 }
 

@@ -10,7 +10,7 @@
 
 namespace epura::scene {
 
-/// What lies on the side to which the normal points is taken away.
+/// The side that the normal points to is removed.
 struct CuttingPlane {
   Vec3 point;
   Vec3 normal;        ///< of length 1

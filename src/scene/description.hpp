@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is to be drawn, as the user said it: by options of the command line, in a scene file (docs/formats.md), or by a
-// program. Values are typed; what they refer to is looked up by the stage that knows it.
+// Description of a drawing as given by the user: by options on the command line, in a scene file (docs/formats.md), or
+// by a program. Values are typed; references are resolved by the stage that knows their targets.
 #pragma once
 
 #include <array>
@@ -62,7 +62,7 @@ struct ViewDescription {
   Located<int> sheet;            ///< which one of several, from 1; the first by default
 };
 
-/// A plane that cuts the models. What lies on the side to which the normal points is taken away.
+/// A plane that cuts the models. The side that the normal points to is removed.
 struct SectionDescription {
   LocatedText name;  ///< "A"
   Vec3 point{0.0};

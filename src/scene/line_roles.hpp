@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lines that sheets have, one row each: how they are called, how wide they are, and their dashes. ISO 128-2.
-// Sheets, writers and comparison read them here. The table stands in `scene` since a model chooses its role in the
-// scene.
+// The line roles of sheets, one row each: name, width and dashes. ISO 128-2. Sheets, writers and comparison use this
+// table. It is in `scene` because models choose their role in the scene.
 #pragma once
 
 #include <algorithm>
@@ -32,7 +31,7 @@ inline constexpr DashType dashed{12, 3, 0, 0, "DASHED"};                  ///< t
 inline constexpr DashType long_dash_dot{24, 3, 0.5, 1, "DASHDOT"};        ///< type 04
 inline constexpr DashType long_dash_double_dot{24, 3, 0.5, 2, "DIVIDE"};  ///< type 05
 
-/// The broken type with so many dots between its dashes; more dots than there are count as two.
+/// The broken type with this number of dots between its dashes; at most two.
 constexpr const DashType& type_with_dots(int dots) {
   return dots == 0 ? dashed : dots == 1 ? long_dash_dot : long_dash_double_dot;
 }

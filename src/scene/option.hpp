@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One option of a drawing, or of a command: everything that is said of it, once. Tables of such rows feed the command
-// line, scene files, help, completion, the manual and the documentation.
+// One option of a drawing or command, completely described in one place. Tables of such rows feed the command line,
+// scene files, help, completion, the manual and the documentation.
 #pragma once
 
 #include <functional>
@@ -14,10 +14,10 @@
 namespace epura::scene {
 
 /// What an option has to do with: the look of a drawing, files that are read or written, code that is loaded, or the
-/// run and what it says. In the hands of strangers only the first is harmless.
+/// run and what it says. In the hands of third parties only the first is harmless.
 enum class Nature { unsaid, drawing, file, code, run };
 
-/// A switch of the command line that stands for one word of an option: "--portrait".
+/// A switch of the command line that represents one word of an option: "--portrait".
 struct Switch {
   std::string flag, word, help;
 };

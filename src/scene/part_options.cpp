@@ -22,7 +22,7 @@ Option<DimensionWords> anchor_option(const std::string& key, const std::string& 
 ValueKind<ScaleChoice> scale_of_a_view() {
   const auto read = [](const TomlValue& value) {
     const ScaleChoice scale = scale_choice().read(value);
-    if (scale.standard) refuse(value, "is 'auto', which a sheet alone can have", "write fit, or a scale such as 1:2");
+    if (scale.standard) refuse(value, "cannot be 'auto', which is for sheets", "write fit, or a scale such as 1:2");
     return scale;
   };
   return {scale_choice().form, read};
@@ -32,7 +32,7 @@ ValueKind<ScaleChoice> scale_of_a_view() {
 
 std::string OptionInfo::meaning() const {
   if (!form.is_closed) return help;
-  return help + ": " + words_as_text(form.words) + (form.is_list ? ", several with commas" : "");
+  return help + ": " + words_as_text(form.words) + (form.is_list ? "; separate several with commas" : "");
 }
 
 Options<ModelDescription> model_options() {
@@ -40,32 +40,30 @@ Options<ModelDescription> model_options() {
   return {
       option<Model>(
           {.key = "file",
-           .help =
-               "obj, stl, ply, off, or what an importer reads, with `:key=value` for its parameters; a relative path "
-               "starts at the scene file",
+           .help = "obj, stl, ply, off or what an importer reads, with `:key=value` for its parameters; relative paths "
+                   "start at the scene file",
            .required = true},
           &Model::file, any_text()),
-      option<Model>({.key = "name", .help = "for dimensions; by default the name of the file without extension"},
+      option<Model>({.key = "name", .help = "name for dimensions; by default the file name without extension"},
                     &Model::name, any_text()),
       option<Model>(
-          {.key = "unit", .flag = "--unit", .help = "unit of length of the file", .usual = "what the file says, or mm"},
+          {.key = "unit", .flag = "--unit", .help = "unit of length of the file", .usual = "that of the file, or mm"},
           &Model::unit, choice<Unit>().shown_as("UNIT")),
       option<Model>(
-          {.key = "up", .flag = "--up", .help = "axis that points up in the file", .usual = "what the file says, or z"},
+          {.key = "up", .flag = "--up", .help = "axis of the file that points up", .usual = "that of the file, or z"},
           &Model::up, choice<UpAxis>().shown_as("AXIS")),
-      option<Model>({.key = "transform", .help = "steps as of `--transform`: `rotate:z,30 translate:0,0,5`"},
+      option<Model>({.key = "transform", .help = "steps as in `--transform`: `rotate:z,30 translate:0,0,5`"},
                     &Model::transform, transform_steps()),
-      option<Model>({.key = "line", .help = "what its visible lines are", .usual = "visible"}, &Model::line,
+      option<Model>({.key = "line", .help = "style of its visible lines", .usual = "visible"}, &Model::line,
                     choice<LineRole>()),
-      option<Model>({.key = "hidden", .help = "its hidden lines", .usual = "as in the view"}, &Model::hidden,
+      option<Model>({.key = "hidden", .help = "style of its hidden lines", .usual = "as in the view"}, &Model::hidden,
                     choice<HiddenLines>()),
       option<Model>({.key = "surfaces",
                      .flag = "--surfaces",
-                     .help = "auto draws the edges of the part's faces where these are recognised; mesh the folds of "
-                             "the mesh, as they are",
+                     .help = "auto: edges between recognised faces of the part; mesh: folds between triangles",
                      .usual = "auto"},
                     &Model::surfaces, choice<Surfaces>().shown_as("KIND")),
-      option<Model>({.key = "drawn", .help = "`false` leaves it out; the others keep their numbers"}, &Model::drawn,
+      option<Model>({.key = "drawn", .help = "`false` omits the model; the others keep their numbers"}, &Model::drawn,
                     truth()),
   };
 }
@@ -73,12 +71,13 @@ Options<ModelDescription> model_options() {
 Options<SectionDescription> section_options() {
   using Section = SectionDescription;
   return {
-      option<Section>({.key = "name", .help = "by which views call it, such as `A`", .required = true}, &Section::name,
-                      any_text()),
-      option<Section>({.key = "point", .help = "of the plane", .usual = "[0, 0, 0]"}, &Section::point,
+      option<Section>({.key = "name", .help = "name to which views refer, such as `A`", .required = true},
+                      &Section::name, any_text()),
+      option<Section>({.key = "point", .help = "point on the cutting plane", .usual = "[0, 0, 0]"}, &Section::point,
                       triple_of_numbers("")),
-      option<Section>({.key = "normal", .help = "to the side that is taken away", .usual = "[0, -1, 0]"},
-                      &Section::normal, direction()),
+      option<Section>(
+          {.key = "normal", .help = "normal that points to the side that is removed", .usual = "[0, -1, 0]"},
+          &Section::normal, direction()),
   };
 }
 
@@ -88,38 +87,39 @@ Options<ViewDescription> view_options() {
       option<View>(
           {.key = "projection", .help = "`NAME[:key=value...]`, or `{name = NAME, key = value}`", .required = true},
           &View::projection, projection_request()),
-      option<View>({.key = "name", .help = "of its layers, and for dimensions", .usual = "the projection's"},
-                   &View::name, any_text()),
-      option<View>({.key = "scale", .help = "such as `2:1`", .usual = "the sheet's"}, &View::scale, scale_of_a_view()),
-      option<View>(
-          {.key = "at", .help = "middle of the view, from the lower left corner of the sheet", .usual = "arranged"},
-          &View::at, pair_of_numbers("mm")),
-      option<View>({.key = "sheet", .help = "which one of several, from 1", .usual = "1"}, &View::sheet,
-                   whole_number(1)),
-      option<View>({.key = "section", .help = "name of the section that it shows"}, &View::section, any_text()),
-      option<View>({.key = "label", .help = "written above it", .usual = "`A-A` for section `A`"}, &View::label,
+      option<View>({.key = "name", .help = "name for layers and dimensions", .usual = "the projection's"}, &View::name,
                    any_text()),
-      option<View>({.key = "hidden", .flag = "--hidden", .help = "hidden lines", .usual = "dashed"}, &View::hidden,
-                   choice<HiddenLines>().shown_as("STYLE")),
+      option<View>({.key = "scale", .help = "scale of this view, such as `2:1`", .usual = "the sheet's"}, &View::scale,
+                   scale_of_a_view()),
+      option<View>(
+          {.key = "at", .help = "centre of the view, from the lower left corner of the sheet", .usual = "automatic"},
+          &View::at, pair_of_numbers("mm")),
+      option<View>({.key = "sheet", .help = "number of the sheet that shows it, from 1", .usual = "1"}, &View::sheet,
+                   whole_number(1)),
+      option<View>({.key = "section", .help = "name of the section shown"}, &View::section, any_text()),
+      option<View>({.key = "label", .help = "text above the view", .usual = "`A-A` for section `A`"}, &View::label,
+                   any_text()),
+      option<View>({.key = "hidden", .flag = "--hidden", .help = "style of hidden lines", .usual = "dashed"},
+                   &View::hidden, choice<HiddenLines>().shown_as("STYLE")),
       option<View>({.key = "edges",
                     .flag = "--edges",
-                    .help = "which edges are drawn",
+                    .help = "kinds of edges to draw",
                     .usual = "contour,crease,boundary,intersection"},
                    &View::edges, edge_kinds()),
       option<View>({.key = "crease_angle",
                     .flag = "--crease-angle",
-                    .help = "degrees between faces from which their edge is a crease",
+                    .help = "smallest angle between two faces whose common edge is a crease",
                     .usual = "5 between faces of the part, 30 in other meshes"},
                    &View::crease_angle, number_between(0, 180, "degrees").shown_as("DEG")),
       option<View>({.key = "join_within",
                     .flag = "--join-within",
-                    .help = "draw lines along each other within so many mm of paper as one; 0 draws all",
+                    .help = "distance on paper within which parallel lines are drawn as one; 0: draw all lines",
                     .usual = "0.1"},
                    &View::join_within, number_between(0, 1, "mm")),
-      option<View>({.key = "near", .flag = "--near", .help = "leave out what is nearer to the viewer"}, &View::near,
-                   any_number("")),
-      option<View>({.key = "far", .flag = "--far", .help = "leave out what is farther from the viewer"}, &View::far,
-                   any_number("")),
+      option<View>({.key = "near", .flag = "--near", .help = "omit what is nearer to the viewer than this depth"},
+                   &View::near, any_number("")),
+      option<View>({.key = "far", .flag = "--far", .help = "omit what is farther from the viewer than this depth"},
+                   &View::far, any_number("")),
   };
 }
 
@@ -127,21 +127,21 @@ Options<DimensionWords> dimension_options() {
   using Words = DimensionWords;
   using Dimension = DimensionDescription;
   return {
-      option<Words>({.key = "type", .help = "what it measures", .required = true}, in_description(&Dimension::type),
-                    choice<DimensionType>()),
-      option<Words>({.key = "view", .help = "name of the view", .usual = "the first one"},
+      option<Words>({.key = "type", .help = "type of the dimension", .required = true},
+                    in_description(&Dimension::type), choice<DimensionType>()),
+      option<Words>({.key = "view", .help = "name of the view", .usual = "first view"},
                     in_description(&Dimension::view), any_text()),
       option<Words>({.key = "direction",
-                     .help = "linear: horizontal or vertical; overall: width, height or depth, or all of them"},
+                     .help = "linear: horizontal or vertical; overall: width, height or depth, by default all three"},
                     in_description(&Dimension::direction), choice<DimensionDirection>()),
-      anchor_option("corner", "angular: where the legs meet"),
-      anchor_option("from", "linear, aligned: one end; angular: end of a leg"),
+      anchor_option("corner", "angular: vertex of the angle"),
+      anchor_option("from", "linear, aligned: one end; angular: end of one leg"),
       anchor_option("to", "linear, aligned: the other end; angular: end of the other leg"),
       anchor_option("at", "radius, diameter: a vertex on the circle"),
-      option<Words>(
-          {.key = "offset", .help = "of the dimension line from the anchors, on paper; its sign gives the side"},
-          in_description(&Dimension::offset), any_number("mm")),
-      option<Words>({.key = "text", .help = "instead of the measured value, for which `<>` stands"},
+      option<Words>({.key = "offset",
+                     .help = "distance on paper from the anchors to the dimension line; its sign selects the side"},
+                    in_description(&Dimension::offset), any_number("mm")),
+      option<Words>({.key = "text", .help = "text instead of the measured value; `<>` stands for that value"},
                     in_description(&Dimension::text), any_text()),
   };
 }
@@ -149,36 +149,35 @@ Options<DimensionWords> dimension_options() {
 Options<SheetDescription> sheet_options() {
   using Sheet = SheetDescription;
   return {
-      option<Sheet>({.key = "size",
-                     .flag = "--sheet",
-                     .help = "A4 to A0, WIDTHxHEIGHT in mm, none, or auto for the smallest of A4 to A0 that takes the "
-                             "scale",
-                     .usual = "A4; A3 for several views"},
-                    &Sheet::size, paper_choice()),
+      option<Sheet>(
+          {.key = "size",
+           .flag = "--sheet",
+           .help = "A4 to A0, WIDTHxHEIGHT in mm, none, or auto: smallest of A4 to A0 that fits at the given scale",
+           .usual = "A4; A3 for several views"},
+          &Sheet::size, paper_choice()),
       option<Sheet>({.key = "orientation",
-                     .help = "how the sheet lies",
+                     .help = "orientation of the sheet",
                      .usual = "landscape",
-                     .switches = {{"--portrait", "portrait", "the sheet stands upright"},
-                                  {"--landscape", "landscape", "the sheet lies on its side"}}},
+                     .switches = {{"--portrait", "portrait", "portrait sheet"},
+                                  {"--landscape", "landscape", "landscape sheet (default)"}}},
                     &Sheet::orientation, choice<Orientation>()),
       option<Sheet>({.key = "scale",
                      .flag = "--scale",
-                     .help = "1:2, 5:1, ..., auto for the largest of ISO 5455 that fits, or fit for as large as fits",
+                     .help = "1:2, 5:1, ..., auto: largest ISO 5455 scale that fits, or fit: largest scale that fits",
                      .usual = "fit; auto for several views"},
                     &Sheet::scale, scale_choice()),
       option<Sheet>({.key = "angle",
-                     .help = "projection method: where views stand",
+                     .help = "projection method: arrangement of the views",
                      .usual = "first",
-                     .switches = {{"--first-angle", "first", "views stand as in ISO 5456-2 (default)"},
-                                  {"--third-angle", "third", "views stand as in ASME Y14.3"}}},
+                     .switches = {{"--first-angle", "first", "arrange views as in ISO 5456-2 (default)"},
+                                  {"--third-angle", "third", "arrange views as in ASME Y14.3"}}},
                     &Sheet::angle, choice<ProjectionAngle>()),
-      option<Sheet>(
-          {.key = "frame",
-           .flag = "--frame",
-           .help = "frame of the sheet; full has centring marks, grid and title block, and is what auto takes "
-                   "for several views and where a field of the title block other than the title is given",
-           .usual = "auto"},
-          &Sheet::frame, choice<FrameKind>().shown_as("KIND")),
+      option<Sheet>({.key = "frame",
+                     .flag = "--frame",
+                     .help = "frame of the sheet; full adds centring marks, grid and title block; auto: full for "
+                             "several views or if a title block field other than the title is given",
+                     .usual = "auto"},
+                    &Sheet::frame, choice<FrameKind>().shown_as("KIND")),
   };
 }
 

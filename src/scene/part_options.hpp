@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The options of the parts of a scene, each with all that is said of it. docs/formats.md is made from these tables.
+// The options of the parts of a scene. docs/formats.md is generated from these tables.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace epura::scene {
 
-/// A dimension whose anchors stand under their keys and do not know their models yet.
+/// A dimension whose anchors are listed by key, with models not yet resolved.
 struct DimensionWords {
   DimensionDescription description;
   std::vector<std::pair<std::string, AnchorWords>> anchors;

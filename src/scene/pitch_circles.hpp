@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Holes on a circle around something round.
+// Holes on a circle around a round feature.
 #pragma once
 
 #include <span>
@@ -16,7 +16,7 @@ struct HoleSize {
 };
 
 /// Three or more equal holes in equal distance from the axis of another feature, all axes parallel. Corners of a
-/// rectangle that is no square lie on no pitch circle, though their distances from its middle are equal: they are
+/// rectangle that is not square lie on no pitch circle, although their distances from its middle are equal: they are
 /// dimensioned along its sides. A hole lies on one pitch circle at most, that with most holes. Throws OutOfTime.
 std::vector<PitchCircle> find_pitch_circles(std::span<const RoundFeature> features, std::span<const HoleSize> sizes,
                                             const Progress& progress);

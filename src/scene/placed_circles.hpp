@@ -9,7 +9,7 @@
 
 namespace epura::scene {
 
-/// Circles and arcs of a model where it stands; what a transform with unequal scales made ellipses of is none.
+/// Circles and arcs of a model in world coordinates, except those that unequal scales turn into ellipses.
 std::vector<mesh::MeshCircle> find_circles(const World& world, int model, double crease_angle = 30);
 
 /// Of these what drawings give centre lines: whole circles, and arcs of half a turn or more.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The faces of a part where its model stands.
+// The recognised faces of a model in world coordinates.
 #pragma once
 
 #include <optional>

@@ -52,7 +52,7 @@ Sweep sweep_of(const features::PartSurface& surface, const std::vector<Vec3>& po
   return {360 - gap / degree, portable_cos(middle) * around.u + portable_sin(middle) * around.v};
 }
 
-/// What stands of a face in the world.
+/// The part of a face in the world.
 struct Remains {
   std::vector<int> vertices;
   int triangles = 0;

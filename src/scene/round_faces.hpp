@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Round faces of a part, as much of them as stands in the world.
+// Round faces of a part, as far as they are in the world.
 #pragma once
 
 #include <vector>
@@ -22,11 +22,11 @@ struct RoundFace {
   [[nodiscard]] Vec3 at(double height) const { return face.surface.origin + height * face.surface.axis; }
   [[nodiscard]] double radius_at(double height) const;
   [[nodiscard]] bool is_whole() const { return face.sweep >= 359; }
-  /// Whether its axis still stands there: half of the face is left.
+  /// Whether the axis is still meaningful: half of the face is left.
   [[nodiscard]] bool has_its_axis() const { return sweep_left >= face.sweep / 2 - 1; }
 };
 
-/// Of one model, in order of their numbers; those that a cut has taken away are left out.
+/// Of one model, in order of their numbers, without those that a cut has removed.
 std::vector<RoundFace> find_round_faces(const World& world, int model, const PlacedPart& part);
 
 }  // namespace epura::scene

@@ -97,7 +97,7 @@ void append(World& world, const Placed& placed) {
   world.points.resize(first_vertex + mesh.points.size());
   const std::span<Vec3> points(world.points.data() + first_vertex, mesh.points.size());
   if (!place_vertices(placed, used, points))
-    throw Error(ErrorKind::input, mesh.report.name, "the transform moves vertices out of the range of numbers",
+    throw Error(ErrorKind::input, mesh.report.name, "the transform moves vertices beyond the range of numbers",
                 "use a smaller scale or translation");
   append_triangles(world, mesh);
   world.first_vertex.push_back(static_cast<int>(world.points.size()));

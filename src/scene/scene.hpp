@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Models placed in one world, in one index space.
+// Models placed in one world, with common indices.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace epura::scene {
 
-/// A model and where it stands.
+/// A model and its position.
 struct Placed {
   std::shared_ptr<const mesh::Mesh> mesh;  ///< by worlds that are cut from one another
   Mat4 to_world{1.0};
@@ -27,7 +27,7 @@ struct World {
   UnsetVector<std::array<int, 3>> triangles;
   std::vector<int> first_vertex, first_triangle;  ///< one more than there are models
   Box box;                                        ///< of all vertices that triangles use
-  double rounding = 0;   ///< how far rounding in the files may have moved vertices; 0: coordinates mean what they say
+  double rounding = 0;   ///< largest shift of vertices by rounding in the files; 0: coordinates are exact
   Vec3 one_rounding{0};  ///< the same by a single rounding of each coordinate, along the axes of the world
 
   [[nodiscard]] int model_of_triangle(int triangle) const;

@@ -42,7 +42,7 @@ Names names_of(const std::vector<Part>& parts, const std::string& what) {
   Names names;
   for (const Part& part : parts)
     if (part.name.given() && !names.insert(*part.name).second)
-      refuse(part.name.where, "'" + *part.name + "' is the name of an earlier " + what, "names are for one each");
+      refuse(part.name.where, "'" + *part.name + "' is the name of an earlier " + what, "names must be unique");
   return names;
 }
 
@@ -50,7 +50,7 @@ void refuse_unknown(const LocatedText& name, const Names& names, const std::stri
   if (!name.given() || names.contains(*name)) return;
   const std::vector<std::string> known(names.begin(), names.end());
   refuse(name.where, "there is no " + what + " '" + *name + "'",
-         known.empty() ? "there is no [[" + what + "]] at all" : did_you_mean(*name, known));
+         known.empty() ? "there is no [[" + what + "]]" : did_you_mean(*name, known));
 }
 
 void check_views(const SceneDescription& scene, const Names& sections) {
@@ -86,7 +86,7 @@ int model_of(const AnchorWords& anchor, const ModelNumbers& models, int count) {
     refuse(anchor.where, "there is no model '" + name + "'", did_you_mean(name, known));
   }
   if (found->second.size() > 1)
-    refuse(anchor.where, "several models are called '" + name + "'", "give them names of their own, or use a number");
+    refuse(anchor.where, "several models are called '" + name + "'", "give them different names, or use a number");
   return found->second.front();
 }
 
@@ -101,7 +101,7 @@ Anchor anchor_of(const AnchorWords& words, const Subjects& subjects) {
   if (words.point) return *words.point;
   const int model = model_of(words, subjects.numbers, static_cast<int>(subjects.models.size()));
   if (!subjects.models[std::size_t(model)].drawn.value_or(true))
-    refuse(words.where, "the model is not drawn and has no vertices", "give the place as {point = [x, y, z]}");
+    refuse(words.where, "the model is not drawn and has no vertices", "give the position as {point = [x, y, z]}");
   return std::array<int, 2>{model, words.vertex};
 }
 
@@ -137,7 +137,7 @@ SceneDescription read_scene_file(const fs::path& path) {
   SceneWords words = read_scene_words(read_toml(path));
   SceneDescription& scene = words.description;
   if (scene.models.empty())
-    refuse(path.string(), "names no model", "a scene file has at least:  [[model]]  file = \"part.obj\"");
+    refuse(path.string(), "names no model", "a scene file needs at least:  [[model]]  file = \"part.obj\"");
   if (scene.sheets.empty()) scene.sheets.push_back(words.every_sheet);
   name_views(scene.views);
   expect_sound_names(scene);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scene files: what is to be drawn, in TOML. docs/formats.md describes them.
+// Scene files: descriptions of drawings in TOML, see docs/formats.md.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace epura::scene {
 
-/// What the file says, with at least one model and one sheet; model files are found from the folder of the scene file.
+/// The content of the file, with at least one model and one sheet; model paths are relative to the scene file.
 /// Views may be missing; those that are there have names. Throws Error{input} for what cannot be read, unknown keys,
 /// values that are not what their key takes, and names that lead nowhere or to two things: with line, column and hint.
 SceneDescription read_scene_file(const std::filesystem::path& path);

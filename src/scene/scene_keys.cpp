@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* table_kind = "table";
 
-/// A key under which stands a table, or several.
+/// A key of one or several tables.
 template <class Part>
 Option<Part> table_option(const std::string& key, const std::string& help,
                           std::function<void(Part&, const TomlValue&)> read) {
@@ -65,13 +65,13 @@ void read_free_fields(TitleBlockFields& fields, const TomlValue& table) {
 
 Options<TitleBlockFields> title_block_keys() {
   Options<TitleBlockFields> keys = title_block_options();
-  keys.push_back(table_option<TitleBlockFields>("free", "more fields, of any name", read_free_fields));
+  keys.push_back(table_option<TitleBlockFields>("free", "additional fields with any name", read_free_fields));
   return keys;
 }
 
 Options<SheetDescription> own_sheet_keys() {
   return {table_option<SheetDescription>(
-      "title_block", "as `[title_block]`, for this sheet alone", [](SheetDescription& sheet, const TomlValue& value) {
+      "title_block", "like `[title_block]`, for this sheet only", [](SheetDescription& sheet, const TomlValue& value) {
         read_entries(sheet.title_block, value, title_block_keys(), "[sheet.title_block]");
       })};
 }
@@ -92,7 +92,7 @@ void prepare(const SceneWords& words, const TomlValue& table, SheetDescription& 
   sheet.where = table.where;
 }
 
-/// A key of the file under which stand several tables, or a single one: each is a part in the list that `parts` finds.
+/// A key of several tables, or a single one: each is a part in the list that `parts` finds.
 template <class Part, class Parts>
 Option<SceneWords> parts_key(const std::string& name, const Options<Part>& keys, Parts parts) {
   const auto read = [name, keys, parts](SceneWords& words, const TomlValue& value) {
@@ -125,10 +125,10 @@ void read_title_block(SceneWords& words, const TomlValue& value) {
   read_entries(words.every_sheet.title_block, value, title_block_keys(), "[title_block]");
 }
 
-// In the order of reading: what all sheets share stands before the sheets.
+// In the order of reading: shared values of all sheets precede the sheets.
 Options<SceneWords> scene_keys() {
   return {
-      {{.key = "views", .form = {"list of texts"}, .help = "projections: short for a `[[view]]` of each"},
+      {{.key = "views", .form = {"list of texts"}, .help = "projections; short for a `[[view]]` for each"},
        read_short_views},
       parts_key("model", model_options(), in_description(&SceneDescription::models)),
       parts_key("section", section_options(), in_description(&SceneDescription::sections)),

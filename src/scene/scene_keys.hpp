@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The keys of scene files. One table feeds the reader, its hints and the documentation.
+// The keys of scene files. One table serves the reader, its hints and the documentation.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace epura::scene {
 
-/// What a scene file says, before its parts are brought together.
+/// The content of a scene file before its parts are resolved.
 struct SceneWords {
   SceneDescription description;
   std::vector<DimensionWords> dimensions;

@@ -31,7 +31,7 @@ std::string kind_name() {
   refuse(value, "is " + found + ", " + wanted + " is wanted", loose ? "put it in quotes" : "");
 }
 
-// What stands on the command line, if the value does.
+// The text on the command line, if the value comes from there.
 const std::string* option_text(const TomlValue& value) {
   return value.is_option ? std::get_if<std::string>(&value.content) : nullptr;
 }
@@ -58,7 +58,7 @@ std::string read_field(const TomlValue& value) {
 double option_number(const TomlValue& value, const std::string& text, bool whole) {
   const auto number = parse_number(text);
   if (!number || !std::isfinite(*number) || (whole && *number != std::floor(*number)))
-    refuse(value, "'" + text + "' is no " + (whole ? "whole number" : "number"));
+    refuse(value, "'" + text + "' is not a " + (whole ? "whole number" : "number"));
   return *number;
 }
 
@@ -161,7 +161,7 @@ EdgeKinds read_edge_kinds(const TomlValue& value) {
 
 AnchorWords read_vertex(const TomlValue& value, const std::vector<TomlValue>& elements) {
   if (elements.size() != 2)
-    refuse(value, "has " + std::to_string(elements.size()) + " elements, [model, vertex] is wanted",
+    refuse(value, "has " + std::to_string(elements.size()) + " elements instead of [model, vertex]",
            "a point of the world is {point = [x, y, z]}");
   AnchorWords anchor{value.where, {}, read_whole(elements[1], 0), {}};
   if (std::holds_alternative<std::string>(elements[0].content))
@@ -194,7 +194,7 @@ TomlValue value_of_option(const std::string& flag, const std::string& text) { re
 
 std::string read_text(const TomlValue& value) {
   const std::string text = checked_text(value);
-  if (text.empty()) refuse(value, "is empty", "leave it out, or say something");
+  if (text.empty()) refuse(value, "is empty", "omit it, or give a value");
   return text;
 }
 
@@ -293,10 +293,9 @@ std::vector<LocatedText> each_word(const TomlValue& value) {
     for (const TomlValue& element : content_of<TomlList>(value).values)
       texts.push_back({read_text(element), element.where});
   }
-  if (texts.empty() || (texts.size() == 1 && texts[0]->empty()))
-    refuse(value, "is empty", "leave it out, or say something");
+  if (texts.empty() || (texts.size() == 1 && texts[0]->empty())) refuse(value, "is empty", "omit it, or give a value");
   if (std::any_of(texts.begin(), texts.end(), [](const LocatedText& text) { return text->empty(); }))
-    refuse(value, "has an empty word", "leave it out, or say something");
+    refuse(value, "has an empty element", "omit it, or give a value");
   return texts;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What values in a scene file may be: their names for the documentation, and how they are read.
+// Kinds of values in scene files: their names for the documentation, and how they are read.
 #pragma once
 
 #include <functional>
@@ -17,10 +17,10 @@ namespace epura::scene {
 /// Throws Error{input} at the value: "scene.toml:12:9: 'at' " + reason.
 [[noreturn]] void refuse(const TomlValue& value, const std::string& reason, const std::string& hint = {});
 
-/// Where words for the completion of shells come from, beside those that a form lists.
+/// Source of words for shell completion, in addition to those listed in a form.
 enum class Completion { words, files, folders, projection, projections };
 
-/// What a value looks like, for help, documentation and completion.
+/// The form of a value, for help, documentation and completion.
 struct ValueForm {
   std::string name{};                ///< in documentation: "text", "0 to 180, degrees"
   std::string placeholder{};         ///< on the command line: "DEG"; empty: a switch, which takes no value
@@ -55,7 +55,7 @@ struct ValueKind {
   }
 };
 
-/// What a command line says of an option.
+/// An option on the command line.
 TomlValue value_of_option(const std::string& flag, const std::string& text);
 
 /// An anchor of a dimension whose model is not looked up yet.
@@ -78,7 +78,7 @@ ValueKind<double> number_between(double min, double max, const std::string& unit
 ValueKind<Vec2> pair_of_numbers(const std::string& unit);
 ValueKind<Vec3> triple_of_numbers(const std::string& unit);
 ValueKind<Vec3> direction();        ///< three numbers, not all zero
-ValueKind<Mat4> transform_steps();  ///< as scene/transform.hpp says
+ValueKind<Mat4> transform_steps();  ///< see scene/transform.hpp
 ValueKind<ScaleChoice> scale_choice();
 ValueKind<PaperChoice> paper_choice();
 ValueKind<EdgeKinds> edge_kinds();

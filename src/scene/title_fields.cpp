@@ -7,20 +7,20 @@ const std::vector<TitleField>& title_fields() {
   static const std::vector<TitleField> fields = {
       {"title", "title of the drawing"},
       {"supplementary_title", "second line of the title"},
-      {"owner", "legal owner: firm or person"},
+      {"owner", "legal owner: company or person"},
       {"number", "identification number of the drawing"},
-      {"date", "date of issue, as it is to be written"},
+      {"date", "date of issue, printed as given"},
       {"creator", "who made the drawing"},
       {"approver", "who approved it"},
-      {"document_type", "such as: part drawing, assembly drawing"},
-      {"revision", "index of the revision"},
-      {"status", "such as: released, in preparation"},
+      {"document_type", "document type, such as part drawing, assembly drawing"},
+      {"revision", "revision index"},
+      {"status", "document status, such as released, in preparation"},
       {"department", "responsible department"},
-      {"technical_reference", "who answers questions"},
+      {"technical_reference", "contact for technical questions"},
       {"classification", "keywords or classes"},
-      {"language", "code of the language, such as en"},
+      {"language", "language code, such as en"},
       {"material", "material of the part"},
-      {"mass", "mass of the part, with its unit"},
+      {"mass", "mass of the part, with unit"},
   };
   return fields;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fields of a title block that have names. ISO 7200.
+// The named fields of a title block. ISO 7200.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Keys of TOML that nest tables, before the library reads them.
+// Finds TOML keys that nest tables too deeply, before the TOML library reads them.
 #pragma once
 
 #include <cstddef>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// toml++ as toml_tree.cpp needs it; included there only, since it takes seconds to compile.
+// toml++ as toml_tree.cpp needs it; included only there, since it takes seconds to compile.
 //
-// Two faults of version 3.3 are mended, both found by fuzzing and met by a bare key with an umlaut:
-// - An assertion fails on "[+", which the code below it reports as it should. Assertions must neither abort nor, with
+// Works around two bugs of version 3.3, both found by fuzzing and triggered by a bare key with an umlaut:
+// - An assertion fails on "[+", which the code below it reports correctly. Assertions must neither abort nor, with
 //   NDEBUG, become promises to the compiler.
-// - is_non_ascii_horizontal_whitespace runs into its "unreachable" end for U+00A1 to U+0499, which are no whitespace.
+// - is_non_ascii_horizontal_whitespace reaches its "unreachable" end for U+00A1 to U+0499, which are not whitespace.
 #pragma once
 
 #undef NDEBUG

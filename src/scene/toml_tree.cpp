@@ -33,7 +33,7 @@ std::string text_of(const toml::date& date) {
   return text;
 }
 
-/// A key in the file, and what stands under it.
+/// A key in the file, and its value.
 struct Entry {
   const toml::key* key;
   const toml::node* node;
@@ -97,7 +97,7 @@ std::string sentence_of(const toml::parse_error& error) {
   if (text.starts_with(head)) text.remove_prefix(head.size());
   std::string sentence = to_lower(text.substr(0, 1)) + std::string(text.substr(1, text.find(" (TOML_") - 1));
   std::replace_if(sentence.begin(), sentence.end(), is_control, ' ');
-  return "is no TOML: " + sentence;
+  return "is not valid TOML: " + sentence;
 }
 
 }  // namespace

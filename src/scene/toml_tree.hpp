@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// TOML files (toml.io, version 1.0) as plain values that know their places.
+// TOML files (toml.io, version 1.0) as plain values with their positions.
 #pragma once
 
 #include <filesystem>
@@ -31,7 +31,7 @@ struct TomlTable {
 using TomlContent = std::variant<std::string, double, bool, TomlDate, TomlTime, TomlList, TomlTable>;
 
 struct TomlValue {
-  std::string key;        ///< under which it stands; of an element, that of its list
+  std::string key;        ///< its key; for an element, that of its list
   std::string where;      ///< "scene.toml:12:9": file as given, line and column in characters, both from 1
   std::string key_where;  ///< the same of the key
   TomlContent content;

@@ -40,7 +40,7 @@ Mat4 rotation(const Vec3& axis, double degrees) {
 Mat4 rotation_step(std::string_view step, std::string_view values) {
   const auto parts = split(values, ',');
   const auto degrees = parts.size() == 2 ? parse_number(parts[1]) : std::nullopt;
-  if (!degrees || !std::isfinite(*degrees)) refuse(step, "wants an axis and an angle in degrees");
+  if (!degrees || !std::isfinite(*degrees)) refuse(step, "needs an axis and an angle in degrees");
   if (parts[0] == "x") return rotation({1, 0, 0}, *degrees);
   if (parts[0] == "y") return rotation({0, 1, 0}, *degrees);
   if (parts[0] == "z") return rotation({0, 0, 1}, *degrees);
@@ -55,7 +55,7 @@ Mat4 parse_step(std::string_view step) {
   if (verb != "translate" && verb != "scale" && verb != "matrix") refuse(step, "is not a known step");
 
   const auto numbers = parse_numbers(values);
-  if (!numbers) refuse(step, "wants numbers separated by commas");
+  if (!numbers) refuse(step, "needs numbers separated by commas");
   for (const double number : *numbers)
     if (!std::isfinite(number)) refuse(step, "has a number that is not finite");
   const std::vector<double>& v = *numbers;

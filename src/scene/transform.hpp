@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A model's place as text: steps from left to right.
+// Transforms of a model as text: steps from left to right.
 #pragma once
 
 #include <string_view>

@@ -270,7 +270,7 @@ class ExtentFinder {
 
   const World& world_;
   double size_;
-  std::vector<char> of_round_;  ///< by vertex: turned faces end there, so that it is no end of others
+  std::vector<char> of_round_;  ///< by vertex: turned faces end there, so that it is not an end of others
   std::vector<std::optional<PlacedPart>> parts_;
   std::array<double, 6> farthest_{};
   std::array<std::vector<Reach>, 6> reaches_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far the part reaches along the axes of the world, of which the mesh has only vertices: a polygon around a circle
-// is narrower than the circle where no corner lies farthest out.
+// Extents of the part along the axes of the world. The mesh has only vertices: a polygon around a circle is narrower
+// than the circle unless a corner lies at its extreme.
 #pragma once
 
 #include <array>
@@ -26,7 +26,7 @@ struct Extent {
 /// it; everywhere else vertices do.
 std::array<Extent, 3> true_extents(const World& world);
 
-/// The largest distance of facets from the surfaces that they stand for, a length of the world; 0 where no round face
+/// The largest distance of facets from the surfaces that they represent, a length of the world; 0 where no round face
 /// is recognised. Throws OutOfTime.
 double tessellation_error(const World& world, const Progress& progress = {});
 

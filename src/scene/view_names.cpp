@@ -14,7 +14,7 @@ void expect_few_views(std::size_t views, const std::string& where) {
   constexpr std::size_t max = 1000;
   if (views > max)
     throw Error(ErrorKind::input, where,
-                "asks for " + std::to_string(views) + " views; one drawing has at most " + std::to_string(max),
+                "requests " + std::to_string(views) + " views; a drawing can have at most " + std::to_string(max),
                 "draw them in several runs");
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How many views there may be, and what those are called that have no name of their own.
+// Maximum number of views, and default names.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace epura::scene {
 
-/// Throws Error{input} for more than 1000 views, all of which `where` asks for.
+/// Throws Error{input} for more than 1000 views, all of which `where` requests.
 void expect_few_views(std::size_t views, const std::string& where);
 
 /// Gives the name of its projection to each view without a name; numbered where another view has it: "front-2". Throws

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Things in a given order, found by bounds of anything that is measured of them.
+// A tree over items in a given order, searched by bounds of any of their quantities.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How finely, and in which proportion, a part of the page is divided into cells.
+// Chooses how finely, and in which proportion, a part of the page is divided into cells.
 #pragma once
 
 #include <cmath>
@@ -31,7 +31,7 @@ struct Cuts {
 };
 
 struct GridLimits {
-  double cells;         ///< at most so many
+  double cells;         ///< maximum number
   double side;          ///< at least so wide and high
   double cuts_of_line;  ///< at most, on average
   double cuts_of_area;

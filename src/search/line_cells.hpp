@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cells of a uniform grid that a line passes through.
+// The cells of a uniform grid that a line crosses.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cells of a uniform grid that a triangle touches, and those that lie wholly inside it, row by row.
+// The cells of a uniform grid that a triangle touches, and those entirely inside it, row by row.
 #pragma once
 
 #include <algorithm>
@@ -62,7 +62,7 @@ class TriangleOnGrid {
   std::array<Side, 3> sides_;  ///< of a large triangle
   Vec2 slack_;
   bool large_;                       ///< wider and higher than a cell
-  int left_, right_, bottom_, top_;  ///< cells of its box; right < left where it lies beside the grid
+  int left_, right_, bottom_, top_;  ///< cells of its box; right < left if it lies outside the grid
 };
 
 }  // namespace epura::search

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A tree of boxes over triangles in space, to find pairs that may meet.
+// A tree of boxes over triangles in space, for finding pairs that may meet.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the views of a sheet stand, and at which scale. ISO 5456-2.
+// Positions and scale of the views on a sheet. ISO 5456-2.
 #pragma once
 
 #include <optional>
@@ -30,11 +30,11 @@ struct ViewToPlace {
   ViewPlace place = ViewPlace::other;
   projection::Window box;          ///< of its ink in the projection plane
   std::optional<double> scale{};   ///< its own
-  std::optional<Vec2> at{};        ///< middle of its ink, mm, where it has to stand
+  std::optional<Vec2> at{};        ///< required centre of its ink, mm
   Vec2 before{0, 0}, after{0, 0};  ///< mm to be kept free around the ink: left and below, right and above
 };
 
-/// Where views may stand: in the drawing area of the paper, beside the title block.
+/// Where views may be placed: in the drawing area of the paper, next to the title block.
 struct DrawingRoom {
   Paper paper;                                ///< width 0: it is cut to the drawing
   std::optional<Rectangle> title_block = {};  ///< in the lower right corner
@@ -47,16 +47,16 @@ inline constexpr double label_room = 10;
 
 struct Arrangement {
   Paper paper;                  ///< with its size settled
-  double scale;                 ///< of all views without one of their own that are not pictorial
+  double scale;                 ///< of all non-pictorial views without their own scale
   std::vector<ViewSpot> views;  ///< as they were given
   bool inside;                  ///< all in the drawing area, and nothing over anything else
 };
 
-/// In first angle projection the view from above stands below the front view, that from the left to its right; in third
+/// In first-angle projection the view from above is below the front view, that from the left to its right; in third
 /// angle projection above and to the left. The rear view is at the far right. Principal views are aligned with the
 /// front view, there or not; a second view with the same place is an `other` one, and so is one with its own scale. The
 /// others stand in the largest part of the sheet that is left. Each group is centred in its room. One view alone stands
-/// as place_ink says. `views` has at least one. Throws Error{input} beyond `longest_side`.
+/// as in place_ink. `views` has at least one. Throws Error{input} beyond `longest_side`.
 Arrangement arrange(std::span<const ViewToPlace> views, const scene::ScaleChoice& choice, ProjectionAngle angle,
                     const DrawingRoom& room);
 

@@ -135,7 +135,7 @@ bool Arranger::is_free(const Spots& spots, std::span<const Rectangle> taken) con
   });
 }
 
-// As high and far to the left as possible: the title block is at the lower right, and the others want their room.
+// As high and far to the left as possible: the title block is at the lower right, and the others need their room.
 std::optional<Arranger::Spots> Arranger::principal_spots(double scale, std::span<const Rectangle> taken) const {
   std::vector<Rectangle> corners = {room_.area};
   const std::vector<Rectangle> free = free_rectangles(room_.area, taken);

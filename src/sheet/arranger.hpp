@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The views of a sheet in groups, tried at one scale after another.
+// Tries groups of views on a sheet at decreasing scales.
 #pragma once
 
 #include <array>

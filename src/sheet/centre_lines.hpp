@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Centre lines: crosses on circles, axes of what is round, slots, pitch circles. ISO 128-2, type 04.1.
+// Centre lines: centre marks of circles, axes of round features, slots, pitch circles. ISO 128-2, type 04.1.
 #pragma once
 
 #include <span>

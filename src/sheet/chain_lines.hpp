@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The straight lines of a chain, its curves as chords.
+// The straight lines of a chain, with curves as chords.
 #pragma once
 
 #include <cstddef>

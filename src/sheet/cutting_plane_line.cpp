@@ -13,7 +13,7 @@ namespace epura::sheet {
 
 namespace {
 
-// Lengths in heights of the letters, which are 20 narrow lines high: 5 mm beside lines of 0.25 mm.
+// Lengths in heights of the letters, which are 20 narrow lines high: 5 mm for lines of 0.25 mm.
 constexpr double letter_widths = 20;
 constexpr double past_outline = 0.8;
 constexpr double wide_end = 1.4;
@@ -81,12 +81,12 @@ void add_end(Layer& layer, const Trace& trace, double side, const std::string& n
   const double height = letter_widths * widths.narrow;
   const Vec2 end = end_of(trace, side, height);
   layer.fills.push_back(wide_line(end, end - wide_end * height * outwards, widths.wide));
-  // The arrow stands on the edge of the wide line.
+  // The arrow touches the edge of the wide line.
   const Vec2 tip = end - (wide_end / 2 * height) * outwards - (widths.wide / 2) * trace.seen;
   const Vec2 tail = tip - arrow_length * height * trace.seen;
   layer.fills.push_back(arrow_head(tip, trace.seen, head_length * height));
   layer.strokes.push_back({{tail, tip - head_length * height * trace.seen}});
-  // Letters stand upright, whatever the direction of the line.
+  // Letters are upright for any direction of the line.
   const Vec2 middle = tail + (letter_gap + 0.5) * height * outwards;
   layer.texts.push_back({name, middle - Vec2(0, height / 2), height, 0, Align::middle, "section"});
 }

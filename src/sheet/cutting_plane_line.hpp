@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a section is cut, marked in a view that sees the cutting plane edge-on. ISO 128-3.
+// The cutting plane of a section, marked in a view that sees it edge-on. ISO 128-3.
 #pragma once
 
 #include <optional>
@@ -20,7 +20,7 @@ Vec2 cutting_plane_room(const projection::Projection& projection, const scene::C
 
 /// Layer "VIEW/cutting-plane": a narrow long-dashed dotted line (ISO 128-2, type 04.1) across the ink of `parent` with
 /// wide ends (04.2) past its outline, arrows onto them in the direction in which the section is seen, and its name
-/// beside them. Nothing where the view does not see the plane edge-on, and in central projections.
+/// next to them. Nothing where the view does not see the plane edge-on, and in central projections.
 std::optional<Layer> cutting_plane_line(const drawing::ViewDrawing& parent, const scene::CuttingPlane& plane,
                                         const LineWidths& widths);
 

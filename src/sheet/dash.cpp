@@ -81,7 +81,7 @@ std::vector<double> pattern_for(double length, double width, bool closed, std::s
       pattern.insert(pattern.end(), {gap, (room - (dashes + 1) * gap) / dashes});
     pattern.insert(pattern.end(), {gap, inked[i][1] - inked[i][0] + grow});
   }
-  pattern.push_back(gap);  // beyond the end: writers want pairs
+  pattern.push_back(gap);  // beyond the end: writers need pairs
   return pattern;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Dashes fitted to lines, so that ends, corners and crossings are drawn with ink. ISO 128-2.
+// Dashes fitted to lines so that ends, corners and crossings have ink. ISO 128-2.
 #pragma once
 
 #include <span>
@@ -12,7 +12,7 @@
 namespace epura::sheet {
 
 /// n = round((L - dash) / period) periods and one more dash fill the line exactly; the dashes are made to fit, about as
-/// long as the type says. Continuous when the line is too short.
+/// as long as in the line type. Continuous if the line is too short.
 Dashes fit_open(double length, double width, const scene::DashType& type = scene::dashed);
 
 /// The same on a closed line: n = round(L / period) periods go round it exactly.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lettering made to fit into a box. ISO 3098.
+// Lettering fitted into a box. ISO 3098.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ namespace epura::sheet {
 struct FittedText {
   std::vector<std::string> lines;  ///< none for an empty text
   double height;                   ///< of capitals, mm
-  bool cut;                        ///< the end is missing: "..." stands for it
+  bool cut;                        ///< the end is missing, replaced by "..."
 };
 
 /// The text in one line as high as `height`, or the next smaller heights of ISO 3098 down to 1.8 mm; if that is too

@@ -10,7 +10,7 @@
 
 namespace epura::sheet {
 
-/// The paper with the margins that a frame wants, 20 mm on the left and 10 mm elsewhere, if it is not smaller than A5;
+/// The paper with the margins that a frame needs, 20 mm on the left and 10 mm elsewhere, if it is not smaller than A5;
 /// smaller sheets keep their margins.
 Paper with_frame_margins(const Paper& paper);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is left of a sheet where something stands on it.
+// The free area of a partly occupied sheet.
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is on a sheet beside its views, by the widths of its lines.
+// Everything on a sheet except its views, by line width.
 #pragma once
 
 #include <iterator>

@@ -27,10 +27,10 @@ constexpr double nearest = 0.7;            // parts closer than this touch
 constexpr double shortest = 1e-3;          // mm of a hatching line that are seen
 constexpr double alike_degrees = 10;       // a hatching line so close to an outline looks like one
 constexpr double most_alike = 0.3 + 1e-6;  // part of the outlines that may run so, or across; no share of n sides
-constexpr double least_ratio = 1.4;        // of two spacings that are told apart
+constexpr double least_ratio = 1.4;        // of two spacings that are distinguished
 
-/// In order of preference; the factor is of the spacing. Where the first few do not tell a part from its neighbours by
-/// angle, spacing has to.
+/// In order of preference; the factor is of the spacing. Where the first few do not distinguish a part from its
+/// neighbours by angle, spacing has to.
 struct Variant {
   double angle, factor;
 };
@@ -184,7 +184,7 @@ bool touch(const Part& one, const Part& two) {
   return false;
 }
 
-// What tells parts by their place on the sheet alone, whatever their numbers: the box around what is seen of them in
+// Identifies parts by their place on the sheet alone, whatever their numbers: the box around what is seen of them in
 // the first drawing, in thousandths of a millimetre, since equal places may differ by rounding; then all corners.
 using PlaceOnSheet = std::pair<std::array<double, 5>, std::vector<std::array<double, 2>>>;
 
@@ -239,13 +239,13 @@ double share_along(const Part& part, double angle) {
 
 double spacing_of(const Part& part) {
   const double spacing = std::clamp(std::sqrt(part.largest) / spacings_a_side, least_spacing, most_spacing);
-  // So that faces of about one size look alike. Whole millimetres are no limits, lest rounding decide.
+  // So that faces of about one size look alike. Whole millimetres are avoided as limits, lest rounding decide.
   return std::round(spacing * 4 - 1e-6) / 4;
 }
 
 Hatching hatching_of(const Part& part, const std::vector<Hatching>& neighbours) {
   const double spacing = spacing_of(part);
-  // At right angles to an outline hatching lines look like a pattern of their own.
+  // At right angles to an outline hatching lines look like a separate pattern.
   const auto suits = [&](const Variant& variant) {
     return share_along(part, variant.angle) + share_along(part, variant.angle + 90) <= most_alike;
   };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Hatching of cut faces. ISO 128-3: narrow continuous lines at 45 degrees to the main outlines or axes, the same for
-// all cut faces of one part, different for parts that touch; thin sections are black.
+// all cut faces of one part, different for adjacent parts; thin sections are black.
 #pragma once
 
 #include <span>

@@ -22,7 +22,7 @@ search::CellGrid grid_over(std::span<const drawing::Chain> chains, double side) 
       max = glm::max(max, point);
     }
   if (!(min.x <= max.x)) return {Vec2(0), Vec2(side), 1, 1};
-  // Ink may lie far beside the paper.
+  // Ink may lie far outside the paper.
   constexpr double most_cells = 1024;
   const Vec2 size = max - min;
   const Vec2 sides = glm::max(Vec2(side), size / most_cells);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How closely the lines of a drawing lie.
+// How dense the lines of a drawing are.
 #pragma once
 
 #include <cstdint>

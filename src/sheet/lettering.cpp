@@ -100,7 +100,7 @@ class Lettering::Font {
     return FT_Get_Char_Index(face_, character) != 0;
   }
 
-  /// The box that stands for a missing character where the font has not this one. May be asked from several threads.
+  /// The box that replaces a missing character if the font does not have this one. Thread-safe.
   [[nodiscard]] const Glyph& glyph(char32_t character) const {
     const std::lock_guard lock(reading_);
     const auto found = glyphs_.find(character);
@@ -142,9 +142,9 @@ std::string written(std::string_view text) {
 
 Lettering::Lettering(const std::filesystem::path& file) {
   const auto font = std::make_shared<Font>(file.empty() ? EPURA_FONT : file);
-  if (!font->is_open()) refuse(font->file, "the font of the lettering is not there");
+  if (!font->is_open()) refuse(font->file, "the lettering font is missing");
   font->capital = height_of(font->glyph(U'H'));
-  if (!(font->capital > 0) || !(font->units_per_em() > 0)) refuse(font->file, "is no font with outlines of letters");
+  if (!(font->capital > 0) || !(font->units_per_em() > 0)) refuse(font->file, "is not an outline font");
   font_ = font;
 }
 

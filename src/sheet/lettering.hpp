@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The font of all lettering on a sheet: osifont, drawn after ISO 3098.
+// The lettering font: osifont, designed after ISO 3098.
 #pragma once
 
 #include <filesystem>
@@ -26,7 +26,7 @@ struct GlyphOutline {
 std::string written(std::string_view text);
 
 /// Widths are those of the font's own units, without hinting and kerning: the same everywhere. All texts are taken as
-/// they are written. A box stands for a character that the font has not.
+/// they are written. A box replaces a character missing from the font.
 class Lettering {
  public:
   /// Opens `file`, or the font of Debian's package fonts-osifont. Throws Error{input} when there is none.

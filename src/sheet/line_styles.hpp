@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the lines of scene/line_roles.hpp look on a sheet of some size.
+// Appearance of the roles in scene/line_roles.hpp on a sheet of a given size.
 #pragma once
 
 #include <string>

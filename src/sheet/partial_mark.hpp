@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The words that mark a drawing which lacks something.
+// The mark on incomplete drawings.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The symbol that tells first angle from third angle projection. ISO 5456-2.
+// The symbol for first-angle or third-angle projection. ISO 5456-2.
 #pragma once
 
 #include "scene/choices.hpp"
@@ -7,8 +7,8 @@
 
 namespace epura::sheet {
 
-/// A truncated cone, and beside it the view of its small end: two circles. `height` is that of the lettering around it:
-/// the diameter of the small end; the large end is twice that, as is the cone's length. The small end points to the
+/// A truncated cone, and next to it the view of its small end: two circles. `height` is that of the lettering around
+/// it: the diameter of the small end; the large end is twice that, as is the cone's length. The small end points to the
 /// left: away from the circles in first angle projection, towards them in third. Outlines are medium, centre lines
 /// narrow. `centre` is the middle of the whole symbol.
 Furniture projection_symbol(ProjectionAngle angle, double height, const Vec2& centre);

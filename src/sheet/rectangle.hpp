@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Upright rectangles on a sheet, mm.
+// Axis-parallel rectangles on a sheet, mm.
 #pragma once
 
 #include "base/vec.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A sheet of paper with strokes, fills and texts on it: everything that a writer needs, nothing left to compute.
+// A sheet with strokes, fills and texts: everything a writer needs, with nothing left to compute.
 #pragma once
 
 #include <array>
@@ -52,7 +52,7 @@ struct Stroke {
   std::vector<Vec2> points;  ///< y up, origin at the lower left corner of the sheet
   bool closed = false;
   Dashes dashes{};                 ///< fitted to this stroke, so that it ends on dashes
-  std::vector<double> pattern{};   ///< instead, where crossings want it: ink, gap, ink, gap ... for the whole stroke
+  std::vector<double> pattern{};   ///< instead, if crossings require it: ink, gap, ink, gap ... for the whole stroke
   std::optional<EdgeKind> kind{};  ///< of what it draws; a frame has none
   std::vector<ModelEdge> edges{};  ///< that it draws, in its order
   std::vector<drawing::CurvePart> curves{};  ///< parts of the points that are arcs, ascending and disjoint

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The layers of a sheet that are not of its views.
+// The layers of a sheet that do not belong to views.
 #pragma once
 
 #include <optional>

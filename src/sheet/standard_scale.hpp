@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Standard scales: 1, 2 or 5 to one, and what follows from them by tens. ISO 5455.
+// Standard scales: 1, 2 or 5 times powers of ten. ISO 5455.
 #pragma once
 
 #include <string>

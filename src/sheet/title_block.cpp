@@ -53,7 +53,7 @@ constexpr double symbol_left = 155, symbol_height = 2.5;
 
 using Field = std::pair<std::string, std::string>;
 
-// Those for which there is no cell, in their order.
+// Fields without a cell, in their order.
 std::vector<Field> free_fields(const TitleBlock& block) {
   const std::vector<Cell> cells = standard_cells();
   std::vector<Field> fields;

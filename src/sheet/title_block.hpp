@@ -14,9 +14,9 @@
 
 namespace epura::sheet {
 
-/// What is to stand in a title block. Nothing is invented: a cell without a value has its caption only.
+/// Content of a title block. Nothing is invented: a cell without a value has only its caption.
 struct TitleBlock {
-  /// Names as in scene/title_fields.hpp; the fields with other names stand in rows of their own, their names as
+  /// Names as in scene/title_fields.hpp; fields with other names are in separate rows, their names as
   /// captions.
   std::vector<std::pair<std::string, std::string>> fields;
   std::string scale{};                        ///< "1:2"

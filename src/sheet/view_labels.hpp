@@ -10,7 +10,7 @@
 
 namespace epura::sheet {
 
-/// What stands above a view: its label, and its scale where that is not the sheet's: "A-A", "A-A (2:1)", "(1:2)". Views
+/// The text above a view: its label, and its scale if that is not the sheet's: "A-A", "A-A (2:1)", "(1:2)". Views
 /// without a scale, perspectives, have `scale` nothing. A scale that is not a simple ratio is not written.
 std::string view_label(const std::string& label, std::optional<double> scale, double main_scale);
 

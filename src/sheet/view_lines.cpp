@@ -24,7 +24,7 @@ namespace {
 constexpr double tangent_gap = 2;  // wide lines
 constexpr std::size_t chains_a_part = 1024;
 
-// What the chain and its segments say about a stroke: their kind, and the model edges, each run of one edge once.
+// Data of a stroke from the chain and its segments: their kind, and the model edges, each run of one edge once.
 void add_origin(Stroke& stroke, const drawing::ViewDrawing& drawing, EdgeKind kind, std::span<const int> segments) {
   stroke.kind = kind;
   for (const int index : segments) {
@@ -139,7 +139,7 @@ Stroke dotted(const drawing::ViewDrawing& drawing, const drawing::Chain& chain, 
   return stroke;
 }
 
-// Takes `by` off the end of a line that is longer. The curve there goes on as far as its last corner.
+// Takes `by` off the end of a line that is longer. The curve there continues as far as its last corner.
 void shorten(Stroke& stroke, double by) {
   std::vector<Vec2>& points = stroke.points;
   std::size_t end = points.size() - 1;
@@ -235,7 +235,7 @@ std::vector<std::size_t> without_crowded(const std::vector<std::size_t>& chains,
                                          double width, const Progress& progress) {
   if (chains.empty()) return chains;
   const double least_gap = 2.5 * width, cell = 16 * width;
-  // Lines that run all ways cross another 2 / pi times as often as their density says (Buffon).
+  // Lines that run all ways cross another 2 / pi times as often as their density suggests (Buffon).
   const double crowded = std::numbers::pi / 2 / least_gap;
   const InkDensity density(drawing.chains, cell, progress);
   std::vector<char> keep(chains.size(), 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A drawing becomes layers of strokes with line types and widths. Lines: ISO 128-2.
+// Drawing -> layers of strokes with line types and widths. ISO 128-2.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@
 
 namespace epura::sheet {
 
-/// What an edge is on a sheet, where its model has no role of its own. Hidden edges between smooth faces are nothing.
+/// The role of an edge on a sheet, unless its model has its own role. Hidden edges between smooth faces have none.
 std::optional<scene::SheetLine> edge_line(EdgeKind kind, bool visible);
 
 /// How one model is drawn.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Views in rows and columns, as one thing to be placed: the scale is still open.
+// Views in rows and columns, placed as a unit at a scale still to be chosen.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A stroke as a pen draws it: lines and curves in their order.
+// Traverses the lines and curves of a stroke in order.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How sure a sample makes.
+// Confidence bounds of a sample.
 #pragma once
 
 namespace epura::verify {

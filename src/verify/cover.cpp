@@ -80,7 +80,7 @@ struct DepthRange {
   }
 };
 
-// Which of the limits of depth a piece of surface respects: all of it, nothing, or one cannot tell.
+// Which of the limits of depth a piece of surface respects: all of it, nothing, or undetermined.
 template <class N>
 std::optional<bool> within_limits(const Sight<N>& sight, const DepthRange& c, double error) {
   bool all = true;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What one triangle does to the ray from one point to the viewer.
+// The effect of one triangle on the ray from a point to the viewer.
 //
-// Not the ray alone is asked but a small square of rays around it: the answer at the point is only certain where it
-// does not change within the tolerance to which places on the page are guaranteed.
+// A small square of rays around the ray is tested: the answer at the point is certain only if it does not change within
+// the guaranteed tolerance of positions on the page.
 #pragma once
 
 #include <array>

@@ -139,7 +139,7 @@ double FoldRule::turn(int triangle) const {
   return max;
 }
 
-// Where the faces of the part are known, edges are theirs. Across needles an edge may stand for a border beside it.
+// Where the faces of the part are known, edges are theirs. Across needles an edge may represent a border next to it.
 std::optional<Need> FoldRule::between_faces(const std::array<int, 2>& edge, int first, int second) const {
   const int model = world_.model_of_triangle(first);
   const scene::Placed& placed = world_.models[model];

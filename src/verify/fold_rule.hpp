@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an edge of a mesh asks for by its shape in space, and how sure that is.
+// Whether the shape of a mesh edge in space requires a line, and how certain that is.
 //
-// Written anew from the definition of the kinds, with margins: nothing of the stage that chose the edges is used. What
-// the faces of the part are is taken as it was recognised. A needle, a triangle lower than the coordinates are precise,
-// has no plane: who asks must pass it by (line_marks.hpp).
+// Written independently from the definition of the kinds, with margins: it uses nothing of the stage that chose the
+// edges, except the recognised faces of the part. A needle, a triangle lower than the precision of the coordinates, has
+// no plane: callers must skip it (line_marks.hpp).
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ namespace epura::verify {
 /// Whether a line belongs to a place.
 enum class Need {
   none,      ///< one would be wrong
-  possible,  ///< too near to a limit to say, or a matter of taste
+  possible,  ///< too close to a limit, or a matter of taste
   asked      ///< it must be there
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether a drawing has ink at given places.
+// Whether a drawing has ink at given positions.
 #pragma once
 
 #include <vector>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The truth about points of edges, found from all triangles of the world.
+// The true visibility of points on edges, found from all triangles of the world.
 //
-// A point is hidden where a triangle that does not contain its edge lies between it and the viewer, more than the
-// contact tolerance before it. The answer is given only where it holds within the tolerance of the guarantee.
+// A point is hidden if a triangle that does not contain its edge lies between it and the viewer, more than the contact
+// tolerance in front of it. An answer is given only if it holds within the guaranteed tolerance.
 #pragma once
 
 #include <span>
@@ -24,7 +24,7 @@ enum class ProbeAnswer { visible, hidden, undecided };
 
 struct ProbeVerdict {
   ProbeAnswer answer = ProbeAnswer::visible;
-  int facet = -1;  ///< the triangle that hides the point, the nearest before it; -1 where it was not asked for
+  int facet = -1;  ///< the nearest triangle that hides the point; -1 if not requested
 };
 
 /// One verdict for each probe. With `name_facets` nothing is left out that an answer does not need, which takes longer.

@@ -16,7 +16,7 @@ constexpr double seen_through = 32;
 constexpr double edge_on = 8, narrow = 0.1;
 // Of needles side by side; more than that is not a surface any more.
 constexpr int longest_row = 64;
-// Of a piece: cut by a limit of depth there, or it goes on.
+// Of a piece: cut by a limit of depth there, or it continues.
 constexpr int cut_there = -1, goes_on = -2;
 
 }  // namespace
@@ -73,7 +73,7 @@ bool LineMarks::is_edge_on(const std::array<int, 2>& edge, int triangle) const {
          width <= narrow * scale * rule_.height(triangle);
 }
 
-// Needles have no plane: what counts is the triangle that goes on behind them.
+// Needles have no plane: what counts is the triangle that continues behind them.
 LineMarks::Beyond LineMarks::beyond(int crossing, int triangle, FoldRule::Needle needle) const {
   for (int step = 0; step < longest_row; ++step) {
     const PieceEnd* end = end_of(crossing, triangle);
@@ -97,7 +97,7 @@ Need LineMarks::pair(int crossing, const std::vector<int>& sheets, FoldRule::Nee
   const std::array<int, 2>& edge = slice_.crossings[crossing].edge;
   const Need fold = rule_.fold(edge, one.triangle, two.triangle);
   if (fold != Need::none || !rule_.options().contour) return fold;
-  // An outline is asked for where depth jumps.
+  // An outline is required where depth jumps.
   const bool may_be_outline =
       one.right == two.right || is_edge_on(edge, one.triangle) || is_edge_on(edge, two.triangle);
   return may_be_outline ? Need::possible : Need::none;
@@ -122,7 +122,7 @@ Need LineMarks::need_at(int crossing) const {
   return strongest;
 }
 
-// Whether the surface goes on from a crossing to a piece, by pieces that are lines on the page.
+// Whether the surface continues from a crossing to a piece, by pieces that are lines on the page.
 bool LineMarks::continues(int crossing, int piece) const {
   if (piece < 0) return false;
   std::vector<int> open{crossing}, met{crossing};

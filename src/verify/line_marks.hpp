@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where on one line of the page there must be ink, and where there may be.
+// Where ink is required and where it is allowed along one line of the page.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace epura::verify {
 
-/// A place at which a line is asked for.
+/// A position that requires a line.
 struct LineMark {
   double u;                      ///< along the line, mm
   bool jump;                     ///< something lies far behind; otherwise two faces meet or cross
@@ -36,13 +36,13 @@ class LineMarks {
   /// within a surface, where it may stand at any edge, and whether it may be one between faces that hardly cross, whose
   /// place is uncertain.
   [[nodiscard]] bool allows(EdgeKind kind, double u, double reach) const;
-  /// Whether two edges are the long sides of one needle that the line crosses: they stand for one line.
+  /// Whether two edges are the long sides of one needle that the line crosses: they represent one line.
   [[nodiscard]] bool same_line(const std::array<int, 2>& first, const std::array<int, 2>& second, double u,
                                double reach) const;
 
  private:
   struct Beyond {
-    int triangle = -1;   ///< -1: nobody knows
+    int triangle = -1;   ///< -1: unknown
     bool right = false;  ///< of where it is entered; otherwise to the left
   };
 

@@ -118,7 +118,7 @@ LineFindings LineScan::judge(const ScanLine& line, std::span<const int> triangle
   return findings;
 }
 
-// Of several that stand for one line, the one that is right is; of several of these, the first.
+// Of several for one line, the correct one; of several of these, the first.
 void LineScan::find_doubled(const LineMarks& marks, std::vector<InkCrossing>& ink) const {
   const auto rank = [](const InkCrossing& one) { return std::tuple(one.verdict, one.segment); };
   const auto settle = [&](InkCrossing& one, InkCrossing& two) {

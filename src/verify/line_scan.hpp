@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A drawing and its scene along lines of the page: what is asked for there, and what ink is.
+// A drawing and its scene along lines of the page: required positions, and ink.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace epura::verify {
 
-/// A place at which a line is asked for.
+/// A position that requires a line.
 struct AskedLine {
   Vec2 place;  ///< mm from ScanScene::origin
   LineMark mark;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two kinds of numbers for the same formulas: doubles that know how wrong they are, and rationals that never are.
+// Two number types for the same formulas: doubles with error bounds, and exact rationals.
 #pragma once
 
 #include <gmpxx.h>

@@ -148,7 +148,7 @@ class Outline {
     if (is_new) return suspects_.push_back(found);
     Suspect& same = suspects_[at->second];
     ++same.met;
-    // Of a second line parts may stand alone where the first one ends.
+    // Parts of a second line may be alone where the first one ends.
     same.kind = std::max(same.kind, found.kind);
   }
 
@@ -246,7 +246,7 @@ class Outline {
     }
   }
 
-  // Whether near the middle of a short line a line is asked for that is not there.
+  // Whether near the middle of a short line a required line is missing.
   [[nodiscard]] std::vector<char> lacking(const std::vector<LineFindings>& findings) const {
     std::vector<AskedLine> asked;
     std::vector<std::size_t> owner;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// A test of what is drawn at all, beside that of what is visible of it (verify.hpp).
+// A test of the choice of lines, in addition to that of their visibility (verify.hpp).
 //
-// Lines at random cross the page. Over each of them the scene is cut, and what the viewer sees of the cut is found.
-// Where its depth jumps, or where two faces that are seen meet in a fold that asks for an edge, there must be visible
-// ink; and where visible ink crosses the line, there must be such a place. All of it is found from triangles alone.
+// Random lines cross the page. Over each of them the scene is cut, and the visible part of the cut is found. Where its
+// depth jumps, or where two visible faces meet in a fold that requires an edge, there must be visible ink; and where
+// visible ink crosses the line, there must be such a position. All of it is found from triangles alone.
 //
-// A fault counts where it goes on along its line for more than a few times the precision of places on the page. How
-// long it is is found by more, short lines across it.
+// A fault counts if it extends along its line for more than a few times the precision of positions on the page. Its
+// length is found by additional, short lines across it.
 #pragma once
 
 #include <optional>
@@ -22,8 +22,8 @@ namespace epura::verify {
 struct OutlineOptions {
   edges::EdgeOptions edges;
   int samples;                                 ///< about as many places with ink are met
-  bool complete = true;                        ///< nothing was left out for want of time
-  std::optional<projection::Window> window{};  ///< of the page, mm, outside of which nothing is drawn
+  bool complete = true;                        ///< nothing was omitted for lack of time
+  std::optional<projection::Window> window{};  ///< of the page, mm, outside which nothing is drawn
   Progress progress{};
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Small convex polygons and what half-spaces leave of them.
+// Small convex polygons and their intersection with half-spaces.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Probes by their places on the page, to find those that a triangle may cover.
+// Probes by their position on the page, to find those that a triangle may cover.
 #pragma once
 
 #include <array>

@@ -89,7 +89,7 @@ void draw_at_random(const Population& population, int stratum, std::mt19937_64& 
   }
 }
 
-// The middle of a span, and both sides of its ends. The outer sides belong to the spans beside it.
+// The middle of a span, and both sides of its ends. The outer sides belong to the spans next to it.
 void add_marks(const Population& population, int number, double size, std::vector<Sample>& samples) {
   const TestedSpan& span = population.spans[number];
   const double step = guaranteed * size / population.lines[span.edge].length;

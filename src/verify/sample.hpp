@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which points of a drawing are tested.
+// Chooses the tested points of a drawing.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ namespace epura::verify {
 
 /// A drawn edge as a line of the page, with the way from places on it to places in space.
 struct PageLine {
-  double length;            ///< mm; 0 where places in space cannot be told apart well enough
+  double length;            ///< mm; 0 if positions in space cannot be distinguished well enough
   std::array<double, 2> t;  ///< of its ends
   std::array<double, 2> w;  ///< their distances from the centre; 1 in parallel views
 
@@ -46,7 +46,7 @@ struct Population {
 struct Sample {
   int span;
   double s;        ///< page parameter along the edge
-  bool at_random;  ///< one of those that stand for the whole length
+  bool at_random;  ///< one of those that represent the whole length
 };
 
 /// Spans shorter than this part of the drawing are not guaranteed.

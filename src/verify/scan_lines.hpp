@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lines across the page, and what they may cut.
 //
-// Of lines whose direction and place are random alike, the number of cuts tells lengths (Cauchy; Crofton 1868): K
-// evenly spread directions, parallel lines with the distance d in each of them, N cuts: the length is pi d N / (2 K).
+// For lines with random direction and position, the number of cuts measures length (Cauchy; Crofton 1868): with K
+// evenly spread directions, parallel lines at distance d in each of them, and N cuts, the length is pi d N / (2 K).
 #pragma once
 
 #include <span>
@@ -16,7 +16,7 @@ namespace epura::verify {
 /// Points of the page in order: two for a line, three for a triangle.
 using PageShape = std::span<const Vec2>;
 
-/// What of the page is looked at, mm from ScanScene::origin.
+/// The examined part of the page, mm from ScanScene::origin.
 struct ScanWindow {
   Vec2 min{HUGE_VAL}, max{-HUGE_VAL};
 

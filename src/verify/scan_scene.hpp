@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The world as lines across the page cut it.
+// The world cut by lines across the page.
 //
-// A straight line of the page is a plane through the viewer, m . (a, b) F = s (1 - k c) in the frame of sight.hpp. It
+// A straight line on the page is a plane through the viewer, m . (a, b) F = s (1 - k c) in the frame of sight.hpp. It
 // cuts every triangle in a segment: the scene becomes a picture of segments over that line, depth upwards.
 #pragma once
 
@@ -17,7 +17,7 @@ namespace epura::verify {
 /// A line of the page, mm from ScanScene::origin.
 struct ScanLine {
   Vec2 middle, along;  ///< `along` has length 1
-  double reach;        ///< how far to either side of the middle it is looked at
+  double reach;        ///< examined distance to either side of the middle
 
   [[nodiscard]] Vec2 position(double u) const { return middle + u * along; }
   [[nodiscard]] Vec2 across() const { return {-along.y, along.x}; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The view from a point of space: the frame in which its ray to the viewer is an axis.
+// The view from a point in space: the frame in which its ray to the viewer is an axis.
 //
 // With p the point, l = x - p, C the centre or d the direction of projection (seed 003, 3.10 and 3.20):
 //
@@ -8,8 +8,8 @@
 //
 //   a = right . l   b = up . l   c = n . l     page: F (a, b) / (1 - k c)     depth: D c / (1 - k c)
 //
-// The ray to the viewer is a = b = 0, c > 0. Page and depth are measured from p; F and D are mere units (millimetres of
-// paper at p), so they may be rounded. All that decides, a, b, c and k, is exact in exact numbers.
+// The ray to the viewer is a = b = 0, c > 0. Page and depth are measured from p; F and D are mere units (millimetres on
+// paper at p), so they may be rounded. All decisive quantities, a, b, c and k, are exact in exact numbers.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene over one line of the page: what the plane through that line and the viewer cuts out of it.
+// The scene over one line of the page: its section by the plane through that line and the viewer.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@ struct SlicePiece {
   }
 };
 
-/// Where the plane cuts an edge of the mesh: computed once, whatever triangle asks.
+/// Where the plane cuts an edge of the mesh: computed once for all its triangles.
 struct SliceCrossing {
   std::array<int, 2> edge;  ///< vertices of the world, ascending
   double u, depth;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the viewer sees of a slice: over each place of the line the piece that is nearest to him.
+// The visible part of a slice: at each position of the line, the piece nearest to the viewer.
 #pragma once
 
 #include <vector>

@@ -94,7 +94,7 @@ class Verifier {
     }
   }
 
-  // Page parameter k steps beside a sample.
+  // Page parameter k steps away from a sample.
   [[nodiscard]] double beside(std::size_t sample, int k) const {
     return samples_[sample].s +
            k * guaranteed * tolerance_.size / steps / population_.lines[span_of(sample).edge].length;

@@ -2,14 +2,15 @@
 // An independent test of a finished drawing.
 //
 // Two things can go wrong: an edge is split wrongly into visible and hidden spans, or a span does not reach the paper.
-// So points are drawn from the spans of all drawn edges, before coincident lines are resolved: they decide, and they
-// cover every edge, also where another line has its place. Each point is judged by geometry (verify/judge.hpp), and
-// then looked for among the segments of the drawing: that is what the user gets.
+// Points are therefore drawn from the spans of all drawn edges before coincident lines are resolved, so that they cover
+// every edge, even if another line is drawn in its place. Each point is judged by geometry (verify/judge.hpp), and then
+// searched for among the segments of the drawing, which the user gets.
 //
-// Confidence: X wrong points of N, n_h of them in stratum h that makes the share W_h of all length. The number of wrong
-// points is a sum of independent trials, whose lower tail a binomial with the mean share bounds (Hoeffding, Ann. Math.
-// Stat. 27, 1956, theorem 4); so with c = max_h W_h N / n_h the misclassified share is at most c times the bound of
-// Clopper and Pearson for X of N. What is undecided is no part of that claim: its share is reported beside it.
+// Confidence: X wrong points of N, n_h of them in stratum h, whose share of the total length is W_h. The number of
+// wrong points is a sum of independent trials, whose lower tail is bounded by a binomial with the mean share
+// (Hoeffding, Ann. Math. Stat. 27, 1956, theorem 4); so with c = max_h W_h N / n_h the misclassified share is at most c
+// times the bound of Clopper and Pearson for X of N. Undecided points are not part of that claim: their share is
+// reported separately.
 #pragma once
 
 #include "base/progress.hpp"

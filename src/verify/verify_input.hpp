@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is verified: the drawn edges of a world and what a drawing says of them.
+// Input of a verification: the drawn edges of a world and their drawing.
 #pragma once
 
 #include <array>

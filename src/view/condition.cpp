@@ -45,7 +45,7 @@ double larger_side(const projection::Window& window) {
   return std::max(size.x, size.y);
 }
 
-// A window stands where numbers of its own say, so the place of the whole drawing counts too.
+// A window has its own position, so that of the whole drawing counts too.
 void add_window(const Setting& s, double size, std::vector<Share>& shares) {
   if (!s.p.window) return;
   const Vec2 far = glm::max(glm::abs(s.p.window->min), glm::abs(s.p.window->max));
@@ -68,7 +68,7 @@ std::vector<Share> parallel_shares(const Setting& s) {
   }
   if (p.window) size = larger_side(*p.window);
   std::vector<Share> shares{{coordinates / size, "the model is small for its distance from the origin"},
-                            {direction / size, "projectors run nearly along the plane of projection"}};
+                            {direction / size, "projectors are nearly parallel to the plane of projection"}};
   add_window(s, size, shares);
   return shares;
 }
@@ -78,7 +78,7 @@ struct Depths {
   double nearest = HUGE_VAL, farthest = 0;
 };
 
-// Around a viewer who stands in the scene, distances begin at a sixteenth of its depth.
+// Around a viewer inside the scene, distances begin at a sixteenth of its depth.
 Depths depths_of(const Setting& s) {
   Depths depths;
   for (const Vec3& corner : s.corners) {
@@ -111,13 +111,14 @@ std::vector<Share> central_shares(const Setting& s) {
     centre = std::max(centre, reach(axis, p.projector) * (1 / w.nearest - 1 / w.farthest));
   }
   if (p.window) size = larger_side(*p.window) / d;
-  std::vector<Share> shares{
-      {(coordinates + beside * reach(p.n, s.max) / w.nearest) / size,
-       "the model is small for its distance from the origin"},
-      {(centre + beside * reach(p.n, p.projector) / w.nearest) / size, "the centre of projection is near to the model"},
-      {beside * (reach(p.n, p.projector) + reach(p.n, p.point)) / d / size,
-       "the centre of projection is near to the plane of projection"},
-      {beside * reach(p.n, from_centre) / w.nearest / size, "projectors run nearly along the plane of projection"}};
+  std::vector<Share> shares{{(coordinates + beside * reach(p.n, s.max) / w.nearest) / size,
+                             "the model is small for its distance from the origin"},
+                            {(centre + beside * reach(p.n, p.projector) / w.nearest) / size,
+                             "the centre of projection is close to the model"},
+                            {beside * (reach(p.n, p.projector) + reach(p.n, p.point)) / d / size,
+                             "the centre of projection is close to the plane of projection"},
+                            {beside * reach(p.n, from_centre) / w.nearest / size,
+                             "projectors are nearly parallel to the plane of projection"}};
   add_window(s, size * d, shares);
   return shares;
 }

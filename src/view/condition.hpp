@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How many digits a drawing can have: what the rounding of its input to doubles does to places on the page.
+// How many digits a drawing can have: the effect of rounding the input to doubles on positions on the page.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace epura::view {
 /// Relative condition number of a map, component by component (Higham, Accuracy and Stability of Numerical Algorithms,
 /// 2nd ed., 1.6): when every number of the input (coordinates, plane, projector, window) changes by the part e of
 /// itself, places on the page change by at most about `number` e, in parts of the drawing's size. Changes that move
-/// the whole drawing alike do not count, unless a window says where it is to stand.
+/// the whole drawing alike do not count, unless a window fixes its position.
 struct Condition {
   double number = 1;  ///< at least 1
   std::string why;    ///< what most of it comes from, as half a sentence
@@ -28,7 +28,7 @@ struct Condition {
   }
 };
 
-/// From so many lost digits on, the drawing says so.
+/// From this number of lost digits on, the drawing warns.
 inline constexpr double too_many_lost_digits = 8;
 /// So, too, where files leave fewer digits than this: that is when lines begin to move by what is seen.
 inline constexpr double fewest_digits_of_files = 4;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Window -> viewport (seed 003, step 10): where the view stands on the paper.
+// Window -> viewport (seed 003, step 10): position of the view on paper.
 #pragma once
 
 #include "view/projected_scene.hpp"

@@ -56,7 +56,7 @@ bool add_depth_planes(ProjectedScene& view, const scene::World& world, const Vie
   if (limits.near) front = std::min(front, viewer - *limits.near);
   if (limits.far) back = std::max(back, viewer - *limits.far);
   if (!(front > back))
-    throw Error(ErrorKind::input, "near and far", "leave nothing between them", "near < far is wanted");
+    throw Error(ErrorKind::input, "near and far", "leave nothing between them", "near must be less than far");
 
   const auto users = {&view.triangle_planes, &view.edge_planes};
   bool around = false;
@@ -210,7 +210,7 @@ ProjectedScene project_scene(const scene::World& world, const projection::Projec
   if (view.triangles.empty())
     throw Error(ErrorKind::input, "projection '" + projection.name + "'",
                 "nothing of the model lies in front of the viewer and inside the window",
-                "move the eye or the window, or leave near, far and window out");
+                "move the eye or the window, or omit near, far and window");
   choose_grid(view);
   view.contact = contact_of(world, view, limits.contact);
   lay_out(view);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene as the viewer has it: mapped, clipped, and laid on the page grid.
+// The scene as the viewer sees it: mapped, clipped, and rounded to the page lattice.
 //
-// Planar decisions are taken on whole numbers: page coordinates are rounded once to a grid of about 2^30 cells across
-// the window, where every cross product of differences fits 64 bits and its sign is exact. Depth stays double.
+// Planar decisions use integers: page coordinates are rounded once to a lattice of about 2^30 steps across the window,
+// where every cross product of differences fits 64 bits and its sign is exact. Depth remains double.
 #pragma once
 
 #include <array>
@@ -57,7 +57,7 @@ struct ProjectedScene {
   projection::Projection projection;
   ViewMap map;
   projection::Window window;  ///< what of the plane is drawn, in view units from the image of map.centre
-  bool window_given = false;  ///< by the projection, or cut to a cone of vision because the viewer stands in the scene
+  bool window_given = false;  ///< by the projection, or cut to a cone of vision because the viewer is in the scene
   Vec2 middle;                ///< of the window: origin of page vertices, view units
   double extent = 0;          ///< longest side of the window, view units
   double cell = 0;            ///< side of a grid cell, view units, a power of two
@@ -74,14 +74,14 @@ struct ProjectedScene {
   UnsetVector<ViewTriangle> triangles;
 };
 
-/// By which planes triangles are clipped. A plane that has all corners of the world inside is certified to cut nothing.
+/// By which planes triangles are clipped. A plane with all vertices of the world inside cuts nothing.
 enum class Clipping { where_needed, everywhere };
 
 /// Throws Error{input} when nothing of the world lies in front of the viewer and inside the window.
 ProjectedScene project_scene(const scene::World& world, const projection::Projection& projection,
                              const ViewLimits& limits, Clipping clipping = Clipping::where_needed);
 
-/// The same with the points of the world mapped by somebody else: finite, in the coordinates of
+/// The same with points of the world mapped by the caller: finite, in the coordinates of
 /// make_view_map(projection, world.box).
 ProjectedScene project_scene(const scene::World& world, const projection::Projection& projection,
                              const ViewLimits& limits, UnsetVector<Mapped> mapped,

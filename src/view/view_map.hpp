@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The projective map from the world to the projection plane that keeps depth, written so that it loses no digits.
+// The projective map from the world to the projection plane that preserves depth, written so that it loses no digits.
 //
 // It is VOM * M_per (3.36, 3.10) or VOM * M_par (3.20) with the depth row of seed 000 [P], re-centred: coordinates are
 // measured from an origin o near the scene, in space and in the plane alike, so that neither a model far from the
@@ -12,7 +12,7 @@
 //
 // V like U. (U/W, V/W) are plane coordinates from the image of c (from the foot of C when o = C); Z/W grows towards the
 // viewer and is affine on planes. The last two are the same map up to a shift in the plane: the first has its digits
-// near c, the second near C. All is multiplied by the projection's scale, and Z moreover by the secant of the angle
+// near c, the second near C. Everything is multiplied by the projection's scale, and Z also by the secant of the angle
 // between normal and projector at c, so that depth is length along projectors, in the unit of the plane at c.
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangles that lie much alike, told apart by place and depth where cells of the page cannot do so.
+// Triangles with similar extents, separated by position and depth where cells of the page cannot.
 #pragma once
 
 #include <algorithm>
@@ -19,8 +19,8 @@ namespace epura::visibility {
 
 /// A tree of bounds between parallel planes (Kay & Kajiya, Ray tracing complex scenes, SIGGRAPH 1986), in directions
 /// that the largest triangle gives: aside from each of its sides, and the height over its plane. So slanted lines side
-/// by side, and tilted plates on one another, are told apart however near they are. What lies in one plane, or on one
-/// line, hides nothing there (Contact::touching), and is passed by at once.
+/// by side, and tilted plates on one another, are distinguished however near they are. What lies in one plane, or on
+/// one line, hides nothing there (Contact::touching), and is passed by at once.
 ///
 /// The lowest over that plane come first: of those before an edge, these are the next to it. In a stack they hide
 /// nearly all of it, where from the top on each would hide a little more than the one before. Where at least half meet

@@ -12,7 +12,7 @@ namespace epura::visibility {
 
 namespace {
 
-// Pairs of borders that are looked at before the surface is given up: some hundredths of a second.
+// Pairs of borders that are examined before the surface is given up: some hundredths of a second.
 constexpr std::size_t most_pairs = 1 << 24;
 
 /// A side of one triangle only, which lies on its left on the page.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A height field, certified: a surface that the page shows as one sheet hides none of its edges.
+// Proof that a surface is a height field in the view, so that it hides none of its own edges.
 #pragma once
 
 #include "edges/find_edges.hpp"

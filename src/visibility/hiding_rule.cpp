@@ -83,7 +83,7 @@ SideCrossing place_crossing(const view::ProjectedScene& view, const PageEdge& ed
   return {t, std::clamp((t == computed ? s : on_side(t)) / length2, 0.0, 1.0), crossed.u, crossed.v};
 }
 
-// The two sides that the line of the edge crosses; `left` says on which side of it the corners lie.
+// The two sides that the line of the edge crosses; `left`: on which side of it the corners lie.
 std::array<CrossedSide, 2> crossed_sides(const view::ProjectedScene& view, const PageEdge& edge,
                                          const view::ViewTriangle& triangle, const std::array<bool, 3>& left) {
   std::array<CrossedSide, 2> sides{};

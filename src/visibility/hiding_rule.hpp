@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one definition of hidden: which part of an edge one triangle hides.
+// The definition of "hidden": which part of an edge one triangle hides.
 //
-// Planar decisions are signs of whole numbers on the page grid. A vertex exactly on the line of an edge counts as left
-// of it, for every triangle alike: the line is moved right by an infinitesimal amount (simulation of simplicity in one
+// Planar decisions are signs of integers on the page lattice. A vertex exactly on the line of an edge counts as left of
+// it, for every triangle: the line is moved right by an infinitesimal amount (simulation of simplicity in one
 // dimension, after Edelsbrunner & Muecke, ACM TOG 1990). So triangles around a vertex or along an edge agree, and a
-// crossing is computed once for the pair of edges, from the vertices in order of their numbers, whichever triangle
-// asks: the intervals of neighbouring triangles abut to the last bit.
+// crossing is computed once for the pair of edges, from the vertices in order of their numbers, for any triangle: the
+// intervals of neighbouring triangles abut to the last bit.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether triangles that meet along sides hide a whole cell together, though none of them covers it alone.
+// Whether triangles with common sides hide a whole cell together, although none of them covers it alone.
 #pragma once
 
 #include <cmath>
@@ -47,7 +47,7 @@ class OccluderPatch {
  private:
   struct Sheet {
     int parent;    ///< another sheet that this one has become part of, or itself
-    int open = 0;  ///< sides that want a triangle on their other side
+    int open = 0;  ///< sides that need a triangle on their other side
     double depth;
   };
   struct OpenSide {

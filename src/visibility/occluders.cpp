@@ -26,7 +26,7 @@ constexpr search::GridLimits page_limits{0x1p24, 0, 8, 128};
 constexpr double most_pairs = 1 << 15;
 constexpr search::GridLimits cell_limits{1024, 0, 8, 32};
 constexpr int deepest_level = 8;
-// Triangles that are looked at to choose a grid.
+// Triangles that are examined to choose a grid.
 constexpr std::size_t sample = 65536;
 
 // Division is idle where it leaves more than this part of the pairs. So it may be once (what lies in an L parts only at

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The triangles that may hide something, found by place on the page, the nearest first.
+// The triangles that may hide something, by position on the page, nearest first.
 #pragma once
 
 #include <bit>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What triangles hide of one edge, found by trying them on it.
+// The parts of one edge that triangles hide.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@ namespace epura::visibility {
 /// What a triangle hides is computed for the whole edge, so the union does not depend on cells or order.
 class OcclusionQuery {
  public:
-  /// With `most_tries`, a tree is given up after so many.
+  /// With `most_tries`, a tree is abandoned after this number of tests.
   OcclusionQuery(const view::ProjectedScene& view, const OccluderGrid& occluders, const PageEdge& line,
                  const OwnTriangles& own, int most_tries = std::numeric_limits<int>::max());
 
@@ -36,7 +36,7 @@ class OcclusionQuery {
     const view::ViewTriangle& tried = view_.triangles[triangle];
     ++tries_;
     const auto part = hidden_part(view_, line_, tried);
-    if (!part || own_.contain(tried.source)) return false;  // last: beside slivers its own are many
+    if (!part || own_.contain(tried.source)) return false;  // last: next to slivers its own are many
     add_span(spans_, *part);
     return true;
   }

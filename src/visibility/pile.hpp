@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangles that have the same corners on the page grid, as equal parts do that lie behind one another.
+// Triangles with the same corners on the page lattice, as in equal parts behind one another.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Directions on the page, around a place where many triangles meet.
+// Directions on the page around a point where many triangles meet.
 #pragma once
 
 #include <array>

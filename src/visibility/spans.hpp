@@ -17,7 +17,7 @@ void add_span(Spans& spans, const std::array<double, 2>& span);
 bool covers(const Spans& spans, double from, double to);
 
 /// From the first place of [from, to] to the last that further spans may change, on a line from 0 to `length`. Gaps
-/// that absorb_slivers closes are left out: shorter than `min`, beside a span that is not.
+/// that absorb_slivers closes are left out: shorter than `min`, next to a span that is not.
 std::optional<std::array<double, 2>> open_part(const Spans& spans, double from, double to, double min,
                                                double length = 1);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangles that lie where two others lie already, as those of parts do that stand in one place.
+// Triangles that coincide with two others, as in copies of a part in one position.
 #pragma once
 
 #include <span>

@@ -136,7 +136,7 @@ OwnTriangles::OwnTriangles(const scene::World& world, const edges::FeatureEdges&
 
 HiddenSpans find_hidden(const scene::World& world, const view::ProjectedScene& view, const edges::FeatureEdges& drawn,
                         Progress progress) {
-  progress.begin("finding what may hide lines");
+  progress.begin("finding occluders");
   const OccluderGrid occluders(world, view, drawn.edges, progress);
   const Occlusion hider{world, view, occluders, drawn};
   return decide(

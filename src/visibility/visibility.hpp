@@ -18,7 +18,7 @@ namespace epura::visibility {
 struct HiddenSpans {
   std::vector<std::size_t> first;
   std::vector<std::array<double, 2>> spans;
-  std::vector<int> undecided;  ///< edges that were not looked at before time was over, ascending
+  std::vector<int> undecided;  ///< edges not examined before time was up, ascending
 
   /// Calls `visit(from, to, visible)` for the parts of edge e from its first vertex to its second.
   template <class Visit>

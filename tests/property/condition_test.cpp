@@ -168,7 +168,7 @@ TEST(Condition, OfUsualViewsIsSmallAndHasAReason) {
     EXPECT_FALSE(condition.why.empty());
   }
   EXPECT_EQ(view::condition_of(over_the_cube(1 + 1e-11), cube_at(0)).why,
-            "the centre of projection is near to the plane of projection");
+            "the centre of projection is close to the plane of projection");
 }
 
 TEST(Condition, IsTheSameForScenesOfAnySizeAndDefinedForAPoint) {

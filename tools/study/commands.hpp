@@ -16,7 +16,7 @@ struct StabilityOptions {
   std::vector<std::string> outputs;  ///< "-" is standard output
   std::string format;                ///< of "-"
   std::string cases;                 ///< ids with commas; empty: all
-  double size = 1;                   ///< factor of the numbers of parts of large scenes
+  double size = 1;                   ///< factor for the number of parts in large scenes
   int threads = 0;
   bool timings = false;
   ShowProgress progress = ShowProgress::automatic;

@@ -33,7 +33,7 @@ void refuse_link_outside(const fs::path& file, const fs::path& root) {
   for (const fs::path& step : fs::absolute(file)) {
     way /= step;
     if (is_link_outside(way, root))
-      throw Error(ErrorKind::input, way.string(), "is a link that leads out of " + root.string(),
+      throw Error(ErrorKind::input, way.string(), "is a link that leaves " + root.string(),
                   "put the file itself there");
   }
 }
@@ -85,7 +85,7 @@ std::vector<std::string> drawing_options(const std::string& text, const std::str
   for (const scene::OptionInfo& option : options)
     if (option.nature != scene::Nature::drawing && !given_values(draw, option).empty())
       throw Error(ErrorKind::input, file, "'" + option.flag + "' is not an option of the drawing itself",
-                  "what is read, written, loaded and run is for those to say who run the case");
+                  "a case must not read, write, load or run anything else");
   return words;
 }
 

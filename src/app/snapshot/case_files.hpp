@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the files of a case may say and where they may lie: the folder may come from a stranger.
+// Restrictions on the content and location of a case's files, since the folder may be untrusted.
 #pragma once
 
 #include <string>

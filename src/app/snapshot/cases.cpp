@@ -52,7 +52,7 @@ void compare_with_expectation(SnapshotResult& result, double tolerance, bool wit
   result.verdict = !exists ? SnapshotVerdict::new_case
                    : same  ? SnapshotVerdict::as_expected
                            : SnapshotVerdict::different;
-  result.words = exists ? compare::format_comparison(comparison, tolerance) : "nothing is expected yet\n";
+  result.words = exists ? compare::format_comparison(comparison, tolerance) : "no expected drawing yet\n";
   if (with_pictures && result.verdict != SnapshotVerdict::as_expected)
     result.pictures = compare::add_pictures({result.name, false, result.words}, expected, actual, comparison);
 }
@@ -83,7 +83,8 @@ std::vector<SnapshotCase> find_cases(const std::vector<std::string>& folders) {
       if (entry.is_directory() && is_case(entry.path()))
         cases.push_back({entry.path().lexically_relative(folder).generic_string(), entry.path(), root});
     if (cases.size() == before)
-      throw Error(ErrorKind::input, name, "has no case", "a case is a folder with scene.toml and expected.svg");
+      throw Error(ErrorKind::input, name, "contains no case",
+                  "a case is a folder with scene.toml, and expected.svg or another expected drawing");
     std::sort(cases.begin() + static_cast<std::ptrdiff_t>(before), cases.end(),
               [](const SnapshotCase& a, const SnapshotCase& b) { return a.name < b.name; });
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Snapshot cases: folders with a scene and the drawing that is expected of it.
+// Snapshot cases: folders with a scene and its expected drawing.
 #pragma once
 
 #include <filesystem>

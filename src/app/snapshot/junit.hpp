@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Results as CI servers read them.
+// Results as JUnit XML for CI servers.
 #pragma once
 
 #include <string>

@@ -17,14 +17,14 @@ namespace epura {
 namespace {
 
 [[noreturn]] void refuse(const char* what) {
-  throw Error(ErrorKind::output, "epura", what, "there may be too little memory, or too many processes");
+  throw Error(ErrorKind::output, "epura", what, "there may be too little memory or too many processes");
 }
 
 // A file without a name: nothing is left behind, however the run ends.
 class Capture {
  public:
   Capture() : file_(::memfd_create("epura", MFD_CLOEXEC)) {
-    if (file_ < 0) refuse("cannot keep what a run says");
+    if (file_ < 0) refuse("cannot store the output of a run");
   }
   Capture(const Capture&) = delete;
   Capture& operator=(const Capture&) = delete;
@@ -62,7 +62,7 @@ ProgramRun run_epura(const std::vector<std::string>& arguments) {
   pid_t child = 0;
   const int failed = ::posix_spawn(&child, "/proc/self/exe", &actions, nullptr, pointers.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
-  if (failed != 0) refuse("cannot run itself");
+  if (failed != 0) refuse("cannot start another epura");
   int status = 0;
   while (::waitpid(child, &status, 0) < 0)
     if (errno != EINTR) refuse("cannot wait for a run");

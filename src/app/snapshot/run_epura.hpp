@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs of this program in processes of their own: one that crashes takes nothing else with it.
+// Runs epura in separate processes, so that a crash affects only one case.
 #pragma once
 
 #include <string>

@@ -33,7 +33,7 @@ std::vector<SnapshotResult> run_all(const std::vector<SnapshotCase>& cases, cons
   return results;
 }
 
-// The rest stands in the report.
+// The report has the rest.
 std::string first_lines(const std::string& text) {
   constexpr std::size_t max = 10;
   const std::vector<std::string_view> lines = split(text, '\n');
@@ -74,7 +74,7 @@ std::vector<std::string> inputs_of(const std::vector<SnapshotCase>& cases) {
     try {
       for (const std::filesystem::path& file : files_of(one)) inputs.push_back(file.string());
     } catch (const Error&) {
-      inputs.push_back((one.folder / "scene.toml").string());  // that this is not a scene, its result will say
+      inputs.push_back((one.folder / "scene.toml").string());  // if this is not a scene, the result will say so
     }
   }
   return inputs;
@@ -88,8 +88,9 @@ bool can_be_accepted(const SnapshotResult& result) {
 
 int snapshot(const SnapshotOptions& options) {
   if (options.accept && std::getenv("CI") != nullptr)
-    throw Error(ErrorKind::input, "--accept", "expectations are accepted by people, and CI is set in the environment",
-                "run it where you can look at the report, and commit what it writes");
+    throw Error(ErrorKind::input, "--accept",
+                "expected drawings must be accepted by a person, but CI is set in the environment",
+                "run it where you can view the report, and commit what it writes");
   const std::vector<SnapshotCase> cases = find_cases(options.folders);
   pipeline::refuse_overwriting(outputs_of(options), inputs_of(cases));
   const ThreadLimit threads(options.threads);

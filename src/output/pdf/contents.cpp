@@ -42,7 +42,8 @@ void expect_ours(QPDF& pdf, const std::string& where) {
   const bool ours = information.isDictionary() && information.getKey("/Producer").isString() &&
                     information.getKey("/Producer").getUTF8Value() == "epura";
   if (!ours)
-    throw Error(ErrorKind::input, where, "was not written by epura", "epura compares PDF files that it wrote itself");
+    throw Error(ErrorKind::input, where, "was not written by epura",
+                "epura compares only PDF files that it wrote itself");
 }
 
 }  // namespace
@@ -60,13 +61,14 @@ std::vector<PdfContent> read_pdf_contents(const std::string& bytes, const std::s
     UnpackRoom room(64'000'000 + 16 * bytes.size(), where);
     for (Handle page : pdf.getRoot().getKey("/Pages").getKey("/Kids").getArrayAsVector()) {
       if (page.hasKey("/Kids"))
-        throw Error(ErrorKind::input, where, "has pages in groups", "epura compares PDF files that it wrote itself");
+        throw Error(ErrorKind::input, where, "has nested page groups",
+                    "epura compares only PDF files that it wrote itself");
       pages.push_back(content_of(page, room));
     }
   } catch (const Error&) {
     throw;
   } catch (const std::exception& kind) {
-    throw Error(ErrorKind::input, where, std::string("is no PDF that can be read: ") + kind.what());
+    throw Error(ErrorKind::input, where, std::string("is not a readable PDF: ") + kind.what());
   }
   return pages;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands in a PDF file that epura wrote, before it is understood.
+// The raw content of a PDF file written by epura.
 #pragma once
 
 #include <map>

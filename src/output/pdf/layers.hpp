@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Drawings of layers become layers of pages.
+// Assembles drawings of layers into pages with layers.
 #pragma once
 
 #include <string>

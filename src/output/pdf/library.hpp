@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// All that is done with qpdf. It is a library of its own, loaded when a PDF file is first written or read: qpdf and the
-// ten libraries behind it would take a third of the time and a quarter of the memory of a small drawing.
+// Everything that uses qpdf. It is a separate library, loaded when a PDF file is first written or read: qpdf and its
+// ten dependencies would take a third of the time and a quarter of the memory of a small drawing.
 //
-// The files of this folder are C++17, see ../CMakeLists.txt.
+// The files in this folder are C++17, see ../CMakeLists.txt.
 #pragma once
 
 #include <string>

@@ -15,7 +15,7 @@ namespace epura::output {
 
 namespace {
 
-constexpr const char* hint = "epura compares PDF files that it wrote itself";
+constexpr const char* hint = "epura compares only PDF files that it wrote itself";
 
 // Keeps or counts what flows in, and stops the flow when it is too much.
 class Basin : public Pipeline {
@@ -44,12 +44,12 @@ bool is_blank(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t' |
 
 bool ends_name(char c) { return is_blank(c) || std::string("()<>[]{}/%").find(c) != std::string::npos; }
 
-// A part of a file from one stream to the next, in which names are looked for, wherever they stand.
+// A part of a file from one stream to the next, which is searched for names in any position.
 class Names {
  public:
   Names(const std::string& file, std::size_t begin, std::size_t end) : file_(file), at_(begin), end_(end) {}
 
-  /// The next name without its slash, "#69" as the character that it stands for; false if there is none.
+  /// The next name without its slash, "#69" decoded; false if there is none.
   bool next(std::string& name) {
     at_ = std::min(file_.find('/', at_), end_);
     if (at_ == end_) return false;
@@ -58,7 +58,7 @@ class Names {
     return true;
   }
 
-  // Of what stands behind the name.
+  // Of what follows the name.
   [[nodiscard]] std::size_t place() const { return at_; }
   void pass_blanks() {
     while (at_ < end_ && is_blank(file_[at_])) ++at_;
@@ -136,7 +136,7 @@ bool check_head(const std::string& file, std::size_t begin, std::size_t end, con
 
 void UnpackRoom::refuse() const {
   throw Error(ErrorKind::input, where_, "unpacks to more than " + std::to_string(most_ / 1'000'000) + " MB",
-              "a drawing of so few bytes has less");
+              "a drawing of this file size is smaller");
 }
 
 std::string UnpackRoom::unpack(QPDFObjectHandle stream) {
@@ -155,7 +155,7 @@ void UnpackRoom::measure(const std::string& file, std::size_t at) {
     flate.write(reinterpret_cast<const unsigned char*>(file.data() + at), file.size() - at);
     flate.finish();
   } catch (const std::exception&) {
-    if (basin.overflows()) refuse();  // other trouble is qpdf's to tell
+    if (basin.overflows()) refuse();  // qpdf reports other errors
   }
   left_ = basin.room();
 }
@@ -182,9 +182,9 @@ void check_object_streams(QPDF& pdf, std::size_t bytes, const std::string& where
   UnpackRoom room(2'000'000 + bytes, where);
   for (const QPDFObjGen& holder : holders) {
     const auto place = table.find(holder);
-    // One that is in another one would be read before it is looked at.
+    // One that is in another one would be read before it is examined.
     if (place == table.end() || place->second.getType() != 1 || !pdf.getObject(holder).isStream())
-      throw Error(ErrorKind::input, where, "is no PDF that can be read: it lacks objects", hint);
+      throw Error(ErrorKind::input, where, "is not a readable PDF: it lacks objects", hint);
     room.unpack(pdf.getObject(holder));
   }
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What streams of a PDF file unpack to, looked at before they are kept. Flate makes a thousand bytes of one, filters
-// can be chained, and a predictor asks for as much memory as it likes: a small file may mean more than there is memory
-// for.
+// Unpacked content of PDF streams, checked before it is kept. Flate can expand a byte to a thousand, filters can be
+// chained, and a predictor may request any amount of memory, so a small file may stand for more than fits into memory.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +16,7 @@ class UnpackRoom {
  public:
   UnpackRoom(std::size_t bytes, std::string where) : where_(std::move(where)), most_(bytes), left_(bytes) {}
 
-  /// The data of a stream. Throws Error{input} where there is no room for it, or it cannot be unpacked.
+  /// The data of a stream. Throws Error{input} if it is too large or cannot be unpacked.
   std::string unpack(QPDFObjectHandle stream);
   /// The same of Flate data that begin at `at` of a file.
   void measure(const std::string& file, std::size_t at);

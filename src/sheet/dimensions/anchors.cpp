@@ -57,11 +57,12 @@ Vec3 place_of_vertex(const scene::World& world, const std::array<int, 2>& vertex
   const auto [model, number] = vertex;
   const int models = static_cast<int>(world.models.size());
   if (model < 0 || model >= models)
-    refuse(where, "there is no model " + std::to_string(model), "models count from 0 to " + std::to_string(models - 1));
+    refuse(where, "there is no model " + std::to_string(model),
+           "models are numbered from 0 to " + std::to_string(models - 1));
   const int count = world.first_vertex[std::size_t(model) + 1] - world.first_vertex[std::size_t(model)];
   if (number < 0 || number >= count)
     refuse(where, "model " + std::to_string(model) + " has no vertex " + std::to_string(number),
-           "its vertices count from 0 to " + std::to_string(count - 1));
+           "its vertices are numbered from 0 to " + std::to_string(count - 1));
   const auto& edges = world.models[std::size_t(model)].mesh->edges;
   const auto has_vertex = [number = number](const mesh::MeshEdge& edge) {
     return edge.vertex[0] == number || edge.vertex[1] == number;
@@ -75,7 +76,7 @@ Vec3 place_of_vertex(const scene::World& world, const std::array<int, 2>& vertex
 Vec3 place_of(const scene::World& world, const scene::Anchor& anchor, const std::string& where) {
   const auto* vertex = std::get_if<std::array<int, 2>>(&anchor);
   const Vec3 place = vertex ? place_of_vertex(world, *vertex, where) : std::get<Vec3>(anchor);
-  if (!finite(place)) refuse(where, "an anchor lies nowhere: its coordinates are no finite numbers");
+  if (!finite(place)) refuse(where, "the coordinates of an anchor are not finite");
   return place;
 }
 
@@ -118,7 +119,7 @@ AnchoredDimension anchored(const scene::World& world, Asked& asked, const scene:
       where, type, direction_of(description), {}, {}, description.offset.value, description.text.value_or("")};
   if (description.anchors.size() != rule.anchors)
     refuse(where, "the number of its anchors is " + std::to_string(description.anchors.size()),
-           "the dimension '" + std::string(scene::word_of(type)) + "' wants " + rule.wants);
+           "the dimension '" + std::string(scene::word_of(type)) + "' needs " + rule.wants);
   expect_offset(dimension);
   for (const scene::Anchor& anchor : description.anchors) dimension.points.push_back(place_of(world, anchor, where));
   for (std::size_t i = 1; i < dimension.points.size(); ++i)

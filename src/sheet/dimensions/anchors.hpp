@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a dimension hangs on: its words understood, its anchors found in the world.
+// Parses a dimension and finds its anchors in the world.
 #pragma once
 
 #include <optional>
@@ -42,7 +42,7 @@ struct AnchoredDimension {
 
 /// In their order; those that there is no time for are left out. Throws Error{input} that names where the dimension was
 /// asked for: for a direction that its type lacks or wants, vertices that are not there, anchors that coincide, and
-/// anchors on no circle where one is wanted.
+/// anchors on no circle where one is requested.
 std::vector<AnchoredDimension> find_anchors(const scene::World& world,
                                             std::span<const scene::DimensionDescription> dimensions,
                                             const Progress& progress = {});

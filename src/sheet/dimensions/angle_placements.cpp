@@ -13,7 +13,7 @@ namespace {
 constexpr int radii = 24;
 constexpr double first_radius = 14, longer = 4;  // mm
 constexpr double cost_of_radius = 0.1;           // a millimetre
-constexpr double cost_outside = 3;               // of a text that stands outside the angle
+constexpr double cost_outside = 3;               // of a text outside the angle
 constexpr double arrows_inside = 3;              // lengths of arrows that two of them need
 constexpr double steepest = 0.5;                 // sine of the slope of a text that falls to the right
 constexpr double farthest_past = 1;              // radians of an arc past a leg
@@ -30,7 +30,7 @@ Sector sector_of(const MeasuredAngle& angle) {
   return {angle.corner, portable_atan2(a.y, a.x), portable_atan2(glm::dot(left_of(a), b), glm::dot(a, b))};
 }
 
-// The arc from one angle to another, as a polyline that knows what it is.
+// The arc from one angle to another, as a polyline marked as an arc.
 Stroke arc(const Vec2& centre, double radius, double from, double to) {
   const int parts = std::max(2, static_cast<int>(std::ceil(std::abs(to - from) / step_of_arc)));
   Stroke stroke;
@@ -73,12 +73,12 @@ void set_text_at(PlacedDimension& dimension, const std::string& text, const Dime
     const Vec2 middle = arc.corner + (arc.radius + reach) * spoke;
     return set_text(dimension, text, {middle, {1, 0}, -style.text / 2}, style);
   }
-  const bool inside = glm::dot(left_of(read), spoke) < 0;  // then the arc rises beside the text
+  const bool inside = glm::dot(left_of(read), spoke) < 0;  // then the arc rises next to the text
   const double rise = style.above() + (inside ? width * width / (8 * arc.radius) : 0);
   set_text(dimension, text, {arc.corner + arc.radius * spoke, read, rise}, style);
 }
 
-// `place`: the text stands at the middle of the arc (0), or past its end (1) or its beginning (-1).
+// `place`: the text is at the middle of the arc (0), or past its end (1) or its beginning (-1).
 PlacedDimension arc_dimension(const MeasuredAngle& angle, const std::string& text, double radius, int place,
                               const DimensionStyle& style) {
   const auto [corner, first, sweep] = sector_of(angle);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Boxes found by their place, to count those that another box overlaps.
+// Boxes indexed by position, for counting overlaps.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What dimensions take of the paper, so that they keep out of each other's way.
+// The area on paper that dimensions occupy, so that they do not collide.
 #pragma once
 
 #include <vector>

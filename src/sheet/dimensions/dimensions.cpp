@@ -25,7 +25,7 @@ constexpr double cost_of_text = 300;   // a line through a text
 constexpr double cost_of_crossing = 3;
 constexpr double cost_of_ink = 0.3;  // a line of the drawing that a leader crosses
 
-/// What stands on the paper already.
+/// What is on the paper already.
 struct Surroundings {
   const drawing::ViewDrawing& drawing;
   std::optional<Rectangle> paper;
@@ -99,7 +99,7 @@ std::vector<std::optional<PlacedDimension>> place(const std::vector<MeasuredDime
   return placed;
 }
 
-// U+2300, or the letter that stands for it.
+// U+2300, or the letter that replaces it.
 std::string diameter_sign(const Lettering& lettering) { return lettering.missing("⌀").empty() ? "⌀" : "Ø"; }
 
 void expect_letters(const std::string& text, const AnchoredDimension& dimension, const Lettering& lettering) {

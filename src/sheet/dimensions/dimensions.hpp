@@ -23,16 +23,16 @@ struct DimensionedView {
   std::span<const scene::DimensionDescription> dimensions;
 };
 
-/// What stands on the sheet beside a view.
+/// Items on the sheet near a view.
 struct Neighbours {
-  std::optional<Rectangle> paper{};  ///< beyond which nothing is to stand
+  std::optional<Rectangle> paper{};  ///< limits for everything
   std::vector<TurnedBox> boxes{};    ///< of other views, lettering, marks ...
 };
 
 /// Layer "VIEW/dimensions" of a drawing that is in its place: narrow lines, filled arrows, and texts. Values are the
-/// true measures in the world. Dimensions stand outside the outline, small ones inside large ones, and keep out of each
+/// true measures in the world. Dimensions are outside the outline, small ones inside large ones, and keep out of each
 /// other's way and that of their neighbours where they can; an offset is obeyed.
-/// Each has one text; those that there is no time for are left out.
+/// Each has one text; those that do not fit into the time are omitted.
 /// Throws Error{input}: see sheet/dimensions/anchors.hpp and measure.hpp; and for characters that the font lacks.
 Layer dimension_layer(const DimensionedView& view, const DimensionStyle& style, const Neighbours& neighbours = {},
                       const Progress& progress = {});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The placements in which one dimension can be drawn.
+// Possible placements of one dimension.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What dimensions are made of on the paper: lines, arrows, a text. ISO 129-1.
+// The elements of dimensions on paper: lines, arrows, text. ISO 129-1.
 #pragma once
 
 #include <string>
@@ -55,7 +55,7 @@ void add_line(PlacedDimension& dimension, const Vec2& from, const Vec2& to);
 /// The same, as an extension line or leader.
 void add_crossable_line(PlacedDimension& dimension, const Vec2& from, const Vec2& to);
 
-/// Where the text of a dimension stands.
+/// Position of a dimension's text.
 struct TextPosition {
   Vec2 middle;  ///< a point of the line that the text is read along
   Vec2 read;    ///< the direction of that line, of length 1

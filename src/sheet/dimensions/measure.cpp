@@ -21,7 +21,7 @@ constexpr int decimals = 2;
   throw Error(ErrorKind::input, dimension.where, what, hint);
 }
 
-// The view that a dimension is to stand in, as it maps the world.
+// The view of a dimension, as a map of the world.
 struct Sight {
   const drawing::ViewDrawing& drawing;
   const Vec3 n = drawing.projection.n;
@@ -57,7 +57,7 @@ MeasuredDimension linear(const AnchoredDimension& dimension, const Sight& sight)
   const Vec3 d = dimension.points[1] - dimension.points[0];
   const bool horizontal = dimension.direction == DimensionDirection::horizontal;
   if (!sight.in_plane(d) && !(sight.orthographic && sight.shows_an_axis()))
-    refuse(dimension, "the view shortens what it measures",
+    refuse(dimension, "the view foreshortens the measured length",
            "measure in a view parallel to it, or along an axis with 'aligned'");
   const double value = glm::dot(d, horizontal ? sight.drawing.projection.u : sight.drawing.projection.v);
   if (std::abs(value) <= 1e-9 * glm::length(d))
@@ -93,7 +93,7 @@ MeasuredDimension aligned(const AnchoredDimension& dimension, const Sight& sight
   const bool seen = glm::length(image) > parallel * sight.millimetres() * length;
   const bool on_axis = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)}) >= (1 - parallel * parallel) * length;
   if (!seen || !(sight.in_plane(d) || on_axis))
-    refuse(dimension, seen ? "the view shortens the line it measures" : "the view looks along the line it measures",
+    refuse(dimension, seen ? "the view foreshortens the measured line" : "the view looks along the measured line",
            "measure it in a view parallel to it");
   const Vec2 along = image / glm::length(image);
   MeasuredDimension measured = length_between(dimension, sight, along, length);
@@ -156,7 +156,8 @@ MeasuredDimension circular(const AnchoredDimension& dimension, const Sight& sigh
     if (!is_radius && circle.whole && sight.orthographic && sight.in_plane(circle.axis))
       return edge_on(dimension, circle, sight, text(circle));
   refuse(dimension, "the view does not show the circle in its true form",
-         is_radius ? "measure it in a view along its axis" : "measure it in a view along its axis, or square to it");
+         is_radius ? "measure it in a view along its axis"
+                   : "measure it in a view along its axis, or perpendicular to it");
 }
 
 // The ends of the ink along a direction of the paper: of several the farthest along `side`.
@@ -185,18 +186,18 @@ MeasuredDimension overall(const AnchoredDimension& dimension, const Sight& sight
            "choose an orthographic view parallel to the axis");
   const Vec2 image = sight.page_of(e), along = glm::normalize(image);
   const double value = dimension.points[1][axis] - dimension.points[0][axis];
-  // The dimension line stands below, or on the right.
+  // The dimension line is below, or on the right.
   const Vec2 side = std::abs(along.x) > std::abs(along.y) ? Vec2(0, -1) : Vec2(1, 0);
   std::array<Vec2, 2> ends{};
   if (!sight.drawing.segments.empty()) ends = ends_of_ink(sight.drawing, along, side);
   const double drawn = glm::dot(ends[1] - ends[0], along) / glm::length(image);
   // Lines of a mesh end where it does, those of its surfaces may reach as far as these. At either end a line may be
-  // drawn beside its place, or another one for it.
+  // drawn near its place, or another one for it.
   const double beside = 2 * (sight.drawing.contours_moved + sight.drawing.joined_within) / glm::length(image);
   const double least = value - dimension.beyond_vertices - beside;
   if (!(drawn > 0) || drawn < least - whole * value || drawn > value + beside + whole * value)
     refuse(dimension, "the view does not show all of the models along this axis",
-           "leave out --near and --far, and keep contours among the edges");
+           "omit --near and --far, and include contour in --edges");
   const std::string sign = dimension.form == scene::ExtentForm::length   ? ""
                            : dimension.form == scene::ExtentForm::sphere ? "S" + diameter
                                                                          : diameter;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Dimensions measured: the true value in the world, and what is dimensioned as it lies on the paper.
+// Measures dimensions: the true value in the world, and the position of the measured geometry on paper.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which dimensions a view is to have, before it is drawn: overall ones in the clearest views, and the room they need.
+// Assigns overall dimensions to the clearest views before they are drawn, and estimates the room they need.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@ struct NamedProjection {
 
 /// An overall dimension that names no direction, as overall width, height and depth: each once, in the clearest of the
 /// views - width and height from the front, depth from the side, before other orthographic views along a world axis.
-/// What no view shows in true length is left out, and so is a diameter that stands already: that of a shaft is its
+/// What no view shows in true length is left out, and so is a diameter that is already there: that of a shaft is its
 /// width and its depth. Where it names a view, only that one counts. Throws Error{input} when nothing is left.
 std::vector<scene::DimensionDescription> overall_dimensions(const scene::DimensionDescription& overall,
                                                             std::span<const NamedProjection> views,

@@ -32,7 +32,7 @@ std::string text_of(const Vec3& p) {
   return format_fixed(p.x, 4) + "," + format_fixed(p.y, 4) + "," + format_fixed(p.z, 4);
 }
 
-// A rim square to the axis of a shaft or bore is as large as this is there: vertices of a short arc tell less.
+// A rim square to the axis of a shaft or bore is as large as this is there: vertices of a short arc are less accurate.
 void take_surface(WorldCircle& circle, const scene::PlacedPart& part) {
   const double slack = roundness * circle.radius;
   double nearest = slack;
@@ -134,10 +134,10 @@ std::vector<WorldCircle> Rims::through(const scene::Anchor& anchor, const Vec3& 
   }
   if (circles.empty() && vertex != nullptr) circles = of_faces(*vertex);
   if (!circles.empty()) return circles;
-  throw Error(ErrorKind::input, where, "wants a vertex on the rim of a circle, and there is none at " + text_of(place),
+  throw Error(ErrorKind::input, where, "needs a vertex on the rim of a circle, and there is none at " + text_of(place),
               nearest ? "the nearest circle has radius " + format_rounded(nearest->circle.radius, 6) + " around " +
-                            text_of(nearest->circle.centre) + "; its vertex " +
-                            std::to_string(nearest->vertices.front()) + " would do"
+                            text_of(nearest->circle.centre) + "; for example, use its vertex " +
+                            std::to_string(nearest->vertices.front())
                       : "no circle was found: rims of holes, bosses and shafts are circles");
 }
 

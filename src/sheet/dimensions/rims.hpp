@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Circles of the models where they stand in the world.
+// Circles of the models in world coordinates.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace epura::sheet {
 
-/// Looks for the circles of a model when they are first asked for, and keeps them.
+/// Finds the circles of a model on first use, and keeps them.
 class Rims {
  public:
   explicit Rims(const scene::World& world) : world_(world) {}

@@ -42,7 +42,7 @@ struct Extent {
 
 // The text's place on the line for itself, and the line with what of it leads to the text or carries arrows.
 struct Layout {
-  bool outward;  // arrows stand between the extension lines
+  bool outward;  // arrows are between the extension lines
   Extent line;
   double text_middle;
 };

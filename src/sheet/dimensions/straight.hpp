@@ -13,7 +13,7 @@ namespace epura::sheet {
 /// extension lines.
 inline constexpr int text_places = 5;
 
-/// The dimension line stands `distance` to the left of `length.along`, measured from `length.from`. Arrows point
+/// The dimension line is `distance` to the left of `length.along`, measured from `length.from`. Arrows point
 /// outwards where there is room for them. A text that fits has 5 places, another one 2.
 PlacedDimension straight_dimension(const MeasuredLength& length, const std::string& text, double distance, int place,
                                    const DimensionStyle& style);

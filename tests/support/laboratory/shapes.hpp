@@ -54,7 +54,7 @@ Shape revolved(const std::vector<std::array<double, 2>>& profile, int sides, boo
 /// `digits`: of a file that writes coordinates as text with so many digits; 0: as they are.
 mesh::Mesh mesh_of(const Shape& shape, int digits = 0);
 scene::World world_of(const std::vector<Shape>& shapes);
-/// The same with the faces of their parts.
+/// The same world with the faces of its parts.
 scene::World recognised(scene::World world);
 inline scene::World world_of(const Shape& shape) { return world_of(std::vector<Shape>{shape}); }
 

@@ -155,7 +155,7 @@ TEST(NewProjection, RefusesNamesThatAreNone) {
   for (const char* name : {"Two Points", "../outside", "", "a_b"}) {
     const Outcome run = epura({"new-projection", name}, folder / "");
     EXPECT_EQ(run.code, 2) << name;
-    EXPECT_TRUE(contains(run.err, "is not a name of a projection")) << run.err;
+    EXPECT_TRUE(contains(run.err, "is not a valid projection name")) << run.err;
   }
   EXPECT_TRUE(folder.names().empty());
 }

@@ -67,7 +67,7 @@ TEST(Completion, OfOptionsHasThoseOfTheHelp) {
 }
 
 TEST(Completion, TellsTheHelpBehindATab) {
-  EXPECT_TRUE(contains(answer({"draw", "--hid"}), "--hidden\thidden lines")) << answer({"draw", "--hid"});
+  EXPECT_TRUE(contains(answer({"draw", "--hid"}), "--hidden\tstyle of hidden lines")) << answer({"draw", "--hid"});
 }
 
 TEST(Completion, OfFilesAndFoldersIsLeftToTheShell) {

@@ -31,7 +31,7 @@ DrawnCube draw_cube(const Words& options) {
 TEST(ConditionOfViews, IsToldWhereItIsAskedFor) {
   const DrawnCube run = draw_cube({"--views", "front,isometric", "--explain"});
   EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_TRUE(contains(run.out, "view 'front': map: condition ")) << run.out;
+  EXPECT_TRUE(contains(run.out, "view 'front': condition ")) << run.out;
   EXPECT_TRUE(contains(run.out, " 15 digits left")) << run.out;
   const Json json = JsonReader(run.json).read();
   const Json& conditions = json["report"]["condition"];
@@ -46,7 +46,7 @@ TEST(ConditionOfViews, IsAWarningWhereEightDigitsAreLost) {
   const Words far{"--transform", "translate:1e10,0,0"}, near{"--transform", "translate:1e6,0,0"};
   const Outcome warned = draw_cube(far);
   EXPECT_EQ(warned.code, 0);
-  EXPECT_TRUE(contains(warned.err, "keeps few digits")) << warned.err;
+  EXPECT_TRUE(contains(warned.err, "loses many digits")) << warned.err;
   EXPECT_TRUE(contains(warned.err, "the model is small for its distance from the origin")) << warned.err;
   EXPECT_TRUE(contains(warned.err, "hint: ")) << warned.err;
   EXPECT_EQ(draw_cube(near).err, "");

@@ -88,7 +88,7 @@ TEST_F(DimensionsOfProgram, BeyondThePaperAreReported) {
                              "--sheet", "A4", "--scale", "2.7", "-o", "x.svg"},
                             folder / "");
   EXPECT_EQ(run.code, 0);
-  EXPECT_TRUE(contains(run.err, "dimensions of the view 'front' reach beyond the paper")) << run.err;
+  EXPECT_TRUE(contains(run.err, "dimensions of the view 'front' extend beyond the sheet")) << run.err;
 }
 
 }  // namespace

@@ -141,7 +141,7 @@ TEST(Draw, WhatWasRepairedIsSaid) {
   EXPECT_EQ(run.code, 0);
   for (const char* said :
        {"1 face left out: fewer than three distinct corners", "1 face left out: the corners of an earlier face",
-        "1 face left out: coordinates that are no finite numbers"})
+        "1 face left out: coordinates that are not finite"})
     EXPECT_TRUE(contains(run.err, said)) << run.err;
   EXPECT_TRUE(contains(run.err, model)) << run.err;
 }

@@ -35,7 +35,7 @@ TEST_F(Habits, TheLastOfARepeatedOptionCounts) {
 TEST_F(Habits, AnOptionIsNoValueOfAnother) {
   const Outcome run = draw({"--dimensions", "-o", "x.pdf"});
   EXPECT_EQ(run.code, 2);
-  EXPECT_TRUE(contains(run.err, "--dimensions: wants a value, and '-o' is an option")) << run.err;
+  EXPECT_TRUE(contains(run.err, "--dimensions: needs a value, but '-o' is an option")) << run.err;
   EXPECT_EQ(drawn({"--near", "-5"}), drawn({"--near=-5"}));
   EXPECT_FALSE(std::filesystem::exists(folder / "x.pdf"));
 }

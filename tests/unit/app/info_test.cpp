@@ -44,7 +44,7 @@ TEST(InfoCommand, TellsRepairs) {
   const Outcome run = info({"square.obj"}, folder);
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_TRUE(contains(run.out, "1 face without area left out\n")) << run.out;
-  EXPECT_TRUE(contains(run.out, "1 face left out that is there twice\n")) << run.out;
+  EXPECT_TRUE(contains(run.out, "1 duplicate face left out\n")) << run.out;
 }
 
 TEST(InfoCommand, JsonHasTheSameForSeveralModels) {

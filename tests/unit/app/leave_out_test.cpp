@@ -97,7 +97,7 @@ TEST_P(LeavingOut, IsExplained) {
   for (const std::string stage : {"clip", "intersections", "visibility", "hidden", "text"}) {
     const auto lines = split(outcome.out, '\n');
     if (std::any_of(lines.begin(), lines.end(), [&](std::string_view line) {
-          return line.starts_with(stage + " ") && line.find(" left out ") != std::string_view::npos;
+          return line.starts_with(stage + " ") && line.find(" skipped ") != std::string_view::npos;
         }))
       left_out += (left_out.empty() ? "" : " ") + stage;
   }

@@ -43,22 +43,23 @@ struct Files {
 TEST(ViewDrawing, OverwritesNoInput) {
   const Files files;
   for (const char* output : {"hard.svg", "soft.svg", "softer.json", "./soft.svg"}) {
-    files.expect_refused({"draw", "cube.obj", "-o", output}, "is the input cube.obj by another name");
-    files.expect_refused({"explain", "cube.obj", "-o", output}, "is the input cube.obj by another name");
+    files.expect_refused({"draw", "cube.obj", "-o", output}, "is the input cube.obj under another name");
+    files.expect_refused({"explain", "cube.obj", "-o", output}, "is the input cube.obj under another name");
   }
-  files.expect_refused({"draw", "scene.toml", "-o", "scene.pdf"}, "is the input scene.toml by another name");
-  files.expect_refused({"draw", "scene.toml", "-o", "sheet.svg"}, "sheet-2.svg: is the input cube.obj by another name");
+  files.expect_refused({"draw", "scene.toml", "-o", "scene.pdf"}, "is the input scene.toml under another name");
+  files.expect_refused({"draw", "scene.toml", "-o", "sheet.svg"},
+                       "sheet-2.svg: is the input cube.obj under another name");
 }
 
 TEST(ViewDrawing, WritesNoFileTwice) {
   const Files files;
   files.expect_refused({"draw", "cube.obj", "-o", "a.svg", "-o", "a.svg"},
-                       "a.svg: is named twice, the other time as output");
-  files.expect_refused({"draw", "cube.obj", "-o", "a.svg", "-o", "./a.svg"}, "is the output a.svg by another name");
+                       "a.svg: is given twice, the other time as output");
+  files.expect_refused({"draw", "cube.obj", "-o", "a.svg", "-o", "./a.svg"}, "is the output a.svg under another name");
   files.expect_refused({"draw", "cube.obj", "-o", "to-come.svg", "-o", "dangling.svg"},
-                       "is the output to-come.svg by another name");
+                       "is the output to-come.svg under another name");
   files.expect_refused({"draw", "scene.toml", "-o", "s.svg", "-o", "s.json", "-o", "./s.svg"},
-                       "./s-1.svg: is the output s-1.svg by another name");
+                       "./s-1.svg: is the output s-1.svg under another name");
 }
 
 TEST(ViewDrawing, GoesThroughALinkToNothingYet) {
@@ -89,10 +90,10 @@ TEST(Comparing, OverwritesNoInput) {
 TEST(Studying, OverwritesNoInput) {
   const Files files;
   fs::create_symlink("cube.obj", files.folder / "r.html");
-  files.expect_refused({"study", "accuracy", "cube.obj", "-o", "r.html"}, "is the input cube.obj by another name");
-  files.expect_refused({"study", "accuracy", "scene.toml", "-o", "r.html"}, "is the input cube.obj by another name");
+  files.expect_refused({"study", "accuracy", "cube.obj", "-o", "r.html"}, "is the input cube.obj under another name");
+  files.expect_refused({"study", "accuracy", "scene.toml", "-o", "r.html"}, "is the input cube.obj under another name");
   files.expect_refused({"study", "stability", "--cases", "P1", "-o", "x.csv", "-o", "./x.csv"},
-                       "is the output x.csv by another name");
+                       "is the output x.csv under another name");
 }
 
 }  // namespace

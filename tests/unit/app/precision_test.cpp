@@ -95,7 +95,7 @@ TEST(Precision, AModelLostInRoundingIsRefused) {
   const Folder folder;
   const Outcome run = epura({"draw", folder.file("m.stl", stl), "-o", "x.svg"}, folder / "");
   EXPECT_EQ(run.code, 2);
-  EXPECT_TRUE(contains(run.err, "nothing is drawn: no face is larger than what rounding")) << run.err;
+  EXPECT_TRUE(contains(run.err, "nothing is drawn: no face is larger than the rounding")) << run.err;
   EXPECT_TRUE(contains(run.err, "hint: export the model nearer to the origin")) << run.err;
   EXPECT_EQ(folder.names(), std::vector<std::string>{"m.stl"});
 }

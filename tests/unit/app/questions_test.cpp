@@ -30,7 +30,7 @@ TEST_F(Plates, WhyTellsWhatHidesAnEdgeAndWhere) {
   // 40 mm of ink in the middle between the margins of 20 and 10 mm, from 133.5 to 173.5 mm.
   EXPECT_EQ(run.out,
             "0:2-3 of plate.obj, (4, 2, 0) to (0, 2, 0)\n"
-            "  drawn as boundary: no face goes on from face 0:0\n"
+            "  drawn as boundary: no face continues face 0:0\n"
             "  visible t 0 to 0.25, (173.5, 112.5) to (163.5, 112.5) mm\n"
             "  hidden  t 0.25 to 0.75, (163.5, 112.5) to (143.5, 112.5) mm\n"
             "    by face 1:0 of cover.obj, 1 in front, t 0.25 to 0.75\n"
@@ -70,8 +70,8 @@ TEST_F(Plates, WrongQuestionsAreRefused) {
     EXPECT_TRUE(contains(run.err, part)) << run.err;
   };
   refused({"--why", "nonsense"}, "names no edge");
-  refused({"--why", "2:0-1"}, "models are 0 to 1");
-  refused({"--why", "0-4"}, "its vertices are 0 to 3");
+  refused({"--why", "2:0-1"}, "models are numbered from 0 to 1");
+  refused({"--why", "0-4"}, "its vertices are numbered from 0 to 3");
   refused({"--why", "1-3"}, "edges at 1: 0-1 1-2");
   refused({"--dump", "span"}, "did you mean 'spans'?");
   refused({"--why", "0-1", "-o", "-", "--format", "svg"}, "standard output");

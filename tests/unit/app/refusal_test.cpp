@@ -102,7 +102,7 @@ TEST_F(Refusal, TargetsThatCannotBeWritten) {
   std::filesystem::create_directory(folder / "folder.svg");
   expect_refused({"draw", cube, "-o", "folder.svg"}, 4, {"folder.svg", "directory"});
   expect_refused({"draw", cube, "-o", "cube.obj/x.svg"}, 4, {"cube.obj/x.svg"});
-  expect_refused({"draw", cube, "-o", "missing/x.svg"}, 4, {"missing/x.svg", "make the folder"});
+  expect_refused({"draw", cube, "-o", "missing/x.svg"}, 4, {"missing/x.svg", "create the folder"});
   expect_refused({"draw", cube, "-o", "/proc/x.svg"}, 4, {"/proc/x.svg"});
 }
 
@@ -186,7 +186,7 @@ TEST_F(Refusal, Words) {
   expect_option_refused({"--sheet", "A7"}, {"--sheet", "A0 to A4"});
   expect_option_refused({"--sheet", "0x100"}, {"--sheet", "0x100"});
   expect_option_refused({"--edges", "contour,creases"}, {"--edges", "'creases'", "did you mean 'crease'?"});
-  expect_option_refused({"--edges", "contour,"}, {"--edges", "has an empty word"});
+  expect_option_refused({"--edges", "contour,"}, {"--edges", "has an empty element"});
   expect_option_refused({"--hidden", "dotted"}, {"--hidden", "'dotted'"});
   expect_option_refused({"--visibility", "exactly"}, {"--visibility", "'exactly'", "did you mean 'exact'?"});
   expect_option_refused({"--transform", "scale:0"}, {"'scale:0'", "flattens"});
@@ -196,7 +196,7 @@ TEST_F(Refusal, Words) {
 }
 
 TEST_F(Refusal, ViewsInWhichNothingIsLeft) {
-  expect_option_refused({"--near", "5", "--far", "5"}, {"near and far", "near < far"});
+  expect_option_refused({"--near", "5", "--far", "5"}, {"near and far", "near must be less than far"});
   expect_option_refused({"--near", "6", "--far", "5"}, {"near and far"});
   expect_option_refused({"--projection", "look-at:eye=0,-9,0:ref=0,-20,0"},
                         {"look-at", "nothing of the model lies in front"});
@@ -235,7 +235,7 @@ TEST_F(Refusal, AnInstallationWithoutTheLibraryForPdf) {
   EXPECT_EQ(draw("out.pdf"), 4);
   EXPECT_EQ(read_file(old), "an earlier drawing");
   EXPECT_TRUE(contains(read_file(folder / "err"), (library / "pdf-").string()));
-  EXPECT_TRUE(contains(read_file(folder / "err"), "install epura again"));
+  EXPECT_TRUE(contains(read_file(folder / "err"), "reinstall epura"));
 }
 
 TEST_F(Refusal, DevicesInPlaceOfFiles) {
@@ -249,11 +249,11 @@ TEST_F(Refusal, DevicesInPlaceOfFiles) {
 TEST_F(Refusal, MoreViewsThanADrawingHas) {
   std::string list = "front", scene = "[[model]]\nfile = 'cube.obj'\n";
   for (int i = 0; i < 1000; ++i) list += ",top";
-  expect_option_refused({"--views", list}, {"--views", "asks for 1001 views; one drawing has at most 1000"});
+  expect_option_refused({"--views", list}, {"--views", "requests 1001 views; a drawing can have at most 1000"});
   for (int i = 0; i < 1200; ++i) scene += "[[view]]\nprojection='top'\n";
-  expect_draw_refused({folder.file("scene.toml", scene)}, {"scene.toml:2402:12", "asks for 1200 views"});
+  expect_draw_refused({folder.file("scene.toml", scene)}, {"scene.toml:2402:12", "requests 1200 views"});
   expect_draw_refused({folder.file("scene.toml", "views = '" + list + "'\n[[model]]\nfile = 'cube.obj'\n")},
-                      {"scene.toml:1:9", "asks for 1001 views"});
+                      {"scene.toml:1:9", "requests 1001 views"});
 }
 
 }  // namespace

@@ -44,7 +44,7 @@ class SectionCracks : public ::testing::Test {
 
 TEST_F(SectionCracks, NarrowGapsAreHatchedAcrossAndTold) {
   const std::string text = said(0.002, "0,0,2:0,0,1");
-  EXPECT_NE(text.find("has a gap 0.002 wide at 10,-0.001,2 in its outline in section A; hatched across"),
+  EXPECT_NE(text.find("has a gap 0.002 wide at 10,-0.001,2 in its outline in section A; bridged for hatching"),
             std::string::npos)
       << text;
 }
@@ -52,7 +52,7 @@ TEST_F(SectionCracks, NarrowGapsAreHatchedAcrossAndTold) {
 TEST_F(SectionCracks, WideOnesLeaveAnOpenOutline) {
   const std::string text = said(0.5, "0,0,2:0,0,1");
   EXPECT_NE(text.find("has an outline in section A that is open at 10,"), std::string::npos) << text;
-  EXPECT_NE(text.find("what it would bound is not hatched"), std::string::npos) << text;
+  EXPECT_NE(text.find("the area it would enclose is not hatched"), std::string::npos) << text;
 }
 
 TEST_F(SectionCracks, ThoseElsewhereAreNothingToTheSection) {

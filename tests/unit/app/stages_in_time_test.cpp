@@ -113,9 +113,8 @@ TEST_P(StageOfLines, WhatIsShownIsAPartOfTheWholeDrawing) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Stages, StageOfLines,
-                         testing::Values("finding intersections", "finding what may hide lines", "hiding lines",
-                                         "merging lines", "joining lines", "finding arcs", "fitting dashes",
-                                         "writing"));
+                         testing::Values("finding intersections", "finding occluders", "hiding lines", "merging lines",
+                                         "joining lines", "finding arcs", "fitting dashes", "writing"));
 
 // Each look takes so long that the search is over time again with fewer lines.
 TEST(StagesInTime, WithoutTimeForTheSearchTheLongestLinesAreTriedOnAllFaces) {
@@ -126,13 +125,13 @@ TEST(StagesInTime, WithoutTimeForTheSearchTheLongestLinesAreTriedOnAllFaces) {
   const std::set<std::string> whole = segments_of(read_file(json));
   double now = 0;
   const auto clock = [&](const std::string& stage, int) {
-    if (stage == "finding what may hide lines") now = std::min(now + 0.3, 0.95);
+    if (stage == "finding occluders") now = std::min(now + 0.3, 0.95);
     return now;
   };
   const Drawn run = draw_by(clock, arguments);
   EXPECT_EQ(run.error, "");
   ASSERT_FALSE(run.stages.empty());
-  EXPECT_EQ(run.stages.front(), "finding what may hide lines");
+  EXPECT_EQ(run.stages.front(), "finding occluders");
   const std::set<std::string> shown = segments_of(read_file(json));
   EXPECT_FALSE(shown.empty());
   for (const std::string& segment : shown) EXPECT_TRUE(whole.contains(segment)) << segment;

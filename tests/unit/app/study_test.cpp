@@ -41,7 +41,7 @@ TEST(StudyProgram, HasMethodsThatDrawingsDoNotTake) {
   for (const char* method : {"sampled", "float", "item-buffer:dpi=600", "exact:bits=24"}) {
     const Outcome run = epura({"draw", sample("elbow.obj"), "--visibility", method, "-o", "x.svg"}, folder / "");
     EXPECT_EQ(run.code, 2);
-    EXPECT_TRUE(contains(run.err, "'epura study accuracy' measures it")) << run.err;
+    EXPECT_TRUE(contains(run.err, "'epura study accuracy' measures other methods")) << run.err;
   }
   const Outcome run = epura({"draw", sample("elbow.obj"), "--visibility", "noone", "-o", "x.svg"}, folder / "");
   EXPECT_TRUE(contains(run.err, "did you mean 'none'?")) << run.err;
@@ -65,8 +65,8 @@ TEST(MaxError, IsRefusedWhereItCannotBeKept) {
     EXPECT_EQ(outcome.code, 2);
     EXPECT_TRUE(contains(outcome.err, reason)) << outcome.err;
   };
-  refused(draw_within("1e-7"), "less is not guaranteed");
-  refused(draw_within("0.1", {"--visibility", "none"}), "leave out --visibility none");
+  refused(draw_within("1e-7"), "cannot be guaranteed");
+  refused(draw_within("0.1", {"--visibility", "none"}), "omit --visibility none");
   refused(draw_within("0"), "--max-error: is 0");
 }
 

@@ -69,7 +69,7 @@ TEST(TimeLimit, WhatIsShownIsAPartOfTheWholeDrawing) {
     const Json counts = JsonReader(run.out).read()["partial"];
     EXPECT_EQ(counts["edges"].number(), 3000);
     EXPECT_TRUE(contains(run.err, counts["undecided"].text + " of 3000 edges")) << run.err;
-    EXPECT_TRUE(contains(run.err, "cut '" + counts["stages"].items.at(0).text + "'")) << run.err;
+    EXPECT_TRUE(contains(run.err, "cut short '" + counts["stages"].items.at(0).text + "'")) << run.err;
     for (const std::string& segment : segments_of(run.out)) EXPECT_TRUE(whole.contains(segment)) << segment;
   }
 }

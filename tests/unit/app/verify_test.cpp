@@ -84,7 +84,7 @@ TEST_P(VerifySample, HasItsOutline) {
                             "house.obj", "shaft.obj", "sombrero.obj", "stairs.obj"}) {
     const Outcome run =
         epura({"draw", sample(model), "--projection", GetParam(), "--verify", "-o", "x.svg"}, folder / "");
-    EXPECT_TRUE(contains(run.err, " places that ask for ink, 0 (0 mm) without it")) << model << run.err;
+    EXPECT_TRUE(contains(run.err, " places that need ink, 0 (0 mm) without it")) << model << run.err;
     EXPECT_TRUE(contains(run.err, " places with ink, 0 (0 mm) unfounded, 0 (0 mm) doubled")) << model << run.err;
   }
 }

@@ -229,13 +229,13 @@ TEST(CompareJson, RefusesWhatIsNoDrawing) {
   const auto refusal = [](const std::string& json) {
     return std::string(error_of([&] { compare::picture_of_json(json, "test.json"); }).what());
   };
-  EXPECT_TRUE(contains(refusal("{"), "no JSON"));
+  EXPECT_TRUE(contains(refusal("{"), "not valid JSON"));
   EXPECT_TRUE(contains(refusal("{}"), "has no 'epura'"));
   EXPECT_TRUE(contains(refusal(R"({"epura": 2})"), "schema"));
   std::string broken = json_of(triangle);
   broken.replace(broken.find("[12, 12]"), 8, "[12]");
   EXPECT_TRUE(contains(refusal(broken), "segments[3]: from is not a point")) << refusal(broken);
-  EXPECT_TRUE(contains(refusal(std::string(100000, '[')), "no JSON"));
+  EXPECT_TRUE(contains(refusal(std::string(100000, '[')), "not valid JSON"));
   error_of([] { compare::compare(as_json(json_of(triangle)), as_svg(plate()), 0.001); });
 }
 
@@ -248,7 +248,7 @@ TEST(Compare, RefusesWhatItWouldNotSee) {
   EXPECT_TRUE(contains(refusal(head + "<path d='M 0 0 L 1'/></svg>"), "path"));
   EXPECT_TRUE(contains(refusal(head + "<path transform='skewX(3)' d='M 0 0'/></svg>"), "transform"));
   EXPECT_TRUE(contains(refusal("<svg width='10' viewBox='0 0 10 10'/>"), "size"));
-  EXPECT_TRUE(contains(refusal("<svg"), "no XML"));
+  EXPECT_TRUE(contains(refusal("<svg"), "not valid XML"));
 }
 
 }  // namespace

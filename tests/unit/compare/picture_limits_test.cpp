@@ -32,7 +32,7 @@ std::string refusal_of_svg(const std::string& content) {
 }
 
 TEST(PictureLimits, PlacesBeyondAllPaper) {
-  const std::string beyond = "beyond all paper";
+  const std::string beyond = "outside any paper";
   for (const char* data : {"M0 0L1e300 1e300", "M0 0L1e7 1", "M0 0C0 0 1e300 1e300 9 9", "M0 0Q1e308 -1e308 9 9",
                            "M0 0A1e308 1 0 0 1 1e200 9", "M0 0h1e308h1e308"})
     EXPECT_TRUE(contains(refusal_of_svg(path(data)), beyond)) << data << refusal_of_svg(path(data));
@@ -42,8 +42,8 @@ TEST(PictureLimits, PlacesBeyondAllPaper) {
       R"({"epura":1,"sheet":{"size":[297,210]},"views":[{"name":"front","segments":[{"from":[0,0],"to":[1e300,10],)"
       R"("visible":true,"kind":"crease","model":0,"edge":[1,2]}]}]})";
   EXPECT_TRUE(contains(error_of([&] { compare::picture_of_json(json, "test.json"); }).what(), beyond));
-  EXPECT_TRUE(contains(refusal_of_svg(path("M0 0h1", "stroke-width='nan'")), "no lengths on paper"));
-  EXPECT_TRUE(contains(refusal_of_svg(path("M0 0h1", "stroke-dasharray='1 1e300'")), "no lengths on paper"));
+  EXPECT_TRUE(contains(refusal_of_svg(path("M0 0h1", "stroke-width='nan'")), "not valid lengths"));
+  EXPECT_TRUE(contains(refusal_of_svg(path("M0 0h1", "stroke-dasharray='1 1e300'")), "not valid lengths"));
 }
 
 TEST(PictureLimits, PiecesOfCurves) {
@@ -69,7 +69,7 @@ TEST(PictureLimits, NamesAndTexts) {
   for (int i = 0; i < 201; ++i) looks += path("M0 0h1", "stroke-width='" + std::to_string(i) + "'");
   for (int i = 0; i < 2001; ++i)
     views += "<g inkscape:label='" + std::to_string(i) + "'><g inkscape:label='visible'>" + path("M0 0h1") + "</g></g>";
-  EXPECT_TRUE(contains(refusal_of_svg(looks), "more than 200 looks"));
+  EXPECT_TRUE(contains(refusal_of_svg(looks), "more than 200 line styles"));
   EXPECT_TRUE(contains(refusal_of_svg(views), "more than 2000 views"));
   const std::string model = "data-model='" + std::string(1000, '1') + "' data-edge='1-2'";
   EXPECT_TRUE(contains(refusal_of_svg(path("M0 0h1", model)), "number is too long"));
@@ -213,15 +213,15 @@ TEST(PictureLimits, PdfContent) {
     return refusal_of_pdf(with_layer(page, layer).bytes());
   };
   const std::string draw = "/OC /P BDC /X Do ";
-  EXPECT_TRUE(contains(refusal(draw + "/X Do", "0 0 m 1 1 l S"), "drawn already"));
-  EXPECT_TRUE(contains(refusal(repeated("q ", 200), ""), "states of the pen"));
-  EXPECT_TRUE(contains(refusal(draw, repeated("q ", 200)), "states of the pen"));
-  EXPECT_TRUE(contains(refusal(draw, repeated("1 0 0 1 900000 0 cm ", 9) + "0 0 m 1 1 l S"), "beyond all paper"));
+  EXPECT_TRUE(contains(refusal(draw + "/X Do", "0 0 m 1 1 l S"), "or a layer twice"));
+  EXPECT_TRUE(contains(refusal(repeated("q ", 200), ""), "graphics states"));
+  EXPECT_TRUE(contains(refusal(draw, repeated("q ", 200)), "graphics states"));
+  EXPECT_TRUE(contains(refusal(draw, repeated("1 0 0 1 900000 0 cm ", 9) + "0 0 m 1 1 l S"), "outside any paper"));
   EXPECT_TRUE(contains(refusal(draw, "0 0 m " + repeated("900000 0 0 900000 0 0 c ", 200)), "stands for more than"));
   PdfFile grouped = with_layer(draw, "");
   grouped.page += "/Kids[4 0 R]";
-  EXPECT_TRUE(contains(refusal_of_pdf(grouped.bytes()), "pages in groups"));
-  EXPECT_TRUE(contains(refusal(draw, "BI /W 1 ID x EI"), "in another way"));
+  EXPECT_TRUE(contains(refusal_of_pdf(grouped.bytes()), "nested page groups"));
+  EXPECT_TRUE(contains(refusal(draw, "BI /W 1 ID x EI"), "unsupported painting"));
 }
 
 }  // namespace

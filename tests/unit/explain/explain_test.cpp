@@ -42,14 +42,14 @@ TEST(Explain, SaysWhoseInkLiesOnAnEdge) {
   const std::string upper = story(studied.view(), explain::ByVertices{0, {4, 5}});
   EXPECT_NE(contains(lower, "no ink"), contains(upper, "no ink")) << lower << upper;
   EXPECT_TRUE(contains(lower + upper, ": visible contour 0:")) << lower << upper;
-  EXPECT_TRUE(contains(story(studied.view(), explain::ByVertices{0, {0, 4}}), "no ink: a point on the page"));
+  EXPECT_TRUE(contains(story(studied.view(), explain::ByVertices{0, {0, 4}}), "no ink: a point on the sheet"));
 }
 
 TEST(Explain, SaysThatHiddenLinesAreNotWanted) {
   const Studied studied = study(world_of({plate(0, 0, 4, 2, 0), plate(1, -1, 3, 1, 5)}), from_above());
   explain::ExplainInput view{studied.view()};
   view.keep_hidden = false;
-  EXPECT_TRUE(contains(story(view, explain::ByVertices{0, {0, 1}}), "no ink: hidden lines are not wanted"));
+  EXPECT_TRUE(contains(story(view, explain::ByVertices{0, {0, 1}}), "no ink: hidden lines are switched off"));
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ TEST(Subjects, ThatDoNotExistAreAnErrorWithWhatThereIs) {
   };
   EXPECT_TRUE(contains(error(explain::ByVertices{1, {0, 1}}).what(), "there is no model 1"));
   EXPECT_TRUE(contains(error(explain::ByVertices{0, {0, 8}}).what(), "has no vertex 8"));
-  EXPECT_EQ(error(explain::ByVertices{0, {0, 8}}).hint(), "its vertices are 0 to 7");
+  EXPECT_EQ(error(explain::ByVertices{0, {0, 8}}).hint(), "its vertices are numbered from 0 to 7");
   const Error no_edge = error(explain::ByVertices{0, {0, 7}});
   EXPECT_TRUE(contains(no_edge.what(), "joins vertices 0 and 7"));
   EXPECT_EQ(no_edge.hint().substr(0, 24), "edges at 0: 0-1 0-2 0-3 ");

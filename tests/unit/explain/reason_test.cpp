@@ -25,7 +25,7 @@ TEST(Reason, OfADrawnEdgeIsItsKind) {
   EXPECT_EQ(reason(study(world_of(folded(60)), from_above()), {0, {0, 1}}),
             "drawn as crease: faces 0:0 and 0:1 turn by 60 degrees; a crease turns by 30 or more");
   EXPECT_EQ(reason(study(world_of(folded(60)), from_above()), {0, {2, 3}}),
-            "drawn as boundary: no face goes on from face 0:0");
+            "drawn as boundary: no face continues face 0:0");
   EXPECT_TRUE(reason(study(world_of(folded(120)), from_above()), {0, {0, 1}}).starts_with("drawn as contour: "));
 }
 
@@ -37,7 +37,7 @@ TEST(Reason, OfAnEdgeThatIsNotDrawn) {
   edges::EdgeOptions no_creases;
   no_creases.crease = false;
   EXPECT_EQ(reason(study(world_of(folded(60)), from_above(), no_creases), {0, {0, 1}}),
-            "not drawn: crease edges are not wanted; "
+            "not drawn: crease edges are not selected; "
             "faces 0:0 and 0:1 turn by 60 degrees; a crease turns by 30 or more");
 }
 
@@ -46,7 +46,7 @@ TEST(Reason, TellsWhenAnEdgeIsClippedAway) {
   view::ViewLimits limits;
   limits.far = 0.2;
   const Studied studied = study(world_of(box({0, 0, -1}, {1, 1, 1})), from_above(), {}, limits);
-  EXPECT_EQ(reason(studied, {0, {0, 1}}), "not drawn: a contour, but outside of what is drawn");
+  EXPECT_EQ(reason(studied, {0, {0, 1}}), "not drawn: a contour, but outside the drawn region");
   EXPECT_TRUE(reason(studied, {0, {4, 5}}).starts_with("drawn as contour"));
 }
 

@@ -75,8 +75,8 @@ TEST(Obj, GroupsAreBodiesWhereThereAreNoObjects) {
 TEST(Obj, OtherStatementsAreNotedOnce) {
   const mesh::Soup soup =
       soup_of("# a comment\nmtllib x\nusemtl y#z\ns off\nv 0 0 0\nv 1 0 0\nl 1 2\np 1\nl 2 1\n\x7F\xC3 3\n");
-  EXPECT_EQ(soup.notes, (std::vector<std::string>{"ignored 4 lines of other kinds ('l', 'p', '?"
-                                                  "?'), the first of them line 7"}));
+  EXPECT_EQ(soup.notes, (std::vector<std::string>{"ignored 4 unsupported lines ('l', 'p', '?"
+                                                  "?'), the first is line 7"}));
 }
 
 TEST(Obj, ErrorsNameTheLine) {
@@ -85,9 +85,9 @@ TEST(Obj, ErrorsNameTheLine) {
   EXPECT_EQ(error("v 0 # 0 0\n"), "m.obj:1 | m.obj:1: the y coordinate is missing | ");
   EXPECT_EQ(error("v\n"), "m.obj:1 | m.obj:1: the x coordinate is missing | ");
   EXPECT_EQ(error("v 1,5 0 0\n"),
-            "m.obj:1 | m.obj:1: '1,5' is not a number that a double can hold | "
-            "numbers are written with a point and separated by blanks");
-  EXPECT_EQ(error("v 1e400 0 0\n"), "m.obj:1 | m.obj:1: '1e400' is not a number that a double can hold | ");
+            "m.obj:1 | m.obj:1: '1,5' is not a number, or too large | "
+            "write numbers with a decimal point, separated by blanks");
+  EXPECT_EQ(error("v 1e400 0 0\n"), "m.obj:1 | m.obj:1: '1e400' is not a number, or too large | ");
   EXPECT_EQ(error("v 0 0 0\n\nf 1 0 1\n"),
             "m.obj:3 | m.obj:3: a face refers to vertex 0 | vertices are numbered from 1");
   EXPECT_EQ(error("v 0 0 0\nf 1 1 1\nf 1 2 12\nf 1 3 1\n"),
@@ -101,7 +101,7 @@ TEST(Obj, ErrorsNameTheLine) {
   EXPECT_EQ(error("v 0 0 0\nf 1 x 1\n"), "m.obj:2 | m.obj:2: 'x' is not a whole number | ");
   EXPECT_EQ(error("v 0 0 0\nf 1 99999999999999999999 1\n"),
             "m.obj:2 | m.obj:2: '99999999999999999999' is not a whole number | ");
-  EXPECT_EQ(error("v 0 0 0\nf /1 1 1\n"), "m.obj:2 | m.obj:2: the number of a vertex is missing | ");
+  EXPECT_EQ(error("v 0 0 0\nf /1 1 1\n"), "m.obj:2 | m.obj:2: the number of the vertex is missing | ");
 }
 
 // Long enough to be read in several parts: every line that counts from the beginning of the file, or goes on behind a
@@ -164,7 +164,7 @@ TEST(Obj, ErrorsNameTheLineOfLongFiles) {
                                              ": a face refers to vertex -9000000, but there are " + count +
                                              " before it | ");
   EXPECT_EQ(soup_of(file.text + "\nl 1 2\n" + file.text + "p 1\nl 1\n").notes,
-            (std::vector<std::string>{"ignored 3 lines of other kinds ('l', 'p'), the first of them line " + next}));
+            (std::vector<std::string>{"ignored 3 unsupported lines ('l', 'p'), the first is line " + next}));
 }
 
 // Nowhere to cut: every line goes on, or none ends with a line feed.

@@ -29,19 +29,19 @@ TEST(Off, ColoursNormalsAndTexturesAreSkipped) {
 
 TEST(Off, ErrorsNameTheLine) {
   const auto error = [](const std::string& text) { return error_of([&] { soup_of(text); }); };
-  EXPECT_EQ(error("OFF BINARY\n"), "m.off:1 | m.off:1: binary OFF is not read | save it as text OFF or as PLY");
-  EXPECT_EQ(error("4OFF\n1 0 0\n"), "m.off:1 | m.off:1: '4OFF' has vertices of another dimension than three | ");
+  EXPECT_EQ(error("OFF BINARY\n"), "m.off:1 | m.off:1: binary OFF is not supported | save it as text OFF or as PLY");
+  EXPECT_EQ(error("4OFF\n1 0 0\n"), "m.off:1 | m.off:1: '4OFF' has vertices that are not three-dimensional | ");
   EXPECT_EQ(error("hello\n"), "m.off:1 | m.off:1: does not begin with 'OFF' | ");
   EXPECT_EQ(error("OFF\n353535235358 6 0\n0 0 0\n"),
-            "m.off:2 | m.off:2: the file cannot hold the 353535235358 vertices that its header announces | ");
+            "m.off:2 | m.off:2: the file is too short for the 353535235358 vertices that its header announces | ");
   EXPECT_EQ(error("OFFER\n"), "m.off:1 | m.off:1: does not begin with 'OFF' | ");
   EXPECT_EQ(error("OFF3x 1 0\n"), "m.off:1 | m.off:1: '3x' is not a whole number | ");
   EXPECT_EQ(error("OFF\n0\n"), "m.off:3 | m.off:3: the number of faces is missing | ");
   EXPECT_EQ(error("OFF\n3 1 0\n0 0 0\n1 0\n0 1 0\n3 0 1 2\n"),
             "m.off:4 | m.off:4: a coordinate of the vertex is missing | ");
   EXPECT_EQ(error("OFF\n1 -6 0\n0 0 0\n"),
-            "m.off:2 | m.off:2: the file cannot hold the -6 faces that its header announces | ");
-  EXPECT_EQ(error("OFF\n2 1 0\n0 0 0\n1 x 0\n"), "m.off:4 | m.off:4: 'x' is not a number that a double can hold | ");
+            "m.off:2 | m.off:2: the file is too short for the -6 faces that its header announces | ");
+  EXPECT_EQ(error("OFF\n2 1 0\n0 0 0\n1 x 0\n"), "m.off:4 | m.off:4: 'x' is not a number, or too large | ");
   EXPECT_EQ(error("OFF\n1 1 0\n0 0 0\n3 0 1 0\n"),
             "m.off:4 | m.off:4: a face refers to vertex 1, but there are 1 | vertices are numbered from 0");
   EXPECT_EQ(error("OFF\n1 1 0\n0 0 0\n3 0 0"), "m.off:4 | m.off:4: the file ends at face 1 of 1 | ");

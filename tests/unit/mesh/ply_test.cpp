@@ -101,16 +101,16 @@ TEST(Ply, TextErrorsNameTheLine) {
   const auto error = [](const std::string& text) { return error_of([&] { soup_of(text); }); };
   const std::string head = "ply\nformat ascii 1.0\n" + vertex_header + face_header + "end_header\n";  // 9 lines
   EXPECT_EQ(error(head + "0 0 0\n1 0 0\n0 1 x\n3 0 1 2\n"),
-            "m.ply:12 | m.ply:12: 'x' is not a number that a double can hold | ");
+            "m.ply:12 | m.ply:12: 'x' is not a number, or too large | ");
   EXPECT_EQ(error(head + "0 0 0\n1 0 0\n0 1 0 5\n3 0 1 2\n"),
-            "m.ply:12 | m.ply:12: '5' is more than this element has properties | ");
+            "m.ply:12 | m.ply:12: '5' exceeds the properties of this element | ");
   EXPECT_EQ(error(head + "0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n"),
             "m.ply:13 | m.ply:13: a face refers to vertex 3, but there are 3 | ");
   EXPECT_EQ(error(head + "0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n"),
-            "m.ply:13 | m.ply:13: a face refers to a vertex whose number is not a vertex | ");
+            "m.ply:13 | m.ply:13: a face refers to a vertex that does not exist | ");
   EXPECT_EQ(error(head + "0 0 0\n1 0 0\n0 1 0\n3 0 1.5 2\n"),
-            "m.ply:13 | m.ply:13: a face refers to a vertex whose number is not a vertex | ");
-  EXPECT_EQ(error(head + "0 0 0\n1 0 0\n0 1 0\n-3 0 1 2\n"), "m.ply:13 | m.ply:13: a list cannot have this length | ");
+            "m.ply:13 | m.ply:13: a face refers to a vertex that does not exist | ");
+  EXPECT_EQ(error(head + "0 0 0\n1 0 0\n0 1 0\n-3 0 1 2\n"), "m.ply:13 | m.ply:13: a list has an invalid length | ");
   EXPECT_EQ(error(head + "0 0 0\n1 0 0\n0 1 0\n# c\n"), "m.ply:14 | m.ply:14: the file ends too early | ");
 }
 
@@ -131,15 +131,16 @@ TEST(Ply, AShortRowIsSaidWhereItStands) {
 
 TEST(Ply, HeaderErrorsNameTheLine) {
   const auto error = [](const std::string& text) { return error_of([&] { soup_of("ply\n" + text); }); };
-  EXPECT_EQ(error("format ascii 1.0\nelement vertex 350000000000\nproperty float x\nproperty float y\nproperty float "
-                  "z\nend_header\n0 0 0\n"),
-            "m.ply:3 | m.ply:3: the file cannot hold the 350000000000 elements 'vertex' that its header announces | is "
-            "the file complete?");
+  EXPECT_EQ(
+      error("format ascii 1.0\nelement vertex 350000000000\nproperty float x\nproperty float y\nproperty float "
+            "z\nend_header\n0 0 0\n"),
+      "m.ply:3 | m.ply:3: the file is too short for the 350000000000 elements 'vertex' that its header announces | is "
+      "the file complete?");
   EXPECT_EQ(error("format ascii 1.0\nelement vertex 1\nproperty half x\n"),
-            "m.ply:4 | m.ply:4: 'half' is not a type of PLY | types are char, uchar, short, ushort, int, uint, float, "
+            "m.ply:4 | m.ply:4: 'half' is not a PLY type | use char, uchar, short, ushort, int, uint, float, "
             "double");
   EXPECT_EQ(error("format ebcdic 1.0\n"),
-            "m.ply:2 | m.ply:2: 'ebcdic' is not a format of PLY | ascii, binary_little_endian or binary_big_endian");
+            "m.ply:2 | m.ply:2: 'ebcdic' is not a PLY format | use ascii, binary_little_endian or binary_big_endian");
   EXPECT_EQ(error("element vertex 0\nproperty float x\nproperty float y\nend_header\n"),
             "m.ply:5 | m.ply:5: the header names no format | ");
   EXPECT_EQ(error("format ascii 1.0\nelement vertex 0\nproperty float x\nproperty float y\nend_header\n"),
@@ -147,8 +148,8 @@ TEST(Ply, HeaderErrorsNameTheLine) {
   EXPECT_EQ(error("format ascii 1.0\nproperty float x\n"), "m.ply:3 | m.ply:3: a property before the first element | ");
   EXPECT_EQ(error("format ascii 1.0\nelement vertex -1\n"), "m.ply:3 | m.ply:3: there cannot be -1 elements | ");
   EXPECT_EQ(error("format ascii 1.0\nnonsense\n"),
-            "m.ply:3 | m.ply:3: 'nonsense' does not belong into the header of a PLY file | ");
-  EXPECT_EQ(error("format ascii 1.0\n"), "m.ply:3 | m.ply:3: the header has no end | is the file complete?");
+            "m.ply:3 | m.ply:3: 'nonsense' does not belong in the header of a PLY file | ");
+  EXPECT_EQ(error("format ascii 1.0\n"), "m.ply:3 | m.ply:3: the header does not end | is the file complete?");
 }
 
 TEST(Ply, BinaryErrorsNameTheByte) {
@@ -163,13 +164,13 @@ TEST(Ply, BinaryErrorsNameTheByte) {
   bytes.resize(data + 80);
   EXPECT_NE(error_of([&] { soup_of(bytes); }).find("the file ends too early"), std::string::npos);
   bytes.resize(data + 60);
-  EXPECT_NE(error_of([&] { soup_of(bytes); }).find("m.ply:3: the file cannot hold the 3 elements 'vertex'"),
+  EXPECT_NE(error_of([&] { soup_of(bytes); }).find("m.ply:3: the file is too short for the 3 elements 'vertex'"),
             std::string::npos);
   bytes.resize(data + 72);
   bytes += '\xFF';
   const std::string list = std::to_string(data + 72);
   EXPECT_EQ(error_of([&] { soup_of(bytes); }),
-            "m.ply: byte " + list + " | m.ply: byte " + list + ": a list cannot have this length | ");
+            "m.ply: byte " + list + " | m.ply: byte " + list + ": a list has an invalid length | ");
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ TEST(Stl, BinaryMayCallItselfSolid) {
 TEST(Stl, BytesBehindTheLastTriangleAreNoted) {
   const mesh::Mesh mesh = mesh_of(binary_stl(cube()) + "tail");
   EXPECT_EQ(mesh.report.triangles, 12);
-  EXPECT_EQ(mesh.report.notes, (std::vector<std::string>{"ignored 4 bytes behind the last triangle"}));
+  EXPECT_EQ(mesh.report.notes, (std::vector<std::string>{"ignored 4 bytes after the last triangle"}));
 }
 
 TEST(Stl, TruncatedBinaryNamesTheByte) {
@@ -138,11 +138,11 @@ TEST(Stl, TextErrorsNameTheLine) {
     return error_of([&] { mesh::read_stl("solid s\nfacet normal 0 0 1\n" + body, "m.stl"); });
   };
   EXPECT_EQ(error("vertex 0 0\n"), "m.stl:3 | m.stl:3: the z coordinate is missing | ");
-  EXPECT_EQ(error("vertex 0 0 zero\n"), "m.stl:3 | m.stl:3: 'zero' is not a number that a double can hold | ");
-  EXPECT_EQ(error("vertex 0 0 0\nvertx 1 2 3"), "m.stl:4 | m.stl:4: 'vertx' does not belong into a text STL | ");
+  EXPECT_EQ(error("vertex 0 0 zero\n"), "m.stl:3 | m.stl:3: 'zero' is not a number, or too large | ");
+  EXPECT_EQ(error("vertex 0 0 0\nvertx 1 2 3"), "m.stl:4 | m.stl:4: 'vertx' does not belong in a text STL | ");
   EXPECT_EQ(error("vertex 0 0 0\n"), "m.stl:4 | m.stl:4: the file ends inside a facet | is the file complete?");
   EXPECT_EQ(error("facet\n"), "m.stl:3 | m.stl:3: a facet begins inside a facet | ");
-  EXPECT_EQ(error("endfacet\nvertex 0 0 0\n"), "m.stl:4 | m.stl:4: a vertex outside of a facet | ");
+  EXPECT_EQ(error("endfacet\nvertex 0 0 0\n"), "m.stl:4 | m.stl:4: a vertex outside a facet | ");
 }
 
 }  // namespace

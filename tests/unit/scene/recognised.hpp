@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Worlds whose parts are recognised.
+// Worlds with recognised parts.
 #pragma once
 
 #include <algorithm>
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "../features/shapes.hpp"
+#include "laboratory/shapes.hpp"
 #include "scene/scene.hpp"
 #include "scene/transform.hpp"
 
@@ -18,8 +19,7 @@ namespace epura::test {
 
 inline scene::World world_of(const Part& part, const std::string& transform = "scale:1") {
   const auto mesh = std::make_shared<const mesh::Mesh>(part.mesh());
-  const auto faces = std::make_shared<const features::PartFaces>(features::recognise_faces(*mesh));
-  return scene::make_world({{mesh, scene::parse_transform(transform), faces}});
+  return laboratory::recognised(scene::make_world({{mesh, scene::parse_transform(transform)}}));
 }
 
 inline Part together(const std::vector<Part>& parts) {

@@ -31,22 +31,22 @@ const std::string view = model + "[[view]]\nprojection = 'front'\n";      // lin
 const std::string dimension = view + "[[dimension]]\ntype = 'linear'\n";  // lines 5 and 6
 const std::string quotes = "put it in quotes";
 const std::string values = "values are like \"text\", 1.5, true or [1, 2]; see toml.io";
-const std::string empty = "leave it out, or say something";
+const std::string empty = "omit it, or give a value";
 const std::string anchors = "[model, vertex] or {point = [x, y, z]}";
 
 TEST(SceneRefusal, WhatIsMissing) {
-  const std::string hint = "a scene file has at least:  [[model]]  file = \"part.obj\"";
+  const std::string hint = "a scene file needs at least:  [[model]]  file = \"part.obj\"";
   expect_refusals(
       "", {
               {"", " names no model", hint},
               {"# nothing\n", " names no model", hint},
               {"[sheet]\nsize = 'A4'\n", " names no model", hint},
               {"[[model]]\nname = 'a'\n", "1:1: [[model]] lacks 'file'",
-               "obj, stl, ply, off, or what an importer reads, with `:key=value` for its parameters; a relative path "
-               "starts at the scene file"},
+               "obj, stl, ply, off or what an importer reads, with `:key=value` for its parameters; relative paths "
+               "start at the scene file"},
               {model + "[[view]]\n", "3:1: [[view]] lacks 'projection'",
                "`NAME[:key=value...]`, or `{name = NAME, key = value}`"},
-              {model + "[[section]]\n", "3:1: [[section]] lacks 'name'", "by which views call it, such as `A`"},
+              {model + "[[section]]\n", "3:1: [[section]] lacks 'name'", "name to which views refer, such as `A`"},
               {"view = [{projection = {eye = [1, 2, 3]}}]\n" + model, "1:23: 'projection' lacks 'name'",
                "{name = \"look-at\", eye = [4, -9, 5]}"},
           });
@@ -112,7 +112,7 @@ TEST(SceneRefusal, ValuesOutOfRange) {
                           {"[[model]]\nfile = '''a\nb'''", "2:8: 'file' has a line break or another control character",
                            "write it on one line"},
                           {"views = []\n" + model, "1:9: 'views' is empty", empty},
-                          {"views = 'front,,top'\n" + model, "1:9: 'views' has an empty word", empty},
+                          {"views = 'front,,top'\n" + model, "1:9: 'views' has an empty element", empty},
                           {model + "[[section]]\nname = 'A'\nnormal = [0, -0.0, 0]",
                            "5:10: 'normal' is zero and has no direction", ""},
                       });
@@ -120,14 +120,14 @@ TEST(SceneRefusal, ValuesOutOfRange) {
 
 TEST(SceneRefusal, NamesThatLeadNowhereOrToTwoThings) {
   const std::string section = model + "[[section]]\nname = 'A'\n";
-  const std::string one = "names are for one each";
+  const std::string one = "names must be unique";
   expect_refusals(
       "", {
               {model + "name = 'x'\n" + model + "name = 'x'", "6:8: 'x' is the name of an earlier model", one},
               {section + "[[section]]\nname = 'A'", "6:8: 'A' is the name of an earlier section", one},
               {view + "name = 'x'\n[[view]]\nprojection = 'top'\nname = 'x'", "8:8: 'x' is the name of an earlier view",
                one},
-              {view + "section = 'A'", "5:11: there is no section 'A'", "there is no [[section]] at all"},
+              {view + "section = 'A'", "5:11: there is no section 'A'", "there is no [[section]]"},
               {section + "[[view]]\nprojection = 'left'\nsection = 'B'", "7:11: there is no section 'B'", "known: A"},
               {view + "sheet = 2", "4:14: the view is for sheet 2 of 1", "add a [[sheet]]"},
               {dimension + "from = [0, 1]\nto = [0, 2]\nview = 'frnt'", "9:8: there is no view 'frnt'",
@@ -146,7 +146,7 @@ TEST(SceneRefusal, Anchors) {
                       {"from = ['b', 1]\nto = [0, 2]", "7:8: there is no model 'b'", "known: a"},
                       {"from = [0, -1]", "7:12: 'from' is -1, allowed is 0 or more", ""},
                       {"from = [0, 'x']", "7:12: 'from' is a text, a number is wanted", ""},
-                      {"from = [0]", "7:8: 'from' has 1 elements, [model, vertex] is wanted",
+                      {"from = [0]", "7:8: 'from' has 1 elements instead of [model, vertex]",
                        "a point of the world is {point = [x, y, z]}"},
                       {"from = {piont = [0, 0, 0]}", "7:8: 'from' is not an anchor", anchors},
                       {"from = {point = [0, 0]}", "7:17: 'point' has 2 elements, 3 numbers are wanted", ""},
@@ -163,36 +163,39 @@ TEST(SceneRefusal, Anchors) {
 
 TEST(SceneRefusal, AnchorsOnModelsThatCannotBeMeant) {
   const std::string radius = "[[dimension]]\ntype = 'radius'\n";
-  expect_refusals("", {
-                          {model + "drawn = false\n" + radius + "at = ['a', 1]",
-                           "6:6: the model is not drawn and has no vertices", "give the place as {point = [x, y, z]}"},
-                          {model + model + radius + "at = ['a', 1]", "7:6: several models are called 'a'",
-                           "give them names of their own, or use a number"},
-                      });
+  expect_refusals(
+      "", {
+              {model + "drawn = false\n" + radius + "at = ['a', 1]", "6:6: the model is not drawn and has no vertices",
+               "give the position as {point = [x, y, z]}"},
+              {model + model + radius + "at = ['a', 1]", "7:6: several models are called 'a'",
+               "give them different names, or use a number"},
+          });
 }
 
 TEST(SceneRefusal, WhatIsNoToml) {
   expect_refusals(
-      "",
-      {
-          {"[[model]]\nfile = a.obj", "2:8: is no TOML: while parsing value: could not determine value type", values},
-          {"[[model]\n", "1:9: is no TOML: while parsing table header: expected ']', saw '\\n'", values},
-          {"[Maß]", "1:4: is no TOML: while parsing table header: expected ']', saw 'ß'", values},
-          {"[ä]",
-           "1:2: is no TOML: while parsing key: expected bare key starting character or string delimiter, saw 'ä'",
-           values},
-          {"[[+]]",
-           "1:3: is no TOML: while parsing key: expected bare key starting character or string delimiter, saw '+'",
-           values},
-          {"a = i\nb", "1:6: is no TOML: while parsing floating-point: expected 'inf', saw 'i '", values},
-          {"name 'x'", "1:6: is no TOML: while parsing key-value pair: expected '=', saw '''", values},
-          {"a = 'x", "1:7: is no TOML: while parsing string: encountered end-of-file", values},
-          {model + "file = 'b'",
-           "3:8: is no TOML: while parsing key-value pair: cannot redefine existing string 'file'", values},
-          {"a = \"\xff\"", "1:5: is no TOML: encountered invalid utf-8 sequence", values},
-          {"a = " + std::string(100'000, '['),
-           "1:13: is no TOML: while parsing value: exceeded maximum nested value depth of 8", values},
-      });
+      "", {
+              {"[[model]]\nfile = a.obj", "2:8: is not valid TOML: while parsing value: could not determine value type",
+               values},
+              {"[[model]\n", "1:9: is not valid TOML: while parsing table header: expected ']', saw '\\n'", values},
+              {"[Maß]", "1:4: is not valid TOML: while parsing table header: expected ']', saw 'ß'", values},
+              {"[ä]",
+               "1:2: is not valid TOML: while parsing key: expected bare key starting character or string delimiter, "
+               "saw 'ä'",
+               values},
+              {"[[+]]",
+               "1:3: is not valid TOML: while parsing key: expected bare key starting character or string delimiter, "
+               "saw '+'",
+               values},
+              {"a = i\nb", "1:6: is not valid TOML: while parsing floating-point: expected 'inf', saw 'i '", values},
+              {"name 'x'", "1:6: is not valid TOML: while parsing key-value pair: expected '=', saw '''", values},
+              {"a = 'x", "1:7: is not valid TOML: while parsing string: encountered end-of-file", values},
+              {model + "file = 'b'",
+               "3:8: is not valid TOML: while parsing key-value pair: cannot redefine existing string 'file'", values},
+              {"a = \"\xff\"", "1:5: is not valid TOML: encountered invalid utf-8 sequence", values},
+              {"a = " + std::string(100'000, '['),
+               "1:13: is not valid TOML: while parsing value: exceeded maximum nested value depth of 8", values},
+          });
 }
 
 TEST(SceneRefusal, WhatWouldExhaustMemoryOrStack) {

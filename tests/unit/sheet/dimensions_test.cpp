@@ -159,12 +159,12 @@ TEST(Dimensions, RefusedForWhatTheViewShows) {
   expect_refusals(world, drawing_of(world, perspective(eye, {0, 0, 0}, {0, -1, 0}, {0, 0, 1})),
                   {perspective_one, {dimension("overall", {}, "width"), "perspective"}});
   expect_refusals(world, drawing_of(world, orthographic(from_corner)),
-                  {{dimension("aligned", {0, 2}), "shortens the line"},
-                   {dimension("linear", {0, 1}, "horizontal"), "shortens what it measures"},
+                  {{dimension("aligned", {0, 2}), "foreshortens the measured line"},
+                   {dimension("linear", {0, 1}, "horizontal"), "foreshortens the measured length"},
                    {dimension("angular", {0, 1, 2}), "changes the angle"},
                    {dimension("overall", {}, "width"), "true length"}});
   expect_refusals(world, drawing_of(world, orthographic(from_left)),
-                  {{dimension("aligned", {0, 1}), "looks along the line"},
+                  {{dimension("aligned", {0, 1}), "looks along the measured line"},
                    {dimension("linear", {0, 1}, "horizontal"), "one above the other"},
                    {dimension("overall", {}, "width"), "true length"}});
 }
@@ -191,7 +191,7 @@ TEST(Dimensions, RefusedForWhatTheySay) {
                    {other_model, "there is no model 3"},
                    {dimension("aligned", {1, 1}), "at the same place"},
                    {dimension("angular", {0, 0, 1}), "at the same place"},
-                   {nowhere, "no finite numbers"},
+                   {nowhere, "are not finite"},
                    {dimension("linear", {0, 1}, "vertical"), "side by side"},
                    {dimension("radius", {0}), "rim of a circle"},
                    {far_off, "not a length on a sheet"},
@@ -210,7 +210,7 @@ TEST(Dimensions, TheNearestCircleIsNamed) {
   scene::DimensionDescription radius = dimension("radius", {});
   radius.anchors = {Vec3(14, 0, 7)};
   const Error error = error_of([&] { text_of(world, drawing_of(world, from_above()), radius); });
-  EXPECT_TRUE(contains(error.hint(), "radius 10 around 0,0,7; its vertex 64")) << error.hint();
+  EXPECT_TRUE(contains(error.hint(), "radius 10 around 0,0,7; for example, use its vertex 64")) << error.hint();
 }
 
 TEST(Dimensions, AnUnevenScaleLeavesNoCircle) {
@@ -219,17 +219,10 @@ TEST(Dimensions, AnUnevenScaleLeavesNoCircle) {
   EXPECT_TRUE(contains(error.what(), "rim of a circle")) << error.what();
 }
 
-// Its faces recognised.
-scene::World recognised(const Shape& shape, const std::string& steps) {
-  const auto mesh = std::make_shared<const mesh::Mesh>(mesh_of(shape));
-  return scene::make_world({{mesh, scene::parse_transform(steps),
-                             std::make_shared<const features::PartFaces>(features::recognise_faces(*mesh))}});
-}
-
 TEST(Dimensions, OverallOnesOfAShaftAreItsDiameter) {
   // No corner of the polygon lies on x: it is 19.9 wide.
   const std::string steps = "rotate:z,5.625";
-  const scene::World world = recognised(cylinder(32, 10, 7), steps);
+  const scene::World world = recognised(placed(cylinder(32, 10, 7), steps));
   const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front));
   EXPECT_EQ(text_of(world, front, dimension("overall", {}, "width")), "⌀20");
   EXPECT_EQ(text_of(world, front, dimension("overall", {}, "height")), "7");
@@ -246,7 +239,7 @@ TEST(Dimensions, OverallOnesOfAShaftAreItsDiameter) {
 }
 
 TEST(Dimensions, VerticesOfRoundFacesHaveTheirCircle) {
-  const scene::World world = recognised(cylinder(32, 10, 7), "scale:3");
+  const scene::World world = recognised(placed(cylinder(32, 10, 7), "scale:3"));
   EXPECT_EQ(text_of(world, drawing_of(world, from_above()), dimension("diameter", {3})), "⌀60");
   // Vertices in the middle of a bore lie on no rim.
   Shape two = cylinder(32, 10, 7);
@@ -259,7 +252,7 @@ TEST(Dimensions, VerticesOfRoundFacesHaveTheirCircle) {
     top.push_back(64 + i);
   }
   two.faces.push_back(top);
-  const scene::World long_one = recognised(two, "scale:1");
+  const scene::World long_one = recognised(placed(two));
   EXPECT_EQ(text_of(long_one, drawing_of(long_one, from_above()), dimension("radius", {40})), "R10");
 }
 
