@@ -67,8 +67,7 @@ std::optional<FreeNormals::Normal> FreeNormals::at(int facet, int vertex) const 
     const Facet& there = facets_.facets[f];
     guess += (glm::dot(there.normal, facing) < 0 ? -there.area : there.area) * there.normal;
   }
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  facets_.sort_by_place(vertices);
   if (vertices.size() < least_vertices || !(glm::length(guess) > 0)) return std::nullopt;
   guess = glm::normalize(guess);
   const auto across = square_to(guess);

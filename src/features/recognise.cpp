@@ -142,8 +142,7 @@ class Recogniser {
     std::vector<int> vertices;
     for (const int f : facets)
       for (const int v : facets_.vertices_of(f)) vertices.push_back(v);
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    facets_.sort_by_place(vertices);
     std::vector<Vec3> points;
     for (const int v : vertices) points.push_back(facets_.points[v]);
     return points;
