@@ -332,12 +332,6 @@ class Flattening {
 
 }  // namespace
 
-void Facets::sort_by_place(std::vector<int>& of_vertices) const {
-  std::sort(of_vertices.begin(), of_vertices.end(),
-            [this](int a, int b) { return points[a] == points[b] ? a < b : is_before(points[a], points[b]); });
-  of_vertices.erase(std::unique(of_vertices.begin(), of_vertices.end()), of_vertices.end());
-}
-
 double Facets::cosine_of_fold(int triangle, int side) const {
   const int other = sides[triangle][side].neighbour;
   const double cosine = glm::dot(facets[facet_of[triangle]].normal, facets[facet_of[other]].normal);

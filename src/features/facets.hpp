@@ -63,8 +63,6 @@ struct Facets {
         if (const int next = sides[t][side].neighbour; next >= 0 && facet_of[next] != facet)
           visit(t, side, facet_of[next]);
   }
-  /// Sorts vertices by their places, which no order in a file changes, and leaves each of them once.
-  void sort_by_place(std::vector<int>& of_vertices) const;
   /// The cosine of the fold between two facets at a side of the first one's triangle. Which way round the triangles run
   /// does not matter.
   [[nodiscard]] double cosine_of_fold(int triangle, int side) const;
