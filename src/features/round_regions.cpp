@@ -3,11 +3,17 @@
 
 #include <algorithm>
 #include <array>
+#include <compare>
 #include <cstddef>
+#include <deque>
 #include <initializer_list>
 #include <optional>
 #include <span>
+#include <tuple>
 #include <utility>
+
+#include "base/parallel.hpp"
+#include "features/clusters.hpp"
 
 namespace epura::features {
 
@@ -21,6 +27,7 @@ constexpr int least_seeds = 256;
 constexpr int seeds_for_one = 192;
 constexpr int patience = 512;
 constexpr char enough_failures = 8;
+constexpr int facets_at_once = 256;
 
 /// A surface that some facets around a seed lie on.
 struct Guess {
@@ -43,6 +50,45 @@ struct Neighbour {
   int facet;
 };
 
+/// How much was tried: the longer little was found, as in free forms, the fewer facets are tried.
+struct Effort {
+  int tried = 0;
+  int grown = 0;
+  int in_vain = -patience;
+
+  void add(bool found) {
+    ++tried;
+    ++in_vain;
+    if (!found) return;
+    ++grown;
+    in_vain = std::max(in_vain - 8, -patience);
+  }
+
+  [[nodiscard]] bool is_hopeless() const { return tried >= least_seeds && tried > seeds_for_one * grown; }
+};
+
+/// A facet from which a surface might have grown, and whether one did.
+struct Try {
+  int facet;
+  bool found;
+};
+
+/// Where a region comes from: regions are kept in this order, whatever was searched at the same time.
+struct Origin {
+  int stage;
+  int seed;  ///< facet
+
+  auto operator<=>(const Origin&) const = default;
+};
+
+/// A cylinder or cone, and facets of it that a sphere took first.
+struct Ring {
+  PartSurface surface;
+  std::vector<int> facets;
+  int seed;
+};
+
+/// In one cluster.
 class Search {
  public:
   Search(const Facets& facets, const Progress& progress)
@@ -57,42 +103,61 @@ class Search {
     found_.region_of.assign(facets.facets.size(), -1);
   }
 
-  RoundRegions run() {
-    find_round_regions(false);
-    if (found_.regions.empty() && !grow_rings()) return std::move(found_);
-    // With their neighbours known, narrow ones show that they are tangent to them.
-    find_beside_regions();
-    if (grow_rings()) find_beside_regions();
-    return std::move(found_);
-  }
-
- private:
-  void find_beside_regions() {
+  /// Begins with the first facet again.
+  void begin_pass() {
+    ++stage_;
+    next_ = 0;
     std::fill(failures_.begin(), failures_.end(), char(0));
-    find_round_regions(true);
   }
 
-  void find_round_regions(bool beside_regions) {
-    int tried = 0, grown = 0, in_vain = -patience;
-    for (int f = 0; f < static_cast<int>(facets_.facets.size()); ++f) {
-      // The longer little was found, as in free forms, the fewer seeds are tried.
-      const int most_failures = in_vain < 0 ? enough_failures : in_vain < 256 ? 3 : 1;
+  /// Tries the next facets, as far as `end`, after so much was tried.
+  std::vector<Try> advance(int end, bool beside_regions, Effort effort) {
+    std::vector<Try> tries;
+    for (; next_ < end; ++next_) {
+      const int f = next_;
+      const int most_failures = effort.in_vain < 0 ? enough_failures : effort.in_vain < 256 ? 3 : 1;
       const Facet& facet = facets_.facets[f];
       if (region_of(f) >= 0 || failures_[f] >= most_failures || facet.is_plane || facets_.is_sliver(f)) continue;
       if (beside_regions && !is_beside_region(f)) continue;
       const Few beside = beside_of(f);
       if (beside.empty()) continue;
       progress_.expect_time();
-      ++tried;
-      ++in_vain;
-      if (grow_from(f, beside)) {
-        ++grown;
-        in_vain = std::max(in_vain - 8, -patience);
-      }
-      if (tried >= least_seeds && tried > seeds_for_one * grown) return;
+      tries.push_back({f, grow_from(f, beside)});
+      effort.add(tries.back().found);
+      if (effort.is_hopeless()) break;
+    }
+    return tries;
+  }
+
+  /// Drops regions of this pass that grew from the facet `end` or later ones.
+  void drop_from(int end) {
+    while (!origins_.empty() && origins_.back() >= Origin{stage_, end}) {
+      for (const int f : found_.regions.back().facets) found_.region_of[f] = -1;
+      found_.regions.pop_back();
+      origins_.pop_back();
     }
   }
 
+  /// Rings of triangles that are no strip begin with a sphere. They come last: of the rows of a torus they would make
+  /// cones. Whether there were any.
+  bool grow_rings() {
+    ++stage_;
+    const std::size_t before = found_.regions.size();
+    for (const Ring& ring : rings_) {
+      std::vector<int> seeds;
+      for (const int f : ring.facets)
+        if (region_of(f) < 0) seeds.push_back(f);
+      if (2 * seeds.size() < ring.facets.size()) continue;
+      if (auto region = grower_.grow(ring.surface, seeds); region && grower_.is_evident(*region))
+        keep(std::move(*region), ring.seed);
+    }
+    return found_.regions.size() > before;
+  }
+
+  [[nodiscard]] const std::vector<Origin>& origins() const { return origins_; }
+  [[nodiscard]] RoundRegions& found() { return found_; }
+
+ private:
   [[nodiscard]] int region_of(int facet) const { return found_.region_of[facet]; }
 
   [[nodiscard]] bool is_beside_region(int facet) const {
@@ -270,32 +335,18 @@ class Search {
     return guesses;
   }
 
-  void keep(Region region) {
+  void keep(Region region, int seed) {
+    origins_.push_back({stage_, seed});
     for (const int f : region.facets) found_.region_of[f] = static_cast<int>(found_.regions.size());
     found_.regions.push_back(std::move(region));
   }
 
-  void remember_ring(const Region& region) {
+  void remember_ring(const Region& region, int seed) {
     if (in_ring_[region.facets.front()] != 0) return;
     const auto simpler = grower_.simpler_than(region);
     if (!simpler) return;
     for (const int f : region.facets) in_ring_[f] = 1;
-    rings_.push_back({*simpler, region.facets, 0});
-  }
-
-  // Rings of triangles that are no strip begin with a sphere. They come last: of the rows of a torus they would make
-  // cones. Whether there were any.
-  bool grow_rings() {
-    const std::size_t before = found_.regions.size();
-    for (const Guess& ring : rings_) {
-      std::vector<int> seeds;
-      for (const int f : ring.seeds)
-        if (region_of(f) < 0) seeds.push_back(f);
-      if (2 * seeds.size() < ring.seeds.size()) continue;
-      if (auto region = grower_.grow(ring.surface, seeds); region && grower_.is_evident(*region))
-        keep(std::move(*region));
-    }
-    return found_.regions.size() > before;
+    rings_.push_back({*simpler, region.facets, seed});
   }
 
   bool grow_from(int facet, const Few& beside) {
@@ -304,10 +355,10 @@ class Search {
       auto region = grower_.grow(g.surface, g.seeds);
       if (!region) continue;
       if (grower_.is_evident(*region)) {
-        keep(std::move(*region));
+        keep(std::move(*region), facet);
         return true;
       }
-      if (region->surface.kind == SurfaceKind::sphere) remember_ring(*region);
+      if (region->surface.kind == SurfaceKind::sphere) remember_ring(*region, facet);
     }
     // What is as large as the seed would hardly do better.
     for (const int f : nearby) {
@@ -321,20 +372,134 @@ class Search {
   const Facets& facets_;
   const Progress& progress_;
   RoundRegions found_;
+  std::vector<Origin> origins_;  ///< of the regions
+  int stage_ = 0;
+  int next_ = 0;
   std::vector<char> failures_;  ///< of seeds nearby
   std::vector<int> stamp_, vertex_stamp_;
   int number_ = 0, vertex_number_ = 0;
   std::vector<Neighbour> around_facet_;
   std::vector<int> neighbours_at_, neighbours_;  ///< of each facet, where they begin: how many there are, and which
-  std::vector<Guess> rings_;
+  std::vector<Ring> rings_;
   std::vector<char> in_ring_;  ///< whether a facet is in one of them
   RegionGrower grower_;
+};
+
+/// In all clusters side by side.
+class SideBySide {
+ public:
+  SideBySide(const Facets& all, const Progress& progress) : all_(all), clusters_(clusters_of(all)) {
+    for (const Cluster& cluster : clusters_) searches_.emplace_back(cluster.facets(all), progress);
+  }
+
+  RoundRegions run() {
+    pass(false);
+    grow_rings();
+    // With their neighbours known, narrow ones show that they are tangent to them.
+    begin_pass();
+    pass(true);
+    if (grow_rings()) {
+      begin_pass();
+      pass(true);
+    }
+    return joined();
+  }
+
+ private:
+  template <class Do>
+  void for_each(const Do& act) {
+    parallel_for(searches_.size(), 1, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t c = begin; c < end; ++c) act(c);
+    });
+  }
+
+  // All clusters advance together, largest facets first: what is tried in one depends a little on what was found in
+  // others, but never on which thread was faster.
+  void pass(bool beside_regions) {
+    Effort effort;
+    const auto count = static_cast<int>(all_.facets.size());
+    const int window = clusters_.size() > 1 ? facets_at_once : count;
+    for (int end = std::min(window, count);; end = std::min(end + window, count)) {
+      std::vector<std::vector<Try>> tries(searches_.size());
+      for_each([&](std::size_t c) { tries[c] = searches_[c].advance(local(c, end), beside_regions, effort); });
+      for (const Try& one : in_order(std::move(tries))) {
+        effort.add(one.found);
+        if (effort.is_hopeless()) return drop_from(one.facet + 1);
+      }
+      if (end == count) return;
+    }
+  }
+
+  // What clusters found after all that lies behind was in vain.
+  void drop_from(int end) {
+    for_each([&](std::size_t c) { searches_[c].drop_from(local(c, end)); });
+  }
+
+  [[nodiscard]] std::vector<Try> in_order(std::vector<std::vector<Try>> tries) const {
+    std::vector<Try> all;
+    for (std::size_t c = 0; c < tries.size(); ++c)
+      for (const Try& one : tries[c]) all.push_back({in_whole(c, one.facet), one.found});
+    std::sort(all.begin(), all.end(), [](const Try& a, const Try& b) { return a.facet < b.facet; });
+    return all;
+  }
+
+  [[nodiscard]] int in_whole(std::size_t cluster, int facet) const {
+    const std::vector<int>& whole = clusters_[cluster].whole;
+    return whole.empty() ? facet : whole[facet];
+  }
+
+  [[nodiscard]] int local(std::size_t cluster, int facet) const {
+    const std::vector<int>& whole = clusters_[cluster].whole;
+    if (whole.empty()) return facet;
+    return static_cast<int>(std::lower_bound(whole.begin(), whole.end(), facet) - whole.begin());
+  }
+
+  void begin_pass() {
+    for_each([&](std::size_t c) { searches_[c].begin_pass(); });
+  }
+
+  bool grow_rings() {
+    std::vector<char> grown(searches_.size(), 0);
+    for_each([&](std::size_t c) { grown[c] = searches_[c].grow_rings() ? 1 : 0; });
+    return std::find(grown.begin(), grown.end(), 1) != grown.end();
+  }
+
+  RoundRegions joined() {
+    if (searches_.size() == 1) return std::move(searches_.front().found());
+    struct Number {
+      Origin origin;
+      std::size_t cluster, region;
+    };
+    std::vector<Number> order;
+    for (std::size_t c = 0; c < searches_.size(); ++c)
+      for (std::size_t r = 0; r < searches_[c].origins().size(); ++r) {
+        const Origin& origin = searches_[c].origins()[r];
+        order.push_back({{origin.stage, in_whole(c, origin.seed)}, c, r});
+      }
+    std::sort(order.begin(), order.end(), [](const Number& a, const Number& b) {
+      return std::tie(a.origin, a.region) < std::tie(b.origin, b.region);
+    });
+    RoundRegions all{{}, std::vector<int>(all_.facets.size(), -1)};
+    for (const Number& number : order) {
+      Region region = std::move(searches_[number.cluster].found().regions[number.region]);
+      for (int& f : region.facets) {
+        f = in_whole(number.cluster, f);
+        all.region_of[f] = static_cast<int>(all.regions.size());
+      }
+      all.regions.push_back(std::move(region));
+    }
+    return all;
+  }
+
+  const Facets& all_;
+  std::vector<Cluster> clusters_;
+  std::deque<Search> searches_;
 };
 
 }  // namespace
 
 RoundRegions find_round_regions(const Facets& facets, const Progress& progress) {
-  return Search(facets, progress).run();
+  return SideBySide(facets, progress).run();
 }
 
 }  // namespace epura::features
