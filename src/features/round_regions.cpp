@@ -394,7 +394,7 @@ class SideBySide {
 
   RoundRegions run() {
     pass(false);
-    grow_rings();
+    if (!has_regions() && !grow_rings()) return joined();
     // With their neighbours known, narrow ones show that they are tangent to them.
     begin_pass();
     pass(true);
@@ -446,6 +446,10 @@ class SideBySide {
   [[nodiscard]] int in_whole(std::size_t cluster, int facet) const {
     const std::vector<int>& whole = clusters_[cluster].whole;
     return whole.empty() ? facet : whole[facet];
+  }
+
+  [[nodiscard]] bool has_regions() const {
+    return std::any_of(searches_.begin(), searches_.end(), [](const Search& s) { return !s.origins().empty(); });
   }
 
   [[nodiscard]] int local(std::size_t cluster, int facet) const {
