@@ -81,8 +81,11 @@ class BorderFinder {
     BorderEdge border{number, {}, edge.vertex, 0, 0, triangles.size() != 2};
     border.length = glm::distance(facets_.points[edge.vertex[0]], facets_.points[edge.vertex[1]]);
     if (border.open) {
+      // Where several end, the first and the last one: which triangle comes first in the file does not matter.
       border.faces = {-1, region(triangles[0])};
-      if (triangles.size() > 2) border.faces[0] = region(triangles[1]);
+      if (triangles.size() > 2) border.faces[0] = border.faces[1];
+      for (const int t : triangles.subspan(1))
+        border.faces = {std::min(border.faces[0], region(t)), std::max(border.faces[1], region(t))};
       border.angle = 180;
     } else {
       border.faces = {region(triangles[0]), region(triangles[1])};
@@ -209,7 +212,8 @@ class BorderFinder {
 
   // The least angle that most of the length does not exceed: at a corner a third face may decide.
   [[nodiscard]] double angle_along(std::vector<int> chain) const {
-    std::stable_sort(chain.begin(), chain.end(), [this](int a, int b) { return edges_[a].angle < edges_[b].angle; });
+    const auto key = [this](int e) { return std::pair(edges_[e].angle, edges_[e].length); };
+    std::sort(chain.begin(), chain.end(), [&](int a, int b) { return key(a) < key(b); });
     double length = 0, below = 0;
     for (const int e : chain) length += edges_[e].length;
     for (const int e : chain) {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <numeric>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "base/parallel.hpp"
@@ -21,6 +22,20 @@ constexpr std::size_t grain = 8192;
 constexpr double least_tolerance = 3e-7;
 // Roundings by which a vertex may lie beside its surface: three coordinates, and those of its neighbours in the fit.
 constexpr double roundings = 4;
+
+bool is_before(const Vec3& a, const Vec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
+
+// Which corner of a triangle stands first in the file shall not matter.
+void begin_at_first_corners(Facets& f) {
+  parallel_for(f.corners.size(), grain, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      auto& corners = f.corners[t];
+      const auto first = std::min_element(corners.begin(), corners.end(),
+                                          [&](int a, int b) { return is_before(f.points[a], f.points[b]); });
+      std::rotate(corners.begin(), first, corners.end());
+    }
+  });
+}
 
 // The corners of triangles in coordinates near 1, and which lie beside each other.
 void read_triangles(const mesh::Mesh& mesh, Facets& f) {
@@ -51,6 +66,7 @@ void read_triangles(const mesh::Mesh& mesh, Facets& f) {
   const double size = 2 * std::max({half.x, half.y, half.z});
   f.scale = size > 0 ? std::ldexp(1.0, -std::clamp(std::ilogb(size), -1000, 1000)) : 1;
   for (Vec3& p : f.points) p = (p - f.origin) * f.scale;
+  begin_at_first_corners(f);
   const double rounding = std::max(farthest * (mesh.report.single_precision ? 0x1p-24 : 0x1p-51),
                                    std::max(mesh.report.resolution / 2, mesh.report.weld_distance));
   f.tolerance = std::max(roundings * rounding, least_tolerance * size) * f.scale;

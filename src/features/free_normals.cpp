@@ -32,8 +32,10 @@ FreeNormals::FreeNormals(const Facets& facets, const std::vector<int>& region_of
 }
 
 // Those of the face at the vertex, and so many rings around them that their vertices determine a paraboloid.
-std::vector<int> FreeNormals::facets_around(int facet, int vertex) const {
-  std::vector<int> facets, vertices{vertex}, next{vertex};
+FreeNormals::Patch FreeNormals::patch_around(int facet, int vertex) const {
+  Patch patch{{}, {vertex}};
+  auto& [facets, vertices] = patch;
+  std::vector<int> next{vertex};
   const auto is_in = [](const std::vector<int>& all, int i) {
     return std::find(all.begin(), all.end(), i) != all.end();
   };
@@ -43,7 +45,7 @@ std::vector<int> FreeNormals::facets_around(int facet, int vertex) const {
     for (const int v : from)
       for (const int f : at_vertex_[static_cast<std::size_t>(v)]) {
         if (region_of_[f] != region_of_[facet] || is_in(facets, f)) continue;
-        if (facets.size() == most_facets) return facets;
+        if (facets.size() == most_facets) return patch;
         facets.push_back(f);
         for (const int w : facets_.vertices_of(f))
           if (!is_in(vertices, w)) {
@@ -52,23 +54,20 @@ std::vector<int> FreeNormals::facets_around(int facet, int vertex) const {
           }
       }
   }
-  return facets;
+  return patch;
 }
 
 std::optional<FreeNormals::Normal> FreeNormals::at(int facet, int vertex) const {
   const Vec3& origin = facets_.points[vertex];
   const Vec3& facing = facets_.facets[facet].normal;
-  std::vector<int> vertices;
+  const auto [facets, vertices] = patch_around(facet, vertex);
   Vec3 guess(0);
-  for (const int f : facets_around(facet, vertex)) {
+  for (const int f : facets) {
     const auto all = facets_.vertices_of(f);
-    vertices.insert(vertices.end(), all.begin(), all.end());
     if (std::find(all.begin(), all.end(), vertex) == all.end()) continue;
     const Facet& there = facets_.facets[f];
     guess += (glm::dot(there.normal, facing) < 0 ? -there.area : there.area) * there.normal;
   }
-  std::sort(vertices.begin(), vertices.end());
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   if (vertices.size() < least_vertices || !(glm::length(guess) > 0)) return std::nullopt;
   guess = glm::normalize(guess);
   const auto across = square_to(guess);

@@ -29,7 +29,10 @@ class FreeNormals {
   [[nodiscard]] std::optional<Normal> at(int facet, int vertex) const;
 
  private:
-  [[nodiscard]] std::vector<int> facets_around(int facet, int vertex) const;
+  struct Patch {
+    std::vector<int> facets, vertices;
+  };
+  [[nodiscard]] Patch patch_around(int facet, int vertex) const;
 
   const Facets& facets_;
   const std::vector<int>& region_of_;

@@ -28,7 +28,7 @@ struct Polar {
   Vec3 outwards;  ///< unit, from the axis to the point; zero on it
 };
 
-Polar polar_of(const PartSurface& surface, const Vec3& point) {
+inline Polar polar_of(const PartSurface& surface, const Vec3& point) {
   const Vec3 from = point - surface.origin;
   const double height = glm::dot(from, surface.axis);
   const Vec3 across = from - height * surface.axis;
@@ -136,11 +136,13 @@ PartSurface moved(PartSurface s, const Unknowns& by, const Motion& motion) {
   return s;
 }
 
-double sum_of_squares(const PartSurface& surface, std::span<const Vec3> points) {
+// Of distances; any larger number where it exceeds `most`.
+double sum_of_squares(const PartSurface& surface, std::span<const Vec3> points, double most) {
   double sum = 0;
   for (const Vec3& p : points) {
     const double d = signed_distance(surface, p);
     sum += d * d;
+    if (sum > most) break;
   }
   return sum;
 }
@@ -153,6 +155,7 @@ struct Fit {
 
   void look(std::span<const Vec3> points) {
     there.clear();
+    there.reserve(points.size());
     sum = 0;
     for (const Vec3& p : points) {
       there.push_back(beside(surface, p));
@@ -220,43 +223,6 @@ std::optional<Vec3> meeting_of_normals(std::span<const Facing> facings, const Ve
   const auto meeting = equations.solve(0);
   if (!meeting) return std::nullopt;
   return from + (*meeting)[0] * across[0] + (*meeting)[1] * across[1];
-}
-
-// z = a + b x + c y + (d x^2 + 2 e x y + f y^2) / 2 + cubes over a plane: its curvatures and their directions at the
-// middle. Without the cubes, which are all that tells one torus of these curvatures from another, they would be wrong
-// by as much.
-struct Curvatures {
-  Vec3 point, normal;
-  std::array<double, 2> value;  ///< positive where the surface turns towards the normal
-  std::array<Vec3, 2> direction;
-};
-
-std::optional<Curvatures> curvatures_of(const Facing& middle, std::span<const Vec3> points) {
-  const auto across = square_to(middle.normal);
-  double size = 0;
-  for (const Vec3& p : points) size = std::max(size, glm::distance(p, middle.middle));
-  NormalEquations<10> equations;
-  for (const Vec3& p : points) {
-    const Vec3 from = (p - middle.middle) / size;
-    const double x = glm::dot(from, across[0]), y = glm::dot(from, across[1]);
-    equations.add({1, x, y, x * x / 2, x * y, y * y / 2, x * x * x, x * x * y, x * y * y, y * y * y},
-                  glm::dot(from, middle.normal));
-  }
-  const auto found = equations.solve(0);
-  if (!found) return std::nullopt;
-  const double a = (*found)[0], b = (*found)[1], c = (*found)[2], d = (*found)[3], e = (*found)[4], f = (*found)[5];
-  const double root = std::sqrt(1 + b * b + c * c);
-  const Vec3 normal = glm::normalize(middle.normal - b * across[0] - c * across[1]);
-  // In a frame of the tangent plane at the middle the second derivatives are nearly those over the given plane.
-  const double half_trace = (d + f) / 2, half_difference = (d - f) / 2;
-  const double spread = std::hypot(half_difference, e);
-  const double angle = portable_atan2(e, half_difference) / 2;
-  const Vec3 one = portable_cos(angle) * across[0] + portable_sin(angle) * across[1];
-  const Vec3 first = glm::normalize(one - glm::dot(one, normal) * normal);
-  return Curvatures{middle.middle + a * size * middle.normal,
-                    normal,
-                    {(half_trace + spread) / (root * size), (half_trace - spread) / (root * size)},
-                    {first, glm::cross(normal, first)}};
 }
 
 // A torus that touches the surface and has its curvatures, the meridian along direction `m`; `turn` has cosine and
@@ -403,6 +369,7 @@ std::optional<PartSurface> begin_cylinder(std::span<const Facing> facings, std::
   const auto across = square_to(axis);
   const Vec3 from = points.front();
   std::vector<Vec2> seen;
+  seen.reserve(points.size());
   for (const Vec3& p : points) seen.emplace_back(glm::dot(p - from, across[0]), glm::dot(p - from, across[1]));
   const auto circle = fit_circle(seen);
   if (!circle) return std::nullopt;
@@ -474,6 +441,7 @@ std::optional<PartSurface> begin_torus_by_normals(std::span<const Facing> facing
   if (!finite(torus.axis)) return std::nullopt;
   torus.origin = from + glm::cross(torus.axis, moment_of * torus.axis);
   std::vector<Vec2> profile;
+  profile.reserve(points.size());
   for (const Vec3& p : points) {
     const Polar polar = polar_of(torus, p);
     profile.emplace_back(polar.radius, polar.height);
@@ -484,6 +452,37 @@ std::optional<PartSurface> begin_torus_by_normals(std::span<const Facing> facing
   torus.origin += circle->centre.y * torus.axis;
   torus.minor = circle->radius;
   return torus;
+}
+
+// z = a + b x + c y + (d x^2 + 2 e x y + f y^2) / 2 + cubes over a plane: its curvatures and their directions at the
+// middle. Without the cubes, which are all that tells one torus of these curvatures from another, they would be wrong
+// by as much.
+std::optional<Curvatures> curvatures_of(const Facing& middle, std::span<const Vec3> points) {
+  const auto across = square_to(middle.normal);
+  double size = 0;
+  for (const Vec3& p : points) size = std::max(size, glm::distance(p, middle.middle));
+  NormalEquations<10> equations;
+  for (const Vec3& p : points) {
+    const Vec3 from = (p - middle.middle) / size;
+    const double x = glm::dot(from, across[0]), y = glm::dot(from, across[1]);
+    equations.add({1, x, y, x * x / 2, x * y, y * y / 2, x * x * x, x * x * y, x * y * y, y * y * y},
+                  glm::dot(from, middle.normal));
+  }
+  const auto found = equations.solve(0);
+  if (!found) return std::nullopt;
+  const double a = (*found)[0], b = (*found)[1], c = (*found)[2], d = (*found)[3], e = (*found)[4], f = (*found)[5];
+  const double root = std::sqrt(1 + b * b + c * c);
+  const Vec3 normal = glm::normalize(middle.normal - b * across[0] - c * across[1]);
+  // In a frame of the tangent plane at the middle the second derivatives are nearly those over the given plane.
+  const double half_trace = (d + f) / 2, half_difference = (d - f) / 2;
+  const double spread = std::hypot(half_difference, e);
+  const double angle = portable_atan2(e, half_difference) / 2;
+  const Vec3 one = portable_cos(angle) * across[0] + portable_sin(angle) * across[1];
+  const Vec3 first = glm::normalize(one - glm::dot(one, normal) * normal);
+  return Curvatures{middle.middle + a * size * middle.normal,
+                    normal,
+                    {(half_trace + spread) / (root * size), (half_trace - spread) / (root * size)},
+                    {first, glm::cross(normal, first)}};
 }
 
 namespace {
@@ -515,7 +514,7 @@ std::optional<PartSurface> best_turned(std::span<const Vec3> points, const Make&
   const auto consider = [&](int direction, int turn) {
     const auto surface = make(direction, turns[static_cast<std::size_t>((turn + count) % count)]);
     if (!surface) return;
-    const double sum = sum_of_squares(*surface, points);
+    const double sum = sum_of_squares(*surface, points, least);
     if (!(sum < least)) return;
     least = sum;
     best = surface;
@@ -543,16 +542,12 @@ std::optional<PartSurface> cone_of(const Curvatures& at, int g, const Vec2& turn
 
 }  // namespace
 
-std::optional<PartSurface> begin_cone_by_curvatures(std::span<const Facing> facings, std::span<const Vec3> points) {
-  const auto at = curvatures_of(facings.front(), points);
-  if (!at) return std::nullopt;
-  return best_turned(points, [&](int direction, const Vec2& turn) { return cone_of(*at, direction, turn); });
+std::optional<PartSurface> begin_cone_by_curvatures(const Curvatures& at, std::span<const Vec3> points) {
+  return best_turned(points, [&](int direction, const Vec2& turn) { return cone_of(at, direction, turn); });
 }
 
-std::optional<PartSurface> begin_torus_by_curvatures(std::span<const Facing> facings, std::span<const Vec3> points) {
-  const auto at = curvatures_of(facings.front(), points);
-  if (!at) return std::nullopt;
-  return best_turned(points, [&](int direction, const Vec2& turn) { return torus_of(*at, direction, turn); });
+std::optional<PartSurface> begin_torus_by_curvatures(const Curvatures& at, std::span<const Vec3> points) {
+  return best_turned(points, [&](int direction, const Vec2& turn) { return torus_of(at, direction, turn); });
 }
 
 }  // namespace epura::features

@@ -68,10 +68,20 @@ std::optional<PartSurface> begin_sphere(std::span<const Vec3> points);
 /// Normals meet the axis: the line nearest to doing so (Pottmann, Wallner: Computational Line Geometry, 2001). Exact
 /// for nets of meridians and parallels.
 std::optional<PartSurface> begin_torus_by_normals(std::span<const Facing> facings, std::span<const Vec3> points);
-// The best of several that have the curvatures of the surface through the points, however these lie. The first facing
-// is in the middle.
 
-std::optional<PartSurface> begin_cone_by_curvatures(std::span<const Facing> facings, std::span<const Vec3> points);
-std::optional<PartSurface> begin_torus_by_curvatures(std::span<const Facing> facings, std::span<const Vec3> points);
+/// The principal curvatures of a surface.
+struct Curvatures {
+  Vec3 point, normal;
+  std::array<double, 2> value;  ///< positive where the surface turns towards the normal
+  std::array<Vec3, 2> direction;
+};
+
+/// In the middle of points, however these lie.
+std::optional<Curvatures> curvatures_of(const Facing& middle, std::span<const Vec3> points);
+
+// The best of several that have these curvatures.
+
+std::optional<PartSurface> begin_cone_by_curvatures(const Curvatures& at, std::span<const Vec3> points);
+std::optional<PartSurface> begin_torus_by_curvatures(const Curvatures& at, std::span<const Vec3> points);
 
 }  // namespace epura::features

@@ -118,8 +118,10 @@ TEST(PartSurface, TwoWaysBeginATorus) {
     points.insert(points.end(), c.begin(), c.end());
     facings.push_back({(c[0] + c[1] + c[2] + c[3]) / 4.0, glm::normalize(glm::cross(c[2] - c[0], c[3] - c[1])), 1});
   }
+  const auto curvatures = features::curvatures_of(facings.front(), points);
+  ASSERT_TRUE(curvatures);
   for (auto begun :
-       {features::begin_torus_by_normals(facings, points), features::begin_torus_by_curvatures(facings, points)}) {
+       {features::begin_torus_by_normals(facings, points), features::begin_torus_by_curvatures(*curvatures, points)}) {
     ASSERT_TRUE(begun);
     EXPECT_LT(features::refine(*begun, points), 1e-12);
     EXPECT_NEAR(begun->radius, 0.5, 1e-10);
@@ -135,8 +137,9 @@ TEST(PartSurface, CurvaturesBeginACone) {
       points.push_back(centre + (0.5 + 0.6 * v) * around(0.4 + 0.1 * i) + v * axis);
     }
   const Vec3 normal = glm::normalize(around(0.4) - 0.6 * axis);
-  auto begun = features::begin_cone_by_curvatures(
-      std::vector<features::Facing>{{centre + 0.5 * around(0.4), normal, 1}}, points);
+  const auto curvatures = features::curvatures_of({centre + 0.5 * around(0.4), normal, 1}, points);
+  ASSERT_TRUE(curvatures);
+  auto begun = features::begin_cone_by_curvatures(*curvatures, points);
   ASSERT_TRUE(begun);
   EXPECT_LT(features::refine(*begun, points), 1e-12);
   EXPECT_NEAR(std::abs(begun->slope), 0.6, 1e-9);

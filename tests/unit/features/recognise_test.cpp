@@ -9,6 +9,7 @@
 #include <random>
 #include <tuple>
 
+#include "base/parallel.hpp"
 #include "shapes.hpp"
 
 namespace epura {
@@ -527,6 +528,37 @@ TEST(RecogniseFaces, EveryTriangleHasAFaceAndEveryBorderTwo) {
       std::sort(sides.begin(), sides.end());
       EXPECT_EQ(sides, border.faces);
     }
+}
+
+TEST(RecogniseFaces, ManyPartsOfOneFileAreWhatEachIsAlone) {
+  constexpr int parts = 40;
+  Part all;
+  for (int i = 0; i < parts; ++i) {
+    // Of two sizes, so that largest facets do not come part by part; each has a vertex of the one before.
+    Part one = revolved(shaft_profile(4), 36).triangulate();
+    one.move([&](const Vec3& p) { return (i % 2 == 0 ? 1.0 : 0.5) * p; });
+    const int first = static_cast<int>(all.points.size());
+    const Vec3 shift = i == 0 ? Vec3(0) : all.points.back() - one.points.front();
+    for (const Vec3& p : one.points) all.add(p + shift);
+    for (std::vector<int> face : one.faces) {
+      for (int& v : face) v = v == 0 && i > 0 ? first - 1 : v + first;
+      all.faces.push_back(face);
+    }
+  }
+  const mesh::Mesh mesh = all.mesh();
+  const features::PartFaces found = features::recognise_faces(mesh);
+  EXPECT_EQ(found.faces.size(), 8U * parts);
+  EXPECT_EQ(count(found, features::SurfaceKind::torus), 2 * parts);
+  EXPECT_EQ(count(found, features::SurfaceKind::cone), parts);
+  EXPECT_EQ(count(found, features::BorderKind::tangent), 4 * parts);
+  std::vector<double> radii;
+  for (const features::PartFace& face : found.faces)
+    if (face.surface.kind == features::SurfaceKind::cylinder) radii.push_back(face.surface.radius);
+  std::sort(radii.begin(), radii.end());
+  ASSERT_EQ(radii.size(), 2U * parts);
+  for (int i = 0; i < 2 * parts; ++i) EXPECT_NEAR(radii[i], i < parts / 2 ? 5 : i < 3 * parts / 2 ? 10 : 20, 1e-5);
+  const ThreadLimit one_thread(1);
+  EXPECT_EQ(features::recognise_faces(mesh).face_of_triangle, found.face_of_triangle);
 }
 
 TEST(RecogniseFaces, OpenMeshesHaveOpenBorders) {

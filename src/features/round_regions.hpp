@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Regions of facets that lie on cylinders, cones, spheres and tori: a surface through a few facets beside each other
+// grows as far as vertices lie on it.
+#pragma once
+
+#include <vector>
+
+#include "base/progress.hpp"
+#include "features/facets.hpp"
+#include "features/region.hpp"
+
+namespace epura::features {
+
+struct RoundRegions {
+  std::vector<Region> regions;
+  std::vector<int> region_of;  ///< by facet; -1 for none
+};
+
+/// Begins with the first facets. Throws OutOfTime.
+RoundRegions find_round_regions(const Facets& facets, const Progress& progress);
+
+}  // namespace epura::features
