@@ -7,6 +7,7 @@
 
 #include "base/parallel.hpp"
 #include "drawing/close_ends.hpp"
+#include "drawing/near_glance.hpp"
 #include "drawing/near_search.hpp"
 #include "drawing/polylines.hpp"
 
@@ -38,16 +39,10 @@ std::vector<Piece> join_near(std::vector<Piece> pieces, const std::vector<signed
                              double touching, const Progress& progress) {
   if (!(distance > touching) || pieces.empty()) return pieces;
   progress.begin("joining near lines", pieces.size());
-  NearSearch search(pieces, distance, touching);
-  {
-    const Polylines polylines(pieces, strength, progress);
-    Pace pace(progress, pieces.size());
-    std::size_t left = pieces.size();
-    for (const std::size_t line : polylines.by_rank()) {
-      search.add(polylines[line], polylines.is_closed(line));
-      pace.left(left -= polylines[line].size());
-    }
-  }
+  const AlongLimits limits{distance, touching};
+  const NearGlance glance(pieces, Polylines(pieces, strength, progress), limits, progress);
+  NearSearch search(pieces, glance, limits);
+  search.add_all(progress);
   if (search.taken().parts.empty()) return pieces;
   std::vector<InkPart> left = search.kept().all();
   left.insert(left.end(), search.specks().begin(), search.specks().end());

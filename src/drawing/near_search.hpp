@@ -7,58 +7,41 @@
 #include <span>
 #include <vector>
 
+#include "base/progress.hpp"
 #include "drawing/kept_ink.hpp"
-#include "drawing/partners.hpp"
+#include "drawing/measured_polyline.hpp"
+#include "drawing/near_glance.hpp"
+#include "drawing/near_parts.hpp"
 #include "visibility/spans.hpp"
 
 namespace epura::drawing {
 
 class NearSearch {
  public:
-  /// Lines within `touching` mm meet.
-  NearSearch(const std::vector<Piece>& pieces, double distance, double touching);
+  /// Lines within `limits.touching` meet.
+  NearSearch(const std::vector<Piece>& pieces, const NearGlance& glance, const AlongLimits& limits);
 
-  /// What of a polyline stays, and what is taken away. Those before are stronger.
-  void add(std::span<const End> polyline, bool is_closed);
+  /// What of polylines stays, and what is taken away, one after the other. Throws OutOfTime.
+  void add_all(const Progress& progress);
 
-  [[nodiscard]] const InkParts& kept() const { return kept_; }
+  [[nodiscard]] const InkParts& kept() const { return kept_.parts(); }
   [[nodiscard]] const std::vector<InkPart>& specks() const { return specks_; }
   [[nodiscard]] const TakenInk& taken() const { return taken_; }
 
  private:
-  /// A piece of the polyline, entered by an end. mm along the polyline.
-  struct Member {
-    End end;
-    double from, to;
-  };
-  /// A stretch of a member.
-  struct Stretch {
-    std::size_t member;
-    double from, to;
-  };
+  using Stretch = MeasuredPolyline::Stretch;
   /// Ink that stays lies near a stretch.
   struct Near {
     Stretch stretch;
     int by;
   };
   using Run = std::array<double, 2>;
-  /// What the search for ink near a member knows of a kept part.
-  struct Candidate {
-    std::array<float, 2> direction;
-    int member = -1;  ///< that was compared with it last, counted through all polylines
-    bool is_near = false;
-  };
+  // So many members at least are searched together before their polylines are added.
+  static constexpr std::size_t looked_ahead = 1024;
 
-  [[nodiscard]] Vec2 place(std::size_t member, double x) const;
-  [[nodiscard]] Vec2 place(double x) const;
-  [[nodiscard]] std::size_t member_at(double x) const;
-  [[nodiscard]] Vec2 direction_of(std::size_t member) const;
-  [[nodiscard]] InkPart part_of(const Stretch& stretch) const;
-  [[nodiscard]] double length() const { return members_.back().to; }
-
-  void begin(std::span<const End> polyline);
-  [[nodiscard]] visibility::Spans near_parts(std::size_t member);
-  void add_near(const Run& run);
+  void add(std::size_t line);
+  [[nodiscard]] visibility::Spans near_parts(std::size_t member, std::size_t turn);
+  void add_run(const Run& run);
   void add_apart(const Stretch& stretch);
   void end_gap(bool is_near);
   [[nodiscard]] bool has_ink_around(const Stretch& stretch);
@@ -71,16 +54,16 @@ class NearSearch {
   void settle(bool is_closed);
   void take_away(const std::vector<Run>& runs);
 
-  const std::vector<Piece>& pieces_;
-  double distance_, touching_;
-  InkParts kept_;
-  std::vector<Candidate> candidates_;  ///< by kept part
-  int members_before_ = 0;             ///< in all polylines
-  std::vector<InkPart> specks_;        ///< kept, and too short to draw anything for others
+  const NearGlance& glance_;
+  AlongLimits limits_;
+  KeptInk kept_;
+  NearAhead ahead_;
+  std::vector<InkPart> specks_;  ///< kept, and too short to draw anything for others
   TakenInk taken_;
 
   // Of the polyline.
-  std::vector<Member> members_;
+  MeasuredPolyline polyline_;
+  NearParts found_;  ///< along one member
   std::vector<Near> near_;
   std::vector<double> contacts_;  ///< where it meets stronger ink that is near
   std::vector<Run> runs_;         ///< near stretches: ascending, disjoint

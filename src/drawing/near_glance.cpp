@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "drawing/near_glance.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/groups.hpp"
+#include "base/parallel.hpp"
+#include "drawing/beside.hpp"
+#include "search/choose_grid.hpp"
+
+namespace epura::drawing {
+
+namespace {
+
+constexpr std::size_t grain = 1024;
+// Cells of the page for each piece, and how often a piece is cut by them.
+constexpr double cells_a_piece = 1, cuts_a_piece = 2;
+// Beyond so many pieces in a cell a glance costs more than it saves.
+constexpr std::size_t crowd = 96;
+// By so much a glance sees farther than the search, whose lines are parts of pieces, and rounded.
+constexpr double margin = 1e-6;
+
+}  // namespace
+
+/// What is compared of a piece, apart from its ends.
+struct NearGlance::Seen {
+  std::array<float, 2> direction;
+  int turn = -1;  ///< when it is taken
+};
+
+NearGlance::NearGlance(const std::vector<Piece>& pieces, const Polylines& polylines, const AlongLimits& limits,
+                       const Progress& progress)
+    : pieces_(&pieces) {
+  const std::vector<std::size_t> ranked = polylines.by_rank();
+  first_.reserve(ranked.size() + 1);
+  first_.push_back(0);
+  closed_.reserve(ranked.size());
+  for (const std::size_t line : ranked) {
+    first_.push_back(first_.back() + polylines[line].size());
+    closed_.push_back(polylines.is_closed(line) ? 1 : 0);
+  }
+  members_.resize(first_.back());
+  measure(polylines, ranked, limits, progress);
+  find_last_along(limits, progress);
+}
+
+void NearGlance::measure(const Polylines& polylines, const std::vector<std::size_t>& ranked, const AlongLimits& limits,
+                         const Progress& progress) {
+  parallel_for(ranked.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t line = begin; line < end; ++line) {
+      Member* member = members_.data() + first(line);
+      double at = 0;
+      for (const End entered : polylines[ranked[line]]) {
+        const double from = at;
+        at += length_of((*pieces_)[line_of(entered)]);
+        *member++ = {entered, -1, from, at};
+      }
+      const MeasuredPolyline polyline = (*this)[line];
+      for (std::size_t i = 0; i < polyline.size(); ++i)
+        members_[first(line) + i].direction = polyline.direction_of(i, limits.with_direction(), limits.touching);
+    }
+  });
+}
+
+void NearGlance::find_last_along(const AlongLimits& limits, const Progress& progress) {
+  const std::vector<Piece>& pieces = *pieces_;
+  std::vector<Seen> seen(pieces.size());
+  parallel_for(members_.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t turn = begin; turn < end; ++turn) {
+      const Vec2& d = members_[turn].direction;
+      seen[line_of(members_[turn].end)] = {{static_cast<float>(d.x), static_cast<float>(d.y)}, static_cast<int>(turn)};
+    }
+  });
+  const double distance = limits.distance * (1 + margin), least = limits.touching * (1 - margin);
+  const search::CellGrid grid = search::grid_over_lines(
+      pieces, {cells_a_piece * static_cast<double>(pieces.size()) + 1, 4 * distance, cuts_a_piece, HUGE_VAL});
+  // In the order of pieces, which mostly lie beside those before them.
+  const auto visit_pieces = [&](const auto& visit) {
+    parallel_for(pieces.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        if (seen[i].turn >= 0) visit(static_cast<int>(i));
+    });
+  };
+  const Groups<int> by_cell(static_cast<std::size_t>(grid.count()), [&](const auto& add) {
+    visit_pieces([&](int piece) {
+      search::visit_cells(grid, pieces[piece].from, pieces[piece].to, 0,
+                          [&](int cell, double, double) { add(static_cast<std::size_t>(cell), piece); });
+    });
+  });
+  const auto run_along = [&](const Piece& piece, const Vec2& direction, int other) {
+    const Vec2 facing(seen[other].direction[0], seen[other].direction[1]), step = piece.to - piece.from;
+    if (std::abs(glm::dot(direction, facing)) < AlongLimits::least_cosine - margin) return false;
+    const std::array line{pieces[other].from - piece.from, pieces[other].to - piece.from};
+    const Range range = Beside(direction, step, line, distance, AlongLimits::steepest + margin).range;
+    return (range[1] - range[0]) * glm::length(step) > least;
+  };
+  visit_pieces([&](int piece) {
+    const int turn = seen[piece].turn;
+    Member& own = members_[static_cast<std::size_t>(turn)];
+    search::visit_cells(grid, pieces[piece].from, pieces[piece].to, distance, [&](int cell, double, double) {
+      const std::span<const int> others = by_cell[static_cast<std::size_t>(cell)];
+      if (others.size() > crowd) own.after = turn - 1;  // it may be any
+      for (const int other : others) {
+        const int before = seen[other].turn;
+        if (before > own.after && before < turn && run_along(pieces[piece], own.direction, other)) own.after = before;
+      }
+    });
+  });
+}
+
+}  // namespace epura::drawing
