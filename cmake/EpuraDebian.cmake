@@ -9,7 +9,7 @@ set(same_version "(= ${PROJECT_VERSION})")
 set(CPACK_GENERATOR DEB)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(components epura study library development)
-foreach(importer gltf 3mf)
+foreach(importer gltf 3mf opencascade)
   if(TARGET ${importer})
     list(APPEND components ${importer})
   endif()
@@ -30,7 +30,7 @@ set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_EPURA_PACKAGE_NAME epura)
 set(CPACK_DEBIAN_EPURA_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_EPURA_PACKAGE_DEPENDS fonts-osifont)
-set(CPACK_DEBIAN_EPURA_PACKAGE_SUGGESTS "epura-study ${same_version}, epura-gltf ${same_version}, epura-3mf ${same_version}")
+set(CPACK_DEBIAN_EPURA_PACKAGE_SUGGESTS "epura-study ${same_version}, epura-opencascade ${same_version}, epura-gltf ${same_version}, epura-3mf ${same_version}")
 set(CPACK_DEBIAN_EPURA_DESCRIPTION
 "Any projection, exact hidden lines, dimensions and sheets after ISO; reads
 OBJ, STL, PLY and OFF, writes SVG, PDF, PS, EPS, PNG, DXF and JSON.
@@ -49,6 +49,12 @@ set(CPACK_DEBIAN_GLTF_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_GLTF_PACKAGE_DEPENDS "epura ${same_version}")
 set(CPACK_DEBIAN_GLTF_DESCRIPTION
 "glTF and GLB for epura: nodes, instances, names, units.")
+
+set(CPACK_DEBIAN_OPENCASCADE_PACKAGE_NAME epura-opencascade)
+set(CPACK_DEBIAN_OPENCASCADE_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_OPENCASCADE_PACKAGE_DEPENDS "epura ${same_version}")
+set(CPACK_DEBIAN_OPENCASCADE_DESCRIPTION
+"STEP, IGES and BREP for epura: exact faces and edges, assemblies, names, units.")
 
 set(CPACK_DEBIAN_3MF_PACKAGE_NAME epura-3mf)
 set(CPACK_DEBIAN_3MF_PACKAGE_SECTION graphics)

@@ -120,9 +120,10 @@ TEST(ImporterProcess, WrongFilesAndParametersAreToldWithTheirPlace) {
   EXPECT_EQ(told([&] { read_by("good", file, {{"colour", "3"}}); }), "plain:colour: no such parameter");
   EXPECT_EQ(told([&] { read_by("good", folder.file("e.dat", "")); }), (folder / "e.dat").string() + ": is empty");
   EXPECT_TRUE(contains(told([&] { read_by("good", folder / "none.plain"); }), "none.plain: cannot read"));
-  if (!std::filesystem::exists(EPURA_TEST_IMPORTERS "/opencascade.so"))
+  if (!std::filesystem::exists(EPURA_TEST_IMPORTERS "/opencascade.so")) {
     EXPECT_EQ(told([&] { read_by("good", folder.file("a.step", "x"), {}); }),
               (folder / "a.step").string() + ": no importer for '.step' is installed");
+  }
   const std::string obj = folder.file("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   EXPECT_EQ(told([&] {
               read_by("good", obj, {{"size", "3"}});

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: Apache-2.0
+// STEP, IGES and BREP files that Open CASCADE writes here, of parts whose faces, edges and volumes are known.
+#include <BRepAlgoAPI_Cut.hxx>
+#include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepPrimAPI_MakeBox.hxx>
+#include <BRepPrimAPI_MakeCone.hxx>
+#include <BRepPrimAPI_MakeCylinder.hxx>
+#include <BRepPrimAPI_MakeSphere.hxx>
+#include <BRepPrimAPI_MakeTorus.hxx>
+#include <BRepTools.hxx>
+#include <IGESControl_Writer.hxx>
+#include <Interface_Static.hxx>
+#include <Message.hxx>
+#include <Message_Messenger.hxx>
+#include <STEPCAFControl_Writer.hxx>
+#include <STEPControl_Writer.hxx>
+#include <TDataStd_Name.hxx>
+#include <TDocStd_Document.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <XCAFApp_Application.hxx>
+#include <XCAFDoc_DocumentTool.hxx>
+#include <XCAFDoc_ShapeTool.hxx>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "support.hpp"
+
+namespace epura::test {
+namespace {
+
+using features::SurfaceKind;
+
+void be_quiet() { Message::DefaultMessenger()->ChangePrinters().Clear(); }
+
+std::string step_file(const Folder& folder, const TopoDS_Shape& shape, const char* unit = "MM") {
+  be_quiet();
+  const STEPControl_Writer before;  // without one, settings are not there yet
+  Interface_Static::SetCVal("write.step.unit", unit);
+  STEPControl_Writer writer;
+  writer.Transfer(shape, STEPControl_AsIs);
+  const std::string path = (folder / "part.step").string();
+  EXPECT_EQ(writer.Write(path.c_str()), IFSelect_RetDone);
+  Interface_Static::SetCVal("write.step.unit", "MM");
+  return path;
+}
+
+std::map<SurfaceKind, int> kinds_of(const features::PartFaces& part) {
+  std::map<SurfaceKind, int> kinds;
+  for (const features::PartFace& face : part.faces) ++kinds[face.surface.kind];
+  return kinds;
+}
+
+int count(const features::PartFaces& part, features::BorderKind kind) {
+  return static_cast<int>(std::count_if(part.borders.begin(), part.borders.end(),
+                                        [&](const features::PartBorder& b) { return b.kind == kind; }));
+}
+
+importer::ReadModel read(const std::string& path, const foreign::Assignments& parameters = {}) {
+  return importer::read_model(path, parameters, {.plugin_path = {EPURA_TEST_IMPORTERS}});
+}
+
+TopoDS_Shape block_with_bore() {
+  return BRepAlgoAPI_Cut(BRepPrimAPI_MakeBox(40, 30, 20).Shape(),
+                         BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(15, 15, 0), gp::DZ()), 5, 20).Shape())
+      .Shape();
+}
+
+TEST(StepImporter, BringsFacesAndEdgesOfThePart) {
+  const Folder folder;
+  const importer::ReadModel model = read(step_file(folder, block_with_bore()));
+  EXPECT_EQ(model.mesh.report.format, "step");
+  EXPECT_EQ(model.mesh.report.open_edges, 0);
+  EXPECT_EQ(model.mesh.report.misoriented_edges, 0);
+  ASSERT_NE(model.part, nullptr);
+  EXPECT_EQ(kinds_of(*model.part), (std::map<SurfaceKind, int>{{SurfaceKind::plane, 6}, {SurfaceKind::cylinder, 1}}));
+  EXPECT_EQ(count(*model.part, features::BorderKind::sharp), 14);  // 12 of the block, two rims
+  EXPECT_EQ(count(*model.part, features::BorderKind::tangent), 0);
+  for (const features::PartFace& face : model.part->faces) {
+    if (face.surface.kind != SurfaceKind::cylinder) continue;
+    EXPECT_TRUE(face.inwards);
+    EXPECT_EQ(face.sweep, 360);
+    EXPECT_NEAR(face.surface.radius, 5, 1e-12);
+    EXPECT_NEAR(face.to - face.from, 20, 1e-9);
+  }
+  for (const features::PartBorder& border : model.part->borders) EXPECT_NEAR(border.angle, 90, 1e-6);
+  // Chords of the bore lie inside of it: too much material, by no more than the tolerance all around.
+  const double exact = 40 * 30 * 20 - std::numbers::pi * 25 * 20, tolerance = 1e-4 * std::sqrt(1600 + 900 + 400);
+  EXPECT_GT(volume_of(model.mesh), exact);
+  EXPECT_LT(volume_of(model.mesh), exact + 2 * std::numbers::pi * 5 * 20 * tolerance);
+}
+
+TEST(StepImporter, DeflectionBoundsTheDistanceOfFacets) {
+  const Folder folder;
+  const std::string path = step_file(folder, BRepPrimAPI_MakeCylinder(10, 30).Shape());
+  int before = 0;
+  for (const char* deflection : {"0.1", "0.01", "0.001"}) {
+    const importer::ReadModel model = read(path, {{"deflection", deflection}, {"angle", "90"}});
+    double largest = 0;  // of chords along the rims
+    for (const features::PartBorder& border : model.part->borders)
+      for (const int e : border.edges) {
+        const auto& [one, two] = model.mesh.edges[e].vertex;
+        const Vec3 middle = 0.5 * (model.mesh.point(one) + model.mesh.point(two));
+        largest = std::max(largest, 10 - std::hypot(middle.x, middle.y));
+      }
+    EXPECT_LT(largest, 1.1 * std::stod(deflection));
+    EXPECT_GT(largest, 0.1 * std::stod(deflection)) << "finer than useful";
+    EXPECT_GT(model.mesh.report.triangles, before);
+    before = model.mesh.report.triangles;
+  }
+}
+
+TEST(StepImporter, TellsTangentEdgesFromSharpOnes) {
+  const Folder folder;
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(40, 30, 20).Shape();
+  BRepFilletAPI_MakeFillet rounded(box);
+  rounded.Add(4, TopoDS::Edge(TopExp_Explorer(box, TopAbs_EDGE).Current()));
+  const importer::ReadModel model = read(step_file(folder, rounded.Shape()));
+  ASSERT_NE(model.part, nullptr);
+  EXPECT_EQ(kinds_of(*model.part), (std::map<SurfaceKind, int>{{SurfaceKind::plane, 6}, {SurfaceKind::cylinder, 1}}));
+  EXPECT_EQ(count(*model.part, features::BorderKind::tangent), 2);
+  EXPECT_EQ(count(*model.part, features::BorderKind::sharp), 13);
+}
+
+TEST(StepImporter, SeamsAndPolesAreNoEdges) {
+  const Folder folder;
+  const struct {
+    TopoDS_Shape shape;
+    SurfaceKind kind;
+    int sharp;
+    double volume;
+  } parts[]{{BRepPrimAPI_MakeSphere(10).Shape(), SurfaceKind::sphere, 0, 4000 * std::numbers::pi / 3},
+            {BRepPrimAPI_MakeTorus(10, 3).Shape(), SurfaceKind::torus, 0, 180 * std::numbers::pi * std::numbers::pi},
+            {BRepPrimAPI_MakeCone(10, 0, 30).Shape(), SurfaceKind::cone, 1, 1000 * std::numbers::pi}};
+  for (const auto& part : parts) {
+    const importer::ReadModel model = read(step_file(folder, part.shape));
+    SCOPED_TRACE(features::surface_kind_names[static_cast<std::size_t>(part.kind)]);
+    EXPECT_EQ(model.mesh.report.open_edges, 0);
+    ASSERT_NE(model.part, nullptr);
+    EXPECT_EQ(kinds_of(*model.part)[part.kind], 1);
+    EXPECT_EQ(count(*model.part, features::BorderKind::sharp), part.sharp);
+    EXPECT_NEAR(volume_of(model.mesh), part.volume, 0.005 * part.volume);
+    EXPECT_LT(volume_of(model.mesh), part.volume);
+  }
+}
+
+TEST(StepImporter, ConvertsInches) {
+  const Folder folder;
+  const importer::ReadModel model = read(step_file(folder, BRepPrimAPI_MakeBox(25.4, 50.8, 76.2).Shape(), "INCH"));
+  EXPECT_EQ(model.unit, 1);
+  expect_extent(model.mesh, Vec3(0), Vec3(25.4, 50.8, 76.2), 1e-9);
+  ASSERT_EQ(model.mesh.report.notes.size(), 1U);
+  EXPECT_TRUE(contains(model.mesh.report.notes[0], "inch")) << model.mesh.report.notes[0];
+}
+
+TEST(StepImporter, AssembliesKeepNamesAndPlaces) {
+  be_quiet();
+  const Folder folder;
+  Handle(TDocStd_Document) document;
+  XCAFApp_Application::GetApplication()->NewDocument("MDTV-XCAF", document);
+  const Handle(XCAFDoc_ShapeTool) tool = XCAFDoc_DocumentTool::ShapeTool(document->Main());
+  const auto named = [](const TDF_Label& label, const char* name) {
+    TDataStd_Name::Set(label, name);
+    return label;
+  };
+  const auto moved = [](double x, double y, double z) {
+    gp_Trsf shift;
+    shift.SetTranslation(gp_Vec(x, y, z));
+    return TopLoc_Location(shift);
+  };
+  const TDF_Label pin = named(tool->AddShape(BRepPrimAPI_MakeCylinder(2, 10).Shape(), Standard_False), "pin");
+  const TDF_Label plate = named(tool->AddShape(BRepPrimAPI_MakeBox(50, 20, 4).Shape(), Standard_False), "plate");
+  const TDF_Label pair = named(tool->NewShape(), "pair");
+  named(tool->AddComponent(pair, pin, moved(10, 10, 4)), "left pin");
+  named(tool->AddComponent(pair, pin, moved(40, 10, 4)), "right pin");
+  const TDF_Label whole = named(tool->NewShape(), "whole");
+  named(tool->AddComponent(whole, plate, moved(0, 0, 0)), "base");
+  named(tool->AddComponent(whole, pair, moved(0, 0, 100)), "upper");
+  tool->UpdateAssemblies();
+  const std::string path = (folder / "assembly.step").string();
+  STEPCAFControl_Writer writer;
+  writer.SetNameMode(Standard_True);
+  ASSERT_TRUE(writer.Transfer(document));
+  ASSERT_EQ(writer.Write(path.c_str()), IFSelect_RetDone);
+
+  const importer::ReadModel model = read(path);
+  EXPECT_EQ(model.mesh.report.bodies, 3);
+  EXPECT_EQ(model.mesh.body_names, (std::vector<std::string>{"base", "left pin", "right pin"}));
+  expect_extent(model.mesh, Vec3(0), Vec3(50, 20, 114), 1e-9);
+  EXPECT_NEAR(volume_of(model.mesh), 4000 + 2 * 40 * std::numbers::pi, 2);
+}
+
+TEST(StepImporter, ReadsIgesAndBrep) {
+  be_quiet();
+  const Folder folder;
+  const TopoDS_Shape shape = block_with_bore();
+  const std::string iges = (folder / "part.igs").string(), brep = (folder / "part.brep").string();
+  IGESControl_Writer writer("MM", 1);
+  writer.AddShape(shape);
+  ASSERT_TRUE(writer.Write(iges.c_str()));
+  ASSERT_TRUE(BRepTools::Write(shape, brep.c_str()));
+  for (const std::string& path : {iges, brep}) {
+    SCOPED_TRACE(path);
+    const importer::ReadModel model = read(path);
+    ASSERT_NE(model.part, nullptr);
+    EXPECT_EQ(kinds_of(*model.part)[SurfaceKind::plane], 6);
+    EXPECT_EQ(model.part->faces.size(), 7U);
+    EXPECT_NEAR(volume_of(model.mesh), 40 * 30 * 20 - std::numbers::pi * 25 * 20, 5);
+  }
+}
+
+TEST(StepImporter, DamagedFilesAreRefusedWithTheReason) {
+  const Folder folder;
+  const std::string whole = read_file(step_file(folder, block_with_bore()));
+  EXPECT_EQ(refusal_of(folder.file("a.step", whole.substr(0, whole.size() / 2))),
+            "is cut short: it does not end with END-ISO-10303-21");
+  EXPECT_EQ(refusal_of(folder.file("b.step", "\xff\xd8\xff\xe0 JFIF")),
+            "is not a STEP file: it does not begin with ISO-10303-21");
+  EXPECT_EQ(refusal_of(folder.file("c.step", "")), "is not a STEP file: it does not begin with ISO-10303-21");
+  EXPECT_EQ(refusal_of(folder.file("d.step", "ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\nENDSEC;\nEND-ISO-10303-21;\n")),
+            "cannot be read as STEP: it is damaged or something else");
+  EXPECT_TRUE(contains(refusal_of(folder.file("e.brep", "not a shape")), "cannot be read as BREP"));
+  EXPECT_FALSE(refusal_of(folder.file("f.igs", "not a drawing")).empty());
+}
+
+}  // namespace
+}  // namespace epura::test
