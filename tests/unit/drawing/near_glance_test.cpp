@@ -25,8 +25,8 @@ std::vector<drawing::Piece> bundles(int seed) {
     const Vec2 start(number(0, 60), number(0, 60));
     const double angle = number(0, 7), facet = std::pow(10.0, number(-2, 0.5));
     for (int line = 0; line < 4; ++line) {
-      Vec2 at = start + Vec2(number(-0.2, 0.2), number(-0.2, 0.2));
-      double turn = angle + number(-0.5, 0.5);
+      Vec2 at = start + Vec2(number(-0.1, 0.1), number(-0.1, 0.1));
+      double turn = angle + number(-0.3, 0.3);
       for (int i = 0; i < 7; ++i) {
         turn += number(-0.3, 0.3);
         const Vec2 next = at + facet * number(0.1, 1) * Vec2(std::cos(turn), std::sin(turn));
