@@ -65,12 +65,12 @@ void KeptInk::find_near(const MeasuredPolyline& polyline, std::size_t member, Ne
   Found found(near.parts);
   int others = 0;
   const auto is_near = [&](int number) {
-    const std::array<float, 2>& facing = directions_[static_cast<std::size_t>(number)];
-    if (!(std::abs(facing[0] * along.x + facing[1] * along.y) >= AlongLimits::least_cosine)) return false;
     const auto& [p, q] = parts_.line(number);
     const Beside beside(along, b - a, {p - a, q - a}, limits_.distance, AlongLimits::steepest);
     const auto [from, to] = beside.range;
     if (!(to - from > touching)) return false;
+    const std::array<float, 2>& facing = directions_[static_cast<std::size_t>(number)];
+    if (!(std::abs(facing[0] * along.x + facing[1] * along.y) >= AlongLimits::least_cosine)) return false;
     if (found.has(number)) return true;
     near.parts.push_back({{x(from), x(to)}, number});
     visibility::add_span(spans, near.parts.back().stretch);

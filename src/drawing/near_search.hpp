@@ -37,7 +37,7 @@ class NearSearch {
   };
   using Run = std::array<double, 2>;
   // So many members at least are searched together before their polylines are added.
-  static constexpr std::size_t looked_ahead = 1024;
+  static constexpr std::size_t looked_ahead = 8192;
 
   void add(std::size_t line);
   [[nodiscard]] visibility::Spans near_parts(std::size_t member, std::size_t turn);
