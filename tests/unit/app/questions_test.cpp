@@ -69,7 +69,7 @@ TEST_F(Plates, WrongQuestionsAreRefused) {
     EXPECT_EQ(run.out, "");
     EXPECT_TRUE(contains(run.err, part)) << run.err;
   };
-  refused({"--why", "nonsense"}, "names no edge");
+  refused({"--why", "nonsense"}, "does not name an edge");
   refused({"--why", "2:0-1"}, "models are numbered from 0 to 1");
   refused({"--why", "0-4"}, "its vertices are numbered from 0 to 3");
   refused({"--why", "1-3"}, "edges at 1: 0-1 1-2");

@@ -24,7 +24,7 @@ TEST(EdgeQuestion, RefusesEverythingElse) {
   for (const char* text : {"", "3", "3-", "-3", "3--7", "a-b", "0:1:2-3", "-1:2-3", "1.5-2", "0:1x2", "0:1x1:2x2:3",
                            "@", "@1", "@1,2,3", "@nan,1", "@inf,1", "99999999999-1"}) {
     const Error error = error_of([&] { explain::parse_edge_question(text); });
-    EXPECT_TRUE(contains(error.what(), "names no edge")) << text;
+    EXPECT_TRUE(contains(error.what(), "does not name an edge")) << text;
     EXPECT_TRUE(contains(error.hint(), "@X,Y"));
   }
 }
@@ -50,7 +50,7 @@ TEST(Subjects, ThatDoNotExistAreAnErrorWithWhatThereIs) {
   EXPECT_TRUE(contains(error(explain::ByVertices{0, {0, 8}}).what(), "has no vertex 8"));
   EXPECT_EQ(error(explain::ByVertices{0, {0, 8}}).hint(), "its vertices are numbered from 0 to 7");
   const Error no_edge = error(explain::ByVertices{0, {0, 7}});
-  EXPECT_TRUE(contains(no_edge.what(), "joins vertices 0 and 7"));
+  EXPECT_TRUE(contains(no_edge.what(), "connects vertices 0 and 7"));
   EXPECT_EQ(no_edge.hint().substr(0, 24), "edges at 0: 0-1 0-2 0-3 ");
   EXPECT_TRUE(contains(no_edge.hint(), "; edges at 7: "));
   EXPECT_TRUE(contains(error(explain::ByFaces{{explain::FaceName{0, 0}, explain::FaceName{0, 1}}}).what(),
