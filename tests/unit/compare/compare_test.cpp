@@ -205,7 +205,7 @@ TEST(CompareJson, SeesEdgesOfAllKindsAsSheetsDrawThem) {
     for (const bool seen : {true, false}) {
       const auto kind = static_cast<EdgeKind>(i);
       const std::vector<Vec2> points = {{10, 10}, {40, 10}};
-      drawing::ViewDrawing drawing;
+      drawing::ViewDrawing drawing{};
       drawing.name = "front";
       drawing.segments = {{points[0], points[1], seen, kind, 0, {0, 1}, -1, {0, 1}}};
       drawing.chains = {{points, false, seen, kind, {0}}};

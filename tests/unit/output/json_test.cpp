@@ -12,7 +12,7 @@ namespace epura {
 namespace {
 
 drawing::ViewDrawing example() {
-  drawing::ViewDrawing drawing;
+  drawing::ViewDrawing drawing{};
   drawing.name = "front \"A\"";
   drawing.scale = 0.5;
   drawing.projection.name = "look-at";

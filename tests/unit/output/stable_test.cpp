@@ -20,7 +20,7 @@ std::vector<std::string> all_formats() {
   sheet::Sheet sheet = random_sheet(297, 210);
   sheet.views = {{"front", "front", "1:2", {10.5, 20.25}, {1234.5, 90}}};
   sheet.facts = {{"author", "N. N."}, {"scale", "1:2"}};
-  drawing::ViewDrawing drawing;
+  drawing::ViewDrawing drawing{};
   drawing.name = "front";
   drawing.world_to_page = Mat4(1234.5678);
   drawing.projection.projector = {0.5, -1234567.25, 1e-9};
