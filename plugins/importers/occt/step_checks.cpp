@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "step_checks.hpp"
+
+#include <Interface_Check.hxx>
+#include <NCollection_IndexedDataMap.hxx>
+#include <STEPConstruct_ExternRefs.hxx>
+#include <StepAP214_AppliedExternalIdentificationAssignment.hxx>
+#include <StepBasic_Document.hxx>
+#include <StepBasic_ProductDefinition.hxx>
+#include <StepData_StepModel.hxx>
+#include <StepRepr_NextAssemblyUsageOccurrence.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <XSControl_WorkSession.hxx>
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string_view>
+
+#include "model.hpp"
+
+namespace occt {
+
+namespace {
+
+using Text = Handle(TCollection_HAsciiString);
+
+bool is(const Text& text, const std::string& name) { return !text.IsNull() && name == text->ToCString(); }
+
+/// "#12=SOLID" or "#12".
+std::string label_of(const Handle(StepData_StepModel) & model, const Handle(Standard_Transient) & entity) {
+  const Text label = model->StringLabel(entity);
+  return label.IsNull() ? "?" : label->ToCString();
+}
+
+bool leaves_folder(const std::string& name) {
+  return name.find_first_of("/\\:") != std::string::npos || name == "." || name == "..";
+}
+
+void forget(const Handle(StepData_StepModel) & model, const std::string& name) {
+  const Text nothing = new TCollection_HAsciiString("");
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    const auto entity = model->Value(i);
+    const auto named = Handle(StepAP214_AppliedExternalIdentificationAssignment)::DownCast(entity);
+    if (!named.IsNull() && is(named->AssignedId(), name)) named->SetAssignedId(nothing);
+    const auto document = Handle(StepBasic_Document)::DownCast(entity);
+    if (document.IsNull()) continue;
+    if (is(document->Id(), name)) document->SetId(nothing);
+    if (is(document->Name(), name)) document->SetName(nothing);
+  }
+}
+
+/// Which products each one contains, in the order of the file.
+using Contents = NCollection_IndexedDataMap<Handle(Standard_Transient), std::vector<int>>;
+
+Contents contents_of(const Handle(StepData_StepModel) & model) {
+  Contents contents;
+  const auto number = [&contents](const Handle(Standard_Transient) & product) {
+    const int index = contents.FindIndex(product);
+    return index != 0 ? index : contents.Add(product, {});
+  };
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    const auto use = Handle(StepRepr_NextAssemblyUsageOccurrence)::DownCast(model->Value(i));
+    if (use.IsNull() || use->RelatingProductDefinition().IsNull() || use->RelatedProductDefinition().IsNull()) continue;
+    const int assembly = number(use->RelatingProductDefinition());
+    const int part = number(use->RelatedProductDefinition());
+    contents.ChangeFromIndex(assembly).push_back(part);
+  }
+  return contents;
+}
+
+}  // namespace
+
+void expect_step_end(const std::string& path) {
+  constexpr std::streamoff tail = 65536;
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  const std::streamoff size = file.tellg();
+  const std::streamoff start = std::max<std::streamoff>(0, size - tail);
+  std::string bytes(static_cast<std::size_t>(size - start), '\0');
+  file.seekg(start);
+  file.read(bytes.data(), size - start);
+  if (!file) throw std::runtime_error("cannot be read to its end");
+  if (bytes.find("END-ISO-10303-21") != std::string::npos) return;
+  file.seekg(0);
+  std::size_t line = 0;
+  for (std::string text; std::getline(file, text);) ++line;
+  throw std::runtime_error("the file is cut off: it ends in line " + std::to_string(line) +
+                           " without END-ISO-10303-21");
+}
+
+void expect_no_cycle(const Handle(StepData_StepModel) & model) {
+  const Contents contents = contents_of(model);
+  enum class State { unseen, open, done };
+  std::vector<State> states(static_cast<std::size_t>(contents.Extent()) + 1, State::unseen);
+  struct Step {
+    int product;
+    std::size_t next;
+  };
+  for (int root = 1; root <= contents.Extent(); ++root) {
+    std::vector<Step> path;
+    if (states[root] == State::unseen) path.push_back({root, 0});
+    while (!path.empty()) {
+      const int product = path.back().product;
+      states[product] = State::open;
+      const std::vector<int>& parts = contents(product);
+      if (path.back().next == parts.size()) {
+        states[product] = State::done;
+        path.pop_back();
+        continue;
+      }
+      const int part = parts[path.back().next++];
+      if (states[part] == State::open)
+        throw std::runtime_error("the assembly " + label_of(model, contents.FindKey(part)) + " contains itself");
+      if (states[part] == State::unseen) path.push_back({part, 0});
+    }
+  }
+}
+
+std::string faults_of(const Handle(StepData_StepModel) & model) {
+  std::size_t count = 0;
+  std::string first;
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    const Handle(Interface_Check)& check = model->Check(i, true);
+    if (check.IsNull() || !check->HasFailed()) continue;
+    if (count++ == 0) first = label_of(model, model->Value(i)) + ": " + check->CFail(1);
+  }
+  if (count == 0) return {};
+  return std::to_string(count) + (count == 1 ? " entity is wrong: " : " entities are wrong, first ") + first;
+}
+
+std::vector<std::string> without_foreign_files(STEPControl_Reader& reader, const std::string& path) {
+  std::vector<std::string> names, notes;
+  STEPConstruct_ExternRefs references(reader.WS());
+  references.LoadExternRefs();
+  for (int i = 1; i <= references.NbExternRefs(); ++i) {
+    const char* name = references.FileName(i);
+    if (name == nullptr || *name == '\0' || std::find(names.begin(), names.end(), name) != names.end()) continue;
+    names.emplace_back(name);
+  }
+  for (const std::string& name : names) {
+    const bool is_missing = !std::filesystem::exists(std::filesystem::path(path).parent_path() / name);
+    if (!leaves_folder(name) && !is_missing) continue;
+    notes.push_back("the file refers to '" + name + "', which is " +
+                    (leaves_folder(name) ? "outside its folder: not read" : "not in its folder"));
+    forget(reader.StepModel(), name);
+  }
+  return notes;
+}
+
+}  // namespace occt
