@@ -11,7 +11,10 @@
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
 #include <TopoDS_Vertex.hxx>
+#include <algorithm>
 #include <utility>
+
+#include "face_mesh.hpp"
 
 namespace occt {
 
@@ -24,7 +27,8 @@ Point point_of(const gp_Pnt& point) { return {point.X(), point.Y(), point.Z()}; 
 
 class Numbering {
  public:
-  Numbering(BodyMesh& mesh, Number first_point) : mesh_(mesh), first_point_(first_point) {}
+  Numbering(BodyMesh& mesh, Number first_point, double tolerance)
+      : mesh_(mesh), first_point_(first_point), tolerance_(tolerance) {}
 
   void add(const TopoDS_Face& face) {
     TopLoc_Location location;
@@ -35,10 +39,12 @@ class Numbering {
     }
     triangles_ = triangles;
     location_ = location;
-    numbers_.assign(static_cast<std::size_t>(triangles->NbNodes()) + 1, EPURA_NONE);
+    face_ = refined(face, tolerance_);
+    mesh_.error = std::max(mesh_.error, face_.error);
+    numbers_.assign(face_.points.size(), EPURA_NONE);
     for (TopExp_Explorer edges(face, TopAbs_EDGE); edges.More(); edges.Next()) number(TopoDS::Edge(edges.Current()));
-    for (int node = 1; node <= triangles->NbNodes(); ++node)
-      if (numbers_[node] == EPURA_NONE) numbers_[node] = add_point(position(node));
+    for (std::size_t i = 0; i < numbers_.size(); ++i)
+      if (numbers_[i] == EPURA_NONE) numbers_[i] = add_point(face_.points[i]);
     mesh_.faces.push_back({face, corners(face)});
   }
 
@@ -69,11 +75,11 @@ class Numbering {
     const std::vector<Number>& points = mesh_.edges(index);
     if (static_cast<int>(points.size()) != line->NbNodes()) {
       ++mesh_.gaps;
-      numbers_[line->Node(1)] = points.front();
-      numbers_[line->Node(line->NbNodes())] = points.back();
+      numbers_[line->Node(1) - 1] = points.front();
+      numbers_[line->Node(line->NbNodes()) - 1] = points.back();
       return;
     }
-    for (int i = 1; i <= line->NbNodes(); ++i) numbers_[line->Node(i)] = points[i - 1];
+    for (int i = 1; i <= line->NbNodes(); ++i) numbers_[line->Node(i) - 1] = points[i - 1];
   }
 
   std::vector<Number> new_points(const TopoDS_Edge& edge, const Poly_PolygonOnTriangulation& line) {
@@ -92,9 +98,7 @@ class Numbering {
     const bool is_mirrored = location_.Transformation().IsNegative();
     const bool is_swapped = (face.Orientation() == TopAbs_REVERSED) != is_mirrored;
     std::vector<std::array<Number, 3>> found;
-    for (int i = 1; i <= triangles_->NbTriangles(); ++i) {
-      int a = 0, b = 0, c = 0;
-      triangles_->Triangle(i).Get(a, b, c);
+    for (auto [a, b, c] : face_.triangles) {
       if (is_swapped) std::swap(b, c);
       const std::array<Number, 3> triangle{numbers_[a], numbers_[b], numbers_[c]};
       // What falls together in a pole has no area.
@@ -106,10 +110,12 @@ class Numbering {
 
   BodyMesh& mesh_;
   Number first_point_;
+  double tolerance_;
   NCollection_IndexedDataMap<TopoDS_Shape, Number, TopTools_ShapeMapHasher> vertices_;
   Handle(Poly_Triangulation) triangles_;  // of the face in work
   TopLoc_Location location_;
-  std::vector<Number> numbers_;  // of its nodes, from 1
+  FaceMesh face_;
+  std::vector<Number> numbers_;  // of its points
 };
 
 double volume_of(const BodyMesh& mesh, Number first_point) {
@@ -130,9 +136,9 @@ double volume_of(const BodyMesh& mesh, Number first_point) {
 
 }  // namespace
 
-BodyMesh mesh_of(const TopoDS_Shape& body, Number first_point) {
+BodyMesh mesh_of(const TopoDS_Shape& body, Number first_point, double tolerance) {
   BodyMesh mesh;
-  Numbering numbering(mesh, first_point);
+  Numbering numbering(mesh, first_point, tolerance);
   TopTools_IndexedMapOfShape seen;
   for (TopExp_Explorer faces(body, TopAbs_FACE); faces.More(); faces.Next()) {
     const TopoDS_Face& face = TopoDS::Face(faces.Current());

@@ -28,10 +28,11 @@ struct BodyMesh {
   std::size_t unmeshed_faces = 0;
   std::size_t inner_faces = 0;  ///< faces inside a solid that bound nothing
   std::size_t gaps = 0;         ///< edges whose faces do not agree on their points
+  double error = 0;             ///< mm: what faces are off by where they could not be refined to the tolerance
   bool is_turned = false;       ///< a solid whose faces looked inward, and were turned
 };
 
 /// Numbers of points begin with `first_point`.
-BodyMesh mesh_of(const TopoDS_Shape& body, std::uint32_t first_point);
+BodyMesh mesh_of(const TopoDS_Shape& body, std::uint32_t first_point, double tolerance);
 
 }  // namespace occt

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hand_over.hpp"
 
+#include <algorithm>
+#include <array>
+#include <charconv>
 #include <stdexcept>
 
 #include "body_mesh.hpp"
@@ -15,12 +18,14 @@ namespace {
 
 struct Totals {
   std::size_t faces = 0, unmeshed = 0, inner = 0, gaps = 0, turned = 0;
+  double error = 0;
 
   void add(const BodyMesh& mesh) {
     faces += mesh.faces.size();
     unmeshed += mesh.unmeshed_faces;
     inner += mesh.inner_faces;
     gaps += mesh.gaps;
+    error = std::max(error, mesh.error);
     turned += mesh.is_turned ? 1 : 0;
   }
 };
@@ -42,18 +47,28 @@ epura::plugin::Transform rows_of(const gp_Trsf& transform) {
   return rows;
 }
 
+/// Two significant digits, whatever the locale.
+std::string rough(double value) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 2).ptr;
+  return {text.data(), end};
+}
+
 void note(const Totals& totals, std::vector<std::string>& notes) {
   if (totals.unmeshed > 0)
     notes.push_back(counted(totals.unmeshed, "face") + " could not be tessellated: holes are left in their places");
   if (totals.inner > 0) notes.push_back(counted(totals.inner, "face") + " inside solids bound nothing: not drawn");
   if (totals.gaps > 0)
     notes.push_back(counted(totals.gaps, "edge") + " have faces that do not agree on their points: fine gaps are left");
+  if (totals.error > 0)
+    notes.push_back("some faces could not be tessellated finely enough: they are off by " + rough(totals.error) +
+                    " mm");
   if (totals.turned > 0) notes.push_back(counted(totals.turned, "solid") + " with faces that looked inward: turned");
 }
 
 }  // namespace
 
-void hand_over(Model& model, epura::plugin::Sink& sink) {
+void hand_over(Model& model, double tolerance, epura::plugin::Sink& sink) {
   sink.unit(1);
   Totals totals;
   const double done = share_of_reading + share_of_meshing;
@@ -63,7 +78,7 @@ void hand_over(Model& model, epura::plugin::Sink& sink) {
     sink.shape(part.name);
     std::uint32_t points = 0;
     for (const Body& body : part.bodies) {
-      const BodyMesh mesh = mesh_of(body.shape, points);
+      const BodyMesh mesh = mesh_of(body.shape, points, tolerance);
       totals.add(mesh);
       hand_over(body, mesh, sink);
       points += static_cast<std::uint32_t>(mesh.points.size());

@@ -7,7 +7,7 @@
 
 namespace occt {
 
-/// A tessellated model to the sink: parts, places, notes.
-void hand_over(Model& model, epura::plugin::Sink& sink);
+/// A tessellated model to the sink: parts, places, notes. `tolerance`: mm between surfaces and triangles.
+void hand_over(Model& model, double tolerance, epura::plugin::Sink& sink);
 
 }  // namespace occt

@@ -31,27 +31,22 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 class Side {
  public:
   Side(const TopoDS_Edge& edge, const TopoDS_Face& face)
-      : surface_(face, /*Restriction=*/false), orientation_(orientation(edge, face)) {
+      : face_(face), surface_(face, /*Restriction=*/false), orientation_(orientation(edge, face)) {
     curve_ = BRep_Tool::CurveOnSurface(edge, face, first_, last_);
     const bool is_mirrored = surface_.Trsf().IsNegative();
     sign_ = (face.Orientation() == TopAbs_REVERSED) != is_mirrored ? -1 : 1;
-    BRepTools::UVBounds(face, u_[0], u_[1], v_[0], v_[1]);
   }
 
   /// Its outward normal; at poles that of a point close by.
   [[nodiscard]] std::optional<gp_Vec> normal(double share) const {
     if (curve_.IsNull()) return std::nullopt;
-    const gp_Pnt2d uv = curve_->Value(first_ + share * (last_ - first_));
-    for (const double step : {0.0, 1e-4, 1e-2}) {
-      gp_Pnt point;
-      gp_Vec along_u, along_v;
-      surface_.D1(uv.X() + step * ((u_[0] + u_[1]) / 2 - uv.X()), uv.Y() + step * ((v_[0] + v_[1]) / 2 - uv.Y()), point,
-                  along_u, along_v);
-      const gp_Vec across = along_u.Crossed(along_v);
-      const double size = across.Magnitude();
-      if (size > 1e-9 * (along_u.SquareMagnitude() + along_v.SquareMagnitude())) return across * (sign_ / size);
-    }
-    return std::nullopt;
+    const gp_XY place = curve_->Value(first_ + share * (last_ - first_)).XY();
+    if (const auto found = normal_at(place)) return found;
+    std::array<double, 4> range{};
+    BRepTools::UVBounds(face_, range[0], range[1], range[2], range[3]);
+    const gp_XY middle((range[0] + range[1]) / 2, (range[2] + range[3]) / 2);
+    const auto near = normal_at(place + 1e-4 * (middle - place));
+    return near ? near : normal_at(place + 1e-2 * (middle - place));
   }
 
   /// In a shell whose faces agree about their outsides, the edge runs against itself on the other side.
@@ -64,11 +59,21 @@ class Side {
     return TopAbs_EXTERNAL;
   }
 
+  [[nodiscard]] std::optional<gp_Vec> normal_at(const gp_XY& place) const {
+    gp_Pnt point;
+    gp_Vec along_u, along_v;
+    surface_.D1(place.X(), place.Y(), point, along_u, along_v);
+    const gp_Vec across = along_u.Crossed(along_v);
+    const double size = across.Magnitude();
+    if (!(size > 1e-9 * (along_u.SquareMagnitude() + along_v.SquareMagnitude()))) return std::nullopt;
+    return across * (sign_ / size);
+  }
+
+  TopoDS_Face face_;
   BRepAdaptor_Surface surface_;
   TopAbs_Orientation orientation_;
   Handle(Geom2d_Curve) curve_;
   double first_ = 0, last_ = 0, sign_ = 1;
-  std::array<double, 2> u_{}, v_{};
 };
 
 double degrees_between(const gp_Vec& a, const gp_Vec& b) {

@@ -39,13 +39,14 @@ constexpr std::array<epura_parameter, 2> fineness{
 void import(occt::Model (*read)(const std::string&, Sink&), const Source& source, Sink& sink) {
   occt::Complaints::install();
   occt::Model model = occt::guarded("cannot be read", [&] { return read(source.path, sink); });
-  occt::guarded("cannot be tessellated", [&] {
+  const double deflection = occt::guarded("cannot be tessellated", [&] {
     const double diagonal = occt::diagonal_of(model);
     const double given = source.values[0];
-    const double deflection = given > 0 ? given : source.tolerance_of(diagonal);
-    occt::tessellate(model, {deflection, source.values[1], source.threads}, sink);
+    const double tolerance = given > 0 ? given : source.tolerance_of(diagonal);
+    occt::tessellate(model, {tolerance, source.values[1], source.threads}, sink);
+    return tolerance;
   });
-  occt::guarded("cannot be handed over", [&] { occt::hand_over(model, sink); });
+  occt::guarded("cannot be handed over", [&] { occt::hand_over(model, deflection, sink); });
 }
 
 struct Step {

@@ -2,6 +2,7 @@
 #include <Interface_Static.hxx>
 #include <STEPCAFControl_Controller.hxx>
 #include <STEPCAFControl_Reader.hxx>
+#include <StepBasic_ConversionBasedUnitAndLengthUnit.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepRepr_RepresentationItem.hxx>
 #include <StepShape_ShellBasedSurfaceModel.hxx>
@@ -35,14 +36,24 @@ std::string plain_unit(std::string name) {
   return name;
 }
 
+/// The first unit that the file defines by another, for files whose representations do not tell the name of theirs.
+std::string converted_unit(const StepData_StepModel& model) {
+  for (int i = 1; i <= model.NbEntities(); ++i) {
+    const auto unit = Handle(StepBasic_ConversionBasedUnitAndLengthUnit)::DownCast(model.Value(i));
+    if (!unit.IsNull() && !unit->Name().IsNull()) return unit->Name()->ToCString();
+  }
+  return {};
+}
+
 void note_units(STEPControl_Reader& reader, Model& model) {
   TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
   reader.FileUnits(lengths, angles, solid_angles);
   std::vector<std::string> others;
   for (const TCollection_AsciiString& length : lengths) {
-    const std::string unit = plain_unit(length.ToCString());
+    const std::string unit = plain_unit(length.IsEmpty() ? converted_unit(*reader.StepModel()) : length.ToCString());
     const bool is_millimetre = unit == "millimetre" || unit == "millimeter" || unit == "mm";
-    if (!is_millimetre && std::find(others.begin(), others.end(), unit) == others.end()) others.push_back(unit);
+    if (!unit.empty() && !is_millimetre && std::find(others.begin(), others.end(), unit) == others.end())
+      others.push_back(unit);
   }
   for (const std::string& unit : others) model.notes.push_back("the file is in " + unit + ": converted to millimetres");
 }

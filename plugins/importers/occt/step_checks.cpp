@@ -9,6 +9,8 @@
 #include <StepBasic_ProductDefinition.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepRepr_NextAssemblyUsageOccurrence.hxx>
+#include <StepShape_SolidModel.hxx>
+#include <StepShape_TopologicalRepresentationItem.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <XSControl_WorkSession.hxx>
 #include <algorithm>
@@ -31,6 +33,14 @@ bool is(const Text& text, const std::string& name) { return !text.IsNull() && na
 std::string label_of(const Handle(StepData_StepModel) & model, const Handle(Standard_Transient) & entity) {
   const Text label = model->StringLabel(entity);
   return label.IsNull() ? "?" : label->ToCString();
+}
+
+/// Not what is written beside parts: dimensions, texts, dates.
+bool is_shape(const Handle(Standard_Transient) & entity) {
+  return std::string_view(entity->DynamicType()->Name()).substr(0, 9) == "StepGeom_" ||
+         entity->IsKind(STANDARD_TYPE(StepShape_TopologicalRepresentationItem)) ||
+         entity->IsKind(STANDARD_TYPE(StepShape_SolidModel)) ||
+         entity->IsKind(STANDARD_TYPE(StepRepr_NextAssemblyUsageOccurrence));
 }
 
 bool leaves_folder(const std::string& name) {
@@ -121,7 +131,7 @@ std::string faults_of(const Handle(StepData_StepModel) & model) {
   std::string first;
   for (int i = 1; i <= model->NbEntities(); ++i) {
     const Handle(Interface_Check)& check = model->Check(i, true);
-    if (check.IsNull() || !check->HasFailed()) continue;
+    if (check.IsNull() || !check->HasFailed() || !is_shape(model->Value(i))) continue;
     if (count++ == 0) first = label_of(model, model->Value(i)) + ": " + check->CFail(1);
   }
   if (count == 0) return {};

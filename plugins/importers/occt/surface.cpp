@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "surface.hpp"
 
+#include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <GeomAdaptor_Curve.hxx>
-#include <Geom_BSplineSurface.hxx>
-#include <Geom_BezierSurface.hxx>
+#include <Geom_BoundedSurface.hxx>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_OffsetSurface.hxx>
@@ -15,11 +15,12 @@
 #include <Geom_SurfaceOfRevolution.hxx>
 #include <Geom_ToroidalSurface.hxx>
 #include <Precision.hxx>
-#include <ShapeCustom_Surface.hxx>
 #include <TopLoc_Location.hxx>
 #include <cmath>
 #include <gp_Circ.hxx>
 #include <gp_Lin.hxx>
+
+#include "canonical.hpp"
 
 namespace occt {
 
@@ -98,15 +99,17 @@ Surface extruded(const Geom_SurfaceOfLinearExtrusion& surface) {
 }
 
 /// The simple surface that this one is, or itself.
-Surface simplest(const Surface& surface) {
+Surface simplest(const Surface& surface, const TopoDS_Face& face) {
   Surface found;
   if (const auto swept = Handle(Geom_SurfaceOfRevolution)::DownCast(surface); !swept.IsNull()) found = turned(*swept);
   if (const auto swept = Handle(Geom_SurfaceOfLinearExtrusion)::DownCast(surface); !swept.IsNull())
     found = extruded(*swept);
-  if (surface->IsKind(STANDARD_TYPE(Geom_BSplineSurface)) || surface->IsKind(STANDARD_TYPE(Geom_BezierSurface))) {
-    ShapeCustom_Surface custom(surface);
-    found = custom.ConvertToAnalytical(same_length, false);
-    if (custom.Gap() > same_length) found.Nullify();
+  if (!found.IsNull()) return found;
+  if (surface->IsKind(STANDARD_TYPE(Geom_BoundedSurface)) || surface->IsKind(STANDARD_TYPE(Geom_SweptSurface)) ||
+      surface->IsKind(STANDARD_TYPE(Geom_OffsetSurface))) {
+    Range range{};
+    BRepTools::UVBounds(face, range[0], range[1], range[2], range[3]);
+    found = canonical(*surface, range);
   }
   return found.IsNull() ? surface : found;
 }
@@ -133,7 +136,7 @@ epura_face surface_of(const TopoDS_Face& face) {
   const Surface given = BRep_Tool::Surface(face, location);
   if (given.IsNull()) return free_form;
   const gp_Trsf& move = location.Transformation();
-  const Surface surface = simplest(resolved(given));
+  const Surface surface = simplest(resolved(given), face);
   if (const auto plane = Handle(Geom_Plane)::DownCast(surface); !plane.IsNull()) {
     epura_face described_plane = described(EPURA_PLANE, plane->Position().Transformed(move), 0);
     // A mirror takes the outward normal along: what counts is how the plane was defined before.

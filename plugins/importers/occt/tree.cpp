@@ -50,7 +50,8 @@ void TreeBuilder::finish() {
   note(wires_, "wire", " without faces is not drawn", " without faces are not drawn");
   note(points_, "point", " without edges is not drawn", " without edges are not drawn");
   if (loose_ > 0)
-    model_.notes.push_back(counted(loose_, "loose face or shell") + " were sewn into " + std::to_string(sewn_into_));
+    model_.notes.push_back(std::to_string(loose_) + " loose faces and shells were sewn into " +
+                           std::to_string(sewn_into_));
 }
 
 TreeBuilder::Prototype TreeBuilder::make(const TopoDS_Shape& shape, const std::string& name) {
