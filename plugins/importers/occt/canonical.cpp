@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "canonical.hpp"
 
+#include <Geom_BSplineSurface.hxx>
 #include <Geom_ConicalSurface.hxx>
 #include <Geom_CylindricalSurface.hxx>
 #include <Geom_Plane.hxx>
@@ -31,14 +32,33 @@ double along(const gp_Ax3& axis, const gp_XYZ& point) {
   return (point - axis.Location().XYZ()).Dot(axis.Direction().XYZ());
 }
 
+/// Not from end to end, where a closed line would begin and end in one point, and not in equal steps, which could be
+/// the turns of a thread.
+constexpr std::array<double, count> places{0.031, 0.153, 0.271, 0.402, 0.5, 0.634, 0.741, 0.859, 0.967};
+
+/// Parameters in each of the spans that the surface has in this direction.
+std::vector<double> parameters(const Geom_Surface& surface, bool is_along_u, double first, double last) {
+  std::vector<double> bounds{first};
+  if (const auto* spline = dynamic_cast<const Geom_BSplineSurface*>(&surface)) {
+    const TColStd_Array1OfReal& knots = is_along_u ? spline->UKnots() : spline->VKnots();
+    for (const double knot : knots)
+      if (first < knot && knot < last) bounds.push_back(knot);
+  }
+  bounds.push_back(last);
+  std::vector<double> found;
+  for (std::size_t i = 0; i + 1 < bounds.size(); ++i)
+    for (const double place : {0.11, 0.37, 0.59, 0.83})
+      found.push_back(bounds[i] + place * (bounds[i + 1] - bounds[i]));
+  return found;
+}
+
 class Samples {
  public:
-  Samples(const Geom_Surface& surface, const Range& range) {
+  Samples(const Geom_Surface& surface, const Range& range) : surface_(surface), range_(range) {
     for (int i = 0; i < count; ++i) {
       for (int j = 0; j < count; ++j) {
-        // Not from end to end: a closed line would begin and end in one point.
-        const double u = range[0] + (range[1] - range[0]) * (i + 0.5) / count;
-        const double v = range[2] + (range[3] - range[2]) * (j + 0.5) / count;
+        const double u = range[0] + (range[1] - range[0]) * places[i];
+        const double v = range[2] + (range[3] - range[2]) * places[j];
         points_[i][j] = surface.Value(u, v).XYZ();
       }
     }
@@ -66,12 +86,18 @@ class Samples {
     for (const Points& row : points_)
       for (const gp_XYZ& point : row)
         if (!(std::abs(distance(point)) <= precision_)) return false;
+    const std::vector<double> along_v = parameters(surface_, false, range_[2], range_[3]);
+    for (const double u : parameters(surface_, true, range_[0], range_[1]))
+      for (const double v : along_v)
+        if (!(std::abs(distance(surface_.Value(u, v).XYZ())) <= precision_)) return false;
     return true;
   }
 
   [[nodiscard]] double precision() const { return precision_; }
 
  private:
+  const Geom_Surface& surface_;
+  Range range_;
   std::array<Points, count> points_;
   double precision_ = 0;
 };
