@@ -12,9 +12,11 @@ Model read_brep(const std::string& path, epura::plugin::Sink& sink) {
   expect_kind(path, is_brep, "BREP file of Open CASCADE");
   const Handle(Stage) stage = new Stage(sink, 0, share_of_reading);
   TopoDS_Shape shape;
-  const bool is_read = BRepTools::Read(shape, path.c_str(), BRep_Builder(), stage->Start());
+  const std::string damaged = "the file is cut off or damaged: no shape could be read";
+  const bool is_read =
+      guarded(damaged, [&] { return BRepTools::Read(shape, path.c_str(), BRep_Builder(), stage->Start()); });
   stage->finish();
-  if (!is_read || shape.IsNull()) throw std::runtime_error("the file is cut off or damaged: no shape could be read");
+  if (!is_read || shape.IsNull()) throw std::runtime_error(damaged);
   Model model;
   const Names names;
   TreeBuilder tree(model, names);

@@ -54,7 +54,9 @@ std::string meaningful(const std::string& name) {
   constexpr std::array<std::string_view, 12> made_up{"SOLID", "COMPOUND", "SHELL", "FACE",    "COMPSOLID", "WIRE",
                                                      "EDGE",  "ASSEMBLY", "NONE",  "UNNAMED", "none",      "NULL"};
   if (std::find(made_up.begin(), made_up.end(), view) != made_up.end()) return {};
-  if (view.substr(0, 3) == "=>[") return {};
+  // Labels of XCAF, and what Open CASCADE calls products that it was given no name for.
+  for (const std::string_view start : {std::string_view("=>["), std::string_view("Open CASCADE STEP translator")})
+    if (view.substr(0, start.size()) == start) return {};
   std::string_view number = view;
   if (number.substr(0, 4) == "NAUO") number.remove_prefix(4);
   if (std::all_of(number.begin(), number.end(), is_digit)) return {};

@@ -24,6 +24,16 @@ namespace occt {
 
 namespace {
 
+/// Whether the last line is that of the section T.
+bool has_end(std::string_view bytes) {
+  constexpr std::size_t section = 72;
+  const auto last = bytes.find_last_not_of("\r\n \x1a\0");
+  if (last == std::string_view::npos) return false;
+  const auto before = bytes.find_last_of("\r\n", last);
+  const std::string_view line = bytes.substr(before == std::string_view::npos ? 0 : before + 1);
+  return line.size() > section && line[section] == 'T';
+}
+
 void note_unit(const IGESData_GlobalSection& header, Model& model) {
   constexpr double metre_in_mm = 1000;
   const double millimetres = header.UnitValue() * (header.CascadeUnit() > 0 ? header.CascadeUnit() : 1);
@@ -45,6 +55,8 @@ std::string name_of(const TDF_Label& label) {
 
 Model read_iges(const std::string& path, epura::plugin::Sink& sink) {
   expect_kind(path, is_iges, "IGES file: column 73 of its first line is not S");
+  // Open CASCADE crashes on some files without it.
+  if (!has_end(end_of(path))) throw cut_off(path, "the line of section T");
   IGESControl_Controller::Init();
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
   IGESCAFControl_Reader reader;

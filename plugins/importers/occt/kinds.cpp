@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // How files of the three formats begin.
+#include <algorithm>
 #include <array>
 #include <fstream>
 #include <stdexcept>
@@ -37,6 +38,25 @@ void expect_kind(const std::string& path, bool (*recognises)(std::string_view), 
   const std::string_view start(bytes.data(), static_cast<std::size_t>(file.gcount()));
   if (start.empty()) throw std::runtime_error("the file is empty");
   if (!recognises(start)) throw std::runtime_error("is no " + what);
+}
+
+std::string end_of(const std::string& path) {
+  constexpr std::streamoff tail = 65536;
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  const std::streamoff size = file.tellg();
+  const std::streamoff start = std::max<std::streamoff>(0, size - tail);
+  std::string bytes(static_cast<std::size_t>(size - start), '\0');
+  file.seekg(start);
+  file.read(bytes.data(), size - start);
+  if (!file) throw std::runtime_error("cannot be read to its end");
+  return bytes;
+}
+
+std::runtime_error cut_off(const std::string& path, const std::string& missing) {
+  std::ifstream file(path, std::ios::binary);
+  std::size_t lines = 0;
+  for (std::string line; std::getline(file, line);) ++lines;
+  return std::runtime_error("the file is cut off: it ends in line " + std::to_string(lines) + " without " + missing);
 }
 
 }  // namespace occt

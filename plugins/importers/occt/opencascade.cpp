@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <string>
 
 #include "hand_over.hpp"
 #include "readers.hpp"
@@ -37,8 +39,12 @@ constexpr std::array<epura_parameter, 2> fineness{
                     60}};
 
 void import(occt::Model (*read)(const std::string&, Sink&), const Source& source, Sink& sink) {
+  const occt::Silence silence;
   occt::Complaints::install();
   occt::Model model = occt::guarded("cannot be read", [&] { return read(source.path, sink); });
+  if (model.parts.empty())
+    throw std::runtime_error("holds no face to draw" +
+                             (model.notes.empty() ? std::string() : ": " + model.notes.front()));
   const double deflection = occt::guarded("cannot be tessellated", [&] {
     const double diagonal = occt::diagonal_of(model);
     const double given = source.values[0];

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <epura/importer_plugin.hpp>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -19,6 +20,12 @@ inline constexpr double share_of_reading = 0.5;
 
 /// Checks that the file exists and begins as `recognises` wants; `what` as in "no STEP file".
 void expect_kind(const std::string& path, bool (*recognises)(std::string_view), const std::string& what);
+
+/// Its last 64 KiB, or all of it.
+std::string end_of(const std::string& path);
+
+/// What to throw for a file that ends without `missing`.
+std::runtime_error cut_off(const std::string& path, const std::string& missing);
 
 bool is_step(std::string_view first_bytes);
 bool is_iges(std::string_view first_bytes);

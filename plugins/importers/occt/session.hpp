@@ -8,6 +8,7 @@
 #include <Standard_Failure.hxx>
 #include <atomic>
 #include <epura/importer_plugin.hpp>
+#include <iostream>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -29,6 +30,21 @@ class Complaints : public Message_Printer {
 
  private:
   mutable std::string first_;
+};
+
+/// While it lives, what Open CASCADE writes to std::cout and std::cerr past its printers goes nowhere.
+class Silence {
+ public:
+  Silence() : out_(std::cout.rdbuf(nullptr)), error_(std::cerr.rdbuf(nullptr)) {}
+  ~Silence() {
+    std::cout.rdbuf(out_);
+    std::cerr.rdbuf(error_);
+  }
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+
+ private:
+  std::streambuf *out_, *error_;
 };
 
 /// Reports a stage of the work, from one share of the whole to another, and breaks it off when the host wants no more.

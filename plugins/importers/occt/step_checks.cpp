@@ -15,7 +15,6 @@
 #include <XSControl_WorkSession.hxx>
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <stdexcept>
 #include <string_view>
 
@@ -80,23 +79,6 @@ Contents contents_of(const Handle(StepData_StepModel) & model) {
 }
 
 }  // namespace
-
-void expect_step_end(const std::string& path) {
-  constexpr std::streamoff tail = 65536;
-  std::ifstream file(path, std::ios::binary | std::ios::ate);
-  const std::streamoff size = file.tellg();
-  const std::streamoff start = std::max<std::streamoff>(0, size - tail);
-  std::string bytes(static_cast<std::size_t>(size - start), '\0');
-  file.seekg(start);
-  file.read(bytes.data(), size - start);
-  if (!file) throw std::runtime_error("cannot be read to its end");
-  if (bytes.find("END-ISO-10303-21") != std::string::npos) return;
-  file.seekg(0);
-  std::size_t line = 0;
-  for (std::string text; std::getline(file, text);) ++line;
-  throw std::runtime_error("the file is cut off: it ends in line " + std::to_string(line) +
-                           " without END-ISO-10303-21");
-}
 
 void expect_no_cycle(const Handle(StepData_StepModel) & model) {
   const Contents contents = contents_of(model);

@@ -8,9 +8,6 @@
 
 namespace occt {
 
-/// Throws if the file does not end as STEP files do.
-void expect_step_end(const std::string& path);
-
 /// Throws if an assembly contains itself: Open CASCADE would follow it for ever.
 void expect_no_cycle(const Handle(StepData_StepModel) & model);
 
