@@ -15,6 +15,7 @@
 #include <XSControl_TransferReader.hxx>
 #include <XSControl_WorkSession.hxx>
 #include <algorithm>
+#include <filesystem>
 
 #include "readers.hpp"
 #include "session.hpp"
@@ -79,7 +80,9 @@ Names names_of_bodies(const STEPControl_Reader& reader) {
 
 }  // namespace
 
-Model read_step(const std::string& path, epura::plugin::Sink& sink) {
+Model read_step(const std::string& file, epura::plugin::Sink& sink) {
+  // Open CASCADE looks for files that this one refers to in the working folder unless told more.
+  const std::string path = std::filesystem::absolute(file).string();
   expect_kind(path, is_step, "STEP file: ISO-10303-21 does not stand at its beginning");
   if (end_of(path).find("END-ISO-10303-21") == std::string::npos) throw cut_off(path, "END-ISO-10303-21");
   STEPCAFControl_Controller::Init();

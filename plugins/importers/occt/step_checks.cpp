@@ -6,7 +6,9 @@
 #include <STEPConstruct_ExternRefs.hxx>
 #include <StepAP214_AppliedExternalIdentificationAssignment.hxx>
 #include <StepBasic_Document.hxx>
+#include <StepBasic_ExternalSource.hxx>
 #include <StepBasic_ProductDefinition.hxx>
+#include <StepData_SelectNamed.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepRepr_NextAssemblyUsageOccurrence.hxx>
 #include <StepShape_SolidModel.hxx>
@@ -46,17 +48,38 @@ bool leaves_folder(const std::string& name) {
   return name.find_first_of("/\\:") != std::string::npos || name == "." || name == "..";
 }
 
+/// The name of a file that the source of an identification may hold.
+std::string source_name(const StepAP214_AppliedExternalIdentificationAssignment& identification) {
+  if (identification.Source().IsNull()) return {};
+  const auto name = Handle(StepData_SelectNamed)::DownCast(identification.Source()->SourceId().Value());
+  return name.IsNull() || name->Kind() != 6 ? std::string() : name->String();  // 6: a text
+}
+
 void forget(const Handle(StepData_StepModel) & model, const std::string& name) {
   const Text nothing = new TCollection_HAsciiString("");
   for (int i = 1; i <= model->NbEntities(); ++i) {
     const auto entity = model->Value(i);
     const auto named = Handle(StepAP214_AppliedExternalIdentificationAssignment)::DownCast(entity);
     if (!named.IsNull() && is(named->AssignedId(), name)) named->SetAssignedId(nothing);
+    if (!named.IsNull() && source_name(*named) == name) named->SetSource(new StepBasic_ExternalSource);
     const auto document = Handle(StepBasic_Document)::DownCast(entity);
     if (document.IsNull()) continue;
     if (is(document->Id(), name)) document->SetId(nothing);
     if (is(document->Name(), name)) document->SetName(nothing);
   }
+}
+
+/// What Open CASCADE would read next to the file.
+std::vector<std::string> referred_files(STEPControl_Reader& reader) {
+  std::vector<std::string> names;
+  STEPConstruct_ExternRefs references(reader.WS());
+  references.LoadExternRefs();
+  for (int i = 1; i <= references.NbExternRefs(); ++i) {
+    const char* name = references.FileName(i);
+    if (name == nullptr || *name == '\0' || std::find(names.begin(), names.end(), name) != names.end()) continue;
+    names.emplace_back(name);
+  }
+  return names;
 }
 
 /// Which products each one contains, in the order of the file.
@@ -121,22 +144,21 @@ std::string faults_of(const Handle(StepData_StepModel) & model) {
 }
 
 std::vector<std::string> without_foreign_files(STEPControl_Reader& reader, const std::string& path) {
-  std::vector<std::string> names, notes;
-  STEPConstruct_ExternRefs references(reader.WS());
-  references.LoadExternRefs();
-  for (int i = 1; i <= references.NbExternRefs(); ++i) {
-    const char* name = references.FileName(i);
-    if (name == nullptr || *name == '\0' || std::find(names.begin(), names.end(), name) != names.end()) continue;
-    names.emplace_back(name);
+  std::vector<std::string> notes;
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  constexpr int most_names = 4;  // that one reference may have in different places
+  for (int round = 0; round <= most_names; ++round) {
+    bool is_clean = true;
+    for (const std::string& name : referred_files(reader)) {
+      if (!leaves_folder(name) && std::filesystem::exists(folder / name)) continue;
+      is_clean = false;
+      notes.push_back("the file refers to '" + name + "', which is " +
+                      (leaves_folder(name) ? "outside its folder: not read" : "not in its folder"));
+      forget(reader.StepModel(), name);
+    }
+    if (is_clean) return notes;
   }
-  for (const std::string& name : names) {
-    const bool is_missing = !std::filesystem::exists(std::filesystem::path(path).parent_path() / name);
-    if (!leaves_folder(name) && !is_missing) continue;
-    notes.push_back("the file refers to '" + name + "', which is " +
-                    (leaves_folder(name) ? "outside its folder: not read" : "not in its folder"));
-    forget(reader.StepModel(), name);
-  }
-  return notes;
+  throw std::runtime_error("refers to other files in a way that cannot be undone: " + notes.back());
 }
 
 }  // namespace occt

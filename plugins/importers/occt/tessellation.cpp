@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tessellation.hpp"
 
+#include <BRepAdaptor_Surface.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepLib.hxx>
 #include <BRepMesh_Context.hxx>
@@ -18,9 +19,11 @@
 #include <OSD_Parallel.hxx>
 #include <OSD_ThreadPool.hxx>
 #include <TopExp.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -57,9 +60,27 @@ TopoDS_Compound everything_of(const Model& model) {
   return everything;
 }
 
+/// Poles of splines stand far outside of their surfaces: those are sampled.
+void add(const TopoDS_Face& face, Bnd_Box& box) {
+  const BRepAdaptor_Surface surface(face, /*Restriction=*/false);
+  if (surface.GetType() <= GeomAbs_Torus) {
+    BRepBndLib::Add(face, box, /*useTriangulation=*/false);
+    return;
+  }
+  constexpr int steps = 12;
+  std::array<double, 4> range{};
+  BRepTools::UVBounds(face, range[0], range[1], range[2], range[3]);
+  for (int i = 0; i <= steps; ++i)
+    for (int j = 0; j <= steps; ++j)
+      box.Add(
+          surface.Value(range[0] + (range[1] - range[0]) * i / steps, range[2] + (range[3] - range[2]) * j / steps));
+}
+
 Bnd_Box box_of(const Part& part) {
   Bnd_Box box;
-  for (const Body& body : part.bodies) BRepBndLib::Add(body.shape, box, /*useTriangulation=*/false);
+  for (const Body& body : part.bodies)
+    for (TopExp_Explorer faces(body.shape, TopAbs_FACE); faces.More(); faces.Next())
+      add(TopoDS::Face(faces.Current()), box);
   return box;
 }
 
