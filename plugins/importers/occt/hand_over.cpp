@@ -80,6 +80,7 @@ void hand_over(Model& model, double tolerance, epura::plugin::Sink& sink) {
     for (const Body& body : part.bodies) {
       const BodyMesh mesh = mesh_of(body.shape, points, tolerance);
       totals.add(mesh);
+      if (mesh.faces.empty()) continue;
       hand_over(body, mesh, sink);
       points += static_cast<std::uint32_t>(mesh.points.size());
     }

@@ -46,9 +46,9 @@ void import(occt::Model (*read)(const std::string&, Sink&), const Source& source
     throw std::runtime_error("holds no face to draw" +
                              (model.notes.empty() ? std::string() : ": " + model.notes.front()));
   const double deflection = occt::guarded("cannot be tessellated", [&] {
-    const double diagonal = occt::diagonal_of(model);
+    const occt::Extent extent = occt::extent_of(model);
     const double given = source.values[0];
-    const double tolerance = given > 0 ? given : source.tolerance_of(diagonal);
+    const double tolerance = (given > 0 ? given : source.tolerance_of(extent.diagonal)) / extent.scale;
     occt::tessellate(model, {tolerance, source.values[1], source.threads}, sink);
     return tolerance;
   });

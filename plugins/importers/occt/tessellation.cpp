@@ -23,6 +23,7 @@
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Compound.hxx>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -64,7 +65,10 @@ TopoDS_Compound everything_of(const Model& model) {
 void add(const TopoDS_Face& face, Bnd_Box& box) {
   const BRepAdaptor_Surface surface(face, /*Restriction=*/false);
   if (surface.GetType() <= GeomAbs_Torus) {
-    BRepBndLib::Add(face, box, /*useTriangulation=*/false);
+    Bnd_Box own;
+    BRepBndLib::Add(face, own, /*useTriangulation=*/false);
+    // Planes without an outline have no end, and cannot be drawn.
+    if (!own.IsVoid() && !own.IsOpen()) box.Add(own);
     return;
   }
   constexpr int steps = 12;
@@ -137,17 +141,20 @@ std::vector<TopoDS_Face> unsuitable(const TopoDS_Shape& shape, double tolerance)
 
 }  // namespace
 
-double diagonal_of(const Model& model) {
+Extent extent_of(const Model& model) {
   std::vector<Bnd_Box> boxes;
   for (const Part& part : model.parts) boxes.push_back(box_of(part));
   std::vector<gp_Trsf> to_world;
   Bnd_Box all;
+  Extent extent{0, 1};
   for (const Place& place : model.places) {
     to_world.push_back(place.parent == EPURA_NONE ? place.transform : to_world[place.parent] * place.transform);
-    if (place.part != EPURA_NONE && !boxes[place.part].IsVoid())
-      all.Add(boxes[place.part].Transformed(to_world.back()));
+    if (place.part == EPURA_NONE || boxes[place.part].IsVoid()) continue;
+    all.Add(boxes[place.part].Transformed(to_world.back()));
+    extent.scale = std::max(extent.scale, std::abs(to_world.back().ScaleFactor()));
   }
-  return all.IsVoid() ? 0 : std::sqrt(all.SquareExtent());
+  if (!all.IsVoid()) extent.diagonal = std::sqrt(all.SquareExtent());
+  return extent;
 }
 
 void tessellate(Model& model, const Fineness& fineness, epura::plugin::Sink& sink) {

@@ -8,8 +8,12 @@
 
 namespace occt {
 
-/// The diagonal of the box of everything that stands somewhere, in mm.
-double diagonal_of(const Model& model);
+struct Extent {
+  double diagonal;  ///< of the box of everything that stands somewhere, in mm
+  double scale;     ///< the largest that a part stands in somewhere; at least 1
+};
+
+Extent extent_of(const Model& model);
 
 struct Fineness {
   double deflection;  ///< mm between surface and triangles
