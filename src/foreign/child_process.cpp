@@ -56,7 +56,7 @@ void ChildProcess::connect(const Start& start) {
   if (child < 0) {
     const std::string reason = std::strerror(errno);
     if (is_connected) ::close(ends[0]), ::close(ends[1]);
-    refuse("cannot get a process of its own: " + reason);
+    refuse("cannot start a separate process: " + reason);
   }
   ::close(ends[1]);
   child_ = child;
@@ -103,7 +103,7 @@ std::string ChildProcess::ending() {
   }
   if (ended == 0) kill_and_wait(child);
   if (ended > 0 && WIFSIGNALED(status)) return std::string("crashes (") + ::strsignal(WTERMSIG(status)) + ")";
-  return "ends the program";
+  return "exits";
 }
 
 void ChildProcess::end() {

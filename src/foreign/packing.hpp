@@ -76,7 +76,7 @@ class Unpacker {
     rest_.remove_prefix(bytes);
     return taken;
   }
-  [[noreturn]] static void refuse() { throw Error(ErrorKind::plugin, "", "damages its process"); }
+  [[noreturn]] static void refuse() { throw Error(ErrorKind::plugin, "", "corrupts its process"); }
 
   std::string_view rest_;
 };

@@ -40,7 +40,7 @@ std::vector<double> value_of(const Parameter& parameter, const std::string& text
   const auto numbers = parse_numbers(text);
   if (!numbers) refuse_value(where, "'" + text + "' is not a number" + (parameter.initial.size() > 1 ? " list" : ""));
   if (numbers->size() != parameter.initial.size())
-    refuse_value(where, "takes " + std::to_string(parameter.initial.size()) + " numbers with commas between, not " +
+    refuse_value(where, "takes " + std::to_string(parameter.initial.size()) + " numbers separated by commas, not " +
                             std::to_string(numbers->size()));
   for (const double number : *numbers) {
     if (!std::isfinite(number)) refuse_value(where, "must be finite");
@@ -68,7 +68,7 @@ void check_initial(const Parameter& parameter, const std::string& where) {
   for (const double value : parameter.initial) {
     const bool fits = is_choice ? value >= 0 && value <= last && value == std::floor(value)
                                 : std::isnan(value) || (value >= parameter.min && value <= parameter.max);
-    require(fits, where + " has a default outside of its range");
+    require(fits, where + " has a default outside its range");
   }
 }
 

@@ -54,10 +54,10 @@ void pack_rest(Pack& pack, Value& document) {
 }  // namespace
 
 void expect_sound(const Document& document) {
-  foreign::require(std::all_of(document.shapes.begin(), document.shapes.end(), is_sound), "damages its process");
+  foreign::require(std::all_of(document.shapes.begin(), document.shapes.end(), is_sound), "corrupts its process");
   for (std::size_t i = 0; i < document.nodes.size(); ++i) {
     const Node& node = document.nodes[i];
-    foreign::require(node.parent >= -1 && node.parent < static_cast<int>(i), "damages its process");
+    foreign::require(node.parent >= -1 && node.parent < static_cast<int>(i), "corrupts its process");
     foreign::require(node.shape >= -1 && node.shape < static_cast<int>(document.shapes.size()),
                      "hands over a node with a shape that it does not hand over");
   }

@@ -52,7 +52,7 @@ const epura_importer_list& list_of(epura_importer_entry_point entry) {
   require(list->size >= sizeof(epura_importer_list), "its list is too short: " + std::to_string(list->size) + " of " +
                                                          std::to_string(sizeof(epura_importer_list)) + " bytes");
   require(list->count > 0 && list->importers != nullptr, "offers no importer");
-  require(list->count <= foreign::most_rows, "claims to offer " + std::to_string(list->count) + " importers");
+  require(list->count <= foreign::most_rows, "claims to provide " + std::to_string(list->count) + " importers");
   return *list;
 }
 
@@ -83,7 +83,7 @@ Document read_by(const epura_importer& importer, const Reading& reading, const s
   try {
     sentence = importer.read(&source, &sink.calls());
   } catch (...) {
-    throw Error(ErrorKind::plugin, "", "threw an exception across the border");
+    throw Error(ErrorKind::plugin, "", "threw an exception across the C interface");
   }
   if (!sink.fault().empty()) throw Error(ErrorKind::plugin, "", sink.fault());
   if (sentence != nullptr) throw Error(ErrorKind::input, "", sentence);

@@ -66,7 +66,7 @@ std::vector<ImporterTable> unpack_tables(Unpacker& unpack) {
 const epura_importer& importer_named(const std::vector<LoadedImporter>& importers, const std::string& name) {
   for (const LoadedImporter& importer : importers)
     if (importer.table.name == name) return *importer.definition;
-  throw Error(ErrorKind::plugin, "", "is not there any more");
+  throw Error(ErrorKind::plugin, "", "no longer exists");
 }
 
 Packer answer_to_recognise(Unpacker& question, const epura_importer& importer) {
@@ -135,7 +135,7 @@ class Process {
     } catch (const Error& error) {
       const bool did_something = !process_.is_there();
       process_.end();
-      foreign::refuse(error.what() + std::string(did_something ? " when it is loaded" : ""));
+      foreign::refuse(error.what() + std::string(did_something ? " while loading" : ""));
     }
   }
 

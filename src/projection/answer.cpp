@@ -37,10 +37,10 @@ PluginAnswer call_plugin(const epura_projection& definition, const std::vector<d
   try {
     if (const char* sentence = definition.project(values.data(), &known, &answer.view)) answer.refusal = sentence;
   } catch (...) {
-    throw Error(ErrorKind::plugin, "", "threw an exception across the border");
+    throw Error(ErrorKind::plugin, "", "threw an exception across the C interface");
   }
   if (arithmetic.is_changed())
-    throw Error(ErrorKind::plugin, "", "leaves another rounding mode, or takes tiny numbers for zero");
+    throw Error(ErrorKind::plugin, "", "leaves another rounding mode, or flushes subnormal numbers to zero");
   return answer;
 }
 
@@ -84,8 +84,8 @@ std::string fault_of_picture(const epura_view& view) {
   if (!(view.scale > 0)) return "the scale is not a positive number";
   const bool whole = std::all_of(view.window, view.window + 4, [](double w) { return w == 0; });
   if (!whole && !(view.window[0] < view.window[2] && view.window[1] < view.window[3]))
-    return "the window is empty: its least corner must be below its most corner";
-  if (!(view.front > view.back)) return "the front plane must lie before the back plane";
+    return "the window is empty: its minimum must be below its maximum";
+  if (!(view.front > view.back)) return "the front plane must lie in front of the back plane";
   return {};
 }
 

@@ -43,8 +43,8 @@ void drop_duplicates(Catalogue& catalogue) {
     if (kept.empty() || kept.back().name != entry.name)
       kept.push_back(std::move(entry));
     else if (kept.back().plugin.parent_path() == entry.plugin.parent_path() && kept.back().plugin != entry.plugin)
-      catalogue.bad.push_back({entry.plugin, "offers the projection '" + entry.name + "', which " +
-                                                 kept.back().plugin.filename().string() + " offers already"});
+      catalogue.bad.push_back({entry.plugin, "provides the projection '" + entry.name + "', which " +
+                                                 kept.back().plugin.filename().string() + " already provides"});
   }
   entries = std::move(kept);
 }

@@ -64,7 +64,7 @@ double bend(const Vec3& a, const Vec3& b) { return glm::length(glm::cross(glm::n
 
 std::string answers(Subject& subject) {
   subject.answer = ask_plugin(subject.entry, subject.values, probe_box());
-  return subject.answer.refusal ? "they are refused: " + *subject.answer.refusal : "";
+  return subject.answer.refusal ? "they are rejected: " + *subject.answer.refusal : "";
 }
 
 std::string finite_numbers(Subject& subject) { return fault_of_numbers(subject.answer.view); }
@@ -79,7 +79,7 @@ std::string picture(Subject& subject) {
 
 std::string repeats(Subject& subject) {
   const auto again = projection_for(subject.entry, subject.values, probe_box());
-  return again && same(*again, subject.projection) ? "" : "the second answer to the defaults is another one";
+  return again && same(*again, subject.projection) ? "" : "the second answer to the defaults differs";
 }
 
 std::string lines(Subject& subject) {
@@ -168,7 +168,7 @@ std::string parameters(Subject& subject) {
 
 std::string fault_at(const ProjectionEntry& entry, const ParameterValues& values) {
   const PluginAnswer answer = ask_plugin(entry, values, probe_box());
-  if (answer.refusal) return answer.refusal->empty() ? "is refused without a sentence" : "";
+  if (answer.refusal) return answer.refusal->empty() ? "is rejected without a message" : "";
   return fault_of_numbers(answer.view);
 }
 
@@ -209,13 +209,13 @@ constexpr Check checks[] = {
     {"finite", "the answer has finite numbers", finite_numbers, true},
     {"plane", "plane, up and projectors are independent", plane, true},
     {"picture", "scale, window and limits leave something to draw", picture, true},
-    {"repeats", "the same values have the same answer", repeats, false},
+    {"repeats", "the same values give the same answer", repeats, false},
     {"lines", "straight lines stay straight lines", lines, false},
     {"depth", "depth grows towards the viewer", depth, false},
     {"vanishing", "parallels meet in their vanishing point, or stay parallel", vanishing, false},
     {"parameters", "each parameter matters", parameters, false},
-    {"bounds", "the ends of each range are accepted or refused with a sentence", bounds, false},
-    {"models", "nothing, points, tiny and huge models have an answer", models, false},
+    {"bounds", "the ends of each range are accepted, or rejected with a message", bounds, false},
+    {"models", "no model, points, tiny and huge models get an answer", models, false},
 };
 
 std::string fault_of_check(const Check& check, Subject& subject) {

@@ -28,8 +28,8 @@ const epura_projection_list& list_of(epura_entry_point entry) {
           "is built for plugin ABI " + number(list->abi) + ", this program has " + number(EPURA_ABI_VERSION));
   require(list->size >= sizeof(epura_projection_list),
           "its list is too short: " + number(list->size) + " of " + number(sizeof(epura_projection_list)) + " bytes");
-  require(list->count > 0 && list->projections != nullptr, "offers no projection");
-  require(list->count <= most_rows, "claims to offer " + number(list->count) + " projections");
+  require(list->count > 0 && list->projections != nullptr, "provides no projection");
+  require(list->count <= most_rows, "claims to provide " + number(list->count) + " projections");
   return *list;
 }
 
@@ -62,7 +62,7 @@ std::vector<ProjectionEntry> read_plugin(const std::filesystem::path& path) {
   std::set<std::string> names;
   for (std::size_t i = 0; i < list.count; ++i) {
     entries.push_back(entry_of(row_of(list.projections, i, "its list"), i, path));
-    require(names.insert(entries.back().name).second, "offers two projections '" + entries.back().name + "'");
+    require(names.insert(entries.back().name).second, "provides two projections '" + entries.back().name + "'");
   }
   return entries;
 }

@@ -88,7 +88,7 @@ PluginAnswer answer_to(const std::string& words, const std::vector<ProjectionEnt
   pack_question(unpack, question);
   for (const ProjectionEntry& entry : entries)
     if (entry.name == question.projection) return entry.ask(question.values, question.scene);
-  throw Error(ErrorKind::plugin, "", "is not there any more");
+  throw Error(ErrorKind::plugin, "", "no longer exists");
 }
 
 /// The plugin prints where messages go, since a drawing may go to standard output; and it crashes as if the program had
@@ -159,7 +159,7 @@ std::vector<ProjectionEntry> PluginProcess::start() {
   } catch (const Error& error) {
     const bool did_something = !process_.is_there();
     process_.end();
-    foreign::refuse(error.what() + std::string(did_something ? " when it is loaded" : ""));
+    foreign::refuse(error.what() + std::string(did_something ? " while loading" : ""));
   }
 }
 

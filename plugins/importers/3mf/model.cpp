@@ -218,7 +218,7 @@ std::string sentence_of(std::uint32_t code, const char* text) {
   std::uint32_t code = 0;
   const char* text = nullptr;
   NMR::lib3mf_getlasterror(reader, &code, &text);
-  const std::string sentence = "is no valid 3MF: " + sentence_of(code, text);
+  const std::string sentence = "is not a valid 3MF file: " + sentence_of(code, text);
   // The last one is what it stumbled over.
   const std::vector<std::string> warnings = warnings_of(reader);
   throw std::runtime_error(warnings.empty() ? sentence : sentence + " (" + warnings.back() + ")");

@@ -48,7 +48,7 @@ Archive open(const std::string& bytes) {
   if (!archive && source != nullptr) zip_source_free(source);
   const std::string reason = zip_error_strerror(&error);
   zip_error_fini(&error);
-  if (!archive) throw std::runtime_error("is no ZIP archive, which 3MF files are, or is cut short: " + reason);
+  if (!archive) throw std::runtime_error("is not a ZIP archive, as 3MF files are, or is cut short: " + reason);
   return archive;
 }
 

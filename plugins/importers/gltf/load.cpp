@@ -179,7 +179,8 @@ tinygltf::Model load(const std::string& path, std::string& warning) {
   expect_version(model);
   expect_extensions(model);
   if (!is_read && !companions.fault().empty()) throw std::runtime_error(companions.fault());
-  if (!is_read) throw std::runtime_error("is no valid glTF: " + first_line(error.empty() ? "nothing is in it" : error));
+  if (!is_read)
+    throw std::runtime_error("is not a valid glTF file: " + first_line(error.empty() ? "nothing is in it" : error));
   warning = first_line(error);
   return model;
 }

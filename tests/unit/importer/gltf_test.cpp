@@ -391,7 +391,8 @@ TEST(Gltf, FilesCutShortAndOtherVersionsAreTold) {
   EXPECT_EQ(refusal_with(std::string("glTF\1\0\0\0\x14\0\0\0\0\0\0\0\0\0\0\0", 20)),
             "is GLB of version 1; version 2 is read");
   EXPECT_EQ(refusal_with(R"({"asset":{"version":"1.0"},"nodes":{}})"), "is glTF of version 1.0; version 2 is read");
-  EXPECT_TRUE(contains(refusal_with(R"({"asset":{"version":"2.0"},"buffers":[)"), "is no valid glTF: ")) << "cut short";
+  EXPECT_TRUE(contains(refusal_with(R"({"asset":{"version":"2.0"},"buffers":[)"), "is not a valid glTF file: "))
+      << "cut short";
   EXPECT_EQ(refusal_with(std::string(100'000, '[')), "holds JSON of more than 200 levels");
   const std::string extras = R"({"asset":{"version":"2.0","extras":)" + std::string(100'000, '[');
   EXPECT_EQ(refusal_with(extras), "holds JSON of more than 200 levels");

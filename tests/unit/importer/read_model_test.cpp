@@ -78,8 +78,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Mistake{"missing-shape", "hands over a node with a shape that it does not hand over"},
                     Mistake{"infinite", "hands over a node whose transform is not finite"},
                     Mistake{"no-unit", "hands over a unit of length that is not positive"},
-                    Mistake{"crosses", "threw an exception across the border"}, Mistake{"crashes", "crashes (Aborted)"},
-                    Mistake{"exits", "ends the program"}, Mistake{"cuts-the-line", "ends the program"}));
+                    Mistake{"crosses", "threw an exception across the C interface"},
+                    Mistake{"crashes", "crashes (Aborted)"}, Mistake{"exits", "exits"},
+                    Mistake{"cuts-the-line", "exits"}));
 
 TEST_P(BadAnswer, IsToldWithTheLibraryTheNameAndTheFile) {
   const Folder folder;

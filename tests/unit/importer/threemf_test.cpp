@@ -249,7 +249,7 @@ TEST(ThreeMf, ComponentsDoNotHoldThemselves) {
   for (int id = 2; id <= 100'000; ++id) chain += holding(id, id - 1);
   EXPECT_EQ(refusal(model_of(chain, item(100'000))), circle);
   EXPECT_EQ(refusal(model_of(holding(1, 2) + cube(2), item(1))),
-            "is no valid 3MF: a component is of an object that does not stand before it");
+            "is not a valid 3MF file: a component is of an object that does not stand before it");
 }
 
 TEST(ThreeMf, WhatIsWrongWithAnArchiveIsTold) {
@@ -257,7 +257,7 @@ TEST(ThreeMf, WhatIsWrongWithAnArchiveIsTold) {
   const std::vector<Entry> entries = entries_with(model_of(cube(1), item(1)));
   const std::string whole = archive_of(entries);
   const auto refusal_with = [&](std::string_view bytes) { return refusal_of(folder.file("m.3mf", bytes)); };
-  const std::string no_archive = "is no ZIP archive, which 3MF files are, or is cut short: ";
+  const std::string no_archive = "is not a ZIP archive, as 3MF files are, or is cut short: ";
   EXPECT_TRUE(refusal_with(std::string_view(whole).substr(0, whole.size() / 2)).starts_with(no_archive));
   EXPECT_TRUE(refusal_with("solid x\nendsolid x\n").starts_with(no_archive));
   std::string damaged = whole;
@@ -269,18 +269,18 @@ TEST(ThreeMf, WhatIsWrongWithAnArchiveIsTold) {
   EXPECT_EQ(refusal_of_archive({{"readme.txt", "Hello"}}), "is a ZIP archive, but no 3MF: '_rels/.rels' is missing");
   std::vector<Entry> without = entries;
   without.pop_back();
-  EXPECT_EQ(refusal_of_archive(without), "is no valid 3MF: a part of the package that it refers to is missing");
+  EXPECT_EQ(refusal_of_archive(without), "is not a valid 3MF file: a part of the package that it refers to is missing");
 }
 
 TEST(ThreeMf, WhatIsWrongWithAModelIsTold) {
-  EXPECT_EQ(refusal("<model>"), "is no valid 3MF: No resources in model file");
-  EXPECT_EQ(refusal(model_of(cube(1), item(7))), "is no valid 3MF: an object that is to be built is missing");
+  EXPECT_EQ(refusal("<model>"), "is not a valid 3MF file: No resources in model file");
+  EXPECT_EQ(refusal(model_of(cube(1), item(7))), "is not a valid 3MF file: an object that is to be built is missing");
   std::string wrong = model_of(cube(1), item(1));
   wrong.replace(wrong.find("v1=\"0\""), 6, "v1=\"8\"");
-  EXPECT_EQ(refusal(wrong), "is no valid 3MF: a triangle has a corner that is no vertex");
+  EXPECT_EQ(refusal(wrong), "is not a valid 3MF file: a triangle has a corner that is no vertex");
   for (const char* side : {"nan", "1e40", "-inf"})
     EXPECT_EQ(refusal(model_of(cube(1, side), item(1))),
-              "is no valid 3MF: a vertex has a coordinate that is no number, or is too large");
+              "is not a valid 3MF file: a vertex has a coordinate that is no number, or is too large");
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ INSTANTIATE_TEST_SUITE_P(
     bad_plugins, refused_when_loaded,
     testing::Values(Refusal{"missing-symbol", "no function epura_projections_v1"},
                     Refusal{"no-list", "returns nothing"}, Refusal{"other-abi", "ABI 9, this program has 1"},
-                    Refusal{"short-list", "too short: 8 of"}, Refusal{"empty-list", "offers no projection"},
+                    Refusal{"short-list", "too short: 8 of"}, Refusal{"empty-list", "provides no projection"},
                     Refusal{"short-row", "rows of 8 bytes"}, Refusal{"no-name", "projection 1 has no name"},
                     Refusal{"bad-name", "'Plain View'"}, Refusal{"no-function", "'plain' has no function"},
                     Refusal{"bad-default", "'scale' has a default outside"}));
@@ -145,7 +145,7 @@ TEST(two_libraries, with_one_name_in_a_folder_are_reported) {
   EXPECT_EQ(found.entries[0].plugin.filename(), "first.so");
   ASSERT_EQ(found.bad.size(), 1);
   EXPECT_EQ(found.bad[0].path.filename(), "second.so");
-  EXPECT_EQ(found.bad[0].reason, "offers the projection 'plain', which first.so offers already");
+  EXPECT_EQ(found.bad[0].reason, "provides the projection 'plain', which first.so offers already");
 }
 
 TEST(two_libraries, with_one_name_in_two_folders_hide_each_other_in_order) {
@@ -256,18 +256,18 @@ INSTANTIATE_TEST_SUITE_P(
                     Wrong{"front:scale=2", "front:scale: this projection has no parameters"},
                     Wrong{"cavalier:angle=steep", "cavalier:angle: 'steep' is not a number"},
                     Wrong{"cavalier:angle=", "cavalier:angle: '' is not a number"},
-                    Wrong{"cavalier:angle=1,2", "cavalier:angle: takes 1 numbers with commas between, not 2"},
+                    Wrong{"cavalier:angle=1,2", "cavalier:angle: takes 1 numbers separated by commas, not 2"},
                     Wrong{"cavalier:angle=nan", "cavalier:angle: must be finite"},
                     Wrong{"cavalier:angle=400", "cavalier:angle: is 400, allowed is -360 to 360 deg"},
-                    Wrong{"look-at:eye=1,2", "look-at:eye: takes 3 numbers with commas between, not 2"},
+                    Wrong{"look-at:eye=1,2", "look-at:eye: takes 3 numbers separated by commas, not 2"},
                     Wrong{"look-at:eye=1,2,x", "look-at:eye: '1,2,x' is not a number list"},
                     Wrong{"look-at:eye=1,2,inf", "look-at:eye: must be finite"},
                     Wrong{"look-at:eye=0,0,0:ref=0,0,0", "look-at: the eye and the point it looks at are the same"},
                     Wrong{"look-at:vup=1,-1,1", "look-at: the up direction is parallel to the normal of the plane"},
                     Wrong{"look-at:window=1,1,0,2",
-                          "look-at: the window is empty: its least corner must be below its most corner"},
+                          "look-at: the window is empty: its minimum must be below its maximum"},
                     Wrong{"frustum:n=-1", "frustum:n: is -1, allowed is 0 model units or more"},
-                    Wrong{"phigs:f=-5:b=5", "phigs: the front plane must lie before the back plane"}));
+                    Wrong{"phigs:f=-5:b=5", "phigs: the front plane must lie in front of the back plane"}));
 
 TEST_P(wrong_value, is_named_with_what_is_allowed) {
   const Error error = error_of([] { make(GetParam().request, a_box()); });

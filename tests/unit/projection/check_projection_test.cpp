@@ -22,7 +22,7 @@ void PrintTo(const Mistake& mistake, std::ostream* out) { *out << mistake.folder
 
 class mistake : public testing::TestWithParam<Mistake> {};
 INSTANTIATE_TEST_SUITE_P(bad_plugins, mistake,
-                         testing::Values(Mistake{"sentence", "answers", "they are refused: not today"},
+                         testing::Values(Mistake{"sentence", "answers", "they are rejected: not today"},
                                          Mistake{"crosses", "answers", "threw an exception"},
                                          Mistake{"nan", "finite", "the normal of the plane is not finite"},
                                          Mistake{"no-normal", "plane", "the normal of the plane is zero"},

@@ -43,10 +43,10 @@ void PrintTo(const Deed& deed, std::ostream* out) { *out << deed.folder; }
 
 class deed_when_loaded : public testing::TestWithParam<Deed> {};
 INSTANTIATE_TEST_SUITE_P(plugins, deed_when_loaded,
-                         testing::Values(Deed{"crashes", "crashes (Aborted) when it is loaded"},
-                                         Deed{"garbage-name", "crashes (Segmentation fault) when it is loaded"},
-                                         Deed{"exits", "ends the program when it is loaded"},
-                                         Deed{"hangs", "takes more than 1 s when it is loaded"}));
+                         testing::Values(Deed{"crashes", "crashes (Aborted) while loading"},
+                                         Deed{"garbage-name", "crashes (Segmentation fault) while loading"},
+                                         Deed{"exits", "exits while loading"},
+                                         Deed{"hangs", "takes more than 1 s while loading"}));
 
 TEST_P(deed_when_loaded, is_told) {
   const Error error = error_of([] { entry_of(GetParam().folder); });
@@ -57,10 +57,10 @@ TEST_P(deed_when_loaded, is_told) {
 class deed_when_asked : public testing::TestWithParam<Deed> {};
 INSTANTIATE_TEST_SUITE_P(plugins, deed_when_asked,
                          testing::Values(Deed{"crashes-when-asked", "crashes (Aborted)"},
-                                         Deed{"exits-when-asked", "ends the program"},
+                                         Deed{"exits-when-asked", "exits"},
                                          Deed{"hangs-when-asked", "takes more than 1 s"},
-                                         Deed{"cuts-the-line", "ends the program"},
-                                         Deed{"crosses", "threw an exception across the border"},
+                                         Deed{"cuts-the-line", "exits"},
+                                         Deed{"crosses", "threw an exception across the C interface"},
                                          Deed{"rounds-up", "leaves another rounding mode"}));
 
 TEST_P(deed_when_asked, is_told_with_the_library_and_the_name_each_time) {
@@ -153,7 +153,7 @@ TEST(packed_values, end_where_the_bytes_end) {
     double number = 0;
     const auto take_all = [&] { unpack(texts), unpack(number); };
     if (size < pack.bytes().size()) {
-      EXPECT_STREQ(error_of(take_all).what(), "damages its process") << size;
+      EXPECT_STREQ(error_of(take_all).what(), "corrupts its process") << size;
     } else {
       take_all();
       EXPECT_EQ(texts, (std::vector<std::string>{"a", "bc"}));
@@ -167,7 +167,7 @@ TEST(packed_values, are_not_believed_to_be_more_than_there_are) {
   pack(~std::size_t{0});
   std::vector<double> numbers;
   foreign::Unpacker unpack(pack.bytes());
-  EXPECT_STREQ(error_of([&] { unpack(numbers); }).what(), "damages its process");
+  EXPECT_STREQ(error_of([&] { unpack(numbers); }).what(), "corrupts its process");
 }
 
 }  // namespace

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bodies.hpp"
+
+#include <BRepBndLib.hxx>
+#include <BRepBuilderAPI_MakeSolid.hxx>
+#include <BRepBuilderAPI_Sewing.hxx>
+#include <BRepLib.hxx>
+#include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Bnd_Box.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
+#include <algorithm>
+#include <cmath>
+
+namespace occt {
+
+namespace {
+
+/// Gaps between faces that other programs leave: parts of the diagonal, well below what a drawing shows.
+constexpr double relative_gap = 2e-5;
+constexpr double least_gap = 1e-5, most_gap = 0.05;  // mm
+
+std::vector<TopoDS_Shape> all(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind, TopAbs_ShapeEnum avoided) {
+  std::vector<TopoDS_Shape> found;
+  for (TopExp_Explorer each(shape, kind, avoided); each.More(); each.Next()) found.push_back(each.Current());
+  return found;
+}
+
+TopoDS_Compound compound_of(const std::vector<TopoDS_Shape>& shapes) {
+  TopoDS_Compound compound;
+  const BRep_Builder builder;
+  builder.MakeCompound(compound);
+  for (const TopoDS_Shape& shape : shapes) builder.Add(compound, shape);
+  return compound;
+}
+
+double gap_of(const TopoDS_Shape& shape) {
+  Bnd_Box box;
+  BRepBndLib::Add(shape, box);
+  return box.IsVoid() ? least_gap : std::clamp(relative_gap * std::sqrt(box.SquareExtent()), least_gap, most_gap);
+}
+
+/// Faces that came one by one say nothing about which side is outside; those of a closed shell do.
+TopoDS_Shape closed_as_solid(const TopoDS_Shape& shell) {
+  if (!BRep_Tool::IsClosed(shell)) return shell;
+  TopoDS_Solid solid = BRepBuilderAPI_MakeSolid(TopoDS::Shell(shell)).Solid();
+  return BRepLib::OrientClosedSolid(solid) ? TopoDS_Shape(solid) : shell;
+}
+
+void append(std::vector<TopoDS_Shape>& to, const std::vector<TopoDS_Shape>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+/// Shells and faces; none if a face was lost on the way.
+std::vector<TopoDS_Shape> sew(const std::vector<TopoDS_Shape>& pieces, std::size_t face_count) {
+  const TopoDS_Compound together = compound_of(pieces);
+  BRepBuilderAPI_Sewing sewing(gap_of(together));
+  sewing.Add(together);
+  sewing.Perform();
+  const TopoDS_Shape& sewn = sewing.SewedShape();
+  if (sewn.IsNull() || all(sewn, TopAbs_FACE, TopAbs_SHAPE).size() != face_count) return {};
+  std::vector<TopoDS_Shape> found = all(sewn, TopAbs_FACE, TopAbs_SHELL);
+  append(found, all(sewn, TopAbs_SHELL, TopAbs_SOLID));
+  return found;
+}
+
+}  // namespace
+
+Bodies bodies_of(const TopoDS_Shape& shape) {
+  Bodies bodies;
+  append(bodies.shapes, all(shape, TopAbs_SOLID, TopAbs_SHAPE));
+  std::vector<TopoDS_Shape> open = all(shape, TopAbs_FACE, TopAbs_SHELL);
+  std::size_t face_count = open.size();
+  for (const TopoDS_Shape& shell : all(shape, TopAbs_SHELL, TopAbs_SOLID)) {
+    if (BRep_Tool::IsClosed(shell)) {
+      bodies.shapes.push_back(closed_as_solid(shell));
+      continue;
+    }
+    open.push_back(shell);
+    face_count += all(shell, TopAbs_FACE, TopAbs_SHAPE).size();
+  }
+  const std::vector<TopoDS_Shape> sewn = open.size() > 1 ? sew(open, face_count) : std::vector<TopoDS_Shape>();
+  if (!sewn.empty() && sewn.size() < open.size()) {
+    bodies.loose = open.size();
+    bodies.sewn_into = sewn.size();
+    open = sewn;
+  }
+  std::vector<TopoDS_Shape> faces;
+  for (const TopoDS_Shape& piece : open) {
+    if (piece.ShapeType() == TopAbs_SHELL) {
+      bodies.shapes.push_back(closed_as_solid(piece));
+    } else {
+      faces.push_back(piece);
+    }
+  }
+  if (!faces.empty()) bodies.shapes.push_back(compound_of(faces));
+  return bodies;
+}
+
+}  // namespace occt

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// The tree of products in a document of XCAF, Open CASCADE's model of assemblies.
+#include <TCollection_AsciiString.hxx>
+#include <TDF_LabelSequence.hxx>
+#include <TDataStd_Name.hxx>
+#include <XCAFDoc_DocumentTool.hxx>
+#include <XCAFDoc_ShapeTool.hxx>
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "tree.hpp"
+
+namespace occt {
+
+namespace {
+
+std::string name_of(const TDF_Label& label) {
+  Handle(TDataStd_Name) name;
+  if (!label.FindAttribute(TDataStd_Name::GetID(), name)) return {};
+  // The constructor writes UTF-8 where it is given nothing to replace letters beyond ASCII by.
+  return meaningful(TCollection_AsciiString(name->Get()).ToCString());
+}
+
+gp_Trsf location_of(const TDF_Label& label) { return XCAFDoc_ShapeTool::GetLocation(label).Transformation(); }
+
+void add(const TDF_Label& label, const std::string& instance, std::uint32_t parent, const gp_Trsf& transform,
+         TreeBuilder& tree) {
+  const std::string product = name_of(label);
+  const std::string& name = instance.empty() ? product : instance;
+  if (!XCAFDoc_ShapeTool::IsAssembly(label)) {
+    tree.add(XCAFDoc_ShapeTool::GetShape(label), product, name, parent, transform);
+    return;
+  }
+  const std::uint32_t assembly = tree.add_assembly(name, parent, transform);
+  TDF_LabelSequence components;
+  XCAFDoc_ShapeTool::GetComponents(label, components);
+  for (const TDF_Label& component : components) {
+    TDF_Label referred;
+    if (!XCAFDoc_ShapeTool::GetReferredShape(component, referred)) continue;
+    add(referred, name_of(component), assembly, location_of(component), tree);
+  }
+}
+
+bool is_digit(char c) { return '0' <= c && c <= '9'; }
+
+}  // namespace
+
+std::string meaningful(const std::string& name) {
+  const auto first = name.find_first_not_of(" \t");
+  if (first == std::string::npos) return {};
+  const std::string trimmed = name.substr(first, name.find_last_not_of(" \t") + 1 - first);
+  const std::string_view view = trimmed;
+  constexpr std::array<std::string_view, 12> made_up{"SOLID", "COMPOUND", "SHELL", "FACE",    "COMPSOLID", "WIRE",
+                                                     "EDGE",  "ASSEMBLY", "NONE",  "UNNAMED", "none",      "NULL"};
+  if (std::find(made_up.begin(), made_up.end(), view) != made_up.end()) return {};
+  // Labels of XCAF, and what Open CASCADE calls products that it was given no name for.
+  for (const std::string_view start : {std::string_view("=>["), std::string_view("Open CASCADE STEP translator")})
+    if (view.substr(0, start.size()) == start) return {};
+  std::string_view number = view;
+  if (number.substr(0, 4) == "NAUO") number.remove_prefix(4);
+  if (std::all_of(number.begin(), number.end(), is_digit)) return {};
+  return trimmed;
+}
+
+void add_document(const Handle(TDocStd_Document) & document, TreeBuilder& tree) {
+  const Handle(XCAFDoc_ShapeTool) shapes = XCAFDoc_DocumentTool::ShapeTool(document->Main());
+  TDF_LabelSequence roots;
+  shapes->GetFreeShapes(roots);
+  for (const TDF_Label& root : roots) {
+    TDF_Label referred;
+    if (XCAFDoc_ShapeTool::GetReferredShape(root, referred)) {
+      add(referred, name_of(root), EPURA_NONE, location_of(root), tree);
+    } else {
+      add(root, {}, EPURA_NONE, gp_Trsf(), tree);
+    }
+  }
+}
+
+}  // namespace occt

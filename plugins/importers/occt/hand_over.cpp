@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hand_over.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <stdexcept>
+
+#include "body_mesh.hpp"
+#include "joints.hpp"
+#include "readers.hpp"
+#include "surface.hpp"
+#include "tessellation.hpp"
+
+namespace occt {
+
+namespace {
+
+struct Totals {
+  std::size_t faces = 0, unmeshed = 0, inner = 0, gaps = 0, turned = 0;
+  double error = 0;
+
+  void add(const BodyMesh& mesh) {
+    faces += mesh.faces.size();
+    unmeshed += mesh.unmeshed_faces;
+    inner += mesh.inner_faces;
+    gaps += mesh.gaps;
+    error = std::max(error, mesh.error);
+    turned += mesh.is_turned ? 1 : 0;
+  }
+};
+
+void hand_over(const Body& body, const BodyMesh& mesh, epura::plugin::Sink& sink) {
+  sink.body(body.name);
+  sink.points(mesh.points);
+  for (const Facets& facets : mesh.faces) {
+    sink.face(surface_of(facets.face));
+    sink.triangles(facets.triangles);
+  }
+  for (const Joint& joint : joints_of(mesh)) sink.edge(joint.points, joint.is_tangent, joint.angle);
+}
+
+epura::plugin::Transform rows_of(const gp_Trsf& transform) {
+  epura::plugin::Transform rows{};
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 4; ++column) rows[4 * row + column] = transform.Value(row + 1, column + 1);
+  return rows;
+}
+
+/// Two significant digits, whatever the locale.
+std::string rough(double value) {
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 2).ptr;
+  return {text.data(), end};
+}
+
+void note(const Totals& totals, std::vector<std::string>& notes) {
+  if (totals.unmeshed > 0)
+    notes.push_back(counted(totals.unmeshed, "face") + " could not be tessellated: holes are left in their places");
+  if (totals.inner > 0) notes.push_back(counted(totals.inner, "face") + " inside solids bound nothing: not drawn");
+  if (totals.gaps > 0)
+    notes.push_back(counted(totals.gaps, "edge") + " have faces that do not agree on their points: fine gaps are left");
+  if (totals.error > 0)
+    notes.push_back("some faces could not be tessellated finely enough: they are off by " + rough(totals.error) +
+                    " mm");
+  if (totals.turned > 0) notes.push_back(counted(totals.turned, "solid") + " with faces that looked inward: turned");
+}
+
+}  // namespace
+
+void hand_over(Model& model, double tolerance, epura::plugin::Sink& sink) {
+  sink.unit(1);
+  Totals totals;
+  const double done = share_of_reading + share_of_meshing;
+  for (std::size_t i = 0; i < model.parts.size(); ++i) {
+    const Part& part = model.parts[i];
+    sink.progress(done + (1 - done) * static_cast<double>(i) / static_cast<double>(model.parts.size()));
+    sink.shape(part.name);
+    std::uint32_t points = 0;
+    for (const Body& body : part.bodies) {
+      const BodyMesh mesh = mesh_of(body.shape, points, tolerance);
+      totals.add(mesh);
+      if (mesh.faces.empty()) continue;
+      hand_over(body, mesh, sink);
+      points += static_cast<std::uint32_t>(mesh.points.size());
+    }
+  }
+  note(totals, model.notes);
+  for (const std::string& sentence : model.notes) sink.note(sentence);
+  if (totals.faces == 0) throw std::runtime_error("holds no face that could be tessellated");
+  for (const Place& place : model.places) sink.node(place.name, place.parent, place.part, rows_of(place.transform));
+  sink.progress(1);
+}
+
+}  // namespace occt

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a file of a part holds once Open CASCADE has read it: parts, each once, and the tree of places where they stand.
+#pragma once
+
+#include <NCollection_DataMap.hxx>
+#include <TopTools_ShapeMapHasher.hxx>
+#include <TopoDS_Shape.hxx>
+#include <cstdint>
+#include <gp_Trsf.hxx>
+#include <string>
+#include <vector>
+
+namespace occt {
+
+/// A solid, a shell, or a compound of faces that belong to neither.
+struct Body {
+  TopoDS_Shape shape;
+  std::string name;  ///< of its own in the file; may be empty
+};
+
+struct Part {
+  std::string name;
+  std::vector<Body> bodies;
+};
+
+struct Place {
+  std::string name;
+  std::uint32_t parent;  ///< an earlier place, or EPURA_NONE
+  std::uint32_t part;    ///< or EPURA_NONE
+  gp_Trsf transform;     ///< to the parent
+};
+
+/// Lengths in millimetres.
+struct Model {
+  std::vector<Part> parts;
+  std::vector<Place> places;
+  std::vector<std::string> notes;  ///< what was repaired or left out, a sentence each
+};
+
+/// Names of shapes, without their locations.
+using Names = NCollection_DataMap<TopoDS_Shape, std::string, TopTools_ShapeMapHasher>;
+
+/// "1 edge", "12 edges".
+inline std::string counted(std::size_t count, const std::string& thing) {
+  return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
+}
+
+}  // namespace occt

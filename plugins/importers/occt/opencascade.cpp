@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// STEP, IGES and BREP files by Open CASCADE, with the faces and edges of the part beside the triangles.
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "hand_over.hpp"
+#include "readers.hpp"
+#include "session.hpp"
+#include "tessellation.hpp"
+
+namespace {
+
+using epura::plugin::Sink;
+using epura::plugin::Source;
+
+constexpr std::array<epura_parameter, 2> fineness{
+    epura_parameter{sizeof(epura_parameter),
+                    EPURA_NUMBER,
+                    1,
+                    "deflection",
+                    "mm",
+                    "distance between curved surfaces and their facets; as the drawing needs unless given",
+                    nullptr,
+                    {std::numeric_limits<double>::quiet_NaN()},
+                    1e-6,
+                    1e6},
+    epura_parameter{sizeof(epura_parameter),
+                    EPURA_NUMBER,
+                    1,
+                    "angle",
+                    "deg",
+                    "between neighbouring facets of a round face at most",
+                    nullptr,
+                    {20},
+                    1,
+                    60}};
+
+void import(occt::Model (*read)(const std::string&, Sink&), const Source& source, Sink& sink) {
+  const occt::Silence silence;
+  occt::Complaints::install();
+  occt::Model model = occt::guarded("cannot be read", [&] { return read(source.path, sink); });
+  if (model.parts.empty())
+    throw std::runtime_error("holds no face to draw" +
+                             (model.notes.empty() ? std::string() : ": " + model.notes.front()));
+  const double deflection = occt::guarded("cannot be tessellated", [&] {
+    const occt::Extent extent = occt::extent_of(model);
+    const double given = source.values[0];
+    const double tolerance = (given > 0 ? given : source.tolerance_of(extent.diagonal)) / extent.scale;
+    occt::tessellate(model, {tolerance, source.values[1], source.threads}, sink);
+    return tolerance;
+  });
+  occt::guarded("cannot be handed over", [&] { occt::hand_over(model, deflection, sink); });
+}
+
+struct Step {
+  static constexpr auto name = "step";
+  static constexpr auto summary = "STEP (ISO 10303-21: AP203, AP214, AP242), by Open CASCADE";
+  static constexpr auto extensions = "step|stp|p21";
+  static constexpr auto& parameters = fineness;
+
+  static bool recognises(std::string_view first_bytes) { return occt::is_step(first_bytes); }
+  static void read(const Source& source, Sink& sink) { import(occt::read_step, source, sink); }
+};
+
+struct Iges {
+  static constexpr auto name = "iges";
+  static constexpr auto summary = "IGES 5.3, by Open CASCADE";
+  static constexpr auto extensions = "iges|igs";
+  static constexpr auto& parameters = fineness;
+
+  static bool recognises(std::string_view first_bytes) { return occt::is_iges(first_bytes); }
+  static void read(const Source& source, Sink& sink) { import(occt::read_iges, source, sink); }
+};
+
+struct Brep {
+  static constexpr auto name = "brep";
+  static constexpr auto summary = "shapes as Open CASCADE writes them";
+  static constexpr auto extensions = "brep|brp";
+  static constexpr auto& parameters = fineness;
+
+  static bool recognises(std::string_view first_bytes) { return occt::is_brep(first_bytes); }
+  static void read(const Source& source, Sink& sink) { import(occt::read_brep, source, sink); }
+};
+
+}  // namespace
+
+EPURA_IMPORTERS(Step, Iges, Brep)

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// Open CASCADE as a quiet guest: what it would print is kept, what it throws becomes std::runtime_error, and its
+// progress goes to the sink.
+#pragma once
+
+#include <Message_Printer.hxx>
+#include <Message_ProgressIndicator.hxx>
+#include <Standard_Failure.hxx>
+#include <atomic>
+#include <epura/importer_plugin.hpp>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+namespace occt {
+
+/// Takes the place of Open CASCADE's printers, and keeps the first complaint.
+class Complaints : public Message_Printer {
+  DEFINE_STANDARD_RTTI_INLINE(Complaints, Message_Printer)
+
+ public:
+  /// Silences Open CASCADE in this process.
+  static Handle(Complaints) install();
+
+  [[nodiscard]] const std::string& first() const { return first_; }
+
+ protected:
+  void send(const TCollection_AsciiString& text, Message_Gravity gravity) const override;
+
+ private:
+  mutable std::string first_;
+};
+
+/// While it lives, what Open CASCADE writes to std::cout and std::cerr past its printers goes nowhere.
+class Silence {
+ public:
+  Silence() : out_(std::cout.rdbuf(nullptr)), error_(std::cerr.rdbuf(nullptr)) {}
+  ~Silence() {
+    std::cout.rdbuf(out_);
+    std::cerr.rdbuf(error_);
+  }
+  Silence(const Silence&) = delete;
+  Silence& operator=(const Silence&) = delete;
+
+ private:
+  std::streambuf *out_, *error_;
+};
+
+/// Reports a stage of the work, from one share of the whole to another, and breaks it off when the host wants no more.
+class Stage : public Message_ProgressIndicator {
+  DEFINE_STANDARD_RTTI_INLINE(Stage, Message_ProgressIndicator)
+
+ public:
+  Stage(epura::plugin::Sink& sink, double from, double to)
+      : sink_(sink), from_(from), to_(to), shown_(from), thread_(std::this_thread::get_id()) {}
+
+  /// To be called after the work: throws epura::plugin::Cancelled if that was why it ended.
+  void finish() const {
+    if (is_cancelled_) throw epura::plugin::Cancelled();
+  }
+
+ protected:
+  bool UserBreak() override { return is_cancelled_; }
+  void Show(const Message_ProgressScope& scope, bool is_forced) override;
+
+ private:
+  epura::plugin::Sink& sink_;
+  double from_, to_, shown_;
+  std::thread::id thread_;  ///< the only one that may call the sink
+  std::atomic<bool> is_cancelled_ = false;
+};
+
+/// Calls `work`; what Open CASCADE throws becomes a sentence.
+template <class Work>
+auto guarded(const std::string& what, Work&& work) {
+  try {
+    return work();
+  } catch (const Standard_Failure& failure) {
+    const char* message = failure.GetMessageString();
+    const bool says_why = message != nullptr && *message != '\0';
+    throw std::runtime_error(what + ": Open CASCADE failed (" +
+                             std::string(says_why ? message : failure.DynamicType()->Name()) + ")");
+  }
+}
+
+}  // namespace occt

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <Interface_Static.hxx>
+#include <STEPCAFControl_Controller.hxx>
+#include <STEPCAFControl_Reader.hxx>
+#include <StepBasic_ConversionBasedUnitAndLengthUnit.hxx>
+#include <StepData_StepModel.hxx>
+#include <StepRepr_RepresentationItem.hxx>
+#include <StepShape_ShellBasedSurfaceModel.hxx>
+#include <StepShape_SolidModel.hxx>
+#include <TColStd_SequenceOfAsciiString.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <TDocStd_Document.hxx>
+#include <TransferBRep.hxx>
+#include <Transfer_TransientProcess.hxx>
+#include <XSControl_TransferReader.hxx>
+#include <XSControl_WorkSession.hxx>
+#include <algorithm>
+#include <filesystem>
+
+#include "readers.hpp"
+#include "session.hpp"
+#include "step_checks.hpp"
+#include "tree.hpp"
+
+namespace occt {
+
+namespace {
+
+/// Names of units as engineers write them, where they are not millimetres already.
+std::string plain_unit(std::string name) {
+  for (char& c : name)
+    if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  if (name.find("inch") != std::string::npos || name == "in") return "inches";
+  if (name.find("foot") != std::string::npos || name == "ft") return "feet";
+  if (name == "metre" || name == "meter" || name == "m") return "metres";
+  if (name == "centimetre" || name == "centimeter" || name == "cm") return "centimetres";
+  return name;
+}
+
+/// The first unit that the file defines by another, for files whose representations do not tell the name of theirs.
+std::string converted_unit(const StepData_StepModel& model) {
+  for (int i = 1; i <= model.NbEntities(); ++i) {
+    const auto unit = Handle(StepBasic_ConversionBasedUnitAndLengthUnit)::DownCast(model.Value(i));
+    if (!unit.IsNull() && !unit->Name().IsNull()) return unit->Name()->ToCString();
+  }
+  return {};
+}
+
+void note_units(STEPControl_Reader& reader, Model& model) {
+  TColStd_SequenceOfAsciiString lengths, angles, solid_angles;
+  reader.FileUnits(lengths, angles, solid_angles);
+  std::vector<std::string> others;
+  for (const TCollection_AsciiString& length : lengths) {
+    const std::string unit = plain_unit(length.IsEmpty() ? converted_unit(*reader.StepModel()) : length.ToCString());
+    const bool is_millimetre = unit == "millimetre" || unit == "millimeter" || unit == "mm";
+    if (!unit.empty() && !is_millimetre && std::find(others.begin(), others.end(), unit) == others.end())
+      others.push_back(unit);
+  }
+  for (const std::string& unit : others) model.notes.push_back("the file is in " + unit + ": converted to millimetres");
+}
+
+/// The names that entities of solids and surfaces have, which XCAF gives products only.
+Names names_of_bodies(const STEPControl_Reader& reader) {
+  Names names;
+  const Handle(Transfer_TransientProcess) process = reader.WS()->TransferReader()->TransientProcess();
+  const Handle(StepData_StepModel) model = reader.StepModel();
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    const auto item = Handle(StepRepr_RepresentationItem)::DownCast(model->Value(i));
+    if (item.IsNull() || item->Name().IsNull()) continue;
+    if (!item->IsKind(STANDARD_TYPE(StepShape_SolidModel)) &&
+        !item->IsKind(STANDARD_TYPE(StepShape_ShellBasedSurfaceModel)))
+      continue;
+    const std::string name = meaningful(item->Name()->ToCString());
+    const TopoDS_Shape shape = TransferBRep::ShapeResult(process, item);
+    if (name.empty() || shape.IsNull()) continue;
+    names.Bind(shape.Located(TopLoc_Location()), name);
+  }
+  return names;
+}
+
+}  // namespace
+
+Model read_step(const std::string& file, epura::plugin::Sink& sink) {
+  // Open CASCADE looks for files that this one refers to in the working folder unless told more.
+  const std::string path = std::filesystem::absolute(file).string();
+  expect_kind(path, is_step, "a STEP file: it does not begin with ISO-10303-21");
+  if (end_of(path).find("END-ISO-10303-21") == std::string::npos) throw cut_off(path, "END-ISO-10303-21");
+  STEPCAFControl_Controller::Init();
+  Interface_Static::SetCVal("xstep.cascade.unit", "MM");
+  const Handle(Complaints) complaints = Complaints::install();
+  STEPCAFControl_Reader reader;
+  reader.SetColorMode(false);
+  reader.SetLayerMode(false);
+  reader.SetPropsMode(false);
+  reader.SetGDTMode(false);
+  reader.SetMatMode(false);
+  reader.SetViewMode(false);
+  if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
+    throw std::runtime_error("is not a valid STEP file" +
+                             (complaints->first().empty() ? std::string() : ": " + complaints->first()));
+  sink.progress(share_of_reading / 4);
+  const Handle(StepData_StepModel) entities = reader.ChangeReader().StepModel();
+  expect_no_cycle(entities);
+  Model model;
+  model.notes = without_foreign_files(reader.ChangeReader(), path);
+  const std::string faults = faults_of(entities);
+  if (!faults.empty()) model.notes.push_back(faults);
+  note_units(reader.ChangeReader(), model);
+
+  const Handle(Stage) stage = new Stage(sink, share_of_reading / 4, share_of_reading);
+  Handle(TDocStd_Document) document = new TDocStd_Document("BinXCAF");
+  const bool is_transferred = reader.Transfer(document, stage->Start());
+  stage->finish();
+  if (!is_transferred) throw std::runtime_error("holds no shape" + (faults.empty() ? std::string() : ": " + faults));
+  const Names names = names_of_bodies(reader.Reader());
+  TreeBuilder tree(model, names);
+  add_document(document, tree);
+  tree.finish();
+  return model;
+}
+
+}  // namespace occt

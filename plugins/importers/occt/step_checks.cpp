@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "step_checks.hpp"
+
+#include <Interface_Check.hxx>
+#include <NCollection_IndexedDataMap.hxx>
+#include <STEPConstruct_ExternRefs.hxx>
+#include <StepAP214_AppliedExternalIdentificationAssignment.hxx>
+#include <StepBasic_Document.hxx>
+#include <StepBasic_ExternalSource.hxx>
+#include <StepBasic_ProductDefinition.hxx>
+#include <StepData_SelectNamed.hxx>
+#include <StepData_StepModel.hxx>
+#include <StepRepr_NextAssemblyUsageOccurrence.hxx>
+#include <StepShape_SolidModel.hxx>
+#include <StepShape_TopologicalRepresentationItem.hxx>
+#include <TCollection_HAsciiString.hxx>
+#include <XSControl_WorkSession.hxx>
+#include <algorithm>
+#include <filesystem>
+#include <stdexcept>
+#include <string_view>
+
+#include "model.hpp"
+
+namespace occt {
+
+namespace {
+
+using Text = Handle(TCollection_HAsciiString);
+
+bool is(const Text& text, const std::string& name) { return !text.IsNull() && name == text->ToCString(); }
+
+/// "#12=SOLID" or "#12".
+std::string label_of(const Handle(StepData_StepModel) & model, const Handle(Standard_Transient) & entity) {
+  const Text label = model->StringLabel(entity);
+  return label.IsNull() ? "?" : label->ToCString();
+}
+
+/// Not what is written beside parts: dimensions, texts, dates.
+bool is_shape(const Handle(Standard_Transient) & entity) {
+  return std::string_view(entity->DynamicType()->Name()).substr(0, 9) == "StepGeom_" ||
+         entity->IsKind(STANDARD_TYPE(StepShape_TopologicalRepresentationItem)) ||
+         entity->IsKind(STANDARD_TYPE(StepShape_SolidModel)) ||
+         entity->IsKind(STANDARD_TYPE(StepRepr_NextAssemblyUsageOccurrence));
+}
+
+bool leaves_folder(const std::string& name) {
+  return name.find_first_of("/\\:") != std::string::npos || name == "." || name == "..";
+}
+
+/// The name of a file that the source of an identification may hold.
+std::string source_name(const StepAP214_AppliedExternalIdentificationAssignment& identification) {
+  if (identification.Source().IsNull()) return {};
+  const auto name = Handle(StepData_SelectNamed)::DownCast(identification.Source()->SourceId().Value());
+  return name.IsNull() || name->Kind() != 6 ? std::string() : name->String();  // 6: a text
+}
+
+void forget(const Handle(StepData_StepModel) & model, const std::string& name) {
+  const Text nothing = new TCollection_HAsciiString("");
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    const auto entity = model->Value(i);
+    const auto named = Handle(StepAP214_AppliedExternalIdentificationAssignment)::DownCast(entity);
+    if (!named.IsNull() && is(named->AssignedId(), name)) named->SetAssignedId(nothing);
+    if (!named.IsNull() && source_name(*named) == name) named->SetSource(new StepBasic_ExternalSource);
+    const auto document = Handle(StepBasic_Document)::DownCast(entity);
+    if (document.IsNull()) continue;
+    if (is(document->Id(), name)) document->SetId(nothing);
+    if (is(document->Name(), name)) document->SetName(nothing);
+  }
+}
+
+/// What Open CASCADE would read next to the file.
+std::vector<std::string> referred_files(STEPControl_Reader& reader) {
+  std::vector<std::string> names;
+  STEPConstruct_ExternRefs references(reader.WS());
+  references.LoadExternRefs();
+  for (int i = 1; i <= references.NbExternRefs(); ++i) {
+    const char* name = references.FileName(i);
+    if (name == nullptr || *name == '\0' || std::find(names.begin(), names.end(), name) != names.end()) continue;
+    names.emplace_back(name);
+  }
+  return names;
+}
+
+/// Which products each one contains, in the order of the file.
+using Contents = NCollection_IndexedDataMap<Handle(Standard_Transient), std::vector<int>>;
+
+Contents contents_of(const Handle(StepData_StepModel) & model) {
+  Contents contents;
+  const auto number = [&contents](const Handle(Standard_Transient) & product) {
+    const int index = contents.FindIndex(product);
+    return index != 0 ? index : contents.Add(product, {});
+  };
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    const auto use = Handle(StepRepr_NextAssemblyUsageOccurrence)::DownCast(model->Value(i));
+    if (use.IsNull() || use->RelatingProductDefinition().IsNull() || use->RelatedProductDefinition().IsNull()) continue;
+    const int assembly = number(use->RelatingProductDefinition());
+    const int part = number(use->RelatedProductDefinition());
+    contents.ChangeFromIndex(assembly).push_back(part);
+  }
+  return contents;
+}
+
+}  // namespace
+
+void expect_no_cycle(const Handle(StepData_StepModel) & model) {
+  const Contents contents = contents_of(model);
+  enum class State { unseen, open, done };
+  std::vector<State> states(static_cast<std::size_t>(contents.Extent()) + 1, State::unseen);
+  struct Step {
+    int product;
+    std::size_t next;
+  };
+  for (int root = 1; root <= contents.Extent(); ++root) {
+    std::vector<Step> path;
+    if (states[root] == State::unseen) path.push_back({root, 0});
+    while (!path.empty()) {
+      const int product = path.back().product;
+      states[product] = State::open;
+      const std::vector<int>& parts = contents(product);
+      if (path.back().next == parts.size()) {
+        states[product] = State::done;
+        path.pop_back();
+        continue;
+      }
+      const int part = parts[path.back().next++];
+      if (states[part] == State::open)
+        throw std::runtime_error("the assembly " + label_of(model, contents.FindKey(part)) + " contains itself");
+      if (states[part] == State::unseen) path.push_back({part, 0});
+    }
+  }
+}
+
+std::string faults_of(const Handle(StepData_StepModel) & model) {
+  std::size_t count = 0;
+  std::string first;
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    const Handle(Interface_Check)& check = model->Check(i, true);
+    if (check.IsNull() || !check->HasFailed() || !is_shape(model->Value(i))) continue;
+    if (count++ == 0) first = label_of(model, model->Value(i)) + ": " + check->CFail(1);
+  }
+  if (count == 0) return {};
+  return std::to_string(count) + (count == 1 ? " entity is wrong: " : " entities are wrong, first ") + first;
+}
+
+std::vector<std::string> without_foreign_files(STEPControl_Reader& reader, const std::string& path) {
+  std::vector<std::string> notes;
+  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  constexpr int most_names = 4;  // that one reference may have in different places
+  for (int round = 0; round <= most_names; ++round) {
+    bool is_clean = true;
+    for (const std::string& name : referred_files(reader)) {
+      if (!leaves_folder(name) && std::filesystem::exists(folder / name)) continue;
+      is_clean = false;
+      notes.push_back("the file refers to '" + name + "', which is " +
+                      (leaves_folder(name) ? "outside its folder: not read" : "not in its folder"));
+      forget(reader.StepModel(), name);
+    }
+    if (is_clean) return notes;
+  }
+  throw std::runtime_error("refers to other files in a way that cannot be undone: " + notes.back());
+}
+
+}  // namespace occt

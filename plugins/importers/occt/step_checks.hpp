@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is looked at in a STEP file between reading its entities and making shapes of them.
+#pragma once
+
+#include <STEPControl_Reader.hxx>
+#include <string>
+#include <vector>
+
+namespace occt {
+
+/// Throws if an assembly contains itself: Open CASCADE would follow it for ever.
+void expect_no_cycle(const Handle(StepData_StepModel) & model);
+
+/// Entities that contradict themselves or refer to missing ones: the first one, and how many; "" if there are none.
+std::string faults_of(const Handle(StepData_StepModel) & model);
+
+/// Makes references to files outside the folder of the file void, so that they are not followed; returns a sentence for
+/// each, and for each file that is missing.
+std::vector<std::string> without_foreign_files(STEPControl_Reader& reader, const std::string& path);
+
+}  // namespace occt

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// From shapes of Open CASCADE to parts and places: what stands in several places is one part, wherever the file says
+// so.
+#pragma once
+
+#include <NCollection_IndexedDataMap.hxx>
+#include <TDocStd_Document.hxx>
+#include <epura/importer_plugin.hpp>
+
+#include "model.hpp"
+
+namespace occt {
+
+class TreeBuilder {
+ public:
+  TreeBuilder(Model& model, const Names& names) : model_(model), names_(names) {}
+
+  /// The shape stands under `parent`, moved by `transform` after its own location.
+  void add(const TopoDS_Shape& shape, const std::string& part_name, const std::string& name, std::uint32_t parent,
+           const gp_Trsf& transform);
+  std::uint32_t add_assembly(const std::string& name, std::uint32_t parent, const gp_Trsf& transform);
+
+  /// Says what of the shapes is not handed over.
+  void finish();
+
+ private:
+  /// A shape: its part, and parts of it that occur several times in it.
+  struct Prototype {
+    std::uint32_t part = EPURA_NONE;
+    std::vector<Place> inside;
+  };
+
+  Prototype make(const TopoDS_Shape& shape, const std::string& name);
+  void separate_repeats(std::vector<TopoDS_Shape>& bodies, Prototype& prototype);
+  std::uint32_t add_part(const std::string& name, const std::vector<TopoDS_Shape>& bodies);
+  [[nodiscard]] std::string name_of(const TopoDS_Shape& body) const;
+
+  Model& model_;
+  const Names& names_;
+  NCollection_IndexedDataMap<TopoDS_Shape, Prototype, TopTools_ShapeMapHasher> prototypes_;
+  std::size_t wires_ = 0, points_ = 0, loose_ = 0, sewn_into_ = 0;
+};
+
+/// The tree of a document of XCAF.
+void add_document(const Handle(TDocStd_Document) & document, TreeBuilder& tree);
+
+/// "" for names that programs make up, as "NAUO12", "=>[0:1:1:2]", "SOLID".
+std::string meaningful(const std::string& name);
+
+}  // namespace occt
