@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "base/groups.hpp"
 #include "base/parallel.hpp"
@@ -21,6 +22,11 @@ constexpr double cells_a_piece = 1, cuts_a_piece = 2;
 constexpr std::size_t crowd = 96;
 // By so much a glance sees farther than the search, whose lines are parts of pieces, and rounded.
 constexpr double margin = 1e-6;
+
+// A piece in a cell: those that are taken last come first.
+struct Entry {
+  int turn, piece;
+};
 
 }  // namespace
 
@@ -83,11 +89,17 @@ void NearGlance::find_last_along(const AlongLimits& limits, const Progress& prog
         if (seen[i].turn >= 0) visit(static_cast<int>(i));
     });
   };
-  const Groups<int> by_cell(static_cast<std::size_t>(grid.count()), [&](const auto& add) {
+  Groups<Entry> by_cell(static_cast<std::size_t>(grid.count()), [&](const auto& add) {
     visit_pieces([&](int piece) {
-      search::visit_cells(grid, pieces[piece].from, pieces[piece].to, 0,
-                          [&](int cell, double, double) { add(static_cast<std::size_t>(cell), piece); });
+      search::visit_cells(grid, pieces[piece].from, pieces[piece].to, 0, [&](int cell, double, double) {
+        add(static_cast<std::size_t>(cell), Entry{seen[piece].turn, piece});
+      });
     });
+  });
+  parallel_for(by_cell.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t cell = begin; cell < end; ++cell)
+      std::sort(by_cell[cell].begin(), by_cell[cell].end(),
+                [](const Entry& a, const Entry& b) { return a.turn > b.turn; });
   });
   const auto run_along = [&](const Piece& piece, const Vec2& direction, int other) {
     const Vec2 facing(seen[other].direction[0], seen[other].direction[1]), step = piece.to - piece.from;
@@ -100,12 +112,12 @@ void NearGlance::find_last_along(const AlongLimits& limits, const Progress& prog
     const int turn = seen[piece].turn;
     Member& own = members_[static_cast<std::size_t>(turn)];
     search::visit_cells(grid, pieces[piece].from, pieces[piece].to, distance, [&](int cell, double, double) {
-      const std::span<const int> others = by_cell[static_cast<std::size_t>(cell)];
+      const std::span<const Entry> others = std::as_const(by_cell)[static_cast<std::size_t>(cell)];
       if (others.size() > crowd) own.after = turn - 1;  // it may be any
-      for (const int other : others) {
-        const int before = seen[other].turn;
-        if (before > own.after && before < turn && run_along(pieces[piece], own.direction, other)) own.after = before;
-      }
+      auto other = std::partition_point(others.begin(), others.end(), [&](const Entry& e) { return e.turn >= turn; });
+      while (other != others.end() && other->turn > own.after && !run_along(pieces[piece], own.direction, other->piece))
+        ++other;
+      if (other != others.end()) own.after = std::max(own.after, other->turn);
     });
   });
 }

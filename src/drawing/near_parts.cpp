@@ -80,8 +80,15 @@ void KeptInk::find_near(const MeasuredPolyline& polyline, std::size_t member, Ne
     if (crossing > from && crossing < to) near.contacts.push_back(x(crossing));
     return true;
   };
+  // A line is met in each cell that both run through.
+  std::array<int, 64> apart;
+  apart.fill(-1);
   const auto visit = [&](int number) {
-    return !is_near(number) || ++others < many_others || !visibility::covers(spans, own.from, own.to);
+    int& same = apart[static_cast<std::size_t>(number) % apart.size()];
+    if (same == number) return true;
+    if (is_near(number)) return ++others < many_others || !visibility::covers(spans, own.from, own.to);
+    same = number;
+    return true;
   };
   parts_.visit(a, b, limits_.distance, visit, sectors_around(along));
 }
