@@ -65,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(bad_plugins, refused_when_asked,
                                          Refusal{"plane-holds-projector", "plane contains the direction of projection"},
                                          Refusal{"no-scale", "scale is not a positive number"},
                                          Refusal{"empty-window", "window is empty"},
-                                         Refusal{"front-behind-back", "front plane must lie before"},
+                                         Refusal{"front-behind-back", "the front plane must lie in front of"},
                                          Refusal{"crosses", "threw an exception"}));
 
 TEST_P(refused_when_asked, is_named_with_the_reason) {
@@ -145,7 +145,7 @@ TEST(two_libraries, with_one_name_in_a_folder_are_reported) {
   EXPECT_EQ(found.entries[0].plugin.filename(), "first.so");
   ASSERT_EQ(found.bad.size(), 1);
   EXPECT_EQ(found.bad[0].path.filename(), "second.so");
-  EXPECT_EQ(found.bad[0].reason, "provides the projection 'plain', which first.so offers already");
+  EXPECT_EQ(found.bad[0].reason, "provides the projection 'plain', which first.so already provides");
 }
 
 TEST(two_libraries, with_one_name_in_two_folders_hide_each_other_in_order) {
