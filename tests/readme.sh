@@ -16,7 +16,7 @@ complain() {
 
 cp -r "$root/include" "$root/cmake" "$scratch"
 mkdir "$scratch/samples"
-cp -r "$root/samples/models" "$root/samples/scenes" "$root/samples/plugin" "$scratch/samples"
+cp -r "$root/samples/models" "$root/samples/step" "$root/samples/scenes" "$root/samples/plugin" "$scratch/samples"
 awk -v out="$scratch/block" '/^```sh$/ { inside = 1; ++n; next } /^```$/ { inside = 0 }
                              inside { print > (out n ".sh") }' "$root/README.md"
 [ -f "$scratch/block1.sh" ] || complain "no sh block found"
