@@ -103,7 +103,9 @@ Model read_step(const std::string& file, epura::plugin::Sink& sink) {
   expect_no_cycle(entities);
   Model model;
   model.notes = without_foreign_files(reader.ChangeReader(), path);
-  const std::string faults = faults_of(entities);
+  const std::string broken = faults_of(entities, Fault::reference);
+  if (!broken.empty()) throw std::runtime_error("the file is damaged: " + broken);
+  const std::string faults = faults_of(entities, Fault::value);
   if (!faults.empty()) model.notes.push_back(faults);
   note_units(reader.ChangeReader(), model);
 

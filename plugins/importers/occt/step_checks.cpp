@@ -131,12 +131,16 @@ void expect_no_cycle(const Handle(StepData_StepModel) & model) {
   }
 }
 
-std::string faults_of(const Handle(StepData_StepModel) & model) {
+std::string faults_of(const Handle(StepData_StepModel) & model, Fault kind) {
   std::size_t count = 0;
   std::string first;
   for (int i = 1; i <= model->NbEntities(); ++i) {
     const Handle(Interface_Check)& check = model->Check(i, true);
     if (check.IsNull() || !check->HasFailed() || !is_shape(model->Value(i))) continue;
+    bool is_reference = false;
+    for (int fail = 1; fail <= check->NbFails(); ++fail)
+      is_reference = is_reference || std::string_view(check->CFail(fail)).find("Entity") != std::string_view::npos;
+    if (is_reference != (kind == Fault::reference)) continue;
     if (count++ == 0) first = label_of(model, model->Value(i)) + ": " + check->CFail(1);
   }
   if (count == 0) return {};
