@@ -237,6 +237,15 @@ TEST(Gltf, WhatHasNoFacesIsCounted) {
   EXPECT_EQ(notes, std::vector<std::string>{"9 lines, 4 points are not drawn"});
 }
 
+// tinygltf drops them.
+TEST(Gltf, PrimitivesWithoutAttributesAreTold) {
+  File file = cube_file();
+  file.primitives += R"(,{"indices":1})";
+  const importer::ReadModel model = read(file);
+  EXPECT_EQ(volume_of(model.mesh), 1);
+  EXPECT_EQ(model.mesh.report.notes, std::vector<std::string>{"'attributes' property is missing in Primitive."});
+}
+
 TEST(Gltf, BuffersBesideTheFileAreRead) {
   const Folder folder;
   File file = cube_file();

@@ -139,6 +139,18 @@ TEST(ThreeMf, CoordinatesAreThoseThatAreWritten) {
   EXPECT_TRUE(model.mesh.report.single_precision);
 }
 
+// Of 32 bits only the shortest numbers show that five decimals were printed.
+TEST(ThreeMf, CoordinatesAreKnownToBeRoundedToDecimals) {
+  std::string xml = model_of(cube(1), item(1));
+  std::string more;
+  for (int i = 0; i < 200; ++i) {
+    const std::string digits = std::to_string(10007 + 397 * i);
+    more += "<vertex x=\"0." + digits.substr(0, 5) + "\" y=\"1." + digits + "\" z=\"-0." + digits + "\"/>";
+  }
+  xml.replace(xml.find("</vertices>"), 0, more);
+  EXPECT_EQ(read(xml).mesh.report.resolution, 1e-5);
+}
+
 TEST(ThreeMf, ArchivesArePackedOrNotAndKnownByTheirFirstBytes) {
   const Folder folder;
   std::vector<Entry> entries = entries_with(model_of(cube(1), item(1)));
