@@ -67,7 +67,8 @@ class Checker {
         if (const auto fault = fault_of_garbage(scratch_.file(name, other))) return *fault;
       return std::string();
     });
-    for (const fs::path& model : models) check_model(model, name);
+    for (const fs::path& model : models)
+      if (is_own(model)) check_model(model, name);
     return std::move(results_);
   }
 
@@ -86,6 +87,13 @@ class Checker {
     return text;
   }
 
+  // A library may have importers for several formats.
+  bool is_own(const fs::path& model) {
+    const auto& extensions = importer_.table.extensions;
+    const std::string dotted = to_lower(model.extension().string());
+    return !dotted.empty() && std::find(extensions.begin(), extensions.end(), dotted.substr(1)) != extensions.end();
+  }
+
   void check_model(const fs::path& model, const std::string& name) {
     std::optional<Document> first;
     const std::string called = model.filename().string();
@@ -97,7 +105,7 @@ class Checker {
     });
     if (!first) return;
     expect("repeats", called + " is the same when it is read again", [&] {
-      return bytes_of(*first) == bytes_of(read(model)) ? std::string() : std::string("is another one the second time");
+      return are_same(*first, read(model)) ? std::string() : std::string("is another one the second time");
     });
     const std::string bytes = read_file(model);
     expect("survives", called + " cut short or damaged is read or refused", [&] {
@@ -132,10 +140,19 @@ class Checker {
         {.path = file.string(), .values = values_, .relative_tolerance = 1e-4}, [](double) {}, progress);
   }
 
-  static std::string bytes_of(const Document& document) {
-    foreign::Packer packer;
-    pack_document(packer, document);
-    return packer.bytes();
+  static bool are_same(const Document& a, const Document& b) {
+    const auto same_shape = [](const Shape& one, const Shape& two) {
+      return one.name == two.name && one.points == two.points && one.corners == two.corners &&
+             one.polygon_ends == two.polygon_ends && one.face_of_polygon == two.face_of_polygon &&
+             one.body_of_polygon == two.body_of_polygon && one.body_names == two.body_names &&
+             one.edge_vertices == two.edge_vertices;
+    };
+    const auto same_node = [](const Node& one, const Node& two) {
+      return one.parent == two.parent && one.shape == two.shape && one.name == two.name &&
+             one.transform == two.transform;
+    };
+    return a.unit == b.unit && a.is_y_up == b.is_y_up && std::ranges::equal(a.shapes, b.shapes, same_shape) &&
+           std::ranges::equal(a.nodes, b.nodes, same_node);
   }
 
   template <class Check>

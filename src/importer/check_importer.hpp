@@ -10,8 +10,8 @@
 
 namespace epura::importer {
 
-/// The checks in a fixed order. `models` are files that the importer is to read; from each, damaged ones are made in a
-/// folder of temporary files. An answer may take `seconds`.
+/// The checks in a fixed order. `models` are files; from each that has an extension of the importer, damaged ones are
+/// made in a folder of temporary files. An answer may take `seconds`.
 std::vector<foreign::CheckResult> check_importer(const ImporterEntry& importer,
                                                  const std::vector<std::filesystem::path>& models, double seconds,
                                                  const foreign::TellResult& tell = {});

@@ -224,6 +224,10 @@ TEST(StepImporter, DamagedFilesAreRefusedWithTheReason) {
   EXPECT_EQ(refusal_of(folder.file("c.step", "")), "the file is empty");
   EXPECT_EQ(refusal_of(folder.file("d.step", "ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\nENDSEC;\nEND-ISO-10303-21;\n")),
             "is not a valid STEP file");
+  const std::size_t circle = whole.find("= CIRCLE("), line = whole.rfind('\n', circle);
+  std::string missing = whole;
+  missing.erase(line, whole.find('\n', circle) - line);
+  EXPECT_TRUE(refusal_of(folder.file("g.step", missing)).starts_with("the file is damaged: 1 entity is wrong: #"));
   EXPECT_TRUE(contains(refusal_of(folder.file("e.brep", "not a shape")), "BREP"));
   EXPECT_FALSE(refusal_of(folder.file("f.igs", "not a drawing")).empty());
 }
