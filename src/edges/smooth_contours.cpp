@@ -218,9 +218,9 @@ class MovedEnds {
 
   // Edges come model by model.
   [[nodiscard]] std::array<int, 2> edges_of(int model) const {
-    const auto range = std::ranges::equal_range(drawn_.edges, model, {}, &FeatureEdge::model);
-    return {static_cast<int>(range.begin() - drawn_.edges.begin()),
-            static_cast<int>(range.end() - drawn_.edges.begin())};
+    const auto begin = std::ranges::lower_bound(drawn_.edges, model, {}, &FeatureEdge::model);
+    const auto end = std::ranges::upper_bound(drawn_.edges, model, {}, &FeatureEdge::model);
+    return {static_cast<int>(begin - drawn_.edges.begin()), static_cast<int>(end - drawn_.edges.begin())};
   }
 
   // The ends of contours of the model that stay where they are.
