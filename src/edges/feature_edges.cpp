@@ -47,35 +47,58 @@ struct Judge {
 
   [[nodiscard]] const mesh::Mesh& mesh() const { return around.mesh(); }
 
-  // Where the third corner of a triangle lies: 1 left of the edge on the page, -1 right, 0 on its line.
-  [[nodiscard]] int side(const std::array<int, 2>& edge, int triangle) const {
+  // Where the third corner of a triangle lies: 1 left of the edge on the page, -1 right, 0 on its line or no farther
+  // than `reach` cells from it.
+  [[nodiscard]] int side(const std::array<int, 2>& edge, int triangle, double reach) const {
     const int corner = around.apex(edge, triangle);
     // Corners that a plane took away may lie anywhere.
-    if (view.triangle_planes.empty() && around.uncut == nullptr) return side_on_grid(edge, corner);
+    if (view.triangle_planes.empty() && around.uncut == nullptr) return side_on_grid(edge, corner, reach);
     const bool before_viewer = is_before_viewer(edge[0]) && is_before_viewer(edge[1]) && is_before_viewer(corner);
-    return before_viewer ? side_on_page(edge, corner) : side_in_space(edge, corner);
+    return before_viewer ? side_on_page(edge, corner, reach) : side_in_space(edge, corner);
+  }
+
+  // Whether all corners of a triangle lie on the lines of the sides opposite to them.
+  [[nodiscard]] bool is_edge_on(int triangle) const {
+    const std::array<int, 3> c = around.corners(triangle);
+    for (int i = 0; i < 3; ++i)
+      if (side({c[i], c[(i + 1) % 3]}, triangle, edge_on) != 0) return false;
+    return true;
+  }
+
+  // Whether the outline of the surface runs along the edge: the triangles lie on one side of it, or one of them is seen
+  // edge-on. A triangle on the line of this edge may well face the viewer at its other sides, so between two of those
+  // the sign decides, however small, or the outline would have a gap there.
+  [[nodiscard]] bool is_contour(const std::array<int, 2>& edge, int first, int second) const {
+    const int side_one = side(edge, first, edge_on);
+    const int side_two = side(edge, second, edge_on);
+    if (side_one != side_two) return side_one == 0 || side_two == 0;
+    if (side_one != 0) return true;
+    const bool first_edge_on = is_edge_on(first), second_edge_on = is_edge_on(second);
+    if (first_edge_on || second_edge_on) return first_edge_on != second_edge_on;
+    const int sign = side(edge, first, 0);
+    return sign != 0 && sign == side(edge, second, 0);
   }
 
   // Far enough from the plane of the viewer for places on the page to keep their digits.
   [[nodiscard]] bool is_before_viewer(int vertex) const { return view.clipper.vertices[vertex].w > 0x1p-20; }
 
   // Without the grid, for corners that may lie beyond the window.
-  [[nodiscard]] int side_on_page(const std::array<int, 2>& edge, int corner) const {
+  [[nodiscard]] int side_on_page(const std::array<int, 2>& edge, int corner, double reach) const {
     const auto place = [this](int v) { return Vec2(view.vertices[v].x, view.vertices[v].y); };
     const Vec2 along = place(edge[1]) - place(edge[0]), to = place(corner) - place(edge[0]);
     const double area = along.x * to.y - along.y * to.x;
     const double rounding = 0x1p-44 * glm::length(to);
-    return std::abs(area) <= (edge_on * view.cell + rounding) * glm::length(along) ? 0 : area > 0 ? 1 : -1;
+    return std::abs(area) <= (reach * view.cell + rounding) * glm::length(along) ? 0 : area > 0 ? 1 : -1;
   }
 
-  [[nodiscard]] int side_on_grid(const std::array<int, 2>& edge, int corner) const {
+  [[nodiscard]] int side_on_grid(const std::array<int, 2>& edge, int corner, double reach) const {
     const view::GridPoint& a = view.grid[edge[0]];
     const view::GridPoint& b = view.grid[edge[1]];
     const double area = static_cast<double>(view::cross(a, b, view.grid[corner]));
     const double dx = static_cast<double>(b.x) - a.x, dy = static_cast<double>(b.y) - a.y;
     // The way along the axes is longer, and found without a root: nearly always it is enough.
-    const bool beside = std::abs(area) > edge_on * (std::abs(dx) + std::abs(dy));
-    if (!beside && std::abs(area) <= edge_on * std::hypot(dx, dy)) return 0;
+    const bool beside = std::abs(area) > reach * (std::abs(dx) + std::abs(dy));
+    if (!beside && std::abs(area) <= reach * std::hypot(dx, dy)) return 0;
     return area > 0 ? 1 : -1;
   }
 
@@ -153,10 +176,7 @@ struct Judge {
     if (one.covered || two.covered) return border == EdgeKind::crease ? if_wanted(EdgeKind::crease) : std::nullopt;
     if (!one.triangle || !two.triangle) return if_wanted(EdgeKind::boundary);
     const Pair pair = pair_at(ends, *one.triangle, *two.triangle);
-    const int side_one = side(ends, pair.first);
-    const int side_two = side(ends, pair.second);
-    const bool contour = side_one == side_two ? side_one != 0 : side_one == 0 || side_two == 0;
-    if (contour && options.contour) return EdgeKind::contour;
+    if (options.contour && is_contour(ends, pair.first, pair.second)) return EdgeKind::contour;
     // Inside a polygon nothing is folded: it is one face in the file.
     if (edge.diagonal) return std::nullopt;
     if (part != nullptr) return border && if_wanted(*border) ? border : if_wanted(EdgeKind::smooth);

@@ -5,6 +5,7 @@
 // the guaranteed tolerance of positions on the page.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <vector>
@@ -19,8 +20,10 @@ struct Tolerance {
   double size;     ///< of the drawing: its longest side
   double contact;  ///< a face hides what lies more than this times its steepness behind it, in depth
 
+  double rounding = 0;  ///< how far rounding in the files may have moved a point and a triangle apart
+
   /// Half the side of the square: to this every place on the page is guaranteed (docs/numerics.md).
-  [[nodiscard]] double sideways() const { return 1e-9 * size; }
+  [[nodiscard]] double sideways() const { return std::max(1e-9 * size, rounding); }
 };
 
 /// The part of a triangle before the square of rays.

@@ -68,7 +68,18 @@ class Verifier {
     }
   }
 
-  // Stretches shorter than what is guaranteed may be wrong: a point of one is undecided.
+  // With places on the page as uncertain as the files leave them.
+  [[nodiscard]] Tolerance tolerance_of_files(std::span<const Probe> probes) const {
+    Tolerance tolerance = tolerance_;
+    for (const Probe& probe : probes) {
+      const auto place = position_on<Bounded>(input_.ends_of(input_.drawn.edges[probe.edge]), probe.t);
+      tolerance.rounding = std::max(tolerance.rounding, 2 * input_.world.rounding * sight_from(viewing_, place).page);
+    }
+    return tolerance;
+  }
+
+  // Stretches shorter than what is guaranteed may be wrong, and what depends on the rounding of the files: a point of
+  // one is undecided.
   void measure_wrong_stretches() {
     std::vector<std::size_t> wrong;
     std::vector<Probe> probes;
@@ -78,7 +89,7 @@ class Verifier {
       for (int k = -2 * steps; k <= 2 * steps; ++k)
         probes.push_back(probe_at(population_, span_of(i).edge, std::clamp(beside(i, k), 0.0, 1.0)));
     }
-    const std::vector<ProbeVerdict> verdicts = judge(input_, tolerance_, probes, true, progress_);
+    const std::vector<ProbeVerdict> verdicts = judge(input_, tolerance_of_files(probes), probes, true, progress_);
     for (std::size_t i = 0; i < wrong.size(); ++i) {
       const ProbeVerdict* middle = &verdicts[i * (4 * steps + 1) + 2 * steps];
       const auto is_wrong = [&](int k) {

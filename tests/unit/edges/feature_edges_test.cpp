@@ -51,6 +51,18 @@ TEST(FeatureEdges, FaceOnTheBordersOfACubeAreContours) {
   EXPECT_EQ(kinds(world_of(box({0, 0, 0}, {1, 1, 1})), from_above()), (Kinds{{"contour", 8}, {"crease", 4}}));
 }
 
+TEST(FeatureEdges, OnTheLineOfTheirEdgeTrianglesTurnByTheirOtherSides) {
+  // A steep sheet hangs over an edge of length 10 and stands on it. Both apexes are nearer to its line on the page than
+  // rounding of the file tells, but far from the triangles' short sides: what is in front there is in front here.
+  constexpr double r = 1e-6;
+  for (const double lower : {0.8 * r, -0.8 * r}) {
+    scene::World world =
+        world_of({{{0, 0, 0}, {10, 0, 0}, {0.3, lower, -3}, {9.7, 0.8 * r, 3}}, {{0, 1, 2}, {1, 0, 3}}, {}});
+    world.rounding = r;
+    EXPECT_EQ(kinds(world, from_above(), {.boundary = false})["contour"], lower > 0 ? 1 : 0) << lower;
+  }
+}
+
 TEST(FeatureEdges, DiagonalsAreSmoothButNotInsideAPolygon) {
   EXPECT_EQ(kinds(world_of(triangulated_cube()), orthographic(corner), everything)["smooth"], 6);
   EXPECT_EQ(kinds(world_of(box({0, 0, 0}, {1, 1, 1})), orthographic(corner), everything)["smooth"], 0);

@@ -119,6 +119,18 @@ TEST(Verify, AForgottenOccluderIsFound) {
   }
 }
 
+// A plate above a box reaches over one of its edges by less than files are rounded, or by more.
+TEST(Verify, WhatDependsOnTheRoundingOfFilesIsUndecided) {
+  constexpr double reach = 4e-6;
+  const Shape back = box({0, 0, 0}, {1, 1, 1}), front = box({-1, 1 - reach, 2}, {2, 2, 3});
+  for (const double rounding : {0.0, reach / 4, reach}) {
+    Result r = draw(world_of(back), from_above());
+    r.world = world_of({back, front});
+    r.world.rounding = rounding;
+    EXPECT_EQ(verified(r).misclassified > 0, rounding < reach) << rounding;
+  }
+}
+
 TEST(Verify, AMissingLineIsFound) {
   Result r = draw(world_of(four_boxes()), orthographic({1, -1.1, 0.9}));
   const auto longest = std::ranges::max_element(
