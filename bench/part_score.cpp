@@ -8,6 +8,7 @@
 #include <span>
 #include <stdexcept>
 
+#include "base/nearest.hpp"
 #include "search/line_cells.hpp"
 
 namespace epura::bench {
@@ -17,13 +18,6 @@ namespace {
 constexpr double beside = 0.4, sample_step = 0.2, touching = 0.06;
 
 bool is_finite(const Vec2& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
-
-double distance_to(const PageLine& line, const Vec2& p) {
-  const Vec2 d = line.to - line.from;
-  const double square = glm::dot(d, d);
-  const double t = square > 0 ? std::clamp(glm::dot(p - line.from, d) / square, 0.0, 1.0) : 0;
-  return glm::distance(p, line.from + t * d);
-}
 
 /// Lines of a page, found by places within a distance of them.
 class NearLines {
@@ -51,8 +45,9 @@ class NearLines {
   [[nodiscard]] bool pass(const Vec2& p, std::size_t except = none) const {
     if (lines_.empty()) return false;
     const auto& candidates = in_cell_[grid_.cell(grid_.column(p.x), grid_.row(p.y))];
-    return std::any_of(candidates.begin(), candidates.end(),
-                       [&](std::size_t i) { return i != except && distance_to(lines_[i], p) <= distance_; });
+    return std::any_of(candidates.begin(), candidates.end(), [&](std::size_t i) {
+      return i != except && distance_to_segment(p, lines_[i].from, lines_[i].to) <= distance_;
+    });
   }
 
  private:

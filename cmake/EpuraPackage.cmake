@@ -38,7 +38,7 @@ install(DIRECTORY include/epura DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONEN
 configure_package_config_file(cmake/epura-config.cmake.in epura-config.cmake INSTALL_DESTINATION ${package})
 write_basic_package_version_file(epura-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/epura-config.cmake ${CMAKE_CURRENT_BINARY_DIR}/epura-config-version.cmake
-              cmake/EpuraProjection.cmake cmake/EpuraImporter.cmake cmake/EpuraSnapshotTests.cmake
+              cmake/EpuraPlugins.cmake cmake/EpuraSnapshotTests.cmake
         DESTINATION ${package} COMPONENT development)
 install(EXPORT epura-targets NAMESPACE epura:: DESTINATION ${package} COMPONENT development)
 

@@ -2,8 +2,8 @@
 // `epura plugins check`: tests of a plugin, for its author.
 #include <cstdio>
 
-#include "app/check_texts.hpp"
 #include "app/commands.hpp"
+#include "app/plugin_texts.hpp"
 #include "base/error.hpp"
 #include "projection/check_projection.hpp"
 #include "projection/plugin_process.hpp"

@@ -3,7 +3,6 @@
 #include <cstdio>
 #include <string>
 
-#include "app/check_texts.hpp"
 #include "app/commands.hpp"
 #include "app/plugin_texts.hpp"
 #include "base/error.hpp"
@@ -15,13 +14,6 @@
 namespace epura {
 
 namespace {
-
-void print(const std::string& line) { std::printf("%s\n", printable(line).c_str()); }
-
-std::string padded(std::string text, std::size_t width) {
-  text.resize(std::max(text.size() + 1, width), ' ');
-  return text;
-}
 
 std::string extensions_of(const importer::ImporterEntry& entry) {
   std::string text;
@@ -42,10 +34,7 @@ void show(const importer::ImporterEntry& entry) {
   print("from " + entry.library.string());
   if (entry.table.parameters.empty()) return;
   print("\nparameters (FILE:key=value)");
-  for (const foreign::Parameter& p : entry.table.parameters) {
-    print("  " + padded(p.name, 16) + p.help);
-    print("  " + padded("", 16) + values_text(p));
-  }
+  print_parameters(entry.table.parameters);
 }
 
 }  // namespace

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/plugin_texts.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "base/text.hpp"
+#include "base/utf8.hpp"
 
 namespace epura {
 
@@ -27,6 +30,18 @@ std::string range_text(const projection::Parameter& parameter) {
   return kind + (kind.empty() ? "" : " ") + format_number(parameter.min) + ".." + format_number(parameter.max);
 }
 
+const char* word(foreign::Verdict verdict) {
+  switch (verdict) {
+    case foreign::Verdict::passed:
+      return "passed";
+    case foreign::Verdict::failed:
+      return "FAILED";
+    case foreign::Verdict::skipped:
+      return "skipped";
+  }
+  return "";
+}
+
 }  // namespace
 
 std::string usual_value(const projection::Parameter& parameter) {
@@ -41,6 +56,26 @@ std::string values_text(const projection::Parameter& parameter) {
   const std::string usual = usual_value(parameter), range = range_text(parameter);
   return "default " + (usual.empty() ? "from the model" : usual) + (range.empty() ? "" : "; " + range) +
          (parameter.unit.empty() || parameter.unit == "1" ? "" : " [" + parameter.unit + "]");
+}
+
+std::string padded(std::string text, std::size_t width) {
+  text.resize(std::max(text.size() + 1, width), ' ');
+  return text;
+}
+
+void print(const std::string& line) { std::printf("%s\n", printable(line).c_str()); }
+
+void print_parameters(const std::vector<projection::Parameter>& parameters) {
+  for (const projection::Parameter& parameter : parameters) {
+    print("  " + padded(parameter.name, 16) + parameter.help);
+    print("  " + padded("", 16) + values_text(parameter));
+  }
+}
+
+void print_check(const foreign::CheckResult& result) {
+  print("  " + padded(result.name, 12) + padded(word(result.verdict), 9) + result.what);
+  if (!result.fault.empty()) print("  " + padded("", 21) + result.fault);
+  std::fflush(stdout);
 }
 
 }  // namespace epura

@@ -15,13 +15,6 @@ namespace epura {
 
 namespace {
 
-void print(const std::string& line) { std::printf("%s\n", printable(line).c_str()); }
-
-std::string padded(std::string text, std::size_t width) {
-  text.resize(std::max(text.size() + 1, width), ' ');
-  return text;
-}
-
 void print_matrix(const Mat4& matrix) {
   for (int row = 0; row < 4; ++row) {
     std::string line = "   ";
@@ -46,10 +39,7 @@ void show(const projection::ProjectionEntry& entry) {
   if (!entry.reference.empty()) print("reference: " + entry.reference);
   print("plugin: " + entry.plugin.string());
   if (!entry.parameters.empty()) print("\nparameters (--projection " + entry.name + ":key=value)");
-  for (const projection::Parameter& p : entry.parameters) {
-    print("  " + padded(p.name, 16) + p.help);
-    print("  " + padded("", 16) + values_text(p));
-  }
+  print_parameters(entry.parameters);
   Box box;
   box.add(Vec3(0));
   box.add(Vec3(1));

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "base/nearest.hpp"
 #include "drawing/ink.hpp"
 #include "drawing/ink_cells.hpp"
 
@@ -27,9 +28,7 @@ inline Vec2 place_on(const Piece& piece, double u) {
 }
 
 inline Vec2 nearest_on(const std::array<Vec2, 2>& line, const Vec2& p) {
-  const Vec2 step = line[1] - line[0];
-  const double square = glm::dot(step, step);
-  return square > 0 ? line[0] + std::clamp(glm::dot(p - line[0], step) / square, 0.0, 1.0) * step : line[0];
+  return nearest_on_segment(p, line[0], line[1]);
 }
 
 /// False where a look at the box of the line tells that it lies farther away, whatever is rounded.

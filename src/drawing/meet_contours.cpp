@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "base/nearest.hpp"
 #include "base/parallel.hpp"
 #include "search/bounds_tree.hpp"
 
@@ -84,12 +85,9 @@ class Meeting {
 
   // Where on a contour of the mesh a place lies, 0 to 1; empty if it is not on it.
   [[nodiscard]] std::optional<double> parameter_of(const MovedContour& contour, const Vec2& place) const {
-    const Vec2 along = contour.in_mesh[1] - contour.in_mesh[0];
-    const double square = glm::dot(along, along);
-    if (!(square > 0)) return std::nullopt;
-    const double t = std::clamp(glm::dot(place - contour.in_mesh[0], along) / square, 0.0, 1.0);
-    if (glm::distance(place, contour.in_mesh[0] + t * along) > tolerance_) return std::nullopt;
-    return t;
+    const auto& [from, to] = contour.in_mesh;
+    if (from == to || distance_to_segment(place, from, to) > tolerance_) return std::nullopt;
+    return nearest_parameter(place, from, to);
   }
 
   // Whether a contour ends at a place inside its edge.

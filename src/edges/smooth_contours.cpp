@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/groups.hpp"
+#include "base/nearest.hpp"
 #include "base/parallel.hpp"
 
 namespace epura::edges {
@@ -18,20 +19,6 @@ using features::SurfaceKind;
 
 // Of the height of a triangle: surfaces have their contours no farther from those of their facets.
 constexpr double most_moved = 1;
-
-double distance_to_line(const Vec2& p, const Vec2& a, const Vec2& b) {
-  const Vec2 along = b - a;
-  const double square = glm::dot(along, along);
-  const double t = square > 0 ? std::clamp(glm::dot(p - a, along) / square, 0.0, 1.0) : 0;
-  return glm::distance(p, a + t * along);
-}
-
-Vec3 nearest_on_line(const Vec3& p, const Vec3& a, const Vec3& b) {
-  const Vec3 along = b - a;
-  const double square = glm::dot(along, along);
-  const double t = square > 0 ? std::clamp(glm::dot(p - a, along) / square, 0.0, 1.0) : 0;
-  return a + t * along;
-}
 
 // Whether contours at a triangle follow the surface.
 bool is_smoothed(const scene::Placed& placed, int triangle) {
@@ -72,7 +59,7 @@ class ModelContours {
     for (const int t : sorted_triangles_at(vertex)) {
       const auto line = contour_across(t);
       if (!line) continue;
-      const Vec3 place = nearest_on_line(from, (*line)[0], (*line)[1]);
+      const Vec3 place = nearest_on_segment(from, (*line)[0], (*line)[1]);
       if (glm::distance(place, from) > most_moved * height_of(t)) continue;
       if (nearest && glm::distance(place, from) >= glm::distance(*nearest, from)) continue;
       nearest = place;
@@ -254,8 +241,8 @@ class MovedEnds {
         in_mesh[end] = on_page(edge.vertex[end]);
         drawn[end] = edge.shown[end] < 0 ? in_mesh[end] : on_page(edge.shown[end]);
       }
-      from_drawn = std::min(from_drawn, distance_to_line(on_page(vertex), drawn[0], drawn[1]));
-      from_mesh = std::min(from_mesh, distance_to_line(on_page(shown), in_mesh[0], in_mesh[1]));
+      from_drawn = std::min(from_drawn, distance_to_segment(on_page(vertex), drawn[0], drawn[1]));
+      from_mesh = std::min(from_mesh, distance_to_segment(on_page(shown), in_mesh[0], in_mesh[1]));
     }
     return std::max(from_drawn, from_mesh);
   }

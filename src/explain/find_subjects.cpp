@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/error.hpp"
+#include "base/nearest.hpp"
 #include "base/text.hpp"
 
 namespace epura::explain {
@@ -115,20 +116,14 @@ std::vector<Subject> find(const ExplainInput& drawn_view, const ByFaces& wanted)
   return subjects;
 }
 
-double distance(const Vec2& p, const Vec2& a, const Vec2& b) {
-  const Vec2 along = b - a;
-  const double length2 = glm::dot(along, along);
-  const double s = length2 > 0 ? std::clamp(glm::dot(p - a, along) / length2, 0.0, 1.0) : 0;
-  return glm::distance(p, a + s * along);
-}
-
 std::vector<Subject> find(const ExplainInput& drawn_view, const ByPlace& wanted) {
   const std::vector<edges::FeatureEdge>& edges = drawn_view.drawn.edges;
   std::vector<std::pair<double, std::size_t>> near;
   for (std::size_t e = 0; e < edges.size(); ++e)
-    near.emplace_back(distance(wanted.place, drawing::position_on_paper(drawn_view.view, drawn_view.paper, edges[e], 0),
-                               drawing::position_on_paper(drawn_view.view, drawn_view.paper, edges[e], 1)),
-                      e);
+    near.emplace_back(
+        distance_to_segment(wanted.place, drawing::position_on_paper(drawn_view.view, drawn_view.paper, edges[e], 0),
+                            drawing::position_on_paper(drawn_view.view, drawn_view.paper, edges[e], 1)),
+        e);
   if (near.empty()) throw Error(ErrorKind::input, option, "nothing is drawn");
   const std::size_t count = std::min(nearest_edges, near.size());
   std::partial_sort(near.begin(), near.begin() + count, near.end());

@@ -15,7 +15,7 @@
 #include <utility>
 
 #include "base/shared_library.hpp"
-#include "foreign/parameters.hpp"
+#include "base/text.hpp"
 
 namespace epura::foreign {
 
@@ -88,6 +88,13 @@ std::optional<std::string> ChildProcess::receive(Clock::time_point until, std::s
   const Received received = incoming_.receive(socket_, until, most_bytes);
   if (received == Received::nothing) refuse(ending());
   return received == Received::all ? std::optional(incoming_.take()) : std::nullopt;
+}
+
+std::string ChildProcess::receive_within(double seconds, std::size_t most_bytes) {
+  const auto until = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+  if (auto message = receive(until, most_bytes)) return *std::move(message);
+  end();
+  refuse("takes more than " + format_number(seconds) + " s");
 }
 
 /// How the process ended that says nothing more.

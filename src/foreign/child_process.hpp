@@ -13,7 +13,9 @@
 #include <string>
 #include <vector>
 
+#include "base/error.hpp"
 #include "foreign/messages.hpp"
+#include "foreign/parameters.hpp"
 
 namespace epura::foreign {
 
@@ -35,6 +37,12 @@ class ChildProcess {
   void send(const Packer& message);
   /// Nothing where there is no message by `until`. Throws Error{plugin} where the process is gone: how it ended.
   std::optional<std::string> receive(Clock::time_point until, std::size_t most_bytes);
+  /// The same within so many seconds. Throws Error{plugin} and kills the process where there is none by then.
+  std::string receive_within(double seconds, std::size_t most_bytes);
+  /// What `unpack` takes out of the first message, sent when the code is loaded. Throws Error{plugin} and ends the
+  /// process where that fails.
+  template <class Unpack>
+  auto receive_loaded(double seconds, std::size_t most_bytes, const Unpack& unpack);
   /// Kills it.
   void end();
 
@@ -47,5 +55,19 @@ class ChildProcess {
   int socket_ = -1;
   Incoming incoming_;
 };
+
+template <class Unpack>
+auto ChildProcess::receive_loaded(double seconds, std::size_t most_bytes, const Unpack& unpack) {
+  try {
+    const std::string message = receive_within(seconds, most_bytes);
+    Unpacker words(message);
+    expect_no_reason(words);
+    return unpack(words);
+  } catch (const Error& error) {
+    const bool did_something = !is_there();
+    end();
+    refuse(error.what() + std::string(did_something ? " while loading" : ""));
+  }
+}
 
 }  // namespace epura::foreign

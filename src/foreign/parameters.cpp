@@ -100,6 +100,12 @@ ParameterValues default_values(const std::vector<Parameter>& parameters) {
   return values;
 }
 
+std::vector<double> flattened(const ParameterValues& values) {
+  std::vector<double> numbers;
+  for (const std::vector<double>& value : values) numbers.insert(numbers.end(), value.begin(), value.end());
+  return numbers;
+}
+
 ParameterValues values_of(const std::vector<Parameter>& parameters, const Assignments& assignments,
                           const std::string& owner, const std::string& kind) {
   ParameterValues values = default_values(parameters);

@@ -35,6 +35,9 @@ void pack_parameter(Pack& pack, Values& parameter) {
 /// For each row of a table one number, or the components of the vector; a choice is its place in the list.
 using ParameterValues = std::vector<std::vector<double>>;
 
+/// One after the other, as plugins get them.
+std::vector<double> flattened(const ParameterValues& values);
+
 /// What a user wrote: names and values of parameters.
 using Assignments = std::vector<std::pair<std::string, std::string>>;
 

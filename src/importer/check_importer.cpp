@@ -50,10 +50,10 @@ class Scratch {
 class Checker {
  public:
   Checker(const ImporterEntry& importer, double seconds, const foreign::TellResult& tell)
-      : importer_(importer), seconds_(seconds), tell_(tell) {
-    for (const auto& value : foreign::default_values(importer.table.parameters))
-      values_.insert(values_.end(), value.begin(), value.end());
-  }
+      : importer_(importer),
+        seconds_(seconds),
+        tell_(tell),
+        values_(foreign::flattened(foreign::default_values(importer.table.parameters))) {}
 
   std::vector<foreign::CheckResult> check(const std::vector<fs::path>& models) {
     const std::string name = "file." + (importer_.table.extensions.empty() ? "x" : importer_.table.extensions.front());

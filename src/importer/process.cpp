@@ -10,7 +10,6 @@
 
 #include "base/error.hpp"
 #include "base/shared_library.hpp"
-#include "base/text.hpp"
 #include "foreign/child_process.hpp"
 #include "foreign/messages.hpp"
 
@@ -124,19 +123,7 @@ class Process {
   std::vector<ImporterTable> start(double seconds) {
     const std::lock_guard lock(mutex_);
     process_.run(own_folder() / "epura-importer", {library_.string()});
-    try {
-      const auto end =
-          Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
-      const auto message = process_.receive(end, most_bytes);
-      if (!message) foreign::refuse("takes more than " + format_number(seconds) + " s");
-      Unpacker unpack(*message);
-      foreign::expect_no_reason(unpack);
-      return unpack_tables(unpack);
-    } catch (const Error& error) {
-      const bool did_something = !process_.is_there();
-      process_.end();
-      foreign::refuse(error.what() + std::string(did_something ? " while loading" : ""));
-    }
+    return process_.receive_loaded(seconds, most_bytes, unpack_tables);
   }
 
   bool recognises(const std::string& name, std::string_view first_bytes) {

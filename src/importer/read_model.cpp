@@ -78,12 +78,11 @@ ReadModel read_by_importer(const ImporterEntry& importer, const fs::path& path, 
                            const ReadOptions& options, const Progress& progress) {
   Reading reading{
       .path = path.string(),
-      .values = {},
+      .values = foreign::flattened(
+          foreign::values_of(importer.table.parameters, parameters, importer.table.name, "importer")),
       .tolerance = options.tolerance,
       .relative_tolerance = options.relative_tolerance,
       .threads = options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency())};
-  for (const auto& value : foreign::values_of(importer.table.parameters, parameters, importer.table.name, "importer"))
-    reading.values.insert(reading.values.end(), value.begin(), value.end());
   std::error_code unknown;
   const std::uintmax_t bytes = fs::file_size(path, unknown);
   Advance advance(progress, unknown ? 0 : bytes);

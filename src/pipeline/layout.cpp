@@ -100,11 +100,6 @@ bool is_sized_by_scale(const scene::SheetDescription& sheet) {
 
 scene::PaperChoice iso_size(int number) { return {scene::PaperChoice::Kind::iso, number, {0, 0}}; }
 
-scene::PaperChoice usual_size(const scene::SheetDescription& sheet, std::size_t views) {
-  if (sheet.size.given() && !is_sized_by_scale(sheet)) return *sheet.size;
-  return iso_size(views > 1 ? 3 : 4);
-}
-
 // "auto": the smallest paper on which the views have room at the scale that is given. `size` is the usual one, and
 // becomes the one that is taken.
 sheet::Arrangement arranged(const scene::SheetDescription& sheet, const LayoutOptions& options,
@@ -147,6 +142,15 @@ LayoutOptions options_of(const scene::SceneDescription& scene, int number, std::
 }
 
 }  // namespace
+
+scene::PaperChoice usual_size(const scene::SheetDescription& sheet, std::size_t views) {
+  if (sheet.size.given() && !is_sized_by_scale(sheet)) return *sheet.size;
+  return iso_size(views > 1 ? 3 : 4);
+}
+
+scene::PaperChoice largest_size(const scene::SheetDescription& sheet, std::size_t views) {
+  return is_sized_by_scale(sheet) ? iso_size(0) : usual_size(sheet, views);
+}
 
 double dimension_text_height(const sheet::Paper& paper, std::size_t views) {
   constexpr double a4 = 210 * 297;

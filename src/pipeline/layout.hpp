@@ -25,6 +25,10 @@ struct SheetPlan {
   bool inside = true;               ///< all ink keeps the margins
 };
 
+/// The paper for so many views unless their scale needs a larger one, and the largest that they may get.
+scene::PaperChoice usual_size(const scene::SheetDescription& sheet, std::size_t views);
+scene::PaperChoice largest_size(const scene::SheetDescription& sheet, std::size_t views);
+
 /// Height of the texts of dimensions, mm: 2.5 for several views on A4, 3.5 elsewhere. ISO 3098.
 double dimension_text_height(const sheet::Paper& paper, std::size_t views);
 

@@ -12,6 +12,7 @@
 #include "base/text.hpp"
 #include "mesh/read.hpp"
 #include "pipeline/choose.hpp"
+#include "pipeline/layout.hpp"
 #include "scene/transform.hpp"
 #include "sheet/paper.hpp"
 
@@ -52,8 +53,7 @@ importer::ReadModel read(const scene::ModelDescription& model, importer::ReadOpt
 
 // That the views may be drawn on. What is cut to the drawing is as large as fits on A4.
 sheet::Paper largest_paper(const scene::SheetDescription& sheet, std::size_t views) {
-  scene::PaperChoice size = sheet.size.value_or({scene::PaperChoice::Kind::iso, views > 1 ? 3 : 4, {0, 0}});
-  if (size.kind == scene::PaperChoice::Kind::automatic) size = {scene::PaperChoice::Kind::iso, 0, {0, 0}};
+  scene::PaperChoice size = largest_size(sheet, views);
   if (size.kind == scene::PaperChoice::Kind::none) size = {};
   return sheet::make_paper(size, false);
 }

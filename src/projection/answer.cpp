@@ -45,10 +45,8 @@ PluginAnswer call_plugin(const epura_projection& definition, const std::vector<d
 }
 
 PluginAnswer ask_plugin(const ProjectionEntry& entry, const ParameterValues& values, const Box& scene) {
-  std::vector<double> flat;
-  for (const std::vector<double>& value : values) flat.insert(flat.end(), value.begin(), value.end());
   try {
-    return entry.ask(flat, scene);
+    return entry.ask(foreign::flattened(values), scene);
   } catch (const Error& error) {
     throw Error(ErrorKind::plugin, entry.plugin.string(), "'" + entry.name + "' " + error.what());
   }

@@ -4,7 +4,6 @@
 #include <sys/prctl.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <csignal>
 #include <memory>
 #include <mutex>
@@ -12,7 +11,6 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "base/text.hpp"
 #include "foreign/child_process.hpp"
 #include "foreign/messages.hpp"
 #include "projection/answer.hpp"
@@ -22,7 +20,6 @@ namespace epura::projection {
 
 namespace {
 
-using foreign::Clock;
 using foreign::Packer;
 using foreign::Received;
 using foreign::Unpacker;
@@ -129,7 +126,7 @@ class PluginProcess {
     Packer words;
     pack_question(words, question);
     process_.send(words);
-    const std::string message = reply();
+    const std::string message = process_.receive_within(seconds_, most_bytes);
     Unpacker unpack(message);
     foreign::expect_no_reason(unpack);
     return unpack_answer(unpack);
@@ -141,7 +138,6 @@ class PluginProcess {
 
  private:
   std::vector<ProjectionEntry> start();
-  std::string reply();
 
   const std::filesystem::path path_;
   const double seconds_;
@@ -151,23 +147,7 @@ class PluginProcess {
 
 std::vector<ProjectionEntry> PluginProcess::start() {
   process_.fork([this](int socket) { serve(path_, socket); });
-  try {
-    const std::string message = reply();
-    Unpacker unpack(message);
-    foreign::expect_no_reason(unpack);
-    return unpack_table(unpack);
-  } catch (const Error& error) {
-    const bool did_something = !process_.is_there();
-    process_.end();
-    foreign::refuse(error.what() + std::string(did_something ? " while loading" : ""));
-  }
-}
-
-std::string PluginProcess::reply() {
-  const auto end = Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds_));
-  if (auto message = process_.receive(end, most_bytes)) return *std::move(message);
-  process_.end();
-  foreign::refuse("takes more than " + format_number(seconds_) + " s");
+  return process_.receive_loaded(seconds_, most_bytes, unpack_table);
 }
 
 }  // namespace

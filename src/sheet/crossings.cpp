@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/nearest.hpp"
 #include "base/parallel.hpp"
 #include "search/choose_grid.hpp"
 #include "sheet/chain_lines.hpp"
@@ -30,13 +31,6 @@ std::optional<double> meeting(const Vec2& a0, const Vec2& a1, const Vec2& b0, co
   if (s * length < -touching || (s - 1) * length > touching) return std::nullopt;
   if (t * other < -touching || (t - 1) * other > touching) return std::nullopt;
   return std::clamp(s, 0.0, 1.0) * length;
-}
-
-double distance(const Vec2& p, const Vec2& from, const Vec2& to) {
-  const Vec2 along = to - from;
-  const double square = glm::dot(along, along);
-  const double s = square > 0 ? std::clamp(glm::dot(p - from, along) / square, 0.0, 1.0) : 0;
-  return glm::distance(p, from + s * along);
 }
 
 constexpr std::size_t grain = 1024;
@@ -85,7 +79,7 @@ bool Crossings::has_outline_at(const Vec2& point) const {
   const std::span<const int> lines = lines_of_cells_[static_cast<std::size_t>(cell)];
   return std::any_of(lines.begin(), lines.end(), [&](int number) {
     const Line& line = lines_[number];
-    return chains_[line.chain].visible && distance(point, line.from, line.to) < touching;
+    return chains_[line.chain].visible && distance_to_segment(point, line.from, line.to) < touching;
   });
 }
 

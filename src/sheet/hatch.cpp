@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/nearest.hpp"
 #include "base/parallel.hpp"
 #include "base/portable_math.hpp"
 #include "mesh/even_odd.hpp"
@@ -125,13 +126,6 @@ double length_of(const drawing::CutFace& face) {
 // A strip of width w and length l >> w has the area w l and the outline 2 l.
 bool is_thin(const drawing::CutFace& face) { return 2 * area_of(face) < thin_width * length_of(face); }
 
-double distance(const Vec2& p, const Line& line) {
-  const Vec2 along = line[1] - line[0];
-  const double length2 = glm::dot(along, along);
-  const double part = length2 > 0 ? std::clamp(glm::dot(p - line[0], along) / length2, 0.0, 1.0) : 0;
-  return glm::distance(p, line[0] + part * along);
-}
-
 struct Frame {
   Vec2 min{HUGE_VAL}, max{-HUGE_VAL};
 
@@ -173,7 +167,8 @@ bool touch(const drawing::CutFace& one, const drawing::CutFace& two) {
   const std::vector<Line> first = sides_near(one, of_two), second = sides_near(two, of_one);
   for (const Line& a : first)
     for (const Line& b : second)
-      if (distance(a[0], b) < nearest || distance(b[0], a) < nearest) return true;
+      if (distance_to_segment(a[0], b[0], b[1]) < nearest || distance_to_segment(b[0], a[0], a[1]) < nearest)
+        return true;
   return mesh::is_inside(outlines_of(one), two.rings[0][0]) || mesh::is_inside(outlines_of(two), one.rings[0][0]);
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 
+#include "base/nearest.hpp"
 #include "base/parallel.hpp"
 #include "verify/probe_grid.hpp"
 
@@ -12,13 +13,6 @@ namespace epura::verify {
 namespace {
 
 constexpr std::size_t grain = 4096;
-
-double distance(const Vec2& place, const drawing::Segment& segment) {
-  const Vec2 line = segment.to - segment.from;
-  const double length2 = glm::dot(line, line);
-  const double part = length2 > 0 ? std::clamp(glm::dot(place - segment.from, line) / length2, 0.0, 1.0) : 0;
-  return glm::distance(place, segment.from + part * line);
-}
 
 }  // namespace
 
@@ -33,7 +27,8 @@ std::vector<bool> find_ink(const drawing::ViewDrawing& drawing, const std::vecto
       const Extent extent{glm::min(segment.from, segment.to) - reach, glm::max(segment.from, segment.to) + reach, 0, 0};
       grid.overlapping(extent, [&](int place) {
         if (places[place].visible && !segment.visible) return;
-        if (distance(places[place].place, segment) <= reach) found[place].store(true, std::memory_order_relaxed);
+        if (distance_to_segment(places[place].place, segment.from, segment.to) <= reach)
+          found[place].store(true, std::memory_order_relaxed);
       });
     }
   });

@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "base/groups.hpp"
+#include "base/nearest.hpp"
 #include "search/line_cells.hpp"
 
 namespace epura::study {
@@ -15,12 +16,7 @@ namespace {
 constexpr double precision = 1e-3;
 constexpr double negligible = 1e-9;  // mm; differences below are none
 
-double distance_to(const InkLine& line, const Vec2& p) {
-  const Vec2 along = line.to - line.from;
-  const double length2 = glm::dot(along, along);
-  const double s = length2 > 0 ? std::clamp(glm::dot(p - line.from, along) / length2, 0.0, 1.0) : 0;
-  return glm::distance(p, line.from + s * along);
-}
+double distance_to(const InkLine& line, const Vec2& p) { return distance_to_segment(p, line.from, line.to); }
 
 /// Ink by cells of the paper.
 class InkGrid {
