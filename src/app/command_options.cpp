@@ -99,7 +99,7 @@ scene::Options<CheckPluginOptions> check_plugin_options() {
 scene::Options<ImportersOptions> importers_options() {
   using Importers = ImportersOptions;
   return {
-      scene::option<Importers>({.flag = "name", .help = "importer to show: files and parameters"}, &Importers::name,
+      scene::option<Importers>({.flag = "name", .help = "importer to show, by its name or an extension of its files"}, &Importers::name,
                                scene::any_text().shown_as("NAME")),
       plugin_path_option<Importers>(&Importers::plugin_path),
   };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // `epura importers`: which formats are read by plugins, and `epura importers check` for their authors.
+#include <algorithm>
 #include <cstdio>
 #include <string>
 
@@ -15,26 +16,32 @@ namespace epura {
 
 namespace {
 
-std::string extensions_of(const importer::ImporterEntry& entry) {
+std::string extensions_of(const importer::ImporterTable& table) {
   std::string text;
-  for (const std::string& extension : entry.table.extensions) text += (text.empty() ? "." : " .") + extension;
+  for (const std::string& extension : table.extensions) text += (text.empty() ? "." : " .") + extension;
   return text;
 }
 
+std::string heading_of(const importer::ImporterTable& table) { return table.name + " (" + extensions_of(table) + ")"; }
+
 void list(const importer::Catalogue& catalogue) {
-  print("  " + padded("(built in)", 18) + padded(".obj .stl .ply .off", 22) + "meshes");
-  for (const importer::ImporterEntry& entry : catalogue.entries)
-    print("  " + padded(entry.table.name, 18) + padded(extensions_of(entry), 22) + entry.table.summary);
+  const auto row = [](const importer::ImporterTable& table) {
+    print("  " + padded(table.name, 10) + padded(extensions_of(table), 18) + table.summary);
+  };
+  print("built in");
+  for (const importer::ImporterTable& table : importer::built_in_importers()) row(table);
+  if (!catalogue.entries.empty()) print("\nplugins");
+  for (const importer::ImporterEntry& entry : catalogue.entries) row(entry.table);
   for (const foreign::BadPlugin& bad : catalogue.bad)
     std::fprintf(stderr, "epura: %s: %s\n", printable(bad.path.string()).c_str(), bad.reason.c_str());
 }
 
-void show(const importer::ImporterEntry& entry) {
-  print(entry.table.name + " (" + extensions_of(entry) + "): " + entry.table.summary);
-  print("from " + entry.library.string());
-  if (entry.table.parameters.empty()) return;
+void show(const importer::ImporterTable& table, const std::string& origin) {
+  print(heading_of(table) + ": " + table.summary);
+  print(origin);
+  if (table.parameters.empty()) return;
   print("\nparameters (FILE:key=value)");
-  print_parameters(entry.table.parameters);
+  print_parameters(table.parameters);
 }
 
 }  // namespace
@@ -46,22 +53,24 @@ int importers(const ImportersOptions& options) {
     return 0;
   }
   std::vector<std::string> names;
-  for (const importer::ImporterEntry& entry : catalogue.entries) {
-    if (entry.table.name == options.name) {
-      show(entry);
-      return 0;
-    }
-    names.push_back(entry.table.name);
-  }
-  throw Error(ErrorKind::plugin, options.name, "no such importer",
-              names.empty() ? "no importers were found" : did_you_mean(options.name, names));
+  const auto is_asked = [&](const importer::ImporterTable& table) {
+    names.push_back(table.name);
+    for (const std::string& extension : table.extensions)
+      if (extension != table.name) names.push_back(extension);
+    return table.name == options.name || std::count(table.extensions.begin(), table.extensions.end(), options.name) > 0;
+  };
+  for (const importer::ImporterTable& table : importer::built_in_importers())
+    if (is_asked(table)) return show(table, "built in"), 0;
+  for (const importer::ImporterEntry& entry : catalogue.entries)
+    if (is_asked(entry.table)) return show(entry.table, "from " + entry.library.string()), 0;
+  throw Error(ErrorKind::plugin, options.name, "no such importer", did_you_mean(options.name, names));
 }
 
 int check_importer(const CheckImporterOptions& options) {
   int failed = 0;
   try {
     for (const importer::ImporterEntry& entry : importer::importers_of(options.file, options.time_limit)) {
-      print(entry.table.name + " (" + extensions_of(entry) + ")");
+      print(heading_of(entry.table));
       std::fflush(stdout);
       importer::check_importer(entry, options.models, options.time_limit, [&](const foreign::CheckResult& result) {
         failed += result.verdict == foreign::Verdict::failed ? 1 : 0;

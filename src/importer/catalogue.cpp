@@ -6,10 +6,18 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "mesh/read.hpp"
 
 namespace epura::importer {
 
 namespace fs = std::filesystem;
+
+std::vector<ImporterTable> built_in_importers() {
+  std::vector<ImporterTable> tables;
+  for (const mesh::Format& format : mesh::formats())
+    tables.push_back({std::string(format.name), std::string(format.summary), {std::string(format.name)}, {}, 0});
+  return tables;
+}
 
 std::vector<fs::path> importer_folders(const std::vector<fs::path>& extra) {
   std::vector<fs::path> folders = foreign::plugin_folders(extra, "importers");

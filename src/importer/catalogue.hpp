@@ -17,6 +17,9 @@ struct Catalogue {
   std::vector<foreign::BadPlugin> bad;
 };
 
+/// What is read without a library: meshes.
+std::vector<ImporterTable> built_in_importers();
+
 /// `extra` and $EPURA_PLUGIN_PATH may hold projections, too; then importers/ of what came with this program.
 std::vector<std::filesystem::path> importer_folders(const std::vector<std::filesystem::path>& extra);
 

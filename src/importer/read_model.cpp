@@ -134,7 +134,7 @@ ReadModel read_model(const fs::path& path, const foreign::Assignments& parameter
                      const Progress& progress) {
   const std::string extension = extension_of(path);
   std::error_code error;
-  if (!mesh::is_own_extension(extension) && fs::is_regular_file(path, error)) {
+  if (mesh::format_named(extension) == nullptr && fs::is_regular_file(path, error)) {
     const Catalogue catalogue = load_catalogue(importer_folders(options.plugin_path));
     if (const ImporterEntry* importer = importer_for(catalogue, extension, path))
       return read_by_importer(*importer, path, parameters, options, progress);

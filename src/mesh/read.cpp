@@ -19,17 +19,10 @@ namespace epura::mesh {
 
 namespace {
 
-struct Format {
-  std::string_view name;  ///< also the extension
-  Soup (*read)(std::string_view, std::string_view, const Progress&);
-};
-
-constexpr std::array<Format, 4> formats{{{"obj", read_obj}, {"stl", read_stl}, {"ply", read_ply}, {"off", read_off}}};
-
-const Format* format_named(std::string_view name) {
-  const auto found = std::find_if(formats.begin(), formats.end(), [&](const Format& f) { return f.name == name; });
-  return found == formats.end() ? nullptr : &*found;
-}
+constexpr std::array<Format, 4> own_formats{{{"obj", "Wavefront OBJ: polygons, with groups as bodies", read_obj},
+                                             {"stl", "STL, text and binary: triangles", read_stl},
+                                             {"ply", "PLY, text and binary: polygons", read_ply},
+                                             {"off", "OFF: polygons", read_off}}};
 
 // OBJ has no signature.
 const Format* format_of_content(std::string_view bytes) {
@@ -43,7 +36,7 @@ const Format& format_of(std::string_view bytes, std::string_view extension, cons
   if (const Format* format = format_of_content(bytes)) return *format;
   if (const Format* format = format_named(extension)) return *format;
   std::string known;
-  for (const Format& format : formats) known += (known.empty() ? "." : ", .") + std::string(format.name);
+  for (const Format& format : own_formats) known += (known.empty() ? "." : ", .") + std::string(format.name);
   throw Error(ErrorKind::input, name,
               extension.empty() ? "has no extension, so its format is unknown"
                                 : "'." + std::string(extension) + "' is not a supported model format",
@@ -84,7 +77,13 @@ FileContent read_soup(const std::filesystem::path& path, const Progress& progres
 
 }  // namespace
 
-bool is_own_extension(std::string_view extension) { return format_named(extension) != nullptr; }
+std::span<const Format> formats() { return own_formats; }
+
+const Format* format_named(std::string_view name) {
+  const auto found =
+      std::find_if(own_formats.begin(), own_formats.end(), [&](const Format& format) { return format.name == name; });
+  return found == own_formats.end() ? nullptr : &*found;
+}
 
 Mesh make_mesh(Soup soup, const std::string& name, const Progress& progress) {
   // Half-edges, twice as many as corners at most, are numbered with int.

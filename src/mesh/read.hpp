@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -17,8 +18,16 @@ namespace epura::mesh {
 /// and OutOfTime. Every byte of the file counts twice as progress: once it is read, and once the mesh is there.
 Mesh read_mesh(const std::filesystem::path& path, const Progress& progress = {});
 
-/// Whether read_mesh reads files with an extension (lower case, without a dot).
-bool is_own_extension(std::string_view extension);
+/// A format that read_mesh reads.
+struct Format {
+  std::string_view name;  ///< also the extension: lower case, without a dot
+  std::string_view summary;
+  Soup (*read)(std::string_view bytes, std::string_view name, const Progress& progress);
+};
+std::span<const Format> formats();
+
+/// The format with a name; null where there is none.
+const Format* format_named(std::string_view name);
 
 /// The same from memory; `name` precedes the reason in errors.
 Mesh make_mesh(Soup soup, const std::string& name, const Progress& progress = {});
