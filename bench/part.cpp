@@ -112,6 +112,7 @@ Numbers judge(const Part& part, const Direction& direction, Surfaces surfaces, c
   const Polygons polygons = tessellate(shape, usual_fineness);
   stage("its exact lines");
   const auto& [x, y, z] = direction.viewer;
+  mark_tangent_edges(shape);
   const ExactView exact = exact_view(shape, {x, y, z});
   stage("the drawing");
   const Drawing drawing = drawing_of(polygons, direction.projection, surfaces);

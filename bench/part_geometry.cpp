@@ -98,20 +98,6 @@ bool are_tangent(const TopoDS_Edge& edge, const std::array<TopoDS_Face, 2>& face
   return any;
 }
 
-/// BRepLib::EncodeRegularity leaves many out.
-void mark_tangent_edges(const TopoDS_Shape& shape) {
-  BRepLib::EncodeRegularity(shape, tangent_angle);
-  TopTools_IndexedDataMapOfShapeListOfShape faces_of;
-  TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, faces_of);
-  for (int i = 1; i <= faces_of.Extent(); ++i) {
-    const TopoDS_Edge& edge = TopoDS::Edge(faces_of.FindKey(i));
-    if (BRep_Tool::Degenerated(edge) || faces_of(i).Extent() != 2) continue;
-    const std::array faces{TopoDS::Face(faces_of(i).First()), TopoDS::Face(faces_of(i).Last())};
-    if (faces[0].IsSame(faces[1]) || BRep_Tool::Continuity(edge, faces[0], faces[1]) != GeomAbs_C0) continue;
-    if (are_tangent(edge, faces)) BRep_Builder().Continuity(edge, faces[0], faces[1], GeomAbs_G1);
-  }
-}
-
 class Curves {
  public:
   explicit Curves(double deflection) : deflection_(deflection) {}
@@ -164,8 +150,20 @@ Polygons tessellate(const TopoDS_Shape& part, double fineness) {
   return polygons;
 }
 
+void mark_tangent_edges(const TopoDS_Shape& shape) {
+  BRepLib::EncodeRegularity(shape, tangent_angle);
+  TopTools_IndexedDataMapOfShapeListOfShape faces_of;
+  TopExp::MapShapesAndAncestors(shape, TopAbs_EDGE, TopAbs_FACE, faces_of);
+  for (int i = 1; i <= faces_of.Extent(); ++i) {
+    const TopoDS_Edge& edge = TopoDS::Edge(faces_of.FindKey(i));
+    if (BRep_Tool::Degenerated(edge) || faces_of(i).Extent() != 2) continue;
+    const std::array faces{TopoDS::Face(faces_of(i).First()), TopoDS::Face(faces_of(i).Last())};
+    if (faces[0].IsSame(faces[1]) || BRep_Tool::Continuity(edge, faces[0], faces[1]) != GeomAbs_C0) continue;
+    if (are_tangent(edge, faces)) BRep_Builder().Continuity(edge, faces[0], faces[1], GeomAbs_G1);
+  }
+}
+
 ExactView exact_view(const TopoDS_Shape& part, const Vec3& viewer) {
-  mark_tangent_edges(part);
   const gp_Dir normal(viewer.x, viewer.y, viewer.z), z(0, 0, 1);
   const gp_Dir right = (normal.IsParallel(z, 1e-6) ? gp_Dir(0, 1, 0) : z).Crossed(normal), up = normal.Crossed(right);
   const Handle(HLRBRep_Algo) algorithm = new HLRBRep_Algo();

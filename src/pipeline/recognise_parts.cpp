@@ -24,13 +24,22 @@ bool is_asked(const scene::ViewDescription& view) {
   return kinds.crease || kinds.tangent || kinds.smooth || kinds.intersection;
 }
 
+// Round faces of bodies that fit into each other cross wherever their facets differ.
+bool may_fit(const scene::World& world) {
+  int bodies = 0;
+  for (const scene::Placed& placed : world.models) bodies += placed.mesh->report.bodies;
+  return bodies > 1;
+}
+
 // Degrees: edges that are folded by less are not told from the inside faces. Where only creases are requested, fine
 // tessellations have none.
-double least_fold(const scene::SceneDescription& scene, const RunOptions& options) {
+double least_fold(const scene::World& world, const scene::SceneDescription& scene, const RunOptions& options) {
   constexpr double flat = 0.005;
   double least = edges::EdgeOptions().part_angle;
+  const bool fit = may_fit(world);
   for (const scene::ViewDescription& view : scene.views) {
-    if (view.edges.value_or({}).tangent) return flat;
+    const EdgeKinds kinds = view.edges.value_or({});
+    if (kinds.tangent || (kinds.intersection && fit)) return flat;
     least = std::min(least, view.crease_angle.value_or(least));
   }
   return options.centre_lines || !scene.dimensions.empty() ? flat : std::max(least, flat);
@@ -46,7 +55,7 @@ std::shared_ptr<const features::PartFaces> part_of(const mesh::Mesh& mesh, doubl
 
 void recognise_parts(scene::World& world, const scene::SceneDescription& scene, const RunOptions& options,
                      report::Report& report, Progress progress) {
-  const double least = least_fold(scene, options);
+  const double least = least_fold(world, scene, options);
   std::vector<int> wanted;
   const bool asked = std::any_of(scene.views.begin(), scene.views.end(), is_asked);
   for (int model = 0; model < static_cast<int>(world.models.size()); ++model)

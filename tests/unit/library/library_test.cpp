@@ -55,6 +55,39 @@ Failure failure_of(const Scene& scene, const Settings& how = settings()) {
   return {Failure::Kind::input, "", "no failure", ""};
 }
 
+// The side of a cylinder along z as a band of triangles, its upper rim turned by `twist` facets against the lower one.
+struct Band {
+  double radius, bottom, top, twist;
+  int facets;
+};
+
+// Appends the band, its front outside, or inside for a bore.
+void add_band(Polygons& polygons, const Band& band, bool is_bore) {
+  const int first = static_cast<int>(polygons.points.size());
+  for (int i = 0; i < band.facets; ++i)
+    for (const int upper : {0, 1}) {
+      const double angle = 2 * M_PI * (i + upper * band.twist) / band.facets + 0.001;
+      polygons.points.push_back(
+          {band.radius * std::cos(angle), band.radius * std::sin(angle), upper == 0 ? band.bottom : band.top});
+    }
+  for (int i = 0; i < band.facets; ++i) {
+    const int a = first + 2 * i, b = first + 2 * ((i + 1) % band.facets);
+    for (std::vector<int> face : {std::vector{a, b, a + 1}, std::vector{b, b + 1, a + 1}}) {
+      if (is_bore) std::swap(face[0], face[1]);
+      polygons.faces.push_back(face);
+    }
+  }
+}
+
+TEST(Library, APinInItsBoreHasNoTicksHoweverFineTheyAre) {
+  Polygons pin, bore;
+  add_band(pin, {5, -5, 25, 0, 320}, false);
+  add_band(bore, {5, 0, 20, 0.5, 157}, true);
+  const Drawing drawing =
+      draw({.models = {{.polygons = pin}, {.polygons = bore}}, .views = {{.projection = "isometric"}}}, settings());
+  for (const Line& line : drawing.views()[0].lines) EXPECT_NE(line.kind, EdgeKind::intersection);
+}
+
 TEST(Library, DrawsACubeInMemory) {
   const Drawing drawing = draw(in_memory(), settings());
   ASSERT_EQ(drawing.sheets(), 1);
