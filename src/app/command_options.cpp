@@ -99,8 +99,8 @@ scene::Options<CheckPluginOptions> check_plugin_options() {
 scene::Options<ImportersOptions> importers_options() {
   using Importers = ImportersOptions;
   return {
-      scene::option<Importers>({.flag = "name", .help = "importer to show, by its name or an extension of its files"}, &Importers::name,
-                               scene::any_text().shown_as("NAME")),
+      scene::option<Importers>({.flag = "name", .help = "importer to show, by its name or an extension of its files"},
+                               &Importers::name, scene::any_text().shown_as("NAME")),
       plugin_path_option<Importers>(&Importers::plugin_path),
   };
 }
