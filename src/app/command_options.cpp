@@ -26,16 +26,20 @@ scene::Option<Command> tolerance_option(double Command::*tolerance, const std::s
 scene::Options<CompareOptions> compare_options() {
   using Compare = CompareOptions;
   return {
-      scene::option<Compare>({.flag = "before", .help = "first drawing: json svg pdf", .required = true},
+      scene::option<Compare>({.flag = "before",
+                              .help = "first drawing (json svg pdf), or a model or scene file, which is drawn",
+                              .required = true},
                              &Compare::before, file_name("A")),
-      scene::option<Compare>({.flag = "after", .help = "second drawing", .required = true}, &Compare::after,
+      scene::option<Compare>({.flag = "after", .help = "second one", .required = true}, &Compare::after,
                              file_name("B")),
+      views_option("views of models, e.g. front,top,left,isometric; isometric by default", &Compare::views),
       tolerance_option(&Compare::tolerance, "distance up to which lines count as equal"),
       scene::option<Compare>(
           {.flag = "--overlay", .help = "picture of both drawings with differences in colour: svg, png, pdf or html"},
           &Compare::overlay, file_name("FILE")),
       scene::option<Compare>({.flag = "--json", .help = "differences as JSON; - for standard output"}, &Compare::json,
                              file_name("FILE")),
+      plugin_path_option<Compare>(&Compare::plugin_path),
   };
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/commands.hpp"
+#include "app/compared_files.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/text.hpp"
@@ -43,8 +44,7 @@ void write_overlay(const std::vector<pipeline::Target>& targets, const compare::
 
 int compare_files(const CompareOptions& options) {
   const std::vector<pipeline::Target> targets = overlay_targets(options.overlay);
-  const compare::PictureFile before = compare::read_pictures(options.before),
-                             after = compare::read_pictures(options.after);
+  const auto [before, after] = pictures_to_compare(options);
   const compare::Comparison comparison = compare::compare(before, after, options.tolerance);
   const std::string words = compare::format_comparison(comparison, options.tolerance);
   const bool same = comparison.differences.empty();

@@ -52,8 +52,8 @@ std::vector<DefinedCommand> define_commands(CLI::App& program) {
                        return draw(options);
                      }),
       define_command(add("info", "describe a model: size, bodies, faces, holes, repairs"), info_options(), info),
-      define_command(add("compare", "report the visible differences between two drawings"), compare_options(),
-                     compare_files),
+      define_command(add("compare", "report the visible differences between two drawings, models or scenes"),
+                     compare_options(), compare_files),
       define_command(add("snapshot", "draw cases and compare them with expected drawings"), snapshot_options(),
                      snapshot)};
   CLI::App* list = add("plugins", "list projections, show one, or check a plugin");

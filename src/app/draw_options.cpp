@@ -68,11 +68,6 @@ scene::ValueKind<pipeline::Shortcuts> certificate_names() {
           [](const scene::TomlValue& value) { return pipeline::parse_shortcuts(scene::read_text(value)); }};
 }
 
-void add_views(Draw& draw, const scene::TomlValue& value) {
-  for (const scene::LocatedText& name : scene::each_word(value))
-    draw.views.push_back({scene::projection_request().read(scene::value_of_option(name.where, *name)), name.where});
-}
-
 void append(scene::Options<Draw>& all, scene::Options<Draw> more, scene::Nature nature = scene::Nature::drawing) {
   for (scene::OptionInfo& option : more) option.nature = nature;
   std::move(more.begin(), more.end(), std::back_inserter(all));
@@ -109,10 +104,7 @@ scene::Options<Draw> picture_options() {
   return {
       projections_option("projection of a view, NAME[:key=value...]; repeat for more views; 'epura plugins' lists them",
                          &Draw::projections),
-      {{.flag = "--views",
-        .form = {.placeholder = "NAMES", .completion = scene::Completion::projections},
-        .help = "several views on one sheet, e.g. front,top,left,isometric"},
-       add_views},
+      views_option("several views on one sheet, e.g. front,top,left,isometric", &Draw::views),
       scene::option<Draw>({.flag = "--section",
                            .help = "cut the models, e.g. 0,0,10:0,-1,0; removes the side that the normal points to"},
                           &Draw::section, cutting_plane()),

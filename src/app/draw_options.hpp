@@ -44,6 +44,18 @@ scene::Option<Command> projections_option(const std::string& help,
                                 requests, scene::projection_request());
 }
 
+template <class Command>
+scene::Option<Command> views_option(const std::string& help,
+                                    std::vector<scene::Located<scene::ProjectionRequest>> Command::*views) {
+  return {
+      {.flag = "--views", .form = {.placeholder = "NAMES", .completion = scene::Completion::projections}, .help = help},
+      [views](Command& command, const scene::TomlValue& value) {
+        for (const scene::LocatedText& name : scene::each_word(value))
+          (command.*views)
+              .push_back({scene::projection_request().read(scene::value_of_option(name.where, *name)), name.where});
+      }};
+}
+
 /// Files, or folders, to read or to write.
 scene::ValueKind<std::string> file_name(const std::string& placeholder);
 

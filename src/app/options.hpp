@@ -73,7 +73,9 @@ struct NewProjectionOptions {
 };
 
 struct CompareOptions {
-  std::string before, after;  ///< files of drawings
+  std::string before, after;                                    ///< files of drawings, models or scenes
+  std::vector<scene::Located<scene::ProjectionRequest>> views;  ///< of models
+  std::vector<std::filesystem::path> plugin_path;
   double tolerance = 0.001;   ///< mm
   std::string json, overlay;  ///< files to write; empty: none
 };

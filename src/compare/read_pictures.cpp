@@ -25,9 +25,13 @@ int number_of_name(std::vector<std::string>& names, const std::string& name) { r
 
 int number_of_look(std::vector<PictureLook>& looks, const PictureLook& look) { return number_in(looks, look); }
 
+bool is_drawing(const std::filesystem::path& path) {
+  const std::string extension = to_lower(path.extension().string());
+  return extension == ".json" || extension == ".svg" || extension == ".pdf";
+}
+
 PictureFile read_pictures(const std::filesystem::path& path) {
-  const std::vector<std::string> known = {".json", ".svg", ".pdf"};
-  if (std::find(known.begin(), known.end(), to_lower(path.extension().string())) == known.end())
+  if (!is_drawing(path))
     throw Error(ErrorKind::input, path.string(), "is not a drawing that can be compared",
                 "epura compares its .json, .svg and .pdf files");
   return pictures_of(read_file(path), path);

@@ -17,6 +17,9 @@ struct PictureFile {
   std::vector<Picture> pages{};
 };
 
+/// Whether a file is a drawing that can be read, by its extension.
+bool is_drawing(const std::filesystem::path& path);
+
 /// Reads drawing JSON, SVG or PDF that epura wrote, by extension. Throws Error{input} for everything else.
 PictureFile read_pictures(const std::filesystem::path& path);
 

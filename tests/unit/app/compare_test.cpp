@@ -44,6 +44,43 @@ TEST(CompareCommand, ExitCodeTellsWhetherThereAreDifferences) {
   }
 }
 
+// The bracket with its right side 10 mm farther out.
+std::string wider_bracket() {
+  std::string text = read_file(sample("bracket.obj"));
+  for (std::size_t at = 0; (at = text.find("\nv 80 ", at)) != std::string::npos; at += 6)
+    text.replace(at, 6, "\nv 90 ");
+  return text;
+}
+
+TEST(CompareCommand, DrawsModelsToOneScaleAndInOnePlace) {
+  const Drawn drawn;
+  drawn.folder.file("wider.obj", wider_bracket());
+  EXPECT_EQ(drawn.compare({sample("bracket.obj"), sample("bracket.obj"), "--views", "front,top,isometric"}).out,
+            "no differences above 0.001 mm\n");
+  const Outcome run =
+      drawn.compare({sample("bracket.obj"), "wider.obj", "--views", "front,top,isometric", "--json", "-"});
+  EXPECT_EQ(run.code, 1);
+  // Only the right side differs, though the larger part would be drawn smaller and farther left on its own sheet.
+  const Json json = JsonReader(run.out).read();
+  int in_front = 0;
+  for (const Json& difference : json["differences"].items) in_front += difference["view"].text == "front" ? 1 : 0;
+  EXPECT_EQ(in_front, 5) << run.out;
+  for (const char* drawing : {"a.json", "a.svg"})
+    EXPECT_EQ(drawn.compare({drawing, sample("bracket.obj")}).code, 0) << "a drawing, and what it was made from";
+}
+
+TEST(CompareCommand, DrawsScenes) {
+  const Drawn drawn;
+  drawn.folder.file("wider.obj", wider_bracket());
+  drawn.folder.file("one.toml", "[[model]]\nfile = \"" + sample("bracket.obj") + "\"\n");
+  drawn.folder.file("two.toml", "[[model]]\nfile = \"wider.obj\"\n");
+  EXPECT_EQ(drawn.compare({"one.toml", "one.toml"}).code, 0);
+  EXPECT_EQ(drawn.compare({"one.toml", "two.toml"}).code, 1);
+  const Outcome missing = drawn.compare({"one.toml", "three.toml"});
+  EXPECT_EQ(missing.code, 2);
+  EXPECT_TRUE(contains(missing.err, "three.toml: cannot read")) << missing.err;
+}
+
 TEST(CompareCommand, ChainingAndLetteringDoNotCount) {
   const Drawn drawn;
   drawn.draw({"--plain", "--svg-text", "text", "-o", "c.svg"});
@@ -74,7 +111,7 @@ TEST(CompareCommand, RefusesWhatItCannotCompare) {
   };
   refused({"a.json", "a.svg"}, "drawing JSON has views without their sheet");
   refused({"a.json", "none.json"}, "none.json");
-  refused({"a.json", "a.obj"}, "is not a drawing that can be compared");
+  refused({"a.json", "a.obj"}, "a.obj: cannot read");
   refused({"a.json", "b.json", "--overlay", "x.json"}, "is not a picture");
   refused({"a.json", "b.json", "--tolerance", "wide"}, "--tolerance");
 }
