@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "app/commands.hpp"
+#include "app/part_tree.hpp"
 #include "base/portable_math.hpp"
 #include "base/text.hpp"
 #include "base/utf8.hpp"
@@ -42,6 +43,8 @@ struct ModelInfo {
   features::PartFaces part;
   bool is_declared = false;  ///< by the file; otherwise the faces are recognised
   std::vector<features::Hole> holes;
+  std::vector<importer::TreePart> tree;
+  std::vector<std::string> body_names;
 
   [[nodiscard]] bool closed() const { return report.triangles > 0 && report.open_edges == 0; }
 };
@@ -95,7 +98,7 @@ ModelInfo info_of(const std::string& path, const std::vector<std::filesystem::pa
   const importer::ModelRequest request = importer::parse_model_request(path);
   const importer::ReadModel read = importer::read_model(request.path, request.parameters, {.plugin_path = plugin_path});
   const mesh::Mesh& mesh = read.mesh;
-  ModelInfo info{mesh.report, box_of(mesh), read.unit, std::nullopt, {}, false, {}};
+  ModelInfo info{mesh.report, box_of(mesh), read.unit, std::nullopt, {}, false, {}, read.tree, mesh.body_names};
   info.part = read.part != nullptr ? *read.part : features::recognise_faces(mesh);
   info.is_declared = read.part != nullptr;
   info.report.name = request.path;
@@ -291,6 +294,10 @@ std::string text_of(const ModelInfo& info) {
                               ? "not in the file; probably " + std::string(scene::word_of(*info.guessed_unit))
                               : "not in the file");
   text += line_of("bodies", bodies_text(info));
+  if (info.tree.size() > 1) {
+    const std::vector<std::string> lines = tree_lines(info.tree);
+    for (std::size_t i = 0; i < lines.size(); ++i) text += line_of(i == 0 ? "parts" : "", lines[i]);
+  }
   text += faces_text(info, rounded);
   if (!info.part.faces.empty()) {
     text += line_of("edges", edges_text(info.part));
@@ -349,6 +356,8 @@ std::string json_of(const ModelInfo& info) {
   text += number("bodies", report.bodies) + ", \"closed\": " + truth(info.closed()) +
           number("open_edges", report.open_edges) + number("non_manifold_edges", report.non_manifold_edges) +
           number("misoriented_edges", report.misoriented_edges);
+  text += ",\n   \"body_names\": " + json_list(info.body_names, json_string);
+  text += ",\n   \"parts\": " + tree_json(info.tree);
   text += ",\n   \"tolerance\": " + json_number(info.part.tolerance) +
           ", \"recognised\": " + json_number(info.part.recognised);
   text += ",\n   \"part_faces\": " + json_list(

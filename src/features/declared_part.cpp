@@ -9,6 +9,7 @@
 #include <span>
 #include <tuple>
 
+#include "base/disjoint_sets.hpp"
 #include "base/portable_math.hpp"
 #include "features/region.hpp"
 #include "mesh/weld.hpp"
@@ -48,10 +49,28 @@ class DeclaredFaces {
     return {corners, glm::cross(corners[1] - corners[0], corners[2] - corners[0])};
   }
 
+  [[nodiscard]] int declared_face(int triangle) const { return declared_.face_of_polygon[mesh_.polygon[triangle]]; }
+
+  // For each face of the file the first one of those that are one with it.
+  [[nodiscard]] std::vector<int> joined_faces() const {
+    DisjointSets faces(declared_.faces.size());
+    for (const mesh::MeshEdge& edge : mesh_.edges) {
+      if (edge.count != 2) continue;
+      const auto triangles = mesh_.triangles_of(edge);
+      const int one = declared_face(triangles[0]), two = declared_face(triangles[1]);
+      if (one == two || faces.root(one) == faces.root(two) || !are_one(declared_.faces[one], declared_.faces[two]))
+        continue;
+      // A sheet may be folded onto its own surface.
+      if (glm::dot(triangle(triangles[0]).twice_area, triangle(triangles[1]).twice_area) > 0) faces.join(one, two);
+    }
+    return std::move(faces).roots();
+  }
+
   // In the order of the file, without those that have no triangles.
   void number_faces() {
+    const std::vector<int> joined = joined_faces();
     std::vector<int> number(declared_.faces.size(), -1);
-    for (const int polygon : mesh_.polygon) number[declared_.face_of_polygon[polygon]] = 0;
+    for (const int polygon : mesh_.polygon) number[joined[declared_.face_of_polygon[polygon]]] = 0;
     for (std::size_t f = 0; f < number.size(); ++f) {
       if (number[f] < 0) continue;
       number[f] = static_cast<int>(part_.faces.size());
@@ -59,7 +78,7 @@ class DeclaredFaces {
     }
     triangles_.resize(part_.faces.size());
     for (int t = 0; t < mesh_.triangle_count(); ++t) {
-      const int face = number[declared_.face_of_polygon[mesh_.polygon[t]]];
+      const int face = number[joined[declared_face(t)]];
       part_.face_of_triangle.push_back(face);
       triangles_[face].push_back(t);
     }

@@ -264,6 +264,22 @@ PartSurface moved(PartSurface surface, const Mat4& transform, double scale) {
   return surface;
 }
 
+bool are_one(const PartSurface& one, const PartSurface& other) {
+  constexpr double part_of_size = 1e-6;
+  if (one.kind != other.kind || one.kind == SurfaceKind::free_form || one.kind == SurfaceKind::plane) return false;
+  const double slack = part_of_size * std::max(one.radius + one.minor, other.radius + other.minor);
+  const auto is_near = [&](double length) { return std::abs(length) <= slack; };
+  const Vec3 way = other.origin - one.origin;
+  if (one.kind == SurfaceKind::sphere) return is_near(glm::length(way)) && is_near(one.radius - other.radius);
+  const double height = glm::dot(way, one.axis), along = glm::dot(one.axis, other.axis);
+  if (glm::length(glm::cross(one.axis, other.axis)) > part_of_size) return false;
+  if (!is_near(glm::length(way - height * one.axis))) return false;
+  if (one.kind == SurfaceKind::torus)
+    return is_near(height) && is_near(one.radius - other.radius) && is_near(one.minor - other.minor);
+  const double slope = along < 0 ? -other.slope : other.slope;  // those of cylinders are 0
+  return std::abs(one.slope - slope) <= part_of_size && is_near(one.radius + one.slope * height - other.radius);
+}
+
 int unknowns_of(SurfaceKind kind) {
   switch (kind) {
     case SurfaceKind::plane:

@@ -36,6 +36,9 @@ std::optional<double> similarity_scale(const Mat4& transform);
 /// Where a transform takes a surface that multiplies all lengths by `scale`.
 PartSurface moved(PartSurface surface, const Mat4& transform, double scale);
 
+/// Whether two round surfaces are one and the same, to a millionth of their size. False for planes and free forms.
+bool are_one(const PartSurface& one, const PartSurface& other);
+
 /// How many numbers determine a surface.
 int unknowns_of(SurfaceKind kind);
 

@@ -31,7 +31,10 @@ class Assembler {
     result_.soup.single_precision = document_.is_single_precision != 0;
     result_.soup.printed = document_.is_printed != 0;
     if (document_.nodes.empty()) {
-      for (const Shape& shape : document_.shapes) place(shape, Mat4(1), shape.name);
+      for (const Shape& shape : document_.shapes) {
+        place(shape, Mat4(1), shape.name);
+        add_to_tree({-1, shape.name}, &shape);
+      }
     } else {
       place_nodes();
     }
@@ -47,10 +50,19 @@ class Assembler {
     for (const Node& node : document_.nodes) {
       const Mat4 own = matrix_of(node.transform);
       to_file.push_back(node.parent < 0 ? own : to_file[static_cast<std::size_t>(node.parent)] * own);
-      if (node.shape < 0) continue;
-      const Shape& shape = document_.shapes[static_cast<std::size_t>(node.shape)];
-      place(shape, to_file.back(), node.name.empty() ? shape.name : node.name);
+      const Shape* shape = node.shape < 0 ? nullptr : &document_.shapes[static_cast<std::size_t>(node.shape)];
+      const std::string& name = node.name.empty() && shape != nullptr ? shape->name : node.name;
+      add_to_tree({node.parent, name}, shape);
+      if (shape != nullptr) place(*shape, to_file.back(), name);
     }
+  }
+
+  void add_to_tree(TreePart part, const Shape* shape) {
+    if (shape != nullptr) {
+      part.bodies = std::max(1, static_cast<int>(shape->body_names.size()));
+      part.faces = static_cast<int>(shape->faces.size());
+    }
+    result_.tree.push_back(std::move(part));
   }
 
   void place(const Shape& shape, const Mat4& to_file, const std::string& name) {

@@ -3,13 +3,22 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "importer/document.hpp"
 
 namespace epura::importer {
 
+/// A node of the file's tree, or a shape that stands by itself.
+struct TreePart {
+  int parent = -1;  ///< number of an earlier one
+  std::string name{};
+  int bodies = 0, faces = 0;  ///< of its own shape
+};
+
 struct Assembled {
   mesh::Soup soup;
+  std::vector<TreePart> tree;
   /// No faces where some polygon is of none: then they are to be recognised.
   features::DeclaredPart part;
 };

@@ -11,7 +11,6 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/text.hpp"
-#include "importer/assemble.hpp"
 #include "importer/catalogue.hpp"
 #include "mesh/read.hpp"
 
@@ -97,6 +96,7 @@ ReadModel read_by_importer(const ImporterEntry& importer, const fs::path& path, 
           features::part_of(model.mesh, assembled.part, features::RecogniseOptions().tangent_angle));
     model.unit = document.unit;
     model.is_y_up = document.is_y_up != 0;
+    model.tree = std::move(assembled.tree);
     advance.to(2);
     return model;
   } catch (const Error& error) {

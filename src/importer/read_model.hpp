@@ -11,6 +11,7 @@
 #include "base/progress.hpp"
 #include "features/recognise.hpp"
 #include "foreign/parameters.hpp"
+#include "importer/assemble.hpp"
 #include "mesh/mesh.hpp"
 
 namespace epura::importer {
@@ -27,6 +28,7 @@ struct ReadModel {
   std::shared_ptr<const features::PartFaces> part{};  ///< as the file declares them; null where it does not
   std::optional<double> unit{};                       ///< millimetres; nothing where the file does not say it
   bool is_y_up = false;                               ///< as far as the file says it
+  std::vector<TreePart> tree{};                       ///< parents before children; empty for formats without parts
 };
 
 /// Reads what mesh::read_mesh reads, and all other files by the importer of their extension or content. `parameters`

@@ -85,6 +85,24 @@ TEST(DeclaredPart, HasFacesAndEdgesAsDeclared) {
   EXPECT_EQ(r.part.recognised, 1);
 }
 
+TEST(DeclaredPart, HalvesOfARoundFaceAreOne) {
+  importer::Shape shape = cylinder(5, 20, 48);
+  const int side = shape.face_of_polygon.front();
+  const features::PartSurface turned{SurfaceKind::cylinder, Vec3(0, 0, 7), {0, 0, -1}, 5, 0, 0};
+  for (const double radius : {5.0, 5.001}) {
+    shape.faces.resize(3);
+    shape.faces.push_back(turned);
+    shape.faces.back().radius = radius;
+    int polygons_of_side = 0;
+    for (int& face : shape.face_of_polygon)
+      if ((face == side || face == 3) && ++polygons_of_side > 24) face = 3;
+    const Read r = read({.shapes = {shape}});
+    ASSERT_EQ(r.part.faces.size(), radius == 5 ? 3U : 4U);
+    EXPECT_EQ(r.part.faces[0].sweep, radius == 5 ? 360 : 180);
+    EXPECT_EQ(r.part.borders.size(), radius == 5 ? 2U : 3U) << "rims, and the edges between the halves";
+  }
+}
+
 TEST(DeclaredPart, BordersThatAreNotDeclaredAreThoseOfTheFacets) {
   importer::Shape shape = cylinder(5, 20, 48);
   shape.edges.clear();
