@@ -20,7 +20,6 @@ namespace {
 constexpr double degrees = 180 / std::numbers::pi;
 // Inside a free-form face an edge that is sharper fades out at its ends.
 constexpr double fading_cosine = 0.766;  // 40 degrees
-constexpr double most_of_it = 0.9;       // of the length of a border
 
 /// One mesh edge between two faces.
 struct BorderEdge {
@@ -210,17 +209,10 @@ class BorderFinder {
     return border;
   }
 
-  // The least angle that most of the length does not exceed: at a corner a third face may decide.
-  [[nodiscard]] double angle_along(std::vector<int> chain) const {
-    const auto key = [this](int e) { return std::pair(edges_[e].angle, edges_[e].length); };
-    std::sort(chain.begin(), chain.end(), [&](int a, int b) { return key(a) < key(b); });
-    double length = 0, below = 0;
-    for (const int e : chain) length += edges_[e].length;
-    for (const int e : chain) {
-      below += edges_[e].length;
-      if (below >= most_of_it * length) return edges_[e].angle;
-    }
-    return edges_[chain.back()].angle;
+  [[nodiscard]] double angle_along(const std::vector<int>& chain) const {
+    std::vector<AngleAlong> angles;
+    for (const int e : chain) angles.push_back({edges_[e].angle, edges_[e].length});
+    return angle_of_most(std::move(angles));
   }
 
   const mesh::Mesh& mesh_;
@@ -234,6 +226,18 @@ class BorderFinder {
 };
 
 }  // namespace
+
+double angle_of_most(std::vector<AngleAlong> angles) {
+  constexpr double most_of_it = 0.9;  // at a corner a third face may decide
+  std::sort(angles.begin(), angles.end());
+  double length = 0, below = 0;
+  for (const auto& [angle, part] : angles) length += part;
+  for (const auto& [angle, part] : angles) {
+    below += part;
+    if (below >= most_of_it * length) return angle;
+  }
+  return angles.back()[0];
+}
 
 std::vector<PartBorder> find_borders(const mesh::Mesh& mesh, const Facets& facets, const std::vector<int>& region_of,
                                      const std::vector<Region>& regions, double tangent_angle) {

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <span>
 #include <tuple>
 
 #include "base/disjoint_sets.hpp"
 #include "base/portable_math.hpp"
+#include "features/borders.hpp"
 #include "features/region.hpp"
 #include "mesh/weld.hpp"
 
@@ -19,7 +19,6 @@ namespace epura::features {
 namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
-constexpr double most_of_it = 0.9;  // of the length of a border
 
 class DeclaredFaces {
  public:
@@ -117,19 +116,11 @@ class DeclaredFaces {
       return;
     }
     face.inwards = outwards < 0;
-    if (face.surface.kind != SurfaceKind::sphere) measure_turn(face, points);
-  }
-
-  static void measure_turn(PartFace& face, std::span<const Vec3> points) {
-    face.from = HUGE_VAL;
-    face.to = -HUGE_VAL;
-    for (const Vec3& p : points) {
-      const double height = glm::dot(p - face.surface.origin, face.surface.axis);
-      face.from = std::min(face.from, height);
-      face.to = std::max(face.to, height);
-    }
-    const Places places = places_of(face.surface, points, false, face.residual);
-    face.sweep = places.closed ? 360 : places.sweep * degrees;
+    if (face.surface.kind == SurfaceKind::sphere) return;
+    const Reach reach = reach_of(face.surface, points, face.residual);
+    face.from = reach.from;
+    face.to = reach.to;
+    face.sweep = reach.sweep;
   }
 
   void add_declared_borders() {
@@ -188,24 +179,16 @@ class DeclaredFaces {
     part_.borders.push_back(std::move(border));
   }
 
-  // Degrees between the facets on both sides that most of the length does not exceed.
   [[nodiscard]] double angle_along(const std::vector<int>& edges) const {
-    std::vector<std::array<double, 2>> angles;  // and lengths
-    double length = 0, below = 0;
+    std::vector<AngleAlong> angles;
     for (const int e : edges) {
       const mesh::MeshEdge& edge = mesh_.edges[e];
       const auto triangles = mesh_.triangles_of(edge);
       const Vec3 one = triangle(triangles[0]).twice_area, two = triangle(triangles[1]).twice_area;
       const double angle = portable_atan2(glm::length(glm::cross(one, two)), glm::dot(one, two)) * degrees;
       angles.push_back({angle, glm::distance(mesh_.point(edge.vertex[0]), mesh_.point(edge.vertex[1]))});
-      length += angles.back()[1];
     }
-    std::sort(angles.begin(), angles.end());
-    for (const auto& [angle, part] : angles) {
-      below += part;
-      if (below >= most_of_it * length) return angle;
-    }
-    return angles.back()[0];
+    return angle_of_most(std::move(angles));
   }
 
   const mesh::Mesh& mesh_;

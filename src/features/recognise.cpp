@@ -97,17 +97,12 @@ class Result {
     const SurfaceKind kind = region.surface.kind;
     if (kind != SurfaceKind::cylinder && kind != SurfaceKind::cone && kind != SurfaceKind::torus) return;
     std::vector<Vec3> points;
-    face.from = HUGE_VAL;
-    face.to = -HUGE_VAL;
     for (const int f : region.facets)
-      for (const int v : facets_.vertices_of(f)) {
-        points.push_back(facets_.points[v]);
-        const double height = glm::dot(points.back() - region.surface.origin, region.surface.axis) / facets_.scale;
-        face.from = std::min(face.from, height);
-        face.to = std::max(face.to, height);
-      }
-    const Places places = places_of(region.surface, points, false, allowance_of(facets_, region.sagitta));
-    face.sweep = places.closed ? 360 : places.sweep * (180 / std::numbers::pi);
+      for (const int v : facets_.vertices_of(f)) points.push_back(facets_.points[v]);
+    const Reach reach = reach_of(region.surface, points, allowance_of(facets_, region.sagitta));
+    face.from = reach.from / facets_.scale;
+    face.to = reach.to / facets_.scale;
+    face.sweep = reach.sweep;
   }
 
   // A body whose triangles all run the other way round has its inside outside.

@@ -141,6 +141,18 @@ Places places_of(const PartSurface& s, std::span<const Vec3> points, bool around
   return {count, from, closed ? turn : turn - gap, step, closed};
 }
 
+Reach reach_of(const PartSurface& surface, std::span<const Vec3> points, double allowance) {
+  Reach reach;
+  for (const Vec3& p : points) {
+    const double height = glm::dot(p - surface.origin, surface.axis);
+    reach.from = std::min(reach.from, height);
+    reach.to = std::max(reach.to, height);
+  }
+  const Places places = places_of(surface, points, false, allowance);
+  reach.sweep = places.closed ? 360 : places.sweep * (180 / std::numbers::pi);
+  return reach;
+}
+
 RegionGrower::RegionGrower(const Facets& facets, const std::vector<int>& region_of, const std::vector<Region>& regions)
     : facets_(facets),
       region_of_(region_of),

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -50,6 +51,13 @@ struct Places {
   bool closed = false;  ///< no gap is larger than steps are
 };
 Places places_of(const PartSurface& surface, std::span<const Vec3> points, bool around_tube, double allowance);
+
+/// How far points reach along the axis of a surface, and around it.
+struct Reach {
+  double from = HUGE_VAL, to = -HUGE_VAL;
+  double sweep = 0;  ///< degrees; 360 where no gap is larger than steps are
+};
+Reach reach_of(const PartSurface& surface, std::span<const Vec3> points, double allowance);
 
 class RegionGrower {
  public:
