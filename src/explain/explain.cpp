@@ -45,8 +45,8 @@ struct Storyteller {
         if (from < to) parts += (parts.empty() ? "" : ", ") + in_space(from) + " to " + in_space(to);
       }
       if (parts.empty() || ++count > most_named) continue;
-      text += "    by face " + name_of(hider.face) + " of " + drawn_view.world.models[hider.face[0]].mesh->report.name +
-              ", " + format_value(hider.ahead) + " in front, t " + parts + "\n";
+      text += "    by face " + name_of(hider.face) + " of " + owner_of(drawn_view.world, hider.face) + ", " +
+              format_value(hider.ahead) + " in front, t " + parts + "\n";
     }
     if (count > most_named) text += "    and by " + std::to_string(count - most_named) + " more\n";
     return text;
@@ -120,9 +120,9 @@ struct Storyteller {
 
 std::string explain(const ExplainInput& drawn_view, const TriangleBoxes& boxes, const Subject& subject) {
   const auto ends = ends_of(drawn_view, subject);
-  std::string text = name_of(drawn_view, subject) + " of " + drawn_view.world.models[subject.model].mesh->report.name +
-                     ", " + format_value(ends[0]) + " to " + format_value(ends[1]) + "\n  " +
-                     reason_of(drawn_view, subject) + "\n";
+  std::string text = name_of(drawn_view, subject) + " of " +
+                     owner_of(drawn_view.world, faces_at(drawn_view, subject).front()) + ", " + format_value(ends[0]) +
+                     " to " + format_value(ends[1]) + "\n  " + reason_of(drawn_view, subject) + "\n";
   if (subject.drawn < 0) return text;
   const Storyteller teller{drawn_view, drawn_view.drawn.edges[subject.drawn], subject};
   const std::vector<Occlusion> hiders = find_hiders(drawn_view, boxes, subject.drawn);

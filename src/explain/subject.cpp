@@ -2,6 +2,9 @@
 #include "explain/subject.hpp"
 
 #include <algorithm>
+#include <cstddef>
+
+#include "base/utf8.hpp"
 
 namespace epura::explain {
 
@@ -45,6 +48,14 @@ std::string names_of(const std::vector<FaceName>& faces) {
   for (std::size_t i = 0; i < faces.size(); ++i)
     text += (i == 0 ? "" : i + 1 == faces.size() ? " and " : ", ") + name_of(faces[i]);
   return text;
+}
+
+std::string owner_of(const scene::World& world, const FaceName& face) {
+  const mesh::Mesh& mesh = *world.models[face[0]].mesh;
+  const auto triangle = std::find(mesh.polygon.begin(), mesh.polygon.end(), face[1]) - mesh.polygon.begin();
+  if (mesh.body_names.empty() || triangle == static_cast<std::ptrdiff_t>(mesh.polygon.size())) return mesh.report.name;
+  const std::string& body = mesh.body_names[mesh.body[triangle]];
+  return body.empty() ? mesh.report.name : "'" + one_line(body) + "' in " + mesh.report.name;
 }
 
 std::array<Vec3, 2> ends_of(const ExplainInput& drawn_view, const Subject& subject) {

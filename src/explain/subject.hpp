@@ -48,6 +48,9 @@ std::string name_of(const ExplainInput& drawn_view, const Subject& subject);
 /// A list in words: "face 0:1" or "faces 0:1, 0:2 and 0:3".
 std::string names_of(const std::vector<FaceName>& faces);
 
+/// Where a face belongs to: "part.step", or "'bolt' in part.step" if the bodies of the file have names.
+std::string owner_of(const scene::World& world, const FaceName& face);
+
 /// The ends in the world.
 std::array<Vec3, 2> ends_of(const ExplainInput& drawn_view, const Subject& subject);
 
