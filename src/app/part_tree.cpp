@@ -78,8 +78,8 @@ std::string tree_json(const std::vector<TreePart>& tree) {
     parts[parent] = output::json_list(children[parent], [&](int child) {
       const TreePart& part = tree[static_cast<std::size_t>(child)];
       return "{\"name\": " + output::json_string(part.name) + ", \"bodies\": " + std::to_string(part.bodies) +
-             ", \"faces\": " + std::to_string(part.faces) + ", \"parts\": " +
-             parts[static_cast<std::size_t>(child) + 1] + "}";
+             ", \"faces\": " + std::to_string(part.faces) +
+             ", \"parts\": " + parts[static_cast<std::size_t>(child) + 1] + "}";
     });
   return parts[0];
 }

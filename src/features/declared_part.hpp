@@ -26,8 +26,8 @@ struct DeclaredPart {
 };
 
 /// The same of the mesh that the file's polygons became. Where different faces meet and no edge is declared, facets
-/// tell how; faces that lost all their triangles are left out. Neighbours on one round surface are one face, as modellers
-/// split whole turns in halves. Tangent are faces that meet within `tangent_angle` degrees.
+/// tell how; faces that lost all their triangles are left out. Neighbours on one round surface are one face, as
+/// modellers split whole turns in halves. Tangent are faces that meet within `tangent_angle` degrees.
 PartFaces part_of(const mesh::Mesh& mesh, const DeclaredPart& declared, double tangent_angle);
 
 }  // namespace epura::features
