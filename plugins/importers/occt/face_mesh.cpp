@@ -6,6 +6,7 @@
 #include <TopLoc_Location.hxx>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 namespace occt {
@@ -14,6 +15,8 @@ namespace {
 
 constexpr int most_rounds = 40;
 constexpr double worth_turning = 0.7;  // of its error: another diagonal that is hardly better is none
+// Cosine of the angle between a triangle and its surface from which it is examined, and what a turn must gain.
+constexpr double askew = 0.9, least_gain = 0.01;
 
 using Triangle = std::array<int, 3>;
 
@@ -23,10 +26,14 @@ struct Half {
   int triangle, side;
 };
 
-/// A side between two triangles that is too far from the surface.
-struct Bad {
-  double error;
+/// A side between two triangles.
+struct Inner {
   Half one, other;
+};
+
+/// One that is too far from the surface.
+struct Bad : Inner {
+  double error;
 };
 
 class Refinement {
@@ -41,7 +48,9 @@ class Refinement {
     is_new_.assign(mesh_.triangles.size(), true);
     for (int round = 0; round < most_rounds && mesh_.triangles.size() < most; ++round) {
       mesh_.error = 0;
-      if (!improve()) return;
+      if (!improve()) break;
+    }
+    for (int round = 0; round < most_rounds && straighten(); ++round) {
     }
   }
 
@@ -55,6 +64,8 @@ class Refinement {
     surface_.D1(place.X(), place.Y(), point, along_u, along_v);
     on_surface_.push_back(point.XYZ());
     const double u = along_u.Magnitude(), v = along_v.Magnitude();
+    const gp_Vec across = along_u.Crossed(along_v);
+    normals_.push_back(across.Magnitude() > 0 ? across.Normalized().XYZ() : gp_XYZ(0, 0, 0));
     constexpr double nothing = 1e-9;
     poles_.push_back(u <= nothing * v ? Pole::along_u : v <= nothing * u ? Pole::along_v : Pole::no);
   }
@@ -106,8 +117,7 @@ class Refinement {
     return static_cast<int>(mesh_.points.size() - 1);
   }
 
-  /// Sides that are not near enough, the worst first.
-  [[nodiscard]] std::vector<Bad> bad_sides() const {
+  [[nodiscard]] std::vector<Inner> inner_sides() const {
     std::vector<Half> halves;
     for (std::size_t i = 0; i < mesh_.triangles.size(); ++i) {
       const Triangle& corners = mesh_.triangles[i];
@@ -119,17 +129,24 @@ class Refinement {
     std::sort(halves.begin(), halves.end(), [](const Half& a, const Half& b) {
       return std::array{a.low, a.high, a.triangle, a.side} < std::array{b.low, b.high, b.triangle, b.side};
     });
+    std::vector<Inner> sides;
+    for (std::size_t i = 0; i + 1 < halves.size(); ++i)
+      if (halves[i].low == halves[i + 1].low && halves[i].high == halves[i + 1].high) {
+        sides.push_back({halves[i], halves[i + 1]});
+        ++i;
+      }
+    return sides;
+  }
+
+  /// Sides that are not near enough, the worst first.
+  [[nodiscard]] std::vector<Bad> bad_sides() const {
     std::vector<Bad> found;
-    for (std::size_t i = 0; i + 1 < halves.size(); ++i) {
-      const Half& one = halves[i];
-      const Half& other = halves[i + 1];
-      if (one.low != other.low || one.high != other.high) continue;
-      ++i;
+    for (const Inner& side : inner_sides()) {
       // Sides of old triangles were near enough before.
-      if (!is_new_[one.triangle] && !is_new_[other.triangle]) continue;
-      const double error = error_of_side(one.low, one.high);
-      const double length = mesh_.points[one.low].Distance(mesh_.points[one.high]);
-      if (error > tolerance_ && length > tolerance_) found.push_back({error, one, other});
+      if (!is_new_[side.one.triangle] && !is_new_[side.other.triangle]) continue;
+      const double error = error_of_side(side.one.low, side.one.high);
+      const double length = mesh_.points[side.one.low].Distance(mesh_.points[side.one.high]);
+      if (error > tolerance_ && length > tolerance_) found.push_back({side, error});
     }
     std::stable_sort(found.begin(), found.end(), [](const Bad& a, const Bad& b) { return a.error > b.error; });
     return found;
@@ -161,22 +178,74 @@ class Refinement {
     return (mesh_.places[b].XY() - corner).Crossed(mesh_.places[c].XY() - corner);
   }
 
-  /// The other diagonal of the two triangles, where it is nearer to the surface and inside of both.
-  bool turn(const Bad& side) {
-    Triangle& one = mesh_.triangles[side.one.triangle];
-    Triangle& other = mesh_.triangles[side.other.triangle];
+  /// The two triangles of the other diagonal; nothing where it does not lie inside of both.
+  [[nodiscard]] std::optional<std::array<Triangle, 2>> turned(const Inner& side) const {
+    const Triangle& one = mesh_.triangles[side.one.triangle];
+    const Triangle& other = mesh_.triangles[side.other.triangle];
     const int a = one[side.one.side], b = one[(side.one.side + 1) % 3];
     const int c = one[(side.one.side + 2) % 3], d = other[(side.other.side + 2) % 3];
     for (const int corner : {a, b, c, d})
-      if (poles_[corner] != Pole::no) return false;
+      if (poles_[corner] != Pole::no) return std::nullopt;
     const double before = area(a, b, c), after_a = area(c, a, d), after_b = area(d, b, c);
     const double least = 1e-3 * std::abs(before);
-    if (std::min(std::abs(after_a), std::abs(after_b)) < least) return false;
-    if ((after_a > 0) != (before > 0) || (after_b > 0) != (before > 0)) return false;
-    if (error_of_side(c, d) > worth_turning * side.error) return false;
-    one = {c, a, d};
-    other = {d, b, c};
+    if (std::min(std::abs(after_a), std::abs(after_b)) < least) return std::nullopt;
+    if ((after_a > 0) != (before > 0) || (after_b > 0) != (before > 0)) return std::nullopt;
+    return std::array{Triangle{c, a, d}, Triangle{d, b, c}};
+  }
+
+  void take(const Inner& side, const std::array<Triangle, 2>& triangles) {
+    mesh_.triangles[side.one.triangle] = triangles[0];
+    mesh_.triangles[side.other.triangle] = triangles[1];
+  }
+
+  /// Takes the other diagonal where it is nearer to the surface.
+  bool turn(const Bad& side) {
+    const auto other = turned(side);
+    if (!other || error_of_side((*other)[0][0], (*other)[0][2]) > worth_turning * side.error) return false;
+    take(side, *other);
     return true;
+  }
+
+  /// The cosine of the angle between a triangle and its surface at the corner where they differ most.
+  [[nodiscard]] double facing(const Triangle& corners) const {
+    const auto& [a, b, c] = corners;
+    const gp_XYZ across =
+        (mesh_.points[b].XYZ() - mesh_.points[a].XYZ()).Crossed(mesh_.points[c].XYZ() - mesh_.points[a].XYZ());
+    const double size = across.Modulus();
+    if (size == 0) return 1;
+    const double turn = area(a, b, c) < 0 ? -1 : 1;
+    double least = 1;
+    for (const int corner : corners)
+      if (poles_[corner] == Pole::no) least = std::min(least, turn * across.Dot(normals_[corner]) / size);
+    return least;
+  }
+
+  /// Turns diagonals between triangles that stand askew to the surface, as slivers do however near they are to it: a
+  /// facet that faces away would be given an outline of its own. Whether there were any.
+  bool straighten() {
+    struct Askew {
+      double facing;
+      Inner side;
+    };
+    std::vector<Askew> found;
+    for (const Inner& side : inner_sides()) {
+      const double least =
+          std::min(facing(mesh_.triangles[side.one.triangle]), facing(mesh_.triangles[side.other.triangle]));
+      if (least < askew) found.push_back({least, side});
+    }
+    std::stable_sort(found.begin(), found.end(), [](const Askew& a, const Askew& b) { return a.facing < b.facing; });
+    std::vector<bool> is_turned(mesh_.triangles.size(), false);
+    bool any = false;
+    for (const auto& [least, side] : found) {
+      if (is_turned[side.one.triangle] || is_turned[side.other.triangle]) continue;
+      const auto other = turned(side);
+      if (!other || std::min(facing((*other)[0]), facing((*other)[1])) < least + least_gain) continue;
+      const double error = error_of_side((*other)[0][0], (*other)[0][2]);
+      if (error > std::max(tolerance_, error_of_side(side.one.low, side.one.high))) continue;
+      take(side, *other);
+      is_turned[side.one.triangle] = is_turned[side.other.triangle] = any = true;
+    }
+    return any;
   }
 
   /// Whether a point was set inside of a triangle.
@@ -240,6 +309,7 @@ class Refinement {
   double tolerance_;
   /// Where the points would be without the gap that files leave between edges and faces: no triangles mend that.
   std::vector<gp_XYZ> on_surface_;
+  std::vector<gp_XYZ> normals_;  // of the surface at the points, along_u x along_v; zero where it has none
   std::vector<Pole> poles_;
   std::vector<bool> is_new_;  // triangles of the last round
 };

@@ -1,19 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 // STEP, IGES and BREP files that Open CASCADE writes here, of parts whose faces, edges and volumes are known.
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_MakeEdge.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
+#include <BRepOffsetAPI_ThruSections.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCone.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRepTools.hxx>
+#include <Geom_BezierSurface.hxx>
 #include <IGESControl_Writer.hxx>
 #include <Interface_Static.hxx>
 #include <Message.hxx>
 #include <Message_Messenger.hxx>
 #include <STEPCAFControl_Writer.hxx>
 #include <STEPControl_Writer.hxx>
+#include <TColgp_Array2OfPnt.hxx>
 #include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
 #include <TopExp_Explorer.hxx>
@@ -22,6 +28,7 @@
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 #include <cmath>
+#include <gp_Circ.hxx>
 #include <map>
 #include <numbers>
 
@@ -143,6 +150,52 @@ TEST(StepImporter, SeamsAndPolesAreNoEdges) {
     EXPECT_NEAR(volume_of(model.mesh), part.volume, 0.005 * part.volume);
     EXPECT_LT(volume_of(model.mesh), part.volume);
   }
+}
+
+// z = (x^2 + y^2) / 40 over a square of 20 mm, exactly.
+TEST(StepImporter, PatchesOfSplinesAreAsNearAsAskedFor) {
+  TColgp_Array2OfPnt poles(0, 2, 0, 2);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) poles(i, j) = gp_Pnt(10 * i, 10 * j, (i == 2 ? 10 : 0) + (j == 2 ? 10 : 0));
+  const TopoDS_Shape patch = BRepBuilderAPI_MakeFace(new Geom_BezierSurface(poles), 1e-7).Shape();
+  const Folder folder;
+  const importer::ReadModel model = read(step_file(folder, patch), {{"deflection", "0.01"}});
+  ASSERT_NE(model.part, nullptr);
+  EXPECT_EQ(kinds_of(*model.part), (std::map<SurfaceKind, int>{{SurfaceKind::free_form, 1}}));
+  EXPECT_EQ(count(*model.part, features::BorderKind::open), 1);
+  const auto height = [](const Vec3& p) { return (p.x * p.x + p.y * p.y) / 40; };
+  for (int t = 0; t < model.mesh.report.triangles; ++t) {
+    Vec3 middle(0);
+    for (const int v : model.mesh.triangle(t)) {
+      const Vec3 p = model.mesh.point(v);
+      EXPECT_NEAR(p.z, height(p), 1e-9);
+      middle += p / 3.0;
+    }
+    EXPECT_NEAR(middle.z, height(middle), 0.01 * std::sqrt(3.0));  // upright, where the surface is as steep as it gets
+  }
+}
+
+TEST(StepImporter, FacetsOfALoftFaceAsItDoes) {
+  BRepOffsetAPI_ThruSections sections(/*isSolid=*/true);
+  const double circles[][4]{{0, 0, 0, 20}, {5, 0, 15, 12}, {0, 5, 35, 16}};
+  for (const auto& [x, y, z, radius] : circles)
+    sections.AddWire(
+        BRepBuilderAPI_MakeWire(BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2(gp_Pnt(x, y, z), gp::DZ()), radius)).Edge()));
+  const Folder folder;
+  const importer::ReadModel model = read(step_file(folder, sections.Shape()), {{"deflection", "0.003688"}});
+  ASSERT_NE(model.part, nullptr);
+  const auto normal = [&](int triangle) {
+    const auto [a, b, c] = model.mesh.triangle(triangle);
+    return glm::normalize(
+        glm::cross(model.mesh.point(b) - model.mesh.point(a), model.mesh.point(c) - model.mesh.point(a)));
+  };
+  double least = 1;
+  for (std::size_t e = 0; e < model.mesh.edges.size(); ++e) {
+    const auto triangles = model.mesh.triangles_of(model.mesh.edges[e]);
+    if (model.part->border_of_edge[e] < 0 && triangles.size() == 2)
+      least = std::min(least, glm::dot(normal(triangles[0]), normal(triangles[1])));
+  }
+  EXPECT_GT(least, std::cos(30 * std::numbers::pi / 180)) << "a sliver stands askew";
 }
 
 TEST(StepImporter, ConvertsInches) {
