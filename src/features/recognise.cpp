@@ -24,7 +24,7 @@ constexpr double smooth_cosine = 0.7;  // of a fold that occurs in coarse tessel
 // Least fraction of a part's area that must be recognised.
 constexpr double least_recognised = 0.25;
 constexpr std::size_t most_alone = 256;
-// The tangent of half a fold above which a mesh edge certainly is an edge of the part.
+// The tangent of a fold above which a mesh edge certainly is an edge of the part.
 constexpr double shallow_most = 1;
 
 /// Converts regions to faces, with lengths in units of the file.
