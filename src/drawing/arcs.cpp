@@ -22,13 +22,13 @@ constexpr double least_turn = 30 * degree;
 constexpr double much_better = 5;
 constexpr double most_step = 30.001 * degree;
 constexpr double least_radius_in_tolerances = 10;
-constexpr double least_radius = 0.05;  // mm: no line is narrower
+constexpr double least_radius = 0.05;  // mm; no line is narrower
 constexpr double most_radius = 1e5;    // mm
 
 struct Fit {
   Ellipse ellipse;
   bool circle;
-  double from, sweep;  ///< angles; a negative sweep goes clockwise
+  double from, sweep;  ///< angles; a negative sweep is clockwise
   double longest_step;
   double deviation, tolerance;
 };
@@ -37,7 +37,7 @@ double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
 double angle_between(const Vec2& a, const Vec2& b) { return portable_atan2(cross(a, b), glm::dot(a, b)); }
 
-/// All points of a closed chain, of an open one those between its ends: these may lie on a chord.
+/// All points of a closed chain; of an open one, the points between its ends, which may lie on a chord.
 struct Line {
   const Chain& chain;
   double tolerance;
@@ -49,7 +49,7 @@ struct Line {
   }
   [[nodiscard]] double turn(int i) const { return angle_between(point(i) - point(i - 1), point(i + 1) - point(i)); }
 
-  // The shortest run that turns far enough, or that no longer turns one way.
+  // The shortest run that turns far enough or no longer turns in one direction.
   [[nodiscard]] int window(int first, int max) const {
     double turned = 0;
     for (int last = first + 2; last <= max; ++last) {
@@ -61,13 +61,13 @@ struct Line {
     return max;
   }
 
-  // More than rounding.
+  // Whether a deviation is more than rounding.
   [[nodiscard]] bool is_noise(double deviation) const { return deviation > 0.02 * tolerance; }
   [[nodiscard]] std::optional<Fit> fit(int first, int last) const;
   [[nodiscard]] std::optional<Fit> along(const Ellipse& ellipse, bool circle, const std::vector<Vec2>& points) const;
 };
 
-// The corners one after the other on the curve.
+// Returns the fit if the corners lie on the curve in order.
 std::optional<Fit> Line::along(const Ellipse& ellipse, bool circle, const std::vector<Vec2>& points) const {
   const double min = std::max(least_radius, least_radius_in_tolerances * tolerance);
   if (!(std::min(glm::length(ellipse.u), glm::length(ellipse.v)) >= min)) return std::nullopt;
@@ -99,19 +99,19 @@ std::optional<Fit> Line::fit(int first, int last) const {
   if (!found || is_noise(found->deviation)) {
     const auto ellipse = fit_ellipse(points);
     const auto other = ellipse ? along(*ellipse, false, points) : std::nullopt;
-    // An ellipse always fits better: much better only when it is one.
+    // An ellipse always fits better, but much better only if the curve is one.
     if (!found || (other && much_better * other->deviation < found->deviation)) found = other;
   }
   const bool round = found && std::abs(std::abs(found->sweep) - 2 * std::numbers::pi) < 1e-6;
   return found && round == whole ? found : std::nullopt;
 }
 
-// Height of the curve over the chord of a step, which is largest in the direction of the longer half axis.
+// Height of the curve over the chord of a step; it is largest in the direction of the longer semi-axis.
 double bulge_of(const Fit& fit) {
   return std::max(glm::length(fit.ellipse.u), glm::length(fit.ellipse.v)) * (1 - portable_cos(fit.longest_step / 2));
 }
 
-// An end of an open chain is on the curve, or where a line becomes hidden or another covers it, on a chord.
+// An end of an open chain lies on the curve, or on a chord if the line becomes hidden or is covered by another there.
 bool ends_on_chord(const Fit& fit, const Vec2& end, double step, double tolerance) {
   const bool onward = step * fit.sweep > 0 && std::abs(step) <= fit.longest_step * 1.001;
   return onward && fit.ellipse.distance(end) <= bulge_of(fit) * 1.001 + tolerance;
@@ -143,7 +143,7 @@ CurvePart part_of(Chain& chain, const CurveRun<Fit>& run, double tolerance) {
   return part;
 }
 
-// So that no curve runs on past the end of a closed line.
+// Makes a closed line begin where no curve continues past its end.
 void begin_at(Chain& chain, int first) {
   const bool side_by_side = chain.segments.size() == chain.points.size();
   std::rotate(chain.points.begin(), chain.points.begin() + first, chain.points.end());

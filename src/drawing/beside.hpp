@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lines of the paper that run along one another.
+// Lines on paper that run along one another.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace epura::drawing {
 
 using Range = std::array<double, 2>;
 
-/// Leaves of a range of u what has min <= value + u slope <= max.
+/// Restricts a range of u to where min <= value + u slope <= max.
 inline void limit(Range& range, double value, double slope, double min, double max) {
   if (slope == 0) {
     if (value < min || value > max) range = {1, 0};
@@ -22,12 +22,14 @@ inline void limit(Range& range, double value, double slope, double min, double m
   range = {std::max(range[0], std::min(a, b)), std::min(range[1], std::max(a, b))};
 }
 
-/// A line and another one along it, seen in a direction in which both go.
+/// A line and another one along it, measured along a direction that both roughly follow.
 struct Beside {
-  Range range{1, 0};            ///< the part of the line, 0 at its start, that has the other within the distance
-  double value = 0, slope = 0;  ///< how far to the left of the other it lies, from its start on
+  Range range{1, 0};            ///< the part of the line, 0 at its start, that lies within the distance of the other
+                                ///< line
+  double value = 0, slope = 0;  ///< distance to the left of the other line, as a function of the position on the line:
+                                ///< value + u slope
 
-  /// The line begins at the origin and ends at `step`. One that is steeper than `steepest` does not run along.
+  /// The line begins at the origin and ends at `step`. A line steeper than `steepest` does not run along.
   Beside(const Vec2& along, const Vec2& step, const std::array<Vec2, 2>& line, double distance, double steepest) {
     const auto turned = [&](const Vec2& d) { return Vec2(glm::dot(along, d), along.x * d.y - along.y * d.x); };
     const Vec2 own = turned(step), from = turned(line[0]), other = turned(line[1]) - from;
@@ -37,7 +39,7 @@ struct Beside {
     const double rise = other.y / other.x;
     value = rise * from.x - from.y;
     slope = own.y - rise * own.x;
-    // Most lines pass by.
+    // Most lines can be excluded early.
     if (value > distance && distance - value <= slope) return;
     if (value < -distance && -distance - value >= slope) return;
     range = {0, 1};

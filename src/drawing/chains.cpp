@@ -28,12 +28,12 @@ std::vector<End> find_partners(const std::vector<Segment>& segments, const Progr
   return drawing::find_partners(static_cast<int>(segments.size()), place_of, look_and_place, progress);
 }
 
-// Leaves out corners at which the line runs straight on. The offsets of those left out since the last corner add up, or
-// a long fine arc would be cut short bit by bit.
+// Leaves out corners at which the line runs straight on. The offsets of the corners left out since the last one kept
+// are added up; otherwise a long fine arc would be cut short little by little.
 void straighten(std::vector<Vec2>& points, bool closed, double tolerance) {
   const std::size_t n = points.size();
   const Vec2 first = points.front();
-  std::size_t kept = 0;  // they take the places of those before them
+  std::size_t kept = 0;  // points that are kept overwrite those before them
   double offsets = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const bool end = !closed && (i == 0 || i == n - 1);
@@ -55,7 +55,7 @@ void straighten(std::vector<Vec2>& points, bool closed, double tolerance) {
   }
 }
 
-// Follows partners from the end `start`, whose segment is walked towards its other end.
+// Follows partners from the end `start` of a segment, towards the other end of the segment.
 Chain follow(const std::vector<Segment>& segments, const std::vector<End>& partner, End start,
              std::vector<bool>& used) {
   const Segment& first = segments[line_of(start)];
@@ -86,7 +86,7 @@ std::vector<Chain> chain_segments(const std::vector<Segment>& segments, double t
   };
   for (End end = 0; end < static_cast<End>(partner.size()); ++end)
     if (partner[end] == no_end && !used[line_of(end)]) add(end, false);
-  // What is left runs in rings.
+  // The remaining segments form rings.
   for (End end = 0; end < static_cast<End>(partner.size()); end += 2)
     if (!used[line_of(end)]) add(end, true);
   return chains;

@@ -9,8 +9,8 @@
 
 namespace epura::drawing {
 
-/// Every segment is in exactly one chain. Where more than two ends meet, those that run on most straightly are joined.
-/// Corners where a chain runs straight on within `tolerance` mm are left out. Throws OutOfTime.
+/// Every segment is in exactly one chain. Where more than two ends meet, the straightest continuations are joined.
+/// Corners at which a chain runs straight on within `tolerance` mm are left out. Throws OutOfTime.
 std::vector<Chain> chain_segments(const std::vector<Segment>& segments, double tolerance,
                                   const Progress& progress = {});
 

@@ -13,23 +13,23 @@ namespace epura::drawing {
 
 namespace {
 
-/// A short line from an end to the ink that is drawn for what was removed there.
+/// A short line from an end to the ink that is drawn for the ink that was removed there.
 struct Link {
   std::array<double, 4> ends;  ///< x and y of both
   bool hidden;
-  int piece;  ///< that ends there
-  double at;  ///< its parameter
+  int piece;  ///< the piece that ends there
+  double at;  ///< parameter of the end on that piece
 
   auto operator<=>(const Link&) const = default;
 };
 
-/// How an end comes to other ink.
+/// How an end reaches other ink.
 struct Closing {
-  double cut = 0;  ///< mm of the line that are left out
+  double cut = 0;  ///< mm of the line that are cut off
   std::optional<Link> link{};
 };
 
-/// A part of a piece, and what becomes of its ends.
+/// A part of a piece, and what happens at its ends.
 struct ClosedPart {
   InkPart part;
   std::array<Closing, 2> ends{};
@@ -45,7 +45,7 @@ class EndCloser {
     const Vec2 place = line[end];
     const auto onto = drawn_for(part.piece, place);
     if (!onto) return {};
-    // Specks go with what they joined.
+    // Specks are removed along with the ink that they touched.
     const double length = glm::distance(line[0], line[1]);
     if (length <= limits_.touching) return {length, std::nullopt};
     if (is_held(part.piece, place)) return {};
@@ -56,7 +56,7 @@ class EndCloser {
     return {0, Link{{place.x, place.y, to.x, to.y}, !kept_.pieces()[part.piece].visible, part.piece, at}};
   }
 
-  // What is left of a part, if anything.
+  // Appends what remains of a part, if anything.
   void append(const ClosedPart& closed, std::vector<Piece>& pieces) const {
     InkPart part = closed.part;
     const auto& [first, last] = closed.ends;
@@ -100,7 +100,8 @@ class EndCloser {
     return {place_on(piece, part.from), place_on(piece, part.to)};
   }
 
-  // The nearest of the lines that are drawn for taken ink at an end of a piece; nothing where the end is on one.
+  // Returns the nearest of the lines that are drawn for taken ink at an end of a piece, or nothing if the end already
+  // lies on one.
   [[nodiscard]] std::optional<std::array<Vec2, 2>> drawn_for(int piece, const Vec2& place) const {
     std::optional<std::array<Vec2, 2>> best;
     double least = HUGE_VAL;
@@ -119,7 +120,7 @@ class EndCloser {
     return least > limits_.touching ? best : std::nullopt;
   }
 
-  // Whether an end of a piece lies on other ink that stays, not at an end of it, which may move itself.
+  // Whether an end of a piece lies on other ink that stays, but not at an end of that ink, which may itself move.
   [[nodiscard]] bool is_held(int piece, const Vec2& place) const {
     bool held = false;
     kept_.visit(place, place, limits_.touching, [&](int number) {
@@ -132,7 +133,7 @@ class EndCloser {
     return held;
   }
 
-  // How far on from its end a line meets another one.
+  // Returns how far beyond its end a line meets another one.
   [[nodiscard]] std::optional<double> way_along(const Vec2& start, const Vec2& end,
                                                 const std::array<Vec2, 2>& onto) const {
     const Ruler line(start, end);
@@ -168,7 +169,7 @@ std::vector<Piece> close_ends(const InkParts& kept, const TakenInk& taken, const
     for (const Closing& end : one.ends)
       if (end.link) links.push_back(*end.link);
   }
-  // Lines that end in one place have one link.
+  // Lines that end at the same place share one link.
   std::sort(links.begin(), links.end());
   const auto same = [](const Link& a, const Link& b) { return a.ends == b.ends; };
   links.erase(std::unique(links.begin(), links.end(), same), links.end());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Links ends of lines that met removed ink to the ink that is drawn instead.
+// Connects ends of lines that met removed ink to the ink that is drawn instead.
 #pragma once
 
 #include <vector>
@@ -9,16 +9,17 @@
 
 namespace epura::drawing {
 
-/// mm
+/// In mm.
 struct ClosingLimits {
-  double touching;  ///< lines so near meet
-  double along;     ///< so far lines are prolonged or cut off
+  double touching;  ///< lines this close together meet
+  double along;     ///< by how much lines are extended or cut off, at most
 };
 
-/// `left` are the parts that are kept, ascending and as long as they continue. An end on taken ink and on no line that
-/// stays is joined to the one that is drawn for that ink: along its own line, where they meet within a short way, and
-/// otherwise across. Lines that go too far are cut off. Links belong to the point of the edge that they begin at. Lines
-/// of which nothing is left are left out. Hidden ink is none for visible lines. Throws OutOfTime.
+/// `left` are the parts that are kept, ascending, continuous parts in one. An end that lies on taken ink and on no line
+/// that stays is connected to the line that is drawn for that ink: along its own line where the two meet within a short
+/// distance, otherwise across. Lines that reach too far are cut off. A link belongs to the point of the edge at which
+/// it begins. Lines of which nothing remains are left out. For visible lines, hidden ink does not count. Throws
+/// OutOfTime.
 std::vector<Piece> close_ends(const InkParts& kept, const TakenInk& taken, const std::vector<InkPart>& left,
                               const ClosingLimits& limits, const Progress& progress);
 

@@ -23,7 +23,7 @@ double dot(const Column& a, const Column& b) {
   return sum;
 }
 
-// Least squares by modified Gram-Schmidt: the coefficients of `columns` that come nearest to `target`.
+// Least squares by modified Gram-Schmidt: the coefficients with which `columns` come nearest to `target`.
 template <std::size_t n>
 std::optional<std::array<double, n>> least_squares(std::array<Column, n> columns, Column target) {
   std::array<std::array<double, n + 1>, n> r{};
@@ -46,7 +46,7 @@ std::optional<std::array<double, n>> least_squares(std::array<Column, n> columns
   return result;
 }
 
-// A map of points, p -> matrix (p - middle).
+// An affine map of points, p -> matrix (p - middle).
 struct Whitening {
   Vec2 middle;
   Mat2 matrix;
@@ -71,14 +71,14 @@ std::optional<Whitening> whiten(std::span<const Vec2> points) {
   return Whitening{middle, Mat2(Vec2(1 / a, -b / (a * c)), Vec2(0, 1 / c))};
 }
 
-// x' matrix x = 1 about the centre.
+// The ellipse x' matrix x = 1 around the centre.
 std::optional<Ellipse> from_matrix(const Vec2& centre, const Mat2& matrix) {
   const double half_trace = (matrix[0][0] + matrix[1][1]) / 2, half_difference = (matrix[0][0] - matrix[1][1]) / 2;
   const double off = matrix[0][1];
   const double radius = std::hypot(half_difference, off);
   const double min = half_trace - radius, max = half_trace + radius;
   if (!(min > 0) || !std::isfinite(max)) return std::nullopt;
-  // The direction of the larger eigenvalue is that of the shorter half axis.
+  // The direction of the larger eigenvalue is that of the semi-minor axis.
   const double angle = portable_atan2(off, half_difference) / 2;
   const Vec2 minor(portable_cos(angle), portable_sin(angle));
   return Ellipse{centre, Vec2(minor.y, -minor.x) / std::sqrt(min), minor / std::sqrt(max)};

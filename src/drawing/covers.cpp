@@ -15,14 +15,15 @@ namespace epura::drawing {
 
 namespace {
 
-// A cell that cannot be divided and where so many strands end is a crowd: much of it lies on one line.
+// A cell that cannot be divided and contains more ends of strands than this is a crowd: many of its strands lie on one
+// line.
 constexpr std::ptrdiff_t crowd = 128;
 
 bool is_crowd(const Strands& strands) {
   return std::count_if(strands.begin(), strands.end(), [](const Strand& s) { return s.begins || s.ends; }) > crowd;
 }
 
-// Larger cells are searched on several threads.
+// Cells with more strands are searched on several threads.
 constexpr std::size_t alone = 4096;
 
 class CoverSearch {
@@ -31,7 +32,7 @@ class CoverSearch {
       : pieces_(pieces),
         tolerance_(tolerance),
         least_(min),
-        // Two lines that stay within the tolerance over `min` differ in direction by no more than this.
+        // Two lines within the tolerance of each other over `min` differ in direction by at most this.
         spread_(std::min(2.5 * tolerance / min, 1.5)),
         progress_(progress),
         directions_(pieces, spread_, progress) {}
@@ -57,12 +58,12 @@ class CoverSearch {
     all.reserve(count);
     for (std::vector<Cover>& part : parts) {
       all.insert(all.end(), part.begin(), part.end());
-      part = std::vector<Cover>();  // so that covers are hardly ever there twice
+      part = std::vector<Cover>();  // so that memory hardly ever holds covers twice
     }
     return all;
   }
 
-  // `work` is told to be done.
+  // `work` is the amount of progress to report.
   void add_covers(Strands strands, std::size_t work, std::vector<Cover>& found) const {
     progress_.expect_time();
     auto parts = divide(strands, tolerance_, directions_.go_along());
@@ -71,7 +72,7 @@ class CoverSearch {
       return is_crowd(strands) ? add_covers_in_crowd(strands, found) : add_covers_of_pairs(strands, found);
     }
     const bool is_large = strands.size() > alone;
-    strands = Strands();  // so that they are hardly ever there twice
+    strands = Strands();  // so that memory hardly ever holds strands twice
     Strands &one = parts->first, &other = parts->second;
     const std::size_t first = work * one.size() / (one.size() + other.size());
     if (!is_large) {
@@ -84,7 +85,7 @@ class CoverSearch {
     found.insert(found.end(), others.begin(), others.end());
   }
 
-  // Each that begins here, as few do, with all others.
+  // Compares those that begin here, which are few, with all others.
   void add_covers_of_pairs(Strands& strands, std::vector<Cover>& found) const {
     const auto can_begin = [&](const Strand& s) { return s.begins || (s.ends && !directions_.go_along()); };
     const auto rest = std::partition(strands.begin(), strands.end(), can_begin);
@@ -96,7 +97,7 @@ class CoverSearch {
       }
   }
 
-  // Whether what they have in common begins in the cell: where pairs meet in several cells, that one counts.
+  // Whether their overlap begins in the cell: a pair that meets in several cells counts only there.
   [[nodiscard]] bool begin_together(const Strand& a, const Strand& b) const {
     if (!directions_.go_along()) return a.begins || a.ends || b.begins || b.ends;
     const double margin = 2 * tolerance_, ahead = a.from.x - b.from.x;
@@ -110,12 +111,12 @@ class CoverSearch {
     if (a.from.x > b.to.x + margin || b.from.x > a.to.x + margin || a_low > b_high + margin || b_low > a_high + margin)
       return false;
     if (!directions_.go_along()) return true;
-    // Where what they have in common begins, and where it ends.
+    // Compares them where their overlap begins and where it ends.
     return (a.from.x < b.from.x ? is_beside(a, b.from) : is_beside(b, a.from)) &&
            (a.to.x > b.to.x ? is_beside(a, b.to) : is_beside(b, a.to));
   }
 
-  // Whether a point lies near the line of a strand.
+  // Whether a point lies near the line through a strand.
   [[nodiscard]] bool is_beside(const Strand& s, const Vec2& p) const {
     const Vec2 along = s.to - s.from, d = p - s.from;
     const double cross = along.x * d.y - along.y * d.x, margin = 2 * tolerance_;
@@ -129,9 +130,9 @@ class CoverSearch {
     if (to > from) found.push_back({lower, from, to});
   }
 
-  // In a crowd a piece is covered bit by bit, until nothing is left of it that could be covered: no pair is passed over
-  // that would have changed what is left. It is the whole piece that counts, not its part in the cell, since covers
-  // that begin in the cell are looked for nowhere else.
+  // In a crowd, a piece is covered step by step until nothing that could be covered remains: no pair is skipped that
+  // would have changed the remainder. The whole piece counts, not its part in the cell, since covers that begin in the
+  // cell are found nowhere else.
   void add_covers_in_crowd(const Strands& strands, std::vector<Cover>& found) const {
     std::vector<int> members;
     for (const Strand& s : strands) members.push_back(s.piece);
@@ -173,7 +174,7 @@ std::vector<Cover> find_covers(const std::vector<Piece>& pieces, double toleranc
   if (pieces.empty()) return {};
   std::vector<Cover> covers = CoverSearch(pieces, tolerance, min, progress).find();
   parallel_sort(covers.begin(), covers.end());
-  // At the border of cells a pair is found in both.
+  // At the border between cells, a pair is found in both.
   covers.erase(std::unique(covers.begin(), covers.end()), covers.end());
   return covers;
 }

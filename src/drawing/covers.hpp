@@ -9,7 +9,7 @@
 
 namespace epura::drawing {
 
-/// A part of a piece that a piece of higher rank draws already, in mm from its beginning.
+/// A part of a piece that is already drawn by a piece of higher rank, in mm from its beginning.
 struct Cover {
   int piece;
   double from, to;
@@ -17,9 +17,9 @@ struct Cover {
   auto operator<=>(const Cover&) const = default;
 };
 
-/// Parts of at least `min` mm that lie within `tolerance` mm of a piece of higher rank, sorted, each once. Where very
-/// many pieces lie on one line, parts are joined, and parts that only shorten gaps of less than `min` are left out.
-/// No piece is a point. Throws OutOfTime.
+/// Returns the parts of at least `min` mm that lie within `tolerance` mm of a piece of higher rank, sorted and without
+/// duplicates. Where very many pieces lie on one line, parts are merged, and parts that only shorten gaps of less than
+/// `min` are left out. No piece may be a point. Throws OutOfTime.
 std::vector<Cover> find_covers(const std::vector<Piece>& pieces, double tolerance, double min,
                                const Progress& progress = {});
 

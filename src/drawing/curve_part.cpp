@@ -40,7 +40,7 @@ std::vector<double> corner_angles(const CurvePart& curve, const std::vector<Vec2
 }
 
 double length_of_curve(const CurvePart& curve, double from, double to) {
-  // Gauss-Legendre with three places for each piece.
+  // Gauss-Legendre quadrature with three nodes for each piece.
   constexpr std::array<double, 3> places{-0.7745966692414834, 0, 0.7745966692414834};
   constexpr std::array<double, 3> weights{5.0 / 9, 8.0 / 9, 5.0 / 9};
   constexpr double piece = 5 * std::numbers::pi / 180;

@@ -7,7 +7,7 @@ namespace epura::drawing {
 
 namespace {
 
-// Planes closer to the viewer's direction than this angle (radians) are lines on the page.
+// Planes at a smaller angle (radians) to the viewer's direction are lines on the page.
 constexpr double edge_on = 1e-9;
 
 bool is_seen(const scene::CuttingPlane& plane, const projection::Projection& projection) {

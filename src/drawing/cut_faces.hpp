@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cut faces as seen in a view.
+// Cut faces as they appear in a view.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,8 @@
 
 namespace epura::drawing {
 
-/// The cut faces that are seen, on paper. Seen from in front of the plane, where all is removed, nothing hides them;
-/// seen from behind it, none is seen, and the result is empty. `view` is of the cut world.
+/// Returns the visible cut faces, on paper. Seen from in front of the plane, where everything is removed, nothing hides
+/// them; seen from behind it, none is visible, and the result is empty. `view` is the view of the cut world.
 std::vector<CutFace> cut_faces_on_paper(const std::vector<scene::WorldCutFace>& faces, const scene::CuttingPlane& plane,
                                         view::ProjectedScene& view, const view::PaperMap& paper);
 

@@ -14,38 +14,39 @@
 
 namespace epura::drawing {
 
-/// A straight piece of ink and where it comes from. Coincident pieces are resolved, touching ones of one edge merged.
-/// Where its parameters are equal, it is a link: a line ends there, and its link leads to another one that is drawn for
-/// what lay at that end (drawing/near_ink.hpp).
+/// A straight piece of ink and its origin. Coincident pieces are resolved, touching ones of one edge merged. If both
+/// parameters are equal, it is a link: a line ends there, and the link leads to the line that is drawn instead of what
+/// lay at that end (drawing/near_ink.hpp).
 struct Segment {
   Vec2 from, to;
   bool visible;
   EdgeKind kind;
   int model;
-  std::array<int, 2> edge;  ///< vertex numbers of the file; {-1, -1} for a line that is not an edge of a file
-  int crossing;             ///< of such a line: its place in ViewDrawing::crossings; otherwise -1
+  std::array<int, 2> edge;  ///< vertex numbers in the file; {-1, -1} for a line that is not an edge of a file
+  int crossing;             ///< for such a line: its index in ViewDrawing::crossings; otherwise -1
   std::array<double, 2> t;  ///< 3D parameters along the edge, `from` at t[0]
 };
 
 constexpr bool is_link(const Segment& segment) { return segment.t[0] == segment.t[1]; }
 
-/// What a line that is not an edge of a file is made of, besides what all segments have.
+/// Where a line comes from that is not an edge of a file, in addition to its segment.
 struct CrossingSegment {
-  /// (model, face) of both faces that cross; of the face that is cut, and {-1, -1} for the cutting plane.
+  /// (model, face) of both faces that cross; for a cut, those of the face that is cut, and {-1, -1} for the cutting
+  /// plane.
   std::array<std::array<int, 2>, 2> faces;
-  std::array<Vec3, 2> world;  ///< its ends in world coordinates
+  std::array<Vec3, 2> world;  ///< ends in world coordinates
 };
 
-/// A part of a polyline that is an arc: points first ... last lie on centre + cos(a) u + sin(a) v, and a runs from
-/// `from` to `to` (radians). Of a circle u and v have one length; of an ellipse they are its half axes; u is
-/// perpendicular to v. Where a curve ends at the first point of a closed line, `last` is the number of points.
+/// A part of a polyline that is an arc: points first ... last lie on centre + cos(a) u + sin(a) v, where a runs from
+/// `from` to `to` (radians). For a circle, u and v have the same length; for an ellipse, they are its semi-axes; u is
+/// perpendicular to v. If a curve ends at the first point of a closed line, `last` is the number of points.
 struct CurvePart {
   int first, last;
   Vec2 centre, u, v;
   double from, to;
 };
 
-/// Segments of one look and model chained end to end.
+/// Segments with the same appearance and model, chained end to end.
 struct Chain {
   std::vector<Vec2> points;  ///< the closing point of a closed chain is not repeated
   bool closed;
@@ -55,7 +56,7 @@ struct Chain {
   std::vector<CurvePart> curves{};  ///< ascending and disjoint
 };
 
-/// A face that a cutting plane made: to be hatched.
+/// A face made by a cutting plane, to be hatched.
 struct CutFace {
   int model, body;                       ///< body numbers are those of the model's file
   std::vector<std::vector<Vec2>> rings;  ///< outlines on paper, even-odd; the first point is not repeated
@@ -68,11 +69,12 @@ struct ViewDrawing {
   Mat4 world_to_page;  ///< page = (row0/row3, row1/row3) in mm; row2/row3 grows towards the viewer
   std::array<std::optional<Vec2>, 3> vanishing_points;  ///< of the world axes, on the page
   std::vector<Segment> segments;
-  std::vector<CrossingSegment> crossings;  ///< of the segments that are not edges of a file, in their order
+  std::vector<CrossingSegment> crossings;  ///< for the segments that are not edges of a file, in their order
   std::vector<Chain> chains;
   std::vector<CutFace> cut_faces;
   Vec2 min{0, 0}, max{0, 0};  ///< box of the ink
-  double contours_moved = 0;  ///< mm; so far at most contours of curved faces are drawn from edges of the mesh
+  double contours_moved = 0;  ///< mm; greatest distance at which contours of curved faces are drawn from edges of the
+                              ///< mesh
   double joined_within = 0;   ///< mm; omitted lines have ink of at least the same strength within this distance
 };
 

@@ -15,13 +15,13 @@ namespace epura::drawing {
 
 namespace {
 
-// The ends in an order that does not depend on the direction of drawing.
+// The ends in an order that does not depend on the drawing direction.
 std::array<double, 4> place(const Piece& p) {
   const std::array a{p.from.x, p.from.y}, b{p.to.x, p.to.y};
   return a < b ? std::array{a[0], a[1], b[0], b[1]} : std::array{b[0], b[1], a[0], a[1]};
 }
 
-// Of pieces at exactly the same place, only the first in rank stays.
+// Of pieces at exactly the same place, only the first in rank is kept.
 void drop_copies(std::vector<Piece>& pieces, const Progress& progress) {
   std::vector<char> copy(pieces.size(), false);
   const auto place_of = [&](int i) { return place(pieces[i]); };
@@ -50,7 +50,7 @@ Piece part_of(const Piece& piece, double from, double to) {
   return result;
 }
 
-// What remains of a piece when parts of its length are removed.
+// Appends what remains of a piece when parts of its length are removed.
 void append_rest(const Piece& piece, std::span<const Cover> covers, double min, std::deque<Piece>& rest) {
   double from = 0;
   for (const Cover& part : covers) {
@@ -78,13 +78,14 @@ std::array<double, 2> covered_part(const Ruler& line, Vec2 a, Vec2 b, double tol
 
 std::vector<Piece> resolve_coincident(std::vector<Piece> pieces, double tolerance, double min,
                                       const Progress& progress) {
-  // Edges along the line of sight are points on the paper.
+  // Edges along the line of sight are points on paper.
   std::erase_if(pieces, [&](const Piece& p) { return !(length_of(p) > tolerance); });
   drop_copies(pieces, progress);
   const std::vector<Cover> covers = find_covers(pieces, tolerance, min, progress);
   if (covers.empty()) return pieces;
 
-  // In place, since no more room than theirs may be left: what does not fit in front of the pieces to come waits.
+  // In place, since there may be no memory for a second list: results that do not fit in front of the remaining pieces
+  // wait.
   std::deque<Piece> waiting;
   std::size_t next = 0, kept = 0;
   for (std::size_t i = 0; i < pieces.size(); ++i) {

@@ -9,19 +9,19 @@ namespace epura::drawing {
 
 namespace {
 
-// So many times as long as a cell is wide is what stands in a grid, at most.
+// Greatest length of a piece, in widths of the cells of its grid.
 constexpr double cells_a_part = 4;
-// Cells of a grid are numbered by ints.
+// The cells of a grid are numbered with ints.
 constexpr double most_columns = 1 << 14;
 
 constexpr int sectors = 32;
-// Of 25.1 degrees: a little more than what is requested.
+// Cosine and sine of 25.1 degrees, a little more than what is promised.
 constexpr double cosine = 0.90556, sine = 0.42420;
 
 }  // namespace
 
 int sector_of(const Vec2& direction) {
-  // Grows with the angle, from 0 to 2 in half a turn.
+  // Increases with the angle, from 0 to 2 over half a turn.
   const double along = direction.x / (std::abs(direction.x) + std::abs(direction.y));
   const double turn = 1 - (direction.y < 0 ? -along : along);
   return std::min(static_cast<int>(turn * (sectors / 2)), sectors - 1);
@@ -41,7 +41,7 @@ InkCells::InkCells(const Vec2& min, const Vec2& max, double least) {
   double side = std::max(least, extent / most_columns);
   std::vector<double> sides{side};
   while (side < extent) sides.push_back(side *= 2);
-  // What lies elsewhere does not shift the cells.
+  // The cells do not depend on the position of other ink.
   const Vec2 origin = glm::floor(min / side) * side;
   for (const double width : sides) {
     const auto count = [&](double length) { return std::max(1, static_cast<int>(std::ceil(length / width))); };

@@ -2,8 +2,8 @@
 // A growing set of line pieces, searched by position.
 //
 // A piece is entered into the cells that it crosses, in a grid whose cells are about as large as the piece is long, so
-// their number is small for any length. Grids take memory only where they have pieces: their cells are allocated in
-// square tiles.
+// there are only a few of them, whatever the length. Grids take memory only where they contain pieces: their cells are
+// allocated in square tiles.
 #pragma once
 
 #include <algorithm>
@@ -17,26 +17,27 @@
 
 namespace epura::drawing {
 
-/// Directions without a sense, in 32 sectors: a bit for each.
+/// A set of undirected directions in 32 sectors, with one bit for each.
 using Sectors = std::uint32_t;
 
-/// Where a direction lies.
+/// Returns the sector of a direction.
 int sector_of(const Vec2& direction);
 
-/// All in which directions within 25 degrees of this one lie.
+/// Returns all sectors with directions within 25 degrees of this one.
 Sectors sectors_around(const Vec2& direction);
 
 class InkCells {
  public:
-  /// All lines lie in the box; those up to about `least` mm stand in the finest grid.
+  /// All lines must lie in the box; those of up to about `least` mm are in the finest grid.
   InkCells(const Vec2& min, const Vec2& max, double least);
 
-  /// The part's number is that of the parts that came before it. `sector` is that of the direction it counts for.
+  /// Parts are numbered in the order of addition. `sector` is that of the direction under which the part is to be
+  /// found.
   void add(const Vec2& from, const Vec2& to, int sector = 0);
   [[nodiscard]] bool empty() const { return count_ == 0; }
 
-  /// Calls `visit(part)` for all parts within `margin` of a line, for some others near it, and perhaps for some more
-  /// than once, until it returns false. Only those in `sectors` if it is given. The order is always the same.
+  /// Calls `visit(part)` for all parts within `margin` of a line, for some others near it, and perhaps more than once
+  /// for some, until it returns false. Visits only those in `sectors` if it is given. The order is always the same.
   template <class Visit>
   void visit(const Vec2& from, const Vec2& to, double margin, const Visit& visit, Sectors sectors = ~Sectors{}) const {
     bool wanted = true;
@@ -57,10 +58,10 @@ class InkCells {
   struct Level {
     search::CellGrid grid;
     int tile_columns;
-    std::vector<int> tiles;  ///< where the cells of each begin in `heads_`, or none
+    std::vector<int> tiles;  ///< index in `heads_` at which the cells of each tile begin, or none
     bool used = false;
   };
-  /// Some parts of a cell in half a line of the cache, and where those before them are.
+  /// Some parts of a cell, in half a cache line, and the cluster with the parts before them.
   struct Cluster {
     static constexpr int most = 5;
     int next;
@@ -69,13 +70,13 @@ class InkCells {
     std::uint8_t count;
   };
   static constexpr int none = -1;
-  static constexpr int tile_bits = 4, tile_side = 1 << tile_bits;  ///< cells
+  static constexpr int tile_bits = 4, tile_side = 1 << tile_bits;  ///< in cells
 
-  // Most lines lie in one cell of most grids.
+  // Most lines lie in a single cell of most grids.
   template <class Visit>
   static void visit_cells(const Level& level, const Vec2& from, const Vec2& to, double margin, const Visit& visit) {
     const search::CellGrid& grid = level.grid;
-    const double slack = margin + grid.side.x * 0x1p-20;  // that of the search
+    const double slack = margin + grid.side.x * 0x1p-20;  // the slack that the search uses
     const int column = grid.column(std::min(from.x, to.x) - slack), row = grid.row(std::min(from.y, to.y) - slack);
     if (grid.column(std::max(from.x, to.x) + slack) == column && grid.row(std::max(from.y, to.y) + slack) == row)
       return visit(column, row);
@@ -94,9 +95,9 @@ class InkCells {
     return tile < 0 ? none : heads_[tile + cell_in_tile(column, row)];
   }
 
-  std::vector<Level> levels_;  ///< each with cells twice as wide as those of the one before
+  std::vector<Level> levels_;  ///< each has cells twice as wide as the one before
   std::vector<Cluster> clusters_;
-  std::vector<int> heads_;  ///< by cell of the tiles in use: the cluster that came last
+  std::vector<int> heads_;  ///< by cell of the tiles in use: the latest cluster
   int count_ = 0;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts of pieces that stay on the paper, and parts that are taken away since others lie near them.
+// Parts of pieces that stay on paper, and parts that are removed because others lie near them.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace epura::drawing {
 
-/// A part of a piece; `from` and `to` run from 0 at the beginning of the piece to 1.
+/// A part of a piece; `from` and `to` are 0 at the beginning of the piece and 1 at its end.
 struct InkPart {
   int piece;
   double from, to;
@@ -31,14 +31,14 @@ inline Vec2 nearest_on(const std::array<Vec2, 2>& line, const Vec2& p) {
   return nearest_on_segment(p, line[0], line[1]);
 }
 
-/// False where a look at the box of the line tells that it lies farther away, whatever is rounded.
+/// False if the box of the line proves that it lies farther away, even with rounding.
 inline bool may_be_within(const std::array<Vec2, 2>& line, const Vec2& p, double distance) {
   const double reach = distance * (1 + 0x1p-20) + 0x1p-20;
   return std::min(line[0].x, line[1].x) - p.x <= reach && p.x - std::max(line[0].x, line[1].x) <= reach &&
          std::min(line[0].y, line[1].y) - p.y <= reach && p.y - std::max(line[0].y, line[1].y) <= reach;
 }
 
-/// Parts of pieces in the order in which they come, to be found by their places.
+/// Parts of pieces in the order of addition, which can be found by their positions.
 class InkParts {
  public:
   InkParts(const std::vector<Piece>& pieces, const Vec2& min, const Vec2& max, double cell)
@@ -57,7 +57,7 @@ class InkParts {
   [[nodiscard]] const InkPart& operator[](int number) const { return parts_[static_cast<std::size_t>(number)]; }
   [[nodiscard]] const std::array<Vec2, 2>& line(int number) const { return lines_[static_cast<std::size_t>(number)]; }
 
-  /// As InkCells::visit does.
+  /// Works like InkCells::visit.
   template <class Visit>
   void visit(const Vec2& from, const Vec2& to, double margin, const Visit& visit, Sectors sectors = ~Sectors{}) const {
     cells_.visit(from, to, margin, visit, sectors);
@@ -70,11 +70,11 @@ class InkParts {
   std::vector<std::array<Vec2, 2>> lines_{};
 };
 
-/// Parts that are taken away, and for each the kept parts that are drawn for it.
+/// Parts that are removed, and for each the kept parts that are drawn instead.
 struct TakenInk {
   InkParts parts;
   std::vector<int> by{};
-  std::vector<std::size_t> last{};  ///< by part: where its kept parts end in `by`
+  std::vector<std::size_t> last{};  ///< by part: end of its kept parts in `by`
 
   [[nodiscard]] std::span<const int> kept_for(int part) const {
     const std::size_t first = part == 0 ? 0 : last[part - 1];

@@ -24,7 +24,7 @@ std::vector<Piece> pieces_of(const visibility::ResolvedView& lines, const view::
       if (visible || keep_hidden) visit(from, to, visible);
     });
   };
-  std::vector<std::size_t> first(drawn.edges.size() + 1, 0);  // piece, by edge
+  std::vector<std::size_t> first(drawn.edges.size() + 1, 0);  // index of the first piece, by edge
   for (std::size_t e = 0; e < drawn.edges.size(); ++e) {
     first[e + 1] = first[e];
     visit_drawn(e, [&](double, double, bool) { ++first[e + 1]; });
@@ -47,7 +47,7 @@ std::vector<Piece> pieces_of(const visibility::ResolvedView& lines, const view::
   return pieces;
 }
 
-// The edge of a file that a line is; nothing for intersection lines and cuts through faces.
+// Returns the edge of a file that a line shows; nothing for intersection lines and cuts through faces.
 std::optional<std::array<int, 2>> edge_in_file(const scene::World& world, const edges::FeatureEdge& edge) {
   if (edge.mesh_edge < 0) return std::nullopt;
   const mesh::Mesh& mesh = *world.models[edge.model].mesh;
@@ -55,7 +55,7 @@ std::optional<std::array<int, 2>> edge_in_file(const scene::World& world, const 
   return origin.in_file ? std::optional(origin.vertex) : std::nullopt;
 }
 
-// `crossing` is its number among the lines that are not edges of a file, if it is one.
+// `crossing` is its number among the lines that are not edges of a file, if it is one of these.
 Segment segment_of(const visibility::ResolvedView& lines, const Piece& piece, int crossing) {
   const edges::FeatureEdge& edge = lines.drawn.edges[piece.edge];
   const auto in_file = edge_in_file(lines.world, edge);
@@ -75,7 +75,7 @@ CrossingSegment cut_segment(const scene::World& world, const edges::FeatureEdge&
   const int first = world.first_vertex[edge.model];
   const Vec3& p = world.points[first + cut.vertex[0]];
   const Vec3& q = world.points[first + cut.vertex[1]];
-  // Triangles of the cut face come last.
+  // The triangles of the cut face come last.
   return {{{{edge.model, mesh.polygon[mesh.triangles_of(cut).front()]}, {-1, -1}}},
           {p + t[0] * (q - p), p + t[1] * (q - p)}};
 }
@@ -96,7 +96,7 @@ void add_segments(const visibility::ResolvedView& lines, const std::vector<Piece
                   const Progress& progress) {
   const scene::World& world = lines.world;
   const edges::FeatureEdges& drawn = lines.drawn;
-  std::vector<int> crossing(pieces.size());  // how many of them come before
+  std::vector<int> crossing(pieces.size());  // number of crossings before each piece
   int crossings = 0;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     crossing[i] = crossings;
@@ -148,7 +148,7 @@ double parameter_in_space(const view::ProjectedScene& view, const edges::Feature
   if (s == 1) return edge.t[1];
   const double wp = view.vertices[edge.vertex[0]].w;
   const double wq = view.vertices[edge.vertex[1]].w;
-  // First a place on the clipped edge in space, then on the edge of the model.
+  // First the position on the clipped edge in space, then on the edge of the model.
   const double part = s * wp / (s * wp + (1 - s) * wq);
   return edge.t[0] + part * (edge.t[1] - edge.t[0]);
 }
@@ -177,7 +177,7 @@ ViewDrawing make_drawing(const visibility::ResolvedView& lines, const view::Pape
   pieces = joined_where_near(std::move(pieces), lines, options.near, limits.min, progress);
   drawing.joined_within = options.near.reach();
   add_segments(lines, pieces, drawing, progress);
-  pieces = std::vector<Piece>();  // chains take their room
+  pieces = std::vector<Piece>();  // to make room for the chains
   progress.begin("joining lines", drawing.segments.size());
   drawing.chains = chain_segments(drawing.segments, straight_mm, progress);
 

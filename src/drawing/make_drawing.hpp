@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Spans -> ink on paper.
+// Converts spans to ink on paper.
 #pragma once
 
 #include <string>
@@ -15,19 +15,19 @@ namespace epura::drawing {
 struct DrawingOptions {
   std::string name;    ///< of the view
   bool hidden = true;  ///< keep hidden lines
-  /// Those that are not kept are not made. They never had any influence: visible lines come first in rank.
+  /// Hidden lines that are not kept are not created. This does not change the result: visible lines come first in rank.
   bool leave_out = true;
   NearLines near{};
 };
 
-/// The place at page parameter `s` of an edge, in mm.
+/// Returns the place at page parameter `s` of an edge, in mm.
 Vec2 position_on_paper(const view::ProjectedScene& view, const view::PaperMap& paper, const edges::FeatureEdge& edge,
                        double s);
 
-/// A page parameter of an edge as the parameter along the edge in space that it was clipped from.
+/// Converts a page parameter of an edge to the parameter along the edge in space before clipping.
 double parameter_in_space(const view::ProjectedScene& view, const edges::FeatureEdge& edge, double s);
 
-/// Lines within `tolerance` of each other over at least `min` are one line; mm.
+/// Lines within `tolerance` of each other over at least `min` are one line; both in mm.
 struct Coincidence {
   double tolerance, min;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A polyline by the way along it, in mm from its beginning.
+// A polyline, addressed by the distance along it, in mm from its beginning.
 #pragma once
 
 #include <algorithm>
@@ -13,17 +13,17 @@
 
 namespace epura::drawing {
 
-/// A piece of a polyline, entered by an end.
+/// A piece of a polyline, which is entered at one of its ends.
 struct Member {
   End end = no_end;
-  int after = -1;  ///< when the last of those was taken that run along it and are taken before; -1: none is
+  int after = -1;  ///< when the last member was taken that runs along this one and comes earlier; -1: there is none
   double from = 0, to = 0;
-  Vec2 direction{0, 0};  ///< that of a stretch of the polyline where it has none of its own
+  Vec2 direction{0, 0};  ///< that of a part of the polyline if the piece is too short to have its own
 };
 
 class MeasuredPolyline {
  public:
-  /// A stretch of a member.
+  /// A part of a member.
   struct Stretch {
     std::size_t member;
     double from, to;
@@ -41,11 +41,11 @@ class MeasuredPolyline {
   [[nodiscard]] Vec2 place(double x) const { return place(member_at(x), x); }
   [[nodiscard]] InkPart part_of(const Stretch& stretch) const;
 
-  /// Members of that length have a direction of their own; for a shorter one, it is that of so much of the polyline
-  /// around it, unless that returns to within `touching`.
+  /// Members of length `with_direction` have a direction of their own; a shorter one gets that of such a length of the
+  /// polyline around it, unless the polyline returns there to within `touching`.
   [[nodiscard]] Vec2 direction_of(std::size_t member, double with_direction, double touching) const;
 
-  /// The stretches of members that a run is made of.
+  /// Calls `visit(stretch)` for the parts of members that a run consists of.
   template <class Visit>
   void visit_stretches(const std::array<double, 2>& run, const Visit& visit) const {
     if (!(run[1] > run[0])) return;

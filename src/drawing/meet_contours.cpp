@@ -15,10 +15,10 @@ namespace epura::drawing {
 
 namespace {
 
-// Of the way by which a contour is moved: so far at most a line runs on to it.
+// How far a line is extended to a contour, at most, as a multiple of the distance by which the contour is moved.
 constexpr double farthest = 2;
 
-/// A visible piece of a contour that is not drawn where the mesh has it.
+/// A visible piece of a contour that is not drawn where it is in the mesh.
 struct MovedContour {
   std::size_t piece;
   std::array<Vec2, 2> in_mesh, drawn;  ///< its ends
@@ -41,7 +41,7 @@ class Meeting {
 
   [[nodiscard]] bool empty() const { return contours_.empty(); }
 
-  /// Where an end of a piece is drawn that lies inside its edge; nothing where it stays.
+  /// Returns where an end of a piece inside its edge is drawn, or nothing if it stays where it is.
   [[nodiscard]] std::optional<Vec2> met(std::size_t number, int end) const {
     const Piece& piece = pieces_[number];
     if (piece.s[end] <= 0 || piece.s[end] >= 1) return std::nullopt;
@@ -57,7 +57,8 @@ class Meeting {
       const auto at = parameter_of(contour, place);
       if (!at) return true;
       const Vec2 there = contour.drawn[0] + *at * (contour.drawn[1] - contour.drawn[0]);
-      // Two contours of one surface that end there meet half way; what else ends there runs on in its own direction.
+      // Two contours of one surface that end there meet half way; other lines that end there continue in their own
+      // direction.
       ends_there = moved && has_inner_end(contour, place);
       if (ends_there)
         met = 0.5 * (drawn + there);
@@ -83,14 +84,14 @@ class Meeting {
     return {{{low.x, high.x}, {low.y, high.y}}};
   }
 
-  // Where on a contour of the mesh a place lies, 0 to 1; empty if it is not on it.
+  // Returns the position of a place on a contour of the mesh, 0 to 1, or nothing if it is not on it.
   [[nodiscard]] std::optional<double> parameter_of(const MovedContour& contour, const Vec2& place) const {
     const auto& [from, to] = contour.in_mesh;
     if (from == to || distance_to_segment(place, from, to) > tolerance_) return std::nullopt;
     return nearest_parameter(place, from, to);
   }
 
-  // Whether a contour ends at a place inside its edge.
+  // Whether a contour ends there, inside its edge.
   [[nodiscard]] bool has_inner_end(const MovedContour& contour, const Vec2& place) const {
     const std::array<double, 2>& s = pieces_[contour.piece].s;
     for (std::size_t end = 0; end < 2; ++end)
@@ -98,7 +99,7 @@ class Meeting {
     return false;
   }
 
-  // Where the line of a piece crosses a contour as it is drawn, within a distance from its end.
+  // Returns where the line of a piece crosses a contour as drawn, if that is within a distance from its end.
   static std::optional<Vec2> crossing(const Piece& piece, const MovedContour& contour, const Vec2& end, double within) {
     const Vec2 along = piece.to - piece.from, across = contour.drawn[1] - contour.drawn[0];
     const double area = along.x * across.y - along.y * across.x;

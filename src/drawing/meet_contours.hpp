@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contours are drawn on the surface, not on the mesh (edges/smooth_contours.hpp): lines that end at a contour of the
-// mesh, because it hides the rest, are made to end at the drawn contour.
+// Contours are drawn on the surface, not on the mesh (edges/smooth_contours.hpp). This makes lines that end at a
+// contour of the mesh, because it hides the rest of them, end at the contour that is drawn.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,8 @@
 
 namespace epura::drawing {
 
-/// Moves ends of pieces that lie within `tolerance` mm of a visible contour of the mesh, to where that is drawn.
+/// Moves those ends of pieces that lie within `tolerance` mm of a visible contour of the mesh to where the contour is
+/// drawn.
 void meet_contours(const visibility::ResolvedView& lines, const view::PaperMap& paper, double tolerance,
                    std::vector<Piece>& pieces);
 

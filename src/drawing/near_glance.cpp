@@ -16,21 +16,21 @@ namespace epura::drawing {
 namespace {
 
 constexpr std::size_t grain = 1024;
-// Cells of the page for each piece, and how often a piece is cut by them.
+// Number of grid cells for each piece, and how many times the grid cuts a piece on average.
 constexpr double cells_a_piece = 1, cuts_a_piece = 2;
-// Beyond so many pieces in a cell a glance costs more than it saves.
+// With more pieces than this in a cell, a glance costs more than it saves.
 constexpr std::size_t crowd = 96;
-// By so much a glance sees farther than the search, whose lines are parts of pieces, and rounded.
+// How much farther a glance reaches than the search, whose lines are parts of pieces, and rounded.
 constexpr double margin = 1e-6;
 
-// A piece in a cell: those that are taken last come first.
+// A piece in a cell. Those that are taken last come first.
 struct Entry {
   int turn, piece;
 };
 
 }  // namespace
 
-/// What is compared of a piece, apart from its ends.
+/// The properties of a piece that are compared, apart from its ends.
 struct NearGlance::Seen {
   std::array<float, 2> direction;
   int turn = -1;  ///< when it is taken
@@ -82,7 +82,7 @@ void NearGlance::find_last_along(const AlongLimits& limits, const Progress& prog
   const double distance = limits.distance * (1 + margin), least = limits.touching * (1 - margin);
   const search::CellGrid grid = search::grid_over_lines(
       pieces, {cells_a_piece * static_cast<double>(pieces.size()) + 1, 4 * distance, cuts_a_piece, HUGE_VAL});
-  // In the order of pieces, which mostly lie beside those before them.
+  // In the order of pieces, since neighbours in that order mostly lie side by side.
   const auto visit_pieces = [&](const auto& visit) {
     parallel_for(pieces.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
@@ -113,7 +113,7 @@ void NearGlance::find_last_along(const AlongLimits& limits, const Progress& prog
     Member& own = members_[static_cast<std::size_t>(turn)];
     search::visit_cells(grid, pieces[piece].from, pieces[piece].to, distance, [&](int cell, double, double) {
       const std::span<const Entry> others = std::as_const(by_cell)[static_cast<std::size_t>(cell)];
-      if (others.size() > crowd) own.after = turn - 1;  // it may be any
+      if (others.size() > crowd) own.after = turn - 1;  // it may run along any of them
       auto other = std::partition_point(others.begin(), others.end(), [&](const Entry& e) { return e.turn >= turn; });
       while (other != others.end() && other->turn > own.after && !run_along(pieces[piece], own.direction, other->piece))
         ++other;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A first look at polylines that are taken one after the other: when the last line was taken that runs along a piece of
-// one. What has none needs no search among the ink that stays, and others can be searched as soon as that one has its
-// place.
+// A first look at polylines that are taken one after the other: for each piece, when the last earlier line was taken
+// that runs along it. If there is none, the ink that stays need not be searched; otherwise the search can begin as soon
+// as that line has been placed.
 #pragma once
 
 #include <algorithm>
@@ -15,16 +15,17 @@
 
 namespace epura::drawing {
 
-/// When lines run along each other, mm.
+/// When lines count as running along each other; lengths in mm.
 struct AlongLimits {
-  double distance;  ///< at most so far apart
-  double touching;  ///< over more than that
+  double distance;  ///< greatest distance between them
+  double touching;  ///< they must be within it over more than this length
 
-  /// Lines that differ by less have about one direction: facets of rims with eight corners and more do.
+  /// Lines whose directions differ by less have about the same direction. So do facets of rims with eight or more
+  /// corners.
   static constexpr double least_cosine = 0.9063;  // 25 degrees
-  /// Pieces without a direction of their own, seen in that of the polyline, are no steeper than that.
+  /// Greatest slope of pieces without a direction of their own, relative to the direction of the polyline.
   static constexpr double steepest = 2;
-  /// So long are lines that have a direction of their own.
+  /// The length from which lines have a direction of their own.
   [[nodiscard]] double with_direction() const { return 4 * distance; }
 };
 
@@ -36,12 +37,13 @@ class NearGlance {
 
   /// The number of polylines.
   [[nodiscard]] std::size_t size() const { return closed_.size(); }
-  /// The strongest first. Pieces are taken in the order of polylines, those of one along it.
+  /// Polylines are in order of strength, the strongest first. Pieces are taken in this order, those of a polyline along
+  /// it.
   [[nodiscard]] MeasuredPolyline operator[](std::size_t line) const {
     return {*pieces_, std::span(members_).subspan(first(line), first(line + 1) - first(line))};
   }
   [[nodiscard]] bool is_closed(std::size_t line) const { return closed_[line] != 0; }
-  /// Whose pieces are taken then.
+  /// The polyline whose pieces are taken at this time.
   [[nodiscard]] std::size_t line_at(std::size_t turn) const {
     return static_cast<std::size_t>(std::upper_bound(first_.begin(), first_.end(), turn) - first_.begin()) - 1;
   }

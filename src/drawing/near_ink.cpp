@@ -15,10 +15,10 @@ namespace epura::drawing {
 
 namespace {
 
-// By so many distances lines are prolonged or cut off.
+// By how much lines are extended or cut off, at most, as a multiple of the distance.
 constexpr double along = 2;
 
-// In order of their pieces, those that go on in one piece as one, and whole pieces that are no ink.
+// Sorts parts by piece, merges those that continue each other, and adds whole pieces that are not ink.
 std::vector<InkPart> joined_parts(std::vector<InkPart> parts, const std::vector<signed char>& strength) {
   for (std::size_t i = 0; i < strength.size(); ++i)
     if (strength[i] < 0) parts.push_back({static_cast<int>(i), 0, 1});

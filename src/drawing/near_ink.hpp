@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lines that run along each other so near that a person sees one: one of them is drawn, in its own place.
+// Of lines that run along each other so closely that a person sees one, only one is drawn, in its own place.
 //
-// Pieces are taken polyline by polyline, the strongest first, of one strength the longest: so a rim stays whole, and
-// what peeps out beside it goes. A stretch of a polyline is near where ink that stays runs in about its direction, at
-// no more than the distance. Directions are those of a stretch of a few distances, since shorter pieces have none of
-// their own. Between near stretches and at the ends of polylines short rests go, too, where ink lies around them:
-// corners of outlines beside each other are sqrt(2) times as far apart as their sides.
+// Pieces are taken polyline by polyline, the strongest first, and the longest first among those of equal strength: this
+// keeps a rim in one piece and removes what protrudes beside it. A part of a polyline is near if ink that stays runs in
+// about the same direction at no more than the distance. Directions are measured over a few distances, since shorter
+// pieces have none of their own. Short remainders between near parts and at the ends of polylines are removed, too, if
+// ink lies around them: the corners of adjacent outlines are sqrt(2) times as far apart as their sides.
 //
-// Lines that cross at a slight angle, or meet at one, are near each other around that point, and yet nobody takes them
-// for one: where a near stretch ends and the polyline goes on, it is only near from the place on where it last meets
-// the other line. Ends that would stand in the air without what is taken away are joined to the ink that stays for it.
+// Lines that cross or meet at a small angle are near each other around that point, and yet nobody mistakes them for one
+// line: where a near part ends and the polyline continues, it counts as near only up to the place where it last meets
+// the other line. Ends that would be left unconnected are joined to the ink that is drawn instead of the removed ink.
 #pragma once
 
 #include <functional>
@@ -22,15 +22,17 @@
 namespace epura::drawing {
 
 struct NearLines {
-  double distance = 0;  ///< mm of paper; 0: all lines are drawn
-  /// By model, kind, and visibility: of two lines the one with the greater number is drawn; below 0 it is no ink.
+  double distance = 0;  ///< mm on paper; 0: all lines are drawn
+  /// For model, kind and visibility: of two lines, the one with the greater number is drawn; a negative number means no
+  /// ink.
   std::function<int(int, EdgeKind, bool)> strength{};
 
-  /// Ink that was taken away has ink that stays within so many mm.
+  /// For removed ink, there is ink that stays within this distance, mm.
   [[nodiscard]] double reach() const { return std::numbers::sqrt2 * distance; }
 };
 
-/// What is left of `pieces`, in their order. `strength` is by piece. Lines within `touching` mm meet. Throws OutOfTime.
+/// Returns what is left of `pieces`, in their order. `strength` is by piece. Lines within `touching` mm meet. Throws
+/// OutOfTime.
 std::vector<Piece> join_near(std::vector<Piece> pieces, const std::vector<signed char>& strength, double distance,
                              double touching, const Progress& progress = {});
 

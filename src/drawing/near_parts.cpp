@@ -12,9 +12,9 @@ namespace epura::drawing {
 
 namespace {
 
-// How wide the finest cells are in which ink is looked for, in distances.
+// Width of the finest cells in which ink is searched for, as a multiple of the distance.
 constexpr double cell = 2;
-// Of so many others, some may be left out where what is found covers the whole.
+// After this many other lines, the rest may be left out if those found cover the whole member.
 constexpr int many_others = 4;
 
 std::array<Vec2, 2> box_of(const std::vector<Piece>& pieces) {
@@ -24,13 +24,13 @@ std::array<Vec2, 2> box_of(const std::vector<Piece>& pieces) {
   return box;
 }
 
-// Which parts were found for a member.
+// The parts that were found for a member.
 class Found {
  public:
   Found(const std::vector<NearPart>& parts) : parts_(parts), first_(parts.size()) {}
 
   [[nodiscard]] bool has(int number) {
-    // Most members have few.
+    // Most members have only a few.
     constexpr std::size_t few = 32;
     const auto is_it = [&](const NearPart& part) { return part.by == number; };
     const auto begin = parts_.begin() + static_cast<std::ptrdiff_t>(first_);
@@ -80,7 +80,7 @@ void KeptInk::find_near(const MeasuredPolyline& polyline, std::size_t member, Ne
     if (crossing > from && crossing < to) near.contacts.push_back(x(crossing));
     return true;
   };
-  // A line is met in each cell that both run through.
+  // A line is found in each cell that both lines run through.
   std::array<int, 64> apart;
   apart.fill(-1);
   const auto visit = [&](int number) {

@@ -12,16 +12,16 @@
 
 namespace epura::drawing {
 
-/// A kept part, and the stretch of the member along which it runs, mm.
+/// A kept part (`by`), and the stretch of the member along which it runs, mm.
 struct NearPart {
   Range stretch;
   int by;
 };
 
-/// What members have along them: lists of one member after the other.
+/// What runs along members: the lists of one member after the other.
 struct NearParts {
   std::vector<NearPart> parts;
-  std::vector<double> contacts;  ///< where they meet it
+  std::vector<double> contacts;  ///< where the members meet it
 
   void clear() {
     parts.clear();
@@ -36,7 +36,7 @@ class KeptInk {
   void add(const InkPart& part, const Vec2& direction);
   [[nodiscard]] const InkParts& parts() const { return parts_; }
 
-  /// Appends what runs along a member. Where very much does, some is left out once the rest covers the member.
+  /// Appends what runs along a member. If there is very much of it, some is left out once the rest covers the member.
   void find_near(const MeasuredPolyline& polyline, std::size_t member, NearParts& found) const;
 
  private:
@@ -45,14 +45,15 @@ class KeptInk {
   std::vector<std::array<float, 2>> directions_{};  ///< by part
 };
 
-/// What kept ink has along the next members, found on several threads before any of them is added.
+/// The kept ink along the next members, found on several threads before any of these members is added.
 class NearAhead {
  public:
-  /// For members of [first, last), by when they are taken: those that have nothing along them but what was added.
+  /// Looks at members that are taken from `first` to before `last`, if only ink that was already added can run along
+  /// them.
   void look(const NearGlance& glance, const KeptInk& kept, std::size_t first, std::size_t last);
 
   [[nodiscard]] bool has_seen(const Member& member) const { return member.after < static_cast<int>(first_); }
-  /// Appends what was found for the member that is taken then.
+  /// Appends what was found for the member that is taken at this time.
   void append(std::size_t turn, NearParts& found) const;
 
  private:

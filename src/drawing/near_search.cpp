@@ -12,14 +12,15 @@ namespace epura::drawing {
 
 namespace {
 
-// In distances:
-constexpr double longest_gap = 3;   // so much of a polyline goes with the near stretches beside it
-constexpr double shortest_run = 5;  // and so long a stretch counts by itself
-// Where lines meet at an angle of 1.2 degrees and more, or an arc meets its tangent that has up to 1250 as its radius,
-// none is taken for the other.
+// Multiples of the distance:
+constexpr double longest_gap = 3;   // length of a polyline that is removed along with near parts beside it, at most
+constexpr double shortest_run = 5;  // length from which a near part counts by itself
+// Greatest distance from the end of a near part to the contact up to which the part is shortened. Within it, lines at
+// 1.2 degrees or more separate, and so does an arc with a radius of up to 1250 from its tangent: nobody mistakes one
+// for the other.
 constexpr double farthest_contact = 50;
 
-// The parameters of a line, 0 at a and 1 at b, where it is within a distance of the line p, q: that of a convex set.
+// Returns the parameters of a line, 0 at a and 1 at b, where it lies within a distance of the line p, q, a convex set.
 Range part_around(const Vec2& a, const Vec2& b, const Vec2& p, const Vec2& q, double distance) {
   const Vec2 step = b - a;
   Range all{1, 0};
@@ -99,7 +100,7 @@ visibility::Spans NearSearch::near_parts(std::size_t member, std::size_t turn) {
   return spans;
 }
 
-// One that goes on where the last one ends is one with it.
+// A run that begins where the last one ends is merged with it.
 void NearSearch::add_run(const Run& run) {
   if (!runs_.empty() && runs_.back()[1] >= run[0])
     runs_.back()[1] = run[1];
@@ -107,7 +108,7 @@ void NearSearch::add_run(const Run& run) {
     runs_.push_back(run);
 }
 
-// Longer stretches stay whatever comes.
+// Longer stretches stay in any case.
 void NearSearch::add_apart(const Stretch& stretch) {
   if (is_apart_) return keep(stretch);
   gap_.push_back(stretch);
@@ -117,7 +118,7 @@ void NearSearch::add_apart(const Stretch& stretch) {
   gap_.clear();
 }
 
-// `is_near`: there is a near stretch at one end of the gap at least.
+// `is_near`: there is a near part on at least one side of the gap.
 void NearSearch::end_gap(bool is_near) {
   is_apart_ = false;
   if (gap_.empty()) return;
@@ -133,7 +134,7 @@ void NearSearch::end_gap(bool is_near) {
   gap_.clear();
 }
 
-// -1 where there is none.
+// Returns -1 if there is none.
 int NearSearch::nearest_kept(const Vec2& place) const {
   const double reach = std::numbers::sqrt2 * limits_.distance;
   std::pair<double, int> best{reach, -1};
@@ -147,7 +148,7 @@ int NearSearch::nearest_kept(const Vec2& place) const {
   return best.second;
 }
 
-// Whether the lines that stay at the ends of a gap do not meet one another: then it is the gap that joins them.
+// Whether the lines that stay at the ends of a gap do not meet each other, so that the gap connects them.
 bool NearSearch::is_bridge(const Vec2& from, const Vec2& to) const {
   const int one = nearest_kept(from), other = nearest_kept(to);
   if (one < 0 || other < 0) return true;
@@ -185,7 +186,7 @@ void NearSearch::keep(const Run& run) {
   polyline_.visit_stretches(run, [&](const Stretch& part) { keep(part); });
 }
 
-// Whether the polyline goes on beyond the ends of a run, with ink that stays.
+// Whether the polyline continues beyond the ends of a run with ink that stays.
 std::array<bool, 2> NearSearch::goes_on(const Run& run, bool is_closed) const {
   const bool is_first = run[0] <= 0, is_last = run[1] >= polyline_.length();
   if (!is_closed) return {!is_first, !is_last};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which stretches of polylines lie near stronger ink: near_ink.hpp says what near is.
+// Finds the parts of polylines that lie near stronger ink; near_ink.hpp defines "near".
 #pragma once
 
 #include <array>
@@ -18,10 +18,10 @@ namespace epura::drawing {
 
 class NearSearch {
  public:
-  /// Lines within `limits.touching` meet.
+  /// Lines within `limits.touching` of each other meet.
   NearSearch(const std::vector<Piece>& pieces, const NearGlance& glance, const AlongLimits& limits);
 
-  /// What of polylines stays, and what is taken away, one after the other. Throws OutOfTime.
+  /// Decides for one polyline after the other which parts stay and which are removed. Throws OutOfTime.
   void add_all(const Progress& progress);
 
   [[nodiscard]] const InkParts& kept() const { return kept_.parts(); }
@@ -30,13 +30,13 @@ class NearSearch {
 
  private:
   using Stretch = MeasuredPolyline::Stretch;
-  /// Ink that stays lies near a stretch.
+  /// A stretch near ink that stays.
   struct Near {
     Stretch stretch;
     int by;
   };
   using Run = std::array<double, 2>;
-  // So many members at least are searched together before their polylines are added.
+  // Least number of members that are searched together before their polylines are added.
   static constexpr std::size_t looked_ahead = 8192;
 
   void add(std::size_t line);
@@ -58,17 +58,17 @@ class NearSearch {
   AlongLimits limits_;
   KeptInk kept_;
   NearAhead ahead_;
-  std::vector<InkPart> specks_;  ///< kept, and too short to draw anything for others
+  std::vector<InkPart> specks_;  ///< kept, but too short to be drawn instead of others
   TakenInk taken_;
 
-  // Of the polyline.
+  // The current polyline:
   MeasuredPolyline polyline_;
   NearParts found_;  ///< along one member
   std::vector<Near> near_;
-  std::vector<double> contacts_;  ///< where it meets stronger ink that is near
+  std::vector<double> contacts_;  ///< where it meets stronger ink near it
   std::vector<Run> runs_;         ///< near stretches: ascending, disjoint
-  std::vector<Stretch> gap_;      ///< the stretch behind the last run, while it is short
-  bool is_apart_ = false;         ///< that stretch is no gap any more
+  std::vector<Stretch> gap_;      ///< the part after the last run, while it is short
+  bool is_apart_ = false;         ///< whether that part has become too long for a gap
 };
 
 }  // namespace epura::drawing

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which lines continue each other where several straight lines meet in a point.
+// Finds which lines continue each other where several straight lines meet in a point.
 #pragma once
 
 #include <algorithm>
@@ -15,14 +15,14 @@
 
 namespace epura::drawing {
 
-/// One end of a line: 2 * line + (0 where it starts, 1 where it ends).
+/// One end of a line: 2 * line + (0 for its start, 1 for its end).
 using End = int;
 inline constexpr End no_end = -1;
 
 constexpr int line_of(End end) { return end / 2; }
 constexpr End other(End end) { return end ^ 1; }
 
-/// Joins ends that meet in one point: the two that run on most straightly first, as long as there are two.
+/// Joins ends that meet in one point, the straightest pair first, while there are two left.
 template <class Place>
 void pair_up(const Place& place, std::span<const End> ends, std::vector<End>& partner) {
   constexpr std::size_t most_at_a_point = 64;  // beyond that, straightness is not worth a quadratic search
@@ -32,7 +32,7 @@ void pair_up(const Place& place, std::span<const End> ends, std::vector<End>& pa
     partner[b] = a;
   };
   if (ends.size() == 2) return join(ends[0], ends[1]);
-  std::vector<std::pair<End, Vec2>> left;  // with the direction in which the line leaves this end
+  std::vector<std::pair<End, Vec2>> left;  // with the direction in which the line leaves that end
   for (const End end : ends) left.emplace_back(end, glm::normalize(place(other(end)) - place(end)));
   while (left.size() >= 2) {
     std::tuple<double, End, End> best{HUGE_VAL, no_end, no_end};
@@ -45,8 +45,8 @@ void pair_up(const Place& place, std::span<const End> ends, std::vector<End>& pa
   }
 }
 
-/// For each end, the end that continues it, or none. `place(end)` is where it lies; `key(end)` is an array of doubles
-/// that ends have in common that may be joined, their place among them. Throws OutOfTime.
+/// Returns for each end the end that continues it, or none. `place(end)` is its position; `key(end)` is an array of
+/// doubles, including the position, that two ends must have in common to be joined. Throws OutOfTime.
 template <class Place, class Key>
 std::vector<End> find_partners(int lines, const Place& place, const Key& key, const Progress& progress) {
   std::vector<End> partner(static_cast<std::size_t>(lines) * 2, no_end);

@@ -13,14 +13,14 @@ namespace {
 
 Vec2 across(const Vec2& direction) { return {-direction.y, direction.x}; }
 
-// Of a line without a sense: the angle is doubled.
+// The angle is doubled, since a line has no sense.
 Vec2 on_circle(const Vec2& d) { return Vec2(d.x * d.x - d.y * d.y, 2 * d.x * d.y) / glm::dot(d, d); }
 
 }  // namespace
 
 PieceTree::PieceTree(const std::vector<Piece>& pieces, std::vector<int> members, double tolerance, double spread)
     : pieces_(&pieces), by_rank_(std::move(members)), tolerance_(tolerance), spread_(spread) {
-  // Pieces of one rank by their numbers: members come in any order.
+  // Pieces of equal rank are ordered by their numbers, since members come in any order.
   const auto order_of = [&](int piece) { return std::tuple(rank(pieces[piece]), piece); };
   std::sort(by_rank_.begin(), by_rank_.end(), [&](int a, int b) { return order_of(b) < order_of(a); });
   choose_normals();
@@ -33,7 +33,7 @@ PieceTree::PieceTree(const std::vector<Piece>& pieces, std::vector<int> members,
            }};
 }
 
-// Each next one is that of the piece that goes farthest across all before.
+// Each normal is that of the piece that extends farthest across all earlier ones.
 void PieceTree::choose_normals() {
   std::vector<double> reach(by_rank_.size());
   const auto along = [&](std::size_t i) { return (*pieces_)[by_rank_[i]].to - (*pieces_)[by_rank_[i]].from; };
@@ -47,7 +47,7 @@ void PieceTree::choose_normals() {
   normals_[3] = across(normals_[0]);
 }
 
-// Pieces with the same nearest normal come together, those of one in order of rank.
+// Groups pieces by their nearest normal, each group in order of rank.
 void PieceTree::sort_by_direction() {
   std::vector<std::size_t> nearest(by_rank_.size()), sorted(by_rank_.size());
   for (std::size_t i = 0; i < nearest.size(); ++i) {
@@ -85,7 +85,7 @@ PieceTree::Bounds PieceTree::covering(int piece, const std::array<double, 2>& pa
   for (std::size_t i = 0; i < order; ++i) {
     const bool is_place = i < direction;
     if (!is_place) bounds[i].fill(circle[static_cast<int>(i - direction)]);
-    // Once the tolerance for covering, once for rounding; on the circle, angles are double.
+    // The tolerance counts once for covering and once for rounding; on the circle, angles are doubled.
     const double slack = 2 * (is_place ? tolerance_ : spread_);
     bounds[i] = {bounds[i][0] - slack, bounds[i][1] + slack};
   }

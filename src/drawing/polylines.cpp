@@ -32,7 +32,7 @@ Polylines::Polylines(const std::vector<Piece>& pieces, const std::vector<signed 
   const End ends = static_cast<End>(partner.size());
   for (End end = 0; end < ends; ++end)
     if (partner[end] == no_end && is_left(end)) follow(end, false);
-  // What is left runs in rings.
+  // The remaining pieces form rings.
   for (End end = 0; end < ends; end += 2)
     if (is_left(end)) follow(end, true);
 }

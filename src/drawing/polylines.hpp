@@ -11,21 +11,21 @@
 
 namespace epura::drawing {
 
-/// Every piece that has a strength is in exactly one polyline.
+/// Every piece with a strength is in exactly one polyline.
 class Polylines {
  public:
-  /// `strength` by piece: what is stronger is drawn instead of what is weaker; below 0: the piece is not ink. Throws
-  /// OutOfTime.
+  /// `strength` by piece: stronger pieces are drawn instead of weaker ones; if it is negative, the piece is not ink.
+  /// Throws OutOfTime.
   Polylines(const std::vector<Piece>& pieces, const std::vector<signed char>& strength, const Progress& progress);
 
   [[nodiscard]] std::size_t size() const { return lines_.size(); }
-  /// The ends by which its pieces are entered, in order.
+  /// The ends at which its pieces are entered, in order.
   [[nodiscard]] std::span<const End> operator[](std::size_t line) const {
     return std::span(members_).subspan(lines_[line].first, lines_[line].count);
   }
   [[nodiscard]] bool is_closed(std::size_t line) const { return lines_[line].closed; }
 
-  /// The strongest first, of one strength the longest, then the one with the first piece.
+  /// The strongest first, then the longest, then the one with the first piece.
   [[nodiscard]] std::vector<std::size_t> by_rank() const;
 
  private:

@@ -13,15 +13,15 @@ namespace epura::drawing {
 
 namespace {
 
-// So few are compared sooner than divided.
+// Up to these numbers, strands are compared, which is faster than dividing them.
 constexpr std::size_t few_strands = 24, few_ends = 4;
-// In so many, another direction is tried where one does not help.
+// From this number, another direction is tried if one does not help.
 constexpr std::size_t many_strands = 96;
-// A division has to leave at most so much of the work.
+// A division is worthwhile if it leaves at most this fraction of the work.
 constexpr double worth_dividing = 0.85;
 
-// The direction of a line without its sense. Upwards, from 0 to 2, it is measured around a square instead of a circle:
-// by no more than the angle in radians, and by no less than half of that.
+// The undirected direction of a line, from 0 to 2, measured upwards around a square instead of a circle: it changes by
+// no more than the angle in radians, and by no less than half of that.
 constexpr double half_turn = 2;
 
 double direction_of(const Piece& p) {
@@ -30,7 +30,7 @@ double direction_of(const Piece& p) {
   return along.x >= 0 ? along.y / (along.x + along.y) : 1 - along.x / (along.y - along.x);
 }
 
-// Coordinates along a direction and across it.
+// Converts to coordinates along a direction and across it.
 Strand turned(Strand s, const Vec2& along) {
   const auto turn = [&](const Vec2& p) { return Vec2(glm::dot(along, p), along.x * p.y - along.y * p.x); };
   s.from = turn(s.from);
@@ -55,15 +55,15 @@ Load load_of(const Strands& strands) {
   return load;
 }
 
-/// What strands are parted by: where they lie, or how high they leave the cell at one of its sides. What two have in
-/// common and begins in the cell goes on as far as both do: if both leave by one side, they lie on one another there.
+/// How strands are separated: by position, or by the height at which they leave the cell at one of its sides. An
+/// overlap that begins in the cell continues as far as both strands do: if both leave by one side, they overlap there.
 enum class Measure { x, y, on_the_left, on_the_right };
 
-/// Where strands are parted: at a place of a measure, with a margin to either side.
+/// Where strands are separated: at a value of a measure, with a margin on both sides.
 struct Cut {
   Measure by;
   double margin;
-  double side;  ///< x of the left or the right side
+  double side;  ///< x of the left or right side
   double at = 0;
   Load below{}, above{};
 
@@ -71,7 +71,7 @@ struct Cut {
   [[nodiscard]] int axis() const { return by == Measure::x ? 0 : 1; }
   [[nodiscard]] bool is_by_place() const { return by == Measure::x || by == Measure::y; }
 
-  /// Infinite for those that do not go as far as the side.
+  /// Infinite for strands that do not reach the side.
   [[nodiscard]] std::array<double, 2> range(const Strand& s) const {
     constexpr std::array<double, 2> all{-HUGE_VAL, HUGE_VAL};
     if (by == Measure::on_the_left) return s.begins || s.from.x > side + margin ? all : std::array{s.from.y, s.from.y};
@@ -92,7 +92,7 @@ struct Cut {
     above.ends += std::size_t{s.begins && has_above(tops[0])} + std::size_t{s.ends && has_above(tops[1])};
   }
 
-  // Without what lies beyond the margin. One end at most does.
+  // Cuts off what lies beyond the margin, which is true of one end at most.
   [[nodiscard]] Strand part_of(const Strand& s, bool is_below) const {
     const double border = is_below ? at + margin : at - margin;
     const auto lies_beyond = [&](double x) { return is_below ? x > border : x < border; };
@@ -107,7 +107,8 @@ struct Cut {
   }
 };
 
-// Between two ends, or two places where strands leave, near the middle of all. Some of them stand for all.
+// A value between two ends, or between two places where strands leave, near the middle. A sample represents all
+// strands.
 std::optional<double> place_of_cut(const Strands& strands, const Cut& cut) {
   constexpr std::size_t most_samples = 16;
   const std::size_t step = strands.size() / most_samples + 1;
@@ -133,7 +134,7 @@ std::optional<double> place_of_cut(const Strands& strands, const Cut& cut) {
   return best;
 }
 
-// The one that leaves the least work, if it is little enough.
+// The cut that leaves the least work, if that is little enough.
 std::optional<Cut> best_cut(const Strands& strands, std::span<const Measure> measures, double margin, double work) {
   double left = HUGE_VAL, right = -HUGE_VAL;
   for (const Strand& s : strands) {
@@ -199,7 +200,7 @@ DirectionClasses::DirectionClasses(const std::vector<Piece>& pieces, double spre
   const std::size_t all = classes_ * turns;
   std::vector<std::size_t> turn(pieces.size());
   parallel_for(pieces.size(), 1024, progress, [&](std::size_t begin, std::size_t end) {
-    // Lines along the sides of the paper lie in the middle of one.
+    // Lines along the sides of the paper are in the middle of a turn.
     for (std::size_t i = begin; i < end; ++i)
       turn[i] = static_cast<std::size_t>(direction_of(pieces[i]) / half_turn * static_cast<double>(all) + 0.5) % all;
   });

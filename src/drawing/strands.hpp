@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which pieces of a drawing run beside one another.
+// Finds the pieces of a drawing that run beside one another.
 //
 // Where one piece covers another, the overlap begins and ends at an end of one of them. So a part of the paper matters
-// only where ends lie in it, and is divided as long as that saves work, whose measure is the number of ends times that
-// of the pieces. Pieces are taken by direction, and each direction is divided for itself, along and across: its cells
-// grow long and thin, which lines that run beside one another seldom leave. Without that, lines at random would have as
-// many near pairs as the square of their number.
+// only if it contains ends. It is divided while that saves work, which is measured as the number of ends times the
+// number of pieces. Pieces are grouped by direction, and the paper is divided separately for each direction, along and
+// across. The cells become long and thin, and lines that run beside one another seldom leave them. Without this, random
+// lines would have a number of near pairs that grows with the square of their number.
 #pragma once
 
 #include <cstddef>
@@ -19,35 +19,37 @@
 
 namespace epura::drawing {
 
-/// The part of a piece that runs through a cell of the paper. x goes about along the direction of those in the cell.
+/// The part of a piece that runs through a cell of the paper. x points roughly along the pieces in the cell.
 struct Strand {
   Vec2 from, to;  ///< from.x <= to.x
   int piece;
-  /// Whether `from` and `to` are ends of the piece that count: where all go along x, an overlap begins with a `from`.
+  /// Whether `from` and `to` are relevant ends of the piece: if all pieces go along x, an overlap begins at a `from`.
   bool begins, ends;
-  bool is_guest;  ///< of the next class of directions, where pairs of such pieces are found
+  bool is_guest;  ///< belongs to the next class of directions, which searches pairs of such pieces
 };
 
 using Strands = std::vector<Strand>;
 
-/// The strands of two cells instead of one; nothing where that would save too little. What lies within twice the
-/// tolerance of both is in both. `go_along`: that of their class.
+/// Returns the strands of two cells that replace one; nothing if that would save too little. Strands within twice the
+/// tolerance of both cells are in both. `go_along` is that of their class.
 std::optional<std::pair<Strands, Strands>> divide(const Strands& strands, double tolerance, bool go_along);
 
-/// Pieces by direction.
+/// Pieces grouped by direction.
 class DirectionClasses {
  public:
-  /// `spread` is by how much pieces may differ in direction that cover one another, radians. Throws OutOfTime.
+  /// `spread` is the greatest difference in direction, in radians, between pieces that cover one another. Throws
+  /// OutOfTime.
   DirectionClasses(const std::vector<Piece>& pieces, double spread, const Progress& progress);
 
   [[nodiscard]] std::size_t size() const { return classes_; }
-  /// Those of a class and of its guests, whole, with x along the longest piece of the class.
+  /// Returns the pieces of a class and its guests, undivided, with x along the longest piece of the class.
   [[nodiscard]] Strands strands(std::size_t number) const;
-  /// Whether pieces of a class all go with its x, by more than half of their length.
+  /// Whether all pieces of a class extend along its x by more than half of their length.
   [[nodiscard]] bool go_along() const { return classes_ > 6; }
 
  private:
-  // A class is so many turns by the spread. The first turn of the next class is its guest.
+  // A class consists of this many turns, each as wide as the spread. The pieces in the first turn of the next class are
+  // its guests.
   static constexpr std::size_t turns = 2;
 
   const std::vector<Piece>& pieces_;

@@ -23,7 +23,7 @@ std::vector<char> longest(const std::vector<Chain>& chains, std::size_t count) {
   return keep;
 }
 
-// Returns the new numbers of the segments that stay.
+// Returns the new numbers of the segments that are kept.
 std::vector<int> keep_segments(ViewDrawing& drawing, const std::vector<char>& keep) {
   std::vector<int> number(keep.size(), -1);
   std::vector<Segment> segments;

@@ -8,7 +8,7 @@
 
 namespace epura::drawing {
 
-/// Keeps the `count` longest chains and the segments that are in them, in their order. Returns how many segments go.
+/// Keeps the `count` longest chains and their segments, in order. Returns the number of segments removed.
 std::size_t keep_longest_chains(ViewDrawing& drawing, std::size_t count);
 
 }  // namespace epura::drawing

@@ -11,7 +11,8 @@ namespace epura::explain {
 namespace {
 
 constexpr std::size_t most_named = 5;
-// The line that has the ink may have taken it from one that had taken it before.
+// Multiple of the tolerance for coincident lines: the line that has the ink may have replaced one that had replaced
+// another.
 constexpr double steps_of_coincidence = 2;
 
 struct Storyteller {
@@ -63,7 +64,7 @@ struct Storyteller {
     return segment.edge == origin.vertex;
   }
 
-  // For a span without its own ink: which edges draw that place, or why nothing does.
+  // For a span without ink of its own: which edges draw that place, or why none does.
   [[nodiscard]] std::string ink_of(const Span& span) const {
     const drawing::Coincidence limits = drawing::coincidence_on_paper(drawn_view.view, drawn_view.paper);
     if (!span.visible && !drawn_view.keep_hidden) return "    no ink: hidden lines are switched off\n";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Explanation of one edge, in sentences.
+// Explains one edge in sentences.
 #pragma once
 
 #include <string>
@@ -9,8 +9,9 @@
 
 namespace epura::explain {
 
-/// Lines of text: why the edge is drawn or not, its spans, what hides each, and whose ink lies on it. Angles in
-/// degrees, places on the page in mm, t along the edge in space as in JSON, distances in the world's unit.
+/// Returns lines of text: why the edge is drawn or not, its spans, what hides each, and which lines have their ink.
+/// Angles are in degrees, positions on the page in mm, distances in units of the world; t runs along the edge in space
+/// as in JSON.
 std::string explain(const ExplainInput& drawn_view, const TriangleBoxes& boxes, const Subject& subject);
 
 }  // namespace epura::explain

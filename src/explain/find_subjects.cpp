@@ -19,7 +19,7 @@ const std::string option = "--why";
 constexpr std::size_t most_named = 8;
 constexpr std::size_t nearest_edges = 3;
 
-// Two whole numbers from 0 on with a separator between them.
+// Parses two non-negative integers with a separator between them.
 std::optional<std::array<int, 2>> parse_pair(std::string_view text, char separator) {
   const auto parts = split(text, separator);
   if (parts.size() != 2) return std::nullopt;
@@ -52,7 +52,7 @@ std::optional<EdgeQuestion> parse(std::string_view text) {
                     {std::min((*vertices)[0], (*vertices)[1]), std::max((*vertices)[0], (*vertices)[1])}};
 }
 
-// Drawn edges are in the order of models and their edges.
+// Returns the number of a drawn edge, or -1. Drawn edges are in the order of models and their edges.
 int drawn_number(const edges::FeatureEdges& drawn, int model, int mesh_edge) {
   const auto found = std::find_if(drawn.edges.begin(), drawn.edges.end(), [&](const edges::FeatureEdge& edge) {
     return edge.model == model && edge.mesh_edge == mesh_edge;
@@ -60,7 +60,7 @@ int drawn_number(const edges::FeatureEdges& drawn, int model, int mesh_edge) {
   return found == drawn.edges.end() ? -1 : static_cast<int>(found - drawn.edges.begin());
 }
 
-// "0-1 0-2 ...": the edges at a vertex.
+// Returns "edges at VERTEX: 0-1 0-2 ...".
 std::string edges_at(const mesh::Mesh& mesh, int vertex) {
   std::string text = "edges at " + std::to_string(vertex) + ":";
   std::size_t count = 0;

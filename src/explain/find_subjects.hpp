@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The edges that a question is about: by vertices, by faces, or by a position on the sheet.
+// Finds the edges that a question is about: by vertices, by faces, or by a position on the sheet.
 #pragma once
 
 #include <array>
@@ -29,11 +29,11 @@ struct ByPlace {
 
 using EdgeQuestion = std::variant<ByVertices, ByFaces, ByPlace>;
 
-/// Throws Error{input} when the text is none of the three.
+/// Throws Error{input} if the text has none of these forms.
 EdgeQuestion parse_edge_question(std::string_view text);
 
-/// One edge, all intersection lines of two faces, or the three drawn edges nearest to a place, nearest first.
-/// Throws Error{input} if there is none, with a hint what there is instead.
+/// Returns one edge, all intersection lines of two faces, or the three drawn edges nearest to a place, nearest first.
+/// Throws Error{input} if there is none, with a hint at what there is instead.
 std::vector<Subject> find_subjects(const ExplainInput& drawn_view, const EdgeQuestion& question);
 
 }  // namespace epura::explain

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t grain = 4096;
 
-// Vertices lie within a cell of the page grid of their place.
+// Rounding moves vertices by less than a cell of the page grid.
 template <class Vertices>
 projection::Window box_of(const view::ProjectedScene& view, const Vertices& vertices) {
   projection::Window box{Vec2(HUGE_VAL), Vec2(-HUGE_VAL)};
@@ -34,7 +34,8 @@ std::vector<projection::Window> boxes(std::size_t count, Make make) {
   return made;
 }
 
-// How far a triangle lies in front of a point, along the line of sight through it; 0 where that runs in its plane.
+// Returns the distance of a triangle in front of a point, along the line of sight through it; 0 if that lies in its
+// plane.
 double ahead_of(const ExplainInput& drawn_view, int triangle, const Vec3& point) {
   const projection::Projection& projection = drawn_view.view.projection;
   const Vec3 sight = glm::normalize(projection.central ? projection.projector - point : projection.projector);
@@ -74,7 +75,7 @@ std::vector<Occlusion> find_hiders(const ExplainInput& drawn_view, const Triangl
   boxes.meeting(box_of(view, edge.vertex), [&](int number) {
     const view::ViewTriangle& triangle = view.triangles[number];
     const auto& [i, j, k] = triangle.vertex;
-    // Seen edge-on it hides nothing.
+    // A triangle seen edge-on hides nothing.
     if (view::cross(view.grid[i], view.grid[j], view.grid[k]) == 0) return;
     if (own.contain(triangle.source)) return;
     const auto part = visibility::hidden_part(view, line, triangle);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The faces that hide an edge, found by applying the hiding rule to all triangles that meet the edge's box on the page,
+// Finds the faces that hide an edge by applying the hiding rule to all triangles that meet the edge's box on the page,
 // including those behind other occluders.
 #pragma once
 
@@ -14,7 +14,7 @@ namespace epura::explain {
 struct Occlusion {
   FaceName face;
   visibility::Spans parts;  ///< page parameters of the edge
-  double ahead;  ///< how far in front, along the line of sight: the least over the middles of its triangles' parts
+  double ahead;  ///< distance in front, along the line of sight: the minimum over the middles of its triangles' parts
 };
 
 /// Finds the triangles of a view that meet a box of the page: a tree of boxes over runs of triangles, in their order.
@@ -43,11 +43,11 @@ class TriangleBoxes {
     for (std::size_t i = number * run; i < end; ++i) search(level - 1, i, box, visit);
   }
 
-  /// By level the boxes: of triangles, of runs of them, of runs of runs.
+  /// Boxes by level: of triangles, of runs of triangles, of runs of runs.
   std::vector<std::vector<projection::Window>> levels_;
 };
 
-/// The faces that hide parts of the e-th drawn edge, the nearest to it first.
+/// Returns the faces that hide parts of the e-th drawn edge, nearest to it first.
 std::vector<Occlusion> find_hiders(const ExplainInput& drawn_view, const TriangleBoxes& boxes, std::size_t e);
 
 }  // namespace epura::explain

@@ -38,7 +38,7 @@ std::string words_of(const features::PartSurface& surface) {
   return "a free form";
 }
 
-// Of an edge of the mesh in its part.
+// For a mesh edge whose part is known.
 std::string border_of(const ExplainInput& drawn_view, const Subject& subject, const features::PartFaces& part) {
   const std::string faces = names_of(faces_at(drawn_view, subject));
   const mesh::Mesh& mesh = mesh_of(drawn_view, subject);

@@ -2,8 +2,8 @@
 // The view that questions refer to, and the subject of a question: an edge of a model or an intersection line, drawn or
 // not.
 //
-// Names, as in SVG and JSON, counted from 0: an edge is MODEL:VERTEX-VERTEX, a face (and the line along which a plane
-// cuts it) MODEL:FACE, and the intersection line of two faces MODEL:FACExMODEL:FACE.
+// Names, as in SVG and JSON, with numbers from 0: an edge is MODEL:VERTEX-VERTEX, a face (and the line along which a
+// plane cuts it) MODEL:FACE, and the intersection line of two faces MODEL:FACExMODEL:FACE.
 #pragma once
 
 #include <array>
@@ -20,27 +20,27 @@
 
 namespace epura::explain {
 
-/// One view with all that was computed on the way to its drawing.
+/// One view with everything that was computed for its drawing.
 struct ExplainInput : visibility::ResolvedView {
   const edges::EdgeOptions& options;
   const view::PaperMap& paper;
   const drawing::ViewDrawing& drawing;
-  bool keep_hidden;  ///< hidden lines are drawn, too
+  bool keep_hidden;  ///< whether hidden lines are drawn, too
 };
 
 struct Subject {
   int model;
-  int mesh_edge;  ///< in its model; -1 for an intersection line
-  int drawn;      ///< in FeatureEdges::edges; -1 where no part of it is drawn
+  int mesh_edge;  ///< number in its model; -1 for an intersection line
+  int drawn;      ///< index in FeatureEdges::edges; -1 if no part of it is drawn
 };
 
-/// A face of a file: the number of its model, and its own.
+/// A face of a file: the number of its model and its own number.
 using FaceName = std::array<int, 2>;
 
-/// The face that a triangle of the world is part of.
+/// Returns the face to which a triangle of the world belongs.
 FaceName face_of(const scene::World& world, int triangle);
 
-/// The faces of the file that meet in an edge, each once, or that cross in an intersection line.
+/// Returns the faces of the file that meet in an edge, without duplicates, or that cross in an intersection line.
 std::vector<FaceName> faces_at(const ExplainInput& drawn_view, const Subject& subject);
 
 std::string name_of(const FaceName& face);
@@ -48,13 +48,13 @@ std::string name_of(const ExplainInput& drawn_view, const Subject& subject);
 /// A list in words: "face 0:1" or "faces 0:1, 0:2 and 0:3".
 std::string names_of(const std::vector<FaceName>& faces);
 
-/// Where a face belongs to: "part.step", or "'bolt' in part.step" if the bodies of the file have names.
+/// Returns what a face belongs to: "part.step", or "'bolt' in part.step" if the bodies of the file have names.
 std::string owner_of(const scene::World& world, const FaceName& face);
 
-/// The ends in the world.
+/// Returns the ends in world coordinates.
 std::array<Vec3, 2> ends_of(const ExplainInput& drawn_view, const Subject& subject);
 
-/// The subject that is the e-th drawn edge.
+/// Returns the e-th drawn edge as a subject.
 Subject drawn_subject(const ExplainInput& drawn_view, std::size_t e);
 
 /// A part of a drawn edge, as page parameters.
@@ -63,7 +63,7 @@ struct Span {
   bool visible;
 };
 
-/// All of the e-th drawn edge, in order.
+/// Returns all spans of the e-th drawn edge, in order.
 std::vector<Span> spans_of(const visibility::HiddenSpans& hidden, std::size_t e);
 
 }  // namespace epura::explain

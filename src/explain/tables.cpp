@@ -29,7 +29,7 @@ std::string row_of_edge(const ExplainInput& drawn_view, std::size_t e) {
          format_number((edge.t[1] - edge.t[0]) * glm::distance(ends[0], ends[1])) + "\n";
 }
 
-// How many faces hide a span, and the nearest to it over its middle.
+// Returns the number of faces that hide a span, and the nearest of those that hide its middle.
 std::string hiders_of(const Span& span, const std::vector<Occlusion>& hiders) {
   const double middle = (span.from + span.to) / 2;
   int count = 0;

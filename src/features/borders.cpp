@@ -18,7 +18,7 @@ namespace epura::features {
 namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
-// Inside a free-form face an edge that is sharper fades out at its ends.
+// Inside a free-form face, an edge with a sharper fold fades out at its ends.
 constexpr double fading_cosine = 0.766;  // 40 degrees
 
 /// One mesh edge between two faces.
@@ -43,7 +43,7 @@ class BorderFinder {
 
   std::vector<PartBorder> find() {
     find_edges();
-    // Of each vertex the border edges there.
+    // By vertex: the border edges there.
     at_vertex_ = Groups<int>(facets_.points.size(), [&](const auto& visit) {
       for (int i = 0; i < static_cast<int>(edges_.size()); ++i)
         for (const int v : edges_[i].vertex) visit(static_cast<std::size_t>(v), i);
@@ -80,7 +80,8 @@ class BorderFinder {
     BorderEdge border{number, {}, edge.vertex, 0, 0, triangles.size() != 2};
     border.length = glm::distance(facets_.points[edge.vertex[0]], facets_.points[edge.vertex[1]]);
     if (border.open) {
-      // Where several end, the first and the last one: which triangle comes first in the file does not matter.
+      // If several faces end here, the first and the last one are taken, so that the order of triangles in the file
+      // does not matter.
       border.faces = {-1, region(triangles[0])};
       if (triangles.size() > 2) border.faces[0] = border.faces[1];
       for (const int t : triangles.subspan(1))
@@ -96,7 +97,7 @@ class BorderFinder {
     return border;
   }
 
-  // The side of the first triangle at which the second one lies.
+  // Returns the side of the first triangle at which the second one lies.
   [[nodiscard]] int side_between(int first, int second) const {
     for (int k = 0; k < 3; ++k)
       if (facets_.sides[first][k].neighbour == second) return k;
@@ -111,7 +112,7 @@ class BorderFinder {
     return side >= 0 && facets_.cosine_of_fold(triangles[0], side) < fading_cosine;
   }
 
-  /// The normal of a face at a vertex, as its triangle there faces.
+  /// The normal of a face at a vertex, in the direction in which its triangle faces.
   struct Normal {
     Vec3 direction;
     double doubt;  ///< degrees
@@ -127,11 +128,11 @@ class BorderFinder {
     }
     const Vec3 normal = normal_near(surface, facets_.points[vertex]);
     if (normal == Vec3(0)) return {facing, 0};
-    // A sliver may face anywhere, but its neighbours were asked when it was given to the face.
+    // The normal of a sliver is arbitrary, but its neighbours were considered when it was assigned to the face.
     return {glm::dot(normal, facing) < 0 ? -normal : normal, 0};
   }
 
-  // Degrees by which a free form turns from the middle of a facet to its side, at most.
+  // The greatest angle in degrees by which a free form turns from the middle of a facet to its side.
   [[nodiscard]] double half_turn_of(int facet) const {
     double least = 1;
     facets_.for_sides(facet, [&](int t, int side, int other) {
@@ -142,7 +143,8 @@ class BorderFinder {
     return std::sqrt(2 * (1 - least)) * degrees * 0.75;
   }
 
-  // Facets of a free form tilt, and vertices of a narrow one say little: both only make the angle larger.
+  // Facets of a free form tilt, and the vertices of a narrow face determine its normals poorly. Either only increases
+  // the angle, so the smaller result is right.
   [[nodiscard]] double angle_at(const mesh::MeshEdge& edge, std::span<const int> triangles) const {
     const double angle = angle_at(edge, triangles, false);
     const auto is_free = [&](int t) {
@@ -152,14 +154,15 @@ class BorderFinder {
     return std::min(angle, angle_at(edge, triangles, true));
   }
 
-  // Degrees between the faces on both sides, at the better end of the edge: at a corner a third face may decide.
+  // The angle in degrees between the faces on both sides, at the better end of the edge: at a corner, a third face may
+  // interfere.
   [[nodiscard]] double angle_at(const mesh::MeshEdge& edge, std::span<const int> triangles, bool by_vertices) const {
     const int side = side_between(triangles[0], triangles[1]);
     double angle = 180;
     for (const int v : edge.vertex) {
       const Normal one = normal_at(triangles[0], v, by_vertices), two = normal_at(triangles[1], v, by_vertices);
       double cosine = glm::dot(one.direction, two.direction);
-      // Which way round the triangles run: the fold knows.
+      // The fold tells whether the triangles are oriented alike.
       const double facing = glm::dot(facets_.facets[facets_.facet_of[triangles[0]]].normal,
                                      facets_.facets[facets_.facet_of[triangles[1]]].normal);
       if (side >= 0 && facing * facets_.cosine_of_fold(triangles[0], side) < 0) cosine = -cosine;
@@ -169,7 +172,8 @@ class BorderFinder {
     return std::max(0.0, angle);
   }
 
-  // The edge that continues another one beyond a vertex: the only other one there, between the same faces.
+  // The edge that continues another one beyond a vertex: the only other border edge there, if it lies between the same
+  // faces.
   [[nodiscard]] int next(int edge, int vertex) const {
     const auto there = at_vertex_[static_cast<std::size_t>(vertex)];
     if (there.size() != 2) return -1;
@@ -228,7 +232,7 @@ class BorderFinder {
 }  // namespace
 
 double angle_of_most(std::vector<AngleAlong> angles) {
-  constexpr double most_of_it = 0.9;  // at a corner a third face may decide
+  constexpr double most_of_it = 0.9;  // at a corner, a third face may interfere
   std::sort(angles.begin(), angles.end());
   double length = 0, below = 0;
   for (const auto& [angle, part] : angles) length += part;

@@ -13,8 +13,8 @@ bool is_round(const Region& region) {
   return region.surface.kind != SurfaceKind::plane && region.surface.kind != SurfaceKind::free_form;
 }
 
-// Kernels of CAD programs trim faces along curves that are not exact: vertices there may lie beside both surfaces, by
-// less than what the tessellation leaves out.
+// CAD kernels trim faces along inexact curves: vertices there may lie off both surfaces, by less than the sagitta of
+// the tessellation.
 constexpr double most_trimmed = 64;  // tolerances
 
 bool is_piece(const Facets& facets, int facet, const Region& region) {
@@ -29,7 +29,7 @@ bool is_trimmed_piece(const Facets& facets, int facet, const Region& region) {
 
 using IsPiece = bool (*)(const Facets& facets, int facet, const Region& region);
 
-// The region behind the longest of the sides at which the facet is a chord of it; -1 where there is none.
+// Returns the region across the longest side among those of which the facet is a chord; -1 if there is none.
 int region_of_chord(const Facets& facets, int facet, const std::vector<int>& region_of,
                     const std::vector<Region>& regions, IsPiece is_piece_of) {
   int best = -1;
@@ -57,7 +57,7 @@ void take_pieces(const Facets& facets, std::vector<int>& region_of, std::vector<
   std::vector<int> next;
   for (int f = 0; f < static_cast<int>(facets.facets.size()); ++f)
     if (is_free(f)) next.push_back(f);
-  // In rounds, so that what a facet joins does not depend on the order of the others.
+  // In rounds, so that the region that a facet joins does not depend on the order of facets.
   while (!next.empty()) {
     std::vector<std::pair<int, int>> taken;
     for (const int f : next)

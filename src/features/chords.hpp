@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Facets that are pieces of a round face though they face elsewhere.
+// Facets that are pieces of a round face although they face elsewhere.
 #pragma once
 
 #include <vector>
@@ -9,9 +9,8 @@
 
 namespace epura::features {
 
-/// Gives facets without a region to the round one beside them whose chords they are, see is_chord: first those with
-/// vertices on its surface, then those with vertices beside it, where its border was trimmed along a curve that is not
-/// exact.
+/// Assigns facets without a region to the adjacent round region whose chords they are (is_chord): first those with
+/// vertices on its surface, then those with vertices beside it, where its border was trimmed along an inexact curve.
 void take_chords(const Facets& facets, std::vector<int>& region_of, std::vector<Region>& regions);
 
 }  // namespace epura::features

@@ -12,10 +12,10 @@ namespace epura::features {
 
 namespace {
 
-// With fewer facets, a cluster takes longer to copy than to search.
+// With fewer facets, copying a cluster takes longer than searching it.
 constexpr std::size_t least_facets = 1024;
 
-// By facet the first one of its body.
+// Returns for each facet the first facet of its body.
 std::vector<int> bodies_of(const Facets& all) {
   DisjointSets bodies(all.facets.size());
   for (std::size_t t = 0; t < all.sides.size(); ++t)
@@ -30,7 +30,7 @@ std::vector<std::vector<int>> divided(const std::vector<int>& bodies) {
   for (const int body : bodies) ++size[body];
   std::vector<int> cluster_of(bodies.size(), -1);
   std::vector<std::size_t> held;
-  int open = -1;  // which small bodies still go into
+  int open = -1;  // the cluster to which small bodies are added
   for (std::size_t f = 0; f < bodies.size(); ++f) {
     if (bodies[f] != static_cast<int>(f)) continue;
     const bool is_small = size[f] < least_facets;
@@ -51,7 +51,7 @@ class Copying {
   explicit Copying(const Facets& all)
       : all_(all), triangle_in_(all.corners.size(), -1), vertex_in_(all.points.size(), -1), owner_(vertex_in_) {}
 
-  // One cluster after the other: bodies may touch in vertices.
+  // Clusters are numbered one after the other, since bodies may share vertices.
   void number(Cluster& cluster, int owner) {
     Facets& own = cluster.own;
     own.origin = all_.origin;
@@ -100,7 +100,7 @@ class Copying {
  private:
   const Facets& all_;
   std::vector<int> triangle_in_, vertex_in_;  ///< numbers in their clusters
-  std::vector<int> owner_;                    ///< the last cluster that a vertex was found in
+  std::vector<int> owner_;                    ///< the last cluster in which a vertex was found
 };
 
 }  // namespace

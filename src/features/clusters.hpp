@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Facets that have no sides in common with others: faces do not reach across, so each cluster is recognised by itself.
+// Groups of facets that have no sides in common with other groups. Faces do not extend across groups, so each cluster
+// is recognised by itself.
 #pragma once
 
 #include <vector>
@@ -9,14 +10,14 @@
 namespace epura::features {
 
 struct Cluster {
-  std::vector<int> whole;  ///< of each facet its number among all; empty for a cluster that is all there is
-  Facets own;              ///< its facets in their order; unset for such a cluster
+  std::vector<int> whole;  ///< the number of each facet in the whole mesh; empty for a cluster that is the whole mesh
+  Facets own;              ///< its facets in order; unset for such a cluster
 
   [[nodiscard]] const Facets& facets(const Facets& all) const { return whole.empty() ? all : own; }
 };
 
-/// Facets that are connected through sides are in one cluster, and small bodies together. Ordered by the first facets
-/// of their bodies; whatever the number of threads is.
+/// Facets that are connected through sides are in one cluster; small bodies share one. The clusters are ordered by the
+/// first facets of their bodies, whatever the number of threads.
 std::vector<Cluster> clusters_of(const Facets& all);
 
 }  // namespace epura::features

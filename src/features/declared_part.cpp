@@ -37,7 +37,7 @@ class DeclaredFaces {
  private:
   struct Triangle {
     std::array<Vec3, 3> corners;
-    Vec3 twice_area;  ///< along its normal
+    Vec3 twice_area;  ///< vector along the normal with a length of twice the area
     [[nodiscard]] Vec3 middle() const { return (corners[0] + corners[1] + corners[2]) / 3.0; }
     [[nodiscard]] double area() const { return 0.5 * glm::length(twice_area); }
   };
@@ -50,7 +50,7 @@ class DeclaredFaces {
 
   [[nodiscard]] int declared_face(int triangle) const { return declared_.face_of_polygon[mesh_.polygon[triangle]]; }
 
-  // For each face of the file the first one of those that are one with it.
+  // Returns for each face of the file the first of the faces with which it is merged.
   [[nodiscard]] std::vector<int> joined_faces() const {
     DisjointSets faces(declared_.faces.size());
     for (const mesh::MeshEdge& edge : mesh_.edges) {
@@ -65,7 +65,7 @@ class DeclaredFaces {
     return std::move(faces).roots();
   }
 
-  // In the order of the file, without those that have no triangles.
+  // Numbers faces in the order of the file, without those that have no triangles.
   void number_faces() {
     const std::vector<int> joined = joined_faces();
     std::vector<int> number(declared_.faces.size(), -1);
@@ -124,7 +124,7 @@ class DeclaredFaces {
   }
 
   void add_declared_borders() {
-    // Points at one place have become one vertex.
+    // Points at the same place have become one vertex.
     const std::vector<int> vertex = mesh::same_places(mesh_.points);
     int begin = 0;
     for (const DeclaredEdge& edge : declared_.edges) {
@@ -139,7 +139,7 @@ class DeclaredFaces {
     }
   }
 
-  // Faces at an edge, lower first; -1 where there is only one.
+  // Returns the faces at an edge, lower first; -1 if there is only one.
   [[nodiscard]] std::array<int, 2> faces_at(const mesh::MeshEdge& edge) const {
     const auto triangles = mesh_.triangles_of(edge);
     const int one = part_.face_of_triangle[triangles[0]];
@@ -152,7 +152,7 @@ class DeclaredFaces {
     return edge.count != 2 || one != two;
   }
 
-  // What is not declared, by the faces that meet there.
+  // Adds borders that are not declared, one for each pair of faces that meet there.
   void add_other_borders() {
     std::map<std::tuple<std::array<int, 2>, bool>, std::vector<int>> groups;
     for (std::size_t e = 0; e < mesh_.edges.size(); ++e) {
@@ -195,7 +195,7 @@ class DeclaredFaces {
   const DeclaredPart& declared_;
   const double tangent_angle_;
   PartFaces part_;
-  std::vector<std::vector<int>> triangles_;  ///< of each face
+  std::vector<std::vector<int>> triangles_;  ///< by face
 };
 
 }  // namespace

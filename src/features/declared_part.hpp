@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Faces and edges of a part as a file declares them, beside what recognition finds where it does not.
+// Faces and edges of a part as a file declares them, completed by recognition where it does not.
 #pragma once
 
 #include <vector>
@@ -12,22 +12,23 @@ namespace epura::features {
 
 /// An edge of the part between two of its faces.
 struct DeclaredEdge {
-  double angle;  ///< degrees between the faces; NaN: that of the facets
+  double angle;  ///< degrees between the faces; NaN: take the angle between facets
   bool is_tangent;
-  int end;  ///< where its vertices end in DeclaredPart::edge_vertices
+  int end;  ///< end of its vertices in DeclaredPart::edge_vertices
 };
 
-/// Lengths and places are the file's.
+/// Lengths and positions are in units of the file.
 struct DeclaredPart {
   std::vector<PartSurface> faces;
   std::vector<int> face_of_polygon;  ///< of the file
   std::vector<DeclaredEdge> edges;
-  std::vector<int> edge_vertices;  ///< of all edges, one after the other: points of the file along them
+  std::vector<int> edge_vertices;  ///< points of the file along the edges, one edge after the other
 };
 
-/// The same of the mesh that the file's polygons became. Where different faces meet and no edge is declared, facets
-/// tell how; faces that lost all their triangles are left out. Neighbours on one round surface are one face, as
-/// modellers split whole turns in halves. Tangent are faces that meet within `tangent_angle` degrees.
+/// Transfers the declared part to the mesh that was made from the file's polygons. Where different faces meet without a
+/// declared edge, facets decide about the border; faces that lost all their triangles are left out. Neighbours on one
+/// round surface become one face, since modellers split full turns into halves. Faces that meet within `tangent_angle`
+/// degrees are tangent.
 PartFaces part_of(const mesh::Mesh& mesh, const DeclaredPart& declared, double tangent_angle);
 
 }  // namespace epura::features

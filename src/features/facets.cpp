@@ -18,14 +18,15 @@ namespace epura::features {
 namespace {
 
 constexpr std::size_t grain = 8192;
-// Of the size of the model: what kernels of CAD programs keep of the places of vertices.
+// Precision to which CAD kernels keep the positions of vertices, as a fraction of the size of the model.
 constexpr double least_tolerance = 3e-7;
-// Roundings by which a vertex may lie beside its surface: three coordinates, and those of its neighbours in the fit.
+// Number of roundings by which a vertex may lie off its surface: three coordinates, and those of its neighbours in the
+// fit.
 constexpr double roundings = 4;
 
 bool is_before(const Vec3& a, const Vec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
 
-// Which corner of a triangle stands first in the file shall not matter.
+// The result must not depend on which corner of a triangle comes first in the file.
 void begin_at_first_corners(Facets& f) {
   parallel_for(f.corners.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
@@ -37,7 +38,7 @@ void begin_at_first_corners(Facets& f) {
   });
 }
 
-// The corners of triangles in coordinates near 1, and which lie beside each other.
+// Reads the corners of triangles in coordinates near 1, and finds adjacent triangles.
 void read_triangles(const mesh::Mesh& mesh, Facets& f) {
   const std::size_t count = mesh.polygon.size();
   f.corners.resize(count);
@@ -61,7 +62,7 @@ void read_triangles(const mesh::Mesh& mesh, Facets& f) {
   }
   if (box.empty()) box.add(Vec3(0));
   f.origin = box.centre();
-  // Not the diagonal, which may be beyond the largest double.
+  // Not the diagonal, which may exceed the largest double.
   const Vec3 half = box.max * 0.5 - box.min * 0.5;
   const double size = 2 * std::max({half.x, half.y, half.z});
   f.scale = size > 0 ? std::ldexp(1.0, -std::clamp(std::ilogb(size), -1000, 1000)) : 1;
@@ -91,7 +92,7 @@ void find_sides(const mesh::Mesh& mesh, Facets& f) {
   });
 }
 
-/// Pieces of the file's polygons become facets, largest first, so that their order in the file does not matter.
+/// Turns pieces of the file's polygons into facets, largest first, so that their order in the file does not matter.
 class Flattening {
  public:
   Flattening(const mesh::Mesh& mesh, Facets& f) : mesh_(mesh), f_(f) {}
@@ -121,8 +122,8 @@ class Flattening {
   }
 
  private:
-  /// Largest first; of equal ones the first by place. Both are rounded, so that it does not matter which corner of a
-  /// triangle stands first in the file.
+  /// Largest first; among equals, the first by position. Both are rounded, so that it does not matter which corner of a
+  /// triangle comes first in the file.
   struct Key {
     float area;
     std::array<float, 3> place;
@@ -171,7 +172,7 @@ class Flattening {
       if (std::exchange(has_vertex_[v], number_) != number_) f_.vertices.push_back(v);
   }
 
-  // The triangle with all others of its polygon that are connected with it.
+  // Adds a triangle with all others of its polygon that are connected to it.
   void add_polygon(int triangle) {
     std::size_t next = f_.triangles.size();
     add(triangle);
@@ -194,7 +195,8 @@ class Flattening {
     return begin_plane(points);
   }
 
-  // Whether the polygon of a triangle lies in a plane. A plane through few points is not sure far away from them.
+  // Whether a triangle lies in a plane to within `reach` tolerances. A plane through few points is uncertain at a
+  // distance from them and needs more.
   [[nodiscard]] bool lies_in(const PartSurface& plane, int triangle, double reach) const {
     for (const int v : f_.corners[triangle])
       if (std::abs(signed_distance(plane, f_.points[v])) > reach * f_.tolerance) return false;
@@ -202,7 +204,7 @@ class Flattening {
     return std::abs(glm::dot(f_.normals[triangle], plane.axis)) > 1 - 1e-3;
   }
 
-  // A triangle with no other in its plane beside it is a facet whatever the others are.
+  // A triangle without an adjacent one in its plane is a facet, whatever the others are.
   void find_lone() {
     is_lone_.resize(f_.corners.size());
     parallel_for(f_.corners.size(), grain, [&](std::size_t begin, std::size_t end) {
@@ -262,7 +264,7 @@ class Flattening {
 
   [[nodiscard]] Facet facet_at(int number) const {
     Facet facet{Vec3(0), Vec3(0), 0, 0, false};
-    // Where triangles run different ways round, the first one says where the facet faces.
+    // If triangles are oriented differently, the first one determines the direction of the facet.
     for (const int t : f_.triangles_of(number)) {
       const double turned = glm::dot(f_.normals[t], f_.normals[f_.triangles_of(number).front()]) < 0 ? -1 : 1;
       facet.normal += turned * areas_[t] * f_.normals[t];
@@ -277,8 +279,8 @@ class Flattening {
     return facet;
   }
 
-  // A plane meets a cylinder or cone in two lines and a net of meridians and parallels in four points: facets of these
-  // have at most four corners, and every vertex on the line between two of them.
+  // A plane meets a cylinder or cone in two lines, and a net of meridians and parallels in four points: facets of such
+  // surfaces have at most four corners, and all their other vertices lie on the lines between these.
   [[nodiscard]] bool has_many_corners(const Facet& facet, std::span<const int> vertices) const {
     const auto [u, v] = square_to(facet.normal);
     std::vector<Vec2> seen;
@@ -289,7 +291,7 @@ class Flattening {
     return count_corners(std::move(seen)) > 4;
   }
 
-  // Of the convex hull; vertices that are not on its sides count, too.
+  // The corners of the convex hull; vertices that are not on its sides count, too.
   [[nodiscard]] int count_corners(std::vector<Vec2> p) const {
     std::sort(p.begin(), p.end(), [](const Vec2& a, const Vec2& b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
     const double near = 4 * f_.tolerance;
@@ -324,7 +326,7 @@ class Flattening {
   Facets& f_;
   std::vector<double> areas_, widths_;
   std::vector<Key> order_;
-  std::vector<int> seen_, has_vertex_;  ///< the last facet that met a triangle or has a vertex
+  std::vector<int> seen_, has_vertex_;  ///< the last facet that reached a triangle or has a vertex
   std::vector<int> polygon_;
   std::vector<char> is_lone_;
   int number_ = 0;
@@ -336,7 +338,7 @@ double Facets::cosine_of_fold(int triangle, int side) const {
   const int other = sides[triangle][side].neighbour;
   const double cosine = glm::dot(facets[facet_of[triangle]].normal, facets[facet_of[other]].normal);
   const int from = corners[triangle][side], to = corners[triangle][(side + 1) % 3];
-  // A facet's normal may be that of triangles which run the other way round.
+  // A facet's normal may be that of triangles with the opposite orientation.
   const auto turned = [&](int t) { return glm::dot(normals[t], facets[facet_of[t]].normal) < 0; };
   bool same_way = false;
   for (int k = 0; k < 3; ++k) same_way = same_way || (corners[other][k] == from && corners[other][(k + 1) % 3] == to);

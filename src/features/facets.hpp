@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A mesh as recognition sees it: facets that are flat as far as the file's coordinates can tell, and which lie beside
-// which. Everything that recognition asks of a mesh is asked here.
+// A mesh as recognition sees it: facets that are flat within the precision of the file's coordinates, and their
+// neighbours. All questions of recognition to a mesh are answered here.
 #pragma once
 
 #include <array>
@@ -12,9 +12,9 @@
 
 namespace epura::features {
 
-/// Triangles that are one flat piece, or a polygon of the file.
+/// Triangles that form one flat piece, or a polygon of the file.
 struct Facet {
-  Vec3 normal;  ///< unit; zero without area
+  Vec3 normal;  ///< unit; zero if it has no area
   Vec3 middle;  ///< mean of its vertices
   double area;
   double width;   ///< of its thickest triangle
@@ -23,18 +23,19 @@ struct Facet {
 
 /// One side of a triangle.
 struct Side {
-  int neighbour = -1;  ///< the only other triangle there; -1 where there is none, or several
+  int neighbour = -1;  ///< the only other triangle there; -1 if there is none, or several
   int edge = -1;       ///< of the mesh
 };
 
 struct Facets {
-  Vec3 origin;       ///< of the box of the file, where `points` have their origin
-  double scale;      ///< power of two: `points` are the file's, less the origin, times this; about 1 across
-  double tolerance;  ///< distance up to which a point may lie on a surface
+  Vec3 origin;       ///< centre of the file's bounding box, which is the origin of `points`
+  double scale;      ///< power of two: `points` are those of the file, less the origin, times this; they extend over
+                     ///< about 1
+  double tolerance;  ///< greatest distance at which a point counts as lying on a surface
   std::vector<Vec3> points;
   std::vector<std::array<int, 3>> corners;  ///< of triangles
   std::vector<std::array<Side, 3>> sides;   ///< of triangles; side i from corner i to the next
-  std::vector<Vec3> normals;                ///< unit, of triangles; zero without area
+  std::vector<Vec3> normals;                ///< unit, of triangles; zero if they have no area
   std::vector<int> facet_of;                ///< of triangles
   std::vector<Facet> facets;
   std::vector<int> first_triangle, triangles;  ///< of each facet
@@ -46,7 +47,7 @@ struct Facets {
   [[nodiscard]] std::span<const int> vertices_of(int facet) const {
     return {vertices.data() + first_vertex[facet], vertices.data() + first_vertex[facet + 1]};
   }
-  /// The ends of side `side` of a triangle, and how far they are apart.
+  /// The ends of side `side` of a triangle, and their distance.
   [[nodiscard]] std::array<Vec3, 2> ends_of(int triangle, int side) const {
     return {points[corners[triangle][side]], points[corners[triangle][(side + 1) % 3]]};
   }
@@ -54,8 +55,8 @@ struct Facets {
     const std::array<Vec3, 2> ends = ends_of(triangle, side);
     return glm::distance(ends[0], ends[1]);
   }
-  /// Calls visit(triangle, side, other) for each side of a facet's triangles that has only one other triangle, that of
-  /// another facet.
+  /// Calls visit(triangle, side, other) for each side of a facet's triangles with exactly one other triangle, if that
+  /// belongs to another facet.
   template <class Visit>
   void for_sides(int facet, const Visit& visit) const {
     for (const int t : triangles_of(facet))
@@ -63,16 +64,16 @@ struct Facets {
         if (const int next = sides[t][side].neighbour; next >= 0 && facet_of[next] != facet)
           visit(t, side, facet_of[next]);
   }
-  /// The cosine of the fold between two facets at a side of the first one's triangle. Which way round the triangles run
+  /// The cosine of the fold between two facets at a side of the first one's triangle. The orientation of the triangles
   /// does not matter.
   [[nodiscard]] double cosine_of_fold(int triangle, int side) const;
-  /// The tangent of half the angle of that fold.
+  /// The tangent of half of that angle.
   [[nodiscard]] double fold_at(int triangle, int side) const;
-  /// Whether rounding decides which way the facet faces.
+  /// Whether rounding decides in which direction the facet faces.
   [[nodiscard]] bool is_sliver(int facet) const { return facets[facet].width <= 16 * tolerance; }
 };
 
-/// `looseness` enlarges the tolerance that follows from how precisely the file holds its coordinates.
+/// `looseness` enlarges the tolerance that follows from the precision of the file's coordinates.
 Facets make_facets(const mesh::Mesh& mesh, double looseness = 1);
 
 }  // namespace epura::features

@@ -13,13 +13,13 @@ namespace epura::features {
 
 namespace {
 
-// Folds as the tangents of half their angles.
+// Folds, as tangents of half their angles.
 constexpr double most_smooth = 0.277;  // 31 degrees
 constexpr double fold_ratio = 3;
 constexpr double fold_slack = 0.0175;  // 2 degrees
-// Facets of one tessellation have chords of about the same height, so their widths differ little.
+// Facets of one tessellation have about the same sagitta, so their widths differ little.
 constexpr double width_ratio = 8;
-// Flats of a polygon with narrow chamfers between them fold so, too.
+// Above this, folds may also be those between flats of a polygon and narrow chamfers, and widths must be more similar.
 constexpr double coarse_fold = 0.185;  // 21 degrees
 constexpr double coarse_width_ratio = 3;
 constexpr double narrow = 8;
@@ -40,12 +40,12 @@ class Completion {
 
  private:
   [[nodiscard]] int size() const { return static_cast<int>(facets_.facets.size()); }
-  /// Neither on a round surface nor plainly a plane.
+  /// Whether a facet is neither on a round surface nor clearly a plane.
   [[nodiscard]] bool is_loose(int f) const {
     return region_of_[f] < 0 && !facets_.facets[f].is_plane && !facets_.is_sliver(f);
   }
 
-  // Of each facet the two largest smooth folds, and the neighbour at the largest.
+  // Finds the two largest smooth folds of each facet, and the neighbour at the largest.
   void find_largest_folds() {
     folds_.assign(facets_.facets.size(), {});
     for (int f = 0; f < size(); ++f) {
@@ -63,14 +63,14 @@ class Completion {
     }
   }
 
-  // The largest smooth fold of a facet but that to a neighbour.
+  // The largest smooth fold of a facet other than that to a neighbour.
   [[nodiscard]] double fold_beside(int facet, int neighbour) const {
     return folds_[facet].neighbour == neighbour ? folds_[facet].second : folds_[facet].largest;
   }
 
   [[nodiscard]] bool is_polygon(int facet) const { return facets_.vertices_of(facet).size() > 3; }
 
-  // The same where two triangles that are nearly one lie beside each other: behind the other half.
+  // The same if the facet is one half of a nearly flat pair of triangles: the largest fold beside the other half.
   [[nodiscard]] double fold_behind(int facet, int neighbour, double angle) const {
     double largest = 0;
     facets_.for_sides(facet, [&](int t, int side, int half) {
@@ -80,7 +80,7 @@ class Completion {
     return largest;
   }
 
-  // How far a facet reaches from the side of a triangle of it.
+  // How far a facet extends from a side of one of its triangles.
   [[nodiscard]] double reach(int facet, const Vec3& from, const Vec3& to) const {
     const Vec3 along = glm::normalize(to - from);
     double reach = 0;
@@ -118,8 +118,8 @@ class Completion {
     return !is_polygon(facet) && facets_.length_of(t, side) > narrow * facets_.facets[facet].width;
   }
 
-  // Triangles from a long chord of a free form's border to a vertex close by tilt. Alone, or with others of their kind,
-  // they belong to what is behind a long side of theirs.
+  // Narrow triangles between a long chord of a free form's border and a vertex close to it tilt. A set that contains
+  // only such triangles belongs to the face beyond one of their long sides.
   void join_narrow_triangles() {
     const std::vector<int> members = count_members();
     struct Join {
@@ -182,7 +182,7 @@ class Completion {
     return {};
   }
 
-  // To the neighbour on whose surface they lie, otherwise to that behind their longest side.
+  // Assigns slivers to the neighbour on whose surface they lie, otherwise to the one beyond their longest side.
   void give_slivers_away() {
     for (bool changed = true; changed;) {
       changed = false;
@@ -251,14 +251,14 @@ bool are_chords(const Facets& facets, const Region& some, const Region& of) {
                      [&](int f) { return is_chord(facets, f, of.surface, allowance, of.sagitta); });
 }
 
-// Where a torus is seen along its axis, its facets are a flat ring.
+// Where the normal of a torus is parallel to its axis, its facets form a flat ring.
 bool is_ring_of_torus(const Facets& facets, const Region& flat, const Region& torus) {
   constexpr double parallel = 1 - 1e-6;
   return torus.surface.kind == SurfaceKind::torus &&
          std::abs(glm::dot(torus.surface.axis, flat.surface.axis)) > parallel && are_chords(facets, flat, torus);
 }
 
-// Whether the region with fewer facets, which determine its surface less well, is a part of the other one.
+// Whether the region with fewer facets, which determine its surface less precisely, is a part of the other one.
 bool is_one_face(const Facets& facets, const Region& one, const Region& two) {
   const auto& [smaller, larger] = one.facets.size() < two.facets.size() ? std::tie(one, two) : std::tie(two, one);
   if (larger.surface.kind == SurfaceKind::free_form) return false;
@@ -269,8 +269,8 @@ bool is_one_face(const Facets& facets, const Region& one, const Region& two) {
          (2 * smaller.facets.size() < larger.facets.size() && are_chords(facets, smaller, larger));
 }
 
-/// Strips of cylinders and cones that are rows of a free form's tessellation: beside facets of a free form, or several
-/// beside each other.
+/// Finds strips of cylinders and cones that are rows of a free form's tessellation: they lie beside facets of a free
+/// form, or several lie side by side.
 class Rows {
  public:
   Rows(const Facets& facets, const std::vector<int>& region_of, const std::vector<Region>& regions)
@@ -280,7 +280,7 @@ class Rows {
 
   std::vector<char> find() {
     find_chains();
-    // A row may be known by the next one only.
+    // A row may only be recognised by the next one.
     for (bool changed = true; changed;) {
       changed = false;
       for (std::size_t r = 0; r < strips_.size(); ++r)
@@ -290,17 +290,18 @@ class Rows {
   }
 
  private:
-  /// A part of a long side at which the surface goes on with a fold that tessellations have, and facets as wide.
+  /// A part of a long side at which the surface continues with a fold typical of tessellations, and with facets of
+  /// similar width.
   struct LongSide {
     int beyond;  ///< facet
     double length, fold;
     bool convex;
   };
 
-  /// A region that is one facet wide; others have no sides.
+  /// A region that is one facet wide; any other region has no sides here.
   struct Strip {
     std::vector<LongSide> sides;
-    double across = 0;  ///< length of all long sides
+    double across = 0;  ///< total length of all long sides
   };
 
   [[nodiscard]] Strip strip_of(const Region& region, int number) const {
@@ -353,7 +354,7 @@ class Rows {
     return free > 0.25 * strip.across;
   }
 
-  // Strips beside each other with folds about as large. Designers make two or three, but not so many.
+  // Adjacent strips with folds of similar size. Designers make two or three in a row, but not this many.
   void find_chains() {
     constexpr int least_rows = 4;
     constexpr double fold_ratio_of_rows = 1.5;
@@ -365,7 +366,7 @@ class Rows {
       double length = 0;
       for (const LongSide& side : strips_[r].sides) length += side.length;
       if (2 * length < strips_[r].across) continue;
-      // Shoulders turn one way and back again.
+      // The strips of a shoulder turn one way and back again.
       const bool convex = strips_[r].sides.front().convex;
       const auto turns_alike = [&](const LongSide& side) { return side.convex == convex; };
       if (!std::all_of(strips_[r].sides.begin(), strips_[r].sides.end(), turns_alike)) continue;
@@ -424,7 +425,7 @@ void merge_regions(const Facets& facets, std::vector<int>& region_of, std::vecto
     if (is_one_face(facets, regions[one], regions[two])) sets.join(one, two);
   std::vector<int> number(regions.size(), -1);
   std::vector<Region> merged;
-  std::vector<std::size_t> largest;  // what the surface of each was fitted to
+  std::vector<std::size_t> largest;  // size of the region to which each surface was fitted
   for (int r = 0; r < static_cast<int>(regions.size()); ++r) {
     const int root = sets.root(r);
     number[r] = number[root];

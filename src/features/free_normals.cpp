@@ -13,10 +13,10 @@ namespace {
 constexpr std::size_t enough_vertices = 14;
 constexpr std::size_t least_vertices = 7;
 constexpr std::size_t most_facets = 48;
-// Across a crease inside the face there is no paraboloid.
+// A paraboloid cannot extend across a crease inside the face.
 constexpr double least_agreement = 0.6;
 
-/// A height over the tangent plane as it is guessed: a x + b y + (c x^2 + 2 d x y + e y^2) / 2.
+/// Terms of the height over the estimated tangent plane: a x + b y + (c x^2 + 2 d x y + e y^2) / 2.
 std::array<double, 5> terms_of(double x, double y) { return {x, y, x * x / 2, x * y, y * y / 2}; }
 
 }  // namespace
@@ -31,7 +31,8 @@ FreeNormals::FreeNormals(const Facets& facets, const std::vector<int>& region_of
   });
 }
 
-// Those of the face at the vertex, and so many rings around them that their vertices determine a paraboloid.
+// Returns the facets of the face at the vertex, with enough rings around them for their vertices to determine a
+// paraboloid.
 FreeNormals::Patch FreeNormals::patch_around(int facet, int vertex) const {
   Patch patch{{}, {vertex}};
   auto& [facets, vertices] = patch;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which way a free-form face faces at its vertices.
+// The direction in which a free-form face faces at its vertices.
 //
 // Vertices lie on the face, facets only near it: along its border they tilt. So the normal is that of the paraboloid
-// through the vertex which comes nearest to the vertices around it (Cazals, Pouget: Estimating differential quantities
-// using polynomial fitting of osculating jets, 2005).
+// through the vertex which fits the surrounding vertices best (Cazals, Pouget: Estimating differential quantities using
+// polynomial fitting of osculating jets, 2005).
 #pragma once
 
 #include <optional>
@@ -17,15 +17,16 @@ namespace epura::features {
 
 class FreeNormals {
  public:
-  /// All are to outlive it.
+  /// The arguments must outlive the object.
   FreeNormals(const Facets& facets, const std::vector<int>& region_of, const std::vector<Region>& regions);
 
   struct Normal {
-    Vec3 direction;  ///< unit; faces as the facet does
-    double doubt;    ///< radians by which the paraboloid misses it, about
+    Vec3 direction;  ///< unit; on the side to which the facet faces
+    double doubt;    ///< approximate error of the paraboloid's normal, radians
   };
 
-  /// Of the face that a facet belongs to, at one of the facet's vertices. Nothing where too few vertices are near.
+  /// Returns the normal of the face that a facet belongs to, at a vertex of the facet, or nothing if too few vertices
+  /// are near.
   [[nodiscard]] std::optional<Normal> at(int facet, int vertex) const;
 
  private:

@@ -57,7 +57,7 @@ class HoleFinder {
     return aside <= std::max(32 * part_.tolerance, 1e-4 * bore.radius);
   }
 
-  // Faces about the axis, also across steps: planes square to it.
+  // Faces around the axis, also across steps, which are planes perpendicular to it.
   [[nodiscard]] std::vector<int> faces_about(int bore) {
     const PartSurface& surface = part_.faces[bore].surface;
     std::vector<int> faces{bore};
@@ -72,7 +72,7 @@ class HoleFinder {
         take(next);
         const PartSurface& step = part_.faces[next].surface;
         if (step.kind != SurfaceKind::plane || std::abs(glm::dot(step.axis, surface.axis)) < parallel) continue;
-        // A large face has many neighbours, and is no step.
+        // A large face has many neighbours and is not a step.
         if (part_.faces[next].area > largest_section(faces)) continue;
         for (const int behind : beside_[next]) take(behind);
       }
@@ -108,7 +108,7 @@ class HoleFinder {
     return hole;
   }
 
-  // Whether a face of the hole, or one beside it, lies across its axis.
+  // Whether a face of the hole, or one adjacent to it, crosses its axis.
   [[nodiscard]] bool is_closed(const Hole& hole) const {
     std::vector<int> faces = hole.faces;
     for (const int f : hole.faces)
@@ -121,7 +121,7 @@ class HoleFinder {
     });
   }
 
-  // Whether the axis of a hole, with a little beyond its ends, meets a triangle.
+  // Whether the axis of a hole, extended slightly beyond its ends, meets a triangle.
   [[nodiscard]] bool crosses(int triangle, const Hole& hole) const {
     const double length = glm::distance(hole.from, hole.to);
     if (!(length > 0)) return false;
@@ -134,7 +134,7 @@ class HoleFinder {
     for (int k = 0; k < 3; ++k) volume[k] = glm::dot(axis, glm::cross(p[(k + 1) % 3], p[(k + 2) % 3]));
     const auto [least, most] = std::minmax_element(volume.begin(), volume.end());
     const double sum = volume[0] + volume[1] + volume[2];
-    // The apex of a cone, or the middle of a bottom, is a corner of its triangles.
+    // The apex of a cone and the middle of a bottom are corners of several triangles.
     const double rounding = 1e-9 * (std::abs(*least) + std::abs(*most));
     if (sum == 0 || (*least<-rounding&& * most> rounding)) return false;
     const double height = glm::dot(axis, volume[0] * p[0] + volume[1] * p[1] + volume[2] * p[2]) / sum;

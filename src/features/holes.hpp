@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Holes of a part: round faces about one axis with the material outside.
+// Holes of a part: round faces around one axis with the material outside.
 #pragma once
 
 #include <vector>
@@ -9,13 +9,13 @@
 namespace epura::features {
 
 struct Hole {
-  std::vector<int> faces;         ///< round ones about its axis: bores, countersinks, the tip of a drill
+  std::vector<int> faces;         ///< round faces around its axis: bores, countersinks, the tip of a drill hole
   std::vector<double> diameters;  ///< of its bores, smallest first
   Vec3 from, to;                  ///< ends of its axis
   bool through;                   ///< open at both ends
 };
 
-/// Whole bores, those about one axis that follow each other as one hole; ordered by their lowest face.
+/// Finds full bores, and joins successive bores on one axis into one hole. Ordered by their lowest face.
 std::vector<Hole> find_holes(const mesh::Mesh& mesh, const PartFaces& part);
 
 }  // namespace epura::features

@@ -3,7 +3,7 @@
 
 namespace epura::features {
 
-// Jacobi's rotations.
+// Jacobi rotations.
 Vec3 smallest_axis(const Mat3& symmetric) {
   Mat3 a = symmetric;
   Mat3 axes(1);

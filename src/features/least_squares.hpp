@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Small dense problems: normal equations of few unknowns, and axes of symmetric matrices.
+// Small dense problems: normal equations with few unknowns, and axes of symmetric matrices.
 #pragma once
 
 #include <algorithm>
@@ -11,13 +11,13 @@
 
 namespace epura::features {
 
-/// Normal equations of `size` unknowns.
+/// Normal equations with `size` unknowns.
 template <int size>
 class NormalEquations {
  public:
   using Unknowns = std::array<double, size>;
 
-  /// One equation: slopes . x = value.
+  /// Adds one equation: slopes . x = value.
   void add(const Unknowns& slopes, double value) {
     for (int i = 0; i < size; ++i) {
       for (int j = 0; j <= i; ++j) matrix_[i][j] += slopes[i] * slopes[j];
@@ -25,13 +25,13 @@ class NormalEquations {
     }
   }
 
-  /// The least-squares solution with the diagonal enlarged by the factor 1 + damping (Marquardt). Nothing where the
-  /// matrix is not positive definite.
+  /// Returns the least-squares solution with the diagonal enlarged by the factor 1 + damping (Marquardt), or nothing if
+  /// the matrix is not positive definite.
   [[nodiscard]] std::optional<Unknowns> solve(double damping) const {
     auto lower = matrix_;
     double largest = 0;
     for (int i = 0; i < size; ++i) largest = std::max(largest, matrix_[i][i]);
-    // What the equations do not determine is held by a little of the largest entry.
+    // A small fraction of the largest entry fixes unknowns that the equations do not determine.
     for (int i = 0; i < size; ++i) lower[i][i] += damping * matrix_[i][i] + 1e-14 * largest;
     if (!decompose(lower)) return std::nullopt;
     Unknowns x = right_;
@@ -49,7 +49,7 @@ class NormalEquations {
  private:
   using Matrix = std::array<std::array<double, size>, size>;
 
-  // Cholesky, in place.
+  // Cholesky decomposition in place.
   static bool decompose(Matrix& lower) {
     for (int j = 0; j < size; ++j) {
       for (int k = 0; k < j; ++k) lower[j][j] -= lower[j][k] * lower[j][k];
@@ -67,10 +67,10 @@ class NormalEquations {
   Unknowns right_{};
 };
 
-/// The unit eigenvector of the smallest eigenvalue of a symmetric matrix.
+/// Returns the unit eigenvector of the smallest eigenvalue of a symmetric matrix.
 Vec3 smallest_axis(const Mat3& symmetric);
 
-/// Two unit vectors square to a unit vector and to one another.
+/// Returns two unit vectors that are perpendicular to a unit vector and to each other.
 std::array<Vec3, 2> square_to(const Vec3& axis);
 
 }  // namespace epura::features

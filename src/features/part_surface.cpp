@@ -15,13 +15,13 @@ namespace epura::features {
 
 namespace {
 
-// A model that is stretched by less keeps its surfaces.
+// Surfaces of a model that is stretched by less are kept.
 constexpr double least_stretch = 1e-9;
 
-// As many as a torus has.
+// The number of unknowns of a torus, the largest.
 using Unknowns = std::array<double, 7>;
 
-/// A point seen from the axis of a surface.
+/// A point relative to the axis of a surface.
 struct Polar {
   double height;  ///< along the axis, from the origin
   double radius;  ///< from the axis
@@ -33,14 +33,14 @@ inline Polar polar_of(const PartSurface& surface, const Vec3& point) {
   const double height = glm::dot(from, surface.axis);
   const Vec3 across = from - height * surface.axis;
   const double radius = glm::length(across);
-  // On the axis, as an apex is, rounding would choose a direction.
+  // At an apex, which is on the axis, rounding would choose a direction.
   return {height, radius, radius > 1e-7 * surface.radius ? across / radius : Vec3(0)};
 }
 
-// Of the angle between the axis of a cone and its generators.
+// Cosine of the angle between the axis of a cone and its generators.
 double cosine_of(const PartSurface& cone) { return 1 / std::sqrt(1 + cone.slope * cone.slope); }
 
-/// A surface beside a point.
+/// The surface near a point.
 struct Beside {
   Polar polar;
   Vec3 normal;
@@ -60,7 +60,7 @@ Beside beside(const PartSurface& s, const Vec3& point) {
   }
   if (s.kind == SurfaceKind::torus) {
     const Vec3 from = (polar.radius - s.radius) * polar.outwards + polar.height * s.axis;
-    // Not the length of that: on the axis it has no direction from there.
+    // Not the length of `from`: on the axis, that has no outward direction.
     const double in = polar.radius - s.radius;
     const double length = std::sqrt(in * in + polar.height * polar.height);
     return {polar, length > 0 ? from / length : Vec3(0), length - s.minor};
@@ -68,13 +68,14 @@ Beside beside(const PartSurface& s, const Vec3& point) {
   return {polar, polar.outwards, polar.radius - s.radius};
 }
 
-/// How a surface may move: as a whole, turned about the middle of the points, and larger or smaller so that it stays
-/// where it is there. Otherwise radii and moves are hard to tell apart where points take a small part of a surface.
+/// The ways in which a surface may change: it moves as a whole, turns about the middle of the points, and grows or
+/// shrinks so that it stays in place there. Otherwise radii and shifts are hard to separate if the points cover a small
+/// part of the surface.
 struct Motion {
   Vec3 middle;                 ///< of the points
-  std::array<Vec3, 2> across;  ///< square to the axis
+  std::array<Vec3, 2> across;  ///< perpendicular to the axis
   Vec3 radial;                 ///< from the axis or centre to the middle
-  Vec3 normal;                 ///< of the surface beside the middle
+  Vec3 normal;                 ///< of the surface near the middle
 };
 
 Motion motion_of(const PartSurface& s, const Vec3& middle) {
@@ -83,7 +84,7 @@ Motion motion_of(const PartSurface& s, const Vec3& middle) {
   return {middle, square_to(has_axis ? s.axis : Vec3(0, 0, 1)), radial, normal_near(s, middle)};
 }
 
-/// How the distance of a point changes with each way to move, in the order in which `moved` takes them.
+/// Derivatives of a point's distance with respect to each change, in the order in which `moved` takes them.
 Unknowns slopes_at(const PartSurface& s, const Vec3& point, const Beside& there, const Motion& motion) {
   const Vec3& n = there.normal;
   if (s.kind == SurfaceKind::sphere) return {-n.x, -n.y, -n.z, glm::dot(n, motion.radial) - 1};
@@ -99,7 +100,7 @@ Unknowns slopes_at(const PartSurface& s, const Vec3& point, const Beside& there,
   return {in, aside, one, two, glm::dot(n, motion.radial) - c, opening};
 }
 
-// Cayley's form of a rotation by a small vector.
+// Cayley's formula for the rotation by a small vector.
 Vec3 turned(const Vec3& v, const Vec3& by) {
   const Vec3 half = by / 2.0, once = glm::cross(half, v);
   return v + 2 / (1 + glm::dot(half, half)) * (once + glm::cross(half, once));
@@ -136,7 +137,7 @@ PartSurface moved(PartSurface s, const Unknowns& by, const Motion& motion) {
   return s;
 }
 
-// Of distances; any larger number where it exceeds `most`.
+// Sum of squared distances; some larger number if it exceeds `most`.
 double sum_of_squares(const PartSurface& surface, std::span<const Vec3> points, double most) {
   double sum = 0;
   for (const Vec3& p : points) {
@@ -147,7 +148,7 @@ double sum_of_squares(const PartSurface& surface, std::span<const Vec3> points, 
   return sum;
 }
 
-/// A surface with what it is beside points.
+/// A surface and its relation to points.
 struct Fit {
   PartSurface surface;
   std::vector<Beside> there;
@@ -197,7 +198,7 @@ std::optional<Unknowns> next_move(const Fit& fit, std::span<const Vec3> points, 
   return std::nullopt;
 }
 
-// Turned inside out or past a right angle, a fit has lost its way.
+// A fit that has a negative radius, or whose slope approaches a right angle, has diverged.
 bool is_sound(const PartSurface& s) {
   return finite(s.origin) && finite(s.axis) && s.radius > 0 && (s.kind != SurfaceKind::torus || s.minor > 0) &&
          std::abs(s.slope) < 50;
@@ -209,8 +210,8 @@ Vec3 mean_of(std::span<const Vec3> points) {
   return sum / static_cast<double>(points.size());
 }
 
-// The point nearest to the lines through the middles of facets along their normals, seen along an axis: normals of a
-// surface of revolution meet its axis.
+// The point nearest to the lines through the middles of facets along their normals, seen along an axis: the normals of
+// a surface of revolution meet its axis.
 std::optional<Vec3> meeting_of_normals(std::span<const Facing> facings, const Vec3& axis) {
   NormalEquations<2> equations;
   const auto across = square_to(axis);
@@ -225,12 +226,12 @@ std::optional<Vec3> meeting_of_normals(std::span<const Facing> facings, const Ve
   return from + (*meeting)[0] * across[0] + (*meeting)[1] * across[1];
 }
 
-// A torus that touches the surface and has its curvatures, the meridian along direction `m`; `turn` has cosine and
-// sine of the angle from the outermost circle of the tube.
+// A torus that touches the surface and has its curvatures, with the meridian along direction `m`; `turn` holds cosine
+// and sine of the angle from the outermost circle of the tube.
 std::optional<PartSurface> torus_of(const Curvatures& at, int m, const Vec2& turn) {
   const double along = at.value[m], around = at.value[1 - m];
   if (!(std::abs(along) > 1e-9)) return std::nullopt;
-  // Outwards of the tube is away from where the meridian turns to.
+  // The outward direction of the tube points away from where the meridian turns to.
   const Vec3 outwards = along > 0 ? -at.normal : at.normal;
   const auto [c, s] = std::pair(turn.x, turn.y);
   const double around_outwards = along > 0 ? around : -around;
@@ -276,7 +277,7 @@ bool are_one(const PartSurface& one, const PartSurface& other) {
   if (!is_near(glm::length(way - height * one.axis))) return false;
   if (one.kind == SurfaceKind::torus)
     return is_near(height) && is_near(one.radius - other.radius) && is_near(one.minor - other.minor);
-  const double slope = along < 0 ? -other.slope : other.slope;  // those of cylinders are 0
+  const double slope = along < 0 ? -other.slope : other.slope;  // cylinders have slope 0
   return std::abs(one.slope - slope) <= part_of_size && is_near(one.radius + one.slope * height - other.radius);
 }
 
@@ -315,7 +316,7 @@ Vec3 normal_near(const PartSurface& s, const Vec3& point) {
   if (s.kind == SurfaceKind::plane) return s.axis;
   if (s.kind == SurfaceKind::free_form) return Vec3(0);
   const Beside there = beside(s, point);
-  // An apex has none.
+  // There is no normal at an apex.
   return s.kind == SurfaceKind::cone && there.polar.outwards == Vec3(0) ? Vec3(0) : there.normal;
 }
 
@@ -329,7 +330,7 @@ double refine(PartSurface& surface, std::span<const Vec3> points, double wanted)
   constexpr int most_steps = 16;
   const auto count = static_cast<double>(points.size());
   const Vec3 middle = mean_of(points);
-  // Beside the points, so that tilts and moves of the axis are told apart.
+  // Moves the origin beside the points, so that tilts and shifts of the axis can be told apart.
   const auto recentre = [&] {
     if (surface.kind != SurfaceKind::cylinder && surface.kind != SurfaceKind::cone) return;
     const double along = glm::dot(middle - surface.origin, surface.axis);
@@ -354,7 +355,7 @@ double refine(PartSurface& surface, std::span<const Vec3> points, double wanted)
       if (damping > 1e4) break;
       continue;
     }
-    // Near a surface that the points lie on, steps square the distance.
+    // Convergence is quadratic near a surface on which the points lie.
     const bool hopeless = step >= 1 && next.sum > 0.3 * fit.sum && next.sum > count * wanted * wanted;
     const bool done = hopeless || next.sum > 0.999 * fit.sum;
     std::swap(fit, next);
@@ -408,7 +409,7 @@ std::optional<PartSurface> begin_cone(std::span<const Facing> facings, std::span
   const auto on_axis = meeting_of_normals(facings, cone.axis);
   if (!on_axis) return std::nullopt;
   cone.origin = *on_axis;
-  // The line through heights and radii of the points.
+  // Fits a line through the heights and radii of the points.
   Vec2 middle(0);
   for (const Vec3& p : points) {
     const Polar polar = polar_of(cone, p);
@@ -470,9 +471,9 @@ std::optional<PartSurface> begin_torus_by_normals(std::span<const Facing> facing
   return torus;
 }
 
-// z = a + b x + c y + (d x^2 + 2 e x y + f y^2) / 2 + cubes over a plane: its curvatures and their directions at the
-// middle. Without the cubes, which are all that tells one torus of these curvatures from another, they would be wrong
-// by as much.
+// Fits z = a + b x + c y + (d x^2 + 2 e x y + f y^2) / 2 + cubic terms over a plane, and returns its curvatures and
+// their directions at the middle. Tori with the same curvatures differ in the cubic terms only; without these, the
+// curvatures would be wrong by as much.
 std::optional<Curvatures> curvatures_of(const Facing& middle, std::span<const Vec3> points) {
   const auto across = square_to(middle.normal);
   double size = 0;
@@ -489,7 +490,7 @@ std::optional<Curvatures> curvatures_of(const Facing& middle, std::span<const Ve
   const double a = (*found)[0], b = (*found)[1], c = (*found)[2], d = (*found)[3], e = (*found)[4], f = (*found)[5];
   const double root = std::sqrt(1 + b * b + c * c);
   const Vec3 normal = glm::normalize(middle.normal - b * across[0] - c * across[1]);
-  // In a frame of the tangent plane at the middle the second derivatives are nearly those over the given plane.
+  // In a frame of the tangent plane at the middle, the second derivatives are nearly those over the given plane.
   const double half_trace = (d + f) / 2, half_difference = (d - f) / 2;
   const double spread = std::hypot(half_difference, e);
   const double angle = portable_atan2(e, half_difference) / 2;
@@ -503,7 +504,7 @@ std::optional<Curvatures> curvatures_of(const Facing& middle, std::span<const Ve
 
 namespace {
 
-// Cosines and sines of angles all round.
+// Cosines and sines of angles over a full turn.
 const std::vector<Vec2>& all_turns() {
   static const std::vector<Vec2> turns = [] {
     constexpr int count = 72;
@@ -517,8 +518,8 @@ const std::vector<Vec2>& all_turns() {
   return turns;
 }
 
-// The best of the surfaces that `make` has for a principal direction and an angle: a coarse scan, and a fine one beside
-// its best.
+// Returns the best of the surfaces that `make` returns for a principal direction and an angle: a coarse scan, then a
+// fine one around its best result.
 template <class Make>
 std::optional<PartSurface> best_turned(std::span<const Vec3> points, const Make& make) {
   constexpr int stride = 4;
@@ -543,8 +544,8 @@ std::optional<PartSurface> best_turned(std::span<const Vec3> points, const Make&
   return best;
 }
 
-// A cone that touches the surface, with its generator along direction `g` and the curvature across it; `turn` is the
-// angle between its axis and generators.
+// A cone that touches the surface, with its generator along direction `g` and the same curvature across it; `turn`
+// holds cosine and sine of the angle between its axis and generators.
 std::optional<PartSurface> cone_of(const Curvatures& at, int g, const Vec2& turn) {
   const double around = at.value[1 - g];
   const double c = turn.x, s = turn.y;

@@ -20,14 +20,14 @@ namespace epura::features {
 
 namespace {
 
-constexpr double smooth_cosine = 0.7;  // of a fold that a coarse tessellation has
-// Of the area of a part.
+constexpr double smooth_cosine = 0.7;  // of a fold that occurs in coarse tessellations
+// Least fraction of a part's area that must be recognised.
 constexpr double least_recognised = 0.25;
 constexpr std::size_t most_alone = 256;
-// The tangent of a fold from which an edge of the mesh certainly is one of the part.
+// The tangent of a fold above which a mesh edge certainly is an edge of the part.
 constexpr double shallow_most = 1;
 
-/// Regions as faces, in the lengths of the file.
+/// Converts regions to faces, with lengths in units of the file.
 class Result {
  public:
   Result(const mesh::Mesh& mesh, const Facets& facets, const std::vector<int>& region_of,
@@ -43,7 +43,7 @@ class Result {
     });
     result.face_of_triangle.reserve(facets_.facet_of.size());
     for (const int facet : facets_.facet_of) result.face_of_triangle.push_back(region_of_[facet]);
-    double area = 0;  // in which the file's unit may be beyond all doubles
+    double area = 0;  // in units in which the area does not overflow, as it might in those of the file
     for (const Region& region : regions_) {
       const bool sure = is_sure(region);
       for (const int f : region.facets) {
@@ -57,7 +57,7 @@ class Result {
   }
 
  private:
-  // A triangle alone beside a smooth edge may be part of anything, and so may one of very many.
+  // A single triangle beside a smooth edge may be part of anything, and so may any single triangle of a large mesh.
   [[nodiscard]] bool is_sure(const Region& region) const {
     if (region.surface.kind == SurfaceKind::free_form) return false;
     if (region.surface.kind != SurfaceKind::plane || region.facets.size() > 1) return true;
@@ -105,7 +105,7 @@ class Result {
     face.sweep = reach.sweep;
   }
 
-  // A body whose triangles all run the other way round has its inside outside.
+  // If all triangles of a body are oriented the other way, its inside and outside are exchanged.
   void turn_bodies(PartFaces& result) const {
     if (mesh_.body.empty()) return;
     std::vector<double> volume(static_cast<std::size_t>(*std::max_element(mesh_.body.begin(), mesh_.body.end())) + 1);
@@ -128,7 +128,8 @@ class Result {
   const std::vector<Region>& regions_;
 };
 
-// Whether so little lies on round surfaces and in planes of several triangles that no part will be recognised.
+// Whether so little of the area lies on round surfaces and in planes of several triangles that no part will be
+// recognised.
 bool is_scan(const Facets& facets, const std::vector<int>& region_of) {
   if (facets.facets.size() <= most_alone) return false;
   double all = 0, sure = 0;
@@ -144,7 +145,7 @@ bool is_scan(const Facets& facets, const std::vector<int>& region_of) {
 PartFaces recognise_faces(const mesh::Mesh& mesh, const RecogniseOptions& options, const Progress& progress) {
   const Facets facets = make_facets(mesh);
   auto [regions, region_of] = find_round_regions(facets, progress);
-  // A scan, or a mesh that an artist made: its few flat places are none of a part.
+  // The few flat places of a scan or an artist's mesh do not belong to a part.
   PartFaces nothing{{}, std::vector<int>(mesh.polygon.size(), -1), {}, {}, facets.tolerance / facets.scale, 0};
   if (is_scan(facets, region_of)) return nothing;
   merge_regions(facets, region_of, regions);

@@ -17,25 +17,27 @@ namespace {
 constexpr std::size_t grain = 4096;
 constexpr double turn = 2 * std::numbers::pi;
 constexpr double degree = std::numbers::pi / 180;
-// A facet takes at most 45 degrees of its surface, so a corner of it is turned by half of that.
+// A facet spans at most 45 degrees of its surface, so the normal at a corner differs by half of that.
 constexpr double least_agreement = 0.913;       // cosine of 24 degrees
 constexpr double most_relative_sagitta = 0.09;  // of the radius
 constexpr double least_fold_cosine = 0.62;
-// Twelve facets a turn or more, on average.
+// Twelve facets per turn or more, on average.
 constexpr double most_mean_turn = 15.5 * degree;
 constexpr double most_step = 33 * degree;
-constexpr double most_of_sweep = 0.6;  // of an arc that one facet takes
+constexpr double most_of_sweep = 0.6;  // fraction of an arc that a single facet may span
 constexpr double most_mean_turn_both_ways = 21.5 * degree;
-// One facet stands at most four times as high over its chord as others: it takes twice the angle.
+// Greatest distance of a facet's chords from the surface, in sagittas.
 constexpr double most_sagittas = 16;
 constexpr double tilted_facing = 0.9976;  // cosine of 4 degrees
 constexpr double least_facing = 0.5;
 constexpr double tangent_cosine = 0.99966;  // of 1.5 degrees
-// Places around a surface, with ends at which a neighbour touches it, from which three would follow anyway.
+// Least number of positions around a surface, including ends at which a neighbour is tangent to it: three would always
+// lie on some surface.
 constexpr int least_places = 5;
 constexpr std::size_t most_fitted = 192;
-// What vertices beyond those that determine a surface must say together, as the binary logarithm of how unlikely it is
-// that they lie on it by chance: of each the height of the arc over its distance from the surface.
+// Least evidence for a surface, in bits: the binary logarithm of how unlikely it is that vertices lie on it by chance.
+// Each vertex beyond those that determine the surface contributes that of the sagitta over its distance from the
+// surface.
 constexpr double least_bits = 40;
 
 double angle_of_cosine(double cosine) { return std::sqrt(std::max(0.0, 2 * (1 - cosine))); }
@@ -48,7 +50,7 @@ double allowance_of(const Facets& facets, double sagitta) {
 
 namespace {
 
-// Angle of a point around the axis of a surface, or around the tube of a torus, from 0 to a turn.
+// The angle of a point around the axis of a surface, or around the tube of a torus, from 0 to a full turn.
 double angle_of(const PartSurface& surface, const Vec3& point, bool around_tube) {
   const Vec3 from = point - surface.origin;
   const auto across = square_to(surface.axis);
@@ -58,8 +60,8 @@ double angle_of(const PartSurface& surface, const Vec3& point, bool around_tube)
   return angle < 0 ? angle + turn : angle;
 }
 
-/// Facets that are too thin to face anywhere: lower than the arcs that the tessellation leaves out. Where those are
-/// higher than a coarse tessellation leaves, it is none.
+/// Whether a facet is too thin for its normal to mean anything: narrower than the arcs that the tessellation leaves
+/// out. A greater sagitta than that of a coarse tessellation does not count.
 bool has_no_say(const Facets& facets, int facet, const PartSurface& surface, double sagitta) {
   const double least_radius = surface.kind == SurfaceKind::torus ? surface.minor : surface.radius;
   return facets.is_sliver(facet) ||
@@ -88,7 +90,7 @@ bool is_chord(const Facets& facets, int facet, const PartSurface& surface, doubl
     if (!is_near(facets.points[v], allowance)) return false;
   const Facet& f = facets.facets[facet];
   const auto facing = [&](const Vec3& p) { return std::abs(glm::dot(normal_near(surface, p), f.normal)); };
-  // One that does not tilt, but takes a large angle, is a flat of the part.
+  // A facet that does not tilt, but spans a large angle, is a flat of the part.
   if (facing(f.middle) > tilted_facing)
     for (const int v : facets.vertices_of(facet))
       if (facing(facets.points[v]) < least_agreement && normal_near(surface, facets.points[v]) != Vec3(0)) return false;
@@ -113,7 +115,7 @@ Places places_of(const PartSurface& s, std::span<const Vec3> points, bool around
   std::vector<double> angles(points.size());
   parallel_for(points.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      // On the axis there is no angle.
+      // A point on the axis has no angle.
       const Vec3 from = points[i] - s.origin;
       const bool is_off = glm::length(from - glm::dot(from, s.axis) * s.axis) > 1e-3 * s.radius;
       angles[i] = is_off ? angle_of(s, points[i], around_tube) : none;
@@ -186,8 +188,8 @@ std::vector<Vec3> RegionGrower::points_of(const Region& region, std::size_t most
   return some;
 }
 
-// Vertices that lie beside the surface, as on the border to a blend that is not exact, shall not bend it: it is fitted
-// to the others once they are known.
+// Vertices that lie off the surface, such as those on the border to an inexact blend, must not bend it: it is fitted to
+// the other vertices once they are known.
 bool RegionGrower::fit_again(Region& region) {
   const std::vector<Vec3> points = points_of(region, most_fitted);
   region.residual = refine(region.surface, points);
@@ -214,15 +216,15 @@ bool RegionGrower::fit_again(Region& region) {
   return region.residual <= allowance_of(facets_, region.sagitta);
 }
 
-// Adds neighbours until none lies on the surface any more, and fits it again whenever the region has doubled. Whether
-// anything was added.
+// Adds neighbours until no more of them lie on the surface, and fits it again whenever the region has grown enough.
+// Returns whether anything was added.
 bool RegionGrower::spread(Region& region) {
   const std::size_t before = region.facets.size();
   std::size_t fitted = before;
   for (std::size_t next = 0; next < region.facets.size(); ++next) {
     facets_.for_sides(region.facets[next], [&](int t, int side, int facet) {
       if (stamp_[facet] == number_ || !may_cross(t, side)) return;
-      // What a fit to few facets says of the next ones is not as sure as the fit.
+      // A fit to few facets is less certain for adjacent facets than for its own.
       const double allowance = allowance_of(facets_, region.sagitta) * (region.facets.size() < 12 ? 8 : 2);
       if (approximates(facets_, facet, region.surface, allowance, region.sagitta)) add(region, facet);
     });
@@ -233,7 +235,7 @@ bool RegionGrower::spread(Region& region) {
   return region.facets.size() > before;
 }
 
-// A cone that hardly opens is a cylinder with vertices that are not exact.
+// A cone with a very small slope is a cylinder with inexact vertices.
 void RegionGrower::prefer_cylinder(Region& region) {
   constexpr double least_slope = 0.01;
   if (std::abs(region.surface.slope) > least_slope) return;
@@ -246,7 +248,7 @@ void RegionGrower::prefer_cylinder(Region& region) {
   region.residual = residual;
 }
 
-// Facets that are so askew that they face elsewhere, but lie among those of the region.
+// Adds facets that are so skewed that they face elsewhere, but lie among those of the region.
 void RegionGrower::take_enclosed(Region& region) {
   const double allowance = allowance_of(facets_, region.sagitta);
   const double sagitta = region.sagitta;
@@ -303,14 +305,14 @@ std::optional<Region> RegionGrower::grow(const PartSurface& beginning, std::span
   for (const int f : seeds) add(region, f);
   for (int round = 0; round < 4; ++round) {
     if (!spread(region) && round > 0) break;
-    // A few vertices beside the surface may have bent it.
+    // A few vertices off the surface may have bent it.
     const std::size_t before = region.facets.size();
     region.chosen = !fit_again(region) || region.chosen;
     drop_misfits(region);
     if (region.facets.size() < 2 || 3 * region.facets.size() < 2 * before) return std::nullopt;
     if (region.residual > allowance_of(facets_, region.sagitta)) return std::nullopt;
   }
-  // A surface is only told from the polyhedron where the two differ.
+  // A surface is distinguishable from the polyhedron only where the two differ.
   if (region.residual > allowance_of(facets_, region.sagitta) || region.sagitta < 4 * region.residual)
     return std::nullopt;
   if (region.surface.kind == SurfaceKind::cone) prefer_cylinder(region);
@@ -331,7 +333,7 @@ double RegionGrower::mean_turn_of(const Region& region) const {
     sum += angle_of_cosine(least);
     ++count;
   }
-  // Too few have a say for the rest to be thin ones among them.
+  // If too few facets count, the others cannot be thin ones among them.
   return 4 * count >= static_cast<int>(region.facets.size()) ? sum / count : turn;
 }
 
@@ -340,7 +342,7 @@ Places RegionGrower::places_around(const Region& region, bool around_tube) {
                    allowance_of(facets_, region.sagitta));
 }
 
-// At how many ends of the arc neighbours go on without an edge.
+// Returns at how many ends of the arc neighbours continue without an edge.
 int RegionGrower::tangent_ends(const Region& region, const Places& places, bool around_tube) {
   if (places.closed) return 0;
   ++number_;
@@ -372,9 +374,9 @@ int RegionGrower::tangent_ends(const Region& region, const Places& places, bool 
 bool RegionGrower::is_evident_arc(const Region& region, bool around_tube, double mean_turn) {
   const Places places = places_around(region, around_tube);
   const double most = around_tube ? most_mean_turn_both_ways : most_mean_turn;
-  // An octagon with narrow chamfers has as many places, but not all around.
+  // An octagon with narrow chamfers has as many positions, but not evenly around.
   if (places.closed) return places.count >= 12 && mean_turn <= most && places.step <= most_step;
-  // A wide facet with narrow ones at both ends, which are those of the next faces.
+  // A wide facet with narrow ones at both ends, which belong to the adjacent faces.
   if (places.step > most_of_sweep * places.sweep) return false;
   const int tangent = tangent_ends(region, places, around_tube);
   if (tangent < 2 && places.step > most_step) return false;
@@ -415,7 +417,7 @@ bool RegionGrower::is_evident(const Region& region) {
     case SurfaceKind::sphere:
       return mean_turn <= most_mean_turn_both_ways && is_evident_sphere(region);
     case SurfaceKind::torus:
-      // Every small smooth patch is nearly one, so it must be exact.
+      // Every small smooth patch is nearly a torus, so the fit must be exact.
       return region.residual <= 2 * facets_.tolerance && places_around(region, false).count >= 4 &&
              is_evident_arc(region, true, mean_turn);
     case SurfaceKind::plane:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Facets that lie on one surface: how such a region grows, and what proves that the surface is meant.
+// Facets that lie on one surface: how such a region grows, and how to prove that the surface is intended.
 #pragma once
 
 #include <algorithm>
@@ -19,9 +19,9 @@ struct Region {
   PartSurface surface;
   std::vector<int> facets;
   double residual = 0;  ///< largest distance of a vertex from the surface
-  double sagitta = 0;   ///< mean height of the surface over the middles of facets
-  bool chosen = false;  ///< facets that lie beside the surface were left out
-  /// So many of the facets, the first ones, lie on the surface; others have a vertex beside it.
+  double sagitta = 0;   ///< mean distance of the surface from the middles of facets
+  bool chosen = false;  ///< whether facets that lie off the surface were left out
+  /// Number of facets, the first ones, that lie on the surface; the others have a vertex off it.
   std::size_t exact = std::numeric_limits<std::size_t>::max();
 
   [[nodiscard]] std::span<const int> exact_facets() const {
@@ -29,52 +29,53 @@ struct Region {
   }
 };
 
-/// How far vertices may lie from a surface whose facets lie `sagitta` below it. Files of little precision are read,
-/// too, as long as what the fit leaves is much less than what the facets leave.
+/// Returns how far vertices may lie from a surface whose facets have the given sagitta. Files of low precision are
+/// accepted as long as the residual of the fit is much smaller than the sagitta.
 double allowance_of(const Facets& facets, double sagitta);
 
-/// Whether a facet approximates the surface beside it: its vertices lie on it, and it faces as the surface does, by no
-/// more than half a step of a coarse tessellation. What is too thin to face anywhere has no say.
+/// Whether a facet approximates the surface near it: its vertices lie on the surface, and its normal differs from that
+/// of the surface by no more than half a step of a coarse tessellation. The normals of very thin facets are ignored.
 bool approximates(const Facets& facets, int facet, const PartSurface& surface, double allowance, double sagitta);
 
-/// Whether a facet stands for a piece of the surface though it may face elsewhere: its vertices lie on it, and its
-/// sides not much lower than those of other facets. Along the border of a face, where vertices are few, facets reach
-/// from a long chord of it to a vertex close by, and tilt.
+/// Whether a facet represents a piece of the surface although it may face elsewhere: its vertices lie on the surface,
+/// and its sides are not much farther below it than those of other facets. Along the border of a face, where there are
+/// few vertices, facets tilt because they extend from a long chord to a vertex close to it.
 bool is_chord(const Facets& facets, int facet, const PartSurface& surface, double allowance, double sagitta);
 
-/// Where vertices lie on the arc of a surface, by their angles around its axis or around the tube of a torus.
+/// Positions of vertices on the arc of a surface, by their angles around its axis or around the tube of a torus.
 struct Places {
-  int count = 0;        ///< distinct ones
-  double from = 0;      ///< where the arc begins, radians
-  double sweep = 0;     ///< of the arc; of a whole turn 2 pi
-  double step = 0;      ///< largest one between neighbours
-  bool closed = false;  ///< no gap is larger than steps are
+  int count = 0;        ///< distinct positions
+  double from = 0;      ///< start of the arc, radians
+  double sweep = 0;     ///< of the arc, radians; 2 pi for a full turn
+  double step = 0;      ///< largest one between adjacent positions, radians
+  bool closed = false;  ///< whether no gap is larger than a step
 };
 Places places_of(const PartSurface& surface, std::span<const Vec3> points, bool around_tube, double allowance);
 
-/// How far points reach along the axis of a surface, and around it.
+/// The extent of points along the axis of a surface and around it.
 struct Reach {
   double from = HUGE_VAL, to = -HUGE_VAL;
-  double sweep = 0;  ///< degrees; 360 where no gap is larger than steps are
+  double sweep = 0;  ///< degrees; 360 if no gap is larger than a step
 };
 Reach reach_of(const PartSurface& surface, std::span<const Vec3> points, double allowance);
 
 class RegionGrower {
  public:
-  /// Facets that have a region already are not taken: `region_of` is by facet, -1 for none, and `regions` are those.
-  /// Both are to outlive the grower.
+  /// Facets that already have a region are not taken: `region_of` is by facet, -1 for none, and `regions` contains
+  /// these regions. Both must outlive the grower.
   RegionGrower(const Facets& facets, const std::vector<int>& region_of, const std::vector<Region>& regions);
 
-  /// The region around the seeds, fitted anew as it grows; nothing where the seeds do not lie on one surface of that
-  /// kind.
+  /// Returns the region around the seeds, fitted again as it grows; nothing if the seeds do not lie on one surface of
+  /// that kind.
   std::optional<Region> grow(const PartSurface& beginning, std::span<const int> seeds);
 
-  /// Whether a region shows more of its surface than chance can. Any two polygons beside each other lie on some round
-  /// surface: steps of a tessellation are small, there are more places around than determine the surface, and where
-  /// they are few, neighbours touch it without an edge.
+  /// Whether a region determines its surface beyond coincidence. Any two adjacent polygons lie on some round surface.
+  /// So the steps must be small, as in a tessellation; there must be more positions around the surface than determine
+  /// it; and where they are few, neighbours must be tangent to it.
   bool is_evident(const Region& region);
 
-  /// The cylinder or cone that a sphere's region lies on, too: vertices of two circles about one axis do.
+  /// Returns the cylinder or cone on which the region of a sphere lies, too, as the vertices of any two coaxial circles
+  /// do.
   std::optional<PartSurface> simpler_than(const Region& region);
 
  private:

@@ -21,19 +21,19 @@ namespace {
 
 constexpr std::size_t most_nearby = 24;  // facets around a seed
 constexpr std::size_t most_beside = 4;
-constexpr double smooth_cosine = 0.7;  // of a fold that a coarse tessellation has
-// Where so few seeds of so many grow, nothing will come of the rest.
+constexpr double smooth_cosine = 0.7;  // of a fold that occurs in coarse tessellations
+// The search is abandoned when at least `least_seeds` seeds were tried and fewer than one in `seeds_for_one` has grown.
 constexpr int least_seeds = 256;
 constexpr int seeds_for_one = 192;
 constexpr int patience = 512;
 constexpr char enough_failures = 8;
 constexpr int facets_at_once = 256;
 
-/// A surface that some facets around a seed lie on.
+/// A surface on which some facets around a seed lie.
 struct Guess {
   PartSurface surface;
   std::vector<int> seeds;
-  std::size_t explained;  ///< facets nearby that lie on it
+  std::size_t explained;  ///< number of facets nearby that lie on it
 };
 
 /// The first neighbours of a facet.
@@ -46,11 +46,11 @@ struct Few {
 };
 
 struct Neighbour {
-  double length;  ///< of common edges
+  double length;  ///< total length of common edges
   int facet;
 };
 
-/// How much was tried: the longer little was found, as in free forms, the fewer facets are tried.
+/// Counts attempts: the longer few of them succeed, as in free forms, the fewer facets are tried.
 struct Effort {
   int tried = 0;
   int grown = 0;
@@ -67,13 +67,13 @@ struct Effort {
   [[nodiscard]] bool is_hopeless() const { return tried >= least_seeds && tried > seeds_for_one * grown; }
 };
 
-/// A facet from which a surface might have grown, and whether one did.
+/// A facet from which a surface might have grown, and whether it did.
 struct Try {
   int facet;
   bool found;
 };
 
-/// Where a region comes from: regions are kept in this order, whatever was searched at the same time.
+/// The origin of a region: regions are kept in this order, whatever was searched at the same time.
 struct Origin {
   int stage;
   int seed;  ///< facet
@@ -81,14 +81,14 @@ struct Origin {
   auto operator<=>(const Origin&) const = default;
 };
 
-/// A cylinder or cone, and facets of it that a sphere took first.
+/// A cylinder or cone, and those of its facets that a sphere took first.
 struct Ring {
   PartSurface surface;
   std::vector<int> facets;
   int seed;
 };
 
-/// In one cluster.
+/// Searches one cluster.
 class Search {
  public:
   Search(const Facets& facets, const Progress& progress)
@@ -103,14 +103,14 @@ class Search {
     found_.region_of.assign(facets.facets.size(), -1);
   }
 
-  /// Begins with the first facet again.
+  /// Starts again with the first facet.
   void begin_pass() {
     ++stage_;
     next_ = 0;
     std::fill(failures_.begin(), failures_.end(), char(0));
   }
 
-  /// Tries the next facets, as far as `end`, after so much was tried.
+  /// Tries the next facets up to `end`, given the effort so far.
   std::vector<Try> advance(int end, bool beside_regions, Effort effort) {
     std::vector<Try> tries;
     for (; next_ < end; ++next_) {
@@ -129,7 +129,7 @@ class Search {
     return tries;
   }
 
-  /// Drops regions of this pass that grew from the facet `end` or later ones.
+  /// Drops regions of this pass that grew from facet `end` or later ones.
   void drop_from(int end) {
     while (!origins_.empty() && origins_.back() >= Origin{stage_, end}) {
       for (const int f : found_.regions.back().facets) found_.region_of[f] = -1;
@@ -138,8 +138,8 @@ class Search {
     }
   }
 
-  /// Rings of triangles that are no strip begin with a sphere. They come last: of the rows of a torus they would make
-  /// cones. Whether there were any.
+  /// Grows rings of triangles that are not strips, which were first taken for a sphere. They come last, since they
+  /// would turn rows of a torus into cones. Returns whether any ring grew.
   bool grow_rings() {
     ++stage_;
     const std::size_t before = found_.regions.size();
@@ -166,7 +166,7 @@ class Search {
     return found;
   }
 
-  // Neighbours without a region across smooth edges, those with the longest common edges first.
+  // Returns neighbours without a region across smooth edges, those with the longest common edges first.
   [[nodiscard]] Few beside_of(int facet) {
     int& at = neighbours_at_[facet];
     if (at < 0) {
@@ -181,7 +181,7 @@ class Search {
     return beside;
   }
 
-  // Their number and they themselves, with a region or without: each is asked for often.
+  // Stores the number of neighbours and the neighbours, with or without a region, since each list is needed often.
   void remember_neighbours(int facet) {
     around_facet_.clear();
     facets_.for_sides(facet, [&](int t, int side, int other) {
@@ -202,7 +202,7 @@ class Search {
     for (const Neighbour& n : around_facet_) neighbours_.push_back(n.facet);
   }
 
-  // The facet, its neighbours, and theirs.
+  // Returns the facet, its neighbours, and their neighbours.
   [[nodiscard]] std::vector<int> around(int facet, const Few& beside) {
     ++number_;
     std::vector<int> nearby{facet};
@@ -233,13 +233,13 @@ class Search {
     std::vector<Facing> facings;
     facings.reserve(facets.size());
     for (const int f : facets) facings.push_back({facets_.facets[f].middle, facets_.facets[f].normal, 1});
-    // All to one side, though triangles may run round either way.
+    // All normals point to one side, although triangles may have either orientation.
     for (Facing& f : facings)
       if (glm::dot(f.normal, facings.front().normal) < 0) f.normal = -f.normal;
     return facings;
   }
 
-  /// Some facets, what a fit asks of them, and those around them that are to tell whether it is right.
+  /// Some facets, the input of a fit to them, and the facets around them that decide whether it is right.
   struct Patch {
     std::span<const int> facets, nearby;
     std::vector<Vec3> points;
@@ -256,8 +256,8 @@ class Search {
     return sum / static_cast<double>(facets.size());
   }
 
-  // Keeps the surface if the patch lies on it and it explains more facets nearby than the last of its kind. Whether the
-  // patch does.
+  // Keeps the surface if the patch lies on it and it explains more facets nearby than the last one of its kind. Returns
+  // whether the patch lies on it.
   bool consider(std::vector<Guess>& guesses, std::optional<PartSurface> surface, const Patch& patch) const {
     if (!surface) return false;
     const double residual = refine(*surface, patch.points, 64 * facets_.tolerance);
@@ -271,7 +271,7 @@ class Search {
       if (f == seed && !fits) return false;
       explained += fits ? 1 : 0;
     }
-    // As many points as determine it say nothing, unless it foretells others.
+    // A surface through just as many points as determine it proves nothing unless it predicts other facets.
     const auto spare = static_cast<int>(patch.points.size()) - unknowns_of(surface->kind);
     if (explained < 2 || (explained <= patch.facets.size() && spare < 2)) return false;
     const Guess guess{*surface, {patch.facets.begin(), patch.facets.end()}, explained};
@@ -284,7 +284,7 @@ class Search {
     return true;
   }
 
-  // Three facets of a strip that lies along a surface begin it so well that little is left to refine.
+  // Three facets of a strip along a surface give such a good estimate that little is left to refine.
   void guess_strip(std::vector<Guess>& guesses, const Patch& patch) const {
     const auto is_near = [&](const std::optional<PartSurface>& surface) {
       return surface && residual_of(*surface, patch.points) < 0.25 * sagitta_of(*surface, patch.facets);
@@ -316,19 +316,19 @@ class Search {
     };
     const std::span<const int> beside = neighbours.all();
     if (beside.size() == 1) try_strip({facet, beside[0]});
-    // Most faces are cylinders that are alone.
+    // Most faces are isolated cylinders.
     const auto explains_all = [&] {
       return guesses.size() == 1 && guesses.front().surface.kind == SurfaceKind::cylinder && nearby.size() > 5 &&
              guesses.front().explained == nearby.size();
     };
-    // The longest edges of a strip are those along it; neighbours across them are on one surface most often.
+    // The longest edges of a strip are those along it; neighbours across these are most often on the same surface.
     for (std::size_t i = 0; i + 1 < beside.size() && !explains_all(); ++i) try_strip({facet, beside[i], beside[i + 1]});
     if (explains_all()) return guesses;
     if (beside.size() > 2) try_strip({facet, beside[0], beside[2]});
     std::size_t size = std::min<std::size_t>(9, nearby.size());
     while (size < nearby.size() && size < 13 && points_of(std::span(nearby).first(size)).size() < 14) ++size;
     if (size >= 7) guess_patch(guesses, patch_of(std::span(nearby).first(size), nearby));
-    // What explains more; of equals the simpler one.
+    // The guess that explains more comes first; of equals, the simpler one.
     std::sort(guesses.begin(), guesses.end(), [](const Guess& a, const Guess& b) {
       return a.explained != b.explained ? a.explained > b.explained : a.surface.kind < b.surface.kind;
     });
@@ -360,7 +360,7 @@ class Search {
       }
       if (region->surface.kind == SurfaceKind::sphere) remember_ring(*region, facet);
     }
-    // What is as large as the seed would hardly do better.
+    // Facets about as large as the seed would hardly do better.
     for (const int f : nearby) {
       const double ratio = facets_.facets[f].width / facets_.facets[facet].width;
       if (ratio > 0.4 && ratio < 2.5 && failures_[f] < enough_failures) ++failures_[f];
@@ -375,17 +375,18 @@ class Search {
   std::vector<Origin> origins_;  ///< of the regions
   int stage_ = 0;
   int next_ = 0;
-  std::vector<char> failures_;  ///< of seeds nearby
+  std::vector<char> failures_;  ///< by facet: failed seeds nearby
   std::vector<int> stamp_, vertex_stamp_;
   int number_ = 0, vertex_number_ = 0;
   std::vector<Neighbour> around_facet_;
-  std::vector<int> neighbours_at_, neighbours_;  ///< of each facet, where they begin: how many there are, and which
+  std::vector<int> neighbours_at_, neighbours_;  ///< for each facet, where its list begins: the number of neighbours,
+                                                 ///< then the neighbours
   std::vector<Ring> rings_;
-  std::vector<char> in_ring_;  ///< whether a facet is in one of them
+  std::vector<char> in_ring_;  ///< whether a facet is in one of the rings
   RegionGrower grower_;
 };
 
-/// In all clusters side by side.
+/// Searches all clusters in parallel.
 class SideBySide {
  public:
   SideBySide(const Facets& all, const Progress& progress) : all_(all), clusters_(clusters_of(all)) {
@@ -395,7 +396,7 @@ class SideBySide {
   RoundRegions run() {
     pass(false);
     if (!has_regions() && !grow_rings()) return joined();
-    // With their neighbours known, narrow ones show that they are tangent to them.
+    // With known neighbours, narrow regions turn out to be tangent to them.
     begin_pass();
     pass(true);
     if (grow_rings()) {
@@ -413,8 +414,8 @@ class SideBySide {
     });
   }
 
-  // All clusters advance together, largest facets first: what is tried in one depends a little on what was found in
-  // others, but never on which thread was faster.
+  // All clusters advance together, largest facets first: the attempts in one depend slightly on the results in others,
+  // but never on which thread was faster.
   void pass(bool beside_regions) {
     Effort effort;
     const auto count = static_cast<int>(all_.facets.size());
@@ -430,7 +431,7 @@ class SideBySide {
     }
   }
 
-  // What clusters found after all that lies behind was in vain.
+  // Drops what clusters found beyond the facet at which the search was abandoned.
   void drop_from(int end) {
     for_each([&](std::size_t c) { searches_[c].drop_from(local(c, end)); });
   }

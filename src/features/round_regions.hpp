@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Regions of facets that lie on cylinders, cones, spheres and tori: a surface through a few facets beside each other
-// grows as far as vertices lie on it.
+// Regions of facets that lie on cylinders, cones, spheres and tori: a surface through a few adjacent facets grows as
+// far as vertices lie on it.
 #pragma once
 
 #include <vector>
@@ -16,7 +16,7 @@ struct RoundRegions {
   std::vector<int> region_of;  ///< by facet; -1 for none
 };
 
-/// Begins with the first facets. Throws OutOfTime.
+/// Starts with the first facets. Throws OutOfTime.
 RoundRegions find_round_regions(const Facets& facets, const Progress& progress);
 
 }  // namespace epura::features

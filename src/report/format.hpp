@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Findings of a run as sentences.
+// Formats the findings of a run as sentences.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace epura::report {
 
-/// One sentence a line.
+/// One sentence per line.
 std::string format_verification(const Verification& verification);
 
 }  // namespace epura::report

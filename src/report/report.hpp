@@ -14,12 +14,13 @@
 
 namespace epura::report {
 
-/// What a stage took and what leaving it out saves, in seconds.
+/// The time a stage took, and the time saved by omitting it, in seconds.
 struct PlanTimes {
-  std::optional<double> certificate;  ///< to find out whether it can be left out; nothing where that takes no time
-  std::optional<double> stage;        ///< where it ran and was timed
-  std::optional<double> estimated;    ///< saved, by what an item usually takes
-  std::optional<double> measured;     ///< saved, by runs with and without it
+  std::optional<double> certificate;  ///< time to find out whether the stage can be omitted; nothing if that takes no
+                                      ///< time
+  std::optional<double> stage;        ///< time of the stage, if it ran and was timed
+  std::optional<double> estimated;    ///< time saved, estimated from the usual time per item
+  std::optional<double> measured;     ///< time saved, measured by runs with and without the stage
 };
 
 /// One stage of the plan, for the report.
@@ -28,22 +29,22 @@ struct PlanStep {
   bool run;
   std::string why;  ///< why it ran or was skipped
   long long items_in = 0, items_out = 0;
-  std::string view{};   ///< empty for what is done once
+  std::string view{};   ///< empty for a stage that runs once for all views
   long long skipped{};  ///< number of items skipped by a shortcut
   PlanTimes times{};    ///< empty unless requested: outputs are byte-stable
 };
 
-/// What a time limit left undone.
+/// Work that was left undone because of a time limit.
 struct Partial {
-  std::vector<std::string> stages{};   ///< that were cut, as progress names them; none: all is done
+  std::vector<std::string> stages{};   ///< stages cut short, by their names in Progress; none: everything is done
   long long edges = 0, undecided = 0;  ///< undecided edges are not drawn
-  double searched = 1;                 ///< part of the search for intersection lines that was done, 0 to 1
+  double searched = 1;                 ///< fraction of the search for intersection lines that was done, 0 to 1
   long long undrawn = 0;               ///< lines of decided edges, and dimensions, that are not drawn
 
   void add_stage(const std::string& stage) {
     if (std::find(stages.begin(), stages.end(), stage) == stages.end()) stages.push_back(stage);
   }
-  /// What of another view is left undone.
+  /// Adds what another view left undone.
   void add(const Partial& other) {
     for (const std::string& stage : other.stages) add_stage(stage);
     edges += other.edges;
@@ -59,9 +60,9 @@ struct ViewCondition {
   view::Condition condition;
 };
 
-/// Largest distance of facets from the surfaces of the part that they represent.
+/// Largest distance between facets and the surfaces of the part that they represent.
 struct Tessellation {
-  double error = 0;     ///< length of the world
+  double error = 0;     ///< in units of length of the world
   double on_paper = 0;  ///< the same in the largest view, mm
 };
 
@@ -69,10 +70,10 @@ struct Report {
   std::vector<mesh::MeshReport> meshes;
   std::vector<PlanStep> plan;
   std::vector<std::pair<std::string, double>> seconds;  ///< empty unless requested: outputs are byte-stable
-  Partial partial{};                                    ///< without stages: the drawing is complete
+  Partial partial{};                                    ///< no stages: the drawing is complete
   std::optional<Verification> verification;             ///< if requested
-  std::vector<ViewCondition> conditions;                ///< by view, if requested
-  std::optional<Tessellation> tessellation{};           ///< where round faces of a part are recognised
+  std::vector<ViewCondition> conditions;                ///< one for each view, if requested
+  std::optional<Tessellation> tessellation{};           ///< if round faces of a part are recognised
 };
 
 }  // namespace epura::report

@@ -12,7 +12,7 @@
 
 namespace epura::report {
 
-/// A facet of a model: face number of the file.
+/// A facet of a model, by its face number in the file.
 struct FacetName {
   int model, face;
 };
@@ -21,56 +21,58 @@ struct FacetName {
 struct Mismatch {
   std::string what;  ///< "drawn hidden", "drawn visible" or "not drawn"
   int model;
-  std::array<int, 2> edge;        ///< vertex numbers of the file; {-1, -1} for an intersection line
-  std::vector<FacetName> facets;  ///< of an intersection line: the two that cross
+  std::array<int, 2> edge;        ///< vertex numbers in the file; {-1, -1} for an intersection line
+  std::vector<FacetName> facets;  ///< for an intersection line: the two that cross
   double t;                       ///< 3D parameter along the edge
   Vec2 page;                      ///< mm
   std::optional<FacetName> hider;
-  double length;  ///< of the span that it was found on, mm
+  double length;  ///< of the span on which it was found, mm
 };
 
-/// Lines of one look, kind and range of lengths.
+/// Lines with a common visibility, kind and range of lengths.
 struct Stratum {
   bool visible;
   EdgeKind kind;
-  double min;                    ///< spans are at least so long, in parts of the drawing's size
-  double length = 0;             ///< of its spans together, mm
-  int samples = 0;               ///< points drawn at random
-  int undecided = 0, wrong = 0;  ///< of these
+  double min;                    ///< least length of the spans, as a fraction of the drawing's size
+  double length = 0;             ///< total length of its spans, mm
+  int samples = 0;               ///< random points
+  int undecided = 0, wrong = 0;  ///< number of these points
 };
 
 /// A line that is missing, or that should not be there.
 struct OutlineFault {
   std::string what;               ///< "missing", "unfounded" or "doubled"
-  Vec2 page;                      ///< mm; a place of it
-  double length;                  ///< mm of the straight line through that place that are so
+  Vec2 page;                      ///< mm; a point on the line
+  double length;                  ///< length of the faulty part of the straight line through that point, mm
   int model;                      ///< -1: none
-  std::array<int, 2> edge;        ///< vertex numbers of the file; {-1, -1} for none
-  std::vector<FacetName> facets;  ///< seen on both sides of a line that is missing
+  std::array<int, 2> edge;        ///< vertex numbers in the file; {-1, -1} for none
+  std::vector<FacetName> facets;  ///< seen on both sides of a missing line
 };
 
-/// Findings along random lines across the page: places that require a line, and visible ink.
+/// Findings along random lines across the page: positions that require a line, and visible ink.
 struct OutlineCheck {
   int lines = 0;
-  int asked = 0, missing = 0;               ///< places that require a line; those without ink
-  int ink = 0, unfounded = 0, doubled = 0;  ///< places with ink; those without reason, and duplicate lines
-  int undecided = 0;                        ///< wrong over too short a length
-  double length = 0;                        ///< mm that one place represents
-  double at_most = 1;                       ///< share of all these that is wrong, with a confidence of 95 %, one-sided
+  int asked = 0, missing = 0;               ///< positions that require a line; those without ink
+  int ink = 0, unfounded = 0, doubled = 0;  ///< positions with ink; those without a reason, and duplicate lines
+  int undecided = 0;                        ///< positions that are wrong over too short a length
+  double length = 0;                        ///< mm that one position represents
+  double at_most = 1;                       ///< upper bound for the fraction of these positions that is wrong, with a
+                                            ///< confidence of 95 %, one-sided
   std::vector<OutlineFault> worst;          ///< longest first, at most ten
 
   [[nodiscard]] int wrong() const { return missing + unfounded + doubled; }
 };
 
 struct Verification {
-  int samples = 0;             ///< points at random, on which the estimates rest
-  int points = 0;              ///< all that were tested: also middles and both sides of ends of the spans met
-  int decided = 0, wrong = 0;  ///< of all points; what is neither decided nor wrong is undecided
-  double length = 0;           ///< of all lines, mm, also of those that coincide
-  double untested = 0;         ///< share of it in spans too short to be guaranteed
-  double undecided = 0;        ///< estimated share
-  double misclassified = 0;    ///< estimated share
-  double at_most = 1;          ///< the same with a confidence of 95 %, one-sided
+  int samples = 0;             ///< random points, on which the estimates are based
+  int points = 0;              ///< all points tested: also the middles and both sides of the ends of the spans that
+                               ///< were hit
+  int decided = 0, wrong = 0;  ///< of all points; a point that is neither decided nor wrong is undecided
+  double length = 0;           ///< of all lines, including those that coincide, mm
+  double untested = 0;         ///< fraction of it in spans too short to be guaranteed
+  double undecided = 0;        ///< estimated fraction
+  double misclassified = 0;    ///< estimated fraction
+  double at_most = 1;          ///< upper bound for the same with a confidence of 95 %, one-sided
   std::vector<Stratum> strata;
   std::vector<Mismatch> worst;  ///< longest spans first, at most ten
   OutlineCheck outline;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A tree over items in a given order, searched by bounds of any of their quantities.
+// A tree over items in a given order, searched by bounds of several measures.
 #pragma once
 
 #include <algorithm>
@@ -10,17 +10,17 @@
 
 namespace epura::search {
 
-/// Least and greatest of each of several measures.
+/// Minimum and maximum of each of several measures.
 template <std::size_t measures>
 using Bounds = std::array<std::array<double, 2>, measures>;
 
-/// Halves the things again and again in their order, which so stays that of visiting.
+/// Halves the items repeatedly in their given order, which is therefore the order of visiting.
 template <std::size_t measures>
 class BoundsTree {
  public:
   BoundsTree() = default;
 
-  /// `bounds_of(i)` are those of thing i.
+  /// `bounds_of(i)` returns the bounds of item i.
   template <class BoundsOf>
   BoundsTree(std::size_t count, const BoundsOf& bounds_of) : count_(count) {
     if (count > 0) bound(0, 0, count, bounds_of);
@@ -28,21 +28,22 @@ class BoundsTree {
 
   [[nodiscard]] bool empty() const { return count_ == 0; }
 
-  /// Calls `visit(i)`, ascending, for all things that meet the wanted bounds, and for some others near them, until it
-  /// returns false. It may narrow the wanted bounds.
+  /// Calls `visit(i)`, ascending, for all items that meet the wanted bounds, and for some others near them, until it
+  /// returns false. `visit` may narrow the wanted bounds.
   template <class Visit>
   void visit(const Bounds<measures>& wanted, Visit visit) const {
     visit_where([&](const Bounds<measures>& bounds) { return meet(bounds, wanted); }, visit);
   }
 
-  /// The same for things within bounds of which `may_hold(bounds)` is true; that of all bounds around those, too.
+  /// The same for items for whose bounds `may_hold(bounds)` is true. It must also be true for bounds that contain
+  /// these.
   template <class MayHold, class Visit>
   void visit_where(const MayHold& may_hold, Visit visit) const {
     if (count_ > 0) visit_below(0, 0, count_, may_hold, visit);
   }
 
  private:
-  static constexpr std::size_t leaf = 8;  // so many things are not parted any more
+  static constexpr std::size_t leaf = 8;  // greatest number of items that are not divided
 
   static bool meet(const Bounds<measures>& a, const Bounds<measures>& b) {
     for (std::size_t i = 0; i < measures; ++i)
@@ -50,7 +51,7 @@ class BoundsTree {
     return true;
   }
 
-  // Nodes have the order of a heap.
+  // Nodes are in the order of a heap.
   template <class BoundsOf>
   const Bounds<measures>& bound(std::size_t node, std::size_t begin, std::size_t end, const BoundsOf& bounds_of) {
     Bounds<measures> all;

@@ -18,7 +18,7 @@ CellGrid choose_grid(const PageBox& page, const Cuts& lines, const Cuts& areas, 
     const double by_column = cost(2 * grid.columns, grid.rows);
     const double by_row = cost(grid.columns, 2 * grid.rows);
     if (!(std::min(by_column, by_row) <= allowed)) break;
-    // Where both cut alike, cells stay square.
+    // If both axes cut equally many lines, cells stay square.
     const bool wide = size.x / grid.columns >= size.y / grid.rows;
     const bool halve_columns = by_column == by_row ? wide : by_column < by_row;
     (halve_columns ? grid.columns : grid.rows) *= 2;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Chooses how finely, and in which proportion, a part of the page is divided into cells.
+// Chooses how finely, and in what proportion, a part of the page is divided into cells.
 #pragma once
 
 #include <cmath>
@@ -13,7 +13,7 @@ struct PageBox {
   Vec2 min, max;
 };
 
-/// How often the lines of a grid cut things: sums over their boxes, as shares of the page's.
+/// How often the lines of a grid cut things: sums over their boxes, as fractions of the page's.
 struct Cuts {
   std::size_t things = 0;
   Vec2 side{0, 0};
@@ -25,23 +25,22 @@ struct Cuts {
     side += share;
     area += share.x * share.y;
   }
-  /// Lines are cut where they cross the grid, areas into as many parts as they cover cells.
+  /// A line is cut wherever it crosses the grid, an area into as many parts as it covers cells.
   [[nodiscard]] double of_lines(int columns, int rows) const { return side.x * columns + side.y * rows; }
   [[nodiscard]] double of_areas(int columns, int rows) const { return of_lines(columns, rows) + area * columns * rows; }
 };
 
 struct GridLimits {
   double cells;         ///< maximum number
-  double side;          ///< at least so wide and high
+  double side;          ///< least width and height
   double cuts_of_line;  ///< at most, on average
   double cuts_of_area;
 };
 
-/// Cells are halved along the one or the other axis, whichever cuts fewer lines, as far as the limits allow: long
-/// parallel lines get long cells.
+/// Halves cells along the axis that cuts fewer lines, as often as the limits allow: long parallel lines get long cells.
 CellGrid choose_grid(const PageBox& page, const Cuts& lines, const Cuts& areas, const GridLimits& limits);
 
-/// The same over lines that run from `from` to `to`.
+/// The same for lines from `from` to `to`.
 template <class Lines>
 CellGrid grid_over_lines(const Lines& lines, const GridLimits& limits) {
   PageBox page{Vec2(HUGE_VAL), Vec2(-HUGE_VAL)};

@@ -9,7 +9,7 @@
 
 namespace epura::search {
 
-/// Equal cells from `origin`, `columns` by `rows` of them; what lies outside belongs to the nearest one.
+/// `columns` by `rows` equal cells from `origin`; positions outside belong to the nearest cell.
 struct CellGrid {
   Vec2 origin;
   Vec2 side;  ///< width and height of a cell
@@ -28,7 +28,7 @@ struct CellGrid {
   }
 };
 
-/// The parameters (0 at a, 1 at b) between which a line runs through a strip from <= x <= to in one coordinate.
+/// Returns the parameters (0 at a, 1 at b) between which a line runs through a strip from <= x <= to in one coordinate.
 inline std::array<double, 2> part_in_strip(double a, double b, double from, double to) {
   if (a == b) return {0, 1};
   const double s = (from - a) / (b - a);
@@ -36,8 +36,8 @@ inline std::array<double, 2> part_in_strip(double a, double b, double from, doub
   return {std::max(std::min(s, t), 0.0), std::min(std::max(s, t), 1.0)};
 }
 
-/// Calls `visit(cell, from, to)` for every cell within `margin` of the line a, b, each once, with the parameters of the
-/// part that runs through it (widened by the margin). The outermost cells take what lies beyond them.
+/// Calls `visit(cell, from, to)` once for every cell within `margin` of the line a, b, with the parameters of the part
+/// that runs through the cell widened by the margin. The outermost cells include what lies beyond them.
 template <class Visit>
 void visit_cells(const CellGrid& grid, const Vec2& a, const Vec2& b, double margin, Visit visit) {
   const Vec2 slack = margin + grid.side * 0x1p-20;

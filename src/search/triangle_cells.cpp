@@ -21,7 +21,7 @@ TriangleOnGrid::TriangleOnGrid(const CellGrid& grid, const std::array<Vec2, 3>& 
   if (large_) sides_ = {side_between(a, b), side_between(b, c), side_between(c, a)};
 }
 
-// A rectangle in a triangle takes at most half of its area.
+// A rectangle in a triangle covers at most half of its area.
 bool TriangleOnGrid::may_hold_cells() const {
   const Vec2 u = corners_[1] - corners_[0], v = corners_[2] - corners_[0];
   return large_ && std::abs(u.x * v.y - u.y * v.x) > 4 * grid_.side.x * grid_.side.y;
@@ -33,7 +33,7 @@ TriangleOnGrid::Side TriangleOnGrid::side_between(const Vec2& a, const Vec2& b) 
   return {low, high, level ? HUGE_VAL : (high.x - low.x) / (high.y - low.y)};
 }
 
-// Of a side that is nearly level, only its ends are known.
+// For a side that is nearly horizontal, only its ends are known.
 TriangleOnGrid::LevelCut TriangleOnGrid::cut_level(double y) const {
   std::array<Interval, 2> crossings;
   std::size_t count = 0;

@@ -19,26 +19,26 @@ struct RowOfCells {
   int inner_from, inner_to;
 };
 
-/// A triangle to be laid on a grid. Cells are widened by `slack` on all sides before they are compared with it: what is
-/// left out is surely not touched, and what is called inside surely is.
+/// A triangle to be laid on a grid. Cells are widened by `slack` on all sides before they are compared with it: cells
+/// that are left out are certainly not touched, and those called inside certainly are.
 class TriangleOnGrid {
  public:
   TriangleOnGrid(const CellGrid& grid, const std::array<Vec2, 3>& corners, const Vec2& slack);
 
-  /// Whether a cell can lie inside at all.
+  /// Whether any cell can lie inside.
   [[nodiscard]] bool may_hold_cells() const;
 
-  /// Calls `visit(RowOfCells)` for every row of the grid that the triangle's box meets.
+  /// Calls `visit(RowOfCells)` for every row of the grid that meets the triangle's box.
   template <class Visit>
   void visit_rows(Visit visit) const {
     for (int row = bottom_; row <= top_; ++row) visit(large_ ? cut_row(row) : RowOfCells{row, left_, right_, 1, 0});
   }
 
  private:
-  // A side from its lower end up.
+  // A side, from its lower end to its upper end.
   struct Side {
     Vec2 low, high;
-    double slope;  ///< of x over y; not finite where the side is nearly level
+    double slope;  ///< of x over y; not finite if the side is nearly horizontal
   };
   struct Interval {
     double from = HUGE_VAL, to = -HUGE_VAL;
@@ -48,7 +48,7 @@ class TriangleOnGrid {
       to = std::max(to, other.to);
     }
   };
-  // The triangle on one level line: where its border may cross, and what surely lies between.
+  // The triangle on one horizontal line: where its border may cross, and what certainly lies between.
   struct LevelCut {
     Interval hull, inner;
   };
@@ -59,9 +59,9 @@ class TriangleOnGrid {
 
   const CellGrid& grid_;
   std::array<Vec2, 3> corners_;
-  std::array<Side, 3> sides_;  ///< of a large triangle
+  std::array<Side, 3> sides_;  ///< set for large triangles only
   Vec2 slack_;
-  bool large_;                       ///< wider and higher than a cell
+  bool large_;                       ///< whether it is wider and higher than a cell
   int left_, right_, bottom_, top_;  ///< cells of its box; right < left if it lies outside the grid
 };
 

@@ -13,13 +13,13 @@ namespace {
 
 constexpr std::size_t grain = 8192;
 
-/// Of a triangle on the curve.
+/// A triangle and its position on the curve.
 struct Place {
   std::uint64_t code;
   int triangle;
 };
 
-// The lower 21 bits, two zeros behind each.
+// Spreads the lower 21 bits, with two zeros above each.
 std::uint64_t spread(std::uint64_t x) {
   x &= 0x1fffff;
   x = (x | x << 32) & 0x1f00000000ffff;
@@ -40,14 +40,14 @@ TriangleTree::TriangleTree(std::size_t count, const std::function<Box(int)>& box
   UnsetVector<int> order = order_along_curve(bounds);
   if (!groups.empty())
     std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return groups[a] < groups[b]; });
-  leaves_.resize((count + width - 1) / width);  // not before: ordering takes as much room
+  leaves_.resize((count + width - 1) / width);  // not earlier, since ordering takes as much memory
   fill_leaves(order, bounds);
   nodes_.resize(2 * leaves_.size() - 1);
   build(0, 0, static_cast<int>(leaves_.size()), groups);
 }
 
-// By the places of the boxes' middles on a Morton curve: neighbours there are neighbours in space. One pass puts them
-// into buckets by the upper bits of their places; the buckets are sorted side by side.
+// Orders triangles by the positions of their boxes' middles on a Morton curve: neighbours on it are neighbours in
+// space. One pass puts them into buckets by the upper bits of their positions; the buckets are sorted in parallel.
 UnsetVector<int> TriangleTree::order_along_curve(const UnsetVector<Bounds>& bounds) {
   const auto middle = [&](std::size_t i) {
     return (Vec3(bounds[i].min[0], bounds[i].min[1], bounds[i].min[2]) +
@@ -96,7 +96,7 @@ TriangleTree::Bounds TriangleTree::rounded_outwards(const Box& box) {
   return bounds;
 }
 
-// Places behind the last triangle meet nothing.
+// Unused entries after the last triangle meet nothing.
 void TriangleTree::fill_leaves(const UnsetVector<int>& order, const UnsetVector<Bounds>& bounds) {
   constexpr Bounds nothing{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
   parallel_for(leaves_.size(), grain / width, [&](std::size_t begin, std::size_t end) {
@@ -151,7 +151,8 @@ TriangleTree::Node TriangleTree::build(int node, int leaf, int leaves, const std
   return nodes_[node] = built;
 }
 
-// A node against itself: its children against themselves and each other. Two nodes: the larger one is opened.
+// A node against itself becomes its children against themselves and each other; of two different nodes, the larger one
+// is replaced by its children.
 void TriangleTree::split(const NodePair& pair, std::vector<NodePair>& parts) const {
   const auto [a, b] = pair;
   const auto add = [&](int i, int j) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A tree of boxes over triangles in space, for finding pairs that may meet.
+// A tree of boxes over triangles in space, to find pairs that may meet.
 #pragma once
 
 #include <array>
@@ -15,21 +15,21 @@
 namespace epura::search {
 
 /// Leaves hold sixteen triangles each, in the order of a space-filling curve, and boxes are rounded outwards to 32
-/// bits: many boxes are tested at once, and the tree takes about 32 bytes a triangle.
+/// bits: many boxes are tested at once, and the tree takes about 32 bytes for each triangle.
 class TriangleTree {
  public:
-  /// `box_of(triangle)` for triangles 0 to count - 1; called from several threads. Those of one group do not meet each
-  /// other; `groups` has one for each triangle, -1 for none, or is empty.
+  /// Calls `box_of(triangle)` for triangles 0 to count - 1, from several threads. Triangles of one group do not meet
+  /// each other; `groups` has one entry for each triangle, -1 for none, or is empty.
   TriangleTree(std::size_t count, const std::function<Box(int)>& box_of, const std::vector<int>& groups = {});
 
-  /// A task of the search for pairs: triangles below one node against those below another (or the same).
+  /// A task of the search for pairs: the triangles below one node against those below another (or the same) node.
   using NodePair = std::array<int, 2>;
 
-  /// The whole search, cut into about `count` independent tasks.
+  /// Returns the whole search, divided into about `count` independent tasks.
   [[nodiscard]] std::vector<NodePair> tasks(std::size_t count) const;
 
-  /// Calls `meet(a, b)` once for each two triangles of a task whose boxes overlap, touching included; a few more may
-  /// come, since the boxes are rounded.
+  /// Calls `meet(a, b)` once for any two triangles of a task whose boxes overlap or touch, and for a few more, since
+  /// the boxes are rounded.
   template <class Meet>
   void search(const NodePair& task, Meet meet) const {
     std::vector<NodePair> open{task};
@@ -51,7 +51,7 @@ class TriangleTree {
     std::array<float, 3> min, max;
 
     [[nodiscard]] bool meets(const Bounds& other) const {
-      int apart = 0;  // without branches
+      int apart = 0;  // bitwise, to avoid branches
       for (std::size_t axis = 0; axis < 3; ++axis)
         apart |= int{min[axis] > other.max[axis]} | int{other.min[axis] > max[axis]};
       return apart == 0;
@@ -59,12 +59,12 @@ class TriangleTree {
   };
   struct Node {
     Bounds bounds;
-    int leaf, leaves;  ///< the first one and how many; the left child follows its parent
-    int group;         ///< of all triangles, or -1
+    int leaf, leaves;  ///< the first leaf and the number of leaves; the left child follows its parent
+    int group;         ///< the common group of all triangles, or -1
   };
   struct Leaf {
     std::array<std::array<float, width>, 3> min, max;
-    std::array<int, width> triangle;  ///< -1 behind the last one
+    std::array<int, width> triangle;  ///< -1 after the last one
 
     [[nodiscard]] Bounds bounds(std::size_t i) const {
       return {{min[0][i], min[1][i], min[2][i]}, {max[0][i], max[1][i], max[2][i]}};

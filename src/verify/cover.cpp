@@ -8,18 +8,18 @@ namespace epura::verify {
 
 namespace {
 
-// Of the square's half side: as far as doubles may be wrong before rationals are asked.
+// Error of doubles, in half sides of the square, above which rationals are used.
 constexpr double rounding_part = 0.1;
-// Depth per length on the page from which a triangle is a line there, whose depth over a point means little.
+// Steepness (depth per length on the page) above which a triangle is a line there; its depth over a point means little.
 constexpr double edge_on = 1e6;
-// Of the square's half side: how far corners may be moved by rounding, and the point against them.
+// Distance by which rounding may move corners relative to the point, in half sides of the square.
 constexpr double lattice = 2;
-// Relative to the contact tolerance: what lies less before the point surely does not hide it, what lies more surely
-// does.
+// Fractions of the contact tolerance: a triangle less than the first in front of the point certainly does not hide it,
+// a triangle more than the second in front of it certainly does.
 constexpr double surely_touching = 0.75, surely_apart = 2;
 
-// The triangle in the frame of the ray. Cutting it in plain doubles gives what exact cutting would give for corners
-// moved by at most `moved`: their own error, and that of a few operations at each of five planes.
+// The triangle in the frame of the ray. Clipping it in plain doubles gives the result that exact clipping gives for
+// corners moved by at most `moved`: their own error, and that of a few operations at each of five planes.
 struct Facing {
   Polygon<double> polygon;
   double moved = 0;
@@ -32,21 +32,21 @@ Facing facing(const std::array<Triple<Bounded>, 3>& corners) {
     result.polygon.add({p.x.value, p.y.value, p.z.value});
     for (const Bounded* c : {&p.x, &p.y, &p.z}) {
       largest = std::max(largest, std::abs(c->value));
-      error += c->error;  // a sum keeps NaN
+      error += c->error;  // a sum preserves NaN
     }
   }
   result.moved = error + 64 * 0x1p-53 * largest;
   return result;
 }
 
-// A square of the page around a point of it: half its side is half (1 - k c) + slack at depth c.
+// A square around a point of the page: half its side is half (1 - k c) + slack at depth c.
 template <class N>
 struct Square {
   N k, page, half, slack;
 };
 
-// What of a polygon lies before the square, and not behind the centre. Linear in a, b
-// and c, so nothing is divided before it is cut.
+// The part of a polygon in front of the square and not behind the centre. The conditions are linear in a, b and c, so
+// nothing is divided before clipping.
 template <class N>
 Polygon<N> over_square(const Polygon<N>& polygon, const std::optional<N>& eye, const Square<N>& square) {
   Polygon<N> rest = polygon;
@@ -58,8 +58,8 @@ Polygon<N> over_square(const Polygon<N>& polygon, const std::optional<N>& eye, c
   return clip(rest, [&](const Triple<N>& p) { return N(side(p) + square.page * p.y); });
 }
 
-// 1 + length of the gradient of depth over the page; infinite for a triangle that is a line there, as far as can be
-// told. The plane alpha a + beta b + gamma c = rho is alpha X / F + beta Y / F + (gamma - rho k) Z / D = rho.
+// Returns 1 + length of the gradient of depth over the page; infinite for a triangle that may be a line there. The
+// plane alpha a + beta b + gamma c = rho is alpha X / F + beta Y / F + (gamma - rho k) Z / D = rho.
 template <class N>
 double steepness(const std::array<Triple<N>, 3>& corners, const Sight<N>& sight) {
   const Triple<N> s = corners[1] - corners[0], t = corners[2] - corners[0];
@@ -80,7 +80,7 @@ struct DepthRange {
   }
 };
 
-// Which of the limits of depth a piece of surface respects: all of it, nothing, or undetermined.
+// Whether a piece of surface lies within the depth limits: entirely, not at all, or undetermined.
 template <class N>
 std::optional<bool> within_limits(const Sight<N>& sight, const DepthRange& c, double error) {
   bool all = true;
@@ -106,7 +106,7 @@ struct Piece3 {
   double steepness;
 };
 
-// From a piece of surface over the square to what it does.
+// Returns the effect of the part of a surface over the square, or nothing if it does not hide the point.
 template <class N>
 std::optional<Portion> portion_of(const Piece3& piece, const Sight<N>& sight, const Tolerance& tolerance, bool joined) {
   const double k = value_of(sight.inverse_distance);
@@ -121,7 +121,7 @@ std::optional<Portion> portion_of(const Piece3& piece, const Sight<N>& sight, co
   const std::optional<bool> seen = within_limits(sight, c, piece.moved);
   if (seen == false) return std::nullopt;
   const bool line = !(piece.steepness < edge_on);
-  // Corners are rounded to the page's grid, which moves depth by as much as the triangle is steep.
+  // Corners are rounded to the page grid, which moves depth in proportion to the steepness of the triangle.
   const double joined_by = line ? 0 : -lattice * tolerance.sideways() * piece.steepness;
   const double touching = joined ? joined_by : surely_touching * tolerance.contact * (line ? 1 : piece.steepness);
   if (depth.max + depth_error < touching) return std::nullopt;

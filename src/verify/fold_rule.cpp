@@ -11,13 +11,15 @@ namespace epura::verify {
 namespace {
 
 constexpr double degrees = 180 / std::numbers::pi;
-// Of the world: what is left of doubles after a few operations.
+// Rounding of doubles after a few operations, as a fraction of the size of the world.
 constexpr double rounding = 0x1p-40;
-// How many times the precision of coordinates may turn a plane, and below how many times it a triangle has none.
+// Multiples of the precision of the coordinates: how far it may move a corner out of its plane, and the height below
+// which a triangle may have no plane.
 constexpr double turned_by = 4, needle = 16;
-// Degrees: a fold this near to the threshold may be meant to be on it.
+// In degrees. A fold this close to the threshold may be meant to lie exactly on it.
 constexpr double angle_margin = 1e-3;
-// Facets of curved surfaces that coincide cross by as much as these turn; so much more is a crossing beyond doubt.
+// Coinciding facets of curved surfaces cross at angles of up to their turns. A crossing is beyond doubt above this
+// multiple of that angle.
 constexpr double clearly = 1.5;
 
 double size_of(const scene::World& world) {
@@ -36,8 +38,8 @@ double angle_between(const Vec3& a, const Vec3& b) {
   return degrees * std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
-// The border of the part that an edge belongs to; null where it is none. An edge of a cut mesh is that of the whole
-// one.
+// Returns the border of the part that an edge belongs to, or null. An edge of a cut mesh has the border of its edge in
+// the whole mesh.
 const features::PartBorder* border_at(const scene::Placed& placed, const mesh::MeshEdge* edge) {
   const mesh::Mesh& whole = placed.mesh->whole();
   if (edge != nullptr && &whole != placed.mesh.get()) edge = whole.edge_between(placed.mesh->origin_of(*edge).vertex);
@@ -67,7 +69,7 @@ FoldRule::Sheets FoldRule::sheets_at(const std::array<int, 2>& edge) const {
   return sheets;
 }
 
-// The normal, as long as twice the triangle is large.
+// The normal, with a length of twice the area.
 Vec3 FoldRule::area(int triangle) const {
   const auto& [a, b, c] = world_.triangles[triangle];
   return glm::cross(point(b) - point(a), point(c) - point(a));
@@ -92,7 +94,8 @@ bool FoldRule::same_polygon(int first, int second) const {
   return polygon[first - world_.first_triangle[model]] == polygon[second - world_.first_triangle[model]];
 }
 
-// Each triangle goes away from the edge towards the corner that is farthest from it; flat is straight on.
+// The angle by which the surface turns at the edge; 0 where it is flat. Each triangle is represented by the direction
+// from the edge to its farthest corner.
 double FoldRule::fold_angle(const std::array<int, 2>& edge, int first, int second) const {
   const Vec3 from = point(edge[0]);
   const Vec3 along = glm::normalize(point(edge[1]) - from);
@@ -107,12 +110,12 @@ double FoldRule::fold_angle(const std::array<int, 2>& edge, int first, int secon
   return angle_between(away(first), -away(second));
 }
 
-// Degrees by which the plane of a triangle may be wrong.
+// Uncertainty of the plane of a triangle, in degrees.
 double FoldRule::doubt(int triangle) const {
   return degrees * turned_by * precision_ / std::max(normalised_height(triangle), precision_);
 }
 
-// Degrees between a triangle and the mean plane of its polygon: a bent polygon has no plane.
+// The angle in degrees between a triangle and the mean plane of its polygon: a bent polygon has no plane.
 double FoldRule::bend(int triangle) const {
   const int model = world_.model_of_triangle(triangle), first = world_.first_triangle[model];
   const auto& polygon = world_.models[model].mesh->polygon;
@@ -124,7 +127,7 @@ double FoldRule::bend(int triangle) const {
   return glm::length(mean) > 0 ? angle_between(area(triangle), mean) : 180;
 }
 
-// The largest fold at the sides of a triangle that is not a crease: how far its surface turns from facet to facet.
+// The largest angle at the sides of a triangle that is not a crease: how much its surface turns from facet to facet.
 double FoldRule::turn(int triangle) const {
   const auto& corner = world_.triangles[triangle];
   double max = 0;
@@ -139,7 +142,8 @@ double FoldRule::turn(int triangle) const {
   return max;
 }
 
-// Where the faces of the part are known, edges are theirs. Across needles an edge may represent a border next to it.
+// Where the faces of the part are known, their borders decide. Next to needles, an edge may represent a border beside
+// it.
 std::optional<Need> FoldRule::between_faces(const std::array<int, 2>& edge, int first, int second) const {
   const int model = world_.model_of_triangle(first);
   const scene::Placed& placed = world_.models[model];

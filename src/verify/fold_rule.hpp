@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether the shape of a mesh edge in space requires a line, and how certain that is.
+// Decides whether the shape of a mesh edge in space requires a line, and how certain that is.
 //
 // Written independently from the definition of the kinds, with margins: it uses nothing of the stage that chose the
-// edges, except the recognised faces of the part. A needle, a triangle lower than the precision of the coordinates, has
-// no plane: callers must skip it (line_marks.hpp).
+// edges, except the recognised faces of the part. A needle (a triangle whose height is below the precision of the
+// coordinates) has no plane: callers must skip it (line_marks.hpp).
 #pragma once
 
 #include <array>
@@ -15,41 +15,41 @@
 
 namespace epura::verify {
 
-/// Whether a line belongs to a place.
+/// Whether a position needs a line.
 enum class Need {
-  none,      ///< one would be wrong
+  none,      ///< a line would be wrong
   possible,  ///< too close to a limit, or a matter of taste
-  asked      ///< it must be there
+  asked      ///< a line is required
 };
 
 class FoldRule {
  public:
-  /// `small` is the height of triangles that can hardly be seen, as a length of the world.
+  /// `small` is the height of triangles that can hardly be seen, as a length in the world.
   FoldRule(const scene::World& world, const edges::EdgeOptions& options, double small);
 
-  /// The triangles of one body that meet in an edge.
+  /// The triangles that meet in an edge, by body.
   struct Sheets {
     const mesh::MeshEdge* edge = nullptr;  ///< null: the mesh has no such edge
     std::vector<std::vector<int>> bodies;
   };
   [[nodiscard]] Sheets sheets_at(const std::array<int, 2>& edge) const;
 
-  /// Two triangles on either side of an edge that meet there, or would but for needles between them.
+  /// For two triangles on either side of an edge that meet there or are separated by needles only.
   [[nodiscard]] Need fold(const std::array<int, 2>& edge, int first, int second) const;
-  /// Two triangles that cross, with no edge in common.
+  /// For two triangles that cross without a common edge.
   [[nodiscard]] Need crossing(int first, int second, double contact) const;
-  /// An edge at which a surface ends before what lies behind it.
+  /// For an edge at which a surface ends in front of what lies behind it.
   [[nodiscard]] Need outline(const std::array<int, 2>& edge) const;
 
-  /// How low triangles are that surely have no plane, that may have none, and that can hardly be seen.
+  /// How low a triangle is: certainly without a plane, perhaps without one, or hardly visible.
   enum class Needle { surely, perhaps, hardly_seen };
   [[nodiscard]] bool is_needle(int triangle, Needle needle) const;
-  /// Over its longest side, as a length of the world.
+  /// Over the longest side, as a length in the world.
   [[nodiscard]] double height(int triangle) const { return normalised_height(triangle) / normalisation_; }
   [[nodiscard]] const edges::EdgeOptions& options() const { return options_; }
 
  private:
-  // Brought near 1, so that products of lengths stay in range.
+  // Scaled to coordinates near 1, so that products of lengths stay in range.
   [[nodiscard]] Vec3 point(int vertex) const { return world_.points[vertex] * normalisation_; }
   [[nodiscard]] double normalised_height(int triangle) const;
   [[nodiscard]] Vec3 area(int triangle) const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether a drawing has ink at given positions.
+// Finds out whether a drawing has ink at given positions.
 #pragma once
 
 #include <vector>
@@ -11,10 +11,10 @@ namespace epura::verify {
 /// A place on the page, mm, where a line is expected.
 struct Expected {
   Vec2 place;
-  bool visible;  ///< a visible line; otherwise any
+  bool visible;  ///< whether it must be visible; otherwise any line will do
 };
 
-/// For each place whether such a segment passes within `reach` mm.
+/// Returns for each place whether such a segment passes within `reach` mm of it.
 std::vector<bool> find_ink(const drawing::ViewDrawing& drawing, const std::vector<Expected>& places, double reach);
 
 }  // namespace epura::verify

@@ -16,7 +16,7 @@ namespace epura::verify {
 namespace {
 
 constexpr std::size_t chunk = 4096;
-// Of the square of rays, whose area is 4: what may stay uncovered where triangles join.
+// Area of the square of rays, whose total is 4, that may stay uncovered where triangles join.
 constexpr double least_gap = 0.01;
 
 struct Met {
@@ -24,7 +24,7 @@ struct Met {
   Portion portion;
 };
 
-// For each portion the number of one that its triangle reaches across common edges of these triangles.
+// Returns for each portion the number of its component: the triangles connected by common edges.
 std::vector<int> connected_parts(const scene::World& world, const std::vector<Portion>& portions) {
   DisjointSets parts(portions.size());
   std::map<std::pair<int, int>, int> owner;
@@ -38,7 +38,7 @@ std::vector<int> connected_parts(const scene::World& world, const std::vector<Po
   return std::move(parts).roots();
 }
 
-// Whether triangles that hang together cover the square. Strangers that merely abut on the page leave a gap when one
+// Whether connected triangles cover the square. Unconnected triangles that merely abut on the page leave a gap when one
 // of them moves by less than the tolerance.
 bool covered(const scene::World& world, const std::vector<Portion>& portions) {
   std::map<int, std::vector<ConvexPolygon>> parts;
@@ -98,7 +98,7 @@ class Judge {
     return list;
   }
 
-  // What one triangle does to all probes. A probe that one triangle hides for certain needs no others.
+  // Records what one triangle does to all probes. A probe that is certainly hidden needs no further triangles.
   void meet(int triangle, std::vector<Met>& met) {
     const auto& vertex = input_.world.triangles[triangle];
     const auto& points = input_.world.points;
@@ -131,8 +131,8 @@ class Judge {
   PageFrame frame_;
   ProbeGrid grid_;
   std::vector<Lookout> lookouts_;
-  std::vector<std::atomic<bool>> settled_;  ///< hidden by one triangle
-  std::vector<std::atomic<bool>> doubted_;  ///< perhaps hidden by one
+  std::vector<std::atomic<bool>> settled_;  ///< certainly hidden by one triangle
+  std::vector<std::atomic<bool>> doubted_;  ///< perhaps hidden by one triangle
 };
 
 }  // namespace

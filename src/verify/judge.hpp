@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The true visibility of points on edges, found from all triangles of the world.
+// Finds the true visibility of points on edges from all triangles of the world.
 //
 // A point is hidden if a triangle that does not contain its edge lies between it and the viewer, more than the contact
 // tolerance in front of it. An answer is given only if it holds within the guaranteed tolerance.
@@ -17,7 +17,7 @@ namespace epura::verify {
 /// A point of a drawn edge.
 struct Probe {
   int edge;  ///< in FeatureEdges::edges
-  double t;  ///< along the whole edge in space
+  double t;  ///< parameter along the whole edge in space
 };
 
 enum class ProbeAnswer { visible, hidden, undecided };
@@ -27,8 +27,8 @@ struct ProbeVerdict {
   int facet = -1;  ///< the nearest triangle that hides the point; -1 if not requested
 };
 
-/// One verdict for each probe. With `name_facets` nothing is left out that an answer does not need, which takes longer.
-/// Throws OutOfTime.
+/// Returns one verdict for each probe. With `name_facets`, work that the answer does not need is done, too, which takes
+/// longer. Throws OutOfTime.
 std::vector<ProbeVerdict> judge(const VerifyInput& input, const Tolerance& tolerance, std::span<const Probe> probes,
                                 bool name_facets, const Progress& progress = {});
 

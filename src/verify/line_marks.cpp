@@ -8,15 +8,16 @@ namespace epura::verify {
 
 namespace {
 
-// A step in depth is one where it exceeds so many times what faces may touch by.
+// Multiple of the contact tolerance above which a step in depth counts as one.
 constexpr double clear_step = 8;
-// A surface may lie so many times that behind another one and still be seen through it.
+// Multiple of the contact tolerance up to which a surface may lie behind another one and still count as seen.
 constexpr double seen_through = 32;
-// In what the page is rounded by: triangles not wider than this are lines there, unless they are as narrow in space.
+// A triangle is a line on the page if its width there is at most `edge_on` steps of the page's rounding, unless it is
+// nearly as narrow in space: its width must be at most `narrow` times its height there.
 constexpr double edge_on = 8, narrow = 0.1;
-// Of needles side by side; more than that is not a surface any more.
+// Longest row of adjacent needles that is followed; a longer one would be a surface.
 constexpr int longest_row = 64;
-// Of a piece: cut by a limit of depth there, or it continues.
+// Where a piece has no crossing: a depth limit cut it there, or it continues.
 constexpr int cut_there = -1, goes_on = -2;
 
 }  // namespace
@@ -25,7 +26,7 @@ LineMarks::LineMarks(const ScanScene& scene, const FoldRule& rule, const ScanLin
                      std::span<const int> triangles)
     : scene_(scene), rule_(rule), limits_(limits), slice_(cut(scene, line, triangles)), seen_(upper_envelope(slice_)) {}
 
-// Those from `from` to `to`, each with what is seen on both sides.
+// The changes between `from` and `to`.
 std::vector<LineMarks::Change> LineMarks::changes(double from, double to) const {
   std::vector<Change> list;
   const auto first = std::ranges::lower_bound(seen_, from, {}, &SeenPart::to);
@@ -57,7 +58,7 @@ const PieceEnd* LineMarks::end_of(int crossing, int triangle) const {
   return found == ends.end() ? nullptr : &*found;
 }
 
-// Whether rounding may have turned a triangle at an edge from one side of the page's line to the other.
+// Whether rounding may have moved a triangle to the other side of its edge on the page.
 bool LineMarks::is_edge_on(const std::array<int, 2>& edge, int triangle) const {
   const auto line = scene_.line_of(edge);
   if (!line) return true;
@@ -73,7 +74,7 @@ bool LineMarks::is_edge_on(const std::array<int, 2>& edge, int triangle) const {
          width <= narrow * scale * rule_.height(triangle);
 }
 
-// Needles have no plane: what counts is the triangle that continues behind them.
+// Needles have no plane: the triangle that continues beyond them counts.
 LineMarks::Beyond LineMarks::beyond(int crossing, int triangle, FoldRule::Needle needle) const {
   for (int step = 0; step < longest_row; ++step) {
     const PieceEnd* end = end_of(crossing, triangle);
@@ -122,7 +123,7 @@ Need LineMarks::need_at(int crossing) const {
   return strongest;
 }
 
-// Whether the surface continues from a crossing to a piece, by pieces that are lines on the page.
+// Whether the surface continues from a crossing to a piece through pieces that are lines on the page.
 bool LineMarks::continues(int crossing, int piece) const {
   if (piece < 0) return false;
   std::vector<int> open{crossing}, met{crossing};
@@ -187,7 +188,7 @@ bool LineMarks::is_break(const Change& change) const {
   return !(one >= 0 && continues(one, change.right)) && !(two >= 0 && continues(two, change.left));
 }
 
-// Whether a piece in front of a place surely hides it.
+// Whether a piece in front of a point certainly hides it.
 bool LineMarks::is_hidden_by(const SeenPart& part, double u, double depth) const {
   const SlicePiece& piece = slice_.pieces[part.piece];
   const double slack = (seen_through * limits_.contact + limits_.reach) * (1 + std::abs(piece.slope()));
@@ -201,7 +202,7 @@ bool LineMarks::is_seen(double u, double depth) const {
   return !is_hidden_by(*left, u, depth) || !is_hidden_by(*right, u, depth);
 }
 
-// Whether two faces cross or touch at a place, in front or hardly behind what is.
+// Whether two faces cross or touch at a position, in front or hardly behind what is seen.
 bool LineMarks::faces_meet(double u, double reach) const {
   std::vector<std::array<double, 2>> depths;
   for (const SlicePiece& piece : slice_.pieces) {

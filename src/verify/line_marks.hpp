@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where ink is required and where it is allowed along one line of the page.
+// Finds where ink is required and where it is allowed along one line of the page.
 #pragma once
 
 #include <array>
@@ -13,17 +13,17 @@ namespace epura::verify {
 
 /// A position that requires a line.
 struct LineMark {
-  double u;                      ///< along the line, mm
-  bool jump;                     ///< something lies far behind; otherwise two faces meet or cross
-  std::array<int, 2> edge;       ///< of the mesh, vertices of the world; {-1, -1} where two faces cross
-  std::array<int, 2> triangles;  ///< that are seen to its left and right; -1: nothing
+  double u;                      ///< position along the line, mm
+  bool jump;                     ///< whether something lies far behind; otherwise two faces meet or cross
+  std::array<int, 2> edge;       ///< of the mesh, as vertices of the world; {-1, -1} where two faces cross
+  std::array<int, 2> triangles;  ///< seen to the left and right of the position; -1: nothing
 };
 
 /// Lengths in mm.
 struct MarkLimits {
-  double reach;    ///< places nearer to each other than this are one
-  double quantum;  ///< to which the page is rounded
-  double contact;  ///< of Tolerance
+  double reach;    ///< positions closer together than this are one
+  double quantum;  ///< the step to which the page is rounded
+  double contact;  ///< Tolerance::contact
 };
 
 class LineMarks {
@@ -32,21 +32,20 @@ class LineMarks {
             std::span<const int> triangles);
 
   [[nodiscard]] std::vector<LineMark> asked() const;
-  /// Whether there may be a line of some kind within `reach` mm of a place. The kind tells only whether a line lies
-  /// within a surface, where it may stand at any edge, and whether it may be one between faces that hardly cross, whose
-  /// place is uncertain.
+  /// Whether a line of some kind is permitted within `reach` mm of a position. The kind matters in two respects: a line
+  /// within a surface may lie at any edge, and the position of an intersection of faces that hardly cross is uncertain.
   [[nodiscard]] bool allows(EdgeKind kind, double u, double reach) const;
-  /// Whether two edges are the long sides of one needle that the line crosses: they represent one line.
+  /// Whether two edges are the long sides of one needle that the line crosses, so that they represent one line.
   [[nodiscard]] bool same_line(const std::array<int, 2>& first, const std::array<int, 2>& second, double u,
                                double reach) const;
 
  private:
   struct Beyond {
     int triangle = -1;   ///< -1: unknown
-    bool right = false;  ///< of where it is entered; otherwise to the left
+    bool right = false;  ///< to the right of the crossing at which it is entered; otherwise to the left
   };
 
-  // A place where what is seen changes: pieces, -1 for nothing.
+  // A position at which what is seen changes, with the pieces on both sides; -1 for nothing.
   struct Change {
     double u;
     int left, right;

@@ -15,7 +15,7 @@ namespace epura::verify {
 namespace {
 
 constexpr std::size_t chunk = 4096;
-// Sine of the angle between ink and line from which the place where they cross is known well enough.
+// Sine of the angle between ink and line above which the position of their crossing is known well enough.
 constexpr double least_sine = 0.05;
 
 double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
@@ -62,7 +62,8 @@ double LineScan::length_of_ink() const {
   return length;
 }
 
-// Where a triangle may lie on the page: everywhere if a part of it lies behind the viewer. False: nowhere.
+// Finds the area that a triangle may occupy on the page: all of it if a part of the triangle lies behind the viewer.
+// Returns false if it lies entirely behind the viewer.
 bool LineScan::shape_of(int triangle, std::array<Vec2, 3>& shape) const {
   const auto& corner = scene_.world.triangles[triangle];
   std::size_t before = 0;
@@ -84,7 +85,7 @@ double LineScan::perimeter_of_triangles(double max) const {
   return sum;
 }
 
-// The edge of the mesh that a segment shows, as vertices of the world; {-1, -1} if it is none.
+// Returns the mesh edge that a segment shows, as vertices of the world; {-1, -1} if it shows none.
 std::array<int, 2> LineScan::edge_of(int segment) const {
   const drawing::Segment& s = input_.drawing.segments[segment];
   if (s.edge[0] < 0) return {-1, -1};
@@ -118,7 +119,7 @@ LineFindings LineScan::judge(const ScanLine& line, std::span<const int> triangle
   return findings;
 }
 
-// Of several for one line, the correct one; of several of these, the first.
+// Of several crossings for one line, the correct one is kept; of several correct ones, the first.
 void LineScan::find_doubled(const LineMarks& marks, std::vector<InkCrossing>& ink) const {
   const auto rank = [](const InkCrossing& one) { return std::tuple(one.verdict, one.segment); };
   const auto settle = [&](InkCrossing& one, InkCrossing& two) {
@@ -142,7 +143,7 @@ void LineScan::find_doubled(const LineMarks& marks, std::vector<InkCrossing>& in
         settle(ink[i], ink[j]);
 }
 
-// Calls `through(shape, meet)` for all triangles and segments, and judges the lines that were met.
+// Calls `through(shape, meet)` for all triangles and segments, and judges the lines that they meet.
 template <class Through>
 std::vector<LineFindings> LineScan::scan(const std::vector<ScanLine>& lines, const Through& through,
                                          const Progress& progress) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A drawing and its scene along lines of the page: required positions, and ink.
+// Scans a drawing and its scene along lines of the page, for required positions and for ink.
 #pragma once
 
 #include <vector>
@@ -20,7 +20,7 @@ enum class InkVerdict { right, unfounded, doubled };
 
 /// A place at which visible ink crosses a line.
 struct InkCrossing {
-  double u;  ///< along the line
+  double u;  ///< along the line, mm
   Vec2 place;
   int segment;  ///< of the drawing
   InkVerdict verdict;
@@ -36,14 +36,15 @@ class LineScan {
   LineScan(const VerifyInput& input, const ScanScene& scene, const FoldRule& rule, const MarkLimits& limits,
            const ScanWindow& window);
 
-  /// For each line of a bundle. Throws OutOfTime.
+  /// One entry for each line of a bundle. Throws OutOfTime.
   [[nodiscard]] std::vector<LineFindings> along(const LineBundle& bundle, const Progress& progress) const;
-  /// For each of many short lines. Throws OutOfTime.
+  /// One entry for each of many short lines. Throws OutOfTime.
   [[nodiscard]] std::vector<LineFindings> along(const std::vector<ScanLine>& lines, const Progress& progress) const;
 
-  /// The visible ink, mm from ScanScene::origin.
+  /// The ends of visible ink, mm from ScanScene::origin.
   [[nodiscard]] std::array<Vec2, 2> segment(int number) const;
-  /// Lengths that together tell how often lines at random cut triangles, and how long the visible ink is.
+  /// Total lengths on the page, in mm, which determine how often random lines cut triangles and visible ink. No
+  /// triangle counts for more than `max`.
   [[nodiscard]] double perimeter_of_triangles(double max) const;
   [[nodiscard]] double length_of_ink() const;
 

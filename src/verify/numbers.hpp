@@ -14,9 +14,9 @@ namespace epura::verify {
 /// A rational number of any size: sums, products and quotients of doubles without rounding.
 using Exact = mpq_class;
 
-/// A double that differs from the number meant by at most `error`; infinite or NaN where nothing is known.
-/// Each operation adds its rounding, half a unit of the last place: |fl(a op b) - (a op b)| <= 2^-53 |fl(a op b)|
-/// (Higham, Accuracy and Stability of Numerical Algorithms, 2002, section 2.2), and what underflow may lose.
+/// A double that differs from the intended number by at most `error`; infinite or NaN if nothing is known. Each
+/// operation adds its rounding, half a unit in the last place: |fl(a op b) - (a op b)| <= 2^-53 |fl(a op b)| (Higham,
+/// Accuracy and Stability of Numerical Algorithms, 2002, section 2.2), and the possible loss by underflow.
 struct Bounded {
   double value = 0;
   double error = 0;
@@ -25,8 +25,8 @@ struct Bounded {
   explicit Bounded(double exact) : value(exact) {}
   Bounded(double value_, double error_) : value(value_), error(error_) {}
 
-  /// The result of an operation; the last factor covers the rounding of the bound itself. What underflow may lose is
-  /// overestimated, so that products of bounds do not themselves become denormal, which is slow.
+  /// The result of an operation; the last factor covers the rounding of the bound itself. The loss by underflow is
+  /// overestimated, so that products of bounds do not become denormal, which would be slow.
   static Bounded rounded(double value, double error) {
     return {value, (error + 0x1p-53 * std::abs(value)) * (1 + 0x1p-49) + 0x1p-500};
   }
@@ -79,7 +79,7 @@ N dot(const Triple<N>& a, const Triple<N>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-/// a + t b.
+/// Returns a + t b.
 template <class N>
 Triple<N> along(const Triple<N>& a, const N& t, const Triple<N>& b) {
   return {a.x + t * b.x, a.y + t * b.y, a.z + t * b.z};

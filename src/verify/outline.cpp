@@ -20,10 +20,11 @@ namespace {
 constexpr double confidence = 0.95;
 constexpr int directions = 16;
 constexpr double least_lines = 128, most_lines = 2048;
-// Triangles that lines may meet in all, times those of the world, and anyway.
+// Limit on how many triangles the lines cut in total: this multiple of the number of triangles in the world, plus a
+// constant.
 constexpr double hits_per_triangle = 16, free_hits = 1 << 20;
-// A fault is followed from where it was met: so many steps to the least length that counts, so many over all of its
-// straight line, and its ends so often by halves.
+// Numbers of steps along the straight line of a fault: up to the least length that counts, from where it was found;
+// over the whole line; and bisections of both ends.
 constexpr int near_steps = 8, far_steps = 32, halvings = 8;
 constexpr std::ptrdiff_t most_followed = 300;
 constexpr std::size_t at_once = 4096, most_told = 10;
@@ -31,14 +32,14 @@ constexpr std::size_t at_once = 4096, most_told = 10;
 enum class Kind { missing, unfounded, doubled };
 constexpr std::array names{"missing", "unfounded", "doubled"};
 
-/// A fault where a line met it.
+/// A suspected fault at the place where a line met it.
 struct Suspect {
   Kind kind;
   Vec2 place;
-  std::array<Vec2, 2> ends;  ///< of the straight line that it is a part of
+  std::array<Vec2, 2> ends;  ///< of the straight line that the fault is part of
   std::array<int, 2> edge, triangles;
   int segment;
-  int met = 1;  ///< how often
+  int met = 1;  ///< how often it was met
   double length = 0;
 
   [[nodiscard]] auto key() const { return std::tuple(edge, edge[0] < 0 ? triangles : edge, segment); }
@@ -123,7 +124,7 @@ class Outline {
     return Suspect{Kind::missing, place, *ends, mark.edge, mark.triangles, -1};
   }
 
-  // The line in which the planes of two triangles meet, through a place on it, as long as the page is wide.
+  // The line in which the planes of two triangles intersect, through a place on it, as long as the page is wide.
   [[nodiscard]] std::optional<std::array<Vec2, 2>> crossing_of(const Vec2& place,
                                                                const std::array<int, 2>& triangles) const {
     const auto gradient = [&](int triangle) {
@@ -148,7 +149,7 @@ class Outline {
     if (is_new) return suspects_.push_back(found);
     Suspect& same = suspects_[at->second];
     ++same.met;
-    // Parts of a second line may be alone where the first one ends.
+    // Beyond the end of the first line, parts of a second one may be alone.
     same.kind = std::max(same.kind, found.kind);
   }
 
@@ -169,7 +170,7 @@ class Outline {
     }
   }
 
-  // Steps from the place where a suspect was met: mm along its straight line, ascending, with both of its ends.
+  // Steps from the place where a suspect was met: mm along its straight line, ascending, including both of its ends.
   [[nodiscard]] static std::vector<double> steps(const Suspect& suspect, double min) {
     const double length = glm::distance(suspect.ends[0], suspect.ends[1]);
     const double at = glm::dot(suspect.place - suspect.ends[0], suspect.ends[1] - suspect.ends[0]) / length;
@@ -182,7 +183,7 @@ class Outline {
     return list;
   }
 
-  // Places along the straight lines of candidates, and whether these are wrong there.
+  // A place on the straight line of a suspect, to be tested for the same fault.
   struct Step {
     std::size_t suspect;
     double at;
@@ -220,7 +221,7 @@ class Outline {
     for (std::size_t i = 0; i < count; ++i)
       for (const double at : steps(suspects_[i], least_)) all.push_back({i, at});
     const std::vector<char> wrong = are_wrong(all);
-    // From the last place that is wrong to the first that is not, on both sides; an end of the line is either.
+    // On both sides, from the last wrong place to the first that is not; both are equal if the line ends there.
     std::vector<std::array<Step, 2>> ends;
     for (std::size_t i = 0; i < all.size(); ++i) {
       if (all[i].at != 0 || wrong[i] == 0) continue;
@@ -246,7 +247,7 @@ class Outline {
     }
   }
 
-  // Whether near the middle of a short line a required line is missing.
+  // For each short line, whether a required line is missing near its middle.
   [[nodiscard]] std::vector<char> lacking(const std::vector<LineFindings>& findings) const {
     std::vector<AskedLine> asked;
     std::vector<std::size_t> owner;
@@ -263,7 +264,7 @@ class Outline {
     return lacking;
   }
 
-  // What was not followed is wrong if most of what was followed is.
+  // Suspects that were not followed count as wrong if most of the followed ones are.
   [[nodiscard]] bool is_wrong(const Suspect& suspect) const {
     return suspect.length >= least_ || (&suspect - suspects_.data() >= most_followed && most_are_wrong_);
   }
@@ -304,14 +305,14 @@ class Outline {
 
   const VerifyInput& input_;
   const OutlineOptions& options_;
-  double reach_, least_;  ///< mm: places this near are one; faults this long count
+  double reach_, least_;  ///< mm: places this close are one; faults of this length count
   ScanScene scene_;
   FoldRule rule_;
   ScanWindow window_;
   LineScan scan_;
   report::OutlineCheck check_;
   std::vector<AskedLine> asked_;
-  std::vector<Suspect> suspects_;  ///< the first are followed
+  std::vector<Suspect> suspects_;  ///< only the first `most_followed` are followed
   bool most_are_wrong_ = false;
   std::map<decltype(std::declval<Suspect>().key()), std::size_t> known_;
 };

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// A test of the choice of lines, in addition to that of their visibility (verify.hpp).
+// Tests the choice of lines, in addition to their visibility (verify.hpp).
 //
-// Random lines cross the page. Over each of them the scene is cut, and the visible part of the cut is found. Where its
-// depth jumps, or where two visible faces meet in a fold that requires an edge, there must be visible ink; and where
-// visible ink crosses the line, there must be such a position. All of it is found from triangles alone.
+// Random lines cross the page. The scene is cut along each of them, and the visible part of the section is found. Where
+// its depth jumps, or where two visible faces meet in a fold that requires an edge, there must be visible ink; and
+// where visible ink crosses the line, there must be such a position. All of this is derived from triangles alone.
 //
-// A fault counts if it extends along its line for more than a few times the precision of positions on the page. Its
-// length is found by additional, short lines across it.
+// A fault counts if it extends along its line for more than a few times the precision of positions on the page.
+// Additional short lines across it determine its length.
 #pragma once
 
 #include <optional>
@@ -21,8 +21,8 @@ namespace epura::verify {
 
 struct OutlineOptions {
   edges::EdgeOptions edges;
-  int samples;                                 ///< about as many places with ink are met
-  bool complete = true;                        ///< nothing was omitted for lack of time
+  int samples;                                 ///< approximate number of positions with ink to be tested
+  bool complete = true;                        ///< whether nothing was omitted for lack of time
   std::optional<projection::Window> window{};  ///< of the page, mm, outside which nothing is drawn
   Progress progress{};
 };

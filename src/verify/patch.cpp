@@ -8,7 +8,7 @@ namespace epura::verify {
 
 namespace {
 
-// Pieces smaller than this are rounding.
+// Pieces with a smaller area are due to rounding.
 constexpr double least_area = 1e-9;
 
 double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
@@ -19,7 +19,7 @@ double signed_area(const ConvexPolygon& polygon) {
   return sum / 2;
 }
 
-// What of a polygon lies on the side of the line a, b where `sign` times the cross product is positive.
+// The part of a polygon on the side of the line a, b where `sign` times the cross product is positive.
 ConvexPolygon side_of(const ConvexPolygon& polygon, const Vec2& a, const Vec2& b, double sign) {
   ConvexPolygon rest;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -32,7 +32,8 @@ ConvexPolygon side_of(const ConvexPolygon& polygon, const Vec2& a, const Vec2& b
   return rest;
 }
 
-// Appends `piece` without `cover`: what lies outside the first side, then outside the second of the rest, and so on.
+// Appends `piece` without `cover`: the part outside the first side, then the part of the rest outside the second, and
+// so on.
 void subtract(ConvexPolygon piece, const ConvexPolygon& cover, std::vector<ConvexPolygon>& rest) {
   const double sign = signed_area(cover) > 0 ? 1 : -1;
   for (std::size_t i = 0; i < cover.size(); ++i) {

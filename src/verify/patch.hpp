@@ -8,10 +8,10 @@
 
 namespace epura::verify {
 
-/// A convex polygon, its corners in order, either way round.
+/// The corners of a convex polygon, in either direction.
 using ConvexPolygon = std::vector<Vec2>;
 
-/// The area of the square from (-1, -1) to (1, 1) that none of the polygons covers, 0 to 4.
+/// Returns the area of the square from (-1, -1) to (1, 1) that none of the polygons covers, 0 to 4.
 double uncovered(const std::vector<ConvexPolygon>& polygons);
 
 }  // namespace epura::verify

@@ -10,7 +10,7 @@
 
 namespace epura::verify {
 
-/// A convex polygon in space, its corners in order. A triangle cut by at most eight planes.
+/// The corners of a convex polygon in space: a triangle cut by at most eight planes.
 template <class N>
 struct Polygon {
   std::array<Triple<N>, 12> corner;
@@ -22,7 +22,7 @@ struct Polygon {
   }
 };
 
-/// The part where `height`, an affine function, is at least zero (Sutherland & Hodgman, CACM 1974).
+/// Returns the part where `height`, an affine function, is not negative (Sutherland & Hodgman, CACM 1974).
 template <class N, class Height>
 Polygon<N> clip(const Polygon<N>& polygon, const Height& height) {
   Polygon<N> rest;

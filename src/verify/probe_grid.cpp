@@ -12,7 +12,7 @@ namespace {
 
 constexpr Vec2 everywhere(HUGE_VAL);
 
-// Rounding of the few operations behind the coordinates' own.
+// Rounding of the few operations that follow, in addition to the error of the coordinates.
 constexpr double rounding = 64 * 0x1p-53;
 
 double error_of(const Triple<Bounded>& p) {

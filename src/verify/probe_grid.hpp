@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Probes by their position on the page, to find those that a triangle may cover.
+// Sorts probes by their position on the page, to find those that a triangle may cover.
 #pragma once
 
 #include <array>
@@ -10,20 +10,20 @@
 
 namespace epura::verify {
 
-/// Where something lies in the view, for certain: a box of the page, and the greatest and least depth.
+/// Bounds of the position of something in the view: a box of the page, and the least and greatest depth.
 struct Extent {
   Vec2 min{HUGE_VAL}, max{-HUGE_VAL};
   double back = HUGE_VAL, front = -HUGE_VAL;
 };
 
-/// One frame for everything: page and depth as seen from a point of reference.
+/// One frame for all probes and triangles: page and depth as seen from a point of reference.
 class PageFrame {
  public:
-  /// `margin` mm are added around everything.
+  /// Every extent is widened by `margin` mm.
   PageFrame(Sight<Bounded> sight, double margin) : sight_(std::move(sight)), margin_(margin) {}
 
   [[nodiscard]] Extent extent_of(const Triple<Bounded>& point) const;
-  /// Without what lies behind the centre of projection; nothing where all does.
+  /// Ignores what lies behind the centre of projection; returns nothing if all of it does.
   [[nodiscard]] std::optional<Extent> extent_of(const std::array<Vec3, 3>& corners) const;
   /// The middle of the box of a point, mm from the point of reference.
   [[nodiscard]] Vec2 to_page(const Triple<Bounded>& point) const;
@@ -39,7 +39,8 @@ class ProbeGrid {
  public:
   explicit ProbeGrid(std::vector<Extent> probes);
 
-  /// Calls `meet(probe)` once for each probe whose box overlaps the extent and that does not lie wholly before it.
+  /// Calls `meet(probe)` once for each probe whose box overlaps the extent and that does not lie entirely in front of
+  /// it.
   template <class Meet>
   void overlapping(const Extent& extent, const Meet& meet) const {
     if (!overlap(extent, box_)) return;
@@ -58,7 +59,7 @@ class ProbeGrid {
 
   std::vector<Extent> probes_;
   Extent box_;        ///< of the probes
-  double reach_ = 0;  ///< half the side of the largest box: probes are filed by the middles of theirs
+  double reach_ = 0;  ///< half the side of the largest box: probes are sorted by the middles of their boxes
   int side_;
   std::vector<int> first_, order_;
 };

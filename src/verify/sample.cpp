@@ -11,7 +11,7 @@ namespace epura::verify {
 
 namespace {
 
-// Least lengths of the strata, in parts of the drawing.
+// Least lengths of the strata, as fractions of the drawing.
 constexpr std::array classes{1e-2, 1e-4, guaranteed};
 
 PageLine page_line(const VerifyInput& input, const Viewing& viewing, const Tolerance& tolerance, const PageFrame& frame,
@@ -26,14 +26,14 @@ PageLine page_line(const VerifyInput& input, const Viewing& viewing, const Toler
       line.w[i] = glm::dot(viewing.projection.n, viewing.projection.projector - Vec3(p.x.value, p.y.value, p.z.value));
   }
   const double length = glm::distance(place[0], place[1]);
-  // A parameter is a double: of a long edge that is seen in part only, neighbouring ones may lie far apart.
+  // Parameters are doubles: on a long edge of which only a part is seen, adjacent ones may lie far apart.
   const double largest = std::max(std::abs(edge.t[0]), std::abs(edge.t[1])) / std::abs(edge.t[1] - edge.t[0]);
   const double stretch = std::max(line.w[0] / line.w[1], line.w[1] / line.w[0]);
   if (length * stretch * largest * 0x1p-50 < tolerance.sideways()) line.length = length;
   return line;
 }
 
-// By hand: what is tested must not help with the test.
+// Written anew: the code under test must not take part in its test.
 void add_spans(const visibility::HiddenSpans& hidden, int edge, std::vector<TestedSpan>& spans) {
   double at = 0;
   const auto add = [&](double from, double to, bool visible) {
@@ -68,10 +68,10 @@ void stratify(Population& population, const edges::FeatureEdges& drawn, double s
   }
 }
 
-// The engine's numbers are fixed by the standard; its distributions are not.
+// The standard fixes the numbers of the engine, but not its distributions.
 double uniform(std::mt19937_64& random) { return std::ldexp(static_cast<double>(random() >> 11), -53); }
 
-// Points at random on the spans of one stratum.
+// Random points on the spans of one stratum.
 void draw_at_random(const Population& population, int stratum, std::mt19937_64& random, std::vector<Sample>& samples) {
   std::vector<double> places;
   for (int i = 0; i < population.strata[stratum].samples; ++i)
@@ -89,7 +89,7 @@ void draw_at_random(const Population& population, int stratum, std::mt19937_64& 
   }
 }
 
-// The middle of a span, and both sides of its ends. The outer sides belong to the spans next to it.
+// The middle of a span, and both sides of its ends. The outer sides belong to the adjacent spans.
 void add_marks(const Population& population, int number, double size, std::vector<Sample>& samples) {
   const TestedSpan& span = population.spans[number];
   const double step = guaranteed * size / population.lines[span.edge].length;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lines across the page, and what they may cut.
+// Lines across the page, and the triangles and ink that they may cut.
 //
 // For lines with random direction and position, the number of cuts measures length (Cauchy; Crofton 1868): with K
-// evenly spread directions, parallel lines at distance d in each of them, and N cuts, the length is pi d N / (2 K).
+// evenly spread directions, parallel lines at distance d in each direction, and N cuts, the length is pi d N / (2 K).
 #pragma once
 
 #include <span>
@@ -16,7 +16,7 @@ namespace epura::verify {
 /// Points of the page in order: two for a line, three for a triangle.
 using PageShape = std::span<const Vec2>;
 
-/// The examined part of the page, mm from ScanScene::origin.
+/// The part of the page that is examined, mm from ScanScene::origin.
 struct ScanWindow {
   Vec2 min{HUGE_VAL}, max{-HUGE_VAL};
 
@@ -29,10 +29,10 @@ struct ScanWindow {
   }
 };
 
-/// Parallel lines over a box: one at random in each of strips with the width `distance`.
+/// Parallel lines over a box: one at a random position in each strip of width `distance`.
 class LineBundle {
  public:
-  /// `direction` in radians; `seed` decides where in their strips the lines lie.
+  /// `direction` in radians; `seed` determines the positions of the lines in their strips.
   LineBundle(const ScanWindow& box, double direction, double distance, unsigned seed);
 
   [[nodiscard]] const std::vector<ScanLine>& lines() const { return lines_; }
@@ -62,11 +62,12 @@ class LineBundle {
   std::vector<ScanLine> lines_;
 };
 
-/// Things by the lines that may meet them: of line i, `items` from first[i] to first[i + 1], ascending.
+/// Things grouped by the lines that may meet them: those of line i are items[first[i]] to items[first[i + 1]],
+/// ascending.
 struct ItemsOfLines {
   std::vector<int> first, items;
 
-  /// `pairs` of a line and an item.
+  /// `pairs` consist of a line and an item.
   ItemsOfLines(std::size_t lines, const std::vector<std::vector<std::pair<int, int>>>& pairs);
 
   [[nodiscard]] std::span<const int> of(std::size_t line) const {

@@ -11,14 +11,14 @@ namespace epura::verify {
 namespace {
 
 constexpr std::size_t grain = 4096;
-// An edge that leads behind the viewer ends at this part of the way to his plane.
+// An edge that leads behind the viewer ends at this fraction of the way to the viewer's plane.
 constexpr double nearly_there = 1 - 0x1p-20;
 
 Sight<Bounded> sight_of(const VerifyInput& input, const Vec3& reference) {
   return sight_from(viewing_of(input), triple<Bounded>(reference));
 }
 
-// The corner of the world that is nearest to its middle and before the viewer.
+// The vertex nearest to the middle of the world, of those in front of the viewer.
 Vec3 reference_of(const VerifyInput& input) {
   const scene::World& world = input.world;
   const projection::Projection& p = input.projection;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The world cut by lines across the page.
+// The world, to be cut by lines across the page.
 //
 // A straight line on the page is a plane through the viewer, m . (a, b) F = s (1 - k c) in the frame of sight.hpp. It
-// cuts every triangle in a segment: the scene becomes a picture of segments over that line, depth upwards.
+// cuts every triangle in a segment: the scene becomes a set of segments over that line, with depth upwards.
 #pragma once
 
 #include <array>
@@ -26,25 +26,25 @@ struct ScanLine {
 /// Every vertex of the world in one frame.
 class ScanScene {
  public:
-  /// `precision` is the length on the page, mm, to which places must be known.
+  /// `precision` is the required precision of positions on the page, mm.
   ScanScene(const VerifyInput& input, double precision);
 
   const scene::World& world;
-  Vec2 origin;              ///< where the point of reference lies on the page, mm
-  double page;              ///< mm of paper per length of the world, at the point of reference
+  Vec2 origin;              ///< position of the point of reference on the page, mm
+  double page;              ///< mm of paper per unit of length in the world, at the point of reference
   double depth;             ///< the same for depth
-  double k;                 ///< places on the page are page (a, b) / (1 - k c)
-  double min, max;          ///< what of c is seen
+  double k;                 ///< positions on the page are page (a, b) / (1 - k c)
+  double min, max;          ///< visible range of c
   UnsetVector<Vec3> local;  ///< (a, b, c) by vertex
 
-  /// Whether a vertex lies before the viewer, so that it has a place on the page.
+  /// Whether a vertex lies in front of the viewer, so that it has a position on the page.
   [[nodiscard]] bool is_before_viewer(int vertex) const { return local[vertex].z < eye_; }
   [[nodiscard]] Vec2 to_page(const Vec3& point) const { return page / (1 - k * point.z) * Vec2(point.x, point.y); }
   [[nodiscard]] Vec2 position(int vertex) const { return to_page(local[vertex]); }
   [[nodiscard]] double depth_of(const Vec3& point) const { return depth * point.z / (1 - k * point.z); }
-  /// Whether rounding leaves the place of some corner in doubt.
+  /// Whether rounding makes the position of some corner uncertain.
   [[nodiscard]] bool is_vague(int triangle) const;
-  /// The part of an edge between two vertices that lies before the viewer, on the page; nothing where none does.
+  /// The part in front of the viewer of an edge between two vertices, on the page; nothing if there is none.
   [[nodiscard]] std::optional<std::array<Vec2, 2>> line_of(const std::array<int, 2>& edge) const;
 
  private:

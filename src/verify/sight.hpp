@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The view from a point in space: the frame in which its ray to the viewer is an axis.
+// The view from a point in space: a frame in which the ray from that point to the viewer is an axis.
 //
 // With p the point, l = x - p, C the centre or d the direction of projection (seed 003, 3.10 and 3.20):
 //
@@ -8,8 +8,8 @@
 //
 //   a = right . l   b = up . l   c = n . l     page: F (a, b) / (1 - k c)     depth: D c / (1 - k c)
 //
-// The ray to the viewer is a = b = 0, c > 0. Page and depth are measured from p; F and D are mere units (millimetres on
-// paper at p), so they may be rounded. All decisive quantities, a, b, c and k, are exact in exact numbers.
+// The ray to the viewer is a = b = 0, c > 0. Page and depth are measured from p; F and D are merely units (millimetres
+// on paper at p), so they may be rounded. All decisive quantities, a, b, c and k, are exact in exact arithmetic.
 #pragma once
 
 #include <algorithm>
@@ -21,15 +21,16 @@
 
 namespace epura::verify {
 
-/// What is needed of a view to look along its projectors.
+/// The parameters of a view that are needed to look along its projectors.
 struct Viewing {
   projection::Projection projection;
-  std::optional<double> front, back;  ///< n . (x - projection.point) of the limits of depth, where there are any
-  double page;                        ///< mm of paper per length in the plane's directions, times w
+  std::optional<double> front, back;  ///< n . (x - projection.point) at the depth limits, if there are any
+  double page;                        ///< mm of paper per unit of length in the plane's directions, times w
   double depth;                       ///< the same for the depth of ViewDrawing::world_to_page, times w squared
-  double w;                           ///< central: row 3 of that matrix per distance from the centre; parallel: row 3
+  double w;                           ///< central: row 3 of that matrix per unit of distance from the centre; parallel:
+                                      ///< row 3
 
-  /// Row 3 of the matrix at a distance n . (C - x) from the centre.
+  /// Row 3 of the matrix at distance n . (C - x) from the centre.
   [[nodiscard]] double w_at(double distance) const { return projection.central ? w * distance : w; }
 };
 
@@ -38,8 +39,8 @@ struct Sight {
   Triple<N> place, right, up, towards;
   N inverse_distance;         ///< k
   std::optional<N> eye;       ///< c of a plane just in front of the centre: nothing behind it is seen
-  std::optional<N> nearest;   ///< c of the front limit
-  std::optional<N> farthest;  ///< c of the back limit
+  std::optional<N> nearest;   ///< c of the front depth limit
+  std::optional<N> farthest;  ///< c of the back depth limit
   double page, depth;         ///< F and D
 
   /// (a, b, c) of a point.
@@ -50,7 +51,7 @@ struct Sight {
   [[nodiscard]] Triple<N> local(const Vec3& x) const { return local(triple<N>(x)); }
 };
 
-/// How near to the centre of projection things are seen: a part of the distance of the point.
+/// Distance from the centre of projection at which sight begins, as a fraction of the point's distance.
 inline constexpr double nearest_part = 0x1p-40;
 
 template <class N>
@@ -80,7 +81,7 @@ Sight<N> sight_from(const Viewing& viewing, const Triple<N>& place) {
   return sight;
 }
 
-/// The point a + t (b - a).
+/// Returns the point a + t (b - a).
 template <class N>
 Triple<N> position_on(const std::array<Vec3, 2>& line, double t) {
   const Triple<N> a = triple<N>(line[0]);

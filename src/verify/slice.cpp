@@ -11,10 +11,10 @@ namespace epura::verify {
 
 namespace {
 
-// A corner of a piece before it has a place on the page.
+// A corner of a piece before its position on the page is known.
 struct End {
   Vec3 local;
-  std::array<int, 2> edge;  ///< {-1, -1}: a limit of depth
+  std::array<int, 2> edge;  ///< {-1, -1}: cut by a depth limit
 };
 
 class Cutter {
@@ -41,13 +41,13 @@ class Cutter {
   }
 
  private:
-  // mm times 1 - k c from the plane of the line and the viewer.
+  // Distance from the plane through the line and the viewer, in mm times 1 - k c.
   [[nodiscard]] double height(int vertex) const {
     const Vec3& p = scene_.local[vertex];
     return scene_.page * (across_.x * p.x + across_.y * p.y) - offset_ * (1 - scene_.k * p.z);
   }
 
-  // Leaves what has sign * c <= sign * limit.
+  // Keeps the part with sign * c <= sign * limit.
   static bool clip(std::array<End, 2>& ends, double limit, double sign) {
     if (!std::isfinite(limit)) return true;
     const double first = sign * (limit - ends[0].local.z), second = sign * (limit - ends[1].local.z);
@@ -71,7 +71,7 @@ struct OpenEnd {
   double u, depth;
 };
 
-// Crossings in order along the line, each with all that meets there.
+// Sorts crossings along the line, each with all the ends that meet there.
 void join(Slice& slice, std::vector<OpenEnd>& open) {
   std::ranges::sort(open, [](const OpenEnd& a, const OpenEnd& b) {
     return std::tie(a.u, a.edge, a.at.piece, a.at.end) < std::tie(b.u, b.edge, b.at.piece, b.at.end);

@@ -10,11 +10,11 @@
 
 namespace epura::verify {
 
-/// What is cut out of a triangle, from left to right along the line.
+/// The segment in which the plane cuts a triangle, from left to right along the line.
 struct SlicePiece {
   int triangle;
   std::array<double, 2> u, depth;  ///< of the ends, mm
-  std::array<int, 2> crossing;     ///< where the ends lie, in Slice::crossings; -1: a limit of depth cut the triangle
+  std::array<int, 2> crossing;     ///< ends as indices of Slice::crossings; -1: a depth limit cut the triangle
 
   [[nodiscard]] double width() const { return u[1] - u[0]; }
   [[nodiscard]] double slope() const { return (depth[1] - depth[0]) / width(); }
@@ -23,11 +23,11 @@ struct SlicePiece {
   }
 };
 
-/// Where the plane cuts an edge of the mesh: computed once for all its triangles.
+/// Where the plane cuts an edge of the mesh; computed once for all triangles of the edge.
 struct SliceCrossing {
   std::array<int, 2> edge;  ///< vertices of the world, ascending
   double u, depth;
-  int first, count;  ///< of its ends in Slice::ends
+  int first, count;  ///< range of its ends in Slice::ends
 };
 
 struct PieceEnd {
@@ -37,7 +37,7 @@ struct PieceEnd {
 struct Slice {
   std::vector<SlicePiece> pieces;
   std::vector<SliceCrossing> crossings;  ///< ascending in u
-  std::vector<PieceEnd> ends;            ///< the pieces that meet in each crossing
+  std::vector<PieceEnd> ends;            ///< grouped by crossing: the ends of pieces that meet there
 
   [[nodiscard]] std::span<const PieceEnd> ends_at(int crossing) const {
     return {ends.data() + crossings[crossing].first, static_cast<std::size_t>(crossings[crossing].count)};

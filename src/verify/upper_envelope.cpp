@@ -31,7 +31,7 @@ class Merger {
       list.push_back({from, to, piece});
   }
 
-  // Over an interval that both cover: two straight lines, which cross at most once.
+  // For an interval that both pieces cover: two straight lines, which cross at most once.
   void add_nearer(std::vector<SeenPart>& list, double from, double to, int a, int b) const {
     const SlicePiece &first = slice_.pieces[a], &second = slice_.pieces[b];
     const double at_from = first.depth_at(from) - second.depth_at(from);
@@ -72,7 +72,7 @@ std::vector<SeenPart> upper_envelope(const Slice& slice) {
   std::vector<int> wide;
   for (std::size_t i = 0; i < slice.pieces.size(); ++i)
     if (slice.pieces[i].width() > 0) wide.push_back(static_cast<int>(i));
-  // Pieces side by side first: halves that do not overlap are merged without a comparison.
+  // Adjacent pieces first: halves that do not overlap are merged without comparisons.
   std::ranges::stable_sort(wide, {}, [&](int i) { return slice.pieces[i].u[0]; });
   return Merger(slice).envelope(wide, 0, wide.size());
 }

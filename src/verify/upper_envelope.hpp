@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The visible part of a slice: at each position of the line, the piece nearest to the viewer.
+// The visible part of a slice: the piece nearest to the viewer at each position of the line.
 #pragma once
 
 #include <vector>
@@ -8,14 +8,15 @@
 
 namespace epura::verify {
 
-/// A stretch of the line over which one piece is in front.
+/// An interval of the line over which one piece is in front.
 struct SeenPart {
   double from, to;
   int piece;  ///< of the slice
 };
 
-/// Ascending; where nothing is seen there is no part. Found by merging halves (Hershberger, Finding the upper envelope
-/// of n line segments in O(n log n) time, IPL 1989, without its refinement). Where two are equal the first one wins.
+/// Returns the parts in ascending order; where nothing is seen, there is none. Merges halves (Hershberger, Finding the
+/// upper envelope of n line segments in O(n log n) time, IPL 1989, without its refinement). Of two equal pieces, the
+/// first wins.
 std::vector<SeenPart> upper_envelope(const Slice& slice);
 
 }  // namespace epura::verify

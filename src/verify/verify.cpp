@@ -15,7 +15,7 @@ namespace {
 
 constexpr double confidence = 0.95;
 constexpr std::size_t most_offences = 10;
-// A wrong stretch is measured in so many steps to the least length that is guaranteed.
+// Number of steps over the least guaranteed length in which the length of a wrong span is measured.
 constexpr int steps = 8;
 
 enum class Finding { right, undecided, misclassified, no_ink };
@@ -68,7 +68,7 @@ class Verifier {
     }
   }
 
-  // With places on the page as uncertain as the files leave them.
+  // The tolerance, increased by the uncertainty of positions on the page that is due to rounding in the files.
   [[nodiscard]] Tolerance tolerance_of_files(std::span<const Probe> probes) const {
     Tolerance tolerance = tolerance_;
     for (const Probe& probe : probes) {
@@ -78,8 +78,8 @@ class Verifier {
     return tolerance;
   }
 
-  // Stretches shorter than what is guaranteed may be wrong, and what depends on the rounding of the files: a point of
-  // one is undecided.
+  // Spans that are wrong over less than the guaranteed length do not count, nor do those that depend on rounding in the
+  // files: a point on one is undecided.
   void measure_wrong_stretches() {
     std::vector<std::size_t> wrong;
     std::vector<Probe> probes;
@@ -105,7 +105,7 @@ class Verifier {
     }
   }
 
-  // Page parameter k steps away from a sample.
+  // The page parameter k steps away from a sample.
   [[nodiscard]] double beside(std::size_t sample, int k) const {
     return samples_[sample].s +
            k * guaranteed * tolerance_.size / steps / population_.lines[span_of(sample).edge].length;
@@ -119,7 +119,7 @@ class Verifier {
       asked.push_back(i);
       places.push_back({page_of(i), span_of(i).visible});
     }
-    // Ink gives way to ink within contact of it, and what remains shorter than a few times that is left out.
+    // Lines within contact of another one are not drawn, nor are remainders shorter than a few times that.
     const double reach = std::max(guaranteed * tolerance_.size, 16 * tolerance_.contact) + input_.drawing.joined_within;
     const std::vector<bool> found = find_ink(input_.drawing, places, reach);
     for (std::size_t i = 0; i < asked.size(); ++i)
@@ -193,7 +193,7 @@ class Verifier {
     return {model, input_.world.models[model].mesh->polygon[triangle - input_.world.first_triangle[model]]};
   }
 
-  // Outlines of cuts are named by the face that is cut.
+  // The outline of a cut is identified by the face that was cut.
   void name_edge(const edges::FeatureEdge& edge, report::Mismatch& offence) const {
     const mesh::Mesh& mesh = *input_.world.models[edge.model].mesh;
     const mesh::EdgeOrigin origin = mesh.origin_of(mesh.edges[edge.mesh_edge]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An independent test of a finished drawing.
+// Tests a finished drawing independently.
 //
 // Two things can go wrong: an edge is split wrongly into visible and hidden spans, or a span does not reach the paper.
 // Points are therefore drawn from the spans of all drawn edges before coincident lines are resolved, so that they cover
@@ -20,8 +20,8 @@
 
 namespace epura::verify {
 
-/// `samples` points at random. Takes the drawing at its word in nothing but its units. Hidden lines are looked for in
-/// the drawing if `hidden_drawn`. Throws OutOfTime.
+/// Tests `samples` random points. Trusts the drawing in nothing but its units. Hidden lines are searched for in the
+/// drawing if `hidden_drawn`. Throws OutOfTime.
 report::Verification verify(const VerifyInput& input, const Tolerance& tolerance, int samples, bool hidden_drawn,
                             const Progress& progress = {});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Input of a verification: the drawn edges of a world and their drawing.
+// The input of a verification: the drawn edges of a world and their drawing.
 #pragma once
 
 #include <array>
@@ -21,15 +21,16 @@ struct VerifyInput {
   const visibility::HiddenSpans& hidden;
   const drawing::ViewDrawing& drawing;
 
-  /// The ends of the whole edge, cut or not, in the world; parameters t run from the first to the second.
+  /// The ends of the whole edge in the world, even if it is cut; parameters t run from the first to the second.
   [[nodiscard]] std::array<Vec3, 2> ends_of(const edges::FeatureEdge& edge) const;
-  /// Whether a triangle contains the edge: by the mesh, or because it is one of the two that cross there.
+  /// Whether a triangle contains the edge: in the mesh, or as one of the two triangles that cross there.
   [[nodiscard]] bool contains(const edges::FeatureEdge& edge, int triangle) const;
   /// Whether a triangle has a corner in common with the edge.
   [[nodiscard]] bool joined(const edges::FeatureEdge& edge, int triangle) const;
 };
 
-/// How to look at it: plane and projectors from the projection, units of the page from the drawing's matrix.
+/// Returns the parameters for looking at it: plane and projectors from the projection, units of the page from the
+/// drawing's matrix.
 Viewing viewing_of(const VerifyInput& input);
 
 }  // namespace epura::verify

@@ -30,7 +30,8 @@ int Clipper::cut(int plane, int a, int b) {
   if (made) {
     const Mapped p = vertices[std::min(a, b)];
     const Mapped q = vertices[std::max(a, b)];
-    // Weights, rather than a way from p to q: where both sides count with one sign, as distances do, no digits cancel.
+    // Weights instead of a step from p to q: where both sides have terms of one sign, as distances do, no digits
+    // cancel.
     const double at_p = planes_[plane](p), at_q = planes_[plane](q);
     const double of_p = at_q / (at_q - at_p), of_q = at_p / (at_p - at_q);
     vertices.push_back({of_p * p.x + of_q * q.x, of_p * p.y + of_q * q.y, of_p * p.z + of_q * q.z,  //

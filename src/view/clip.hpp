@@ -14,39 +14,39 @@
 
 namespace epura::view {
 
-/// What lies inside has x.x * X + x.y * Y + ... >= 0.
+/// Points with x * X + y * Y + z * Z + w * W >= 0 lie inside.
 struct ClipPlane {
   double x, y, z, w;
 
   [[nodiscard]] double operator()(const Mapped& p) const { return x * p.x + y * p.y + z * p.z + w * p.w; }
 };
 
-/// What is left of an edge: its ends as vertices, and where they lie on it in space (0 to 1).
+/// The part of an edge that remains: its ends as vertices, and their parameters on the edge in space (0 to 1).
 struct ClippedEdge {
   std::array<int, 2> vertex;
   std::array<double, 2> t;
 };
 
-/// Vertices in homogeneous view coordinates, and planes to cut by. Where an edge is cut, one new vertex is made,
-/// whoever asks: it is computed from the edge's ends in order of their numbers, so neighbours stay joined.
+/// Vertices in homogeneous view coordinates, and planes to cut by. Each cut of an edge creates one new vertex,
+/// whichever polygon asks for it: it is computed from the edge's ends in ascending order, so neighbours stay joined.
 class Clipper {
  public:
   UnsetVector<Mapped> vertices;
 
-  /// Returns the number by which the plane is called below.
+  /// Returns the number that identifies the plane below.
   int add_plane(const ClipPlane& plane);
-  /// What of a polygon lies inside all of `planes`. The parts of one that is not convex hang together by edges in the
-  /// planes that are run along twice [Sutherland, Hodgman. Reentrant Polygon Clipping. CACM 1974].
+  /// Returns the part of a polygon inside all of `planes`. The parts of a concave polygon are connected by edges in the
+  /// planes that are passed twice [Sutherland, Hodgman. Reentrant Polygon Clipping. CACM 1974].
   std::vector<int> clip_ring(std::vector<int> ring, std::span<const int> planes);
-  /// Appends what of a triangle lies inside all of `planes`, as triangles.
+  /// Appends the part of a triangle inside all of `planes`, as triangles.
   void clip_triangle(const std::array<int, 3>& corners, std::span<const int> planes,
                      std::vector<std::array<int, 3>>& pieces);
-  /// What of the edge a, b lies inside all of `planes`.
+  /// Returns the part of the edge a, b inside all of `planes`.
   std::optional<ClippedEdge> clip_edge(int a, int b, std::span<const int> planes);
   [[nodiscard]] bool inside(int plane, int vertex) const { return planes_[plane](vertices[vertex]) >= 0; }
 
  private:
-  /// How far from a to b (0 to 1) the plane cuts.
+  /// The parameter from a to b (0 to 1) at which the plane cuts.
   [[nodiscard]] double cut_parameter(int plane, int a, int b) const;
   int cut(int plane, int a, int b);
 

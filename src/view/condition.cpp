@@ -10,10 +10,10 @@ namespace epura::view {
 
 namespace {
 
-// The most that a dot product changes when the components of one factor change by a part of themselves.
+// The greatest change of a dot product per relative change of the components of one factor.
 double reach(const Vec3& a, const Vec3& b) { return glm::dot(glm::abs(a), glm::abs(b)); }
 
-// A box with its projection in units near 1, so that nothing over- or underflows.
+// A box and its projection in units near 1, so that nothing over- or underflows.
 struct Setting {
   projection::Projection p;
   Vec3 size;                    // of the box
@@ -34,7 +34,7 @@ Setting setting_of(const projection::Projection& projection, const Box& scene) {
   return s;
 }
 
-// What one cause adds to the condition number.
+// The contribution of one cause to the condition number.
 struct Share {
   double number;
   const char* why;
@@ -45,7 +45,7 @@ double larger_side(const projection::Window& window) {
   return std::max(size.x, size.y);
 }
 
-// A window has its own position, so that of the whole drawing counts too.
+// A window has its own position, so the position of the whole drawing counts, too.
 void add_window(const Setting& s, double size, std::vector<Share>& shares) {
   if (!s.p.window) return;
   const Vec2 far = glm::max(glm::abs(s.p.window->min), glm::abs(s.p.window->max));
@@ -78,7 +78,7 @@ struct Depths {
   double nearest = HUGE_VAL, farthest = 0;
 };
 
-// Around a viewer inside the scene, distances begin at a sixteenth of its depth.
+// If the viewer is inside the scene, distances begin at a sixteenth of the scene's depth.
 Depths depths_of(const Setting& s) {
   Depths depths;
   for (const Vec3& corner : s.corners) {
@@ -123,7 +123,7 @@ std::vector<Share> central_shares(const Setting& s) {
   return shares;
 }
 
-// That of the coordinates, in proportion to Setting::most, comes first.
+// The share of the coordinates, which is proportional to Setting::max, comes first.
 std::vector<Share> shares_of(const Setting& s) { return s.p.central ? central_shares(s) : parallel_shares(s); }
 
 }  // namespace

@@ -7,7 +7,7 @@ namespace epura::view {
 
 namespace {
 
-// A row of the map as a row on absolute world points: constant + r . (k x - k origin, k = normalisation).
+// Converts a row of the map to a row for absolute world points: constant + r . (k x - k origin), k = normalisation.
 Vec4 absolute(const ViewMap& map, const Vec3& row, double constant) {
   const Vec3 r = row * map.normalisation;
   return {r.x, r.y, r.z, constant - glm::dot(row, map.origin * map.normalisation)};

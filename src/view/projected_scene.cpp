@@ -13,12 +13,13 @@ namespace epura::view {
 
 namespace {
 
-// Vertices nearer to the viewer than this part of the reference distance keep no digits in the division. Distances
-// measured from the centre of projection itself keep all; what is nearer yet has no finite place.
+// Vertices closer to the viewer than this fraction of the reference distance lose all digits in the division. If
+// distances are measured from the centre of projection itself, they keep all, and only still closer vertices have no
+// finite image.
 constexpr double nearest_w = 0x1p-44, nearest_w_from_centre = 0x1p-100;
-// A viewer inside the scene sees everything around; without a window he is given a cone of vision of 120 degrees.
+// A viewer inside the scene sees everything around; without a window, the view is limited to a cone of 120 degrees.
 const double cone_tangent = std::sqrt(3.0);
-// Triangles are cut at 1.5 times the window, so that their own cut edges lie outside the picture.
+// Triangles are cut at 1.5 times the window, so that the edges of the cut lie outside the picture.
 constexpr double guard = 1.5;
 constexpr std::size_t grain = 8192;
 constexpr double grid_half = (1 << 30) - 2;
@@ -26,7 +27,7 @@ constexpr double contact_cells = 4;
 constexpr double contact_part = 0x1p-29;
 constexpr double joined_part = 0x1p-44;
 
-// Adds the plane for `users`, or as idle where it cuts nothing. Returns whether it cuts.
+// Adds the plane for `users`, or as an idle plane if it cuts nothing. Returns whether it cuts.
 bool add_plane(ProjectedScene& view, const scene::World& world, const ClipPlane& plane,
                std::initializer_list<std::vector<int>*> users) {
   const int number = view.clipper.add_plane(plane);
@@ -70,7 +71,8 @@ bool add_depth_planes(ProjectedScene& view, const scene::World& world, const Vie
 }
 
 UnsetVector<ViewTriangle> clipped_triangles(ProjectedScene& view, const scene::World& world, Clipping clipping) {
-  // Idle planes first: of the world's own corners they take none, while clipping makes corners that are rounded.
+  // Idle planes come first: they cut off none of the world's own corners, whereas clipping creates corners that are
+  // rounded.
   std::vector<int> planes = clipping == Clipping::everywhere ? view.idle_planes : std::vector<int>();
   planes.insert(planes.end(), view.triangle_planes.begin(), view.triangle_planes.end());
   UnsetVector<ViewTriangle> triangles(planes.empty() ? world.triangles.size() : 0);
@@ -89,7 +91,7 @@ UnsetVector<ViewTriangle> clipped_triangles(ProjectedScene& view, const scene::W
 }
 
 projection::Window box_of(const ProjectedScene& view) {
-  // Most vertices are corners of several triangles: each is divided once.
+  // Most vertices are corners of several triangles; each is divided once.
   std::vector<char> used(view.clipper.vertices.size(), 0);
   for (const ViewTriangle& triangle : view.triangles)
     for (const int v : triangle.vertex) used[v] = 1;
@@ -127,7 +129,7 @@ void choose_window(ProjectedScene& view, const scene::World& world, bool around,
   view.window_given = true;
 }
 
-// least.x <= X/W <= most.x and alike for Y, as planes.
+// Adds min.x <= X/W <= max.x, and likewise for Y, as planes.
 void add_window_planes(ProjectedScene& view, const scene::World& world, const projection::Window& window,
                        std::vector<int>& user) {
   add_plane(view, world, {1, 0, 0, -window.min.x}, {&user});
@@ -142,7 +144,7 @@ void choose_grid(ProjectedScene& view) {
   if (!(view.extent > 0)) view.extent = 1;
   const double reach = view.extent * (view.window_given ? guard : 1) / 2;
   view.cell = std::ldexp(1.0, std::ilogb(reach / grid_half) + 1);
-  // The middle is a grid point, so that moving the scene by whole cells moves the grid along.
+  // The middle is a grid point, so that moving the scene by whole cells moves the grid along with it.
   const Vec2 middle = view.window.min * 0.5 + view.window.max * 0.5;
   view.middle = {std::round(middle.x / view.cell) * view.cell, std::round(middle.y / view.cell) * view.cell};
 }
@@ -151,7 +153,7 @@ std::int32_t to_grid(double cells) {
   return std::abs(cells) <= grid_half ? static_cast<std::int32_t>(std::nearbyint(cells)) : 0;
 }
 
-// Page vertices for all that the clipper has made since the last call.
+// Adds page vertices for everything that the clipper has created since the last call.
 void lay_out(ProjectedScene& view) {
   const std::size_t first = view.vertices.size();
   view.vertices.resize(view.clipper.vertices.size());

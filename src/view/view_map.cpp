@@ -12,7 +12,7 @@ namespace {
 
 double largest_component(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
-// 2^-k with 2^k just above the half size of the box.
+// Returns 2^-k with 2^k just above half the size of the box.
 double normalisation_of(const Box& scene) {
   const Vec3 half = scene.max * 0.5 - scene.min * 0.5;
   const double size = largest_component(half);
@@ -31,15 +31,15 @@ ViewMap parallel_map(const projection::Projection& p, ViewMap map) {
   map.w = Vec3(0);
   map.origin = map.centre;
   map.w_constant = 1;
-  // The foot of c's projector on the plane, from the plane's point.
+  // The foot of c's projector on the plane, relative to the plane's point.
   const Vec3 l = map.centre * map.normalisation - p.point * map.normalisation;
   map.image = {glm::dot(map.u, l), glm::dot(map.v, l)};
   map.depth_to_one = 0;
   return map;
 }
 
-// A reference point well in front of the centre: the middle of the scene, or, where that lies beside or behind the
-// viewer, a point straight ahead at the scene's own distance.
+// A reference point well in front of the centre: the middle of the scene, or, if that lies beside or behind the viewer,
+// a point straight ahead at a distance of the scene's size.
 Vec3 reference_point(const projection::Projection& p, const Box& scene) {
   const Vec3 middle = scene.centre();
   const double ahead = glm::dot(p.n, p.projector - middle);
@@ -57,7 +57,7 @@ ViewMap central_map(const projection::Projection& p, const Box& scene, ViewMap m
   const double enlarge = p.scale * (d / w0);
   const double a = glm::dot(p.u, from_eye);
   const double b = glm::dot(p.v, from_eye);
-  // A centre at the scene's own distance, and not far beside it, is the better origin: differences to it are exact.
+  // A centre close to the scene, in comparison with its size, is the better origin: differences to it are exact.
   const bool near = largest_component({w0, a, b}) < 8 * largest_component(scene.size()) * map.normalisation;
   map.origin = near ? p.projector : map.centre;
   map.u = enlarge * (near ? p.u : p.u + (a / w0) * p.n);

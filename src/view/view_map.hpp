@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The projective map from the world to the projection plane that preserves depth, written so that it loses no digits.
+// The projective map from the world to the projection plane that preserves depth, in a form that loses no digits.
 //
 // It is VOM * M_per (3.36, 3.10) or VOM * M_par (3.20) with the depth row of seed 000 [P], re-centred: coordinates are
 // measured from an origin o near the scene, in space and in the plane alike, so that neither a model far from the
@@ -10,10 +10,10 @@
 //   centre far away, o = c:     U = (d/w0) (u + (a/w0) n) . l      Z = (d/w0) n . l           W = 1 - (n . l)/w0
 //   centre near, o = C:         U = (d/w0) u . l                   Z = (d/w0) (w0 + n . l)    W = -(n . l)/w0
 //
-// V like U. (U/W, V/W) are plane coordinates from the image of c (from the foot of C when o = C); Z/W grows towards the
-// viewer and is affine on planes. The last two are the same map up to a shift in the plane: the first has its digits
-// near c, the second near C. Everything is multiplied by the projection's scale, and Z also by the secant of the angle
-// between normal and projector at c, so that depth is length along projectors, in the unit of the plane at c.
+// V is analogous to U. (U/W, V/W) are plane coordinates from the image of c (from the foot of C if o = C); Z/W grows
+// towards the viewer and is affine on planes. The last two are the same map up to a shift in the plane: the first is
+// precise near c, the second near C. Everything is multiplied by the projection's scale, and Z also by the secant of
+// the angle between normal and projector at c, so that depth is length along projectors, in the unit of the plane at c.
 #pragma once
 
 #include "base/vec.hpp"
@@ -32,14 +32,14 @@ struct ViewMap {
                          ///< underflow
   Vec3 u, v, z, w;       ///< rows, applied to normalisation * (x - o)
   double z_constant, w_constant;
-  Vec2 image;           ///< the plane's own coordinates (times scale and normalisation) of the place where U = V = 0
+  Vec2 image;           ///< the plane's own coordinates (times scale and normalisation) of the point with U = V = 0
   Vec3 centre;          ///< c in the world
   double unit;          ///< length on the page of a (normalised) unit length at c
   double depth_of_n;    ///< Z = depth_of_n * normalisation * n . (x - c)
   double depth_to_one;  ///< the homogeneous 1 is W + depth_to_one * Z
 
   [[nodiscard]] Mapped operator()(const Vec3& point) const {
-    // Normalised first: the difference of two large coordinates may be no double.
+    // Normalised first: the difference of two large coordinates may overflow.
     const Vec3 l = point * normalisation - origin * normalisation;
     return {glm::dot(u, l), glm::dot(v, l), z_constant + glm::dot(z, l), w_constant + glm::dot(w, l)};
   }

@@ -13,24 +13,24 @@ namespace epura::visibility {
 
 namespace {
 
-// What a triangle hides lies within so many cells of the page grid of it.
+// Number of page grid cells within which everything that a triangle hides lies from it.
 constexpr double slack_cells = 8;
-// The place of the triangle whose depth is compared with that of an edge lies within so many cells of the edge: the
-// crossings of sides lie within 2 cells of them, and rounding moves edge and side by 0.7 each.
+// Number of page grid cells between an edge and the place of a triangle whose depth is compared with that of the edge,
+// at most: crossings of sides lie within 2 cells of both, and rounding moves edge and side by 0.7 cells each.
 constexpr double depth_cells = 3;
-// Depths are computed to this part of their size.
+// Relative error of depths.
 constexpr double depth_rounding = 0x1p-40;
 
 constexpr std::size_t least_pile = 8;
 constexpr std::size_t least_at_hub = 16;
-constexpr std::size_t part_at_hub = 2;  // every second triangle, at least
+constexpr std::size_t part_at_hub = 2;  // at least every second triangle
 
 Vec3 point(const view::ProjectedScene& view, int vertex) {
   const view::PageVertex& v = view.vertices[vertex];
   return {v.x, v.y, v.depth};
 }
 
-// Over the flattest plane through the longest side on the page.
+// Returns the direction over the flattest plane through the longest side on the page.
 Vec3 over_longest_side(const view::ProjectedScene& view, const std::vector<int>& triangles) {
   Vec3 longest(0);
   const auto length2 = [](const Vec3& side) { return side.x * side.x + side.y * side.y; };
@@ -60,7 +60,7 @@ CandidateTree::CandidateTree(const view::ProjectedScene& view, std::vector<int> 
   make_tree(view);
 }
 
-// A vertex that many triangles have becomes the hub.
+// The vertex with the most triangles becomes the hub if it has enough.
 void CandidateTree::note_corners(const view::ProjectedScene& view, const std::vector<int>& triangles) {
   joined_.reserve(3 * triangles.size());
   for (const int triangle : triangles)
@@ -87,7 +87,7 @@ std::span<const std::pair<int, int>> CandidateTree::joined_at(int vertex) const 
   return {begin, std::find_if(begin, joined_.end(), [&](const auto& corner) { return corner.first != vertex; })};
 }
 
-// Of few triangles with one footprint, each is tried alone.
+// Small groups of triangles with one footprint are not worth a pile; their triangles are tested one by one.
 void CandidateTree::make_piles(const view::ProjectedScene& view, std::vector<int> triangles) {
   std::vector<std::pair<Pile::Footprint, int>> keys;
   keys.reserve(triangles.size());
@@ -144,7 +144,7 @@ CandidateTree::Bounds CandidateTree::before(const view::ProjectedScene& view, co
   return bounds;
 }
 
-// What lies less than contact before an edge ends behind it.
+// A triangle hides only what lies behind it by more than contact, so its far bounds are moved by that amount.
 CandidateTree::Bounds CandidateTree::bounds_of(const view::ProjectedScene& view, int triangle) const {
   const auto& [u, v, w] = view.triangles[triangle].vertex;
   const Vec3 a = point(view, u), b = point(view, v), c = point(view, w);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangles with similar extents, separated by position and depth where cells of the page cannot.
+// Finds the triangles that may hide an edge by position and depth, where many have similar extents and the cells of the
+// page do not separate them.
 #pragma once
 
 #include <algorithm>
@@ -17,39 +18,39 @@
 
 namespace epura::visibility {
 
-/// A tree of bounds between parallel planes (Kay & Kajiya, Ray tracing complex scenes, SIGGRAPH 1986), in directions
-/// that the largest triangle gives: aside from each of its sides, and the height over its plane. So slanted lines side
-/// by side, and tilted plates on one another, are distinguished however near they are. What lies in one plane, or on
-/// one line, hides nothing there (Contact::touching), and is passed by at once.
+/// A tree of bounds between parallel planes (Kay & Kajiya, Ray tracing complex scenes, SIGGRAPH 1986). The directions
+/// come from the largest triangle: perpendicular to each of its sides on the page, and the height over its plane. This
+/// separates parallel slanted lines and stacked tilted plates however close together they are. Triangles that lie in
+/// one plane or on one line with an edge hide none of it (Contact::touching) and are skipped at once.
 ///
-/// The lowest over that plane come first: of those before an edge, these are the next to it. In a stack they hide
-/// nearly all of it, where from the top on each would hide a little more than the one before. Where at least half meet
-/// in one place of the page, they stand in order around it. Of many triangles with one footprint on the page, a pile is
-/// one thing.
+/// The lowest triangles over that plane are visited first: of those in front of an edge, these are the nearest. In a
+/// stack, they hide nearly all of the edge, whereas from the top, each triangle would hide only a little more than the
+/// one before. Where at least half of the triangles meet in one point of the page (a hub), they are also ordered by
+/// direction around it. Many triangles with the same footprint on the page form one entry, a pile.
 class CandidateTree {
  public:
   using Bounds = epura::search::Bounds<6>;
 
   CandidateTree() = default;
-  /// Of triangles with an area on the page grid.
+  /// Triangles must have an area on the page grid.
   CandidateTree(const view::ProjectedScene& view, std::vector<int> triangles);
 
   [[nodiscard]] bool empty() const { return tree_.empty(); }
 
-  /// Where triangles have to reach to hide something of an edge between two places: x, y and depth. Those that have an
-  /// end of it as a corner may hide it from elsewhere.
+  /// Returns the bounds that a triangle must reach into to hide part of an edge between two places (x, y and depth).
+  /// Triangles that have an end of the edge as a corner may hide it without reaching into these bounds.
   [[nodiscard]] Bounds before(const view::ProjectedScene& view, const PageEdge& edge,
                               const std::array<Vec3, 2>& places) const;
 
-  /// Calls `visit(triangle)` or `visit(pile)` for those that may reach into the bounds, until it returns false. It may
-  /// narrow the bounds.
+  /// Calls `visit(triangle)` or `visit(pile)` for those that may reach into the bounds, until it returns false. `visit`
+  /// may narrow the bounds.
   template <class Visit>
   void visit(const Bounds& wanted, Visit visit) const {
     tree_.visit_where([&](const Bounds& bounds) { return meet(bounds, wanted); },
                       [&](std::size_t i) { return visit_thing(i, visit); });
   }
 
-  /// Calls `visit(triangle)` for those that have an end of the edge as a corner and may lie over it.
+  /// Calls `visit(triangle)` for the triangles that have an end of the edge as a corner and may overlap it on the page.
   template <class Visit>
   void visit_joined(const view::ProjectedScene& view, const PageEdge& edge, const Visit& visit) const {
     for (const int end : {edge.p, edge.q}) {
@@ -68,7 +69,7 @@ class CandidateTree {
 
  private:
   static constexpr std::size_t height = 3;  ///< over the plane of the largest triangle
-  static constexpr std::size_t depth = 4;   ///< over the flattest plane through the side of the longest one
+  static constexpr std::size_t depth = 4;   ///< over the flattest plane through the longest side on the page
   static constexpr std::size_t turn = 5;    ///< around the hub
   static constexpr std::size_t directions = 5;
 

@@ -12,10 +12,10 @@ namespace epura::visibility {
 
 namespace {
 
-// Pairs of borders that are examined before the surface is given up: some hundredths of a second.
+// Number of pairs of borders that are examined before the test gives up: some hundredths of a second.
 constexpr std::size_t most_pairs = 1 << 24;
 
-/// A side of one triangle only, which lies on its left on the page.
+/// A side with only one triangle, which lies to its left on the page.
 struct Border {
   int from, to;  ///< vertices of the view
 };
@@ -35,7 +35,8 @@ class Sheet {
     return view::cross(view_.grid[a], view_.grid[b], view_.grid[c]);
   }
 
-  // By counting: as long as no edge has more than two triangles, it is so when there are no more edges than that.
+  // Decided by counting: if no edge has more than two triangles, the surface is closed exactly when there are no more
+  // edges than that allows.
   [[nodiscard]] bool is_closed() const {
     std::size_t edges = 0;
     for (const scene::Placed& model : world_.models) edges += model.mesh->edges.size();
@@ -48,7 +49,7 @@ class Sheet {
     return u;
   }
 
-  // Nothing where the surface is folded on the page.
+  // Returns nothing if the surface is folded on the page.
   [[nodiscard]] std::optional<std::vector<Border>> find_borders() const {
     std::vector<Border> borders;
     for (int model = 0; model < static_cast<int>(world_.models.size()); ++model)
@@ -70,7 +71,7 @@ class Sheet {
     return borders;
   }
 
-  // Whether two borders have a place in common other than the end of one where the other begins.
+  // Whether two borders have a common place other than the end of one at which the other begins.
   [[nodiscard]] bool meet(const Border& a, const Border& b) const {
     const auto sign = [](std::int64_t x) { return x > 0 ? 1 : x < 0 ? -1 : 0; };
     const int a_from = sign(area(b.from, b.to, a.from)), a_to = sign(area(b.from, b.to, a.to));
@@ -79,7 +80,7 @@ class Sheet {
     return a_from * a_to <= 0 && b_from * b_to <= 0;
   }
 
-  // Of borders in one line.
+  // For borders on one line.
   [[nodiscard]] bool folds_back(const Border& a, const Border& b) const {
     const auto direction = [&](const Border& border) {
       const view::GridPoint& p = view_.grid[border.from];
@@ -90,7 +91,7 @@ class Sheet {
     return one[0] * two[0] + one[1] * two[1] < 0;
   }
 
-  // By a sweep from left to right over their boxes.
+  // Sweeps over their boxes from left to right.
   [[nodiscard]] bool keep_apart(std::vector<Border> borders) const {
     const auto span = [&](const Border& b, std::int32_t view::GridPoint::*axis) {
       return std::minmax(view_.grid[b.from].*axis, view_.grid[b.to].*axis);
@@ -115,7 +116,7 @@ class Sheet {
     return true;
   }
 
-  // Follows the borders around. One from each corner, and one to it: a corner with more is none of a simple line.
+  // Follows the borders. Exactly one starts at each corner and one ends there: with more, the line would not be simple.
   [[nodiscard]] bool have_one_outline(const std::vector<Border>& borders) const {
     std::unordered_map<int, int> next;
     for (const Border& border : borders)
@@ -134,8 +135,8 @@ class Sheet {
     return outlines == 1;
   }
 
-  // Whether a simple closed line has its inside on its left: the sign of its area, as two halves of a number that 64
-  // bits may not hold.
+  // Whether a simple closed line has its inside on its left. This is the sign of its area, summed in two halves since
+  // 64 bits may not hold it.
   [[nodiscard]] bool runs_left(const std::vector<int>& line) const {
     std::int64_t high = 0, low = 0;
     for (std::size_t i = 2; i < line.size(); ++i) {

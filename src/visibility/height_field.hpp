@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Proof that a surface is a height field in the view, so that it hides none of its own edges.
+// Proves that a surface is a height field in the view, so that it hides none of its own edges.
 #pragma once
 
 #include "edges/find_edges.hpp"
@@ -7,15 +7,15 @@
 
 namespace epura::visibility {
 
-/// Whether no two triangles of the view have more in common on the page grid than the corner or side that they share.
-/// Then find_hidden finds nothing, to the last bit: the line of an edge that runs through a triangle other than its own
-/// does so wholly before the edge or wholly behind it, and whole numbers say so. Depth and contact play no part.
+/// Whether no two triangles of the view share more on the page grid than a corner or a side. Then find_hidden finds
+/// nothing, to the last bit: where the line of an edge runs through a triangle other than its own, it does so entirely
+/// beyond one end of the edge, which integers decide. Depth and contact have no influence.
 ///
-/// It is so when all this holds on the grid, in whole numbers:
-/// - every triangle has an area; two that share a side lie on either side of it; no side has more than two;
-/// - sides of one triangle form closed lines that neither cross nor touch, so every place is covered as often as they
-///   run around it; and only one of them runs around its inside like the triangles, the others are holes.
-/// So no place is covered twice. Nothing is clipped, and there are no intersection lines.
+/// It is so if all of this holds on the grid, in integers:
+/// - every triangle has an area; no side has more than two triangles, and two lie on opposite sides;
+/// - sides with only one triangle form closed lines that neither cross nor touch, so every place is covered as often as
+///   they wind around it; and exactly one of these lines has the same sense as the triangles, the others are holes.
+/// Then no place is covered twice. The test requires that nothing is clipped and that there are no intersection lines.
 bool is_height_field(const scene::World& world, const view::ProjectedScene& view, const edges::FeatureEdges& drawn);
 
 }  // namespace epura::visibility

@@ -10,30 +10,31 @@ namespace epura::visibility {
 
 namespace {
 
-// Triangles lower than this part of their length on the page are lines there.
+// Triangles whose height on the page is less than this fraction of their length are lines there.
 constexpr double thinnest = 0x1p-40;
 
-// What a line covers is decided by depth alone.
+// For a triangle that is a line on the page, depth alone decides.
 double steepness(const std::optional<Vec2>& slope) { return slope ? 1 + glm::length(*slope) : 1; }
 
 double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
 Vec2 position(const view::PageVertex& v) { return {v.x, v.y}; }
 
-// The parameter of a crossing that lies before, on or behind the edge as whole numbers decide.
+// Moves the parameter of a crossing to the part of the line where integers place it: before the edge, on it or behind
+// it.
 double placed(double t, std::int64_t numerator, std::int64_t denominator) {
   if (numerator <= 0) return std::min(t, 0.0);
   if (numerator >= denominator) return std::max(t, 1.0);
   return std::clamp(t, 0.0, 1.0);
 }
 
-// Where on the edge the side u, v crosses, by the grid: t as whole numbers; the denominator is positive.
+// Where the side u, v crosses the edge on the grid: t as a fraction of integers with a positive denominator.
 struct GridCrossing {
   std::int64_t numerator, denominator;
   double slack;  // how far rounding to the grid may have moved the numerator
 
   [[nodiscard]] double t() const { return static_cast<double>(numerator) / static_cast<double>(denominator); }
-  // Far beyond an end of the edge, the denominator's rounding counts as many times.
+  // Far beyond an end of the edge, t multiplies the rounding of the denominator.
   [[nodiscard]] bool confirms(double other) const {
     return std::abs(other * static_cast<double>(denominator) - static_cast<double>(numerator)) <=
            slack * std::max(1.0, std::abs(other));
@@ -48,7 +49,7 @@ GridCrossing cross_on_grid(const view::ProjectedScene& view, const PageEdge& edg
   const std::int64_t sx = std::int64_t{b.x} - a.x, sy = std::int64_t{b.y} - a.y;
   const std::int64_t denominator = (std::int64_t{q.x} - p.x) * sy - (std::int64_t{q.y} - p.y) * sx;
   const std::int64_t numerator = (std::int64_t{a.x} - p.x) * sy - (std::int64_t{a.y} - p.y) * sx;
-  // Both ends of both lines were moved by less than a cell.
+  // Rounding moves both ends of both lines by less than a cell.
   const double slack = 4 * static_cast<double>(std::abs(sx) + std::abs(sy));
   return denominator < 0 ? GridCrossing{-numerator, -denominator, slack} : GridCrossing{numerator, denominator, slack};
 }
@@ -59,8 +60,8 @@ struct CrossedSide {
   GridCrossing decided{};
 };
 
-// The crossing is decided on the grid and computed from the unrounded coordinates. Where those do not confirm it (lines
-// parallel within the grid cross anywhere, or nowhere), the grid's place is taken.
+// The crossing is decided on the grid and computed from unrounded coordinates. Where these do not confirm it (lines
+// that are parallel within the grid cross anywhere or nowhere), its position on the grid is used.
 SideCrossing place_crossing(const view::ProjectedScene& view, const PageEdge& edge, const CrossedSide& crossed) {
   const view::PageVertex& u = view.vertices[crossed.u];
   const view::PageVertex& v = view.vertices[crossed.v];
@@ -83,7 +84,7 @@ SideCrossing place_crossing(const view::ProjectedScene& view, const PageEdge& ed
   return {t, std::clamp((t == computed ? s : on_side(t)) / length2, 0.0, 1.0), crossed.u, crossed.v};
 }
 
-// The two sides that the line of the edge crosses; `left`: on which side of it the corners lie.
+// The two sides that the line of the edge crosses. `left` tells which corners lie to its left.
 std::array<CrossedSide, 2> crossed_sides(const view::ProjectedScene& view, const PageEdge& edge,
                                          const view::ViewTriangle& triangle, const std::array<bool, 3>& left) {
   std::array<CrossedSide, 2> sides{};
@@ -104,7 +105,7 @@ bool lie_beyond_an_end(const std::array<CrossedSide, 2>& sides) {
   return (a.numerator <= 0 && b.numerator <= 0) || (a.numerator >= a.denominator && b.numerator >= b.denominator);
 }
 
-// The same, if the edge and the triangle meet as the grid decides.
+// The sides that the line of the edge crosses, if the edge and the triangle overlap as the grid decides.
 std::optional<std::array<CrossedSide, 2>> sides_over(const view::ProjectedScene& view, const PageEdge& edge,
                                                      const view::ViewTriangle& triangle) {
   std::array<bool, 3> left{};
@@ -115,7 +116,7 @@ std::optional<std::array<CrossedSide, 2>> sides_over(const view::ProjectedScene&
   return lie_beyond_an_end(sides) ? std::nullopt : std::optional(sides);
 }
 
-// The part of [from, to] where a difference that runs linearly exceeds the tolerance.
+// The part of [from, to] where a linear difference exceeds the tolerance.
 std::optional<std::array<double, 2>> exceeding(double from, double to, double at_from, double at_to, double tolerance) {
   const double over_from = at_from - tolerance;
   const double over_to = at_to - tolerance;
@@ -196,8 +197,9 @@ std::optional<std::array<double, 2>> hidden_part(const view::ProjectedScene& vie
     return exceeding(from, to, at_from, at_to, view.contact.touching * steepness_of(view, triangle));
   }
 
-  // At a common corner the difference is zero by definition; the other end decides for the whole. It is measured in the
-  // triangle's plane: where the edge runs along a side, the place at which it leaves the triangle is uncertain.
+  // At a common corner, the difference is zero by definition, and the other end decides for the whole edge. The
+  // difference is measured in the triangle's plane: where the edge runs along a side, the place at which it leaves the
+  // triangle is uncertain.
   const std::optional<Vec2> slope = slope_of(view, triangle);
   const view::PageVertex& corner = holds_p ? p : q;
   const view::PageVertex& end = holds_p ? q : p;

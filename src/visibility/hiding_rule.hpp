@@ -3,9 +3,9 @@
 //
 // Planar decisions are signs of integers on the page lattice. A vertex exactly on the line of an edge counts as left of
 // it, for every triangle: the line is moved right by an infinitesimal amount (simulation of simplicity in one
-// dimension, after Edelsbrunner & Muecke, ACM TOG 1990). So triangles around a vertex or along an edge agree, and a
-// crossing is computed once for the pair of edges, from the vertices in order of their numbers, for any triangle: the
-// intervals of neighbouring triangles abut to the last bit.
+// dimension, after Edelsbrunner & Muecke, ACM TOG 1990). So triangles around a vertex or along an edge agree. A
+// crossing is computed for the pair of edges, from their vertices in ascending order, so it is the same for any
+// triangle: the intervals of neighbouring triangles abut to the last bit.
 #pragma once
 
 #include <array>
@@ -16,14 +16,14 @@
 
 namespace epura::visibility {
 
-/// The gradient of depth over the page. A triangle that is a line there has none.
+/// Returns the gradient of depth over the page, or nothing if the triangle is a line there.
 std::optional<Vec2> slope_of(const view::ProjectedScene& view, const view::ViewTriangle& triangle);
 
-/// How depth changes along a way in the plane of a triangle that has a slope: along its longest side and across it,
-/// since the slope of a needle is uncertain across alone.
+/// Returns the change of depth along `way` in the plane of a triangle that has a slope. It is computed along its
+/// longest side and across it, since the slope of a needle is uncertain only across.
 double rise_along(const view::ProjectedScene& view, const view::ViewTriangle& triangle, const Vec2& way);
 
-/// Contact is measured along the normal of a triangle, hiding along the view: by so much more.
+/// Contact is measured along the normal of a triangle, hiding along the view. This is the factor between them.
 double steepness_of(const view::ProjectedScene& view, const view::ViewTriangle& triangle);
 
 /// An edge on the page, between two vertices of the view.
@@ -31,25 +31,26 @@ struct PageEdge {
   int p, q;  ///< vertices of the view
 };
 
-/// Pieces of a line shorter than this part of the drawing are rounding, not geometry.
+/// Pieces of a line shorter than this fraction of the drawing are rounding, not geometry.
 inline constexpr double least_piece = 1e-7;
 
-/// The same as a part of the edge's length on the page.
+/// The same as a fraction of the edge's length on the page.
 double least_span(const view::ProjectedScene& view, const PageEdge& edge);
 
 /// Where an edge crosses a side of a triangle.
 struct SideCrossing {
   double t;  ///< page parameter of the edge
-  double s;  ///< the same of the side
+  double s;  ///< page parameter of the side
   int u, v;  ///< ends of the side
 };
 
-/// Where a triangle lies over an edge, or under it: page parameters of the edge, and the sides between which it runs.
+/// The interval in which an edge overlaps a triangle on the page, as page parameters of the edge, and the sides at
+/// which it enters and leaves.
 struct Overlap {
   double from, to;
   SideCrossing in, out;
 
-  /// Of the triangle where the edge is at t, when `depth_of(vertex)` are those of its corners.
+  /// Returns the depth of the triangle where the edge is at t; `depth_of(vertex)` is the depth of a corner.
   template <class DepthOf>
   [[nodiscard]] double depth(double t, const DepthOf& depth_of) const {
     const auto on_side = [&](const SideCrossing& side) {
@@ -60,15 +61,15 @@ struct Overlap {
   }
 };
 
-/// Whether the triangle lies over the edge or under it, as the page grid decides.
+/// Whether the edge and the triangle overlap on the page, as the page grid decides.
 bool meets_on_grid(const view::ProjectedScene& view, const PageEdge& edge, const view::ViewTriangle& triangle);
 
-/// Nothing where they do not meet.
+/// Returns nothing if they do not overlap.
 std::optional<Overlap> overlap_of(const view::ProjectedScene& view, const PageEdge& edge,
                                   const view::ViewTriangle& triangle);
 
-/// Page parameters (0 at p, 1 at q) of the part that the triangle hides: where it covers the edge on the page and lies
-/// in front of it by more than contact. The caller has seen to it that the edge is none of the triangle's own.
+/// Returns the page parameters (0 at p, 1 at q) of the part that the triangle hides: where it covers the edge on the
+/// page and lies in front of it by more than contact. The triangle must not be one of the edge's own.
 std::optional<std::array<double, 2>> hidden_part(const view::ProjectedScene& view, const PageEdge& edge,
                                                  const view::ViewTriangle& triangle);
 

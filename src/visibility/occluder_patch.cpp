@@ -9,7 +9,7 @@ namespace epura::visibility {
 
 namespace {
 
-// Depths are computed to this part of their size.
+// Relative error of depths.
 constexpr double depth_rounding = 0x1p-40;
 
 Vec2 position(const view::PageVertex& v) { return {v.x, v.y}; }
@@ -46,7 +46,7 @@ bool OccluderPatch::add(const view::ViewTriangle& triangle) {
   return true;
 }
 
-// A side is closed by a triangle on its other side, and opened by any other.
+// A triangle on the other side closes an open side; any other opens one.
 void OccluderPatch::close(int sheet, const view::ViewTriangle& triangle, int side, bool turns_left) {
   const int u = triangle.vertex[side], v = triangle.vertex[(side + 1) % 3];
   const bool left = turns_left == (u < v);

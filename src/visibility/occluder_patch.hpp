@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether triangles with common sides hide a whole cell together, although none of them covers it alone.
+// Finds out whether connected triangles hide a whole cell together although none of them covers it alone.
 #pragma once
 
 #include <cmath>
@@ -12,19 +12,20 @@
 
 namespace epura::visibility {
 
-/// A cell of the page, already widened by what rounding may move.
+/// A cell of the page, already widened by the amount that rounding may move things.
 struct CellBox {
   Vec2 middle, half;
 };
 
-/// A triangle as the cover of cells of one size.
+/// The plane of a triangle, used to cover cells of one size.
 class CoverPlane {
  public:
-  /// `half` of the width and height of a cell, widened.
+  /// `half` is half the width and height of a cell, widened.
   CoverPlane(const view::ProjectedScene& view, const view::ViewTriangle& triangle, const Vec2& half);
 
-  /// What lies deeper in the cell around a place is hidden wherever the triangle covers it: deeper than any place of
-  /// its plane there by more than contact and rounding. -infinity for a triangle that is a line on the page.
+  /// Where the triangle covers the cell around `middle`, it hides everything with less depth than this, which lies
+  /// behind every point of the plane in the cell by more than contact and rounding. -infinity for a triangle that is a
+  /// line on the page.
   [[nodiscard]] double depth(const Vec2& middle) const { return depth_ + glm::dot(slope_, middle - corner_); }
 
  private:
@@ -32,27 +33,28 @@ class CoverPlane {
   double depth_ = -HUGE_VAL;
 };
 
-/// Grows connected sheets from triangles, added one by one. A sheet is whole when every side that may reach into the
-/// cell has triangles on both sides: as many triangles cover one place of the cell as another, and so at least one.
+/// Grows connected sheets from triangles that are added one by one. A sheet is complete when every side that may reach
+/// into the cell has triangles on both sides: then all places of the cell are covered by equally many triangles, hence
+/// by at least one.
 class OccluderPatch {
  public:
   OccluderPatch(const view::ProjectedScene& view, const CellBox& cell) : view_(view), cell_(cell) {}
 
-  /// Whether this triangle, which has an area on the page grid, has made a sheet whole.
+  /// Whether adding this triangle, which must have an area on the page grid, has completed a sheet.
   bool add(const view::ViewTriangle& triangle);
 
-  /// What lies deeper in the cell is hidden by the sheet that was made whole.
+  /// The completed sheet hides everything in the cell with less depth than this.
   [[nodiscard]] double depth() const { return depth_; }
 
  private:
   struct Sheet {
-    int parent;    ///< another sheet that this one has become part of, or itself
-    int open = 0;  ///< sides that need a triangle on their other side
+    int parent;    ///< another sheet that this one was merged into, or itself
+    int open = 0;  ///< number of sides that lack a triangle on their other side
     double depth;
   };
   struct OpenSide {
     int sheet;
-    bool left;  ///< on which side of it, seen from its vertex with the lesser number, the triangle lies
+    bool left;  ///< whether the triangle lies to the left, seen from the vertex with the lower number
   };
 
   [[nodiscard]] bool reaches_in(int u, int v) const;

@@ -18,28 +18,29 @@ namespace epura::visibility {
 namespace {
 
 constexpr std::size_t chunk = 4096;
-// The page gets cells for about so many triangles each. Of a triangle, most cells are passed by without work, since no
-// line runs through them.
+// Number of triangles for each cell of the page. Most cells of a triangle cost nothing, since no line runs through
+// them.
 constexpr double triangles_of_cell = 5;
 constexpr search::GridLimits page_limits{0x1p24, 0, 8, 128};
-// Cells in which more pairs of edge and triangle meet than this are divided, and their parts again.
+// Cells with more pairs of edge and triangle than this are divided, and so are their parts.
 constexpr double most_pairs = 1 << 15;
 constexpr search::GridLimits cell_limits{1024, 0, 8, 32};
 constexpr int deepest_level = 8;
-// Triangles that are examined to choose a grid.
+// Number of triangles that are examined to choose a grid.
 constexpr std::size_t sample = 65536;
 
-// Division is idle where it leaves more than this part of the pairs. So it may be once (what lies in an L parts only at
-// the second time), and where very much is left, until cells have become as small as the L is wide.
+// A division that leaves more than this fraction of the pairs is called idle. One idle division is tolerated (the arms
+// of an L are separated only by the second). Where very many pairs are left, any number is, until the cells are as
+// small as the L is wide.
 constexpr double worthwhile = 0.5;
 constexpr int most_idle = 1;
 constexpr double many_pairs = 1 << 22;
 
-// A tree is good enough where most edges take so many tries or fewer, by a sample of them.
+// A tree is good enough if most edges of a sample need at most this number of tests.
 constexpr int few_tries = 16;
 constexpr int sampled_edges = 24;
 
-// Cells are widened by this part of their side: stretches reach over their borders by rounding.
+// Cells are widened by this fraction of their side, since rounding lets segments reach beyond their borders.
 constexpr double cell_slack = 0x1p-12;
 
 void raise(double& value, double other) {
@@ -166,7 +167,7 @@ void OccluderGrid::find_covers(const Content& content, Level& level) const {
   const Vec2 slack = cover_slack(grid);
   parallel_for(content.triangles.size(), chunk, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      progress_.expect_time();  // a large one lies over very many cells
+      progress_.expect_time();  // a large triangle lies over very many cells
       const view::ViewTriangle& triangle = view_.triangles[content.triangles[i]];
       const search::TriangleOnGrid on_grid(grid, corners(triangle), slack);
       if (!on_grid.may_hold_cells()) continue;
@@ -222,7 +223,7 @@ void OccluderGrid::find_candidates(const Content& content, const CellLoad& load,
         });
     return any;
   };
-  // Of smooth models, most triangles are candidates nowhere: the second time they are passed by.
+  // In smooth models, most triangles are not candidates anywhere; the second pass skips them.
   std::vector<char> may_hide(content.triangles.size(), 1);
   level.candidates = Groups<Candidate>(static_cast<std::size_t>(grid.count()), [&](const auto& add) {
     parallel_for(content.triangles.size(), chunk, [&](std::size_t begin, std::size_t end) {
@@ -240,7 +241,7 @@ void OccluderGrid::find_candidates(const Content& content, const CellLoad& load,
   });
 }
 
-// Cells with much in them are worth a look for sheets. Returns whether one was found, and drops what lies behind it.
+// Cells with many pairs are worth a search for sheets. Returns whether one was found, and drops what lies behind it.
 bool OccluderGrid::cover_by_sheets(const CellLoad& load, Level& level) const {
   const search::CellGrid& grid = level.grid;
   std::atomic<bool> any = false;
@@ -269,7 +270,7 @@ void OccluderGrid::drop_covered(Level& level) const {
   });
 }
 
-// What lies in the cells that have too much in them; they get their numbers in `level.full`.
+// Returns the contents of cells that have too many pairs, and numbers them in `level.full`.
 std::vector<OccluderGrid::Content> OccluderGrid::contents_of_full_cells(const Content& content, const CellLoad& load,
                                                                         int idle, Level& level) const {
   const search::CellGrid& grid = level.grid;
@@ -298,7 +299,8 @@ std::vector<OccluderGrid::Content> OccluderGrid::contents_of_full_cells(const Co
   return parts;
 }
 
-// Whether most of some edges take few tries. They are tried in part, and on their own triangles, too: an estimate.
+// Whether most of a sample of edges need few tests. Only parts of the edges are tested, and against their own
+// triangles, too: this is an estimate.
 bool OccluderGrid::leaves_few_tries(const CandidateTree& tree, const std::vector<Piece>& pieces) const {
   int good = 0;
   for (int k = 0; k < sampled_edges; ++k) {
@@ -311,7 +313,7 @@ bool OccluderGrid::leaves_few_tries(const CandidateTree& tree, const std::vector
   return 2 * good > sampled_edges;
 }
 
-// Full cells get a tree where that leaves few tries; otherwise they are divided, if that saves work.
+// Full cells get a tree if that leaves few tests; otherwise they are divided if that saves work.
 void OccluderGrid::relieve_full_cells(const Content& content, const CellLoad& load, int idle, int depth,
                                       Level& level) const {
   const bool may_divide = depth < deepest_level && !(idle > most_idle && content.pairs < many_pairs);

@@ -18,11 +18,11 @@
 
 namespace epura::visibility {
 
-/// A triangle of the view that may hide something in a cell. They are ordered by distance.
+/// A triangle of the view that may hide something in a cell. Candidates are ordered by distance.
 class Candidate {
  public:
   Candidate() = default;
-  /// `distance` behind the nearest place of the scene, not negative, is rounded down to 32 bits.
+  /// `distance` behind the nearest place of the scene must not be negative; it is rounded down to 32 bits.
   Candidate(double distance, int triangle)
       : key_(std::uint64_t{std::bit_cast<std::uint32_t>(rounded_down(distance))} << 32 |
              static_cast<std::uint32_t>(triangle)) {}
@@ -32,34 +32,34 @@ class Candidate {
   bool operator<(const Candidate& other) const { return key_ < other.key_; }
 
  private:
-  // The bits of floats that are not negative are ordered like them: one comparison of whole numbers sorts.
+  // The bits of non-negative floats are ordered like the floats, so one comparison of integers sorts candidates.
   std::uint64_t key_ = 0;
 };
 
-/// A part of an edge within one cell of the page, and what may hide it there.
+/// The part of an edge in one cell of the page, and what may hide it there.
 struct CellSegment {
   double from, to;                        ///< page parameters
-  double cover;                           ///< what lies deeper than this in the cell is hidden
-  std::span<const Candidate> candidates;  ///< the nearest first
-  const CandidateTree* tree;              ///< of the same, where they are many
+  double cover;                           ///< everything in the cell with less depth is hidden
+  std::span<const Candidate> candidates;  ///< nearest first
+  const CandidateTree* tree;              ///< the same triangles as a tree, where they are many; null otherwise
 };
 
-/// A uniform grid of cells over the drawn edges. A cell through which no edge runs has no candidates, nor has a cell
-/// those that lie behind all edges in it, or behind a triangle that covers it wholly. Cells that have too many of both
-/// get a tree, or are divided further.
+/// A uniform grid of cells over the drawn edges. A cell has no candidates if no edge runs through it, and none that lie
+/// behind all its edges or behind a triangle that covers it entirely. Cells with too many edges and candidates get a
+/// tree or are divided further.
 class OccluderGrid {
  public:
   /// Throws OutOfTime.
   OccluderGrid(const scene::World& world, const view::ProjectedScene& view,
                const std::vector<edges::FeatureEdge>& edges, const Progress& progress = {});
 
-  /// Calls `visit(CellSegment)` for the cells along an edge; together the stretches cover the whole edge.
+  /// Calls `visit(CellSegment)` for the cells along an edge; together, the segments cover the whole edge.
   template <class Visit>
   void along(const PageEdge& edge, Visit visit) const {
     along(top_, edge, 0, 1, visit);
   }
 
-  /// What may hide an edge that begins or ends at this vertex, too, but is not a candidate anywhere.
+  /// Triangles that are not candidates anywhere, but may hide an edge that begins or ends at this vertex.
   [[nodiscard]] std::span<const int> copies_around(int vertex) const { return copies_.around(vertex); }
 
   /// Least and greatest depth of an edge between two page parameters.
@@ -81,9 +81,9 @@ class OccluderGrid {
     search::CellGrid grid;
     std::vector<double> cover;     ///< by cell
     Groups<Candidate> candidates;  ///< by cell
-    double pairs = 0;              ///< of edge and triangle that are to be tried
-    std::vector<int> full;         ///< by cell: its place in `children` and `trees`, or -1; empty if all are
-    std::vector<Level> children;   ///< without cells where there is a tree
+    double pairs = 0;              ///< number of pairs of edge and triangle to be tested
+    std::vector<int> full;         ///< by cell: its index in `children` and `trees`, or -1; empty if no cell is full
+    std::vector<Level> children;   ///< without cells where there is a tree instead
     std::vector<CandidateTree> trees;
   };
   /// Part of a drawn edge.
@@ -91,16 +91,16 @@ class OccluderGrid {
     int edge;
     double from, to;
   };
-  /// What a level is made from: everything that may meet in its part of the page.
+  /// Everything that may meet in the part of the page that a level covers.
   struct Content {
     std::vector<Piece> pieces;
     std::vector<int> triangles;  ///< of the view
-    double pairs;                ///< of edge and triangle that were to be tried without further division
-    int idle;                    ///< how many divisions in succession left nearly as many
+    double pairs;                ///< number of pairs of edge and triangle to be tested without further division
+    int idle;                    ///< number of divisions in succession that left nearly as many pairs
   };
   struct CellLoad {
-    std::vector<double> deepest;  ///< by cell: least depth of the pieces that cover does not hide
-    std::vector<int> pieces;      ///< by cell: how many
+    std::vector<double> deepest;  ///< by cell: least depth of the pieces that the cover does not hide
+    std::vector<int> pieces;      ///< by cell: number of pieces
   };
 
   template <class Visit>
@@ -119,7 +119,7 @@ class OccluderGrid {
         });
   }
 
-  // Vertices lie within a cell of the page grid of their place.
+  // Rounding moves vertices by less than a cell of the page grid.
   [[nodiscard]] double margin() const { return 2 * view_.cell; }
   [[nodiscard]] Vec2 cover_slack(const search::CellGrid& grid) const;
   [[nodiscard]] Vec2 position(const PageEdge& edge, double t) const;
@@ -145,7 +145,7 @@ class OccluderGrid {
   const view::ProjectedScene& view_;
   const std::vector<edges::FeatureEdge>& edges_;
   Progress progress_;
-  double front_;  ///< greatest depth of all
+  double front_;  ///< greatest depth of the scene
   ThirdCopies copies_;
   Level top_;
 };

@@ -50,7 +50,7 @@ bool OcclusionQuery::hide_by_exact(const Pile& pile) {
     any = hide_by(triangle) || any;
     return !covers(spans_, overlap->from, overlap->to) && tries_ < most_tries_;
   };
-  // They must be nearer by more than contact at one end of the overlap; half of it is far more than rounding.
+  // A triangle must be nearer by more than contact at one end of the overlap; half of that is far more than rounding.
   const auto may_hide = [&](const Pile::Depths& depths) {
     const auto depth_of = [&](int corner) {
       const auto& corners = pile.corners();

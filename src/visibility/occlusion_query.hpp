@@ -13,35 +13,35 @@
 
 namespace epura::visibility {
 
-/// What a triangle hides is computed for the whole edge, so the union does not depend on cells or order.
+/// Each triangle's hidden part is computed for the whole edge, so the union does not depend on cells or order.
 class OcclusionQuery {
  public:
-  /// With `most_tries`, a tree is abandoned after this number of tests.
+  /// The search of a tree is abandoned after `most_tries` tests.
   OcclusionQuery(const view::ProjectedScene& view, const OccluderGrid& occluders, const PageEdge& line,
                  const OwnTriangles& own, int most_tries = std::numeric_limits<int>::max());
 
-  /// What lies behind the cover of the cell is hidden; otherwise candidates are tried until the stretch is hidden or
-  /// the rest lies behind it.
+  /// Everything behind the cover of the cell is hidden. Otherwise, candidates are tested until the segment is hidden or
+  /// the remaining candidates lie behind it.
   void hide(const CellSegment& stretch);
 
-  /// What was hidden so far, without what is rounding.
+  /// Returns what has been hidden so far, without slivers that are due to rounding.
   [[nodiscard]] Spans spans() &&;
 
   [[nodiscard]] int tries() const { return tries_; }
 
  private:
-  // Whether a triangle hides something, and was not tried just now.
+  // Whether a triangle hides something and was not among the last ones tested.
   bool hide_by(int triangle) {
     if (std::exchange(tried_[triangle % tried_.size()], triangle) == triangle) return false;
     const view::ViewTriangle& tried = view_.triangles[triangle];
     ++tries_;
     const auto part = hidden_part(view_, line_, tried);
-    if (!part || own_.contain(tried.source)) return false;  // last: next to slivers its own are many
+    if (!part || own_.contain(tried.source)) return false;  // last: next to slivers, own triangles are many
     add_span(spans_, *part);
     return true;
   }
 
-  // Whether one of the pile hides something.
+  // Whether a triangle of the pile hides something.
   bool hide_by(const Pile& pile);
   bool hide_by_exact(const Pile& pile);
   void hide_by_tree(const CellSegment& stretch);
@@ -50,7 +50,7 @@ class OcclusionQuery {
   const OccluderGrid& occluders_;
   PageEdge line_;
   OwnTriangles own_;
-  std::array<int, 64> tried_;  ///< lately, by the last bits of their numbers
+  std::array<int, 64> tried_;  ///< the last triangles tested, by the last bits of their numbers
   Spans spans_;
   int most_tries_, tries_ = 0;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangles with the same corners on the page lattice, as in equal parts behind one another.
+// Triangles with the same corners on the page lattice, such as those of equal parts behind one another.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@
 
 namespace epura::visibility {
 
-/// Whether they cover an edge is decided once for all. Where corners are the same to the last bit, so is the part of an
-/// edge that is covered: nothing can be added to a triangle that hides all of it, and depth tells which may hide some.
+/// Whether they cover an edge is decided once for all. If their corners are the same to the last bit, they cover the
+/// same part of the edge: one triangle that hides all of it suffices, and depth tells which others may hide some.
 class Pile {
  public:
   /// Corners on the page grid, in the order of their numbers.
@@ -22,19 +22,19 @@ class Pile {
   /// Least and greatest depth of several triangles at each corner.
   using Depths = search::Bounds<3>;
 
-  /// Of triangles with one footprint.
+  /// The triangles must have the same footprint.
   Pile(const view::ProjectedScene& view, std::vector<int> triangles);
 
-  /// The nearest first.
+  /// Nearest first.
   [[nodiscard]] const std::vector<int>& triangles() const { return triangles_; }
-  /// Whether corners are the same to the last bit.
+  /// Whether the corners are the same to the last bit.
   [[nodiscard]] bool is_exact() const { return !tree_.empty(); }
   /// The corners of the first triangle, in the order of Depths.
   [[nodiscard]] const std::array<int, 3>& corners() const { return corners_; }
-  /// Those that have this vertex as a corner.
+  /// The triangles that have this vertex as a corner.
   [[nodiscard]] std::vector<int> around(int vertex) const;
 
-  /// Calls `visit(triangle)` for those of whose depths `may_hide` is true, until it returns false.
+  /// Calls `visit(triangle)` for those for whose depths `may_hide` returns true, until `visit` returns false.
   template <class MayHide, class Visit>
   void visit(const MayHide& may_hide, const Visit& visit) const {
     tree_.visit_where(may_hide, [&](std::size_t i) { return visit(triangles_[i]); });

@@ -8,13 +8,13 @@ namespace epura::visibility {
 
 namespace {
 
-// What a triangle hides lies within so many cells of the page grid of it.
+// Number of page grid cells within which everything that a triangle hides lies from it.
 constexpr double slack_cells = 12;
 constexpr double rounding = 0x1p-48;  // of angles
 
 double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
-// From one direction to another, the short way.
+// The angle from one direction to another, in -pi to pi.
 double turn_between(const Vec2& from, const Vec2& to) { return std::atan2(cross(from, to), glm::dot(from, to)); }
 
 Turn turn_from(double begin, double end, double widened) {
@@ -26,7 +26,7 @@ Turn turn_from(double begin, double end, double widened) {
   return {begin, end};
 }
 
-// Between directions on one side of the place, at least `distance` cells away from it.
+// The interval of directions that all lie on one side of the place.
 template <std::size_t count>
 Turn turn_over(const std::array<Vec2, count>& ways, double widened) {
   double min = 0, max = 0;
@@ -47,7 +47,8 @@ double distance_to(const Vec2& a, const Vec2& b) {
   return glm::length(a + t * along);
 }
 
-// By how much rounding turns what lies so many cells away; half a circle and more where it lies all around.
+// The angle by which rounding may turn something `distance` cells away; half a circle or more where it may lie in any
+// direction.
 double turned_by_rounding(double distance) {
   return distance > slack_cells ? rounding + std::asin(slack_cells / distance) : 2 * std::numbers::pi;
 }

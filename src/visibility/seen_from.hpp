@@ -10,7 +10,7 @@
 
 namespace epura::visibility {
 
-/// Directions from a first to a second, counterclockwise, in radians: the first from -pi to pi.
+/// An interval of directions, counterclockwise from the first to the second, in radians. The first is in -pi to pi.
 using Turn = std::array<double, 2>;
 
 constexpr Turn all_around{-std::numbers::pi, std::numbers::pi};
@@ -22,9 +22,9 @@ inline bool turns_meet(const Turn& a, const Turn& b) {
   return false;
 }
 
-/// In which directions things lie from a place of the page grid. A triangle with a corner there lies over an edge that
-/// begins there only if its directions hold that of the edge; all others only if directions meet that are as far apart
-/// as rounding moves things.
+/// The directions in which things lie from a place of the page grid. A triangle with a corner there overlaps an edge
+/// that begins there only if its interval contains the direction of the edge. For all others, the intervals, widened by
+/// the effect of rounding, must intersect.
 class SeenFrom {
  public:
   SeenFrom(const view::ProjectedScene& view, const view::GridPoint& place);

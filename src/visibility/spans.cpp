@@ -28,7 +28,7 @@ std::optional<std::array<double, 2>> open_part(const Spans& spans, double from, 
   std::optional<std::array<double, 2>> open;
   auto next = std::lower_bound(spans.begin(), spans.end(), from, [](const auto& s, double t) { return s[1] < t; });
   double begin = next == spans.begin() ? 0 : (*(next - 1))[1];
-  bool held = next != spans.begin() && begin - (*(next - 1))[0] >= min;  // by a span that stays
+  bool held = next != spans.begin() && begin - (*(next - 1))[0] >= min;  // by a span that is not dropped
   while (begin < to) {
     const bool last = next == spans.end();
     const double end = last ? length : (*next)[0];
@@ -51,7 +51,7 @@ void absorb_slivers(Spans& spans, double min) {
     spans = hidden > 0.5 ? Spans{{0.0, 1.0}} : Spans{};
     return;
   }
-  std::size_t joined = 0;  // they take the places of those they are made of
+  std::size_t joined = 0;  // merged spans are written over those they are made of
   for (const auto& span : spans) {
     if (joined > 0 && span[0] - spans[joined - 1][1] < min)
       spans[joined - 1][1] = span[1];

@@ -11,7 +11,7 @@ namespace epura::visibility {
 
 namespace {
 
-// All that hiding takes from a triangle. It takes the ends of sides in the order of their numbers.
+// Everything in a triangle that affects hiding. The ends of sides are used in ascending order of their numbers.
 std::array<double, 10> key_of(const view::ProjectedScene& view, int triangle) {
   const auto& [a, b, c] = view.triangles[triangle].vertex;
   const view::PageVertex &u = view.vertices[a], &v = view.vertices[b], &w = view.vertices[c];

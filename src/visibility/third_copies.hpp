@@ -13,30 +13,30 @@
 
 namespace epura::visibility {
 
-/// To the last bit such a triangle hides what its copies hide: the first stands for it, and the second for the edges
-/// that are the first one's own. But edges that begin at one of its corners are decided more sharply by the triangle
-/// itself (Contact::joined).
+/// Such a triangle hides exactly what its copies hide, to the last bit: the first copy represents it, and the second
+/// one does so for the edges that belong to the first. But edges that begin at one of its corners are decided more
+/// precisely by the triangle itself (Contact::joined).
 class ThirdCopies {
  public:
   /// Throws OutOfTime.
   ThirdCopies(const scene::World& world, const view::ProjectedScene& view, const Progress& progress);
 
-  /// Of the view, ascending: all triangles but those.
+  /// All triangles of the view except third copies, ascending.
   [[nodiscard]] std::vector<int> others() const;
 
-  /// The same of edges, which run through the same cells as their copies. Throws OutOfTime.
+  /// The same for edges, which run through the same cells as their copies. Throws OutOfTime.
   [[nodiscard]] std::vector<int> other_edges(const view::ProjectedScene& view,
                                              const std::vector<edges::FeatureEdge>& edges,
                                              const Progress& progress) const;
 
-  /// Those that have this vertex of the view as a corner, ascending.
+  /// The third copies that have this vertex of the view as a corner, ascending.
   [[nodiscard]] std::span<const int> around(int vertex) const {
     return at_.size() == 0 ? std::span<const int>() : at_[static_cast<std::size_t>(vertex)];
   }
 
  private:
   std::vector<char> is_third_;  ///< by triangle
-  Groups<int> at_;              ///< by vertex; without groups where there are none
+  Groups<int> at_;              ///< by vertex; without groups if there are no third copies
 };
 
 }  // namespace epura::visibility

@@ -46,7 +46,7 @@ std::vector<int> longest_first(const view::ProjectedScene& view, const std::vect
   return order;
 }
 
-// The order in which edges are decided. It matters only where time may be over before the last.
+// The order in which edges are decided. It matters only if time may run out.
 std::vector<int> work_order(const view::ProjectedScene& view, const std::vector<edges::FeatureEdge>& edges,
                             Progress progress) {
   if (progress.is_limited()) return longest_first(view, edges);
@@ -55,8 +55,8 @@ std::vector<int> work_order(const view::ProjectedScene& view, const std::vector<
   return order;
 }
 
-// What was found in the order of work, put into the order of the edges. `hidden.first` holds the number of spans of
-// edge e at e + 1.
+// Puts the spans, which were found in the order of work, into the order of the edges. `hidden.first[e + 1]` holds the
+// number of spans of edge e.
 void put_in_order(const std::vector<Spans>& found, const std::vector<int>& order, HiddenSpans& hidden) {
   std::partial_sum(hidden.first.begin(), hidden.first.end(), hidden.first.begin());
   hidden.spans.resize(hidden.first.back());
@@ -71,7 +71,7 @@ void put_in_order(const std::vector<Spans>& found, const std::vector<int>& order
   }
 }
 
-// Decides edges by `spans_of(edge)`; with a time limit the longest ones first, while there is time.
+// Decides edges by `spans_of(edge)`; with a time limit, the longest first while time remains.
 template <class SpansOf>
 HiddenSpans decide(const view::ProjectedScene& view, const edges::FeatureEdges& drawn, const SpansOf& spans_of,
                    const Progress& progress) {
@@ -84,7 +84,7 @@ HiddenSpans decide(const view::ProjectedScene& view, const edges::FeatureEdges& 
   std::atomic<std::size_t> next = 0;
   parallel_for(found.size(), 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t turn = first; turn < last; ++turn) {
-      const std::size_t part = next++;  // in order, whichever turn a thread has taken
+      const std::size_t part = next++;  // in order, whichever chunk a thread was given
       const std::size_t end = std::min((part + 1) * chunk, count);
       for (std::size_t i = part * chunk; i < end && !progress.is_out_of_time(); ++i) {
         const Spans spans = spans_of(drawn.edges[order[i]]);
@@ -102,12 +102,12 @@ HiddenSpans decide(const view::ProjectedScene& view, const edges::FeatureEdges& 
   return hidden;
 }
 
-// What all triangles hide.
+// The parts of an edge that any triangle hides, by testing all of them.
 Spans hidden_by_all(const view::ProjectedScene& view, const PageEdge& line, const OwnTriangles& own) {
   Spans spans;
   for (const view::ViewTriangle& triangle : view.triangles) {
     const auto& [a, b, c] = triangle.vertex;
-    // Seen edge-on it hides nothing.
+    // A triangle seen edge-on hides nothing.
     if (view::cross(view.grid[a], view.grid[b], view.grid[c]) == 0 || own.contain(triangle.source)) continue;
     if (const auto part = hidden_part(view, line, triangle)) add_span(spans, *part);
     if (covers(spans, 0, 1)) break;

@@ -36,7 +36,7 @@ struct HiddenSpans {
   }
 };
 
-/// A view whose hidden lines are found: what its drawing is made of.
+/// A view whose hidden lines have been found: the input of its drawing.
 struct ResolvedView {
   const scene::World& world;
   const view::ProjectedScene& view;
@@ -44,7 +44,7 @@ struct ResolvedView {
   const HiddenSpans& hidden;
 };
 
-/// The triangles that meet in an edge: they never hide it.
+/// The triangles that meet in an edge; they never hide it.
 class OwnTriangles {
  public:
   OwnTriangles() = default;  ///< none
@@ -57,28 +57,28 @@ class OwnTriangles {
 
  private:
   std::span<const int> numbers_;
-  int first_ = 0;  ///< is added to the numbers
+  int first_ = 0;  ///< added to the numbers
 };
 
-/// Every edge against every triangle that meets it on the page. The result does not depend on the number of threads.
-/// Under a time limit the longest edges come first, and those that time does not suffice for stay undecided; without
-/// time for a single one OutOfTime is thrown.
+/// Tests every edge against every triangle that meets it on the page. The result does not depend on the number of
+/// threads. Under a time limit, the longest edges come first, and those for which there is no time left stay undecided;
+/// OutOfTime is thrown if there is no time for a single one.
 HiddenSpans find_hidden(const scene::World& world, const view::ProjectedScene& view, const edges::FeatureEdges& drawn,
                         Progress progress = {});
 
-/// The same, to the last bit, without a search for what may hide an edge: every triangle is tried. For the longest of
-/// few edges where the search itself takes too long.
+/// Computes the same, to the last bit, without a search for possible occluders: every triangle is tested. For the
+/// longest few edges, where the search itself takes too long.
 HiddenSpans find_hidden_directly(const scene::World& world, const view::ProjectedScene& view,
                                  const edges::FeatureEdges& drawn, Progress progress = {});
 
-/// Takes the undecided edges out of both: what is drawn then is right.
+/// Removes the undecided edges from both, so that everything drawn is right.
 void keep_decided(edges::FeatureEdges& drawn, HiddenSpans& hidden);
 
-/// All edges but the `count` longest ones on the page, ascending.
+/// Returns all edges but the `count` longest ones on the page, ascending.
 std::vector<int> all_but_longest(const view::ProjectedScene& view, const std::vector<edges::FeatureEdge>& edges,
                                  std::size_t count);
 
-/// Nothing is hidden: a wireframe.
+/// For a wireframe.
 HiddenSpans nothing_hidden(const edges::FeatureEdges& drawn);
 
 }  // namespace epura::visibility
