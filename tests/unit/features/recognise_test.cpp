@@ -466,7 +466,7 @@ TEST(RecogniseFaces, RingsOfUnequalTriangles) {
   std::vector<Ring> rings{{20, 0, 28}, {20, 10, 28}};
   const std::array degrees{3, 6, 10, 16};
   for (std::size_t i = 0; i < degrees.size(); ++i) {
-    const Ring& last = rings.back();
+    const Ring last = rings.back();
     const double radius = last.radius - 8 * std::tan(degrees[i] * pi / 180);
     rings.push_back({radius, last.height + 8, 27 - int(i)});
     rings.push_back({radius, last.height + 12, 27 - int(i)});
