@@ -280,7 +280,8 @@ std::string text_of(const ModelInfo& info) {
   text += line_of("file", format + (report.single_precision ? ", 32-bit coordinates" : "") + ", " +
                               counted(report.vertices, "vertex", "vertices") + ", " +
                               counted(report.faces, "face", "faces") + ", " +
-                              counted(report.triangles, "triangle", "triangles"));
+                              counted(report.triangles, "triangle", "triangles") +
+                              (report.wires > 0 ? ", " + counted(report.wires, "piece", "pieces") + " of lines" : ""));
   if (!info.box.empty()) {
     const Vec3 size = info.box.size();
     text += line_of("box", rounded(size.x) + " x " + rounded(size.y) + " x " + rounded(size.z) + ", from " +
@@ -341,6 +342,7 @@ std::string json_of(const ModelInfo& info) {
   const auto truth = [](bool value) { return value ? "true" : "false"; };
   std::string text = "{\"name\": " + json_string(report.name) + ", \"format\": " + json_string(report.format);
   text += number("vertices", report.vertices) + number("faces", report.faces) + number("triangles", report.triangles);
+  if (report.wires > 0) text += number("wires", report.wires);
   text += std::string(", \"single_precision\": ") + truth(report.single_precision);
   if (!info.box.empty())
     text += ",\n   \"box\": {\"min\": " + json_of(info.box.min) + ", \"max\": " + json_of(info.box.max) + "}";

@@ -3,7 +3,8 @@
 //
 // Random lines cross the page. Over each of them the scene is cut, and the visible part of the cut is found. Where its
 // depth jumps, or where two visible faces meet in a fold that requires an edge, there must be visible ink; and where
-// visible ink crosses the line, there must be such a position. All of it is found from triangles alone.
+// visible ink crosses the line, there must be such a position. All of it is found from triangles alone; visible wires
+// need ink, too.
 //
 // A fault counts if it extends along its line for more than a few times the precision of positions on the page. Its
 // length is found by additional, short lines across it.

@@ -44,6 +44,8 @@ class ScanScene {
   [[nodiscard]] double depth_of(const Vec3& point) const { return depth * point.z / (1 - k * point.z); }
   /// Whether rounding leaves the place of some corner in doubt.
   [[nodiscard]] bool is_vague(int triangle) const;
+  /// The same of an edge between two vertices.
+  [[nodiscard]] bool is_vague(const std::array<int, 2>& edge) const;
   /// The part of an edge between two vertices that lies before the viewer, on the page; nothing where none does.
   [[nodiscard]] std::optional<std::array<Vec2, 2>> line_of(const std::array<int, 2>& edge) const;
 
