@@ -6,8 +6,8 @@
  * the host is copied before the call returns. An importer runs in a process of its own: what it does there to the
  * process reaches the program as an error.
  *
- * What a file holds is handed over through a sink: shapes (points, faces of polygons, edges of the part, wires), and a tree of
- * nodes that says where shapes stand, as often as they do.
+ * What a file holds is handed over through a sink: shapes (points, faces of polygons, edges of the part, wires), and a
+ * tree of nodes that says where shapes stand, as often as they do.
  */
 #ifndef EPURA_IMPORTER_ABI_H
 #define EPURA_IMPORTER_ABI_H

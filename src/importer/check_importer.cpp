@@ -124,10 +124,9 @@ class Checker {
   std::optional<std::string> fault_of_garbage(const fs::path& file) {
     try {
       const Document document = read(file);
-      const bool is_empty = std::all_of(document.shapes.begin(), document.shapes.end(),
-                                        [](const Shape& shape) {
-                                          return shape.polygon_ends.empty() && shape.wire_ends.empty();
-                                        });
+      const bool is_empty = std::all_of(document.shapes.begin(), document.shapes.end(), [](const Shape& shape) {
+        return shape.polygon_ends.empty() && shape.wire_ends.empty();
+      });
       return is_empty ? std::nullopt : std::optional<std::string>("makes faces or wires of a file that holds none");
     } catch (const Error& error) {
       if (error.kind() != ErrorKind::input) throw;

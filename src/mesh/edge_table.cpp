@@ -77,7 +77,8 @@ EdgeTable make_edge_table(std::span<const int> corners, std::span<const int> pol
       for (const Entry entry : buckets.of(v)) {
         const int other = other_of(entry), halfedge = halfedge_of(entry);
         if (std::exchange(last, other) != other)
-          table.edges[++number] = {{static_cast<int>(v), other}, at, 0, /*diagonal=*/true, CutEdge::none, /*wire=*/false};
+          table.edges[++number] = {
+              {static_cast<int>(v), other}, at, 0, /*diagonal=*/true, CutEdge::none, /*wire=*/false};
         MeshEdge& edge = table.edges[number];
         table.halfedges[at++] = halfedge;
         ++edge.count;

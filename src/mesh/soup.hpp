@@ -19,7 +19,7 @@ struct Soup {
   std::vector<std::string> body_names;
   /// The straight pieces of wires: from point to point, in range. None where `corners_repeat_points`.
   std::vector<std::array<int, 2>> wires;
-  int wire_faces = 0;  ///< faces without corners, which only keep the numbers of the others
+  int wire_faces = 0;                  ///< faces without corners, which only keep the numbers of the others
   std::string format;                  ///< "obj", "stl", "ply", "off"
   bool single_precision = false;       ///< coordinates are stored in 32 bits
   bool printed = false;                ///< coordinates were written as text, so perhaps rounded to decimals

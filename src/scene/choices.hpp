@@ -48,7 +48,7 @@ struct Words<HiddenLines> {
 
 template <>
 struct Words<EdgeKind> {
-  static constexpr std::array list{"contour", "boundary", "crease", "intersection",
+  static constexpr std::array list{"contour", "boundary", "crease",  "intersection",
                                    "section", "wire",     "tangent", "smooth"};
 };
 /// Those that can be chosen: lines of sections are always drawn.

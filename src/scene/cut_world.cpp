@@ -252,7 +252,8 @@ CutWorld cut_world(const World& world, const CuttingPlane& plane, const Progress
     cuts = cuts || !cut.cut.segments.empty() || !cut.loose.empty() || cut.cut.cuts_wires;
     append(result.world, cut);
   }
-  if (result.world.triangles.empty() && result.world.wires.empty()) refuse(plane, "the cutting plane removes everything");
+  if (result.world.triangles.empty() && result.world.wires.empty())
+    refuse(plane, "the cutting plane removes everything");
   if (!cuts) refuse(plane, "the plane cuts nothing");
   return result;
 }

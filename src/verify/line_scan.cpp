@@ -167,7 +167,8 @@ std::vector<LineFindings> LineScan::scan(const std::vector<ScanLine>& lines, con
   });
   std::vector<LineFindings> findings(lines.size());
   parallel_for(lines.size(), 1, progress, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) findings[i] = judge(lines[i], {triangles.of(i), wires.of(i)}, segments.of(i));
+    for (std::size_t i = first; i < last; ++i)
+      findings[i] = judge(lines[i], {triangles.of(i), wires.of(i)}, segments.of(i));
   });
   return findings;
 }

@@ -37,10 +37,6 @@ namespace occt {
 
 namespace {
 
-/// Open CASCADE's edges are off by half of the deflection that it is told, on all files that were measured; by 0.52 of
-/// it at most.
-constexpr double told_for_wanted = 1.9;
-
 /// Cones without points inside: most need none but those that face_mesh.hpp sets.
 class FewPoints : public BRepMesh_MeshAlgoFactory {
   DEFINE_STANDARD_RTTI_INLINE(FewPoints, BRepMesh_MeshAlgoFactory)

@@ -34,8 +34,8 @@ WireEdges edges_outside_faces(const TopoDS_Shape& shape) {
     if (BRep_Tool::Degenerated(edge) || of_faces.Contains(edge) || found.Contains(edge)) continue;
     found.Add(edge);
     double first = 0, last = 0;
-    const bool ends = !BRep_Tool::Curve(edge, first, last).IsNull() && !Precision::IsInfinite(first) &&
-                      !Precision::IsInfinite(last);
+    const bool ends =
+        !BRep_Tool::Curve(edge, first, last).IsNull() && !Precision::IsInfinite(first) && !Precision::IsInfinite(last);
     if (ends)
       wires.edges.push_back(edge);
     else

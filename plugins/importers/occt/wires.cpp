@@ -23,14 +23,18 @@ class Polylines {
 
   void add(const TopoDS_Edge& edge) {
     const BRepAdaptor_Curve curve(edge);
-    const GCPnts_TangentialDeflection places(curve, fineness_.angle * std::numbers::pi / 180, fineness_.deflection);
+    // As the edges of faces are divided, so that a wire on a face lies in its facets where it can.
+    constexpr double of_edges = 0.5;  // of what Open CASCADE is told
+    const GCPnts_TangentialDeflection places(curve, of_edges * fineness_.angle * std::numbers::pi / 180,
+                                             of_edges * told_for_wanted * fineness_.deflection,
+                                             curve.GetType() == GeomAbs_Circle ? 4 : 2);
     if (places.NbPoints() < 2) return;
     const TopoDS_Shape forward = edge.Oriented(TopAbs_FORWARD);
     TopoDS_Vertex first, last;
     TopExp::Vertices(TopoDS::Edge(forward), first, last);
     std::vector<std::uint32_t> wire;
     for (int i = 1; i <= places.NbPoints(); ++i)
-      wire.push_back(i == 1                   ? end_at(first, places.Value(i))
+      wire.push_back(i == 1                  ? end_at(first, places.Value(i))
                      : i < places.NbPoints() ? add_point(places.Value(i))
                                              : end_at(last, places.Value(i)));
     mesh_.wires.push_back(std::move(wire));

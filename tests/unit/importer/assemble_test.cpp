@@ -137,8 +137,8 @@ TEST(Assembly, PutsWiresDownWithTheirShapes) {
   lines.wire_vertices = {0, 1, 2, 0, 2, 1};
   lines.wire_ends = {4, 6};
   const std::array<double, 12> mirrored{-1, 0, 0, 100, 0, 1, 0, 0, 0, 0, 1, 0};
-  const Read r = read(
-      {.shapes = {shape, lines}, .nodes = {{-1, 0, "", as_it_is}, {-1, 1, "", as_it_is}, {-1, 1, "", mirrored}}});
+  const Read r =
+      read({.shapes = {shape, lines}, .nodes = {{-1, 0, "", as_it_is}, {-1, 1, "", as_it_is}, {-1, 1, "", mirrored}}});
   EXPECT_EQ(r.mesh.report.wires, 6);
   EXPECT_EQ(r.mesh.report.bodies, 1);
   for (const std::array<int, 2>& ends : {std::array{16, 17}, {17, 18}, {16, 18}, {19, 20}, {20, 21}, {19, 21}}) {

@@ -241,8 +241,7 @@ TEST(Gltf, LinesAreWiresAndPointsAreCounted) {
   const std::vector<std::vector<std::array<int, 2>>> expected{
       {}, {{0, 6}, {1, 7}}, {{0, 6}, {0, 7}, {1, 6}, {1, 7}}, {{0, 6}, {1, 6}, {1, 7}}};
   for (std::size_t mode = 0; mode < expected.size(); ++mode) {
-    file.primitives =
-        cube_alone + R"(,{"attributes":{"POSITION":0},"indices":2,"mode":)" + std::to_string(mode) + "}";
+    file.primitives = cube_alone + R"(,{"attributes":{"POSITION":0},"indices":2,"mode":)" + std::to_string(mode) + "}";
     const mesh::Mesh mesh = read(file).mesh;
     EXPECT_EQ(edges(mesh), expected[mode]) << mode;
     EXPECT_EQ(volume_of(mesh), 1);

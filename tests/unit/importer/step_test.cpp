@@ -32,6 +32,7 @@
 #include <map>
 #include <numbers>
 
+#include "shapes.hpp"
 #include "support.hpp"
 
 namespace epura::test {
@@ -124,7 +125,8 @@ Wires wires_of(const mesh::Mesh& mesh) {
     const Vec3 a = mesh.point(edge.vertex[0]), b = mesh.point(edge.vertex[1]);
     ++wires.pieces;
     wires.length += glm::distance(a, b);
-    for (const Vec3& p : {a, b}) wires.lowest = std::min(wires.lowest, p.z), wires.highest = std::max(wires.highest, p.z);
+    for (const Vec3& p : {a, b})
+      wires.lowest = std::min(wires.lowest, p.z), wires.highest = std::max(wires.highest, p.z);
     for (const int v : edge.vertex) ++wires.ends[v];
   }
   return wires;
@@ -147,8 +149,60 @@ TEST(StepImporter, BringsEdgesWithoutFaces) {
   EXPECT_LT(wires.pieces, 2 + 200) << "finer than useful";
   EXPECT_EQ(wires.lowest, -7);
   EXPECT_EQ(wires.highest, 65);
-  const auto open = std::count_if(wires.ends.begin(), wires.ends.end(), [](const auto& end) { return end.second == 1; });
+  const auto open =
+      std::count_if(wires.ends.begin(), wires.ends.end(), [](const auto& end) { return end.second == 1; });
   EXPECT_EQ(open, 2) << "of the polygon: the circle is closed";
+}
+
+TEST(StepImporter, DividesWiresAsItDividesEdges) {
+  const Folder folder;
+  const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(10, 30).Shape();
+  const mesh::Mesh mesh = read(step_file(folder, compound_of({cylinder, circle(10, 15)}))).mesh;
+  EXPECT_EQ(wires_of(mesh).pieces, wires_of(mesh).ends.size());
+  for (const auto& [vertex, count] : wires_of(mesh).ends) {
+    const Vec3 on_wire = mesh.point(vertex);
+    double nearest = 1e300;  // to a vertex of the bottom, seen from above
+    for (int v = 0; v < mesh.report.vertices; ++v)
+      if (mesh.point(v).z == 0) nearest = std::min(nearest, glm::distance(Vec2(mesh.point(v)), Vec2(on_wire)));
+    EXPECT_LT(nearest, 1e-10);
+  }
+}
+
+scene::World world_of(const importer::ReadModel& model) {
+  return scene::make_world({{std::make_shared<const mesh::Mesh>(model.mesh), Mat4(1.0), model.part}});
+}
+
+TEST(StepImporter, WiresAreHiddenByFaces) {
+  const Folder folder;
+  BRepBuilderAPI_MakePolygon polygon(gp_Pnt(-5, 50, 5), gp_Pnt(35, 50, 5), gp_Pnt(35, 50, 65));
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(40, 30, 20).Shape();
+  const importer::ReadModel model = read(step_file(folder, compound_of({box, polygon.Wire()})));
+  const Result result = draw(world_of(model), orthographic({0, -1, 0}));
+  double visible = 0, hidden = 0;
+  for (const drawing::Segment& s : result.drawing.segments)
+    if (s.kind == EdgeKind::wire) (s.visible ? visible : hidden) += glm::distance(s.from, s.to);
+  // Of 40 to the right, from 0 to 35, and of 60 upwards, up to 20.
+  EXPECT_NEAR(hidden / (visible + hidden), (35 + 15) / 100., 1e-9);
+  EXPECT_GT(hidden, 0);
+}
+
+TEST(StepImporter, WiresOnRoundFacesAreSeenToTheContour) {
+  const Folder folder;
+  const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(10, 30).Shape();
+  const importer::ReadModel model = read(step_file(folder, compound_of({cylinder, circle(10, 15)})));
+  const Result result = draw(world_of(model), orthographic({0.3, -1, 0.6}));
+  std::map<bool, int> whole;
+  int divided = 0;
+  for (std::size_t e = 0; e < result.drawn.edges.size(); ++e) {
+    if (result.drawn.edges[e].kind != EdgeKind::wire) continue;
+    std::vector<bool> parts;
+    result.hidden.visit_parts(e, [&](double, double, bool is_visible) { parts.push_back(is_visible); });
+    if (parts.size() == 1) ++whole[parts[0]];
+    if (parts.size() > 1) ++divided;
+  }
+  EXPECT_LE(divided, 2);
+  EXPECT_NEAR(whole[true], whole[false], 2);
+  EXPECT_GT(whole[true], 15);
 }
 
 TEST(StepImporter, ReadsFilesOfWiresOnly) {
@@ -168,7 +222,8 @@ TEST(StepImporter, DrawsNoEdgeOfAFaceTwice) {
   const TopoDS_Shape own = TopExp_Explorer(box, TopAbs_EDGE).Current();
   be_quiet();
   const std::string path = (folder / "part.brep").string();
-  ASSERT_TRUE(BRepTools::Write(compound_of({box, own, BRepBuilderAPI_MakeVertex(gp_Pnt(0, 0, 90)).Shape()}), path.c_str()));
+  ASSERT_TRUE(
+      BRepTools::Write(compound_of({box, own, BRepBuilderAPI_MakeVertex(gp_Pnt(0, 0, 90)).Shape()}), path.c_str()));
   const importer::ReadModel model = read(path);
   EXPECT_EQ(model.mesh.report.wires, 0);
   EXPECT_EQ(model.mesh.report.notes, std::vector<std::string>{"1 point without edges is not drawn"});
@@ -186,7 +241,8 @@ TEST(IgesImporter, BringsCurves) {
   const Wires wires = wires_of(read(path).mesh);
   EXPECT_NEAR(wires.length, 30 + 20 * std::numbers::pi, 0.05);
   EXPECT_EQ(wires.highest, 30);
-  const auto open = std::count_if(wires.ends.begin(), wires.ends.end(), [](const auto& end) { return end.second == 1; });
+  const auto open =
+      std::count_if(wires.ends.begin(), wires.ends.end(), [](const auto& end) { return end.second == 1; });
   EXPECT_EQ(open, 2);
 }
 

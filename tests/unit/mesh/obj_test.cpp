@@ -80,8 +80,7 @@ TEST(Obj, OtherStatementsAreNotedOnce) {
 }
 
 TEST(Obj, LinesAreWires) {
-  const mesh::Soup soup = soup_of(
-      "v 0 0 0\nl 1 2/7 3\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 2\nl -1 -3/1 \\\n 2\nl 3 3\n");
+  const mesh::Soup soup = soup_of("v 0 0 0\nl 1 2/7 3\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 2\nl -1 -3/1 \\\n 2\nl 3 3\n");
   EXPECT_EQ(soup.wires, (std::vector<std::array<int, 2>>{{0, 1}, {1, 2}, {2, 0}, {0, 1}, {2, 2}}));
   EXPECT_EQ(soup.corners, (std::vector<int>{0, 1, 2}));
   EXPECT_TRUE(soup.notes.empty());
@@ -106,10 +105,8 @@ TEST(Obj, ErrorsNameTheLine) {
             "m.obj:2 | m.obj:2: a face refers to vertex -9223372036854775808, but there are 1 before it | ");
   EXPECT_EQ(error("v 0 0 0\nf 1 1 9223372036854775807\n"),
             "m.obj:2 | m.obj:2: a face refers to vertex 9223372036854775807, but there are 1 | ");
-  EXPECT_EQ(error("v 0 0 0\nl 1 0\n"),
-            "m.obj:2 | m.obj:2: a line refers to vertex 0 | vertices are numbered from 1");
-  EXPECT_EQ(error("v 0 0 0\nf 1 1 1\nl 1 2\n"),
-            "m.obj:3 | m.obj:3: a line refers to vertex 2, but there are 1 | ");
+  EXPECT_EQ(error("v 0 0 0\nl 1 0\n"), "m.obj:2 | m.obj:2: a line refers to vertex 0 | vertices are numbered from 1");
+  EXPECT_EQ(error("v 0 0 0\nf 1 1 1\nl 1 2\n"), "m.obj:3 | m.obj:3: a line refers to vertex 2, but there are 1 | ");
   EXPECT_EQ(error("v 0 0 0\nf 1 x 1\n"), "m.obj:2 | m.obj:2: 'x' is not a whole number | ");
   EXPECT_EQ(error("v 0 0 0\nf 1 99999999999999999999 1\n"),
             "m.obj:2 | m.obj:2: '99999999999999999999' is not a whole number | ");
@@ -179,7 +176,8 @@ TEST(Obj, ErrorsNameTheLineOfLongFiles) {
                                            ": a line refers to vertex -9000000, but there are " + count +
                                            " before it | ");
   const mesh::Soup soup = soup_of(file.text + "\np 1 2\nl 1 -1\n" + file.text + "x 1\np 1\nl 2 -1\n");
-  EXPECT_EQ(soup.notes, (std::vector<std::string>{"ignored 3 unsupported lines ('p', 'x'), the first is line " + next}));
+  EXPECT_EQ(soup.notes,
+            (std::vector<std::string>{"ignored 3 unsupported lines ('p', 'x'), the first is line " + next}));
   const int points = static_cast<int>(file.soup.points.size());
   EXPECT_EQ(soup.wires, (std::vector<std::array<int, 2>>{{0, points - 1}, {1, 2 * points - 1}}));
 }

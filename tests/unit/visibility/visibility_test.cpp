@@ -72,8 +72,8 @@ TEST(Wires, AreHiddenByFacesLikeOtherEdges) {
   // Behind a cube of side 10, before it, through it, in its front face and in its back face; three segments of 20, 6
   // and 10, and two of 4.
   Shape cube = box({0, 0, 0}, {10, 10, 10});
-  const std::vector<laboratory::Point> ends{{-5, 20, 5}, {15, 20, 5}, {2, -3, 2},  {8, -3, 2}, {6, -5, 6},
-                                            {6, 5, 6},   {3, 0, 3},   {7, 0, 3},   {3, 10, 4}, {7, 10, 4}};
+  const std::vector<laboratory::Point> ends{{-5, 20, 5}, {15, 20, 5}, {2, -3, 2}, {8, -3, 2}, {6, -5, 6},
+                                            {6, 5, 6},   {3, 0, 3},   {7, 0, 3},  {3, 10, 4}, {7, 10, 4}};
   for (std::size_t i = 0; i < ends.size(); i += 2) {
     const int first = static_cast<int>(cube.points.size());
     cube.points.insert(cube.points.end(), {ends[i], ends[i + 1]});
