@@ -50,6 +50,9 @@ Box box_of(const mesh::Mesh& mesh) {
   Box box;
   for (int t = 0; t < mesh.report.triangles; ++t)
     for (const int v : mesh.triangle(t)) box.add(mesh.point(v));
+  for (const mesh::MeshEdge& edge : mesh.edges)
+    if (edge.count == 0)
+      for (const int v : edge.vertex) box.add(mesh.point(v));
   return box;
 }
 
@@ -145,6 +148,7 @@ std::string axis_text(Vec3 axis) {
 
 std::string bodies_text(const ModelInfo& info) {
   const mesh::MeshReport& report = info.report;
+  if (report.triangles == 0) return "none";
   std::string text = std::to_string(report.bodies) + ", ";
   if (info.closed())
     text += "closed";

@@ -70,7 +70,7 @@ FileContent read_soup(const std::filesystem::path& path, const Progress& progres
   return {std::move(soup), bytes.size()};
 }
 
-[[noreturn]] void fail_without_lines(const MeshReport& report) {
+[[noreturn]] void fail_with_nothing_to_draw(const MeshReport& report) {
   std::string reasons;
   const auto add = [&](int count, const std::string& reason) {
     if (count > 0) reasons += (reasons.empty() ? "" : ", ") + std::to_string(count) + " " + reason;
@@ -91,7 +91,7 @@ Mesh make_mesh(Soup soup, const std::string& name, const Progress& progress) {
   if (soup.corners.size() > INT_MAX / 6 || soup.wires.size() > INT_MAX / 6 || soup.points.size() > INT_MAX)
     throw Error(ErrorKind::input, name, "has too many corners", "split the model");
   Mesh mesh = build_mesh(std::move(soup), name, progress);
-  if (mesh.report.triangles == 0 && mesh.report.wires == 0) fail_without_lines(mesh.report);
+  if (mesh.report.triangles == 0 && mesh.report.wires == 0) fail_with_nothing_to_draw(mesh.report);
   return mesh;
 }
 

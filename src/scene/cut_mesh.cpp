@@ -32,8 +32,9 @@ class Knife {
         cut_triangle(t, {corners[0] - first_, corners[1] - first_, corners[2] - first_});
       }
     }
-    for (const mesh::MeshEdge& edge : mesh_.edges)
-      if (edge.wire) cut_wire(edge.vertex);
+    if (mesh_.report.wires > 0)
+      for (const mesh::MeshEdge& edge : mesh_.edges)
+        if (edge.wire) cut_wire(edge.vertex);
     return std::move(result_);
   }
 

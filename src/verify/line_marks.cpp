@@ -11,7 +11,7 @@ namespace {
 // A step in depth is one where it exceeds so many times what faces may touch by.
 constexpr double clear_step = 8;
 // What lies behind a face by no more than this part of that touches it, however steep the face is.
-constexpr double touching = 0.5;
+constexpr double surely_touching = 0.5;
 // A surface may lie so many times that behind another one and still be seen through it.
 constexpr double seen_through = 32;
 // In what the page is rounded by: triangles not wider than this are lines there, unless they are as narrow in space.
@@ -221,7 +221,7 @@ bool LineMarks::is_surely_seen(const WireCrossing& crossing) const {
     const SlicePiece& piece = slice_.pieces[part->piece];
     const auto& corners = scene_.world.triangles[piece.triangle];
     const bool is_joined = std::ranges::any_of(wire, [&](int v) { return std::ranges::count(corners, v) > 0; });
-    const double slack = is_joined ? -clear_step * limits_.contact : touching * limits_.contact;
+    const double slack = is_joined ? -clear_step * limits_.contact : surely_touching * limits_.contact;
     if (piece.depth_at(std::clamp(u, part->from, part->to)) > depth + slack) return false;
   }
   return true;

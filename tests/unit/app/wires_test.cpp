@@ -63,7 +63,10 @@ TEST_F(Wires, AloneAreADrawing) {
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_TRUE(contains(read_file(folder / "x.svg"), "data-kind=\"wire\" data-edge=\"0-1 1-2\""))
       << read_file(folder / "x.svg");
-  EXPECT_TRUE(contains(epura({"info", "m.obj"}, folder / "").out, "0 triangles, 2 pieces of lines"));
+  const std::string info = epura({"info", "m.obj"}, folder / "").out;
+  EXPECT_TRUE(contains(info, "0 triangles, 2 pieces of lines")) << info;
+  EXPECT_TRUE(contains(info, "3 x 4 x 0, from (0, 0, 0) to (3, 4, 0)")) << info;
+  EXPECT_TRUE(contains(info, "bodies    none")) << info;
   folder.file("m.obj", "v 0 0 0\nv 0 0 4\nl 1 2\n");
   const Outcome end_on = draw({"-o", "y.svg"});
   EXPECT_EQ(end_on.code, 0);
@@ -74,6 +77,9 @@ TEST_F(Wires, WidenWhatIsMeasured) {
   const Outcome run = draw({"--dimensions", "overall", "-o", "x.svg", "--svg-text", "text"});
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_TRUE(contains(read_file(folder / "x.svg"), ">8<"));
+  folder.file("m.obj", plate);
+  draw({"--dimensions", "overall", "-o", "y.svg", "--svg-text", "text"});
+  EXPECT_FALSE(contains(read_file(folder / "y.svg"), ">8<"));
 }
 
 }  // namespace
