@@ -25,6 +25,7 @@ struct EdgeKinds {
   bool crease = true;        ///< where two faces meet at an angle
   bool boundary = true;      ///< where a surface ends
   bool intersection = true;  ///< where faces cross
+  bool wire = true;          ///< lines of the file that bound no face
   bool tangent = false;      ///< between a flat face and a curved one that continues it
   bool smooth = false;       ///< all other edges of the mesh
 
@@ -47,7 +48,7 @@ enum class DimensionType { linear, aligned, angular, radius, diameter, overall }
 enum class DimensionDirection { horizontal, vertical, width, height, depth };
 
 /// Kind of edge that a line shows, in order of priority for coincident lines. `section` is the outline of a cut face.
-enum class EdgeKind : unsigned char { contour, boundary, crease, intersection, section, tangent, smooth };
+enum class EdgeKind : unsigned char { contour, boundary, crease, intersection, section, wire, tangent, smooth };
 
 /// Lettering in SVG: outlines look the same everywhere; text is searchable, but needs the font installed.
 enum class SvgText { outlines, text };

@@ -6,8 +6,8 @@
  * the host is copied before the call returns. An importer runs in a process of its own: what it does there to the
  * process reaches the program as an error.
  *
- * What a file holds is handed over through a sink: shapes (points, faces of polygons, edges of the part), and a tree of
- * nodes that says where shapes stand, as often as they do.
+ * What a file holds is handed over through a sink: shapes (points, faces of polygons, edges of the part, wires), and a
+ * tree of nodes that says where shapes stand, as often as they do.
  */
 #ifndef EPURA_IMPORTER_ABI_H
 #define EPURA_IMPORTER_ABI_H
@@ -51,15 +51,16 @@ enum {
 
 /* How two faces meet in an edge of the part. */
 enum {
-  EPURA_SHARP = 0,  /* at an angle */
-  EPURA_TANGENT = 1 /* without one */
+  EPURA_SHARP = 0,   /* at an angle */
+  EPURA_TANGENT = 1, /* without one */
+  EPURA_WIRE = 2     /* no faces meet: a line of its own, such as one of a sketch */
 };
 
-/* An edge of the part between two faces. Seams, where one face meets itself, are none. */
+/* An edge of the part between two faces, or a wire. Seams, where one face meets itself, are none. */
 typedef struct epura_edge {
   uint32_t size;            /* sizeof(epura_edge) */
-  uint32_t kind;            /* EPURA_SHARP or EPURA_TANGENT */
-  double angle;             /* degrees between the normals of the faces; NaN: not known */
+  uint32_t kind;            /* EPURA_SHARP, EPURA_TANGENT or EPURA_WIRE */
+  double angle;             /* degrees between the normals of the faces; NaN: not known, or a wire */
   uint64_t count;           /* of points along it, at least two */
   const uint32_t* vertices; /* numbers of points of the shape; the first one again at the end of a closed edge */
 } epura_edge;

@@ -79,9 +79,11 @@ class Sink {
   /// `angle` in degrees between the faces.
   void edge(std::span<const std::uint32_t> vertices, bool is_tangent,
             double angle = std::numeric_limits<double>::quiet_NaN()) {
-    const epura_edge edge{sizeof(epura_edge), is_tangent ? EPURA_TANGENT : EPURA_SHARP, angle, vertices.size(),
-                          vertices.data()};
-    expect(sink_.edge(sink_.host, &edge));
+    tell_edge(vertices, is_tangent ? EPURA_TANGENT : EPURA_SHARP, angle);
+  }
+  /// A line that bounds no face, through these points.
+  void wire(std::span<const std::uint32_t> vertices) {
+    tell_edge(vertices, EPURA_WIRE, std::numeric_limits<double>::quiet_NaN());
   }
   /// Its number.
   std::uint32_t node(const std::string& name, std::uint32_t parent = EPURA_NONE, std::uint32_t shape = EPURA_NONE,
@@ -95,6 +97,10 @@ class Sink {
   void progress(double done) { expect(sink_.progress(sink_.host, done)); }
 
  private:
+  void tell_edge(std::span<const std::uint32_t> vertices, std::uint32_t kind, double angle) {
+    const epura_edge edge{sizeof(epura_edge), kind, angle, vertices.size(), vertices.data()};
+    expect(sink_.edge(sink_.host, &edge));
+  }
   static void expect(int answer) {
     if (answer != 0) throw Cancelled{};
   }

@@ -53,6 +53,9 @@ Box box_of(const mesh::Mesh& mesh) {
   Box box;
   for (int t = 0; t < mesh.report.triangles; ++t)
     for (const int v : mesh.triangle(t)) box.add(mesh.point(v));
+  for (const mesh::MeshEdge& edge : mesh.edges)
+    if (edge.count == 0)
+      for (const int v : edge.vertex) box.add(mesh.point(v));
   return box;
 }
 
@@ -148,6 +151,7 @@ std::string axis_text(Vec3 axis) {
 
 std::string bodies_text(const ModelInfo& info) {
   const mesh::MeshReport& report = info.report;
+  if (report.triangles == 0) return "none";
   std::string text = std::to_string(report.bodies) + ", ";
   if (info.closed())
     text += "closed";
@@ -283,7 +287,8 @@ std::string text_of(const ModelInfo& info) {
   text += line_of("file", format + (report.single_precision ? ", 32-bit coordinates" : "") + ", " +
                               counted(report.vertices, "vertex", "vertices") + ", " +
                               counted(report.faces, "face", "faces") + ", " +
-                              counted(report.triangles, "triangle", "triangles"));
+                              counted(report.triangles, "triangle", "triangles") +
+                              (report.wires > 0 ? ", " + counted(report.wires, "piece", "pieces") + " of lines" : ""));
   if (!info.box.empty()) {
     const Vec3 size = info.box.size();
     text += line_of("box", rounded(size.x) + " x " + rounded(size.y) + " x " + rounded(size.z) + ", from " +
@@ -348,6 +353,7 @@ std::string json_of(const ModelInfo& info) {
   const auto truth = [](bool value) { return value ? "true" : "false"; };
   std::string text = "{\"name\": " + json_string(report.name) + ", \"format\": " + json_string(report.format);
   text += number("vertices", report.vertices) + number("faces", report.faces) + number("triangles", report.triangles);
+  if (report.wires > 0) text += number("wires", report.wires);
   text += std::string(", \"single_precision\": ") + truth(report.single_precision);
   if (!info.box.empty())
     text += ",\n   \"box\": {\"min\": " + json_of(info.box.min) + ", \"max\": " + json_of(info.box.max) + "}";

@@ -125,6 +125,7 @@ class ConvexityTest {
   // Closed: every edge has two triangles that run along it in opposite directions.
   void test_edge(int model, const mesh::MeshEdge& edge) {
     const auto all = world_.models[model].mesh->triangles_of(edge);
+    if (all.empty()) return;
     const int first = world_.first_triangle[model];
     Finding& body = of(first + all[0]);
     if (all.size() == 2 && is_refuted(body)) return;

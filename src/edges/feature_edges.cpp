@@ -211,6 +211,7 @@ struct Judge {
     const bool wanted = kind == EdgeKind::boundary  ? options.boundary
                         : kind == EdgeKind::crease  ? options.crease
                         : kind == EdgeKind::tangent ? options.tangent
+                        : kind == EdgeKind::wire    ? options.wire
                                                     : options.smooth;
     return wanted ? std::optional(kind) : std::nullopt;
   }
@@ -223,9 +224,16 @@ struct Judge {
     return if_wanted(EdgeKind::crease);
   }
 
+  // Where the file has a line, it is drawn unless the faces give a stronger reason.
+  [[nodiscard]] std::optional<EdgeKind> kind_of(const mesh::MeshEdge& edge) const {
+    const std::optional<EdgeKind> kind = kind_of_fold(edge);
+    const bool is_wire = edge.wire && options.wire && (!kind || *kind > EdgeKind::wire);
+    return is_wire ? EdgeKind::wire : kind;
+  }
+
   // An edge of the mesh that is drawn. A cut leaves faces in their planes but may leave thin pieces of them, so what it
   // left of an edge is judged by the whole faces.
-  [[nodiscard]] std::optional<EdgeKind> kind_of(const mesh::MeshEdge& edge) const {
+  [[nodiscard]] std::optional<EdgeKind> kind_of_fold(const mesh::MeshEdge& edge) const {
     if (edge.cut == mesh::CutEdge::inside) return std::nullopt;
     if (edge.cut == mesh::CutEdge::outline) return EdgeKind::section;
     if (around.uncut == nullptr) return judge(edge);

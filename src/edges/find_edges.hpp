@@ -13,6 +13,7 @@ namespace epura::edges {
 
 struct EdgeOptions {
   bool contour = true, boundary = true, crease = true, intersection = true;
+  bool wire = true;          ///< lines of the file that bound no face
   bool tangent = false;      ///< see edges/tangent_edges.hpp
   bool smooth = false;       ///< all other edges of the mesh
   double crease_angle = 30;  ///< degrees between the triangles' normals from which an edge of a mesh is a crease

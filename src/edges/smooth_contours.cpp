@@ -43,6 +43,7 @@ class ModelContours {
     angle_at_.assign(mesh_.points.size(), 0);
     for (std::size_t e = 0; e < mesh_.edges.size(); ++e) {
       const features::PartBorder* border = part_.border_at(static_cast<std::ptrdiff_t>(e));
+      if (mesh_.edges[e].count == 0) continue;
       const bool open = mesh_.edges[e].count != 2;
       if (border == nullptr && !open) continue;
       const double angle = open ? 180 : border->angle;

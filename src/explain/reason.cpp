@@ -69,6 +69,7 @@ std::string fold_of(const ExplainInput& drawn_view, const Subject& subject, bool
 }
 
 std::string reason_for(const ExplainInput& drawn_view, const Subject& subject, EdgeKind kind) {
+  if (kind == EdgeKind::wire) return "the file has a line here that bounds no face";
   const std::string faces = names_of(faces_at(drawn_view, subject));
   switch (kind) {
     case EdgeKind::contour:
@@ -88,7 +89,7 @@ std::string reason_not_drawn(const ExplainInput& drawn_view, const Subject& subj
   if (const auto kind = kind_under(drawn_view, subject, drawn_view.options))
     return "a " + std::string(edges::name_of(*kind)) + ", but outside the drawn region";
   edges::EdgeOptions all = drawn_view.options;
-  all.contour = all.boundary = all.crease = all.intersection = all.smooth = true;
+  all.contour = all.boundary = all.crease = all.intersection = all.wire = all.smooth = true;
   const auto kind = kind_under(drawn_view, subject, all);
   if (kind && edges::is_within_surface(*kind)) return reason_for(drawn_view, subject, *kind);
   if (kind)

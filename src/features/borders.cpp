@@ -76,6 +76,7 @@ class BorderFinder {
   [[nodiscard]] std::optional<BorderEdge> border_edge(int number) const {
     const mesh::MeshEdge& edge = mesh_.edges[number];
     const auto triangles = mesh_.triangles_of(edge);
+    if (triangles.empty()) return std::nullopt;
     const auto region = [&](int t) { return region_of_[facets_.facet_of[t]]; };
     BorderEdge border{number, {}, edge.vertex, 0, 0, triangles.size() != 2};
     border.length = glm::distance(facets_.points[edge.vertex[0]], facets_.points[edge.vertex[1]]);

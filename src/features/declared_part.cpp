@@ -148,6 +148,7 @@ class DeclaredFaces {
   }
 
   [[nodiscard]] bool is_border(const mesh::MeshEdge& edge) const {
+    if (edge.count == 0) return false;
     const auto [one, two] = faces_at(edge);
     return edge.count != 2 || one != two;
   }

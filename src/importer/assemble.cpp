@@ -68,12 +68,14 @@ class Assembler {
   void place(const Shape& shape, const Mat4& to_file, const std::string& name) {
     expect_room(result_.soup.corners.size() + shape.corners.size());
     expect_room(result_.soup.points.size() + shape.points.size());
+    expect_room(result_.soup.wires.size() + shape.wire_vertices.size());
     const auto first_point = static_cast<int>(result_.soup.points.size());
     for (const auto& p : shape.points) {
       const Vec3 at(to_file * Vec4(p[0], p[1], p[2], 1));
       result_.soup.points.push_back({at.x, at.y, at.z});
     }
     add_polygons(shape, first_point, glm::determinant(Mat3(to_file)) < 0);
+    add_wires(shape, first_point);
     add_bodies(shape, name);
     add_part(shape, to_file, first_point);
   }
@@ -93,6 +95,16 @@ class Assembler {
       const int end = first_corner + polygon_end;
       if (is_mirrored) std::reverse(corners.begin() + begin, corners.begin() + end);
       result_.soup.face_ends.push_back(end);
+      begin = end;
+    }
+  }
+
+  void add_wires(const Shape& shape, int first_point) {
+    int begin = 0;
+    for (const int end : shape.wire_ends) {
+      std::vector<int> vertices(shape.wire_vertices.begin() + begin, shape.wire_vertices.begin() + end);
+      for (int& vertex : vertices) vertex += first_point;
+      result_.soup.add_wire(vertices);
       begin = end;
     }
   }

@@ -124,9 +124,10 @@ class Checker {
   std::optional<std::string> fault_of_garbage(const fs::path& file) {
     try {
       const Document document = read(file);
-      const bool is_empty = std::all_of(document.shapes.begin(), document.shapes.end(),
-                                        [](const Shape& shape) { return shape.polygon_ends.empty(); });
-      return is_empty ? std::nullopt : std::optional<std::string>("makes faces of a file that holds none");
+      const bool is_empty = std::all_of(document.shapes.begin(), document.shapes.end(), [](const Shape& shape) {
+        return shape.polygon_ends.empty() && shape.wire_ends.empty();
+      });
+      return is_empty ? std::nullopt : std::optional<std::string>("makes faces or wires of a file that holds none");
     } catch (const Error& error) {
       if (error.kind() != ErrorKind::input) throw;
       return std::nullopt;
@@ -145,7 +146,8 @@ class Checker {
       return one.name == two.name && one.points == two.points && one.corners == two.corners &&
              one.polygon_ends == two.polygon_ends && one.face_of_polygon == two.face_of_polygon &&
              one.body_of_polygon == two.body_of_polygon && one.body_names == two.body_names &&
-             one.edge_vertices == two.edge_vertices;
+             one.edge_vertices == two.edge_vertices && one.wire_vertices == two.wire_vertices &&
+             one.wire_ends == two.wire_ends;
     };
     const auto same_node = [](const Node& one, const Node& two) {
       return one.parent == two.parent && one.shape == two.shape && one.name == two.name &&

@@ -29,7 +29,9 @@ bool is_sound(const Shape& shape) {
          shape.body_of_polygon.size() == shape.polygon_ends.size() &&
          are_within(shape.face_of_polygon, -1, shape.faces.size()) &&
          are_within(shape.body_of_polygon, -1, shape.body_names.size()) &&
-         are_within(shape.edge_vertices, 0, shape.points.size()) && are_ends(edge_ends, shape.edge_vertices.size());
+         are_within(shape.edge_vertices, 0, shape.points.size()) && are_ends(edge_ends, shape.edge_vertices.size()) &&
+         are_within(shape.wire_vertices, 0, shape.points.size()) &&
+         are_ends(shape.wire_ends, shape.wire_vertices.size());
 }
 
 // One function for both directions: what is put in is taken out.
@@ -38,6 +40,7 @@ template <class Pack, class Value>
 void pack_shape(Pack& pack, Value& shape) {
   pack(shape.name), pack(shape.points), pack(shape.corners), pack(shape.polygon_ends), pack(shape.face_of_polygon);
   pack(shape.body_of_polygon), pack(shape.body_names), pack(shape.faces), pack(shape.edges), pack(shape.edge_vertices);
+  pack(shape.wire_vertices), pack(shape.wire_ends);
 }
 
 template <class Pack, class Value>

@@ -25,6 +25,8 @@ struct Shape {
   std::vector<features::PartSurface> faces{};
   std::vector<features::DeclaredEdge> edges{};
   std::vector<int> edge_vertices{};
+  std::vector<int> wire_vertices{};  ///< of all wires, one after the other
+  std::vector<int> wire_ends{};      ///< where each wire ends in `wire_vertices`
 };
 
 struct Node {

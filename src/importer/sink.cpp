@@ -163,14 +163,20 @@ int DocumentSink::polygons(uint64_t count, const uint64_t* ends, const uint32_t*
 
 int DocumentSink::edge(const epura_edge* edge) {
   require(edge != nullptr && edge->size >= sizeof(epura_edge), "hands over no edge where it says so");
-  require(edge->kind <= EPURA_TANGENT, "hands over an edge of unknown kind " + std::to_string(edge->kind));
+  require(edge->kind <= EPURA_WIRE, "hands over an edge of unknown kind " + std::to_string(edge->kind));
   require(edge->count >= 2, "hands over an edge of fewer than two points");
   require(std::isnan(edge->angle) || (edge->angle >= 0 && edge->angle <= 180),
           "hands over an edge whose angle is not between 0 and 180 degrees");
-  expect_points(edge->count, edge->vertices, "an edge");
+  const bool is_wire = edge->kind == EPURA_WIRE;
+  expect_points(edge->count, edge->vertices, is_wire ? "a wire" : "an edge");
   Shape& shape = current();
-  expect_fewer(shape.edge_vertices.size() + edge->count);
-  shape.edge_vertices.insert(shape.edge_vertices.end(), edge->vertices, edge->vertices + edge->count);
+  std::vector<int>& vertices = is_wire ? shape.wire_vertices : shape.edge_vertices;
+  expect_fewer(vertices.size() + edge->count);
+  vertices.insert(vertices.end(), edge->vertices, edge->vertices + edge->count);
+  if (is_wire) {
+    shape.wire_ends.push_back(static_cast<int>(vertices.size()));
+    return 0;
+  }
   shape.edges.push_back({edge->angle, edge->kind == EPURA_TANGENT, static_cast<int>(shape.edge_vertices.size())});
   return 0;
 }

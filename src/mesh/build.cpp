@@ -30,13 +30,14 @@ void weld(Soup& soup, MeshReport& report) {
   for (int v = 0; v < static_cast<int>(first.size()); ++v) report.welded_vertices += first[v] != v;
   if (report.welded_vertices == 0) return;
   for (int& corner : soup.corners) corner = first[corner];
+  for (auto& wire : soup.wires) wire = {first[wire[0]], first[wire[1]]};
 }
 
 Faces usable_faces(Soup& soup, MeshReport& report) {
   Faces faces{.corners = std::move(soup.corners), .ends = std::move(soup.face_ends), .number = {}};
   faces.number.resize(faces.size());
   std::iota(faces.number.begin(), faces.number.end(), 0);
-  report.dropped_degenerate = drop_faces_without_three_corners(faces);
+  report.dropped_degenerate = drop_faces_without_three_corners(faces) - soup.wire_faces;
   if (report.non_finite_vertices > 0)
     report.dropped_non_finite = drop_faces_with_non_finite_corners(faces, soup.points);
   return faces;
@@ -66,6 +67,7 @@ void close_cracks(Soup& soup, Faces& triangles, EdgeTable& table, MeshReport& re
     report.vertices = static_cast<int>(soup.points.size());
   } else {
     for (int& corner : triangles.corners) corner = mending.representative[corner];
+    for (auto& wire : soup.wires) wire = {mending.representative[wire[0]], mending.representative[wire[1]]};
   }
   table = edges_of(triangles, report);
   drop_equal_triangles(triangles, table, report);
@@ -101,6 +103,20 @@ bool is_non_manifold(const MeshEdge& edge, const EdgeTable& table, const std::ve
   for (std::size_t i = 2; i < bodies.size(); ++i)
     if (bodies[i] == bodies[i - 2]) return true;
   return false;
+}
+
+/// Pieces without length are none.
+void take_wires(const Mesh& mesh, Soup& soup, EdgeTable& table, MeshReport& report) {
+  if (soup.wires.empty()) return;
+  const std::size_t all = soup.wires.size();
+  std::erase_if(soup.wires, [&](const std::array<int, 2>& wire) {
+    return !finite(mesh.point(wire[0])) || !finite(mesh.point(wire[1]));
+  });
+  if (const std::size_t dropped = all - soup.wires.size(); dropped > 0)
+    report.notes.push_back(std::to_string(dropped) + (dropped == 1 ? " piece" : " pieces") +
+                           " of lines left out, whose coordinates are not finite");
+  add_wires(table, soup.wires);
+  for (const MeshEdge& edge : table.edges) report.wires += edge.wire;
 }
 
 void count_edges(Mesh& mesh, const EdgeTable& table) {
@@ -165,6 +181,7 @@ Mesh build_mesh(Soup soup, std::string name, const Progress& progress) {
   note_triangles_without_area(mesh);
   number_bodies(mesh, soup, table);
   count_edges(mesh, table);
+  take_wires(mesh, soup, table, report);
 
   for (int& halfedge : table.halfedges) halfedge /= 3;
   mesh.edges = std::move(table.edges);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Soup -> Mesh: weld, drop invalid faces, triangulate, and pair edges.
+// Soup -> Mesh: weld, drop invalid faces, triangulate, pair edges, and add wires to them.
 #pragma once
 
 #include <string>

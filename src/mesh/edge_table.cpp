@@ -77,7 +77,8 @@ EdgeTable make_edge_table(std::span<const int> corners, std::span<const int> pol
       for (const Entry entry : buckets.of(v)) {
         const int other = other_of(entry), halfedge = halfedge_of(entry);
         if (std::exchange(last, other) != other)
-          table.edges[++number] = {{static_cast<int>(v), other}, at, 0, /*diagonal=*/true, CutEdge::none};
+          table.edges[++number] = {
+              {static_cast<int>(v), other}, at, 0, /*diagonal=*/true, CutEdge::none, /*wire=*/false};
         MeshEdge& edge = table.edges[number];
         table.halfedges[at++] = halfedge;
         ++edge.count;
@@ -87,6 +88,27 @@ EdgeTable make_edge_table(std::span<const int> corners, std::span<const int> pol
   });
   for (MeshEdge& edge : table.edges) edge.diagonal = edge.diagonal && edge.count > 1;
   return table;
+}
+
+void add_wires(EdgeTable& table, std::span<const std::array<int, 2>> wires) {
+  std::vector<MeshEdge> added;
+  for (const auto& [a, b] : wires)
+    if (a != b) added.push_back({{std::min(a, b), std::max(a, b)}, 0, 0, false, CutEdge::none, /*wire=*/true});
+  std::sort(added.begin(), added.end(), [](const MeshEdge& a, const MeshEdge& b) { return a.vertex < b.vertex; });
+  UnsetVector<MeshEdge> all;
+  all.reserve(table.edges.size() + added.size());
+  std::size_t next = 0;
+  const auto add_before = [&](const auto& is_before) {
+    for (; next < added.size() && is_before(added[next]); ++next)
+      if (all.empty() || all.back().vertex != added[next].vertex) all.push_back(added[next]);
+  };
+  for (const MeshEdge& edge : table.edges) {
+    add_before([&](const MeshEdge& wire) { return wire.vertex < edge.vertex; });
+    all.push_back(edge);
+    for (; next < added.size() && added[next].vertex == edge.vertex; ++next) all.back().wire = true;
+  }
+  add_before([](const MeshEdge&) { return true; });
+  table.edges = std::move(all);
 }
 
 bool has_equal_triangles(const EdgeTable& table, std::span<const int> corners) {

@@ -57,7 +57,7 @@ bool runs_along(const PlacedMesh& placed, const MeshEdge& edge, int triangle) {
 }
 
 bool is_feature(const PlacedMesh& placed, const MeshEdge& edge, std::span<const Vec3> normals, double least_fold) {
-  if (edge.count != 2) return true;
+  if (edge.count != 2) return edge.count > 0;
   if (edge.diagonal) return false;
   const auto triangles = placed.mesh.triangles_of(edge);
   const Vec3& a = normals[triangles[0]];

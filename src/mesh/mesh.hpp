@@ -30,9 +30,10 @@ enum class CutEdge : std::uint8_t {
 struct MeshEdge {
   std::array<int, 2> vertex;
   int first;      ///< where its triangles begin in Mesh::edge_triangles
-  int count;      ///< how many triangles share it
+  int count;      ///< how many triangles share it; none: it is a piece of a wire only
   bool diagonal;  ///< runs inside a polygon of the file: a line only where it is a contour
   CutEdge cut;
+  bool wire;  ///< the file has a line here, whatever faces there are
 };
 
 /// A vertex that a cutting plane made.
@@ -55,6 +56,7 @@ struct MeshReport {
   int vertices = 0;                ///< of the file (STL: after welding)
   int faces = 0;                   ///< polygons of the file that are drawn
   int triangles = 0;               ///< after triangulation
+  int wires = 0;                   ///< straight pieces of lines that bound no face
   int bodies = 0;                  ///< named groups if there are two, otherwise parts connected through edges
   int open_edges = 0;              ///< edges with one face
   int non_manifold_edges = 0;      ///< edges with three or more faces of one body

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wavefront OBJ: v, f, o and g; other lines do not describe surfaces.
+// Wavefront OBJ: v, f, l, o and g; other lines describe neither surfaces nor wires.
 #include <optional>
+#include <span>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -69,45 +70,89 @@ ObjBodies bodies_by(const std::vector<ObjNaming>& namings, std::size_t faces) {
   return bodies;
 }
 
+/// The elements of one kind of all parts.
+class ObjElementJoiner {
+ public:
+  ObjElementJoiner(std::string_view name, const char* what) : name_(name), what_(what) {}
+
+  void reserve(std::size_t corners, std::size_t elements) {
+    corners_.reserve(corners);
+    ends_.reserve(elements);
+  }
+
+  /// `vertices` come before the part, which begins in line `first_line`.
+  void add(ObjElements elements, long long vertices, std::size_t first_line) {
+    for (const ObjRelativeCorner& corner : elements.relative) {
+      const long long before = vertices + static_cast<long long>(corner.vertices_before);
+      if (before + corner.number < 0) fail_out_of_range(corner.number, before, first_line + corner.line);
+      elements.corners[corner.corner] = static_cast<int>(before + corner.number);
+    }
+    if (elements.largest > largest_) {
+      largest_ = elements.largest;
+      largest_line_ = first_line + elements.largest_line;
+    }
+    const std::size_t corners = corners_.size();
+    for (const int end : elements.ends) ends_.push_back(static_cast<int>(corners + static_cast<std::size_t>(end)));
+    corners_.insert(corners_.end(), elements.corners.begin(), elements.corners.end());
+  }
+
+  void expect_vertices(long long count) const {
+    if (largest_ >= count) fail_out_of_range(largest_ + 1, count, largest_line_);
+  }
+
+  [[nodiscard]] std::vector<int>& corners() { return corners_; }
+  [[nodiscard]] std::vector<int>& ends() { return ends_; }
+
+ private:
+  [[noreturn]] void fail_out_of_range(long long number, long long count, std::size_t line) const {
+    TextCursor("", name_, line)
+        .fail(std::string(what_) + " refers to vertex " + std::to_string(number) + ", but there are " +
+              std::to_string(count) + (number < 0 ? " before it" : ""));
+  }
+
+  std::string_view name_;
+  const char* what_;
+  std::vector<int> corners_, ends_;
+  long long largest_ = -1;        // vertex that an element names
+  std::size_t largest_line_ = 0;  // and where it does so first
+};
+
 /// Puts the parts of a file together, one after the other.
 class ObjJoiner {
  public:
   /// For all of `parts`.
-  ObjJoiner(std::string_view name, const std::vector<std::optional<ObjPart>>& parts) : name_(name) {
+  ObjJoiner(std::string_view name, const std::vector<std::optional<ObjPart>>& parts)
+      : faces_(name, obj_face), wires_(name, obj_wire) {
     std::size_t points = 0, corners = 0, faces = 0;
     for (const std::optional<ObjPart>& part : parts) {
       if (!part) continue;
       points += part->points.size();
-      corners += part->corners.size();
-      faces += part->face_ends.size();
+      corners += part->faces.corners.size();
+      faces += part->faces.ends.size();
     }
     soup_.points.reserve(points);
-    soup_.corners.reserve(corners);
-    soup_.face_ends.reserve(faces);
+    faces_.reserve(corners, faces);
   }
 
   void add(ObjPart part) {
-    for (const ObjRelativeCorner& corner : part.relative) resolve(corner, part.corners);
-    if (part.largest > largest_) {
-      largest_ = part.largest;
-      largest_line_ = line(part.largest_line);
-    }
     add_names(objects_, part.objects);
     add_names(groups_, part.groups);
     join(ignored_, part.ignored, lines_);
-    const std::size_t corners = soup_.corners.size();
-    for (const int end : part.face_ends)
-      soup_.face_ends.push_back(static_cast<int>(corners + static_cast<std::size_t>(end)));
+    faces_.add(std::move(part.faces), count(), line());
+    wires_.add(std::move(part.wires), count(), line());
     soup_.points.insert(soup_.points.end(), part.points.begin(), part.points.end());
-    soup_.corners.insert(soup_.corners.end(), part.corners.begin(), part.corners.end());
     lines_ += part.lines;
   }
 
-  /// The number of the line that begins `behind` lines behind the parts added.
-  [[nodiscard]] std::size_t line(std::size_t behind = 0) const { return 1 + lines_ + behind; }
+  /// The number of the line that begins behind the parts added.
+  [[nodiscard]] std::size_t line() const { return 1 + lines_; }
 
   Soup finish() {
-    if (largest_ >= count()) fail_out_of_range(largest_ + 1, count(), largest_line_);
+    faces_.expect_vertices(count());
+    wires_.expect_vertices(count());
+    soup_.corners = std::move(faces_.corners());
+    soup_.face_ends = std::move(faces_.ends());
+    take_wires();
     take_bodies();
     note_ignored();
     soup_.format = "obj";
@@ -118,20 +163,16 @@ class ObjJoiner {
  private:
   [[nodiscard]] long long count() const { return static_cast<long long>(soup_.points.size()); }
 
-  void resolve(const ObjRelativeCorner& corner, std::vector<int>& corners) const {
-    const long long before = count() + static_cast<long long>(corner.vertices_before);
-    if (before + corner.number < 0) fail_out_of_range(corner.number, before, line(corner.line));
-    corners[corner.corner] = static_cast<int>(before + corner.number);
+  void take_wires() {
+    int begin = 0;
+    for (const int end : wires_.ends()) {
+      soup_.add_wire(std::span(wires_.corners().data() + begin, static_cast<std::size_t>(end - begin)));
+      begin = end;
+    }
   }
 
-  [[noreturn]] void fail_out_of_range(long long number, long long count, std::size_t line) const {
-    TextCursor("", name_, line)
-        .fail("a face refers to vertex " + std::to_string(number) + ", but there are " + std::to_string(count) +
-              (number < 0 ? " before it" : ""));
-  }
-
-  void add_names(std::vector<ObjNaming>& all, const std::vector<ObjNaming>& of_part) const {
-    for (const ObjNaming& naming : of_part) all.push_back({soup_.face_ends.size() + naming.first_face, naming.name});
+  void add_names(std::vector<ObjNaming>& all, const std::vector<ObjNaming>& of_part) {
+    for (const ObjNaming& naming : of_part) all.push_back({faces_.ends().size() + naming.first_face, naming.name});
   }
 
   void take_bodies() {
@@ -151,11 +192,9 @@ class ObjJoiner {
                           "), the first is line " + std::to_string(1 + ignored_.first_line));
   }
 
-  std::string_view name_;
   Soup soup_;
+  ObjElementJoiner faces_, wires_;
   std::vector<ObjNaming> objects_, groups_;
-  long long largest_ = -1;        // vertex that a face names
-  std::size_t largest_line_ = 0;  // and where it does so first
   ObjIgnored ignored_;
   std::size_t lines_ = 0;  // of the parts added
 };

@@ -36,9 +36,10 @@ class ObjPartReader {
   void statement(std::string_view word) {
     if (word.empty()) return;
     if (word == "v") return vertex();
-    if (word == "f" || word == "fo") return face();
-    if (word == "o") return part_.objects.push_back({part_.face_ends.size(), text_.rest_of_line()});
-    if (word == "g") return part_.groups.push_back({part_.face_ends.size(), text_.rest_of_line()});
+    if (word == "f" || word == "fo") return element(part_.faces, obj_face);
+    if (word == "l") return element(part_.wires, obj_wire);
+    if (word == "o") return part_.objects.push_back({part_.faces.ends.size(), text_.rest_of_line()});
+    if (word == "g") return part_.groups.push_back({part_.faces.ends.size(), text_.rest_of_line()});
     static constexpr std::array<std::string_view, 6> silent{"vn", "vt", "vp", "s", "usemtl", "mtllib"};
     if (std::find(silent.begin(), silent.end(), word) == silent.end())
       join(part_.ignored, {{quoted(word)}, 1, line()}, 0);
@@ -46,25 +47,25 @@ class ObjPartReader {
 
   void vertex() { part_.points.push_back(text_.point()); }
 
-  void face() {
-    for (std::string_view word = text_.word(); !word.empty(); word = text_.word()) corner(word);
-    part_.face_ends.push_back(static_cast<int>(part_.corners.size()));
+  void element(ObjElements& elements, const char* what) {
+    for (std::string_view word = text_.word(); !word.empty(); word = text_.word()) corner(word, elements, what);
+    elements.ends.push_back(static_cast<int>(elements.corners.size()));
   }
 
   // "7", "7/1", "7//3", "7/1/3": only the vertex matters. It may come later.
-  void corner(std::string_view word) {
+  void corner(std::string_view word, ObjElements& elements, const char* what) {
     const long long number = text_.integer(word.substr(0, word.find('/')), "the number of the vertex");
-    if (number == 0) text_.fail("a face refers to vertex 0", "vertices are numbered from 1");
+    if (number == 0) text_.fail(std::string(what) + " refers to vertex 0", "vertices are numbered from 1");
     if (number < 0) {
-      part_.relative.push_back({part_.corners.size(), part_.points.size(), number, line()});
-      part_.corners.push_back(0);  // until the parts are joined
+      elements.relative.push_back({elements.corners.size(), part_.points.size(), number, line()});
+      elements.corners.push_back(0);  // until the parts are joined
       return;
     }
-    if (number - 1 > part_.largest) {
-      part_.largest = number - 1;
-      part_.largest_line = line();
+    if (number - 1 > elements.largest) {
+      elements.largest = number - 1;
+      elements.largest_line = line();
     }
-    part_.corners.push_back(static_cast<int>(number - 1));
+    elements.corners.push_back(static_cast<int>(number - 1));
   }
 
   TextCursor text_;

@@ -24,22 +24,31 @@ struct ObjRelativeCorner {
   std::size_t line;
 };
 
-/// Lines whose keyword does not describe surfaces and is not one of the usual ones.
+/// Lines whose keyword describes neither surfaces nor wires and is not one of the usual ones.
 struct ObjIgnored {
   std::vector<std::string> keywords;  ///< the first few
   std::size_t lines = 0;
   std::size_t first_line = 0;
 };
 
+/// Runs of vertices of one kind of element, one after the other.
+struct ObjElements {
+  std::vector<int> corners;  ///< vertices of the file, but for the relative ones
+  std::vector<int> ends;     ///< where each element ends in `corners`
+  std::vector<ObjRelativeCorner> relative;
+  long long largest = -1;  ///< vertex that a corner names
+  std::size_t largest_line = 0;
+};
+
+/// What errors call an element.
+inline constexpr const char* obj_face = "a face";
+inline constexpr const char* obj_wire = "a line";
+
 /// Faces, corners, vertices before a corner and lines count from the beginning of the part, lines from 0.
 struct ObjPart {
   Points points;
-  std::vector<int> corners;  ///< vertices of the file, but for the relative ones
-  std::vector<int> face_ends;
-  std::vector<ObjRelativeCorner> relative;
+  ObjElements faces, wires;
   std::vector<ObjNaming> objects, groups;
-  long long largest = -1;  ///< vertex that a corner names
-  std::size_t largest_line = 0;
   ObjIgnored ignored;
   std::size_t lines = 0;
 };

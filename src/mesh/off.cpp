@@ -89,6 +89,12 @@ void read_faces(TextCursor& text, Soup& soup, long long count, Pace& pace) {
                   "vertices are numbered from 0");
       soup.corners.push_back(static_cast<int>(index));
     }
+    // Faces of two corners are lines.
+    if (corners == 2) {
+      soup.add_wire(std::vector<int>(soup.corners.end() - 2, soup.corners.end()));
+      soup.corners.resize(soup.corners.size() - 2);
+      ++soup.wire_faces;
+    }
     soup.end_face();
     text.next_line();
     pace.left(text.bytes_left());

@@ -26,7 +26,7 @@ struct DoubleTraits : OpenMesh::DefaultTraits {
 
 using Surface = OpenMesh::TriMesh_ArrayKernelT<DoubleTraits>;
 
-/// Triangle t is face t, point v is vertex v, isolated if no triangle uses it.
+/// Triangle t is face t, point v is vertex v, isolated if no triangle uses it. Wires are not there.
 struct HalfedgeMesh {
   Surface surface;
   /// Surface vertex -> vertex of the mesh: copies for further fans follow behind the vertices of the mesh, in the order

@@ -141,13 +141,15 @@ class PlyReader {
         read_vertices(element);
       } else if (element.name == "face" || element.name == "tristrips") {
         read_faces(element);
+      } else if (element.name == "edge") {
+        read_edges(element);
       } else {
         read_rows(
             element, [](std::size_t, double) {}, [](std::size_t) {});
       }
     }
     if (largest_ >= static_cast<long long>(soup_.points.size()))
-      source_.fail("a face refers to vertex " + std::to_string(largest_) + ", but there are " +
+      source_.fail(largest_of_ + " refers to vertex " + std::to_string(largest_) + ", but there are " +
                        std::to_string(soup_.points.size()),
                    largest_place_);
     return std::move(soup_);
@@ -230,7 +232,7 @@ class PlyReader {
     read_rows(
         element,
         [&](std::size_t p, double value) {
-          if (p == wanted) (strips ? strip : soup_.corners).push_back(index(value, strips));
+          if (p == wanted) (strips ? strip : soup_.corners).push_back(index(value, strips, "a face"));
         },
         [&](std::size_t p) {
           if (p != wanted) return;
@@ -240,15 +242,38 @@ class PlyReader {
         });
   }
 
+  void read_edges(const PlyElement& element) {
+    std::array<std::size_t, 2> wanted{};
+    for (std::size_t end = 0; end < 2; ++end) {
+      const std::string name = "vertex" + std::to_string(end + 1);
+      const auto found = std::find_if(element.properties.begin(), element.properties.end(), [&](const auto& property) {
+        return property.name == name && !property.count_type;
+      });
+      wanted[end] = static_cast<std::size_t>(found - element.properties.begin());
+    }
+    std::array<int, 2> wire{};
+    const bool is_wire = std::max(wanted[0], wanted[1]) < element.properties.size();
+    read_rows(
+        element,
+        [&](std::size_t p, double value) {
+          for (std::size_t end = 0; is_wire && end < 2; ++end)
+            if (p == wanted[end]) wire[end] = index(value, false, "an edge");
+        },
+        [&](std::size_t p) {
+          if (is_wire && p + 1 == element.properties.size()) soup_.wires.push_back(wire);
+        });
+  }
+
   /// A vertex number; -1 ends a strip.
-  int index(double value, bool may_end) {
+  int index(double value, bool may_end, const std::string& of) {
     if (value == -1 && may_end) return -1;
     if (!(value >= 0) || value != std::floor(value) || value > 2147483646.0)
-      source_.fail("a face refers to a vertex that does not exist", source_.place());
+      source_.fail(of + " refers to a vertex that does not exist", source_.place());
     const auto number = static_cast<long long>(value);
     if (number > largest_) {
       largest_ = number;
       largest_place_ = source_.place();
+      largest_of_ = of;
     }
     return static_cast<int>(number);
   }
@@ -272,8 +297,9 @@ class PlyReader {
   std::string_view name_;
   Pace pace_;
   Soup soup_;
-  long long largest_ = -1;         // the largest vertex number of a face, checked when all vertices are known
-  std::size_t largest_place_ = 0;  // and where that stands
+  long long largest_ = -1;         // the largest vertex number, checked when all vertices are known
+  std::size_t largest_place_ = 0;  // where that stands
+  std::string largest_of_;         // and in what
 };
 
 }  // namespace

@@ -63,7 +63,7 @@ FileContent read_soup(const std::filesystem::path& path, const Progress& progres
   return {std::move(soup), bytes.size()};
 }
 
-[[noreturn]] void fail_without_triangles(const MeshReport& report) {
+[[noreturn]] void fail_with_nothing_to_draw(const MeshReport& report) {
   std::string reasons;
   const auto add = [&](int count, const std::string& reason) {
     if (count > 0) reasons += (reasons.empty() ? "" : ", ") + std::to_string(count) + " " + reason;
@@ -72,7 +72,7 @@ FileContent read_soup(const std::filesystem::path& path, const Progress& progres
   add(report.dropped_degenerate, "with fewer than three distinct corners");
   throw Error(ErrorKind::input, report.name,
               reasons.empty() ? "holds no faces" : "none of its faces can be drawn: " + reasons,
-              reasons.empty() ? "points and lines alone are not drawn" : "");
+              reasons.empty() ? "points alone are not drawn" : "");
 }
 
 }  // namespace
@@ -87,10 +87,10 @@ const Format* format_named(std::string_view name) {
 
 Mesh make_mesh(Soup soup, const std::string& name, const Progress& progress) {
   // Half-edges, twice as many as corners at most, are numbered with int.
-  if (soup.corners.size() > INT_MAX / 6 || soup.points.size() > INT_MAX)
+  if (soup.corners.size() > INT_MAX / 6 || soup.wires.size() > INT_MAX / 6 || soup.points.size() > INT_MAX)
     throw Error(ErrorKind::input, name, "has too many corners", "split the model");
   Mesh mesh = build_mesh(std::move(soup), name, progress);
-  if (mesh.report.triangles == 0) fail_without_triangles(mesh.report);
+  if (mesh.report.triangles == 0 && mesh.report.wires == 0) fail_with_nothing_to_draw(mesh.report);
   return mesh;
 }
 

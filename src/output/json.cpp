@@ -167,6 +167,7 @@ std::string mesh_of(const mesh::MeshReport& mesh) {
   add("vertices", number(mesh.vertices));
   add("faces", number(mesh.faces));
   add("triangles", number(mesh.triangles));
+  if (mesh.wires > 0) add("wires", number(mesh.wires));
   add("bodies", number(mesh.bodies));
   add("open_edges", number(mesh.open_edges));
   add("non_manifold_edges", number(mesh.non_manifold_edges));

@@ -36,9 +36,11 @@ constexpr const char* more_digits =
 void warn_if_empty(const Messages& messages, const ViewResult& result, const ViewInput& input) {
   if (!result.drawing.segments.empty() || !result.partial.stages.empty()) return;
   const edges::EdgeOptions& edges = input.options.edges;
-  if (!edges.contour || !edges.boundary || !edges.crease)
+  const bool leaves_out_wires = !edges.wire && !input.world.wires.empty();
+  if (!edges.contour || !edges.boundary || !edges.crease || leaves_out_wires)
     return messages.warn("nothing is drawn: no edge of the selected kinds is visible");
   if (result.work.view.window_given) return messages.warn("nothing is drawn: no edge is visible in the window");
+  if (input.world.triangles.empty()) return messages.warn("nothing is drawn: every line is seen end-on");
   // Any face has an outline.
   throw Error(ErrorKind::input, "view '" + input.options.name + "'",
               "nothing is drawn: no face is larger than the rounding error of its coordinates (" +

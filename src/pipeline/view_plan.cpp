@@ -15,6 +15,7 @@ edges::EdgeOptions edge_options(const scene::ViewDescription& view) {
                            .boundary = kinds.boundary,
                            .crease = kinds.crease,
                            .intersection = kinds.intersection,
+                           .wire = kinds.wire,
                            .tangent = kinds.tangent,
                            .smooth = kinds.smooth};
   if (view.crease_angle.given()) edges.crease_angle = edges.part_angle = *view.crease_angle;

@@ -48,14 +48,16 @@ struct Words<HiddenLines> {
 
 template <>
 struct Words<EdgeKind> {
-  static constexpr std::array list{"contour", "boundary", "crease", "intersection", "section", "tangent", "smooth"};
+  static constexpr std::array list{"contour", "boundary", "crease",  "intersection",
+                                   "section", "wire",     "tangent", "smooth"};
 };
 /// Those that can be chosen: lines of sections are always drawn.
-inline constexpr std::array<std::pair<EdgeKind, bool EdgeKinds::*>, 6> chosen_edge_kinds{
+inline constexpr std::array<std::pair<EdgeKind, bool EdgeKinds::*>, 7> chosen_edge_kinds{
     {{EdgeKind::contour, &EdgeKinds::contour},
      {EdgeKind::crease, &EdgeKinds::crease},
      {EdgeKind::boundary, &EdgeKinds::boundary},
      {EdgeKind::intersection, &EdgeKinds::intersection},
+     {EdgeKind::wire, &EdgeKinds::wire},
      {EdgeKind::tangent, &EdgeKinds::tangent},
      {EdgeKind::smooth, &EdgeKinds::smooth}}};
 

@@ -32,6 +32,9 @@ class Knife {
         cut_triangle(t, {corners[0] - first_, corners[1] - first_, corners[2] - first_});
       }
     }
+    if (mesh_.report.wires > 0)
+      for (const mesh::MeshEdge& edge : mesh_.edges)
+        if (edge.wire) cut_wire(edge.vertex);
     return std::move(result_);
   }
 
@@ -55,6 +58,15 @@ class Knife {
       if (side(a) == 0 && side(b) == 0)
         result_.segments.push_back({mesh_.body[triangle], {std::min(a, b), std::max(a, b)}, a > b ? 1 : -1, triangle});
     }
+  }
+
+  // A piece that lies in the plane stays.
+  void cut_wire(const std::array<int, 2>& vertex) {
+    const auto [a, b] = vertex;
+    if (side(a) <= 0 && side(b) <= 0) return result_.wires.push_back(vertex);
+    if (side(a) * side(b) >= 0) return;
+    result_.wires.push_back({side(a) < 0 ? a : b, cut_edge(a, b)});
+    result_.cuts_wires = true;
   }
 
   int cut_edge(int a, int b) {

@@ -43,6 +43,8 @@ struct CutMesh {
   std::vector<mesh::CutVertex> vertices;
   std::vector<CutSegment> segments;  ///< one for each triangle that is cut just behind the plane
   std::vector<int> in_plane;         ///< triangles of the uncut mesh that lie in the plane; not among `triangles`
+  std::vector<std::array<int, 2>> wires;
+  bool cuts_wires = false;
 };
 
 CutMesh cut_mesh(const World& world, int model, const Sides& sides);

@@ -184,6 +184,7 @@ mesh::Mesh ModelCut::make_mesh() const {
   mesh::EdgeTable table =
       mesh::make_edge_table(cut_away.corners, cut.polygon, static_cast<int>(cut_away.points.size()));
   for (int& halfedge : table.halfedges) halfedge /= 3;
+  if (!cut.wires.empty()) mesh::add_wires(table, cut.wires);
   cut_away.edges = std::move(table.edges);
   cut_away.edge_triangles = std::move(table.halfedges);
 
@@ -193,7 +194,7 @@ mesh::Mesh ModelCut::make_mesh() const {
   std::sort(outline.begin(), outline.end());
   for (mesh::MeshEdge& edge : cut_away.edges) {
     // Triangles of cut faces come last.
-    const bool in_face = cut_away.triangles_of(edge).front() >= static_cast<int>(of_surface);
+    const bool in_face = edge.count > 0 && cut_away.triangles_of(edge).front() >= static_cast<int>(of_surface);
     if (std::binary_search(outline.begin(), outline.end(), edge.vertex))
       edge.cut = mesh::CutEdge::outline;
     else if (in_face || !cut_away.origin_of(edge).in_file)
@@ -215,6 +216,7 @@ void append(World& world, const ModelCut& cut) {
   world.first_triangle.push_back(static_cast<int>(world.triangles.size()));
   const Placed& whole = cut.world.models[cut.model];
   world.models.push_back({std::make_shared<const mesh::Mesh>(cut.make_mesh()), whole.to_world, whole.part});
+  append_wires(world, *world.models.back().mesh, first);
 }
 
 [[noreturn]] void refuse(const CuttingPlane& plane, const std::string& what) {
@@ -247,10 +249,11 @@ CutWorld cut_world(const World& world, const CuttingPlane& plane, const Progress
     }
     result.open.insert(result.open.end(), cut.open.begin(), cut.open.end());
     result.bridged.insert(result.bridged.end(), cut.bridged.begin(), cut.bridged.end());
-    cuts = cuts || !cut.cut.segments.empty() || !cut.loose.empty();
+    cuts = cuts || !cut.cut.segments.empty() || !cut.loose.empty() || cut.cut.cuts_wires;
     append(result.world, cut);
   }
-  if (result.world.triangles.empty()) refuse(plane, "the cutting plane removes everything");
+  if (result.world.triangles.empty() && result.world.wires.empty())
+    refuse(plane, "the cutting plane removes everything");
   if (!cuts) refuse(plane, "the plane cuts nothing");
   return result;
 }

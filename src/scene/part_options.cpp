@@ -104,7 +104,7 @@ Options<ViewDescription> view_options() {
       option<View>({.key = "edges",
                     .flag = "--edges",
                     .help = "kinds of edges to draw",
-                    .usual = "contour,crease,boundary,intersection"},
+                    .usual = "contour,crease,boundary,intersection,wire"},
                    &View::edges, edge_kinds()),
       option<View>({.key = "crease_angle",
                     .flag = "--crease-angle",

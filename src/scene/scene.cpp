@@ -48,14 +48,17 @@ Vec3 place(const Mat4& to_world, const Vec3& point) {
   return to_world == Mat4(1.0) ? point : Vec3(to_world * Vec4(point, 1.0));
 }
 
-// By vertex, 1 where a triangle uses it.
+// By vertex, 1 where a triangle or a wire uses it.
 std::vector<char> used_vertices(const mesh::Mesh& mesh) {
   std::vector<char> used(mesh.points.size(), 0);
   for (const int vertex : mesh.corners) used[vertex] = 1;
+  if (mesh.report.wires > 0)
+    for (const mesh::MeshEdge& edge : mesh.edges)
+      for (const int vertex : edge.vertex) used[vertex] = 1;
   return used;
 }
 
-// The places in the world of the vertices that triangles use; false when one leaves the range of doubles.
+// The places in the world of the vertices that are used; false when one leaves the range of doubles.
 bool place_vertices(const Placed& model, const std::vector<char>& used, std::span<Vec3> points) {
   std::atomic<bool> all_finite = true;
   parallel_for(points.size(), grain, [&](std::size_t begin, std::size_t end) {
@@ -67,7 +70,7 @@ bool place_vertices(const Placed& model, const std::vector<char>& used, std::spa
   return all_finite;
 }
 
-// Of the vertices that triangles use, where `place(v)` has them.
+// Of the vertices that are used, where `place(v)` has them.
 template <class Place>
 Box box_of(const std::vector<char>& used, const Place& place) {
   Box box;
@@ -100,6 +103,7 @@ void append(World& world, const Placed& placed) {
     throw Error(ErrorKind::input, mesh.report.name, "the transform moves vertices beyond the range of numbers",
                 "use a smaller scale or translation");
   append_triangles(world, mesh);
+  append_wires(world, mesh, static_cast<int>(first_vertex));
   world.first_vertex.push_back(static_cast<int>(world.points.size()));
   world.first_triangle.push_back(static_cast<int>(world.triangles.size()));
 
@@ -118,6 +122,12 @@ void append(World& world, const Placed& placed) {
 int World::model_of_triangle(int triangle) const {
   const auto next = std::upper_bound(first_triangle.begin(), first_triangle.end(), triangle);
   return static_cast<int>(next - first_triangle.begin()) - 1;
+}
+
+void append_wires(World& world, const mesh::Mesh& mesh, int first_vertex) {
+  if (mesh.report.wires == 0) return;
+  for (const mesh::MeshEdge& edge : mesh.edges)
+    if (edge.count == 0) world.wires.push_back({first_vertex + edge.vertex[0], first_vertex + edge.vertex[1]});
 }
 
 World make_world(std::vector<Placed> models) {

@@ -23,15 +23,19 @@ struct Placed {
 /// All models in one numbering: vertex v of model m is number first_vertex[m] + v, triangles likewise.
 struct World {
   std::vector<Placed> models;
-  UnsetVector<Vec3> points;  ///< world coordinates; the origin for vertices that no triangle uses
+  UnsetVector<Vec3> points;  ///< world coordinates; the origin for vertices that no triangle and no wire uses
   UnsetVector<std::array<int, 3>> triangles;
+  std::vector<std::array<int, 2>> wires;  ///< edges that no triangle has, lower vertex first, in order of their models
   std::vector<int> first_vertex, first_triangle;  ///< one more than there are models
-  Box box;                                        ///< of all vertices that triangles use
+  Box box;                                        ///< of all vertices that triangles or wires use
   double rounding = 0;   ///< largest shift of vertices by rounding in the files; 0: coordinates are exact
   Vec3 one_rounding{0};  ///< the same by a single rounding of each coordinate, along the axes of the world
 
   [[nodiscard]] int model_of_triangle(int triangle) const;
 };
+
+/// Adds those of a model whose vertices are counted from `first_vertex` on.
+void append_wires(World& world, const mesh::Mesh& mesh, int first_vertex);
 
 /// Throws Error{input} when a transform throws a model out of the range of doubles.
 World make_world(std::vector<Placed> models);

@@ -149,7 +149,7 @@ std::vector<std::string> words_of_edge_kinds() {
 
 EdgeKinds read_edge_kinds(const TomlValue& value) {
   const std::vector<std::string> words = words_of_edge_kinds();
-  EdgeKinds chosen{false, false, false, false, false, false};
+  EdgeKinds chosen{false, false, false, false, false, false, false};
   for (const LocatedText& one : each_word(value)) {
     TomlValue word = value;
     word.content = *one;

@@ -295,6 +295,7 @@ Strokes strokes_of(const drawing::ViewDrawing& drawing, const LineWidths& widths
 std::optional<scene::SheetLine> edge_line(EdgeKind kind, bool visible) {
   if (!visible) return edges::is_within_surface(kind) ? std::nullopt : std::optional(scene::SheetLine::hidden);
   if (kind == EdgeKind::section) return scene::SheetLine::section;
+  if (kind == EdgeKind::wire) return scene::SheetLine::wire;
   return edges::is_within_surface(kind) ? scene::SheetLine::tangent : scene::SheetLine::visible;
 }
 

@@ -64,7 +64,7 @@ FoldRule::Sheets FoldRule::sheets_at(const std::array<int, 2>& edge) const {
   if (found == nullptr) return {};
   std::map<int, std::vector<int>> bodies;
   for (const int t : mesh.triangles_of(*found)) bodies[mesh.body[t]].push_back(world_.first_triangle[model] + t);
-  Sheets sheets{found, {}};
+  Sheets sheets{found, model, {}};
   for (auto& [body, triangles] : bodies) sheets.bodies.push_back(std::move(triangles));
   return sheets;
 }

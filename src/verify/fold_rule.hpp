@@ -30,6 +30,7 @@ class FoldRule {
   /// The triangles that meet in an edge, by body.
   struct Sheets {
     const mesh::MeshEdge* edge = nullptr;  ///< null: the mesh has no such edge
+    int model = -1;
     std::vector<std::vector<int>> bodies;
   };
   [[nodiscard]] Sheets sheets_at(const std::array<int, 2>& edge) const;

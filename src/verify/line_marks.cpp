@@ -10,6 +10,9 @@ namespace {
 
 // Multiple of the contact tolerance above which a step in depth counts as one.
 constexpr double clear_step = 8;
+// Multiple of the contact tolerance up to which a surface behind a face still counts as touching it, however steep the
+// face is.
+constexpr double surely_touching = 0.5;
 // Multiple of the contact tolerance up to which a surface may lie behind another one and still count as seen.
 constexpr double seen_through = 32;
 // A triangle is a line on the page if its width there is at most `edge_on` steps of the page's rounding, unless it is
@@ -23,8 +26,13 @@ constexpr int cut_there = -1, goes_on = -2;
 }  // namespace
 
 LineMarks::LineMarks(const ScanScene& scene, const FoldRule& rule, const ScanLine& line, const MarkLimits& limits,
-                     std::span<const int> triangles)
-    : scene_(scene), rule_(rule), limits_(limits), slice_(cut(scene, line, triangles)), seen_(upper_envelope(slice_)) {}
+                     const MetByLine& met)
+    : scene_(scene),
+      rule_(rule),
+      limits_(limits),
+      slice_(cut(scene, line, met.triangles)),
+      wires_(rule.options().wire ? cut_wires(scene, line, met.wires) : std::vector<WireCrossing>()),
+      seen_(upper_envelope(slice_)) {}
 
 // The changes between `from` and `to`.
 std::vector<LineMarks::Change> LineMarks::changes(double from, double to) const {
@@ -107,6 +115,7 @@ Need LineMarks::pair(int crossing, const std::vector<int>& sheets, FoldRule::Nee
 Need LineMarks::need_at(int crossing) const {
   const FoldRule::Sheets sheets = rule_.sheets_at(slice_.crossings[crossing].edge);
   if (sheets.edge == nullptr) return Need::possible;
+  if (sheets.edge->wire && rule_.options().wire) return Need::asked;
   if (sheets.edge->cut == mesh::CutEdge::inside) return Need::none;
   if (sheets.edge->cut == mesh::CutEdge::outline) return Need::asked;
   Need strongest = Need::none;
@@ -178,6 +187,8 @@ std::vector<LineMark> LineMarks::asked() const {
   std::vector<LineMark> marks;
   for (const Change& change : changes(-HUGE_VAL, HUGE_VAL))
     if (!is_vague(change)) add_marks(change, marks);
+  for (const WireCrossing& crossing : wires_)
+    if (is_surely_seen(crossing)) marks.push_back({crossing.u, false, crossing.wire, {-1, -1}});
   return marks;
 }
 
@@ -200,6 +211,22 @@ bool LineMarks::is_seen(double u, double depth) const {
   const auto left = std::ranges::lower_bound(seen_, u, {}, &SeenPart::to);
   if (right == seen_.end() || left == seen_.end() || right->from > u || left->from >= u) return true;
   return !is_hidden_by(*left, u, depth) || !is_hidden_by(*right, u, depth);
+}
+
+// Whether nothing near a position on a wire may hide it. A face that shares an end with the wire hides it however
+// little it lies in front.
+bool LineMarks::is_surely_seen(const WireCrossing& crossing) const {
+  const auto& [wire, u, depth] = crossing;
+  if (scene_.is_vague(wire)) return false;
+  for (auto part = std::ranges::lower_bound(seen_, u - limits_.reach, {}, &SeenPart::to);
+       part != seen_.end() && part->from <= u + limits_.reach; ++part) {
+    const SlicePiece& piece = slice_.pieces[part->piece];
+    const auto& corners = scene_.world.triangles[piece.triangle];
+    const bool is_joined = std::ranges::any_of(wire, [&](int v) { return std::ranges::count(corners, v) > 0; });
+    const double slack = is_joined ? -clear_step * limits_.contact : surely_touching * limits_.contact;
+    if (piece.depth_at(std::clamp(u, part->from, part->to)) > depth + slack) return false;
+  }
+  return true;
 }
 
 // Whether two faces cross or touch at a position, in front or hardly behind what is seen.
@@ -229,6 +256,10 @@ bool LineMarks::allows(EdgeKind kind, double u, double reach) const {
     if (edges::is_within_surface(kind) && !sheets.edge->diagonal && sheets.edge->cut != mesh::CutEdge::inside)
       return true;
   }
+  if (kind == EdgeKind::wire)
+    return std::ranges::any_of(wires_, [&](const WireCrossing& crossing) {
+      return std::abs(crossing.u - u) <= reach && is_seen(crossing.u, crossing.depth);
+    });
   return kind == EdgeKind::intersection && faces_meet(u, reach);
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "verify/fold_rule.hpp"
@@ -19,6 +20,11 @@ struct LineMark {
   std::array<int, 2> triangles;  ///< seen to the left and right of the position; -1: nothing
 };
 
+/// What may meet one line: numbers of the world.
+struct MetByLine {
+  std::span<const int> triangles, wires;
+};
+
 /// Lengths in mm.
 struct MarkLimits {
   double reach;    ///< positions closer together than this are one
@@ -29,7 +35,7 @@ struct MarkLimits {
 class LineMarks {
  public:
   LineMarks(const ScanScene& scene, const FoldRule& rule, const ScanLine& line, const MarkLimits& limits,
-            std::span<const int> triangles);
+            const MetByLine& met);
 
   [[nodiscard]] std::vector<LineMark> asked() const;
   /// Whether a line of some kind is permitted within `reach` mm of a position. The kind matters in two respects: a line
@@ -61,6 +67,7 @@ class LineMarks {
   [[nodiscard]] bool is_break(const Change& change) const;
   [[nodiscard]] bool is_hidden_by(const SeenPart& part, double u, double depth) const;
   [[nodiscard]] bool is_seen(double u, double depth) const;
+  [[nodiscard]] bool is_surely_seen(const WireCrossing& crossing) const;
   [[nodiscard]] bool faces_meet(double u, double reach) const;
   [[nodiscard]] bool is_vague(const Change& change) const;
   [[nodiscard]] std::vector<Change> changes(double from, double to) const;
@@ -71,6 +78,7 @@ class LineMarks {
   const FoldRule& rule_;
   MarkLimits limits_;
   Slice slice_;
+  std::vector<WireCrossing> wires_;  ///< that may be drawn
   std::vector<SeenPart> seen_;
 };
 

@@ -93,9 +93,8 @@ std::array<int, 2> LineScan::edge_of(int segment) const {
   return {first + s.edge[0], first + s.edge[1]};
 }
 
-LineFindings LineScan::judge(const ScanLine& line, std::span<const int> triangles,
-                             std::span<const int> segments) const {
-  const LineMarks marks(scene_, rule_, line, limits_, triangles);
+LineFindings LineScan::judge(const ScanLine& line, const MetByLine& met, std::span<const int> segments) const {
+  const LineMarks marks(scene_, rule_, line, limits_, met);
   LineFindings findings;
   for (const LineMark& mark : marks.asked()) {
     const Vec2 place = line.position(mark.u);
@@ -160,13 +159,17 @@ std::vector<LineFindings> LineScan::scan(const std::vector<ScanLine>& lines, con
     std::array<Vec2, 3> shape;
     if (shape_of(triangle, shape)) through(shape, meet);
   });
+  const ItemsOfLines wires = gather(scene_.world.wires.size(), [&](int number, const auto& meet) {
+    if (const auto shape = scene_.line_of(scene_.world.wires[static_cast<std::size_t>(number)])) through(*shape, meet);
+  });
   const ItemsOfLines segments = gather(input_.drawing.segments.size(), [&](int number, const auto& meet) {
     const drawing::Segment& ink = input_.drawing.segments[number];
     if (ink.visible && !drawing::is_link(ink)) through(segment(number), meet);
   });
   std::vector<LineFindings> findings(lines.size());
   parallel_for(lines.size(), 1, progress, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) findings[i] = judge(lines[i], triangles.of(i), segments.of(i));
+    for (std::size_t i = first; i < last; ++i)
+      findings[i] = judge(lines[i], {triangles.of(i), wires.of(i)}, segments.of(i));
   });
   return findings;
 }

@@ -52,8 +52,7 @@ class LineScan {
   template <class Through>
   [[nodiscard]] std::vector<LineFindings> scan(const std::vector<ScanLine>& lines, const Through& through,
                                                const Progress& progress) const;
-  [[nodiscard]] LineFindings judge(const ScanLine& line, std::span<const int> triangles,
-                                   std::span<const int> segments) const;
+  [[nodiscard]] LineFindings judge(const ScanLine& line, const MetByLine& met, std::span<const int> segments) const;
   void find_doubled(const LineMarks& marks, std::vector<InkCrossing>& ink) const;
   [[nodiscard]] bool shape_of(int triangle, std::array<Vec2, 3>& shape) const;
   [[nodiscard]] std::array<int, 2> edge_of(int segment) const;

@@ -79,9 +79,12 @@ class Outline {
     ScanWindow box;
     if (options_.window)
       return {options_.window->min - scene_.origin + reach_, options_.window->max - scene_.origin - reach_};
-    for (const auto& triangle : input_.world.triangles)
-      for (const int v : triangle)
+    const auto add = [&](const auto& vertices) {
+      for (const int v : vertices)
         if (scene_.is_before_viewer(v)) box.add(scene_.position(v));
+    };
+    for (const auto& triangle : input_.world.triangles) add(triangle);
+    for (const auto& wire : input_.world.wires) add(wire);
     return {box.min - reach_, box.max + reach_};
   }
 
@@ -296,7 +299,7 @@ class Outline {
       fault.model = model;
     }
     if (const auto sheets = suspect.edge[0] >= 0 ? rule_.sheets_at(suspect.edge) : FoldRule::Sheets{}; sheets.edge) {
-      fault.model = input_.world.model_of_triangle(sheets.bodies[0][0]);
+      fault.model = sheets.model;
       const mesh::EdgeOrigin origin = input_.world.models[fault.model].mesh->origin_of(*sheets.edge);
       if (origin.in_file) fault.edge = origin.vertex;
     }
@@ -321,7 +324,7 @@ class Outline {
 
 report::OutlineCheck verify_outline(const VerifyInput& input, const Tolerance& tolerance,
                                     const OutlineOptions& options) {
-  if (input.world.triangles.empty()) return {};
+  if (input.world.triangles.empty() && input.world.wires.empty()) return {};
   return Outline(input, tolerance, options).run();
 }
 

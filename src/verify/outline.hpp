@@ -3,7 +3,8 @@
 //
 // Random lines cross the page. The scene is cut along each of them, and the visible part of the section is found. Where
 // its depth jumps, or where two visible faces meet in a fold that requires an edge, there must be visible ink; and
-// where visible ink crosses the line, there must be such a position. All of this is derived from triangles alone.
+// where visible ink crosses the line, there must be such a position. All of this is derived from triangles alone;
+// visible wires need ink, too.
 //
 // A fault counts if it extends along its line for more than a few times the precision of positions on the page.
 // Additional short lines across it determine its length.

@@ -26,13 +26,16 @@ Vec3 reference_of(const VerifyInput& input) {
   const auto is_seen = [&](const Vec3& x) { return !p.central || glm::dot(p.n, p.projector - x) > 0; };
   Vec3 best = middle;
   double min = HUGE_VAL;
-  for (const auto& triangle : world.triangles)
-    for (const int v : triangle) {
+  const auto try_all = [&](const auto& vertices) {
+    for (const int v : vertices) {
       const double distance = glm::length(world.points[v] - middle);
       if (!(distance < min) || !is_seen(world.points[v])) continue;
       min = distance;
       best = world.points[v];
     }
+  };
+  for (const auto& triangle : world.triangles) try_all(triangle);
+  for (const auto& wire : world.wires) try_all(wire);
   return best;
 }
 
@@ -62,6 +65,10 @@ ScanScene::ScanScene(const VerifyInput& input, double precision)
 
 bool ScanScene::is_vague(int triangle) const {
   return std::ranges::any_of(world.triangles[triangle], [&](int v) { return vague_[v] != 0; });
+}
+
+bool ScanScene::is_vague(const std::array<int, 2>& edge) const {
+  return std::ranges::any_of(edge, [&](int v) { return vague_[v] != 0; });
 }
 
 std::optional<std::array<Vec2, 2>> ScanScene::line_of(const std::array<int, 2>& edge) const {

@@ -44,6 +44,8 @@ class ScanScene {
   [[nodiscard]] double depth_of(const Vec3& point) const { return depth * point.z / (1 - k * point.z); }
   /// Whether rounding makes the position of some corner uncertain.
   [[nodiscard]] bool is_vague(int triangle) const;
+  /// The same of an edge between two vertices.
+  [[nodiscard]] bool is_vague(const std::array<int, 2>& edge) const;
   /// The part in front of the viewer of an edge between two vertices, on the page; nothing if there is none.
   [[nodiscard]] std::optional<std::array<Vec2, 2>> line_of(const std::array<int, 2>& edge) const;
 

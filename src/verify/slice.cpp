@@ -28,12 +28,15 @@ class Cutter {
     int count = 0;
     for (std::size_t i = 0; i < 3; ++i) {
       const auto [a, b] = std::minmax(corner[i], corner[(i + 1) % 3]);
-      const double at_a = height(a), at_b = height(b);
-      if ((at_a >= 0) == (at_b >= 0)) continue;
-      ends[count++] = {scene_.local[a] + at_a / (at_a - at_b) * (scene_.local[b] - scene_.local[a]), {a, b}};
+      if (const auto place = place_on(a, b)) ends[count++] = {*place, {a, b}};
     }
     if (count != 2 || !clip(ends, scene_.max, 1) || !clip(ends, scene_.min, -1)) return std::nullopt;
     return ends;
+  }
+
+  [[nodiscard]] std::optional<Vec3> cut_wire(const std::array<int, 2>& wire) const {
+    const auto place = place_on(wire[0], wire[1]);
+    return place && place->z <= scene_.max && place->z >= scene_.min ? place : std::nullopt;
   }
 
   [[nodiscard]] double u_of(const Vec3& local) const {
@@ -41,6 +44,12 @@ class Cutter {
   }
 
  private:
+  [[nodiscard]] std::optional<Vec3> place_on(int a, int b) const {
+    const double at_a = height(a), at_b = height(b);
+    if ((at_a >= 0) == (at_b >= 0)) return std::nullopt;
+    return scene_.local[a] + at_a / (at_a - at_b) * (scene_.local[b] - scene_.local[a]);
+  }
+
   // Distance from the plane through the line and the viewer, in mm times 1 - k c.
   [[nodiscard]] double height(int vertex) const {
     const Vec3& p = scene_.local[vertex];
@@ -108,6 +117,19 @@ Slice cut(const ScanScene& scene, const ScanLine& line, std::span<const int> tri
   }
   join(slice, open);
   return slice;
+}
+
+std::vector<WireCrossing> cut_wires(const ScanScene& scene, const ScanLine& line, std::span<const int> wires) {
+  const Cutter cutter(scene, line);
+  std::vector<WireCrossing> crossings;
+  for (const int number : wires) {
+    const std::array<int, 2>& wire = scene.world.wires[static_cast<std::size_t>(number)];
+    const auto place = cutter.cut_wire(wire);
+    if (!place) continue;
+    const double u = cutter.u_of(*place);
+    if (std::isfinite(u)) crossings.push_back({wire, u, scene.depth_of(*place)});
+  }
+  return crossings;
 }
 
 }  // namespace epura::verify

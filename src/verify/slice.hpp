@@ -30,6 +30,12 @@ struct SliceCrossing {
   int first, count;  ///< range of its ends in Slice::ends
 };
 
+/// Where the plane cuts a wire.
+struct WireCrossing {
+  std::array<int, 2> wire;  ///< vertices of the world, ascending
+  double u, depth;
+};
+
 struct PieceEnd {
   int piece, end;
 };
@@ -45,5 +51,8 @@ struct Slice {
 };
 
 Slice cut(const ScanScene& scene, const ScanLine& line, std::span<const int> triangles);
+
+/// Of the wires of the world with these numbers, in their order.
+std::vector<WireCrossing> cut_wires(const ScanScene& scene, const ScanLine& line, std::span<const int> wires);
 
 }  // namespace epura::verify

@@ -31,9 +31,11 @@ constexpr double joined_part = 0x1p-44;
 bool add_plane(ProjectedScene& view, const scene::World& world, const ClipPlane& plane,
                std::initializer_list<std::vector<int>*> users) {
   const int number = view.clipper.add_plane(plane);
-  const bool cuts = std::any_of(world.triangles.begin(), world.triangles.end(), [&](const auto& corners) {
+  const auto is_cut = [&](const auto& corners) {
     return std::any_of(corners.begin(), corners.end(), [&](int v) { return !view.clipper.inside(number, v); });
-  });
+  };
+  const bool cuts = std::any_of(world.triangles.begin(), world.triangles.end(), is_cut) ||
+                    std::any_of(world.wires.begin(), world.wires.end(), is_cut);
   if (!cuts) view.idle_planes.push_back(number);
   if (cuts)
     for (std::vector<int>* user : users) user->push_back(number);
@@ -90,11 +92,22 @@ UnsetVector<ViewTriangle> clipped_triangles(ProjectedScene& view, const scene::W
   return triangles;
 }
 
-projection::Window box_of(const ProjectedScene& view) {
+// What the planes leave of the wires, as far as planes cut anything yet.
+std::vector<std::array<int, 2>> clipped_wires(ProjectedScene& view, const scene::World& world) {
+  std::vector<std::array<int, 2>> wires;
+  for (const auto& [a, b] : world.wires)
+    if (const auto part = view.clipper.clip_edge(a, b, view.edge_planes)) wires.push_back(part->vertex);
+  return wires;
+}
+
+projection::Window box_of(ProjectedScene& view, const scene::World& world) {
+  const std::vector<std::array<int, 2>> wires = clipped_wires(view, world);
   // Most vertices are corners of several triangles; each is divided once.
   std::vector<char> used(view.clipper.vertices.size(), 0);
   for (const ViewTriangle& triangle : view.triangles)
     for (const int v : triangle.vertex) used[v] = 1;
+  for (const auto& wire : wires)
+    for (const int v : wire) used[v] = 1;
   projection::Window box{Vec2(HUGE_VAL), Vec2(-HUGE_VAL)};
   for (std::size_t v = 0; v < used.size(); ++v) {
     if (used[v] == 0) continue;
@@ -122,7 +135,7 @@ void choose_window(ProjectedScene& view, const scene::World& world, bool around,
     return;
   }
   view.triangles = clipped_triangles(view, world, clipping);
-  view.window = box_of(view);
+  view.window = box_of(view, world);
   if (!around) return;
   const projection::Window cone = cone_of_vision(view);
   view.window = {glm::max(view.window.min, cone.min), glm::min(view.window.max, cone.max)};
@@ -209,7 +222,7 @@ ProjectedScene project_scene(const scene::World& world, const projection::Projec
     add_window_planes(view, world, view.window, view.edge_planes);
     view.triangles = clipped_triangles(view, world, clipping);
   }
-  if (view.triangles.empty())
+  if (view.triangles.empty() && clipped_wires(view, world).empty())
     throw Error(ErrorKind::input, "projection '" + projection.name + "'",
                 "nothing of the model lies in front of the viewer and inside the window",
                 "move the eye or the window, or omit near, far and window");

@@ -25,7 +25,7 @@ class Sheet {
   Sheet(const scene::World& world, const view::ProjectedScene& view) : world_(world), view_(view) {}
 
   [[nodiscard]] bool is_one() const {
-    if (is_closed()) return false;
+    if (is_closed() || !world_.wires.empty()) return false;
     const auto borders = find_borders();
     return borders && have_one_outline(*borders) && keep_apart(*borders);
   }

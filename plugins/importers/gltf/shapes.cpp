@@ -22,9 +22,18 @@ struct Corners {
   std::vector<std::uint32_t> numbers;
 };
 
-std::size_t lines_in(int mode, std::size_t corners) {
-  if (mode == TINYGLTF_MODE_LINE) return corners / 2;
-  return mode == TINYGLTF_MODE_LINE_LOOP || corners == 0 ? corners : corners - 1;
+using Wire = std::vector<std::uint32_t>;
+
+std::vector<Wire> wires_of(int mode, std::vector<std::uint32_t> n) {
+  if (n.size() < 2) return {};
+  std::vector<Wire> wires;
+  if (mode == TINYGLTF_MODE_LINE) {
+    for (std::size_t i = 1; i < n.size(); i += 2) wires.push_back({n[i - 1], n[i]});
+    return wires;
+  }
+  if (mode == TINYGLTF_MODE_LINE_LOOP) n.push_back(n.front());
+  wires.push_back(std::move(n));
+  return wires;
 }
 
 bool is_degenerate(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
@@ -64,22 +73,60 @@ Corners corners_of(const tinygltf::Model& model, const tinygltf::Primitive& prim
   return corners;
 }
 
-// Primitives share positions as a rule: those that none of these triangles has are not handed over with them.
-void keep_used(std::vector<Point>& points, std::vector<Triangle>& triangles, std::uint32_t first) {
+// Primitives share positions as a rule: those that none of these triangles or wires has are not handed over with them.
+template <class Element>
+void keep_used(std::vector<Point>& points, std::vector<Element>& elements, std::size_t first) {
   constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> number(points.size(), unused);
-  for (const Triangle& triangle : triangles)
-    for (const std::uint32_t corner : triangle) number[corner] = 0;
-  std::uint32_t count = 0;
+  for (const Element& element : elements)
+    for (const std::uint32_t corner : element) number[corner] = 0;
+  std::size_t count = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (number[i] == unused) continue;
     points[count] = points[i];
-    number[i] = first + count++;
+    number[i] = static_cast<std::uint32_t>(first + count++);
   }
   points.resize(count);
-  for (Triangle& triangle : triangles)
-    for (std::uint32_t& corner : triangle) corner = number[corner];
+  for (Element& element : elements)
+    for (std::uint32_t& corner : element) corner = number[corner];
 }
+
+/// A mesh on its way to the sink, primitive by primitive.
+class ShapeMaker {
+ public:
+  ShapeMaker(const tinygltf::Mesh& mesh, std::size_t number, Sink& sink) : mesh_(mesh), number_(number), sink_(sink) {}
+
+  void add_triangles(int mode, Corners corners) {
+    std::vector<Triangle> triangles = triangles_of(mode, corners.numbers);
+    add_points(corners.points, triangles);
+    sink_.triangles(triangles);
+  }
+
+  void add_wires(int mode, Corners corners) {
+    std::vector<Wire> wires = wires_of(mode, std::move(corners.numbers));
+    if (wires.empty()) return;
+    add_points(corners.points, wires);
+    for (const Wire& wire : wires) sink_.wire(wire);
+  }
+
+  [[nodiscard]] std::uint32_t shape() const { return shape_; }
+
+ private:
+  template <class Element>
+  void add_points(std::vector<Point>& points, std::vector<Element>& elements) {
+    keep_used(points, elements, points_);
+    points_ += points.size();
+    refuse_if(points_ >= EPURA_NONE, numbered("mesh", number_) + " has more points than can be numbered");
+    if (shape_ == EPURA_NONE) shape_ = sink_.shape(mesh_.name);
+    sink_.points(points);
+  }
+
+  const tinygltf::Mesh& mesh_;
+  std::size_t number_;
+  Sink& sink_;
+  std::uint32_t shape_ = EPURA_NONE;
+  std::size_t points_ = 0;
+};
 
 }  // namespace
 
@@ -89,17 +136,15 @@ std::string LeftOut::sentence() const {
     if (count == 0) return;
     text += (text.empty() ? "" : ", ") + std::to_string(count) + (count == 1 ? one : many);
   };
-  add(lines, " line", " lines");
   add(points, " point", " points");
   add(morphs, " morph target", " morph targets");
   if (text.empty()) return text;
-  return text + (lines + points + morphs == 1 ? " is not drawn" : " are not drawn");
+  return text + (points + morphs == 1 ? " is not drawn" : " are not drawn");
 }
 
 std::uint32_t add_shape(const tinygltf::Model& model, std::size_t number, Sink& sink, LeftOut& left_out) {
   const tinygltf::Mesh& mesh = model.meshes[number];
-  std::uint32_t shape = EPURA_NONE;
-  std::size_t points = 0;
+  ShapeMaker maker(mesh, number, sink);
   for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
     const tinygltf::Primitive& primitive = mesh.primitives[i];
     const std::string what = numbered("mesh", number) + ", " + numbered("primitive", i);
@@ -107,22 +152,23 @@ std::uint32_t add_shape(const tinygltf::Model& model, std::size_t number, Sink& 
     refuse_if(mode < TINYGLTF_MODE_POINTS || mode > TINYGLTF_MODE_TRIANGLE_FAN,
               what + " is of unknown mode " + std::to_string(mode));
     Corners corners = corners_of(model, primitive, what);
-    if (mode == TINYGLTF_MODE_POINTS) left_out.points += corners.numbers.size();
-    if (mode >= TINYGLTF_MODE_LINE && mode <= TINYGLTF_MODE_LINE_STRIP)
-      left_out.lines += lines_in(mode, corners.numbers.size());
-    if (mode < TINYGLTF_MODE_TRIANGLES) continue;
+    const auto expect_whole = [&](std::size_t of_one, const char* things) {
+      refuse_if(corners.numbers.size() % of_one != 0,
+                what + " has " + std::to_string(corners.numbers.size()) + " corners, which make no " + things);
+    };
+    if (mode == TINYGLTF_MODE_POINTS) {
+      left_out.points += corners.numbers.size();
+      continue;
+    }
     left_out.morphs += primitive.targets.size();
-    refuse_if(mode == TINYGLTF_MODE_TRIANGLES && corners.numbers.size() % 3 != 0,
-              what + " has " + std::to_string(corners.numbers.size()) + " corners, which make no triangles");
-    std::vector<Triangle> triangles = triangles_of(mode, corners.numbers);
-    keep_used(corners.points, triangles, static_cast<std::uint32_t>(points));
-    points += corners.points.size();
-    refuse_if(points >= EPURA_NONE, numbered("mesh", number) + " has more points than can be numbered");
-    if (shape == EPURA_NONE) shape = sink.shape(mesh.name);
-    sink.points(corners.points);
-    sink.triangles(triangles);
+    if (mode == TINYGLTF_MODE_LINE) expect_whole(2, "lines");
+    if (mode == TINYGLTF_MODE_TRIANGLES) expect_whole(3, "triangles");
+    if (mode < TINYGLTF_MODE_TRIANGLES)
+      maker.add_wires(mode, std::move(corners));
+    else
+      maker.add_triangles(mode, std::move(corners));
   }
-  return shape;
+  return maker.shape();
 }
 
 }  // namespace epura::plugin::gltf

@@ -10,14 +10,14 @@
 #include "joints.hpp"
 #include "readers.hpp"
 #include "surface.hpp"
-#include "tessellation.hpp"
+#include "wires.hpp"
 
 namespace occt {
 
 namespace {
 
 struct Totals {
-  std::size_t faces = 0, unmeshed = 0, inner = 0, gaps = 0, turned = 0;
+  std::size_t faces = 0, wires = 0, unmeshed = 0, inner = 0, gaps = 0, turned = 0;
   double error = 0;
 
   void add(const BodyMesh& mesh) {
@@ -38,6 +38,11 @@ void hand_over(const Body& body, const BodyMesh& mesh, epura::plugin::Sink& sink
     sink.triangles(facets.triangles);
   }
   for (const Joint& joint : joints_of(mesh)) sink.edge(joint.points, joint.is_tangent, joint.angle);
+}
+
+void hand_over(const WireMesh& mesh, epura::plugin::Sink& sink) {
+  sink.points(mesh.points);
+  for (const std::vector<std::uint32_t>& wire : mesh.wires) sink.wire(wire);
 }
 
 epura::plugin::Transform rows_of(const gp_Trsf& transform) {
@@ -68,7 +73,7 @@ void note(const Totals& totals, std::vector<std::string>& notes) {
 
 }  // namespace
 
-void hand_over(Model& model, double tolerance, epura::plugin::Sink& sink) {
+void hand_over(Model& model, const Fineness& fineness, epura::plugin::Sink& sink) {
   sink.unit(1);
   Totals totals;
   const double done = share_of_reading + share_of_meshing;
@@ -78,16 +83,19 @@ void hand_over(Model& model, double tolerance, epura::plugin::Sink& sink) {
     sink.shape(part.name);
     std::uint32_t points = 0;
     for (const Body& body : part.bodies) {
-      const BodyMesh mesh = mesh_of(body.shape, points, tolerance);
+      const BodyMesh mesh = mesh_of(body.shape, points, fineness.deflection);
       totals.add(mesh);
       if (mesh.faces.empty()) continue;
       hand_over(body, mesh, sink);
       points += static_cast<std::uint32_t>(mesh.points.size());
     }
+    const WireMesh wires = mesh_of(part.wires, points, fineness);
+    totals.wires += wires.wires.size();
+    hand_over(wires, sink);
   }
   note(totals, model.notes);
   for (const std::string& sentence : model.notes) sink.note(sentence);
-  if (totals.faces == 0) throw std::runtime_error("holds no face that could be tessellated");
+  if (totals.faces == 0 && totals.wires == 0) throw std::runtime_error("holds no face that could be tessellated");
   for (const Place& place : model.places) sink.node(place.name, place.parent, place.part, rows_of(place.transform));
   sink.progress(1);
 }

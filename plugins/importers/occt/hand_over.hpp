@@ -4,10 +4,11 @@
 #include <epura/importer_plugin.hpp>
 
 #include "model.hpp"
+#include "tessellation.hpp"
 
 namespace occt {
 
-/// A tessellated model to the sink: parts, places, notes. `tolerance`: mm between surfaces and triangles.
-void hand_over(Model& model, double tolerance, epura::plugin::Sink& sink);
+/// A tessellated model to the sink: parts, places, notes.
+void hand_over(Model& model, const Fineness& fineness, epura::plugin::Sink& sink);
 
 }  // namespace occt

@@ -4,6 +4,7 @@
 
 #include <NCollection_DataMap.hxx>
 #include <TopTools_ShapeMapHasher.hxx>
+#include <TopoDS_Edge.hxx>
 #include <TopoDS_Shape.hxx>
 #include <cstdint>
 #include <gp_Trsf.hxx>
@@ -21,6 +22,7 @@ struct Body {
 struct Part {
   std::string name;
   std::vector<Body> bodies;
+  std::vector<TopoDS_Edge> wires;  ///< edges that bound no face, each with a curve in space
 };
 
 struct Place {

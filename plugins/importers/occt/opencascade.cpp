@@ -43,16 +43,17 @@ void import(occt::Model (*read)(const std::string&, Sink&), const Source& source
   occt::Complaints::install();
   occt::Model model = occt::guarded("cannot be read", [&] { return read(source.path, sink); });
   if (model.parts.empty())
-    throw std::runtime_error("holds no face to draw" +
+    throw std::runtime_error("holds no face and no line to draw" +
                              (model.notes.empty() ? std::string() : ": " + model.notes.front()));
-  const double deflection = occt::guarded("cannot be tessellated", [&] {
+  const occt::Fineness chosen = occt::guarded("cannot be tessellated", [&] {
     const occt::Extent extent = occt::extent_of(model);
     const double given = source.values[0];
     const double tolerance = (given > 0 ? given : source.tolerance_of(extent.diagonal)) / extent.scale;
-    occt::tessellate(model, {tolerance, source.values[1], source.threads}, sink);
-    return tolerance;
+    const occt::Fineness wanted{tolerance, source.values[1], source.threads};
+    occt::tessellate(model, wanted, sink);
+    return wanted;
   });
-  occt::guarded("cannot be handed over", [&] { occt::hand_over(model, deflection, sink); });
+  occt::guarded("cannot be handed over", [&] { occt::hand_over(model, chosen, sink); });
 }
 
 struct Step {

@@ -15,6 +15,10 @@ struct Extent {
 
 Extent extent_of(const Model& model);
 
+/// Open CASCADE's edges are off by half of the deflection that it is told, on all files that were measured; by 0.52 of
+/// it at most.
+inline constexpr double told_for_wanted = 1.9;
+
 struct Fineness {
   double deflection;  ///< mm between surface and triangles
   double angle;       ///< degrees that neighbouring facets of a round face fold by, at most

@@ -2,9 +2,14 @@
 #include "tree.hpp"
 
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
+#include <Precision.hxx>
+#include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Iterator.hxx>
+#include <utility>
 
 #include "bodies.hpp"
 
@@ -13,6 +18,31 @@ namespace occt {
 namespace {
 
 TopoDS_Shape without_location(const TopoDS_Shape& shape) { return shape.Located(TopLoc_Location()); }
+
+struct WireEdges {
+  std::vector<TopoDS_Edge> edges;
+  std::size_t endless = 0;  ///< others, that have no end or no curve
+};
+
+WireEdges edges_outside_faces(const TopoDS_Shape& shape) {
+  TopTools_IndexedMapOfShape of_faces, found;
+  for (TopExp_Explorer faces(shape, TopAbs_FACE); faces.More(); faces.Next())
+    TopExp::MapShapes(faces.Current(), TopAbs_EDGE, of_faces);
+  WireEdges wires;
+  for (TopExp_Explorer edges(shape, TopAbs_EDGE, TopAbs_FACE); edges.More(); edges.Next()) {
+    const TopoDS_Edge& edge = TopoDS::Edge(edges.Current());
+    if (BRep_Tool::Degenerated(edge) || of_faces.Contains(edge) || found.Contains(edge)) continue;
+    found.Add(edge);
+    double first = 0, last = 0;
+    const bool ends =
+        !BRep_Tool::Curve(edge, first, last).IsNull() && !Precision::IsInfinite(first) && !Precision::IsInfinite(last);
+    if (ends)
+      wires.edges.push_back(edge);
+    else
+      ++wires.endless;
+  }
+  return wires;
+}
 
 std::size_t count_outside(const TopoDS_Shape& shape, TopAbs_ShapeEnum kind, TopAbs_ShapeEnum avoided) {
   std::size_t count = 0;
@@ -47,7 +77,8 @@ void TreeBuilder::finish() {
   auto note = [this](std::size_t count, const std::string& thing, const std::string& one, const std::string& many) {
     if (count > 0) model_.notes.push_back(counted(count, thing) + (count == 1 ? one : many));
   };
-  note(wires_, "wire", " without faces is not drawn", " without faces are not drawn");
+  note(endless_, "line", " without an end or without a curve is not drawn",
+       " without an end or without a curve are not drawn");
   note(points_, "point", " without edges is not drawn", " without edges are not drawn");
   if (loose_ > 0)
     model_.notes.push_back(std::to_string(loose_) + " loose faces and shells were sewn into " +
@@ -55,16 +86,16 @@ void TreeBuilder::finish() {
 }
 
 TreeBuilder::Prototype TreeBuilder::make(const TopoDS_Shape& shape, const std::string& name) {
-  wires_ += count_outside(shape, TopAbs_WIRE, TopAbs_FACE);
-  // Edges in no wire count as wires of one edge.
-  for (TopExp_Explorer edges(shape, TopAbs_EDGE, TopAbs_WIRE); edges.More(); edges.Next()) ++wires_;
+  WireEdges wires = edges_outside_faces(shape);
+  endless_ += wires.endless;
   points_ += count_outside(shape, TopAbs_VERTEX, TopAbs_EDGE);
   Bodies found = bodies_of(shape);
   loose_ += found.loose;
   sewn_into_ += found.sewn_into;
   Prototype prototype;
   separate_repeats(found.shapes, prototype);
-  if (!found.shapes.empty()) prototype.part = add_part(name, found.shapes);
+  if (!found.shapes.empty() || !wires.edges.empty())
+    prototype.part = add_part(name, found.shapes, std::move(wires.edges));
   return prototype;
 }
 
@@ -94,8 +125,9 @@ void TreeBuilder::separate_repeats(std::vector<TopoDS_Shape>& bodies, Prototype&
   }
 }
 
-std::uint32_t TreeBuilder::add_part(const std::string& name, const std::vector<TopoDS_Shape>& bodies) {
-  Part part{name, {}};
+std::uint32_t TreeBuilder::add_part(const std::string& name, const std::vector<TopoDS_Shape>& bodies,
+                                    std::vector<TopoDS_Edge> wires) {
+  Part part{name, {}, std::move(wires)};
   for (const TopoDS_Shape& body : bodies) part.bodies.push_back({body, name_of(body)});
   model_.parts.push_back(std::move(part));
   return static_cast<std::uint32_t>(model_.parts.size() - 1);

@@ -68,8 +68,10 @@ Vec3 place_of_vertex(const scene::World& world, const std::array<int, 2>& vertex
     return edge.vertex[0] == number || edge.vertex[1] == number;
   };
   if (std::none_of(edges.begin(), edges.end(), has_vertex))
-    refuse(where, "vertex " + std::to_string(number) + " of model " + std::to_string(model) + " belongs to no face",
-           "choose a vertex that is drawn, or give a point");
+    refuse(
+        where,
+        "vertex " + std::to_string(number) + " of model " + std::to_string(model) + " belongs to no face and no line",
+        "choose a vertex that is drawn, or give a point");
   return world.points[std::size_t(world.first_vertex[std::size_t(model)] + number)];
 }
 

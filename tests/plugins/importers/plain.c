@@ -59,6 +59,12 @@
 #ifndef EDGE_COUNT
 #define EDGE_COUNT 2
 #endif
+#ifndef EDGE_KIND
+#define EDGE_KIND EPURA_SHARP
+#endif
+#ifndef EDGE_END
+#define EDGE_END 1
+#endif
 #ifndef UNIT
 #define UNIT 1
 #endif
@@ -77,7 +83,8 @@ const char* read_plain(const epura_source* source, const epura_sink* to) {
   const uint64_t end = 4;
   const uint32_t corners[4] = {0, 1, 2, CORNER};
   const epura_face face = {sizeof(epura_face), EPURA_SPHERE, {0, 0, 0}, {0, 0, 1}, RADIUS, 0, 0};
-  const epura_edge edge = {sizeof(epura_edge), EPURA_SHARP, 90, EDGE_COUNT, corners};
+  const uint32_t along[2] = {0, EDGE_END};
+  const epura_edge edge = {sizeof(epura_edge), EDGE_KIND, 90, EDGE_COUNT, along};
   const epura_node node = {sizeof(epura_node), PARENT, SHAPE, 0, "node", {SCALE, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}};
   FIRST;
   if (to->unit(to->host, UNIT) || to->shape(to->host, "square") || to->points(to->host, 4, points)) return "stops";

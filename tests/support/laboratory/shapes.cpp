@@ -19,6 +19,7 @@ void Shape::add(const Shape& other) {
     faces.push_back(face);
   }
   bodies.insert(bodies.end(), other.bodies.begin(), other.bodies.end());
+  for (const auto& [a, b] : other.wires) wires.push_back({first + a, first + b});
 }
 
 Shape Shape::moved(double x, double y, double z) const {
@@ -219,6 +220,7 @@ mesh::Mesh mesh_of(const Shape& shape, int digits) {
       for (double& c : p) c = *parse_number(format_rounded(c, digits));
   }
   soup.face_body = shape.bodies;
+  soup.wires = shape.wires;
   soup.format = "made";
   for (const auto& face : shape.faces) {
     soup.corners.insert(soup.corners.end(), face.begin(), face.end());

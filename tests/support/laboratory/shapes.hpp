@@ -16,6 +16,7 @@ struct Shape {
   std::vector<Point> points;
   std::vector<std::vector<int>> faces;
   std::vector<int> bodies;  ///< of the faces; empty: one body
+  std::vector<std::array<int, 2>> wires{};
 
   void add(const Shape& other);
   [[nodiscard]] Shape moved(double x, double y, double z) const;

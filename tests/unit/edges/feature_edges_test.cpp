@@ -46,6 +46,28 @@ TEST(FeatureEdges, OfACubeAreSixContoursAndSixCreases) {
   EXPECT_EQ(kinds(world_of(triangulated_cube()), orthographic(corner)), (Kinds{{"contour", 6}, {"crease", 6}}));
 }
 
+TEST(FeatureEdges, WiresAreDrawnUnlessFacesGiveAStrongerReason) {
+  Shape cube = triangulated_cube();
+  cube.points.push_back({3, 3, 3});
+  const auto count = [&](const std::vector<std::array<int, 2>>& wires, const edges::EdgeOptions& options = {}) {
+    Shape with_wires = cube;
+    with_wires.wires = wires;
+    return kinds(world_of(with_wires), orthographic(corner), options);
+  };
+  const Kinds alone{{"contour", 6}, {"crease", 6}}, with_one{{"contour", 6}, {"crease", 6}, {"wire", 1}};
+  const mesh::Mesh mesh = mesh_of(cube);
+  for (const mesh::MeshEdge& edge : mesh.edges) {
+    const Vec3 along = mesh.point(edge.vertex[1]) - mesh.point(edge.vertex[0]);
+    const bool inside_a_face = glm::dot(along, along) > 1.5;
+    EXPECT_EQ(count({edge.vertex}), inside_a_face ? with_one : alone);
+    if (inside_a_face) {
+      EXPECT_EQ(count({edge.vertex}, everything), (Kinds{{"contour", 6}, {"crease", 6}, {"smooth", 5}, {"wire", 1}}));
+    }
+  }
+  EXPECT_EQ(count({{0, 8}}), with_one);
+  EXPECT_EQ(count({{0, 8}}, {.wire = false}), alone);
+}
+
 TEST(FeatureEdges, FaceOnTheBordersOfACubeAreContours) {
   // Four faces are seen edge-on: their upright edges are points on the page, and their diagonals are nothing.
   EXPECT_EQ(kinds(world_of(box({0, 0, 0}, {1, 1, 1})), from_above()), (Kinds{{"contour", 8}, {"crease", 4}}));

@@ -150,6 +150,27 @@ TEST(Assembly, PutsInstancesDownMirroredTurnedAndScaled) {
   EXPECT_EQ(r.part.borders.size(), 6U);
 }
 
+TEST(Assembly, PutsWiresDownWithTheirShapes) {
+  importer::Shape shape = cylinder(5, 20, 8), lines{.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}};
+  lines.wire_vertices = {0, 1, 2, 0, 2, 1};
+  lines.wire_ends = {4, 6};
+  const std::array<double, 12> mirrored{-1, 0, 0, 100, 0, 1, 0, 0, 0, 0, 1, 0};
+  const Read r =
+      read({.shapes = {shape, lines}, .nodes = {{-1, 0, "", as_it_is}, {-1, 1, "", as_it_is}, {-1, 1, "", mirrored}}});
+  EXPECT_EQ(r.mesh.report.wires, 6);
+  EXPECT_EQ(r.mesh.report.bodies, 1);
+  for (const std::array<int, 2>& ends : {std::array{16, 17}, {17, 18}, {16, 18}, {19, 20}, {20, 21}, {19, 21}}) {
+    ASSERT_NE(r.mesh.edge_between(ends), nullptr);
+    EXPECT_TRUE(r.mesh.edge_between(ends)->wire);
+  }
+  EXPECT_EQ(r.mesh.point(21), Vec3(99, 1, 0));
+  EXPECT_EQ(r.part.faces.size(), 3U) << "wires are of no face, which is no reason to recognise any";
+  EXPECT_EQ(r.part.borders.size(), 2U);
+  const Read alone = read({.shapes = {lines}});
+  EXPECT_EQ(alone.mesh.report.triangles, 0);
+  EXPECT_EQ(alone.mesh.report.wires, 3);
+}
+
 TEST(Assembly, NamesBodiesByNodeShapeAndBody) {
   importer::Shape two = cylinder(1, 1, 8);
   two.body_names = {"pin", "cap"};

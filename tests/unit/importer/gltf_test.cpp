@@ -228,13 +228,31 @@ TEST(Gltf, QuantisedPositionsAreIntegers) {
   expect_extent(read(file).mesh, Vec3(-20), Vec3(100));
 }
 
-TEST(Gltf, WhatHasNoFacesIsCounted) {
+TEST(Gltf, LinesAreWiresAndPointsAreCounted) {
   File file = cube_file();
-  file.accessors += "," + accessor(file.buffer.view(std::vector<std::uint16_t>{0, 1, 2, 3}), 5123, 4, "SCALAR");
-  for (const char* mode : {"0", "1", "2", "3"})
-    file.primitives += R"(,{"attributes":{"POSITION":0},"indices":2,"mode":)" + std::string(mode) + "}";
-  const std::vector<std::string> notes = read(file).mesh.report.notes;
-  EXPECT_EQ(notes, std::vector<std::string>{"9 lines, 4 points are not drawn"});
+  file.accessors += "," + accessor(file.buffer.view(std::vector<std::uint16_t>{0, 6, 1, 7}), 5123, 4, "SCALAR");
+  const std::string cube_alone = file.primitives;
+  const auto edges = [](const mesh::Mesh& mesh) {
+    std::vector<std::array<int, 2>> ends;
+    for (const mesh::MeshEdge& edge : mesh.edges)
+      if (edge.wire) ends.push_back(edge.vertex);
+    return ends;
+  };
+  const std::vector<std::vector<std::array<int, 2>>> expected{
+      {}, {{0, 6}, {1, 7}}, {{0, 6}, {0, 7}, {1, 6}, {1, 7}}, {{0, 6}, {1, 6}, {1, 7}}};
+  for (std::size_t mode = 0; mode < expected.size(); ++mode) {
+    file.primitives = cube_alone + R"(,{"attributes":{"POSITION":0},"indices":2,"mode":)" + std::to_string(mode) + "}";
+    const mesh::Mesh mesh = read(file).mesh;
+    EXPECT_EQ(edges(mesh), expected[mode]) << mode;
+    EXPECT_EQ(volume_of(mesh), 1);
+    const auto notes = mode == 0 ? std::vector<std::string>{"4 points are not drawn"} : std::vector<std::string>();
+    EXPECT_EQ(mesh.report.notes, notes) << mode;
+  }
+  file.primitives = R"({"attributes":{"POSITION":0},"indices":2,"mode":2})";
+  const mesh::Mesh lines = read(file).mesh;
+  EXPECT_EQ(lines.report.triangles, 0);
+  EXPECT_EQ(lines.report.vertices, 4) << "without the points of the cube";
+  EXPECT_EQ(lines.report.wires, 4);
 }
 
 // tinygltf drops them.

@@ -23,6 +23,15 @@ TEST(ImporterProcess, HandsOverWhatTheImporterReads) {
   EXPECT_EQ(model.part->faces.at(0).surface.kind, features::SurfaceKind::sphere);
 }
 
+TEST(ImporterProcess, HandsOverWires) {
+  const Folder folder;
+  const importer::ReadModel model = read_by("wire", folder.file("a.plain", "plain"));
+  EXPECT_EQ(model.mesh.report.wires, 1);
+  ASSERT_NE(model.mesh.edge_between({0, 2}), nullptr);
+  EXPECT_TRUE(model.mesh.edge_between({0, 2})->wire);
+  EXPECT_EQ(read_by("good", folder.file("a.plain", "plain")).mesh.report.wires, 0);
+}
+
 TEST(ImporterProcess, IsChosenByExtensionOrByContent) {
   const Folder folder;
   for (const char* name : {"a.plain", "A.PLN"})
@@ -74,6 +83,9 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Mistake{"wrong-corner", "hands over a polygon with a corner that is no point of the shape"},
                     Mistake{"no-radius", "hands over a round face whose radius is not positive"},
                     Mistake{"short-edge", "hands over an edge of fewer than two points"},
+                    Mistake{"wrong-edge", "hands over an edge with a corner that is no point of the shape"},
+                    Mistake{"wrong-wire", "hands over a wire with a corner that is no point of the shape"},
+                    Mistake{"other-edge", "hands over an edge of unknown kind 3"},
                     Mistake{"parent-to-come", "hands over a node whose parent is not an earlier one"},
                     Mistake{"missing-shape", "hands over a node with a shape that it does not hand over"},
                     Mistake{"infinite", "hands over a node whose transform is not finite"},

@@ -3,6 +3,8 @@
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakePolygon.hxx>
+#include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepOffsetAPI_ThruSections.hxx>
@@ -12,6 +14,7 @@
 #include <BRepPrimAPI_MakeSphere.hxx>
 #include <BRepPrimAPI_MakeTorus.hxx>
 #include <BRepTools.hxx>
+#include <BRep_Builder.hxx>
 #include <Geom_BezierSurface.hxx>
 #include <IGESControl_Writer.hxx>
 #include <Interface_Static.hxx>
@@ -24,14 +27,17 @@
 #include <TDocStd_Document.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Compound.hxx>
 #include <XCAFApp_Application.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
+#include <algorithm>
 #include <cmath>
 #include <gp_Circ.hxx>
 #include <map>
 #include <numbers>
 
+#include "shapes.hpp"
 #include "support.hpp"
 
 namespace epura::test {
@@ -96,6 +102,153 @@ TEST(StepImporter, BringsFacesAndEdgesOfThePart) {
   const double exact = 40 * 30 * 20 - std::numbers::pi * 25 * 20, tolerance = 1e-4 * std::sqrt(1600 + 900 + 400);
   EXPECT_GT(volume_of(model.mesh), exact);
   EXPECT_LT(volume_of(model.mesh), exact + 2 * std::numbers::pi * 5 * 20 * tolerance);
+}
+
+TopoDS_Shape compound_of(const std::vector<TopoDS_Shape>& shapes) {
+  const BRep_Builder builder;
+  TopoDS_Compound all;
+  builder.MakeCompound(all);
+  for (const TopoDS_Shape& shape : shapes) builder.Add(all, shape);
+  return all;
+}
+
+TopoDS_Shape circle(double radius, double height) {
+  return BRepBuilderAPI_MakeEdge(gp_Circ(gp_Ax2(gp_Pnt(0, 0, height), gp::DZ()), radius)).Shape();
+}
+
+// Of pieces that no face has.
+struct Wires {
+  int pieces = 0;
+  double length = 0, lowest = 1e300, highest = -1e300;  ///< z
+  std::map<int, int> ends;                              ///< how many pieces end at a vertex
+};
+
+Wires wires_of(const mesh::Mesh& mesh) {
+  Wires wires;
+  for (const mesh::MeshEdge& edge : mesh.edges) {
+    if (edge.count > 0) continue;
+    const Vec3 a = mesh.point(edge.vertex[0]), b = mesh.point(edge.vertex[1]);
+    ++wires.pieces;
+    wires.length += glm::distance(a, b);
+    for (const Vec3& p : {a, b})
+      wires.lowest = std::min(wires.lowest, p.z), wires.highest = std::max(wires.highest, p.z);
+    for (const int v : edge.vertex) ++wires.ends[v];
+  }
+  return wires;
+}
+
+TEST(StepImporter, BringsEdgesWithoutFaces) {
+  const Folder folder;
+  BRepBuilderAPI_MakePolygon polygon(gp_Pnt(-5, 50, 5), gp_Pnt(35, 50, 5), gp_Pnt(35, 50, 65));
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(40, 30, 20).Shape();
+  const importer::ReadModel model = read(step_file(folder, compound_of({box, polygon.Wire(), circle(100, -7)})));
+  ASSERT_NE(model.part, nullptr);
+  EXPECT_EQ(model.part->faces.size(), 6U);
+  EXPECT_EQ(count(*model.part, features::BorderKind::sharp), 12);
+  EXPECT_TRUE(model.mesh.report.notes.empty()) << model.mesh.report.notes[0];
+  const Wires wires = wires_of(model.mesh);
+  const double tolerance = 1e-4 * std::hypot(200, 200, 72), around = wires.length - 100;
+  // A chord that is off by d in the middle is shorter than its arc by 8 / 3 d^2 / chord or less.
+  EXPECT_LT(around, 200 * std::numbers::pi);
+  EXPECT_GT(around, 200 * std::numbers::pi * (1 - 4 * tolerance / 300));
+  EXPECT_LT(wires.pieces, 2 + 200) << "finer than useful";
+  EXPECT_EQ(wires.lowest, -7);
+  EXPECT_EQ(wires.highest, 65);
+  const auto open =
+      std::count_if(wires.ends.begin(), wires.ends.end(), [](const auto& end) { return end.second == 1; });
+  EXPECT_EQ(open, 2) << "of the polygon: the circle is closed";
+}
+
+TEST(StepImporter, DividesWiresAsItDividesEdges) {
+  const Folder folder;
+  const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(10, 30).Shape();
+  const mesh::Mesh mesh = read(step_file(folder, compound_of({cylinder, circle(10, 15)}))).mesh;
+  EXPECT_EQ(wires_of(mesh).pieces, wires_of(mesh).ends.size());
+  for (const auto& [vertex, count] : wires_of(mesh).ends) {
+    const Vec3 on_wire = mesh.point(vertex);
+    double nearest = 1e300;  // to a vertex of the bottom, seen from above
+    for (int v = 0; v < mesh.report.vertices; ++v)
+      if (mesh.point(v).z == 0) nearest = std::min(nearest, glm::distance(Vec2(mesh.point(v)), Vec2(on_wire)));
+    EXPECT_LT(nearest, 1e-10);
+  }
+}
+
+scene::World world_of(const importer::ReadModel& model) {
+  return scene::make_world({{std::make_shared<const mesh::Mesh>(model.mesh), Mat4(1.0), model.part}});
+}
+
+TEST(StepImporter, WiresAreHiddenByFaces) {
+  const Folder folder;
+  BRepBuilderAPI_MakePolygon polygon(gp_Pnt(-5, 50, 5), gp_Pnt(35, 50, 5), gp_Pnt(35, 50, 65));
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(40, 30, 20).Shape();
+  const importer::ReadModel model = read(step_file(folder, compound_of({box, polygon.Wire()})));
+  const Result result = draw(world_of(model), orthographic({0, -1, 0}));
+  double visible = 0, hidden = 0;
+  for (const drawing::Segment& s : result.drawing.segments)
+    if (s.kind == EdgeKind::wire) (s.visible ? visible : hidden) += glm::distance(s.from, s.to);
+  // Of 40 to the right, from 0 to 35, and of 60 upwards, up to 20.
+  EXPECT_NEAR(hidden / (visible + hidden), (35 + 15) / 100., 1e-9);
+  EXPECT_GT(hidden, 0);
+}
+
+TEST(StepImporter, WiresOnRoundFacesAreSeenToTheContour) {
+  const Folder folder;
+  const TopoDS_Shape cylinder = BRepPrimAPI_MakeCylinder(10, 30).Shape();
+  const importer::ReadModel model = read(step_file(folder, compound_of({cylinder, circle(10, 15)})));
+  const Result result = draw(world_of(model), orthographic({0.3, -1, 0.6}));
+  std::map<bool, int> whole;
+  int divided = 0;
+  for (std::size_t e = 0; e < result.drawn.edges.size(); ++e) {
+    if (result.drawn.edges[e].kind != EdgeKind::wire) continue;
+    std::vector<bool> parts;
+    result.hidden.visit_parts(e, [&](double, double, bool is_visible) { parts.push_back(is_visible); });
+    if (parts.size() == 1) ++whole[parts[0]];
+    if (parts.size() > 1) ++divided;
+  }
+  EXPECT_LE(divided, 2);
+  EXPECT_NEAR(whole[true], whole[false], 2);
+  EXPECT_GT(whole[true], 15);
+}
+
+TEST(StepImporter, ReadsFilesOfWiresOnly) {
+  const Folder folder;
+  const importer::ReadModel model = read(step_file(folder, circle(10, 3)));
+  EXPECT_EQ(model.mesh.report.triangles, 0);
+  EXPECT_EQ(model.part, nullptr);
+  const Wires wires = wires_of(model.mesh);
+  EXPECT_GT(wires.pieces, 17) << "twenty degrees at most";
+  EXPECT_EQ(wires.ends.size(), static_cast<std::size_t>(wires.pieces));
+  for (const auto& [vertex, count] : wires.ends) EXPECT_EQ(count, 2);
+}
+
+TEST(StepImporter, DrawsNoEdgeOfAFaceTwice) {
+  const Folder folder;
+  const TopoDS_Shape box = BRepPrimAPI_MakeBox(40, 30, 20).Shape();
+  const TopoDS_Shape own = TopExp_Explorer(box, TopAbs_EDGE).Current();
+  be_quiet();
+  const std::string path = (folder / "part.brep").string();
+  ASSERT_TRUE(
+      BRepTools::Write(compound_of({box, own, BRepBuilderAPI_MakeVertex(gp_Pnt(0, 0, 90)).Shape()}), path.c_str()));
+  const importer::ReadModel model = read(path);
+  EXPECT_EQ(model.mesh.report.wires, 0);
+  EXPECT_EQ(model.mesh.report.notes, std::vector<std::string>{"1 point without edges is not drawn"});
+}
+
+TEST(IgesImporter, BringsCurves) {
+  const Folder folder;
+  be_quiet();
+  IGESControl_Writer writer("MM", 0);
+  writer.AddShape(circle(10, 3));
+  writer.AddShape(BRepBuilderAPI_MakeEdge(gp_Pnt(0, 0, 0), gp_Pnt(0, 0, 30)).Shape());
+  writer.ComputeModel();
+  const std::string path = (folder / "curves.igs").string();
+  ASSERT_TRUE(writer.Write(path.c_str()));
+  const Wires wires = wires_of(read(path).mesh);
+  EXPECT_NEAR(wires.length, 30 + 20 * std::numbers::pi, 0.05);
+  EXPECT_EQ(wires.highest, 30);
+  const auto open =
+      std::count_if(wires.ends.begin(), wires.ends.end(), [](const auto& end) { return end.second == 1; });
+  EXPECT_EQ(open, 2);
 }
 
 TEST(StepImporter, DeflectionBoundsTheDistanceOfFacets) {

@@ -306,6 +306,24 @@ TEST(Build, NamedBodiesAreNumberedByTheirFirstTriangle) {
   EXPECT_EQ(mesh.report.bodies, 2);
 }
 
+TEST(Build, WiresEndAtTheVerticesThatFacesHave) {
+  mesh::Soup soup = test::make_soup(test::unit_cube, test::cube_quads);
+  const int end = static_cast<int>(soup.points.size());
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  soup.points.insert(soup.points.end(), {soup.points[6], {5, 5, 5}, {nan, 0, 0}});
+  soup.wires = {{end + 1, end}, {end, 6}, {end + 1, end + 2}, {0, 6}};
+  const mesh::Mesh mesh = mesh::build_mesh(soup, "test");
+  const std::array<int, 2> new_edge{6, end + 1}, through_the_cube{0, 6};
+  for (const auto& wire : {new_edge, through_the_cube}) {
+    ASSERT_NE(mesh.edge_between(wire), nullptr);
+    EXPECT_EQ(mesh.edge_between(wire)->count, 0);
+    EXPECT_TRUE(mesh.edge_between(wire)->wire);
+  }
+  EXPECT_EQ(mesh.report.wires, 2);
+  EXPECT_EQ(mesh.report.open_edges, 0);
+  EXPECT_EQ(mesh.report.notes, std::vector<std::string>{"1 piece of lines left out, whose coordinates are not finite"});
+}
+
 TEST(Build, NothingIsAMesh) {
   const mesh::Mesh mesh = mesh_of({}, {});
   expect_valid(mesh);

@@ -22,6 +22,23 @@ bool has_equal(const std::vector<int>& corners, int vertices) {
   return mesh::has_equal_triangles(table_of(corners, vertices), corners);
 }
 
+TEST(EdgeTable, WiresAreEdgesWhetherTrianglesHaveThemOrNot) {
+  mesh::EdgeTable table = table_of({2, 3, 4}, 9);
+  mesh::add_wires(table, std::vector<std::array<int, 2>>{{8, 7}, {4, 3}, {0, 1}, {5, 5}, {7, 8}, {3, 0}});
+  std::vector<std::array<int, 2>> edges;
+  std::vector<int> counts;
+  std::vector<bool> wires;
+  for (const mesh::MeshEdge& edge : table.edges) {
+    edges.push_back(edge.vertex);
+    counts.push_back(edge.count);
+    wires.push_back(edge.wire);
+    EXPECT_EQ(table.halfedges_of(edge).size(), static_cast<std::size_t>(edge.count));
+  }
+  EXPECT_EQ(edges, (std::vector<std::array<int, 2>>{{0, 1}, {0, 3}, {2, 3}, {2, 4}, {3, 4}, {7, 8}}));
+  EXPECT_EQ(counts, (std::vector<int>{0, 0, 1, 1, 1, 0}));
+  EXPECT_EQ(wires, (std::vector<bool>{true, true, false, false, true, true}));
+}
+
 TEST(EdgeTable, HoldsEveryHalfedgeAtItsEdge) {
   std::mt19937 random(1);
   const int vertices = 9000;  // more than one thread takes at once

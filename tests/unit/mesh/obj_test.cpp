@@ -75,8 +75,15 @@ TEST(Obj, GroupsAreBodiesWhereThereAreNoObjects) {
 TEST(Obj, OtherStatementsAreNotedOnce) {
   const mesh::Soup soup =
       soup_of("# a comment\nmtllib x\nusemtl y#z\ns off\nv 0 0 0\nv 1 0 0\nl 1 2\np 1\nl 2 1\n\x7F\xC3 3\n");
-  EXPECT_EQ(soup.notes, (std::vector<std::string>{"ignored 4 unsupported lines ('l', 'p', '?"
-                                                  "?'), the first is line 7"}));
+  EXPECT_EQ(soup.notes, (std::vector<std::string>{"ignored 2 unsupported lines ('p', '?"
+                                                  "?'), the first is line 8"}));
+}
+
+TEST(Obj, LinesAreWires) {
+  const mesh::Soup soup = soup_of("v 0 0 0\nl 1 2/7 3\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 2\nl -1 -3/1 \\\n 2\nl 3 3\n");
+  EXPECT_EQ(soup.wires, (std::vector<std::array<int, 2>>{{0, 1}, {1, 2}, {2, 0}, {0, 1}, {2, 2}}));
+  EXPECT_EQ(soup.corners, (std::vector<int>{0, 1, 2}));
+  EXPECT_TRUE(soup.notes.empty());
 }
 
 TEST(Obj, ErrorsNameTheLine) {
@@ -98,6 +105,8 @@ TEST(Obj, ErrorsNameTheLine) {
             "m.obj:2 | m.obj:2: a face refers to vertex -9223372036854775808, but there are 1 before it | ");
   EXPECT_EQ(error("v 0 0 0\nf 1 1 9223372036854775807\n"),
             "m.obj:2 | m.obj:2: a face refers to vertex 9223372036854775807, but there are 1 | ");
+  EXPECT_EQ(error("v 0 0 0\nl 1 0\n"), "m.obj:2 | m.obj:2: a line refers to vertex 0 | vertices are numbered from 1");
+  EXPECT_EQ(error("v 0 0 0\nf 1 1 1\nl 1 2\n"), "m.obj:3 | m.obj:3: a line refers to vertex 2, but there are 1 | ");
   EXPECT_EQ(error("v 0 0 0\nf 1 x 1\n"), "m.obj:2 | m.obj:2: 'x' is not a whole number | ");
   EXPECT_EQ(error("v 0 0 0\nf 1 99999999999999999999 1\n"),
             "m.obj:2 | m.obj:2: '99999999999999999999' is not a whole number | ");
@@ -163,8 +172,14 @@ TEST(Obj, ErrorsNameTheLineOfLongFiles) {
   EXPECT_EQ(error("\nf 1 2 -9000000\n"), "m.obj:" + next + " | m.obj:" + next +
                                              ": a face refers to vertex -9000000, but there are " + count +
                                              " before it | ");
-  EXPECT_EQ(soup_of(file.text + "\nl 1 2\n" + file.text + "p 1\nl 1\n").notes,
-            (std::vector<std::string>{"ignored 3 unsupported lines ('l', 'p'), the first is line " + next}));
+  EXPECT_EQ(error("\nl 1 -9000000\n"), "m.obj:" + next + " | m.obj:" + next +
+                                           ": a line refers to vertex -9000000, but there are " + count +
+                                           " before it | ");
+  const mesh::Soup soup = soup_of(file.text + "\np 1 2\nl 1 -1\n" + file.text + "x 1\np 1\nl 2 -1\n");
+  EXPECT_EQ(soup.notes,
+            (std::vector<std::string>{"ignored 3 unsupported lines ('p', 'x'), the first is line " + next}));
+  const int points = static_cast<int>(file.soup.points.size());
+  EXPECT_EQ(soup.wires, (std::vector<std::array<int, 2>>{{0, points - 1}, {1, 2 * points - 1}}));
 }
 
 // Nowhere to cut: every line goes on, or none ends with a line feed.

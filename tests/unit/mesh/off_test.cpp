@@ -18,6 +18,15 @@ TEST(Off, CountsAndCommentsAnywhere) {
   }
 }
 
+TEST(Off, FacesOfTwoCornersAreWiresAndCount) {
+  const std::string text = "OFF\n4 3 0\n0 0 0\n1 0 0\n0 1 0\n5 5 5\n2 0 3\n3 0 1 2\n2 3 1 255 0 0\n";
+  EXPECT_EQ(soup_of(text).wires, (std::vector<std::array<int, 2>>{{0, 3}, {3, 1}}));
+  const mesh::Mesh mesh = mesh::make_mesh(soup_of(text), "m.off");
+  EXPECT_EQ(mesh.polygon, std::vector<int>{1});
+  EXPECT_EQ(mesh.report.dropped_degenerate, 0);
+  EXPECT_EQ(mesh.report.wires, 2);
+}
+
 TEST(Off, ColoursNormalsAndTexturesAreSkipped) {
   for (const std::string keyword : {"COFF\n", "NOFF\n", "STOFF\n", "STCNOFF\n", "COFF"}) {
     const mesh::Soup soup =

@@ -31,6 +31,17 @@ TEST(Ply, TextWithEverythingBesides) {
   EXPECT_TRUE(soup.single_precision);
 }
 
+TEST(Ply, EdgesAreWires) {
+  const std::string points = "0 0 0\n1 0 0\n0 1 0\n", head = "ply\nformat ascii 1.0\n" + vertex_header;
+  const std::string edges = "element edge 2\nproperty uchar red\nproperty int vertex2\nproperty int vertex1\n";
+  const mesh::Soup soup = soup_of(head + edges + "end_header\n" + points + "255 1 0\n255 2 1\n");
+  EXPECT_EQ(soup.wires, (std::vector<std::array<int, 2>>{{0, 1}, {1, 2}}));
+  EXPECT_TRUE(soup.corners.empty());
+  EXPECT_TRUE(soup_of(head + "element edge 1\nproperty int crease\nend_header\n" + points + "7\n").wires.empty());
+  EXPECT_EQ(error_of([&] { soup_of(head + edges + "end_header\n" + points + "255 1 0\n255 2 3\n"); }),
+            "m.ply:16 | m.ply:16: an edge refers to vertex 3, but there are 3 | ");
+}
+
 TEST(Ply, BinaryInBothByteOrdersWithFacesFirst) {
   for (const std::endian order : {std::endian::little, std::endian::big}) {
     std::string bytes = std::string("ply\nformat binary_") + (order == std::endian::big ? "big" : "little") +

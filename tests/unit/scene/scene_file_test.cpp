@@ -86,7 +86,8 @@ TEST(SceneFile, AllKeysOfAView) {
   EXPECT_EQ(*read.name, "cut");
   EXPECT_EQ(read.scale->fixed, 2);
   EXPECT_EQ(*read.hidden, HiddenLines::none);
-  EXPECT_EQ(*read.edges, (EdgeKinds{true, false, false, false, false, true}));
+  EXPECT_EQ(*read.edges,
+            (EdgeKinds{.crease = false, .boundary = false, .intersection = false, .wire = false, .smooth = true}));
   EXPECT_EQ(*read.section, "A");
   EXPECT_EQ(*read.label, "cut A");
   EXPECT_EQ(*read.crease_angle, 20);

@@ -105,6 +105,37 @@ TEST(Outline, RightDrawingsAreRight) {
     }
 }
 
+// A cube with wires behind it, through it and across its faces.
+Shape wired_cube() {
+  Shape shape = triangulated_cube();
+  shape.points.insert(shape.points.end(),
+                      {{-1, 3, 0.5}, {2, 3, 0.4}, {0.4, -1, 0.3}, {0.6, 2, 0.8}, {0.2, 0, 0.2}, {0.9, 0, 0.7}});
+  shape.wires = {{8, 9}, {10, 11}, {12, 13}, {0, 6}, {1, 13}};
+  return shape;
+}
+
+TEST(Outline, WiresNeedInkAndNothingElseMayLookLikeThem) {
+  const Shape lines{{{0, 0, 0}, {1, 0.2, 0.1}, {0.3, 1, 0.7}}, {}, {}, {{0, 1}, {1, 2}}};
+  for (const Shape& shape : {wired_cube(), lines})
+    for (const projection::Projection& view : views()) {
+      const Result right = draw(world_of(shape), view);
+      const report::OutlineCheck found = checked(right);
+      EXPECT_EQ(found.wrong(), 0) << told(found);
+      EXPECT_GT(found.asked, samples / 4);
+      const report::OutlineCheck unasked = checked(right, {{.wire = false}, samples});
+      EXPECT_GT(unasked.unfounded, 0);
+      EXPECT_EQ(unasked.missing + unasked.doubled, 0) << told(unasked);
+      for (std::size_t i = 0; i < right.drawing.segments.size(); ++i) {
+        const drawing::Segment removed = right.drawing.segments[i];
+        const bool is_clear = removed.kind == EdgeKind::wire && removed.visible && removed.edge[0] >= 8;
+        if (!(is_clear || shape.faces.empty()) || length_of(removed) < 0.01 * visible_ink(right.drawing)) continue;
+        Result wrong = right;
+        wrong.drawing.segments.erase(wrong.drawing.segments.begin() + static_cast<std::ptrdiff_t>(i));
+        expect_fault(checked(wrong), "missing", removed, 1e-6 * right.view.extent);
+      }
+    }
+}
+
 // The lines across the page measure the ink: by Crofton's formula, and by adding it up.
 TEST(Outline, PlacesStandForLengths) {
   const Result r = draw(world_of(four_boxes()), views()[0]);

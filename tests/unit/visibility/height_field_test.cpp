@@ -47,6 +47,11 @@ TEST(OneSheet, IsAHeightFieldFromAbove) {
   EXPECT_TRUE(certified({field(6, wavy)}, perspective({3, 3, 20}, {3, 3, 0}, {0, 0, 1}, {0, 1, 0})));
 }
 
+TEST(OneSheet, HasNoWires) {
+  Shape below{{{1, 1, -2}, {5, 4, -3}}, {}, {}, {{0, 1}}};
+  EXPECT_FALSE(certified({field(6, flat), below}, from_above()));
+}
+
 TEST(OneSheet, MayHaveHoles) {
   const auto hole = [](int i, int j) { return i % 3 == 1 && j % 3 == 1; };
   EXPECT_TRUE(certified({field(9, wavy, hole)}, orthographic({0.3, -0.2, 1})));

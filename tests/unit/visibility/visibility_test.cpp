@@ -60,6 +60,66 @@ TEST(Hidden, NothingInAWireframe) {
   EXPECT_EQ(none.first, std::vector<std::size_t>(result.drawn.edges.size() + 1, 0));
 }
 
+// Lengths of wires on the page: visible, hidden.
+std::array<double, 2> lengths_of_wires(const Result& result) {
+  std::array<double, 2> lengths{};
+  for (const drawing::Segment& s : result.drawing.segments)
+    if (s.kind == EdgeKind::wire) lengths[s.visible ? 0 : 1] += glm::distance(s.from, s.to);
+  return lengths;
+}
+
+TEST(Wires, AreHiddenByFacesLikeOtherEdges) {
+  // Behind a cube of side 10, before it, through it, in its front face and in its back face; three segments of 20, 6
+  // and 10, and two of 4.
+  Shape cube = box({0, 0, 0}, {10, 10, 10});
+  const std::vector<laboratory::Point> ends{{-5, 20, 5}, {15, 20, 5}, {2, -3, 2}, {8, -3, 2}, {6, -5, 6},
+                                            {6, 5, 6},   {3, 0, 3},   {7, 0, 3},  {3, 10, 4}, {7, 10, 4}};
+  for (std::size_t i = 0; i < ends.size(); i += 2) {
+    const int first = static_cast<int>(cube.points.size());
+    cube.points.insert(cube.points.end(), {ends[i], ends[i + 1]});
+    cube.wires.push_back({first, first + 1});
+  }
+  const auto from_the_front = lengths_of_wires(draw(world_of(cube), orthographic({0, -1, 0})));
+  const double unit = from_the_front[1] / (10 + 4);  // half of the first, and the last
+  EXPECT_NEAR(from_the_front[0], unit * (10 + 6 + 4), 1e-8 * unit);
+  // From above: behind and before it is seen whole, the third down to the cube, those in the upright faces are seen
+  // edge-on and hidden by nothing but the lid, which they are below.
+  const auto from_the_top = lengths_of_wires(draw(world_of(cube), from_above()));
+  EXPECT_NEAR(from_the_top[0] / from_the_top[1], (20 + 6 + 5) / 5., 1e-8);
+}
+
+TEST(Wires, AreDrawnWithoutAnyFace) {
+  const Shape angle{{{0, 0, 0}, {3, 0, 0}, {3, 4, 0}}, {}, {}, {{0, 1}, {1, 2}}};
+  const auto lengths = lengths_of_wires(draw(world_of(angle), from_above()));
+  const auto twice = lengths_of_wires(draw(world_of({angle, plate(0, 0, 3, 4, 1)}), from_above()));
+  EXPECT_GT(lengths[0], 0);
+  EXPECT_EQ(lengths[1], 0);
+  EXPECT_EQ(twice[0], 0) << "covered by the outline of the plate";
+}
+
+TEST(Wires, InFacesAreSeenWholly) {
+  // The diagonals of the faces that the triangles do not have, as they join corners.
+  Shape cube = triangulated_cube();
+  const mesh::Mesh mesh = mesh_of(cube), other = mesh_of(triangulated_cube(true));
+  for (const mesh::MeshEdge& edge : other.edges)
+    if (mesh.edge_between(edge.vertex) == nullptr) cube.wires.push_back(edge.vertex);
+  ASSERT_EQ(cube.wires.size(), 6U);
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (int i = 0; i < 200; ++i) {
+    const Result result = draw(world_of(cube), orthographic({number(random), number(random), number(random)}));
+    int visible = 0;
+    for (std::size_t e = 0; e < result.drawn.edges.size(); ++e) {
+      if (result.drawn.edges[e].kind != EdgeKind::wire) continue;
+      std::vector<bool> parts;
+      result.hidden.visit_parts(e, [&](double, double, bool is_visible) { parts.push_back(is_visible); });
+      ASSERT_EQ(parts.size(), 1U) << i;
+      visible += parts[0];
+    }
+    EXPECT_EQ(visible, 3) << i;
+  }
+}
+
 int hidden_spans_below(double gap, std::optional<double> contact) {
   const scene::World world = world_of({plate(0, 0, 1, 1, gap), ground()});
   view::ProjectedScene view = view::project_scene(world, from_above(), {.contact = contact});

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Edges that bound no face, as polylines: where they share a vertex, they share its point.
+#pragma once
+
+#include <cstdint>
+#include <epura/importer_plugin.hpp>
+#include <vector>
+
+#include "model.hpp"
+#include "tessellation.hpp"
+
+namespace occt {
+
+struct WireMesh {
+  std::vector<epura::plugin::Point> points;
+  std::vector<std::vector<std::uint32_t>> wires;  ///< the first point again at the end of a closed one
+};
+
+/// Numbers of points begin with `first_point`.
+WireMesh mesh_of(const std::vector<TopoDS_Edge>& edges, std::uint32_t first_point, const Fineness& fineness);
+
+}  // namespace occt
