@@ -10,7 +10,7 @@ std::optional<FittedCircle> fit_circle(std::span<const Vec2> points) {
   const auto count = static_cast<double>(points.size());
   Vec2 middle(0);
   for (const Vec2& p : points) middle += p / count;
-  // Sums of products of offsets from the middle: with these the normal equations are two.
+  // Sums of products of offsets from the middle, with which only two normal equations remain.
   double xx = 0, xy = 0, yy = 0;
   Vec2 cubes(0);
   for (const Vec2& p : points) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs of consecutive points of a polyline on one curve, found greedily; independent of the kind of curve.
+// Finds runs of consecutive points of a polyline on one curve, greedily and independently of the kind of curve.
 #pragma once
 
 #include <algorithm>
@@ -8,16 +8,16 @@
 
 namespace epura {
 
-/// Points first ... last lie on the curve, which has a `deviation` from them and a `tolerance` for it. Around a closed
-/// polyline `last` counts on past its end.
+/// Points first ... last lie on the curve, which has members `deviation` (distance from them) and `tolerance`. In a
+/// closed polyline, `last` may continue past its end.
 template <class Curve>
 struct CurveRun {
   int first, last;
   Curve curve;
 };
 
-/// Moves one end of a run towards `limit` by as much as the curve allows, in steps that double and then halve. The
-/// tolerance is for noise: points that lie much worse than those of the run so far belong to something else.
+/// Moves one end of a run towards `limit` as far as the curve allows, in steps that double and then halve. The
+/// tolerance is for noise: points that lie much farther off than those of the run so far belong to something else.
 template <class Curve, class Fit>
 void grow(CurveRun<Curve>& run, int CurveRun<Curve>::*end, int limit, const Fit& fit) {
   constexpr double much_worse = 5, rounding = 0.02;
@@ -37,11 +37,11 @@ void grow(CurveRun<Curve>& run, int CurveRun<Curve>::*end, int limit, const Fit&
   }
 }
 
-/// Runs as long as possible, ascending; they share no more than end points.
-///   window(first, most) -> int                last point of the shortest run from `first` worth fitting, or `max`
+/// Finds runs as long as possible, ascending; they share end points at most.
+///   window(first, max) -> int                 last point of the shortest run from `first` worth fitting, or `max`
 ///   fit(first, last) -> std::optional<Curve>  the curve through all these points, if there is one
-/// Point numbers given to both may be negative or beyond the end of a closed polyline. After a failure the next try
-/// begins a sixteenth of the window later, so O(n log n) points are examined.
+/// Both may be called with numbers of points that are negative or beyond the end of a closed polyline. After a failure,
+/// the next attempt begins a sixteenth of the window later, so O(n log n) points are examined.
 template <class Curve, class Window, class Fit>
 std::vector<CurveRun<Curve>> find_curve_runs(int points, bool closed, const Window& window, const Fit& fit) {
   constexpr int tries_a_window = 16;
@@ -49,7 +49,7 @@ std::vector<CurveRun<Curve>> find_curve_runs(int points, bool closed, const Wind
   if (closed)
     if (const auto whole = fit(0, points)) return {{0, points, *whole}};
 
-  // Around a closed polyline until the first run begins again.
+  // Around a closed polyline, up to the beginning of the first run.
   const auto max = [&](int at) { return !closed ? points - 1 : (runs.empty() ? at : runs.front().first) + points; };
   for (int at = 0; at < std::min(points, max(at));) {
     const int last = window(at, max(at));

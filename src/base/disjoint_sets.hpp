@@ -15,7 +15,7 @@ class DisjointSets {
  public:
   explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
 
-  /// The set that the number is in.
+  /// Returns the set that contains a number.
   int root(int i) {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
@@ -27,7 +27,7 @@ class DisjointSets {
     parent_[std::max(i, j)] = std::min(i, j);
   }
 
-  /// The root of each number.
+  /// Returns the root of each number.
   [[nodiscard]] std::vector<int> roots() && {
     for (int i = 0; i < static_cast<int>(parent_.size()); ++i) parent_[i] = root(i);
     return std::move(parent_);

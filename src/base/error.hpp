@@ -10,7 +10,7 @@ namespace epura {
 /// Kind of error; the value is the exit code of the program.
 enum class ErrorKind { input = 2, plugin = 3, output = 4, time = 5 };
 
-/// Names the place (file:line, an option, a plugin), the reason and, where there is one, the remedy.
+/// Gives the place (file:line, an option, a plugin), the reason and, if there is one, the remedy.
 class Error : public std::runtime_error {
  public:
   Error(ErrorKind kind, std::string where, std::string what, std::string hint = {});
@@ -25,7 +25,7 @@ class Error : public std::runtime_error {
   std::string hint_;
 };
 
-/// Our own mistake: prints the sentence and aborts, in every build type.
+/// For programming errors: prints the sentence and aborts, in every build type.
 void check(bool condition, const char* sentence);
 
 }  // namespace epura

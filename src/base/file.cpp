@@ -19,9 +19,9 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::uintmax_t most_bytes_of_pipe = 1'000'000'000;
-// As many as Linux follows.
+// The number of links that Linux follows.
 constexpr int most_links = 40;
-constexpr std::size_t most_at_once = 1 << 24;  // bytes to read between two looks at the clock
+constexpr std::size_t most_at_once = 1 << 24;  // bytes to read between two checks of the clock
 
 // A file descriptor that closes itself.
 class Descriptor {
@@ -50,7 +50,7 @@ class Descriptor {
   throw Error(kind, path.string(), "cannot " + action + ": " + std::strerror(number), hint);
 }
 
-// Git keeps the bytes of such a file elsewhere.
+// Git LFS keeps the contents of such a file elsewhere.
 void refuse_pointer(const fs::path& path, std::string_view bytes) {
   if (bytes.starts_with("version https://git-lfs.github.com/spec/"))
     throw Error(ErrorKind::input, path.string(), "is a Git LFS pointer; the file it stands for is missing",
@@ -73,7 +73,7 @@ void write_directly(const fs::path& path, std::string_view bytes) {
   if (!write_all(file.number(), bytes) || !file.close()) fail(ErrorKind::output, path, "write", errno);
 }
 
-// The mode of the old file, or what any new file would get.
+// Returns the mode of the old file, or the one that any new file would get.
 mode_t mode_for(const fs::path& target) {
   const mode_t mask = ::umask(0);
   ::umask(mask);
@@ -81,7 +81,7 @@ mode_t mode_for(const fs::path& target) {
   return ::stat(target.c_str(), &old) == 0 ? old.st_mode & 0777 : 0666 & ~mask;
 }
 
-// Closes a complete file and puts it into the place of the target, or removes it.
+// Closes a complete file and moves it to the target, or removes it.
 bool put_in_place(Descriptor& file, const std::string& name, const fs::path& target) {
   if (file.close() && ::rename(name.c_str(), target.c_str()) == 0) return true;
   const int number = errno;
@@ -90,7 +90,7 @@ bool put_in_place(Descriptor& file, const std::string& name, const fs::path& tar
   return false;
 }
 
-// Gives a file without a name one next to the target; an empty one when it cannot have any.
+// Gives a nameless file a name next to the target; returns an empty name if that is impossible.
 std::string name_beside(const Descriptor& file, const fs::path& target) {
   const std::string self = "/proc/self/fd/" + std::to_string(file.number());
   for (int attempt = 0; attempt < 100; ++attempt) {
@@ -101,8 +101,8 @@ std::string name_beside(const Descriptor& file, const fs::path& target) {
   return {};
 }
 
-// By a file without a name: it vanishes by itself, whenever and however the process ends. False where the file system
-// has none, or for errors that the other method will meet, too.
+// Uses a nameless file, which vanishes by itself whenever and however the process ends. Returns false if the file
+// system does not support that, or for errors that the other method will encounter, too.
 bool replace_by_nameless(const fs::path& target, std::string_view bytes, Progress progress) {
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
   Descriptor file(::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600));
@@ -163,7 +163,7 @@ std::string read_file(const fs::path& path, const Progress& progress, std::uintm
   };
   expect_at_most(static_cast<std::uintmax_t>(status.st_size));
 
-  // One byte more than the size, so that the end of the file is seen without growing. A pipe reports size 0.
+  // One byte more than the size, so that the end of the file is detected without growing. A pipe reports size 0.
   std::string bytes(static_cast<std::size_t>(status.st_size) + 1, '\0');
   std::size_t filled = 0;
   while (true) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reading and writing of whole files. Readers of an output see the old file or the new one, never a part.
+// Reads and writes whole files. Readers of an output see the old file or the new one, never a part.
 #pragma once
 
 #include <cstdint>
@@ -12,23 +12,23 @@
 
 namespace epura {
 
-/// Where something written to the path goes: the end of links that there are, also of those that lead to nothing yet.
-/// Links in a circle stay what they are.
+/// Returns where something written to the path goes: the end of existing links, including those whose target does not
+/// exist yet. Links in a circle remain as they are.
 std::filesystem::path end_of_links(const std::filesystem::path& path);
 
-/// The same text for two paths exactly if they are one file, by whatever links and names; also of one that is not there
-/// yet. Empty for devices, pipes and folders: they may be written to twice, or not at all.
+/// Returns the same text for two paths exactly if they are one file, whatever links and names lead to it; also for a
+/// file that does not exist yet. Empty for devices, pipes and folders: they may be written to twice, or not at all.
 std::string identity_of_file(const std::filesystem::path& path);
 
-/// All bytes of a regular file (or of a pipe, up to 1 GB: it may have no end). Throws Error{input} naming the path and
-/// the reason: also for devices, for what is longer than `most_bytes`, and for files that Git LFS keeps elsewhere.
+/// Returns all bytes of a regular file (or of a pipe, up to 1 GB, since it may be endless). Throws Error{input} with
+/// path and reason, also for devices, for more than `most_bytes`, and for files whose contents Git LFS keeps elsewhere.
 /// Throws OutOfTime.
 std::string read_file(const std::filesystem::path& path, const Progress& progress = {},
                       std::uintmax_t most_bytes = std::numeric_limits<std::uintmax_t>::max());
 
-/// Writes next to the target, without a name where the file system can, and renames at the end. Links stay links.
-/// Throws Error{output}; the old file then stays. A target that is not a regular file (a device, a pipe) is written to
-/// directly.
+/// Writes a file next to the target, without a name if the file system supports that, and renames it at the end. Links
+/// stay links. Throws Error{output}; then the old file remains. A target that is not a regular file (a device, a pipe)
+/// is written to directly.
 void write_file(const std::filesystem::path& path, std::string_view bytes, Progress progress = {});
 
 }  // namespace epura

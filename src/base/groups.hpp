@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Items by group: the items of all groups in one array, group after group.
+// Items by group, with the items of all groups in one array, group after group.
 #pragma once
 
 #include <algorithm>
@@ -14,14 +14,14 @@
 
 namespace epura {
 
-/// Within a group items have no particular order: it changes from run to run.
+/// Items have no particular order within a group: it changes from run to run.
 template <class Item>
 class Groups {
  public:
   Groups() = default;
 
-  /// `each(visit)` calls visit(group, item) for every item, on as many threads as it likes. It is called twice, and
-  /// does the same both times.
+  /// `each(visit)` must call visit(group, item) for every item, on any number of threads. It is called twice and must
+  /// make the same calls both times.
   template <class Each>
   Groups(std::size_t groups, const Each& each) : first_(groups + 1, 0) {
     const auto count_up = [](std::size_t& n) { return std::atomic_ref(n).fetch_add(1, std::memory_order_relaxed); };

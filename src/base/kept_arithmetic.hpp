@@ -7,8 +7,8 @@
 
 namespace epura {
 
-/// Gives back at its end the rounding mode, the traps and the treatment of tiny numbers that there were at its
-/// beginning. Libraries built with -ffast-math already change them when they are loaded.
+/// Restores the rounding mode, the traps and the treatment of denormal numbers when it is destroyed. Libraries built
+/// with -ffast-math change them as soon as they are loaded.
 class KeptArithmetic {
  public:
   KeptArithmetic() { std::fegetenv(&before_); }
@@ -16,11 +16,11 @@ class KeptArithmetic {
   KeptArithmetic& operator=(const KeptArithmetic&) = delete;
   ~KeptArithmetic() { std::fesetenv(&before_); }
 
-  /// Whether results of arithmetic are others than before.
+  /// Whether arithmetic gives other results than before.
   [[nodiscard]] bool is_changed() const { return std::fegetround() != rounding_ || has_tiny_numbers() != had_tiny_; }
 
  private:
-  // At run time, whatever the compiler knows.
+  // Evaluated at run time, whatever the compiler knows.
   static bool has_tiny_numbers() {
     const volatile double min = DBL_MIN;
     return min / 2 > 0;

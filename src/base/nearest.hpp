@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a segment is nearest to a point, on the page (Vec2) or in space (Vec3).
+// Finds the point of a segment that is nearest to a given point, on the page (Vec2) or in space (Vec3).
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace epura {
 
-/// From 0 at `from` to 1 at `to`; 0 where these coincide.
+/// Returns 0 at `from` to 1 at `to`; 0 if these coincide.
 template <class Vec>
 double nearest_parameter(const Vec& p, const Vec& from, const Vec& to) {
   const Vec along = to - from;

@@ -17,8 +17,8 @@ namespace {
 
 std::size_t thread_limit() { return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism); }
 
-/// Where memory or processes are few, oneTBB ends the program from one of its own threads: the only time at which this
-/// can be found out is before.
+/// If memory or processes are scarce, oneTBB ends the program from one of its own threads: this can only be detected
+/// beforehand.
 bool can_begin(std::size_t threads) {
   std::latch all_there(1);
   std::vector<std::thread> begun;
@@ -34,7 +34,7 @@ bool can_begin(std::size_t threads) {
 }
 
 void for_alone(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body) {
-  // As small as oneTBB cuts them for one thread: between them, stages report their progress.
+  // As small as oneTBB makes them for one thread: stages report their progress between pieces.
   const std::size_t piece = std::max(grain, count / 16);
   for (std::size_t begin = 0; begin < count; begin += piece) body(begin, std::min(begin + piece, count));
 }

@@ -13,7 +13,7 @@ namespace epura {
 /// Calls `body(begin, end)` on disjoint pieces that cover [0, count), at least `grain` long, on several threads.
 void parallel_for(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body);
 
-/// The same in pieces of at most `grain`, before each of which the clock is checked. Throws OutOfTime.
+/// The same in pieces of at most `grain`; the clock is checked before each. Throws OutOfTime.
 inline void parallel_for(std::size_t count, std::size_t grain, const Progress& progress,
                          const std::function<void(std::size_t, std::size_t)>& body) {
   parallel_for(count, grain, [&](std::size_t begin, std::size_t end) {
@@ -24,21 +24,21 @@ inline void parallel_for(std::size_t count, std::size_t grain, const Progress& p
   });
 }
 
-/// Calls both, perhaps at the same time.
+/// Calls both, possibly at the same time.
 void parallel_both(const std::function<void()>& first, const std::function<void()>& second);
 
-/// Sorts halves side by side and merges them. Items of which none is less than the other must be the same.
+/// Sorts both halves in parallel and merges them. Items of which neither is less than the other must be identical.
 template <class Iterator>
 void parallel_sort(Iterator begin, Iterator end) {
-  constexpr int alone = 8192;  // items that one thread sorts without help
+  constexpr int alone = 8192;  // number of items that one thread sorts alone
   if (end - begin <= alone) return std::sort(begin, end);
   const Iterator middle = begin + (end - begin) / 2;
   parallel_both([&] { parallel_sort(begin, middle); }, [&] { parallel_sort(middle, end); });
   std::inplace_merge(begin, middle, end);
 }
 
-/// Limits the number of threads while it lives; 0 means all cores. Where so many cannot be begun, one does the work:
-/// the result is the same.
+/// Limits the number of threads during its lifetime; 0 means all cores. If that many threads cannot be started, one
+/// does the work, with the same result.
 class ThreadLimit {
  public:
   explicit ThreadLimit(int threads);
@@ -47,7 +47,7 @@ class ThreadLimit {
   ~ThreadLimit();
 
  private:
-  [[maybe_unused]] void* control_;  // in tests/schedules nothing is limited
+  [[maybe_unused]] void* control_;  // unused in tests/schedules, where nothing is limited
 };
 
 }  // namespace epura

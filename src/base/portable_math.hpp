@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Trigonometric functions with the same bits on every machine. For doubles, the C library has several versions,
-// depending on the instructions of the processor (FMA), which differ in the last bit once in a thousand angles; for
+// depending on the instructions of the processor (FMA), which differ in the last bit for one angle in a thousand; for
 // long doubles it has one, whose results are rounded here.
 #pragma once
 

@@ -25,46 +25,46 @@ struct OutOfTime {
 /// Thrown when the observer of the run asks it to end.
 struct Stopped {};
 
-/// Observer of a run.
+/// Observes a run.
 struct Observer {
-  /// Told when a stage begins, and at each further percent of it; from any thread, never twice at once.
+  /// Called when a stage begins, and at each further percent of it; from any thread, never concurrently.
   std::function<void(const std::string& stage, double done)> tell{};
   std::stop_token stop{};
 };
 
-/// How far a stage is.
+/// The state of a stage.
 struct Standing {
   std::string stage;
-  std::size_t done = 0, work = 0;  ///< work 0: not known
-  double seconds = 0;              ///< since it began
+  std::size_t done = 0, work = 0;  ///< work 0: unknown
+  double seconds = 0;              ///< since the stage began
 };
 
 /// Estimated seconds until a stage ends at its current speed; empty while unknown.
 std::optional<double> seconds_left(const Standing& standing);
 
-/// Where the stages of a run write and somebody else reads, on any threads.
+/// Stages of a run write here, and others read, on any threads.
 class ProgressBoard {
  public:
   ProgressBoard() = default;
-  /// With its own clock, in seconds since the board was made, usable from any thread: time is up where a test
-  /// requires it.
+  /// With its own clock, which returns seconds since the board was made and is usable from any thread: a test can let
+  /// time run out where it likes.
   explicit ProgressBoard(std::function<double()> clock) : clock_(std::move(clock)) {}
 
   void begin(std::string_view stage, std::size_t work);
   void advance(std::size_t done);
-  /// Before the run begins.
+  /// To be called before the run begins.
   void observe(Observer observer) { observer_ = std::move(observer); }
   [[nodiscard]] bool is_stopped() const { return observer_.stop.stop_requested(); }
   [[nodiscard]] Standing standing() const;
 
-  /// Since the board was made.
+  /// Seconds since the board was made.
   [[nodiscard]] double seconds() const;
 
-  /// What is left to do is only to be written out: how long that takes is a matter of where it goes.
+  /// Only output remains to be written: how long that takes depends on its destination.
   void lift_limit() { has_limit_ = false; }
   [[nodiscard]] bool has_limit() const { return has_limit_; }
 
-  /// Whoever ends the process from outside locks it first.
+  /// To be locked by whoever ends the process from outside.
   [[nodiscard]] std::timed_mutex& ending() { return ending_; }
 
  private:
@@ -74,17 +74,17 @@ class ProgressBoard {
   std::function<double()> clock_;
   std::atomic<std::size_t> done_ = 0;
   std::atomic<bool> has_limit_ = true;
-  mutable std::mutex stage_mutex_;  // of the next three
+  mutable std::mutex stage_mutex_;  // protects the next three
   std::string stage_;
   std::size_t work_ = 0;
   Clock::time_point begun_ = start_;
   std::timed_mutex ending_;
   Observer observer_;
-  std::mutex told_mutex_;  // of the next one
+  std::mutex told_mutex_;  // protects the next one
   int told_percent_ = 0;
 };
 
-/// A stage's way to the board, to be copied freely.
+/// A stage's access to the board; may be copied freely.
 class Progress {
  public:
   Progress() = default;
@@ -92,16 +92,16 @@ class Progress {
   explicit Progress(ProgressBoard& board, std::optional<double> time_limit = std::nullopt)
       : board_(&board), time_limit_(time_limit) {}
 
-  /// A stage begins; `work` is what its calls of `advance` will add up to, 0 when not known.
+  /// Begins a stage; `work` is the sum of its calls of `advance`, 0 if unknown.
   void begin(std::string_view stage, std::size_t work = 0) const {
     if (board_ != nullptr) board_->begin(stage, work);
   }
-  /// From any thread, but seldom: once for a batch.
+  /// May be called from any thread, but rarely: once for a batch.
   void advance(std::size_t done) const {
     if (board_ != nullptr) board_->advance(done);
   }
   [[nodiscard]] bool is_limited() const { return time_limit_.has_value(); }
-  /// Whether what is not decided yet is to be left out. Without a time limit it costs nothing, with one a look at the
+  /// Whether everything not decided yet is to be left out. Free of cost without a time limit; with one, it checks the
   /// clock.
   [[nodiscard]] bool is_out_of_time() const {
     return (is_limited() && board_->seconds() >= *time_limit_) || is_stopped();
@@ -110,29 +110,29 @@ class Progress {
   void expect_not_stopped() const {
     if (is_stopped()) throw Stopped{};
   }
-  /// For stages of which a part is of no use. Throws OutOfTime, and Stopped.
+  /// For stages whose partial results are useless. Throws OutOfTime and Stopped.
   void expect_time() const {
     expect_not_stopped();
     if (is_out_of_time()) throw OutOfTime{board_->standing().stage};
   }
-  /// For a stage that is to leave the rest of the time that is left to those behind it.
+  /// For a stage that must leave the rest of the remaining time to those after it.
   [[nodiscard]] Progress with_part_of_the_time(double part) const {
     if (!is_limited()) return *this;
     const double now = board_->seconds();
     return Progress(*board_, now + part * (*time_limit_ - now));
   }
-  /// For what begins when the time is over and ends what was begun before.
+  /// For work that begins when time is up and completes what was begun before.
   [[nodiscard]] Progress with_more_time(double seconds) const {
     return is_limited() ? Progress(*board_, *time_limit_ + seconds) : *this;
   }
-  /// For what takes no time worth the name, and has to be done.
+  /// For work that takes hardly any time and has to be done.
   [[nodiscard]] Progress without_limit() const { return board_ == nullptr ? *this : Progress(*board_); }
   [[nodiscard]] std::optional<double> time_limit() const { return time_limit_; }
-  /// What is left to do is only to be written out.
+  /// Only output remains to be written.
   void lift_limit() const {
     if (board_ != nullptr) board_->lift_limit();
   }
-  /// While it lives, the run is not cancelled: for moments that would leave files behind.
+  /// During its lifetime, the run is not cancelled: for moments in which files would be left behind.
   [[nodiscard]] std::unique_lock<std::timed_mutex> undisturbed() const {
     if (board_ == nullptr) return {};
     return std::unique_lock(board_->ending());
@@ -145,15 +145,15 @@ class Progress {
   std::optional<double> time_limit_;
 };
 
-/// For loops over very many small items: reports progress and checks the clock once in a while.
+/// For loops over very many small items: reports progress and checks the clock at intervals.
 class Pace {
  public:
-  /// `work` is what is to be done of the stage.
+  /// `work` is the remaining work of the stage.
   Pace(const Progress& progress, std::size_t work) : progress_(progress), left_(work) {}
   Pace(const Pace&) = delete;
   Pace& operator=(const Pace&) = delete;
 
-  /// So much is left to be done. Throws OutOfTime.
+  /// Reports how much work remains. Throws OutOfTime.
   void left(std::size_t work) {
     if (++calls_ % calls_a_look != 0) return;
     progress_.advance(left_ - work);
@@ -168,9 +168,9 @@ class Pace {
   std::size_t left_, calls_ = 0;
 };
 
-/// What `make(progress)` gives. Where time is over in it, `leave_out(stage)` takes most of what was to be made away,
-/// and it is made again, each time in half of the time that is left by `last`; without a limit, once `leave_out` says
-/// that next to nothing is left.
+/// Returns what `make(progress)` returns. If it runs out of time, `leave_out(stage)` removes most of its input, and
+/// `make` is called again, each time with half of the time that `last` has left; without a limit once `leave_out`
+/// returns that next to nothing is left.
 template <class Make, class LeaveOut>
 auto make_in_time(const Progress& first, const Progress& last, const Make& make, const LeaveOut& leave_out) {
   Progress progress = first;

@@ -27,7 +27,7 @@ template <std::size_t size>
 std::uint64_t hash_of(const std::array<double, size>& key) {
   std::uint64_t hash = 0;
   for (const double value : key) {
-    // The sum makes negative zeros positive: both are equal. The mixer is that of splitmix64.
+    // The addition makes negative zeros positive, since both are equal. The mixer is that of splitmix64.
     hash += std::bit_cast<std::uint64_t>(value + 0.0) + 0x9e3779b97f4a7c15;
     hash = (hash ^ hash >> 30) * 0xbf58476d1ce4e5b9;
     hash = (hash ^ hash >> 27) * 0x94d049bb133111eb;
@@ -36,7 +36,7 @@ std::uint64_t hash_of(const std::array<double, size>& key) {
   return hash;
 }
 
-/// Visits items of one hash, which nearly always have one key as well.
+/// Visits items with one hash, which nearly always have the same key as well.
 template <class KeyOf, class Visit>
 void visit_same_hash(std::vector<int>& items, const KeyOf& key_of, const Visit& visit) {
   const auto differs = [&](int item) { return key_of(item) != key_of(items[0]); };
@@ -49,7 +49,7 @@ void visit_same_hash(std::vector<int>& items, const KeyOf& key_of, const Visit& 
 }
 
 /// Calls `visit(items)` for the items of [0, count), ascending, that share their key with others. `key_of(item)` is an
-/// array of finite doubles. Several calls run at the same time, in no particular order. Throws OutOfTime.
+/// array of finite doubles. Calls may be concurrent, in no particular order. Throws OutOfTime.
 template <class KeyOf, class Visit>
 void visit_same_keys(int count, const KeyOf& key_of, const Progress& progress, const Visit& visit) {
   constexpr std::size_t grain = 4096;
@@ -57,7 +57,7 @@ void visit_same_keys(int count, const KeyOf& key_of, const Progress& progress, c
   parallel_for(hashes.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) hashes[i] = hash_of(key_of(static_cast<int>(i)));
   });
-  // Few enough items in a group that they lie in the cache together, by the first bits of their hashes.
+  // Groups by the first bits of hashes, small enough for the items of a group to fit in the cache.
   const std::size_t groups = std::bit_ceil(hashes.size() / 64 + 2);
   const int shift = 64 - std::countr_zero(groups);
   Groups<HashedItem> grouped(groups, [&](const auto& add) {
@@ -80,7 +80,7 @@ void visit_same_keys(int count, const KeyOf& key_of, const Progress& progress, c
   });
 }
 
-/// By item of [0, count): whether two before it have its key. Throws OutOfTime.
+/// Returns for each item of [0, count) whether two items before it have the same key. Throws OutOfTime.
 template <class KeyOf>
 std::vector<char> mark_third_copies(int count, const KeyOf& key_of, const Progress& progress) {
   std::vector<char> is_third(static_cast<std::size_t>(count), 0);

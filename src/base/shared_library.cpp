@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// dlerror() without the path, which the caller adds to the error.
+/// Returns dlerror() without the path, which the caller adds to the error.
 std::string loading_error(const std::string& path) {
   const char* text = dlerror();
   std::string reason = text == nullptr ? "cannot be loaded" : text;
@@ -22,14 +22,14 @@ std::string loading_error(const std::string& path) {
   return reason;
 }
 
-/// The shared library that holds this code, absolute; empty if the program itself does.
+/// Returns the absolute path of the shared library that contains this code; empty if the program itself does.
 fs::path own_library() {
   Dl_info info{};
   void* map = nullptr;
   const int found = dladdr1(reinterpret_cast<const void*>(&own_library), &info, &map, RTLD_DL_LINKMAP);
   if (found == 0 || map == nullptr) return {};
   const char* name = static_cast<const link_map*>(map)->l_name;
-  return *name == 0 ? fs::path() : fs::absolute(name);  // the program has no name there
+  return *name == 0 ? fs::path() : fs::absolute(name);  // the program has no name in this list
 }
 
 }  // namespace
@@ -46,7 +46,7 @@ void* load_library(const fs::path& path, ErrorKind kind) {
 void* find_symbol(void* library, const char* name) { return dlsym(library, name); }
 
 void wait_for_other_loads() {
-  Dl_info info{};  // of no interest: the call takes the loader's lock, which it keeps until a library is there
+  Dl_info info{};  // unused: the call takes the loader's lock, which is held until a library has been loaded
   dladdr(reinterpret_cast<const void*>(&wait_for_other_loads), &info);
 }
 

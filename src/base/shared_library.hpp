@@ -8,19 +8,20 @@
 
 namespace epura {
 
-/// It stays loaded until the program ends, since unloading runs foreign code at an uncertain time. Throws
-/// Error{trouble} with the reason why it cannot be loaded, without its path.
+/// The library stays loaded until the program ends, since unloading runs foreign code at an unpredictable time. Throws
+/// Error{kind} with the reason why it cannot be loaded, without its path.
 void* load_library(const std::filesystem::path& path, ErrorKind kind);
 
-/// The address of a symbol of a loaded library; null if it has none of that name.
+/// Returns the address of a symbol in a loaded library; null if there is none of that name.
 void* find_symbol(void* library, const char* name);
 
-/// Waits until no other thread is loading a library. What is forked meanwhile finds the loader's tables half written,
-/// and may hang in them when it loads a library itself.
+/// Waits until no other thread is loading a library. A process that is forked during that time finds the loader's
+/// tables half written, and may hang when it loads a library itself.
 void wait_for_other_loads();
 
-/// What came with this program: its folder lib/epura, found from the program, or from the library that holds this code,
-/// so that all can be moved together. Empty if the system does not provide their location.
+/// Returns the folder lib/epura that came with this program. It is found relative to the program, or to the library
+/// that contains this code, so that everything can be moved together. Empty if the system does not provide their
+/// location.
 std::filesystem::path own_folder();
 
 }  // namespace epura

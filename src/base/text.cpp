@@ -15,7 +15,7 @@ namespace {
 
 template <class Number>
 std::optional<Number> parse_whole(std::string_view text) {
-  // from_chars takes no leading '+', which people and programs write.
+  // from_chars does not accept a leading '+', which people and programs write.
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
   Number value{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -50,7 +50,7 @@ std::string format_exactly(double value, int decimals) {
   return text == "-0" ? "0" : text;
 }
 
-// scaled / 10^decimals, without zeros at the end.
+// Appends scaled / 10^decimals, without trailing zeros.
 void append_scaled(std::string& text, bool negative, std::uint64_t scaled, int decimals) {
   std::array<char, 24> buffer{};
   char* const end = buffer.data() + buffer.size();
@@ -99,7 +99,7 @@ void append_fixed(std::string& text, double value, int decimals) {
   if (decimals < static_cast<int>(powers.size())) {
     const double scaled = std::abs(value) * powers[static_cast<std::size_t>(decimals)];
     const double whole = std::floor(scaled + 0.5);
-    // The product may be wrong in its last bits, which matters only halfway between two texts.
+    // The last bits of the product may be wrong, which matters only halfway between two texts.
     if (scaled < 1e11 && std::abs(scaled - whole) < 0.4999)
       return append_scaled(text, value < 0, static_cast<std::uint64_t>(whole), decimals);
   }
@@ -139,7 +139,7 @@ std::string to_lower(std::string_view text) {
 std::optional<std::string> nearest_name(std::string_view name, std::span<const std::string> candidates) {
   const std::string lower = to_lower(name);
   std::optional<std::string> best;
-  // Some of the name must be right: any two letters are two steps from any other two.
+  // Some of the name must be right: any two letters can be changed into any other two in two steps.
   std::size_t best_distance = std::min(std::max<std::size_t>(2, name.size() / 3) + 1, name.size());
   for (const std::string& candidate : candidates) {
     const std::size_t distance = edit_distance(lower, to_lower(candidate));

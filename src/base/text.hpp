@@ -10,36 +10,37 @@
 
 namespace epura {
 
-/// The whole of `text` as a number: decimal or scientific, a leading '+' allowed. Nothing else is allowed.
-/// "nan" and "inf" are numbers here; callers that need finite values must check.
+/// Parses all of `text` as a number: decimal or scientific, with an optional '+'. Nothing else is allowed. "nan" and
+/// "inf" are numbers here; callers that need finite values must check.
 std::optional<double> parse_number(std::string_view text);
 
-/// The whole of `text` as a whole number.
+/// Parses all of `text` as an integer.
 std::optional<long long> parse_integer(std::string_view text);
 
-/// Comma-separated numbers, all of them or nothing.
+/// Parses comma-separated numbers; returns nothing unless all are valid.
 std::optional<std::vector<double>> parse_numbers(std::string_view text);
 
-/// The shortest text that reads back as the same double; never a negative zero.
+/// Returns the shortest text that reads back as the same double; never a negative zero.
 std::string format_number(double value);
 void append_number(std::string& text, double value);
 
-/// At most `decimals` digits behind the point, trailing zeros dropped; never "-0".
+/// Formats with at most `decimals` digits after the point, without trailing zeros; never "-0".
 std::string format_fixed(double value, int decimals);
 void append_fixed(std::string& text, double value, int decimals);
 
-/// At most `digits` significant digits, for people; never "-0".
+/// Formats with at most `digits` significant digits, for people; never "-0".
 std::string format_rounded(double value, int digits);
 
-/// The parts of `text` between separators; an empty text has one empty part.
+/// Returns the parts of `text` between separators; an empty text has one empty part.
 std::vector<std::string_view> split(std::string_view text, char separator);
 
 std::string to_lower(std::string_view text);
 
-/// The candidate closest to `name` by edit distance, if it is close enough to have been meant.
+/// Returns the candidate closest to `name` by edit distance, if it is close enough to have been meant.
 std::optional<std::string> nearest_name(std::string_view name, std::span<const std::string> candidates);
 
-/// "did you mean 'x'?", or the list of candidates, of very many the three nearest; for the hint of an error.
+/// Returns "did you mean 'x'?" or the list of candidates (if there are very many, the three nearest), for the hint of
+/// an error.
 std::string did_you_mean(std::string_view name, std::span<const std::string> candidates);
 
 }  // namespace epura

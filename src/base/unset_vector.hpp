@@ -7,7 +7,7 @@
 
 namespace epura {
 
-/// Leaves new items as they are in memory where their type allows it.
+/// Leaves new items as they are in memory if their type permits it.
 template <class Item>
 struct UnsetAllocator : std::allocator<Item> {
   template <class Other>
@@ -20,8 +20,8 @@ struct UnsetAllocator : std::allocator<Item> {
   }
 };
 
-/// For large vectors that a parallel loop fills: their memory is first touched by that loop, on several threads, and
-/// not before by one thread that writes zeros.
+/// For large vectors that a parallel loop fills: their memory is first touched by that loop, on several threads,
+/// instead of by one thread that writes zeros.
 template <class Item>
 using UnsetVector = std::vector<Item, UnsetAllocator<Item>>;
 

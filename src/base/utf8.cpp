@@ -15,10 +15,10 @@ namespace {
 
 constexpr char32_t replacement = 0xFFFD;
 
-// Unicode, 23.7: U+FDD0 to U+FDEF, and the last two of every plane. Neither XML nor Cairo takes all of them.
+// Unicode, 23.7: U+FDD0 to U+FDEF, and the last two of every plane. Neither XML nor Cairo accepts all of them.
 bool is_noncharacter(char32_t code) { return (code >= 0xFDD0 && code <= 0xFDEF) || (code & 0xFFFE) == 0xFFFE; }
 
-// Calls `visit` for each character: U+FFFD for a noncharacter, and for every byte that is part of nothing.
+// Calls `visit` for each character, with U+FFFD for a noncharacter and for every byte that is not part of a character.
 template <class Visit>
 void visit_characters(std::string_view text, const Visit& visit) {
   while (!text.empty()) {
@@ -33,8 +33,8 @@ void visit_characters(std::string_view text, const Visit& visit) {
   }
 }
 
-/// C0, DEL and C1 move the cursor and change colours; the others turn the direction of writing, so that a text seems to
-/// say something else.
+/// C0, DEL and C1 move the cursor and change colours; the others reverse the direction of writing, so that a text seems
+/// to say something else.
 bool steers_terminals(char32_t code) {
   return code < 0x20 || (code >= 0x7F && code < 0xA0) || code == 0x061C || code == 0x200E || code == 0x200F ||
          (code >= 0x2028 && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
@@ -44,7 +44,8 @@ bool ends_line_or_column(char32_t code) { return code == '\n' || code == '\t'; }
 
 void append(std::string& text, char32_t code) { utf8::unchecked::append(code, std::back_inserter(text)); }
 
-// Behind the byte order mark. Half of a pair becomes the replacement character; an odd byte at the end is dropped.
+// Converts what follows the byte order mark. Half of a pair becomes the replacement character; an odd byte at the end
+// is dropped.
 std::string utf8_of_utf16(std::string_view bytes, std::endian order) {
   const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(bytes[at]); };
   const auto unit = [&](std::size_t at) -> char32_t {

@@ -8,23 +8,24 @@
 
 namespace epura {
 
-/// The text with U+FFFD for every noncharacter, such as U+FFFF, and for every byte that is part of no character.
+/// Returns the text with U+FFFD for every noncharacter, such as U+FFFF, and for every byte that is not part of a
+/// character.
 std::string valid_utf8(std::string_view text);
 
-/// Untrusted text made safe for display: valid UTF-8, and U+FFFD for what moves the cursor, changes colours or turns
-/// the direction of writing. Ends of lines and tabs stay.
+/// Makes untrusted text safe for display: valid UTF-8, with U+FFFD for characters that move the cursor, change colours
+/// or reverse the direction of writing. Line ends and tabs are kept.
 std::string printable(std::string_view text);
 
-/// The same, with blanks for ends of lines and tabs.
+/// The same, with blanks for line ends and tabs.
 std::string one_line(std::string_view text);
 
-/// The characters of a text, replaced in the same way.
+/// Returns the characters of a text, replaced in the same way.
 std::vector<char32_t> characters(std::string_view text);
 
-/// One character as UTF-8.
+/// Returns one character as UTF-8.
 std::string utf8(char32_t character);
 
-/// UTF-16 with a byte order mark becomes UTF-8, the mark of UTF-8 is dropped, all else stays as it is.
+/// Converts UTF-16 with a byte order mark to UTF-8 and drops the mark of UTF-8; leaves anything else as it is.
 std::string without_byte_order_mark(std::string bytes);
 
 }  // namespace epura

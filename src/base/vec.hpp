@@ -28,7 +28,7 @@ inline Mat4 rows(const Vec4& r0, const Vec4& r1, const Vec4& r2, const Vec4& r3)
 
 inline bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-/// The largest 32-bit float that is not above x. (std::nextafter takes much longer.)
+/// Returns the largest 32-bit float that is not above x. (std::nextafter takes much longer.)
 inline float rounded_down(double x) {
   const auto rounded = static_cast<float>(x);
   if (!(rounded > x)) return rounded;
@@ -37,7 +37,7 @@ inline float rounded_down(double x) {
   return std::bit_cast<float>(rounded > 0 ? bits - 1 : bits + 1);
 }
 
-/// An axis-aligned box; empty while least > most.
+/// An axis-aligned box; empty while min > max.
 struct Box {
   Vec3 min{HUGE_VAL, HUGE_VAL, HUGE_VAL};
   Vec3 max{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a test of a plugin found.
+// The results of testing a plugin.
 #pragma once
 
 #include <functional>
@@ -11,12 +11,12 @@ enum class Verdict { passed, failed, skipped };
 
 struct CheckResult {
   std::string name;  ///< one word
-  std::string what;  ///< what was looked at, as a sentence that should be true
-  Verdict verdict;   ///< skipped: an earlier check failed that this one builds on
+  std::string what;  ///< what was tested, as a statement that should be true
+  Verdict verdict;   ///< skipped: an earlier check failed on which this one depends
   std::string fault;
 };
 
-/// Told each result when it is there, for code that may crash in the next.
+/// Receives each result as soon as it is available, since code may crash in the next check.
 using TellResult = std::function<void(const CheckResult&)>;
 
 }  // namespace epura::foreign

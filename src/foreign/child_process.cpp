@@ -36,7 +36,7 @@ pid_t spawn(const std::filesystem::path& program, const std::vector<std::string>
   posix_spawn_file_actions_t actions;
   ::posix_spawn_file_actions_init(&actions);
   ::posix_spawn_file_actions_adddup2(&actions, socket, 3);
-  // It prints where messages go, since a drawing may go to standard output.
+  // The program prints to where messages go, since standard output may receive a drawing.
   ::posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
   pid_t child = 0;
   const int failure = ::posix_spawn(&child, program.c_str(), &actions, nullptr, pointers.data(), environ);
@@ -72,7 +72,7 @@ void ChildProcess::fork(const std::function<void(int socket)>& serve) {
     if (child != 0) return child;
     ::close(ends[0]);
     serve(ends[1]);
-    ::_exit(0);  // without the code at exit
+    ::_exit(0);  // without running exit handlers
   });
 }
 
@@ -97,13 +97,13 @@ std::string ChildProcess::receive_within(double seconds, std::size_t most_bytes)
   refuse("takes more than " + format_number(seconds) + " s");
 }
 
-/// How the process ended that says nothing more.
+/// Returns how a process ended that sends nothing more.
 std::string ChildProcess::ending() {
   ::close(std::exchange(socket_, -1));
   const pid_t child = std::exchange(child_, 0);
   int status = 0;
   pid_t ended = 0;
-  // It may have closed the socket and go on.
+  // The process may have closed the socket and still be running.
   for (int wait_ms = 0; ended == 0 && wait_ms < 100; ++wait_ms) {
     ended = ::waitpid(child, &status, WNOHANG);
     if (ended == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));

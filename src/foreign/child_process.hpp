@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A process for foreign code, and the socket to it. What the code does there - crash, hang, end its program - reaches
-// this process as a sentence.
+// A process for foreign code, and the socket to it. If that code crashes, hangs or exits, this process receives a
+// sentence about it.
 #pragma once
 
 #include <sys/types.h>
@@ -21,29 +21,30 @@ namespace epura::foreign {
 
 class ChildProcess {
  public:
-  /// None yet.
+  /// Without a process as yet.
   ChildProcess() = default;
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
   ~ChildProcess() { end(); }
 
-  /// A copy of this process that runs `serve` with its end of the socket, and nothing else. Throws Error{plugin}.
+  /// Starts a copy of this process that only runs `serve` with its end of the socket. Throws Error{plugin}.
   void fork(const std::function<void(int socket)>& serve);
-  /// A program of its own, whose end of the socket is descriptor 3. Throws Error{plugin}.
+  /// Starts a separate program, whose end of the socket is descriptor 3. Throws Error{plugin}.
   void run(const std::filesystem::path& program, const std::vector<std::string>& arguments);
 
   [[nodiscard]] bool is_there() const { return child_ != 0; }
-  /// Throws Error{plugin} where the process is gone: how it ended.
+  /// Throws Error{plugin} with the way in which the process ended, if it is gone.
   void send(const Packer& message);
-  /// Nothing where there is no message by `until`. Throws Error{plugin} where the process is gone: how it ended.
+  /// Returns nothing if there is no message by `until`. Throws Error{plugin} with the way in which the process ended,
+  /// if it is gone.
   std::optional<std::string> receive(Clock::time_point until, std::size_t most_bytes);
-  /// The same within so many seconds. Throws Error{plugin} and kills the process where there is none by then.
+  /// The same within a number of seconds. Throws Error{plugin} and kills the process if there is no message by then.
   std::string receive_within(double seconds, std::size_t most_bytes);
-  /// What `unpack` takes out of the first message, sent when the code is loaded. Throws Error{plugin} and ends the
-  /// process where that fails.
+  /// Returns what `unpack` extracts from the first message, which is sent when the code is loaded. Throws Error{plugin}
+  /// and ends the process if that fails.
   template <class Unpack>
   auto receive_loaded(double seconds, std::size_t most_bytes, const Unpack& unpack);
-  /// Kills it.
+  /// Kills the process.
   void end();
 
  private:
@@ -51,7 +52,7 @@ class ChildProcess {
   void connect(const Start& start);
   std::string ending();
 
-  pid_t child_ = 0;  ///< 0: there is none
+  pid_t child_ = 0;  ///< 0: there is no process
   int socket_ = -1;
   Incoming incoming_;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where plugins lie.
+// Finds folders and libraries of plugins.
 #pragma once
 
 #include <filesystem>
@@ -8,19 +8,19 @@
 
 namespace epura::foreign {
 
-/// A library or a folder that could not be used, and why.
+/// A library or folder that could not be used, and the reason.
 struct BadPlugin {
   std::filesystem::path path;
   std::string reason;
 };
 
-/// Where plugins are looked for, first wins: `extra`, then $EPURA_PLUGIN_PATH (folders with colons between), then the
-/// folder `own` of what came with this program. Never the current folder unless it is named.
+/// Returns the folders in which plugins are searched for, in order of precedence: `extra`, then $EPURA_PLUGIN_PATH
+/// (folders separated by colons), then the folder `own` of those that came with this program. Never contains the
+/// current folder unless it is named.
 std::vector<std::filesystem::path> plugin_folders(const std::vector<std::filesystem::path>& extra,
                                                   const std::string& own);
 
-/// The libraries (*.so) of a folder in order of their names, since the order in which a folder lists them is
-/// accidental.
+/// Returns the libraries (*.so) of a folder, sorted by name, since the order of a folder's listing is accidental.
 std::vector<std::filesystem::path> libraries_in(const std::filesystem::path& folder, std::vector<BadPlugin>& bad);
 
 }  // namespace epura::foreign

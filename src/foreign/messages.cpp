@@ -25,7 +25,7 @@ bool send_all(int socket, std::string_view bytes) {
   return true;
 }
 
-/// What is there by `end` of so many bytes, which are counted on.
+/// Receives bytes until `end` and adds their number to `got`.
 Received receive_bytes(int socket, std::span<char> bytes, std::size_t& got,
                        const std::optional<Clock::time_point>& end) {
   while (got < bytes.size()) {
@@ -33,7 +33,7 @@ Received receive_bytes(int socket, std::span<char> bytes, std::size_t& got,
       pollfd event{socket, POLLIN, 0};
       const auto left = std::chrono::ceil<std::chrono::milliseconds>(*end - Clock::now()).count();
       const int happened = ::poll(&event, 1, static_cast<int>(std::max<long long>(left, 0)));
-      if (happened < 0 && errno == EINTR) continue;  // it was stopped for a while
+      if (happened < 0 && errno == EINTR) continue;  // it was suspended for a while
       if (happened == 0) return Received::too_late;
     }
     const ssize_t came = ::recv(socket, bytes.data() + got, bytes.size() - got, 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Messages between this process and one of foreign code, over a socket: each is its length, then its bytes.
+// Messages over a socket between this process and one with foreign code: the length, then the bytes.
 #pragma once
 
 #include <array>
@@ -14,26 +14,27 @@ namespace epura::foreign {
 
 using Clock = std::chrono::steady_clock;
 
-/// False where the other process is gone.
+/// Returns false if the other process is gone.
 bool send_message(int socket, const Packer& message);
 
 enum class Received { all, nothing, too_late };
 
-/// A message on its way, which may come in pieces.
+/// A message that is being received, possibly in pieces.
 class Incoming {
  public:
-  /// Waits until the message is there, at most until `end`; then `take` it. `nothing`: the other process is gone, or
-  /// sends what is longer than `most_bytes`, which only damage explains. Where it is too late, the next call goes on.
+  /// Waits until the message is complete, at most until `end`; then call `take`. `nothing`: the other process is gone,
+  /// or its message is longer than `most_bytes`, which only happens if it is damaged. After `too_late`, the next call
+  /// continues.
   Received receive(int socket, const std::optional<Clock::time_point>& end, std::size_t most_bytes);
   std::string take();
 
  private:
   std::array<char, sizeof(std::size_t)> size_{};
   std::string message_;
-  std::size_t got_ = 0;  ///< of both
+  std::size_t got_ = 0;  ///< bytes received of size and message
 };
 
-/// A message begins with the reason why there is nothing more in it, empty where there is.
+/// A message begins with the reason why it contains nothing else; the reason is empty if it does.
 template <class Fill>
 Packer message_or_reason(const Fill& fill) {
   try {
@@ -48,8 +49,7 @@ Packer message_or_reason(const Fill& fill) {
   }
 }
 
-/// What the message holds is there once its reason is: empty where nothing failed. Throws Error{plugin} with the
-/// reason.
+/// Throws Error{plugin} with the reason at the beginning of the message, unless it is empty. Then the contents follow.
 void expect_no_reason(Unpacker& message);
 
 }  // namespace epura::foreign

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values as bytes, from one process of the program to another one.
+// Converts values to bytes, to send them from one process of the program to another.
 #pragma once
 
 #include <cstring>
@@ -40,7 +40,7 @@ class Packer {
   std::string bytes_;
 };
 
-/// Takes values out in the order in which they were put in. Throws Error{plugin} where the bytes end too early: the
+/// Extracts values in the order in which they were packed. Throws Error{plugin} if the bytes end too early, as the
 /// other process may have been damaged.
 class Unpacker {
  public:
@@ -50,7 +50,7 @@ class Unpacker {
   void operator()(Value& value) {
     std::memcpy(&value, take(sizeof value).data(), sizeof value);
   }
-  /// Made fit to be shown anywhere.
+  /// The text is made safe for display.
   void operator()(std::string& text) { text = one_line(take(count(1))); }
   template <class Item>
   void operator()(std::vector<Item>& items) {
@@ -61,7 +61,7 @@ class Unpacker {
       for (Item& item : items) (*this)(item);
   }
 
-  /// How many items follow, of at least so many bytes each.
+  /// Returns how many items follow, each of at least `least_bytes`.
   std::size_t count(std::size_t least_bytes) {
     std::size_t count = 0;
     (*this)(count);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The table by which foreign code says what its parameters are, and values for them.
+// The table with which foreign code describes its parameters, and values for them.
 #pragma once
 
 #include <epura/parameter_abi.h>
@@ -14,51 +14,52 @@ namespace epura::foreign {
 
 enum class ParameterType { number, vector, choice };
 
-/// One row of the table, as the plugin gave it.
+/// One row of the table, as supplied by the plugin.
 struct Parameter {
   std::string name;
   ParameterType type;
   std::string unit;
   std::string help;
   std::vector<std::string> choices;
-  std::vector<double> initial;  ///< NaN: found by the plugin
+  std::vector<double> initial;  ///< NaN: determined by the plugin
   double min, max;
 };
 
-// One function for both directions: what is put in is taken out (foreign/packing.hpp).
+// One function for both directions, so that values are unpacked as they were packed (foreign/packing.hpp).
 template <class Pack, class Values>
 void pack_parameter(Pack& pack, Values& parameter) {
   pack(parameter.name), pack(parameter.type), pack(parameter.unit), pack(parameter.help), pack(parameter.choices);
   pack(parameter.initial), pack(parameter.min), pack(parameter.max);
 }
 
-/// For each row of a table one number, or the components of the vector; a choice is its place in the list.
+/// For each row of a table one number, or the components of a vector; a choice is its index in the list.
 using ParameterValues = std::vector<std::vector<double>>;
 
-/// One after the other, as plugins get them.
+/// All numbers in one list, as plugins receive them.
 std::vector<double> flattened(const ParameterValues& values);
 
-/// What a user wrote: names and values of parameters.
+/// Names and values of parameters as written by a user.
 using Assignments = std::vector<std::pair<std::string, std::string>>;
 
-/// Those that hold unless others are given.
+/// The values that apply unless others are given.
 ParameterValues default_values(const std::vector<Parameter>& parameters);
 
-/// The values of a table whose `owner` ("isometric") is called by its name in errors, `kind` ("projection") says what
-/// it is. Throws Error{input} for what the table does not allow.
+/// Returns values for the table of `owner` ("isometric"), which errors call by its `kind` ("projection") and name.
+/// Throws Error{input} for anything that the table does not allow.
 ParameterValues values_of(const std::vector<Parameter>& parameters, const Assignments& assignments,
                           const std::string& owner, const std::string& kind);
 
-// What follows reads tables of C. A table is taken whole or not at all: what is wrong is thrown as Error{plugin}
-// without a place.
+// The following functions read C tables. A table is accepted as a whole or not at all: faults are thrown as
+// Error{plugin} without a place.
 
 [[noreturn]] void refuse(const std::string& reason);
 void require(bool condition, const std::string& reason);
 
-/// More rows are a sign of memory that was never filled in.
+/// More rows indicate uninitialised memory.
 inline constexpr std::size_t most_rows = 1000;
 
-/// Row `i` of a table whose rows are as long as its first one says: a newer plugin has longer rows than this program.
+/// Returns row `i` of a table whose rows are as long as its first one states: a newer plugin has longer rows than this
+/// program.
 template <class Row>
 const Row& row_of(const Row* first, std::size_t i, const std::string& whose) {
   require(first->size >= sizeof(Row) && first->size % alignof(Row) == 0,
@@ -70,10 +71,10 @@ const Row& row_of(const Row* first, std::size_t i, const std::string& whose) {
   return row;
 }
 
-/// `owner` as errors call it: "projection 'isometric'".
+/// `owner` as in errors: "projection 'isometric'".
 std::vector<Parameter> read_parameters(const epura_parameter* table, std::size_t count, const std::string& owner);
 
-/// Lower case, digits and '-'.
+/// Lower-case letters, digits and '-'.
 bool is_plugin_name(std::string_view name);
 
 }  // namespace epura::foreign

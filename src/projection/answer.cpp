@@ -16,7 +16,7 @@ constexpr double least_sine = 1e-9;
 
 Vec3 vector_of(const double (&v)[3]) { return {v[0], v[1], v[2]}; }
 
-/// Scaled first: squares of large or small components would leave the range of doubles.
+/// Scaled first, since squares of large or small components would exceed the range of doubles.
 Vec3 unit_vector(const Vec3& v) {
   const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
   return largest > 0 ? glm::normalize(v / largest) : Vec3(0);
@@ -24,7 +24,7 @@ Vec3 unit_vector(const Vec3& v) {
 
 }  // namespace
 
-/// Limits and window are preset, so that a simple projection need not speak of them.
+/// Limits and window are preset, so that a simple projection need not mention them.
 PluginAnswer call_plugin(const epura_projection& definition, const std::vector<double>& values, const Box& scene) {
   const Box box = scene.empty() ? Box{Vec3(0), Vec3(0)} : scene;
   const epura_scene known{sizeof(epura_scene), {box.min.x, box.min.y, box.min.z}, {box.max.x, box.max.y, box.max.z}};

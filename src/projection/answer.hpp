@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a plugin answers to values, what may be wrong with the answer, and the projection that it is.
+// A plugin's answer to values, what may be wrong with it, and the projection that it describes.
 #pragma once
 
 #include <epura/projection_abi.h>
@@ -16,26 +16,26 @@ namespace epura::projection {
 /// A plugin's answer to values.
 struct PluginAnswer {
   epura_view view;
-  std::optional<std::string> refusal;  ///< the sentence by which the plugin refuses the values; `view` is then nothing
+  std::optional<std::string> refusal;  ///< the sentence with which the plugin rejects the values; then `view` is empty
 };
 
-/// Calls the plugin, here and now: an AskProjection for libraries that this process has loaded. An exception that
-/// crosses the border and arithmetic that is not what it was are errors.
+/// Calls the plugin directly: an AskProjection for libraries that this process has loaded. Exceptions that leave the
+/// plugin and changed floating-point arithmetic are errors.
 PluginAnswer call_plugin(const epura_projection& definition, const std::vector<double>& values, const Box& scene);
 
-/// Asks for a projection. `scene` is the box of everything. Throws Error{plugin} naming the library.
+/// Requests a projection. `scene` is the bounding box of everything. Throws Error{plugin} with the name of the library.
 PluginAnswer ask_plugin(const ProjectionEntry& entry, const ParameterValues& values, const Box& scene);
 
-/// What keeps an answer from being a projection, each a sentence, or empty if nothing does. To be asked in this order:
-/// the latter two take it for granted that numbers are finite.
-std::string fault_of_numbers(const epura_view& view);  ///< one is not finite
-std::string fault_of_plane(const epura_view& view);    ///< plane, up and projectors depend on each other
+/// Each returns a sentence that says why an answer is not a projection, or an empty string. Call them in this order:
+/// the second and third assume that numbers are finite.
+std::string fault_of_numbers(const epura_view& view);  ///< some number is not finite
+std::string fault_of_plane(const epura_view& view);    ///< plane, up and projectors are not independent
 std::string fault_of_picture(const epura_view& view);  ///< scale, window and limits leave nothing to draw
 
 /// The first fault of the three.
 std::string fault_of(const epura_view& view);
 
-/// Of an answer without fault: all but its name and values.
+/// For an answer without faults: everything but its name and values.
 Projection projection_of(const epura_view& view);
 
 }  // namespace epura::projection

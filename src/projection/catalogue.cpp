@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What is known to be bad is not tried again.
+/// Plugins known to be bad are not tried again.
 std::vector<ProjectionEntry> read_or_note(const fs::path& path, Afterwards afterwards, std::vector<BadPlugin>& bad) {
   if (std::any_of(bad.begin(), bad.end(), [&](const BadPlugin& known) { return known.path == path; })) return {};
   try {
@@ -30,9 +30,9 @@ std::vector<ProjectionEntry> read_or_note(const fs::path& path, Afterwards after
 
 bool has_own_library(const ProjectionEntry& entry) { return entry.plugin.stem() == entry.name; }
 
-/// Of projections with one name, the one from the library of that name stays, otherwise the one found first; so a
-/// lookup by name need not open anything else. That an earlier folder hides a later one is the purpose of folders;
-/// within a folder it is a mistake.
+/// Of projections with one name, keeps the one from the library of that name, otherwise the first one found; so a
+/// lookup by name need not open any other library. Hiding plugins of later folders is the purpose of earlier ones;
+/// within one folder, it is a mistake.
 void drop_duplicates(Catalogue& catalogue) {
   std::vector<ProjectionEntry>& entries = catalogue.entries;
   std::stable_sort(entries.begin(), entries.end(), [](const ProjectionEntry& a, const ProjectionEntry& b) {
@@ -77,7 +77,7 @@ std::optional<ProjectionEntry> entry_named(std::string_view name, const std::vec
   throw Error(ErrorKind::plugin, std::string(name), "no such projection", hint);
 }
 
-// Short names for what people ask for most.
+// Short names for the most common projections.
 std::string_view full_name(std::string_view name) {
   if (name == "iso") return "isometric";
   return name == "perspective" ? "two-point" : name;

@@ -23,8 +23,8 @@ using foreign::ParameterValues;
 
 struct PluginAnswer;
 
-/// Asks a projection of a plugin: with the components of all values in the order of its table, for the box of
-/// everything. Throws Error{plugin} without a place when that ends badly.
+/// Requests a projection from a plugin, given the components of all values in the order of its table and the bounding
+/// box of everything. Throws Error{plugin} without a place if that fails.
 using AskProjection = std::function<PluginAnswer(const std::vector<double>& values, const Box& scene)>;
 
 /// A projection that a plugin offers.
@@ -40,26 +40,27 @@ struct ProjectionEntry {
 
 struct Catalogue {
   std::vector<ProjectionEntry> entries;  ///< sorted by family and name, one for each name
-  std::vector<BadPlugin> bad;            ///< libraries and folders
+  std::vector<BadPlugin> bad;            ///< libraries and folders that could not be used
 };
 
-/// Where plugins are looked for, first wins: `extra`, then $EPURA_PLUGIN_PATH (folders with colons between), then
-/// next to the program (../lib/epura/projections from the executable). Never the current folder unless it is named.
+/// Returns the folders in which plugins are searched for, in order of precedence: `extra`, then $EPURA_PLUGIN_PATH
+/// (folders separated by colons), then the one next to the program (../lib/epura/projections from the executable).
+/// Never contains the current folder unless it is named.
 std::vector<std::filesystem::path> plugin_folders(const std::vector<std::filesystem::path>& extra);
 
 /// Reads every plugin (*.so) in the folders, each in a separate process (projection/plugin_process.hpp). Of several
-/// projections with one name, the one in NAME.so is taken, otherwise the first; two in one folder are reported.
+/// projections with one name, the one in NAME.so is used, otherwise the first; two in one folder are reported.
 Catalogue load_catalogue(const std::vector<std::filesystem::path>& folders);
 
-/// Finds one projection, reading as few plugins as possible: NAME.so first, then the others until it is found. "iso" is
-/// isometric, and "perspective" two-point, where no NAME.so is called so.
-/// Throws Error{plugin} when there is none: what is wrong with NAME.so; otherwise "did you mean", and the bad plugins
-/// that might have held it.
+/// Finds one projection, reading as few plugins as possible: NAME.so first, then the others until it is found. "iso"
+/// means isometric and "perspective" two-point, unless there is a NAME.so of that name. Throws Error{plugin} if there
+/// is no such projection, with the fault of NAME.so if it exists; otherwise with "did you mean" and the bad plugins
+/// that might have contained it.
 ProjectionEntry find_projection(std::string_view name, const std::vector<std::filesystem::path>& folders);
 
-/// Checks the values against the table, calls the plugin and checks its answer. `scene` is the box of everything.
-/// Throws Error{input} for wrong values, and for values to which the answer is not a projection; Error{plugin} if
-/// already the defaults have no answer.
+/// Checks the values against the table, calls the plugin and checks its answer. `scene` is the bounding box of
+/// everything. Throws Error{input} for invalid values, and for values to which the answer is not a projection;
+/// Error{plugin} if even the defaults have no valid answer.
 Projection make_projection(const ProjectionEntry& entry, const scene::ProjectionRequest& request, const Box& scene);
 
 }  // namespace epura::projection

@@ -16,12 +16,13 @@ namespace epura::projection {
 
 namespace {
 
-// Sine of the angle by which a line may bend, and the least length of its image relative to its distance.
+// Sine of the angle by which a line may bend; also the least length of its image, relative to the distance of that
+// image.
 constexpr double least_bend = 1e-9;
-// What is drawn shorter than its length times this has no direction: it is seen end on.
+// A line whose image is shorter than its length times this has no direction: it is seen end on.
 constexpr double end_on = 1e-5;
 
-/// A projection under test. The answer is the one to the defaults, a Projection once it has no fault.
+/// A projection under test. `answer` is the answer to the defaults; once it has no fault, `projection` is set.
 struct Subject {
   const ProjectionEntry& entry;
   ParameterValues values = default_values(entry.parameters);
@@ -53,13 +54,13 @@ std::string assignment(const Parameter& parameter, const std::vector<double>& va
   return parameter.name + "=" + (word ? parameter.choices[static_cast<std::size_t>(value[0])] : numbers(value));
 }
 
-/// Place on the plane, and depth.
+/// Position on the plane, and depth.
 Vec3 image_of(const Projection& p, const Vec3& x) {
   const Vec4 h = view_matrix(p) * Vec4(x, 1);
   return Vec3(h) / h.w;
 }
 
-/// Sine of the angle between two directions; NaN if one of them is none.
+/// Sine of the angle between two directions; NaN if one of them has length 0.
 double bend(const Vec3& a, const Vec3& b) { return glm::length(glm::cross(glm::normalize(a), glm::normalize(b))); }
 
 std::string answers(Subject& subject) {
@@ -108,10 +109,11 @@ std::string depth(Subject& subject) {
   return {};
 }
 
-/// Whether parallels to an axis run to its vanishing point, or stay parallel if it has none.
+/// Whether the images of parallels to an axis lead to its vanishing point, or are parallel if it has none.
 bool meet(const Projection& p, const Vec3& axis, const std::optional<Vec2>& vanishing_point) {
   std::optional<Vec3> first;
-  const double step = p.central ? glm::dot(p.projector - p.point, p.n) / 4 : 1;  // stays before the viewer
+  const double step = p.central ? glm::dot(p.projector - p.point, p.n) / 4 : 1;  // so that points stay in front of the
+                                                                                 // viewer
   for (const Vec3& corner : points_before_viewer(p, probe_box())) {
     const auto on_plane = [&p](const Vec3& x) { return Vec3(Vec2(image_of(p, x)), 0); };
     const Vec3 from = on_plane(corner), along = on_plane(corner + step * axis) - from;
@@ -134,7 +136,7 @@ std::string vanishing(Subject& subject) {
   return {};
 }
 
-/// Whether some value of the parameter changes the answer that `values` have.
+/// Whether some value of the parameter changes the answer to `values`.
 bool matters(const ProjectionEntry& entry, std::size_t parameter, ParameterValues values) {
   const auto before = projection_for(entry, values, probe_box());
   if (!before) return false;
@@ -146,7 +148,7 @@ bool matters(const ProjectionEntry& entry, std::size_t parameter, ParameterValue
   return false;
 }
 
-/// Some parameters have an effect only with a certain value of another one.
+/// Some parameters have an effect only for certain values of another one.
 bool matters_in_company(const ProjectionEntry& entry, std::size_t parameter, const ParameterValues& values) {
   for (std::size_t other = 0; other < values.size(); ++other) {
     if (other == parameter) continue;
@@ -201,7 +203,7 @@ struct Check {
   const char* name;
   const char* what;
   std::string (*fault)(Subject&);
-  bool is_ground;  ///< if it fails, there is no projection to continue with
+  bool is_ground;  ///< whether its failure leaves no projection to continue with
 };
 
 constexpr Check checks[] = {

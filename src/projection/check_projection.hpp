@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Tests of a projection that know nothing but its table: for authors of plugins, and for the ones built here.
+// Tests a projection, knowing nothing but its table: for authors of plugins, and for the projections built here.
 #pragma once
 
 #include <string>
@@ -13,9 +13,9 @@ namespace epura::projection {
 using foreign::CheckResult;
 using foreign::Verdict;
 
-/// The checks in a fixed order; each result is told when it is there, for code that may crash in the next. Calls
-/// foreign code some thousand times: with its defaults, with values of every parameter, at the ends of their ranges,
-/// and for models of all sizes.
+/// Returns the checks in a fixed order; each result is reported as soon as it is available, since code may crash in the
+/// next check. Calls foreign code some thousand times: with its defaults, with values of every parameter, at the ends
+/// of their ranges, and for models of all sizes.
 std::vector<CheckResult> check_projection(const ProjectionEntry& entry, const foreign::TellResult& tell = {});
 
 }  // namespace epura::projection

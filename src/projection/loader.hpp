@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One plugin: opens the library in this process, checks everything it says, and copies its tables.
+// One plugin: opens the library in this process, checks everything in it, and copies its tables.
 #pragma once
 
 #include <filesystem>
@@ -9,8 +9,8 @@
 
 namespace epura::projection {
 
-/// What the library offers. A library is used whole or not at all: Error{plugin} says what is wrong with it, without
-/// its path. Nothing of a library of importers.
+/// Returns the projections in the library, or nothing for a library of importers. A library is used as a whole or not
+/// at all: Error{plugin} says what is wrong with it, without its path.
 std::vector<ProjectionEntry> read_plugin(const std::filesystem::path& path);
 
 }  // namespace epura::projection

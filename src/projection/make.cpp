@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A request and the table of its projection become values, the plugin's answer to them becomes a Projection.
+// A request and the table of its projection become values; the plugin's answer to them becomes a Projection.
 #include <algorithm>
 #include <cmath>
 
@@ -11,7 +11,7 @@ namespace epura::projection {
 
 namespace {
 
-/// A plugin must answer for its own defaults; what the user gave is the user's to mend.
+/// A plugin must have an answer to its own defaults; values given by the user are for the user to correct.
 [[noreturn]] void refuse_answer(const ProjectionEntry& entry, const scene::ProjectionRequest& request,
                                 const std::string& reason) {
   if (!request.assignments.empty()) throw Error(ErrorKind::input, entry.name, reason);

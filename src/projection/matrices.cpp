@@ -7,11 +7,11 @@ namespace epura::projection {
 
 namespace {
 
-// Below this cosine between axis and normal an axis counts as parallel to the plane. Sines of right angles leave
-// 1e-16; a point that vanishes 1e12 eye distances away is nowhere on a page.
+// Cosine between axis and normal below which an axis is parallel to the plane. Sines of right angles leave 1e-16; a
+// vanishing point at a distance of 1e12 eye distances is on no page.
 constexpr double parallel_cosine = 1e-12;
 
-/// (3.48), which (3.58) shares: S(s) T(-dr, -ds, 0) SH(shu, shv) T(0, 0, -B).
+/// (3.48), which (3.58) uses, too: S(s) T(-dr, -ds, 0) SH(shu, shv) T(0, 0, -B).
 Mat4 normalisation(const ViewVolume& volume, double dr, double ds, const Vec3& s) {
   const Vec2 middle = (volume.window.min + volume.window.max) / 2.0;
   const Vec3 dop = volume.prp - Vec3(middle, volume.plane);  // (3.41)
@@ -23,7 +23,7 @@ Mat4 normalisation(const ViewVolume& volume, double dr, double ds, const Vec3& s
               {0, 0, 0, 1});
 }
 
-/// World -> (u, v, n) from the plane's point.
+/// World -> (u, v, n) relative to the plane's point.
 Mat4 plane_coordinates(const Projection& p) {
   const auto row = [&p](const Vec3& axis) { return Vec4(axis, -glm::dot(axis, p.point)); };
   return rows(row(p.u), row(p.v), row(p.n), {0, 0, 0, 1});
@@ -35,7 +35,7 @@ Mat4 m_per(const Vec3& point, const Vec3& normal, const Vec3& centre) {
   const Vec3& n = normal;
   const double a = centre.x, b = centre.y, c = centre.z;
   const double d0 = glm::dot(point, n), d1 = glm::dot(centre, n);
-  const double d = glm::dot(point - centre, n);  // (3.15): keeps its digits far from the origin, d0 - d1 does not
+  const double d = glm::dot(point - centre, n);          // (3.15): keeps its digits far from the origin, unlike d0 - d1
   return rows({d + a * n.x, a * n.y, a * n.z, -a * d0},  //
               {b * n.x, d + b * n.y, b * n.z, -b * d0},  //
               {c * n.x, c * n.y, d + c * n.z, -c * d0},  //
@@ -112,7 +112,7 @@ Mat4 view_matrix(const Projection& p) {
     const Mat4 flat = coordinates * plane_matrix(p) / glm::dot(p.projector, p.n);
     return rows(glm::row(flat, 0), glm::row(flat, 1), n_row, {0, 0, 0, 1});
   }
-  // M_per has w' = n.(x - centre), which is negative before the viewer.
+  // In M_per, w' = n.(x - centre) is negative in front of the viewer.
   const Mat4 flat = -(coordinates * plane_matrix(p));
   const double eye = glm::dot(p.projector - p.point, p.n);
   return rows(glm::row(flat, 0), glm::row(flat, 1), eye * n_row, glm::row(flat, 3));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The matrices of the projections and of the viewing model, as functions of what they are made from.
+// The matrices of projections and of the viewing model, as functions of their parameters.
 // Numbers in brackets are equations of seed document 003 (after the PHIGS viewing model). Column vectors: p' = M p.
 #pragma once
 
@@ -36,17 +36,17 @@ Mat4 window_to_viewport(const Window& window, const Window& viewport);
 /// The projection as one matrix onto its plane, in world coordinates: M_per or M_par.
 Mat4 plane_matrix(const Projection& projection);
 
-/// World -> (u, v) of the projection plane with depth kept, so that straight lines stay straight and planes flat: the
-/// plane matrix in coordinates of the plane, its third row replaced. (row0/row3, row1/row3) = (u, v); row3 > 0 before
+/// World -> (u, v) of the projection plane with depth, so that straight lines stay straight and planes flat: the plane
+/// matrix in coordinates of the plane, with another third row. (row0/row3, row1/row3) = (u, v); row3 > 0 in front of
 /// the viewer; row2/row3 is depth, 0 on the plane and growing towards the viewer. Let N be the coordinate along n:
 ///   parallel  depth = N
-///   central   depth = e N / w with w = e - N the distance from the viewer along n and e that of the plane. This tends
-///             to N as the viewer recedes. It is the matrix P_d (6.3) of seed 002, and e^2/w - e, which is z_s of seed
-///             000 but for scale and offset.
+///   central   depth = e N / w, where w = e - N is the distance from the viewer along n, and e that of the plane. This
+///             tends to N as the viewer recedes. It is the matrix P_d (6.3) of seed 002, and e^2/w - e, which is z_s of
+///             seed 000 except for scale and offset.
 Mat4 view_matrix(const Projection& projection);
 
-/// Where lines along the three world axes meet on the plane, in (u, v): M (axis, 0). Nothing for an axis parallel to
-/// the plane (cosine to the normal at most 1e-12), or for parallel projectors.
+/// Returns where lines along the three world axes meet on the plane, in (u, v): M (axis, 0). Nothing for an axis
+/// parallel to the plane (cosine to the normal at most 1e-12), or for parallel projectors.
 std::array<std::optional<Vec2>, 3> vanishing_points(const Projection& projection);
 
 }  // namespace epura::projection

@@ -24,10 +24,10 @@ using foreign::Packer;
 using foreign::Received;
 using foreign::Unpacker;
 
-/// What the other side sent is longer only if it was damaged.
+/// Longer messages are sent only by a damaged process.
 constexpr std::size_t most_bytes = std::size_t{1} << 28;
 
-// One function for both directions: what is put in is taken out.
+// One function for both directions, so that values are unpacked as they were packed.
 
 template <class Pack, class Entry>
 void pack_entry(Pack& pack, Entry& entry) {
@@ -77,7 +77,7 @@ PluginAnswer unpack_answer(Unpacker& unpack) {
   return answer;
 }
 
-// What follows runs in the process of the plugin.
+// The following functions run in the process of the plugin.
 
 PluginAnswer answer_to(const std::string& words, const std::vector<ProjectionEntry>& entries) {
   Question question;
@@ -88,8 +88,8 @@ PluginAnswer answer_to(const std::string& words, const std::vector<ProjectionEnt
   throw Error(ErrorKind::plugin, "", "no longer exists");
 }
 
-/// The plugin prints where messages go, since a drawing may go to standard output; and it crashes as if the program had
-/// no handlers of its own.
+/// The plugin prints to where messages go, since standard output may receive a drawing. It crashes as if the program
+/// had no signal handlers.
 void take_precautions() {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   ::dup2(STDERR_FILENO, STDOUT_FILENO);
@@ -109,9 +109,9 @@ void serve(const std::filesystem::path& path, int socket) noexcept {
                                     }));
 }
 
-// What follows runs in the program.
+// The following functions run in the program.
 
-/// The process as the program sees it.
+/// The plugin's process as seen by the program.
 class PluginProcess {
  public:
   PluginProcess(std::filesystem::path path, double seconds) : path_(std::move(path)), seconds_(seconds) {}

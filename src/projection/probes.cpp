@@ -8,7 +8,7 @@ namespace epura::projection {
 
 namespace {
 
-// What numbers, pairs, windows, directions and places might be: the first components are taken.
+// Plausible values for numbers, pairs, windows, directions and positions, which use the first components.
 constexpr double patterns[][8] = {
     {20, 3, 9, 11, 2, 5, 1, 4},    {7, -2, 3, 4, 5, 6, 1, 2},       {3, 9, -11, 13, 1, 2, 4, 5},
     {1, -40, 2, 3, 4, 5, 6, 7},    {0.7, -1, 1.1, 2, 3, 4, 5, 6},   {-0.3, -2, 3, 4, 5, 6, 7, 8},

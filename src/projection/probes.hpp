@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values, models and points with which a projection is tested.
+// Values, models and points for tests of a projection.
 #pragma once
 
 #include <array>
@@ -12,16 +12,16 @@ namespace epura::projection {
 /// A model that is neither a cube nor at the origin.
 inline Box probe_box() { return {{-1, -2, 0.5}, {3, 1, 4}}; }
 
-/// Nothing, a point, huge, tiny, and small but far from the origin.
+/// An empty box, a point, huge, tiny, and small but far from the origin.
 std::vector<Box> extreme_boxes();
 
-/// Values to try for a parameter, all within its range; a projection may refuse some of them.
+/// Returns values to try for a parameter, all within its range; a projection may reject some of them.
 std::vector<std::vector<double>> probe_values(const Parameter& parameter);
 
-/// Every choice; of other parameters the ends of the range that are finite.
+/// Returns every choice; for other parameters, the finite ends of the range.
 std::vector<std::vector<double>> end_values(const Parameter& parameter);
 
-/// The corners of the box; those not in front of the viewer are moved straight to the plane.
+/// Returns the corners of the box; those not in front of the viewer are moved perpendicularly to the plane.
 std::array<Vec3, 8> points_before_viewer(const Projection& projection, const Box& box);
 
 }  // namespace epura::projection

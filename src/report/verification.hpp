@@ -67,7 +67,7 @@ struct Verification {
   int samples = 0;             ///< random points, on which the estimates are based
   int points = 0;              ///< all points tested: also the middles and both sides of the ends of the spans that
                                ///< were hit
-  int decided = 0, wrong = 0;  ///< of all points; a point that is neither decided nor wrong is undecided
+  int decided = 0, wrong = 0;  ///< of all points; `decided` includes the wrong ones
   double length = 0;           ///< of all lines, including those that coincide, mm
   double untested = 0;         ///< fraction of it in spans too short to be guaranteed
   double undecided = 0;        ///< estimated fraction
