@@ -58,6 +58,12 @@ std::string owner_of(const scene::World& world, const FaceName& face) {
   return body.empty() ? mesh.report.name : "'" + one_line(body) + "' in " + mesh.report.name;
 }
 
+std::string owner_of(const ExplainInput& drawn_view, const Subject& subject) {
+  const std::vector<FaceName> faces = faces_at(drawn_view, subject);
+  return faces.empty() ? drawn_view.world.models[subject.model].mesh->report.name
+                       : owner_of(drawn_view.world, faces.front());
+}
+
 std::array<Vec3, 2> ends_of(const ExplainInput& drawn_view, const Subject& subject) {
   const scene::World& world = drawn_view.world;
   if (subject.mesh_edge < 0) return drawn_view.drawn.crossings[drawn_view.drawn.edges[subject.drawn].crossing].ends;

@@ -50,6 +50,8 @@ std::string names_of(const std::vector<FaceName>& faces);
 
 /// Returns what a face belongs to: "part.step", or "'bolt' in part.step" if the bodies of the file have names.
 std::string owner_of(const scene::World& world, const FaceName& face);
+/// The same of an edge: of its first face, or of the model if it bounds no face.
+std::string owner_of(const ExplainInput& drawn_view, const Subject& subject);
 
 /// Returns the ends in world coordinates.
 std::array<Vec3, 2> ends_of(const ExplainInput& drawn_view, const Subject& subject);
