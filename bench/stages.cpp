@@ -65,7 +65,7 @@ struct Run {
   }
 
   [[nodiscard]] std::vector<sheet::Layer> layers() const {
-    return sheet::view_layers(drawing, sheet::line_widths(placement.paper), {{}});
+    return sheet::view_layers(drawing, sheet::line_widths(placement.paper), sheet::BodyStyles{{{sheet::BodyStyle()}}});
   }
 
   std::string file;

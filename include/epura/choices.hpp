@@ -19,6 +19,9 @@ enum class HiddenLines { none, dashed, solid };
 /// or an adjacent part (narrow, long-dashed double-dotted; ISO 128-2, type 05.1).
 enum class LineRole { visible, narrow, neighbour };
 
+/// Layers of a view: one for each role of lines, or one for each role of lines of each body.
+enum class LayersBy { role, body };
+
 /// Which edges of a model are drawn.
 struct EdgeKinds {
   bool contour = true;       ///< where the surface turns away from the viewer

@@ -66,6 +66,7 @@ struct Line {
   EdgeKind kind;
   bool visible;
   int model;                ///< index in Scene::models
+  int body;                 ///< number of its body in the model; -1 if bodies have no names
   std::array<int, 2> edge;  ///< vertex numbers in the model; {-1, -1} for an intersection or a cut
   std::array<double, 2> t;  ///< parameters along that edge in space, `from` at t[0]; equal: a link to other ink
 };

@@ -18,7 +18,10 @@ namespace epura {
 struct Polygons {
   std::vector<std::array<double, 3>> points{};
   std::vector<std::vector<int>> faces{};
-  bool single_precision = false;  ///< points were rounded to 32 bits, which widens the contact tolerance
+  std::vector<int> bodies{};                  ///< by face: the number of its body; empty: connected faces are a body
+  std::vector<std::string> body_names{};      ///< by body, for styles and layers; needed with `bodies`
+  std::vector<std::vector<int>> polylines{};  ///< lines that bound no face: two or more indices of points each
+  bool single_precision = false;              ///< points were rounded to 32 bits, which widens the contact tolerance
 };
 
 struct Model {
@@ -35,6 +38,17 @@ struct Model {
   std::optional<HiddenLines> hidden{};  ///< by default as in the view
 };
 
+/// How bodies with certain names are drawn, whatever their models and views say. Of several styles that match a body,
+/// the last one that has a value counts.
+struct Style {
+  std::string match = "*";  ///< names of bodies or models: * stands for any text, ? for one character, [ab] for a or b
+  std::optional<LineRole> line{};
+  std::optional<HiddenLines> hidden{};
+  std::optional<std::array<int, 3>> colour{};  ///< red, green and blue, 0 to 255; black by default
+  bool cut = true;                             ///< false: sections leave them whole, as bolts, shafts and balls
+  bool drawn = true;
+};
+
 /// A number, several numbers, or a word.
 using ParameterValue = std::variant<double, std::vector<double>, std::string>;
 
@@ -48,7 +62,8 @@ struct View {
   /// Smallest angle between two faces whose common edge is a crease, 0 to 180 degrees; by default 5 between recognised
   /// faces of the part, and 30 in other meshes.
   std::optional<double> crease_angle{};
-  double join_within = 0.1;                   ///< mm on paper; closer parallel lines are drawn as one, 0: draw all
+  double join_within = 0.1;  ///< mm on paper; closer parallel lines are drawn as one, 0: draw all
+  LayersBy layers = LayersBy::role;
   std::optional<double> near{}, far{};        ///< depths; omit what is nearer or farther
   std::optional<double> scale{};              ///< mm on paper per unit; by default the sheet's
   std::optional<std::array<double, 2>> at{};  ///< centre of its ink, mm from the lower left corner; default: automatic
@@ -99,6 +114,7 @@ struct SheetOptions {
 
 struct Scene {
   std::vector<Model> models{};
+  std::vector<Style> styles{};
   std::vector<View> views{};  ///< none: one isometric view
   std::vector<Section> sections{};
   std::vector<Dimension> dimensions{};

@@ -44,7 +44,6 @@ struct ModelInfo {
   bool is_declared = false;  ///< by the file; otherwise the faces are recognised
   std::vector<features::Hole> holes;
   std::vector<importer::TreePart> tree;
-  std::vector<std::string> body_names;
 
   [[nodiscard]] bool closed() const { return report.triangles > 0 && report.open_edges == 0; }
 };
@@ -101,7 +100,7 @@ ModelInfo info_of(const std::string& path, const std::vector<std::filesystem::pa
   const importer::ModelRequest request = importer::parse_model_request(path);
   const importer::ReadModel read = importer::read_model(request.path, request.parameters, {.plugin_path = plugin_path});
   const mesh::Mesh& mesh = read.mesh;
-  ModelInfo info{mesh.report, box_of(mesh), read.unit, std::nullopt, {}, false, {}, read.tree, mesh.body_names};
+  ModelInfo info{mesh.report, box_of(mesh), read.unit, std::nullopt, {}, false, {}, read.tree};
   info.part = read.part != nullptr ? *read.part : features::recognise_faces(mesh);
   info.is_declared = read.part != nullptr;
   info.report.name = request.path;
@@ -362,7 +361,7 @@ std::string json_of(const ModelInfo& info) {
   text += number("bodies", report.bodies) + ", \"closed\": " + truth(info.closed()) +
           number("open_edges", report.open_edges) + number("non_manifold_edges", report.non_manifold_edges) +
           number("misoriented_edges", report.misoriented_edges);
-  text += ",\n   \"body_names\": " + json_list(info.body_names, json_string);
+  text += ",\n   \"body_names\": " + json_list(info.report.body_names, json_string);
   text += ",\n   \"parts\": " + tree_json(info.tree);
   text += ",\n   \"tolerance\": " + json_number(info.part.tolerance) +
           ", \"recognised\": " + json_number(info.part.recognised);

@@ -23,7 +23,7 @@ constexpr double border_width = 0.13;  // of areas, whose inside is not filled
 
 struct MarkStyle {
   const char* name;
-  sheet::Colour colour;
+  Colour colour;
 };
 
 // In order of painting, as `Mark` counts them.

@@ -23,7 +23,8 @@ std::vector<End> find_partners(const std::vector<Segment>& segments, const Progr
   const auto look_and_place = [&](End end) {
     const Segment& s = segments[line_of(end)];
     const Vec2& p = place(segments, end);
-    return std::array{s.visible ? 1.0 : 0.0, static_cast<double>(s.kind), static_cast<double>(s.model), p.x, p.y};
+    const double look = 2 * static_cast<double>(s.kind) + (s.visible ? 1 : 0);
+    return std::array{look, static_cast<double>(s.model), static_cast<double>(s.body), p.x, p.y};
   };
   return drawing::find_partners(static_cast<int>(segments.size()), place_of, look_and_place, progress);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Touching segments of the same style and model, joined end to end into polylines.
+// Touching segments of the same style, model and named body, joined end to end into polylines.
 #pragma once
 
 #include <vector>

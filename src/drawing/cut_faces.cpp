@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "drawing/cut_faces.hpp"
 
+#include <array>
+#include <cstddef>
 #include <utility>
 
 namespace epura::drawing {
@@ -15,7 +17,36 @@ bool is_seen(const scene::CuttingPlane& plane, const projection::Projection& pro
   return glm::dot(plane.normal, to_viewer) > edge_on * glm::length(to_viewer);
 }
 
+// The corners of what a triangle has in front of the plane.
+std::vector<Vec3> in_front(const scene::World& world, int triangle, const scene::CuttingPlane& plane) {
+  const std::array<int, 3>& corners = world.triangles[triangle];
+  const auto height = [&](const Vec3& p) { return glm::dot(plane.normal, p - plane.point); };
+  std::vector<Vec3> ring;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 &a = world.points[corners[i]], &b = world.points[corners[(i + 1) % 3]];
+    const double at_a = height(a), at_b = height(b);
+    if (at_a > 0) ring.push_back(a);
+    if ((at_a > 0) != (at_b > 0)) ring.push_back(a + at_a / (at_a - at_b) * (b - a));
+  }
+  return ring;
+}
+
 }  // namespace
+
+std::vector<PaperTriangle> before_cuts_on_paper(const scene::World& world, const std::vector<int>& uncut,
+                                                const scene::CuttingPlane& plane, const Mat4& world_to_page) {
+  const bool is_positive = (world_to_page * Vec4(plane.point, 1)).w > 0;
+  std::vector<PaperTriangle> triangles;
+  for (const int triangle : uncut) {
+    std::vector<Vec2> ring;
+    for (const Vec3& corner : in_front(world, triangle, plane)) {
+      const Vec4 p = world_to_page * Vec4(corner, 1);
+      if ((p.w > 0) == is_positive && p.w != 0) ring.emplace_back(p.x / p.w, p.y / p.w);
+    }
+    for (std::size_t i = 2; i < ring.size(); ++i) triangles.push_back({ring[0], ring[i - 1], ring[i]});
+  }
+  return triangles;
+}
 
 std::vector<CutFace> cut_faces_on_paper(const std::vector<scene::WorldCutFace>& faces, const scene::CuttingPlane& plane,
                                         view::ProjectedScene& view, const view::PaperMap& paper) {

@@ -25,6 +25,7 @@ struct Segment {
   std::array<int, 2> edge;  ///< vertex numbers in the file; {-1, -1} for a line that is not an edge of a file
   int crossing;             ///< for such a line: its index in ViewDrawing::crossings; otherwise -1
   std::array<double, 2> t;  ///< 3D parameters along the edge, `from` at t[0]
+  int body = -1;            ///< of its model; -1 if the file does not name bodies
 };
 
 constexpr bool is_link(const Segment& segment) { return segment.t[0] == segment.t[1]; }
@@ -46,7 +47,7 @@ struct CurvePart {
   double from, to;
 };
 
-/// Segments with the same appearance and model, chained end to end.
+/// Segments with the same appearance, model and named body, chained end to end.
 struct Chain {
   std::vector<Vec2> points;  ///< the closing point of a closed chain is not repeated
   bool closed;
@@ -62,6 +63,9 @@ struct CutFace {
   std::vector<std::vector<Vec2>> rings;  ///< outlines on paper, even-odd; the first point is not repeated
 };
 
+/// Triangles on paper.
+using PaperTriangle = std::array<Vec2, 3>;
+
 struct ViewDrawing {
   std::string name;  ///< of the view
   projection::Projection projection;
@@ -72,7 +76,8 @@ struct ViewDrawing {
   std::vector<CrossingSegment> crossings;  ///< for the segments that are not edges of a file, in their order
   std::vector<Chain> chains;
   std::vector<CutFace> cut_faces;
-  Vec2 min{0, 0}, max{0, 0};  ///< box of the ink
+  std::vector<PaperTriangle> before_cuts;  ///< parts of bodies that the cutting plane leaves whole, in front of it
+  Vec2 min{0, 0}, max{0, 0};               ///< box of the ink
   double contours_moved = 0;  ///< mm; greatest distance at which contours of curved faces are drawn from edges of the
                               ///< mesh
   double joined_within = 0;   ///< mm; omitted lines have ink of at least the same strength within this distance

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 
 #include "base/parallel.hpp"
 #include "drawing/chains.hpp"
@@ -55,6 +56,16 @@ std::optional<std::array<int, 2>> edge_in_file(const scene::World& world, const 
   return origin.in_file ? std::optional(origin.vertex) : std::nullopt;
 }
 
+// Returns the named body of its model that a line belongs to; -1 if it is none.
+int body_of(const scene::World& world, const edges::FeatureEdges& drawn, const edges::FeatureEdge& edge) {
+  const mesh::Mesh& mesh = *world.models[edge.model].mesh;
+  if (mesh.report.body_names.empty()) return -1;
+  if (edge.mesh_edge < 0)
+    return mesh.body[drawn.crossings[edge.crossing].triangles[0] - world.first_triangle[edge.model]];
+  const std::span<const int> triangles = mesh.triangles_of(mesh.edges[edge.mesh_edge]);
+  return triangles.empty() ? -1 : mesh.body[triangles.front()];
+}
+
 // `crossing` is its number among the lines that are not edges of a file, if it is one of these.
 Segment segment_of(const visibility::ResolvedView& lines, const Piece& piece, int crossing) {
   const edges::FeatureEdge& edge = lines.drawn.edges[piece.edge];
@@ -66,7 +77,8 @@ Segment segment_of(const visibility::ResolvedView& lines, const Piece& piece, in
           edge.model,
           in_file.value_or(std::array{-1, -1}),
           in_file ? -1 : crossing,
-          {parameter_in_space(lines.view, edge, piece.s[0]), parameter_in_space(lines.view, edge, piece.s[1])}};
+          {parameter_in_space(lines.view, edge, piece.s[0]), parameter_in_space(lines.view, edge, piece.s[1])},
+          body_of(lines.world, lines.drawn, edge)};
 }
 
 CrossingSegment cut_segment(const scene::World& world, const edges::FeatureEdge& edge, const std::array<double, 2>& t) {
@@ -123,8 +135,9 @@ std::vector<Piece> joined_where_near(std::vector<Piece> pieces, const visibility
   std::vector<signed char> strength(pieces.size());
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     const Piece& piece = pieces[i];
-    strength[i] =
-        static_cast<signed char>(near.strength(lines.drawn.edges[piece.edge].model, piece.kind, piece.visible));
+    const edges::FeatureEdge& edge = lines.drawn.edges[piece.edge];
+    const int body = body_of(lines.world, lines.drawn, edge);
+    strength[i] = static_cast<signed char>(near.strength(edge.model, body, piece.kind, piece.visible));
   }
   return join_near(std::move(pieces), strength, near.distance, touching, progress);
 }

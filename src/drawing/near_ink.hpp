@@ -23,9 +23,9 @@ namespace epura::drawing {
 
 struct NearLines {
   double distance = 0;  ///< mm on paper; 0: all lines are drawn
-  /// For model, kind and visibility: of two lines, the one with the greater number is drawn; a negative number means no
-  /// ink.
-  std::function<int(int, EdgeKind, bool)> strength{};
+  /// For model, body, kind and visibility: of two lines, the one with the greater number is drawn; a negative number
+  /// means no ink.
+  std::function<int(int, int, EdgeKind, bool)> strength{};
 
   /// For removed ink, there is ink that stays within this distance, mm.
   [[nodiscard]] double reach() const { return std::numbers::sqrt2 * distance; }

@@ -46,21 +46,41 @@ glm::vec<count, double> vector_of(const std::array<double, count>& numbers, cons
   return vector;
 }
 
+// Each of a list of numbers counts `count` things.
+void expect_indices(const std::vector<int>& numbers, std::size_t count, const std::string& what,
+                    const std::string& where) {
+  for (const int number : numbers)
+    if (number < 0 || number >= static_cast<int>(count))
+      throw Error(ErrorKind::input, where, "there is no " + what + " " + std::to_string(number),
+                  "they are numbered from 0 to " + std::to_string(static_cast<int>(count) - 1));
+}
+
+void take_bodies(const Polygons& polygons, const std::string& where, mesh::Soup& soup) {
+  if (polygons.bodies.empty()) return;
+  if (polygons.bodies.size() != polygons.faces.size())
+    throw Error(ErrorKind::input, where + ".bodies", "has " + std::to_string(polygons.bodies.size()) + " numbers",
+                "give one for each of the " + std::to_string(polygons.faces.size()) + " faces");
+  expect_indices(polygons.bodies, polygons.body_names.size(), "body name", where + ".bodies");
+  soup.face_body = polygons.bodies;
+  soup.body_names = polygons.body_names;
+}
+
 std::shared_ptr<const mesh::Soup> soup_of(const Polygons& polygons, const std::string& where) {
   auto soup = std::make_shared<mesh::Soup>();
   soup->format = "memory";
   soup->points = polygons.points;
   soup->single_precision = polygons.single_precision;
-  const int points = static_cast<int>(polygons.points.size());
+  const std::size_t points = polygons.points.size();
   for (std::size_t face = 0; face < polygons.faces.size(); ++face) {
-    for (const int corner : polygons.faces[face]) {
-      if (corner < 0 || corner >= points)
-        throw Error(ErrorKind::input, item(where + ".faces", face), "there is no point " + std::to_string(corner),
-                    "points are numbered from 0 to " + std::to_string(points - 1));
-      soup->corners.push_back(corner);
-    }
+    expect_indices(polygons.faces[face], points, "point", item(where + ".faces", face));
+    soup->corners.insert(soup->corners.end(), polygons.faces[face].begin(), polygons.faces[face].end());
     soup->end_face();
   }
+  for (std::size_t line = 0; line < polygons.polylines.size(); ++line) {
+    expect_indices(polygons.polylines[line], points, "point", item(where + ".polylines", line));
+    soup->add_wire(polygons.polylines[line]);
+  }
+  take_bodies(polygons, where, *soup);
   return soup;
 }
 
@@ -108,6 +128,7 @@ scene::ViewDescription describe(const View& view, const std::string& where) {
   if (view.crease_angle)
     description.crease_angle = {checked(*view.crease_angle, where + ".crease_angle", 0, 180), where + ".crease_angle"};
   description.join_within = {checked(view.join_within, where + ".join_within", 0, 1), where + ".join_within"};
+  description.layers = {view.layers, where + ".layers"};
   description.near = located(view.near, where + ".near");
   description.far = located(view.far, where + ".far");
   if (view.scale) {
@@ -119,6 +140,22 @@ scene::ViewDescription describe(const View& view, const std::string& where) {
   description.sheet = {static_cast<int>(checked(view.sheet, where + ".sheet", 1)), where + ".sheet"};
   description.section = located(view.section, where + ".section");
   description.label = located(view.label, where + ".label");
+  return description;
+}
+
+scene::StyleDescription describe(const Style& style, const std::string& where) {
+  scene::StyleDescription description;
+  description.match = {style.match, where + ".match"};
+  description.line = located(style.line, where + ".line");
+  description.hidden = located(style.hidden, where + ".hidden");
+  if (style.colour) {
+    const auto part = [&](std::size_t i) {
+      return static_cast<int>(checked((*style.colour)[i], where + ".colour", 0, 255));
+    };
+    description.colour = {Colour{part(0), part(1), part(2)}, where + ".colour"};
+  }
+  if (!style.cut) description.cut = {false, where + ".cut"};
+  if (!style.drawn) description.drawn = {false, where + ".drawn"};
   return description;
 }
 
@@ -189,6 +226,7 @@ scene::SceneDescription describe_scene(const Scene& scene) {
   scene::SceneDescription description;
   describe_all(description.models, scene.models, "models");
   describe_all(description.views, scene.views, "views");
+  describe_all(description.styles, scene.styles, "styles");
   describe_all(description.sections, scene.sections, "sections");
   describe_all(description.dimensions, scene.dimensions, "dimensions");
   describe_all(description.sheets, scene.sheets, "sheets");
@@ -220,7 +258,7 @@ DrawnView drawn_view(const drawing::ViewDrawing& drawing, int sheet) {
   view.lines.reserve(drawing.segments.size());
   for (const drawing::Segment& segment : drawing.segments)
     view.lines.push_back({pair_of(segment.from), pair_of(segment.to), segment.kind, segment.visible, segment.model,
-                          segment.edge, segment.t});
+                          segment.body, segment.edge, segment.t});
   for (const drawing::Chain& chain : drawing.chains)
     for (const drawing::CurvePart& curve : chain.curves)
       view.arcs.push_back(

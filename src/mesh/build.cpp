@@ -148,7 +148,7 @@ void number_bodies(Mesh& mesh, const Soup& soup, const EdgeTable& table) {
     mesh.body = connected_parts(mesh, table);
   } else {
     for (const int face : mesh.polygon) mesh.body.push_back(soup.face_body[face]);
-    for (const int body : renumber_labels(mesh.body)) mesh.body_names.push_back(soup.body_names[body]);
+    for (const int body : renumber_labels(mesh.body)) mesh.report.body_names.push_back(soup.body_names[body]);
   }
   const auto last = std::max_element(mesh.body.begin(), mesh.body.end());
   mesh.report.bodies = last == mesh.body.end() ? 0 : *last + 1;

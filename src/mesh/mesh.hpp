@@ -51,25 +51,26 @@ struct EdgeOrigin {
 
 /// What was found in the file and what was done about it.
 struct MeshReport {
-  std::string name;                ///< the file
-  std::string format;              ///< "obj", "stl", "ply", "off"
-  int vertices = 0;                ///< of the file (STL: after welding)
-  int faces = 0;                   ///< polygons of the file that are drawn
-  int triangles = 0;               ///< after triangulation
-  int wires = 0;                   ///< straight pieces of lines that bound no face
-  int bodies = 0;                  ///< named groups if there are two, otherwise parts connected through edges
-  int open_edges = 0;              ///< edges with one face
-  int non_manifold_edges = 0;      ///< edges with three or more faces of one body
-  int misoriented_edges = 0;       ///< edges whose two faces run the same way round
-  int welded_vertices = 0;         ///< vertices joined to another at the same place (STL: across cracks)
-  int dropped_degenerate = 0;      ///< faces with fewer than three distinct corners
-  int dropped_duplicates = 0;      ///< faces with the same corners as an earlier one
-  int non_finite_vertices = 0;     ///< vertices with NaN or infinity; their faces are dropped
-  int dropped_non_finite = 0;      ///< faces dropped for such a vertex
-  double weld_distance = 0;        ///< largest distance over which corners were joined
-  bool single_precision = false;   ///< the file stores 32-bit coordinates
-  double resolution = 0;           ///< place to which the file's coordinates are rounded, 10^-d; 0: all digits
-  std::vector<std::string> notes;  ///< what else a user should know, a sentence each
+  std::string name;                     ///< the file
+  std::string format;                   ///< "obj", "stl", "ply", "off"
+  int vertices = 0;                     ///< of the file (STL: after welding)
+  int faces = 0;                        ///< polygons of the file that are drawn
+  int triangles = 0;                    ///< after triangulation
+  int wires = 0;                        ///< straight pieces of lines that bound no face
+  int bodies = 0;                       ///< named groups if there are two, otherwise parts connected through edges
+  std::vector<std::string> body_names;  ///< empty for files without named groups
+  int open_edges = 0;                   ///< edges with one face
+  int non_manifold_edges = 0;           ///< edges with three or more faces of one body
+  int misoriented_edges = 0;            ///< edges whose two faces run the same way round
+  int welded_vertices = 0;              ///< vertices joined to another at the same place (STL: across cracks)
+  int dropped_degenerate = 0;           ///< faces with fewer than three distinct corners
+  int dropped_duplicates = 0;           ///< faces with the same corners as an earlier one
+  int non_finite_vertices = 0;          ///< vertices with NaN or infinity; their faces are dropped
+  int dropped_non_finite = 0;           ///< faces dropped for such a vertex
+  double weld_distance = 0;             ///< largest distance over which corners were joined
+  bool single_precision = false;        ///< the file stores 32-bit coordinates
+  double resolution = 0;                ///< place to which the file's coordinates are rounded, 10^-d; 0: all digits
+  std::vector<std::string> notes;       ///< what else a user should know, a sentence each
 
   /// What changes no drawing, a sentence each.
   std::vector<std::string> remarks{};
@@ -79,12 +80,11 @@ struct MeshReport {
 constexpr bool are_many(int collapsed, int faces) { return collapsed > faces / 10; }
 
 struct Mesh {
-  Points points;             ///< of the file, whether faces use them or not; behind them those of `cut_vertices`
-  std::vector<int> corners;  ///< three vertices a triangle
-  std::vector<int> polygon;  ///< triangle -> face number of the file
-  std::vector<int> body;     ///< triangle -> body
-  std::vector<std::string> body_names;  ///< empty for files without named groups
-  UnsetVector<MeshEdge> edges;          ///< sorted by their vertices
+  Points points;                ///< of the file, whether faces use them or not; behind them those of `cut_vertices`
+  std::vector<int> corners;     ///< three vertices a triangle
+  std::vector<int> polygon;     ///< triangle -> face number of the file
+  std::vector<int> body;        ///< triangle -> body
+  UnsetVector<MeshEdge> edges;  ///< sorted by their vertices
   UnsetVector<int> edge_triangles;
   std::vector<CutVertex> cut_vertices;  ///< of a mesh that was cut; they are numbered from `first_cut_vertex` on
   int first_cut_vertex = 0;

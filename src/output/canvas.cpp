@@ -80,7 +80,7 @@ void set_dashes(cairo_t* cairo, const sheet::Stroke& stroke, double units) {
 
 }  // namespace
 
-void set_colour(const Pen& pen, const sheet::Colour& colour) {
+void set_colour(const Pen& pen, const Colour& colour) {
   cairo_set_source_rgb(pen.get(), colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
 }
 

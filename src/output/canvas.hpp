@@ -49,7 +49,7 @@ Pen make_pen(const CairoSurface& surface);
 void begin_vector_file(const Pen& pen, const Canvas& canvas);
 
 /// For all that is drawn from now on.
-void set_colour(const Pen& pen, const sheet::Colour& colour);
+void set_colour(const Pen& pen, const Colour& colour);
 
 /// Adds a stroke to the current path as a separate subpath.
 void add_path(const Pen& pen, const Canvas& canvas, const sheet::Stroke& stroke);

@@ -119,20 +119,58 @@ int line_weight(double width) {
   return *std::min_element(weights.begin(), weights.end(), [&](int a, int b) { return distance(a) < distance(b); });
 }
 
-void add_layer(DxfWriter& dxf, int table, std::string_view name, std::string_view line_type, int weight) {
+struct Look {
+  int colour, weight;
+};
+
+// A colour of AutoCAD's index with its number.
+Colour indexed_colour(int number) {
+  if (number >= 250) {
+    const int grey = 51 * (number - 250);
+    return {grey, grey, grey};
+  }
+  // From 10 on: 24 hues of 15 degrees, each in five values, of which every second is mixed with white in equal parts.
+  constexpr std::array<int, 5> values = {255, 165, 127, 76, 38};
+  const double hue = (number / 10 - 1) / 4.0;  // of six sides of the colour circle
+  const int value = values[static_cast<std::size_t>(number % 10 / 2)];
+  const auto part = [&](double peak) {
+    const double apart = std::min(std::abs(hue - peak), 6 - std::abs(hue - peak));
+    const double full = std::clamp(2 - apart, 0.0, 1.0);
+    return static_cast<int>(value * (number % 2 == 0 ? full : (1 + full) / 2));
+  };
+  return {part(0), part(2), part(4)};
+}
+
+// The number of the nearest colour of AutoCAD's index; version 2000 has no others. Black is 7: black on white, white on
+// black.
+int colour_number(const Colour& colour) {
+  if (colour == Colour{}) return 7;
+  const auto distance = [&](int number) {
+    const Colour one = indexed_colour(number);
+    const int red = one.red - colour.red, green = one.green - colour.green, blue = one.blue - colour.blue;
+    return red * red + green * green + blue * blue;
+  };
+  int best = 10;
+  for (int number = 10; number <= 255; ++number)
+    if (distance(number) < distance(best)) best = number;
+  return best;
+}
+
+void add_layer(DxfWriter& dxf, int table, std::string_view name, std::string_view line_type, const Look& look) {
   begin_entry(dxf, "LAYER", table, "AcDbLayerTableRecord", name);
-  dxf.add(62, 7);  // black on white, white on black
+  dxf.add(62, look.colour);
   dxf.add(6, line_type);
-  dxf.add(370, weight);
+  dxf.add(370, look.weight);
 }
 
 void add_layers(DxfWriter& dxf, const sheet::Sheet& sheet, const std::vector<std::string>& names,
                 const std::vector<LineType>& types) {
   add_table(dxf, "LAYER", names.size() + 1, [&](int table) {
-    add_layer(dxf, table, "0", "CONTINUOUS", 25);
+    add_layer(dxf, table, "0", "CONTINUOUS", {colour_number({}), 25});
     for (std::size_t i = 0; i < names.size(); ++i) {
       const sheet::LineStyle& style = sheet.layers[i].style;
-      add_layer(dxf, table, names[i], line_type_of(types, style.dashes), line_weight(style.width));
+      add_layer(dxf, table, names[i], line_type_of(types, style.dashes),
+                {colour_number(style.colour), line_weight(style.width)});
     }
   });
 }

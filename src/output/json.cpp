@@ -68,6 +68,7 @@ void append_segment(std::string& text, const drawing::ViewDrawing& drawing, cons
   text += segment.visible ? ", \"visible\": true" : ", \"visible\": false";
   text.append(", \"kind\": \"").append(edges::name_of(segment.kind));
   append(text += "\", \"model\": ", segment.model);
+  if (segment.body >= 0) append(text += ", \"body\": ", segment.body);
   if (segment.edge[0] >= 0) {
     append_numbers(text += ", \"edge\": ", segment.edge);
     append_numbers(text += ", \"t\": ", segment.t);
@@ -169,6 +170,7 @@ std::string mesh_of(const mesh::MeshReport& mesh) {
   add("triangles", number(mesh.triangles));
   if (mesh.wires > 0) add("wires", number(mesh.wires));
   add("bodies", number(mesh.bodies));
+  if (!mesh.body_names.empty()) add("body_names", json_list(mesh.body_names, json_string));
   add("open_edges", number(mesh.open_edges));
   add("non_manifold_edges", number(mesh.non_manifold_edges));
   add("misoriented_edges", number(mesh.misoriented_edges));

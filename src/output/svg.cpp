@@ -153,7 +153,7 @@ void LayerWriter::append(const sheet::Layer& layer, std::string_view name_in_vie
 // What differs from the document. As attributes, which every program reads, and which a path's own dashes win over.
 void LayerWriter::append_look(const sheet::LineStyle& style) {
   append_attribute(svg_, "class", document_.prefix + identifier(style.name));
-  if (style.colour != sheet::Colour{}) svg_.append(" stroke=\"").append(hexadecimal(style.colour)) += '"';
+  if (style.colour != Colour{}) svg_.append(" stroke=\"").append(hexadecimal(style.colour)) += '"';
   append_millimetres(svg_ += " stroke-width=\"", style.width);
   svg_ += '"';
   if (style.dashes.dash > 0) svg_.append(" stroke-dasharray=\"").append(dash_array(style.dashes)) += '"';

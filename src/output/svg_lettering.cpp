@@ -73,7 +73,7 @@ void append_outlines(std::string& svg, const sheet::Text& text, double height, c
 }
 
 // Colour of the areas in the layer.
-void begin_group(std::string& svg, const SvgDocument& document, std::string_view name, const sheet::Colour& colour) {
+void begin_group(std::string& svg, const SvgDocument& document, std::string_view name, const Colour& colour) {
   svg.append("<g class=\"").append(document.prefix).append(name).append("\" fill=\"").append(hexadecimal(colour));
   svg += "\" stroke=\"none\"";
 }
@@ -122,15 +122,6 @@ std::string identifier(std::string_view name) {
   for (char& c : id)
     if (letters.find(c) == std::string_view::npos) c = '-';
   return id;
-}
-
-std::string hexadecimal(const sheet::Colour& colour) {
-  constexpr std::string_view digits = "0123456789abcdef";
-  if (colour == sheet::Colour{}) return "#000";
-  std::string text = "#";
-  for (const int part : {colour.red, colour.green, colour.blue})
-    for (const int digit : {part / 16, part % 16}) text += digits[static_cast<std::size_t>(digit)];
-  return text;
 }
 
 void append_fills(std::string& svg, const sheet::Layer& layer, const SvgDocument& document) {

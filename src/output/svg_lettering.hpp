@@ -14,9 +14,6 @@ namespace epura::output {
 /// A name as ids and classes take it.
 std::string identifier(std::string_view name);
 
-/// "#1f7a3d"; black is "#000".
-std::string hexadecimal(const sheet::Colour& colour);
-
 /// Appends a line for each area, in a group.
 void append_fills(std::string& svg, const sheet::Layer& layer, const SvgDocument& document);
 

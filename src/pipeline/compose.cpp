@@ -99,7 +99,7 @@ std::vector<std::vector<sheet::Layer>> hatch_layers(const std::vector<ViewResult
 
 // Of the longest lines, if there is no time for all.
 std::vector<sheet::Layer> line_layers(drawing::ViewDrawing& drawing, const sheet::LineWidths& widths,
-                                      const std::vector<sheet::ModelStyle>& styles, const Budget& budget) {
+                                      const sheet::BodyStyles& styles, const Budget& budget) {
   const auto make = [&](const Progress& progress) { return sheet::view_layers(drawing, widths, styles, progress); };
   const auto leave_out = [&](const std::string& stage) {
     budget.partial.add_stage(stage);

@@ -41,7 +41,7 @@ struct Run {
   ViewTime time_of_next_view();
   std::vector<view::ProjectedScene> map_views(const WorldOfView& world, const SheetOfViews& views);
   FinishedSheet draw_sheet(const scene::World& whole, const CutSections& sections, const SheetOfViews& views);
-  std::vector<FinishedSheet> draw_sheets(const std::vector<SheetOfViews>& sheets);
+  std::vector<FinishedSheet> draw_sheets(std::vector<SheetOfViews> sheets);
 };
 
 // Of several views the report has all that time left out, and the test that found most wrong.
@@ -115,9 +115,11 @@ FinishedSheet Run::draw_sheet(const scene::World& whole, const CutSections& sect
   return sheet;
 }
 
-std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& sheets) {
-  scene::World world = read_models(scene.models, read_options(scene, options), report.meshes, messages, progress);
+std::vector<FinishedSheet> Run::draw_sheets(std::vector<SheetOfViews> sheets) {
+  scene::World world = read_models(scene, read_options(scene, options), report.meshes, messages, progress);
   watch.lap("read");
+  for (SheetOfViews& sheet : sheets)
+    for (std::size_t i = 0; i < sheet.plans.size(); ++i) add_body_styles(sheet.plans[i], sheet.descriptions[i], world);
   recognise_parts(world, scene, options, report, progress);
   watch.lap("features");
   const CutSections sections = cut_sections(world, scene, messages, progress);

@@ -99,8 +99,8 @@ report::PlanStep section_step(const CutSection& section) {
 }
 
 drawing::NearLines near_lines(const ViewOptions& options) {
-  return {options.join_within, [&options](int model, EdgeKind kind, bool visible) {
-            return sheet::line_strength(kind, visible, options.styles[static_cast<std::size_t>(model)]);
+  return {options.join_within, [&options](int model, int body, EdgeKind kind, bool visible) {
+            return sheet::line_strength(kind, visible, options.styles(model, body));
           }};
 }
 
@@ -291,8 +291,11 @@ DrawnLines ViewRun::draw_lines(const view::PaperMap& paper) {
   };
   const auto leave_out = [&](const std::string& stage) { return keep_longest(stage); };
   DrawnLines lines = make_in_time(budget_.lines, budget_.last(), make, leave_out);
-  if (const CutSection* section = input_.section)
+  if (const CutSection* section = input_.section) {
     lines.drawing.cut_faces = drawing::cut_faces_on_paper(section->cut.faces, section->plane, view_, paper);
+    lines.drawing.before_cuts =
+        drawing::before_cuts_on_paper(input_.world, section->cut.uncut, section->plane, lines.drawing.world_to_page);
+  }
   lines.drawing.scale = input_.place.scale;
   return lines;
 }
@@ -328,8 +331,7 @@ report::Verification ViewRun::verified(const edges::FeatureEdges& edges, const d
 }  // namespace
 
 bool ViewOptions::keep_hidden() const {
-  return std::any_of(styles.begin(), styles.end(),
-                     [](const sheet::ModelStyle& style) { return style.hidden != HiddenLines::none; });
+  return styles.any([](const sheet::BodyStyle& style) { return style.hidden != HiddenLines::none; });
 }
 
 void Stopwatch::lap(const std::string& stage) {

@@ -30,11 +30,11 @@ struct ViewOptions {
   std::string name;
   view::ViewLimits limits;
   edges::EdgeOptions edges;
-  bool wireframe = false;                 ///< nothing is hidden
-  std::optional<double> max_error;        ///< mm; no longer span may be shown wrongly
-  std::vector<sheet::ModelStyle> styles;  ///< by model
-  std::optional<int> verify;              ///< number of random points
-  std::optional<double> arcs;             ///< tolerance in mm for recognising circles and ellipses
+  bool wireframe = false;           ///< nothing is hidden
+  std::optional<double> max_error;  ///< mm; no longer span may be shown wrongly
+  sheet::BodyStyles styles;
+  std::optional<int> verify;   ///< number of random points
+  std::optional<double> arcs;  ///< tolerance in mm for recognising circles and ellipses
   bool centre_lines = false;
   double join_within = 0.1;  ///< mm of paper; lines so near along each other are one, 0: all are drawn
   Shortcuts leave_out{};

@@ -13,6 +13,8 @@
 #include "mesh/read.hpp"
 #include "pipeline/choose.hpp"
 #include "pipeline/layout.hpp"
+#include "pipeline/omit_bodies.hpp"
+#include "scene/body_styles.hpp"
 #include "scene/transform.hpp"
 #include "sheet/paper.hpp"
 
@@ -21,6 +23,26 @@ namespace epura::pipeline {
 namespace {
 
 bool is_drawn(const scene::ModelDescription& model) { return model.drawn.value_or(true); }
+
+// Leaves out the bodies that are not to be drawn.
+void leave_out(importer::ReadModel& model, const std::vector<scene::StyleDescription>& styles) {
+  std::vector<bool> omitted;
+  for (const scene::StyleDescription& style : styles) omitted.push_back(!style.drawn.value_or(true));
+  if (std::find(omitted.begin(), omitted.end(), true) != omitted.end()) omit_bodies(model, omitted);
+}
+
+// A misspelt pattern must not pass for a drawing without such bodies.
+void warn_about_idle(const Messages& messages, const scene::SceneDescription& scene, const scene::World& world) {
+  for (const scene::StyleDescription& style : scene.styles) {
+    bool any = false;
+    for (std::size_t i = 0; i < scene.models.size() && !any; ++i) {
+      const mesh::Mesh& mesh = *world.models[i].mesh;
+      for (int body = 0; body < mesh.report.bodies && !any; ++body)
+        any = scene::matches(style, mesh, body, scene::name_of(scene.models[i]));
+    }
+    if (!any) messages.warn(style.match.where + ": no body or model is called '" + *style.match + "'");
+  }
+}
 
 // What the user says of a file goes before what the file says of itself.
 Mat4 place_of(const scene::ModelDescription& model, const importer::ReadModel& read) {
@@ -109,8 +131,9 @@ importer::ReadOptions read_options(const scene::SceneDescription& scene, const R
   return read;
 }
 
-scene::World read_models(const std::vector<scene::ModelDescription>& models, const importer::ReadOptions& options,
+scene::World read_models(const scene::SceneDescription& scene, const importer::ReadOptions& options,
                          std::vector<mesh::MeshReport>& reports, const Messages& messages, Progress progress) {
+  const std::vector<scene::ModelDescription>& models = scene.models;
   progress.begin("reading", work_of(models));
   std::vector<scene::Placed> placed;
   for (std::size_t i = 0; i < models.size(); ++i) {
@@ -118,13 +141,18 @@ scene::World read_models(const std::vector<scene::ModelDescription>& models, con
     const bool drawn = is_drawn(models[i]);
     importer::ReadModel model = drawn ? read(models[i], options, progress) : importer::ReadModel{};
     const Mat4 place = place_of(models[i], model);
-    placed.push_back({std::make_shared<const mesh::Mesh>(std::move(model.mesh)), place});
+    std::vector<scene::StyleDescription> styles =
+        scene::styles_of_bodies(model.mesh, scene::name_of(models[i]), scene.styles);
+    leave_out(model, styles);
+    placed.push_back({std::make_shared<const mesh::Mesh>(std::move(model.mesh)), place, {}, std::move(styles)});
     if (!drawn) continue;
     if (models[i].surfaces.value_or(Surfaces::automatic) == Surfaces::automatic) placed.back().part = model.part;
     reports.push_back(placed.back().mesh->report);
     warn_about(messages, reports.back());
   }
-  return scene::make_world(std::move(placed));
+  scene::World world = scene::make_world(std::move(placed));
+  warn_about_idle(messages, scene, world);
+  return world;
 }
 
 }  // namespace epura::pipeline

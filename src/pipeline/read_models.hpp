@@ -20,7 +20,7 @@ importer::ReadOptions read_options(const scene::SceneDescription& scene, const R
 
 /// Reads and places the models; `reports` gets one more for each. Reports what was repaired. Faces of parts are those
 /// that files declare.
-scene::World read_models(const std::vector<scene::ModelDescription>& models, const importer::ReadOptions& options,
+scene::World read_models(const scene::SceneDescription& scene, const importer::ReadOptions& options,
                          std::vector<mesh::MeshReport>& reports, const Messages& messages, Progress progress);
 
 }  // namespace epura::pipeline

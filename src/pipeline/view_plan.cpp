@@ -4,6 +4,7 @@
 #include <map>
 
 #include "pipeline/choose.hpp"
+#include "scene/body_styles.hpp"
 
 namespace epura::pipeline {
 
@@ -23,11 +24,31 @@ edges::EdgeOptions edge_options(const scene::ViewDescription& view) {
 }
 
 // Options of a model override those of the view.
-std::vector<sheet::ModelStyle> styles_of(const scene::SceneDescription& scene, const scene::ViewDescription& view) {
-  std::vector<sheet::ModelStyle> styles;
+sheet::BodyStyles styles_of(const scene::SceneDescription& scene, const scene::ViewDescription& view) {
+  sheet::BodyStyles styles;
   for (const scene::ModelDescription& model : scene.models) {
-    const sheet::ModelStyle usual;
-    styles.push_back({model.line.value_or(usual.line), model.hidden.value_or(view.hidden.value_or(usual.hidden))});
+    sheet::BodyStyle style;
+    style.line = model.line.value_or(style.line);
+    style.hidden = model.hidden.value_or(view.hidden.value_or(style.hidden));
+    if (view.layers.value_or(LayersBy::role) == LayersBy::body) style.layer = scene::name_of(model);
+    styles.of_model.push_back({style});
+  }
+  return styles;
+}
+
+// The styles of the bodies of a model whose own style is `usual`.
+std::vector<sheet::BodyStyle> styles_of(const scene::Placed& placed, const sheet::BodyStyle& usual, LayersBy layers) {
+  std::vector<sheet::BodyStyle> styles;
+  for (int body = 0; body < placed.mesh->report.bodies; ++body) {
+    sheet::BodyStyle& style = styles.emplace_back(usual);
+    if (!placed.styles.empty()) {
+      const scene::StyleDescription& wanted = placed.styles[static_cast<std::size_t>(body)];
+      style.line = wanted.line.value_or(style.line);
+      style.hidden = wanted.hidden.value_or(style.hidden);
+      style.colour = wanted.colour.value_or(style.colour);
+    }
+    const std::string& name = scene::name_of_body(*placed.mesh, body);
+    if (layers == LayersBy::body && !name.empty()) style.layer = name;
   }
   return styles;
 }
@@ -72,6 +93,17 @@ std::vector<PlannedView> plan_views(const scene::SceneDescription& scene, const 
     plans.push_back(at_place(view.projection, plan));
   }
   return plans;
+}
+
+void add_body_styles(PlannedView& plan, const scene::ViewDescription& view, const scene::World& world) {
+  for (std::size_t model = 0; model < world.models.size(); ++model) {
+    std::vector<sheet::BodyStyle>& styles = plan.options.styles.of_model[model];
+    const scene::Placed& placed = world.models[model];
+    if (placed.mesh->report.bodies == 0) continue;
+    styles = styles_of(placed, styles.front(), view.layers.value_or(LayersBy::role));
+    // Without names, the bodies of a model have one style.
+    if (placed.mesh->report.body_names.empty()) styles.resize(1);
+  }
 }
 
 std::vector<SheetOfViews> views_by_sheet(const scene::SceneDescription& scene, const std::vector<PlannedView>& plans) {

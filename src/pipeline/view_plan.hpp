@@ -21,6 +21,9 @@ struct PlannedView {
 /// Throws Error{input}, or Error{plugin} for projections that are not there.
 std::vector<PlannedView> plan_views(const scene::SceneDescription& scene, const RunOptions& options);
 
+/// Adds what the styles of the scene say of single bodies, and the layers of bodies, now that the models are read.
+void add_body_styles(PlannedView& plan, const scene::ViewDescription& view, const scene::World& world);
+
 /// A sheet, and the scene's views on it.
 struct SheetOfViews {
   int sheet;

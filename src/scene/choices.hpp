@@ -47,6 +47,11 @@ struct Words<HiddenLines> {
 };
 
 template <>
+struct Words<LayersBy> {
+  static constexpr std::array list{"role", "body"};
+};
+
+template <>
 struct Words<EdgeKind> {
   static constexpr std::array list{"contour", "boundary", "crease",  "intersection",
                                    "section", "wire",     "tangent", "smooth"};

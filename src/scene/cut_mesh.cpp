@@ -20,13 +20,16 @@ class Knife {
   Knife(const World& world, int model, const Sides& sides)
       : world_(world), sides_(sides), first_(world.first_vertex[model]), mesh_(*world.models[model].mesh) {
     file_vertices_ = world.first_vertex[model + 1] - first_;
+    is_uncut_ = uncut_bodies(world.models[model].styles);
   }
 
   CutMesh cut(int first_triangle) {
     for (int t = 0; t < static_cast<int>(mesh_.polygon.size()); ++t) {
       const std::array<int, 3>& corners = world_.triangles[first_triangle + t];
       const auto side = [&](int i) { return sides_.of[corners[i]]; };
-      if (side(0) == 0 && side(1) == 0 && side(2) == 0) {
+      if (!is_uncut_.empty() && is_uncut_[mesh_.body[t]]) {
+        keep_triangle(t, {corners[0] - first_, corners[1] - first_, corners[2] - first_});
+      } else if (side(0) == 0 && side(1) == 0 && side(2) == 0) {
         result_.in_plane.push_back(t);
       } else if (side(0) < 0 || side(1) < 0 || side(2) < 0) {
         cut_triangle(t, {corners[0] - first_, corners[1] - first_, corners[2] - first_});
@@ -39,6 +42,27 @@ class Knife {
   }
 
  private:
+  // By body: whether it lies on both sides of the plane, and stays whole. Empty if there is none.
+  [[nodiscard]] std::vector<bool> uncut_bodies(const std::vector<StyleDescription>& styles) const {
+    const auto stays = [](const StyleDescription& style) { return !style.cut.value_or(true); };
+    if (std::none_of(styles.begin(), styles.end(), stays)) return {};
+    std::vector<std::array<bool, 2>> is_on(styles.size());  // behind the plane, in front of it
+    for (int t = 0; t < mesh_.triangle_count(); ++t)
+      for (const int vertex : mesh_.triangle(t))
+        if (side(vertex) != 0) is_on[mesh_.body[t]][side(vertex) > 0 ? 1 : 0] = true;
+    std::vector<bool> uncut;
+    for (std::size_t body = 0; body < styles.size(); ++body)
+      uncut.push_back(stays(styles[body]) && is_on[body][0] && is_on[body][1]);
+    return uncut;
+  }
+
+  void keep_triangle(int triangle, const std::array<int, 3>& corners) {
+    result_.uncut.push_back(static_cast<int>(result_.triangles.size()));
+    result_.triangles.push_back(corners);
+    result_.polygon.push_back(mesh_.polygon[triangle]);
+    result_.body.push_back(mesh_.body[triangle]);
+  }
+
   [[nodiscard]] int side(int vertex) const { return vertex < file_vertices_ ? sides_.of[first_ + vertex] : 0; }
 
   void cut_triangle(int triangle, const std::array<int, 3>& corners) {
@@ -94,6 +118,7 @@ class Knife {
   const Sides& sides_;
   int first_, file_vertices_;
   const mesh::Mesh& mesh_;
+  std::vector<bool> is_uncut_;  ///< by body; empty if all are cut
   CutMesh result_;
   std::unordered_map<std::uint64_t, int> made_;  ///< edge -> vertex; only looked up, so its order does not matter
 };

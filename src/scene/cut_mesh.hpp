@@ -43,6 +43,7 @@ struct CutMesh {
   std::vector<mesh::CutVertex> vertices;
   std::vector<CutSegment> segments;  ///< one for each triangle that is cut just behind the plane
   std::vector<int> in_plane;         ///< triangles of the uncut mesh that lie in the plane; not among `triangles`
+  std::vector<int> uncut;            ///< those of `triangles` that belong to bodies which the plane passes through
   std::vector<std::array<int, 2>> wires;
   bool cuts_wires = false;
 };

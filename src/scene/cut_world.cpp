@@ -176,7 +176,6 @@ mesh::Mesh ModelCut::make_mesh() const {
     cut_away.corners.insert(cut_away.corners.end(), triangle.begin(), triangle.end());
   cut_away.polygon = cut.polygon;
   cut_away.body = cut.body;
-  cut_away.body_names = mesh().body_names;
   cut_away.report = mesh().report;
   cut_away.cut_vertices = cut.vertices;
   cut_away.first_cut_vertex = file_vertices();
@@ -215,7 +214,8 @@ void append(World& world, const ModelCut& cut) {
   world.first_vertex.push_back(static_cast<int>(world.points.size()));
   world.first_triangle.push_back(static_cast<int>(world.triangles.size()));
   const Placed& whole = cut.world.models[cut.model];
-  world.models.push_back({std::make_shared<const mesh::Mesh>(cut.make_mesh()), whole.to_world, whole.part});
+  world.models.push_back(
+      {std::make_shared<const mesh::Mesh>(cut.make_mesh()), whole.to_world, whole.part, whole.styles});
   append_wires(world, *world.models.back().mesh, first);
 }
 
@@ -249,6 +249,7 @@ CutWorld cut_world(const World& world, const CuttingPlane& plane, const Progress
     }
     result.open.insert(result.open.end(), cut.open.begin(), cut.open.end());
     result.bridged.insert(result.bridged.end(), cut.bridged.begin(), cut.bridged.end());
+    for (const int triangle : cut.cut.uncut) result.uncut.push_back(result.world.first_triangle.back() + triangle);
     cuts = cuts || !cut.cut.segments.empty() || !cut.loose.empty() || cut.cut.cuts_wires;
     append(result.world, cut);
   }

@@ -45,6 +45,7 @@ struct CutWorld {
   std::vector<WorldCutFace> faces;   ///< in order of model and body
   std::vector<OpenOutline> open;     ///< likewise
   std::vector<BridgedGaps> bridged;  ///< likewise
+  std::vector<int> uncut;  ///< triangles of bodies that the plane passes through and leaves whole (Placed::styles)
 };
 
 /// Throws Error{input} when the plane cuts no body, or leaves nothing; and OutOfTime.

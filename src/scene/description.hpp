@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/colour.hpp"
 #include "base/vec.hpp"
 #include "mesh/soup.hpp"
 #include "scene/choices.hpp"
@@ -46,6 +47,17 @@ struct ModelDescription {
   Located<bool> drawn;          ///< true by default
 };
 
+/// How bodies with certain names are drawn, whatever their models and views say. Of several styles that match a body,
+/// the last one that has a value counts.
+struct StyleDescription {
+  LocatedText match;  ///< names of bodies or models: * stands for any text, ? for one character, [ab] for a or b
+  Located<LineRole> line;
+  Located<HiddenLines> hidden;
+  Located<Colour> colour;
+  Located<bool> cut;    ///< by sections; true by default
+  Located<bool> drawn;  ///< true by default
+};
+
 /// A view of the models. Views without a place are arranged: ISO 5456-2.
 struct ViewDescription {
   LocatedText name;  ///< of its layers; the projection's by default
@@ -57,9 +69,10 @@ struct ViewDescription {
   LocatedText label;             ///< written above it; "A-A" for a section by default
   Located<double> crease_angle;  ///< degrees
   Located<double> join_within;   ///< mm of paper
-  Located<double> near, far;     ///< depths, in units of the world
-  Located<Vec2> at;              ///< middle of its ink, mm from the lower left corner of the sheet
-  Located<int> sheet;            ///< which one of several, from 1; the first by default
+  Located<LayersBy> layers;
+  Located<double> near, far;  ///< depths, in units of the world
+  Located<Vec2> at;           ///< middle of its ink, mm from the lower left corner of the sheet
+  Located<int> sheet;         ///< which one of several, from 1; the first by default
 };
 
 /// A plane that cuts the models. The side that the normal points to is removed.
@@ -100,6 +113,7 @@ struct SheetDescription {
 struct SceneDescription {
   std::vector<ModelDescription> models;
   std::vector<ViewDescription> views;
+  std::vector<StyleDescription> styles;
   std::vector<SectionDescription> sections;
   std::vector<DimensionDescription> dimensions;
   std::vector<SheetDescription> sheets;  ///< the first one where a file has none

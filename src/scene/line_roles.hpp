@@ -106,8 +106,10 @@ constexpr SheetLine line_of(LineRole role) {
       ->line;
 }
 
-/// By a style's name or a layer's name without its view; nothing for others.
+/// By a style's name or a layer's name without its view; nothing for others. The layers of single bodies have more
+/// words.
 constexpr const SheetLineRow* find_line(std::string_view name) {
+  name = name.substr(0, name.find(' '));
   const auto is_it = [name](const SheetLineRow& row) { return row.name == name || row.layer == name; };
   const auto found = std::find_if(sheet_lines.begin(), sheet_lines.end(), is_it);
   return found == sheet_lines.end() ? nullptr : &*found;

@@ -68,6 +68,25 @@ Options<ModelDescription> model_options() {
   };
 }
 
+Options<StyleDescription> style_options() {
+  using Style = StyleDescription;
+  return {
+      option<Style>({.key = "match",
+                     .help = "names of bodies or models: `*` stands for any text, `?` for one character; names as "
+                             "`epura info` shows them",
+                     .required = true},
+                    &Style::match, any_text()),
+      option<Style>({.key = "line", .help = "style of the visible lines", .usual = "the model's"}, &Style::line,
+                    choice<LineRole>()),
+      option<Style>({.key = "hidden", .help = "style of the hidden lines", .usual = "the model's"}, &Style::hidden,
+                    choice<HiddenLines>()),
+      option<Style>({.key = "colour", .help = "of all their lines", .usual = "#000"}, &Style::colour, colour()),
+      option<Style>({.key = "cut", .help = "`false`: sections show them whole, as bolts, shafts and balls"},
+                    &Style::cut, truth()),
+      option<Style>({.key = "drawn", .help = "`false` omits them"}, &Style::drawn, truth()),
+  };
+}
+
 Options<SectionDescription> section_options() {
   using Section = SectionDescription;
   return {
@@ -116,6 +135,11 @@ Options<ViewDescription> view_options() {
                     .help = "distance on paper within which parallel lines are drawn as one; 0: draw all lines",
                     .usual = "0.1"},
                    &View::join_within, number_between(0, 1, "mm")),
+      option<View>({.key = "layers",
+                    .flag = "--layers",
+                    .help = "role: a layer for each role of lines; body: also for each body, by its name",
+                    .usual = "role"},
+                   &View::layers, choice<LayersBy>().shown_as("KIND")),
       option<View>({.key = "near", .flag = "--near", .help = "omit what is nearer to the viewer than this depth"},
                    &View::near, any_number("")),
       option<View>({.key = "far", .flag = "--far", .help = "omit what is farther from the viewer than this depth"},

@@ -10,6 +10,7 @@
 #include "base/vec.hpp"
 #include "features/recognise.hpp"
 #include "mesh/mesh.hpp"
+#include "scene/description.hpp"
 
 namespace epura::scene {
 
@@ -18,6 +19,7 @@ struct Placed {
   std::shared_ptr<const mesh::Mesh> mesh;  ///< by worlds that are cut from one another
   Mat4 to_world{1.0};
   std::shared_ptr<const features::PartFaces> part{};  ///< of the mesh before it was cut; null where none is recognised
+  std::vector<StyleDescription> styles{};             ///< by body of the mesh; empty if none matches a body
 };
 
 /// All models in one numbering: vertex v of model m is number first_vertex[m] + v, triangles likewise.

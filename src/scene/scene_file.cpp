@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "scene/body_styles.hpp"
 #include "scene/scene_keys.hpp"
 #include "scene/toml_tree.hpp"
 #include "scene/view_names.hpp"
@@ -31,7 +32,7 @@ ModelNumbers numbers_of(const std::vector<ModelDescription>& models) {
   ModelNumbers numbers;
   for (int i = 0; i < static_cast<int>(models.size()); ++i) {
     const ModelDescription& model = models[std::size_t(i)];
-    numbers[model.name.value_or(fs::path(*model.file).stem().string())].push_back(i);
+    numbers[name_of(model)].push_back(i);
   }
   return numbers;
 }

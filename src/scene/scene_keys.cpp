@@ -131,6 +131,7 @@ Options<SceneWords> scene_keys() {
       {{.key = "views", .form = {"list of texts"}, .help = "projections; short for a `[[view]]` for each"},
        read_short_views},
       parts_key("model", model_options(), in_description(&SceneDescription::models)),
+      parts_key("style", style_options(), in_description(&SceneDescription::styles)),
       parts_key("section", section_options(), in_description(&SceneDescription::sections)),
       parts_key("view", view_options(), in_description(&SceneDescription::views)),
       parts_key("dimension", dimension_options(), std::mem_fn(&SceneWords::dimensions)),
@@ -170,6 +171,7 @@ std::string describe_scene_keys() {
   std::string table = "| section | key | value | default | meaning |\n|---|---|---|---|---|\n";
   append_rows(table, "", scene_keys());
   append_rows(table, "`[[model]]`", model_options());
+  append_rows(table, "`[[style]]`", style_options());
   append_rows(table, "`[[view]]`", view_options());
   append_rows(table, "`[[section]]`", section_options());
   append_rows(table, "`[[dimension]]`", dimension_options());

@@ -262,6 +262,16 @@ ValueKind<Mat4> transform_steps() {
   return {{"text", "STEPS"}, [](const TomlValue& value) { return parsed(value, parse_transform); }};
 }
 
+ValueKind<Colour> colour() {
+  const auto read = [](const TomlValue& value) {
+    const std::string text = read_text(value);
+    const std::optional<Colour> found = parse_colour(text);
+    if (!found) refuse(value, "'" + text + "' is not a colour", "write it as #rgb or #rrggbb, such as #c00");
+    return *found;
+  };
+  return {{"`#rgb` or `#rrggbb`", "COLOUR"}, read};
+}
+
 ValueKind<ScaleChoice> scale_choice() {
   const std::vector<std::string> usual{"fit", "auto", "1:1", "1:2", "1:5", "1:10", "2:1", "5:1", "10:1"};
   return {{"text", "SCALE", usual}, [](const TomlValue& value) { return parse_scale(read_text(value), value.where); }};

@@ -79,6 +79,7 @@ ValueKind<Vec2> pair_of_numbers(const std::string& unit);
 ValueKind<Vec3> triple_of_numbers(const std::string& unit);
 ValueKind<Vec3> direction();        ///< three numbers, not all zero
 ValueKind<Mat4> transform_steps();  ///< see scene/transform.hpp
+ValueKind<Colour> colour();         ///< "#c00" or "#cc0000"
 ValueKind<ScaleChoice> scale_choice();
 ValueKind<PaperChoice> paper_choice();
 ValueKind<EdgeKinds> edge_kinds();

@@ -298,21 +298,32 @@ std::vector<Edge> visible_edges(const drawing::ViewDrawing& drawing) {
 class Shown {
  public:
   explicit Shown(const CentredView& view) : view_(view) {
-    const bool some_without_hidden = std::any_of(view.styles.begin(), view.styles.end(), [](const ModelStyle& style) {
-      return style.hidden == HiddenLines::none;
-    });
+    const bool some_without_hidden =
+        view.styles.any([](const BodyStyle& style) { return style.hidden == HiddenLines::none; });
     if (some_without_hidden) edges_ = visible_edges(view.drawing);
+    for (const drawing::Segment& s : view.drawing.segments)
+      if (s.body >= 0 && s.edge[0] >= 0)
+        for (const int vertex : s.edge) bodies_.push_back({s.model, vertex, s.body});
+    std::sort(bodies_.begin(), bodies_.end());
   }
 
   [[nodiscard]] bool shows(const scene::RoundFeature& feature) const {
     const std::vector<SeenCircle> rings = see(view_.drawing, feature);
     const SeenCircle& largest = largest_of(rings);
     return 2 * largest.radius() >= least_diameter &&
-           (view_.styles[static_cast<std::size_t>(feature.model)].hidden != HiddenLines::none ||
-            is_visible(feature, largest));
+           (view_.styles(feature.model, body_of(feature)).hidden != HiddenLines::none || is_visible(feature, largest));
   }
 
  private:
+  // The named body that has lines at its vertices.
+  [[nodiscard]] int body_of(const scene::RoundFeature& feature) const {
+    for (const int vertex : feature.vertices) {
+      const auto found = std::lower_bound(bodies_.begin(), bodies_.end(), std::array{feature.model, vertex, 0});
+      if (found != bodies_.end() && (*found)[0] == feature.model && (*found)[1] == vertex) return (*found)[2];
+    }
+    return -1;
+  }
+
   [[nodiscard]] bool is_visible(const scene::RoundFeature& feature, const SeenCircle& ring) const {
     // The rims of a hole seen from the side are lines of the outline, and show nothing of the hole.
     const double length = glm::length(ring.axis), radius = ring.radius();
@@ -329,6 +340,7 @@ class Shown {
 
   const CentredView& view_;
   std::vector<Edge> edges_;
+  std::vector<std::array<int, 3>> bodies_;  ///< model, vertex and named body
 };
 
 /// What is to be drawn in a view.

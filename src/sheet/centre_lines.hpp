@@ -17,7 +17,7 @@ namespace epura::sheet {
 struct CentredView {
   const drawing::ViewDrawing& drawing;
   const scene::CentredFeatures& features;
-  const std::vector<ModelStyle>& styles;  ///< by model
+  const BodyStyles& styles;
 };
 
 /// The layer VIEW/centre, narrow long-dashed dotted lines; without strokes in a central projection.

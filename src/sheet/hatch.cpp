@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "base/error.hpp"
@@ -75,6 +76,47 @@ void add_line(const std::vector<Ring>& rings, const Vec2& along, double offset, 
 Vec2 direction(double degrees) {
   const double angle = degrees * std::numbers::pi / 180;
   return {portable_cos(angle), portable_sin(angle)};
+}
+
+// What a line on paper has in a triangle: places along it.
+std::optional<std::array<double, 2>> part_in(const drawing::PaperTriangle& triangle, const Vec2& along, double offset) {
+  const Vec2 n(-along.y, along.x);
+  double from = HUGE_VAL, to = -HUGE_VAL;
+  for (std::size_t i = 0; i < triangle.size(); ++i) {
+    const Vec2 &a = triangle[i], &b = triangle[(i + 1) % triangle.size()];
+    const double before = glm::dot(n, a) - offset, behind = glm::dot(n, b) - offset;
+    if ((before <= 0) == (behind <= 0)) continue;
+    const double place = glm::dot(along, a) + before / (before - behind) * glm::dot(along, b - a);
+    from = std::min(from, place);
+    to = std::max(to, place);
+  }
+  return from < to ? std::optional(std::array{from, to}) : std::nullopt;
+}
+
+// The rest of lines of one direction outside all of `covers`.
+std::vector<Line> uncovered(const std::vector<Line>& lines, double degrees,
+                            const std::vector<drawing::PaperTriangle>& covers) {
+  if (covers.empty()) return lines;
+  const Vec2 along = direction(degrees), n(-along.y, along.x);
+  std::vector<Line> rest;
+  for (const Line& line : lines) {
+    const double offset = glm::dot(n, line[0]), end = glm::dot(along, line[1]);
+    std::vector<std::array<double, 2>> covered;
+    for (const drawing::PaperTriangle& triangle : covers)
+      if (const auto part = part_in(triangle, along, offset)) covered.push_back(*part);
+    std::sort(covered.begin(), covered.end());
+    double at = glm::dot(along, line[0]);
+    const auto keep_until = [&](double place) {
+      if (std::min(place, end) - at > shortest)
+        rest.push_back({at * along + offset * n, std::min(place, end) * along + offset * n});
+    };
+    for (const auto& [from, to] : covered) {
+      keep_until(from);
+      at = std::max(at, to);
+    }
+    keep_until(end);
+  }
+  return rest;
 }
 
 // Lines of all faces of a part in a view fall on one family, counted from the origin of the sheet.
@@ -294,7 +336,8 @@ Layer hatch_layer(const drawing::ViewDrawing& drawing, std::span<const Hatching>
       layer.fills.push_back({face.rings});
       continue;
     }
-    for (const Line& line : lines_of(face, found->angle, found->spacing, progress))
+    const std::vector<Line> lines = lines_of(face, found->angle, found->spacing, progress);
+    for (const Line& line : uncovered(lines, found->angle, drawing.before_cuts))
       layer.strokes.push_back({{line[0], line[1]}});
   }
   return layer;

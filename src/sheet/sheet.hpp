@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/colour.hpp"
 #include "base/vec.hpp"
 #include "drawing/drawing.hpp"
 
@@ -22,13 +23,6 @@ struct Dashes {
   int dots = 0;
 
   bool operator==(const Dashes&) const = default;
-};
-
-/// Parts of 255. Engineering drawings are black; pictures about them need not be.
-struct Colour {
-  int red = 0, green = 0, blue = 0;
-
-  bool operator==(const Colour&) const = default;
 };
 
 /// How a layer's lines look. ISO 128-2; lengths in millimetres of paper.

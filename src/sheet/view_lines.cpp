@@ -2,9 +2,9 @@
 #include "sheet/view_lines.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <numbers>
+#include <set>
 #include <span>
 #include <utility>
 #include <vector>
@@ -177,37 +177,39 @@ Stroke tangent(const drawing::ViewDrawing& drawing, const drawing::Chain& chain,
   return stroke;
 }
 
-using Strokes = std::array<std::vector<Stroke>, scene::sheet_lines.size()>;
+/// What the lines of a layer have in common; in the order in which layers are painted.
+struct LayerKey {
+  scene::SheetLine line;
+  std::string name;  ///< of the bodies that it is for; empty for all
+  Colour colour;
 
-std::vector<Stroke>& strokes_of(Strokes& strokes, scene::SheetLine line) {
-  return strokes[static_cast<std::size_t>(line)];
-}
+  auto operator<=>(const LayerKey&) const = default;
+};
 
-scene::SheetLine line_of(EdgeKind kind, bool visible, const ModelStyle& look) {
+scene::SheetLine line_of(EdgeKind kind, bool visible, const BodyStyle& look) {
   if (!visible) return look.hidden == HiddenLines::solid ? scene::SheetLine::hidden_solid : scene::SheetLine::hidden;
   return look.line == LineRole::visible ? edge_line(kind, true).value() : scene::line_of(look.line);
 }
 
-bool is_drawn(EdgeKind kind, bool visible, const ModelStyle& look) {
+bool is_drawn(EdgeKind kind, bool visible, const BodyStyle& look) {
   return visible || (look.hidden != HiddenLines::none && edge_line(kind, false));
 }
 
-struct Looks {
-  const std::vector<ModelStyle>& by_model;
-
-  const ModelStyle& operator()(const drawing::ViewDrawing& drawing, const drawing::Chain& chain) const {
-    return by_model[static_cast<std::size_t>(drawing.segments[chain.segments.front()].model)];
-  }
-};
+const BodyStyle& style_of(const drawing::ViewDrawing& drawing, const drawing::Chain& chain, const BodyStyles& styles) {
+  const drawing::Segment& segment = drawing.segments[chain.segments.front()];
+  return styles(segment.model, segment.body);
+}
 
 /// How a chain is drawn.
 struct ChainPlan {
   scene::SheetLine line;
   bool in_dashes;
-  std::size_t strokes;  ///< 0: it is not drawn
+  std::size_t strokes;    ///< 0: it is not drawn
+  std::size_t layer = 0;  ///< that has them
+  std::size_t first = 0;  ///< of them in the layer
 };
 
-ChainPlan plan_of(const drawing::Chain& chain, const ModelStyle& look, const LineWidths& widths) {
+ChainPlan plan_of(const drawing::Chain& chain, const BodyStyle& look, const LineWidths& widths) {
   const scene::SheetLine line = line_of(chain.kind, chain.visible, look);
   if (!is_drawn(chain.kind, chain.visible, look)) return {line, false, 0};
   if (line != scene::SheetLine::hidden || !is_dashed(chain, widths.narrow)) return {line, false, 1};
@@ -263,31 +265,75 @@ std::vector<std::size_t> crossed_chains(const drawing::ViewDrawing& drawing, con
   return chains;
 }
 
+/// Strokes by layer, in painting order.
+struct Strokes {
+  std::vector<LayerKey> keys;  ///< ascending
+  std::vector<std::vector<Stroke>> of_layer;
+};
+
+// The keys of all layers that have lines or are `always` there.
+std::vector<LayerKey> layer_keys(const drawing::ViewDrawing& drawing, const BodyStyles& styles,
+                                 const std::vector<ChainPlan>& plans, const std::vector<LayerKey>& always) {
+  std::set<LayerKey> keys(always.begin(), always.end());
+  for (std::size_t i = 0; i < plans.size(); ++i) {
+    const BodyStyle& style = style_of(drawing, drawing.chains[i], styles);
+    if (plans[i].strokes > 0) keys.insert({plans[i].line, style.layer, style.colour});
+  }
+  return {keys.begin(), keys.end()};
+}
+
 // In order of the chains. Strokes are most of what a large drawing needs: they are counted first, and made in place.
-Strokes strokes_of(const drawing::ViewDrawing& drawing, const LineWidths& widths, const Looks& styles,
-                   const Progress& progress) {
+Strokes strokes_of(const drawing::ViewDrawing& drawing, const LineWidths& widths, const BodyStyles& styles,
+                   const std::vector<LayerKey>& always, const Progress& progress) {
   const std::size_t count = drawing.chains.size();
   std::vector<ChainPlan> plans(count);
   parallel_for(count, chains_a_part, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
-      plans[i] = plan_of(drawing.chains[i], styles(drawing, drawing.chains[i]), widths);
+      plans[i] = plan_of(drawing.chains[i], style_of(drawing, drawing.chains[i], styles), widths);
   });
   const Crossings crossings(drawing.chains, crossed_chains(drawing, widths, plans, progress), progress);
-  std::vector<std::size_t> first(count);  // stroke of each chain, in its place
-  std::array<std::size_t, scene::sheet_lines.size()> all{};
+  Strokes strokes{layer_keys(drawing, styles, plans, always), {}};
+  std::vector<std::size_t> all(strokes.keys.size(), 0);
   for (std::size_t i = 0; i < count; ++i) {
-    std::size_t& counted = all[static_cast<std::size_t>(plans[i].line)];
-    first[i] = std::exchange(counted, counted + plans[i].strokes);
+    if (plans[i].strokes == 0) continue;
+    const BodyStyle& style = style_of(drawing, drawing.chains[i], styles);
+    const LayerKey key{plans[i].line, style.layer, style.colour};
+    plans[i].layer = static_cast<std::size_t>(std::lower_bound(strokes.keys.begin(), strokes.keys.end(), key) -
+                                              strokes.keys.begin());
+    plans[i].first = std::exchange(all[plans[i].layer], all[plans[i].layer] + plans[i].strokes);
   }
-  Strokes strokes;
-  for (std::size_t line = 0; line < all.size(); ++line) strokes[line].resize(all[line]);
+  for (const std::size_t number : all) strokes.of_layer.emplace_back(number);
   parallel_for(count, chains_a_part, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       if (plans[i].strokes > 0)
-        draw_chain(strokes_of(strokes, plans[i].line).data() + first[i], plans[i], {drawing, widths, crossings}, i);
+        draw_chain(strokes.of_layer[plans[i].layer].data() + plans[i].first, plans[i], {drawing, widths, crossings}, i);
     progress.advance(end - begin);
   });
   return strokes;
+}
+
+// Layers for the lines of all bodies, which are there even without lines.
+std::vector<LayerKey> usual_layers(const BodyStyles& styles) {
+  const auto wants = [&](HiddenLines hidden) {
+    return styles.any([&](const BodyStyle& style) { return style.hidden == hidden; });
+  };
+  std::vector<LayerKey> keys{{scene::SheetLine::visible, {}, {}}};
+  if (wants(HiddenLines::dashed)) keys.push_back({scene::SheetLine::hidden, {}, {}});
+  if (wants(HiddenLines::solid)) keys.push_back({scene::SheetLine::hidden_solid, {}, {}});
+  return keys;
+}
+
+Layer layer_of(const LayerKey& key, const drawing::ViewDrawing& drawing, const LineWidths& widths, bool alone) {
+  Layer layer = empty_layer(drawing.name, key.line, widths);
+  if (alone) layer.name = drawing.name + "/" + scene::row_of(scene::SheetLine::hidden).layer;
+  if (!key.name.empty()) {
+    std::string name = key.name;
+    std::replace(name.begin(), name.end(), '/', '-');  // which ends the name of the view
+    layer.name += " " + name;
+  }
+  if (key.colour != Colour{}) layer.name += " " + hexadecimal(key.colour);
+  layer.style.colour = key.colour;
+  return layer;
 }
 
 }  // namespace
@@ -299,29 +345,25 @@ std::optional<scene::SheetLine> edge_line(EdgeKind kind, bool visible) {
   return edges::is_within_surface(kind) ? scene::SheetLine::tangent : scene::SheetLine::visible;
 }
 
-int line_strength(EdgeKind kind, bool visible, const ModelStyle& style) {
+const BodyStyle& BodyStyles::operator()(int model, int body) const {
+  const std::vector<BodyStyle>& styles = of_model[static_cast<std::size_t>(model)];
+  return styles.size() == 1 || body < 0 ? styles.front() : styles[static_cast<std::size_t>(body)];
+}
+
+int line_strength(EdgeKind kind, bool visible, const BodyStyle& style) {
   return is_drawn(kind, visible, style) ? static_cast<int>(line_of(kind, visible, style)) : -1;
 }
 
-std::vector<Layer> view_layers(const drawing::ViewDrawing& drawing, const LineWidths& widths,
-                               const std::vector<ModelStyle>& styles, const Progress& progress) {
+std::vector<Layer> view_layers(const drawing::ViewDrawing& drawing, const LineWidths& widths, const BodyStyles& styles,
+                               const Progress& progress) {
   progress.begin("fitting dashes", drawing.chains.size());
-  Strokes strokes = strokes_of(drawing, widths, {styles}, progress);
-  const auto wants = [&](HiddenLines hidden) {
-    return std::any_of(styles.begin(), styles.end(), [&](const ModelStyle& look) { return look.hidden == hidden; });
-  };
-  const auto is_always_there = [&](scene::SheetLine line) {
-    return line == scene::SheetLine::visible || (line == scene::SheetLine::hidden && wants(HiddenLines::dashed)) ||
-           (line == scene::SheetLine::hidden_solid && wants(HiddenLines::solid));
-  };
+  Strokes strokes = strokes_of(drawing, widths, styles, usual_layers(styles), progress);
+  const bool has_dashed = styles.any([](const BodyStyle& style) { return style.hidden == HiddenLines::dashed; });
   std::vector<Layer> layers;
-  for (const scene::SheetLineRow& row : scene::sheet_lines) {
-    std::vector<Stroke>& drawn = strokes_of(strokes, row.line);
-    if (drawn.empty() && !is_always_there(row.line)) continue;
-    Layer& layer = layers.emplace_back(empty_layer(drawing.name, row.line, widths));
-    layer.strokes = std::move(drawn);
-    const bool alone = row.line == scene::SheetLine::hidden_solid && !wants(HiddenLines::dashed);
-    if (alone) layer.name = drawing.name + "/" + scene::row_of(scene::SheetLine::hidden).layer;
+  for (std::size_t i = 0; i < strokes.keys.size(); ++i) {
+    const bool alone = strokes.keys[i].line == scene::SheetLine::hidden_solid && !has_dashed;
+    layers.push_back(layer_of(strokes.keys[i], drawing, widths, alone));
+    layers.back().strokes = std::move(strokes.of_layer[i]);
   }
   return layers;
 }

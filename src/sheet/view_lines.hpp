@@ -2,6 +2,7 @@
 // Drawing -> layers of strokes with line types and widths. ISO 128-2.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,26 +18,43 @@ namespace epura::sheet {
 /// The role of an edge on a sheet, unless its model has its own role. Hidden edges between smooth faces have none.
 std::optional<scene::SheetLine> edge_line(EdgeKind kind, bool visible);
 
-/// How one model is drawn.
-struct ModelStyle {
+/// How one body is drawn.
+struct BodyStyle {
   LineRole line = LineRole::visible;
   HiddenLines hidden = HiddenLines::dashed;
+  Colour colour{};
+  std::string layer{};  ///< name of layers of its own; empty: it shares those of the view
+};
+
+/// How all bodies are drawn.
+struct BodyStyles {
+  std::vector<std::vector<BodyStyle>> of_model;  ///< by body; or a single one for all bodies
+
+  /// The style of a body; of an unnamed one (-1), that of the first.
+  [[nodiscard]] const BodyStyle& operator()(int model, int body) const;
+  template <class Test>
+  [[nodiscard]] bool any(const Test& test) const {
+    return std::any_of(of_model.begin(), of_model.end(), [&](const std::vector<BodyStyle>& styles) {
+      return std::any_of(styles.begin(), styles.end(), test);
+    });
+  }
 };
 
 /// Of two lines in one place that with the greater number is seen: visible before hidden, wide before narrow, as they
 /// are painted. Below 0: it is not drawn.
-int line_strength(EdgeKind kind, bool visible, const ModelStyle& style);
+int line_strength(EdgeKind kind, bool visible, const BodyStyle& style);
 
-/// Layers of a drawing that is in its place, to be painted in this order; `styles` are by model.
+/// Layers of a drawing that is in its place, to be painted in this order:
 ///   VIEW/hidden     hidden lines: narrow, dashed (type 02.1) or continuous
 ///   VIEW/neighbour, VIEW/narrow   visible lines of models with that role
 ///   VIEW/tangent    visible edges between smooth faces: narrow, continuous, short of the lines that they end at
 ///   VIEW/section    outlines of cut faces: wide, continuous
 ///   VIEW/visible    visible lines: wide, continuous
+/// Bodies with a layer or a colour of their own have layers "VIEW/visible NAME #rrggbb" likewise.
 /// The first and the last one are there also when they are empty, unless no model has hidden lines. Dashed lines have
 /// ink at their ends, at corners and where other lines cross them, unless too many do. Hidden edges between smooth
 /// faces are left out.
-std::vector<Layer> view_layers(const drawing::ViewDrawing& drawing, const LineWidths& widths,
-                               const std::vector<ModelStyle>& styles, const Progress& progress = {});
+std::vector<Layer> view_layers(const drawing::ViewDrawing& drawing, const LineWidths& widths, const BodyStyles& styles,
+                               const Progress& progress = {});
 
 }  // namespace epura::sheet

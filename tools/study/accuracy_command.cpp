@@ -119,7 +119,7 @@ class Study {
   std::vector<ViewMeasurements> measure_scene(const StudiedScene& scene) {
     pipeline::Stopwatch watch;
     std::vector<mesh::MeshReport> reports;
-    const scene::World world = pipeline::read_models(scene.description.models, {}, reports, messages_, progress_);
+    const scene::World world = pipeline::read_models(scene.description, {}, reports, messages_, progress_);
     watch.lap("read");
     const pipeline::CutSections sections = pipeline::cut_sections(world, scene.description, messages_);
     std::vector<ViewMeasurements> measured;

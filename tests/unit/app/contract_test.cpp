@@ -151,8 +151,16 @@ class JsonDrawing {
     ASSERT_LT(glm::distance(on_page(world_to_page, ends[1]), vector<2>(segment["to"])), is_link ? slack + 0.2 : slack);
   }
 
+  // Those of all segments, and then `more`.
+  void expect_keys(const Json& segment, const std::string& more) const {
+    const mesh::MeshReport& report = meshes_.at(static_cast<std::size_t>(segment["model"].number())).report;
+    const bool named = !report.body_names.empty();
+    EXPECT_EQ(segment.keys(), "from to visible kind model " + std::string(named ? "body " : "") + more);
+    EXPECT_TRUE(!named || segment["body"].number() < report.bodies);
+  }
+
   [[nodiscard]] std::array<Vec3, 2> ends_of_edge(const Json& segment, const Vec2& t) const {
-    EXPECT_EQ(segment.keys(), "from to visible kind model edge t");
+    expect_keys(segment, "edge t");
     const mesh::Mesh& mesh = meshes_.at(static_cast<std::size_t>(segment["model"].number()));
     const auto edge = vector<2>(segment["edge"]);
     EXPECT_TRUE(edge[0] < edge[1] && edge[1] < mesh.report.vertices);
@@ -168,7 +176,7 @@ class JsonDrawing {
 
   // Its ends stand there; they must lie in both faces.
   [[nodiscard]] std::array<Vec3, 2> ends_of_crossing(const Json& segment) const {
-    EXPECT_EQ(segment.keys(), "from to visible kind model edge t faces world");
+    expect_keys(segment, "edge t faces world");
     EXPECT_EQ(segment["edge"].type, 'n');
     EXPECT_EQ(segment["faces"].items.size(), 2U);
     const std::array<Vec3, 2> ends{vector<3>(segment["world"].items.at(0)), vector<3>(segment["world"].items.at(1))};

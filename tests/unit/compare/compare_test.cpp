@@ -210,8 +210,9 @@ TEST(CompareJson, SeesEdgesOfAllKindsAsSheetsDrawThem) {
       drawing.segments = {{points[0], points[1], seen, kind, 0, {0, 1}, -1, {0, 1}}};
       drawing.chains = {{points, false, seen, kind, {0}}};
       const sheet::Paper paper = sheet::make_paper(scene::parse_paper_size("A4", "--sheet"), false);
-      sheet::Sheet sheet{paper.width, paper.height, "one",
-                         sheet::view_layers(drawing, sheet::line_widths(paper), {sheet::ModelStyle()})};
+      sheet::Sheet sheet{
+          paper.width, paper.height, "one",
+          sheet::view_layers(drawing, sheet::line_widths(paper), sheet::BodyStyles{{{sheet::BodyStyle()}}})};
       const compare::Picture drawn = compare::picture_of_svg(output::to_svg(sheet, {}), "test.svg");
       const compare::Picture read =
           compare::picture_of_json(output::to_json(sheet, 1, std::span(&drawing, 1), {}), "test.json");

@@ -131,7 +131,7 @@ TEST(Assembly, PutsInstancesDownMirroredTurnedAndScaled) {
        .nodes = {
            {-1, 0, "one", as_it_is}, {-1, -1, "group", mirrored}, {1, 0, "two", twice}, {-1, 0, "three", stretched}}});
   EXPECT_EQ(r.mesh.report.bodies, 3);
-  EXPECT_EQ(r.mesh.body_names, (std::vector<std::string>{"one", "two", "three"}));
+  EXPECT_EQ(r.mesh.report.body_names, (std::vector<std::string>{"one", "two", "three"}));
   EXPECT_EQ(r.mesh.report.open_edges, 0);
   EXPECT_EQ(r.mesh.report.misoriented_edges, 0);
   double volume = 0;

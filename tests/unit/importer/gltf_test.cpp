@@ -132,7 +132,7 @@ TEST(Gltf, NodesPlaceMeshesAsOftenAsTheyStandThere) {
                half + "," + half + R"(],"scale":[1,2,1]},)" +
                R"({"name":"mirrored","mesh":0,"matrix":[-1,0,0,0, 0,1,0,0, 0,0,1,0, -3,0,0,1]})";
   const importer::ReadModel model = read(file);
-  EXPECT_EQ(model.mesh.body_names, (std::vector<std::string>{"frame", "arm", "mirrored"}));
+  EXPECT_EQ(model.mesh.report.body_names, (std::vector<std::string>{"frame", "arm", "mirrored"}));
   EXPECT_NEAR(volume_of(model.mesh), 1 + 2 + 1, 1e-5);
   expect_extent(model.mesh, {-4, 0, 0}, {10, 1, 1}, 1e-5);
   EXPECT_EQ(model.mesh.report.misoriented_edges, 0);

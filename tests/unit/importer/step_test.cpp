@@ -392,7 +392,7 @@ TEST(StepImporter, AssembliesKeepNamesAndPlaces) {
 
   const importer::ReadModel model = read(path);
   EXPECT_EQ(model.mesh.report.bodies, 3);
-  EXPECT_EQ(model.mesh.body_names, (std::vector<std::string>{"base", "left pin", "right pin"}));
+  EXPECT_EQ(model.mesh.report.body_names, (std::vector<std::string>{"base", "left pin", "right pin"}));
   expect_extent(model.mesh, Vec3(0), Vec3(50, 20, 114), 1e-9);
   EXPECT_NEAR(volume_of(model.mesh), 4000 + 2 * 40 * std::numbers::pi, 2);
 }

@@ -166,7 +166,7 @@ TEST(ThreeMf, ItemsPlaceObjectsByRowVectors) {
       read(model_of(cube(1, "1", "name=\"frame\"") + cube(2, "1", "name=\"arm\" partnumber=\"A-7\""),
                     item(1) + item(2, "transform=\"0 1 0 -2 0 0 0 0 1 10 0 0\"") +
                         item(1, "partnumber=\"M-1\" transform=\"-1 0 0 0 1 0 0 0 1 -3 0 0\"")));
-  EXPECT_EQ(model.mesh.body_names, (std::vector<std::string>{"frame", "arm", "M-1"}));
+  EXPECT_EQ(model.mesh.report.body_names, (std::vector<std::string>{"frame", "arm", "M-1"}));
   EXPECT_EQ(volume_of(model.mesh), 1 + 2 + 1);
   expect_extent(model.mesh, {-4, 0, 0}, {10, 1, 1});
   EXPECT_EQ(model.mesh.report.misoriented_edges, 0);

@@ -174,6 +174,39 @@ TEST(Library, TypedValuesMeanWhatOptionsMean) {
   EXPECT_EQ(to_svg(draw(scene, how)) == content(file), true);
 }
 
+// A cube whose lid is a body of its own, with a line above it.
+Scene cube_with_lid() {
+  Polygons polygons = cube(9);
+  polygons.bodies = {0, 1, 0, 0, 0, 0};
+  polygons.body_names = {"box", "lid"};
+  polygons.points.insert(polygons.points.end(), {{0, 0, 12}, {9, 9, 12}});
+  polygons.polylines = {{8, 9}};
+  return {.models = {{.polygons = polygons}}, .views = {{.projection = "top"}}};
+}
+
+TEST(Library, StylesAreForBodies) {
+  Scene scene = cube_with_lid();
+  scene.styles = {{.match = "l?d", .colour = {{200, 0, 0}}}};
+  const Drawing drawing = draw(scene, settings());
+  int wires = 0;
+  for (const Line& line : drawing.views()[0].lines)
+    wires += line.kind == EdgeKind::wire && line.visible && line.body < 0;
+  EXPECT_EQ(wires, 1);
+  EXPECT_NE(to_svg(drawing).find("stroke=\"#c80000\""), std::string::npos);
+  scene.styles[0] = {.match = "box", .drawn = false};
+  const Drawing lid = draw(scene, settings());
+  for (const Line& line : lid.views()[0].lines) EXPECT_EQ(line.body, line.kind == EdgeKind::wire ? -1 : 1);
+  EXPECT_EQ(lid.views()[0].lines.size(), 5U);
+  scene.styles[0] = {.match = "lid", .colour = {{256, 0, 0}}};
+  EXPECT_EQ(failure_of(scene).place(), "styles[0].colour");
+  scene = cube_with_lid();
+  scene.models[0].polygons.bodies[3] = 2;
+  EXPECT_EQ(failure_of(scene).place(), "models[0].polygons.bodies");
+  scene = cube_with_lid();
+  scene.models[0].polygons.polylines[0][1] = 10;
+  EXPECT_EQ(failure_of(scene).place(), "models[0].polygons.polylines[0]");
+}
+
 TEST(Library, TwoThreadsDrawTwoScenes) {
   const std::string bracket = to_svg(draw_file(samples + "bracket.obj", settings()));
   const std::string gear = to_svg(draw_file(samples + "gear.stl", settings()));

@@ -301,7 +301,7 @@ TEST(Build, NamedBodiesAreNumberedByTheirFirstTriangle) {
   soup.body_names = {"unused", "sides", "caps"};
   soup.face_body = {2, 2, 1, 1, 1, 1};
   const mesh::Mesh mesh = mesh::build_mesh(soup, "test");
-  EXPECT_EQ(mesh.body_names, (std::vector<std::string>{"caps", "sides"}));
+  EXPECT_EQ(mesh.report.body_names, (std::vector<std::string>{"caps", "sides"}));
   EXPECT_EQ(mesh.body, (std::vector<int>{0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1}));
   EXPECT_EQ(mesh.report.bodies, 2);
 }

@@ -51,7 +51,8 @@ TEST(ReadMesh, NamesInUtf16BecomeUtf8) {
   for (const int unit : {0xC9, 0x20AC, 0xD83D, 0xDE00, 0xDC00}) test::append(bytes, static_cast<std::uint16_t>(unit));
   for (const char c : std::string("\nf 1 2 4\n")) test::append(bytes, static_cast<std::uint16_t>(c));
   const mesh::Mesh mesh = mesh::read_mesh(folder.file("m.obj", bytes));
-  EXPECT_EQ(mesh.body_names, (std::vector<std::string>{"a", "\xC3\x89\xE2\x82\xAC\xF0\x9F\x98\x80\xEF\xBF\xBD"}));
+  EXPECT_EQ(mesh.report.body_names,
+            (std::vector<std::string>{"a", "\xC3\x89\xE2\x82\xAC\xF0\x9F\x98\x80\xEF\xBF\xBD"}));
 }
 
 TEST(ReadMesh, ContentWinsOverTheExtension) {

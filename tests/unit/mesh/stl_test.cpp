@@ -129,7 +129,7 @@ TEST(Stl, TextInAnyCaseWithSeveralSolids) {
   expect_valid(mesh);
   EXPECT_EQ(mesh.report.faces, 2);
   EXPECT_EQ(mesh.report.triangles, 3);
-  EXPECT_EQ(mesh.body_names, (std::vector<std::string>{"lower part # of 2", "solid 2"}));
+  EXPECT_EQ(mesh.report.body_names, (std::vector<std::string>{"lower part # of 2", "solid 2"}));
   EXPECT_EQ(mesh.body, (std::vector<int>{0, 1, 1}));
 }
 

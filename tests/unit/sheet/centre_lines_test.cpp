@@ -61,7 +61,8 @@ void expect_spans(const sheet::Layer& layer, const std::vector<Span>& wanted) {
 
 sheet::Layer lines(const drawing::ViewDrawing& drawing, const scene::CentredFeatures& features,
                    const std::vector<sheet::Layer>& drawn = {}, HiddenLines hidden = HiddenLines::dashed) {
-  return sheet::centre_lines({drawing, features, {{LineRole::visible, hidden}}}, widths, drawn);
+  const sheet::BodyStyles styles{{{{LineRole::visible, hidden, {}, {}}}}};
+  return sheet::centre_lines({drawing, features, styles}, widths, drawn);
 }
 
 sheet::Layer lines(const drawing::ViewDrawing& drawing, const std::vector<Round>& round,

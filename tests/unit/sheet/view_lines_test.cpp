@@ -14,6 +14,8 @@
 namespace epura {
 namespace {
 
+sheet::BodyStyles all_bodies(HiddenLines hidden) { return {{{{LineRole::visible, hidden, {}, {}}}}}; }
+
 void add_chain(drawing::ViewDrawing& drawing, const std::vector<Vec2>& points, bool closed, bool visible) {
   drawing::Chain chain{points, closed, visible, EdgeKind::crease, {}};
   const std::size_t lines = points.size() - (closed ? 0 : 1);
@@ -37,8 +39,7 @@ drawing::ViewDrawing example() {
 }
 
 TEST(ViewLines, HiddenLinesLieUnderVisibleOnes) {
-  const std::vector<sheet::Layer> layers =
-      sheet::view_layers(example(), {0.5, 0.25}, {{LineRole::visible, HiddenLines::dashed}});
+  const std::vector<sheet::Layer> layers = sheet::view_layers(example(), {0.5, 0.25}, all_bodies(HiddenLines::dashed));
   ASSERT_EQ(layers.size(), 2u);
   EXPECT_EQ(layers[0].name, "front/hidden");
   EXPECT_EQ(layers[0].style.width, 0.25);
@@ -73,8 +74,7 @@ TEST(ViewLines, LargeSheetsHaveWiderLines) {
 }
 
 TEST(ViewLines, DashedLinesAreCutAtCorners) {
-  const std::vector<sheet::Layer> layers =
-      sheet::view_layers(example(), {0.5, 0.25}, {{LineRole::visible, HiddenLines::dashed}});
+  const std::vector<sheet::Layer> layers = sheet::view_layers(example(), {0.5, 0.25}, all_bodies(HiddenLines::dashed));
   const std::vector<sheet::Stroke>& strokes = layers[0].strokes;
   ASSERT_EQ(strokes.size(), 3u);
   EXPECT_EQ(strokes[0].points, (std::vector<Vec2>{{20, 20}, {60, 20}}));
@@ -95,12 +95,10 @@ TEST(ViewLines, DashedLinesAreCutAtCorners) {
 }
 
 TEST(ViewLines, HiddenLinesAsWished) {
-  const std::vector<sheet::Layer> none =
-      sheet::view_layers(example(), {0.5, 0.25}, {{LineRole::visible, HiddenLines::none}});
+  const std::vector<sheet::Layer> none = sheet::view_layers(example(), {0.5, 0.25}, all_bodies(HiddenLines::none));
   ASSERT_EQ(none.size(), 1u);
   EXPECT_EQ(none[0].name, "front/visible");
-  const std::vector<sheet::Layer> solid =
-      sheet::view_layers(example(), {0.5, 0.25}, {{LineRole::visible, HiddenLines::solid}});
+  const std::vector<sheet::Layer> solid = sheet::view_layers(example(), {0.5, 0.25}, all_bodies(HiddenLines::solid));
   EXPECT_EQ(solid[0].style.dashes.dash, 0);
   EXPECT_EQ(solid[0].style.width, 0.25);
   ASSERT_EQ(solid[0].strokes.size(), 2u);
@@ -113,7 +111,7 @@ sheet::Stroke hidden_through_field(double apart) {
   drawing.name = "front";
   add_chain(drawing, {{0, 0}, {100, 0}}, false, false);
   for (double x = apart; x < 100; x += apart) add_chain(drawing, {{x, -10}, {x, 10}}, false, true);
-  return sheet::view_layers(drawing, {0.5, 0.25}, {{LineRole::visible, HiddenLines::dashed}})[0].strokes[0];
+  return sheet::view_layers(drawing, {0.5, 0.25}, all_bodies(HiddenLines::dashed))[0].strokes[0];
 }
 
 // Whatever crosses it, a hidden line looks dashed.
@@ -130,8 +128,7 @@ TEST(ViewLines, IntersectionLinesNameNoEdge) {
   drawing::ViewDrawing drawing = example();
   drawing.segments[0].edge = {-1, -1};
   drawing.segments[2].edge = drawing.segments[1].edge;
-  const std::vector<sheet::Layer> layers =
-      sheet::view_layers(drawing, {0.5, 0.25}, {{LineRole::visible, HiddenLines::dashed}});
+  const std::vector<sheet::Layer> layers = sheet::view_layers(drawing, {0.5, 0.25}, all_bodies(HiddenLines::dashed));
   EXPECT_EQ(layers[1].strokes[0].edges, (std::vector<sheet::ModelEdge>{{0, {1, 2}}}));
 }
 
@@ -139,8 +136,9 @@ TEST(ViewLines, ModelsHaveLooksOfTheirOwn) {
   drawing::ViewDrawing drawing = example();
   for (const int segment : drawing.chains[1].segments) drawing.segments[segment].model = 1;
   for (const int segment : drawing.chains[2].segments) drawing.segments[segment].model = 1;
-  const sheet::ModelStyle usual{LineRole::visible, HiddenLines::dashed}, other{LineRole::neighbour, HiddenLines::none};
-  const std::vector<sheet::Layer> layers = sheet::view_layers(drawing, {0.5, 0.25}, {usual, other});
+  const sheet::BodyStyle usual{LineRole::visible, HiddenLines::dashed}, other{LineRole::neighbour, HiddenLines::none};
+  const std::vector<sheet::Layer> layers =
+      sheet::view_layers(drawing, {0.5, 0.25}, sheet::BodyStyles{{{usual}, {other}}});
   ASSERT_EQ(layers.size(), 3u);
   EXPECT_EQ(layers[0].strokes.size(), 1u);  // the hidden line of the other model is left out
   EXPECT_EQ(layers[1].name, "front/neighbour");
@@ -157,12 +155,32 @@ TEST(ViewLines, TangentEdgesAreNarrowAndShortOfOutlines) {
   drawing.chains[1].kind = EdgeKind::smooth;
   add_chain(drawing, {{20, 0}, {20, 20}}, false, false);
   drawing.chains[2].kind = EdgeKind::smooth;
-  const std::vector<sheet::Layer> layers = sheet::view_layers(drawing, {0.5, 0.25}, {{}});
+  const std::vector<sheet::Layer> layers = sheet::view_layers(drawing, {0.5, 0.25}, all_bodies(HiddenLines::dashed));
   ASSERT_EQ(layers.size(), 3u);
   EXPECT_TRUE(layers[0].strokes.empty());
   EXPECT_EQ(layers[1].name, "front/tangent");
   EXPECT_EQ(layers[1].style.width, 0.25);
   EXPECT_EQ(layers[1].strokes[0].points, (std::vector<Vec2>{{10, 1}, {10, 20}}));
+}
+
+TEST(ViewLayers, OfBodiesWithAColourOrALayerOfTheirOwn) {
+  drawing::ViewDrawing drawing = example();
+  for (drawing::Segment& segment : drawing.segments) segment.body = 0;
+  for (const int s : drawing.chains[1].segments) drawing.segments[static_cast<std::size_t>(s)].body = 1;
+  for (const int s : drawing.chains[2].segments) drawing.segments[static_cast<std::size_t>(s)].body = 2;
+  const sheet::BodyStyle usual;
+  const sheet::BodyStyle red{LineRole::visible, HiddenLines::dashed, {204, 0, 0}, {}};
+  const sheet::BodyStyle bolt{LineRole::narrow, HiddenLines::solid, {}, "bolt"};
+  const std::vector<sheet::Layer> layers = sheet::view_layers(drawing, {0.5, 0.25}, {{{usual, red, bolt}}});
+  std::vector<std::string> names;
+  for (const sheet::Layer& layer : layers) names.push_back(layer.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"front/hidden", "front/hidden-solid", "front/hidden-solid bolt",
+                                             "front/visible", "front/visible #cc0000"}));
+  EXPECT_EQ(layers[0].strokes.size(), 1U);
+  EXPECT_EQ(layers[2].strokes.size(), 1U);
+  EXPECT_EQ(layers[4].strokes.size(), 1U);
+  EXPECT_EQ(layers[4].style.colour, (Colour{204, 0, 0}));
+  EXPECT_EQ(layers[4].style.name, "visible");
 }
 
 }  // namespace
