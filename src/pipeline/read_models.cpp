@@ -31,6 +31,11 @@ void leave_out(importer::ReadModel& model, const std::vector<scene::StyleDescrip
   if (std::find(omitted.begin(), omitted.end(), true) != omitted.end()) omit_bodies(model, omitted);
 }
 
+bool wants_wires(const scene::SceneDescription& scene) {
+  return std::any_of(scene.views.begin(), scene.views.end(),
+                     [](const scene::ViewDescription& view) { return view.edges.value_or({}).wire; });
+}
+
 // A misspelt pattern must not pass for a drawing without such bodies.
 void warn_about_idle(const Messages& messages, const scene::SceneDescription& scene, const scene::World& world) {
   for (const scene::StyleDescription& style : scene.styles) {
@@ -92,7 +97,7 @@ std::size_t work_of(const std::vector<scene::ModelDescription>& models) {
 }
 
 // A drawing of a damaged model must not look like one of a sound model.
-void warn_about(const Messages& messages, const mesh::MeshReport& report) {
+void warn_about(const Messages& messages, const mesh::MeshReport& report, bool says_wires) {
   const auto say = [&](int count, const std::string& one, const std::string& many) {
     if (count > 0) messages.warn(report.name + ": " + std::to_string(count) + " " + (count == 1 ? one : many));
   };
@@ -106,6 +111,9 @@ void warn_about(const Messages& messages, const mesh::MeshReport& report) {
   say_left_out(report.dropped_non_finite, "coordinates that are not finite");
   say(report.non_manifold_edges, "edge has three or more faces and is drawn",
       "edges have three or more faces; each is drawn");
+  if (says_wires && report.wires > 0 && report.triangles > 0)
+    say(report.wires, "piece of a line beside the faces is drawn; --edges without wire leaves it out",
+        "pieces of lines beside the faces are drawn; --edges without wire leaves them out");
   for (const std::string& note : report.notes) messages.warn(report.name + ": " + note);
 }
 
@@ -135,6 +143,9 @@ scene::World read_models(const scene::SceneDescription& scene, const importer::R
                          std::vector<mesh::MeshReport>& reports, const Messages& messages, Progress progress) {
   const std::vector<scene::ModelDescription>& models = scene.models;
   progress.begin("reading", work_of(models));
+  // Who chooses the kinds of edges knows of them.
+  const bool says_wires = std::any_of(scene.views.begin(), scene.views.end(),
+                                      [](const scene::ViewDescription& view) { return !view.edges.given(); });
   std::vector<scene::Placed> placed;
   for (std::size_t i = 0; i < models.size(); ++i) {
     // What is not drawn keeps its number.
@@ -148,9 +159,9 @@ scene::World read_models(const scene::SceneDescription& scene, const importer::R
     if (!drawn) continue;
     if (models[i].surfaces.value_or(Surfaces::automatic) == Surfaces::automatic) placed.back().part = model.part;
     reports.push_back(placed.back().mesh->report);
-    warn_about(messages, reports.back());
+    warn_about(messages, reports.back(), says_wires);
   }
-  scene::World world = scene::make_world(std::move(placed));
+  scene::World world = scene::make_world(std::move(placed), wants_wires(scene));
   warn_about_idle(messages, scene, world);
   return world;
 }

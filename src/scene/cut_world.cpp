@@ -216,7 +216,7 @@ void append(World& world, const ModelCut& cut) {
   const Placed& whole = cut.world.models[cut.model];
   world.models.push_back(
       {std::make_shared<const mesh::Mesh>(cut.make_mesh()), whole.to_world, whole.part, whole.styles});
-  append_wires(world, *world.models.back().mesh, first);
+  if (!cut.world.wires.empty()) append_wires(world, *world.models.back().mesh, first);
 }
 
 [[noreturn]] void refuse(const CuttingPlane& plane, const std::string& what) {

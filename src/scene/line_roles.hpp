@@ -85,7 +85,7 @@ inline constexpr std::array sheet_lines = {
                  LineRole::neighbour},
     SheetLineRow{SheetLine::narrow, "narrow", "narrow", LineWidth::narrow, continuous_line, false, LineRole::narrow},
     SheetLineRow{SheetLine::tangent, "tangent", "tangent", LineWidth::narrow},
-    SheetLineRow{SheetLine::wire, "wire", "wire", LineWidth::wide},
+    SheetLineRow{SheetLine::wire, "wire", "wire", LineWidth::narrow},
     SheetLineRow{SheetLine::section, "section", "section", LineWidth::wide},
     SheetLineRow{SheetLine::visible, "visible", "visible", LineWidth::wide, continuous_line, false, LineRole::visible},
     SheetLineRow{SheetLine::dimension, "dimension", "dimensions", LineWidth::narrow},

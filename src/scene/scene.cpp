@@ -48,11 +48,11 @@ Vec3 place(const Mat4& to_world, const Vec3& point) {
   return to_world == Mat4(1.0) ? point : Vec3(to_world * Vec4(point, 1.0));
 }
 
-// By vertex, 1 where a triangle or a wire uses it.
-std::vector<char> used_vertices(const mesh::Mesh& mesh) {
+// By vertex, 1 where a triangle uses it, or a wire.
+std::vector<char> used_vertices(const mesh::Mesh& mesh, bool by_wires) {
   std::vector<char> used(mesh.points.size(), 0);
   for (const int vertex : mesh.corners) used[vertex] = 1;
-  if (mesh.report.wires > 0)
+  if (by_wires && mesh.report.wires > 0)
     for (const mesh::MeshEdge& edge : mesh.edges)
       for (const int vertex : edge.vertex) used[vertex] = 1;
   return used;
@@ -93,26 +93,27 @@ void append_triangles(World& world, const mesh::Mesh& mesh) {
   });
 }
 
-void append(World& world, const Placed& placed) {
+void append(World& world, const Placed& placed, bool with_wires) {
   const mesh::Mesh& mesh = *placed.mesh;
   const auto first_vertex = static_cast<std::size_t>(world.first_vertex.back());
-  const std::vector<char> used = used_vertices(mesh);
+  const std::vector<char> used = used_vertices(mesh, true);
   world.points.resize(first_vertex + mesh.points.size());
   const std::span<Vec3> points(world.points.data() + first_vertex, mesh.points.size());
   if (!place_vertices(placed, used, points))
     throw Error(ErrorKind::input, mesh.report.name, "the transform moves vertices beyond the range of numbers",
                 "use a smaller scale or translation");
   append_triangles(world, mesh);
-  append_wires(world, mesh, static_cast<int>(first_vertex));
+  if (with_wires) append_wires(world, mesh, static_cast<int>(first_vertex));
   world.first_vertex.push_back(static_cast<int>(world.points.size()));
   world.first_triangle.push_back(static_cast<int>(world.triangles.size()));
 
-  const Box box = box_of(used, [&](int v) { return points[v]; });
+  const std::vector<char> in_box = with_wires ? used : used_vertices(mesh, false);
+  const Box box = box_of(in_box, [&](int v) { return points[v]; });
   if (box.empty()) return;
   world.box.add(box.min);
   world.box.add(box.max);
   const bool unmoved = placed.to_world == Mat4(1.0);
-  const Box in_file = unmoved ? box : box_of(used, [&](int v) { return mesh.point(v); });
+  const Box in_file = unmoved ? box : box_of(in_box, [&](int v) { return mesh.point(v); });
   world.rounding = std::max(world.rounding, rounding_of(placed, box, in_file));
   world.one_rounding = glm::max(world.one_rounding, one_rounding_of(placed, in_file));
 }
@@ -130,11 +131,13 @@ void append_wires(World& world, const mesh::Mesh& mesh, int first_vertex) {
     if (edge.count == 0) world.wires.push_back({first_vertex + edge.vertex[0], first_vertex + edge.vertex[1]});
 }
 
-World make_world(std::vector<Placed> models) {
+World make_world(std::vector<Placed> models, bool with_wires) {
+  const auto has_faces = [](const Placed& model) { return model.mesh->triangle_count() > 0; };
+  const bool any_faces = std::any_of(models.begin(), models.end(), has_faces);
   World world;
   world.first_vertex = {0};
   world.first_triangle = {0};
-  for (const Placed& model : models) append(world, model);
+  for (const Placed& model : models) append(world, model, with_wires || !any_faces);
   world.models = std::move(models);
   return world;
 }

@@ -39,7 +39,8 @@ struct World {
 /// Adds those of a model whose vertices are counted from `first_vertex` on.
 void append_wires(World& world, const mesh::Mesh& mesh, int first_vertex);
 
-/// Throws Error{input} when a transform throws a model out of the range of doubles.
-World make_world(std::vector<Placed> models);
+/// Throws Error{input} when a transform throws a model out of the range of doubles. Without
+/// wires, those of models with faces do not widen the box, though their vertices have positions.
+World make_world(std::vector<Placed> models, bool with_wires = true);
 
 }  // namespace epura::scene
