@@ -49,7 +49,7 @@ run() {
     END { print label, "core", core + 0 }' "$work/says" "$work/time" >>"$work/records"
 }
 
-draw() { run "$1" "$programs/epura" draw "$2" -o "$work/$1.svg" --timings "${@:3}"; }
+draw() { run "$1" "$programs/epura" draw "$2" --hidden dashed -o "$work/$1.svg" --timings "${@:3}"; }
 
 # turns ROUNDS ONE OTHER: calls both in every round, in alternating order: what runs first warms what runs next.
 turns() {

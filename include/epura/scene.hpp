@@ -57,7 +57,7 @@ struct View {
   std::string projection = "isometric";
   std::vector<std::pair<std::string, ParameterValue>> parameters{};  ///< see `epura plugins NAME`
   std::string name{};                                                ///< by default the projection's
-  HiddenLines hidden = HiddenLines::dashed;
+  std::optional<HiddenLines> hidden{};                               ///< by default dashed; none in pictorial views
   EdgeKinds edges{};
   /// Smallest angle between two faces whose common edge is a crease, 0 to 180 degrees; by default 5 between recognised
   /// faces of the part, and 30 in other meshes.

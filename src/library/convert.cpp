@@ -123,7 +123,7 @@ scene::ViewDescription describe(const View& view, const std::string& where) {
   for (const auto& [name, value] : view.parameters) request.assignments.emplace_back(name, text_of(value));
   description.projection = {std::move(request), where + ".projection"};
   description.name = located(view.name, where + ".name");
-  description.hidden = {view.hidden, where + ".hidden"};
+  description.hidden = located(view.hidden, where + ".hidden");
   description.edges = {view.edges, where + ".edges"};
   if (view.crease_angle)
     description.crease_angle = {checked(*view.crease_angle, where + ".crease_angle", 0, 180), where + ".crease_angle"};

@@ -6,6 +6,7 @@
 
 #include "importer/read_model.hpp"
 #include "pipeline/annotations.hpp"
+#include "pipeline/choose.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/view_names.hpp"
 
@@ -22,12 +23,25 @@ void take_parameters(scene::ModelDescription& model) {
   model.import = std::move(request.parameters);
 }
 
+// "front:hidden=none": one option of views, which short lists of projections may give to single ones.
+void take_hidden_lines(scene::ViewDescription& view) {
+  auto& assignments = view.projection.value->assignments;
+  for (const auto& [key, word] : assignments)
+    if (key == "hidden")
+      view.hidden = {choose<HiddenLines>(
+                         view.projection.where, word,
+                         {{"none", HiddenLines::none}, {"dashed", HiddenLines::dashed}, {"solid", HiddenLines::solid}}),
+                     view.projection.where};
+  std::erase_if(assignments, [](const auto& assignment) { return assignment.first == "hidden"; });
+}
+
 }  // namespace
 
 void complete_scene(scene::SceneDescription& scene) {
   for (scene::ModelDescription& model : scene.models) take_parameters(model);
   if (scene.views.empty())
     scene.views.emplace_back().projection = {scene::ProjectionRequest{"isometric"}, "--projection"};
+  for (scene::ViewDescription& view : scene.views) take_hidden_lines(view);
   int sheets = 1;
   for (const scene::ViewDescription& view : scene.views) sheets = std::max(sheets, view.sheet.value_or(1));
   if (scene.sheets.empty()) scene.sheets.resize(static_cast<std::size_t>(sheets));

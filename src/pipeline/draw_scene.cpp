@@ -40,8 +40,8 @@ struct Run {
   void note(const ViewResult& result);
   ViewTime time_of_next_view();
   std::vector<view::ProjectedScene> map_views(const WorldOfView& world, const SheetOfViews& views);
-  FinishedSheet draw_sheet(const scene::World& whole, const CutSections& sections, const SheetOfViews& views);
-  std::vector<FinishedSheet> draw_sheets(std::vector<SheetOfViews> sheets);
+  FinishedSheet draw_sheet(const scene::World& whole, const CutSections& sections, SheetOfViews views);
+  std::vector<FinishedSheet> draw_sheets(const std::vector<SheetOfViews>& sheets);
 };
 
 // Of several views the report has all that time left out, and the test that found most wrong.
@@ -80,12 +80,14 @@ std::vector<view::ProjectedScene> Run::map_views(const WorldOfView& world, const
   return seen;
 }
 
-FinishedSheet Run::draw_sheet(const scene::World& whole, const CutSections& sections, const SheetOfViews& views) {
+FinishedSheet Run::draw_sheet(const scene::World& whole, const CutSections& sections, SheetOfViews views) {
   const auto section = [&](std::size_t view) { return section_of(sections, views.descriptions[view]); };
   const auto world = [&](std::size_t view) -> const scene::World& {
     return section(view) == nullptr ? whole : section(view)->cut.world;
   };
   std::vector<view::ProjectedScene> seen = map_views(world, views);
+  for (std::size_t i = 0; i < seen.size(); ++i)
+    views.plans[i].options.styles = styles_of(scene, views.descriptions[i], world(i), seen[i].projection);
   const std::vector<Annotations> annotations = annotate(whole, scene, views, seen, sections);
   const SheetPlan plan = plan_sheet(whole, scene, views, seen, annotations);
   if (plan.chosen)
@@ -115,11 +117,9 @@ FinishedSheet Run::draw_sheet(const scene::World& whole, const CutSections& sect
   return sheet;
 }
 
-std::vector<FinishedSheet> Run::draw_sheets(std::vector<SheetOfViews> sheets) {
+std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& sheets) {
   scene::World world = read_models(scene, read_options(scene, options), report.meshes, messages, progress);
   watch.lap("read");
-  for (SheetOfViews& sheet : sheets)
-    for (std::size_t i = 0; i < sheet.plans.size(); ++i) add_body_styles(sheet.plans[i], sheet.descriptions[i], world);
   recognise_parts(world, scene, options, report, progress);
   watch.lap("features");
   const CutSections sections = cut_sections(world, scene, messages, progress);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pipeline/view_plan.hpp"
 
+#include <algorithm>
 #include <map>
 
 #include "pipeline/choose.hpp"
 #include "scene/body_styles.hpp"
+#include "sheet/arrangement.hpp"
 
 namespace epura::pipeline {
 
@@ -23,44 +25,26 @@ edges::EdgeOptions edge_options(const scene::ViewDescription& view) {
   return edges;
 }
 
-// Options of a model override those of the view.
-sheet::BodyStyles styles_of(const scene::SceneDescription& scene, const scene::ViewDescription& view) {
-  sheet::BodyStyles styles;
-  for (const scene::ModelDescription& model : scene.models) {
-    sheet::BodyStyle style;
-    style.line = model.line.value_or(style.line);
-    style.hidden = model.hidden.value_or(view.hidden.value_or(style.hidden));
-    if (view.layers.value_or(LayersBy::role) == LayersBy::body) style.layer = scene::name_of(model);
-    styles.of_model.push_back({style});
+// The style of a body whose model and view say `usual`.
+sheet::BodyStyle style_of(const scene::Placed& placed, int body, const sheet::BodyStyle& usual, LayersBy layers) {
+  sheet::BodyStyle style = usual;
+  if (!placed.styles.empty()) {
+    const scene::StyleDescription& wanted = placed.styles[static_cast<std::size_t>(body)];
+    style.line = wanted.line.value_or(style.line);
+    style.hidden = wanted.hidden.value_or(style.hidden);
+    style.colour = wanted.colour.value_or(style.colour);
   }
-  return styles;
+  const std::string& name = scene::name_of_body(*placed.mesh, body);
+  if (layers == LayersBy::body && !name.empty()) style.layer = name;
+  return style;
 }
 
-// The styles of the bodies of a model whose own style is `usual`.
-std::vector<sheet::BodyStyle> styles_of(const scene::Placed& placed, const sheet::BodyStyle& usual, LayersBy layers) {
-  std::vector<sheet::BodyStyle> styles;
-  for (int body = 0; body < placed.mesh->report.bodies; ++body) {
-    sheet::BodyStyle& style = styles.emplace_back(usual);
-    if (!placed.styles.empty()) {
-      const scene::StyleDescription& wanted = placed.styles[static_cast<std::size_t>(body)];
-      style.line = wanted.line.value_or(style.line);
-      style.hidden = wanted.hidden.value_or(style.hidden);
-      style.colour = wanted.colour.value_or(style.colour);
-    }
-    const std::string& name = scene::name_of_body(*placed.mesh, body);
-    if (layers == LayersBy::body && !name.empty()) style.layer = name;
-  }
-  return styles;
-}
-
-ViewOptions view_options(const scene::SceneDescription& scene, const scene::ViewDescription& view,
-                         const RunOptions& run) {
+ViewOptions view_options(const scene::ViewDescription& view, const RunOptions& run) {
   ViewOptions options;
   options.name = *view.name;
   options.limits = {view.near.value, view.far.value, run.contact};
   options.edges = edge_options(view);
   options.wireframe = run.visibility == Visibility::none;
-  options.styles = styles_of(scene, view);
   options.join_within = view.join_within.value_or(options.join_within);
   options.arcs = run.arcs;
   options.centre_lines = run.centre_lines;
@@ -86,7 +70,7 @@ std::vector<PlannedView> plan_views(const scene::SceneDescription& scene, const 
   };
   std::vector<PlannedView> plans;
   for (const scene::ViewDescription& view : scene.views) {
-    const ViewOptions of_view = view_options(scene, view, options);
+    const ViewOptions of_view = view_options(view, options);
     const auto plan = [&](const scene::ProjectionRequest& request) -> PlannedView {
       return {request, find(request.name), of_view};
     };
@@ -95,15 +79,28 @@ std::vector<PlannedView> plan_views(const scene::SceneDescription& scene, const 
   return plans;
 }
 
-void add_body_styles(PlannedView& plan, const scene::ViewDescription& view, const scene::World& world) {
-  for (std::size_t model = 0; model < world.models.size(); ++model) {
-    std::vector<sheet::BodyStyle>& styles = plan.options.styles.of_model[model];
-    const scene::Placed& placed = world.models[model];
-    if (placed.mesh->report.bodies == 0) continue;
-    styles = styles_of(placed, styles.front(), view.layers.value_or(LayersBy::role));
+// Options of a model override those of the view, and styles of its bodies override both.
+sheet::BodyStyles styles_of(const scene::SceneDescription& scene, const scene::ViewDescription& view,
+                            const scene::World& world, const projection::Projection& projection) {
+  const bool is_pictorial = sheet::view_place(projection) == sheet::ViewPlace::pictorial;
+  const LayersBy layers = view.layers.value_or(LayersBy::role);
+  sheet::BodyStyles styles;
+  for (std::size_t i = 0; i < world.models.size(); ++i) {
+    const scene::ModelDescription& model = scene.models[i];
+    const scene::Placed& placed = world.models[i];
+    sheet::BodyStyle usual;
+    usual.line = model.line.value_or(usual.line);
+    if (is_pictorial) usual.hidden = HiddenLines::none;
+    usual.hidden = model.hidden.value_or(view.hidden.value_or(usual.hidden));
+    if (layers == LayersBy::body) usual.layer = scene::name_of(model);
     // Without names, the bodies of a model have one style.
-    if (placed.mesh->report.body_names.empty()) styles.resize(1);
+    const mesh::MeshReport& report = placed.mesh->report;
+    const int bodies = report.body_names.empty() ? std::min(report.bodies, 1) : report.bodies;
+    std::vector<sheet::BodyStyle>& of_model = styles.of_model.emplace_back();
+    for (int body = 0; body < bodies; ++body) of_model.push_back(style_of(placed, body, usual, layers));
+    if (of_model.empty()) of_model.push_back(usual);
   }
+  return styles;
 }
 
 std::vector<SheetOfViews> views_by_sheet(const scene::SceneDescription& scene, const std::vector<PlannedView>& plans) {

@@ -21,9 +21,6 @@ struct PlannedView {
 /// Throws Error{input}, or Error{plugin} for projections that are not there.
 std::vector<PlannedView> plan_views(const scene::SceneDescription& scene, const RunOptions& options);
 
-/// Adds what the styles of the scene say of single bodies, and the layers of bodies, now that the models are read.
-void add_body_styles(PlannedView& plan, const scene::ViewDescription& view, const scene::World& world);
-
 /// A sheet, and the scene's views on it.
 struct SheetOfViews {
   int sheet;
@@ -33,6 +30,10 @@ struct SheetOfViews {
 
 /// In the order of the sheets; a sheet may have no views.
 std::vector<SheetOfViews> views_by_sheet(const scene::SceneDescription& scene, const std::vector<PlannedView>& plans);
+
+/// The styles of all bodies in a view. Pictorial views have no hidden lines unless these are requested (ISO 5456-3).
+sheet::BodyStyles styles_of(const scene::SceneDescription& scene, const scene::ViewDescription& view,
+                            const scene::World& world, const projection::Projection& projection);
 
 /// The view of the world, not on paper yet. Throws Error{input} for values of parameters that do not fit the world.
 view::ProjectedScene project_scene(const scene::World& world, const PlannedView& plan,

@@ -33,7 +33,7 @@ void expect_ended(Running& run, int signal) {
 class AtAnyTime : public testing::TestWithParam<int> {};
 
 TEST_P(AtAnyTime, TheRunEndsAndTheOldFileStays) {
-  Reading reading({"-o", "new.pdf"});
+  Reading reading({"-o", "new.pdf", "--hidden", "dashed"});
   reading.folder.file("x.svg", "old");
   reading.give_model(tangle(1500));
   std::this_thread::sleep_for(milliseconds(GetParam()));

@@ -15,7 +15,7 @@ struct Drawn {
   Folder folder;
 
   Drawn() {
-    draw({"-o", "a.json", "-o", "a.svg"});
+    draw({"--hidden", "dashed", "-o", "a.json", "-o", "a.svg"});
     draw({"--hidden", "none", "-o", "b.json", "-o", "b.svg"});
   }
 
@@ -65,7 +65,7 @@ TEST(CompareCommand, DrawsModelsToOneScaleAndInOnePlace) {
   int in_front = 0;
   for (const Json& difference : json["differences"].items) in_front += difference["view"].text == "front" ? 1 : 0;
   EXPECT_EQ(in_front, 5) << run.out;
-  for (const char* drawing : {"a.json", "a.svg"})
+  for (const char* drawing : {"b.json", "b.svg"})
     EXPECT_EQ(drawn.compare({drawing, sample("bracket.obj")}).code, 0) << "a drawing, and what it was made from";
 }
 
@@ -83,7 +83,7 @@ TEST(CompareCommand, DrawsScenes) {
 
 TEST(CompareCommand, ChainingAndLetteringDoNotCount) {
   const Drawn drawn;
-  drawn.draw({"--plain", "--svg-text", "text", "-o", "c.svg"});
+  drawn.draw({"--hidden", "dashed", "--plain", "--svg-text", "text", "-o", "c.svg"});
   EXPECT_EQ(drawn.compare({"a.svg", "c.svg"}).code, 0);
 }
 

@@ -201,7 +201,7 @@ TEST(Draw, IdsOfSvgBeginAsAskedFor) {
     return epura({"draw", sample("bracket.obj"), "-o", "-", "--format", "svg", "--id-prefix", prefix}, folder / "");
   };
   const std::string svg = draw("left").out;
-  EXPECT_TRUE(contains(svg, "<svg id=\"left\"") && contains(svg, "<g id=\"left-isometric-hidden\"") &&
+  EXPECT_TRUE(contains(svg, "<svg id=\"left\"") && contains(svg, "<g id=\"left-isometric-visible\"") &&
               contains(svg, "<path id=\"left-0\""));
   const Outcome refused = draw("1st");
   EXPECT_EQ(refused.code, 2);

@@ -43,19 +43,23 @@ std::string cube() {
 
 std::vector<Case> cases() {
   const std::string eye = "look-at:eye=300,-400,250:ref=0,0,20";
-  return {{"Cube", {"cube.obj"}, "clip intersections text"},
+  return {{"Cube", {"cube.obj", "--hidden", "dashed"}, "clip intersections text"},
           {"ConvexBodies",
-           {"cube.obj", "cube.obj", "cube.obj", "--transform", "scale:1", "--transform", "rotate:x,20 translate:3,0,0",
-            "--transform", "translate:0,5,0"},
+           {"cube.obj", "cube.obj", "cube.obj", "--hidden", "dashed", "--transform", "scale:1", "--transform",
+            "rotate:x,20 translate:3,0,0", "--transform", "translate:0,5,0"},
            "clip intersections text"},
-          {"Terrain", {"terrain.obj", "--edges", "crease,boundary,smooth"}, "clip intersections visibility text"},
+          {"Terrain",
+           {"terrain.obj", "--edges", "crease,boundary,smooth", "--hidden", "dashed"},
+           "clip intersections visibility text"},
           {"VisibleOnly", {sample("flange.obj"), "--hidden", "none"}, "clip hidden text"},
           {"VisibleOfBodiesThatCross", {sample("stairs.obj"), "--hidden", "none"}, "clip hidden text"},
           {"Perspective", {sample("bearing.obj"), "--projection", eye, "--hidden", "none"}, "clip hidden text"},
-          {"Clipped", {sample("bearing.obj"), "--projection", eye, "--far", "560"}, "text"},
-          {"Section", {sample("bearing.obj"), "--section", "0,0,0:0,-1,0"}, "clip text"},
-          {"Wireframe", {sample("gear.stl"), "--visibility", "none"}, "clip visibility text"},
-          {"SheetOfViews", {sample("bracket.obj"), "--views", "front,top,left,isometric", "--frame", "full"}, "clip"}};
+          {"Clipped", {sample("bearing.obj"), "--projection", eye, "--far", "560", "--hidden", "dashed"}, "text"},
+          {"Section", {sample("bearing.obj"), "--section", "0,0,0:0,-1,0", "--hidden", "dashed"}, "clip text"},
+          {"Wireframe", {sample("gear.stl"), "--visibility", "none", "--hidden", "dashed"}, "clip visibility text"},
+          {"SheetOfViews",
+           {sample("bracket.obj"), "--views", "front,top,left,isometric", "--frame", "full", "--hidden", "dashed"},
+           "clip"}};
 }
 
 class LeavingOut : public testing::TestWithParam<Case> {

@@ -176,7 +176,7 @@ TEST(StagesInTime, BetweenTwoLooksLiesABoundedAmountOfWork) {
   const auto looks = [&](int triangles) {
     const std::string model = folder.file("tangle.obj", tangle(triangles));
     return draw_struck_at("", {model, "-o", (folder / "x.json").string(), "-o", (folder / "x.svg").string(), "--arcs",
-                               "--dump", "edges"})
+                               "--hidden", "dashed", "--dump", "edges"})
         .looks;
   };
   const std::map<std::string, int> few = looks(200), many = looks(800);

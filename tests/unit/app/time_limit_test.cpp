@@ -55,8 +55,8 @@ std::set<std::string> segments_of(const std::string& json) {
 TEST(TimeLimit, WhatIsShownIsAPartOfTheWholeDrawing) {
   const Folder folder;
   const std::string model = folder.file("tangle.obj", tangle(1000));
-  const std::vector<std::string> arguments{"draw",     model,           "-o", "-", "--format", "json", "--edges",
-                                           "boundary", "--join-within", "0"};
+  const std::vector<std::string> arguments{"draw",     model,           "-o", "-",        "--format", "json", "--edges",
+                                           "boundary", "--join-within", "0",  "--hidden", "dashed"};
   const std::set<std::string> whole = segments_of(epura(arguments, folder / "").out);
   ASSERT_GT(whole.size(), 3000U);
   for (const char* seconds : {"0.01", "0.015", "0.02", "0.03", "0.05"}) {

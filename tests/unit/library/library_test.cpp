@@ -26,7 +26,9 @@ Polygons cube(double size) {
           .faces = {{3, 2, 1, 0}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
 }
 
-Scene in_memory() { return {.models = {{.polygons = cube(9)}}, .views = {{.projection = "isometric"}}}; }
+Scene in_memory() {
+  return {.models = {{.polygons = cube(9)}}, .views = {{.projection = "isometric", .hidden = HiddenLines::dashed}}};
+}
 
 class FolderOfFiles {
  public:

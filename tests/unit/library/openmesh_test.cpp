@@ -31,8 +31,9 @@ HalfedgeMesh cube() {
 }
 
 Drawing isometric_of(const Polygons& polygons) {
-  return draw({.models = {{.polygons = polygons}}, .views = {{.projection = "isometric"}}},
-              {.plugin_path = {EPURA_TEST_PLUGINS}});
+  return draw(
+      {.models = {{.polygons = polygons}}, .views = {{.projection = "isometric", .hidden = HiddenLines::dashed}}},
+      {.plugin_path = {EPURA_TEST_PLUGINS}});
 }
 
 template <class HalfedgeMesh>
