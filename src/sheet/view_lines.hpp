@@ -23,19 +23,19 @@ struct ModelStyle {
   HiddenLines hidden = HiddenLines::dashed;
 };
 
-/// Of two lines in one place that with the greater number is seen: visible before hidden, wide before narrow, as they
-/// are painted. Below 0: it is not drawn.
+/// Of two coinciding lines, the one with the greater number is seen: visible before hidden, wide before narrow, as they
+/// are painted. Below 0: not drawn.
 int line_strength(EdgeKind kind, bool visible, const ModelStyle& style);
 
-/// Layers of a drawing that is in its place, to be painted in this order; `styles` are by model.
+/// Layers of a drawing in its final position, to be painted in this order; `styles` are by model.
 ///   VIEW/hidden     hidden lines: narrow, dashed (type 02.1) or continuous
 ///   VIEW/neighbour, VIEW/narrow   visible lines of models with that role
 ///   VIEW/tangent    visible edges between smooth faces: narrow, continuous, short of the lines that they end at
 ///   VIEW/section    outlines of cut faces: wide, continuous
 ///   VIEW/visible    visible lines: wide, continuous
-/// The first and the last one are there also when they are empty, unless no model has hidden lines. Dashed lines have
-/// ink at their ends, at corners and where other lines cross them, unless too many do. Hidden edges between smooth
-/// faces are left out.
+/// The first and the last layer are present even if they are empty, unless no model has hidden lines. Dashed lines have
+/// ink at their ends, at corners and where other lines cross them, unless there are too many crossings. Hidden edges
+/// between smooth faces are omitted.
 std::vector<Layer> view_layers(const drawing::ViewDrawing& drawing, const LineWidths& widths,
                                const std::vector<ModelStyle>& styles, const Progress& progress = {});
 
