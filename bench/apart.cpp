@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A process says on its pipe, a line each: "at STAGE", "number N", "trouble SENTENCE", and at the end "end".
+// A process writes lines to its pipe: "at STAGE", "number N", "trouble SENTENCE", and "end" at the end.
 #include "apart.hpp"
 
 #include <fcntl.h>
@@ -29,7 +29,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 struct Process {
-  std::size_t number;  ///< of its work
+  std::size_t number;  ///< of its task
   pid_t id;
   int pipe;
   Clock::time_point deadline;
@@ -49,7 +49,7 @@ void say(int pipe, std::string line) {
 
 [[noreturn]] void work_in_child(const Work& work, int pipe) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-  // Open CASCADE is talkative.
+  // Silences Open CASCADE's messages.
   if (const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC); nowhere >= 0) ::dup2(nowhere, STDOUT_FILENO);
   try {
     for (const double number : work([&](const std::string& name) { say(pipe, "at " + name); }))
@@ -61,7 +61,7 @@ void say(int pipe, std::string line) {
     say(pipe, std::string("trouble ") + failure.what());
   }
   say(pipe, "end");
-  ::_exit(0);  // what other libraries do at the end of a process is not of interest
+  ::_exit(0);  // skips the exit handlers of other libraries
 }
 
 Process start(std::size_t number, const Work& work, double seconds) {
@@ -79,7 +79,7 @@ Process start(std::size_t number, const Work& work, double seconds) {
           Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds))};
 }
 
-/// Whether there may be more.
+/// Returns whether there may be more.
 bool listen(Process& process) {
   std::array<char, 4096> bytes{};
   const ssize_t count = ::read(process.pipe, bytes.data(), bytes.size());

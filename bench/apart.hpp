@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Work in processes of their own, so that what crashes or never ends takes nothing else with it.
+// Runs tasks in separate processes, so that one that crashes or never ends does not affect the others.
 #pragma once
 
 #include <functional>
@@ -11,25 +11,25 @@ namespace epura::bench {
 
 using Numbers = std::vector<double>;
 
-/// Says what is done now; of work that comes to no end it is told which it was.
+/// Reports the current stage; if the work does not end, it is reported as the last one.
 using Stage = std::function<void(const std::string& name)>;
 
-/// What work throws ends that work alone.
+/// Exceptions end only this work.
 using Work = std::function<Numbers(const Stage& stage)>;
 
 struct Outcome {
   Numbers numbers;
   std::string stage;
-  std::optional<std::string> trouble{};  ///< why there are no numbers
+  std::optional<std::string> trouble{};  ///< the reason if there are no numbers
 };
 
 struct Limits {
   int at_once;
-  double seconds;  ///< for each work
+  double seconds;  ///< time limit for each task
 };
 
-/// Calls `done` for each, in order, as soon as all before it are done. The process must have no other threads. Works
-/// print nothing to standard output.
+/// Calls `done` for each task, in order, as soon as all tasks before it are done. The process must have no other
+/// threads. Tasks must not print to standard output.
 void run_apart(const std::vector<Work>& works, const Limits& limits,
                const std::function<void(std::size_t number, const Outcome& outcome)>& done);
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Assemblies in STEP, as large as wanted, and drawings of STEP files by Open CASCADE, for comparison:
-//   assembly make KIND N FILE.step      blocks (N x N x N), instances (N blocks side by side), pipes (N over N), gears
-//   (N) assembly draw FILE.step FILE.svg    isometric, visible and hidden lines; says how long each stage took
+// Creates assemblies of any size in STEP, and draws STEP files by Open CASCADE, for comparison:
+//   assembly make KIND N FILE.step          KIND: blocks (N x N x N), instances (N blocks side by side),
+//                                           pipes (N over N), gears (N)
+//   assembly draw FILE.step FILE.svg        isometric, visible and hidden lines; prints the time of each stage
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakePolygon.hxx>
@@ -60,7 +61,7 @@ Shape pipe(double length) {
       .Shape();
 }
 
-/// With straight flanks and a bore: 99 faces.
+/// A gear with straight flanks and a bore: 99 faces.
 Shape gear() {
   constexpr int teeth = 24;
   BRepBuilderAPI_MakePolygon outline;

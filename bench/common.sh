@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 # shellcheck shell=bash
-# What the measuring scripts share; they source it. Everything measured goes as "LABEL KEY VALUE" into one file:
-# seconds of each stage, whole (wall seconds of the process), core (all stages but read and write), memory (MB).
+# Common code of the benchmark scripts, which source it. All measurements go into one file as "LABEL KEY VALUE": seconds
+# of each stage, whole (wall seconds of the process), core (all stages but read and write), memory (MB).
 set -euo pipefail
-export LC_ALL=C  # decimal points, whatever the machine speaks
+export LC_ALL=C  # decimal points in any locale
 root=$(realpath "$(dirname "$(realpath "${BASH_SOURCE[0]}")")/..")
 programs=$root/build/bench/bin
 models=$root/build/bench/models
@@ -34,7 +34,7 @@ model_file() {
   echo "$made"
 }
 
-# run LABEL COMMAND...: runs it once and records what was measured.
+# run LABEL COMMAND...: runs the command once and records the measurements.
 run() {
   local label=$1 begin end
   shift
@@ -51,7 +51,7 @@ run() {
 
 draw() { run "$1" "$programs/epura" draw "$2" --hidden dashed -o "$work/$1.svg" --timings "${@:3}"; }
 
-# turns ROUNDS ONE OTHER: calls both in every round, in alternating order: what runs first warms what runs next.
+# turns ROUNDS ONE OTHER: calls both in every round, in alternating order, since the first run warms up the second.
 turns() {
   local round
   for ((round = 0; round < $1; ++round)); do
@@ -65,13 +65,13 @@ values() { awk -v label="$1" -v key="$2" '$1 == label && $2 == key { print $3 }'
 middle() { sort -g | awk '{ v[NR] = $1 } END { if (NR) print (v[int((NR + 1) / 2)] + v[int(NR / 2) + 1]) / 2; else print 0 }'; }
 median() { values "$1" "$2" | middle; }
 
-# ratio LABEL KEY OTHER KEY: the median of the ratios of runs made in turn.
+# ratio LABEL KEY OTHER KEY: the median of the ratios of alternating runs.
 ratio() { paste <(values "$1" "$2") <(values "$3" "$4") | awk '$2 > 0 { print $1 / $2 }' | middle; }
 
-# show FORMAT NUMBER...: as printf, through awk, so that numbers in any notation will do.
+# show FORMAT NUMBER...: like printf, but through awk, so that numbers in any notation are accepted.
 show() { awk -v format="$1" 'BEGIN { for (i = 1; i < ARGC; ++i) printf format, ARGV[i] }' "${@:2}"; }
 
-# triangles_of FILE: as its PLY header says, or for other formats OpenMesh.
+# triangles_of FILE: from its PLY header, or for other formats from OpenMesh.
 triangles_of() {
   local count
   count=$(head -c 400 "$1" | grep -a -m1 'element face' | cut -d' ' -f3 || true)
@@ -79,7 +79,7 @@ triangles_of() {
   echo "$count"
 }
 
-# What a table of times is worth nothing without.
+# Prints the machine's data, without which a table of times is worthless.
 machine() {
   lscpu | awk -F: '/^Model name|^CPU\(s\)|^L2 cache|^L3 cache/ { gsub(/^ +/, "", $2); printf "%s%s: %s", n++ ? ", " : "", $1, $2 }'
   awk '/^MemTotal/ { printf ", memory: %.0f GB", $2 / 1048576 }' /proc/meminfo

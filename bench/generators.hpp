@@ -11,14 +11,14 @@ namespace epura::bench {
 
 struct Generator {
   std::string_view name;
-  std::string_view summary;  ///< what the scene is and what its size N counts
+  std::string_view summary;  ///< description of the scene and of its size N
   Scene (*make)(int size);
 };
 
-/// Things as people draw them.
+/// Scenes as people draw them.
 std::vector<Generator> usual_scenes();
 
-/// Things that make a careless method slow: much hides much, or little hides a lot.
+/// Scenes that slow a careless method down: much hides much, or little hides a lot.
 std::vector<Generator> hard_scenes();
 
 std::vector<Generator> all_scenes();

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
 
-// Sides shrink so that a line of sight meets about 44 boxes whatever their number.
+// The boxes shrink so that a line of sight meets about 44 of them whatever their number.
 Scene boxes(int n) {
   const double side = 2 * std::sqrt(83000.0 / n);
   Scene scene;
@@ -27,7 +27,7 @@ Scene boxes(int n) {
   return scene;
 }
 
-// From above, with strips half as wide as their pitch: N^2 hidden of the long edges below, in 2 N^2 pieces.
+// From above, with strips half as wide as their pitch: N^2 of the long edges below are hidden, in 2 N^2 pieces.
 Scene weave(int n) {
   Scene scene;
   for (int i = 0; i < n; ++i) {
@@ -37,7 +37,7 @@ Scene weave(int n) {
   return scene;
 }
 
-// From above: 2 N + 2 + 2 d (N - 1) visible, with the side of the plates as unit.
+// From above: 2 N + 2 + 2 d (N - 1) is visible, in units of the plates' side.
 Scene stack(int n) {
   constexpr double d = 1e-6;
   Scene scene;
@@ -79,7 +79,7 @@ Scene needles(int n) {
   return scene;
 }
 
-// From one hub in all directions: at the hub all of them meet.
+// From one hub in all directions: all of them meet at the hub.
 Scene burst(int n) {
   Scene scene;
   Random random;
@@ -95,14 +95,14 @@ Scene burst(int n) {
   return scene;
 }
 
-// 2563 needles make 11 211 triangles.
+// 2563 needles have 11 211 triangles.
 Scene pins(int n) {
   Scene scene = burst(n);
   add_sphere(scene, static_cast<int>(std::lround(3.548 * n)));
   return scene;
 }
 
-// Triangles without area in space, with rounding for area on the page.
+// Triangles without area in space, whose area on the page is only rounding error.
 Scene line(int n) {
   Scene scene;
   const int end = scene.add(0, 0, 0);
@@ -113,7 +113,7 @@ Scene line(int n) {
   return scene;
 }
 
-// In one plane none hides another, though every second pair crosses.
+// In one plane, none hides another, although every second pair crosses.
 Scene across(int n) {
   Scene scene;
   Random random;
@@ -129,7 +129,7 @@ Scene across(int n) {
 
 constexpr int along_knot = 49, around_knot = 8;  // points
 
-// A tube of radius 4 along a trefoil, turned around its axis.
+// A tube of radius 4 along a trefoil, rotated around its axis.
 void add_knot(Scene& scene, double turned) {
   const auto middle = [turned](double u) {
     const double radius = 30 + 10 * std::cos(3 * u), angle = 2 * u + turned;
@@ -158,7 +158,7 @@ Scene knots(int n) {
   return scene;
 }
 
-// All detail in a thousandth of the page.
+// All detail is in a thousandth of the page.
 Scene stadium(int triangles) {
   constexpr int sides = 64, tiers = 8;
   Scene scene;
@@ -182,7 +182,7 @@ Scene stadium(int triangles) {
   return scene;
 }
 
-// What many thin triangles hide together must be hidden in one piece.
+// An area hidden by many thin triangles together must be hidden in one piece.
 void add_bar_below(Scene& scene) { add_box(scene, {-200, -1, -2}, {200, 1, -1}); }
 
 Scene slivers(int n) {

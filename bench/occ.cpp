@@ -2,8 +2,7 @@
 // The same drawing by Open CASCADE's polygonal hidden-line removal, for comparison:  occ MODEL FILE.svg
 //
 // Isometric, visible and hidden lines, creases from 30 degrees. Reads with epura's readers and pairs edges with epura's
-// table, so that only what Open CASCADE does differs. Says how long each stage
-// took and how many segments were found.
+// table, so that only Open CASCADE's work differs. Prints the time of each stage and the number of segments found.
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -45,7 +44,7 @@ bench::TriangleMesh read_triangles(const std::filesystem::path& path) {
   return mesh;
 }
 
-// Turned before it is handed over: without surfaces, outlines would be turned twice by a projector.
+// The points are rotated in advance: without surfaces, a projector would rotate outlines twice.
 void turn_to_isometric_view(std::vector<Vec3>& points) {
   const Vec3 viewer = glm::normalize(Vec3(1, -1, 1)), right = glm::normalize(glm::cross(Vec3(0, 0, 1), viewer));
   const Vec3 up = glm::cross(viewer, right);

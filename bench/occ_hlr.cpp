@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a mesh must be given to HLRBRep_PolyAlgo 7.6 so that it draws right and as fast as it can:
-//  - one face for each patch between creases, with its own triangulation and no surface; one face for each triangle is
-//    some 70 times slower;
-//  - one edge for each mesh edge at the rim of a patch, with a curve in space, a curve in parameters (it is asked for,
-//    not used) and its nodes in the triangulation of each face;
-//  - normals and parameters at the nodes, or there are no outlines;
-//  - one shell for each connected part, marked as closed where it is: back faces then need not hide.
+// The form of a mesh in which HLRBRep_PolyAlgo 7.6 draws it correctly and as fast as possible:
+// - one face for each patch between creases, with its own triangulation and no surface; one face for each triangle is
+//   some 70 times slower;
+// - one edge for each mesh edge at the rim of a patch, with a curve in space, a curve in parameters (required, but not
+//   used) and its nodes in the triangulation of each face;
+// - normals and parameters at the nodes, since otherwise there are no outlines;
+// - one shell for each connected part, marked as closed if it is: then back faces need not hide.
 #include "occ_hlr.hpp"
 
 #include <BRep_Builder.hxx>
@@ -30,9 +30,9 @@ using namespace mesh;
 namespace {
 
 struct Faces {
-  std::vector<Handle(Poly_Triangulation)> triangulations;  ///< of each patch
-  std::vector<TopoDS_Face> faces;                          ///< of each patch
-  std::vector<TopoDS_Wire> rims;                           ///< of each patch
+  std::vector<Handle(Poly_Triangulation)> triangulations;  ///< by patch
+  std::vector<TopoDS_Face> faces;                          ///< by patch
+  std::vector<TopoDS_Wire> rims;                           ///< by patch
   std::vector<int> number;                                 ///< of each node in its triangulation, from 1
 };
 
@@ -55,7 +55,7 @@ Faces empty_faces(const Patches& cut) {
   return result;
 }
 
-/// 0 for a corner without an angle.
+/// 0 for a degenerate corner.
 double corner_angle(const TriangleMesh& mesh, int halfedge) {
   const int next = next_in_triangle(halfedge);
   const Vec3& corner = mesh.points[mesh.corners[halfedge]];
@@ -64,8 +64,8 @@ double corner_angle(const TriangleMesh& mesh, int halfedge) {
   return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v));
 }
 
-/// Means of the triangles' normals, weighted by their angles (Thuermer and Wuethrich, JGT 3(1), 1998): so that the
-/// diagonals of a cylinder's facets do not turn them.
+/// Mean normals of the triangles, weighted by their angles (Thuermer and Wuethrich, JGT 3(1), 1998), so that the
+/// diagonals of a cylinder's facets do not affect them.
 std::vector<Vec3> node_normals(const TriangleMesh& mesh, const Patches& cut) {
   const auto unit = [](const Vec3& v) {
     const double length = glm::length(v);
@@ -111,7 +111,7 @@ Handle(Poly_PolygonOnTriangulation)
   return new Poly_PolygonOnTriangulation(nodes, parameters);
 }
 
-/// One edge of the shape for one or two half-edges between the same vertices.
+/// Adds one edge of the shape for one or two half-edges between the same vertices.
 void add_edge(Faces& faces, const TriangleMesh& mesh, const Patches& cut, const std::array<int, 2>& vertex,
               std::span<const int> halfedges) {
   static const Handle(Geom2d_Line) in_parameters = new Geom2d_Line(gp_Pnt2d(0, 0), gp_Dir2d(1, 0));
@@ -146,7 +146,7 @@ void add_edges(Faces& faces, const TriangleMesh& mesh, const Patches& cut) {
     const std::span<const int> halfedges = cut.table.halfedges_of(edge);
     if (is_two_sided(cut.table, edge, mesh.corners))
       add_edge(faces, mesh, cut, edge.vertex, halfedges);
-    else  // an edge of more than two faces would be left out
+    else  // an edge of more than two faces would be omitted
       for (std::size_t i = 0; i < halfedges.size(); ++i)
         add_edge(faces, mesh, cut, edge.vertex, halfedges.subspan(i, 1));
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A triangle mesh through Open CASCADE's HLRBRep_PolyAlgo.
+// Hidden-line removal for a triangle mesh by Open CASCADE's HLRBRep_PolyAlgo.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ struct Drawn {
   std::vector<Segment> visible, hidden;
 };
 
-/// Lines of the mesh seen along -z: outlines, open edges, and edges that fold by more than `crease_angle` degrees.
+/// Lines of the mesh seen along -z: outlines, open edges, and edges with a fold of more than `crease_angle` degrees.
 Drawn remove_hidden_lines(const TriangleMesh& mesh, double crease_angle);
 
 }  // namespace epura::bench

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// How long OpenMesh takes to read a model:  openmesh_read MODEL
-// In double, with nothing asked of it but the surface.
+// Measures how long OpenMesh takes to read a model:  openmesh_read MODEL
+// Reads doubles, and nothing but the surface.
 #include <OpenMesh/Core/IO/MeshIO.hh>
-// After the readers, which must know of it.
+// Must follow the readers.
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
 
 #include "mesh/openmesh.hpp"

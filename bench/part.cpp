@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far drawings of tessellated parts are drawings of the parts:
+// Measures how well drawings of tessellated parts represent the parts:
 //   part [--surfaces mesh] [--finenesses] [--only TEXT] [--jobs N] [--time-limit SECONDS] [FOLDER|FILE...]
 //
-// Parts that are made here, and those in STEP, IGES and BREP files, are tessellated as for STL, drawn by epura, and
-// their ink is compared with the lines that Open CASCADE's exact hidden-line removal finds on the surfaces themselves.
+// Built-in parts, and those in STEP, IGES and BREP files, are tessellated as for STL and drawn by epura, and their ink
+// is compared with the lines that Open CASCADE's exact hidden-line removal finds on the surfaces themselves.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -49,11 +49,11 @@ Drawing drawing_of(const Polygons& polygons, const char* projection, Surfaces su
   scene.views = {{.projection = projection, .name = "view", .hidden = HiddenLines::dashed}};
   scene.sheets = {{.size = "A4", .scale = AutomaticScale::standard}};
   Settings settings;
-  settings.threads = 1;  // parts are drawn side by side
+  settings.threads = 1;  // parts are drawn in parallel
   return draw(scene, settings);
 }
 
-/// Chains of lines, as a pen draws them.
+/// Number of chains of lines, as a pen draws them.
 double strokes_of(const Drawing& drawing) {
   std::size_t count = 0;
   for (const SheetLayer& layer : drawing.layers())
@@ -85,7 +85,7 @@ PageLines on_page(const std::vector<PlaneLine>& lines, const ExactView& exact, c
 struct Row {
   Score score;
   double strokes;
-  double lost;  ///< curves of Open CASCADE that could not be followed, and so are not missed
+  double lost;  ///< curves of Open CASCADE that could not be followed, and so do not count as missing
 };
 static_assert(sizeof(Row) % sizeof(double) == 0);
 
@@ -102,9 +102,8 @@ Row row_of(const Numbers& numbers) {
   return row;
 }
 
-// The exact lines are taken as they are, also where they are known to be wrong: of the thread of an M6 screw Open
-// CASCADE shows lines that are hidden, which counts as missing recall. A judge that leaves out what it does not like
-// judges nothing.
+// The exact lines are used unchanged, even where they are known to be wrong: for the thread of an M6 screw, Open
+// CASCADE shows hidden lines as visible, which reduces recall. A judge that omits inconvenient evidence proves nothing.
 Numbers judge(const Part& part, const Direction& direction, Surfaces surfaces, const Stage& stage) {
   stage("the part");
   const TopoDS_Shape shape = part.make();
@@ -124,7 +123,7 @@ Numbers judge(const Part& part, const Direction& direction, Surfaces surfaces, c
   return numbers_of({score_of(ink_of(view), lines), strokes_of(drawing), static_cast<double>(exact.lost)});
 }
 
-/// Strokes of each view.
+/// The number of strokes in each view.
 Numbers count_strokes(const Part& part, double fineness, Surfaces surfaces, const Stage& stage) {
   stage("the part");
   const TopoDS_Shape shape = part.make();
@@ -166,9 +165,9 @@ std::string row_text(const std::string& part, const Direction& direction, const 
 struct Measure {
   const char* name;
   double (*value)(const Row& row);
-  double aim;         ///< of the mean
-  double limit;       ///< what a good view keeps
-  double good_share;  ///< aim: of views, in percent; 0: none is set
+  double aim;         ///< target for the mean
+  double limit;       ///< bound for a good view
+  double good_share;  ///< target percentage of good views; 0: none
   bool more_is_better;
 };
 
@@ -181,7 +180,7 @@ constexpr std::array<Measure, 6> measures{{
     {"loose ends a sheet", [](const Row& r) { return r.score.loose_ends; }, 5, 5, 0, false},
 }};
 
-/// The ratio of ink is that of all lengths together: a view of few lines says little.
+/// The ratio of ink is that of the total lengths: a view of few lines has little weight.
 double mean_of(const Measure& measure, const std::vector<Row>& rows) {
   double sum = 0, exact = 0;
   for (const Row& row : rows) {
@@ -236,19 +235,19 @@ bool judge_all(const std::vector<Part>& parts, const Options& options) {
   return !rows.empty();
 }
 
-/// Whether all are as many as at the usual fineness, nearly.
+/// Whether all numbers are nearly the same as at the usual fineness.
 bool are_same(const std::array<double, finenesses.size()>& strokes) {
   const double usual = strokes[std::find(finenesses.begin(), finenesses.end(), usual_fineness) - finenesses.begin()];
   return std::all_of(strokes.begin(), strokes.end(),
                      [&](double count) { return std::abs(count - usual) <= same_strokes * usual; });
 }
 
-/// What is the same however finely a part is tessellated: the strokes that draw it.
+/// Collects the numbers of strokes, which should not depend on the fineness of the tessellation.
 class StrokesByFineness {
  public:
   explicit StrokesByFineness(const std::vector<Part>& parts) : parts_(parts) {}
 
-  /// Of the parts one after the other, of each all finenesses.
+  /// Must be called for one part after another, and for each part with all finenesses.
   void add(std::size_t number, const Outcome& outcome) {
     outcomes_.push_back(outcome);
     if (outcomes_.size() < finenesses.size()) return;

@@ -34,9 +34,9 @@ namespace epura::bench {
 
 namespace {
 
-constexpr double facet_angle = 0.35;                          // radians between facets, as exporters set it
-constexpr double tangent_angle = 5 * std::numbers::pi / 180;  // exporters are not exact to the bit
-constexpr double curve_fineness = 4000;                       // of exact curves as polylines, in parts of the diagonal
+constexpr double facet_angle = 0.35;                          // radians between facets, as set by exporters
+constexpr double tangent_angle = 5 * std::numbers::pi / 180;  // exporters are not precise
+constexpr double curve_fineness = 4000;                       // diagonal / deflection of exact curves as polylines
 
 double diagonal_of(const TopoDS_Shape& shape) {
   Bnd_Box box;
@@ -45,7 +45,7 @@ double diagonal_of(const TopoDS_Shape& shape) {
   return std::sqrt(box.SquareExtent());
 }
 
-/// Every triangle with corners of its own.
+/// Every triangle has separate corners.
 void add_face(Polygons& soup, const TopoDS_Face& face) {
   TopLoc_Location place;
   const Handle(Poly_Triangulation) triangulation = BRep_Tool::Triangulation(face, place);
@@ -64,7 +64,7 @@ void add_face(Polygons& soup, const TopoDS_Face& face) {
   }
 }
 
-/// As the reader of STL does, also in the order of points: what is in one place becomes one.
+/// In the same way as the STL reader, including the order of points: coincident points are merged.
 void weld(Polygons& soup) {
   std::vector<int> corners;
   for (const std::vector<int>& face : soup.faces) corners.insert(corners.end(), face.begin(), face.end());
@@ -73,7 +73,7 @@ void weld(Polygons& soup) {
     std::copy_n(corners.begin() + static_cast<std::ptrdiff_t>(3 * i), 3, soup.faces[i].begin());
 }
 
-/// Nothing where the surface has none, as at the tip of a cone.
+/// Nothing if the surface has no normal, as at the apex of a cone.
 std::optional<gp_Vec> normal_at(const TopoDS_Edge& edge, const TopoDS_Face& face, double share) {
   double from = 0, to = 0;
   const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, face, from, to);
@@ -102,7 +102,7 @@ class Curves {
  public:
   explicit Curves(double deflection) : deflection_(deflection) {}
 
-  /// As polylines.
+  /// Appends the edges as polylines.
   void append(std::vector<PlaneLine>& lines, const TopoDS_Shape& edges) {
     if (edges.IsNull()) return;
     BRepLib::BuildCurves3d(edges);
@@ -127,7 +127,7 @@ class Curves {
   int lost_ = 0;
 };
 
-/// Each body once, and what belongs to none.
+/// Adds each body once, and faces that belong to none.
 void add_bodies(HLRBRep_Algo& algorithm, const TopoDS_Shape& shape) {
   for (TopExp_Explorer solid(shape, TopAbs_SOLID); solid.More(); solid.Next()) algorithm.Add(solid.Current(), 0);
   for (TopExp_Explorer shell(shape, TopAbs_SHELL, TopAbs_SOLID); shell.More(); shell.Next())
@@ -139,7 +139,7 @@ void add_bodies(HLRBRep_Algo& algorithm, const TopoDS_Shape& shape) {
 }  // namespace
 
 Polygons tessellate(const TopoDS_Shape& part, double fineness) {
-  BRepTools::Clean(part);  // files may bring triangles of their own
+  BRepTools::Clean(part);  // files may have their own triangles
   const BRepMesh_IncrementalMesh mesher(part, diagonal_of(part) / fineness, /*isRelative=*/false, facet_angle);
   Polygons polygons;
   for (TopExp_Explorer face(part, TopAbs_FACE); face.More(); face.Next())

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Parts with exact surfaces, what a CAD system exports of them, and what is to be seen of them.
+// Parts with exact surfaces, their tessellations as exported by CAD systems, and their exact views.
 #pragma once
 
 #include <TopoDS_Shape.hxx>
@@ -16,17 +16,18 @@ namespace epura::bench {
 
 struct Part {
   std::string name;
-  std::function<TopoDS_Shape()> make;  ///< or reads it; throws what Open CASCADE or the standard library throws
+  std::function<TopoDS_Shape()> make;  ///< or reads it; may throw exceptions of Open CASCADE or the standard library
 };
 
-/// Parts with what mechanical parts have: fillets, chamfers, bores, pipes that meet, cones on cylinders, free forms.
+/// Parts with typical mechanical features: fillets, chamfers, bores, intersecting pipes, cones on cylinders, free
+/// forms.
 std::vector<Part> made_parts();
 
-/// A file in STEP, IGES or the format of Open CASCADE, or all of them in a folder and its folders, by their paths.
+/// A file in STEP, IGES or the format of Open CASCADE, or all such files in a folder and its subfolders, by path.
 std::vector<Part> parts_in(const std::filesystem::path& path);
 
-/// The triangles within diagonal / `fineness` of the surfaces, as an STL file keeps them: in 32 bits, and nothing of
-/// the faces they come from.
+/// The triangles within diagonal / `fineness` of the surfaces, as in an STL file: in 32 bits, and without the faces
+/// they come from.
 Polygons tessellate(const TopoDS_Shape& part, double fineness);
 
 /// In a plane with axes `right` and `up` of the world.
@@ -36,13 +37,14 @@ struct ExactView {
   Vec3 right, up;
   std::vector<PlaneLine> visible, hidden;  ///< sharp edges and outlines
   std::vector<PlaneLine> smooth_visible, smooth_hidden;
-  int lost = 0;  ///< curves that Open CASCADE found and cannot follow
+  int lost = 0;  ///< curves that Open CASCADE found but cannot follow
 };
 
-/// Marks edges as tangent in the shape where faces meet within 5 degrees all along: readers leave many out.
+/// Marks edges of the shape as tangent if faces meet within 5 degrees along their whole length: readers omit many
+/// marks.
 void mark_tangent_edges(const TopoDS_Shape& shape);
 
-/// By Open CASCADE's exact hidden-line removal. `viewer` points to the viewer; z is up, or y where the view is along z.
+/// By Open CASCADE's exact hidden-line removal. `viewer` points to the viewer; z is up, or y for a view along z.
 ExactView exact_view(const TopoDS_Shape& part, const Vec3& viewer);
 
 }  // namespace epura::bench

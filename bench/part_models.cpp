@@ -55,14 +55,14 @@ Shape cone(const gp_Ax2& axis, double radius, double other_radius, double height
 
 Shape cut(const Shape& shape, const Shape& tool) { return BRepAlgoAPI_Cut(shape, tool).Shape(); }
 
-/// Faces that go on from each other on one surface become one.
+/// Merges faces that continue each other on one surface.
 Shape fuse(const Shape& shape, const Shape& other) {
   ShapeUpgrade_UnifySameDomain unify(BRepAlgoAPI_Fuse(shape, other).Shape());
   unify.Build();
   return unify.Shape();
 }
 
-/// The first `count` edges of the shape.
+/// Applies `Maker` to the first `count` edges of the shape.
 template <class Maker>
 Shape with_edges(const Shape& shape, double size, int count = std::numeric_limits<int>::max()) {
   TopTools_IndexedMapOfShape edges;
@@ -90,7 +90,7 @@ Shape drilled_plate() {
   return cut(cut(plate, cylinder(upright(20, 25, -1), 8, 20)), cylinder(upright(55, 25, -1), 5, 20));
 }
 
-/// Both rims meet at 15.6 degrees: less than the facets of a coarse round face fold.
+/// Both rims have a fold of 15.6 degrees: less than between the facets of a coarse round face.
 Shape cone_on_cylinder() {
   const double narrower = 10 * std::tan(15.6 * pi / 180);
   return fuse(cylinder(upright(0, 0, 0), 20, 30), cone(upright(0, 0, 30), 20, 20 - narrower, 10));
@@ -153,7 +153,7 @@ Shape pocket() {
   return cut(box(60, 60, 20), fillet(tool, 6, std::numeric_limits<int>::max()));
 }
 
-/// Its upper faces fold by two degrees: less than what is tangent.
+/// Its upper faces have folds of two degrees: less than the limit for tangent faces.
 Shape wedge() {
   return prism({gp_Pnt(0, 0, 0), gp_Pnt(60, 0, 0), gp_Pnt(60, 0, 5), gp_Pnt(30, 0, 7), gp_Pnt(0, 0, 10)}, {0, 30, 0});
 }

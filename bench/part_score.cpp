@@ -19,7 +19,7 @@ constexpr double beside = 0.4, sample_step = 0.2, touching = 0.06;
 
 bool is_finite(const Vec2& p) { return std::isfinite(p.x) && std::isfinite(p.y); }
 
-/// Lines of a page, found by places within a distance of them.
+/// Lines of a page, searched for by distance from a point.
 class NearLines {
  public:
   NearLines(std::span<const PageLine> lines, double distance) : lines_(lines), distance_(distance) {
@@ -29,7 +29,7 @@ class NearLines {
       max = glm::max(max, glm::max(line.from, line.to));
     }
     if (lines.empty()) return;
-    // About a millimetre wide: a page of paper has some 60 000 such cells.
+    // About a millimetre wide: a sheet of paper has some 60 000 such cells.
     const auto cells = [](double length) { return static_cast<int>(std::clamp(length, 1.0, 1000.0)); };
     const Vec2 size = glm::max(max - min, Vec2(1));
     grid_ = {min, {size.x / cells(size.x), size.y / cells(size.y)}, cells(size.x), cells(size.y)};
@@ -41,7 +41,7 @@ class NearLines {
 
   static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
-  /// Whether a line other than `except` runs past `p`.
+  /// Whether a line other than `except` passes near `p`.
   [[nodiscard]] bool pass(const Vec2& p, std::size_t except = none) const {
     if (lines_.empty()) return false;
     const auto& candidates = in_cell_[grid_.cell(grid_.column(p.x), grid_.row(p.y))];
@@ -63,7 +63,7 @@ double length_of(std::span<const PageLine> lines) {
   return length;
 }
 
-/// Of the length of `lines`, beside `others`.
+/// The fraction of the length of `lines` that lies beside `others`.
 double share_beside(std::span<const PageLine> lines, std::span<const PageLine> others) {
   const NearLines near(others, beside);
   double found = 0;

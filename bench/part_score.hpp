@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far a drawing is a drawing of the part: its ink beside the part's exact lines, on the same page, in millimetres.
+// How well a drawing represents a part: its ink compared with the part's exact lines, on the same page, mm.
 #pragma once
 
 #include <vector>
@@ -14,8 +14,8 @@ struct PageLine {
 
 using PageLines = std::vector<PageLine>;
 
-/// What exact geometry shows. Whether an edge between faces that go on from each other is drawn is the drawing's own
-/// affair: such smooth edges are not missed, and nothing that lies on them is wrong.
+/// Lines of the exact geometry. A drawing may show or omit edges between faces that continue each other smoothly: such
+/// smooth edges do not count as missing, and ink beside them does not count as wrong.
 struct ExactLines {
   PageLines visible, hidden;  ///< sharp edges and outlines
   PageLines smooth_visible, smooth_hidden;
@@ -26,16 +26,16 @@ struct Ink {
 };
 
 struct Score {
-  double recall;            ///< share of the visible exact lines beside which there is visible ink
-  double precision;         ///< share of the visible ink that lies beside visible exact lines
-  double recall_hidden;     ///< share of the hidden exact lines beside which there is ink
-  double precision_hidden;  ///< share of the hidden ink that lies beside exact lines
+  double recall;            ///< fraction of the visible exact lines with visible ink beside them
+  double precision;         ///< fraction of the visible ink beside visible exact lines
+  double recall_hidden;     ///< fraction of the hidden exact lines with ink beside them
+  double precision_hidden;  ///< fraction of the hidden ink beside exact lines
   double exact;             ///< mm of visible exact lines
   double ink;               ///< mm of visible ink
-  double loose_ends;  ///< of visible ink, which touch no other visible ink. A few are right: outlines end in cusps
+  double loose_ends;  ///< of visible ink, without contact to other visible ink. A few are right: outlines end in cusps
 };
 
-/// Beside means within 0.4 mm, somewhat less than the width of a wide line. Where there is nothing to find, a share
+/// Beside means within 0.4 mm, slightly less than the width of a wide line. If there are no lines of a kind, a fraction
 /// is 1.
 Score score_of(const Ink& ink, const ExactLines& exact);
 

@@ -13,7 +13,7 @@ using namespace mesh;
 
 namespace {
 
-/// Classes of numbers that were joined in pairs.
+/// Classes of numbers that have been joined in pairs.
 class Classes {
  public:
   explicit Classes(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }

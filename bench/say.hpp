@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the programs beside epura say on stderr, in the form of epura's --timings, so that one script reads them all.
+// Output of the benchmark programs on stderr, in the form of epura's --timings, so that one script can read it all.
 #pragma once
 
 #include <chrono>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the generators of large scenes share: a list of triangles, numbers that look random, and the file.
+// Common code of the generators of large scenes: a list of triangles, pseudorandom numbers, and the file.
 #pragma once
 
 #include <array>
@@ -25,10 +25,10 @@ struct Scene {
   }
 };
 
-/// The box between two corners, seen from outside counter-clockwise.
+/// The box between two corners, counterclockwise as seen from outside.
 void add_box(Scene& scene, const Point& min, const Point& max);
 
-/// A rectangle at one height, seen from above counter-clockwise.
+/// A rectangle at one height, counterclockwise as seen from above.
 void add_rectangle(Scene& scene, const std::array<double, 2>& min, const std::array<double, 2>& max, double z);
 
 /// The same sequence everywhere: the linear congruential generator of Numerical Recipes, second edition, 7.1.
@@ -47,7 +47,7 @@ class Random {
   std::uint32_t state_ = 1;
 };
 
-/// Binary PLY, little endian, with double coordinates.
+/// Binary PLY, little-endian, with double coordinates.
 std::string ply_bytes(const Scene& scene);
 
 }  // namespace epura::bench

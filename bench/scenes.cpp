@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Writes large scenes for measuring as binary PLY:  scenes KIND SIZE FILE
+// Writes large scenes for benchmarks as binary PLY:  scenes KIND SIZE FILE
 #include <cstdio>
 
 #include "base/error.hpp"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Google Benchmark of every stage:  stages [KIND N]... [--benchmark_filter=sphere/ ...]
-// The input of a stage is made by the stages before it, outside the time taken. Scenes: see 'scenes'.
+// Measures every stage by Google Benchmark:  stages [KIND N]... [--benchmark_filter=sphere/ ...]
+// The input of a stage is made by the stages before it, outside the measured time. Scenes: see 'scenes'.
 #include <benchmark/benchmark.h>
 
 #include <cstdio>
@@ -44,7 +44,7 @@ scene::World world_of(const mesh::Mesh& mesh) {
 constexpr edges::EdgeOptions mesh_edges{.intersection = false};
 constexpr edges::EdgeOptions intersections{.contour = false, .boundary = false, .crease = false};
 
-/// What each stage hands to the next.
+/// The data that each stage passes to the next.
 struct Run {
   explicit Run(const bench::Scene& scene)
       : file(bench::ply_bytes(scene)),
@@ -82,7 +82,7 @@ struct Run {
   sheet::Sheet sheet;
 };
 
-/// Made when the first stage of its scene is measured, and kept for the others.
+/// Created when the first stage of its scene is measured, and kept for the others.
 struct Case {
   std::string name;
   std::function<bench::Scene()> make;

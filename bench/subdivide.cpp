@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A finer model of the same shape, by Loop's subdivision:  subdivide MODEL STEPS FILE.ply
-// Each step makes four triangles of one (Loop, Smooth Subdivision Surfaces Based on Triangles, 1987).
+// Refines a model without changing its shape, by Loop's subdivision:  subdivide MODEL STEPS FILE.ply
+// Each step divides a triangle into four (Loop, Smooth Subdivision Surfaces Based on Triangles, 1987).
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>
-// After the mesh, which it needs.
+// Must follow the mesh.
 #include <OpenMesh/Tools/Subdivider/Uniform/LoopT.hh>
 #include <cstdio>
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
 
-/// A place in coordinates turned so that `axis` is the third.
+/// Adds a point in coordinates rotated so that `axis` is the third.
 int add_turned(Scene& scene, const Point& middle, int axis, const Point& p) {
   Point q{};
   for (int i = 0; i < 3; ++i) q[(axis + 1 + i) % 3] = middle[(axis + 1 + i) % 3] + p[i];
@@ -47,7 +47,7 @@ Scene tori(int triangles) {
   return scene;
 }
 
-// The ring between a square cell and its round hole: each corner of the square sees a quarter of the hole.
+// The ring between a square cell and its round hole: each corner of the square is joined to a quarter of the hole.
 void add_ring(Scene& scene, const std::array<int, 4>& square, const std::vector<int>& hole, bool up) {
   const auto triangle = [&](int a, int b, int c) {
     if (up)
@@ -96,7 +96,7 @@ Scene plate(int k) {
 }
 
 void add_gear(Scene& scene, const Point& middle, int axis) {
-  constexpr int corners = 48;  // four to a tooth
+  constexpr int corners = 48;  // four per tooth
   const auto add = [&](double radius, int corner, double height) {
     const double a = turn * corner / corners;
     return add_turned(scene, middle, axis, {radius * std::cos(a), radius * std::sin(a), height});
@@ -151,7 +151,7 @@ Scene crates(int n) {
   return scene;
 }
 
-// Steep enough for creases, not so steep that an isometric view hides any.
+// Steep enough for creases, but not so steep that an isometric view hides any.
 Scene terrain(int triangles) {
   Scene scene;
   Random random;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the axonometric projections share.
+// Common code of the axonometric projections.
 #pragma once
 
 #include <epura/projection_plugin.hpp>
@@ -7,8 +7,9 @@
 inline constexpr epura_parameter foreshortened_parameter = epura::plugin::choice(
     "foreshortened", "true: as projected; false: enlarged, so that the longest axis is true", "false|true", 1);
 
-/// The orthographic view from `direction`. An axis at cosine c to the normal is drawn sqrt(1 - c^2) long; unless
-/// foreshortened, the drawing is enlarged until the longest of the three is 1, as is the custom by hand.
+/// The orthographic view from `direction`. An axis whose direction has the cosine c with the normal is drawn with the
+/// length sqrt(1 - c^2); unless foreshortened, the drawing is enlarged until the longest of the three has the length 1,
+/// as is usual in drawing by hand.
 inline epura::plugin::View axonometric(const epura::plugin::Scene& scene, epura::plugin::Vec3 direction,
                                        bool foreshortened) {
   const epura::plugin::Vec3 n = epura::plugin::unit(direction);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Dimetric projection: width and height in one scale, depth in half of it.
+// Dimetric projection: width and height at the same scale, depth at half of it.
 #include "axonometric.hpp"
 
 using namespace epura::plugin;
@@ -12,7 +12,7 @@ struct Dimetric {
   static constexpr auto reference = "ISO 5456-3";
   static constexpr std::array parameters{foreshortened_parameter};
 
-  // Factors in the ratio 2:1:2 whose squares sum to 2: 8/9, 2/9, 8/9, hence squared cosines 1/9, 7/9, 1/9.
+  // Factors in the ratio 2:1:2 whose squares sum to 2: squares 8/9, 2/9, 8/9, hence squared cosines 1/9, 7/9, 1/9.
   static View project(const Scene& scene, bool foreshortened) {
     return axonometric(scene, {1, -std::sqrt(7.0), 1}, foreshortened);
   }

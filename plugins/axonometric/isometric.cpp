@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Isometric projection: the three axes at 120 degrees on the page and equally long.
+// Isometric projection: the three axes at 120 degrees on the page and at the same scale.
 #include "axonometric.hpp"
 
 using namespace epura::plugin;

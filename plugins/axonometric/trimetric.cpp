@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Trimetric projection: the directions of width and depth on the page are chosen, three different scales follow.
+// Trimetric projection: given directions of width and depth on the page, which determine three different scales.
 #include "axonometric.hpp"
 
 using namespace epura::plugin;
@@ -15,7 +15,7 @@ struct Trimetric {
       foreshortened_parameter,
   };
 
-  // From azimuth A and elevation E the axes appear at tan x = tan A sin E and tan y = sin E / tan A.
+  // With azimuth A and elevation E, the axes appear at tan x = tan A sin E and tan y = sin E / tan A.
   static View project(const Scene& scene, double x_angle, double y_angle, bool foreshortened) {
     if (x_angle + y_angle > 89) throw std::invalid_argument("the sum of x-angle and y-angle must be at most 89 deg");
     const double x = portable_tan(radians(x_angle)), y = portable_tan(radians(y_angle));

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the oblique projections of the front face share.
+// Common code of the oblique projections of the front face.
 #pragma once
 
 #include <epura/projection_plugin.hpp>
 
-/// A point y behind the plane is drawn at (x + ratio cos(angle) y, z + ratio sin(angle) y). The projectors meet the
-/// plane at the angle whose cotangent is `ratio`.
+/// A point y behind the plane is drawn at (x + ratio cos(angle) y, z + ratio sin(angle) y). The angle between
+/// projectors and plane has the cotangent `ratio`.
 inline epura::plugin::View oblique(const epura::plugin::Scene& scene, double angle, double ratio) {
   const double a = epura::plugin::radians(angle);
   return {.point = scene.centre(),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Planometric projection: the plan keeps its true shape, turned on the page; heights are drawn vertically.
+// Planometric projection: the plan keeps its true shape, rotated on the page; heights are drawn vertically.
 #include <epura/projection_plugin.hpp>
 
 using namespace epura::plugin;

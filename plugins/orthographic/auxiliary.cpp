@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Auxiliary view: shows a slanted face in true shape, looking at it squarely.
+// Auxiliary view: shows an inclined face in true shape, viewed along its normal.
 #include "orthographic.hpp"
 
 using namespace epura::plugin;

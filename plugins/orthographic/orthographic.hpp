@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the orthographic views share.
+// Common code of the orthographic views.
 #pragma once
 
 #include <epura/projection_plugin.hpp>

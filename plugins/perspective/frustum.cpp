@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Frustum: eye, reference point, up-vector and the pyramid frustum that is drawn: left, right, bottom and top on a
-// plane at distance d from the eye, near and far planes. As in OpenGL, d is the near distance unless given.
+// Frustum: eye, reference point, up-vector and the view frustum: left, right, bottom and top on a plane at distance d
+// from the eye, near and far planes. As in OpenGL, d is the near distance unless given.
 #include "perspective.hpp"
 
 using namespace perspective;
@@ -29,7 +29,7 @@ struct Frustum {
     ref = given_or(ref, scene.centre());
     eye = given_or(eye, calm_eye(scene, ref));
     const Vec3 view = unit(sight(eye, ref));
-    // Unless given, the planes touch the ball about the box and the window holds that ball.
+    // Unless given, the planes touch the bounding sphere of the box, and the window contains that sphere.
     const double depth = dot(scene.centre() - eye, view), radius = scene.diagonal() / 2;
     n = given_or(n, std::max(depth - radius, scene.diagonal() / 100));
     f = given_or(f, std::max(depth + radius, 2 * n));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Look-at: the camera model of eye, reference point and up-vector. The plane passes through the reference point, so
-// that lengths there are true. What is drawn is everything, a field of view, or a window about the reference point.
+// Look-at: the camera model with eye, reference point and up-vector. The plane passes through the reference point, so
+// that lengths are true there. Draws everything, a field of view, or a window around the reference point.
 #include "perspective.hpp"
 
 using namespace perspective;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Observer: an eye o looks at a point c; a point u shall appear straight above c; the picture hangs at distance d.
+// Observer: an eye o looks at a point c; a point u appears vertically above c; the picture plane is at distance d.
 #include "perspective.hpp"
 
 using namespace perspective;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One-point perspective: the plane holds the front of the model's box, which is drawn true; depth converges.
+// One-point perspective: the plane contains the front of the model's box, which is drawn in true size; depth converges.
 #include "perspective.hpp"
 
 using namespace perspective;

@@ -8,8 +8,8 @@ namespace perspective {
 
 using namespace epura::plugin;
 
-/// Distance of the eye in diagonals of the box, which then lies in a cone of 23 degrees about its centre. An eye up to
-/// 0.64 diagonals off the centre keeps it in the cone of 60 degrees about the normal that ISO 5456-4 requires.
+/// Distance of the eye in diagonals of the box, which then lies in a cone of 23 degrees around its centre. An eye up to
+/// 0.64 diagonals off the centre keeps it in the cone of 60 degrees around the normal that ISO 5456-4 requires.
 inline constexpr double calm_distance = 2.5;
 
 inline constexpr epura_parameter distance_parameter = number(
@@ -24,14 +24,14 @@ inline Vec3 calm_eye(const Scene& scene, Vec3 reference) {
   return reference + calm_distance * scene.diagonal() * unit({1, -1, 1});
 }
 
-/// From `eye` to `reference`, which fixes the direction in which the model is seen.
+/// The vector from `eye` to `reference`, the viewing direction.
 inline Vec3 sight(Vec3 eye, Vec3 reference) {
   const Vec3 line = reference - eye;
   if (!(length(line) > 0)) throw std::invalid_argument("the eye and the point it looks at are the same");
   return line;
 }
 
-/// At a quarter turn the plane would be parallel to a model axis, whose vanishing point is then lost.
+/// At multiples of a quarter turn, a model axis would be parallel to the plane and lose its vanishing point.
 inline void require_turned(double azimuth) {
   if (std::abs(portable_sin(radians(2 * azimuth))) < portable_sin(radians(2)))
     throw std::invalid_argument(

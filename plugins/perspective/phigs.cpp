@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The PHIGS viewing model: everything about the view in one place, central or parallel.
+// The PHIGS viewing model: all view parameters in one projection, central or parallel.
 #include "perspective.hpp"
 
 using namespace perspective;

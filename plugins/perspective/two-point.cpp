@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two-point perspective: an upright plane turned against the model, so that verticals stay vertical.
+// Two-point perspective: an upright plane rotated against the model, so that verticals remain vertical.
 #include "perspective.hpp"
 
 using namespace perspective;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// The draughtsman's way: the vanishing points of the model's axes are placed on the page, eye and plane follow.
+// The draughtsman's method: the vanishing points of the model's axes are chosen on the page, and determine eye and
+// plane.
 //
-// Places are in model units on the plane, u to the right and v up, from the image of the model's centre, through which
-// the plane passes. With H the foot of the eye on the plane and e its distance, the axis that vanishes at V runs along
-// (V - H, -e) in (u, v, n); axes are perpendicular, so that (V1 - H).(V2 - H) = -e^2 for every pair:
+// Positions are in model units on the plane, u to the right and v up, from the image of the model's centre, through
+// which the plane passes. With H the foot of the eye on the plane and e its distance, the axis that vanishes at V has
+// the direction (V - H, -e) in (u, v, n); axes are perpendicular, so that (V1 - H).(V2 - H) = -e^2 for every pair:
 //   three points  H is the orthocentre of their triangle, which must be acute;
-//   two points    H is a place between them on their line (the horizon), the one nearest to `centre`;
-//   one point     H is the point itself, e is chosen.
-// Of the axes' two senses, z upward direction of the view and x to the right.
+//   two points    H is a point between them on their line (the horizon), the one nearest to `centre`;
+//   one point     H is the point itself, and e is chosen.
+// Each axis is directed so that z points upwards in the view and x to the right.
 #include <optional>
 
 #include "perspective.hpp"
@@ -22,7 +23,7 @@ bool given(const Place& p) { return !std::isnan(p[0]); }
 Place minus(const Place& a, const Place& b) { return {a[0] - b[0], a[1] - b[1]}; }
 double dot(const Place& a, const Place& b) { return a[0] * b[0] + a[1] * b[1]; }
 
-/// The eye over the plane: its foot and its distance.
+/// The position of the eye: its foot on the plane and its distance.
 struct Eye {
   Place foot;
   double distance;
@@ -55,7 +56,8 @@ Vec3 turned(Vec3 axis, double wanted, double otherwise) {
   return (std::abs(wanted) > 1e-12 ? wanted : otherwise) < 0 ? -axis : axis;
 }
 
-/// The model's axes in (u, v, n) of the plane: those with a vanishing point point at it, the others complete them.
+/// The model's axes in (u, v, n) of the plane: those with a vanishing point are directed at it, the others complete
+/// them.
 std::array<Vec3, 3> model_axes(const std::array<Place, 3>& at, const Eye& eye) {
   std::array<std::optional<Vec3>, 3> found;
   int count = 0;
@@ -65,7 +67,8 @@ std::array<Vec3, 3> model_axes(const std::array<Place, 3>& at, const Eye& eye) {
     found[i] = unit({v[0], v[1], -eye.distance});
     ++count;
   }
-  // One point leaves the model free to turn about the sight line: height, or width seen from above, lies straight.
+  // With one point, the model could still rotate about the line of sight: height, or width seen from above, is made
+  // straight.
   if (count == 1 && !found[2]) found[2] = Vec3{0, 1, 0};
   if (count == 1 && !found[0]) found[0] = Vec3{1, 0, 0};
   for (std::size_t i = 0; i < 3; ++i)

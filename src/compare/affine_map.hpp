@@ -14,12 +14,12 @@ struct AffineMap {
 
   [[nodiscard]] Vec2 operator()(const Vec2& p) const { return along * p.x + across * p.y + shift; }
 
-  /// First `inner`, then this.
+  /// Applies `inner` first, then this map.
   [[nodiscard]] AffineMap after(const AffineMap& inner) const {
     return {(*this)(inner.along) - shift, (*this)(inner.across) - shift, (*this)(inner.shift)};
   }
 
-  /// By how much it enlarges lengths, on average.
+  /// The average factor by which it enlarges lengths.
   [[nodiscard]] double scale() const { return std::sqrt(std::abs(along.x * across.y - along.y * across.x)); }
 };
 

@@ -13,11 +13,11 @@ namespace epura::compare {
 
 namespace {
 
-constexpr double same_size = 1e-3;  // of sheets, mm: points of PDF are rounded
+constexpr double same_size = 1e-3;  // of sheets, mm: PDF points are rounded
 
 std::string format_size(const Vec2& size) { return format_fixed(size.x, 3) + " x " + format_fixed(size.y, 3) + " mm"; }
 
-// Of a page that only one drawing has, everything was added or removed. `any_dashes`: all patterns count as one.
+// A page that only one drawing has is compared with an empty one. `any_dashes`: all dash patterns count as the same.
 Picture page_of(const PictureFile& file, std::size_t page, bool any_dashes) {
   Picture picture = page < file.pages.size() ? file.pages[page] : Picture{Vec2(0, 0)};
   for (PictureLook& look : picture.looks)

@@ -14,7 +14,7 @@ namespace {
 using Parts = std::vector<InkPart>;
 using PartsByLook = std::vector<Parts>;
 
-// They are sorted by look.
+// Groups parts, which are sorted by look.
 PartsByLook by_look(Parts parts, std::size_t looks) {
   PartsByLook sorted(looks);
   if (!parts.empty() && parts.front().look == parts.back().look) {
@@ -29,7 +29,7 @@ void append(std::vector<DifferingPart>& all, const Parts& parts, int other) {
   for (const InkPart& part : parts) all.push_back({part, other});
 }
 
-// Lines, or areas: neither covers the other.
+// Compares either lines or areas: neither covers the other.
 class Kind {
  public:
   Kind(const Picture& before, const Picture& after, const CommonLooks& table, bool filled, double tolerance)
@@ -53,7 +53,7 @@ class Kind {
   }
 
   void take_same() {
-    // Wider ones may cover those of other looks below.
+    // Wider lines may cover those of other looks below them.
     const PartsByLook none(looks_), all_old = looks_ > 1 ? old_ : none, all_new = looks_ > 1 ? new_ : none;
     for (std::size_t i = 0; i < looks_; ++i) {
       DividedInk old_ones = divide(old_[i], new_[i], tolerance_), new_ones = divide(new_[i], old_[i], tolerance_);
@@ -65,7 +65,7 @@ class Kind {
     leave_out_covered(new_, all_new);
   }
 
-  // What is so near to a wider line of its drawing may lie under it in the other one, by rounding alone.
+  // A line this close to a wider line of its drawing may lie under it in the other drawing because of rounding alone.
   void leave_out_covered(PartsByLook& parts, const PartsByLook& all) const {
     for (std::size_t i = 0; i < looks_; ++i)
       for (std::size_t wider = 0; wider < i && !parts[i].empty(); ++wider)
@@ -91,7 +91,7 @@ class Kind {
     return join_lines(std::move(all), picture, reach());
   }
 
-  // A line that differs meets the other one here and there: that does not make it several.
+  // A differing line meets the other one here and there, which does not split it into several lines.
   [[nodiscard]] double reach() const { return 0.05 + 2 * tolerance_; }
 
   Difference difference(Change change, const DifferingLine& line) const {
@@ -126,7 +126,7 @@ class Kind {
     report(come, come_moved, Change::added, Mark::added);
   }
 
-  // Lines of one drawing alone.
+  // Reports lines that only one drawing has.
   void report(const std::vector<DifferingLine>& lines, const std::vector<char>& moved, Change change, Mark how) {
     for (std::size_t i = 0; i < lines.size(); ++i) {
       mark(lines[i].parts, how);

@@ -22,7 +22,7 @@ double apart(const PictureText& a, const PictureText& b) {
   return std::max(glm::distance(a.min, b.min), glm::distance(a.max, b.max));
 }
 
-// Whether the boxes have a place in common.
+// Whether the boxes overlap.
 bool overlap(const PictureText& a, const PictureText& b) {
   return glm::all(glm::lessThan(glm::max(a.min, b.min), glm::min(a.max, b.max)));
 }
@@ -61,13 +61,13 @@ class TextPairs {
   }
 
  private:
-  static constexpr double rounding = 1e-3;  // mm: what files and sizes of fonts are rounded to, along a long text
+  static constexpr double rounding = 1e-3;  // mm: rounding of files and font sizes along a long text
 
   static std::optional<double> pair_if(bool alike, double distance, double max) {
     return alike && distance <= max ? std::optional(distance) : std::nullopt;
   }
 
-  // Each old text meets the nearest new one that `measure` lets it have; both are out of the game then.
+  // Pairs each old text with the nearest new one for which `measure` gives a distance, and removes both from the lists.
   template <class Measure>
   void each_pair(const Measure& measure, std::optional<Change> change) {
     Texts left;
@@ -97,7 +97,7 @@ class TextPairs {
     if (*change == Change::moved) found_.differences.back().distance = apart(a, b);
   }
 
-  // `words` before and after.
+  // `words`: before and after.
   void report(Change change, const PictureText& text, const std::array<std::string, 2>& words) {
     const Picture& picture = change == Change::removed ? before_ : after_;
     found_.marked.push_back({text, change == Change::removed ? Mark::removed

@@ -11,26 +11,26 @@
 
 namespace epura::compare {
 
-/// `visibility`: a visible line became hidden, or the other way round. `restyled`: another width, dashes or colour.
+/// `visibility`: a visible line became hidden, or vice versa. `restyled`: another width, dash pattern or colour.
 enum class Change { size, removed, added, moved, visibility, restyled, text };
 
 std::string_view name_of(Change change);
 
-/// One line, area border, text or page that is not the same.
+/// A difference in one line, area border, text or page.
 struct Difference {
   Change change;
   int page;                       ///< from 1
-  std::string view{};             ///< as the layers are called
-  std::string before{}, after{};  ///< styles of lines, words of texts, sizes of pages; empty if absent
+  std::string view{};             ///< as in the names of layers
+  std::string before{}, after{};  ///< line styles, texts or page sizes; empty if absent
   Vec2 from{0, 0},
-      to{0, 0};          ///< ends of a line in the drawing that has it, in the new one where it moved; box of a text
+      to{0, 0};          ///< ends of a line in the drawing that contains it (in the new one if it moved); box of a text
   double length = 0;     ///< of a line, mm
   double distance = 0;   ///< by which it moved, mm
-  std::string origin{};  ///< edges of the model, where known
+  std::string origin{};  ///< edges of the model, if known
   bool is_text = false;
 };
 
-/// An item of either drawing, to be painted: `moved` is painted at its old and new position.
+/// How an item is painted: a moved line is `removed` at its old and `added` at its new position.
 enum class Mark { same, changed, removed, added };
 
 struct MarkedPiece {
@@ -45,31 +45,31 @@ struct MarkedText {
 };
 
 struct PageComparison {
-  Vec2 size;  ///< that holds both pages
+  Vec2 size;  ///< large enough for both pages
   std::vector<MarkedPiece> pieces{};
   std::vector<MarkedText> texts{};
 };
 
 struct Comparison {
-  std::vector<Difference> differences{};  ///< by page, change and place
+  std::vector<Difference> differences{};  ///< by page, change and position
   std::vector<PageComparison> pages{};
   bool compares_texts = true;
 };
 
-/// What is farther away has not moved, mm: it was removed there and added here.
+/// mm; an item farther away has not moved: it was removed there and added here.
 inline constexpr double most_moved = 5;
 
-/// Lines are sets of points: how they are cut, chained, ordered and numbered does not count, and where several lie
-/// within the tolerance of one another, the widest is seen. A line is the same if one of the same look lies within
-/// `tolerance` mm of it over all its length; pieces shorter than 0.002 mm are not seen. What is only in one drawing has
-/// moved if the other has the same line within 5 mm, or has a line of the same edge. Throws Error{input} for JSON
-/// with another format.
+/// Lines are compared as sets of points: how they are cut, chained, ordered and numbered does not matter, and of
+/// several lines within the tolerance of each other, only the widest counts. A line is the same if a line of the same
+/// look lies within `tolerance` mm of it along its whole length; pieces shorter than 0.002 mm are ignored. A line in
+/// only one drawing has moved if the other drawing has the same line within 5 mm, or has a line of the same edge.
+/// Throws Error{input} for JSON with another format.
 Comparison compare(const PictureFile& before, const PictureFile& after, double tolerance);
 
-/// One line for each difference, and a last line that counts them.
+/// One line for each difference, and a last line with their number.
 std::string format_comparison(const Comparison& comparison, double tolerance);
 
-/// The same for programs (docs/formats.md); `before` and `after` are the names of the files.
+/// The same in machine-readable form (docs/formats.md); `before` and `after` are the names of the files.
 std::string to_json(const Comparison& comparison, double tolerance, const std::string& before,
                     const std::string& after);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Differing parts of lines -> lines as people see them.
+// Joins differing parts of lines to lines as people see them.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace epura::compare {
 
-/// A part that is not the same, with the number of the look in the other picture that is in its place; -1 for none.
+/// A differing part, with the number of the look that the other picture has at the same position; -1 for none.
 struct DifferingPart {
   InkPart part;
   int other = -1;
@@ -19,25 +19,26 @@ struct DifferingPart {
 struct DifferingLine {
   std::vector<InkPart> parts;
   int look, other;
-  Vec2 from, to;     ///< its ends; the same point twice of a closed line
+  Vec2 from, to;     ///< its ends; the same point twice if it is closed
   Vec2 min, max;     ///< its box
   double length;     ///< mm
   std::string name;  ///< of its look
   std::string view;
-  std::string origin;  ///< edges that are drawn, each once, sorted, with spaces
+  std::string origin;  ///< edges drawn, each once, sorted, separated by spaces
 };
 
-/// In an order that depends on places alone. `picture` is that of the parts. Ends within `reach` mm meet.
+/// The order depends on positions alone. `picture` is the picture of the parts. Ends within `reach` mm of each other
+/// meet.
 std::vector<DifferingLine> join_lines(std::vector<DifferingPart> parts, const Picture& picture, double reach);
 
-/// A line of `before` and one of `after` that is the same in another place.
+/// A line of `before` and a line of `after` that is the same at another position.
 struct MovedLine {
   int before, after;
   double distance;  ///< mm
 };
 
-/// Pairs: the only lines of an edge in either drawing; then lines of one look, length and form, not more than 5 mm
-/// apart. Each line is in one pair at most.
+/// Pairs the only lines of an edge in either drawing; then lines of one look, length and shape, at most 5 mm apart.
+/// Each line is in at most one pair.
 std::vector<MovedLine> find_moved(const std::vector<DifferingLine>& before, const std::vector<DifferingLine>& after,
                                   double tolerance);
 

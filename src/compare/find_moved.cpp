@@ -18,7 +18,7 @@ using Lines = std::vector<DifferingLine>;
 
 bool is_closed(const DifferingLine& line) { return line.from == line.to; }
 
-// By how much one pair of points lies from another, if by the same way both.
+// The distance between two pairs of points, if both points of a pair are shifted alike.
 std::optional<double> shift(const Vec2& a0, const Vec2& a1, const Vec2& b0, const Vec2& b1, double tolerance) {
   const Vec2 d = b0 - a0;
   if (glm::distance(d, b1 - a1) > 2 * tolerance) return std::nullopt;
@@ -41,14 +41,14 @@ double farthest_ends(const DifferingLine& a, const DifferingLine& b) {
   return std::min(farther(b.from, b.to), farther(b.to, b.from));
 }
 
-// Whether one continues along the other: then it got longer or shorter, or did both.
+// Whether one continues along the other: then it became longer or shorter, or both.
 bool in_one_line(const DifferingLine& a, const DifferingLine& b, double tolerance) {
   if (a.from == a.to) return false;
   const drawing::Ruler line(a.from, a.to);
   return std::abs(line.local(b.from).y) <= 2 * tolerance && std::abs(line.local(b.to).y) <= 2 * tolerance;
 }
 
-// The line of each edge that has only one; -1 where there are several.
+// The line of each edge that has only one; -1 if there are several.
 std::map<std::string, int> lines_by_edge(const Lines& lines) {
   std::map<std::string, int> found;
   for (std::size_t i = 0; i < lines.size(); ++i) {

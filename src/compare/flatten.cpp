@@ -10,7 +10,7 @@ int parts_of_curve(double sagitta) {
   constexpr double flatness = 1e-4;
   constexpr int max = 10000;
   const double parts = std::ceil(std::sqrt(sagitta / flatness));
-  return parts < max ? std::max(static_cast<int>(parts), 1) : max;  // no number: it lies beyond all paper
+  return parts < max ? std::max(static_cast<int>(parts), 1) : max;  // also if NaN: the curve is beyond all paper
 }
 
 void append_cubic(std::vector<Vec2>& points, const CubicCurve& curve, PieceRoom& room) {

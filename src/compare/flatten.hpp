@@ -9,16 +9,16 @@
 
 namespace epura::compare {
 
-/// How many equal parts a curve is cut into, whose chord would be off by `sagitta` mm if it were one: that falls with
-/// the square of the number. The parts stay within 0.0001 mm of it.
+/// The number of equal parts into which to divide a curve so that they stay within 0.0001 mm of it. `sagitta` is the
+/// error of a single chord in mm; the error falls with the square of the number.
 int parts_of_curve(double sagitta);
 
-/// Points of a cubic Bezier curve, the first one too.
+/// Points of a cubic Bezier curve, including the first one.
 struct CubicCurve {
   Vec2 from, a, b, to;
 };
 
-/// Appends points of a curve, without its beginning, as far as there is room.
+/// Appends points of a curve, without its beginning. Throws Error{input} if there is no room for them.
 void append_cubic(std::vector<Vec2>& points, const CubicCurve& curve, PieceRoom& room);
 
 }  // namespace epura::compare

@@ -9,19 +9,19 @@
 
 namespace epura::compare {
 
-/// One drawing, or one case of a suite. Pictures are whole SVG documents.
+/// One drawing, or one case of a suite. Pictures are complete SVG documents.
 struct ReportedCase {
   std::string name;
   bool good;
-  std::string words;                                          ///< what was found, in lines
+  std::string words;                                          ///< findings, line by line
   std::vector<std::string> expected{}, overlays{}, actual{};  ///< by page; empty if there is no drawing
 };
 
-/// The case with the pictures of both files and of what differs.
+/// Adds the pictures of both files and of their differences to a case.
 ReportedCase add_pictures(ReportedCase reported, const PictureFile& expected, const PictureFile& actual,
                           const Comparison& comparison);
 
-/// A page of HTML that needs no other file: cases with differences first, those that are good as a list of names.
+/// A self-contained HTML page: cases with differences first, and those without as a list of names.
 std::string html_report(const std::string& title, const std::vector<ReportedCase>& cases);
 
 }  // namespace epura::compare

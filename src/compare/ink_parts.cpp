@@ -16,13 +16,13 @@ namespace epura::compare {
 
 namespace {
 
-// Lengths on paper, mm. Lines of one drawing that are nearer than this lie on one another; what is shorter is not seen;
-// a remainder just above that length is not a difference to one just below.
+// Lengths on paper, mm. Lines of one drawing closer than `same_place` coincide; parts shorter than `shortest` are
+// ignored; a remainder just above that length is not a difference from one just below.
 constexpr double same_place = 0.0002, shortest = 0.002, least_reported = 0.004;
-// Overlaps count from here on: well below the shortest piece, which may be shifted along itself.
+// Least length of an overlap: well below the shortest piece, which may be shifted along itself.
 constexpr double least_overlap = 0.0005;
-// Those of so many times the tolerance are looked for first: they are between lines of nearly one direction, which are
-// found fast.
+// Overlaps longer than this many times the tolerance are found first: they are between lines of nearly one direction,
+// which are found quickly.
 constexpr double long_overlap = 25;
 
 constexpr double same_length = 1e-3;  // of widths and dashes, mm: they are rounded in files
@@ -38,7 +38,7 @@ bool same_look(const PictureLook& a, const PictureLook& b) {
          (a.visible == b.visible && std::abs(a.width - b.width) <= same_length && same_dashes(a.dashes, b.dashes));
 }
 
-// Wide before narrow, continuous before dashed: what is seen comes first.
+// Wide before narrow, continuous before dashed: the one that is seen comes first.
 auto seen_first(const PictureLook& look) {
   return std::tuple(look.filled, -look.width, !look.visible, look.dashes, look.colour, look.name);
 }
@@ -53,7 +53,7 @@ std::vector<int> places_in(const std::vector<PictureLook>& table, const std::vec
   return places;
 }
 
-// Upwards along the page, else to the right: the direction of drawing does not count.
+// From left to right, vertical lines upwards: the direction of drawing does not matter.
 InkPart in_one_direction(InkPart part) {
   if (std::tuple(part.from.x, part.from.y) > std::tuple(part.to.x, part.to.y)) std::swap(part.from, part.to);
   return part;
@@ -70,7 +70,7 @@ InkPart cut(const InkPart& part, double from, double to) {
   return result;
 }
 
-// The overlaps of one part, joined where remainders between them do not count.
+// The overlaps of one part, joined if the remainder between them is negligible.
 void append_divided(const InkPart& part, std::span<const drawing::Cover> covers, double tolerance,
                     DividedInk& divided) {
   const double length = length_of(part);
@@ -79,7 +79,7 @@ void append_divided(const InkPart& part, std::span<const drawing::Cover> covers,
     return;
   }
   const double min = std::max(tolerance, least_reported);
-  double done = 0, met = 0;  // what is met begins at `met`, and nothing is open before `done`
+  double done = 0, met = 0;  // the current overlap begins at `met`; nothing is open before `done`
   for (const drawing::Cover& cover : covers) {
     if (cover.from - done > min) {
       if (done > met) divided.met.push_back(cut(part, met, done));
@@ -95,13 +95,13 @@ void append_divided(const InkPart& part, std::span<const drawing::Cover> covers,
 
 DividedInk divide_by(const std::vector<InkPart>& parts, const std::vector<InkPart>& others, double tolerance,
                      double min) {
-  // All of a side have one rank: they do not cover each other.
+  // All pieces of a side have the same rank: they do not cover each other.
   std::vector<drawing::Piece> pieces;
   pieces.reserve(others.size() + parts.size());
   for (const InkPart& part : others) pieces.push_back({part.from, part.to, true, EdgeKind{}, 0, {0, 0}});
   for (const InkPart& part : parts) pieces.push_back({part.from, part.to, false, EdgeKind{}, 0, {0, 0}});
   const std::vector<drawing::Cover> covers = drawing::find_covers(pieces, tolerance, min);
-  pieces = std::vector<drawing::Piece>();  // so that so many are hardly ever there twice
+  pieces = std::vector<drawing::Piece>();  // freed, so that two copies rarely exist at a time
   DividedInk divided;
   std::size_t next = static_cast<std::size_t>(
       std::lower_bound(covers.begin(), covers.end(), drawing::Cover{static_cast<int>(others.size()), 0, 0}) -
@@ -114,10 +114,10 @@ DividedInk divide_by(const std::vector<InkPart>& parts, const std::vector<InkPar
   return divided;
 }
 
-// Of `others` those in a cell of the page that some of `parts` pass through.
+// Those of `others` in a page cell through which some of `parts` pass.
 std::vector<InkPart> those_near(const std::vector<InkPart>& others, const std::vector<InkPart>& parts,
                                 double tolerance) {
-  constexpr int cells = 256;  // a side
+  constexpr int cells = 256;  // per side
   Vec2 min(HUGE_VAL), max(-HUGE_VAL);
   for (const InkPart& part : parts) {
     min = glm::min(min, glm::min(part.from, part.to));
@@ -170,7 +170,7 @@ std::vector<InkPart> seen_parts(const Picture& picture, const CommonLooks& table
     const int look = looks[static_cast<std::size_t>(piece.look)];
     return table.looks[static_cast<std::size_t>(look)].filled == filled && length_of(part_of(piece)) > shortest;
   };
-  // Drawings of few bytes can have very many pieces: lists of them are made in the size that they keep.
+  // Small files can have very many pieces: lists are allocated with their final size.
   std::vector<InkPart> parts;
   parts.reserve(static_cast<std::size_t>(std::count_if(picture.pieces.begin(), picture.pieces.end(), is_seen)));
   for (const PicturePiece& piece : picture.pieces)
@@ -193,7 +193,7 @@ std::vector<InkPart> seen_parts(const Picture& picture, const CommonLooks& table
 }
 
 DividedInk divide(const std::vector<InkPart>& parts, const std::vector<InkPart>& others, double tolerance) {
-  constexpr std::size_t few = 8;  // times fewer than the others, most of which are elsewhere then
+  constexpr std::size_t few = 8;  // times fewer than the others, most of which are then elsewhere
   const bool are_few = few * parts.size() < others.size() && !parts.empty();
   const std::vector<InkPart> near = are_few ? those_near(others, parts, tolerance) : others;
   DividedInk divided = divide_by(parts, near, tolerance, std::max(long_overlap * tolerance, least_overlap));

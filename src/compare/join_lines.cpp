@@ -14,7 +14,7 @@ namespace epura::compare {
 
 namespace {
 
-// A line continues as long as it turns by less: cos 20 degrees.
+// A line continues as long as it turns by less than this: cos 20 degrees.
 constexpr double least_cosine = 0.94;
 
 // An end of a part.
@@ -47,7 +47,7 @@ class LineJoiner {
 
   int group_of(int part) { return groups_.root(part); }
 
-  /// Ends of a part at which nothing continues.
+  /// Ends of a part without a continuation.
   [[nodiscard]] std::vector<Vec2> free_ends(std::size_t part) const {
     std::vector<Vec2> free;
     for (const std::size_t end : {2 * part, 2 * part + 1})
@@ -78,7 +78,7 @@ class LineJoiner {
 
   const std::vector<DifferingPart>& parts_;
   double reach_;
-  std::vector<End> ends_;           // two of each part
+  std::vector<End> ends_;           // two for each part
   std::vector<std::size_t> order_;  // of the ends by cell
   DisjointSets groups_;             // of parts
   std::vector<char> joined_;
@@ -86,7 +86,7 @@ class LineJoiner {
 
 bool comes_before(const Vec2& a, const Vec2& b) { return std::tie(a.x, a.y) < std::tie(b.x, b.y); }
 
-// `origins` are lists of edges with spaces.
+// `origins` are lists of edges separated by spaces.
 std::string edges_of(const std::vector<InkPart>& parts, const Picture& picture) {
   std::set<std::string_view> edges;
   for (const InkPart& part : parts)

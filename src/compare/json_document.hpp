@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A RapidJSON document whose parser uses our own stack: that of version 1.1 adds to a null pointer before its first
-// allocation, which is undefined behaviour.
+// A RapidJSON document whose parser uses our own stack: the stack of version 1.1 adds to a null pointer before its
+// first allocation, which is undefined behaviour.
 #pragma once
 
 #include <rapidjson/document.h>
@@ -11,12 +11,12 @@
 
 namespace epura::compare {
 
-/// Stands for that stack among the types that rapidjson is given.
+/// Selects that stack as a template argument of rapidjson.
 struct JsonStackMemory : rapidjson::CrtAllocator {};
 
 }  // namespace epura::compare
 
-/// The names are rapidjson's.
+/// The names are those of rapidjson.
 template <>
 class rapidjson::internal::Stack<epura::compare::JsonStackMemory> {
  public:

@@ -18,7 +18,7 @@ namespace {
 constexpr double strip = 8;            // of the legend, mm
 constexpr double letters = 3.5;        // height of its capitals
 constexpr double column = 30;          // from word to word
-constexpr double seen_width = 0.7;     // at least, of what differs
+constexpr double seen_width = 0.7;     // minimum width of differing lines
 constexpr double border_width = 0.13;  // of areas, whose inside is not filled
 
 struct MarkStyle {
@@ -26,7 +26,7 @@ struct MarkStyle {
   Colour colour;
 };
 
-// In order of painting, as `Mark` counts them.
+// In the order of painting, which is also that of `Mark`.
 constexpr std::array<MarkStyle, 4> marks = {
     {{"same", {160, 160, 160}}, {"changed", {225, 145, 0}}, {"removed", {205, 0, 0}}, {"added", {0, 140, 60}}}};
 
@@ -51,7 +51,8 @@ class LookLayers {
     layer({width, look.dashes}).strokes.push_back(std::move(stroke));
   }
 
-  // So that the letters fill their box; of the ways along the page and up it the one that has its proportions.
+  // Scaled so that the letters fill their box; of the directions along and up the page, the one that fits its
+  // proportions.
   void add_text(const PictureText& text) {
     if (!lettering_) lettering_.emplace();
     Vec2 min(HUGE_VAL), max(-HUGE_VAL);

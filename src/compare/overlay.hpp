@@ -7,8 +7,8 @@
 
 namespace epura::compare {
 
-/// Both drawings on one sheet: what is the same grey, what was removed red, added green, changed amber; a line that
-/// moved is red at its old and green at its new position. A strip of 8 mm below explains this.
+/// Both drawings on one sheet: unchanged items grey, removed ones red, added ones green, changed ones amber; a line
+/// that moved is red at its old and green at its new position. A strip of 8 mm below explains this.
 sheet::Sheet overlay_of(const PageComparison& page);
 
 /// The picture in black.

@@ -13,7 +13,7 @@ struct InkDifferences {
   std::vector<MarkedPiece> marked{};
 };
 
-/// Pages are not numbered here.
+/// The differences have no page numbers yet.
 InkDifferences compare_ink(const Picture& before, const Picture& after, double tolerance);
 
 struct TextDifferences {
@@ -21,8 +21,8 @@ struct TextDifferences {
   std::vector<MarkedText> marked{};
 };
 
-/// Texts are the same that have the same words and boxes; one that has other words in its place was changed. Of the
-/// others, one with the same words and size within 5 mm has moved.
+/// Texts with the same words and boxes are the same; a text with other words at the same position was changed. Of the
+/// others, a text with the same words and size within 5 mm has moved.
 TextDifferences compare_texts(const Picture& before, const Picture& after, double tolerance);
 
 }  // namespace epura::compare

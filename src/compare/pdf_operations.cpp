@@ -16,12 +16,12 @@ constexpr std::string_view blanks("\0\t\n\f\r ", 6), delimiters("()<>[]{}/%");
 
 bool is_in(std::string_view set, char c) { return set.find(c) != std::string_view::npos; }
 
-// The words of a content stream: an operator or a number, a name with its slash, or one of [ ] << >>.
+// The tokens of a content stream: an operator or a number, a name with its slash, or one of [ ] << >>.
 class PdfWords {
  public:
   explicit PdfWords(std::string_view content) : left_(content) {}
 
-  /// Empty at the end.
+  /// Returns the next token; empty at the end.
   std::string_view next() {
     while (true) {
       left_.remove_prefix(std::min(left_.find_first_not_of(blanks), left_.size()));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The content of a page or a layer of a PDF file, operation by operation.
+// Reads the content of a page or a layer of a PDF file, operation by operation.
 #pragma once
 
 #include <functional>
@@ -12,11 +12,11 @@ namespace epura::compare {
 /// An operator of a content stream with its operands. ISO 32000-1, 7.8.2.
 struct PdfOperation {
   std::string_view name{};           ///< "l", "cm" ...
-  std::vector<double> numbers{};     ///< those in lists, too
+  std::vector<double> numbers{};     ///< including those in lists
   std::vector<std::string> words{};  ///< names, with their slash
 };
 
-/// In their order; `take` sees each while it is called. Texts, dictionaries and comments are passed over.
+/// In order; `take` may use the operation only during the call. Texts, dictionaries and comments are skipped.
 void for_each_operation(std::string_view content, const std::function<void(const PdfOperation&)>& take);
 
 }  // namespace epura::compare

@@ -12,25 +12,25 @@ namespace epura::compare {
 
 /// Style of a line, or of the border of a filled area.
 struct PictureLook {
-  std::string name{};            ///< for people: "visible", "hidden", "dimension" ...; no part of the look
+  std::string name{};            ///< for people: "visible", "hidden", "dimension" ...; not compared
   bool visible = true;           ///< false: a hidden edge
   bool filled = false;           ///< the border of an area that is filled
-  double width = 0;              ///< mm; 0 of areas
+  double width = 0;              ///< the border of a filled area
   std::vector<double> dashes{};  ///< mm: ink, gap, ink, gap ...; empty: continuous
   std::string colour = "#000000";
 
   bool operator==(const PictureLook&) const = default;
 };
 
-/// Stands for the dashes of a broken line whose pattern is not known.
+/// Represents the dashes of a broken line with an unknown pattern.
 inline const std::vector<double> some_dashes = {3, 0.75};
 
-/// Numbers are places in the lists of the picture.
+/// Numbers are indices of the lists of the picture.
 struct PicturePiece {
   Vec2 from, to;  ///< mm, y up from the lower left corner
   int look;
   int view;
-  int origin;  ///< -1 where the edges that are drawn are not known
+  int origin;  ///< -1 if the edges are unknown
 };
 
 struct PictureText {
@@ -44,15 +44,15 @@ struct Picture {
   Vec2 size;  ///< mm
   std::vector<PictureLook> looks{};
   std::vector<std::string> views{};
-  std::vector<std::string> origins{};  ///< edges of the model: "model:vertex-vertex", several with spaces
+  std::vector<std::string> origins{};  ///< edges of the model: "model:vertex-vertex", separated by spaces
   std::vector<PicturePiece> pieces{};
   std::vector<PictureText> texts{};
 };
 
-/// The number of a name in a list, which grows where it has to.
+/// The number of a name in a list, to which it is added if necessary.
 int number_of_name(std::vector<std::string>& names, const std::string& name);
 
-/// The same of a look with its name.
+/// The same for a look with its name.
 int number_of_look(std::vector<PictureLook>& looks, const PictureLook& look);
 
 }  // namespace epura::compare

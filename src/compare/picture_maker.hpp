@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Assembles a picture from the content of a file, and rejects what no drawing contains: a few bytes can stand for
+// Assembles a picture from the content of a file, and rejects content that no drawing has: a few bytes can stand for
 // curves of millions of pieces, or for positions outside any paper.
 #pragma once
 
@@ -11,10 +11,11 @@
 
 namespace epura::compare {
 
-/// How many more pieces of lines a file may stand for. No line takes less than two bytes, but curves do.
+/// How many more pieces of lines a file may contain. A line takes at least two bytes, but a piece of a curve takes
+/// fewer.
 class PieceRoom {
  public:
-  /// 250 000, and one for every two bytes. `where` names the file in errors.
+  /// Allows 250 000, and one for every two bytes. `where` names the file in errors.
   PieceRoom(std::size_t bytes, std::string where);
 
   /// Throws Error{input} if there are too many.
@@ -25,17 +26,17 @@ class PieceRoom {
   std::size_t most_, left_;
 };
 
-/// Throws Error{input} for more than 200 looks or 2000 views, and for places and lengths that are not numbers or beyond
-/// all paper.
+/// Throws Error{input} for more than 200 looks or 2000 views, and for positions and lengths that are not numbers or
+/// beyond all paper.
 class PictureMaker {
  public:
   explicit PictureMaker(std::string where) : where_(std::move(where)), picture_{Vec2(0, 0)} {}
 
   void set_size(const Vec2& size);
-  /// The number in the picture of what may be there already.
+  /// The number in the picture, to which the look is added if necessary.
   int look(const PictureLook& look);
   int view(const std::string& name);
-  /// Edges are counted from the result on.
+  /// Returns the number of the first one.
   int add_origins(std::vector<std::string> origins);
   void add(const PicturePiece& piece);
   void add(const PictureText& text);

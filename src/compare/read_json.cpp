@@ -19,7 +19,7 @@ namespace epura::compare {
 
 namespace {
 
-// Numbers as they are written: rapidjson would not round all of them rightly.
+// Numbers are kept as text: rapidjson would not round all of them correctly.
 constexpr unsigned flags = rapidjson::kParseNumbersAsStringsFlag | rapidjson::kParseIterativeFlag;
 
 using Value = rapidjson::Value;
@@ -29,7 +29,7 @@ std::optional<double> number_in(const Value& value) {
   return read && std::isfinite(*read) ? read : std::nullopt;
 }
 
-// A value, and for errors its key and the last list on the path to it.
+// A value, and for errors its key and the last list on its path.
 struct Place {
   const Value& value;
   const std::string& file;
@@ -67,10 +67,10 @@ struct Place {
   }
 };
 
-// The look behind those of all lines.
+// The look after those of all lines.
 constexpr int cut_face = scene::sheet_lines.size();
 
-// As sheets below A1 draw them, by number of the line.
+// As drawn on sheets below A1, by number of the line.
 std::vector<PictureLook> looks() {
   std::vector<PictureLook> looks;
   for (const scene::SheetLineRow& row : scene::sheet_lines) {
@@ -84,7 +84,7 @@ std::vector<PictureLook> looks() {
   return looks;
 }
 
-// Kinds that are not known yet look as most do.
+// Unknown kinds look like most lines.
 EdgeKind kind_named(const std::string& name) {
   auto kind = EdgeKind::contour;
   for (int i = 0; i <= static_cast<int>(EdgeKind::smooth); ++i)

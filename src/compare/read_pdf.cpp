@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// PDF -> pictures: lines and areas of the layers.
+// PDF -> pictures: the lines and areas of the layers.
 #include <algorithm>
 #include <cstddef>
 #include <string>
@@ -20,7 +20,7 @@ namespace epura::compare {
 namespace {
 
 constexpr double millimetres_per_point = 25.4 / 72;
-constexpr std::size_t most_states = 100;  // of the pen, kept for later
+constexpr std::size_t most_states = 100;  // maximum number of saved graphics states
 
 struct PenState {
   AffineMap map{};
@@ -71,7 +71,7 @@ class PdfReader {
     return found->second;
   }
 
-  // VIEW/ROLE, with a number behind it where an earlier page has the same.
+  // Layers are named VIEW/ROLE, followed by a number if an earlier page has the same name.
   void read_form(const std::string& name, const std::string& layer, const PenState& pen) {
     const auto form = page_.forms.extract(name);
     if (!form) refuse("draws a missing layer, or a layer twice");
@@ -163,7 +163,7 @@ class PdfReader {
   int view_ = 0;
   std::string role_{};
   bool hidden_ = false;
-  bool broken_ = false;  // all lines of the layer: those without dashes are short
+  bool broken_ = false;  // whether the layer has dashed lines: those without dashes are short
 };
 
 }  // namespace

@@ -13,29 +13,29 @@ namespace epura::compare {
 
 struct PictureFile {
   bool is_json = false;  ///< views without their sheet: no frame, no texts, no hatching
-  bool is_pdf = false;   ///< texts are not read, and of dashes only whether there are any
+  bool is_pdf = false;   ///< texts are not read, and dash patterns are unknown
   std::vector<Picture> pages{};
 };
 
-/// Whether a file is a drawing that can be read, by its extension.
+/// Whether a file is a readable drawing, by its extension.
 bool is_drawing(const std::filesystem::path& path);
 
-/// Reads drawing JSON, SVG or PDF that epura wrote, by extension. Throws Error{input} for everything else.
+/// Reads drawing JSON, SVG or PDF written by epura, by extension. Throws Error{input} for everything else.
 PictureFile read_pictures(const std::filesystem::path& path);
 
-/// The same of the bytes of a file of that name, which ends in .json, .svg or .pdf.
+/// The same for the bytes of a file with that name, which ends in .json, .svg or .pdf.
 PictureFile pictures_of(const std::string& bytes, const std::filesystem::path& path);
 
 /// Drawing JSON, schema 1. `where` names it in errors. Visible lines count as wide, hidden ones as dashed and narrow;
 /// edges between smooth faces as narrow.
 Picture picture_of_json(std::string_view bytes, const std::string& where);
 
-/// SVG with user units of a millimetre. Dashes are those of the line style: how they are fitted to a line does not
-/// count.
+/// SVG with a user unit of one millimetre. Dashes are those of the line style: how they are fitted to a line does not
+/// matter.
 Picture picture_of_svg(std::string_view bytes, const std::string& where);
 
-/// The pages of a PDF file, without texts. In layers of hidden and centre lines and of neighbouring
-/// parts all lines are broken: the short ones have no dashes.
+/// The pages of a PDF file, without texts. In layers of hidden lines, centre lines and neighbouring parts, all lines
+/// count as broken: short ones have no dashes.
 std::vector<Picture> pictures_of_pdf(const std::string& bytes, const std::string& where);
 
 }  // namespace epura::compare

@@ -25,12 +25,12 @@ constexpr int deepest = 100;                  // groups in groups
 constexpr std::size_t longest_text = 10'000;  // bytes
 constexpr std::size_t longest_model = 20;     // digits of its number
 
-// What a group hands on to what is in it.
+// The properties that a group passes on to its content.
 struct Context {
   SvgStyle style{};
   AffineMap map{};
   std::string view{};   // label of the outermost layer
-  std::string layer{};  // of the innermost one, or its class: the name of its lines
+  std::string layer{};  // label or class of the innermost layer: the name of its lines
   bool visible = true;
   std::string model{};
   int depth = 0;
@@ -133,7 +133,7 @@ class SvgReader {
     const std::vector<std::string> edges = edges_of(element, context);
     std::size_t pieces = 0;
     for (const SvgLine& line : path.lines) pieces += line.points.size() - (line.closed ? 0 : 1);
-    // One edge for each piece of the path, or all for all.
+    // One edge for each piece of the path, or all edges for all pieces.
     const bool one_each = edges.size() == pieces;
     std::string all;
     if (!one_each)
@@ -156,7 +156,7 @@ class SvgReader {
   struct LineMarks {
     int look = 0, view = 0, origin = -1;
     bool are_areas = false;        ///< closed, even if the path is not
-    bool one_origin_each = false;  ///< the first piece has `origin`, the next the one after it
+    bool one_origin_each = false;  ///< the first piece has `origin`, the next one the next number
   };
 
   void add_lines(const SvgPath& path, const Context& context, LineMarks marks) {
@@ -178,7 +178,7 @@ class SvgReader {
     if (!units) refuse("has an unsupported line width: '" + std::string(width) + "'");
     look.width = scale * *units;
     for (const double length : svg_numbers(context.style.of("stroke-dasharray"))) look.dashes.push_back(scale * length);
-    // The first dash is the one that is fitted.
+    // The first dash is the adjusted one.
     if (context.style.has_fitted_dashes && look.dashes.size() > 1)
       look.dashes[0] = scene::type_with_dots(static_cast<int>(look.dashes.size()) / 2 - 1).dash * look.width;
     look.colour = svg_colour(context.style.of("stroke"));
@@ -198,12 +198,12 @@ class SvgReader {
       text.min = glm::min(text.min, on_page(context, p));
       text.max = glm::max(text.max, on_page(context, p));
     }
-    if (!outline.empty()) picture_.add(text);  // blanks are not seen
+    if (!outline.empty()) picture_.add(text);  // blanks are not visible
   }
 
   void read_outlines(const pugi::xml_node& group, const Context& context, const std::string& words) {
     std::vector<Vec2> outline;
-    PieceRoom room = room_;  // only their box is kept
+    PieceRoom room = room_;  // a copy, because only their box is kept
     for (const pugi::xml_node path : group.children("path")) {
       const SvgPath read = path_of(path, room);
       for (const SvgLine& line : read.lines) outline.insert(outline.end(), line.points.begin(), line.points.end());
@@ -212,7 +212,7 @@ class SvgReader {
     add_text(words, context, outline);
   }
 
-  // As the font of the project writes it.
+  // Set in the font of the project.
   void read_text(const pugi::xml_node& element, const Context& context) {
     const std::string words = element.text().get();
     if (words.size() > longest_text) refuse("has a text of more than " + std::to_string(longest_text) + " bytes");

@@ -29,7 +29,7 @@ class PathParser {
         return std::nullopt;
       }
       run(command);
-      // Further pairs behind M are lines.
+      // Further pairs after M are lines.
       if (command == 'M') command = 'L';
       if (command == 'm') command = 'l';
     }
@@ -45,7 +45,7 @@ class PathParser {
     if (kind != 'M' && path_.lines.empty()) return fail();
     if (kind == 'M') return move(base + point());
     if (kind == 'Z') return close();
-    if (path_.lines.back().closed) move(here_);  // what follows Z begins where it ended
+    if (path_.lines.back().closed) move(here_);  // a line after Z begins where Z ended
     if (kind == 'L') return line(base + point());
     if (kind == 'H') return line({base.x + number(), here_.y});
     if (kind == 'V') return line({here_.x, base.y + number()});
@@ -74,7 +74,7 @@ class PathParser {
     return {x, number()};
   }
 
-  // One character, to which the next number may be joined.
+  // One character, which the next number may follow without a separator.
   bool flag() {
     skip();
     if (!data_.starts_with('0') && !data_.starts_with('1')) return fail(), false;
@@ -119,7 +119,7 @@ class PathParser {
     here_ = to;
   }
 
-  // SVG 1.1, F.6: out of the ends, the radii and which of four arcs is meant.
+  // SVG 1.1, F.6: from the ends, the radii and the flags that select one of four arcs.
   void arc(const Vec2& base) {
     Vec2 radii = glm::abs(point());
     const double turn = number() * std::numbers::pi / 180;

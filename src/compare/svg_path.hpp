@@ -11,7 +11,7 @@
 
 namespace epura::compare {
 
-/// A line without a break; the first point is not repeated at the end of a closed one.
+/// An unbroken line; a closed one does not repeat its first point.
 struct SvgLine {
   std::vector<Vec2> points;
   bool closed = false;
@@ -22,8 +22,8 @@ struct SvgPath {
   std::vector<Vec2> controls{};  ///< control points of Bezier curves
 };
 
-/// The commands M L H V C Q A Z and m l h v c q a z, y down. Empty if the text is not such a path.
-/// Throws Error{input} if it is too long.
+/// The commands M L H V C Q A Z and m l h v c q a z, y down. Nothing if the text is not such a path. Throws
+/// Error{input} if it is too long.
 std::optional<SvgPath> read_svg_path(std::string_view data, PieceRoom& room);
 
 }  // namespace epura::compare

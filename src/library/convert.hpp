@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Conversion between the library's plain values and those of the stages.
+// Converts between the library's plain values and those of the stages.
 #pragma once
 
 #include <epura/epura.hpp>
@@ -12,10 +12,10 @@
 
 namespace epura {
 
-/// Places are members of the scene: "models[0].faces[3]". Throws Error{input} for values that mean nothing.
+/// Error locations are members of the scene: "models[0].faces[3]". Throws Error{input} for meaningless values.
 scene::SceneDescription describe_scene(const Scene& scene);
 
-/// Throws Error{input} for values out of their range.
+/// Throws Error{input} for values outside their range.
 pipeline::RunOptions run_options_of(const Settings& settings);
 
 /// `sheet` counts from 1.

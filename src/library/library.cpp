@@ -26,7 +26,7 @@ class Drawing::Content {
 
 namespace {
 
-// What the library throws is of one type.
+// Converts exceptions to the one type that the library throws.
 template <class Work>
 auto guarded(const Work& work) {
   try {

@@ -37,7 +37,7 @@ Canvas enlarged_canvas(const sheet::Sheet& sheet) {
     }
   }
   const Vec2 size = max - min;
-  // 2^31 / 2^8 units are the end of Cairo's numbers, and FreeType's letters are less than 2^16 units high.
+  // Cairo's coordinates end at 2^31 / 2^8 units, and FreeType's glyphs at a height of 2^16 units.
   const double units = std::min({1000.0, 8e6 / std::max(size.x, size.y), 4e4 / tallest});
   return {units, {min.x, max.y}, glm::max(glm::ceil(size * units), Vec2(1, 1))};
 }
@@ -55,7 +55,7 @@ void begin_vector_file(const Pen& pen, const Canvas& canvas) {
   // Cairo would drop lines narrower than half of this.
   cairo_set_tolerance(cairo, 0.005 * canvas.units);
   cairo_save(cairo);
-  // One dash without length and without ends at each corner, and a gap for the rest.
+  // A dash of zero length with butt ends at each corner, and a gap along the rest.
   const std::array<double, 2> dashes = {0, canvas.size.x + canvas.size.y};
   cairo_set_dash(cairo, dashes.data(), 2, 0);
   cairo_set_line_cap(cairo, CAIRO_LINE_CAP_BUTT);

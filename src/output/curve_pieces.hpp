@@ -9,7 +9,7 @@
 
 namespace epura::output {
 
-/// A cubic curve from the current point.
+/// A cubic curve that begins at the current point.
 struct BezierPiece {
   std::array<Vec2, 2> controls;
   Vec2 to;
@@ -20,7 +20,7 @@ struct BezierPiece {
 /// CAGD 8, 1991).
 std::vector<BezierPiece> bezier_pieces(const drawing::CurvePart& curve, double tolerance = 1e-5);
 
-/// Where arcs of at most a quarter end; from these and the radii programs find the centre well.
+/// Ends of arcs of at most a quarter turn; from these and the radii, programs can compute the centre accurately.
 std::vector<Vec2> quarter_ends(const drawing::CurvePart& curve);
 
 }  // namespace epura::output

@@ -17,12 +17,12 @@ namespace {
 
 constexpr double degrees = 180 / 3.14159265358979323846;
 
-/// Where an entity belongs, and how it looks.
+/// The owner of an entity, its layer and its line type.
 struct Place {
   int model_space;
   const std::string& layer;
-  bool dashed;      ///< the layer's line type is
-  bool continuous;  ///< this line is, regardless of its layer
+  bool dashed;      ///< whether the layer has a dashed line type
+  bool continuous;  ///< whether this line is continuous, regardless of its layer
 };
 
 void begin_entity(DxfWriter& dxf, const Place& place, std::string_view type, std::string_view entity_class) {
@@ -73,7 +73,7 @@ void add_shape(DxfWriter& dxf, const Place& place, const EllipseArc& arc) {
   dxf.add(42, arc.whole() ? 360 / degrees : arc.to);
 }
 
-// One hatch, whose rings are filled by the even-odd rule.
+// One hatch, with rings filled by the even-odd rule.
 void add_fill(DxfWriter& dxf, const Place& place, const sheet::Fill& fill) {
   begin_entity(dxf, place, "HATCH", "AcDbHatch");
   dxf.add(10, Vec2(0, 0));

@@ -12,7 +12,7 @@ namespace epura::output {
 namespace {
 
 constexpr double full_turn = 2 * std::numbers::pi;
-constexpr double slack = 1e-9;  // of angles and ratios, which are computed
+constexpr double slack = 1e-9;  // for computed angles and ratios
 
 double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
@@ -25,7 +25,7 @@ Vec2 point_at(const drawing::CurvePart& curve, double angle) {
   return curve.centre + std::cos(angle) * curve.u + std::sin(angle) * curve.v;
 }
 
-// With v to the left of u, u the longer half axis, and angles that grow.
+// Normalised: v to the left of u, u the longer half axis, and increasing angles.
 EllipseArc arc_of(drawing::CurvePart curve) {
   if (cross(curve.u, curve.v) < 0) {
     curve.v = -curve.v;
@@ -42,7 +42,7 @@ EllipseArc arc_of(drawing::CurvePart curve) {
   return {curve.centre, curve.u, ratio, curve.from, curve.to};
 }
 
-// Arcs of a quarter turn at most: bulges grow without bounds towards a full turn.
+// Arcs of at most a quarter turn: bulges grow without bounds towards a full turn.
 void add_bulges(BulgedLine& line, const Vec2& start, const drawing::CurvePart& curve) {
   const double sweep = cross(curve.u, curve.v) < 0 ? curve.from - curve.to : curve.to - curve.from;
   const int pieces = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / (full_turn / 4) - slack)));

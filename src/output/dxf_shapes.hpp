@@ -9,7 +9,7 @@
 
 namespace epura::output {
 
-/// A corner and the bulge of the line that begins there: the tangent of a quarter of its arc's angle, positive
+/// A corner and the bulge of the line that begins there: the tangent of a quarter of its arc's angle, positive if
 /// counterclockwise; 0 for a straight line.
 struct BulgedCorner {
   Vec2 at;
@@ -21,21 +21,21 @@ struct BulgedLine {
   bool closed = false;
 };
 
-/// An ellipse, run through counterclockwise from one angle to another: centre + cos(a) major + sin(a) minor, where
-/// minor = ratio * major turned by a right angle. Radians; a circle has ratio 1.
+/// An elliptical arc, counterclockwise from one angle to another: centre + cos(a) major + sin(a) minor, where minor =
+/// ratio * major turned left by a right angle. Radians; a circle has ratio 1.
 struct EllipseArc {
   Vec2 centre, major;
   double ratio;
   double from, to;
 
-  /// Whether it goes all the way round.
+  /// Whether it is a full turn.
   [[nodiscard]] bool whole() const;
 };
 
 using DxfShape = std::variant<BulgedLine, EllipseArc>;
 
-/// The shapes of a stroke in its order, without repetitions: arcs of circles among straight lines are bulges; arcs of
-/// ellipses and strokes consisting of one arc are separate shapes.
+/// The shapes of a stroke in order, without repetitions: circular arcs among straight lines become bulges; elliptical
+/// arcs and strokes that consist of one arc become separate shapes.
 std::vector<DxfShape> dxf_shapes(const sheet::Stroke& stroke);
 
 }  // namespace epura::output

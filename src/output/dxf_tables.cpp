@@ -15,7 +15,7 @@ namespace epura::output {
 
 namespace {
 
-// Calls `add_entries` with the handle of the table, which owns them.
+// Calls `add_entries` with the handle of the table, which owns the entries.
 template <class AddEntries>
 void add_table(DxfWriter& dxf, std::string_view name, std::size_t entries, const AddEntries& add_entries) {
   dxf.add(0, "TABLE");
@@ -55,8 +55,8 @@ struct LineType {
   std::string name;
 };
 
-// One for each pattern of the sheet, finest first. The second of one kind is in AutoCAD's words twice as long, as that
-// of wide lines is.
+// One line type for each pattern of the sheet, the finest first. The second one of a kind, that of wide lines, is twice
+// as long and is named accordingly ("X2") as in AutoCAD.
 std::vector<LineType> line_types(const sheet::Sheet& sheet) {
   std::vector<LineType> types;
   for (const sheet::Layer& layer : sheet.layers) {
@@ -111,7 +111,7 @@ void add_line_types(DxfWriter& dxf, const std::vector<LineType>& types) {
   });
 }
 
-// Hundredths of a millimetre. DXF has these only.
+// Hundredths of a millimetre. DXF allows only these.
 int line_weight(double width) {
   constexpr std::array weights = {0,  5,  9,  13, 15, 18,  20,  25,  30,  35,  40,  50,
                                   53, 60, 70, 80, 90, 100, 106, 120, 140, 158, 200, 211};
@@ -194,7 +194,7 @@ void add_text_styles(DxfWriter& dxf) {
 
 constexpr std::array<std::string_view, 2> blocks = {"*Model_Space", "*Paper_Space"};
 
-// The handle of the model space.
+// Returns the handle of the model space.
 int add_block_records(DxfWriter& dxf) {
   int model_space = 0;
   add_table(dxf, "BLOCK_RECORD", blocks.size(), [&](int table) {
@@ -210,7 +210,7 @@ int add_block_records(DxfWriter& dxf) {
 void add_blocks(DxfWriter& dxf, int model_space) {
   dxf.add(0, "SECTION");
   dxf.add(2, "BLOCKS");
-  int owner = model_space;  // handles follow each other
+  int owner = model_space;  // handles are consecutive
   for (const std::string_view name : blocks) {
     dxf.begin("BLOCK", owner, "AcDbEntity");
     dxf.add(8, "0");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Everything in a DXF file except its entities: AutoCAD 2000 (AC1015), the first version with line weights, and
-// readable by all programs.
+// Everything in a DXF file except its entities: AutoCAD 2000 (AC1015), the first version with line weights, which all
+// programs can read.
 #pragma once
 
 #include <string>
@@ -11,14 +11,15 @@
 
 namespace epura::output {
 
-/// Name of the text style, of the font of the sheet.
+/// Name of the text style with the font of the sheet.
 inline constexpr const char* dxf_text_style = "OSIFONT";
 
-/// Everything before the entities but the header, which comes last: it counts the handles. `layers` are the names of
-/// the sheet's layers in the file. Returns the handle of the model space, which owns all entities.
+/// Adds everything before the entities except the header, which is written last because it has the number of handles.
+/// `layers` are the names of the sheet's layers in the file. Returns the handle of the model space, which owns all
+/// entities.
 int add_dxf_tables(DxfWriter& dxf, const sheet::Sheet& sheet, const std::vector<std::string>& layers);
 
-/// The sections after the entities.
+/// Adds the sections after the entities.
 void add_dxf_objects(DxfWriter& dxf);
 
 /// Comments with the title, and the header of a file with this number of handles: millimetres, line type scale 1.

@@ -18,7 +18,7 @@ namespace {
 
 constexpr char32_t replacement = 0xFFFD;
 
-// No more of them than `max`.
+// The first characters, at most `max`.
 std::u32string beginning(std::string_view text, std::size_t max) {
   const std::vector<char32_t> all = characters(text);
   return {all.begin(), all.begin() + static_cast<std::ptrdiff_t>(std::min(all.size(), max))};
@@ -89,7 +89,7 @@ void DxfWriter::add_handle(int code, int handle) {
 int DxfWriter::begin(std::string_view type, int owner, std::string_view first_class, std::string_view second_class) {
   const int handle = next_handle();
   add(0, type);
-  add_handle(type == "DIMSTYLE" ? 105 : 5, handle);  // 5 is the name of a block there
+  add_handle(type == "DIMSTYLE" ? 105 : 5, handle);  // code 5 is the name of a block there
   add_handle(330, owner);
   add(100, first_class);
   if (!second_class.empty()) add(100, second_class);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Groups of a DXF file, two lines each, and text encoded for them.
+// Writes groups of a DXF file, two lines each, and encodes text for them.
 #pragma once
 
 #include <string>
@@ -18,16 +18,16 @@ class DxfWriter {
   void add(int code, std::string_view text);
   void add(int code, int value);
   void add(int code, double value);
-  /// x under `code`, y under the code ten above.
+  /// x under `code`, y under `code` + 10.
   void add(int code, const Vec2& point);
 
-  /// Under `code`, in hexadecimal digits, as all handles are written.
+  /// Adds the handle under `code`, in hexadecimal digits like all handles.
   void add_handle(int code, int handle);
-  /// A handle that nothing has yet: 1, 2 ...
+  /// Returns an unused handle: 1, 2 ...
   int next_handle() { return ++handles_; }
   [[nodiscard]] int handles() const { return handles_; }
 
-  /// "0 type", its new handle under 5, its owner and the names of its classes. Returns the handle.
+  /// Adds "0 type", a new handle under 5, the owner and the names of the classes. Returns the handle.
   int begin(std::string_view type, int owner, std::string_view first_class, std::string_view second_class = {});
 
   std::string take() { return std::move(text_); }
@@ -39,13 +39,13 @@ class DxfWriter {
   int handles_ = 0;
 };
 
-/// One line of ASCII that DXF programs show as `text`: other characters as \U+XXXX (those past U+FFFF as U+FFFD),
-/// control characters as spaces, and nothing that would be read as %%-code or ^-code. At most 256 characters, which is
-/// all that a TEXT takes.
+/// One line of ASCII that DXF programs display as `text`: other characters as \U+XXXX (those above U+FFFF as U+FFFD),
+/// control characters as spaces, and nothing that would be read as a %%-code or ^-code. At most 256 characters, the
+/// limit of a TEXT.
 std::string dxf_text(std::string_view text);
 
-/// Names of a symbol table: no character that DXF forbids, each one once whatever the case of its letters, at most 200
-/// characters long. `taken` are in the table already.
+/// Names for a symbol table: without characters that DXF forbids, unique regardless of case, and at most 200 characters
+/// long. `taken` are in the table already.
 std::vector<std::string> dxf_names(const std::vector<std::string>& names, const std::vector<std::string>& taken);
 
 }  // namespace epura::output

@@ -41,11 +41,11 @@ CairoFont font_of(const sheet::Lettering& lettering) {
   CairoFont font(cairo_ft_font_face_create_for_ft_face(file->face, FT_LOAD_NO_HINTING));
   const auto close = [](void* opened) { delete static_cast<FontFile*>(opened); };
   require(cairo_font_face_set_user_data(font.get(), &key, file.get(), close), "lettering");
-  file.release();  // the font face owns it
+  file.release();  // now owned by the font face
   return font;
 }
 
-// Widths as they are in the font, whatever the system has set for screens.
+// Widths as in the font, regardless of the system settings for screens.
 void set_font(cairo_t* cairo, const sheet::Lettering& lettering) {
   cairo_set_font_face(cairo, font_of(lettering).get());
   const CairoFontOptions options(cairo_font_options_create());
@@ -55,7 +55,7 @@ void set_font(cairo_t* cairo, const sheet::Lettering& lettering) {
   cairo_set_font_options(cairo, options.get());
 }
 
-// Calls `draw` with the pen at the beginning of a text's base line, turned along it.
+// Calls `draw` with the pen at the beginning of a text's base line and rotated along it.
 template <class Draw>
 void along_base_line(cairo_t* cairo, const Canvas& canvas, const sheet::Text& text, const sheet::Lettering& lettering,
                      const Draw& draw) {

@@ -12,16 +12,16 @@
 
 namespace epura::output {
 
-/// The font, if anything is written on the sheet: without text no font is opened.
+/// The font if there are texts on the sheet: without text, no font is opened.
 std::optional<sheet::Lettering> lettering_of(const sheet::Sheet& sheet);
 
-/// Where the base line of a text begins on the sheet, mm.
+/// Start of the base line of a text on the sheet, mm.
 Vec2 start_of(const sheet::Text& text, const sheet::Lettering& lettering);
 
 /// Draws the texts of a layer as text, which vector files keep as such, with the font embedded.
 void write_texts(const Pen& pen, const Canvas& canvas, const sheet::Layer& layer, const sheet::Lettering& lettering);
 
-/// Draws them as filled outlines: no font is needed to look at them.
+/// Draws them as filled outlines: no font is needed to view them.
 void fill_texts(const Pen& pen, const Canvas& canvas, const sheet::Layer& layer, const sheet::Lettering& lettering);
 
 /// Fills the areas of a layer.

@@ -9,10 +9,10 @@
 
 namespace epura::output {
 
-/// Text in which nothing can be taken for markup.
+/// Text with all markup escaped.
 std::string html_text(std::string_view text);
 
-/// A picture as an element of a page: an SVG without the XML declaration.
+/// A picture as an element of a page: SVG without the XML declaration.
 std::string inline_svg(const sheet::Sheet& sheet, const VectorOptions& options);
 
 }  // namespace epura::output

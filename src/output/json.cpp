@@ -73,7 +73,7 @@ void append_segment(std::string& text, const drawing::ViewDrawing& drawing, cons
     append_numbers(text += ", \"edge\": ", segment.edge);
     append_numbers(text += ", \"t\": ", segment.t);
   } else {
-    // An edge leads to the place in the world, an intersection line or a cut does not.
+    // An edge and t give the position in the world; an intersection line or a cut has its own coordinates.
     append_numbers(text += ", \"edge\": null, \"t\": ", segment.t);
     const drawing::CrossingSegment& crossing = drawing.crossings[segment.crossing];
     append_numbers(text += ", \"faces\": [", crossing.faces[0]);
@@ -88,7 +88,7 @@ void append_segment(std::string& text, const drawing::ViewDrawing& drawing, cons
 void append_segments(std::string& text, const drawing::ViewDrawing& drawing, const Progress& progress) {
   const std::vector<drawing::Segment>& segments = drawing.segments;
   constexpr std::size_t at_once = 4096, most_bytes = 512;
-  text.reserve(text.size() + most_bytes * segments.size());  // what is not touched costs nothing
+  text.reserve(text.size() + most_bytes * segments.size());  // untouched memory costs nothing
   text += '[';
   append_in_order(text, (segments.size() + at_once - 1) / at_once, progress, [&](std::size_t part) {
     std::string lines;
@@ -101,7 +101,7 @@ void append_segments(std::string& text, const drawing::ViewDrawing& drawing, con
   text += ']';
 }
 
-// Nothing for a drawing without curves.
+// Appends nothing for a drawing without curves.
 void append_curves(std::string& text, const drawing::ViewDrawing& drawing) {
   std::string lines;
   for (const drawing::Chain& chain : drawing.chains) {

@@ -10,10 +10,10 @@ namespace epura::output {
 /// The text as a JSON string, in quotation marks. Invalid UTF-8 becomes U+FFFD.
 std::string json_string(std::string_view text);
 
-/// All digits that the number needs; null for infinity and NaN, which JSON does not know.
+/// With all necessary digits; null for infinity and NaN, which JSON cannot represent.
 std::string json_number(double value);
 
-/// The items, each made into JSON by `write`, with `separator` between them and `lead` before the first one.
+/// The items, each converted to JSON by `write`, with `separator` between them and `lead` before the first one.
 template <class Items, class Write>
 std::string json_list(const Items& items, const Write& write, std::string_view separator = ", ",
                       std::string_view lead = "") {

@@ -9,10 +9,10 @@
 
 namespace epura::output {
 
-/// The value of a fact; empty where there is none.
+/// The value of a fact; empty if there is none.
 std::string fact_of(const sheet::Sheet& sheet, std::string_view name);
 
-/// The views in words: "front 1:2, axonometric (isometric) 1:5".
+/// Describes the views: "front 1:2, axonometric (isometric) 1:5".
 std::string description_of(const sheet::Sheet& sheet);
 
 }  // namespace epura::output

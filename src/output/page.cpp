@@ -18,10 +18,10 @@ namespace epura::output {
 namespace {
 
 constexpr double points_per_millimetre = 72 / 25.4;
-constexpr int most_pixels = 20000;  // a side
+constexpr int most_pixels = 20000;  // per side
 constexpr double most_dpi = 1200;
 
-// Comments of PostScript are lines of ASCII of at most 255 characters.
+// PostScript comments are lines of ASCII with at most 255 characters.
 std::string comment_text(std::string_view text) {
   std::string plain(text.substr(0, 200));
   for (char& c : plain)
@@ -31,7 +31,7 @@ std::string comment_text(std::string_view text) {
 
 // Replaces the header line that begins with `key`. Cairo writes each of these lines once.
 void replace_line(std::string& bytes, std::string_view key, const std::string& line) {
-  // Not in the middle of the title.
+  // At the beginning of a line, not inside the title.
   std::size_t begin = bytes.find(key);
   while (begin != std::string::npos && bytes[begin - 1] != '\n') begin = bytes.find(key, begin + 1);
   check(begin != std::string::npos, "Cairo wrote another PostScript header");
@@ -43,7 +43,7 @@ struct PngBytes {
   const Progress& progress;
 };
 
-// For Cairo, which then stops.
+// Called by Cairo, which stops on an error.
 cairo_status_t append_in_time(void* png, const unsigned char* data, unsigned length) {
   auto& written = *static_cast<PngBytes*>(png);
   if (written.progress.is_out_of_time()) return CAIRO_STATUS_WRITE_ERROR;
@@ -58,7 +58,7 @@ Vec2 paper_size(const sheet::Sheet& sheet) {
 void draw_page(const CairoSurface& surface, const sheet::Sheet& sheet, const Progress& progress) {
   const Vec2 whole = paper_size(sheet);
   cairo_ps_surface_set_size(surface.get(), whole.x, whole.y);
-  // The lower left corners meet: PostScript measures from there.
+  // The lower left corners coincide: PostScript measures from there.
   const Canvas canvas{points_per_millimetre, {0, whole.y / points_per_millimetre}, whole};
   const Pen pen = make_pen(surface);
   begin_vector_file(pen, canvas);
@@ -107,7 +107,7 @@ std::string to_ps(const Pages& sheets, const Progress& progress) { return postsc
 
 std::string to_eps(const sheet::Sheet& sheet, const Progress& progress) {
   std::string bytes = postscript({&sheet}, true, progress);
-  // An EPS file is as large as its sheet: Cairo would leave the margins out.
+  // An EPS file is as large as its sheet: Cairo would omit the margins.
   const Vec2 whole = paper_size(sheet), size = Vec2(sheet.width, sheet.height) * points_per_millimetre;
   replace_line(bytes, "%%BoundingBox:",
                "%%BoundingBox: 0 0 " + format_fixed(whole.x, 0) + " " + format_fixed(whole.y, 0) +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// PDF: Cairo draws each layer, qpdf joins them on pages.
+// PDF: Cairo draws each layer, and qpdf assembles them into pages.
 #include <cairo-pdf.h>
 
 #include "base/error.hpp"
@@ -21,7 +21,7 @@ std::string real(double value) { return format_fixed(value, 15); }
 
 std::string box(const Vec2& size) { return "[0 0 " + real(size.x) + " " + real(size.y) + "]"; }
 
-// From the surface, seen with y up as PDF does, to points on the page.
+// The matrix from the surface, with y up as in PDF, to points on the page.
 std::string placement(const Canvas& canvas) {
   const std::string scale = real(points_per_millimetre / canvas.units);
   const Vec2 corner = canvas.to_sheet({0, canvas.size.y}) * points_per_millimetre;
@@ -44,7 +44,7 @@ std::string cairo_pdf(const Canvas& canvas, const sheet::Layer& layer, const std
   return bytes;
 }
 
-// A little more than the ink.
+// A box slightly larger than the ink.
 std::string view_of(const sheet::ViewFrame& frame) {
   constexpr double margin = 5;  // mm
   const Vec2 min = (frame.min - margin) * points_per_millimetre, max = (frame.max + margin) * points_per_millimetre;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// SVG in one pass over the sheet. A document may be embedded in a foreign page: its names do not clash with those of
-// the page, and its rules apply to no other elements.
+// SVG in one pass over the sheet. A document may be embedded in another page: its names do not clash with those of the
+// page, and its rules apply to no other elements.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -25,7 +25,7 @@ namespace epura::output {
 
 namespace {
 
-/// Of what is seen on a sheet. Places count as they are written, to 0.0001 mm.
+/// Hash of the visible content of a sheet. Positions are rounded as they are written, to 0.0001 mm.
 class SheetHash {
  public:
   explicit SheetHash(const sheet::Sheet& sheet) {
@@ -68,7 +68,7 @@ class SheetHash {
   std::uint64_t value_ = 0;
 };
 
-// Four characters, of which the second is a digit: not a word, and short enough to precede the id of every line.
+// Four characters, the second a digit: not a word, and short enough to precede the id of every line.
 std::string prefix_of(const sheet::Sheet& sheet) {
   constexpr std::string_view characters = "0123456789abcdefghijklmnopqrstuvwxyz";
   std::uint64_t rest = SheetHash(sheet).value();
@@ -84,7 +84,7 @@ std::string prefix_of(const sheet::Sheet& sheet) {
   return prefix;
 }
 
-/// Writes the layers, each id once.
+/// Writes the layers, with unique ids.
 class LayerWriter {
  public:
   LayerWriter(std::string& svg, const sheet::Sheet& sheet, const SvgDocument& document)
@@ -105,13 +105,13 @@ class LayerWriter {
   std::size_t lines_ = 0;
 };
 
-// Of VIEW/ROLE the view; empty where there is none.
+// The view of VIEW/ROLE; empty if there is none.
 std::string_view view_of(const sheet::Layer& layer) {
   const std::size_t slash = layer.name.rfind('/');
   return std::string_view(layer.name).substr(0, slash == std::string::npos ? 0 : slash);
 }
 
-// VIEW/ROLE is a layer ROLE in a layer VIEW.
+// VIEW/ROLE becomes a layer ROLE in a layer VIEW.
 void LayerWriter::append(const std::vector<const sheet::Layer*>& layers, const Progress& progress) {
   std::string_view open;
   for (const sheet::Layer* layer : layers) {
@@ -131,7 +131,7 @@ void LayerWriter::append(const std::vector<const sheet::Layer*>& layers, const P
 
 void LayerWriter::begin_group(std::string_view name, std::string_view label) {
   std::string id = identifier(name);
-  // Numbers are the ids of lines.
+  // Plain numbers are the ids of lines.
   if (id.find_first_not_of("0123456789") == std::string::npos) id += '-';
   while (!ids_.insert(id).second) id += '-';
   svg_.append("<g id=\"").append(document_.prefix).append(id).append("\" inkscape:groupmode=\"layer\"");
@@ -150,7 +150,8 @@ void LayerWriter::append(const sheet::Layer& layer, std::string_view name_in_vie
   svg_ += "</g>\n";
 }
 
-// What differs from the document. As attributes, which every program reads, and which a path's own dashes win over.
+// Differences from the document's style, as attributes: every program reads them, and a path's own dashes override
+// them.
 void LayerWriter::append_look(const sheet::LineStyle& style) {
   append_attribute(svg_, "class", document_.prefix + identifier(style.name));
   if (style.colour != Colour{}) svg_.append(" stroke=\"").append(hexadecimal(style.colour)) += '"';
@@ -169,7 +170,7 @@ void LayerWriter::append_origin(const sheet::Layer& layer) {
   if (const auto model = common_model(layer)) svg_.append(" data-model=\"").append(std::to_string(*model)) += '"';
 }
 
-// The layers of a view side by side: all ink is black, so that any order does.
+// Puts the layers of a view next to each other: drawings are black, so the order of layers does not matter.
 std::vector<const sheet::Layer*> by_view(const sheet::Sheet& sheet) {
   std::map<std::string_view, std::size_t> places;
   std::vector<const sheet::Layer*> layers;
@@ -183,7 +184,7 @@ std::vector<const sheet::Layer*> by_view(const sheet::Sheet& sheet) {
   return layers;
 }
 
-/// A fact of the sheet and its element of Dublin Core. Agents are people and companies.
+/// A fact of the sheet and its Dublin Core element. Agents are people and companies.
 struct Element {
   std::string_view fact, name;
   bool agent;
@@ -195,7 +196,7 @@ constexpr std::array<Element, 6> elements = {{{"author", "dc:creator", true},
                                               {"date", "dc:date", false},
                                               {"language", "dc:language", false}}};
 
-// All that Dublin Core has no element for.
+// All facts without a Dublin Core element.
 std::string remarks(const sheet::Sheet& sheet) {
   std::string text = description_of(sheet);
   for (const auto& [fact, value] : sheet.facts) {
@@ -206,8 +207,8 @@ std::string remarks(const sheet::Sheet& sheet) {
   return text;
 }
 
-// Title, description and metadata, as Inkscape shows them under Document Properties: RDF with the elements of Dublin
-// Core, as Creative Commons' works have them.
+// Title, description and metadata, as Inkscape shows them under Document Properties: RDF with Dublin Core elements, in
+// the form used by Creative Commons.
 void append_metadata(std::string& svg, const sheet::Sheet& sheet) {
   const auto add = [&svg](std::string_view name, const std::string& text) {
     if (!text.empty()) append_element(svg, name, text);
@@ -233,10 +234,10 @@ void append_metadata(std::string& svg, const sheet::Sheet& sheet) {
   svg += "</cc:Work>\n</rdf:RDF>\n</metadata>\n";
 }
 
-// What a page says of all paths, or hands on to its elements, must not change a drawing in it: its elements go back to
-// their attributes, and what they would inherit is set. An id is above all that pages say of elements and classes. A
-// document of its own has no page around it, and is spared the time that this takes; nor do programs other than
-// browsers need it.
+// The rules of a page for all paths, and the properties that its elements inherit, must not change a drawing embedded
+// in it: its elements are reset to their attributes, and inherited properties are set. An id takes precedence over all
+// rules of the page for elements and classes. A stand-alone document has no page around it and is spared the time that
+// this takes; and only browsers need it.
 void append_style(std::string& svg, const std::string& id, bool has_text) {
   svg += "<style>#" + id +
          "{fill:none;fill-opacity:1;fill-rule:nonzero;stroke:#000;stroke-opacity:1;stroke-linecap:round;"
@@ -252,7 +253,7 @@ void append_document(std::string& svg, const sheet::Sheet& sheet, const VectorOp
                      const Progress& progress) {
   const std::string id = options.id_prefix.empty() ? prefix_of(sheet) : options.id_prefix;
   const std::vector<const sheet::Layer*> layers = by_view(sheet);
-  // Memory that is never touched costs nothing, moving a long text does.
+  // Untouched memory costs nothing, but moving a long text does.
   std::size_t max = 0;
   for (const sheet::Layer* layer : layers) max += most_bytes(*layer);
   svg.reserve(svg.size() + max);

@@ -16,7 +16,7 @@ namespace epura::output {
 
 namespace {
 
-// Some 60 kB: libxml2, and what reads with it, refuses attributes of 10 MB.
+// About 60 kB: libxml2 and programs based on it refuse attributes of 10 MB.
 constexpr std::size_t letters_of_path = 100;
 
 constexpr int decimals = 4;  // of a millimetre
@@ -34,7 +34,7 @@ void append_area(std::string& svg, const sheet::Fill& fill, double height) {
   svg += "\"/>\n";
 }
 
-// Straight pieces as lines, without the last one, which Z draws.
+// Straight pieces become lines, except the last one, which Z draws.
 void append_outline(SvgPathText& path, const sheet::GlyphOutline& outline, const auto& on_page) {
   Vec2 at = outline.curves.back().end;
   path.move(on_page(at));
@@ -72,13 +72,13 @@ void append_outlines(std::string& svg, const sheet::Text& text, double height, c
   }
 }
 
-// Colour of the areas in the layer.
+// `colour` is that of the areas in the layer.
 void begin_group(std::string& svg, const SvgDocument& document, std::string_view name, const Colour& colour) {
   svg.append("<g class=\"").append(document.prefix).append(name).append("\" fill=\"").append(hexadecimal(colour));
   svg += "\" stroke=\"none\"";
 }
 
-// Line styles have separate names, which may be the same words.
+// Prefixed, because line styles may have the same names.
 void append_role(std::string& svg, const SvgDocument& document, const sheet::Text& text) {
   if (!text.role.empty()) append_attribute(svg, "class", document.prefix + "text-" + identifier(text.role));
 }

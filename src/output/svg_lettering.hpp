@@ -11,13 +11,13 @@
 
 namespace epura::output {
 
-/// A name as ids and classes take it.
+/// A name in the form allowed for ids and classes.
 std::string identifier(std::string_view name);
 
-/// Appends a line for each area, in a group.
+/// Appends a line of text for each area, in a group.
 void append_fills(std::string& svg, const sheet::Layer& layer, const SvgDocument& document);
 
-/// Appends a line for each text, in a group. Outlines have their text as `aria-label`.
+/// Appends a line of text for each text, in a group. Outlines have their text as `aria-label`.
 void append_texts(std::string& svg, const sheet::Layer& layer, const SvgDocument& document,
                   const sheet::Lettering& lettering);
 

@@ -40,7 +40,7 @@ void SvgPathText::curve(const Vec2& control, const Vec2& end) {
 }
 
 void SvgPathText::arc(const Vec2& radii, double turn, bool clockwise, const Vec2& end) {
-  // Turns are written finer than lengths: they act at the end of a radius.
+  // Angles are written with more decimals than lengths, because they act at the end of a radius.
   constexpr int decimals_of_degree = 6;
   command('A');
   for (const long long radius : round(radii)) number(radius);

@@ -9,17 +9,18 @@
 
 namespace epura::output {
 
-/// Points are rounded to `decimals` of a millimetre before the way from one to the next is written, so that errors do
-/// not add up along a line. Each line begins with an absolute place: readers that add up in 32 bits stay near.
+/// Points are rounded to `decimals` of a millimetre before the step from one to the next is written, so that errors do
+/// not add up along a line. Each line begins with an absolute position, which limits the errors of readers that add up
+/// in 32 bits.
 class SvgPathText {
  public:
   SvgPathText(std::string& text, int decimals);
 
   void move(const Vec2& point);
   void line(const Vec2& point);
-  /// Quadratic.
+  /// A quadratic curve.
   void curve(const Vec2& control, const Vec2& end);
-  /// Of an ellipse whose first axis is turned by this angle in degrees; `clockwise` as seen on the page.
+  /// Part of an ellipse with its first axis turned by `turn` degrees; `clockwise` as seen on the page.
   void arc(const Vec2& radii, double turn, bool clockwise, const Vec2& end);
   void close();
 
@@ -32,19 +33,19 @@ class SvgPathText {
 
   std::string& text_;
   int decimals_;
-  double parts_;  ///< of a millimetre
+  double parts_;  ///< per millimetre
   Rounded here_{};
   char command_ = 0;
   bool after_number_ = false;
 };
 
-/// How many times a part of a millimetre, of which a millimetre has `parts`, is in a length, rounded.
+/// The number of parts in a length, rounded; a millimetre has `parts` parts.
 long long parts_of(double millimetres, double parts);
 
 /// The number without a zero before its point: .25
 void append_short(std::string& text, double value, int decimals);
 
-/// Millimetres outside lines: at most four decimals.
+/// Millimetres outside path data: at most four decimals.
 void append_millimetres(std::string& text, double value);
 
 }  // namespace epura::output

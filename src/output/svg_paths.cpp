@@ -20,7 +20,7 @@ namespace epura::output {
 namespace {
 
 constexpr std::size_t points_at_once = 8192;
-// About 80 kB: libxml2, and what reads with it, refuses files above 10 MB with attributes of some 100 kB.
+// About 80 kB: libxml2 and programs based on it refuse files above 10 MB with attributes of some 100 kB.
 constexpr std::size_t most_points_of_path = 4000;
 
 std::string dash_array(const sheet::Stroke& stroke) {
@@ -30,7 +30,7 @@ std::string dash_array(const sheet::Stroke& stroke) {
   return text;
 }
 
-// A stroke and the number of the <path> that it goes into. Strokes of one path follow each other.
+// A stroke and the number of its <path>. The strokes of a path are consecutive.
 struct Part {
   const sheet::Stroke* stroke;
   std::size_t path;
@@ -38,7 +38,7 @@ struct Part {
 
 using Chunk = std::span<const Part>;
 
-// Begins a new path where one would get too long.
+// Begins a new path where one would become too long.
 void split_long_paths(std::vector<Part>& parts) {
   std::size_t points = 0, added = 0, previous = 0;
   for (Part& part : parts) {
@@ -52,7 +52,7 @@ void split_long_paths(std::vector<Part>& parts) {
   }
 }
 
-// A stroke of fewer than two points has no ink.
+// A stroke with fewer than two points has no ink.
 std::vector<Part> parts_of(const sheet::Layer& layer, bool plain) {
   std::vector<Part> parts;
   parts.reserve(layer.strokes.size());
@@ -79,7 +79,7 @@ std::vector<Chunk> chunks_of(const std::vector<Part>& parts) {
   return chunks;
 }
 
-// Arcs as SVG defines them. What turns counterclockwise with y up does so on the page.
+// Arcs as SVG defines them. A counterclockwise turn with y up is counterclockwise on the page.
 void append_arcs(SvgPathText& path, const drawing::CurvePart& part, double height) {
   constexpr double degrees = 180 / std::numbers::pi;
   const Vec2 radii(glm::length(part.u), glm::length(part.v));
@@ -99,7 +99,7 @@ void append_line(std::string& svg, const sheet::Stroke& stroke, const SvgDocumen
   if (stroke.closed) path.close();
 }
 
-// The model that has all edges; nothing where there are several, or no edges.
+// The common model of all edges; nothing if there are several, or no edges.
 std::optional<int> model_of(std::span<const sheet::ModelEdge> edges) {
   if (edges.empty()) return std::nullopt;
   const int model = edges.front().model;
@@ -107,7 +107,7 @@ std::optional<int> model_of(std::span<const sheet::ModelEdge> edges) {
   return std::any_of(edges.begin(), edges.end(), differs) ? std::nullopt : std::optional(model);
 }
 
-// Attributes that all lines of a layer share, and need not repeat.
+// Attributes that all lines of a layer share, so that they need not be repeated.
 struct Common {
   std::string dashes;
   std::optional<int> model;

@@ -22,21 +22,21 @@ struct epura::scene::Words<epura::SvgText> {
 namespace epura::output {
 
 struct VectorOptions {
-  bool plain = false;  ///< leave the origin of lines out
+  bool plain = false;  ///< omit the origin of lines
   double dpi = 300;    ///< PNG only
   int decimals = 4;    ///< of coordinates in millimetres, SVG only: no point is off by more than 0.0001 mm
   SvgText text = SvgText::outlines;
-  std::string id_prefix{};  ///< of ids and classes in SVG; empty: made from what is on the sheet
+  std::string id_prefix{};  ///< of ids and classes in SVG; empty: derived from the content of the sheet
 };
 
-/// Returns the prefix. Throws Error{input} that names `where` it comes from, unless it is a letter, and then letters,
-/// digits, hyphens and underscores, 64 in all.
+/// Returns the prefix. Throws Error{input} that names its origin `where`, unless it is a letter followed by letters,
+/// digits, hyphens and underscores, 64 characters in all.
 std::string checked_id_prefix(std::string prefix, const std::string& where);
 
 /// Sheets that become pages of one file, at least one.
 using Pages = std::vector<const sheet::Sheet*>;
 
-// The same sheet gives the same bytes, always: no clock, no counter, no locale. A file is written as a whole, or
+// The same sheet always gives the same bytes: no clock, no counter, no locale. A file is written as a whole, or
 // OutOfTime is thrown.
 std::string to_svg(const sheet::Sheet& sheet, const VectorOptions& options, const Progress& progress = {});
 /// The same as an element of a page: without the XML declaration.
@@ -55,30 +55,30 @@ std::string to_json(const sheet::Sheet& sheet, double scale, std::span<const dra
 /// A sheet, and its data for JSON.
 struct SheetContent {
   const sheet::Sheet& sheet;
-  double scale = 1;  ///< mm of paper per unit of the world
+  double scale = 1;  ///< mm on paper per unit of the world
   std::span<const drawing::ViewDrawing> drawings{};
 };
 
 struct FileContent {
-  std::vector<SheetContent> sheets;  ///< at least one; one where the format has no pages
+  std::vector<SheetContent> sheets;  ///< at least one; exactly one if the format has no pages
   const VectorOptions& options;
   const report::Report& report;
 };
 
 /// A row of the table of formats.
 struct Format {
-  std::string_view name;        ///< and the extension of its files
-  bool has_pages;               ///< several sheets make one file, and not one each
-  bool has_drawings;            ///< it contains the drawings of the sheets, and is not a picture
-  std::string_view instead_of;  ///< extensions that are not written, and for which this one serves
+  std::string_view name;        ///< also the extension of its files
+  bool has_pages;               ///< whether several sheets go into one file
+  bool has_drawings;            ///< whether it contains the drawings of the sheets as data, not as pictures
+  std::string_view instead_of;  ///< extensions that cannot be written, for which this format is suggested
   std::string (*encode)(const FileContent&, const Progress&);
 };
 
-/// All that there are.
+/// All output formats.
 std::span<const Format> formats();
-/// By file extension, in any case; nothing when unknown.
+/// By file extension, in any case; nothing if it is unknown.
 const Format* find_format(std::string_view extension);
-/// What to write instead of a format that is unknown.
+/// Suggests a format to use instead of an unknown one.
 std::string format_hint(std::string_view extension);
 /// All extensions, for help and hints.
 std::vector<std::string> format_names();

@@ -12,7 +12,7 @@ namespace epura::output {
 void append_escaped(std::string& text, std::string_view value);
 /// ` name="value"`
 void append_attribute(std::string& text, std::string_view name, std::string_view value);
-/// `<name>value</name>` and the end of the line.
+/// `<name>value</name>` and a line break.
 void append_element(std::string& text, std::string_view name, std::string_view value);
 
 }  // namespace epura::output

@@ -13,7 +13,7 @@ namespace epura::pipeline {
 
 namespace {
 
-// A drawing that lacks lines may lack its ends: its overall dimensions are left out.
+// A drawing that lacks lines may lack its ends, so its overall dimensions are omitted.
 std::vector<scene::DimensionDescription> dimensions_of(const Annotations& annotations, const ViewResult& view) {
   std::vector<scene::DimensionDescription> dimensions = annotations.dimensions;
   if (!view.partial.stages.empty())
@@ -21,7 +21,7 @@ std::vector<scene::DimensionDescription> dimensions_of(const Annotations& annota
   return dimensions;
 }
 
-// By the names of their sections.
+// Sorted by the names of their sections.
 std::vector<sheet::Layer> marks_of(std::span<const Annotations> annotations, std::span<const ViewResult> views,
                                    const sheet::LineWidths& widths) {
   std::map<std::string, sheet::Layer> by_name;
@@ -39,7 +39,7 @@ void add_boxes(std::vector<sheet::TurnedBox>& boxes, const sheet::Layer& layer, 
   boxes.insert(boxes.end(), more.begin(), more.end());
 }
 
-// What is on the sheet apart from the views.
+// Objects on the sheet apart from the views.
 sheet::Neighbours neighbours_of(const sheet::SheetFurniture& furniture, const std::vector<sheet::Text>& labels,
                                 const std::vector<sheet::Layer>& marks, const sheet::Lettering& lettering) {
   const sheet::Paper& paper = furniture.paper;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Annotations of the views on a sheet, placed so that they do not collide.
+// Annotations of the views on a sheet, placed without collisions.
 #pragma once
 
 #include <span>
@@ -14,12 +14,12 @@
 namespace epura::pipeline {
 
 struct AnnotationLayers {
-  std::vector<sheet::Layer> layers;  ///< dimensions of each view that has some, then the marks of sections
+  std::vector<sheet::Layer> layers;  ///< dimensions of each view that has any, then the marks of sections
   std::vector<std::string> warnings;
 };
 
-/// `views` are in order of the sheet; `labels` are above them. Throws Error{input} for dimensions that cannot be
-/// drawn. Opens no font where there is nothing to write.
+/// `views` are in the order of the sheet; `labels` are above them. Throws Error{input} for dimensions that cannot be
+/// drawn. Opens no font if there is nothing to write.
 AnnotationLayers annotation_layers(const SheetInput& input, std::span<const ViewResult> views,
                                    const std::vector<sheet::Text>& labels, const Budget& budget);
 

@@ -25,7 +25,7 @@ const std::string& view_of(const scene::DimensionDescription& dimension, const s
   return dimension.view.given() ? *dimension.view : *scene.views.front().name;
 }
 
-// A section may have cut off an end of the models: it shows their size only where no other view does.
+// A section may have cut off an end of the models: it shows their size only if no other view does.
 std::vector<sheet::NamedProjection> views_to_measure(std::span<const scene::ViewDescription> views,
                                                      std::span<const view::ProjectedScene> seen) {
   std::vector<sheet::NamedProjection> whole, cut;

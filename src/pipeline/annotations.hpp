@@ -14,18 +14,18 @@ namespace epura::pipeline {
 
 struct Annotations {
   std::vector<scene::DimensionDescription> dimensions;
-  std::vector<scene::CuttingPlane> planes;  ///< of sections that are marked in this view
+  std::vector<scene::CuttingPlane> planes;  ///< of sections marked in this view
 };
 
-/// By view of the sheet, `seen` in its place. A dimension without a view belongs to the first one of the scene; overall
-/// ones without view and direction are on the first sheet. A section that some view of the sheet shows is marked in
-/// the first view of the whole that sees its plane edge-on. Throws Error{input} for overall dimensions that no view
-/// shows.
+/// By view of the sheet; `seen` has the projected views in the same order. A dimension without a view belongs to the
+/// first view of the scene; overall dimensions without view and direction are on the first sheet. A section shown by
+/// some view of the sheet is marked in the first uncut view that sees its plane edge-on. Throws Error{input} for
+/// overall dimensions that no view shows.
 std::vector<Annotations> annotate(const scene::World& world, const scene::SceneDescription& scene,
                                   const SheetOfViews& sheet, std::span<const view::ProjectedScene> seen,
                                   const CutSections& sections);
 
-/// Throws Error{input} for dimensions in views that are not there.
+/// Throws Error{input} for dimensions in views that do not exist.
 void expect_views_of_dimensions(const scene::SceneDescription& scene);
 
 }  // namespace epura::pipeline

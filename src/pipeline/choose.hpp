@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Words among which a user chooses.
+// Words for a choice of the user.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace epura::pipeline {
 
-/// The value of the word. Throws Error{input} that names `where` it comes from, with the words that would do.
+/// Returns the value of the word. Throws Error{input} that names `where` it comes from and suggests valid words.
 template <class Value>
 Value choose(const std::string& where, const std::string& word,
              const std::vector<std::pair<std::string, Value>>& choices) {
@@ -24,8 +24,8 @@ Value choose(const std::string& where, const std::string& word,
   throw Error(ErrorKind::input, where, "unknown value '" + word + "'", did_you_mean(word, names));
 }
 
-/// What `use` makes of the value. An error over one in a scene file names the place there first; an option names
-/// itself.
+/// Returns the result of `use` for the value. Errors about a value in a scene file are prefixed with its location;
+/// options name themselves.
 template <class Value, class Use>
 auto at_place(const scene::Located<Value>& located, const Use& use) {
   try {

@@ -14,7 +14,7 @@ namespace epura::pipeline {
 
 namespace {
 
-// "part.step:deflection=0.01"
+// Separates the parameters of "part.step:deflection=0.01".
 void take_parameters(scene::ModelDescription& model) {
   if (!model.file.given()) return;
   importer::ModelRequest request = importer::parse_model_request(*model.file);

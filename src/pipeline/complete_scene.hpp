@@ -6,8 +6,8 @@
 
 namespace epura::pipeline {
 
-/// Afterwards files are paths, and there are views, all of them named, and every sheet that a view refers to. Throws
-/// Error{input} for names that lead nowhere, or to two things.
+/// Afterwards, files are paths, all views are named and there is at least one, and all sheets to which views refer
+/// exist. Throws Error{input} for names that are unknown or ambiguous.
 void complete_scene(scene::SceneDescription& scene);
 
 }  // namespace epura::pipeline

@@ -29,7 +29,7 @@ void append(std::vector<sheet::Layer>& layers, std::vector<sheet::Layer> more) {
   std::move(more.begin(), more.end(), std::back_inserter(layers));
 }
 
-// Names of sections, and scales where they differ from the sheet's.
+// Names of sections, and scales that differ from the sheet's.
 std::vector<sheet::Text> labels_of(const SheetPlan& plan, std::span<const scene::ViewDescription> descriptions,
                                    const std::vector<ViewResult>& views) {
   std::vector<sheet::Text> labels;
@@ -55,7 +55,8 @@ std::vector<sheet::ViewFrame> frames_of(const std::vector<ViewResult>& views) {
   return frames;
 }
 
-// The fields of the title block but the title, for the metadata of files. The creator of a drawing is its author there.
+// The fields of the title block except the title, for the metadata of files, which call the creator of a drawing its
+// author.
 std::vector<std::pair<std::string, std::string>> facts_of(const scene::SheetDescription& sheet) {
   std::vector<std::pair<std::string, std::string>> facts;
   for (const auto& [name, text] : sheet.title_block)
@@ -63,7 +64,7 @@ std::vector<std::pair<std::string, std::string>> facts_of(const scene::SheetDesc
   return facts;
 }
 
-// Without frame and labels nothing is lettered, and no font is opened.
+// Without frame and labels there is no text, and no font is opened.
 sheet::FurnitureLayers furniture_layers(const sheet::SheetFurniture& furniture) {
   if (furniture.frame == FrameKind::none && furniture.labels.empty()) return {};
   return sheet::sheet_layers(furniture, sheet::Lettering());
@@ -83,7 +84,7 @@ std::vector<sheet::Layer> centre_layers(const ViewResult& view, const ViewOption
   return {sheet::centre_lines({view.drawing, view.features, options.styles}, widths, lines, progress)};
 }
 
-// One for each view; none for those without cut faces.
+// One layer for each view, but none for views without cut faces.
 std::vector<std::vector<sheet::Layer>> hatch_layers(const std::vector<ViewResult>& results,
                                                     const sheet::LineWidths& widths, const Progress& progress) {
   std::size_t faces = 0;
@@ -97,7 +98,7 @@ std::vector<std::vector<sheet::Layer>> hatch_layers(const std::vector<ViewResult
   return layers;
 }
 
-// Of the longest lines, if there is no time for all.
+// Only of the longest lines if there is no time for all.
 std::vector<sheet::Layer> line_layers(drawing::ViewDrawing& drawing, const sheet::LineWidths& widths,
                                       const sheet::BodyStyles& styles, const Budget& budget) {
   const auto make = [&](const Progress& progress) { return sheet::view_layers(drawing, widths, styles, progress); };
@@ -107,11 +108,11 @@ std::vector<sheet::Layer> line_layers(drawing::ViewDrawing& drawing, const sheet
         static_cast<long long>(drawing::keep_longest_chains(drawing, fewer(drawing.chains.size())));
     return drawing.chains.size() <= few_lines;
   };
-  constexpr double part = 0.6;  // of the time that is left; the rest is for writing
+  constexpr double part = 0.6;  // of the remaining time; the rest is for writing
   return make_in_time(budget.run.with_part_of_the_time(part), budget.last(), make, leave_out);
 }
 
-// The sheet has the lines; JSON asks for their curves.
+// The sheet has the lines; JSON needs their curves, too.
 void keep_curves(std::vector<drawing::Chain>& chains) {
   std::erase_if(chains, [](const drawing::Chain& chain) { return chain.curves.empty(); });
   chains.shrink_to_fit();

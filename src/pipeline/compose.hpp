@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Views in their positions -> sheets.
+// Positioned views -> sheets.
 #pragma once
 
 #include <span>
@@ -15,8 +15,8 @@
 
 namespace epura::pipeline {
 
-/// `results` are the views of the sheet, in their order, with all that belongs to them, and what a sheet has around.
-/// What does not fit into the time is omitted, and noted in the budget.
+/// Composes the views of a sheet, in order, with their annotations and the sheet's furniture. Work for which there is
+/// no time is omitted, and noted in the budget.
 FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results, const Budget& budget);
 
 }  // namespace epura::pipeline

@@ -25,14 +25,14 @@ namespace {
 
 using WorldOfView = std::function<const scene::World&(std::size_t)>;
 
-/// What a run needs from beginning to end.
+/// The state of a run.
 struct Run {
   const scene::SceneDescription& scene;
   const RunOptions& options;
   const Messages& messages;
   Progress progress;
   Stopwatch& watch;
-  std::size_t views_left;  ///< to be drawn
+  std::size_t views_left;  ///< not drawn yet
   report::Report report{};
   bool has_lines = false;
   std::string answers{};
@@ -44,7 +44,7 @@ struct Run {
   std::vector<FinishedSheet> draw_sheets(const std::vector<SheetOfViews>& sheets);
 };
 
-// Of several views the report has all that time left out, and the test that found most wrong.
+// For several views, the report has everything omitted for lack of time, and the verification that found most errors.
 void Run::note(const ViewResult& result) {
   warn_about(messages, result);
   report.plan.insert(report.plan.end(), result.plan.begin(), result.plan.end());
@@ -58,7 +58,7 @@ void Run::note(const ViewResult& result) {
     report.verification = result.verification;
 }
 
-// The sheet and the files take what views leave.
+// The sheet and the files use the time that views leave.
 ViewTime Run::time_of_next_view() {
   constexpr double views_for_the_rest = 0.25;
   return {progress, progress.with_part_of_the_time(1 / (static_cast<double>(views_left--) + views_for_the_rest))};
@@ -102,7 +102,7 @@ FinishedSheet Run::draw_sheet(const scene::World& whole, const CutSections& sect
     note(results.back());
     partial.add(results.back().partial);
     answers += budget.or_nothing([&](const Progress& until) { return answer(options, input, results.back(), until); });
-    results.back().work = {};  // what follows takes its room
+    results.back().work = {};  // frees memory for what follows
   }
   if (options.arcs) tell_of_curves(messages, results);
   if (!plan.inside) messages.warn("the drawing is larger than the sheet at this scale");

@@ -15,7 +15,7 @@
 
 namespace epura::pipeline {
 
-/// What a run has to do with the world around it.
+/// The connections of a run to its environment.
 struct RunContext {
   const Messages& messages;
   Progress progress{};
@@ -28,8 +28,8 @@ struct DrawnScene {
   std::string answers;  ///< to RunOptions::why and dump
 };
 
-/// Reads the models and draws all views. The scene has models, named views and sheets. Several threads may draw at
-/// once. Throws Error; OutOfTime where time is over before there is a line to show.
+/// Reads the models and draws all views. The scene must have models, named views and sheets. Several threads may draw
+/// at the same time. Throws Error; OutOfTime if time is over before there is a line to show.
 DrawnScene draw_scene(const scene::SceneDescription& scene, const RunOptions& options, const RunContext& context);
 
 }  // namespace epura::pipeline

@@ -18,7 +18,7 @@ namespace {
 
 long long count_of(std::size_t n) { return static_cast<long long>(n); }
 
-// What `compute` gives, and the seconds that it took.
+// Returns the result of `compute`, and the seconds that it took.
 template <class Compute>
 auto timed(std::optional<double>& seconds, const Compute& compute) {
   const auto start = std::chrono::steady_clock::now();
@@ -46,17 +46,17 @@ report::PlanStep clip_step(const scene::World& world, const view::ProjectedScene
           run ? 0 : count_of(world.triangles.size())};
 }
 
-// What is known of intersections before they are searched.
+// Candidates for intersections, determined before the search.
 struct Candidates {
   std::vector<int> triangles;
   report::PlanStep step;
 };
 
-// For excluding bodies from the search for crossings.
+// Fraction of the time, for excluding bodies from the search for intersections.
 constexpr double part_for_candidates = 0.25;
-// Of the time for lines; the rest is for drawing them.
+// Fraction of the time for lines; the rest is for drawing them.
 constexpr double part_for_hiding = 0.7;
-// No span longer than this part of the drawing is shown wrongly (docs/numerics.md).
+// No span longer than this fraction of the drawing is shown wrongly (docs/numerics.md).
 constexpr double guaranteed_part = 1e-6;
 
 std::string why_searched(const scene::World& world, const ViewOptions& options, std::size_t candidates) {
@@ -82,7 +82,7 @@ report::PlanStep hidden_step(const ViewOptions& options, const visibility::Hidde
           run ? 0 : count_of(hidden.spans.size())};
 }
 
-// What is guaranteed, in mm, where so much is allowed.
+// Returns the guaranteed error in mm, if a maximum is given.
 std::optional<double> error_within(const std::optional<double>& allowed, const view::ProjectedScene& view,
                                    const view::PaperMap& paper) {
   if (!allowed) return std::nullopt;
@@ -191,7 +191,7 @@ Candidates ViewRun::find_candidates(bool may_leave_out, const Progress& progress
   return candidates;
 }
 
-// Without time to find out which triangles may cross, all may.
+// If there is no time to determine which triangles may cross, all may.
 Candidates ViewRun::find_candidates_in_time() const {
   budget_.lines.begin("finding separate bodies");
   try {
@@ -203,7 +203,7 @@ Candidates ViewRun::find_candidates_in_time() const {
   }
 }
 
-// None where there is not even time for those of the meshes.
+// Finds no edges if there is not even time for those of the meshes.
 void ViewRun::find_edges() {
   Candidates candidates = find_candidates_in_time();
   try {
@@ -218,7 +218,7 @@ void ViewRun::find_edges() {
   plan_.push_back(std::move(candidates.step));
 }
 
-// All but the longest edges are left undecided. Says whether so few are left that they take no time.
+// Leaves all but the longest edges undecided. Returns whether so few are left that they take negligible time.
 bool ViewRun::keep_longest(const std::string& stage) {
   hidden_.undecided = visibility::all_but_longest(view_, drawn_.edges, fewer(drawn_.edges.size()));
   partial_.add_stage(stage);
@@ -229,7 +229,7 @@ bool ViewRun::keep_longest(const std::string& stage) {
 
 visibility::HiddenSpans ViewRun::hidden_in_time() {
   int cuts = 0;
-  // After two tries in vain it is faces that take the time, and ever fewer lines do not help.
+  // After two failed attempts, it is the faces that take the time, and still fewer lines do not help.
   const auto is_direct = [&] { return cuts == 2; };
   const auto make = [&](const Progress& progress) {
     return is_direct() ? visibility::find_hidden_directly(input_.world, view_, drawn_, progress)
@@ -281,7 +281,7 @@ drawing::ViewDrawing ViewRun::drawn_on(const view::PaperMap& paper, const edges:
   return drawing::make_drawing({input_.world, view_, edges, hidden_}, paper, options, progress);
 }
 
-// Of the longest edges, if there is no time for all lines.
+// Draws only the longest edges if there is no time for all.
 DrawnLines ViewRun::draw_lines(const view::PaperMap& paper) {
   const auto make = [&](const Progress& progress) {
     DrawnLines lines;
@@ -304,7 +304,7 @@ std::optional<report::Verification> ViewRun::verified(const drawing::ViewDrawing
                                                       const Progress& progress) const {
   if (!options_.verify) return std::nullopt;
   if (!(drawn_.moved > 0)) return verified(drawn_, drawing, paper, progress);
-  // Contours that are drawn where the surface has them are judged where the mesh has them.
+  // Contours that are drawn at their position on the surface are tested at their position on the mesh.
   edges::FeatureEdges in_mesh = drawn_;
   in_mesh.moved = 0;
   for (edges::FeatureEdge& edge : in_mesh.edges) edge.shown = {-1, -1};
@@ -319,7 +319,7 @@ report::Verification ViewRun::verified(const edges::FeatureEdges& edges, const d
   const verify::Tolerance tolerance{view_.extent * paper.scale, view_.contact.touching * paper.scale};
   const verify::VerifyInput input{input_.world, view_.projection, options_.limits, edges, hidden_, drawing};
   report::Verification found = verify::verify(input, tolerance, *options_.verify, keep_hidden, progress);
-  // A window that is given cuts lines off; otherwise it is the box of what is seen, and lines lie on its border.
+  // A given window cuts lines off; otherwise it is the box of everything visible, and lines lie on its border.
   const double margin = view_.window_given ? 0 : 0.01 * view_.extent;
   const auto to_page = [&](const Vec2& corner) { return paper.origin + paper.scale * (corner - view_.middle); };
   const projection::Window window{to_page(view_.window.min - margin), to_page(view_.window.max + margin)};

@@ -25,7 +25,7 @@
 
 namespace epura::pipeline {
 
-/// Options of a view apart from its projection.
+/// Options of a view except its projection.
 struct ViewOptions {
   std::string name;
   view::ViewLimits limits;
@@ -36,14 +36,14 @@ struct ViewOptions {
   std::optional<int> verify;   ///< number of random points
   std::optional<double> arcs;  ///< tolerance in mm for recognising circles and ellipses
   bool centre_lines = false;
-  double join_within = 0.1;  ///< mm of paper; lines so near along each other are one, 0: all are drawn
+  double join_within = 0.1;  ///< mm on paper; lines this close along each other are merged, 0: all are drawn
   Shortcuts leave_out{};
 
   /// Whether the hidden lines of some model are drawn.
   [[nodiscard]] bool keep_hidden() const;
 };
 
-/// What was computed on the way to a drawing.
+/// Intermediate results of a drawing.
 struct ViewWork {
   view::ProjectedScene view;
   edges::FeatureEdges drawn;
@@ -52,15 +52,15 @@ struct ViewWork {
 };
 
 struct ViewResult {
-  ViewWork work;  ///< large; of use only for questions about the drawing
+  ViewWork work;  ///< large; needed only for questions about the drawing
   drawing::ViewDrawing drawing;
-  std::vector<report::PlanStep> plan;  ///< what was done, and left out
-  report::Partial partial;             ///< what is left out because time was over
+  std::vector<report::PlanStep> plan;  ///< stages that were run, and omitted
+  report::Partial partial;             ///< omitted for lack of time
   std::optional<report::Verification> verification;
-  std::optional<scene::CuttingPlane> section;  ///< that the view shows
+  std::optional<scene::CuttingPlane> section;  ///< shown by the view
   drawing::CurveReport curves{};
   scene::CentredFeatures features{};  ///< for centre lines, if requested
-  std::optional<double> max_error{};  ///< mm; where one was allowed, no longer span is shown wrongly
+  std::optional<double> max_error{};  ///< mm; if a maximum was given, no longer span is shown wrongly
 };
 
 /// Seconds since the last call of `lap`, under a name.
@@ -80,21 +80,21 @@ struct PlaceOnPage {
   Vec2 shift;
 };
 
-/// What there is of a view's time.
+/// Deadlines of a view.
 struct ViewTime {
-  Progress run;    ///< all is to be done by then
-  Progress lines;  ///< the lines of this view are to be there by then
+  Progress run;    ///< for everything
+  Progress lines;  ///< for the lines of this view
 };
 
 /// A view to draw, and its position on the sheet.
 struct ViewInput {
-  const scene::World& world;  ///< the cut one where the view shows a section
-  const CutSection* section;  ///< null where it shows the whole
+  const scene::World& world;  ///< the cut one if the view shows a section
+  const CutSection* section;  ///< null if it shows the whole
   const ViewOptions& options;
   PlaceOnPage place;
 };
 
-/// Throws OutOfTime where time is over before there is a line to show; else what was left out is noted in the result.
+/// Throws OutOfTime if time is over before there is a line to show; otherwise omissions are noted in the result.
 ViewResult draw_view(const ViewInput& input, view::ProjectedScene view, const ViewTime& time, Stopwatch& watch);
 
 }  // namespace epura::pipeline

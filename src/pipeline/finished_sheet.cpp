@@ -19,7 +19,7 @@ double length_of(const sheet::Stroke& stroke) {
   return stroke.points.empty() ? 0 : drawing::distances_along(stroke.points, stroke.closed, stroke.curves).back();
 }
 
-// Frames, dimensions and marks draw no edges: they stay. In the order of the strokes.
+// Keeps the longest strokes, in their original order.
 void keep_longest(std::vector<sheet::Stroke>& strokes, std::size_t count) {
   std::vector<double> length;
   for (const sheet::Stroke& stroke : strokes) length.push_back(length_of(stroke));

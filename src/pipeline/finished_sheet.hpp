@@ -16,17 +16,17 @@ namespace epura::pipeline {
 /// A sheet, and its data for JSON.
 struct FinishedSheet {
   sheet::Sheet sheet;
-  double scale = 1;                              ///< main scale, mm of paper per unit of the world
+  double scale = 1;                              ///< main scale, mm on paper per unit of the world
   std::vector<drawing::ViewDrawing> drawings{};  ///< in order of the views; empty if no target needs them
   std::vector<std::string> warnings{};           ///< requests that could not be met
   sheet::Paper paper{};
 };
 
-/// Marks a sheet that lacks something since time was over in a stage; once more by another stage.
+/// Marks a sheet as incomplete since time was over in a stage; a further call replaces the stage.
 void mark_partial(FinishedSheet& sheet, const std::string& stage);
 
-/// Keeps the longest lines of the views, on the sheets and in the drawings, and notes in `partial` how many go. Says
-/// whether so few are left that they take no time.
+/// Keeps the longest lines of the views, on the sheets and in the drawings, and notes in `partial` how many are
+/// omitted. Returns whether so few are left that they take negligible time.
 bool keep_longest_lines(std::span<FinishedSheet> sheets, report::Partial& partial);
 
 }  // namespace epura::pipeline

@@ -27,7 +27,7 @@ FrameKind frame_of(const scene::SheetDescription& sheet, std::size_t views) {
   return frame == FrameKind::automatic ? usual : frame;
 }
 
-// Where a point that all views share, the middle of the world, lies in the plane of a view.
+// The position in the plane of a view of a point common to all views, the middle of the world.
 Vec2 common_point(const scene::World& world, const view::ProjectedScene& view) {
   const Mat4 to_plane = view::world_to_page(view, view::make_paper_map(view, 1, {0, 0}));
   const Vec4 p = to_plane * Vec4(world.box.centre(), 1);
@@ -48,7 +48,7 @@ sheet::Room room_around(const Annotations& annotations, const projection::Projec
 
 struct Views {
   std::vector<sheet::ViewToPlace> to_place;
-  std::vector<Vec2> origins;  ///< what their boxes are measured from
+  std::vector<Vec2> origins;  ///< origins of their boxes
 };
 
 Views views_to_place(const scene::World& world, std::span<const scene::ViewDescription> descriptions,
@@ -56,7 +56,7 @@ Views views_to_place(const scene::World& world, std::span<const scene::ViewDescr
                      const sheet::LineWidths& widths) {
   Views result;
   for (std::size_t i = 0; i < views.size(); ++i) {
-    // One view alone needs nothing in common with others.
+    // A single view need not be aligned with others.
     const Vec2 origin = views.size() > 1 ? common_point(world, views[i]) : Vec2(0, 0);
     const projection::Window box = view::drawn_box(views[i]);
     sheet::ViewToPlace view{sheet::view_place(views[i].projection), {box.min - origin, box.max - origin}};
@@ -79,7 +79,7 @@ struct LayoutOptions {
   ProjectionAngle angle;
 };
 
-// mm between the frame and ink. Centring marks reach 10 mm into the drawing area.
+// mm between the frame and ink. Centring marks extend 10 mm into the drawing area.
 double clearance_of(FrameKind frame) {
   if (frame == FrameKind::none) return 0;
   return frame == FrameKind::full ? 12 : 5;
@@ -100,8 +100,8 @@ bool is_sized_by_scale(const scene::SheetDescription& sheet) {
 
 scene::PaperChoice iso_size(int number) { return {scene::PaperChoice::Kind::iso, number, {0, 0}}; }
 
-// "auto": the smallest paper on which the views have room at the scale that is given. `size` is the usual one, and
-// becomes the one that is taken.
+// "auto": the smallest paper on which the views fit at a given scale. `size` is initially the usual size, and is set to
+// the chosen one.
 sheet::Arrangement arranged(const scene::SheetDescription& sheet, const LayoutOptions& options,
                             std::span<const sheet::ViewToPlace> views, scene::PaperChoice& size) {
   if (!is_sized_by_scale(sheet) || !options.scale.fixed) return arranged_on(size, options, views);
@@ -120,7 +120,7 @@ std::string size_text(const scene::PaperChoice& size) {
   return "none";
 }
 
-// Scale and size of paper are filled in when they are known.
+// Scale and paper size are filled in once they are known.
 sheet::TitleBlock title_block_of(const scene::SceneDescription& scene, int sheet) {
   sheet::TitleBlock block;
   for (const auto& [name, text] : scene.sheets[static_cast<std::size_t>(sheet)].title_block)

@@ -16,28 +16,27 @@
 
 namespace epura::pipeline {
 
-/// A sheet before anything is drawn on it.
+/// The layout of a sheet, before anything is drawn on it.
 struct SheetPlan {
   sheet::SheetFurniture furniture;  ///< with its paper, without labels of views
   std::vector<PlaceOnPage> places;  ///< of its views, in their order
-  double scale = 1;                 ///< main scale, mm of paper per unit of the world
+  double scale = 1;                 ///< main scale, mm on paper per unit of the world
   bool chosen = false;              ///< the scale is the largest of ISO 5455 that fits
-  bool inside = true;               ///< all ink keeps the margins
+  bool inside = true;               ///< all ink is within the margins
 };
 
-/// The paper for so many views unless their scale needs a larger one, and the largest that they may get.
+/// The usual paper for so many views unless their scale needs a larger one, and the largest one that they may get.
 scene::PaperChoice usual_size(const scene::SheetDescription& sheet, std::size_t views);
 scene::PaperChoice largest_size(const scene::SheetDescription& sheet, std::size_t views);
 
-/// Height of the texts of dimensions, mm: 2.5 for several views on A4, 3.5 elsewhere. ISO 3098.
+/// Height of dimension texts, mm: 2.5 for several views on A4, otherwise 3.5. ISO 3098.
 double dimension_text_height(const sheet::Paper& paper, std::size_t views);
 
-/// Positions of the views on a sheet, with room for their annotations. Throws Error{input} for words that say
-/// nothing.
+/// Positions the views on a sheet, with room for their annotations. Throws Error{input} for invalid words.
 SheetPlan plan_sheet(const scene::World& world, const scene::SceneDescription& scene, const SheetOfViews& sheet,
                      std::span<const view::ProjectedScene> views, const std::vector<Annotations>& annotations);
 
-/// A sheet whose views have their places, for what is drawn on it.
+/// A sheet with positioned views, as input for drawing on it.
 struct SheetInput {
   const scene::World& world;
   const scene::SceneDescription& scene;

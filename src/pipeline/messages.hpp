@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a run sends messages for its user.
+// Destinations of messages for the user of a run.
 #pragma once
 
 #include <functional>

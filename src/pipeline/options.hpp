@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a scene is drawn, apart from the options of its parts.
+// Options for drawing a scene, apart from those of its parts.
 #pragma once
 
 #include <filesystem>
@@ -43,7 +43,7 @@ struct RunOptions {
   bool verify = false;
   int verify_samples = 2000;
   Shortcuts plan;               ///< shortcuts in use
-  bool explain = false;         ///< print the plan
+  bool explain = false;         ///< print the steps
   bool keeps_drawings = false;  ///< in addition to the sheets
 };
 

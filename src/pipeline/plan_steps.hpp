@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Steps of the plan that do not belong to a view.
+// Steps of the report that do not belong to a view.
 #pragma once
 
 #include <vector>
@@ -10,9 +10,9 @@
 
 namespace epura::pipeline {
 
-/// Views in, plugins opened out.
+/// Views in, opened plugins out.
 report::PlanStep plugins_step(const std::vector<SheetOfViews>& sheets);
-/// Texts in and out. Without texts no font is opened, unless `leave_out` is false.
+/// Texts in and out. Without texts, no font is opened unless `leave_out` is false.
 report::PlanStep text_step(const sheet::Sheet& sheet, bool leave_out);
 
 }  // namespace epura::pipeline

@@ -9,8 +9,7 @@
 
 namespace epura::pipeline {
 
-/// The answers as text; empty if there are no questions. Throws Error{input} when an edge that was requested does not
-/// exist.
+/// The answers as text; empty if there are no questions. Throws Error{input} if a requested edge does not exist.
 std::string answer(const RunOptions& questions, const ViewInput& input, const ViewResult& result,
                    const Progress& progress = {});
 

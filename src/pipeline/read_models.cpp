@@ -49,7 +49,7 @@ void warn_about_idle(const Messages& messages, const scene::SceneDescription& sc
   }
 }
 
-// What the user says of a file goes before what the file says of itself.
+// The user's statements about a file take precedence over those in the file.
 Mat4 place_of(const scene::ModelDescription& model, const importer::ReadModel& read) {
   const double unit = model.unit.given() ? scene::millimetres(*model.unit) : read.unit.value_or(1);
   Mat4 place = scene::parse_transform("scale:" + format_number(unit));
@@ -58,7 +58,7 @@ Mat4 place_of(const scene::ModelDescription& model, const importer::ReadModel& r
   return place;
 }
 
-// The largest factor by which the model's transform multiplies a length, or more.
+// An upper bound for the factor by which the model's transform multiplies lengths.
 double enlargement_of(const scene::ModelDescription& model) {
   if (!model.transform.given()) return 1;
   const Mat3 linear(*model.transform);
@@ -67,7 +67,7 @@ double enlargement_of(const scene::ModelDescription& model) {
   return sum > 0 ? std::sqrt(sum) : 1;
 }
 
-// If a scene file names the model, a reading error states where.
+// If a scene file names the model, reading errors state where.
 importer::ReadModel read(const scene::ModelDescription& model, importer::ReadOptions options,
                          const Progress& progress) {
   if (model.soup != nullptr) return {mesh::make_mesh(*model.soup, *model.name, progress)};
@@ -78,14 +78,14 @@ importer::ReadModel read(const scene::ModelDescription& model, importer::ReadOpt
   return model.file.where == *model.file ? read_it(*model.file) : at_place(model.file, read_it);
 }
 
-// That the views may be drawn on. What is cut to the drawing is as large as fits on A4.
+// The largest paper on which the views may be drawn. A drawing without a paper size is made as large as fits on A4.
 sheet::Paper largest_paper(const scene::SheetDescription& sheet, std::size_t views) {
   scene::PaperChoice size = largest_size(sheet, views);
   if (size.kind == scene::PaperChoice::Kind::none) size = {};
   return sheet::make_paper(size, false);
 }
 
-// As read_model counts it; 0 where it is not known, as of a pipe.
+// In the units of read_model; 0 if it is unknown, as for a pipe.
 std::size_t work_of(const std::vector<scene::ModelDescription>& models) {
   std::size_t bytes = 0;
   for (const scene::ModelDescription& model : models) {
@@ -104,7 +104,7 @@ void warn_about(const Messages& messages, const mesh::MeshReport& report, bool s
   const auto say_left_out = [&](int faces, const std::string& what) {
     say(faces, "face left out: " + what, "faces left out: " + what);
   };
-  // Such a face bounds its only edge twice: leaving it out opens nothing.
+  // Such a face borders its only edge twice: omitting it opens nothing.
   if (mesh::are_many(report.dropped_degenerate, report.faces + report.dropped_degenerate))
     say_left_out(report.dropped_degenerate, "fewer than three distinct corners");
   say_left_out(report.dropped_duplicates, "the corners of an earlier face");
@@ -148,7 +148,7 @@ scene::World read_models(const scene::SceneDescription& scene, const importer::R
                                       [](const scene::ViewDescription& view) { return !view.edges.given(); });
   std::vector<scene::Placed> placed;
   for (std::size_t i = 0; i < models.size(); ++i) {
-    // What is not drawn keeps its number.
+    // Models that are not drawn keep their numbers.
     const bool drawn = is_drawn(models[i]);
     importer::ReadModel model = drawn ? read(models[i], options, progress) : importer::ReadModel{};
     const Mat4 place = place_of(models[i], model);

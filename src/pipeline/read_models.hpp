@@ -14,12 +14,12 @@
 
 namespace epura::pipeline {
 
-/// The precision that the drawings need, so that no ink is off by more than RunOptions::max_error: from the scales that
-/// are given, otherwise from the paper that the drawings will fit on.
+/// The precision that the drawings need so that no ink is off by more than RunOptions::max_error: from the given
+/// scales, otherwise from the paper on which the drawings must fit.
 importer::ReadOptions read_options(const scene::SceneDescription& scene, const RunOptions& options);
 
-/// Reads and places the models; `reports` gets one more for each. Reports what was repaired. Faces of parts are those
-/// that files declare.
+/// Reads and positions the models; appends a report for each to `reports`. Reports repairs. Faces of parts are those
+/// that the files declare.
 scene::World read_models(const scene::SceneDescription& scene, const importer::ReadOptions& options,
                          std::vector<mesh::MeshReport>& reports, const Messages& messages, Progress progress);
 

@@ -15,10 +15,10 @@ namespace epura::pipeline {
 
 namespace {
 
-// Of the time that is left after reading.
+// Fraction of the time left after reading.
 constexpr double part_for_faces = 0.25;
 
-// Without lines inside surfaces there is nothing to distinguish.
+// If no lines inside surfaces are drawn, there is nothing to distinguish.
 bool is_asked(const scene::ViewDescription& view) {
   const EdgeKinds kinds = view.edges.value_or({});
   return kinds.crease || kinds.tangent || kinds.smooth || kinds.intersection;
@@ -31,8 +31,8 @@ bool may_fit(const scene::World& world) {
   return bodies > 1;
 }
 
-// Degrees: edges that are folded by less are not told from the inside faces. Where only creases are requested, fine
-// tessellations have none.
+// Degrees: edges with a smaller fold angle are not distinguished from those inside faces. If only creases are
+// requested, fine tessellations have none.
 double least_fold(const scene::World& world, const scene::SceneDescription& scene, const RunOptions& options) {
   constexpr double flat = 0.005;
   double least = edges::EdgeOptions().part_angle;

@@ -10,8 +10,8 @@
 
 namespace epura::pipeline {
 
-/// Recognises faces that the file does not declare where requested and useful, and adds a step to the plan. Models that
-/// there is no time for are drawn as meshes, and reported. The report also has the error of tessellation.
+/// Recognises faces that the file does not declare, if requested and useful, and adds a step to the plan of the report.
+/// Models for which there is no time are drawn as meshes, and reported. The report also has the error of tessellation.
 void recognise_parts(scene::World& world, const scene::SceneDescription& scene, const RunOptions& options,
                      report::Report& report, Progress progress);
 

@@ -20,7 +20,7 @@ std::string name_of(const CutSection& section, int model, int body) {
   return mesh.report.name + (mesh.report.bodies > 1 ? ": body " + std::to_string(body) : "");
 }
 
-// What should have been hatched must not look as if it were hollow.
+// An area that should have been hatched must not look hollow.
 void warn_about(const Messages& messages, const CutSection& section, const scene::OpenOutline& open) {
   messages.warn(name_of(section, open.model, open.body) + " has an outline in section " + section.plane.name +
                 " that is open at " + format_point(open.end) + "; the area it would enclose is not hatched");

@@ -16,13 +16,13 @@ struct CutSection {
   scene::CutWorld cut;
 };
 
-/// By name, those that some view shows. Throws Error{input} for planes that cut nothing.
+/// Sections shown by some view, by name.
 using CutSections = std::map<std::string, CutSection>;
-/// Throws OutOfTime.
+/// Throws Error{input} for planes that cut nothing, and OutOfTime.
 CutSections cut_sections(const scene::World& world, const scene::SceneDescription& scene, const Messages& messages,
                          const Progress& progress = {});
 
-/// The section that a view shows; null where it shows the whole.
+/// The section shown by a view; null if it shows the whole.
 const CutSection* section_of(const CutSections& sections, const scene::ViewDescription& view);
 
 }  // namespace epura::pipeline

@@ -8,13 +8,13 @@
 
 namespace epura::pipeline {
 
-/// Enabled shortcuts. Tests and measurements disable them: every drawing stays the same to the byte.
+/// Enabled shortcuts. Tests and measurements disable them: every drawing remains the same, byte by byte.
 struct Shortcuts {
-  bool clip = true;           ///< by planes that have everything inside (view/projected_scene.hpp)
-  bool intersections = true;  ///< of separate convex bodies (edges/crossing_candidates.hpp)
-  bool visibility = true;     ///< of a surface that the page shows as one sheet (visibility/height_field.hpp)
-  bool hidden = true;         ///< lines that are not drawn are not made (drawing/make_drawing.hpp)
-  bool text = true;           ///< without texts no font is opened
+  bool clip = true;           ///< clipping by planes with everything inside (view/projected_scene.hpp)
+  bool intersections = true;  ///< intersections of separate convex bodies (edges/crossing_candidates.hpp)
+  bool visibility = true;     ///< hiding by a surface that appears as one sheet (visibility/height_field.hpp)
+  bool hidden = true;         ///< making lines that are not drawn (drawing/make_drawing.hpp)
+  bool text = true;           ///< opening a font if there are no texts
 
   bool operator==(const Shortcuts&) const = default;
 };
@@ -22,7 +22,7 @@ struct Shortcuts {
 /// By the names of their stages in the plan.
 const std::vector<std::pair<std::string, bool Shortcuts::*>>& shortcut_names();
 
-/// "all", "none", or names with commas. Throws Error{input}.
+/// Parses "all", "none", or names separated by commas. Throws Error{input}.
 Shortcuts parse_shortcuts(const std::string& text);
 
 }  // namespace epura::pipeline

@@ -22,7 +22,7 @@ std::string encode(const output::Format& format, std::span<const FinishedSheet> 
   return format.encode(content, progress);
 }
 
-// Sheets of one run may end up on one page.
+// Sheets of one run may be embedded in one page.
 output::VectorOptions options_of_sheet(output::VectorOptions options, std::size_t number) {
   if (!options.id_prefix.empty()) options.id_prefix += "-" + std::to_string(number);
   return options;
@@ -68,7 +68,7 @@ void refuse_overwriting(const std::vector<std::string>& outputs, const std::vect
   struct Taken {
     std::string name, role;
   };
-  std::map<std::string, Taken> taken;  // by what they are
+  std::map<std::string, Taken> taken;  // by identity of the file
   for (const std::string& input : inputs) taken.insert({identity_of_file(input), {input, "input"}});
   for (const std::string& output : outputs) {
     const std::string identity = output == "-" ? output : identity_of_file(output);

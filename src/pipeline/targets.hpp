@@ -19,30 +19,30 @@ struct Target {
   const output::Format* format;
 };
 
-/// Formats are settled before any work is done: a long run must not end in a typing error. `dash_format` is that of
-/// "-". Throws Error{input}.
+/// Formats are determined before any work is done: a long run must not fail because of a typing error. `dash_format` is
+/// the format of "-". Throws Error{input}.
 std::vector<Target> targets_of(const std::vector<std::string>& paths, const std::string& dash_format);
 
-/// The files written for a number of `sheets` (or pages, or diagrams), one each: x-1.svg, x-2.svg for x.svg where
-/// there are several.
+/// The files written for a number of `sheets` (or pages, or diagrams), one for each: if there are several, x-1.svg,
+/// x-2.svg for x.svg.
 std::vector<std::string> one_for_each(const std::string& path, std::size_t sheets);
 
-/// The same, where formats with pages have one file for all sheets.
+/// The same, but formats with pages have one file for all sheets.
 std::vector<std::string> files_of(const Target& target, std::size_t sheets);
 std::vector<std::string> files_of(const std::vector<Target>& targets, std::size_t sheets);
 
-/// The models that a scene reads.
+/// The model files that a scene reads.
 std::vector<std::string> inputs_of(const scene::SceneDescription& scene);
 
-/// To be asked before anything is written: an output that is an input, by whatever name, would take from the user what
-/// it is made of; of two that are one file the first would be lost. Throws Error{input}.
+/// To be called before anything is written: an output that is also an input, under whatever name, would destroy the
+/// user's source; of two outputs that are the same file, the first would be lost. Throws Error{input}.
 void refuse_overwriting(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs);
 
 struct FileBytes {
   std::string path, bytes;
 };
 
-/// All files of all targets. Throws OutOfTime.
+/// Encodes all files of all targets. Throws OutOfTime.
 std::vector<FileBytes> encode_all(const std::vector<Target>& targets, std::span<const FinishedSheet> sheets,
                                   const output::VectorOptions& options, const report::Report& report,
                                   Progress progress);

@@ -41,7 +41,7 @@ void warn_if_empty(const Messages& messages, const ViewResult& result, const Vie
     return messages.warn("nothing is drawn: no edge of the selected kinds is visible");
   if (result.work.view.window_given) return messages.warn("nothing is drawn: no edge is visible in the window");
   if (input.world.triangles.empty()) return messages.warn("nothing is drawn: every line is seen end-on");
-  // Any face has an outline.
+  // Every face has an outline.
   throw Error(ErrorKind::input, "view '" + input.options.name + "'",
               "nothing is drawn: no face is larger than the rounding error of its coordinates (" +
                   format_rounded(input.world.rounding, 2) + ")",

@@ -13,22 +13,22 @@
 
 namespace epura::pipeline {
 
-/// Warns of a view without lines of the selected kinds, or without any in its window. Throws Error{input} for
-/// one that should have lines, but all of them are lost in the rounding of coordinates.
+/// Warns of a view without lines of the selected kinds, or without any in its window. Throws Error{input} for a view
+/// that should have lines, but has lost all of them in the rounding of coordinates.
 void warn_if_empty(const Messages& messages, const ViewResult& result, const ViewInput& input);
 void warn_about(const Messages& messages, const ViewResult& result);
 void warn_about(const Messages& messages, const report::Partial& partial);
 /// The error if the time limit leaves nothing to show.
 Error nothing_drawn(const std::string& stage);
-/// Warns where the map of a view keeps few digits.
+/// Warns if the map of a view preserves few digits.
 void warn_about(const Messages& messages, const report::ViewCondition& view);
 /// Warns of characters missing from the font.
 void warn_about(const Messages& messages, const sheet::Sheet& sheet);
 
-/// A line of what the map of a view can keep.
+/// A line about the precision of the map of a view.
 std::string format_condition(const report::ViewCondition& view);
 
-/// Tells how many curves were found in the lines.
+/// Prints the number of curves found in the lines.
 void tell_of_curves(const Messages& messages, const std::vector<ViewResult>& results);
 void tell_timings(const Messages& messages, const Stopwatch& watch);
 

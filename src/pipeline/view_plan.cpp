@@ -62,7 +62,7 @@ ViewOptions view_options(const scene::ViewDescription& view, const RunOptions& r
 
 std::vector<PlannedView> plan_views(const scene::SceneDescription& scene, const RunOptions& options) {
   const auto folders = projection::plugin_folders(options.plugin_path);
-  std::map<std::string, projection::ProjectionEntry> found;  // views of one projection ask one process
+  std::map<std::string, projection::ProjectionEntry> found;  // views with the same projection share a process
   const auto find = [&](const std::string& name) {
     const auto known = found.find(name);
     return known != found.end() ? known->second

@@ -11,14 +11,14 @@
 
 namespace epura::pipeline {
 
-/// A view before the models are read: all that can be wrong about its words has been found.
+/// A view before the models are read; all errors in its words have been found.
 struct PlannedView {
   scene::ProjectionRequest request;
   projection::ProjectionEntry entry;
   ViewOptions options;
 };
 
-/// Throws Error{input}, or Error{plugin} for projections that are not there.
+/// Throws Error{input}, or Error{plugin} for projections that do not exist.
 std::vector<PlannedView> plan_views(const scene::SceneDescription& scene, const RunOptions& options);
 
 /// A sheet, and the scene's views on it.
@@ -35,7 +35,7 @@ std::vector<SheetOfViews> views_by_sheet(const scene::SceneDescription& scene, c
 sheet::BodyStyles styles_of(const scene::SceneDescription& scene, const scene::ViewDescription& view,
                             const scene::World& world, const projection::Projection& projection);
 
-/// The view of the world, not on paper yet. Throws Error{input} for values of parameters that do not fit the world.
+/// The projected world, not on paper yet. Throws Error{input} for parameter values that do not fit the world.
 view::ProjectedScene project_scene(const scene::World& world, const PlannedView& plan,
                                    const scene::ViewDescription& description);
 

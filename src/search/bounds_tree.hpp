@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A tree over items in a given order, searched by bounds of several measures.
+// A tree over items in a given order, searched by the bounds of several measures.
 #pragma once
 
 #include <algorithm>
@@ -35,15 +35,15 @@ class BoundsTree {
     visit_where([&](const Bounds<measures>& bounds) { return meet(bounds, wanted); }, visit);
   }
 
-  /// The same for items for whose bounds `may_hold(bounds)` is true. It must also be true for bounds that contain
-  /// these.
+  /// The same for items with bounds for which `may_hold(bounds)` is true. It must also be true for all bounds that
+  /// contain these.
   template <class MayHold, class Visit>
   void visit_where(const MayHold& may_hold, Visit visit) const {
     if (count_ > 0) visit_below(0, 0, count_, may_hold, visit);
   }
 
  private:
-  static constexpr std::size_t leaf = 8;  // greatest number of items that are not divided
+  static constexpr std::size_t leaf = 8;  // maximum number of items that are not divided
 
   static bool meet(const Bounds<measures>& a, const Bounds<measures>& b) {
     for (std::size_t i = 0; i < measures; ++i)
@@ -51,7 +51,7 @@ class BoundsTree {
     return true;
   }
 
-  // Nodes are in the order of a heap.
+  // Nodes are in heap order.
   template <class BoundsOf>
   const Bounds<measures>& bound(std::size_t node, std::size_t begin, std::size_t end, const BoundsOf& bounds_of) {
     Bounds<measures> all;

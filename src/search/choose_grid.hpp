@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Chooses how finely, and in what proportion, a part of the page is divided into cells.
+// Chooses the size and proportions of the cells into which a part of the page is divided.
 #pragma once
 
 #include <cmath>
@@ -13,7 +13,7 @@ struct PageBox {
   Vec2 min, max;
 };
 
-/// How often the lines of a grid cut things: sums over their boxes, as fractions of the page's.
+/// How often the lines of a grid cut items: sums over the boxes of the items, as fractions of the page.
 struct Cuts {
   std::size_t things = 0;
   Vec2 side{0, 0};
@@ -32,15 +32,15 @@ struct Cuts {
 
 struct GridLimits {
   double cells;         ///< maximum number
-  double side;          ///< least width and height
-  double cuts_of_line;  ///< at most, on average
+  double side;          ///< minimum width and height
+  double cuts_of_line;  ///< maximum average
   double cuts_of_area;
 };
 
 /// Halves cells along the axis that cuts fewer lines, as often as the limits allow: long parallel lines get long cells.
 CellGrid choose_grid(const PageBox& page, const Cuts& lines, const Cuts& areas, const GridLimits& limits);
 
-/// The same for lines from `from` to `to`.
+/// The same for lines with members `from` and `to`.
 template <class Lines>
 CellGrid grid_over_lines(const Lines& lines, const GridLimits& limits) {
   PageBox page{Vec2(HUGE_VAL), Vec2(-HUGE_VAL)};

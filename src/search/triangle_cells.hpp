@@ -19,8 +19,8 @@ struct RowOfCells {
   int inner_from, inner_to;
 };
 
-/// A triangle to be laid on a grid. Cells are widened by `slack` on all sides before they are compared with it: cells
-/// that are left out are certainly not touched, and those called inside certainly are.
+/// A triangle on a grid. Cells are widened by `slack` on all sides before they are compared with it: cells that are not
+/// reported are certainly not touched, and those reported as inside certainly are inside.
 class TriangleOnGrid {
  public:
   TriangleOnGrid(const CellGrid& grid, const std::array<Vec2, 3>& corners, const Vec2& slack);
@@ -48,7 +48,7 @@ class TriangleOnGrid {
       to = std::max(to, other.to);
     }
   };
-  // The triangle on one horizontal line: where its border may cross, and what certainly lies between.
+  // The triangle on one horizontal line: where its border may cross, and the part that certainly lies inside.
   struct LevelCut {
     Interval hull, inner;
   };
@@ -61,7 +61,7 @@ class TriangleOnGrid {
   std::array<Vec2, 3> corners_;
   std::array<Side, 3> sides_;  ///< set for large triangles only
   Vec2 slack_;
-  bool large_;                       ///< whether it is wider and higher than a cell
+  bool large_;                       ///< wider and higher than a cell
   int left_, right_, bottom_, top_;  ///< cells of its box; right < left if it lies outside the grid
 };
 

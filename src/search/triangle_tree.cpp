@@ -40,14 +40,14 @@ TriangleTree::TriangleTree(std::size_t count, const std::function<Box(int)>& box
   UnsetVector<int> order = order_along_curve(bounds);
   if (!groups.empty())
     std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return groups[a] < groups[b]; });
-  leaves_.resize((count + width - 1) / width);  // not earlier, since ordering takes as much memory
+  leaves_.resize((count + width - 1) / width);  // not earlier, because ordering takes as much memory
   fill_leaves(order, bounds);
   nodes_.resize(2 * leaves_.size() - 1);
   build(0, 0, static_cast<int>(leaves_.size()), groups);
 }
 
-// Orders triangles by the positions of their boxes' middles on a Morton curve: neighbours on it are neighbours in
-// space. One pass puts them into buckets by the upper bits of their positions; the buckets are sorted in parallel.
+// Orders triangles by the positions of the middles of their boxes on a Morton curve: neighbours on it are neighbours in
+// space. One pass puts them into buckets by the upper bits of their positions; the buckets are then sorted in parallel.
 UnsetVector<int> TriangleTree::order_along_curve(const UnsetVector<Bounds>& bounds) {
   const auto middle = [&](std::size_t i) {
     return (Vec3(bounds[i].min[0], bounds[i].min[1], bounds[i].min[2]) +
@@ -96,7 +96,7 @@ TriangleTree::Bounds TriangleTree::rounded_outwards(const Box& box) {
   return bounds;
 }
 
-// Unused entries after the last triangle meet nothing.
+// The bounds of unused entries after the last triangle meet nothing.
 void TriangleTree::fill_leaves(const UnsetVector<int>& order, const UnsetVector<Bounds>& bounds) {
   constexpr Bounds nothing{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
   parallel_for(leaves_.size(), grain / width, [&](std::size_t begin, std::size_t end) {
@@ -151,8 +151,8 @@ TriangleTree::Node TriangleTree::build(int node, int leaf, int leaves, const std
   return nodes_[node] = built;
 }
 
-// A node against itself becomes its children against themselves and each other; of two different nodes, the larger one
-// is replaced by its children.
+// A pair of a node with itself becomes pairs of its children with themselves and each other; of two different nodes,
+// the larger one is replaced by its children.
 void TriangleTree::split(const NodePair& pair, std::vector<NodePair>& parts) const {
   const auto [a, b] = pair;
   const auto add = [&](int i, int j) {

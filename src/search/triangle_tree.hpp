@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A tree of boxes over triangles in space, to find pairs that may meet.
+// A tree of boxes around triangles in space, for finding pairs that may meet.
 #pragma once
 
 #include <array>
@@ -14,15 +14,15 @@
 
 namespace epura::search {
 
-/// Leaves hold sixteen triangles each, in the order of a space-filling curve, and boxes are rounded outwards to 32
-/// bits: many boxes are tested at once, and the tree takes about 32 bytes for each triangle.
+/// Leaves have sixteen triangles each, in the order of a space-filling curve, and boxes are rounded outwards to 32
+/// bits: many boxes are tested at once, and the tree takes about 32 bytes per triangle.
 class TriangleTree {
  public:
   /// Calls `box_of(triangle)` for triangles 0 to count - 1, from several threads. Triangles of one group do not meet
   /// each other; `groups` has one entry for each triangle, -1 for none, or is empty.
   TriangleTree(std::size_t count, const std::function<Box(int)>& box_of, const std::vector<int>& groups = {});
 
-  /// A task of the search for pairs: the triangles below one node against those below another (or the same) node.
+  /// A task of the search for pairs: the triangles below one node against those below another or the same node.
   using NodePair = std::array<int, 2>;
 
   /// Returns the whole search, divided into about `count` independent tasks.

@@ -17,13 +17,14 @@ namespace {
 
 using Spots = std::vector<ViewSpot>;
 
-// Pictorial views may be this much smaller than the others; when the others would lose too much by that, this much.
+// Least size of pictorial views relative to the others; `least_share` applies if the others would lose too much
+// otherwise.
 constexpr double good_share = 0.4, least_share = 0.1;
-// Ten thousandfold less than what would fit without anything in the way.
+// 2^14: more than ten thousand times smaller than what would fit with nothing in the way.
 constexpr int most_halvings = 14;
 constexpr double rounding = 1e-9;
 
-// The largest scale at which `fits` holds, if it holds below some scale that is not much less than `max`.
+// Returns the largest scale at which `fits` holds, if it holds at some scale that is not much less than `max`.
 std::optional<double> largest_that(double max, bool standard, const std::function<bool(double)>& fits) {
   double fitting = standard ? standard_scale_up_to(max) : max;
   if (!(fitting > 0)) return std::nullopt;
@@ -51,7 +52,7 @@ std::optional<Found> at_fixed_scale(const Arranger& arranger, double scale) {
   return Found{scale, arranger.balanced(*spots)};
 }
 
-// `otherwise`: where no view depends on the scale.
+// `otherwise` is the scale to use if no view depends on the scale.
 std::optional<Found> at_free_scale(const Arranger& arranger, bool standard, double otherwise) {
   double max = arranger.largest_scale();
   if (!std::isfinite(max)) max = otherwise;
@@ -73,7 +74,7 @@ struct Question {
   DrawingRoom room;
 };
 
-// Where the scale is of no matter.
+// The scale to report if no view depends on it.
 double scale_of_first(const Question& question) { return question.views.front().scale.value_or(1); }
 
 std::optional<Found> find(const Question& question, const Arranger& arranger) {
@@ -88,7 +89,7 @@ ArrangerRoom room_on(const Paper& paper, const DrawingRoom& room) {
   return arranger;
 }
 
-// Gaps give way before the drawing does.
+// Reduces the gaps before the drawing.
 std::optional<Found> find_on(const Question& question, const Paper& paper) {
   ArrangerRoom room = room_on(paper, question.room);
   if (!(room.area.size().x > 0 && room.area.size().y > 0)) return std::nullopt;
@@ -134,7 +135,7 @@ Arrangement on_paper(const Question& question) {
   return {paper, found->scale, found->spots, all_inside(found->spots, question, paper)};
 }
 
-// Arranged on A4, or on a larger sheet of that shape where the scale is given; then the paper is cut.
+// Arranges the views on A4, or on a larger sheet of that shape if the scale is given, and then cuts the paper to size.
 Arrangement on_cut_paper(Question question) {
   const Paper margins = question.room.paper;
   Paper trial = make_paper({}, false);
@@ -180,7 +181,7 @@ ViewPlace view_place(const projection::Projection& projection) {
   constexpr double same_direction = 1e-9;
   const auto same = [](const Vec3& a, const Vec3& b) { return glm::length(a - b) < same_direction; };
   if (projection.central || !same(glm::normalize(projection.projector), projection.n)) return ViewPlace::pictorial;
-  // Normal and direction up the page, in order of ViewPlace. ISO 128-3.
+  // Normal and upward direction on the page, in order of ViewPlace. ISO 128-3.
   const std::array<std::array<Vec3, 2>, 6> principal{{{{{0, -1, 0}, {0, 0, 1}}},
                                                       {{{0, 1, 0}, {0, 0, 1}}},
                                                       {{{-1, 0, 0}, {0, 0, 1}}},

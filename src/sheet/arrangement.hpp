@@ -16,47 +16,48 @@
 
 namespace epura::sheet {
 
-/// What a view is to the others. The first six have fixed places; `other` views share their scale (auxiliary views,
-/// sections); `pictorial` ones have another scale where theirs has no room.
+/// The role of a view among the others. The first six have fixed positions; `other` views (auxiliary views, sections)
+/// have the same scale; `pictorial` views get another scale if there is no room for them at that one.
 enum class ViewPlace { front, back, left, right, top, bottom, pictorial, other };
 
-/// By what the projection does, whatever its name: principal where the projectors are perpendicular to the plane, along
-/// a world axis, and the page stands as ISO 128-3 has it; `other` for other directions perpendicular to a world axis;
-/// all else is pictorial.
+/// Depends on the projection itself, not on its name: principal if the projectors are perpendicular to the plane and
+/// along a world axis, and up on the page is as in ISO 128-3; `other` for other orthographic views perpendicular to a
+/// world axis; otherwise pictorial.
 ViewPlace view_place(const projection::Projection& projection);
 
-/// A view that is to be placed. Windows of one world have a common origin.
+/// A view to be positioned. Windows of one world have a common origin.
 struct ViewToPlace {
   ViewPlace place = ViewPlace::other;
-  projection::Window box;          ///< of its ink in the projection plane
-  std::optional<double> scale{};   ///< its own
+  projection::Window box;          ///< of its ink, in the projection plane
+  std::optional<double> scale{};   ///< the view's own
   std::optional<Vec2> at{};        ///< required centre of its ink, mm
   Vec2 before{0, 0}, after{0, 0};  ///< mm to be kept free around the ink: left and below, right and above
 };
 
-/// Where views may be placed: in the drawing area of the paper, next to the title block.
+/// Where views may be positioned: in the drawing area of the paper, outside the title block.
 struct DrawingRoom {
-  Paper paper;                                ///< width 0: it is cut to the drawing
+  Paper paper;                                ///< width 0: cut to the drawing
   std::optional<Rectangle> title_block = {};  ///< in the lower right corner
   double clearance = 0;                       ///< mm kept free inside the drawing area and around the title block
-  double gap = 20;                            ///< mm between views; less where the paper is too small for it
+  double gap = 20;                            ///< mm between views; less if the paper is too small for it
 };
 
-/// Room above the ink of a view that is labelled, mm.
+/// Room above the ink of a labelled view, mm.
 inline constexpr double label_room = 10;
 
 struct Arrangement {
-  Paper paper;                  ///< with its size settled
+  Paper paper;                  ///< with its final size
   double scale;                 ///< of all non-pictorial views without their own scale
-  std::vector<ViewSpot> views;  ///< as they were given
-  bool inside;                  ///< all in the drawing area, and nothing over anything else
+  std::vector<ViewSpot> views;  ///< in the order given
+  bool inside;                  ///< everything is in the drawing area, and nothing overlaps
 };
 
-/// In first-angle projection the view from above is below the front view, that from the left to its right; in third
-/// angle projection above and to the left. The rear view is at the far right. Principal views are aligned with the
-/// front view, there or not; a second view with the same place is an `other` one, and so is one with its own scale. The
-/// others stand in the largest part of the sheet that is left. Each group is centred in its room. One view alone stands
-/// as in place_ink. `views` has at least one. Throws Error{input} beyond `longest_side`.
+/// In first-angle projection, the view from above is below the front view and the view from the left to its right; in
+/// third-angle projection, they are above it and to its left. The rear view is at the far right. Principal views are
+/// aligned with the front view, even if that is absent; a second view with the same position, or a view with its own
+/// scale, is treated as `other`. The remaining views are placed in the largest free part of the sheet. Each group is
+/// centred in its room. A single view is positioned as by place_ink. `views` must not be empty. Throws Error{input}
+/// beyond `longest_side`.
 Arrangement arrange(std::span<const ViewToPlace> views, const scene::ScaleChoice& choice, ProjectionAngle angle,
                     const DrawingRoom& room);
 

@@ -13,9 +13,9 @@ namespace epura::sheet {
 
 namespace {
 
-// Lengths that differ by less are equal: rounding errors of sums.
+// Lengths that differ by less than this rounding error of sums are equal.
 constexpr double slack = 1e-7;
-// The groups of views move each other a little.
+// Several rounds, because each group of views that moves changes the room of the others a little.
 constexpr int rounds_of_balance = 4;
 
 void append(std::vector<ViewSpot>& spots, const std::vector<ViewSpot>& more) {
@@ -24,7 +24,7 @@ void append(std::vector<ViewSpot>& spots, const std::vector<ViewSpot>& more) {
 
 bool is_principal(ViewPlace place) { return place < ViewPlace::pictorial; }
 
-// Column and row around the front view.
+// Column and row in the layout around the front view.
 std::array<int, 2> cross_place(ViewPlace place, ProjectionAngle angle) {
   const int to_its_side = angle == ProjectionAngle::third ? 1 : -1;
   switch (place) {
@@ -58,7 +58,7 @@ Arranger::Arranger(std::span<const ViewToPlace> views, ProjectionAngle angle, Ar
   labelled_pictorials_ = grids(pictorial_, Labels::all);
 }
 
-// Without principal views and sections all are alike.
+// Without principal and other views, pictorial views are treated as other views.
 void Arranger::sort_out() {
   std::array<bool, 6> there{};
   for (std::size_t i = 0; i < views_.size(); ++i) {
@@ -135,7 +135,7 @@ bool Arranger::is_free(const Spots& spots, std::span<const Rectangle> taken) con
   });
 }
 
-// As high and far to the left as possible: the title block is at the lower right, and the others need their room.
+// As high and far to the left as possible: the title block is at the lower right, and the other views need room.
 std::optional<Arranger::Spots> Arranger::principal_spots(double scale, std::span<const Rectangle> taken) const {
   std::vector<Rectangle> corners = {room_.area};
   const std::vector<Rectangle> free = free_rectangles(room_.area, taken);
@@ -193,7 +193,7 @@ std::optional<std::vector<ViewSpot>> Arranger::arranged(double scale, double sha
   return all;
 }
 
-// How far the views of a group may go along an axis, backwards and forwards, until one meets something.
+// How far the views of a group can move backwards and forwards along an axis until one hits something.
 std::array<double, 2> Arranger::play(const Spots& spots, const std::vector<std::size_t>& group, int axis) const {
   std::vector<Rectangle> taken = room_.taken;
   for (const ViewSpot& spot : spots)
@@ -232,7 +232,7 @@ std::vector<ViewSpot> Arranger::balanced(std::vector<ViewSpot> spots) const {
 std::vector<ViewSpot> Arranger::overflowing(double scale) const {
   std::vector<ViewCell> cells;
   for (const std::size_t view : principal_) cells.push_back(principal_cell(view));
-  int column = 4;  // the rear view is in the one before
+  int column = 4;  // the rear view is in column 3
   for (const auto* views : {&other_, &pictorial_})
     for (const std::size_t view : *views) cells.push_back(free_cell(view, column++, 1, Labels::given));
   const ViewTable table(cells, room_.gap);

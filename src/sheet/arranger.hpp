@@ -17,25 +17,25 @@ namespace epura::sheet {
 /// Where to arrange, and how strictly.
 struct ArrangerRoom {
   Rectangle area;
-  std::vector<Rectangle> taken;  ///< the title block with what is to be free around it
+  std::vector<Rectangle> taken;  ///< the title block and the clearance around it
   double gap;                    ///< between views
-  bool watch_given = true;       ///< views with a given place have to be in the area, apart from everything else
+  bool watch_given = true;       ///< views with a given position must be in the area, without overlaps
 };
 
 class Arranger {
  public:
   Arranger(std::span<const ViewToPlace> views, ProjectionAngle angle, ArrangerRoom room);
 
-  /// No larger scale can do; infinite where all views have a scale of their own.
+  /// Upper bound for the scale; infinite if all views have their own scale.
   [[nodiscard]] double largest_scale() const;
 
-  /// All views at a scale, pictorial ones at no less than `share` of it; nothing where they have no room.
+  /// All views at a scale, pictorial ones at no less than `share` of it; nothing if they do not fit.
   [[nodiscard]] std::optional<std::vector<ViewSpot>> arranged(double scale, double share) const;
 
-  /// The same with each group of views in the middle of the room that the others leave it.
+  /// The same views, with each group in the middle of the room that the others leave.
   [[nodiscard]] std::vector<ViewSpot> balanced(std::vector<ViewSpot> spots) const;
 
-  /// Views that do not fit: apart from each other, but not within the area.
+  /// Positions for views that do not fit: they do not overlap, but are not confined to the area.
   [[nodiscard]] std::vector<ViewSpot> overflowing(double scale) const;
 
  private:

@@ -24,24 +24,24 @@ namespace {
 
 constexpr double beyond = 3;             // mm
 constexpr double least_diameter = 3;     // mm
-constexpr double shortest_piece = 1;     // mm, of what other lines leave
+constexpr double shortest_piece = 1;     // mm, of the pieces that other lines leave
 constexpr double same_place = 0.02;      // mm
 constexpr double same_direction = 1e-4;  // radians
-constexpr double edge_on = 1e-4;         // of the radius
+constexpr double edge_on = 1e-4;         // relative to the radius
 
-/// How the view sees a circle; mm of paper.
+/// The image of a circle, in mm on paper.
 struct SeenCircle {
   Vec2 centre;
   Vec2 u, v;                    ///< images of two perpendicular radii
   Vec2 axis;                    ///< image of the unit normal
-  std::optional<Vec2> spoke{};  ///< of a hole on a pitch circle: from the middle of that to it
+  std::optional<Vec2> spoke{};  ///< of a hole on a pitch circle: from the centre of the pitch circle to the hole
 
   [[nodiscard]] double radius() const { return std::max(glm::length(u), glm::length(v)); }
   [[nodiscard]] bool is_round() const {
     const double slack = 1e-4 * glm::dot(u, u);
     return slack > 0 && std::abs(glm::dot(u, u) - glm::dot(v, v)) <= slack && std::abs(glm::dot(u, v)) <= slack;
   }
-  /// How far it reaches from its centre in a direction.
+  /// How far the image reaches from its centre in a direction.
   [[nodiscard]] double reach(const Vec2& direction) const {
     return std::hypot(glm::dot(u, direction), glm::dot(v, direction));
   }
@@ -64,17 +64,17 @@ std::vector<SeenCircle> see(const drawing::ViewDrawing& drawing, const scene::Ro
   return circles;
 }
 
-// An apex has a radius of 0, and is seen alike from everywhere.
+// The apex of a cone has a radius of 0 and looks the same from everywhere.
 const SeenCircle& largest_of(std::span<const SeenCircle> circles) {
   return *std::max_element(circles.begin(), circles.end(),
                            [](const SeenCircle& a, const SeenCircle& b) { return a.radius() < b.radius(); });
 }
 
-/// A piece of the line through offset * normal along the direction of `angle`, the normal being 90 degrees further.
+/// A piece of the line at offset * normal along the direction of `angle`; the normal is 90 degrees further.
 struct Piece {
   double angle, offset;
   double from, to;
-  bool centred = true;  ///< its middle is to have ink
+  bool centred = true;  ///< requires ink in its middle
 
   [[nodiscard]] Vec2 direction() const { return {portable_cos(angle), portable_sin(angle)}; }
   [[nodiscard]] Vec2 at(double s) const {
@@ -83,7 +83,7 @@ struct Piece {
   }
 };
 
-// Angles from 0 to pi, those a little below pi as if below 0; rounded, so that lines in one direction share it.
+// Angles from 0 to pi, except that those just below pi count as just below 0; rounded, so that parallel lines share it.
 double angle_of_line(const Vec2& direction) {
   double angle = portable_atan2(direction.y, direction.x);
   if (angle < -same_direction) angle += std::numbers::pi;
@@ -94,7 +94,7 @@ double angle_of_line(const Vec2& direction) {
 double offset_of(double angle, const Vec2& p) { return portable_cos(angle) * p.y - portable_sin(angle) * p.x; }
 double place_along(double angle, const Vec2& p) { return portable_cos(angle) * p.x + portable_sin(angle) * p.y; }
 
-// A number for each value; values that are `apart` or nearer have the same.
+// A class number for each value; values no more than `apart` from the next one share a class.
 std::vector<int> classes_of(const std::vector<double>& values, double apart) {
   std::vector<std::size_t> order(values.size());
   std::iota(order.begin(), order.end(), 0);
@@ -109,7 +109,7 @@ std::vector<int> classes_of(const std::vector<double>& values, double apart) {
   return classes;
 }
 
-// Indices of things in groups: those near each other in both values.
+// Groups of indices of items that are close to each other in both values.
 std::vector<std::vector<std::size_t>> groups_of(const std::vector<double>& a, double a_apart,
                                                 const std::vector<double>& b, double b_apart) {
   const std::vector<int> first = classes_of(a, a_apart), second = classes_of(b, b_apart);
@@ -158,12 +158,12 @@ std::vector<Piece> crosses(const std::vector<std::vector<SeenCircle>>& features)
 
 bool is_slanted(const SeenCircle& circle) { return glm::length(circle.axis) > edge_on * circle.radius(); }
 
-// Through circles on one line: two that lie apart, or one that is seen edge-on.
+// The axis through circles on one line: two that are apart, or one that is seen edge-on.
 std::optional<Piece> axis_through(std::span<const SeenCircle> circles) {
   const double angle = angle_of_line(largest_of(circles).axis);
   Piece piece{angle, offset_of(angle, circles.front().centre), HUGE_VAL, -HUGE_VAL};
-  double first = HUGE_VAL, last = -HUGE_VAL;  // centres
-  bool alone = false;                         // one of them is enough
+  double first = HUGE_VAL, last = -HUGE_VAL;  // of the centres
+  bool alone = false;                         // one of them suffices
   for (const SeenCircle& circle : circles) {
     const double middle = place_along(angle, circle.centre), reach = circle.reach(piece.direction());
     piece.from = std::min(piece.from, middle - reach - beyond);
@@ -175,7 +175,7 @@ std::optional<Piece> axis_through(std::span<const SeenCircle> circles) {
   return alone || last - first > same_place ? std::optional(piece) : std::nullopt;
 }
 
-// Features know their circles; rims that are seen on one line are taken for one.
+// Circles of one feature belong together; single rims on one line in the view are treated as one feature.
 std::vector<Piece> axes(const std::vector<std::vector<SeenCircle>>& features) {
   std::vector<Piece> pieces;
   std::vector<SeenCircle> rims;
@@ -199,7 +199,7 @@ std::vector<Piece> axes(const std::vector<std::vector<SeenCircle>>& features) {
   return pieces;
 }
 
-// Overlapping pieces of one line are one piece.
+// Merges overlapping pieces of one line.
 std::vector<Piece> merged(const std::vector<Piece>& pieces) {
   const auto angles = values_of(pieces, [](const Piece& p) { return p.angle; });
   const auto offsets = values_of(pieces, [](const Piece& p) { return p.offset; });
@@ -223,7 +223,7 @@ std::vector<Piece> merged(const std::vector<Piece>& pieces) {
   return result;
 }
 
-/// What lines of other layers take from pieces.
+/// The parts of pieces that are covered by lines of other layers.
 class Covers {
  public:
   Covers(const std::vector<Piece>& pieces, double apart) : pieces_(pieces), apart_(apart), taken_(pieces.size()) {
@@ -242,7 +242,7 @@ class Covers {
     }
   }
 
-  /// What is left.
+  /// The uncovered parts.
   [[nodiscard]] std::vector<Piece> rest() const {
     std::vector<Piece> left;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
@@ -294,7 +294,7 @@ std::vector<Edge> visible_edges(const drawing::ViewDrawing& drawing) {
   return edges;
 }
 
-/// Which features have lines in a view.
+/// Decides which features have centre lines in a view.
 class Shown {
  public:
   explicit Shown(const CentredView& view) : view_(view) {
@@ -325,7 +325,7 @@ class Shown {
   }
 
   [[nodiscard]] bool is_visible(const scene::RoundFeature& feature, const SeenCircle& ring) const {
-    // The rims of a hole seen from the side are lines of the outline, and show nothing of the hole.
+    // The rims of a hole seen from the side are part of the outline, and do not show the hole.
     const double length = glm::length(ring.axis), radius = ring.radius();
     if (feature.enclosed && length > edge_on * radius && ring.reach(ring.axis / length) <= edge_on * radius)
       return false;
@@ -343,14 +343,14 @@ class Shown {
   std::vector<std::array<int, 3>> bodies_;  ///< model, vertex and named body
 };
 
-/// What is to be drawn in a view.
+/// What to draw in a view.
 struct Marks {
   std::vector<std::vector<SeenCircle>> features;
   std::vector<Piece> pieces;       ///< of slots
   std::vector<SeenCircle> rounds;  ///< pitch circles
 };
 
-// Seen as it is, one line through both ends and another through each; otherwise one axis in the middle.
+// If seen in true shape: a line through both ends and another across each end; otherwise one axis in the middle.
 void add_slot(Marks& marks, const drawing::ViewDrawing& drawing, const scene::SlotFeature& slot) {
   const auto [one, other] = slot.ends;
   const SeenCircle a = see(drawing, one.axis, one.rings.front()), b = see(drawing, other.axis, other.rings.front());

@@ -13,7 +13,7 @@
 
 namespace epura::sheet {
 
-/// A drawing that is in its place, and what is round in its models.
+/// A drawing in its final position, and the round features of its models.
 struct CentredView {
   const drawing::ViewDrawing& drawing;
   const scene::CentredFeatures& features;
@@ -22,13 +22,13 @@ struct CentredView {
 
 /// The layer VIEW/centre, narrow long-dashed dotted lines; without strokes in a central projection.
 ///
-/// What is seen as a circle has a cross, its lines through the middle of a dash; the largest of concentric ones counts.
-/// Holes on a pitch circle have that circle, and each a mark along its radius. A slot has one line through both of its
-/// ends, and another across each. Seen from the side a feature has its axis, a slot that in its middle; seen otherwise
-/// where two circles of it lie apart; rims on one line have one through all of them. All lines reach 3 mm beyond the
-/// outline; overlapping ones are one line. Where a line of `drawn`, the view's other layers, coincides with them it
-/// wins. What is smaller than 3 mm in diameter has no lines, nor has what a model without hidden lines does not show.
-/// Throws OutOfTime.
+/// A feature seen as a circle has a cross, with the lines crossing in the middle of a dash; of concentric circles, the
+/// largest counts. Holes on a pitch circle have that circle, and each hole a mark along its radius. A slot has one line
+/// through both of its ends, and another across each end. Seen from the side, a feature has its axis, and a slot an
+/// axis in its middle; in other directions, a feature has its axis if two of its circles lie apart. Rims on one line
+/// have one common axis. All lines extend 3 mm beyond the outline; overlapping ones are merged. Where a line of
+/// `drawn`, the view's other layers, coincides with them, it takes precedence. Features with a diameter of less than 3
+/// mm have no lines, nor have features that a model without hidden lines does not show. Throws OutOfTime.
 Layer centre_lines(const CentredView& view, const LineWidths& widths, std::span<const Layer> drawn,
                    const Progress& progress = {});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The straight lines of a chain, with curves as chords.
+// The straight lines of a chain; curves are given as chords.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace epura::sheet {
 
-/// Calls visit(from, to) for one after the other.
+/// Calls visit(from, to) for each line in order.
 template <class Visit>
 void visit_lines(const drawing::Chain& chain, const Visit& visit) {
   const std::size_t lines = chain.points.size() - (chain.closed ? 0 : 1);

@@ -21,7 +21,7 @@ constexpr double touching = 1e-6;  // mm
 
 double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
-// Where b meets a, as a distance along a; parallel lines do not.
+// Where b meets a, as a distance along a; nothing if they are parallel or do not meet.
 std::optional<double> meeting(const Vec2& a0, const Vec2& a1, const Vec2& b0, const Vec2& b1) {
   const Vec2 a = a1 - a0, b = b1 - b0;
   const double length = glm::length(a), other = glm::length(b), area = cross(a, b);
@@ -43,12 +43,12 @@ Crossings::Crossings(std::span<const drawing::Chain> chains, std::vector<std::si
   for (std::size_t i = 0; i < chains.size(); ++i)
     if (!edges::is_within_surface(chains[i].kind))
       visit_lines(chains[i], [&](const Vec2& from, const Vec2& to) { lines_.push_back({from, to, i}); });
-  // At most one cell for each line, and not so many that lines would run through too many of them.
+  // At most one cell for each line, and not so many that lines would pass through too many of them.
   grid_ = search::grid_over_lines(lines_, {static_cast<double>(lines_.size()), 1e-3, 8, 0});
   fill(wanted_cells(progress), progress);
 }
 
-// Which cells are worth filling.
+// The cells that are needed: those along the requested chains.
 std::vector<char> Crossings::wanted_cells(const Progress& progress) const {
   std::vector<char> cells(static_cast<std::size_t>(grid_.count()), 0);
   parallel_for(asked_.size(), grain, progress, [&](std::size_t begin, std::size_t end) {

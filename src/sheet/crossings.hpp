@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where lines of a drawing meet.
+// Points where lines of a drawing meet.
 #pragma once
 
 #include <cstddef>
@@ -13,14 +13,14 @@
 
 namespace epura::sheet {
 
-/// Looks for crossings among the lines of one drawing by means of a grid.
+/// Finds crossings among the lines of one drawing by means of a grid.
 class Crossings {
  public:
-  /// Crossings of the chains `asked`, ascending. Others have no crossings. Throws OutOfTime.
+  /// Finds crossings of the chains `asked` (ascending). Other chains have no crossings. Throws OutOfTime.
   Crossings(std::span<const drawing::Chain> chains, std::vector<std::size_t> asked, const Progress& progress = {});
 
   /// Distances along a chain from its first point, ascending, at which another chain that is not a tangent edge crosses
-  /// it, touches it or ends on it. Points nearer than `apart` mm count once.
+  /// it, touches it or ends on it. Points closer than `apart` mm count once.
   [[nodiscard]] std::vector<double> along(std::size_t chain, double apart) const;
 
   /// Whether a visible line that is not a tangent edge passes through a point of a requested chain.

@@ -13,7 +13,7 @@ namespace epura::sheet {
 
 namespace {
 
-// Lengths in heights of the letters, which are 20 narrow lines high: 5 mm for lines of 0.25 mm.
+// Lengths in multiples of the letter height, which is 20 narrow line widths: 5 mm for lines of 0.25 mm.
 constexpr double letter_widths = 20;
 constexpr double past_outline = 0.8;
 constexpr double wide_end = 1.4;
@@ -27,7 +27,7 @@ Vec2 on_page(const Mat4& world_to_page, const Vec3& p) {
   return Vec2(page) / page.w;
 }
 
-// In the world: along the plane, and across the projectors.
+// In the world: along the plane, and perpendicular to the projectors.
 Vec3 along_trace(const projection::Projection& projection, const scene::CuttingPlane& plane) {
   return glm::cross(glm::normalize(projection.projector), plane.normal);
 }
@@ -35,8 +35,8 @@ Vec3 along_trace(const projection::Projection& projection, const scene::CuttingP
 /// The image of a plane seen edge-on.
 struct Trace {
   Vec2 point, along;
-  Vec2 seen;        ///< direction in which the section is seen: across the line
-  double from, to;  ///< of the ink along it, from the point
+  Vec2 seen;        ///< viewing direction of the section: perpendicular to the line
+  double from, to;  ///< of the ink along the line, from the point
 };
 
 std::optional<Trace> trace_of(const drawing::ViewDrawing& parent, const scene::CuttingPlane& plane) {
@@ -56,7 +56,7 @@ std::optional<Trace> trace_of(const drawing::ViewDrawing& parent, const scene::C
   return trace;
 }
 
-/// Corners of a box around the line a, b.
+/// The corners of a box around the line a, b.
 Fill wide_line(const Vec2& a, const Vec2& b, double width) {
   const Vec2 along = glm::normalize(b - a) * (width / 2);
   const Vec2 across(-along.y, along.x);
@@ -69,24 +69,24 @@ Fill arrow_head(const Vec2& tip, const Vec2& pointing, double length) {
   return {{{tip, foot + across, foot - across}}};
 }
 
-// Of the line: the end that its direction leads to, or (-1) comes from.
+// The end of the line to which its direction points, or (-1) from which it comes.
 Vec2 end_of(const Trace& trace, double side, double height) {
   const double past = (past_outline + wide_end) * height;
   return trace.point + (side < 0 ? trace.from - past : trace.to + past) * trace.along;
 }
 
-// One end of the line: the one that its direction leads to, or (-1) comes from.
+// Adds one end of the line: the one to which its direction points, or (-1) from which it comes.
 void add_end(Layer& layer, const Trace& trace, double side, const std::string& name, const LineWidths& widths) {
   const Vec2 outwards = side * trace.along;
   const double height = letter_widths * widths.narrow;
   const Vec2 end = end_of(trace, side, height);
   layer.fills.push_back(wide_line(end, end - wide_end * height * outwards, widths.wide));
-  // The arrow touches the edge of the wide line.
+  // The tip of the arrow touches the edge of the wide line.
   const Vec2 tip = end - (wide_end / 2 * height) * outwards - (widths.wide / 2) * trace.seen;
   const Vec2 tail = tip - arrow_length * height * trace.seen;
   layer.fills.push_back(arrow_head(tip, trace.seen, head_length * height));
   layer.strokes.push_back({{tail, tip - head_length * height * trace.seen}});
-  // Letters are upright for any direction of the line.
+  // Letters are upright whatever the direction of the line.
   const Vec2 middle = tail + (letter_gap + 0.5) * height * outwards;
   layer.texts.push_back({name, middle - Vec2(0, height / 2), height, 0, Align::middle, "section"});
 }

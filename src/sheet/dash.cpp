@@ -29,7 +29,7 @@ bool is_corner(const std::vector<Vec2>& points, int index, std::span<const drawi
   return glm::dot(in, out) < cosine * glm::length(in) * glm::length(out);
 }
 
-constexpr double shortest_dash = 8, longest_dash = 16, longest_ink = 32;  // widths
+constexpr double shortest_dash = 8, longest_dash = 16, longest_ink = 32;  // line widths
 
 bool inks_all(const Dashes& dashes, std::span<const double> crossings) {
   const double period = dashes.dash + dashes.gap, slack = 1e-9 * period;
@@ -37,11 +37,11 @@ bool inks_all(const Dashes& dashes, std::span<const double> crossings) {
                      [&](double s) { return std::fmod(s + slack, period) <= dashes.dash + 2 * slack; });
 }
 
-// Dashes of one length that have ink at all crossings, as near to the usual ones as can be.
+// Dashes of equal length that have ink at all crossings, as close to the usual ones as possible.
 std::optional<Dashes> try_lengths(double length, double width, bool closed, std::span<const double> crossings) {
   for (const double gap_widths : {3.0, 2.5, 3.5}) {
     const double gap = gap_widths * width, usual = scene::dashed.dash * width + gap;
-    const double dashes_more = closed ? 0 : 1;  // than gaps
+    const double dashes_more = closed ? 0 : 1;  // more dashes than gaps
     const double gaps = std::round((length + gap * dashes_more) / usual) - dashes_more;
     for (const double more : {0.0, 1.0, -1.0, 2.0, -2.0, 3.0, -3.0}) {
       const double n = gaps + more;
@@ -54,11 +54,11 @@ std::optional<Dashes> try_lengths(double length, double width, bool closed, std:
   return std::nullopt;
 }
 
-// A dash around each crossing and at the ends; what is between them is filled as evenly as it goes.
+// A dash around each crossing and at the ends; the intervals between them are filled as evenly as possible.
 std::vector<double> pattern_for(double length, double width, bool closed, std::span<const double> crossings) {
   const double half = scene::dashed.dash / 2 * width, gap = scene::dashed.gap * width,
                dash = scene::dashed.dash * width;
-  const double at_ends = closed ? half : dash;  // the halves at the seam of a closed line make one dash
+  const double at_ends = closed ? half : dash;  // the halves at the seam of a closed line form one dash
   std::vector<std::array<double, 2>> inked{{0, at_ends}};
   const auto add = [&](double from, double to) {
     if (from - inked.back()[1] < gap) {
@@ -74,7 +74,7 @@ std::vector<double> pattern_for(double length, double width, bool closed, std::s
   for (std::size_t i = 1; i < inked.size(); ++i) {
     const double room = inked[i][0] - inked[i - 1][1];
     const double dashes = std::max(0.0, std::round((room - gap) / (dash + gap)));
-    // Without room for a dash the gap would be too wide: the ink around it grows.
+    // Without room for a dash, the gap would be too wide: the dashes next to it are extended.
     const double grow = dashes > 0 ? 0 : (room - gap) / 2;
     pattern.back() += grow;
     for (int k = 0; k < static_cast<int>(dashes); ++k)
@@ -85,7 +85,7 @@ std::vector<double> pattern_for(double length, double width, bool closed, std::s
   return pattern;
 }
 
-// With a number of periods that is a multiple of `of`.
+// The number of periods is a multiple of `of`.
 Dashes fit_multiple(double length, double width, const scene::DashType& type, double of) {
   if (!(length >= type.shortest() * width)) return {};
   const double rest = type.rest() * width;
@@ -115,7 +115,7 @@ FittedDashes fit_crossings(double length, double width, bool closed, std::span<c
   if (usual.dash == 0 || inks_all(usual, crossings)) return {usual};
   if (const auto dashes = try_lengths(length, width, closed, crossings)) return {*dashes};
   std::vector<double> pattern = pattern_for(length, width, closed, crossings);
-  double longest = closed ? pattern.front() + pattern[pattern.size() - 2] : 0;  // around the seam
+  double longest = closed ? pattern.front() + pattern[pattern.size() - 2] : 0;  // across the seam
   for (std::size_t dash = 0; dash < pattern.size(); dash += 2) longest = std::max(longest, pattern[dash]);
   if (longest > longest_ink * width) return {usual};
   return {{}, std::move(pattern)};

@@ -27,7 +27,7 @@ std::string in_one_line(std::string_view text) {
 
 bool begins_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; }
 
-// Bytes of the longest beginning, whole characters of UTF-8, that fits when `end` follows it.
+// Bytes of the longest prefix, in whole UTF-8 characters, that fits when followed by `end`.
 std::size_t fitting_bytes(std::string_view text, std::string_view end, double width, double height,
                           const Lettering& lettering) {
   std::size_t fits = 0, too_long = text.size() + 1;
@@ -50,7 +50,7 @@ std::pair<std::string, bool> cut_to(std::string_view text, double width, double 
 }
 
 FittedText in_two_lines(std::string_view text, double width, double height, const Lettering& lettering) {
-  // One byte further, so that a space there counts.
+  // One byte more, so that a space there counts.
   const std::size_t fitting = fitting_bytes(text, {}, width, height, lettering);
   const std::size_t space = text.substr(0, fitting + 1).rfind(' ');
   if (space == std::string_view::npos) {

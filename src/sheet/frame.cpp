@@ -23,7 +23,7 @@ constexpr double longer_side_of_a4 = 297;
 
 bool has_iso_margins(const Paper& paper) { return paper.left == left_margin && paper.other == other_margin; }
 
-// Ends of the fields between `min` and `max`, which are the ends of the frame.
+// Ends of the fields between `min` and `max`, the ends of the frame.
 std::vector<double> field_ends(double length, double min, double max) {
   const int fields = static_cast<int>(std::round(length / 2 / field_length));
   std::vector<double> ends = {min};
@@ -41,7 +41,7 @@ std::string letters(int number) {
   return text;
 }
 
-// One strip of fields along the frame: `inner` on the frame and `outer` are its sides. Axis 0 runs across.
+// One strip of fields along the frame, between `inner` (on the frame) and `outer`. Axis 0 is horizontal.
 void add_strip(Furniture& all, const std::vector<double>& ends, double inner, double outer, int axis) {
   const auto point = [axis](double along, double across) {
     return axis == 0 ? Vec2(along, across) : Vec2(across, along);
@@ -50,7 +50,7 @@ void add_strip(Furniture& all, const std::vector<double>& ends, double inner, do
   const std::size_t fields = ends.size() - 1;
   for (std::size_t i = 0; i < fields; ++i) {
     if (i > 0) all.medium.push_back(line(point(ends[i], inner), point(ends[i], outer)));
-    // Numbers go to the right, letters down.
+    // Numbers increase to the right, letters downwards.
     const std::string text = axis == 0 ? std::to_string(i + 1) : letters(static_cast<int>(fields - 1 - i));
     const Vec2 centre = point((ends[i] + ends[i + 1]) / 2, middle);
     all.texts.push_back({text, centre - Vec2(0, letter_height / 2), letter_height, 0, Align::middle, "grid-reference"});

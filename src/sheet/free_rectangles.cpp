@@ -8,7 +8,7 @@ namespace epura::sheet {
 
 namespace {
 
-// Left, right, below and above of what is taken.
+// The parts left of, right of, below and above the taken rectangle.
 std::array<Rectangle, 4> around(const Rectangle& whole, const Rectangle& taken) {
   std::array<Rectangle, 4> parts = {whole, whole, whole, whole};
   parts[0].max.x = taken.min.x;
@@ -34,7 +34,7 @@ std::vector<Rectangle> free_rectangles(const Rectangle& room, std::span<const Re
       for (const Rectangle& part : around(r, obstacle))
         if (has_area(part)) parts.push_back(part);
     }
-    // Only parts can lie in another one: what was kept was maximal before.
+    // Only new parts can lie in another rectangle: the kept ones were already maximal.
     const auto lies_in = [](const Rectangle& part) { return [&part](const Rectangle& r) { return r.holds(part); }; };
     for (auto part = parts.begin(); part != parts.end(); ++part) {
       const bool in_kept = std::any_of(kept.begin(), kept.end(), lies_in(*part));

@@ -9,8 +9,8 @@
 
 namespace epura::sheet {
 
-/// The maximal rectangles of `room` that none of the `taken` ones reach into: each part of the room that is free lies
-/// in one of them, and none lies in another. They may overlap each other.
+/// The maximal rectangles of `room` that do not overlap the `taken` ones: every free part of the room lies in one of
+/// them, and none lies inside another. They may overlap each other.
 std::vector<Rectangle> free_rectangles(const Rectangle& room, std::span<const Rectangle> taken);
 
 }  // namespace epura::sheet

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Everything on a sheet except its views, by line width.
+// Everything on a sheet except its views, grouped by line width.
 #pragma once
 
 #include <iterator>
@@ -11,7 +11,7 @@
 
 namespace epura::sheet {
 
-/// Widths of the lines, mm. ISO 5457: frame 0.7, grid 0.35.
+/// Line widths, mm. ISO 5457: frame 0.7, grid 0.35.
 inline constexpr double wide_line = 0.7, medium_line = 0.35, narrow_line = 0.18;
 
 struct Furniture {

@@ -23,16 +23,16 @@ using Ring = std::vector<Vec2>;
 using Line = std::array<Vec2, 2>;
 
 constexpr double least_spacing = 1, most_spacing = 4;
-constexpr double spacings_a_side = 16;  // of a square
+constexpr double spacings_a_side = 16;  // along the side of a square
 constexpr double thin_width = 1;
 constexpr double nearest = 0.7;            // parts closer than this touch
-constexpr double shortest = 1e-3;          // mm of a hatching line that are seen
-constexpr double alike_degrees = 10;       // a hatching line so close to an outline looks like one
-constexpr double most_alike = 0.3 + 1e-6;  // part of the outlines that may run so, or across; no share of n sides
-constexpr double least_ratio = 1.4;        // of two spacings that are distinguished
+constexpr double shortest = 1e-3;          // mm; shorter hatching lines are omitted
+constexpr double alike_degrees = 10;       // a hatching line within this angle of an outline looks like one
+constexpr double most_alike = 0.3 + 1e-6;  // part of the outlines that may be so, or across; never k/n of n sides
+constexpr double least_ratio = 1.4;        // of two distinguishable spacings
 
-/// In order of preference; the factor is of the spacing. Where the first few do not distinguish a part from its
-/// neighbours by angle, spacing has to.
+/// In order of preference; the factor applies to the spacing. If the first few do not distinguish a part from its
+/// neighbours by angle, the spacing must.
 struct Variant {
   double angle, factor;
 };
@@ -119,7 +119,7 @@ std::vector<Line> uncovered(const std::vector<Line>& lines, double degrees,
   return rest;
 }
 
-// Lines of all faces of a part in a view fall on one family, counted from the origin of the sheet.
+// The lines of all faces of a part in a view belong to one family, counted from the origin of the sheet.
 std::vector<Line> lines_of(const drawing::CutFace& face, double degrees, double spacing, const Progress& progress) {
   const Vec2 along = direction(degrees), n(-along.y, along.x);
   double min = HUGE_VAL, max = -HUGE_VAL;
@@ -165,7 +165,7 @@ double length_of(const drawing::CutFace& face) {
   return length;
 }
 
-// A strip of width w and length l >> w has the area w l and the outline 2 l.
+// A strip of width w and length l >> w has the area w l and an outline of length 2 l.
 bool is_thin(const drawing::CutFace& face) { return 2 * area_of(face) < thin_width * length_of(face); }
 
 struct Frame {
@@ -180,10 +180,10 @@ struct Frame {
   }
 };
 
-/// What the faces of one part have in common.
+/// The common data of the cut faces of one part.
 struct Part {
   int model, body;
-  std::vector<std::pair<int, const drawing::CutFace*>> faces;  ///< and the number of the drawing
+  std::vector<std::pair<int, const drawing::CutFace*>> faces;  ///< with the numbers of their drawings
   double largest = 0;                                          ///< mm2
 };
 
@@ -201,7 +201,7 @@ std::vector<Line> sides_near(const drawing::CutFace& face, const Frame& frame) {
   return near;
 }
 
-// Closer than `nearest`, or over one another. (Outlines that only cross come close at a corner, or each has corners in
+// Closer than `nearest`, or overlapping. (Outlines that only cross come close at a corner, or each has corners inside
 // the other.)
 bool touch(const drawing::CutFace& one, const drawing::CutFace& two) {
   const Frame of_one = frame_of(one), of_two = frame_of(two);
@@ -221,8 +221,8 @@ bool touch(const Part& one, const Part& two) {
   return false;
 }
 
-// Identifies parts by their place on the sheet alone, whatever their numbers: the box around what is seen of them in
-// the first drawing, in thousandths of a millimetre, since equal places may differ by rounding; then all corners.
+// Identifies parts by their position on the sheet alone, whatever their numbers: the bounding box of their faces in the
+// first drawing, in thousandths of a millimetre because equal positions may differ by rounding, and then all corners.
 using PlaceOnSheet = std::pair<std::array<double, 5>, std::vector<std::array<double, 2>>>;
 
 PlaceOnSheet place_of(const Part& part) {
@@ -242,7 +242,7 @@ PlaceOnSheet place_of(const Part& part) {
   return place;
 }
 
-// In an order that does not know how files number their bodies and faces.
+// The order is independent of how files number their bodies and faces.
 std::vector<Part> parts_of(std::span<const drawing::ViewDrawing* const> drawings) {
   std::map<std::pair<int, int>, Part> parts;
   for (std::size_t d = 0; d < drawings.size(); ++d)
@@ -259,7 +259,7 @@ std::vector<Part> parts_of(std::span<const drawing::ViewDrawing* const> drawings
   return list;
 }
 
-// Which part of the outlines runs within `alike_degrees` of an angle.
+// The fraction of the outlines that runs within `alike_degrees` of an angle.
 double share_along(const Part& part, double angle) {
   const Vec2 along = direction(angle);
   const double sine = portable_sin(alike_degrees * std::numbers::pi / 180);
@@ -276,13 +276,13 @@ double share_along(const Part& part, double angle) {
 
 double spacing_of(const Part& part) {
   const double spacing = std::clamp(std::sqrt(part.largest) / spacings_a_side, least_spacing, most_spacing);
-  // So that faces of about one size look alike. Whole millimetres are avoided as limits, lest rounding decide.
+  // Rounded so that faces of similar size look alike. The limits avoid whole millimetres, where rounding would decide.
   return std::round(spacing * 4 - 1e-6) / 4;
 }
 
 Hatching hatching_of(const Part& part, const std::vector<Hatching>& neighbours) {
   const double spacing = spacing_of(part);
-  // At right angles to an outline hatching lines look like a separate pattern.
+  // Hatching lines perpendicular to an outline look like a separate pattern.
   const auto suits = [&](const Variant& variant) {
     return share_along(part, variant.angle) + share_along(part, variant.angle + 90) <= most_alike;
   };

@@ -13,20 +13,20 @@
 
 namespace epura::sheet {
 
-/// How the cut faces of one part are hatched, in all views.
+/// How the cut faces of one part are hatched in all views.
 struct Hatching {
   int model, body;
   double angle;    ///< of the lines, degrees counterclockwise, 0 to 180
   double spacing;  ///< mm
 };
 
-/// A hatching for each part that is cut, sorted by model and body. Spacing grows with the largest cut face, from 1 to
-/// 4 mm. Lines do not run along the part's own outlines nor straight across, and parts whose cut faces come closer than
-/// 0.7 mm differ by angle or spacing. Throws OutOfTime.
+/// Returns a hatching for each part that is cut, sorted by model and body. Spacing grows with the largest cut face,
+/// from 1 to 4 mm. Lines run neither along the part's own outlines nor perpendicular to them, and parts whose cut faces
+/// are closer than 0.7 mm differ by angle or spacing. Throws OutOfTime.
 std::vector<Hatching> choose_hatching(std::span<const drawing::ViewDrawing* const> drawings,
                                       const Progress& progress = {});
 
-/// Layer "VIEW/hatch". Hatching lines end at the outlines; faces that are less than 1 mm wide on average are fills.
+/// Layer "VIEW/hatch". Hatching lines end at the outlines; faces with an average width of less than 1 mm are filled.
 /// Throws OutOfTime.
 Layer hatch_layer(const drawing::ViewDrawing& drawing, std::span<const Hatching> hatching, const LineWidths& widths,
                   const Progress& progress = {});

@@ -12,7 +12,7 @@ namespace epura::sheet {
 
 namespace {
 
-constexpr double nanometres = 1e6;  // in a millimetre
+constexpr double nanometres = 1e6;  // per millimetre
 
 search::CellGrid grid_over(std::span<const drawing::Chain> chains, double side) {
   Vec2 min(HUGE_VAL), max(-HUGE_VAL);
@@ -26,7 +26,7 @@ search::CellGrid grid_over(std::span<const drawing::Chain> chains, double side) 
   constexpr double most_cells = 1024;
   const Vec2 size = max - min;
   const Vec2 sides = glm::max(Vec2(side), size / most_cells);
-  // Out of step with lines at round distances: what runs along a border counts on both sides of it.
+  // Offset from lines at round distances: a line along a cell border would count on both sides of it.
   return {min - 0.3 * sides, sides, static_cast<int>(size.x / sides.x) + 2, static_cast<int>(size.y / sides.y) + 2};
 }
 

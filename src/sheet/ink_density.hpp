@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How dense the lines of a drawing are.
+// The density of the lines of a drawing.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace epura::sheet {
 
-/// Millimetres of line, without tangent and smooth edges, on each square millimetre of paper, in cells of equal size.
+/// Millimetres of line per square millimetre of paper, without tangent and smooth edges, in cells of equal size.
 class InkDensity {
  public:
   /// Throws OutOfTime.
@@ -23,7 +23,7 @@ class InkDensity {
 
  private:
   search::CellGrid grid_;
-  std::vector<std::int64_t> ink_;  ///< by cell, nm: whole numbers add up to the same in any order
+  std::vector<std::int64_t> ink_;  ///< by cell, nm: sums of integers do not depend on their order
 };
 
 }  // namespace epura::sheet

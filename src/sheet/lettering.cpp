@@ -18,7 +18,7 @@ namespace epura::sheet {
 
 namespace {
 
-/// In the units of the font.
+/// In font units.
 struct Glyph {
   double advance = 0;
   std::vector<GlyphOutline> outlines;
@@ -26,7 +26,7 @@ struct Glyph {
 
 bool is_control(char32_t code) { return code < 0x20 || (code >= 0x7F && code < 0xA0); }
 
-// Unicode, Default_Ignorable_Code_Point, as far as lines of drawings may have them.
+// Unicode Default_Ignorable_Code_Point, as far as it may occur in lines of drawings.
 bool is_invisible(char32_t code) {
   const auto within = [code](char32_t first, char32_t last) { return code >= first && code <= last; };
   return code == 0xAD || code == 0x34F || code == 0x61C || within(0x200B, 0x200F) || within(0x202A, 0x202E) ||
@@ -43,7 +43,7 @@ void add_curve(GlyphOutline& outline, const Vec2& control, const Vec2& end) {
 
 int move_to(const FT_Vector* to, void* outlines) {
   auto& all = *static_cast<std::vector<GlyphOutline>*>(outlines);
-  // The first point is kept as the end of a piece until the outline is closed.
+  // The first point is stored as the end of a curve until the outline is closed.
   all.push_back({{{point_of(*to), point_of(*to)}}});
   return 0;
 }
@@ -61,7 +61,7 @@ int curve_to(const FT_Vector* control, const FT_Vector* to, void* outlines) {
 
 int cubic_to(const FT_Vector*, const FT_Vector*, const FT_Vector*, void*) { return 1; }
 
-// Without its first piece, which stood for the point to begin at; a straight piece closes what is open.
+// Removes the first curve, which only stored the starting point; an open outline is closed by a straight curve.
 void close(GlyphOutline& outline) {
   const Vec2 first = outline.curves.front().end, last = outline.curves.back().end;
   if (first != last) add_curve(outline, (first + last) / 2.0, first);
@@ -75,21 +75,21 @@ Glyph load_glyph(FT_Face face, unsigned index) {
   const FT_Outline_Funcs functions{move_to, line_to, curve_to, cubic_to, 0, 0};
   FT_Outline_Decompose(&face->glyph->outline, &functions, &glyph.outlines);
   for (GlyphOutline& outline : glyph.outlines) close(outline);
-  // A point alone helps to hint a glyph.
+  // A single point serves for hinting only.
   std::erase_if(glyph.outlines, [](const GlyphOutline& outline) { return outline.curves.empty(); });
   return glyph;
 }
 
 }  // namespace
 
-/// Glyphs are read when they are first asked for: a sheet has a few dozen of the font's fifteen hundred.
+/// Glyphs are read on first use: a sheet needs a few dozen of the font's fifteen hundred.
 class Lettering::Font {
  public:
   explicit Font(const std::filesystem::path& path) : file(path) {
     check(FT_Init_FreeType(&library_) == 0, "FreeType begins");
     FT_New_Face(library_, path.c_str(), 0, &face_);
   }
-  ~Font() { FT_Done_FreeType(library_); }  // the face with it
+  ~Font() { FT_Done_FreeType(library_); }  // frees the face, too
   Font(const Font&) = delete;
   Font& operator=(const Font&) = delete;
 
@@ -100,7 +100,7 @@ class Lettering::Font {
     return FT_Get_Char_Index(face_, character) != 0;
   }
 
-  /// The box that replaces a missing character if the font does not have this one. Thread-safe.
+  /// The glyph of a character, or the box that replaces it if the font does not have it. Thread-safe.
   [[nodiscard]] const Glyph& glyph(char32_t character) const {
     const std::lock_guard lock(reading_);
     const auto found = glyphs_.find(character);
@@ -109,7 +109,7 @@ class Lettering::Font {
   }
 
   const std::filesystem::path file;
-  double capital = 0;  ///< height of an H in units
+  double capital = 0;  ///< height of an H in font units
 
  private:
   FT_Library library_ = nullptr;

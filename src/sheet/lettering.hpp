@@ -12,8 +12,8 @@
 
 namespace epura::sheet {
 
-/// A closed outline of quadratic curves (TrueType): from the end of one to the end of the next, the first one from the
-/// end of the last. A straight piece has its control point in its middle.
+/// A closed outline of quadratic curves (TrueType): each curve runs from the end of the previous one to its own end,
+/// the first one from the end of the last. A straight line has its control point in the middle.
 struct GlyphOutline {
   struct Curve {
     Vec2 control, end;
@@ -21,27 +21,27 @@ struct GlyphOutline {
   std::vector<Curve> curves;
 };
 
-/// What is written of a line of text: valid UTF-8 with spaces in place of control characters, without the characters
-/// that only steer the layout of others (U+200B, U+202E ...).
+/// The text as it is written: valid UTF-8 with spaces instead of control characters, without characters that only
+/// control the layout of others (U+200B, U+202E ...).
 std::string written(std::string_view text);
 
-/// Widths are those of the font's own units, without hinting and kerning: the same everywhere. All texts are taken as
-/// they are written. A box replaces a character missing from the font.
+/// Widths are computed in the font's own units, without hinting and kerning, so they are the same everywhere. All texts
+/// are treated as by `written`. A box replaces a character missing from the font.
 class Lettering {
  public:
-  /// Opens `file`, or the font of Debian's package fonts-osifont. Throws Error{input} when there is none.
+  /// Opens `file`, or the font of Debian's package fonts-osifont. Throws Error{input} if there is none.
   explicit Lettering(const std::filesystem::path& file = {});
 
-  /// Length of a line of text, mm, whose capitals are `height` mm high.
+  /// Length of a line of text, mm, with capitals `height` mm high.
   [[nodiscard]] double width(std::string_view text, double height) const;
 
-  /// Characters of the text that the font cannot write, each once, in their order.
+  /// The characters of the text missing from the font, each once, in their order.
   [[nodiscard]] std::vector<std::string> missing(std::string_view text) const;
 
   /// Outlines of a line of text that begins at the origin, mm, to be filled by the non-zero rule.
   [[nodiscard]] std::vector<GlyphOutline> outlines(std::string_view text, double height) const;
 
-  /// Size of the font (its em), in heights of capitals.
+  /// Size of the font (its em) relative to the height of capitals.
   [[nodiscard]] double em() const;
 
   [[nodiscard]] const std::filesystem::path& file() const;
@@ -51,13 +51,13 @@ class Lettering {
   std::shared_ptr<const Font> font_;
 };
 
-/// A character of a sheet that the font cannot write.
+/// A character of a sheet missing from the font.
 struct MissingCharacter {
   std::string character;  ///< UTF-8
-  std::string role;       ///< of the first text that has it
+  std::string role;       ///< of the first text that contains it
 };
 
-/// Each such character once, in the order of the texts. Opens the font where there are texts.
+/// Each such character once, in the order of the texts. Opens the font only if there are texts.
 std::vector<MissingCharacter> missing_characters(const Sheet& sheet);
 
 }  // namespace epura::sheet

@@ -10,13 +10,13 @@
 
 namespace epura::sheet {
 
-/// Widths of lines that follow the sheet, mm: 0.7 and 0.35 from A1 on, 0.5 and 0.25 below.
+/// Line widths by sheet size, mm: 0.7 and 0.35 from A1, 0.5 and 0.25 below.
 struct LineWidths {
   double wide, narrow;
 };
 LineWidths line_widths(const Paper& paper);
 
-/// The pattern for lines of this width, not fitted to any.
+/// The pattern of a line of this width, not fitted to a length.
 Dashes nominal_dashes(const scene::DashType& type, double width);
 
 LineStyle line_style(scene::SheetLine line, const LineWidths& widths);

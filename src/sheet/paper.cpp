@@ -20,7 +20,7 @@ constexpr std::array<std::array<double, 2>, 5> a_sizes = {
 
 Vec2 area(const Paper& paper) { return {paper.width - paper.left - paper.other, paper.height - 2 * paper.other}; }
 
-// The largest factor that brings `ink` into `room`. A point fits at any factor: it keeps its size.
+// The largest factor at which `ink` fits into `room`. A point fits at any factor and keeps its size.
 double fitting_scale(const Vec2& ink, const Vec2& room) {
   const double factor = std::min(room.x / ink.x, room.y / ink.y);
   return std::isfinite(factor) ? factor : 1;
@@ -81,7 +81,7 @@ Placement place_ink(const Vec2& min, const Vec2& max, std::optional<double> scal
   }
   const Vec2 middle = Vec2(page.left, page.other) + area(page) / 2.0;
   placement.shift = middle - (min / 2.0 + max / 2.0) * placement.scale;
-  // A fitted drawing may pass the margin by a rounding error.
+  // A fitted drawing may exceed the margin by a rounding error.
   const Vec2 slack = area(page) * (1 + 1e-9) - size;
   placement.inside = slack.x >= 0 && slack.y >= 0;
   return placement;

@@ -18,28 +18,29 @@ struct Paper {
   double left = 5, other = 5;  ///< margins
 };
 
-/// A sizes lie on their side unless `portrait`. An automatic size is none.
+/// A sizes are landscape unless `portrait`. An automatic size gives an empty Paper.
 Paper make_paper(const scene::PaperChoice& size, bool portrait);
 
-/// "A3" for a sheet of that size, however it lies; otherwise "300x200"; empty for paper that is cut to the drawing.
+/// "A3" for a sheet of that size, landscape or portrait; otherwise "300x200"; empty for paper that is cut to the
+/// drawing.
 std::string paper_name(const Paper& paper);
 
 /// The paper within its margins.
 Rectangle drawing_area(const Paper& paper);
 
-/// Where a drawing goes: page = scale * plane + shift.
+/// Position of a drawing: page = scale * plane + shift.
 struct Placement {
-  Paper paper;  ///< with its size settled
+  Paper paper;  ///< with its final size
   double scale;
   Vec2 shift;
-  bool inside;  ///< the ink keeps the margins
+  bool inside;  ///< the ink is within the margins
 };
 
 /// Throws Error{input} for a drawing beyond `longest_side`.
 void check_drawing_size(const Vec2& size);
 
-/// Centres ink that fills the box `min` to `max` of the projection plane in the drawing area. Without a scale it is
-/// made as large as fits; without paper, as large as fits on A4. Throws Error{input} beyond `longest_side`.
+/// Centres the ink with the box `min` to `max` in the projection plane in the drawing area. Without a scale, it is made
+/// as large as fits; without paper, as large as fits on A4. Throws Error{input} beyond `longest_side`.
 Placement place_ink(const Vec2& min, const Vec2& max, std::optional<double> scale, const Paper& paper);
 
 }  // namespace epura::sheet

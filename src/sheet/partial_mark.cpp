@@ -15,7 +15,7 @@ namespace {
 
 using Letter = std::vector<std::vector<Vec2>>;
 
-// On a grid 4 wide and 6 high, after the vertical lettering of ISO 3098.
+// On a grid 4 wide and 6 high, in the style of the vertical lettering of ISO 3098.
 std::array<Letter, 26> alphabet() {
   const std::vector<Vec2> c{{4, 5}, {3, 6}, {1, 6}, {0, 5}, {0, 1}, {1, 0}, {3, 0}, {4, 1}};
   const std::vector<Vec2> p{{0, 0}, {0, 6}, {3, 6}, {4, 5}, {4, 4}, {3, 3}, {0, 3}};
@@ -48,7 +48,7 @@ std::array<Letter, 26> alphabet() {
            {{{0, 6}, {4, 6}, {0, 0}, {4, 0}}}}};
 }
 
-// One for each character; none for a blank.
+// One letter for each character; empty for a blank.
 std::vector<Letter> letters_of(const std::string& text) {
   const std::array<Letter, 26> all = alphabet();
   std::vector<Letter> letters;

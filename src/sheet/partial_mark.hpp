@@ -9,9 +9,9 @@
 
 namespace epura::sheet {
 
-/// "PARTIAL: HIDING LINES" for the stage that was cut, of letters and blanks, in the upper margin of the paper, at its
-/// left: the layer "sheet/partial". The letters are strokes, so that no font is needed; they are as high as 6/10 of the
-/// margin, smaller where the paper is too narrow for them.
+/// The layer "sheet/partial": "PARTIAL: HIDING LINES" (with the name of the stage that was cut short, of letters and
+/// blanks) in the upper margin of the paper, on the left. The letters are strokes, so that no font is needed; their
+/// height is 6/10 of the margin, or less if the paper is too narrow.
 Layer partial_mark(const Paper& paper, const std::string& stage);
 
 }  // namespace epura::sheet

@@ -14,7 +14,7 @@ namespace {
 
 // In diameters of the small end.
 constexpr double large = 2, cone_length = 2, gap = 1;
-constexpr double beyond = 0.3;  // centre lines reach beyond the outlines
+constexpr double beyond = 0.3;  // centre lines extend beyond the outlines
 constexpr double whole = cone_length + gap + large;
 constexpr int corners_of_circle = 96;
 

@@ -7,13 +7,13 @@
 
 namespace epura::sheet {
 
-/// A truncated cone, and next to it the view of its small end: two circles. `height` is that of the lettering around
-/// it: the diameter of the small end; the large end is twice that, as is the cone's length. The small end points to the
-/// left: away from the circles in first angle projection, towards them in third. Outlines are medium, centre lines
-/// narrow. `centre` is the middle of the whole symbol.
+/// A truncated cone, and next to it the view of its small end: two circles. `height` is the height of the surrounding
+/// lettering and the diameter of the small end; the large end has twice that diameter, and the cone that length. The
+/// small end points to the left: away from the circles in first-angle projection, towards them in third-angle
+/// projection. Outlines are medium, centre lines narrow. `centre` is the middle of the whole symbol.
 Furniture projection_symbol(ProjectionAngle angle, double height, const Vec2& centre);
 
-/// Of the symbol with its centre lines, mm.
+/// Size of the symbol with its centre lines, mm.
 Vec2 projection_symbol_size(double height);
 
 }  // namespace epura::sheet

@@ -13,7 +13,7 @@ struct Rectangle {
   [[nodiscard]] Vec2 centre() const { return min / 2.0 + max / 2.0; }
   [[nodiscard]] Rectangle grown(double by) const { return {min - by, max + by}; }
 
-  /// Whether they share more than `slack` mm both ways; touching is none.
+  /// Whether they overlap by more than `slack` mm in both directions; touching is not overlapping.
   [[nodiscard]] bool overlaps(const Rectangle& other, double slack = 0) const {
     const Vec2 shared = glm::min(max, other.max) - glm::max(min, other.min);
     return shared.x > slack && shared.y > slack;
@@ -24,7 +24,7 @@ struct Rectangle {
   }
 };
 
-/// The smallest one that holds both.
+/// The smallest rectangle that contains both.
 inline Rectangle united(const Rectangle& a, const Rectangle& b) {
   return {glm::min(a.min, b.min), glm::max(a.max, b.max)};
 }

@@ -15,8 +15,8 @@
 
 namespace epura::sheet {
 
-/// The pattern of a line in millimetres of paper: a dash and a gap, then `dots` times a dot and a gap. ISO 128-2.
-/// dash 0: continuous.
+/// The pattern of a line, in millimetres on paper: a dash and a gap, then `dots` times a dot and a gap. ISO 128-2. dash
+/// 0: continuous.
 struct Dashes {
   double dash = 0, gap = 0;
   double dot = 0;
@@ -25,7 +25,7 @@ struct Dashes {
   bool operator==(const Dashes&) const = default;
 };
 
-/// How a layer's lines look. ISO 128-2; lengths in millimetres of paper.
+/// Appearance of a layer's lines. ISO 128-2; lengths in millimetres on paper.
 struct LineStyle {
   std::string name;  ///< class in SVG, such as "visible"
   double width;
@@ -33,7 +33,7 @@ struct LineStyle {
   Colour colour{};  ///< of the fills and texts of the layer, too
 };
 
-/// An edge of a model by the numbers of its vertices in the file, the lower first.
+/// An edge of a model, by its vertex numbers in the file, the lower first.
 struct ModelEdge {
   int model;
   std::array<int, 2> vertex;
@@ -41,18 +41,18 @@ struct ModelEdge {
   bool operator==(const ModelEdge&) const = default;
 };
 
-/// One polyline in one go of the pen.
+/// One polyline, drawn without lifting the pen.
 struct Stroke {
   std::vector<Vec2> points;  ///< y up, origin at the lower left corner of the sheet
   bool closed = false;
   Dashes dashes{};                 ///< fitted to this stroke, so that it ends on dashes
   std::vector<double> pattern{};   ///< instead, if crossings require it: ink, gap, ink, gap ... for the whole stroke
-  std::optional<EdgeKind> kind{};  ///< of what it draws; a frame has none
-  std::vector<ModelEdge> edges{};  ///< that it draws, in its order
+  std::optional<EdgeKind> kind{};  ///< of the edge drawn; nothing for a frame
+  std::vector<ModelEdge> edges{};  ///< the edges drawn, in order
   std::vector<drawing::CurvePart> curves{};  ///< parts of the points that are arcs, ascending and disjoint
 };
 
-/// An area filled with black, by the even-odd rule. Rings as in a stroke, not repeating their first point.
+/// An area filled with black by the even-odd rule. Rings do not repeat their first point.
 struct Fill {
   std::vector<std::vector<Vec2>> rings;
 };
@@ -77,11 +77,11 @@ struct Layer {
   std::vector<Text> texts{};
 };
 
-/// A view's place, for bookmarks and descriptions.
+/// Position of a view, for bookmarks and descriptions.
 struct ViewFrame {
   std::string name;
   std::string projection;
-  std::string scale;  ///< "1:2"; empty where a view has none
+  std::string scale;  ///< "1:2"; empty if the view has none
   Vec2 min, max;      ///< box of its ink, mm
 };
 

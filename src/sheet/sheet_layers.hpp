@@ -12,7 +12,7 @@
 namespace epura::sheet {
 
 struct SheetFurniture {
-  Paper paper;  ///< with its size settled and the margins of its frame
+  Paper paper;  ///< with its final size and the margins of its frame
   FrameKind frame = FrameKind::none;
   std::optional<TitleBlock> title_block{};
   std::vector<Text> labels{};  ///< of views

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double rounding = 1e-12;
 constexpr int least_power = -300, most_power = 300;
-constexpr double largest_ratio = 1e9;  // that is written as one
+constexpr double largest_ratio = 1e9;  // larger ratios are not written as such
 
 // Correctly rounded, unlike pow: 1:5 is the double nearest to 0.2.
 double by_tens(int digit, int power) { return *parse_number(std::to_string(digit) + "e" + std::to_string(power)); }
@@ -22,7 +22,7 @@ double by_tens(int digit, int power) { return *parse_number(std::to_string(digit
 double standard_scale_up_to(double scale) {
   const double max = scale * (1 + rounding);
   const double power = std::clamp<double>(std::floor(std::log10(max)), least_power, most_power);
-  // The logarithm may be one off at powers of ten.
+  // The logarithm may be off by one at powers of ten.
   for (int tens = static_cast<int>(power) + 1; tens >= least_power; --tens)
     for (const int digit : {5, 2, 1})
       if (const double standard = by_tens(digit, tens); standard <= max) return standard;

@@ -13,12 +13,12 @@ namespace epura::sheet {
 namespace {
 
 constexpr double full_width = 180, least_width = 120;
-constexpr double row = 9;  // mm; a caption, and a value with room for what goes below the base line
+constexpr double row = 9;  // mm; a caption, and a value with room for descenders
 constexpr double caption_height = 1.8, value_height = 3.5, title_height = 5;
 constexpr double padding = 1;         // between lines and text
 constexpr double caption_space = 3;   // of a cell's height
-constexpr double line_spacing = 1.5;  // of two lines in one cell, in heights
-constexpr double descent = 0.35;      // below the base line, in heights
+constexpr double line_spacing = 1.5;  // between two lines in one cell, in text heights
+constexpr double descent = 0.35;      // below the base line, in text heights
 constexpr int columns_of_free_fields = 3;
 
 struct Cell {
@@ -27,8 +27,7 @@ struct Cell {
   double text_height = value_height;
 };
 
-// The arrangement of the annex of ISO 7200, and a row above for what belongs to the drawing rather than to the
-// document.
+// The layout of the annex of ISO 7200, and a row above for data of the drawing rather than of the document.
 std::vector<Cell> standard_cells() {
   return {{"owner", "Legal owner", 0, 0, 55, 3 * row},
           {"title", "Title, supplementary title", 55, 0, 68, 2 * row, title_height},
@@ -53,7 +52,7 @@ constexpr double symbol_left = 155, symbol_height = 2.5;
 
 using Field = std::pair<std::string, std::string>;
 
-// Fields without a cell, in their order.
+// Fields without a standard cell, in their order.
 std::vector<Field> free_fields(const TitleBlock& block) {
   const std::vector<Cell> cells = standard_cells();
   std::vector<Field> fields;
@@ -77,7 +76,7 @@ std::string caption_of(std::string name) {
   return name;
 }
 
-// Above the standard ones, the first at the top; those of the last row share its width.
+// Above the standard cells, the first at the top; the cells of the last row share its width.
 std::vector<Cell> free_cells(const std::vector<Field>& fields, std::size_t rows) {
   std::vector<Cell> cells;
   for (std::size_t i = 0; i < fields.size() && i < rows * columns_of_free_fields; ++i) {
@@ -99,7 +98,7 @@ std::string value_of(const TitleBlock& block, const std::string& name) {
   return {};
 }
 
-/// Draws cells, one after the other.
+/// Draws cells, one after another.
 class Writer {
  public:
   Writer(const TitleBlock& block, const Rectangle& box, const Lettering& lettering)
@@ -107,7 +106,7 @@ class Writer {
     drawn_.ink.wide.push_back(outline(box));
   }
 
-  // Left and upper lines: those of all cells together are all lines within the block.
+  // Draws the left and upper lines: together, those of all cells are all lines inside the block.
   void draw(const Cell& cell) {
     const Rectangle r = rectangle(cell);
     if (cell.left > 0) divide({r.min.x, r.max.y}, r.min);
@@ -159,7 +158,7 @@ class Writer {
     }
   }
 
-  // One under the other, all of them in the middle of the room's height.
+  // Below each other, and together centred in the height of the room.
   void write_values(const std::vector<FittedText>& texts, const Rectangle& room, const std::string& role) {
     double height = 0;
     for (const FittedText& text : texts) height += line_spacing * text.height * static_cast<double>(text.lines.size());

@@ -14,28 +14,27 @@
 
 namespace epura::sheet {
 
-/// Content of a title block. Nothing is invented: a cell without a value has only its caption.
+/// Content of a title block. Nothing is made up: a cell without a value has only its caption.
 struct TitleBlock {
-  /// Names as in scene/title_fields.hpp; fields with other names are in separate rows, their names as
-  /// captions.
+  /// Names as in scene/title_fields.hpp; fields with other names go to separate rows, with their names as captions.
   std::vector<std::pair<std::string, std::string>> fields;
   std::string scale{};                        ///< "1:2"
   std::string size{};                         ///< "A3"
-  int sheet = 1, sheets = 1;                  ///< this is sheet 1 of 1
+  int sheet = 1, sheets = 1;                  ///< sheet 1 of 1
   std::optional<ProjectionAngle> angle = {};  ///< nothing: no symbol
 };
 
 struct DrawnTitleBlock {
   Furniture ink;
-  std::vector<std::string> warnings;  ///< what was cut or left out
+  std::vector<std::string> warnings;  ///< what was cut or omitted
 };
 
 /// The rectangle of the title block: in the lower right corner of the drawing area, 180 mm wide, or as wide as the area
-/// where that is narrower. Nothing where it would take more than half of the area's height, or be less than 120 mm
-/// wide. It does not depend on values but on the number of fields alone, so that it is known before the scale is.
+/// if that is narrower. Nothing if it would take up more than half of the area's height, or be less than 120 mm wide.
+/// It depends on the number of fields but not on their values, so it is known before the scale is.
 std::optional<Rectangle> title_block_box(const TitleBlock& block, const Paper& paper);
 
-/// Lines, captions and values. Long values are fitted as fit_text does.
+/// Lines, captions and values. Long values are fitted by fit_text.
 DrawnTitleBlock draw_title_block(const TitleBlock& block, const Paper& paper, const Lettering& lettering);
 
 }  // namespace epura::sheet

@@ -8,7 +8,7 @@ namespace epura::sheet {
 namespace {
 
 constexpr double height = 5;
-constexpr double above_ink = 3;  // with the height less than label_room
+constexpr double above_ink = 3;  // together with the height less than label_room
 
 }  // namespace
 

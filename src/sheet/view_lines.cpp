@@ -24,7 +24,8 @@ namespace {
 constexpr double tangent_gap = 2;  // wide lines
 constexpr std::size_t chains_a_part = 1024;
 
-// Data of a stroke from the chain and its segments: their kind, and the model edges, each run of one edge once.
+// Sets the origin of a stroke from the segments of the chain: their kind, and the model edges, each run of one edge
+// once.
 void add_origin(Stroke& stroke, const drawing::ViewDrawing& drawing, EdgeKind kind, std::span<const int> segments) {
   stroke.kind = kind;
   for (const int index : segments) {
@@ -45,7 +46,7 @@ Stroke continuous(const drawing::ViewDrawing& drawing, const drawing::Chain& cha
   return stroke;
 }
 
-// The segments that draw a run; all of the chain where segments and points do not go side by side.
+// The segments that a run draws; all of the chain if segments and points do not correspond one to one.
 std::vector<int> segments_of(const drawing::Chain& chain, const DashRun& run) {
   const std::size_t lines = chain.points.size() - (chain.closed ? 0 : 1);
   if (chain.segments.size() != lines) return chain.segments;
@@ -54,7 +55,7 @@ std::vector<int> segments_of(const drawing::Chain& chain, const DashRun& run) {
   return segments;
 }
 
-// The crossings that lie on a run, from its beginning. `start` is where it begins on the chain, which is `around` long.
+// The crossings on a run, from its beginning, which is at `start` on the chain; `around` is the length of the chain.
 std::vector<double> crossings_of_run(const std::vector<double>& crossings, double start, double length, double around) {
   std::vector<double> found;
   for (const double s : crossings) {
@@ -65,7 +66,7 @@ std::vector<double> crossings_of_run(const std::vector<double>& crossings, doubl
   return found;
 }
 
-// Places along the straight lines of a chain as places along its curves.
+// Converts positions along the straight lines of a chain to positions along its curves.
 std::vector<double> onto_curves(std::vector<double> places, const drawing::Chain& chain,
                                 const std::vector<double>& distances) {
   if (chain.curves.empty()) return places;
@@ -86,7 +87,7 @@ struct DashedChain {
   const drawing::Chain& chain;
   double width;
   std::vector<double> distances;  ///< of its points
-  std::vector<double> crossings;  ///< places along it
+  std::vector<double> crossings;  ///< positions along it
 
   [[nodiscard]] double distance(int i) const {
     const int count = static_cast<int>(chain.points.size());
@@ -110,7 +111,7 @@ Stroke DashedChain::stroke(const DashRun& run) const {
   return stroke;
 }
 
-// Lines that are too short for two dashes stay continuous.
+// Lines too short for two dashes remain continuous.
 bool is_dashed(const drawing::Chain& chain, double width) {
   return chain.points.size() >= 2 &&
          length_of(chain.points, chain.closed, chain.curves) >= scene::dashed.shortest() * width;
@@ -120,7 +121,7 @@ std::vector<DashRun> dash_runs(const drawing::Chain& chain, double width) {
   return cut_at_corners(chain.points, chain.closed, scene::dashed.shortest() * width, chain.curves);
 }
 
-// A stroke for each run.
+// Draws a stroke for each run.
 void draw_dashed(Stroke* strokes, const drawing::ViewDrawing& drawing, std::size_t number, double width,
                  const Crossings& crossings) {
   const drawing::Chain& chain = drawing.chains[number];
@@ -130,7 +131,7 @@ void draw_dashed(Stroke* strokes, const drawing::ViewDrawing& drawing, std::size
   for (const DashRun& run : dash_runs(chain, width)) *strokes++ = dashed_chain.stroke(run);
 }
 
-// With dots, the line as a whole is fitted.
+// A line with dots is fitted as a whole.
 Stroke dotted(const drawing::ViewDrawing& drawing, const drawing::Chain& chain, double width,
               const scene::DashType& type) {
   Stroke stroke = continuous(drawing, chain);
@@ -139,7 +140,7 @@ Stroke dotted(const drawing::ViewDrawing& drawing, const drawing::Chain& chain, 
   return stroke;
 }
 
-// Takes `by` off the end of a line that is longer. The curve there continues as far as its last corner.
+// Takes `by` off the end of a longer line. The curve there is kept up to its last remaining point.
 void shorten(Stroke& stroke, double by) {
   std::vector<Vec2>& points = stroke.points;
   std::size_t end = points.size() - 1;
@@ -200,11 +201,10 @@ const BodyStyle& style_of(const drawing::ViewDrawing& drawing, const drawing::Ch
   return styles(segment.model, segment.body);
 }
 
-/// How a chain is drawn.
 struct ChainPlan {
   scene::SheetLine line;
   bool in_dashes;
-  std::size_t strokes;    ///< 0: it is not drawn
+  std::size_t strokes;    ///< 0: not drawn
   std::size_t layer = 0;  ///< that has them
   std::size_t first = 0;  ///< of them in the layer
 };
@@ -232,12 +232,12 @@ void draw_chain(Stroke* strokes, const ChainPlan& plan, const ChainsToDraw& all,
                                                       : continuous(drawing, chain);
 }
 
-// Where lines lie so closely that any gap would meet one, dashes cannot keep clear of them.
+// If lines are so dense that every gap would meet one, dashes cannot avoid them.
 std::vector<std::size_t> without_crowded(const std::vector<std::size_t>& chains, const drawing::ViewDrawing& drawing,
                                          double width, const Progress& progress) {
   if (chains.empty()) return chains;
   const double least_gap = 2.5 * width, cell = 16 * width;
-  // Lines that run all ways cross another 2 / pi times as often as their density suggests (Buffon).
+  // Lines in random directions cross another line 2 / pi times as often as their density suggests (Buffon).
   const double crowded = std::numbers::pi / 2 / least_gap;
   const InkDensity density(drawing.chains, cell, progress);
   std::vector<char> keep(chains.size(), 0);
@@ -251,7 +251,7 @@ std::vector<std::size_t> without_crowded(const std::vector<std::size_t>& chains,
   return kept;
 }
 
-// Lines that are dashed where others cross them, and lines that end short of others.
+// Chains whose dashes depend on crossings, and chains that end short of others.
 std::vector<std::size_t> crossed_chains(const drawing::ViewDrawing& drawing, const LineWidths& widths,
                                         const std::vector<ChainPlan>& plans, const Progress& progress) {
   std::vector<std::size_t> with_dashes, chains;
@@ -282,7 +282,8 @@ std::vector<LayerKey> layer_keys(const drawing::ViewDrawing& drawing, const Body
   return {keys.begin(), keys.end()};
 }
 
-// In order of the chains. Strokes are most of what a large drawing needs: they are counted first, and made in place.
+// In order of the chains. Strokes take most of the memory of a large drawing: they are counted first and built in
+// place.
 Strokes strokes_of(const drawing::ViewDrawing& drawing, const LineWidths& widths, const BodyStyles& styles,
                    const std::vector<LayerKey>& always, const Progress& progress) {
   const std::size_t count = drawing.chains.size();

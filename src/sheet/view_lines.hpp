@@ -40,20 +40,20 @@ struct BodyStyles {
   }
 };
 
-/// Of two lines in one place that with the greater number is seen: visible before hidden, wide before narrow, as they
-/// are painted. Below 0: it is not drawn.
+/// Of two coinciding lines, the one with the greater number is seen: visible before hidden, wide before narrow, as they
+/// are painted. Below 0: not drawn.
 int line_strength(EdgeKind kind, bool visible, const BodyStyle& style);
 
-/// Layers of a drawing that is in its place, to be painted in this order:
+/// Layers of a drawing in its final position, to be painted in this order:
 ///   VIEW/hidden     hidden lines: narrow, dashed (type 02.1) or continuous
 ///   VIEW/neighbour, VIEW/narrow   visible lines of models with that role
 ///   VIEW/tangent    visible edges between smooth faces: narrow, continuous, short of the lines that they end at
 ///   VIEW/section    outlines of cut faces: wide, continuous
 ///   VIEW/visible    visible lines: wide, continuous
 /// Bodies with a layer or a colour of their own have layers "VIEW/visible NAME #rrggbb" likewise.
-/// The first and the last one are there also when they are empty, unless no model has hidden lines. Dashed lines have
-/// ink at their ends, at corners and where other lines cross them, unless too many do. Hidden edges between smooth
-/// faces are left out.
+/// The first and the last layer are present even if they are empty, unless no model has hidden lines. Dashed lines have
+/// ink at their ends, at corners and where other lines cross them, unless there are too many crossings. Hidden edges
+/// between smooth faces are omitted.
 std::vector<Layer> view_layers(const drawing::ViewDrawing& drawing, const LineWidths& widths, const BodyStyles& styles,
                                const Progress& progress = {});
 

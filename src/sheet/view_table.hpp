@@ -11,26 +11,26 @@
 
 namespace epura::sheet {
 
-/// A view in its place: page = scale * plane + shift, mm.
+/// A positioned view: page = scale * plane + shift, mm.
 struct ViewSpot {
   std::size_t view;
   double scale;
   Vec2 shift;
-  Rectangle box;  ///< on the page, with what is kept free around the ink
+  Rectangle box;  ///< on the page, including the space kept free around the ink
 };
 
 inline ViewSpot moved(const ViewSpot& spot, const Vec2& by) {
   return {spot.view, spot.scale, spot.shift + by, {spot.box.min + by, spot.box.max + by}};
 }
 
-/// One view of a table. Views of one column have their anchors above each other, those of one row side by side.
+/// A view in a table. Views of a column have their anchors above each other, views of a row side by side.
 struct ViewCell {
   std::size_t view;
-  int column, row;                ///< row 0 is the highest
+  int column, row;                ///< row 0 is the top
   Vec2 anchor;                    ///< point of the projection plane
-  Vec2 min, max;                  ///< of the ink from the anchor, to be scaled
-  Vec2 before, after;             ///< mm of paper to the left and below, to the right and above; not scaled
-  std::optional<double> scale{};  ///< the view's own; `before` and `after` then hold its ink
+  Vec2 min, max;                  ///< of the ink relative to the anchor, to be scaled
+  Vec2 before, after;             ///< mm on paper to the left and below, to the right and above; not scaled
+  std::optional<double> scale{};  ///< the view's own; `before` and `after` then include its ink
 };
 
 class ViewTable {
@@ -38,18 +38,18 @@ class ViewTable {
   /// `gap` mm of paper between the boxes of columns and of rows. Columns and rows without a view take no room.
   ViewTable(std::vector<ViewCell> cells, double gap);
 
-  /// Of the whole table, mm.
+  /// Size of the whole table, mm.
   [[nodiscard]] Vec2 size(double scale) const;
 
-  /// The largest scale at which it is not larger than `room`: infinite where all ink is a point, 0 where gaps and
-  /// margins alone are too large.
+  /// The largest scale at which it fits into `room`: infinite if all ink is a point, 0 if gaps and margins alone are
+  /// too large.
   [[nodiscard]] double largest_scale(const Vec2& room) const;
 
-  /// The views where the table's lower left corner is `corner`, in the order of the cells.
+  /// The views in the order of the cells, with the table's lower left corner at `corner`.
   [[nodiscard]] std::vector<ViewSpot> spots(double scale, const Vec2& corner) const;
 
  private:
-  // A column or row: what is scaled, and what is not.
+  // A column or row: its scaled and its fixed parts.
   struct Band {
     bool used = false;
     double min = 0, max = 0;

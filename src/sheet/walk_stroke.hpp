@@ -8,8 +8,8 @@
 
 namespace epura::sheet {
 
-/// Calls line(point) for each line to a point and curve(part) for each curve, from the first point on. What closes a
-/// closed stroke is left to the caller, unless a curve does.
+/// Calls line(point) for each line to a point and curve(part) for each curve, beginning at the first point. The closing
+/// line of a closed stroke is left to the caller, unless a curve closes it.
 template <class Line, class Curve>
 void walk_stroke(const Stroke& stroke, const Line& line, const Curve& curve) {
   std::size_t at = 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Errors that an action should end in.
+// Checks for expected errors.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A folder of a test's own.
+// A temporary folder for a test.
 #pragma once
 
 #include <unistd.h>
@@ -15,7 +15,7 @@
 
 namespace epura::test {
 
-/// Empty at first; vanishes with its files.
+/// Empty at first; removed with its files.
 class Folder {
  public:
   Folder() {
@@ -35,7 +35,7 @@ class Folder {
     write_file(path_ / name, bytes);
     return (path_ / name).string();
   }
-  /// What stands in it, hidden files too, sorted.
+  /// The names of its entries, including hidden files, sorted.
   [[nodiscard]] std::vector<std::string> names() const {
     std::vector<std::string> names;
     for (const auto& entry : std::filesystem::directory_iterator(path_)) names.push_back(entry.path().filename());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The drawings that are kept as text: each folder of tests/golden is a case of `epura snapshot` (docs/formats.md) whose
-// expectations hold to the byte, drawn from the root of the repository.
+// Drawings stored as text: each folder of tests/golden is a case of `epura snapshot` (docs/formats.md), drawn from the
+// root of the repository, whose expected files must match byte by byte.
 #pragma once
 
 #include <algorithm>
@@ -35,7 +35,7 @@ inline std::vector<std::string> golden_arguments(const std::string& name) {
   return words;
 }
 
-/// The name of a case as GoogleTest takes it.
+/// The name of a case in the form that GoogleTest accepts.
 inline std::string test_name(std::string name) {
   std::replace(name.begin(), name.end(), '-', '_');
   return name;

@@ -47,7 +47,7 @@ Running::Running(const std::vector<std::string>& arguments, const std::filesyste
   posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, out_.c_str(), O_WRONLY | O_CREAT, 0600);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, err_.c_str(), O_WRONLY | O_CREAT, 0600);
   posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  // Whatever the test inherited: shells in the background ignore Ctrl-C, and so do their children.
+  // Resets what the test inherited: shells in the background ignore Ctrl-C, and so do their children.
   sigset_t ending;
   sigemptyset(&ending);
   for (const int number : {SIGINT, SIGTERM}) sigaddset(&ending, number);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Runs epura as a user does: a process of its own, and what it answers.
+// Runs epura as a user does, in a separate process, and returns its output.
 #pragma once
 
 #include <sys/types.h>
@@ -13,14 +13,14 @@
 namespace epura::test {
 
 struct Outcome {
-  int code;  ///< exit code; 128 + number when a signal ended it
+  int code;  ///< exit code; 128 + number if it was ended by a signal
   std::string out, err;
 };
 
-/// A run that goes on beside the test.
+/// A process that runs in parallel to the test.
 class Running {
  public:
-  /// As `epura` below, which waits for it.
+  /// Parameters as for `epura` below, which waits for the process.
   Running(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
           const std::string& out_path = {}, const std::string& limits = {});
   Running(const Running&) = delete;
@@ -36,12 +36,12 @@ class Running {
   Folder scratch_;
   bool keeps_out_;
   std::string out_, err_;
-  pid_t child_ = 0;  ///< 0 when it has ended
+  pid_t child_ = 0;  ///< 0 after it has ended
 };
 
 /// Runs the program with `arguments` in `folder`; the environment is that of the test, without $EPURA_PLUGIN_PATH.
-/// Standard output goes into `out`, or to the file `out_path` if one is named.
-/// `limits` are commands of the shell before it: "ulimit -n 4".
+/// Standard output goes to `out`, or to the file `out_path` if given. `limits` are shell commands to run before the
+/// program: "ulimit -n 4".
 Outcome epura(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
               const std::string& out_path = {}, const std::string& limits = {});
 

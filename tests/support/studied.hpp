@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Views to ask questions of, made without files and plugins.
+// Views for tests of `explain`, made without files and plugins.
 #pragma once
 
 #include "explain/subject.hpp"
@@ -7,7 +7,7 @@
 
 namespace epura::test {
 
-/// A view together with what a ExplainInput refers to. The paper is the page in view units.
+/// A view with the data to which an ExplainInput refers. The paper is the page in view units.
 struct Studied {
   Result result;
   edges::EdgeOptions options;

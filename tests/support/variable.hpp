@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A variable of the environment.
+// An environment variable.
 #pragma once
 
 #include <cstdlib>
@@ -8,7 +8,7 @@
 
 namespace epura::test {
 
-/// Sets a variable of the environment, or takes it away, while it lives.
+/// Sets or removes an environment variable during its lifetime.
 class Variable {
  public:
   Variable(const char* name, const char* value) : name_(name) {

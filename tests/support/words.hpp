@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The options of `epura draw`, without its process.
+// Parses options of `epura draw` in the process of the test.
 #pragma once
 
 #include <algorithm>
@@ -11,12 +11,12 @@
 
 namespace epura::test {
 
-/// What the words behind "draw" ask for.
+/// The options given by the words after "draw".
 inline DrawOptions draw_options_of(std::vector<std::string> words) {
   CLI::App app;
   const scene::Options<DrawOptions> table = draw_options();
   for (const scene::OptionInfo& option : table) define(app, option);
-  std::reverse(words.begin(), words.end());  // as CLI11 takes them
+  std::reverse(words.begin(), words.end());  // CLI11 takes them in reverse
   app.parse(words);
   DrawOptions options;
   read_options(app, table, options);

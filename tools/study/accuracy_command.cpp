@@ -25,7 +25,7 @@ namespace epura::study {
 
 namespace {
 
-// From coarse to fine: the parameters of each method.
+// The parameters of each method from coarse to fine.
 const std::vector<std::string> usual_methods{"exact:bits=10",
                                              "exact:bits=14",
                                              "exact:bits=18",
@@ -80,18 +80,18 @@ DrawOptions drawing_of(const std::string& scene, const AccuracyOptions& options)
   return drawing;
 }
 
-/// A scene with its words understood.
+/// A scene with its options parsed.
 struct StudiedScene {
   std::string path;
   scene::SceneDescription description;
   std::vector<pipeline::SheetOfViews> sheets;
 };
 
-// A long run must not end in a typing error.
+// Done first: a long run must not fail because of a typing error.
 std::vector<StudiedScene> scenes_of(const AccuracyOptions& options) {
   std::vector<StudiedScene> scenes;
   for (const std::string& path : options.scenes) {
-    if (!std::filesystem::exists(path)) read_file(path);  // says so
+    if (!std::filesystem::exists(path)) read_file(path);  // reports the error
     const DrawOptions drawing = drawing_of(path, options);
     scene::SceneDescription scene = describe(drawing);
     std::vector<pipeline::SheetOfViews> sheets =
@@ -191,7 +191,7 @@ int study_accuracy(const AccuracyOptions& options) {
     report.maps = measure_maps(options.runs);
   }
   for (const ReportTarget<ReportFormat>& target : targets) write_report(target, report, inputs, progress);
-  console.print("");  // the line of progress makes room
+  console.print("");  // clears the progress line
   return 0;
 }
 

@@ -15,7 +15,7 @@ namespace epura::study {
 struct StabilityOptions {
   std::vector<std::string> outputs;  ///< "-" is standard output
   std::string format;                ///< of "-"
-  std::string cases;                 ///< ids with commas; empty: all
+  std::string cases;                 ///< ids separated by commas; empty: all
   double size = 1;                   ///< factor for the number of parts in large scenes
   int threads = 0;
   bool timings = false;
@@ -25,11 +25,11 @@ struct StabilityOptions {
 struct AccuracyOptions {
   std::vector<std::string> scenes;
   std::vector<std::string> outputs;
-  std::vector<scene::Located<scene::ProjectionRequest>> projections;  ///< of scenes that are models
+  std::vector<scene::Located<scene::ProjectionRequest>> projections;  ///< for scenes that are models
   std::vector<std::filesystem::path> plugin_path;
-  std::vector<Method> methods;  ///< none: a choice of all
+  std::vector<Method> methods;  ///< none: a selection of all methods
   int runs = 5;
-  double pairs = 2e5;  ///< of edge and triangle, for the truth
+  double pairs = 2e5;  ///< of an edge and a triangle, for the truth
   bool maps = true;
   int threads = 0;
   ShowProgress progress = ShowProgress::automatic;

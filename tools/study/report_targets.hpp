@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files of reports, by the formats that their names tell.
+// Output files of reports, and their formats by file name.
 #pragma once
 
 #include <filesystem>
@@ -18,7 +18,7 @@ struct ReportTarget {
   Format format;
 };
 
-/// Found before any work is done. `dash_format` names that of "-". Throws Error{input} for formats that there are not.
+/// Determined before any work is done. `dash_format` names the format of "-". Throws Error{input} for unknown formats.
 template <class Format>
 std::vector<ReportTarget<Format>> report_targets(const std::vector<std::string>& paths, const std::string& dash_format,
                                                  const std::vector<std::pair<std::string, Format>>& formats) {

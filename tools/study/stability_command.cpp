@@ -83,7 +83,7 @@ int study_stability(const StabilityOptions& options) {
     pipeline::write({target.path, encode(report, target.format, options.timings)}, progress);
     to_stdout = to_stdout || target.path == "-";
   }
-  console.print("");  // the line of progress makes room
+  console.print("");  // clears the progress line
   if (!to_stdout) std::fputs(to_text(report, !options.cases.empty()).c_str(), stdout);
   if (options.timings) print_timings(console, report);
   const bool broken = std::any_of(report.begin(), report.end(), [](const stability::CaseReport& one) {

@@ -16,12 +16,12 @@ namespace epura::plugin::threemf {
 
 namespace {
 
-/// Objects where items and components put them: each shape once.
+/// Positions objects according to items and components, with each shape once.
 class Tree {
  public:
   Tree(const Model& model, Sink& sink) : model_(model), sink_(sink) {}
 
-  /// The levels were counted before.
+  /// The levels have already been counted.
   void add(const Placed& placed, std::uint32_t parent) {
     const auto found = model_.objects.find(placed.object);
     if (found == model_.objects.end()) throw std::runtime_error("places an object that is not there");
@@ -60,7 +60,7 @@ class Tree {
   std::size_t nodes_ = 0, beams_ = 0, slices_ = 0;
 };
 
-// Of a model that builds nothing: what is no component.
+// For a model without build items: the objects that are not components.
 std::vector<Placed> tops_of(const Model& model) {
   std::map<std::uint32_t, bool> is_part;
   for (const auto& [id, object] : model.objects)

@@ -19,7 +19,7 @@ std::string without_slash(std::string_view path) {
 
 }  // namespace
 
-// `place` is behind the '<', and goes behind the '>'.
+// `place` is after the '<', and is moved past the '>'.
 Components::Tag Components::tag_at(std::string_view text, std::size_t& place) {
   const auto to = [&](std::size_t found) { return std::min(found, text.size()); };
   const std::size_t name_end = to(text.find_first_of(" \t\r\n/>", place));
@@ -55,7 +55,7 @@ void Components::scan(const std::string& part, std::string_view text) {
       place = std::min(text.find("-->", place), text.size());
       continue;
     }
-    // Nearly all tags are of vertices and triangles.
+    // Nearly all tags are vertices and triangles.
     if (text.substr(place, 6) == "vertex" || text.substr(place, 8) == "triangle") continue;
     const Tag tag = tag_at(text, place);
     if (tag.name == "object") held = &components_[{own, std::string(tag.id)}];
@@ -64,7 +64,7 @@ void Components::scan(const std::string& part, std::string_view text) {
   }
 }
 
-// One that is not there counts as one: lib3mf finds that out.
+// A missing object counts as one: lib3mf will report it.
 Components::Held Components::count(const Id& id, int depth, std::map<Id, Held>& counts) const {
   const auto known = counts.find(id);
   if (known != counts.end()) return known->second;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How often objects of a 3MF package hold each other. lib3mf follows components one by one: ten levels of ten
-// components each are hours, a long chain is the end of its stack.
+// Counts how often objects of a 3MF package contain each other. lib3mf follows components one by one: ten levels of ten
+// components each take hours, and a long chain overflows its stack.
 #pragma once
 
 #include <cstddef>
@@ -12,20 +12,20 @@
 
 namespace epura::plugin::threemf {
 
-/// More than that are refused.
+/// Larger numbers are refused.
 inline constexpr std::size_t most_parts = 1'000'000;
 
 class Components {
  public:
   /// Finds the objects and components in a part of the package, if it is XML.
   void scan(const std::string& part, std::string_view text);
-  /// Throws std::runtime_error with a sentence where they are too many, too deep, or in a circle.
+  /// Throws std::runtime_error with a sentence if there are too many, or if they are nested too deeply or in a circle.
   void expect_few() const;
 
  private:
   /// The part of the package and the number in it.
   using Id = std::pair<std::string, std::string>;
-  /// In an object, with itself.
+  /// Counts of an object with its components, including itself.
   struct Held {
     std::size_t parts;
     int levels;

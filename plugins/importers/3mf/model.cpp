@@ -16,7 +16,7 @@ namespace epura::plugin::threemf {
 
 namespace {
 
-/// Something of lib3mf's.
+/// Owns an object of lib3mf.
 class Handle {
  public:
   Handle() = default;
@@ -26,7 +26,7 @@ class Handle {
     if (handle_ != nullptr) NMR::lib3mf_release(handle_);
   }
   [[nodiscard]] NMR::PLib3MFBase* get() const { return handle_; }
-  /// For functions that give one.
+  /// For functions that return a handle.
   NMR::PLib3MFBase** out() { return &handle_; }
 
  private:
@@ -37,8 +37,8 @@ void expect(int result, const char* what) {
   if (result != LIB3MF_OK) throw std::runtime_error(std::string("holds ") + what + " that cannot be read");
 }
 
-// lib3mf keeps 32 bits. The shortest number that rounds to them is the one in the file, as long as that has no more
-// than six digits.
+// lib3mf keeps 32 bits. The shortest number that rounds to them is the one in the file, as long as that has at most six
+// digits.
 double as_written(float value) {
   std::array<char, 32> text{};
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
@@ -57,7 +57,7 @@ Transform transform_of(const NMR::MODELTRANSFORM& matrix) {
   return transform;
 }
 
-/// By a function that fills a buffer with a text and its end.
+/// Calls a function that fills a buffer with a text and its terminator.
 template <class Fill>
 std::string text_by(const Fill& fill) {
   std::uint32_t count = 0;
@@ -175,7 +175,7 @@ void read_items(NMR::PLib3MFBase* source, Model& model) {
   }
 }
 
-// What is missing or repeated of the identities of the production extension changes nothing that is drawn.
+// Missing or repeated identities of the production extension do not change anything that is drawn.
 bool is_of_identities(std::uint32_t code) {
   return code == NMR_ERROR_MISSINGUUID || code == NMR_ERROR_UUID_NOT_UNIQUE || code == NMR_ERROR_DUPLICATEUUID ||
          code == NMR_ERROR_ILLFORMATUUID;
@@ -219,7 +219,7 @@ std::string sentence_of(std::uint32_t code, const char* text) {
   const char* text = nullptr;
   NMR::lib3mf_getlasterror(reader, &code, &text);
   const std::string sentence = "is not a valid 3MF file: " + sentence_of(code, text);
-  // The last one is what it stumbled over.
+  // The last warning is about the entry that caused the error.
   const std::vector<std::string> warnings = warnings_of(reader);
   throw std::runtime_error(warnings.empty() ? sentence : sentence + " (" + warnings.back() + ")");
 }
@@ -240,7 +240,7 @@ Model read_model(const std::string& package, const std::function<bool(double)>& 
   expect(NMR::lib3mf_model_queryreader(source.get(), MODELREADERCLASS_3MF, reader.out()), "a model");
   std::function<bool(double)> told = goes_on;
   expect(NMR::lib3mf_reader_setprogresscallback(reader.get(), tell, &told), "a model");
-  // It is not written to.
+  // The bytes are only read.
   auto* bytes = reinterpret_cast<unsigned char*>(const_cast<char*>(package.data()));
   if (NMR::lib3mf_reader_readfrombuffer(reader.get(), bytes, package.size()) != LIB3MF_OK) throw_error_of(reader.get());
   Model model;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a 3MF package builds, read by lib3mf.
+// The build of a 3MF package, read by lib3mf.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace epura::plugin::threemf {
 
-/// An object, placed.
+/// A positioned object.
 struct Placed {
   std::uint32_t object;
   Transform transform;
@@ -30,13 +30,14 @@ struct Object {
 };
 
 struct Model {
-  double millimetres = 1;  ///< of its unit
+  double millimetres = 1;  ///< length of its unit
   std::map<std::uint32_t, Object> objects;
-  std::vector<Placed> items;  ///< what is built
+  std::vector<Placed> items;  ///< objects to build
   std::vector<std::string> warnings;
 };
 
-/// `goes_on` is told how much is done, from 0 to 1, and whether to go on. Throws std::runtime_error with a sentence.
+/// `goes_on` is called with the progress from 0 to 1, and returns whether to continue. Throws std::runtime_error with a
+/// sentence.
 Model read_model(const std::string& package, const std::function<bool(double)>& goes_on);
 
 }  // namespace epura::plugin::threemf

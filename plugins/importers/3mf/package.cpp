@@ -63,12 +63,12 @@ zip_stat_t entry_at(zip_t* archive, std::uint64_t number) {
   return entry;
 }
 
-// Its directory may say less than there is.
+// The archive's directory may give too small a size.
 std::string unpacked(zip_t* archive, std::uint64_t number, const zip_stat_t& entry) {
   const std::string what = "'" + std::string(entry.name) + "'";
   const File file(zip_fopen_index(archive, number, 0));
   if (!file) throw std::runtime_error(what + " in it cannot be unpacked: " + zip_strerror(archive));
-  // One byte more than there should be.
+  // One byte more than expected.
   std::string text(entry.size + 1, 0);
   std::uint64_t size = 0;
   while (size < text.size()) {
@@ -92,7 +92,7 @@ std::string_view value_of(std::string_view tag, std::string_view name) {
   return tag.substr(quote + 1, end == std::string_view::npos ? end : end - quote - 1);
 }
 
-// Triangles with two equal corners become blanks; their number.
+// Replaces triangles with two equal corners by blanks, and returns their number.
 std::size_t blank_degenerate(std::string& text) {
   constexpr std::string_view start = "<triangle", end = "/>";
   std::size_t count = 0;
@@ -111,7 +111,7 @@ std::size_t blank_degenerate(std::string& text) {
   return count;
 }
 
-// The archive with other texts in these places.
+// Returns the archive with the texts of these entries replaced.
 std::string with_entries(const std::string& bytes, const std::map<std::uint64_t, std::string>& texts) {
   const auto expect = [](bool is_done) {
     if (!is_done) throw std::runtime_error("holds an archive that cannot be mended");

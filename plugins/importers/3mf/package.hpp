@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ZIP archive that a 3MF file is. lib3mf unpacks it without asking how much comes out.
+// Reads the ZIP archive of a 3MF file. lib3mf would unpack it without a limit on the size.
 #pragma once
 
 #include <cstddef>
@@ -9,11 +9,11 @@ namespace epura::plugin::threemf {
 
 struct Package {
   std::string bytes;
-  std::size_t degenerate = 0;  ///< triangles with two equal corners: they are left out, since lib3mf refuses them
+  std::size_t degenerate = 0;  ///< triangles with two equal corners: they are omitted, because lib3mf refuses them
 };
 
-/// Throws std::runtime_error with a sentence where the file is no archive, is encrypted or damaged, or holds far more
-/// than archives of models do, or parts without end.
+/// Throws std::runtime_error with a sentence if the file is not an archive, is encrypted or damaged, has far more
+/// content than archives of models do, or nests parts endlessly.
 Package read_package(const std::string& path);
 
 }  // namespace epura::plugin::threemf

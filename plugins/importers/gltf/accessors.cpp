@@ -18,13 +18,13 @@ namespace {
 using tinygltf::Accessor;
 using tinygltf::Model;
 
-/// Where the elements of an accessor are.
+/// Position of the elements of an accessor.
 struct Elements {
   const unsigned char* first = nullptr;
   std::size_t stride = 0;
 };
 
-// Numbers in files have their lowest byte first.
+// Numbers in files are little-endian.
 template <class T>
 T number_at(const unsigned char* bytes) {
   using Bits = std::conditional_t<sizeof(T) == 1, std::uint8_t,
@@ -100,7 +100,7 @@ const Accessor& accessor_at(const Model& model, int number, int type, const std:
             what + (type == TINYGLTF_TYPE_VEC3 ? " holds no points" : " holds no single numbers"));
   std::size_t bytes = 0;
   for (const tinygltf::Buffer& buffer : model.buffers) bytes += buffer.data.size();
-  // Zeros stand where nothing else does, but no file needs that many.
+  // Accessors without data are filled with zeros, but no file needs that many.
   refuse_if(accessor.count > bytes,
             what + " claims to have " + std::to_string(accessor.count) + " elements, more than there are bytes");
   return accessor;

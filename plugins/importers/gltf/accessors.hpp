@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers that accessors find in buffers. All that a file says about places and counts is checked here.
+// Numbers to which accessors refer in buffers. All offsets and counts of a file are checked here.
 #pragma once
 
 #include <tiny_gltf.h>
@@ -12,12 +12,12 @@
 
 namespace epura::plugin::gltf {
 
-/// These throw std::runtime_error with a sentence that names the accessor or view. Positions are of 32 bits, or
-/// integers of 8 and 16 bits after KHR_mesh_quantization.
+/// These throw std::runtime_error with a sentence that names the accessor or view. Positions have 32 bits, or are
+/// integers of 8 or 16 bits according to KHR_mesh_quantization.
 std::vector<Point> positions(const tinygltf::Model& model, int accessor);
 std::vector<std::uint32_t> indices(const tinygltf::Model& model, int accessor);
 
-/// Of a view.
+/// The bytes of a buffer view.
 std::span<const unsigned char> bytes_of(const tinygltf::Model& model, int view);
 
 }  // namespace epura::plugin::gltf

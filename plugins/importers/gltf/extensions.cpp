@@ -12,7 +12,7 @@ namespace epura::plugin::gltf {
 
 namespace {
 
-// These say what surfaces look like, where lamps are and what moves: nothing that has a line.
+// These describe the appearance of surfaces, lamps and motion: nothing that is drawn as a line.
 constexpr std::array<std::string_view, 12> of_looks{
     "KHR_materials_", "KHR_texture_",   "EXT_texture_",   "MSFT_texture_",    "KHR_lights_",   "EXT_lights_",
     "KHR_xmp",        "KHR_animation_", "EXT_materials_", "ADOBE_materials_", "MSFT_packing_", "KHR_techniques_"};

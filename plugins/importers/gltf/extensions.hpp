@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which extensions of glTF may be in a file.
+// The extensions of glTF that a file may use.
 #pragma once
 
 #include <tiny_gltf.h>
 
 namespace epura::plugin::gltf {
 
-/// Throws std::runtime_error where a file needs one that changes what is drawn and is not read.
+/// Throws std::runtime_error if a file requires an unsupported extension that changes the drawing.
 void expect_extensions(const tinygltf::Model& model);
 
 }  // namespace epura::plugin::gltf

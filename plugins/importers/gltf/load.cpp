@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view magic = "glTF";
 constexpr std::size_t header_bytes = 12;
 
-// tinygltf walks through values by calling itself.
+// tinygltf traverses values recursively.
 constexpr int deepest_json = 200;
 
 std::string whole_file(const fs::path& path) {
@@ -44,7 +44,7 @@ std::uint32_t word_at(std::string_view bytes, std::size_t place) {
   return word;
 }
 
-// What tinygltf calls an invalid binary.
+// Checks what tinygltf would only call an invalid binary.
 void expect_whole(std::string_view bytes) {
   refuse_if(bytes.size() < header_bytes, "ends within its header");
   const std::uint32_t version = word_at(bytes, 4), length = word_at(bytes, 8);
@@ -69,7 +69,7 @@ void expect_shallow(std::string_view json) {
   }
 }
 
-// The part of a GLB that is JSON, or all of the file.
+// The JSON part of a GLB, or the whole of another file.
 std::string_view json_of(std::string_view bytes, bool is_binary) {
   constexpr std::size_t chunk_header_bytes = 8;
   if (!is_binary) return bytes;
@@ -91,7 +91,7 @@ bool is_image(const fs::path& path) {
   return std::find(endings.begin(), endings.end(), ending) != endings.end();
 }
 
-/// What a file refers to beside itself. tinygltf hands over decoded URIs: without a folder, nothing stands before them.
+/// Files to which a file refers. tinygltf passes decoded URIs, and puts no folder before them.
 class Companions {
  public:
   explicit Companions(const fs::path& file) : folder_(fs::weakly_canonical(fs::absolute(file)).parent_path()) {}
@@ -105,7 +105,7 @@ class Companions {
             [](std::string*, const std::string&, const std::vector<unsigned char>&, void*) { return false; }, this};
   }
 
-  /// Why a file was not read; empty where all were.
+  /// The reason why a file was not read; empty if all were.
   [[nodiscard]] const std::string& fault() const { return fault_; }
 
  private:
@@ -124,7 +124,7 @@ class Companions {
     refuse_if(has_scheme(uri), "is not opened: only files in its own folder are");
     const fs::path path(uri);
     const bool leaves = path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end();
-    // A link may lead out as well.
+    // A symbolic link may lead outside, too.
     const fs::path whole = fs::weakly_canonical(folder_ / path);
     const bool is_inside =
         std::mismatch(folder_.begin(), folder_.end(), whole.begin(), whole.end()).first == folder_.end();
@@ -144,7 +144,7 @@ bool leave_image_alone(tinygltf::Image*, int, std::string*, std::string*, int, i
 
 std::string first_line(const std::string& text) { return shortened(text.substr(0, text.find('\n'))); }
 
-// What a reader of other versions stumbles over in them has nothing to do with what is wrong.
+// Checked first, because the errors that a reader finds in other versions would be misleading.
 void expect_version(const tinygltf::Model& model) {
   const std::string& version = model.asset.minVersion.empty() ? model.asset.version : model.asset.minVersion;
   refuse_if(!version.empty() && version.substr(0, 2) != "2.",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A glTF or GLB file -> its tables and buffers, by tinygltf. What a file may open beside itself is decided here.
+// A glTF or GLB file -> its tables and buffers, by tinygltf. The other files that it may open are determined here.
 #pragma once
 
 #include <tiny_gltf.h>
@@ -9,11 +9,11 @@
 
 namespace epura::plugin::gltf {
 
-/// Buffers of their own lie in the folder of the file or below it: any other URI is refused, and no image is opened.
-/// Throws std::runtime_error with a sentence.
+/// Buffers in separate files must be in the folder of the file or below it: other URIs are refused, and images are not
+/// opened. Throws std::runtime_error with a sentence.
 tinygltf::Model load(const std::string& path, std::string& warning);
 
-/// Whether a file begins like one.
+/// Whether a file begins like glTF or GLB.
 bool is_gltf(std::string_view first_bytes);
 
 }  // namespace epura::plugin::gltf

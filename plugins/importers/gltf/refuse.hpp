@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sentences about what is wrong with a file.
+// Sentences about errors in a file.
 #pragma once
 
 #include <stdexcept>
@@ -12,7 +12,7 @@ inline void refuse_if(bool is_wrong, const std::string& sentence) {
   if (is_wrong) throw std::runtime_error(sentence);
 }
 
-/// URIs may hold all the data.
+/// URIs may contain all the data.
 inline std::string shortened(std::string_view text) {
   constexpr std::size_t most = 120;
   return text.size() <= most ? std::string(text) : std::string(text.substr(0, most)) + "...";

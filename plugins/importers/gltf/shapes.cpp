@@ -16,7 +16,7 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// The corners of a primitive, as its mode strings them together.
+/// The corners of a primitive, in the order given by its mode.
 struct Corners {
   std::vector<Point> points;
   std::vector<std::uint32_t> numbers;
@@ -38,7 +38,7 @@ std::vector<Wire> wires_of(int mode, std::vector<std::uint32_t> n) {
 
 bool is_degenerate(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 
-// Counterclockwise as seen from outside. What strips and fans repeat to get elsewhere is no triangle.
+// Counterclockwise as seen from outside. Degenerate triangles, which connect parts of strips and fans, are omitted.
 std::vector<Triangle> triangles_of(int mode, const std::vector<std::uint32_t>& n) {
   std::vector<Triangle> triangles;
   const std::size_t count = mode == TINYGLTF_MODE_TRIANGLES ? n.size() / 3 : n.size() < 3 ? 0 : n.size() - 2;
@@ -73,7 +73,7 @@ Corners corners_of(const tinygltf::Model& model, const tinygltf::Primitive& prim
   return corners;
 }
 
-// Primitives share positions as a rule: those that none of these triangles or wires has are not handed over with them.
+// Primitives often share positions: those that none of these triangles or wires uses are removed.
 template <class Element>
 void keep_used(std::vector<Point>& points, std::vector<Element>& elements, std::size_t first) {
   constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
@@ -91,7 +91,7 @@ void keep_used(std::vector<Point>& points, std::vector<Element>& elements, std::
     for (std::uint32_t& corner : element) corner = number[corner];
 }
 
-/// A mesh on its way to the sink, primitive by primitive.
+/// Builds a mesh for the sink, primitive by primitive.
 class ShapeMaker {
  public:
   ShapeMaker(const tinygltf::Mesh& mesh, std::size_t number, Sink& sink) : mesh_(mesh), number_(number), sink_(sink) {}

@@ -11,15 +11,15 @@
 
 namespace epura::plugin::gltf {
 
-/// What is not drawn, or not as the file may show it.
+/// Items that are not drawn, or may be drawn differently from the file.
 struct LeftOut {
   std::size_t points = 0, morphs = 0;
 
-  /// A sentence; empty where nothing was left out.
+  /// A sentence; empty if nothing was omitted.
   [[nodiscard]] std::string sentence() const;
 };
 
-/// Hands over a mesh; its number as a shape, EPURA_NONE where it has neither triangles nor lines.
+/// Passes a mesh to the sink. Returns its number as a shape, or EPURA_NONE if it has neither triangles nor lines.
 std::uint32_t add_shape(const tinygltf::Model& model, std::size_t mesh, Sink& sink, LeftOut& left_out);
 
 }  // namespace epura::plugin::gltf

@@ -45,22 +45,22 @@ std::vector<std::size_t> roots_of(const Model& model) {
   return roots;
 }
 
-// Of a row each.
+// By rows.
 using Linear = std::array<std::array<double, 3>, 3>;
 
-// The formula of unit quaternions, for one of any length.
+// The formula for unit quaternions, generalised to any length.
 Linear rotation_of(const std::vector<double>& q, const std::string& what) {
   const double x = q[0], y = q[1], z = q[2], w = q[3];
   const double length = x * x + y * y + z * z + w * w;
   refuse_if(!(length > 0) || !std::isfinite(length), what + " has a rotation that is none");
-  // What 32 bits leave of a unit is one: dividing by it would turn ones into others.
+  // A quaternion of length 1 within the precision of 32 bits is not normalised, which would change exact values.
   const double s = 2 / (std::abs(length - 1) < 1e-6 ? 1 : length);
   return {{{1 - s * (y * y + z * z), s * (x * y - z * w), s * (x * z + y * w)},
            {s * (x * y + z * w), 1 - s * (x * x + z * z), s * (y * z - x * w)},
            {s * (x * z - y * w), s * (y * z + x * w), 1 - s * (x * x + y * y)}}};
 }
 
-// Of four columns.
+// From four columns.
 Transform of_matrix(const std::vector<double>& m, const std::string& what) {
   refuse_if(m[3] != 0 || m[7] != 0 || m[11] != 0 || m[15] != 1, what + " has a matrix that is not affine");
   Transform transform{};
@@ -82,7 +82,7 @@ std::vector<Placed> placed_nodes(const Model& model) {
   while (!next.empty()) {
     const Placed one = next.back();
     next.pop_back();
-    // A circle comes back to one of its nodes, too.
+    // A cycle also returns to one of its nodes.
     refuse_if(is_placed[one.node] != 0, numbered("node", one.node) + " stands in two places, or below itself");
     is_placed[one.node] = 1;
     placed.push_back(one);

@@ -9,18 +9,18 @@
 
 namespace epura::plugin::gltf {
 
-/// A node, and its parent's place in the list.
+/// A node, and the index of its parent in the list.
 struct Placed {
   std::size_t node;
-  std::size_t parent;  ///< no_parent: it is a root
+  std::size_t parent;  ///< no_parent for a root
 };
 inline constexpr std::size_t no_parent = static_cast<std::size_t>(-1);
 
-/// Those of the default scene, of every scene where there is no such, or of all roots where there is no scene; each
-/// behind its parent. Throws std::runtime_error where they are no tree.
+/// The nodes of the default scene, or of all scenes if there is no default, or all roots if there is no scene; each
+/// after its parent. Throws std::runtime_error if they do not form a tree.
 std::vector<Placed> placed_nodes(const tinygltf::Model& model);
 
-/// To the parent.
+/// The transform to the parent.
 Transform transform_of(const tinygltf::Model& model, std::size_t node);
 
 }  // namespace epura::plugin::gltf

@@ -18,7 +18,7 @@ namespace occt {
 
 namespace {
 
-/// Gaps between faces that other programs leave: parts of the diagonal, well below what a drawing shows.
+/// Gaps that other programs leave between faces, relative to the diagonal; well below anything visible in a drawing.
 constexpr double relative_gap = 2e-5;
 constexpr double least_gap = 1e-5, most_gap = 0.05;  // mm
 
@@ -42,7 +42,7 @@ double gap_of(const TopoDS_Shape& shape) {
   return box.IsVoid() ? least_gap : std::clamp(relative_gap * std::sqrt(box.SquareExtent()), least_gap, most_gap);
 }
 
-/// Faces that came one by one say nothing about which side is outside; those of a closed shell do.
+/// Orients a closed shell so that the outside is known, which loose faces do not tell.
 TopoDS_Shape closed_as_solid(const TopoDS_Shape& shell) {
   if (!BRep_Tool::IsClosed(shell)) return shell;
   TopoDS_Solid solid = BRepBuilderAPI_MakeSolid(TopoDS::Shell(shell)).Solid();
@@ -53,7 +53,7 @@ void append(std::vector<TopoDS_Shape>& to, const std::vector<TopoDS_Shape>& from
   to.insert(to.end(), from.begin(), from.end());
 }
 
-/// Shells and faces; none if a face was lost on the way.
+/// Returns shells and faces; none if a face was lost.
 std::vector<TopoDS_Shape> sew(const std::vector<TopoDS_Shape>& pieces, std::size_t face_count) {
   const TopoDS_Compound together = compound_of(pieces);
   BRepBuilderAPI_Sewing sewing(gap_of(together));

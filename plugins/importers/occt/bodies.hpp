@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands for itself in a shape: its solids, its shells, and its loose faces, sewn where they meet.
+// The independent bodies of a shape: its solids, its shells, and its loose faces, sewn together where they meet.
 #pragma once
 
 #include <TopoDS_Shape.hxx>
@@ -10,7 +10,7 @@ namespace occt {
 
 struct Bodies {
   std::vector<TopoDS_Shape> shapes;      ///< solids, shells, and a compound of the faces that meet no other
-  std::size_t loose = 0, sewn_into = 0;  ///< open shells and faces before sewing and after it, where that helped
+  std::size_t loose = 0, sewn_into = 0;  ///< open shells and faces before and after sewing, if that helped
 };
 
 Bodies bodies_of(const TopoDS_Shape& shape);

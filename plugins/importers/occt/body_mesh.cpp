@@ -101,7 +101,7 @@ class Numbering {
     for (auto [a, b, c] : face_.triangles) {
       if (is_swapped) std::swap(b, c);
       const std::array<Number, 3> triangle{numbers_[a], numbers_[b], numbers_[c]};
-      // What falls together in a pole has no area.
+      // Triangles that collapse at a pole have no area.
       if (triangle[0] != triangle[1] && triangle[1] != triangle[2] && triangle[2] != triangle[0])
         found.push_back(triangle);
     }
@@ -112,7 +112,7 @@ class Numbering {
   Number first_point_;
   double tolerance_;
   NCollection_IndexedDataMap<TopoDS_Shape, Number, TopTools_ShapeMapHasher> vertices_;
-  Handle(Poly_Triangulation) triangles_;  // of the face in work
+  Handle(Poly_Triangulation) triangles_;  // of the current face
   TopLoc_Location location_;
   FaceMesh face_;
   std::vector<Number> numbers_;  // of its points

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The triangles of a body with one numbering of points: faces that share an edge share its points, so that what is
-// closed is closed.
+// The triangles of a body with common vertex numbers: faces that share an edge share its points, so that a closed body
+// has a closed mesh.
 #pragma once
 
 #include <NCollection_IndexedDataMap.hxx>
@@ -26,13 +26,13 @@ struct BodyMesh {
   std::vector<Facets> faces;
   PointsOfEdges edges;
   std::size_t unmeshed_faces = 0;
-  std::size_t inner_faces = 0;  ///< faces inside a solid that bound nothing
-  std::size_t gaps = 0;         ///< edges whose faces do not agree on their points
-  double error = 0;             ///< mm: what faces are off by where they could not be refined to the tolerance
-  bool is_turned = false;       ///< a solid whose faces looked inward, and were turned
+  std::size_t inner_faces = 0;  ///< faces inside a solid that are not part of its boundary
+  std::size_t gaps = 0;         ///< edges whose faces have different points
+  double error = 0;             ///< mm: distance of faces that could not be refined to the tolerance
+  bool is_turned = false;       ///< a solid whose faces pointed inward, and were reversed
 };
 
-/// Numbers of points begin with `first_point`.
+/// Vertex numbers begin with `first_point`.
 BodyMesh mesh_of(const TopoDS_Shape& body, std::uint32_t first_point, double tolerance);
 
 }  // namespace occt

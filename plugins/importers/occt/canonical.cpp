@@ -18,9 +18,9 @@ namespace occt {
 
 namespace {
 
-constexpr int count = 9;  // of samples along u and v each
+constexpr int count = 9;  // of samples along each of u and v
 constexpr int middle = count / 2;
-constexpr double relative_precision = 1e-7;  // of the size of the face: what is left of coordinates in text files
+constexpr double relative_precision = 1e-7;  // of the size of the face: precision of coordinates in text files
 
 using Points = std::array<gp_XYZ, count>;
 
@@ -32,11 +32,11 @@ double along(const gp_Ax3& axis, const gp_XYZ& point) {
   return (point - axis.Location().XYZ()).Dot(axis.Direction().XYZ());
 }
 
-/// Not from end to end, where a closed line would begin and end in one point, and not in equal steps, which could be
-/// the turns of a thread.
+/// Not from end to end, since a closed line would begin and end in one point, and not in equal steps, which could
+/// coincide with the turns of a thread.
 constexpr std::array<double, count> places{0.031, 0.153, 0.271, 0.402, 0.5, 0.634, 0.741, 0.859, 0.967};
 
-/// Parameters in each of the spans that the surface has in this direction.
+/// Parameters in each of the surface's spans in this direction.
 std::vector<double> parameters(const Geom_Surface& surface, bool is_along_u, double first, double last) {
   std::vector<double> bounds{first};
   if (const auto* spline = dynamic_cast<const Geom_BSplineSurface*>(&surface)) {
@@ -74,7 +74,7 @@ class Samples {
     precision_ = relative_precision * (most - least).Modulus();
   }
 
-  /// Along u at the j-th place of v, or the other way round.
+  /// Along u at the j-th value of v, or vice versa.
   [[nodiscard]] Points line(bool is_along_u, int j) const {
     if (!is_along_u) return points_[j];
     Points line;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Surfaces of splines that are simple ones: many programs write all of their surfaces so.
+// Spline surfaces that are simple surfaces: many programs write all of their surfaces as splines.
 #pragma once
 
 #include <Geom_Surface.hxx>
@@ -10,8 +10,8 @@ namespace occt {
 /// First and last parameter along u, first and last along v.
 using Range = std::array<double, 4>;
 
-/// The plane, cylinder, cone, sphere or torus that the surface is in this range, or none. Its lines of constant u and v
-/// tell the candidate, points all over the range whether it is that.
+/// The plane, cylinder, cone, sphere or torus with which the surface coincides in this range, or none. Its lines of
+/// constant u and v determine the candidate; points all over the range verify it.
 Handle(Geom_Surface) canonical(const Geom_Surface& surface, const Range& range);
 
 }  // namespace occt

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The tree of products in a document of XCAF, Open CASCADE's model of assemblies.
+// The tree of products in an XCAF document, Open CASCADE's model of assemblies.
 #include <TCollection_AsciiString.hxx>
 #include <TDF_LabelSequence.hxx>
 #include <TDataStd_Name.hxx>
@@ -18,7 +18,7 @@ namespace {
 std::string name_of(const TDF_Label& label) {
   Handle(TDataStd_Name) name;
   if (!label.FindAttribute(TDataStd_Name::GetID(), name)) return {};
-  // The constructor writes UTF-8 where it is given nothing to replace letters beyond ASCII by.
+  // The constructor writes UTF-8 if it gets no replacement for characters beyond ASCII.
   return meaningful(TCollection_AsciiString(name->Get()).ToCString());
 }
 
@@ -54,7 +54,7 @@ std::string meaningful(const std::string& name) {
   constexpr std::array<std::string_view, 12> made_up{"SOLID", "COMPOUND", "SHELL", "FACE",    "COMPSOLID", "WIRE",
                                                      "EDGE",  "ASSEMBLY", "NONE",  "UNNAMED", "none",      "NULL"};
   if (std::find(made_up.begin(), made_up.end(), view) != made_up.end()) return {};
-  // Labels of XCAF, and what Open CASCADE calls products that it was given no name for.
+  // Labels of XCAF, and Open CASCADE's names for products without a name.
   for (const std::string_view start : {std::string_view("=>["), std::string_view("Open CASCADE STEP translator")})
     if (view.substr(0, start.size()) == start) return {};
   std::string_view number = view;

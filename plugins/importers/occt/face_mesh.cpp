@@ -14,13 +14,13 @@ namespace occt {
 namespace {
 
 constexpr int most_rounds = 40;
-constexpr double worth_turning = 0.7;  // of its error: another diagonal that is hardly better is none
-// Cosine of the angle between a triangle and its surface from which it is examined, and what a turn must gain.
+constexpr double worth_turning = 0.7;  // relative to its error: another diagonal must be clearly better
+// Cosine of the angle between a triangle and its surface below which it is examined, and the least gain of a flip.
 constexpr double askew = 0.9, least_gain = 0.01;
 
 using Triangle = std::array<int, 3>;
 
-/// A side of triangles, found from both of them.
+/// A side of triangles, found from either of them.
 struct Half {
   int low, high;
   int triangle, side;
@@ -31,7 +31,7 @@ struct Inner {
   Half one, other;
 };
 
-/// One that is too far from the surface.
+/// A side that is too far from the surface.
 struct Bad : Inner {
   double error;
 };
@@ -55,7 +55,7 @@ class Refinement {
   }
 
  private:
-  /// In a pole a line of the parameters is a point: any parameter along it is as good as another.
+  /// At a pole, a parameter line collapses to a point: any parameter along it is as good as another.
   enum class Pole { no, along_u, along_v };
 
   void register_place(const gp_XY& place) {
@@ -70,7 +70,7 @@ class Refinement {
     poles_.push_back(u <= nothing * v ? Pole::along_u : v <= nothing * u ? Pole::along_v : Pole::no);
   }
 
-  /// The place of a corner as seen from a point that has another one.
+  /// The parameters of a corner as seen from a point with other parameters.
   [[nodiscard]] gp_XY place_from(int corner, const gp_XY& other) const {
     gp_XY place = mesh_.places[corner].XY();
     if (poles_[corner] == Pole::along_u) place.SetX(other.X());
@@ -78,7 +78,7 @@ class Refinement {
     return place;
   }
 
-  /// How far the point is from the surface near this place.
+  /// The distance of the point from the surface near these parameters.
   [[nodiscard]] double distance(const gp_XYZ& point, const gp_XY& place) const {
     gp_Pnt on_surface;
     gp_Vec along_u, along_v;
@@ -138,11 +138,11 @@ class Refinement {
     return sides;
   }
 
-  /// Sides that are not near enough, the worst first.
+  /// Sides that are too far from the surface, the worst first.
   [[nodiscard]] std::vector<Bad> bad_sides() const {
     std::vector<Bad> found;
     for (const Inner& side : inner_sides()) {
-      // Sides of old triangles were near enough before.
+      // Sides of old triangles have passed before.
       if (!is_new_[side.one.triangle] && !is_new_[side.other.triangle]) continue;
       const double error = error_of_side(side.one.low, side.one.high);
       const double length = mesh_.points[side.one.low].Distance(mesh_.points[side.one.high]);
@@ -152,7 +152,7 @@ class Refinement {
     return found;
   }
 
-  /// Turns or halves the bad sides; whether there were any.
+  /// Flips or halves the bad sides. Returns whether there were any.
   bool improve() {
     const std::vector<Bad> bad = bad_sides();
     if (!bad.empty()) mesh_.error = bad.front().error;
@@ -178,7 +178,7 @@ class Refinement {
     return (mesh_.places[b].XY() - corner).Crossed(mesh_.places[c].XY() - corner);
   }
 
-  /// The two triangles of the other diagonal; nothing where it does not lie inside of both.
+  /// The two triangles of the other diagonal; nothing if it does not lie inside both.
   [[nodiscard]] std::optional<std::array<Triangle, 2>> turned(const Inner& side) const {
     const Triangle& one = mesh_.triangles[side.one.triangle];
     const Triangle& other = mesh_.triangles[side.other.triangle];
@@ -198,7 +198,7 @@ class Refinement {
     mesh_.triangles[side.other.triangle] = triangles[1];
   }
 
-  /// Takes the other diagonal where it is nearer to the surface.
+  /// Takes the other diagonal if it is closer to the surface.
   bool turn(const Bad& side) {
     const auto other = turned(side);
     if (!other || error_of_side((*other)[0][0], (*other)[0][2]) > worth_turning * side.error) return false;
@@ -206,7 +206,7 @@ class Refinement {
     return true;
   }
 
-  /// The cosine of the angle between a triangle and its surface at the corner where they differ most.
+  /// The cosine of the angle between a triangle and its surface at the corner with the greatest angle.
   [[nodiscard]] double facing(const Triangle& corners) const {
     const auto& [a, b, c] = corners;
     const gp_XYZ across =
@@ -220,8 +220,8 @@ class Refinement {
     return least;
   }
 
-  /// Turns diagonals between triangles that stand askew to the surface, as slivers do however near they are to it: a
-  /// facet that faces away would be given an outline of its own. Whether there were any.
+  /// Flips diagonals between triangles that are tilted against the surface, as slivers are however close they are to
+  /// it: a facet that faces away would get its own outline. Returns whether there were any.
   bool straighten() {
     struct Askew {
       double facing;
@@ -248,7 +248,7 @@ class Refinement {
     return any;
   }
 
-  /// Whether a point was set inside of a triangle.
+  /// Returns whether a point was added inside a triangle.
   bool divide_all(const std::vector<Triangle>& middles, const std::vector<bool>& is_turned) {
     std::vector<Triangle> old;
     std::vector<bool> was_new;
@@ -283,7 +283,7 @@ class Refinement {
       append(points, true);
       return;
     }
-    // Turned so that the first side is halved and the third is not.
+    // Rotated so that the first side is halved and the third is not.
     while (points[0] < 0 || points[2] >= 0) {
       std::rotate(corners.begin(), corners.begin() + 1, corners.end());
       std::rotate(points.begin(), points.begin() + 1, points.end());
@@ -307,9 +307,9 @@ class Refinement {
   FaceMesh& mesh_;
   BRepAdaptor_Surface surface_;
   double tolerance_;
-  /// Where the points would be without the gap that files leave between edges and faces: no triangles mend that.
+  /// The points without the gap that files leave between edges and faces, which refinement cannot close.
   std::vector<gp_XYZ> on_surface_;
-  std::vector<gp_XYZ> normals_;  // of the surface at the points, along_u x along_v; zero where it has none
+  std::vector<gp_XYZ> normals_;  // of the surface at the points, along_u x along_v; zero if there is none
   std::vector<Pole> poles_;
   std::vector<bool> is_new_;  // triangles of the last round
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The triangles of one face, refined until they are as near to its surface as asked for.
+// The triangles of one face, refined until they are within a given distance of its surface.
 #pragma once
 
 #include <Poly_Triangulation.hxx>
@@ -12,19 +12,19 @@
 namespace occt {
 
 struct FaceMesh {
-  std::vector<gp_Pnt> points;    ///< first those of Open CASCADE's triangles, in its order
-  std::vector<gp_Pnt2d> places;  ///< of the points, in the parameters of the surface
+  std::vector<gp_Pnt> points;    ///< those of Open CASCADE's triangles first, in its order
+  std::vector<gp_Pnt2d> places;  ///< of the points, as parameters of the surface
   std::vector<std::array<int, 3>> triangles;
-  double error = 0;  ///< the largest distance from the surface that was found, as far as it exceeds the tolerance
+  double error = 0;  ///< the largest distance found from the surface, if it exceeds the tolerance
 };
 
-/// How many times as many triangles as Open CASCADE's are still a refinement of them.
+/// Limits for the number of triangles relative to Open CASCADE's.
 constexpr std::size_t useful_growth = 10, most_growth = 400;
 
-/// Open CASCADE keeps to its deflection along edges, but not inside of cones, tori and surfaces of splines, where it
-/// was off by up to 35 times of it. So sides between two triangles are halved until their middles, and the centres of
-/// the triangles, are near enough. Edges of the face are left as they are: its neighbours have their points, too.
-/// Ends with FaceMesh::error where there would be more than `growth` times as many triangles.
+/// Open CASCADE respects its deflection along edges, but not inside cones, tori and spline surfaces, where it was
+/// exceeded by a factor of up to 35. Therefore sides between two triangles are halved until their middles, and the
+/// centres of the triangles, are close enough. Edges of the face are left unchanged, because its neighbours have their
+/// points, too. Stops and sets FaceMesh::error if there would be more than `growth` times as many triangles.
 FaceMesh refined(const TopoDS_Face& face, double tolerance, std::size_t growth = most_growth);
 
 }  // namespace occt

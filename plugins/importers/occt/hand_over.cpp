@@ -52,7 +52,7 @@ epura::plugin::Transform rows_of(const gp_Trsf& transform) {
   return rows;
 }
 
-/// Two significant digits, whatever the locale.
+/// Two significant digits, independent of the locale.
 std::string rough(double value) {
   std::array<char, 32> text{};
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 2).ptr;

@@ -8,7 +8,7 @@
 
 namespace occt {
 
-/// A tessellated model to the sink: parts, places, notes.
+/// Passes a tessellated model to the sink: parts, instances, notes.
 void hand_over(Model& model, const Fineness& fineness, epura::plugin::Sink& sink);
 
 }  // namespace occt

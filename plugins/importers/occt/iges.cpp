@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// IGES has hardly any products: its faces and solids stand beside each other, so that they become one part.
+// IGES has hardly any products: its faces and solids are independent, so they become one part.
 #include <BRep_Builder.hxx>
 #include <IGESCAFControl_Reader.hxx>
 #include <IGESControl_Controller.hxx>
@@ -24,7 +24,7 @@ namespace occt {
 
 namespace {
 
-/// Whether the last line is that of the section T.
+/// Whether the last line is that of section T.
 bool has_end(std::string_view bytes) {
   constexpr std::size_t section = 72;
   const auto last = bytes.find_last_not_of("\r\n \x1a\0");

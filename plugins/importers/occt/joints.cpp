@@ -22,7 +22,7 @@ namespace occt {
 
 namespace {
 
-constexpr double tangent_angle = 1;         // degree: what BRep files call smooth is rarely smooth to the last bit
+constexpr double tangent_angle = 1;         // degrees: edges called smooth in BRep files are rarely exactly smooth
 constexpr double believable_tangency = 10;  // degrees: a file that calls more than this smooth is wrong
 constexpr int samples = 9;
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -37,7 +37,7 @@ class Side {
     sign_ = (face.Orientation() == TopAbs_REVERSED) != is_mirrored ? -1 : 1;
   }
 
-  /// Its outward normal; at poles that of a point close by.
+  /// Its outward normal; at poles, the normal at a point close by.
   [[nodiscard]] std::optional<gp_Vec> normal(double share) const {
     if (curve_.IsNull()) return std::nullopt;
     const gp_XY place = curve_->Value(first_ + share * (last_ - first_)).XY();
@@ -49,7 +49,7 @@ class Side {
     return near ? near : normal_at(place + 1e-2 * (middle - place));
   }
 
-  /// In a shell whose faces agree about their outsides, the edge runs against itself on the other side.
+  /// In a shell of consistently oriented faces, the edge has the opposite direction on the other side.
   [[nodiscard]] bool agrees_with(const Side& other) const { return orientation_ != other.orientation_; }
 
  private:
@@ -89,7 +89,7 @@ double angle_along(const Side& one, const Side& other) {
     if (a && b) angles.push_back(degrees_between(*a, *b * sign));
   }
   if (angles.empty()) return unknown;
-  // One sample may stand on a flaw.
+  // A single sample may be at a flaw.
   const auto place = angles.begin() + static_cast<std::ptrdiff_t>(9 * (angles.size() - 1) / 10);
   std::nth_element(angles.begin(), place, angles.end());
   return *place;
@@ -114,7 +114,7 @@ std::vector<Joint> joints_of(const BodyMesh& mesh) {
       int index = faces_at.FindIndex(edge);
       if (index == 0) index = faces_at.Add(edge, TopTools_ListOfShape());
       TopTools_ListOfShape& faces = faces_at.ChangeFromIndex(index);
-      // Seams come twice from one face.
+      // Seams appear twice in one face.
       if (faces.IsEmpty() || !faces.Last().IsSame(facets.face)) faces.Append(facets.face);
     }
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the faces of a body meet in its edges.
+// How the faces of a body meet at its edges.
 #pragma once
 
 #include <cstdint>
@@ -12,10 +12,10 @@ namespace occt {
 struct Joint {
   std::vector<std::uint32_t> points;
   bool is_tangent;
-  double angle;  ///< degrees between the outward normals: nearly the most along it; NaN: not known
+  double angle;  ///< degrees between the outward normals: nearly the maximum along the edge; NaN: unknown
 };
 
-/// Edges between two or more faces, in the order in which the faces have them.
+/// Edges between two or more faces, in the order in which they occur in the faces.
 std::vector<Joint> joints_of(const BodyMesh& mesh);
 
 }  // namespace occt

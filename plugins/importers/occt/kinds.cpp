@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How files of the three formats begin.
+// Recognises files of the three formats by their beginning.
 #include <algorithm>
 #include <array>
 #include <fstream>
@@ -10,11 +10,11 @@
 namespace occt {
 
 bool is_step(std::string_view first_bytes) {
-  // Comments and spaces may stand before it.
+  // Comments and spaces may precede it.
   return first_bytes.find("ISO-10303-21") != std::string_view::npos;
 }
 
-/// Lines have 80 columns; the 73rd tells the section, of which the first is S, for start.
+/// Lines have 80 columns; column 73 has the letter of the section, which is S (start) for the first one.
 bool is_iges(std::string_view first_bytes) {
   constexpr std::size_t section = 72, width = 80;
   if (first_bytes.size() < width || first_bytes[section] != 'S') return false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a file of a part holds once Open CASCADE has read it: parts, each once, and the tree of places where they stand.
+// The content of a file after Open CASCADE has read it: parts, each once, and the tree of their positions.
 #pragma once
 
 #include <NCollection_DataMap.hxx>
@@ -16,7 +16,7 @@ namespace occt {
 /// A solid, a shell, or a compound of faces that belong to neither.
 struct Body {
   TopoDS_Shape shape;
-  std::string name;  ///< of its own in the file; may be empty
+  std::string name;  ///< its own name in the file; may be empty
 };
 
 struct Part {
@@ -27,7 +27,7 @@ struct Part {
 
 struct Place {
   std::string name;
-  std::uint32_t parent;  ///< an earlier place, or EPURA_NONE
+  std::uint32_t parent;  ///< an earlier position, or EPURA_NONE
   std::uint32_t part;    ///< or EPURA_NONE
   gp_Trsf transform;     ///< to the parent
 };
@@ -36,7 +36,7 @@ struct Place {
 struct Model {
   std::vector<Part> parts;
   std::vector<Place> places;
-  std::vector<std::string> notes;  ///< what was repaired or left out, a sentence each
+  std::vector<std::string> notes;  ///< sentences about repairs and omissions
 };
 
 /// Names of shapes, without their locations.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// STEP, IGES and BREP files by Open CASCADE, with the faces and edges of the part beside the triangles.
+// Reads STEP, IGES and BREP files by Open CASCADE, with the faces and edges of the part in addition to the triangles.
 #include <array>
 #include <cmath>
 #include <limits>

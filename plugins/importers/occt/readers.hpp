@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files of parts to a Model, in millimetres. What cannot be read: std::runtime_error with a sentence.
+// Reads files of parts into a Model, in millimetres. Throws std::runtime_error with a sentence for unreadable files.
 #pragma once
 
 #include <epura/importer_plugin.hpp>
@@ -15,16 +15,16 @@ Model read_step(const std::string& path, epura::plugin::Sink& sink);
 Model read_iges(const std::string& path, epura::plugin::Sink& sink);
 Model read_brep(const std::string& path, epura::plugin::Sink& sink);
 
-/// The share of the work that reading is, of the whole that Sink::progress tells.
+/// The share of reading in the work reported by Sink::progress.
 inline constexpr double share_of_reading = 0.5;
 
-/// Checks that the file exists and begins as `recognises` wants; `what` as in "no STEP file".
+/// Checks that the file exists and that `recognises` accepts its beginning; `what` as in "no STEP file".
 void expect_kind(const std::string& path, bool (*recognises)(std::string_view), const std::string& what);
 
-/// Its last 64 KiB, or all of it.
+/// The last 64 KiB of a file, or all of it.
 std::string end_of(const std::string& path);
 
-/// What to throw for a file that ends without `missing`.
+/// The error for a file that ends without `missing`.
 std::runtime_error cut_off(const std::string& path, const std::string& missing);
 
 bool is_step(std::string_view first_bytes);

@@ -35,7 +35,7 @@ void Stage::Show(const Message_ProgressScope&, bool) {
   try {
     sink_.progress(done);
   } catch (const epura::plugin::Cancelled&) {
-    // Open CASCADE's frames below are left by UserBreak: not all of them are ready for a foreign exception.
+    // Leaving Open CASCADE's functions through UserBreak, because not all of them can handle a foreign exception.
     is_cancelled_ = true;
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Open CASCADE as a quiet guest: what it would print is kept, what it throws becomes std::runtime_error, and its
-// progress goes to the sink.
+// Confines Open CASCADE: its messages are kept, its exceptions become std::runtime_error, and its progress goes to the
+// sink.
 #pragma once
 
 #include <Message_Printer.hxx>
@@ -15,7 +15,7 @@
 
 namespace occt {
 
-/// Takes the place of Open CASCADE's printers, and keeps the first complaint.
+/// Replaces Open CASCADE's printers, and keeps the first complaint.
 class Complaints : public Message_Printer {
   DEFINE_STANDARD_RTTI_INLINE(Complaints, Message_Printer)
 
@@ -32,7 +32,7 @@ class Complaints : public Message_Printer {
   mutable std::string first_;
 };
 
-/// While it lives, what Open CASCADE writes to std::cout and std::cerr past its printers goes nowhere.
+/// During its lifetime, output that Open CASCADE writes directly to std::cout and std::cerr is discarded.
 class Silence {
  public:
   Silence() : out_(std::cout.rdbuf(nullptr)), error_(std::cerr.rdbuf(nullptr)) {}
@@ -47,7 +47,7 @@ class Silence {
   std::streambuf *out_, *error_;
 };
 
-/// Reports a stage of the work, from one share of the whole to another, and breaks it off when the host wants no more.
+/// Reports a stage of the work, from one share of the whole to another, and stops it at the host's request.
 class Stage : public Message_ProgressIndicator {
   DEFINE_STANDARD_RTTI_INLINE(Stage, Message_ProgressIndicator)
 
@@ -55,7 +55,7 @@ class Stage : public Message_ProgressIndicator {
   Stage(epura::plugin::Sink& sink, double from, double to)
       : sink_(sink), from_(from), to_(to), shown_(from), thread_(std::this_thread::get_id()) {}
 
-  /// To be called after the work: throws epura::plugin::Cancelled if that was why it ended.
+  /// To be called after the work: throws epura::plugin::Cancelled if it was stopped.
   void finish() const {
     if (is_cancelled_) throw epura::plugin::Cancelled();
   }
@@ -71,7 +71,7 @@ class Stage : public Message_ProgressIndicator {
   std::atomic<bool> is_cancelled_ = false;
 };
 
-/// Calls `work`; what Open CASCADE throws becomes a sentence.
+/// Calls `work`; exceptions of Open CASCADE become a sentence.
 template <class Work>
 auto guarded(const std::string& what, Work&& work) {
   try {

@@ -26,7 +26,7 @@ namespace occt {
 
 namespace {
 
-/// Names of units as engineers write them, where they are not millimetres already.
+/// Usual names of units other than millimetres.
 std::string plain_unit(std::string name) {
   for (char& c : name)
     if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
@@ -37,7 +37,7 @@ std::string plain_unit(std::string name) {
   return name;
 }
 
-/// The first unit that the file defines by another, for files whose representations do not tell the name of theirs.
+/// The first conversion-based unit of the file, for files whose representations do not name their unit.
 std::string converted_unit(const StepData_StepModel& model) {
   for (int i = 1; i <= model.NbEntities(); ++i) {
     const auto unit = Handle(StepBasic_ConversionBasedUnitAndLengthUnit)::DownCast(model.Value(i));
@@ -59,7 +59,7 @@ void note_units(STEPControl_Reader& reader, Model& model) {
   for (const std::string& unit : others) model.notes.push_back("the file is in " + unit + ": converted to millimetres");
 }
 
-/// The names that entities of solids and surfaces have, which XCAF gives products only.
+/// The names of solids and surfaces, since XCAF has only the names of products.
 Names names_of_bodies(const STEPControl_Reader& reader) {
   Names names;
   const Handle(Transfer_TransientProcess) process = reader.WS()->TransferReader()->TransientProcess();
@@ -81,7 +81,7 @@ Names names_of_bodies(const STEPControl_Reader& reader) {
 }  // namespace
 
 Model read_step(const std::string& file, epura::plugin::Sink& sink) {
-  // Open CASCADE looks for files that this one refers to in the working folder unless told more.
+  // By default, Open CASCADE looks for referenced files in the working folder.
   const std::string path = std::filesystem::absolute(file).string();
   expect_kind(path, is_step, "a STEP file: it does not begin with ISO-10303-21");
   if (end_of(path).find("END-ISO-10303-21") == std::string::npos) throw cut_off(path, "END-ISO-10303-21");

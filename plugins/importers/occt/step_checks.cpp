@@ -36,7 +36,7 @@ std::string label_of(const Handle(StepData_StepModel) & model, const Handle(Stan
   return label.IsNull() ? "?" : label->ToCString();
 }
 
-/// Not what is written beside parts: dimensions, texts, dates.
+/// Excludes annotations of parts: dimensions, texts, dates.
 bool is_shape(const Handle(Standard_Transient) & entity) {
   return std::string_view(entity->DynamicType()->Name()).substr(0, 9) == "StepGeom_" ||
          entity->IsKind(STANDARD_TYPE(StepShape_TopologicalRepresentationItem)) ||
@@ -48,7 +48,7 @@ bool leaves_folder(const std::string& name) {
   return name.find_first_of("/\\:") != std::string::npos || name == "." || name == "..";
 }
 
-/// The name of a file that the source of an identification may hold.
+/// The file name that the source of an identification may contain.
 std::string source_name(const StepAP214_AppliedExternalIdentificationAssignment& identification) {
   if (identification.Source().IsNull()) return {};
   const auto name = Handle(StepData_SelectNamed)::DownCast(identification.Source()->SourceId().Value());
@@ -69,7 +69,7 @@ void forget(const Handle(StepData_StepModel) & model, const std::string& name) {
   }
 }
 
-/// What Open CASCADE would read next to the file.
+/// The files that Open CASCADE would read, too.
 std::vector<std::string> referred_files(STEPControl_Reader& reader) {
   std::vector<std::string> names;
   STEPConstruct_ExternRefs references(reader.WS());
@@ -82,7 +82,7 @@ std::vector<std::string> referred_files(STEPControl_Reader& reader) {
   return names;
 }
 
-/// Which products each one contains, in the order of the file.
+/// The products that each product contains, in the order of the file.
 using Contents = NCollection_IndexedDataMap<Handle(Standard_Transient), std::vector<int>>;
 
 Contents contents_of(const Handle(StepData_StepModel) & model) {
@@ -150,7 +150,7 @@ std::string faults_of(const Handle(StepData_StepModel) & model, Fault kind) {
 std::vector<std::string> without_foreign_files(STEPControl_Reader& reader, const std::string& path) {
   std::vector<std::string> notes;
   const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-  constexpr int most_names = 4;  // that one reference may have in different places
+  constexpr int most_names = 4;  // number of names that one reference may have in different entities
   for (int round = 0; round <= most_names; ++round) {
     bool is_clean = true;
     for (const std::string& name : referred_files(reader)) {

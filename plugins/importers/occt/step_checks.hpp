@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is looked at in a STEP file between reading its entities and making shapes of them.
+// Checks of a STEP file after its entities are read and before shapes are made of them.
 #pragma once
 
 #include <STEPControl_Reader.hxx>
@@ -8,18 +8,18 @@
 
 namespace occt {
 
-/// Throws if an assembly contains itself: Open CASCADE would follow it for ever.
+/// Throws if an assembly contains itself: Open CASCADE would follow it endlessly.
 void expect_no_cycle(const Handle(StepData_StepModel) & model);
 
-/// A reference to an entity that is missing or of a wrong type, which Open CASCADE follows blindly; or another value
-/// that is not as it should be.
+/// A reference to an entity that is missing or has a wrong type, which Open CASCADE follows without a check; or another
+/// invalid value.
 enum class Fault { reference, value };
 
-/// Entities of the shape with such faults: the first one, and how many; "" if there are none.
+/// Entities of the shape with such faults: the first one and their number; "" if there are none.
 std::string faults_of(const Handle(StepData_StepModel) & model, Fault kind);
 
-/// Makes references to files outside the folder of the file void, so that they are not followed; returns a sentence for
-/// each, and for each file that is missing.
+/// Voids references to files outside the folder of the file, so that they are not followed; returns a sentence for each
+/// of them, and for each missing file.
 std::vector<std::string> without_foreign_files(STEPControl_Reader& reader, const std::string& path);
 
 }  // namespace occt

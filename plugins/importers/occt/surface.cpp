@@ -31,7 +31,7 @@ constexpr double same_angle = 1e-9;
 
 using Surface = Handle(Geom_Surface);
 
-/// The same place without limits of parameters, and without an offset that has a surface of its own.
+/// The same surface without limits of parameters, and without an offset that can be resolved.
 Surface resolved(Surface surface) {
   for (;;) {
     if (const auto trimmed = Handle(Geom_RectangularTrimmedSurface)::DownCast(surface); !trimmed.IsNull()) {
@@ -44,7 +44,7 @@ Surface resolved(Surface surface) {
   }
 }
 
-/// A line turned about an axis in its plane.
+/// A line rotated about an axis in its plane.
 Surface turned_line(const gp_Lin& line, const gp_Ax1& axis) {
   const gp_Lin centre(axis);
   const gp_Vec out(axis.Location(), line.Location());
@@ -68,7 +68,7 @@ Surface turned_line(const gp_Lin& line, const gp_Ax1& axis) {
   return new Geom_ConicalSurface(gp_Ax3(foot, axis.Direction(), outward), half_angle, radius);
 }
 
-/// A circle turned about an axis in its plane.
+/// A circle rotated about an axis in its plane.
 Surface turned_circle(const gp_Circ& circle, const gp_Ax1& axis) {
   const gp_Lin centre(axis);
   if (!circle.Axis().Direction().IsNormal(axis.Direction(), same_angle)) return {};
@@ -98,7 +98,7 @@ Surface extruded(const Geom_SurfaceOfLinearExtrusion& surface) {
   return {};
 }
 
-/// The simple surface that this one is, or itself.
+/// The simple surface with which this one coincides, or the surface itself.
 Surface simplest(const Surface& surface, const TopoDS_Face& face) {
   Surface found;
   if (const auto swept = Handle(Geom_SurfaceOfRevolution)::DownCast(surface); !swept.IsNull()) found = turned(*swept);
@@ -139,7 +139,7 @@ epura_face surface_of(const TopoDS_Face& face) {
   const Surface surface = simplest(resolved(given), face);
   if (const auto plane = Handle(Geom_Plane)::DownCast(surface); !plane.IsNull()) {
     epura_face described_plane = described(EPURA_PLANE, plane->Position().Transformed(move), 0);
-    // A mirror takes the outward normal along: what counts is how the plane was defined before.
+    // A mirror image also mirrors the outward normal: the handedness of the plane before the transform counts.
     if ((face.Orientation() == TopAbs_REVERSED) == plane->Position().Direct())
       for (double& coordinate : described_plane.axis) coordinate = -coordinate;
     return described_plane;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which of the simple surfaces a face lies on.
+// The simple surface on which a face lies.
 #pragma once
 
 #include <TopoDS_Face.hxx>
@@ -7,8 +7,8 @@
 
 namespace occt {
 
-/// Also where the file describes it as trimmed, offset, swept or by splines. In the coordinates that the face stands
-/// in; the axis of a plane points outward.
+/// Also recognises surfaces described as trimmed, offset, swept or by splines. In the coordinates of the face; the axis
+/// of a plane points outward.
 epura_face surface_of(const TopoDS_Face& face);
 
 }  // namespace occt

@@ -37,7 +37,7 @@ namespace occt {
 
 namespace {
 
-/// Cones without points inside: most need none but those that face_mesh.hpp sets.
+/// Meshes cones without inner points: most need none except those that face_mesh.hpp adds.
 class FewPoints : public BRepMesh_MeshAlgoFactory {
   DEFINE_STANDARD_RTTI_INLINE(FewPoints, BRepMesh_MeshAlgoFactory)
 
@@ -58,13 +58,13 @@ TopoDS_Compound everything_of(const Model& model) {
   return everything;
 }
 
-/// Poles of splines stand far outside of their surfaces: those are sampled.
+/// Poles of spline surfaces are far outside the surface, so points on the surface are sampled.
 void add(const TopoDS_Face& face, Bnd_Box& box) {
   const BRepAdaptor_Surface surface(face, /*Restriction=*/false);
   if (surface.GetType() <= GeomAbs_Torus) {
     Bnd_Box own;
     BRepBndLib::Add(face, own, /*useTriangulation=*/false);
-    // Planes without an outline have no end, and cannot be drawn.
+    // Planes without an outline are infinite, and cannot be drawn.
     if (!own.IsVoid() && !own.IsOpen()) box.Add(own);
     return;
   }
@@ -77,7 +77,7 @@ void add(const TopoDS_Face& face, Bnd_Box& box) {
           surface.Value(range[0] + (range[1] - range[0]) * i / steps, range[2] + (range[3] - range[2]) * j / steps));
 }
 
-/// Poles of splines, too, stand far off.
+/// Poles of spline curves are far off, too.
 void add(const TopoDS_Edge& edge, Bnd_Box& box) {
   constexpr int steps = 24;
   const BRepAdaptor_Curve curve(edge);
@@ -94,7 +94,7 @@ Bnd_Box box_of(const Part& part) {
   return box;
 }
 
-/// Returns how many edges had no curve in space.
+/// Returns the number of edges that had no curve in space.
 std::size_t complete_curves(const TopoDS_Shape& shape) {
   std::size_t count = 0;
   TopTools_IndexedMapOfShape edges;
@@ -109,7 +109,7 @@ std::size_t complete_curves(const TopoDS_Shape& shape) {
 }
 
 void use_threads(unsigned threads) {
-  // Open CASCADE's own pool can be told how many threads to use, oneTBB's arena behind its loops cannot.
+  // Open CASCADE's own pool accepts a number of threads, but oneTBB's arena behind its loops does not.
   OSD_Parallel::SetUseOcctThreads(true);
   OSD_ThreadPool::DefaultPool()->Init(static_cast<int>(threads) - 1);
 }
@@ -131,7 +131,7 @@ void mesh(const TopoDS_Shape& shape, const IMeshTools_Parameters& parameters,
   stage->finish();
 }
 
-/// Faces whose triangles cannot be refined to the tolerance without becoming too many.
+/// Faces with triangles that cannot be refined to the tolerance without becoming too many.
 std::vector<TopoDS_Face> unsuitable(const TopoDS_Shape& shape, double tolerance) {
   TopTools_IndexedMapOfShape faces;
   TopExp::MapShapes(shape, TopAbs_FACE, faces);
@@ -175,7 +175,7 @@ void tessellate(Model& model, const Fineness& fineness, epura::plugin::Sink& sin
   parameters.Angle = fineness.angle * std::numbers::pi / 180;
   parameters.AngleInterior = parameters.Angle;
   parameters.InParallel = fineness.threads > 1;
-  // What Open CASCADE inserts by this is twice as many triangles as face_mesh.hpp needs to refine them, for most faces.
+  // With this option, Open CASCADE inserts twice as many triangles as face_mesh.hpp needs for most faces.
   parameters.ControlSurfaceDeflection = false;
   mesh(everything, parameters, new FewPoints, {sink, share_of_reading, share_of_reading + share_of_meshing / 2});
   const std::vector<TopoDS_Face> again = unsuitable(everything, fineness.deflection);

@@ -21,7 +21,7 @@ TopoDS_Shape without_location(const TopoDS_Shape& shape) { return shape.Located(
 
 struct WireEdges {
   std::vector<TopoDS_Edge> edges;
-  std::size_t endless = 0;  ///< others, that have no end or no curve
+  std::size_t endless = 0;  ///< other edges, which are infinite or have no curve
 };
 
 WireEdges edges_outside_faces(const TopoDS_Shape& shape) {

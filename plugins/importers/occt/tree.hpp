@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// From shapes of Open CASCADE to parts and places: what stands in several places is one part, wherever the file says
-// so.
+// Converts shapes of Open CASCADE to parts and positions: a shape in several positions becomes one part if the file
+// says so.
 #pragma once
 
 #include <NCollection_IndexedDataMap.hxx>
@@ -15,16 +15,16 @@ class TreeBuilder {
  public:
   TreeBuilder(Model& model, const Names& names) : model_(model), names_(names) {}
 
-  /// The shape stands under `parent`, moved by `transform` after its own location.
+  /// Adds the shape below `parent`, moved by `transform` after its own location.
   void add(const TopoDS_Shape& shape, const std::string& part_name, const std::string& name, std::uint32_t parent,
            const gp_Trsf& transform);
   std::uint32_t add_assembly(const std::string& name, std::uint32_t parent, const gp_Trsf& transform);
 
-  /// Says what of the shapes is not handed over.
+  /// Adds notes about omitted parts of the shapes.
   void finish();
 
  private:
-  /// A shape: its part, and parts of it that occur several times in it.
+  /// A shape: its part, and parts of it that occur in it several times.
   struct Prototype {
     std::uint32_t part = EPURA_NONE;
     std::vector<Place> inside;
@@ -42,10 +42,10 @@ class TreeBuilder {
   std::size_t endless_ = 0, points_ = 0, loose_ = 0, sewn_into_ = 0;
 };
 
-/// The tree of a document of XCAF.
+/// Adds the tree of an XCAF document.
 void add_document(const Handle(TDocStd_Document) & document, TreeBuilder& tree);
 
-/// "" for names that programs make up, as "NAUO12", "=>[0:1:1:2]", "SOLID".
+/// "" for names made up by programs, such as "NAUO12", "=>[0:1:1:2]", "SOLID".
 std::string meaningful(const std::string& name);
 
 }  // namespace occt

@@ -23,8 +23,8 @@ class Polylines {
 
   void add(const TopoDS_Edge& edge) {
     const BRepAdaptor_Curve curve(edge);
-    // As the edges of faces are divided, so that a wire on a face lies in its facets where it can.
-    constexpr double of_edges = 0.5;  // of what Open CASCADE is told
+    // Divided like the edges of faces, so that a wire on a face lies in its facets where possible.
+    constexpr double of_edges = 0.5;  // relative to the values given to Open CASCADE
     const GCPnts_TangentialDeflection places(curve, of_edges * fineness_.angle * std::numbers::pi / 180,
                                              of_edges * told_for_wanted * fineness_.deflection,
                                              curve.GetType() == GeomAbs_Circle ? 4 : 2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Edges that bound no face, as polylines: where they share a vertex, they share its point.
+// Edges that bound no face, as polylines: those that share a vertex share its point.
 #pragma once
 
 #include <cstdint>
@@ -13,10 +13,10 @@ namespace occt {
 
 struct WireMesh {
   std::vector<epura::plugin::Point> points;
-  std::vector<std::vector<std::uint32_t>> wires;  ///< the first point again at the end of a closed one
+  std::vector<std::vector<std::uint32_t>> wires;  ///< a closed one repeats its first point at the end
 };
 
-/// Numbers of points begin with `first_point`.
+/// Vertex numbers begin with `first_point`.
 WireMesh mesh_of(const std::vector<TopoDS_Edge>& edges, std::uint32_t first_point, const Fineness& fineness);
 
 }  // namespace occt

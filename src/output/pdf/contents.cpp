@@ -15,7 +15,7 @@ namespace {
 
 using Handle = QPDFObjectHandle;
 
-// qpdf's own numbers follow the locale.
+// qpdf's own conversion depends on the locale.
 double number_of(Handle object) {
   const std::string text = object.isInteger() ? std::to_string(object.getIntValue()) : object.getRealValue();
   double value = 0;
@@ -54,7 +54,7 @@ std::vector<PdfContent> read_pdf_contents(const std::string& bytes, const std::s
     check_packing(bytes, where);
     QPDF pdf;
     pdf.setSuppressWarnings(true);
-    pdf.setAttemptRecovery(false);  // it would guess where objects are
+    pdf.setAttemptRecovery(false);  // recovery would guess the positions of objects
     pdf.processMemoryFile(where.c_str(), bytes.data(), bytes.size());
     check_object_streams(pdf, bytes.size(), where);
     expect_ours(pdf, where);

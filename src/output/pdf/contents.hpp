@@ -8,7 +8,7 @@
 
 namespace epura::output {
 
-/// Content streams are unpacked. ISO 32000-1, 7.8.2.
+/// Content streams are uncompressed. ISO 32000-1, 7.8.2.
 struct PdfContent {
   double width = 0, height = 0;  ///< points
   std::string page{};
@@ -16,7 +16,7 @@ struct PdfContent {
   std::map<std::string, std::string> forms{};   ///< content by "/layer0"
 };
 
-/// One of each page. Throws Error{input}, also for files that unpack to more than drawings do.
+/// One for each page. Throws Error{input}, also for files that unpack to more data than drawings have.
 std::vector<PdfContent> read_pdf_contents(const std::string& bytes, const std::string& where);
 
 }  // namespace epura::output

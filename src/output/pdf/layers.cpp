@@ -17,8 +17,8 @@ namespace {
 
 using Handle = QPDFObjectHandle;
 
-// Cairo's page as a form XObject of `pdf`: the stream as it is, still compressed. The page's transparency group stays
-// behind; black ink needs none, and some printers answer one with pixels.
+// Adds Cairo's page to `pdf` as a form XObject, with its stream unchanged and still compressed. The page's transparency
+// group is dropped: black ink needs none, and some printers rasterise pages that have one.
 Handle add_form(QPDF& pdf, const std::string& file, const std::string& box) {
   QPDF drawn;
   drawn.setImmediateCopyFrom(true);  // `drawn` does not outlive this function
@@ -53,7 +53,7 @@ Handle add_page(QPDF& pdf, const std::string& media_box, Handle resources, const
 // The optional content groups of all pages.
 struct Groups {
   Handle all = Handle::newArray();
-  Handle order = Handle::newArray();  // by page where there are several
+  Handle order = Handle::newArray();  // grouped by page if there are several
   std::set<std::string> names;
 
   std::string unique(const std::string& name) {
@@ -99,7 +99,7 @@ Handle bookmark(QPDF& pdf, const PdfBookmark& mark, Handle page) {
   return item;
 }
 
-// Chains the items below their parent. `shown`: they and all below them.
+// Links the items below their parent. `shown` is the number of the items and all their descendants.
 void adopt(Handle parent, std::vector<Handle> items, std::size_t shown) {
   if (items.empty()) return;
   for (std::size_t i = 0; i < items.size(); ++i) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Assembles drawings of layers into pages with layers.
+// Assembles drawings of layers into pages with optional content.
 #pragma once
 
 #include <string>
@@ -12,20 +12,20 @@ struct PdfLayer {
   std::string file;  ///< a PDF file of one page, drawn by Cairo
 };
 
-/// A place of a page under its name.
+/// A named view of a page.
 struct PdfBookmark {
   std::string title;
-  std::string view;  ///< how the place fits the window: "/Fit" or "/FitR left bottom right top" in points
+  std::string view;  ///< how it fits the window: "/Fit" or "/FitR left bottom right top" in points
 };
 
-/// A page that holds layers, painted in order. Numbers are ready to be written.
+/// A page with layers, painted in order. Numbers are in their final text form.
 struct PdfPage {
   std::vector<PdfLayer> layers;
   std::string media_box;  ///< "[0 0 width height]" in points
-  std::string layer_box;  ///< the same of the layers' pages in their units
+  std::string layer_box;  ///< the same for the layers' pages, in their units
   std::string placement;  ///< matrix "a b c d e f" from the layers' units to points
   PdfBookmark bookmark;
-  std::vector<PdfBookmark> views;  ///< under that of the page
+  std::vector<PdfBookmark> views;  ///< below the bookmark of the page
 };
 
 struct PdfDocument {
@@ -33,9 +33,9 @@ struct PdfDocument {
   std::string title, author, subject;  ///< empty: not given
 };
 
-/// Each layer becomes a form XObject in an optional content group of its name (ISO 32000-1, 8.10 and 8.11); a name that
-/// an earlier page has gets a number. Bookmarks are outlines (12.3.3). No date, and an identifier that follows from the
-/// contents.
+/// Each layer becomes a form XObject in an optional content group of its name (ISO 32000-1, 8.10 and 8.11); names that
+/// an earlier page already has get a number. Bookmarks are outlines (12.3.3). There is no date, and the identifier is
+/// derived from the contents.
 std::string join_pdf_layers(const PdfDocument& document);
 
 }  // namespace epura::output

@@ -18,7 +18,7 @@ struct PdfLibrary {
   decltype(&read_pdf_contents) read_contents;
 };
 
-/// Throws Error{output} when it is not where it was installed.
+/// Throws Error{output} if the library is not where it was installed.
 const PdfLibrary& pdf_library();
 
 }  // namespace epura::output

@@ -17,14 +17,14 @@ namespace {
 
 constexpr const char* hint = "epura compares only PDF files that it wrote itself";
 
-// Keeps or counts what flows in, and stops the flow when it is too much.
+// Stores or counts the incoming bytes, and stops the stream if there are too many.
 class Basin : public Pipeline {
  public:
   Basin(std::size_t room, bool keeps) : Pipeline("basin", nullptr), room_(room), keeps_(keeps) {}
 
   void write(const unsigned char* data, std::size_t length) override {
     overflows_ = overflows_ || length > room_;
-    if (overflows_) throw std::runtime_error("too much");  // qpdf stops reading, and keeps it to itself
+    if (overflows_) throw std::runtime_error("too much");  // qpdf stops reading, and does not pass this on
     room_ -= length;
     if (keeps_) bytes_.append(reinterpret_cast<const char*>(data), length);
   }
@@ -44,12 +44,12 @@ bool is_blank(char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t' |
 
 bool ends_name(char c) { return is_blank(c) || std::string("()<>[]{}/%").find(c) != std::string::npos; }
 
-// A part of a file from one stream to the next, which is searched for names in any position.
+// A part of a file from one stream to the next, searched for names at any position.
 class Names {
  public:
   Names(const std::string& file, std::size_t begin, std::size_t end) : file_(file), at_(begin), end_(end) {}
 
-  /// The next name without its slash, "#69" decoded; false if there is none.
+  /// The next name without its slash, with "#69" decoded; false if there is none.
   bool next(std::string& name) {
     at_ = std::min(file_.find('/', at_), end_);
     if (at_ == end_) return false;
@@ -58,7 +58,7 @@ class Names {
     return true;
   }
 
-  // Of what follows the name.
+  // The position after the name.
   [[nodiscard]] std::size_t place() const { return at_; }
   void pass_blanks() {
     while (at_ < end_ && is_blank(file_[at_])) ++at_;
@@ -76,7 +76,7 @@ class Names {
     return at_ > begin;
   }
   [[nodiscard]] bool at_end_of_name() const { return at_ >= end_ || ends_name(file_[at_]); }
-  // Not in a reference to another object, such as 12 0 R.
+  // False in a reference to another object, such as 12 0 R.
   bool at_end_of_value() {
     pass_blanks();
     return at_ >= end_ || file_[at_] == '/' || file_[at_] == '>';
@@ -101,7 +101,7 @@ class Names {
   std::size_t at_, end_;
 };
 
-// Up to 999 of each.
+// Values of at most 999.
 bool are_short_rows(Names& names) {
   if (!names.pass("<<")) return false;
   while (names.pass("/Columns") || names.pass("/Predictor")) {
@@ -111,8 +111,8 @@ bool are_short_rows(Names& names) {
   return names.pass(">>");
 }
 
-// What epura says of a stream behind such a name, and says itself rather than in another object, which qpdf would look
-// for at once.
+// Whether epura writes this after such a name, and directly instead of in another object, which qpdf would look up at
+// once.
 bool is_usual(const std::string& name, Names& names) {
   if (name == "Filter") return names.pass("/FlateDecode") && names.at_end_of_name();
   if (name == "DecodeParms") return are_short_rows(names);
@@ -120,7 +120,7 @@ bool is_usual(const std::string& name, Names& names) {
   return name != "Encrypt";
 }
 
-// Whether a stream that this is the head of holds a table of objects.
+// Whether the stream with this dictionary is a table of objects.
 bool check_head(const std::string& file, std::size_t begin, std::size_t end, const std::string& where) {
   bool is_table = false;
   Names names(file, begin, end);
@@ -169,7 +169,7 @@ void check_packing(const std::string& file, const std::string& where) {
     const bool is_table = check_head(file, begin, end, where);
     if (end == file.size()) return;
     begin = end + word.size();
-    while (is_table && begin < file.size() && is_blank(file[begin])) ++begin;  // no Flate data begin with a blank
+    while (is_table && begin < file.size() && is_blank(file[begin])) ++begin;  // Flate data never begin with a blank
     if (is_table) room.measure(file, begin);
   }
 }
@@ -182,7 +182,7 @@ void check_object_streams(QPDF& pdf, std::size_t bytes, const std::string& where
   UnpackRoom room(2'000'000 + bytes, where);
   for (const QPDFObjGen& holder : holders) {
     const auto place = table.find(holder);
-    // One that is in another one would be read before it is examined.
+    // An object stream inside another one would be read before it is examined.
     if (place == table.end() || place->second.getType() != 1 || !pdf.getObject(holder).isStream())
       throw Error(ErrorKind::input, where, "is not a readable PDF: it lacks objects", hint);
     room.unpack(pdf.getObject(holder));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Unpacked content of PDF streams, checked before it is kept. Flate can expand a byte to a thousand, filters can be
-// chained, and a predictor may request any amount of memory, so a small file may stand for more than fits into memory.
+// Unpacks PDF streams and checks their size first. Flate can expand a byte to a thousand, filters can be chained, and a
+// predictor may request any amount of memory, so a small file may stand for more than fits into memory.
 #pragma once
 
 #include <cstddef>
@@ -11,14 +11,14 @@
 
 namespace epura::output {
 
-/// How many more bytes a file may unpack to.
+/// The number of bytes to which a file may still unpack.
 class UnpackRoom {
  public:
   UnpackRoom(std::size_t bytes, std::string where) : where_(std::move(where)), most_(bytes), left_(bytes) {}
 
   /// The data of a stream. Throws Error{input} if it is too large or cannot be unpacked.
   std::string unpack(QPDFObjectHandle stream);
-  /// The same of Flate data that begin at `at` of a file.
+  /// Checks Flate data at position `at` of a file in the same way.
   void measure(const std::string& file, std::size_t at);
 
  private:
@@ -28,12 +28,12 @@ class UnpackRoom {
   std::size_t most_, left_;
 };
 
-/// Looks at the bytes of a whole file. Throws Error{input} unless its streams are packed as epura packs them: not at
-/// all or by Flate once, tables with predictors of short rows, and nothing encrypted; and unless its tables of objects
-/// are small, which qpdf reads before anything of the file can be asked for.
+/// Checks the bytes of a whole file. Throws Error{input} unless its streams are packed as epura packs them: not at all
+/// or by Flate once, tables with predictors of short rows, and nothing encrypted; and unless its tables of objects are
+/// small, since qpdf reads them before anything else.
 void check_packing(const std::string& file, const std::string& where);
 
-/// Throws Error{input} unless the streams that hold objects are small. Of a file that has been opened and not asked
+/// Throws Error{input} unless the streams that contain objects are small. The file must be open, with no objects read
 /// yet.
 void check_object_streams(QPDF& pdf, std::size_t bytes, const std::string& where);
 

@@ -14,8 +14,8 @@ namespace epura::sheet {
 
 namespace {
 
-constexpr double same_place = 1e-9;  // of the size of the world
-constexpr double farthest = 10'000;  // mm of paper
+constexpr double same_place = 1e-9;  // relative to the size of the world
+constexpr double farthest = 10'000;  // mm on paper
 
 struct TypeRule {
   std::size_t anchors;
@@ -95,7 +95,7 @@ void expect_offset(const AnchoredDimension& dimension) {
     refuse(dimension.where, "the offset of an angular dimension is the radius of its arc, which is positive");
 }
 
-/// What dimensions ask of the models, found when it is first asked for.
+/// Data of the models that dimensions need, computed on first use.
 struct Asked {
   Rims rims;
   std::optional<std::array<scene::Extent, 3>> extents{};

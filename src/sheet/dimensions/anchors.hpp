@@ -19,30 +19,30 @@ namespace epura::sheet {
 struct WorldCircle {
   Vec3 centre, axis;  ///< the axis has length 1
   double radius;
-  std::vector<Vec3> rim;  ///< its vertices, in order round it
+  std::vector<Vec3> rim;  ///< its vertices, in order around it
   bool whole;
 };
 
-/// The axis of the world that an overall dimension lies along.
+/// The world axis of an overall dimension.
 constexpr int axis_of(DimensionDirection direction) {
   return direction == DimensionDirection::width ? 0 : direction == DimensionDirection::height ? 2 : 1;
 }
 
 struct AnchoredDimension {
-  std::string where;  ///< for errors
+  std::string where;  ///< for error messages
   DimensionType type;
-  std::optional<DimensionDirection> direction;  ///< of linear and overall ones
+  std::optional<DimensionDirection> direction;  ///< of linear and overall dimensions
   std::vector<Vec3> points;                     ///< two ends; angular: the corner, then the ends of its legs
-  std::vector<WorldCircle> circles;             ///< radius, diameter: all that pass through the anchor, at least one
+  std::vector<WorldCircle> circles;             ///< radius, diameter: all circles through the anchor, at least one
   std::optional<double> offset;
   std::string text;                                    ///< "<>" stands for the measured value
-  scene::ExtentForm form = scene::ExtentForm::length;  ///< of overall ones
-  double beyond_vertices = 0;                          ///< by so much more they measure than the mesh, which is drawn
+  scene::ExtentForm form = scene::ExtentForm::length;  ///< of overall dimensions
+  double beyond_vertices = 0;                          ///< how much more they measure than the mesh, which is drawn
 };
 
-/// In their order; those that there is no time for are left out. Throws Error{input} that names where the dimension was
-/// asked for: for a direction that its type lacks or wants, vertices that are not there, anchors that coincide, and
-/// anchors on no circle where one is requested.
+/// In the order given; without those for which there is no time. Throws Error{input} that locates the dimension: for a
+/// direction that its type does not allow or that is missing, vertices that do not exist, anchors that coincide, and
+/// anchors that are not on a circle where one is required.
 std::vector<AnchoredDimension> find_anchors(const scene::World& world,
                                             std::span<const scene::DimensionDescription> dimensions,
                                             const Progress& progress = {});

@@ -12,14 +12,14 @@ namespace {
 
 constexpr int radii = 24;
 constexpr double first_radius = 14, longer = 4;  // mm
-constexpr double cost_of_radius = 0.1;           // a millimetre
+constexpr double cost_of_radius = 0.1;           // per millimetre
 constexpr double cost_outside = 3;               // of a text outside the angle
-constexpr double arrows_inside = 3;              // lengths of arrows that two of them need
+constexpr double arrows_inside = 3;              // room for two arrows, in lengths of an arrow
 constexpr double steepest = 0.5;                 // sine of the slope of a text that falls to the right
 constexpr double farthest_past = 1;              // radians of an arc past a leg
 constexpr double step_of_arc = std::numbers::pi / 90;
 
-// From one leg to the other, as angles on the paper.
+// From one leg to the other, as angles on paper.
 struct Sector {
   Vec2 corner;
   double first, sweep;
@@ -30,7 +30,7 @@ Sector sector_of(const MeasuredAngle& angle) {
   return {angle.corner, portable_atan2(a.y, a.x), portable_atan2(glm::dot(left_of(a), b), glm::dot(a, b))};
 }
 
-// The arc from one angle to another, as a polyline marked as an arc.
+// The arc from one angle to another, as a polyline with a curve.
 Stroke arc(const Vec2& centre, double radius, double from, double to) {
   const int parts = std::max(2, static_cast<int>(std::ceil(std::abs(to - from) / step_of_arc)));
   Stroke stroke;
@@ -63,7 +63,7 @@ struct DimensionArc {
   double radius;
 };
 
-// Along the arc; level where the arc is so steep that the text would be read from the left.
+// Along the arc, or level if the arc is so steep that the text would have to be read from the left.
 void set_text_at(PlacedDimension& dimension, const std::string& text, const DimensionArc& arc, const Vec2& spoke,
                  const DimensionStyle& style) {
   const Vec2 read = reading_direction(left_of(spoke));
@@ -73,7 +73,7 @@ void set_text_at(PlacedDimension& dimension, const std::string& text, const Dime
     const Vec2 middle = arc.corner + (arc.radius + reach) * spoke;
     return set_text(dimension, text, {middle, {1, 0}, -style.text / 2}, style);
   }
-  const bool inside = glm::dot(left_of(read), spoke) < 0;  // then the arc rises next to the text
+  const bool inside = glm::dot(left_of(read), spoke) < 0;  // then the arc rises beside the text
   const double rise = style.above() + (inside ? width * width / (8 * arc.radius) : 0);
   set_text(dimension, text, {arc.corner + arc.radius * spoke, read, rise}, style);
 }

@@ -8,7 +8,7 @@ namespace epura::sheet {
 namespace {
 
 constexpr double side = 25;  // mm
-// What lies far off the paper belongs to the outermost cells.
+// Boxes far off the paper belong to the outermost cells.
 constexpr double last_cell = 64;
 
 }  // namespace
@@ -47,7 +47,7 @@ int BoxIndex::overlaps(const TurnedBox& box) const {
     for (const std::size_t i : found->second) {
       const Entry& entry = entries_[i];
       if (entry.min.x > max.x || entry.max.x < min.x || entry.min.y > max.y || entry.max.y < min.y) continue;
-      // Both may share several cells; that of the lower left corner of what they share counts.
+      // Both may share several cells; only the cell with the lower left corner of their intersection counts.
       if (cell_at(glm::max(entry.min, min)) == cell && overlap(entry.box, box)) count += entry.count;
     }
   });

@@ -12,8 +12,8 @@
 
 namespace epura::sheet {
 
-/// Boxes by square cell of the paper. Equal ones are one with a number: dimensions between the same points take the
-/// same few places again and again.
+/// Boxes by square cell of the paper. Equal boxes are stored once, with a count: dimensions between the same points
+/// have the same few candidate positions again and again.
 class BoxIndex {
  public:
   BoxIndex() = default;
@@ -21,14 +21,14 @@ class BoxIndex {
 
   void add(std::span<const TurnedBox> boxes);
 
-  /// How many of them have more than their borders in common with the box.
+  /// How many of them share more than their borders with the box.
   [[nodiscard]] int overlaps(const TurnedBox& box) const;
 
  private:
   using Cell = std::array<int, 2>;
   struct Entry {
     TurnedBox box;
-    Vec2 min, max;  ///< of the upright rectangle around it
+    Vec2 min, max;  ///< of its bounding rectangle
     int count;
   };
 

@@ -16,12 +16,12 @@ constexpr double border = 1e-6;  // mm
 
 Vec2 left_of(const Vec2& d) { return {-d.y, d.x}; }
 
-// Half the length of the box's shadow on a line.
+// Half the length of the box's projection onto a direction.
 double half_shadow(const TurnedBox& box, const Vec2& line) {
   return box.half.x * std::abs(glm::dot(box.along, line)) + box.half.y * std::abs(glm::dot(left_of(box.along), line));
 }
 
-// Half the size of the upright box around it.
+// Half the size of the bounding rectangle.
 Vec2 upright_half(const TurnedBox& box) { return {half_shadow(box, {1, 0}), half_shadow(box, {0, 1})}; }
 
 }  // namespace
@@ -36,7 +36,7 @@ TurnedBox line_box(const Vec2& from, const Vec2& to) {
   return {(from + to) * 0.5, length > 0 ? (to - from) / length : Vec2(1, 0), {length / 2, 0}};
 }
 
-// Two convex figures are apart if and only if their shadows on a line square to one of their sides are.
+// Two convex figures are disjoint if and only if their projections onto a line perpendicular to one of their sides are.
 bool overlap(const TurnedBox& a, const TurnedBox& b) {
   const std::array<Vec2, 4> lines{a.along, left_of(a.along), b.along, left_of(b.along)};
   return std::none_of(lines.begin(), lines.end(), [&](const Vec2& line) {

@@ -12,29 +12,29 @@
 
 namespace epura::sheet {
 
-/// A rectangle in any direction; a line where a half is 0. Millimetres of paper.
+/// A rotated rectangle; a line if one half size is 0. Millimetres on paper.
 struct TurnedBox {
   Vec2 centre;
   Vec2 along;  ///< length 1
   Vec2 half;   ///< half its size along and across
 };
 
-/// The upright rectangle around it.
+/// The bounding rectangle.
 Rectangle around(const TurnedBox& box);
 
 inline TurnedBox turned_box(const Rectangle& box) { return {box.centre(), {1, 0}, box.size() / 2.0}; }
 
 TurnedBox line_box(const Vec2& from, const Vec2& to);
 
-/// Whether they have more than their borders in common.
+/// Whether they share more than their borders.
 bool overlap(const TurnedBox& a, const TurnedBox& b);
 
 TurnedBox box_of(const Text& text, const Lettering& lettering);
 
-/// What the lines, areas and texts of a layer take.
+/// The boxes of the lines, areas and texts of a layer.
 std::vector<TurnedBox> boxes_of(const Layer& layer, const Lettering& lettering);
 
-/// How many lines of the drawing run through the box.
+/// How many lines of the drawing pass through the box.
 int ink_in(const TurnedBox& box, const drawing::ViewDrawing& drawing);
 
 }  // namespace epura::sheet

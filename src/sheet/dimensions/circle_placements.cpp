@@ -12,7 +12,7 @@ namespace {
 constexpr int directions = 24;
 constexpr int lengths = 24;
 constexpr double shortest = 8, longer = 4;  // leaders, mm
-constexpr double cost_of_length = 0.1;      // a millimetre of leader
+constexpr double cost_of_length = 0.1;      // per millimetre of leader
 constexpr double cost_of_slope = 1;         // of a leader that is not at 45 degrees
 constexpr double cost_of_inside = 1, cost_of_crossing_it = 0.5;
 
@@ -29,7 +29,7 @@ PlacedDimension leader(const MeasuredCircle& circle, const std::string& text, co
   dimension.lines = {line_box(tip, elbow)};
   dimension.arrows = {arrow_at(tip, -outward, style)};
   set_text(dimension, text, {(elbow + shoulder) * 0.5, {1, 0}, style.above()}, style);
-  // Down to the shoulder, which no line should meet either.
+  // The box includes the shoulder, which no line should meet either.
   dimension.text_box.centre.y -= style.above() / 2;
   dimension.text_box.half += Vec2(style.above(), style.above() / 2);
   dimension.zones = {dimension.text_box};
@@ -41,7 +41,7 @@ double slope_cost(double angle) {
   return cost_of_slope * off / (std::numbers::pi / 4);
 }
 
-// Across the whole circle, from arrow to arrow.
+// A dimension line across the whole circle, from arrow to arrow.
 void add_across(std::vector<DimensionPlacement>& placements, const MeasuredCircle& circle, const std::string& text,
                 double angle, const DimensionStyle& style) {
   const Vec2 along = turned_to(angle), spoke = circle.radius * along;
@@ -59,7 +59,7 @@ std::vector<DimensionPlacement> placements_of(const MeasuredCircle& circle, cons
   std::vector<DimensionPlacement> placements;
   const bool whole = std::abs(circle.sweep) >= 2 * std::numbers::pi;
   for (int i = 0; i < directions; ++i) {
-    // The middle of each part of an arc; of a circle the diagonals are among them.
+    // The middle of each part of an arc; for a circle, the diagonals are included.
     const double angle = circle.first + (whole ? i : i + 0.5) * circle.sweep / directions;
     const auto add = [&](double length, double cost) {
       placements.push_back({leader(circle, measured.text, turned_to(angle), length, style), cost + slope_cost(angle)});

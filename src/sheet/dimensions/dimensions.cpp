@@ -19,13 +19,13 @@ namespace epura::sheet {
 
 namespace {
 
-// What makes a drawing hard to read outweighs all that only makes it less neat.
-constexpr double cost_of_zone = 1000;  // two dimensions in one place
+// Faults that make a drawing hard to read outweigh all those that only make it less tidy.
+constexpr double cost_of_zone = 1000;  // two dimensions at the same position
 constexpr double cost_of_text = 300;   // a line through a text
 constexpr double cost_of_crossing = 3;
 constexpr double cost_of_ink = 0.3;  // a line of the drawing that a leader crosses
 
-/// What is on the paper already.
+/// Objects already on the paper.
 struct Surroundings {
   const drawing::ViewDrawing& drawing;
   std::optional<Rectangle> paper;
@@ -39,7 +39,7 @@ struct Surroundings {
 
   [[nodiscard]] bool is_off_paper(const TurnedBox& zone) const { return paper && !paper->holds(around(zone)); }
 
-  /// What the place of the dimension costs; no more is found out once that is beyond `max`.
+  /// The cost of a placed dimension; computed no further once it exceeds `max`.
   [[nodiscard]] double cost(const PlacedDimension& dimension, double max) const {
     double cost = cost_of_text * lines.overlaps(dimension.text_box);
     for (const TurnedBox& zone : dimension.zones)
@@ -70,7 +70,7 @@ PlacedDimension best_of(std::vector<DimensionPlacement> placements, const Surrou
   return std::move(best->dimension);
 }
 
-// Those without a choice come first; then distances, small before large; then angles; then circles.
+// Dimensions without a choice come first; then distances, small before large; then angles; then circles.
 std::vector<std::size_t> order_of(const std::vector<MeasuredDimension>& dimensions) {
   const auto rank = [&](std::size_t i) {
     const MeasuredDimension& dimension = dimensions[i];

@@ -16,7 +16,7 @@
 
 namespace epura::sheet {
 
-/// A view in its place, and what is to be measured in it.
+/// A view in its final position, and the dimensions of it.
 struct DimensionedView {
   const scene::World& world;
   const drawing::ViewDrawing& drawing;
@@ -29,15 +29,15 @@ struct Neighbours {
   std::vector<TurnedBox> boxes{};    ///< of other views, lettering, marks ...
 };
 
-/// Layer "VIEW/dimensions" of a drawing that is in its place: narrow lines, filled arrows, and texts. Values are the
-/// true measures in the world. Dimensions are outside the outline, small ones inside large ones, and keep out of each
-/// other's way and that of their neighbours where they can; an offset is obeyed.
-/// Each has one text; those that do not fit into the time are omitted.
-/// Throws Error{input}: see sheet/dimensions/anchors.hpp and measure.hpp; and for characters that the font lacks.
+/// Layer "VIEW/dimensions" of a drawing in its final position: narrow lines, filled arrows, and texts. Values are the
+/// true measures in the world. Dimensions are outside the outline, small ones inside large ones, and avoid each other
+/// and their neighbours as far as possible; an offset is obeyed. Each has one text; dimensions for which there is no
+/// time are omitted. Throws Error{input}: see sheet/dimensions/anchors.hpp and measure.hpp; also for characters missing
+/// from the font.
 Layer dimension_layer(const DimensionedView& view, const DimensionStyle& style, const Neighbours& neighbours = {},
                       const Progress& progress = {});
 
-/// Whether all of it lies on a paper of this size, mm.
+/// Whether all of it lies on paper of this size, mm.
 bool on_paper(const Layer& dimensions, const Vec2& size);
 
 }  // namespace epura::sheet

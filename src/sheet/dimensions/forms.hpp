@@ -10,14 +10,14 @@
 
 namespace epura::sheet {
 
-/// One of the placements, and what speaks against it for itself alone: the less the better.
+/// A possible placement, and its own cost without regard to other objects.
 struct DimensionPlacement {
   PlacedDimension dimension;
   double cost;
 };
 
-/// Beside the outline: on either side, further and further out, the text in the middle or moved. With an offset:
-/// there, upwards or to the right where it is positive.
+/// Beside the outline: on either side, further and further out, with the text in the middle or shifted. With an offset:
+/// only there, upwards or to the right if it is positive.
 std::vector<DimensionPlacement> placements_of(const MeasuredLength& length, const MeasuredDimension& measured,
                                               const drawing::ViewDrawing& drawing, const DimensionStyle& style);
 
@@ -25,8 +25,8 @@ std::vector<DimensionPlacement> placements_of(const MeasuredLength& length, cons
 std::vector<DimensionPlacement> placements_of(const MeasuredAngle& angle, const MeasuredDimension& measured,
                                               const drawing::ViewDrawing& drawing, const DimensionStyle& style);
 
-/// Leaders to the circle, from outside or for radii also from inside; across the circle where there is room. An
-/// offset is the length of the leader, negative to the inside.
+/// Leaders to the circle from outside, and for radii also from inside; across the circle if there is room. An offset is
+/// the length of the leader, negative towards the inside.
 std::vector<DimensionPlacement> placements_of(const MeasuredCircle& circle, const MeasuredDimension& measured,
                                               const drawing::ViewDrawing& drawing, const DimensionStyle& style);
 

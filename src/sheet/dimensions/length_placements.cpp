@@ -12,7 +12,7 @@ namespace {
 
 constexpr int levels = 24;
 constexpr double cost_of_level = 1;
-constexpr double cost_of_extension = 0.02;  // a millimetre of extension lines
+constexpr double cost_of_extension = 0.02;  // per millimetre of extension lines
 constexpr double cost_of_text_place = 0.1;
 constexpr double on_axis = 1e-6;
 
@@ -25,12 +25,12 @@ struct Reach {
   }
 };
 
-// How far the ink reaches to the left of the line through `from`: all of it for a line along the paper's sides,
-// otherwise what lies between the extension lines.
+// How far the ink reaches to the left of the line through `from`: all ink if the line is parallel to a side of the
+// paper, otherwise the ink between the extension lines.
 Reach reach_of_ink(const MeasuredLength& length, const drawing::ViewDrawing& drawing) {
   const Vec2 across = left_of(length.along);
   const double slant = glm::dot(length.extension, length.along) / glm::dot(length.extension, across);
-  // Along the dimension line, where an extension line through the point meets it, and across.
+  // Coordinates along the dimension line, of the point where the extension line through p meets it, and across.
   const auto local = [&](const Vec2& p) -> Vec2 {
     const double q = glm::dot(p - length.from, across);
     return {glm::dot(p - length.from, length.along) - q * slant, q};
@@ -51,7 +51,7 @@ Reach reach_of_ink(const MeasuredLength& length, const drawing::ViewDrawing& dra
   return reach;
 }
 
-// Upwards, or to the right.
+// 1 if `across` points upwards, or to the right.
 double sign_of_offset(const Vec2& across) {
   return (std::abs(across.y) > on_axis ? across.y > 0 : across.x > 0) ? 1 : -1;
 }
@@ -76,7 +76,7 @@ std::vector<DimensionPlacement> placements_of(const MeasuredLength& length, cons
     return placements;
   }
   const Reach reach = reach_of_ink(length, drawing);
-  // Below or on the right where nothing else counts.
+  // Below or on the right if nothing else matters.
   const bool vertical = std::abs(length.along.y) > std::abs(length.along.x);
   const double first_side = vertical ? upwards : -upwards;
   for (const double side : {first_side, -first_side}) {

@@ -11,7 +11,7 @@ namespace epura::sheet {
 namespace {
 
 constexpr double half_tip = 10 * std::numbers::pi / 180;
-constexpr double air = 0.15;  // around a text, of its height
+constexpr double air = 0.15;  // around a text, relative to its height
 constexpr double upright = 1e-6;
 
 }  // namespace

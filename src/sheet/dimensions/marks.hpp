@@ -13,51 +13,51 @@
 
 namespace epura::sheet {
 
-/// From the outline to the first dimension line, and from one to the next, mm.
+/// Distances from the outline to the first dimension line, and from one to the next, mm.
 inline constexpr double first_dimension = 10;
 constexpr double dimension_step(double text_height) { return 4.5 + text_height; }
 
-/// Measures of dimensions, mm.
+/// Sizes of dimensions, mm.
 struct DimensionStyle {
   const Lettering& lettering;
   double line;        ///< width of the narrow lines
   double text = 3.5;  ///< height of capitals
 
-  [[nodiscard]] double arrow() const { return text; }          ///< its length; the tip has 20 degrees
+  [[nodiscard]] double arrow() const { return text; }          ///< its length; the angle of the tip is 20 degrees
   [[nodiscard]] double gap() const { return 8 * line; }        ///< between the outline and an extension line
   [[nodiscard]] double overshoot() const { return 8 * line; }  ///< of an extension line past the dimension line
   [[nodiscard]] double above() const { return 0.3 * text; }    ///< between the dimension line and its text
   [[nodiscard]] double width(const std::string& text_line) const { return lettering.width(text_line, text); }
 };
 
-/// A dimension as it would be drawn, and what it takes of the paper.
+/// A dimension as it would be drawn, and the area that it takes up on paper.
 struct PlacedDimension {
   std::vector<Stroke> strokes;
   std::vector<Fill> arrows;
   Text text;
-  TurnedBox text_box;            ///< with some air
-  std::vector<TurnedBox> zones;  ///< of the dimension line and the text, for themselves alone
+  TurnedBox text_box;            ///< with a little space around it
+  std::vector<TurnedBox> zones;  ///< of the dimension line and the text, for their exclusive use
   std::vector<TurnedBox> lines;  ///< extension lines and leaders, which may be crossed
 };
 
 inline Vec2 left_of(const Vec2& d) { return {-d.y, d.x}; }
 inline Vec2 turned_to(double angle) { return {portable_cos(angle), portable_sin(angle)}; }
 
-/// The one of two opposite directions in which a text is read, from the bottom or from the right.
+/// The one of two opposite directions in which a text is read: from the bottom or from the right.
 Vec2 reading_direction(const Vec2& along);
 
-/// `direction` leads to the tip and has length 1.
+/// `direction` points to the tip and has length 1.
 Fill arrow_at(const Vec2& tip, const Vec2& direction, const DimensionStyle& style);
 
-/// Adds a stroke from point to point.
+/// Adds a stroke between two points.
 void add_line(PlacedDimension& dimension, const Vec2& from, const Vec2& to);
 
-/// The same, as an extension line or leader.
+/// The same for an extension line or leader.
 void add_crossable_line(PlacedDimension& dimension, const Vec2& from, const Vec2& to);
 
 /// Position of a dimension's text.
 struct TextPosition {
-  Vec2 middle;  ///< a point of the line that the text is read along
+  Vec2 middle;  ///< a point on the line along which the text is read
   Vec2 read;    ///< the direction of that line, of length 1
   double rise;  ///< of the text above the line
 };

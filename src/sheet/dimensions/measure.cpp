@@ -13,8 +13,8 @@ namespace epura::sheet {
 
 namespace {
 
-constexpr double parallel = 1e-3;  // sine: what leans so little is shortened by half a millionth
-constexpr double whole = 1e-5;     // of a length: what ink may lack of it
+constexpr double parallel = 1e-3;  // sine of a tilt that shortens by only half a millionth
+constexpr double whole = 1e-5;     // relative length by which ink may be shorter
 constexpr int decimals = 2;
 
 [[noreturn]] void refuse(const AnchoredDimension& dimension, const std::string& what, const std::string& hint) {
@@ -66,8 +66,8 @@ MeasuredDimension linear(const AnchoredDimension& dimension, const Sight& sight)
   return length_between(dimension, sight, horizontal ? Vec2(1, 0) : Vec2(0, 1), std::abs(value));
 }
 
-// The image of a world axis most nearly perpendicular to the line on the paper, x before y before z: extension lines
-// of axonometric views. Length 1.
+// The image of a world axis most nearly perpendicular to the line on paper, x before y before z, for extension lines of
+// axonometric views. Length 1.
 Vec2 extension_axis(const Sight& sight, const Vec2& along) {
   Vec2 best = left_of(along);
   double min = 0.99;
@@ -118,7 +118,7 @@ MeasuredDimension angular(const AnchoredDimension& dimension, const Sight& sight
           with_text(dimension, format_fixed(degrees, decimals) + "°"), dimension.offset};
 }
 
-// Where an arc begins and how far it goes, as its vertices follow each other on the paper.
+// Where an arc begins and its sweep, from the order of its vertices on paper.
 MeasuredCircle on_paper(const WorldCircle& circle, const Sight& sight, bool is_radius) {
   MeasuredCircle measured{sight.page(circle.centre), circle.radius * sight.millimetres(), 0, 2 * std::numbers::pi,
                           is_radius};
@@ -134,7 +134,7 @@ MeasuredCircle on_paper(const WorldCircle& circle, const Sight& sight, bool is_r
   return measured;
 }
 
-// Of a circle seen edge on: the distance between its ends.
+// For a circle seen edge-on: the distance between its ends.
 MeasuredDimension edge_on(const AnchoredDimension& dimension, const WorldCircle& circle, const Sight& sight,
                           const std::string& text) {
   const Vec3 across = glm::normalize(glm::cross(circle.axis, sight.n)) * circle.radius;
@@ -160,7 +160,7 @@ MeasuredDimension circular(const AnchoredDimension& dimension, const Sight& sigh
                    : "measure it in a view along its axis, or perpendicular to it");
 }
 
-// The ends of the ink along a direction of the paper: of several the farthest along `side`.
+// The ends of the ink along a direction on paper: among several, the farthest along `side`.
 std::array<Vec2, 2> ends_of_ink(const drawing::ViewDrawing& drawing, const Vec2& along, const Vec2& side) {
   constexpr double same = 1e-6;  // mm
   std::array<Vec2, 2> ends{drawing.segments.front().from, drawing.segments.front().from};
@@ -191,8 +191,8 @@ MeasuredDimension overall(const AnchoredDimension& dimension, const Sight& sight
   std::array<Vec2, 2> ends{};
   if (!sight.drawing.segments.empty()) ends = ends_of_ink(sight.drawing, along, side);
   const double drawn = glm::dot(ends[1] - ends[0], along) / glm::length(image);
-  // Lines of a mesh end where it does, those of its surfaces may reach as far as these. At either end a line may be
-  // drawn near its place, or another one for it.
+  // Lines of a mesh end where the mesh does; lines of its surfaces may reach as far as the surfaces. At either end, a
+  // line may be drawn slightly displaced, or replaced by another.
   const double beside = 2 * (sight.drawing.contours_moved + sight.drawing.joined_within) / glm::length(image);
   const double least = value - dimension.beyond_vertices - beside;
   if (!(drawn > 0) || drawn < least - whole * value || drawn > value + beside + whole * value)

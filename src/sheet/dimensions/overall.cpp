@@ -39,10 +39,10 @@ const NamedProjection* clearest(std::span<const NamedProjection> views, const Di
   return nullptr;
 }
 
-// How many dimension lines may be on each side of the ink.
+// How many dimension lines there may be on each side of the ink.
 struct Lines {
-  int below = 0, right = 0;          // overall ones, which are there
-  int horizontal = 0, vertical = 0;  // others, which are on one side or the other
+  int below = 0, right = 0;          // overall dimensions, whose side is known
+  int horizontal = 0, vertical = 0;  // others, which may be on either side
   double farthest = 0;               // offset
 };
 
@@ -98,7 +98,7 @@ Room dimension_room(std::span<const scene::DimensionDescription> dimensions, con
     return needed > 0 ? needed + text_height : 0;
   };
   const int both_rows = (lines.horizontal + 1) / 2, both_columns = (lines.vertical + 1) / 2;
-  // A height is on the side that its ends are nearer to.
+  // A height is dimensioned on the side closer to its ends.
   const double beside = room(lines.right + both_columns);
   return {{beside, room(lines.below + both_rows)}, {beside, room(both_rows)}};
 }

@@ -20,7 +20,7 @@ namespace {
 using features::SurfaceKind;
 
 constexpr double whole_turn = 359;  // degrees
-constexpr double roundness = 2e-3;  // of the radius: twice what find_circles grants to vertices
+constexpr double roundness = 2e-3;  // relative to the radius: twice the tolerance of find_circles for vertices
 
 double distance(const Vec3& point, const WorldCircle& circle) {
   const Vec3 d = point - circle.centre;
@@ -32,7 +32,7 @@ std::string text_of(const Vec3& p) {
   return format_fixed(p.x, 4) + "," + format_fixed(p.y, 4) + "," + format_fixed(p.z, 4);
 }
 
-// A rim square to the axis of a shaft or bore is as large as this is there: vertices of a short arc are less accurate.
+// A rim perpendicular to the axis of a shaft or bore takes its size from it: vertices of a short arc are less accurate.
 void take_surface(WorldCircle& circle, const scene::PlacedPart& part) {
   const double slack = roundness * circle.radius;
   double nearest = slack;
@@ -52,7 +52,7 @@ void take_surface(WorldCircle& circle, const scene::PlacedPart& part) {
   }
 }
 
-/// Vertices around an axis, by their angles, beginning behind the largest gap.
+/// Vertices in order of their angles around an axis, beginning after the largest gap.
 std::vector<Vec3> in_order_around(const std::vector<Vec3>& points, const features::PartSurface& surface) {
   const Vec3 aside = std::abs(surface.axis.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
   const Vec3 u = glm::normalize(glm::cross(surface.axis, aside)), v = glm::cross(surface.axis, u);

@@ -19,9 +19,9 @@ class Rims {
  public:
   explicit Rims(const scene::World& world) : world_(world) {}
 
-  /// Those through a vertex, or of any model through a point of the world; they have centre and radius of a recognised
-  /// shaft or bore that ends there. A vertex on no rim has the circle of the shaft or bore that it lies on. Throws
-  /// Error{input} that names `where` and the nearest circle when there are none.
+  /// Circles through a vertex, or of any model through a point of the world; they have the centre and radius of a
+  /// recognised shaft or bore that ends there. For a vertex that is not on a rim, the circle of the shaft or bore on
+  /// which it lies. Throws Error{input} that names `where` and the nearest circle if there are none.
   std::vector<WorldCircle> through(const scene::Anchor& anchor, const Vec3& place, const std::string& where);
 
  private:

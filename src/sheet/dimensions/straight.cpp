@@ -9,12 +9,12 @@ namespace epura::sheet {
 
 namespace {
 
-constexpr double arrows_inside = 3;  // lengths of arrows that two of them need
+constexpr double arrows_inside = 3;  // room for two arrows, in lengths of an arrow
 constexpr double no_length = 1e-6;   // mm
 
 double span_of(const MeasuredLength& length) { return std::abs(glm::dot(length.to - length.from, length.along)); }
 
-// Where the extension line through an anchor meets the dimension line.
+// The point where the extension line through an anchor meets the dimension line.
 Vec2 foot_of(const MeasuredLength& length, const Vec2& anchor, double distance) {
   const Vec2 across = left_of(length.along);
   const double rest = distance - glm::dot(anchor - length.from, across);
@@ -29,18 +29,19 @@ void add_extension_line(PlacedDimension& dimension, const Vec2& anchor, const Ve
   add_crossable_line(dimension, anchor + gap * direction, foot + style.overshoot() * direction);
 }
 
-// The line from `low` to `high` with its text; `read` leads from one to the other.
+// The line from `low` to `high`, which carries the text; `read` points from one to the other.
 struct Base {
   Vec2 low, high, read;
   double span;
 };
 
-// Places of a part of the dimension line, mm from its lower end.
+// The extent of a part of the dimension line, mm from its lower end.
 struct Extent {
   double begin, end;
 };
 
-// The text's place on the line for itself, and the line with what of it leads to the text or carries arrows.
+// The position of the text on the line, and the extent of the line including the parts that lead to the text or carry
+// arrows.
 struct Layout {
   bool outward;  // arrows are between the extension lines
   Extent line;

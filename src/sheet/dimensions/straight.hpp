@@ -9,16 +9,16 @@
 
 namespace epura::sheet {
 
-/// Numbers of places for the text: 0 is the middle, or behind the right or upper end where it does not fit between the
+/// Positions of the text by number: 0 is the middle, or beyond the right or upper end if it does not fit between the
 /// extension lines.
 inline constexpr int text_places = 5;
 
-/// The dimension line is `distance` to the left of `length.along`, measured from `length.from`. Arrows point
-/// outwards where there is room for them. A text that fits has 5 places, another one 2.
+/// The dimension line is `distance` to the left of `length.along`, measured from `length.from`. Arrows point outwards
+/// if there is room for them. A text that fits has 5 possible positions, otherwise 2.
 PlacedDimension straight_dimension(const MeasuredLength& length, const std::string& text, double distance, int place,
                                    const DimensionStyle& style);
 
-/// Whether the text has room above the dimension line.
+/// Whether the text fits above the dimension line.
 bool fits_inside(const MeasuredLength& length, const std::string& text, const DimensionStyle& style);
 
 }  // namespace epura::sheet

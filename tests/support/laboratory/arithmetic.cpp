@@ -42,7 +42,7 @@ Row<F> orientation_row(const Vec3& axis, const Vec3& from) {
   return {Vector<F>(axis), -glm::dot(Vector<F>(axis), Vector<F>(from))};
 }
 
-// VOM, the projection, the depth row, and the window -> viewport step onto the coordinates of `map`, in one matrix.
+// VOM, the projection, the depth row, and the window-to-viewport step to the coordinates of `map`, in one matrix.
 template <class F>
 Matrix<F> composed_matrix(const Camera& camera, const view::ViewMap& map) {
   const projection::Projection& p = camera.projection;
@@ -50,7 +50,7 @@ Matrix<F> composed_matrix(const Camera& camera, const view::ViewMap& map) {
                                            orientation_row<F>(p.n, p.point), {0, 0, 0, 1});
   const auto factor = static_cast<F>(camera.factor);
   const Matrix<F> flat = orientation * printed_matrix<F>(p, factor);
-  // Homogeneous 1 at the middle of the scene, in front of the viewer.
+  // The homogeneous coordinate is 1 at the middle of the scene, and positive in front of the viewer.
   const F distance = p.central ? glm::dot(Vector<F>(p.n), Vector<F>(p.projector) - Vector<F>(map.centre)) : F(1);
   const F at_centre = p.central ? -factor * distance : factor * glm::dot(Vector<F>(p.n), Vector<F>(p.projector));
   const auto unit = static_cast<F>(p.scale * map.normalisation);
@@ -80,7 +80,7 @@ UnsetVector<view::Mapped> map_by_own(std::span<const Vec3> points, const view::V
   return mapped;
 }
 
-// Homogeneous coordinates whose quotients stay in the range of doubles.
+// Whether the quotients of homogeneous coordinates remain in the range of doubles.
 bool is_sound(const view::Mapped& p) {
   constexpr double max = 1e150;
   const double largest = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});

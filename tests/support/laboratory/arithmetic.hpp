@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The same drawing by three arithmetics, so that they can be compared: only the map from space to the page differs.
+// The same drawing by three arithmetics, for comparison: only the map from space to the page differs.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 namespace epura::laboratory {
 
 enum class Arithmetic {
-  single,    ///< 32-bit floats: coordinates, matrix and products, as graphics hardware has it
+  single,    ///< 32-bit floats: coordinates, matrix and products, as in graphics hardware
   composed,  ///< doubles: one matrix, composed of VOM and M_per or M_par as printed (seed 003, 3.36, 3.10, 3.20)
   own,       ///< doubles: the re-centred map of view/view_map.hpp
 };
@@ -22,18 +22,18 @@ enum class Arithmetic {
 inline constexpr std::size_t arithmetics = 3;
 inline constexpr std::array<std::string_view, arithmetics> arithmetic_names{"float32", "double", "epura"};
 
-/// A projection and what else the map depends on.
+/// A projection and the other data on which the map depends.
 struct Camera {
   projection::Projection projection;
   view::ViewLimits limits{};
-  double factor = 1;  ///< by which the composed matrix is multiplied; as a projective map it stays the same
+  double factor = 1;  ///< factor of the composed matrix; the projective map is unchanged
 };
 
-/// Points of space by the arithmetic, in the coordinates of make_view_map(camera.projection, scene).
+/// Maps points by the arithmetic to the coordinates of make_view_map(camera.projection, scene).
 UnsetVector<view::Mapped> map_points(std::span<const Vec3> points, const Camera& camera, const Box& scene,
                                      Arithmetic arithmetic);
 
-/// Throws Error{input} where a point leaves the range of the arithmetic, and as project_scene does.
+/// Throws Error{input} if a point leaves the range of the arithmetic, and like project_scene.
 view::ProjectedScene view_by(const scene::World& world, const Camera& camera, Arithmetic arithmetic);
 
 }  // namespace epura::laboratory

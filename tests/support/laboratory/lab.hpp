@@ -11,14 +11,14 @@
 
 namespace epura::laboratory {
 
-/// Orthographic projection seen from `towards_viewer`; the plane passes through the origin.
+/// Orthographic projection with `towards_viewer` pointing to the viewer; the plane passes through the origin.
 projection::Projection orthographic(const Vec3& towards_viewer, const Vec3& up = {0, 0, 1});
-/// Seen from above: x right, y up, larger z nearer.
+/// The view from above: x right, y up, larger z nearer.
 projection::Projection from_above();
 /// Central projection from `eye` onto the plane through `point` with `normal`; u, v from `up`.
 projection::Projection perspective(const Vec3& eye, const Vec3& point, const Vec3& normal, const Vec3& up);
 
-/// Everything that was computed on the way to a drawing, in model units: page = plane coordinates.
+/// All intermediate results of a drawing, in model units: page = plane coordinates.
 struct Result {
   scene::World world;
   view::ProjectedScene view;
@@ -33,27 +33,27 @@ struct Result {
   [[nodiscard]] int pieces(bool visible) const;
   /// Longest side of the drawing.
   [[nodiscard]] double extent() const { return view.extent * unit; }
-  /// Lines nearer to each other than this are one line.
+  /// Lines closer to each other than this are merged.
   [[nodiscard]] double merge_width() const;
 
  private:
   [[nodiscard]] double length(bool visible) const;
 };
 
-/// What is hidden of a straight line that belongs to no mesh.
+/// The hidden parts of a straight line that belongs to no mesh.
 struct HiddenLine {
-  visibility::Spans spans;  ///< parameters in the page, 0 to 1
+  visibility::Spans spans;  ///< page parameters, 0 to 1
   double contact;           ///< the tolerance, model units
   double cell;              ///< of the page grid, model units
   double extent;            ///< of the drawing, model units
 
-  /// Lines nearer to each other than this are one line.
+  /// Lines closer to each other than this are merged.
   [[nodiscard]] double merge_width() const { return std::max(contact, 4 * cell); }
 };
 
 struct Lab {
   Arithmetic arithmetic = Arithmetic::own;
-  double size = 1;  ///< factor of the sizes of large scenes
+  double size = 1;  ///< factor for the sizes of large scenes
 
   [[nodiscard]] Result draw(scene::World world, const Camera& camera, const edges::EdgeOptions& options = {}) const;
   [[nodiscard]] HiddenLine hidden_of_line(const scene::World& world, const projection::Projection& projection,

@@ -128,7 +128,7 @@ Shape moebius(int n) {
       const double radius = 1 + s * std::cos(a / 2);
       strip.points.push_back({radius * std::cos(a), radius * std::sin(a), s * std::sin(a / 2)});
     }
-    // Once around, the sides change places.
+    // After a full turn, the sides are swapped.
     const int c = i == n - 1 ? 1 : 2 * i + 2, d = i == n - 1 ? 0 : 2 * i + 3;
     strip.faces.push_back({2 * i, c, d});
     strip.faces.push_back({2 * i, d, 2 * i + 1});
@@ -145,7 +145,7 @@ Shape klein_bottle(int around, int across) {
       const double up = std::sin(u / 2) * std::sin(v) + std::cos(u / 2) * std::sin(2 * v);
       bottle.points.push_back({(2 + out) * std::cos(u), (2 + out) * std::sin(u), up});
     }
-  // Once around, v becomes -v.
+  // After a full turn, v becomes -v.
   const auto at = [&](int i, int j) {
     const int place = i == around ? across - 1 - j % across : j % across;
     return (i % around) * across + place;

@@ -15,7 +15,7 @@ using Point = std::array<double, 3>;
 struct Shape {
   std::vector<Point> points;
   std::vector<std::vector<int>> faces;
-  std::vector<int> bodies;  ///< of the faces; empty: one body
+  std::vector<int> bodies;  ///< by face; empty: one body
   std::vector<std::array<int, 2>> wires{};
 
   void add(const Shape& other);
@@ -23,13 +23,13 @@ struct Shape {
   [[nodiscard]] Shape scaled(double factor) const;
 };
 
-/// The box from `min` to `max`: 6 quadrilaterals, outward.
+/// The box from `min` to `max`: 6 quadrilaterals, facing outward.
 Shape box(const Point& min, const Point& max);
-/// The unit cube and boxes before, in and beside it; an upright one hides the middle of edges.
+/// The unit cube and boxes in front of, inside and beside it; an upright one hides the middle of edges.
 Shape four_boxes();
-/// Two unit cubes with a face in common, and a box that stands on both.
+/// Two unit cubes with a common face, and a box that stands on both.
 Shape touching_boxes();
-/// A cube of side 3 with a cavity of side 1 in its middle. The faces of the cavity look out of the solid, or into it.
+/// A cube of side 3 with a cavity of side 1 in its middle. The faces of the cavity face out of the solid, or into it.
 Shape cube_with_a_cavity(bool out_of_solid);
 /// The unit cube of 12 triangles; `other` takes the other diagonal of every face.
 Shape triangulated_cube(bool other = false);
@@ -39,23 +39,23 @@ Shape fine_cube(int cells, bool other = false);
 Shape plate(double x0, double y0, double x1, double y1, double height);
 /// A disk of `blades` triangles around its middle in the plane z = 1, a regular polygon with a corner at (1, 0).
 Shape fan(int blades);
-/// The strip with one side and one border, of `quads` quadrilaterals, each in two triangles.
+/// The Moebius strip, with one side and one border, of `quads` quadrilaterals, each in two triangles.
 Shape moebius(int quads);
-/// The bottle in the shape of a figure eight, of `around` times `across` quadrilaterals, each in two triangles.
+/// The Klein bottle in the shape of a figure eight, of `around` times `across` quadrilaterals, each in two triangles.
 Shape klein_bottle(int around, int across);
 /// The surface z = sin(pi r) / (pi r) over the square from -half to half, of `cells` cells quadrilaterals.
 Shape sombrero(double half, int cells);
-/// A sphere of `meridians` and `bands`, the poles on the z axis. Quadrilaterals, but for the triangles at the poles.
+/// A sphere of `meridians` and `bands` with its poles on the z axis: quadrilaterals, except for triangles at the poles.
 Shape uv_sphere(int meridians, int bands);
 
-/// A profile of radius and z turned about the z axis, in `sides` steps. Every radius becomes a ring of points from cos
-/// and sin, also at a pole; with `seam`, the points of a full turn are points of their own beside the first ones.
+/// A profile of radius and z, revolved around the z axis in `sides` steps. Every radius becomes a ring of points from
+/// cos and sin, even at a pole; with `seam`, the points after a full turn are separate from the first ones.
 Shape revolved(const std::vector<std::array<double, 2>>& profile, int sides, bool seam = false);
 
-/// `digits`: of a file that writes coordinates as text with so many digits; 0: as they are.
+/// `digits`: for a file that writes coordinates as text with this number of digits; 0: unchanged.
 mesh::Mesh mesh_of(const Shape& shape, int digits = 0);
 scene::World world_of(const std::vector<Shape>& shapes);
-/// The same world with the faces of its parts.
+/// The same world with the faces of its parts recognised.
 scene::World recognised(scene::World world);
 inline scene::World world_of(const Shape& shape) { return world_of(std::vector<Shape>{shape}); }
 

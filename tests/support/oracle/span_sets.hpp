@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Spans as sets of places: all ascending and disjoint.
+// Spans as sets of positions: all are ascending and disjoint.
 #pragma once
 
 #include <vector>
@@ -9,17 +9,17 @@
 
 namespace epura {
 
-/// Those of edge e.
+/// The hidden spans of edge e.
 visibility::Spans hidden_parts(const visibility::HiddenSpans& hidden, std::size_t e);
 
 /// The spans of all edges in their order; nothing is undecided.
 visibility::HiddenSpans gather(const std::vector<visibility::Spans>& by_edge);
 
-/// What is in both.
+/// Intersection.
 visibility::Spans common(const visibility::Spans& a, const visibility::Spans& b);
-/// What of `a` is not in `b`.
+/// Difference: `a` without `b`.
 visibility::Spans without(const visibility::Spans& a, const visibility::Spans& b);
-/// What is in one or both; what touches becomes one.
+/// Union; spans that touch are merged.
 visibility::Spans united(visibility::Spans a, const visibility::Spans& b);
 
 inline visibility::Spans complement(const visibility::Spans& a) { return without({{0.0, 1.0}}, a); }

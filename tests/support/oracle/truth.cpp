@@ -19,15 +19,15 @@ namespace epura {
 
 namespace {
 
-// Parts of the drawing: to this every place on the page is guaranteed (docs/numerics.md) ...
+// As fractions of the drawing: the guaranteed precision of positions on the page (docs/numerics.md) ...
 constexpr double sideways = 1e-9;
-// ... and what lies farther beside an edge than this, as doubles say, is not looked at.
+// ... and the distance from an edge, in doubles, beyond which objects are not examined.
 constexpr double surely_beside = 1e-8;
 constexpr std::size_t batch = 256, grain = 256;
-// As near before the viewer as this part of the distance of the scene, what is seen begins.
+// The visible region begins at this fraction of the scene's distance in front of the viewer.
 constexpr double nearest_seen = 0x1p-44;
 
-/// Depth grows towards the viewer. Origin and unit (about that of the view) are rounded, and the same for all points.
+/// Depth grows towards the viewer. Origin and unit (about that of the view) are rounded, but the same for all points.
 struct ExactPoint {
   verify::Exact x, y, depth;
 };
@@ -49,9 +49,9 @@ class ExactPage {
  public:
   ExactPage(const verify::VerifyInput& input, const view::ProjectedScene& view);
 
-  /// A point before the viewer.
+  /// A point in front of the viewer.
   [[nodiscard]] ExactPoint place(const verify::Triple<verify::Exact>& point) const;
-  /// What of a triangle lies before the viewer and between the limits of depth: its corners in order, perhaps none.
+  /// The part of a triangle in front of the viewer and between the depth limits: its corners in order, possibly none.
   [[nodiscard]] std::vector<ExactPoint> place(const std::array<Vec3, 3>& corners) const;
 
  private:
@@ -121,7 +121,7 @@ verify::Polygon<verify::Exact> ExactPage::clipped(const std::array<Vec3, 3>& cor
 struct Range {
   verify::Exact from = 0, to = 1;
 
-  // Leaves the part where a function that is linear between its values at 0 and 1 is not negative.
+  // Restricts the range to where a function that is linear between its values at 0 and 1 is not negative.
   void keep(const verify::Exact& at_0, const verify::Exact& at_1) {
     if (at_0 < 0 && at_1 < 0) to = from;
     if (at_0 >= 0 && at_1 >= 0) return;
@@ -138,10 +138,10 @@ double distance(const ExactPoint& a, const ExactPoint& b) {
   return std::hypot(verify::Exact(b.x - a.x).get_d(), verify::Exact(b.y - a.y).get_d());
 }
 
-/// A convex polygon of the page with its depth: z + slope . (p - corner).
+/// A convex polygon on the page with its depth: z + slope . (p - corner).
 struct Face {
   std::vector<ExactPoint> corner;
-  std::vector<bool> border;  ///< of the side from corner i on
+  std::vector<bool> border;  ///< of the side from corner i
   int turn = 0;              ///< 1: counterclockwise; 0: a line
   verify::Exact slope_x, slope_y;
 
@@ -172,8 +172,8 @@ struct Line {
   ExactPoint p, q;
 };
 
-// The part of the line that a face hides. Its borders move inwards by `inwards`, and it lies at least `ahead` times its
-// steepness before the line.
+// The part of the line that a face hides. The face's borders are moved inwards by `inwards`, and the face must be in
+// front of the line by at least `ahead` times its steepness.
 std::optional<std::array<double, 2>> hidden_part(const Face& face, const Line& line, double inwards, double ahead) {
   Range range;
   for (std::size_t i = 0; i < face.corner.size(); ++i) {
@@ -188,7 +188,7 @@ std::optional<std::array<double, 2>> hidden_part(const Face& face, const Line& l
   return std::array{range.from.get_d(), range.to.get_d()};
 }
 
-// Where the line runs along a face that is a line itself, within `margin`: whether that covers it is a matter of
+// The part of the line along a face that is seen edge-on, within `margin`: whether that covers it is a matter of
 // definition.
 std::optional<std::array<double, 2>> part_along(const Face& face, const Line& line, double margin) {
   std::size_t longest = 0;
@@ -213,7 +213,7 @@ std::optional<std::array<double, 2>> part_along(const Face& face, const Line& li
   return std::array{range.from.get_d(), range.to.get_d()};
 }
 
-/// Where the triangles of the world lie, in doubles: finds those that may lie before an edge.
+/// Positions of the world's triangles in doubles: finds those that may be in front of an edge.
 class TrianglePlaces {
  public:
   TrianglePlaces(const scene::World& world, const ExactPage& page) : corners_(world.triangles.size()) {
@@ -233,7 +233,7 @@ class TrianglePlaces {
     tree_ = {corners_.size(), [&](std::size_t t) { return bounds_of(corners_[t], 0); }};
   }
 
-  /// Ascending. Places count as the same within `slack`.
+  /// Ascending. Positions within `slack` count as the same.
   [[nodiscard]] std::vector<int> before(const Line& line, double slack) const {
     const std::vector<Vec3> ends{in_doubles(line.p), in_doubles(line.q)};
     std::vector<int> found;
@@ -273,8 +273,8 @@ class TrianglePlaces {
     return left < corners.size() && right < corners.size() && back < corners.size();
   }
 
-  ExactPoint origin_;                       ///< of the doubles: a place of the drawing, so that they keep their digits
-  std::vector<std::vector<Vec3>> corners_;  ///< by triangle: x, y and depth of what is seen of it
+  ExactPoint origin_;                       ///< of the doubles: a point of the drawing, to preserve their precision
+  std::vector<std::vector<Vec3>> corners_;  ///< by triangle: x, y and depth of its visible part
   search::BoundsTree<2> tree_;
 };
 
@@ -318,7 +318,7 @@ class Judge {
   }
 
  private:
-  // Triangles of the world that are none of the edge's own and may lie before it.
+  // Triangles of the world that are not the edge's own and may be in front of it.
   [[nodiscard]] std::vector<int> near(const edges::FeatureEdge& edge, const Line& line) const {
     std::vector<int> found = places_.before(line, surely_beside * view_.extent);
     std::erase_if(found, [&](int triangle) { return input_.contains(edge, triangle); });
@@ -335,7 +335,7 @@ class Judge {
     for (std::size_t i = 0; i < 3; ++i) face.border[i] = is_border(edge, triangle, i, face);
   }
 
-  // Whether no other triangle goes on behind a side.
+  // Whether no other triangle continues beyond a side.
   [[nodiscard]] bool is_border(const edges::FeatureEdge& edge, int triangle, std::size_t side, const Face& face) const {
     const auto& corner = input_.world.triangles[triangle];
     const int a = corner[side], b = corner[(side + 1) % 3];
@@ -362,7 +362,7 @@ class Judge {
   std::unordered_multimap<std::uint64_t, int> sides_;
 };
 
-// Fisher and Yates with a generator that is the same everywhere.
+// Fisher-Yates shuffle with a generator that is the same everywhere.
 std::vector<int> random_order(std::size_t count) {
   std::vector<int> order(count);
   std::iota(order.begin(), order.end(), 0);

@@ -21,7 +21,7 @@ long long strangers(const visibility::Spans& spans, const visibility::Spans& oth
   return std::count_if(spans.begin(), spans.end(), [&](const auto& span) { return common({span}, others).empty(); });
 }
 
-// Spans of `inner` that lie within one of `outer` and do not reach its ends.
+// Counts spans of `inner` that lie inside one of `outer` without reaching its ends.
 long long inside(const visibility::Spans& inner, const visibility::Spans& outer) {
   return std::count_if(inner.begin(), inner.end(), [&](const auto& span) {
     return std::any_of(outer.begin(), outer.end(),
@@ -29,7 +29,7 @@ long long inside(const visibility::Spans& inner, const visibility::Spans& outer)
   });
 }
 
-// The one span that meets this one; nothing where none does, or several.
+// The one span that overlaps this one; nothing if there is none, or several.
 std::optional<std::array<double, 2>> partner(const std::array<double, 2>& span, const visibility::Spans& others) {
   const auto meets = [&](const auto& other) { return std::max(span[0], other[0]) < std::min(span[1], other[1]); };
   if (std::count_if(others.begin(), others.end(), meets) != 1) return std::nullopt;
@@ -51,7 +51,7 @@ void add_ink(std::vector<InkLine>& ink, const JudgedEdge& edge, const visibility
     ink.push_back({edge.from + from * (edge.to - edge.from), edge.from + to * (edge.to - edge.from)});
 }
 
-// Where both have ink, the distance is none: what only one has is looked at.
+// Common ink has no distance: only the ink of one of them is examined.
 double ink_distance(const std::vector<JudgedEdge>& edges) {
   std::vector<InkLine> ink_shown, ink_right, only_shown, only_right;
   for (const JudgedEdge& edge : edges) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// How wrong a classification of drawn edges is, measured against the right one.
+// Errors of a classification of drawn edges, measured against the correct one.
 //
-// A place is misclassified where one says visible and the other hidden. Lengths are mm of paper.
+// A point is misclassified if one classification says visible and the other hidden. Lengths are in mm on paper.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace epura::study {
 
-/// A drawn edge on paper, not a mere point, with its hidden spans: as some method found them, and as they should be.
+/// A drawn edge on paper, longer than a point, with its hidden spans as found by some method and the correct ones.
 struct JudgedEdge {
   Vec2 from, to;
   visibility::Spans shown, right;
@@ -19,17 +19,17 @@ struct JudgedEdge {
 
 struct Errors {
   double longest = 0;     ///< E_max: the longest misclassified span of an edge
-  double sum = 0;         ///< E_sum: of all such spans
+  double sum = 0;         ///< E_sum: total length of all such spans
   double ink = 0;         ///< E_ink: Hausdorff distance of the visible ink, both ways; infinite if only one has any
-  double end_point = 0;   ///< farthest shift of an end of a visible span that meets one shown, and that no other
+  double end_point = 0;   ///< largest shift of an end of a visible span that overlaps a shown one, and no other
   long long missed = 0;   ///< visible spans of which nothing is shown
-  long long phantom = 0;  ///< spans shown visible of which nothing is
-  long long cracks = 0;   ///< spans shown hidden within a visible one: the line is broken
-  long long edges = 0;    ///< with a misclassified span
-  long long judged = 0;   ///< edges
+  long long phantom = 0;  ///< spans shown visible of which nothing is visible
+  long long cracks = 0;   ///< spans shown hidden inside a visible one: the line is broken
+  long long edges = 0;    ///< edges with a misclassified span
+  long long judged = 0;   ///< edges tested
 };
 
-/// Spans that are not longer than `min` mm are not counted; their lengths are measured all the same.
+/// Spans of at most `min` mm are not counted, but their lengths are measured.
 Errors measure_errors(const std::vector<JudgedEdge>& edges, double min = 0);
 
 }  // namespace epura::study

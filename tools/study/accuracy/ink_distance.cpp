@@ -14,7 +14,7 @@ namespace epura::study {
 namespace {
 
 constexpr double precision = 1e-3;
-constexpr double negligible = 1e-9;  // mm; differences below are none
+constexpr double negligible = 1e-9;  // mm; smaller differences are ignored
 
 double distance_to(const InkLine& line, const Vec2& p) { return distance_to_segment(p, line.from, line.to); }
 
@@ -38,7 +38,7 @@ class InkGrid {
     InkLine line{};
   };
 
-  /// Looks at rings of cells around the place, until no farther ring can hold anything nearer.
+  /// Examines rings of cells around the point until no farther ring can contain anything closer.
   [[nodiscard]] Nearest nearest(const Vec2& place) const {
     const int column = grid_.column(place.x), row = grid_.row(place.y);
     Nearest nearest;
@@ -78,7 +78,8 @@ class InkGrid {
   Groups<std::size_t> lines_;  ///< of ink_, by cell
 };
 
-// Distance changes no faster than place, and the distance from one line of ink is greatest at an end of another line.
+// Distance changes no faster than position, and the distance from one line of ink is greatest at an end of another
+// line.
 double farthest(const InkGrid& grid, const InkLine& line, double known) {
   const Vec2 middle = 0.5 * line.from + 0.5 * line.to;
   const InkGrid::Nearest nearest = grid.nearest(middle);

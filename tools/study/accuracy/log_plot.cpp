@@ -33,10 +33,10 @@ Axis axis_of(double smallest, double greatest) {
 
 std::string power_of_ten(double decade) { return decade == 0 ? "1" : "1e" + format_number(decade); }
 
-/// Corners of the mark of a curve around the origin.
+/// The corners, around the origin, of the mark of a curve.
 std::vector<Vec2> mark_of(std::size_t curve) {
   constexpr std::array<int, 5> corners{24, 4, 3, 4, 3};
-  constexpr std::array<double, 5> turns{0, 0.25, 0.5, 0, 0};  // of pi
+  constexpr std::array<double, 5> turns{0, 0.25, 0.5, 0, 0};  // in units of pi
   const std::size_t kind = curve % corners.size();
   const double first = kind == 2 || kind == 4 ? (kind == 2 ? 0.5 : -0.5) : turns[kind];
   std::vector<Vec2> points;

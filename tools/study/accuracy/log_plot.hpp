@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Diagrams with two logarithmic axes, as sheets: every writer of sheets draws them.
+// Diagrams with two logarithmic axes, as sheets for any writer.
 #pragma once
 
 #include <optional>
@@ -11,9 +11,9 @@
 namespace epura::study {
 
 struct PlotPoint {
-  Vec2 at;            ///< both more than 0
+  Vec2 at;            ///< both positive
   std::string label;  ///< beside it; may be empty
-  bool full = false;  ///< its mark is filled
+  bool full = false;  ///< whether its mark is filled
 };
 
 struct PlotCurve {
@@ -33,11 +33,11 @@ struct LogPlot {
   std::string title, x_axis, y_axis;
   std::vector<PlotCurve> curves;
   std::vector<PlotMark> marks{};
-  double least_y = 1e-10;  ///< what lies lower is drawn there
-  std::string note{};      ///< below
+  double least_y = 1e-10;  ///< lower values are drawn there
+  std::string note{};      ///< below the diagram
 };
 
-/// 205 x 120 mm. Curves are told apart by their marks and lines, which a key explains.
+/// 205 x 120 mm. Curves are distinguished by their marks and lines, which are explained in a key.
 sheet::Sheet to_sheet(const LogPlot& plot);
 
 }  // namespace epura::study

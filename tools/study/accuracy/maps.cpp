@@ -27,7 +27,7 @@ struct MapScene {
   Box box;
 };
 
-// Points of a cube of size 1 at coordinates that are no round numbers. The plane goes through its middle; the centre is
+// Points of a cube of size 1 at arbitrary coordinates. The plane passes through its middle; the centre of projection is
 // five sizes away.
 MapScene scene_at(double offset, bool central) {
   MapScene scene;
@@ -49,7 +49,7 @@ MapScene scene_at(double offset, bool central) {
 
 using Map = std::function<void(std::span<const Vec3>, std::vector<Vec2>&)>;
 
-// The loop is inside, so that its speed is that of the map.
+// The loop is inside, so that the speed measured is that of the map.
 template <class Place>
 Map map_of(Place place) {
   return [place](std::span<const Vec3> points, std::vector<Vec2>& places) {
@@ -112,7 +112,7 @@ std::array<verify::Exact, 2> exact_place(const projection::Projection& p, const 
   return {verify::dot(axis(p.u), foot), verify::dot(axis(p.v), foot)};
 }
 
-// Between places relative to the first, as both have them.
+// Positions are compared relative to the first one in both sets.
 double error_of_map(const Map& map, const MapScene& scene) {
   std::vector<Vec2> places(scene.points.size());
   map(scene.points, places);

@@ -46,7 +46,7 @@ double undecided_share(const StudiedView& studied, const std::vector<EdgeTruth>&
   return all > 0 ? undecided / all : 0;
 }
 
-// What is counted where all edges are judged, a bound where some are.
+// The exact fraction if all edges were tested, otherwise a bound.
 double share_of_wrong(const Errors& errors, bool all) {
   const auto wrong = static_cast<int>(errors.edges), judged = static_cast<int>(errors.judged);
   if (!all) return verify::greatest_share(wrong, judged, confidence);

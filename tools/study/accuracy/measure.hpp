@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Error against run time: a view decided by many methods, each measured against the truth and by the clock.
+// Error against run time: a view computed by many methods, each compared with the truth and timed.
 #pragma once
 
 #include <functional>
@@ -15,7 +15,7 @@
 
 namespace epura::study {
 
-/// A view of a scene, as far as its drawn edges are known.
+/// A view of a scene with its drawn edges.
 struct StudiedView {
   std::string scene, name;
   const scene::World& world;
@@ -25,7 +25,7 @@ struct StudiedView {
   view::PaperMap paper;
 };
 
-/// What is measured: a way to hidden spans under a name.
+/// A named method of computing hidden spans.
 struct Contender {
   std::string method, parameters;
   std::function<visibility::HiddenSpans()> run;
@@ -37,18 +37,18 @@ struct Measurement {
   std::string method, parameters;
   Errors errors;                 ///< mm
   std::vector<double> seconds;   ///< of its runs
-  double median = 0;             ///< of these
-  std::optional<double> memory;  ///< bytes that the process grew by at most
-  double at_most_wrong = 0;      ///< share of all edges that is wrong, at 95 % confidence
-  bool on_front = false;         ///< no other is both faster and better
+  double median = 0;             ///< median of these
+  std::optional<double> memory;  ///< maximum growth of the process, bytes
+  double at_most_wrong = 0;      ///< fraction of all edges that is wrong, at 95 % confidence
+  bool on_front = false;         ///< no other is both faster and more accurate
 };
 
 struct ViewMeasurements {
   std::string scene, view;
   std::size_t triangles = 0, edges = 0;
   double size = 0;          ///< mm, longest side of the drawing
-  double read_seconds = 0;  ///< of the scene's models
-  double undecided = 0;     ///< share of the judged length
+  double read_seconds = 0;  ///< time to read the scene's models
+  double undecided = 0;     ///< fraction of the tested length
   std::vector<Measurement> methods{};
 };
 
@@ -57,13 +57,13 @@ struct StudyEffort {
   TruthEffort truth{};
 };
 
-/// The truth for a view.
+/// The correct hidden spans of a view.
 std::vector<EdgeTruth> truth_of(const StudiedView& studied, const TruthEffort& effort);
 
 Errors errors_of(const StudiedView& studied, const std::vector<EdgeTruth>& truth, const visibility::HiddenSpans& shown);
 
-/// Runs take turns, so that what else the machine does meets all alike; one before them warms up, and tells errors and
-/// memory.
+/// The methods run in turn, so that other load on the machine affects all alike; one preliminary run warms up, and
+/// measures errors and memory.
 ViewMeasurements measure(const StudiedView& studied, std::span<const Contender> contenders, const StudyEffort& effort);
 
 double median_of(std::vector<double> values);

@@ -36,7 +36,7 @@ bool forget_peak() {
 }  // namespace
 
 std::optional<double> peak_memory_of(const std::function<void()>& work) {
-  malloc_trim(0);  // what earlier work has left would be used again unseen
+  malloc_trim(0);  // otherwise memory freed by earlier work would be reused without being counted
   const bool told = forget_peak();
   const std::optional<double> before = bytes_in_status("VmRSS:");
   work();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How much memory a piece of work takes.
+// Measures the memory that a task needs.
 #pragma once
 
 #include <functional>
@@ -7,8 +7,8 @@
 
 namespace epura::study {
 
-/// Runs `work` and returns by how many bytes the process grew at most meanwhile. Nothing where the system does not tell
-/// (Linux: /proc/self/clear_refs, proc(5)).
+/// Runs `work` and returns by how many bytes the process grew at most in the meantime. Nothing if the system does not
+/// report it (Linux: /proc/self/clear_refs, proc(5)).
 std::optional<double> peak_memory_of(const std::function<void()>& work);
 
 }  // namespace epura::study

@@ -104,7 +104,7 @@ std::string to_pdf(const AccuracyReport& report) {
   return epura::output::to_pdf(pages);
 }
 
-// Methods in the order in which they come; their points in that of time.
+// Methods in the order given, and their points in order of time.
 std::vector<PlotCurve> curves_of(const ViewMeasurements& view) {
   std::vector<PlotCurve> curves;
   for (const Measurement& one : view.methods) {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The report of a study: diagrams and tables as HTML or PDF, tables as CSV or JSON, diagrams as
-// SVG or PNG.
+// The report of a study: diagrams and tables as HTML or PDF, tables as CSV or JSON, diagrams as SVG or PNG.
 #pragma once
 
 #include <string>
@@ -18,14 +17,14 @@ struct AccuracyReport {
   std::vector<MapMeasurement> maps;
 };
 
-/// The work-precision diagram of a view: error over time, a curve for each method, full marks on the front.
+/// The work-precision diagram of a view: error over time, one curve for each method, with filled marks on the front.
 LogPlot diagram_of(const ViewMeasurements& view, std::size_t number);
 /// Error of the projection maps over the distance from the origin of the world.
 LogPlot diagram_of(const std::vector<MapMeasurement>& maps);
 
 enum class ReportFormat { html, pdf, csv, json, svg, png };
 
-/// One file, with nothing to fetch from elsewhere; of SVG and PNG one for each diagram.
+/// One self-contained file; for SVG and PNG, one file for each diagram.
 std::vector<std::string> to_files(const AccuracyReport& report, ReportFormat format);
 
 }  // namespace epura::study

@@ -11,7 +11,7 @@ namespace epura::study {
 
 namespace {
 
-// Six digits: more than any measurement here deserves.
+// Six digits: more than the accuracy of any measurement here.
 std::string number(double value) { return std::isfinite(value) ? format_rounded(value, 6) : "inf"; }
 
 std::string number(long long value) { return std::to_string(value); }
@@ -96,7 +96,7 @@ std::string quoted_json(const std::string& cell) {
   return text + "\"";
 }
 
-// Cells with marks between them and around each.
+// The cells, each formatted by `write`, with separators between them.
 template <class Write>
 std::string joined(const std::vector<std::string>& cells, const std::string& between, const Write& write) {
   std::string text;

@@ -20,14 +20,14 @@ namespace epura::study {
 
 namespace {
 
-constexpr int tile_side = 256;  // pixels; depth and items of a tile stay in the cache of a core
+constexpr int tile_side = 256;  // pixels; depth and items of a tile fit into the cache of a core
 constexpr double most_tiles = 1 << 22;
 constexpr double most_pixels_of_edges = 1e9;
 constexpr std::size_t chunk = 4096;
 
 Vec2 place_of(const view::PageVertex& v) { return {v.x, v.y}; }
 
-/// Nearest triangles at the middles of the pixels of a tile.
+/// The nearest triangles at the pixel centres of a tile.
 class Tile {
  public:
   Tile(const view::ProjectedScene& view, const Vec2& origin, double density)
@@ -67,7 +67,7 @@ class Tile {
  private:
   static int whole(double x) { return static_cast<int>(std::clamp(x, -1.0, double{tile_side})); }
 
-  // The columns whose middles lie inside the triangle at this height.
+  // The columns with centres inside the triangle at this height.
   static std::array<int, 2> columns(const std::array<Vec2, 3>& corner, double y) {
     double from = HUGE_VAL, to = -HUGE_VAL;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -89,20 +89,20 @@ class Tile {
   std::vector<int> item_;
 };
 
-/// Pixels of an edge that lie one behind the other in one tile.
+/// Consecutive pixels of an edge in one tile.
 struct Piece {
   int edge;
   int first, last;  ///< steps of its walk
 };
 
-/// Things by tile: those of tile i are things[first[i]] to things[first[i + 1]].
+/// Items by tile: those of tile i are things[first[i]] to things[first[i + 1]].
 template <class Thing>
 struct ByTile {
   std::vector<std::size_t> first;
   std::vector<Thing> things;
 };
 
-// Sorts what chunks of work have found by tile, in the order of the chunks.
+// Sorts the results of chunks of work by tile, in the order of the chunks.
 template <class Thing>
 ByTile<Thing> by_tile(const std::vector<std::vector<std::pair<int, Thing>>>& parts, int tiles) {
   ByTile<Thing> sorted;
@@ -117,7 +117,7 @@ ByTile<Thing> by_tile(const std::vector<std::vector<std::pair<int, Thing>>>& par
   return sorted;
 }
 
-// Calls `find(i, found)` for all things; `found` takes pairs of a tile and what lies in it.
+// Calls `find(i, found)` for all items; `found` takes pairs of a tile and an item in it.
 template <class Thing, class Find>
 ByTile<Thing> sort_into_tiles(std::size_t count, int tiles, const Find& find) {
   std::vector<std::vector<std::pair<int, Thing>>> parts((count + chunk - 1) / chunk);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ways to decide what is hidden behind one interface, each with the parameter that trades error for time.
+// Hidden-line methods behind a common interface, each with the parameter that trades accuracy for time.
 #pragma once
 
 #include <string>
@@ -10,18 +10,18 @@
 namespace epura::study {
 
 enum class Algorithm {
-  exact,        ///< signs of whole numbers on the page grid (visibility.hpp)
+  exact,        ///< signs of integers on the page grid (visibility.hpp)
   floats,       ///< the same with page coordinates and depth rounded to 32-bit floats
-  sampled,      ///< points along the edges looked up among the triangles, changes between them bisected
+  sampled,      ///< points along the edges tested against the triangles, with changes between them bisected
   item_buffer,  ///< triangles rasterised with depth, edges walked from pixel to pixel
   none          ///< nothing is hidden
 };
 
 struct Method {
   Algorithm algorithm = Algorithm::exact;
-  double bits = 30;      ///< exact: log2 of the grid's cells across the window, a whole number
+  double bits = 30;      ///< exact: log2 of the number of grid cells across the window, an integer
   double density = 4;    ///< sampled: points per mm of paper
-  double halvings = 48;  ///< sampled: bisections of a change, a whole number; 0: in the middle between two points
+  double halvings = 48;  ///< sampled: bisections of a change, an integer; 0: midway between two points
   double dpi = 600;      ///< item buffer: pixels per inch of paper
 
   bool operator==(const Method&) const = default;
@@ -31,13 +31,13 @@ struct Method {
 /// "item-buffer:dpi=600" or "none". Throws Error{input} that names `where`.
 Method parse_method(std::string_view text, const std::string& where);
 
-/// "sampled", and "density=4": parameters that only experiments set are left out where they stand as usual.
+/// "sampled", and "density=4": parameters used only in experiments are omitted if they have their usual values.
 std::string name_of(Algorithm algorithm);
 std::string parameters_of(const Method& method);
-/// Both, as parse_method reads them.
+/// Both, in the form that parse_method reads.
 std::string text_of(const Method& method);
 
-/// Decides by any method. `mm` of paper are a view unit long.
+/// Computes hidden spans by any method. A view unit is `mm` mm long on paper.
 visibility::HiddenSpans find_hidden(const scene::World& world, const view::ProjectedScene& view,
                                     const edges::FeatureEdges& drawn, const Method& method, double mm);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The pixels that an edge passes: one a column, or one a row where it is steep.
+// The pixels along an edge: one per column, or one per row if it is steep.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace epura::study {
 
 class PixelWalk {
  public:
-  /// Ends in pixels, from the corner of the first pixel. An edge that meets no pixel's middle takes one step.
+  /// Ends in pixels, from the corner of the first pixel. An edge that passes no pixel centre takes one step.
   PixelWalk(const Vec2& p, const Vec2& q)
       : p_(p), along_(q - p), axis_(std::abs(along_.x) >= std::abs(along_.y) ? 0 : 1) {
     const double first = std::ceil(std::min(p[axis_], q[axis_]) - 0.5);
@@ -35,7 +35,7 @@ class PixelWalk {
     return pixel;
   }
 
-  /// The part of the edge that a step stands for. The first and the last step reach to its ends.
+  /// The part of the edge that a step represents. The first and the last step extend to its ends.
   [[nodiscard]] std::array<double, 2> part(int step) const {
     return {step == 0 ? 0 : at(step_edge(step)), step + 1 == steps() ? 1 : at(step_edge(step + 1))};
   }
@@ -46,7 +46,7 @@ class PixelWalk {
   [[nodiscard]] int step_column(int step) const {
     return along_[axis_] < 0 ? first_ + steps_ - 1 - step : first_ + step;
   }
-  // The border between the columns of the step before and of this one.
+  // The border between the columns of the previous step and this one.
   [[nodiscard]] double step_edge(int step) const {
     return along_[axis_] < 0 ? step_column(step) + 1.0 : double(step_column(step));
   }

@@ -7,7 +7,7 @@ namespace epura::study {
 
 namespace {
 
-// Points within this part of the drawing beside a side lie on it: neighbours leave no gap between them.
+// Points closer to a side than this fraction of the drawing lie on it: there are no gaps between neighbours.
 constexpr double on_side = 0x1p-44;
 
 Vec2 place_of(const view::PageVertex& v) { return {v.x, v.y}; }
@@ -48,8 +48,8 @@ bool PointRule::lies_before(const view::ViewTriangle& triangle, double s) const 
   const bool holds_q = std::find(own.begin(), own.end(), edge_.q) != own.end();
   const double steepness = 1 + glm::length(*slope);
   if (holds_p || holds_q) {
-    // From a common corner on the difference grows from zero, and what is forgiven with it: the other end decides. Near
-    // the corner, the difference of two places would be mostly rounding.
+    // From a common corner, the difference grows from zero, and the tolerance with it: the other end decides. Near the
+    // corner, the difference of two positions would be mostly rounding.
     const view::PageVertex& corner = view_.vertices[holds_p ? edge_.p : edge_.q];
     const view::PageVertex& end = view_.vertices[holds_p ? edge_.q : edge_.p];
     const double ahead =

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether a triangle hides a single point of an edge: the hiding rule in plain doubles, as methods that look at points
-// have it.
+// Whether a triangle hides a single point of an edge: the hiding rule in plain doubles, as used by methods that test
+// points.
 #pragma once
 
 #include "visibility/hiding_rule.hpp"
@@ -14,11 +14,11 @@ class PointRule {
   [[nodiscard]] Vec2 position(double s) const;
   [[nodiscard]] double depth(double s) const;
 
-  /// Whether the triangle, which is none of the edge's own, covers the point at page parameter `s` (its border does,
-  /// too) and lies before it by more than contact.
+  /// Whether the triangle, which must not be one of the edge's own, covers the point at page parameter `s` (on its
+  /// border, too) and lies in front of it by more than contact.
   [[nodiscard]] bool hides(const view::ViewTriangle& triangle, double s) const;
 
-  /// Whether the plane of the triangle lies before that point by more than contact.
+  /// Whether the plane of the triangle lies in front of that point by more than contact.
   [[nodiscard]] bool lies_before(const view::ViewTriangle& triangle, double s) const;
 
  private:

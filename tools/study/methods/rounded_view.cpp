@@ -13,7 +13,7 @@ namespace {
 
 constexpr int usual_bits = 30;
 constexpr double forgiven = 4;
-// Half a unit of the last place of floats near 1.
+// Half a unit in the last place of floats near 1.
 constexpr double float_rounding = 0x1p-24;
 constexpr std::size_t grain = 8192;
 
@@ -29,7 +29,7 @@ view::ProjectedScene copy_for_visibility(const view::ProjectedScene& view) {
   return copy;
 }
 
-// Vertices that no triangle and no edge uses may lie anywhere; rounding may move others over the grid's end.
+// Vertices that no triangle and no edge uses may lie anywhere; rounding may move others beyond the end of the grid.
 void lay_on_grid(view::ProjectedScene& view, int bits) {
   const double half = std::ldexp(1.0, bits);
   const auto to_grid = [&](double cells) {

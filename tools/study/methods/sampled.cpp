@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t chunk = 64;
 constexpr double most_points = 1e9;
 
-/// Looks at the points of one edge.
+/// Tests the points of one edge.
 class Lookup {
  public:
   Lookup(const scene::World& world, const view::ProjectedScene& view, const edges::FeatureEdges& drawn,
@@ -74,7 +74,7 @@ class Lookup {
     return hidden;
   }
 
-  // Stretches overlap by rounding, and there is one for every place.
+  // Segments overlap by rounding, and every position is in one.
   [[nodiscard]] const visibility::CellSegment& stretch_at(double s) const {
     auto stretch =
         std::upper_bound(stretches_.begin(), stretches_.end(), s,
@@ -93,7 +93,7 @@ class Lookup {
   std::vector<visibility::CellSegment> stretches_;
 };
 
-// Where between two places that differ the change lies.
+// The position of the change between two positions with different results.
 double place_of_change(const Lookup& lookup, double from, double to, bool hidden_from, int halvings) {
   for (int i = 0; i < halvings; ++i) {
     const double middle = 0.5 * (from + to);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Views along which lines fall upon each other.
+// Views along which lines coincide.
 #include <cmath>
 
 #include "study/stability/case.hpp"
@@ -12,7 +12,7 @@ namespace {
 const double r = std::sqrt(2.0 / 3.0);
 const Vec3 diagonal(1, 1, 1);
 
-// The rear corner lies exactly behind the front corner, rear edges behind diagonals of triangles.
+// The rear corner lies exactly behind the front corner, and rear edges behind diagonals of triangles.
 Measured cube_along_its_diagonal(const Lab& lab, double cells) {
   Measured measured;
   for (const bool other : {false, true}) {
@@ -46,7 +46,7 @@ Measured turned_cube(const Lab& lab, double angle) {
   return lengths(result, 9 * r, 3 * r, guaranteed_part + 3 * angle);
 }
 
-// One step where the larger plate is no longer in contact, never specks.
+// There must be one step where the larger plate is no longer in contact, but never specks.
 Measured plate_under_a_plate(const Lab& lab, double e) {
   const scene::World world = world_of({plate(-0.5, -0.5, 0.5, 0.5, 0), plate(-1, -1, 1, 1, e)});
   const Result result = lab.draw(world, {from_above()});

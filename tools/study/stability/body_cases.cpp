@@ -14,14 +14,14 @@ namespace {
 const double r = std::sqrt(2.0 / 3.0);
 const Vec3 diagonal(1, 1, 1);
 
-// Both share the coordinates of the faces that touch.
+// Both have the same coordinates at the touching faces.
 Measured boxes_in_contact(const Lab& lab, double at) {
   Shape both = box({at, at, at}, {at + 1, at + 1, at + 1});
   both.add(box({at + 1, at, at}, {at + 2, at + 1, at + 1}));
   return lengths(lab.draw(world_of(both), {orthographic(diagonal)}), 14 * r, 5 * r);
 }
 
-// The edges of the two faces beside the gap run parallel on the page.
+// The edges of the two faces beside the gap are parallel on the page.
 Measured boxes_with_a_gap(const Lab& lab, double gap) {
   Shape both = box({0, 0, 0}, {1, 1, 1});
   both.add(box({1 + gap, 0, 0}, {2 + gap, 1, 1}));
@@ -53,8 +53,8 @@ Measured cavity_in_a_cube(const Lab& lab, double at) {
   return measured;
 }
 
-// A tilted plate of 2 x 1 through the middle of a lying one of 4 x 2. The contact tolerance lengthens what is seen of
-// its two long sides.
+// A tilted plate of 2 x 1 through the middle of a horizontal one of 4 x 2. The contact tolerance lengthens the visible
+// parts of its two long sides.
 Measured crossing_plates(const Lab& lab, double slope) {
   Shape plates = plate(0, 0, 4, 2, 0);
   plates.add({{{1, 0.5, slope}, {3, 0.5, -slope}, {3, 1.5, -slope}, {1, 1.5, slope}}, {{0, 1, 2, 3}}, {}});
@@ -67,7 +67,7 @@ Measured crossing_plates(const Lab& lab, double slope) {
   return measured;
 }
 
-// Four bars, each over the next and under the one before.
+// Four bars, each over the next and under the previous one.
 Measured weave(const Lab& lab, double tilt) {
   const double l = 8;
   const auto bar = [&](double x, double y, bool along_x, double from, double to) {
@@ -82,7 +82,7 @@ Measured weave(const Lab& lab, double tilt) {
   return lengths(lab.draw(world_of(bars), {from_above()}), 64, 8);
 }
 
-// Three triangles, one side of the first split by a vertex of the others, turned about that vertex.
+// Three triangles, with one side of the first split by a vertex of the others, rotated around that vertex.
 Measured through_a_t_junction(const Lab& lab, double degrees) {
   const double c = std::cos(degrees * M_PI / 180), s = std::sin(degrees * M_PI / 180);
   const auto turned = [&](double x, double y, double z) { return Point{c * x - s * y, s * x + c * y, z}; };
@@ -93,7 +93,7 @@ Measured through_a_t_junction(const Lab& lab, double degrees) {
   return one_span(lab.hidden_of_line(world, from_above(), {-2.5 * c, -2.5 * s, 0}, {3.5 * c, 3.5 * s, 0}), 0.25, 0.75);
 }
 
-// Square pages on one spine, seen from above; a page at a right angle is a line.
+// Square pages on a common spine, seen from above; a page at a right angle is a line.
 Measured book(const Lab& lab, double pages) {
   const int k = static_cast<int>(pages);
   Shape all;
@@ -106,7 +106,7 @@ Measured book(const Lab& lab, double pages) {
   return lengths(lab.draw(world_of(all), {from_above()}), edges + 4 * std::cos(M_PI / (k + 1)), 0);
 }
 
-// Two bars that overlap by a part of their lengths, with other diagonals, seen from the front.
+// Two bars with different diagonals that overlap over a part of their lengths, seen from the front.
 Measured overlapping_bars(const Lab& lab, double overlap) {
   Shape left = triangulated_cube(false), right = triangulated_cube(true);
   for (Point& p : left.points) p[0] *= 2;

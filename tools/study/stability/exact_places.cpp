@@ -27,7 +27,7 @@ std::vector<int> corners_before_the_viewer(const Result& result) {
 
 using ExactPlace = std::array<verify::Exact, 2>;
 
-// On the plane, but for a shift that is the same for all points; in units of the view.
+// On the plane, up to a shift that is the same for all points; in units of the view.
 ExactPlace exact_place(const view::ProjectedScene& view, const Vec3& point) {
   const projection::Projection& p = view.projection;
   const verify::Triple<verify::Exact> x = verify::triple<verify::Exact>(point),

@@ -70,7 +70,7 @@ Measured sliver_plate(const Lab& lab, int n) {
 namespace {
 
 // Every edge of the surface is split on one side only: there, the triangle becomes a fan around its middle. On the
-// other it stays as it is, and a fan of triangles without area from one end fills the gap.
+// other side, the triangle is unchanged, and a fan of degenerate triangles from one end fills the gap.
 struct OneSidedSplit {
   int parts;
   Shape shape;
@@ -115,7 +115,7 @@ Measured triangles_without_area(const Lab& lab, int cells, int parts) {
   const scene::World world = world_of(split.shape);
   Measured measured{count("open edges", 0, world.models[0].mesh->report.open_edges)};
   const Vec3 towards = glm::normalize(Vec3(3, -2, 1));
-  double all = 0;  // four edges along each axis, of which one is hidden
+  double all = 0;  // four edges along each axis, one of them hidden
   for (int axis = 0; axis < 3; ++axis) all += std::sqrt(1 - towards[axis] * towards[axis]);
   const double r = std::sqrt(2.0 / 3.0);
   for (const Quantity& q : lengths(lab.draw(world, {orthographic(towards)}), 3 * all, all)) measured.push_back(q);
@@ -125,7 +125,7 @@ Measured triangles_without_area(const Lab& lab, int cells, int parts) {
 
 namespace {
 
-// Where the horizontal line at height y leaves a polygon around the origin: its least and greatest x.
+// The ends of the horizontal line at height y in a polygon around the origin: minimum and maximum x.
 std::array<double, 2> chord(const std::vector<Point>& corners, double y) {
   std::array<double, 2> ends{HUGE_VAL, -HUGE_VAL};
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -188,7 +188,7 @@ std::vector<Flat> random_needles(int n) {
 
 double cross(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
-// The part of the segment from p to q inside a triangle, which turns left.
+// The part of the segment from p to q inside a counterclockwise triangle.
 std::optional<std::array<double, 2>> part_inside(const Vec2& p, const Vec2& q, const Flat& triangle) {
   double from = 0, to = 1;
   for (int k = 0; k < 3; ++k) {
@@ -203,7 +203,7 @@ std::optional<std::array<double, 2>> part_inside(const Vec2& p, const Vec2& q, c
   return std::array{from, to};
 }
 
-// Needle i lies below all needles after it. Of every edge in turn, what they hide of it.
+// Needle i lies below all needles after it. For every edge in turn, the spans that they hide.
 std::vector<visibility::Spans> hidden_in_the_plane(const std::vector<Flat>& needles) {
   std::vector<visibility::Spans> hidden;
   for (std::size_t i = 0; i < needles.size(); ++i)
@@ -250,7 +250,7 @@ Measured needles(const Lab& lab, int n) {
     pieces += hidden[e].size();
   }
   const Result result = lab.draw(world_of(shape), {from_above()});
-  // Before lines are merged: near its tip, the two sides of a needle are one line.
+  // Compared before lines are merged: near its tip, the two sides of a needle are one line.
   const auto found = static_cast<double>(result.hidden.spans.size()), wanted = static_cast<double>(pieces);
   return {length("hidden", expected, hidden_before_merging(result), std::max(expected, result.extent())),
           length("hidden pieces", wanted, found, std::max(wanted, 1.0), 1e-4)};

@@ -79,7 +79,7 @@ std::vector<Vec3> random_segments(int count) {
   return segments;
 }
 
-// Whole coordinates: corners are exact, and where faces meet they are the same.
+// Integer coordinates: corners are exact, and the same in all faces that meet there.
 Shape sum_of(const std::vector<Vec3>& segments) {
   Shape shape;
   std::map<Point, int> places;

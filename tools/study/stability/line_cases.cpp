@@ -16,7 +16,7 @@ Shape ground() { return plate(-4, -4, 4, 4, -10); }
 
 using Interval = std::array<double, 2>;
 
-// Length of what is hidden in one but not in the other, outside `excused`.
+// Length of the parts hidden in only one of the two, outside `excused`.
 double differing(const visibility::Spans& got, const Interval& expected, const Interval& excused) {
   std::vector<double> ends{0, 1, expected[0], expected[1], excused[0], excused[1]};
   for (const auto& span : got) ends.insert(ends.end(), span.begin(), span.end());
@@ -31,8 +31,8 @@ double differing(const visibility::Spans& got, const Interval& expected, const I
   return sum;
 }
 
-// Where a line crosses a border of a plate at a small slope, it is one line with it as far as both are nearer than the
-// merge width: there, either answer leaves the ink as it is.
+// Where a line crosses a border of a plate at a small slope, the two are merged as long as they are closer than the
+// merge width: there, either answer leaves the ink unchanged.
 Measured beside_a_border(const HiddenLine& line, const Interval& expected, double slope, const Interval& border) {
   const double reach = slope > 0 ? line.merge_width() / slope : HUGE_VAL;
   const Interval excused{std::max(0.5 - reach, border[0]), std::min(0.5 + reach, border[1])};
@@ -45,7 +45,7 @@ Measured almost_along_a_border(const Lab& lab, double e) {
   return beside_a_border(line, {0.5, 2.0 / 3}, 3 * e, {1.0 / 3, 2.0 / 3});
 }
 
-// The upper plate's border runs at angle a over the line.
+// The upper plate's border crosses the line at the angle a.
 Measured crossing_at_an_angle(const Lab& lab, double a) {
   const Shape upper{{{-1, -a, 1}, {1, a, 1}, {1, 1, 1}, {-1, 1, 1}}, {{0, 1, 2, 3}}, {}};
   const HiddenLine line = lab.hidden_of_line(world_of({upper, ground()}), from_above(), {-2, 0, 0}, {2, 0, 0});
@@ -82,7 +82,7 @@ Measured behind_a_narrow_plate(const Lab& lab, double w) {
           length("at half of the depth", w / 2, hidden(steep), 8)};
 }
 
-// A corner of the fan lies at (1, 0); on the other side a corner or the middle of a side.
+// A corner of the fan lies at (1, 0); on the other side there is a corner or the middle of a side.
 Measured through_a_hub(const Lab& lab, double blades) {
   const int n = static_cast<int>(blades);
   const HiddenLine line = lab.hidden_of_line(world_of({fan(n), ground()}), from_above(), {-2, 0, 0}, {2, 0, 0});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a drawing should measure, and what it does.
+// Measured quantities of a drawing and their expected values.
 #pragma once
 
 #include <cmath>
@@ -10,23 +10,23 @@
 
 namespace epura::stability {
 
-/// Lengths and places may be off by this part of the drawing: what the program guarantees of its spans.
+/// Lengths and positions may be off by this fraction of the drawing, which the program guarantees for its spans.
 inline constexpr double guaranteed_part = 1e-6;
 
 struct Quantity {
   std::string name;
   double expected, got;
-  double scale;         ///< that errors are told in parts of: the size of the drawing; 1 for counts
+  double scale;         ///< errors are relative to it: the size of the drawing; 1 for counts
   double allowed;       ///< error up to which it is right
-  double rounding = 0;  ///< error that the rounding of the input to doubles explains (view/condition.hpp)
+  double rounding = 0;  ///< error explained by rounding the input to doubles (view/condition.hpp)
 
-  /// Infinite where nothing comparable came out.
+  /// Infinite if there is no comparable result.
   [[nodiscard]] double error() const {
     const double e = std::abs(got - expected) / scale;
     return std::isnan(e) ? std::numeric_limits<double>::infinity() : e;
   }
   [[nodiscard]] bool right() const { return error() <= allowed; }
-  /// Not right, but no worse than the condition of the map says.
+  /// Not right, but no worse than the condition of the map allows.
   [[nodiscard]] bool limited() const { return !right() && error() <= rounding; }
 };
 
@@ -38,7 +38,7 @@ inline Quantity length(std::string name, double expected, double got, double sca
 
 inline void append(Measured& all, const Measured& more) { all.insert(all.end(), more.begin(), more.end()); }
 
-/// Whole numbers are right or wrong.
+/// Integers are right or wrong.
 inline Quantity count(std::string name, double expected, double got) { return {std::move(name), expected, got, 1, 0}; }
 
 }  // namespace epura::stability

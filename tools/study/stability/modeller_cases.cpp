@@ -22,7 +22,7 @@ Measured as_a_cube(const Lab& lab, const Shape& shape, int open_edges = 0) {
   return measured;
 }
 
-// A unit sphere of bands, its poles on z.
+// The profile of a unit sphere with this number of bands and its poles on z.
 std::vector<std::array<double, 2>> meridian(int bands, double pole) {
   std::vector<std::array<double, 2>> profile;
   for (int i = 0; i <= bands; ++i) {
@@ -32,7 +32,7 @@ std::vector<std::array<double, 2>> meridian(int bands, double pole) {
   return profile;
 }
 
-// Each ring at a pole is closed by a polygon.
+// The ring at each pole is closed by a polygon.
 Measured poles_of_rings(const Lab& lab, double radius) {
   const int sides = 48, bands = 24;
   Shape sphere = revolved(meridian(bands, radius), sides);
@@ -65,7 +65,8 @@ Measured swept_square(const Lab& lab, double steps) {
   return as_a_cube(lab, cube);
 }
 
-// One half of the unit cube, and its image in the plane x + y = 1, which moves the points of that plane by rounding.
+// One half of the unit cube, and its image in the plane x + y = 1, in which rounding displaces the points of that
+// plane.
 Measured mirrored_half(const Lab& lab, double at) {
   Shape half{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}},
              {{0, 2, 1}, {3, 4, 5}, {0, 1, 4, 3}, {2, 0, 3, 5}},
@@ -83,7 +84,7 @@ Measured mirrored_half(const Lab& lab, double at) {
   return as_a_cube(lab, half);
 }
 
-// The top of the unit cube has further corners on its border, which the sides have not.
+// The top of the unit cube has additional corners on its border that the sides do not have.
 Measured t_junctions(const Lab& lab, double parts) {
   const int n = static_cast<int>(parts);
   Shape cube = box({0, 0, 0}, {1, 1, 1});
@@ -104,7 +105,7 @@ Measured t_junctions(const Lab& lab, double parts) {
   return as_a_cube(lab, cube, 4 * n + 4);
 }
 
-// Five digits of text: a unit sphere is dented by as much as they leave out.
+// Five digits of text: their rounding dents a unit sphere.
 Measured five_digits(const Lab& lab, double sides) {
   const int n = static_cast<int>(sides);
   const Shape sphere = revolved(meridian(n / 2, 0), n);

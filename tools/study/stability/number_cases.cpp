@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Meshes with coordinates out of the ordinary: huge, tiny, far away, missing; and in any order.
+// Meshes with unusual coordinates (huge, tiny, far away, missing) and in any order.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -33,7 +33,7 @@ Measured quarter_cube_far_away(const Lab& lab, double at) {
   return measured;
 }
 
-// The window shows the unit cube alone; the large one stands beside it on the page.
+// The window shows only the unit cube; the large cube is beside it on the page.
 Measured small_beside_large(const Lab& lab, double ratio) {
   const Shape large = box({-4, 2, 0}, {-3, 3, 1}).scaled(ratio);
   const scene::World world = world_of({box({0, 0, 0}, {1, 1, 1}), large});
@@ -46,7 +46,7 @@ Measured small_beside_large(const Lab& lab, double ratio) {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// A right triangle, and beside it faces that are none.
+// A valid triangle, and beside it invalid faces.
 Shape with_faults(int kind) {
   Shape shape{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, {}};
   const auto add = [&shape](const Point& a, const Point& b, const Point& c) {
@@ -65,7 +65,7 @@ Shape with_faults(int kind) {
   return shape;
 }
 
-// Nothing to draw is an error with a reason, or no ink.
+// If there is nothing to draw, the result must be an error with a reason, or no ink.
 Measured faults(const Lab& lab, double kind) {
   const bool empty = kind >= 7;
   const double expected = empty ? 0 : 2 + std::sqrt(2.0);
@@ -78,7 +78,7 @@ Measured faults(const Lab& lab, double kind) {
   return {length("visible", expected, visible, 1)};
 }
 
-// std::shuffle differs from library to library.
+// std::shuffle differs between libraries.
 template <class Things>
 void shuffle(Things& things, std::mt19937& random) {
   for (std::size_t i = things.size(); i > 1; --i) std::swap(things[i - 1], things[random() % i]);

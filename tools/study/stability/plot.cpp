@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Errors over the parameter: both logarithmic, one curve for each arithmetic, and the error that is allowed.
+// Errors over the parameter: both logarithmic, one curve for each arithmetic, and the allowed error.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,7 +17,7 @@ namespace {
 constexpr Vec2 plot_size(112, 72);  // mm, with labels
 constexpr Vec2 field_least(18, 15), field_most(108, 60);
 constexpr double label_height = 2.5, mark = 0.7;
-constexpr double least_decade = -18, most_decade = 2;  // of errors; what is not finite stands at the top
+constexpr double least_decade = -18, most_decade = 2;  // of errors; values that are not finite are at the top
 
 const std::array<sheet::LineStyle, arithmetics> curve_styles{
     {{"plot-float32", 0.25, {0.6, 1.2}}, {"plot-double", 0.25, {3, 1}}, {"plot-epura", 0.5}}};
@@ -39,8 +39,8 @@ double height_of(double error) {
   return field_least.y + part * (field_most.y - field_least.y);
 }
 
-// Where steps stand: by their logarithms where they span more than a decade, zero a little before the least; where some
-// are negative, one after the other.
+// Positions of steps: by their logarithms if they span more than a decade, with zero slightly before the least; if some
+// are negative, at equal distances.
 class StepAxis {
  public:
   explicit StepAxis(const std::vector<Row>& rows) {
@@ -101,7 +101,7 @@ void add_field(Plot& plot, const Vec2& origin, const CaseReport& one, const Step
   }
 }
 
-// A filled square where it is right, a cross where it is not.
+// A filled square if it is right, a cross if it is not.
 void add_mark(sheet::Layer& layer, const Vec2& at, Verdict verdict) {
   const Vec2 up(mark, mark), down(mark, -mark);
   if (verdict == Verdict::right)

@@ -15,13 +15,13 @@ const double root2 = std::sqrt(2.0);
 
 scene::World cube() { return world_of(box({0, 0, 0}, {1, 1, 1})); }
 
-// The eye at height h over the far face z = 0 of the unit cube, the picture plane through the near face z = 1.
+// The eye at height h above the far face z = 0 of the unit cube, with the picture plane through the near face z = 1.
 projection::Projection over_the_cube(double h) {
   return perspective({0.5, 0.5, h}, {0.5, 0.5, 1}, {0, 0, 1}, {0, 1, 0});
 }
 
-// The far face is a square of side (h - 1) / h within that of the near one, and four edges join their corners. Where
-// both are nearer than lines can be told apart, one is left.
+// The far face is a square of side (h - 1) / h inside that of the near face, and four edges join their corners. If the
+// two are too close to be distinguished, only one is left.
 Measured from_the_axis(const Lab& lab, double h) {
   const Result result = lab.draw(cube(), {over_the_cube(h)});
   const bool merged = 0.5 / h < result.merge_width();
@@ -43,7 +43,7 @@ Measured open_box(const Lab& lab, double over) {
   return lengths(result, merged ? 4 : 4 + 4 * ((h - 1) / h) + 2 * root2 / h, 0);
 }
 
-// The eye stands in the middle of a room; the far wall is 2 x 2 on a picture plane through it.
+// The eye is in the middle of a room; the far wall is 2 x 2 on a picture plane through it.
 Measured room_from_inside(const Lab& lab, double a) {
   projection::Projection inside = perspective({0, 0, 0}, {0, 0, -2}, {0, 0, 1}, {0, 1, 0});
   inside.window = projection::Window{{-a, -a}, {a, a}};
@@ -58,7 +58,7 @@ Measured floor_to_the_eye(const Lab& lab, double near) {
   return lengths(lab.draw(world_of(floor), {p, {.near = near, .far = {}}}), 1.8 * root2 + 0.2, 0);
 }
 
-// Plates ten times nearer each, all of one size on the page, each shifted over the one behind it.
+// Plates, each ten times nearer than the last, of equal size on the page, each shifted over the one behind it.
 Measured plates_over_decades(const Lab& lab, double decades) {
   const int plates = static_cast<int>(decades) + 1;
   const double d = 0.01;
@@ -72,7 +72,7 @@ Measured plates_over_decades(const Lab& lab, double decades) {
   return {length("visible", visible, result.visible(), visible), places(result)};
 }
 
-// Sleepers at distance 2^j between rails one to the left and right, one below the eye.
+// Sleepers at distance 2^j between rails one unit to the left and right, and one unit below the eye.
 Measured rails(const Lab& lab, double doublings) {
   const int last = static_cast<int>(doublings);
   Shape track;
@@ -88,7 +88,7 @@ Measured rails(const Lab& lab, double doublings) {
   return lengths(result, along + 4 * (1 - std::ldexp(1.0, -(last + 1))), 0);
 }
 
-// Not at 45 degrees: there the hidden receding edge would run on under a visible one.
+// Not at 45 degrees, where the hidden receding edge would extend under a visible one.
 Measured oblique_cube(const Lab& lab, double l) {
   projection::Projection p = orthographic({0, -1, 0});
   p.projector = {l * std::cos(0.4), -1, l * std::sin(0.4)};
@@ -98,7 +98,7 @@ Measured oblique_cube(const Lab& lab, double l) {
   return measured;
 }
 
-// A plane square to an axis, so that its point is moved exactly in it.
+// A plane perpendicular to an axis, so that its point is moved exactly in it.
 Measured shifted_principal_point(const Lab& lab, double shift) {
   projection::Projection p = perspective({3, -4, 2}, {0, 0, 0}, {0, -1, 0}, {0, 0, 1});
   const Result plain = Lab().draw(cube(), {p});
@@ -121,7 +121,7 @@ double largest_change(const drawing::ViewDrawing& a, const drawing::ViewDrawing&
   return change;
 }
 
-// M_per is linear in the normal of the plane: the normal times a factor is the matrix times it (seed 003, 3.10).
+// M_per is linear in the normal of the plane: scaling the normal scales the matrix by the same factor (seed 003, 3.10).
 Measured multiplied_matrix(const Lab& lab, double factor) {
   Camera camera{perspective({3, -4, 2}, {0.5, 0.5, 0.5}, {1, -2, 0.5}, {0, 0, 1})};
   const Result plain = lab.draw(cube(), camera);

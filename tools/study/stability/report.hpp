@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The stability study: every case at every step by every arithmetic. Verdicts follow from errors alone.
+// The stability study: every case at every step by every arithmetic. Verdicts depend only on errors.
 #pragma once
 
 #include <array>
@@ -16,22 +16,23 @@ namespace epura::stability {
 
 enum class Verdict {
   right,
-  limited,  ///< off by more than is allowed, but by no more than the rounding of the input explains
-  broken,   ///< wrong, or nothing comes out
+  limited,  ///< error larger than allowed, but explained by the rounding of the input
+  broken,   ///< wrong, or no result
 };
 
 std::string_view name_of(Verdict verdict);
 
-/// One arithmetic at one step.
+/// The result of one arithmetic at one step.
 struct Outcome {
-  Measured measured;    ///< empty where nothing came out
-  std::string failure;  ///< why not
+  Measured measured;    ///< empty if there is no result
+  std::string failure;  ///< the reason if there is no result
 
-  /// Broken where one quantity is, or nothing came out.
+  /// Broken if one quantity is, or if there is no result.
   [[nodiscard]] Verdict verdict() const;
-  /// The quantity with the worst verdict; of these the one farthest beyond what is allowed. nullptr without any.
+  /// The quantity with the worst verdict; among these, the one farthest beyond the allowed error. nullptr if there is
+  /// none.
   [[nodiscard]] const Quantity* worst() const;
-  /// Of the worst quantity; infinite without any.
+  /// The error of the worst quantity; infinite if there is none.
   [[nodiscard]] double error() const;
 };
 
@@ -45,7 +46,7 @@ struct CaseReport {
   std::vector<Row> rows;
   double seconds = 0;
 
-  /// The first step that an arithmetic does not get right; nothing if it gets all.
+  /// The first step that an arithmetic gets wrong; nothing if it gets all right.
   [[nodiscard]] std::optional<double> breaks_at(Arithmetic arithmetic) const;
   /// The worst of all steps.
   [[nodiscard]] Verdict verdict(Arithmetic arithmetic) const;
@@ -53,7 +54,7 @@ struct CaseReport {
 
 using Report = std::vector<CaseReport>;
 
-/// `size` scales the numbers of parts of large scenes.
+/// `size` scales the numbers of parts in large scenes.
 Report run(std::span<const Case> cases, double size, Progress progress = {});
 
 }  // namespace epura::stability

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Meshes: planes of section.
+// Meshes: cutting planes.
 #include <cmath>
 #include <vector>
 
@@ -16,7 +16,7 @@ struct Face {
   Vec3 normal;  ///< outward
 };
 
-/// A side of a convex body, between two of its faces: seen where one of these is.
+/// A side of a convex body between two of its faces: visible if one of these is.
 struct Side {
   Vec3 from, to;
   Vec3 normal, other_normal;
@@ -50,7 +50,7 @@ ConvexBody prism(int corners, double height) {
   return body;
 }
 
-// Each face as a fan of triangles around its first corner: the caps around one corner of the body.
+// Each face as a fan of triangles around its first corner, including the caps around one corner of the body.
 Shape fans_of(const ConvexBody& body) {
   Shape shape;
   for (const Face& face : body.faces) {
@@ -61,7 +61,7 @@ Shape fans_of(const ConvexBody& body) {
   return shape;
 }
 
-// The sides of what a plane leaves of a body.
+// The sides of the part of a body that a plane leaves.
 std::vector<Side> cut_sides(const ConvexBody& body, const scene::CuttingPlane& plane) {
   const auto distance = [&](const Vec3& p) { return glm::dot(plane.normal, p - plane.point); };
   const auto meet = [&](const Vec3& a, const Vec3& b) {
@@ -86,8 +86,9 @@ std::vector<Side> cut_sides(const ConvexBody& body, const scene::CuttingPlane& p
   return left;
 }
 
-// The plane passes a corner of a prism, and the hub of the fan that is its cap, at either side, and cuts that fan into
-// triangles as thin as it is near. No edge runs along it: all lengths change steadily with the distance.
+// The plane passes a corner of a prism, which is also the hub of the fan of its cap, closely on either side, and cuts
+// that fan into thin triangles, the closer the thinner. No edge lies along it: all lengths change continuously with the
+// distance.
 Measured cut_beside_a_vertex(const Lab& lab, double distance) {
   const ConvexBody body = prism(11, 3);
   const scene::World world = world_of(fans_of(body));

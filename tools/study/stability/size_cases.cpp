@@ -10,7 +10,7 @@ namespace epura::stability {
 
 namespace {
 
-// A number of parts at the size of the lab.
+// A number of parts, scaled by the size of the lab.
 int many(const Lab& lab, double number, int min) {
   return std::max(min, static_cast<int>(std::lround(number * lab.size)));
 }

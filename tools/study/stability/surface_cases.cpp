@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Meshes: surfaces of one side, round and wavy ones. Where no closed form is known, the drawing is judged point by
-// point in rational numbers (study/verify).
+// Meshes: one-sided, round and wavy surfaces. If no closed form is known, the drawing is verified point by point in
+// rational numbers (src/verify).
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -58,7 +58,7 @@ Measured klein(const Lab& lab, double first) {
   return measured;
 }
 
-// From above no part of the hat hides another.
+// From above, no part of the hat hides another.
 Measured hat(const Lab& lab, double elevation) {
   const double a = elevation * M_PI / 180;
   const Vec3 towards = elevation == 90 ? Vec3(0, 0, 1) : Vec3(0, -std::cos(a), std::sin(a));
@@ -68,7 +68,7 @@ Measured hat(const Lab& lab, double elevation) {
   return measured;
 }
 
-// Creases are counted from the threshold on, which is exactly the angle between neighbouring sides: all or none.
+// Creases count from the threshold, which is exactly the angle between neighbouring sides: all or none.
 Measured prism_at_the_threshold(const Lab& lab, double sides) {
   const int n = static_cast<int>(sides);
   Shape prism;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Projections: where the viewer stands.
+// Projections: the position of the viewer.
 #include <cmath>
 
 #include "study/stability/case.hpp"
@@ -36,16 +36,16 @@ Measured moved_together(const Lab& lab, double exponent) {
   return measured;
 }
 
-// The plate is a line over the cube's front face and hides nothing of it: 4 edges and the plate's near edge. The cube's
-// rear face, and the edges to it, lie behind its front face.
+// The plate appears as a line in front of the cube's front face and hides nothing of it: 4 edges and the plate's near
+// edge. The cube's rear face, and the edges to it, lie behind its front face.
 Measured eye_in_the_plane_of_a_plate(const Lab& lab, double e) {
   const scene::World world = world_of({plate(-1, 1, 1, 2, 0), box({-0.5, 4, -0.5}, {0.5, 5, 0.5})});
   return lengths(lab.draw(world, {perspective({0, 0, e}, {0, 1, e}, {0, -1, 0}, {0, 0, 1})}), 3,
                  0.8 + 0.1 * std::sqrt(2.0));
 }
 
-// A square of side 1 four away on the page, and a plate below the eye that reaches to half as far. The plate's far edge
-// runs e / 2 below the horizon; while the eye lies over the plate, all below that edge is hidden.
+// A square of side 1 at distance 4, and a plate below the eye that extends half as far. The plate's far edge is e / 2
+// below the horizon on the page; while the eye is above the plate, everything below that edge is hidden.
 Measured eye_over(const Lab& lab, const Shape& floor, double e, double visible, double hidden) {
   const Shape target{
       {{-0.5, 4, e - 0.5}, {0.5, 4, e - 0.5}, {0.5, 4, e + 0.5}, {-0.5, 4, e + 0.5}}, {{0, 1, 2, 3}}, {}};
@@ -54,7 +54,7 @@ Measured eye_over(const Lab& lab, const Shape& floor, double e, double visible, 
   return lengths(lab.draw(world_of({floor, target}), {p}), visible, hidden);
 }
 
-// The plate ends to the right at the eye, or reaches around it.
+// The plate ends on the right below the eye, or extends around it.
 Measured eye_on_a_plate(const Lab& lab, double e) {
   const Shape corner{{{-1, 0, 0}, {0, 0, 0}, {0, 2, 0}, {-1, 2, 0}}, {{0, 1, 2, 3}}, {}};
   const Shape around{{{-1, -1, 0}, {1, -1, 0}, {1, 2, 0}, {-1, 2, 0}}, {{0, 1, 2, 3}}, {}};
@@ -64,7 +64,7 @@ Measured eye_on_a_plate(const Lab& lab, double e) {
   return measured;
 }
 
-// The eye is 3 before the cube. What is left are the far face and the walls from the near plane to it.
+// The eye is 3 in front of the cube. The far face remains, and the walls from the near plane to it.
 Measured near_plane_through_a_cube(const Lab& lab, double left) {
   const double far = 4, near = far - left;
   const projection::Projection p = perspective({0.5, -3, 0.5}, {0.5, -2, 0.5}, {0, -1, 0}, {0, 0, 1});

@@ -9,7 +9,7 @@
 
 namespace epura::stability {
 
-/// A table of all cases with the steps at which each arithmetic breaks; with `rows` also every step.
+/// A table of all cases with the steps at which each arithmetic breaks; with `rows`, also every step.
 std::string to_text(const Report& report, bool rows);
 
 /// One line for each quantity of each step and arithmetic.
@@ -18,13 +18,13 @@ std::string to_csv(const Report& report);
 /// docs/formats.md. Seconds only with `timings`: otherwise the same report gives the same bytes.
 std::string to_json(const Report& report, bool timings);
 
-/// One page with tables and plots, without other files.
+/// One self-contained page with tables and plots.
 std::string to_html(const Report& report);
 
-/// Errors over the parameter, all cases on one sheet.
+/// Errors over the parameter, with all cases on one sheet.
 sheet::Sheet to_sheet(const Report& report);
 
-/// One case alone.
+/// A single case.
 sheet::Sheet to_sheet(const CaseReport& report);
 
 }  // namespace epura::stability

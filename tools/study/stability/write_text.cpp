@@ -38,7 +38,7 @@ std::string row_line(const Row& row, std::size_t arithmetic) {
          format_rounded(quantity->allowed, error_digits) + "\n";
 }
 
-// Quotation marks around what could be taken for two fields (RFC 4180).
+// Quotes text that could be taken for two fields (RFC 4180).
 std::string field(const std::string& text) {
   if (text.find_first_of(",\"\n") == std::string::npos) return text;
   std::string quoted = "\"";
