@@ -20,7 +20,8 @@ const ProgramTexts& program_texts() {
           "a title block.",
       .exit_codes = {{0, "success"},
                      {found_wrong_exit_code,
-                      "differences found (compare, snapshot) or errors found (--verify, plugins check)"},
+                      "differences found (compare, snapshot) or errors found (--verify, plugins check, views beyond "
+                      "their sheet)"},
                      {2, "wrong input"},
                      {3, "plugin error"},
                      {4, "cannot write"},

@@ -11,7 +11,7 @@
 namespace epura {
 
 int exit_code_of(const DrawnFiles& drawn) {
-  if (drawn.is_wrong()) return found_wrong_exit_code;
+  if (drawn.is_wrong() || drawn.report.cut_off) return found_wrong_exit_code;
   return drawn.report.partial.stages.empty() ? 0 : partial_exit_code;
 }
 

@@ -12,11 +12,6 @@ namespace {
 // Planes at a smaller angle (radians) to the viewer's direction are lines on the page.
 constexpr double edge_on = 1e-9;
 
-bool is_seen(const scene::CuttingPlane& plane, const projection::Projection& projection) {
-  const Vec3 to_viewer = projection.central ? projection.projector - plane.point : projection.projector;
-  return glm::dot(plane.normal, to_viewer) > edge_on * glm::length(to_viewer);
-}
-
 // The corners of what a triangle has in front of the plane.
 std::vector<Vec3> in_front(const scene::World& world, int triangle, const scene::CuttingPlane& plane) {
   const std::array<int, 3>& corners = world.triangles[triangle];
@@ -32,6 +27,11 @@ std::vector<Vec3> in_front(const scene::World& world, int triangle, const scene:
 }
 
 }  // namespace
+
+bool is_seen(const scene::CuttingPlane& plane, const projection::Projection& projection) {
+  const Vec3 to_viewer = projection.central ? projection.projector - plane.point : projection.projector;
+  return glm::dot(plane.normal, to_viewer) > edge_on * glm::length(to_viewer);
+}
 
 std::vector<PaperTriangle> before_cuts_on_paper(const scene::World& world, const std::vector<int>& uncut,
                                                 const scene::CuttingPlane& plane, const Mat4& world_to_page) {

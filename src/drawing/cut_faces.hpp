@@ -15,6 +15,9 @@ namespace epura::drawing {
 std::vector<CutFace> cut_faces_on_paper(const std::vector<scene::WorldCutFace>& faces, const scene::CuttingPlane& plane,
                                         view::ProjectedScene& view, const view::PaperMap& paper);
 
+/// Whether the viewer looks at the side of the cut faces.
+bool is_seen(const scene::CuttingPlane& plane, const projection::Projection& projection);
+
 /// Returns what the triangles `uncut` of the cut world have in front of the plane, on paper. A viewer among them sees
 /// nothing of those that reach behind the eye.
 std::vector<PaperTriangle> before_cuts_on_paper(const scene::World& world, const std::vector<int>& uncut,

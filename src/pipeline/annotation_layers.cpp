@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pipeline/annotation_layers.hpp"
 
+#include <algorithm>
 #include <iterator>
 #include <map>
 #include <utility>
@@ -60,6 +61,16 @@ sheet::Neighbours with_other_views(sheet::Neighbours neighbours, std::span<const
   return neighbours;
 }
 
+// Four digits of the size of small models.
+int decimals_of(const SheetInput& input) {
+  const Box& box = input.world.box;
+  const Vec3 size = box.max - box.min;
+  const double largest = std::max({size.x, size.y, size.z});
+  int usual = 2;
+  for (double least = 10; largest < least && usual < 8; least /= 10) ++usual;
+  return input.scene.sheets[static_cast<std::size_t>(input.views.sheet)].decimals.value_or(usual);
+}
+
 }  // namespace
 
 AnnotationLayers annotation_layers(const SheetInput& input, std::span<const ViewResult> views,
@@ -75,7 +86,8 @@ AnnotationLayers annotation_layers(const SheetInput& input, std::span<const View
     const std::vector<scene::DimensionDescription> dimensions = dimensions_of(input.annotations[i], views[i]);
     if (dimensions.empty()) continue;
     if (!lettering) around = neighbours_of(furniture, labels, marks, lettering.emplace());
-    const sheet::DimensionStyle style{*lettering, widths.narrow, dimension_text_height(paper, views.size())};
+    const sheet::DimensionStyle style{*lettering, widths.narrow, dimension_text_height(paper, views.size()),
+                                      decimals_of(input)};
     const drawing::ViewDrawing& drawing = views[i].drawing;
     sheet::Layer layer =
         sheet::dimension_layer({input.world, drawing, dimensions}, style, with_other_views(around, views, i),

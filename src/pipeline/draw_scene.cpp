@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/parallel.hpp"
+#include "drawing/cut_faces.hpp"
 #include "pipeline/annotations.hpp"
 #include "pipeline/compose.hpp"
 #include "pipeline/plan_steps.hpp"
@@ -64,6 +65,21 @@ ViewTime Run::time_of_next_view() {
   return {progress, progress.with_part_of_the_time(1 / (static_cast<double>(views_left--) + views_for_the_rest))};
 }
 
+void warn_about(const Messages& messages, const SheetPlan& plan) {
+  messages.warn("the drawing is larger than the sheet at " + sheet::ratio_text(plan.scale) +
+                (plan.fitting ? "; it fits at " + sheet::ratio_text(*plan.fitting)
+                              : "\n  hint: use a larger sheet, or fewer views"));
+}
+
+// Its view would look like one of the whole, and the arrows of the section would contradict it.
+void warn_if_unseen(const Messages& messages, const CutSection& section, const view::ProjectedScene& seen,
+                    const std::string& view) {
+  if (drawing::is_seen(section.plane, seen.projection)) return;
+  messages.warn(
+      "view '" + view + "' looks at section " + section.plane.name +
+      " from the side that is kept and shows no cut face\n  hint: reverse its normal, or choose the opposite view");
+}
+
 std::vector<view::ProjectedScene> Run::map_views(const WorldOfView& world, const SheetOfViews& views) {
   progress.begin("mapping", views.plans.size());
   std::vector<view::ProjectedScene> seen;
@@ -97,6 +113,7 @@ FinishedSheet Run::draw_sheet(const scene::World& whole, const CutSections& sect
   const Budget budget{progress, progress, partial};
   for (std::size_t i = 0; i < seen.size(); ++i) {
     const ViewInput input{world(i), section(i), views.plans[i].options, plan.places[i]};
+    if (input.section != nullptr) warn_if_unseen(messages, *input.section, seen[i], views.plans[i].options.name);
     results.push_back(draw_view(input, std::move(seen[i]), time_of_next_view(), watch));
     warn_if_empty(messages, results.back(), input);
     note(results.back());
@@ -105,7 +122,8 @@ FinishedSheet Run::draw_sheet(const scene::World& whole, const CutSections& sect
     results.back().work = {};  // frees memory for what follows
   }
   if (options.arcs) tell_of_curves(messages, results);
-  if (!plan.inside) messages.warn("the drawing is larger than the sheet at this scale");
+  if (!plan.inside) warn_about(messages, plan);
+  report.cut_off = report.cut_off || !plan.on_paper;
   FinishedSheet sheet = compose({whole, scene, views, plan, annotations}, results, budget);
   if (!partial.stages.empty()) mark_partial(sheet, partial.stages.front());
   report.partial.add(partial);

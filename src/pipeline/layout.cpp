@@ -174,7 +174,9 @@ SheetPlan plan_sheet(const scene::World& world, const scene::SceneDescription& s
                  {},
                  arrangement.scale,
                  options.scale.standard,
-                 arrangement.inside};
+                 arrangement.inside,
+                 arrangement.on_paper,
+                 arrangement.fitting};
   for (std::size_t i = 0; i < views.size(); ++i) {
     const sheet::ViewSpot& spot = arrangement.views[i];
     plan.places.push_back({spot.scale, spot.shift - spot.scale * placing.origins[i]});

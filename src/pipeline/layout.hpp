@@ -23,6 +23,8 @@ struct SheetPlan {
   double scale = 1;                 ///< main scale, mm on paper per unit of the world
   bool chosen = false;              ///< the scale is the largest of ISO 5455 that fits
   bool inside = true;               ///< all ink is within the margins
+  bool on_paper = true;             ///< no ink is beyond the paper
+  std::optional<double> fitting{};  ///< if not all is inside: the largest standard scale at which it would be
 };
 
 /// The usual paper for so many views unless their scale needs a larger one, and the largest one that they may get.

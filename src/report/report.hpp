@@ -74,6 +74,7 @@ struct Report {
   std::optional<Verification> verification;             ///< if requested
   std::vector<ViewCondition> conditions;                ///< one for each view, if requested
   std::optional<Tessellation> tessellation{};           ///< if round faces of a part are recognised
+  bool cut_off = false;                                 ///< views extend beyond the paper
 };
 
 }  // namespace epura::report

@@ -2,11 +2,13 @@
 #include "scene/cut_world.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <span>
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/text.hpp"
 #include "mesh/edge_table.hpp"
 #include "scene/cut_bodies.hpp"
 #include "scene/cut_doubts.hpp"
@@ -219,8 +221,18 @@ void append(World& world, const ModelCut& cut) {
   if (!cut.world.wires.empty()) append_wires(world, *world.models.back().mesh, first);
 }
 
-[[noreturn]] void refuse(const CuttingPlane& plane, const std::string& what) {
-  throw Error(ErrorKind::input, plane.where, what, "move the point or turn the normal");
+[[noreturn]] void refuse(const CuttingPlane& plane, const std::string& what, const Box& box) {
+  double least = HUGE_VAL, most = -HUGE_VAL;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 p((corner & 1) != 0 ? box.max.x : box.min.x, (corner & 2) != 0 ? box.max.y : box.min.y,
+                 (corner & 4) != 0 ? box.max.z : box.min.z);
+    const double height = glm::dot(plane.normal, p - plane.point);
+    least = std::min(least, height);
+    most = std::max(most, height);
+  }
+  throw Error(ErrorKind::input, plane.where, what,
+              "along its normal, the models reach from " + format_rounded(least, 6) + " to " + format_rounded(most, 6) +
+                  " of its point: move the point or turn the normal");
 }
 
 }  // namespace
@@ -254,8 +266,8 @@ CutWorld cut_world(const World& world, const CuttingPlane& plane, const Progress
     append(result.world, cut);
   }
   if (result.world.triangles.empty() && result.world.wires.empty())
-    refuse(plane, "the cutting plane removes everything");
-  if (!cuts) refuse(plane, "the plane cuts nothing");
+    refuse(plane, "the cutting plane removes everything", world.box);
+  if (!cuts) refuse(plane, "the plane cuts nothing", world.box);
   return result;
 }
 

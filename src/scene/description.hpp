@@ -107,6 +107,7 @@ struct SheetDescription {
   Located<ScaleChoice> scale;
   Located<ProjectionAngle> angle;
   Located<FrameKind> frame;
+  Located<int> decimals;  ///< of dimensions, at most; by the size of the models by default
   TitleBlockFields title_block;
 };
 

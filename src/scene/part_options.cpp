@@ -205,6 +205,11 @@ Options<SheetDescription> sheet_options() {
                              "several views or if a title block field other than the title is given",
                      .usual = "auto"},
                     &Sheet::frame, choice<FrameKind>().shown_as("KIND")),
+      option<Sheet>({.key = "decimals",
+                     .flag = "--dimension-decimals",
+                     .help = "most decimals of the lengths in dimensions",
+                     .usual = "2; more for models below 10 mm"},
+                    &Sheet::decimals, whole_number(0, 8)),
   };
 }
 

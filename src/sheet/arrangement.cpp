@@ -127,12 +127,27 @@ Rectangle box_of(const Spots& spots) {
   return box;
 }
 
+bool is_on_paper(const Spots& spots, const Paper& paper) {
+  const Rectangle all{{0, 0}, {paper.width, paper.height}};
+  return std::all_of(spots.begin(), spots.end(), [&](const ViewSpot& spot) { return all.holds(spot.box, rounding); });
+}
+
+std::optional<double> fitting_scale(Question question, const Paper& paper) {
+  question.choice = {std::nullopt, true};
+  const auto found = find_on(question, paper);
+  return found ? std::optional(found->scale) : std::nullopt;
+}
+
 Arrangement on_paper(const Question& question) {
   const Paper& paper = question.room.paper;
   auto found = find_on(question, paper);
   if (!found) found = overflow(question, paper);
   check_drawing_size(box_of(found->spots).size());
-  return {paper, found->scale, found->spots, all_inside(found->spots, question, paper)};
+  Arrangement arrangement{paper, found->scale, found->spots, all_inside(found->spots, question, paper)};
+  if (arrangement.inside) return arrangement;
+  arrangement.on_paper = is_on_paper(arrangement.views, paper);
+  arrangement.fitting = fitting_scale(question, paper);
+  return arrangement;
 }
 
 // Arranges the views on A4, or on a larger sheet of that shape if the scale is given, and then cuts the paper to size.
@@ -172,7 +187,11 @@ Arrangement alone(const Question& question) {
     scale = standard_scale_up_to(place_ink(box.min, box.max, std::nullopt, paper).scale);
   const Placement placed = place_ink(box.min, box.max, scale, paper);
   const Rectangle ink{placed.scale * box.min + placed.shift, placed.scale * box.max + placed.shift};
-  return {placed.paper, placed.scale, {{0, placed.scale, placed.shift, ink}}, placed.inside};
+  Arrangement arrangement{placed.paper, placed.scale, {{0, placed.scale, placed.shift, ink}}, placed.inside};
+  if (arrangement.inside) return arrangement;
+  arrangement.on_paper = is_on_paper(arrangement.views, placed.paper);
+  arrangement.fitting = standard_scale_up_to(place_ink(box.min, box.max, std::nullopt, paper).scale);
+  return arrangement;
 }
 
 }  // namespace

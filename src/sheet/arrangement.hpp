@@ -50,6 +50,8 @@ struct Arrangement {
   double scale;                 ///< of all non-pictorial views without their own scale
   std::vector<ViewSpot> views;  ///< in the order given
   bool inside;                  ///< everything is in the drawing area, and nothing overlaps
+  bool on_paper = true;         ///< no ink is beyond the paper
+  std::optional<double> fitting{};  ///< if not all is inside: the largest standard scale at which it would be
 };
 
 /// In first-angle projection, the view from above is below the front view and the view from the left to its right; in

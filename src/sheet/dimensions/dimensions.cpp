@@ -117,7 +117,7 @@ Layer dimension_layer(const DimensionedView& view, const DimensionStyle& style, 
   std::vector<MeasuredDimension> measured;
   for (const AnchoredDimension& dimension :
        find_anchors(view.world, view.dimensions, progress.with_part_of_the_time(0.5))) {
-    measured.push_back(measure(view.drawing, dimension, diameter_sign(style.lettering)));
+    measured.push_back(measure(view.drawing, dimension, {diameter_sign(style.lettering), style.decimals}));
     expect_letters(measured.back().text, dimension, style.lettering);
   }
   Layer layer = empty_layer(view.drawing.name, scene::SheetLine::dimension, {2 * style.line, style.line});

@@ -22,6 +22,7 @@ struct DimensionStyle {
   const Lettering& lettering;
   double line;        ///< width of the narrow lines
   double text = 3.5;  ///< height of capitals
+  int decimals = 2;   ///< of lengths, at most
 
   [[nodiscard]] double arrow() const { return text; }          ///< its length; the angle of the tip is 20 degrees
   [[nodiscard]] double gap() const { return 8 * line; }        ///< between the outline and an extension line

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double parallel = 1e-3;  // sine of a tilt that shortens by only half a millionth
 constexpr double whole = 1e-5;     // relative length by which ink may be shorter
-constexpr int decimals = 2;
+constexpr int angle_decimals = 2;
 
 [[noreturn]] void refuse(const AnchoredDimension& dimension, const std::string& what, const std::string& hint) {
   throw Error(ErrorKind::input, dimension.where, what, hint);
@@ -24,6 +24,7 @@ constexpr int decimals = 2;
 // The view of a dimension, as a map of the world.
 struct Sight {
   const drawing::ViewDrawing& drawing;
+  const Notation& notation;
   const Vec3 n = drawing.projection.n;
   const bool orthographic =
       glm::length(glm::cross(drawing.projection.projector, n)) <= 1e-9 * glm::length(drawing.projection.projector);
@@ -49,8 +50,8 @@ Vec2 left_of(const Vec2& d) { return {-d.y, d.x}; }
 MeasuredDimension length_between(const AnchoredDimension& dimension, const Sight& sight, const Vec2& along,
                                  double value) {
   const Vec2 from = sight.page(dimension.points[0]), to = sight.page(dimension.points[1]);
-  return {MeasuredLength{from, to, along, left_of(along)}, with_text(dimension, format_fixed(value, decimals)),
-          dimension.offset};
+  return {MeasuredLength{from, to, along, left_of(along)},
+          with_text(dimension, format_fixed(value, sight.notation.decimals)), dimension.offset};
 }
 
 MeasuredDimension linear(const AnchoredDimension& dimension, const Sight& sight) {
@@ -115,7 +116,7 @@ MeasuredDimension angular(const AnchoredDimension& dimension, const Sight& sight
   if (degrees < 0.005) refuse(dimension, "its legs lie on one line: the angle is zero", "choose other vertices");
   const Vec2 corner = sight.page(dimension.points[0]);
   return {MeasuredAngle{corner, {sight.page(dimension.points[1]) - corner, sight.page(dimension.points[2]) - corner}},
-          with_text(dimension, format_fixed(degrees, decimals) + "°"), dimension.offset};
+          with_text(dimension, format_fixed(degrees, angle_decimals) + "°"), dimension.offset};
 }
 
 // Where an arc begins and its sweep, from the order of its vertices on paper.
@@ -143,11 +144,12 @@ MeasuredDimension edge_on(const AnchoredDimension& dimension, const WorldCircle&
           text, dimension.offset};
 }
 
-MeasuredDimension circular(const AnchoredDimension& dimension, const Sight& sight, const std::string& diameter) {
+MeasuredDimension circular(const AnchoredDimension& dimension, const Sight& sight) {
   const bool is_radius = dimension.type == DimensionType::radius;
   const auto text = [&](const WorldCircle& circle) {
     const double value = is_radius ? circle.radius : 2 * circle.radius;
-    return with_text(dimension, (is_radius ? "R" : diameter) + format_fixed(value, decimals));
+    return with_text(dimension,
+                     (is_radius ? "R" : sight.notation.diameter) + format_fixed(value, sight.notation.decimals));
   };
   for (const WorldCircle& circle : dimension.circles)
     if (glm::length(glm::cross(circle.axis, sight.n)) <= parallel)
@@ -177,7 +179,7 @@ std::array<Vec2, 2> ends_of_ink(const drawing::ViewDrawing& drawing, const Vec2&
   return ends;
 }
 
-MeasuredDimension overall(const AnchoredDimension& dimension, const Sight& sight, const std::string& diameter) {
+MeasuredDimension overall(const AnchoredDimension& dimension, const Sight& sight) {
   const int axis = axis_of(*dimension.direction);
   Vec3 e(0);
   e[axis] = 1;
@@ -199,20 +201,20 @@ MeasuredDimension overall(const AnchoredDimension& dimension, const Sight& sight
     refuse(dimension, "the view does not show all of the models along this axis",
            "omit --near and --far, and include contour in --edges");
   const std::string sign = dimension.form == scene::ExtentForm::length   ? ""
-                           : dimension.form == scene::ExtentForm::sphere ? "S" + diameter
-                                                                         : diameter;
+                           : dimension.form == scene::ExtentForm::sphere ? "S" + sight.notation.diameter
+                                                                         : sight.notation.diameter;
   return {MeasuredLength{ends[0], ends[1], along, left_of(along)},
-          with_text(dimension, sign + format_fixed(value, decimals)), dimension.offset};
+          with_text(dimension, sign + format_fixed(value, sight.notation.decimals)), dimension.offset};
 }
 
 }  // namespace
 
 MeasuredDimension measure(const drawing::ViewDrawing& drawing, const AnchoredDimension& dimension,
-                          const std::string& diameter) {
+                          const Notation& notation) {
   if (drawing.projection.central)
     refuse(dimension, "the view '" + drawing.name + "' is a perspective, which shows no true lengths",
            "measure in an orthographic view");
-  const Sight sight{drawing};
+  const Sight sight{drawing, notation};
   switch (dimension.type) {
     case DimensionType::linear:
       return linear(dimension, sight);
@@ -221,9 +223,9 @@ MeasuredDimension measure(const drawing::ViewDrawing& drawing, const AnchoredDim
     case DimensionType::angular:
       return angular(dimension, sight);
     case DimensionType::overall:
-      return overall(dimension, sight, diameter);
+      return overall(dimension, sight);
     default:
-      return circular(dimension, sight, diameter);
+      return circular(dimension, sight);
   }
 }
 

@@ -33,6 +33,12 @@ struct MeasuredCircle {
   bool is_radius;       ///< whether the radius is measured; otherwise the diameter
 };
 
+/// How values are written.
+struct Notation {
+  std::string diameter;  ///< sign before diameters
+  int decimals = 2;      ///< of lengths, at most
+};
+
 struct MeasuredDimension {
   std::variant<MeasuredLength, MeasuredAngle, MeasuredCircle> form;
   std::string text;  ///< as written
@@ -42,8 +48,8 @@ struct MeasuredDimension {
 /// The view must show true measures: lengths and angles must lie parallel to its plane; in an orthographic view,
 /// `linear` measures between planes perpendicular to the paper, and `aligned` may follow a world axis that the view
 /// shortens (the extension lines then follow another axis). Throws Error{input} with the reason if a view shows no true
-/// measures, as in perspective. Values have at most 2 decimals. `diameter` is the sign before diameters. ISO 129-1.
+/// measures, as in perspective. ISO 129-1.
 MeasuredDimension measure(const drawing::ViewDrawing& drawing, const AnchoredDimension& dimension,
-                          const std::string& diameter);
+                          const Notation& notation);
 
 }  // namespace epura::sheet

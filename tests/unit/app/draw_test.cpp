@@ -169,8 +169,9 @@ TEST(Draw, AFewFacesThatCollapseAreNoMatterForAWarning) {
 TEST(Draw, ADrawingLargerThanTheSheetIsSaid) {
   const Folder folder;
   const Outcome run = epura({"draw", sample("bracket.obj"), "-o", "x.svg", "--scale", "20:1"}, folder / "");
-  EXPECT_EQ(run.code, 0);
-  EXPECT_TRUE(contains(run.err, "larger than the sheet")) << run.err;
+  EXPECT_EQ(run.code, 1);
+  EXPECT_TRUE(contains(run.err, "the drawing is larger than the sheet at 20:1; it fits at 1:1")) << run.err;
+  EXPECT_FALSE(read_file(folder / "x.svg").empty());
 }
 
 TEST(Draw, WhatTheFontCannotWriteIsSaid) {

@@ -5,6 +5,7 @@
 #include <regex>
 #include <set>
 
+#include "../output/json_reader.hpp"
 #include "errors.hpp"
 #include "folder.hpp"
 #include "program.hpp"
@@ -122,6 +123,46 @@ TEST_F(Sheets, ViewsStandByTheirGeometryNotByTheirNames) {
     return paths;
   };
   EXPECT_EQ(places("anything"), places("front"));
+}
+
+TEST(SheetsOfViews, SectionsSeenFromTheSideThatIsKeptAreReported) {
+  const Folder folder;
+  const auto said = [&](const std::string& normal) {
+    folder.file("s.toml", "[[model]]\nfile = \"" + sample("bracket.obj") +
+                              "\"\n[[section]]\nname = \"A\"\npoint = [40, 0, 0]\nnormal = " + normal +
+                              "\n[[view]]\nprojection = \"left\"\nsection = \"A\"\n");
+    return epura({"draw", "s.toml", "-o", "x.svg"}, folder / "").err;
+  };
+  EXPECT_EQ(said("[-1, 0, 0]"), "");
+  EXPECT_TRUE(contains(said("[1, 0, 0]"), "view 'left' looks at section A from the side that is kept"))
+      << said("[1, 0, 0]");
+  folder.file("s.toml", "[[model]]\nfile = \"" + sample("bracket.obj") +
+                            "\"\n[[section]]\nname = \"A\"\npoint = [400, 0, 0]\nnormal = [1, 0, 0]\n"
+                            "[[view]]\nprojection = \"right\"\nsection = \"A\"\n");
+  const Outcome beside = epura({"draw", "s.toml", "-o", "x.svg"}, folder / "");
+  EXPECT_EQ(beside.code, 2);
+  EXPECT_TRUE(contains(beside.err, "along its normal, the models reach from -400 to -320 of its point")) << beside.err;
+}
+
+TEST(SheetsOfViews, PictorialViewsHaveHiddenLinesOnRequest) {
+  const Folder folder;
+  const auto hidden_layers = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> arguments{"draw", sample("bracket.obj"), "-o", "x.json", "--views"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    EXPECT_EQ(epura(arguments, folder / "").code, 0);
+    const Json drawing = JsonReader(read_file(folder / "x.json")).read();
+    std::string views;
+    for (const Json& view : drawing["views"].items)
+      for (const Json& segment : view["segments"].items)
+        if (segment["visible"].type == 'f') {
+          views += view["name"].text + " ";
+          break;
+        }
+    return views;
+  };
+  EXPECT_EQ(hidden_layers({"front,isometric,cabinet,two-point"}), "front ");
+  EXPECT_EQ(hidden_layers({"front:hidden=none,isometric:hidden=dashed,left"}), "isometric left ");
+  EXPECT_EQ(hidden_layers({"front,isometric", "--hidden", "dashed"}), "front isometric ");
 }
 
 }  // namespace

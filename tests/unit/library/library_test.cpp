@@ -157,7 +157,7 @@ TEST(Library, TypedValuesMeanWhatOptionsMean) {
                                .join_within = 0.2}},
                     .sheets = {{.size = "A3",
                                 .orientation = Orientation::portrait,
-                                .scale = 0.5,
+                                .scale = 0.05,
                                 .frame = FrameKind::full,
                                 .title_block = {{"title", "Bracket"}, {"owner", "epura"}}}}};
   Settings how = settings();
@@ -166,7 +166,7 @@ TEST(Library, TypedValuesMeanWhatOptionsMean) {
   const std::string file = (folder / "x.svg").string();
   const std::string options =
       " --unit in --projection cabinet:angle=30 --hidden solid --edges contour,crease,boundary,intersection,tangent"
-      " --crease-angle 20 --join-within 0.2 --sheet A3 --portrait --scale 1:2 --frame full --title Bracket --owner "
+      " --crease-angle 20 --join-within 0.2 --sheet A3 --portrait --scale 1:20 --frame full --title Bracket --owner "
       "epura --arcs "
       "--centre-lines -o ";
   ASSERT_EQ(std::system(
