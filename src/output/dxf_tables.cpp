@@ -55,8 +55,9 @@ struct LineType {
   std::string name;
 };
 
-// One line type for each pattern of the sheet, the finest first. The second one of a kind, that of wide lines, is twice
-// as long and is named accordingly ("X2") as in AutoCAD.
+// One line type for each pattern of the sheet, the finest first. LibreCAD ignores the table and draws its own patterns
+// of these names: those of DASHEDTINY and DASHED2 are close to the lengths for narrow and wide lines in millimetres,
+// that of DASHED is four times as long.
 std::vector<LineType> line_types(const sheet::Sheet& sheet) {
   std::vector<LineType> types;
   for (const sheet::Layer& layer : sheet.layers) {
@@ -71,7 +72,7 @@ std::vector<LineType> line_types(const sheet::Sheet& sheet) {
   for (LineType& type : types) {
     type.name = scene::type_with_dots(type.dashes.dots).dxf;
     const int number = ++named[scene::type_with_dots(type.dashes.dots).dxf];
-    if (number > 1) type.name += number == 2 ? "X2" : std::to_string(number);
+    type.name += number == 1 ? "TINY" : std::to_string(number);
   }
   return types;
 }

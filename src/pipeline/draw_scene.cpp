@@ -65,6 +65,13 @@ ViewTime Run::time_of_next_view() {
   return {progress, progress.with_part_of_the_time(1 / (static_cast<double>(views_left--) + views_for_the_rest))};
 }
 
+std::string sentence_of_scale(const SheetPlan& plan) {
+  const std::string scale = "the scale is " + sheet::ratio_text(plan.scale);
+  if (plan.inside && plan.fitting)
+    return scale + "; " + sheet::ratio_text(*plan.fitting) + " fits with smaller pictorial views";
+  return scale + ", the largest of ISO 5455 that fits";
+}
+
 void warn_about(const Messages& messages, const SheetPlan& plan) {
   messages.warn("the drawing is larger than the sheet at " + sheet::ratio_text(plan.scale) +
                 (plan.fitting ? "; it fits at " + sheet::ratio_text(*plan.fitting)
@@ -106,8 +113,7 @@ FinishedSheet Run::draw_sheet(const scene::World& whole, const CutSections& sect
     views.plans[i].options.styles = styles_of(scene, views.descriptions[i], world(i), seen[i].projection);
   const std::vector<Annotations> annotations = annotate(whole, scene, views, seen, sections);
   const SheetPlan plan = plan_sheet(whole, scene, views, seen, annotations);
-  if (plan.chosen)
-    messages.warn("the scale is " + sheet::ratio_text(plan.scale) + ", the largest of ISO 5455 that fits");
+  if (plan.chosen) messages.warn(sentence_of_scale(plan));
   std::vector<ViewResult> results;
   report::Partial partial;
   const Budget budget{progress, progress, partial};

@@ -24,7 +24,7 @@ struct SheetPlan {
   bool chosen = false;              ///< the scale is the largest of ISO 5455 that fits
   bool inside = true;               ///< all ink is within the margins
   bool on_paper = true;             ///< no ink is beyond the paper
-  std::optional<double> fitting{};  ///< if not all is inside: the largest standard scale at which it would be
+  std::optional<double> fitting{};  ///< as in Arrangement
 };
 
 /// The usual paper for so many views unless their scale needs a larger one, and the largest one that they may get.

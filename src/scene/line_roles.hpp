@@ -17,7 +17,7 @@ namespace epura::scene {
 struct DashType {
   double dash = 0, gap = 0, dot = 0;
   int dots = 0;
-  const char* dxf = "CONTINUOUS";  ///< name that all programs know
+  const char* dxf = "CONTINUOUS";  ///< beginning of its name there
 
   [[nodiscard]] constexpr bool is_broken() const { return dash > 0; }
   /// All but the dash.

@@ -44,6 +44,7 @@ std::optional<double> largest_that(double max, bool standard, const std::functio
 struct Found {
   double scale;
   Spots spots;
+  double largest = 0;  ///< scale that would fit with smaller pictorial views
 };
 
 std::optional<Found> at_fixed_scale(const Arranger& arranger, double scale) {
@@ -61,7 +62,7 @@ std::optional<Found> at_free_scale(const Arranger& arranger, bool standard, doub
     const auto fits = [&](double scale) { return arranger.arranged(scale, share).has_value(); };
     const auto scale = largest_that(max, standard, fits);
     if (!scale || (found && *scale < good_share * found->scale)) break;
-    found = Found{*scale, *arranger.arranged(*scale, share)};
+    found = Found{*scale, *arranger.arranged(*scale, share), found ? found->largest : *scale};
   }
   if (found) found->spots = arranger.balanced(found->spots);
   return found;
@@ -89,17 +90,22 @@ ArrangerRoom room_on(const Paper& paper, const DrawingRoom& room) {
   return arranger;
 }
 
-// Reduces the gaps before the drawing.
+// The first choice of gaps at which the views fit; of standard scales, the one with the largest scale.
 std::optional<Found> find_on(const Question& question, const Paper& paper) {
-  ArrangerRoom room = room_on(paper, question.room);
+  const ArrangerRoom room = room_on(paper, question.room);
   if (!(room.area.size().x > 0 && room.area.size().y > 0)) return std::nullopt;
-  for (const auto& [part_of_gap, watch_given] : {std::pair(1.0, true), {0.25, true}, {0.25, false}}) {
+  std::optional<Found> best;
+  const auto try_with = [&](double part_of_gap, bool watch_given) {
     ArrangerRoom tried = room;
     tried.gap *= part_of_gap;
     tried.watch_given = watch_given;
-    if (auto found = find(question, Arranger(question.views, question.angle, tried))) return found;
-  }
-  return std::nullopt;
+    auto found = find(question, Arranger(question.views, question.angle, tried));
+    if (found && (!best || found->scale > best->scale * (1 + rounding))) best = std::move(found);
+  };
+  for (const double part_of_gap : {1.0, 0.25})
+    if (!best || question.choice.standard) try_with(part_of_gap, true);
+  if (!best) try_with(0.25, false);
+  return best;
 }
 
 Found overflow(const Question& question, const Paper& paper) {
@@ -144,6 +150,7 @@ Arrangement on_paper(const Question& question) {
   if (!found) found = overflow(question, paper);
   check_drawing_size(box_of(found->spots).size());
   Arrangement arrangement{paper, found->scale, found->spots, all_inside(found->spots, question, paper)};
+  if (question.choice.standard && found->largest > found->scale) arrangement.fitting = found->largest;
   if (arrangement.inside) return arrangement;
   arrangement.on_paper = is_on_paper(arrangement.views, paper);
   arrangement.fitting = fitting_scale(question, paper);

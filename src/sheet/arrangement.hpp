@@ -46,12 +46,13 @@ struct DrawingRoom {
 inline constexpr double label_room = 10;
 
 struct Arrangement {
-  Paper paper;                  ///< with its final size
-  double scale;                 ///< of all non-pictorial views without their own scale
-  std::vector<ViewSpot> views;  ///< in the order given
-  bool inside;                  ///< everything is in the drawing area, and nothing overlaps
-  bool on_paper = true;         ///< no ink is beyond the paper
-  std::optional<double> fitting{};  ///< if not all is inside: the largest standard scale at which it would be
+  Paper paper;                      ///< with its final size
+  double scale;                     ///< of all non-pictorial views without their own scale
+  std::vector<ViewSpot> views;      ///< in the order given
+  bool inside;                      ///< everything is in the drawing area, and nothing overlaps
+  bool on_paper = true;             ///< no ink is beyond the paper
+  std::optional<double> fitting{};  ///< largest standard scale that fits: if not all is inside, or if it is larger
+                                    ///< than `scale`, which leaves pictorial views more room
 };
 
 /// In first-angle projection, the view from above is below the front view and the view from the left to its right; in

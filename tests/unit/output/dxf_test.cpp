@@ -154,14 +154,14 @@ TEST(DxfLayers, HaveLineTypesAndWidthsInMillimetres) {
   const std::string dxf = output::to_dxf(sheet);
   const auto layers = table_of(dxf, "LAYER");
   ASSERT_EQ(layers.size(), 5u);
-  EXPECT_EQ(layers[1].text(6), "DASHED");
+  EXPECT_EQ(layers[1].text(6), "DASHEDTINY");
   EXPECT_EQ(layers[1].text(370), "25");
   EXPECT_EQ(layers[2].text(6), "CONTINUOUS");
   EXPECT_EQ(layers[2].text(370), "50");
-  EXPECT_EQ(layers[3].text(6), "DASHDOTX2");
-  EXPECT_EQ(layers[4].text(6), "DASHDOT");
+  EXPECT_EQ(layers[3].text(6), "DASHDOT2");
+  EXPECT_EQ(layers[4].text(6), "DASHDOTTINY");
   for (const DxfRecord& type : table_of(dxf, "LTYPE")) {
-    if (type.text(2) != "DASHDOT") continue;
+    if (type.text(2) != "DASHDOTTINY") continue;
     EXPECT_EQ(type.all(49), (std::vector<std::string>{"8.4", "-1.05", "0.175", "-1.05"}));
     EXPECT_NEAR(type.number(40), 10.675, 1e-12);
   }
